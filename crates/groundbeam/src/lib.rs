@@ -1,0 +1,5 @@
+//! groundbeam: beams on ground that can only push back.
+pub mod model;
+pub use model::{
+    Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, Load, Model, Support, SupportKind,
+};

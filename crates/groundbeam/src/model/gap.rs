@@ -1,0 +1,12 @@
+//! The initial clearance g₀(x) between beam and ground.
+
+/// One corner of the piecewise linear profile of the initial clearance.
+///
+/// Between two corners the clearance is linear, beyond the outermost ones constant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GapPoint {
+    /// Position x \[m\]. Corners are listed from left to right.
+    pub at: f64,
+    /// Clearance g₀ \[m\], positive where beam and ground are apart before loading.
+    pub value: f64,
+}

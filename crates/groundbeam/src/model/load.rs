@@ -1,0 +1,87 @@
+//! What acts on the beam: the terms of (4.7).
+
+/// A load. Forces are positive down; moments are positive where they turn the right side down,
+/// doing the work M₀·w'(x) of (4.7).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Load {
+    /// A force at a point, fᵢ of (4.7).
+    PointForce {
+        /// Position \[m\].
+        at: f64,
+        /// Force F \[N\].
+        force: f64,
+    },
+    /// A moment at a point, gᵢ of (4.7).
+    PointMoment {
+        /// Position \[m\].
+        at: f64,
+        /// Moment M₀ \[N·m\].
+        moment: f64,
+    },
+    /// A force spread over a stretch, f(x) of (4.7), linear between its ends.
+    Distributed {
+        /// Left end \[m\].
+        from: f64,
+        /// Right end \[m\].
+        to: f64,
+        /// Intensity at the left end \[N/m\].
+        start: f64,
+        /// Intensity at the right end \[N/m\].
+        end: f64,
+    },
+    /// A moment spread over a stretch, g(x) of (4.7), linear between its ends.
+    DistributedMoment {
+        /// Left end \[m\].
+        from: f64,
+        /// Right end \[m\].
+        to: f64,
+        /// Intensity at the left end \[N·m/m\].
+        start: f64,
+        /// Intensity at the right end \[N·m/m\].
+        end: f64,
+    },
+}
+
+impl Load {
+    /// A force at a point \[N, m\].
+    pub fn point(force: f64, at: f64) -> Self {
+        Load::PointForce { at, force }
+    }
+
+    /// A moment at a point \[N·m, m\].
+    pub fn moment(moment: f64, at: f64) -> Self {
+        Load::PointMoment { at, moment }
+    }
+
+    /// An even load \[N/m\] between two positions \[m\].
+    pub fn uniform(intensity: f64, from: f64, to: f64) -> Self {
+        Load::Distributed { from, to, start: intensity, end: intensity }
+    }
+
+    /// The same load, `factor` times as large.
+    pub fn scaled(self, factor: f64) -> Self {
+        match self {
+            Load::PointForce { at, force } => Load::PointForce { at, force: force * factor },
+            Load::PointMoment { at, moment } => Load::PointMoment { at, moment: moment * factor },
+            Load::Distributed { from, to, start, end } => {
+                Load::Distributed { from, to, start: start * factor, end: end * factor }
+            }
+            Load::DistributedMoment { from, to, start, end } => {
+                Load::DistributedMoment { from, to, start: start * factor, end: end * factor }
+            }
+        }
+    }
+
+    pub(super) fn mirrored(self, l: f64) -> Self {
+        match self {
+            Load::PointForce { at, force } => Load::PointForce { at: l - at, force },
+            Load::PointMoment { at, moment } => Load::PointMoment { at: l - at, moment: -moment },
+            Load::Distributed { from, to, start, end } => {
+                Load::Distributed { from: l - to, to: l - from, start: end, end: start }
+            }
+            Load::DistributedMoment { from, to, start, end } => {
+                Load::DistributedMoment { from: l - to, to: l - from, start: -end, end: -start }
+            }
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! What is given: beam, foundation, loads, supports, initial gap. Section 2, Remark 1 and Remark 2.
+//!
+//! Every number is in one coherent system of units (m, N, rad and their products; or any other in
+//! which force = stiffness × length holds). Nothing here knows how a unit is spelled.
+
+mod beam;
+mod foundation;
+mod gap;
+mod load;
+mod support;
+mod validate;
+
+pub use beam::{Beam, BeamSegment};
+pub use foundation::{Foundation, FoundationSegment};
+pub use gap::GapPoint;
+pub use load::Load;
+pub use support::{Support, SupportKind};
+pub use validate::{Part, Problem};
+
+/// A beam, the ground under it, and what acts on them.
+///
+/// The fields are plain data; [`Model::problems`] tells everything that is wrong with them.
+/// Positions `x` are measured from the beam's left end, deflections and forces are positive down.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Model {
+    /// The beam: its length, bending stiffness and axial force.
+    pub beam: Beam,
+    /// The ground: its spring and shear constants.
+    pub foundation: Foundation,
+    /// Everything that acts on the beam, (4.7). Empty: nothing acts.
+    pub loads: Vec<Load>,
+    /// What holds the beam besides the ground. Empty: the beam is free.
+    pub supports: Vec<Support>,
+    /// Initial clearance between beam and ground, piecewise linear. Empty: none.
+    pub gap: Vec<GapPoint>,
+}
+
+impl Model {
+    /// A beam without loads, supports or gap on a foundation.
+    pub fn new(beam: Beam, foundation: Foundation) -> Self {
+        Model { beam, foundation, loads: Vec::new(), supports: Vec::new(), gap: Vec::new() }
+    }
+
+    /// The same model with one load more.
+    pub fn with_load(mut self, load: Load) -> Self {
+        self.loads.push(load);
+        self
+    }
+
+    /// The same model with one support more.
+    pub fn with_support(mut self, support: Support) -> Self {
+        self.supports.push(support);
+        self
+    }
+
+    /// The same model with one more point of the initial gap's profile.
+    pub fn with_gap(mut self, at: f64, value: f64) -> Self {
+        self.gap.push(GapPoint { at, value });
+        self
+    }
+
+    /// The same model with every load multiplied by `factor`.
+    pub fn with_loads_scaled(mut self, factor: f64) -> Self {
+        for load in &mut self.loads {
+            *load = load.scaled(factor);
+        }
+        self
+    }
+
+    /// The model seen in a mirror: what was at x is at l − x.
+    pub fn mirrored(&self) -> Self {
+        let l = self.beam.length;
+        let mut gap: Vec<GapPoint> =
+            self.gap.iter().map(|g| GapPoint { at: l - g.at, value: g.value }).collect();
+        gap.reverse();
+        Model {
+            beam: self.beam.mirrored(),
+            foundation: self.foundation.mirrored(l),
+            loads: self.loads.iter().map(|load| load.mirrored(l)).collect(),
+            supports: self.supports.iter().map(|s| Support { at: l - s.at, ..*s }).collect(),
+            gap,
+        }
+    }
+}

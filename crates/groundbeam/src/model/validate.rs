@@ -1,0 +1,309 @@
+//! Every rule a model must obey, each with what would be right.
+
+use super::{Load, Model, SupportKind};
+use std::fmt;
+
+/// Which part of the model a [`Problem`] is about; numbers count from 0 in the order given.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// The beam itself.
+    Beam,
+    /// One of the beam's segments.
+    BeamSegment(usize),
+    /// The foundation itself.
+    Foundation,
+    /// One of the foundation's segments.
+    FoundationSegment(usize),
+    /// One of the loads.
+    Load(usize),
+    /// One of the supports.
+    Support(usize),
+    /// One corner of the initial gap.
+    Gap(usize),
+}
+
+/// One thing that is wrong with a model.
+///
+/// Positions that a reader should see in a unit of their own choice are in `numbers`, and stand in
+/// `message` and `hint` as `{0}`, `{1}`, …; [`Problem::fill`] writes them out.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Problem {
+    /// A fixed code, one for each rule, such as `GB101`.
+    pub code: &'static str,
+    /// The part of the model.
+    pub part: Part,
+    /// The field of that part, as the model names it: `length`, `at`, `from`, `spring`, …
+    pub field: &'static str,
+    /// What is wrong.
+    pub message: String,
+    /// What would be right.
+    pub hint: String,
+    /// Positions \[m\] that `message` and `hint` refer to as `{0}`, `{1}`, …
+    pub numbers: Vec<f64>,
+}
+
+impl Problem {
+    fn new(
+        code: &'static str,
+        part: Part,
+        field: &'static str,
+        message: impl Into<String>,
+        hint: impl Into<String>,
+    ) -> Self {
+        Problem { code, part, field, message: message.into(), hint: hint.into(), numbers: vec![] }
+    }
+
+    fn with_numbers(mut self, numbers: &[f64]) -> Self {
+        self.numbers = numbers.to_vec();
+        self
+    }
+
+    /// `text` with `{0}`, `{1}`, … replaced by the numbers, each written by `write`.
+    pub fn fill(&self, text: &str, write: impl Fn(f64) -> String) -> String {
+        let mut filled = text.to_owned();
+        for (i, &number) in self.numbers.iter().enumerate() {
+            filled = filled.replace(&format!("{{{i}}}"), &write(number));
+        }
+        filled
+    }
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let plain = |x: f64| x.to_string();
+        write!(
+            f,
+            "[{}] {:?}, {}: {} ({})",
+            self.code,
+            self.part,
+            self.field,
+            self.fill(&self.message, plain),
+            self.fill(&self.hint, plain)
+        )
+    }
+}
+
+impl Model {
+    /// Everything that is wrong with the model; empty when it can be solved.
+    ///
+    /// A beam so soft or ground so stiff that the products of the given numbers leave the range of
+    /// a 64-bit number is refused here too, so that no later step meets an infinity.
+    pub fn problems(&self) -> Vec<Problem> {
+        let mut found = Vec::new();
+        self.check_beam(&mut found);
+        self.check_foundation(&mut found);
+        self.check_loads(&mut found);
+        self.check_supports(&mut found);
+        self.check_gap(&mut found);
+        found
+    }
+
+    fn check_beam(&self, found: &mut Vec<Problem>) {
+        let beam = &self.beam;
+        positive(found, "GB101", Part::Beam, "length", beam.length, "the beam's length");
+        let ei = "the bending stiffness EI";
+        positive(found, "GB102", Part::Beam, "bending_stiffness", beam.bending_stiffness, ei);
+        if !in_range(beam.axial_force) {
+            found.push(Problem::new(
+                "GB103",
+                Part::Beam,
+                "axial_force",
+                format!("the axial force is {}", describe(beam.axial_force)),
+                "give a finite force, tension positive; leave it out for none",
+            ));
+        }
+        let spans: Vec<_> = beam.segments.iter().map(|s| (s.from, s.to)).collect();
+        for (i, segment) in beam.segments.iter().enumerate() {
+            let part = Part::BeamSegment(i);
+            positive(found, "GB102", part, "bending_stiffness", segment.bending_stiffness, ei);
+            self.check_stretch(found, part, segment.from, segment.to);
+        }
+        overlaps(found, &spans, Part::BeamSegment);
+    }
+
+    fn check_foundation(&self, found: &mut Vec<Problem>) {
+        let mut constants = |part, spring: f64, shear: f64| {
+            positive(found, "GB201", part, "spring", spring, "the spring constant k");
+            if !(in_range(shear) && shear >= 0.0) {
+                found.push(Problem::new(
+                    "GB202",
+                    part,
+                    "shear",
+                    format!("the shear constant mu is {}", describe(shear)),
+                    "it must be zero (Winkler) or positive",
+                ));
+            }
+        };
+        let ground = &self.foundation;
+        constants(Part::Foundation, ground.spring, ground.shear);
+        for (i, s) in ground.segments.iter().enumerate() {
+            constants(Part::FoundationSegment(i), s.spring, s.shear);
+        }
+        for (i, s) in ground.segments.iter().enumerate() {
+            let part = Part::FoundationSegment(i);
+            check_order(found, part, s.from, s.to);
+            if s.to <= 0.0 || s.from >= self.beam.length {
+                let nothing = "this ground does not reach under the beam";
+                let hint = "the ground beyond the beam's ends goes on as it is at the ends; \
+                            the beam is {0} long";
+                let problem = Problem::new("GB203", part, "from", nothing, hint);
+                found.push(problem.with_numbers(&[self.beam.length]));
+            }
+        }
+        let spans: Vec<_> = ground.segments.iter().map(|s| (s.from, s.to)).collect();
+        overlaps(found, &spans, Part::FoundationSegment);
+    }
+
+    fn check_loads(&self, found: &mut Vec<Problem>) {
+        for (i, load) in self.loads.iter().enumerate() {
+            let part = Part::Load(i);
+            match *load {
+                Load::PointForce { at, force } => {
+                    self.check_position(found, part, at);
+                    finite(found, part, "force", force);
+                }
+                Load::PointMoment { at, moment } => {
+                    self.check_position(found, part, at);
+                    finite(found, part, "moment", moment);
+                }
+                Load::Distributed { from, to, start, end }
+                | Load::DistributedMoment { from, to, start, end } => {
+                    self.check_stretch(found, part, from, to);
+                    finite(found, part, "start", start);
+                    finite(found, part, "end", end);
+                }
+            }
+        }
+    }
+
+    fn check_supports(&self, found: &mut Vec<Problem>) {
+        for (i, support) in self.supports.iter().enumerate() {
+            let part = Part::Support(i);
+            self.check_position(found, part, support.at);
+            if let SupportKind::Spring { spring, rotational_spring } = support.kind {
+                let mut constant = |field, value: f64| {
+                    if !(in_range(value) && value >= 0.0) {
+                        found.push(Problem::new(
+                            "GB402",
+                            part,
+                            field,
+                            format!("the spring constant is {}", describe(value)),
+                            "it must be zero or positive",
+                        ));
+                    }
+                };
+                constant("spring", spring);
+                constant("rotational_spring", rotational_spring);
+            }
+            if let Some(other) = self.supports[..i].iter().position(|s| s.at == support.at) {
+                let message = format!("there is a support at {{0}} already (number {})", other + 1);
+                let hint = "say in one support all that it holds";
+                let problem = Problem::new("GB403", part, "at", message, hint);
+                found.push(problem.with_numbers(&[support.at]));
+            }
+        }
+    }
+
+    fn check_gap(&self, found: &mut Vec<Problem>) {
+        for (i, corner) in self.gap.iter().enumerate() {
+            self.check_position(found, Part::Gap(i), corner.at);
+            finite(found, Part::Gap(i), "value", corner.value);
+            if i > 0 && corner.at <= self.gap[i - 1].at {
+                let hint = "list the gap's corners from left to right, each at a place of its own";
+                let message = "this corner at {0} does not lie to the right of the one before";
+                let problem = Problem::new("GB501", Part::Gap(i), "at", message, hint);
+                found.push(problem.with_numbers(&[corner.at]));
+            }
+        }
+    }
+
+    /// A position must be a number on the beam.
+    fn check_position(&self, found: &mut Vec<Problem>, part: Part, at: f64) {
+        self.check_on_beam(found, part, "at", at);
+    }
+
+    fn check_on_beam(&self, found: &mut Vec<Problem>, part: Part, field: &'static str, x: f64) {
+        if !(x >= 0.0 && x <= self.beam.length) && in_range(self.beam.length) {
+            let (message, hint) = if x.is_finite() {
+                ("{0} lies off the beam", "the beam goes from 0 to {1}, measured from its left end")
+            } else {
+                ("the position is not a finite number", "the beam goes from 0 to {1}")
+            };
+            let problem = Problem::new("GB301", part, field, message, hint);
+            found.push(problem.with_numbers(&[x, self.beam.length]));
+        }
+    }
+
+    fn check_stretch(&self, found: &mut Vec<Problem>, part: Part, from: f64, to: f64) {
+        self.check_on_beam(found, part, "from", from);
+        self.check_on_beam(found, part, "to", to);
+        check_order(found, part, from, to);
+    }
+}
+
+/// Numbers whose squares and cubes still fit are the ones mechanics can be done with.
+fn in_range(value: f64) -> bool {
+    value == 0.0 || (value.is_finite() && (1e-60..=1e60).contains(&value.abs()))
+}
+
+fn describe(value: f64) -> String {
+    if value.is_nan() {
+        "not a number".into()
+    } else if value.is_infinite() {
+        "infinite".into()
+    } else if value < 0.0 && in_range(value) {
+        "negative".into()
+    } else if value == 0.0 {
+        "zero".into()
+    } else {
+        format!("{value:e}, beyond what can be computed with")
+    }
+}
+
+fn positive(
+    found: &mut Vec<Problem>,
+    code: &'static str,
+    part: Part,
+    field: &'static str,
+    value: f64,
+    what: &str,
+) {
+    if !(in_range(value) && value > 0.0) {
+        let message = format!("{what} is {}", describe(value));
+        found.push(Problem::new(code, part, field, message, "it must be positive"));
+    }
+}
+
+fn finite(found: &mut Vec<Problem>, part: Part, field: &'static str, value: f64) {
+    if !in_range(value) {
+        let message = format!("the value is {}", describe(value));
+        found.push(Problem::new("GB302", part, field, message, "give a finite number"));
+    }
+}
+
+fn check_order(found: &mut Vec<Problem>, part: Part, from: f64, to: f64) {
+    if from >= to {
+        let message = "the stretch from {0} to {1} has no length";
+        let hint = "`to` must lie to the right of `from`";
+        found.push(Problem::new("GB303", part, "to", message, hint).with_numbers(&[from, to]));
+    } else if !(from.is_finite() && to.is_finite()) {
+        let message = "an end of the stretch is not a finite number";
+        found.push(Problem::new("GB303", part, "to", message, "give both ends as numbers"));
+    }
+}
+
+fn overlaps(found: &mut Vec<Problem>, spans: &[(f64, f64)], part: impl Fn(usize) -> Part) {
+    for (i, &(from, to)) in spans.iter().enumerate() {
+        for (j, &(other_from, other_to)) in spans[..i].iter().enumerate() {
+            if from < other_to && other_from < to {
+                let message = format!(
+                    "this segment, {{0}} to {{1}}, overlaps segment {}, {{2}} to {{3}}",
+                    j + 1
+                );
+                let hint = "segments may touch but not overlap";
+                let problem = Problem::new("GB304", part(i), "from", message, hint);
+                found.push(problem.with_numbers(&[from, to, other_from, other_to]));
+            }
+        }
+    }
+}
