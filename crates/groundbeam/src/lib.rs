@@ -3,3 +3,9 @@ pub mod model;
 pub use model::{
     Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, Load, Model, Support, SupportKind,
 };
+mod chain;
+mod contact;
+mod elements;
+mod ground;
+mod mesh;
+mod polynomial;

@@ -1,0 +1,442 @@
+//! One linear solve: beam and ground as a chain, swept from both ends to a meeting node.
+//!
+//! S (with r) is the stiffness (and force) that everything behind a node offers to the node's own
+//! x = (w, θ) and, where beam and ground have parted, u. Crossing an element, x' = T x + d, either x
+//! or d is eliminated in each of its two directions, whichever is held more stiffly, and never is a
+//! stiffness found as a small difference of large ones. Each element is crossed once on the way in
+//! and once on the way out: the cost is linear in the number of elements.
+
+use crate::elements::Element;
+use crate::ground::Link;
+
+/// What a link of the ground is tied to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Tie {
+    /// The ground's own surface at the cell's left node.
+    SurfaceLeft,
+    /// The ground's own surface at the cell's right node.
+    SurfaceRight,
+    /// The beam at a point of the cell: u = row·v − gap.
+    Beam {
+        /// What multiplies v = (w_left, θ_left, d₁, d₂).
+        row: [f64; 4],
+        /// g₀ there.
+        gap: f64,
+    },
+}
+
+/// A link of unloaded ground within one cell.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct TiedLink {
+    pub link: Link,
+    pub left: Tie,
+    pub right: Tie,
+}
+
+/// A cell: its element and the links of open ground in it.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct ChainCell {
+    pub element: Element,
+    pub links: Vec<TiedLink>,
+}
+
+/// A node: what acts there, what holds it, and on which sides the ground's surface is an unknown.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct ChainNode {
+    pub force: f64,
+    pub moment: f64,
+    pub pinned: bool,
+    pub clamped: bool,
+    pub spring: f64,
+    pub rotational_spring: f64,
+    /// A spring of the ground under the beam at this node, and the gap above it.
+    pub ground_spring: f64,
+    pub gap: f64,
+    /// A spring of the ground under its own surface at this node.
+    pub surface_spring: f64,
+    /// u is an unknown of the cell to the left, to the right.
+    pub surface: [bool; 2],
+}
+
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Chain {
+    pub nodes: Vec<ChainNode>,
+    pub cells: Vec<ChainCell>,
+    /// The node at which the two sweeps meet: best where the beam is held.
+    pub meeting: usize,
+}
+
+/// The solution of a chain.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Shape {
+    /// (w_left, θ_left, d₁, d₂) of every cell.
+    pub cells: Vec<[f64; 4]>,
+    /// u at every node where it is an unknown.
+    pub surface: Vec<f64>,
+}
+
+/// The chain can move without work: the elimination met a pivot that is not positive.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Loose;
+
+/// Indices into (w, θ, u).
+const W: usize = 0;
+const THETA: usize = 1;
+const U: usize = 2;
+
+/// ½ yᵀSy − rᵀy for y = (w, θ, u) of a node, by everything behind it.
+#[derive(Debug, Clone, Copy, Default)]
+struct Behind {
+    s: [[f64; 3]; 3],
+    r: [f64; 3],
+}
+
+/// How to come back across a cell: y_behind from y_ahead.
+#[derive(Debug, Clone, Copy, Default)]
+struct Return {
+    /// (v₁, v₂, u_left) = constant − gain·(w_right, θ_right, u_right).
+    gain: [[f64; 3]; 3],
+    constant: [f64; 3],
+    /// v = C (w_right, θ_right, v₁, v₂).
+    by_left: [bool; 2],
+    /// u of the left node where it ends there: u = constant − gain·(w, θ).
+    ended: [f64; 3],
+}
+
+impl Chain {
+    pub fn solve(&self) -> Result<Shape, Loose> {
+        let last = self.nodes.len() - 1;
+        let meet = self.meeting.min(last);
+        let (left, back_left) = self.sweep::<false>(0, meet)?;
+        let (right, back_right) = self.sweep::<true>(last, meet)?;
+        let mut both = left;
+        // The right sweep sees slopes with the other sign.
+        let sign = [1.0, -1.0, 1.0];
+        for i in 0..3 {
+            both.r[i] += sign[i] * right.r[i];
+            for j in 0..3 {
+                both.s[i][j] += sign[i] * sign[j] * right.s[i][j];
+            }
+        }
+        let node = &self.nodes[meet];
+        apply(node, &mut both, 1.0);
+        let at_meeting = solve_node(node, &both)?;
+        let mut shape =
+            Shape { cells: vec![[0.0; 4]; self.cells.len()], surface: vec![0.0; self.nodes.len()] };
+        shape.surface[meet] = at_meeting[U];
+        let mut y = at_meeting;
+        for (i, back) in (0..meet).zip(&back_left).rev() {
+            y = back.cross(self.cells[i].element.length, y, &mut shape.cells[i]);
+            y = back.end(&self.nodes[i], y, true);
+            shape.surface[i] = y[U];
+        }
+        let mut y = at_meeting;
+        y[THETA] = -y[THETA];
+        for (i, back) in (meet..last).rev().zip(&back_right).rev() {
+            let h = self.cells[i].element.length;
+            let mut v = [0.0; 4];
+            y = back.cross(h, y, &mut v);
+            shape.cells[i] = mirror_shape(&v, h);
+            y = back.end(&self.nodes[i + 1], y, false);
+            shape.surface[i + 1] = y[U];
+        }
+        Ok(shape)
+    }
+
+    /// From an end towards the meeting node, which is not yet counted in.
+    fn sweep<const MIRRORED: bool>(
+        &self,
+        start: usize,
+        meet: usize,
+    ) -> Result<(Behind, Vec<Return>), Loose> {
+        let count = start.abs_diff(meet);
+        let mut returns = Vec::with_capacity(count);
+        let mut state = Behind::default();
+        for step in 0..count {
+            let (node, cell) =
+                if MIRRORED { (start - step, start - step - 1) } else { (step, step) };
+            let node = &self.nodes[node];
+            apply(node, &mut state, if MIRRORED { -1.0 } else { 1.0 });
+            let mut back = Return::default();
+            let sides = if MIRRORED { [1, 0] } else { [0, 1] };
+            if node.surface[sides[0]] && !node.surface[sides[1]] {
+                back.ended = end_surface(&mut state)?;
+            }
+            let cell = &self.cells[cell];
+            if MIRRORED {
+                let (element, links) = mirror_cell(cell);
+                state = cross(&element, &links, node, &state, &mut back)?;
+            } else {
+                state = cross(&cell.element, &cell.links, node, &state, &mut back)?;
+            }
+            returns.push(back);
+        }
+        Ok((state, returns))
+    }
+}
+
+/// Adds what acts on and holds one node. A sweep from the right sees slopes, and so moments, with the
+/// other `sign`.
+fn apply(node: &ChainNode, state: &mut Behind, sign: f64) {
+    state.s[W][W] += node.spring + node.ground_spring;
+    state.s[THETA][THETA] += node.rotational_spring;
+    state.s[U][U] += node.surface_spring;
+    state.r[W] += node.force + node.ground_spring * node.gap;
+    state.r[THETA] += sign * node.moment;
+}
+
+/// Eliminates u at a node where the shear layer's own surface ends.
+fn end_surface(state: &mut Behind) -> Result<[f64; 3], Loose> {
+    let pivot = state.s[U][U];
+    if pivot <= 0.0 {
+        return Err(Loose);
+    }
+    let gain = [state.s[U][W] / pivot, state.s[U][THETA] / pivot, state.r[U] / pivot];
+    for i in [W, THETA] {
+        for j in [W, THETA] {
+            state.s[i][j] -= state.s[i][U] * gain[j];
+        }
+        state.r[i] -= state.s[i][U] * gain[2];
+    }
+    for i in 0..3 {
+        (state.s[i][U], state.s[U][i]) = (0.0, 0.0);
+    }
+    state.r[U] = 0.0;
+    Ok(gain)
+}
+
+/// w_left, θ_left, d₁, d₂ from w_right, θ_right, v₁, v₂, where vᵢ is either the left value or dᵢ.
+fn transform(h: f64, by_left: [bool; 2]) -> [[f64; 4]; 4] {
+    let [w_known, theta_known] = by_left;
+    let theta = if theta_known { [0.0, 0.0, 0.0, 1.0] } else { [0.0, 1.0, 0.0, -1.0] };
+    let d2 = if theta_known { [0.0, 1.0, 0.0, -1.0] } else { [0.0, 0.0, 0.0, 1.0] };
+    let other: [f64; 4] =
+        std::array::from_fn(|i| [1.0, 0.0, -1.0, 0.0][i] - h * theta[i]);
+    let own = [0.0, 0.0, 1.0, 0.0];
+    if w_known { [own, theta, other, d2] } else { [other, theta, own, d2] }
+}
+
+fn cross(
+    element: &Element,
+    links: &[TiedLink],
+    node: &ChainNode,
+    state: &Behind,
+    back: &mut Return,
+) -> Result<Behind, Loose> {
+    // Everything behind the right node, in (w_l, θ_l, d₁, d₂ | u_l, u_r).
+    let mut k = [[0.0; 6]; 6];
+    let mut q = [0.0; 6];
+    for i in 0..4 {
+        k[i][..4].copy_from_slice(&element.stiffness[i]);
+        q[i] = element.load[i];
+    }
+    let slots = [0, 1, 4];
+    for (i, &a) in slots.iter().enumerate() {
+        q[a] += state.r[i];
+        for (j, &b) in slots.iter().enumerate() {
+            k[a][b] += state.s[i][j];
+        }
+    }
+    for tied in links {
+        add_link(tied, &mut k, &mut q);
+    }
+
+    back.by_left = [
+        node.pinned || state.s[W][W] > element.stiffness[2][2],
+        node.clamped || state.s[THETA][THETA] > element.stiffness[3][3],
+    ];
+    let c = transform(element.length, back.by_left);
+    // Congruence on the beam's four, then in the order (w_r, θ_r, u_r | v₁, v₂, u_l).
+    let mut half = [[0.0; 4]; 6];
+    for i in 0..6 {
+        for j in 0..4 {
+            half[i][j] = (0..4).map(|m| k[i][m] * c[m][j]).sum();
+        }
+    }
+    const ORDER: [usize; 6] = [0, 1, 3, 4, 2, 5];
+    let mut m = [[0.0; 6]; 6];
+    let mut f = [0.0; 6];
+    for i in 0..4 {
+        let a = ORDER[i];
+        f[a] = (0..4).map(|n| c[n][i] * q[n]).sum();
+        for j in 0..4 {
+            m[a][ORDER[j]] = (0..4).map(|n| c[n][i] * half[n][j]).sum();
+        }
+        for (surface, at) in [(4, 5), (5, 2)] {
+            m[a][at] = half[surface][i];
+            m[at][a] = half[surface][i];
+        }
+    }
+    for (i, a) in [(4, 5), (5, 2)] {
+        f[a] = q[i];
+        for (j, b) in [(4, 5), (5, 2)] {
+            m[a][b] = k[i][j];
+        }
+    }
+    let free = [!node.pinned, !node.clamped, node.surface[0] || node.surface[1]];
+    condense(&m, &f, free, back)
+}
+
+/// Eliminates the last three of (w_r, θ_r, u_r | v₁, v₂, u_l), those of them that are `free`.
+fn condense(
+    m: &[[f64; 6]; 6],
+    f: &[f64; 6],
+    free: [bool; 3],
+    back: &mut Return,
+) -> Result<Behind, Loose> {
+    // LDLᵀ of the eliminated block with the six right-hand sides: three columns and the load.
+    let mut a = [[0.0; 3]; 3];
+    let mut b = [[0.0; 4]; 3];
+    for i in 0..3 {
+        for j in 0..3 {
+            a[i][j] = m[3 + i][3 + j];
+            b[i][j] = m[3 + i][j];
+        }
+        b[i][3] = f[3 + i];
+    }
+    for i in 0..3 {
+        if !free[i] || (i == 2 && a[2][2] == 0.0 && m[5].iter().all(|&x| x == 0.0)) {
+            a[i] = [0.0; 3];
+            for row in &mut a {
+                row[i] = 0.0;
+            }
+            a[i][i] = 1.0;
+            b[i] = [0.0; 4];
+        }
+    }
+    for p in 0..3 {
+        let pivot = a[p][p];
+        if pivot.is_nan() || pivot <= 1e-15 * m[3 + p][3 + p].abs() {
+            return Err(Loose);
+        }
+        for i in p + 1..3 {
+            let factor = a[i][p] / pivot;
+            for j in p + 1..3 {
+                a[i][j] -= factor * a[p][j];
+            }
+            for j in 0..4 {
+                b[i][j] -= factor * b[p][j];
+            }
+        }
+    }
+    for p in (0..3).rev() {
+        for j in 0..4 {
+            let sum: f64 = (p + 1..3).map(|i| a[p][i] * b[i][j]).sum();
+            b[p][j] = (b[p][j] - sum) / a[p][p];
+        }
+    }
+    for i in 0..3 {
+        back.gain[i].copy_from_slice(&b[i][..3]);
+        back.constant[i] = b[i][3];
+    }
+    let mut ahead = Behind::default();
+    for i in 0..3 {
+        ahead.r[i] = f[i] - (0..3).map(|e| m[3 + e][i] * b[e][3]).sum::<f64>();
+        for j in i..3 {
+            let less: f64 = (0..3).map(|e| m[3 + e][i] * b[e][j]).sum();
+            ahead.s[i][j] = m[i][j] - less;
+            ahead.s[j][i] = ahead.s[i][j];
+        }
+    }
+    Ok(ahead)
+}
+
+fn add_link(tied: &TiedLink, k: &mut [[f64; 6]; 6], q: &mut [f64; 6]) {
+    let functional = |tie: Tie| match tie {
+        Tie::SurfaceLeft => ([0.0, 0.0, 0.0, 0.0, 1.0, 0.0], 0.0),
+        Tie::SurfaceRight => ([0.0, 0.0, 0.0, 0.0, 0.0, 1.0], 0.0),
+        Tie::Beam { row, gap } => ([row[0], row[1], row[2], row[3], 0.0, 0.0], gap),
+    };
+    let (left, left_gap) = functional(tied.left);
+    let (right, right_gap) = functional(tied.right);
+    let difference: [f64; 6] = std::array::from_fn(|i| left[i] - right[i]);
+    for (spring, row, gap) in [
+        (tied.link.leak_left, left, left_gap),
+        (tied.link.leak_right, right, right_gap),
+        (tied.link.coupling, difference, left_gap - right_gap),
+    ] {
+        for i in 0..6 {
+            q[i] += spring * row[i] * gap;
+            for j in 0..6 {
+                k[i][j] += spring * row[i] * row[j];
+            }
+        }
+    }
+}
+
+/// Solves S y = r at the meeting node.
+fn solve_node(node: &ChainNode, both: &Behind) -> Result<[f64; 3], Loose> {
+    let mut m = [[0.0; 6]; 6];
+    let mut f = [0.0; 6];
+    for i in 0..3 {
+        f[3 + i] = both.r[i];
+        for j in 0..3 {
+            m[3 + i][3 + j] = both.s[i][j];
+        }
+    }
+    let free = [!node.pinned, !node.clamped, node.surface[0] || node.surface[1]];
+    let mut back = Return::default();
+    condense(&m, &f, free, &mut back)?;
+    Ok(back.constant)
+}
+
+impl Return {
+    /// From (w, θ, u) of the right node to those of the left one and the cell's own v.
+    fn cross(&self, h: f64, y: [f64; 3], v: &mut [f64; 4]) -> [f64; 3] {
+        let e: [f64; 3] = std::array::from_fn(|i| {
+            self.constant[i] - (0..3).map(|j| self.gain[i][j] * y[j]).sum::<f64>()
+        });
+        let c = transform(h, self.by_left);
+        let z = [y[W], y[THETA], e[0], e[1]];
+        *v = std::array::from_fn(|i| (0..4).map(|j| c[i][j] * z[j]).sum());
+        [v[0], v[1], e[2]]
+    }
+
+    /// u at a node where the unknown surface ends, seen from the cell just crossed.
+    fn end(&self, node: &ChainNode, mut y: [f64; 3], forward: bool) -> [f64; 3] {
+        let [behind, ahead] = if forward { [0, 1] } else { [1, 0] };
+        if node.surface[behind] && !node.surface[ahead] {
+            let [by_w, by_theta, constant] = self.ended;
+            y[U] = constant - by_w * y[W] - by_theta * y[THETA];
+        }
+        y
+    }
+}
+
+/// v = (w_l, θ_l, d₁, d₂) from the same four of the element seen in a mirror, and back.
+fn mirror_shape(v: &[f64; 4], h: f64) -> [f64; 4] {
+    let [w, theta, d1, d2] = *v;
+    [w + h * theta + d1, -(theta + d2), h * d2 - d1, d2]
+}
+
+fn mirror_row(row: &[f64; 4], h: f64) -> [f64; 4] {
+    // row·v = row·(Q v') with Q of `mirror_shape`.
+    let [a, b, c, d] = *row;
+    [a, h * a - b, a - c, d - b + h * c]
+}
+
+fn mirror_cell(cell: &ChainCell) -> (Element, Vec<TiedLink>) {
+    let h = cell.element.length;
+    let half: [[f64; 4]; 4] =
+        std::array::from_fn(|i| mirror_row(&cell.element.stiffness[i], h));
+    let stiffness = std::array::from_fn(|j| {
+        let column = [half[0][j], half[1][j], half[2][j], half[3][j]];
+        mirror_row(&column, h)
+    });
+    let element = Element { length: h, stiffness, load: mirror_row(&cell.element.load, h) };
+    let mirror_tie = |tie: Tie| match tie {
+        Tie::SurfaceLeft => Tie::SurfaceRight,
+        Tie::SurfaceRight => Tie::SurfaceLeft,
+        Tie::Beam { row, gap } => Tie::Beam { row: mirror_row(&row, h), gap },
+    };
+    let links = cell.links.iter().map(|tied| TiedLink {
+        link: Link {
+            leak_left: tied.link.leak_right,
+            leak_right: tied.link.leak_left,
+            ..tied.link
+        },
+        left: mirror_tie(tied.right),
+        right: mirror_tie(tied.left),
+    });
+    (element, links.collect())
+}

@@ -1,0 +1,401 @@
+//! The contact problem on a mesh of cubic elements: Newton's method on a convex energy.
+//!
+//! Eliminating the ground from (3.9), exactly, leaves the beam's deflection alone:
+//!
+//! Φ(w) = ½∫(EI w″² + P w'²) − F(w) + ½ min { b(u, u) : u ≥ w − g₀ },
+//!
+//! convex and once continuously differentiable, with the contact pressure as the derivative of the last
+//! term. The inner minimum is the [majorant](super::majorant), found without iteration. Where it touches
+//! the ground acts as if glued to the beam, elsewhere not at all: Newton's step is one solve of the
+//! glued [chain](crate::chain). If the full step does not settle the slope of Φ along its line, the zero
+//! of that slope is searched for. Since Φ falls with every step and its minimum is unique, no contact
+//! set can come back: the method cannot cycle. `docs/methods.md` has the argument in full.
+
+use super::layout::Layout;
+use super::majorant::{self, Deflection, Zone};
+use super::surface::{energy_form, ground_work};
+use crate::chain::{Chain, Loose};
+use crate::elements::hermite::{self, TERMS};
+use crate::elements::Element;
+use crate::mesh::Mesh;
+use crate::polynomial::jet;
+
+/// How the contact pressure is represented.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Pressure {
+    /// Spread over the stretches of contact, with concentrated forces only where mechanics has them.
+    #[default]
+    Distributed,
+    /// Forces at the nodes, (5.5): the paper's choice. Right only while b·h is small.
+    Dirac,
+}
+
+/// One step of an iteration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step {
+    /// Zones of contact after the step.
+    pub zones: usize,
+    /// The part of Newton's step that was taken; for Uzawa's iteration the parameter ρ.
+    pub step: f64,
+    /// How far the energy was from its least value, by Newton's estimate, relative to the strain energy;
+    /// for Uzawa's iteration the relative change of the pressure.
+    pub decrement: f64,
+}
+
+/// A beam's deflection on a mesh and where it touches.
+#[derive(Debug, Clone)]
+pub(crate) struct Found {
+    pub mesh: Mesh,
+    pub terms: usize,
+    /// (w_left, θ_left, d₁, d₂) of each cell.
+    pub shapes: Vec<[f64; 4]>,
+    /// `terms` coefficients of w(s) for each cell.
+    pub coefficients: Vec<f64>,
+    pub zones: Vec<Zone>,
+    pub history: Vec<Step>,
+    pub pressure: Pressure,
+}
+
+impl Found {
+    pub fn deflection(&self) -> Deflection<'_> {
+        Deflection { mesh: &self.mesh, terms: self.terms, coefficients: &self.coefficients }
+    }
+}
+
+/// What a method says that did not reach its own tolerance.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Stalled {
+    pub iterations: usize,
+    pub reached: f64,
+}
+
+/// Steps before a solve is given up; thousands of random models need at most a few dozen.
+const MOST_STEPS: usize = 400;
+/// Newton's decrement, relative to twice the strain energy, below which the next step is the last.
+const CLOSE: f64 = 1e-15;
+/// The part of the slope along a line that may remain.
+const SETTLED: f64 = 0.1;
+
+/// Solves on a given mesh.
+pub(crate) fn solve(mesh: Mesh, pressure: Pressure) -> Result<Found, Stalled> {
+    let newton = Newton::new(&mesh, pressure);
+    let mut history = Vec::new();
+    let nothing_holds = |Loose| Stalled { iterations: 0, reached: f64::NAN };
+    let start = newton.glued(&newton.bonded(), None).map_err(nothing_holds)?;
+    let mut now = newton.unfold(start);
+    let mut zones = newton.contact(&now.coefficients);
+    let mut last = false;
+    for _ in 0..MOST_STEPS {
+        let (next, damping) = newton.step(&now, &zones)?;
+        let target = newton.unfold(next);
+        let line = Line::new(&newton, &now, &target, &zones, damping);
+        history.push(Step { zones: zones.len(), step: 1.0, decrement: line.decrement });
+        if last || line.decrement <= 1e-30 {
+            zones = newton.contact(&target.coefficients);
+            let State { shapes, coefficients } = target;
+            let terms = TERMS;
+            return Ok(Found { mesh, terms, shapes, coefficients, zones, history, pressure });
+        }
+        let t = if line.decrement > 1e-20 { line.settle() } else { 1.0 };
+        if let Some(step) = history.last_mut() {
+            step.step = t;
+        }
+        last = line.decrement <= CLOSE && t == 1.0 && damping == 0.0;
+        now = if t == 1.0 { target } else { now.towards(&target, t) };
+        zones = newton.contact(&now.coefficients);
+    }
+    let reached = history.last().map_or(f64::NAN, |step| step.decrement);
+    Err(Stalled { iterations: MOST_STEPS, reached })
+}
+
+/// A deflection: element by element and as polynomials.
+#[derive(Debug, Clone)]
+struct State {
+    shapes: Vec<[f64; 4]>,
+    coefficients: Vec<f64>,
+}
+
+impl State {
+    fn towards(&self, target: &State, t: f64) -> State {
+        let mix = |a: f64, b: f64| a + t * (b - a);
+        State {
+            shapes: self
+                .shapes
+                .iter()
+                .zip(&target.shapes)
+                .map(|(a, b)| std::array::from_fn(|i| mix(a[i], b[i])))
+                .collect(),
+            coefficients: self
+                .coefficients
+                .iter()
+                .zip(&target.coefficients)
+                .map(|(a, b)| mix(*a, *b))
+                .collect(),
+        }
+    }
+}
+
+/// The mesh's elements without ground, made once.
+struct Newton<'a> {
+    mesh: &'a Mesh,
+    pressure: Pressure,
+    elements: Vec<Element>,
+}
+
+impl<'a> Newton<'a> {
+    fn new(mesh: &'a Mesh, pressure: Pressure) -> Self {
+        let element = |cell| hermite::element(cell, mesh.axial_force);
+        Newton { mesh, pressure, elements: mesh.cells.iter().map(element).collect() }
+    }
+
+    fn contact(&self, coefficients: &[f64]) -> Vec<Zone> {
+        let w = Deflection { mesh: self.mesh, terms: TERMS, coefficients };
+        match self.pressure {
+            Pressure::Distributed => majorant::contact(&w),
+            Pressure::Dirac => majorant::nodal_contact(&w),
+        }
+    }
+
+    fn bonded(&self) -> Vec<Zone> {
+        majorant::everywhere(self.mesh, self.pressure == Pressure::Dirac)
+    }
+
+    fn unfold(&self, shapes: Vec<[f64; 4]>) -> State {
+        let coefficients =
+            shapes.iter().zip(&self.mesh.cells).flat_map(|(v, c)| hermite::unfold(v, c.length()));
+        State { coefficients: coefficients.collect(), shapes }
+    }
+
+    /// The beam glued to the ground on `zones`. With `near`, the step from there is damped by a part of
+    /// the fully bonded ground.
+    fn glued(&self, zones: &[Zone], near: Option<(f64, &State)>) -> Result<Vec<[f64; 4]>, Loose> {
+        let layout = Layout::of(self.mesh, zones);
+        let cells = self.mesh.cells.iter().enumerate().map(|(i, cell)| {
+            let mut element = self.elements[i];
+            for part in &layout.parts[i] {
+                if part[1] > part[0] {
+                    hermite::add_ground(&mut element, cell, *part);
+                }
+            }
+            if let Some((weight, state)) = near {
+                damp(&mut element, self.mesh, i, weight, &state.shapes[i]);
+            }
+            layout.chain_cell(self.mesh, i, element, |s| {
+                hermite::deflection(0.5 * (1.0 + s), cell.length())
+            })
+        });
+        let cells = cells.collect();
+        let mut nodes = layout.nodes(self.mesh);
+        if self.pressure == Pressure::Dirac {
+            layout.lump_winkler(self.mesh, &mut nodes);
+        }
+        let chain = Chain { nodes, cells, meeting: layout.meeting_node(self.mesh) };
+        Ok(chain.solve()?.cells)
+    }
+
+    /// Newton's step: the glued solve, damped only if the contact alone cannot hold the beam.
+    fn step(&self, now: &State, zones: &[Zone]) -> Result<(Vec<[f64; 4]>, f64), Stalled> {
+        if let Ok(shapes) = self.glued(zones, None) {
+            if shapes.iter().flatten().all(|v| v.is_finite()) {
+                return Ok((shapes, 0.0));
+            }
+        }
+        let mut weight = 1e-6;
+        while weight < 10.0 {
+            if let Ok(shapes) = self.glued(zones, Some((weight, now))) {
+                return Ok((shapes, weight));
+            }
+            weight *= 100.0;
+        }
+        Err(Stalled { iterations: 0, reached: f64::NAN })
+    }
+
+    /// ψ = w − g₀ as coefficients.
+    fn obstacle(&self, coefficients: &[f64]) -> Vec<f64> {
+        let w = Deflection { mesh: self.mesh, terms: TERMS, coefficients };
+        (0..self.mesh.cells.len()).flat_map(|i| w.obstacle(i)).collect()
+    }
+
+    /// ∫(EI a″b″ + P a'b') and the springs at supports.
+    fn beam_form(&self, a: &State, b: &State) -> f64 {
+        let mut sum = 0.0;
+        for (i, cell) in self.mesh.cells.iter().enumerate() {
+            let range = i * TERMS..(i + 1) * TERMS;
+            let [f, g] = [&a.coefficients[range.clone()], &b.coefficients[range]];
+            let h = cell.length();
+            // w'' = (4/h²)(2c₂ + 6c₃ s): the cross term vanishes.
+            let bend = 2.0 * (4.0 * f[2] * g[2]) + 2.0 / 3.0 * 36.0 * f[3] * g[3];
+            sum += cell.stiffness * bend * 8.0 / (h * h * h);
+            if self.mesh.axial_force != 0.0 {
+                sum += energy_form(h, (0.0, self.mesh.axial_force), [-1.0, 1.0], f, g);
+            }
+        }
+        for (i, node) in self.mesh.nodes.iter().enumerate() {
+            if node.spring != 0.0 || node.rotational_spring != 0.0 {
+                let [cell, s] = if i == 0 { [0, 0] } else { [i - 1, 1] };
+                let s = if s == 0 { -1.0 } else { 1.0 };
+                let end = |state: &State| {
+                    let [w, d, ..] = jet(&state.coefficients[cell * TERMS..(cell + 1) * TERMS], s);
+                    [w, d * 2.0 / self.mesh.cells[cell].length()]
+                };
+                let ([w, d], [z, e]) = (end(a), end(b));
+                sum += node.spring * w * z + node.rotational_spring * d * e;
+            }
+        }
+        sum
+    }
+
+    fn ground_form(&self, zones: &[Zone], psi: &[f64], delta: &[f64]) -> f64 {
+        let lumped = if self.pressure == Pressure::Dirac {
+            majorant::lumped_work(self.mesh, TERMS, zones, psi, delta)
+        } else {
+            0.0
+        };
+        lumped + ground_work(self.mesh, TERMS, zones, psi, delta)
+    }
+}
+
+/// Adds `weight` times the bonded ground, about a given state.
+fn damp(element: &mut Element, mesh: &Mesh, i: usize, weight: f64, about: &[f64; 4]) {
+    let mut cell = mesh.cells[i];
+    cell.spring *= weight;
+    cell.shear *= weight;
+    cell.gap = [0.0; 2];
+    let mut extra = Element { length: element.length, ..Element::default() };
+    hermite::add_ground(&mut extra, &cell, [-1.0, 1.0]);
+    let pull = extra.forces(about);
+    for j in 0..4 {
+        element.load[j] += pull[j];
+        for k in 0..4 {
+            element.stiffness[j][k] += extra.stiffness[j][k];
+        }
+    }
+}
+
+/// The energy along the line from one state to the glued one.
+struct Line<'a> {
+    newton: &'a Newton<'a>,
+    now: &'a State,
+    target: &'a State,
+    delta: Vec<f64>,
+    /// δᵀKδ of the beam, and the damping's part.
+    beam: f64,
+    damping: f64,
+    /// The glued ground's work on δ at the target.
+    glued: f64,
+    /// −Φ'(now)·δ, and the same relative to twice the strain energy.
+    fall: f64,
+    decrement: f64,
+}
+
+impl<'a> Line<'a> {
+    fn new(
+        newton: &'a Newton<'a>,
+        now: &'a State,
+        target: &'a State,
+        zones: &[Zone],
+        damping: f64,
+    ) -> Self {
+        let difference = State {
+            shapes: Vec::new(),
+            coefficients: now
+                .coefficients
+                .iter()
+                .zip(&target.coefficients)
+                .map(|(a, b)| b - a)
+                .collect(),
+        };
+        let delta = &difference.coefficients;
+        let beam = newton.beam_form(&difference, &difference);
+        let damping = if damping > 0.0 {
+            damping * newton.ground_form(&newton.bonded(), delta, delta)
+        } else {
+            0.0
+        };
+        let psi = newton.obstacle(&target.coefficients);
+        let fall = beam + damping + newton.ground_form(zones, delta, delta);
+        let energy = newton.beam_form(target, target) + newton.ground_form(zones, &psi, &psi);
+        let glued = newton.ground_form(zones, &psi, delta);
+        let decrement = if fall == 0.0 { 0.0 } else { fall / energy.abs() };
+        let delta = difference.coefficients;
+        Line { newton, now, target, delta, beam, damping, glued, fall, decrement }
+    }
+
+    /// dΦ/dt at now + t δ.
+    fn slope(&self, t: f64) -> f64 {
+        let state = self.now.towards(self.target, t);
+        let zones = self.newton.contact(&state.coefficients);
+        let psi = self.newton.obstacle(&state.coefficients);
+        let ground = self.newton.ground_form(&zones, &psi, &self.delta);
+        (ground - self.glued) - (1.0 - t) * self.beam - self.damping
+    }
+
+    /// A t at which most of the slope is gone; 1 whenever that is true of the full step.
+    fn settle(&self) -> f64 {
+        let small = SETTLED * self.fall;
+        let (mut low, mut low_slope) = (0.0, -self.fall);
+        let (mut high, mut high_slope) = (1.0, self.slope(1.0));
+        if high_slope.abs() <= small {
+            return 1.0;
+        }
+        while high_slope < -small && high < 1e12 {
+            (low, low_slope) = (high, high_slope);
+            high *= 2.0;
+            high_slope = self.slope(high);
+        }
+        let mut t = high;
+        let mut slope = high_slope;
+        let mut kept = 0;
+        for _ in 0..60 {
+            if slope.abs() <= small {
+                break;
+            }
+            // Regula falsi, halving the weight of an end that stays (Illinois).
+            t = low + (high - low) * (low_slope / (low_slope - high_slope));
+            slope = self.slope(t);
+            if slope < 0.0 {
+                (low, low_slope) = (t, slope);
+                if kept < 0 {
+                    high_slope *= 0.5;
+                }
+                kept = -1;
+            } else {
+                (high, high_slope) = (t, slope);
+                if kept > 0 {
+                    low_slope *= 0.5;
+                }
+                kept = 1;
+            }
+        }
+        t
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::surface::{Surface, obstacle};
+    use crate::contact::majorant::Spot;
+    use crate::model::{Beam, Foundation, Load, Model};
+
+    pub(crate) fn kikuchi(moment: f64) -> Model {
+        Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
+            .with_load(Load::point(1.0, 0.5))
+            .with_load(Load::moment(moment, 0.5))
+    }
+
+    #[test]
+    fn paper_cases() {
+        for pressure in [Pressure::Distributed, Pressure::Dirac] {
+        for (m, w0) in [(0.1,0.298713420791215),(0.3,0.235628973800687),(0.4,0.186415053614288),(0.49,0.013217803941407)] {
+            for n in [10, 20,40, 80, 160] {
+                let found = solve(Mesh::uniform(&kikuchi(m), n), pressure).unwrap();
+                let w = found.deflection();
+                let left = obstacle(&w, Spot{cell:0,s:-1.0});
+                let s = Surface::of(&w, &found.zones);
+                let z = found.zones[0];
+                println!("{pressure:?} {m} {n} err {:e} its {} edge {} ends {:?}", left-w0, found.history.len(), found.mesh.cells[z.from.cell].global(z.from.s), s.end_forces(&found.mesh));
+            }
+        }}
+    }
+}

@@ -1,0 +1,204 @@
+//! Contact zones cell by cell: which parts of a cell touch, which nodes touch, what links remain.
+
+use super::majorant::{Spot, Zone, tributary_spring};
+use super::pieces::{Piece, pieces};
+use crate::chain::{ChainCell, ChainNode, Tie, TiedLink};
+use crate::elements::Element;
+use crate::ground::Link;
+use crate::mesh::{Cell, Mesh};
+
+/// Where beam and ground touch, seen from the cells.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Layout {
+    /// The parts \[s_from, s_to\] of each cell that touch; a point has both equal.
+    pub parts: Vec<Vec<[f64; 2]>>,
+    /// Whether each node touches, as the end of the cell to its left and to its right.
+    pub touched: Vec<[bool; 2]>,
+    /// Zones in all.
+    pub zones: usize,
+}
+
+impl Layout {
+    /// Beam and ground glued together everywhere.
+    pub fn bonded(mesh: &Mesh) -> Self {
+        Layout {
+            parts: vec![vec![[-1.0, 1.0]]; mesh.cells.len()],
+            touched: vec![[true; 2]; mesh.nodes.len()],
+            zones: 1,
+        }
+    }
+
+    pub fn of(mesh: &Mesh, zones: &[Zone]) -> Self {
+        let mut parts = vec![Vec::new(); mesh.cells.len()];
+        let mut touched = vec![[false; 2]; mesh.nodes.len()];
+        let mut touch = |cell: usize, s: f64| {
+            if s.abs() < 1.0 {
+                return;
+            }
+            let (node, side, next) = if s < 0.0 {
+                (cell, 1, cell.checked_sub(1))
+            } else {
+                (cell + 1, 0, Some(cell + 1).filter(|&i| i < mesh.cells.len()))
+            };
+            touched[node][side] = true;
+            // Beyond a joint of ground with and without a shear layer, the other side is on its own.
+            let kind = |i: usize| mesh.cells[i].shear > 0.0;
+            if next.is_none_or(|next| kind(next) == kind(cell)) {
+                touched[node][1 - side] = true;
+            }
+        };
+        for zone in zones {
+            let (from, to) = (zone.from, zone.to);
+            if from == to && from.s.abs() == 1.0 {
+                touch(from.cell, from.s);
+                continue;
+            }
+            for cell in from.cell..=to.cell {
+                let start = if cell == from.cell { from.s } else { -1.0 };
+                let end = if cell == to.cell { to.s } else { 1.0 };
+                if end > start || from == to {
+                    parts[cell].push([start, end]);
+                }
+                touch(cell, start);
+                touch(cell, end);
+            }
+        }
+        Layout { parts, touched, zones: zones.len() }
+    }
+
+    /// Whether nothing touches.
+    pub fn is_empty(&self) -> bool {
+        self.zones == 0
+    }
+
+    /// A node where the contact or a support holds the beam best: the middle of the longest stretch.
+    pub fn meeting_node(&self, mesh: &Mesh) -> usize {
+        let mut best = (0.0, mesh.nodes.len() / 2);
+        let mut start: Option<usize> = None;
+        for node in 0..=mesh.nodes.len() {
+            let touches = node < mesh.nodes.len() && self.touched[node].contains(&true);
+            match (touches, start) {
+                (true, None) => start = Some(node),
+                (false, Some(first)) => {
+                    let length = mesh.nodes[node - 1].x - mesh.nodes[first].x;
+                    if length > best.0 || best.0 == 0.0 {
+                        let middle = 0.5 * (mesh.nodes[node - 1].x + mesh.nodes[first].x);
+                        let at = mesh.nodes.partition_point(|n| n.x < middle);
+                        best = (length.max(f64::MIN_POSITIVE), at.clamp(first, node - 1));
+                    }
+                    start = None;
+                }
+                _ => {}
+            }
+        }
+        if best.0 <= f64::MIN_POSITIVE {
+            let held = |n: &crate::mesh::Node| n.clamped || n.pinned;
+            if let Some(support) = mesh.nodes.iter().position(held) {
+                return support;
+            }
+        }
+        best.1
+    }
+
+    /// The nodes of the chain for this contact.
+    pub fn nodes(&self, mesh: &Mesh) -> Vec<ChainNode> {
+        let mut nodes: Vec<ChainNode> = mesh
+            .nodes
+            .iter()
+            .map(|n| ChainNode {
+                force: n.force,
+                moment: n.moment,
+                pinned: n.pinned,
+                clamped: n.clamped,
+                spring: n.spring,
+                rotational_spring: n.rotational_spring,
+                ..ChainNode::default()
+            })
+            .collect();
+        for Piece { cells, pasternak, beyond } in pieces(mesh) {
+            if !pasternak {
+                continue;
+            }
+            for node in cells.start..=cells.end {
+                if node > cells.start {
+                    nodes[node].surface[0] = !self.touched[node][0];
+                }
+                if node < cells.end {
+                    nodes[node].surface[1] = !self.touched[node][1];
+                }
+            }
+            for (node, side, cell, end) in
+                [(cells.start, 1, cells.start, 0), (cells.end, 0, cells.end - 1, 1)]
+            {
+                let spring = beyond[end];
+                if self.touched[node][side] {
+                    nodes[node].ground_spring += spring;
+                    nodes[node].gap = mesh.cells[cell].gap[end];
+                } else {
+                    nodes[node].surface_spring += spring;
+                }
+            }
+        }
+        nodes
+    }
+
+    /// Nodal springs instead of ground without a shear layer, for the paper's pressures (5.5).
+    pub fn lump_winkler(&self, mesh: &Mesh, nodes: &mut [ChainNode]) {
+        for piece in pieces(mesh).iter().filter(|piece| !piece.pasternak) {
+            for node in piece.cells.start..=piece.cells.end {
+                let side = usize::from(node < piece.cells.end);
+                if self.touched[node][side] {
+                    let spot = if side == 1 {
+                        Spot { cell: node, s: -1.0 }
+                    } else {
+                        Spot { cell: node - 1, s: 1.0 }
+                    };
+                    nodes[node].ground_spring += tributary_spring(mesh, spot);
+                    nodes[node].gap = gap_at(&mesh.cells[spot.cell], spot.s);
+                }
+            }
+        }
+    }
+
+    /// The links of open ground in cell i. `row` gives w at s as a combination of the element's four.
+    pub fn links(&self, mesh: &Mesh, i: usize, row: impl Fn(f64) -> [f64; 4]) -> Vec<TiedLink> {
+        let cell = &mesh.cells[i];
+        if cell.shear <= 0.0 {
+            return Vec::new();
+        }
+        let beam = |s: f64| Tie::Beam { row: row(s), gap: gap_at(cell, s) };
+        let mut links = Vec::new();
+        let mut left = if self.touched[i][1] { beam(-1.0) } else { Tie::SurfaceLeft };
+        let mut at = -1.0;
+        let mut link_to = |to: f64, left: Tie, right: Tie, at: f64| {
+            if to > at {
+                let link = Link::uniform(cell.spring, cell.shear, 0.5 * (to - at) * cell.length());
+                links.push(TiedLink { link, left, right });
+            }
+        };
+        for &[from, to] in &self.parts[i] {
+            link_to(from, left, beam(from), at);
+            (left, at) = (beam(to), to);
+        }
+        let right = if self.touched[i + 1][0] { beam(1.0) } else { Tie::SurfaceRight };
+        link_to(1.0, left, right, at);
+        links
+    }
+
+    /// A chain cell from its element and this contact's links.
+    pub fn chain_cell(
+        &self,
+        mesh: &Mesh,
+        i: usize,
+        element: Element,
+        row: impl Fn(f64) -> [f64; 4],
+    ) -> ChainCell {
+        ChainCell { element, links: self.links(mesh, i, row) }
+    }
+}
+
+/// g₀ at s of a cell.
+pub(crate) fn gap_at(cell: &Cell, s: f64) -> f64 {
+    let [left, right] = cell.gap;
+    0.5 * (left + right) + 0.5 * (right - left) * s
+}

@@ -1,0 +1,529 @@
+//! The ground under a given beam: where it touches. (2.10) for a fixed w.
+//!
+//! Under a fixed ψ = w − g₀ the ground's surface is the least u ≥ ψ with −(μu')' + ku ≥ 0: the least
+//! majorant of ψ among the solutions of −(μu')' + ku = 0, exactly as a convex hull is the least
+//! majorant among straight lines. It is found as convex hulls are, by one scan from left to right.
+//!
+//! * Only where π = kψ − (μψ')' ≥ 0 can beam and ground touch along a stretch. These *arcs* are found
+//!   by isolating the sign changes of the polynomial π; nothing is sampled.
+//! * The scan keeps the arcs of the part already seen that its majorant touches, and the part of each
+//!   that it touches. A new arc is joined to the last one by the unloaded ground tangent to both. A
+//!   joint trims both arcs; an arc that is left with a pull is dropped and the joint made anew.
+//! * At the joint's ends a and b the concentrated forces A = μψ'(a) − μu'(a) and B = μu'(b) − μψ'(b)
+//!   vanish. Since dA/da = −π(a) and dB/db = π(b), and neither depends on the other end to first order,
+//!   Newton's method on each in turn converges quadratically on both.
+//!
+//! Every arc is trimmed from its ends only and every cell passed over once: the scan is O(n).
+
+use super::pieces::{Piece, pieces};
+use crate::ground::Link;
+use crate::mesh::{Cell, Mesh};
+use crate::polynomial::{jet, sign_changes};
+
+/// A point of the beam: a cell and its coordinate s ∈ \[−1, 1\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Spot {
+    pub cell: usize,
+    pub s: f64,
+}
+
+/// A stretch of contact, or a point of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Zone {
+    pub from: Spot,
+    pub to: Spot,
+}
+
+/// w on a mesh, as polynomials of `terms` coefficients in each cell.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Deflection<'a> {
+    pub mesh: &'a Mesh,
+    pub terms: usize,
+    pub coefficients: &'a [f64],
+}
+
+impl Deflection<'_> {
+    pub fn cell(&self, i: usize) -> &[f64] {
+        &self.coefficients[i * self.terms..(i + 1) * self.terms]
+    }
+
+    /// The coefficients of ψ = w − g₀ in cell i.
+    pub fn obstacle(&self, i: usize) -> Vec<f64> {
+        let mut c = self.cell(i).to_vec();
+        let [left, right] = self.mesh.cells[i].gap;
+        c[0] -= 0.5 * (left + right);
+        c[1] -= 0.5 * (right - left);
+        c
+    }
+}
+
+/// The stretches of contact, from left to right.
+pub(crate) fn contact(w: &Deflection) -> Vec<Zone> {
+    let mut zones = Vec::new();
+    for piece in pieces(w.mesh) {
+        if piece.pasternak {
+            zones.extend(Scan::new(w, &piece).run());
+        } else {
+            zones.extend(winkler_contact(w, &piece));
+        }
+    }
+    zones
+}
+
+/// The nodes that touch if only nodes can: the paper's pressures (5.5).
+pub(crate) fn nodal_contact(w: &Deflection) -> Vec<Zone> {
+    let mut zones = Vec::new();
+    for piece in pieces(w.mesh) {
+        let scan = Scan::new(w, &piece);
+        let nodes = nodes_of(&piece);
+        if piece.pasternak {
+            zones.extend(scan.hull(nodes));
+        } else {
+            zones.extend(nodes.filter(|zone| scan.at(zone.from)[0] >= 0.0));
+        }
+    }
+    zones
+}
+
+/// Contact everywhere: along the whole beam, or at each node.
+pub(crate) fn everywhere(mesh: &Mesh, nodal: bool) -> Vec<Zone> {
+    let pieces = pieces(mesh);
+    if nodal {
+        return pieces.iter().flat_map(nodes_of).collect();
+    }
+    let whole = |piece: &Piece| Zone {
+        from: Spot { cell: piece.cells.start, s: -1.0 },
+        to: Spot { cell: piece.cells.end - 1, s: 1.0 },
+    };
+    pieces.iter().map(whole).collect()
+}
+
+/// Every node of a piece as a point of its own.
+fn nodes_of(piece: &Piece) -> impl Iterator<Item = Zone> + use<> {
+    let last = point(Spot { cell: piece.cells.end - 1, s: 1.0 });
+    piece.cells.clone().map(|cell| point(Spot { cell, s: -1.0 })).chain([last])
+}
+
+/// Half the cells on either side of a node, within its piece: what a nodal spring stands for.
+pub(crate) fn tributary_spring(mesh: &Mesh, spot: Spot) -> f64 {
+    let half = |i: usize| 0.5 * mesh.cells[i].spring * mesh.cells[i].length();
+    let own = half(spot.cell);
+    let before = spot.cell.checked_sub(1).filter(|&i| mesh.cells[i].shear == 0.0);
+    if spot.s == 1.0 { own } else { own + before.map_or(0.0, half) }
+}
+
+/// The work of nodal springs of ground without a shear layer.
+pub(crate) fn lumped_work(
+    mesh: &Mesh,
+    terms: usize,
+    zones: &[Zone],
+    psi: &[f64],
+    delta: &[f64],
+) -> f64 {
+    let of = |c: &[f64], spot: Spot| {
+        crate::polynomial::value(&c[spot.cell * terms..(spot.cell + 1) * terms], spot.s)
+    };
+    let springs = zones.iter().map(|zone| zone.from).filter(|s| mesh.cells[s.cell].shear == 0.0);
+    springs.map(|s| tributary_spring(mesh, s) * of(psi, s) * of(delta, s)).sum()
+}
+
+/// Without a shear layer, contact is where ψ ≥ 0.
+fn winkler_contact(w: &Deflection, piece: &Piece) -> Vec<Zone> {
+    let mut zones: Vec<Zone> = Vec::new();
+    let mut ends = Vec::new();
+    for cell in piece.cells.clone() {
+        let obstacle = w.obstacle(cell);
+        positive_parts(&obstacle, &mut ends);
+        for part in &ends {
+            join(&mut zones, cell, *part, true);
+        }
+    }
+    zones
+}
+
+/// The intervals of \[−1, 1\] on which a polynomial is not negative.
+fn positive_parts(c: &[f64], parts: &mut Vec<[f64; 2]>) {
+    parts.clear();
+    let mut knots = vec![-1.0];
+    sign_changes(c, &mut knots);
+    knots.push(1.0);
+    for k in knots.windows(2) {
+        if k[1] > k[0] && crate::polynomial::value(c, 0.5 * (k[0] + k[1])) >= 0.0 {
+            parts.push([k[0], k[1]]);
+        }
+    }
+}
+
+/// Appends a part of a cell to the last zone if the two meet and may be one.
+fn join(zones: &mut Vec<Zone>, cell: usize, [from, to]: [f64; 2], may_join: bool) {
+    if let Some(last) = zones.last_mut() {
+        let meets = last.to.cell + 1 == cell && last.to.s == 1.0 && from == -1.0;
+        if meets && may_join {
+            last.to = Spot { cell, s: to };
+            return;
+        }
+    }
+    zones.push(Zone { from: Spot { cell, s: from }, to: Spot { cell, s: to } });
+}
+
+/// Open ground between two spots; a missing one is the ground beyond the piece.
+#[derive(Debug, Clone, Copy)]
+struct Joint {
+    left: Option<Spot>,
+    right: Option<Spot>,
+    /// The whole cells strictly between, and the ground beyond where a spot is missing.
+    middle: Option<Link>,
+}
+
+/// A zone with the joint to its left.
+#[derive(Debug, Clone, Copy)]
+struct Held {
+    zone: Zone,
+    joint: Joint,
+}
+
+struct Scan<'a> {
+    w: &'a Deflection<'a>,
+    piece: &'a Piece,
+}
+
+impl<'a> Scan<'a> {
+    fn new(w: &'a Deflection<'a>, piece: &'a Piece) -> Self {
+        Scan { w, piece }
+    }
+
+    fn run(&self) -> Vec<Zone> {
+        self.hull(self.arcs().into_iter())
+    }
+
+    fn hull(&self, arcs: impl Iterator<Item = Zone>) -> Vec<Zone> {
+        let mut stack: Vec<Held> = Vec::new();
+        for arc in arcs {
+            let mut new = arc;
+            let start = arc.from.cell;
+            let mut joint = match stack.last() {
+                Some(last) => Joint {
+                    left: Some(last.zone.to),
+                    right: Some(new.from),
+                    middle: self.whole_cells(last.zone.to.cell + 1, start, None),
+                },
+                None => self.from_beyond(new.from),
+            };
+            loop {
+                let Some(last) = stack.last_mut() else {
+                    self.trim_right(&mut joint, new.to);
+                    break;
+                };
+                self.tighten(&mut joint, last.zone.from, new.to);
+                let Some(touch) = joint.left else { break };
+                last.zone.to = touch;
+                if touch == last.zone.from && self.pull(&last.joint, &joint) <= 0.0 {
+                    joint = self.merged(&last.joint, &last.zone, &joint);
+                    stack.pop();
+                } else {
+                    break;
+                }
+            }
+            if let Some(from) = joint.right {
+                new.from = from;
+            }
+            stack.push(Held { zone: new, joint });
+        }
+        self.close(&mut stack);
+        stack.into_iter().map(|held| held.zone).collect()
+    }
+
+    /// The ground beyond the right end trims the last zones.
+    fn close(&self, stack: &mut Vec<Held>) {
+        let end = self.piece.cells.end;
+        let Some(last) = stack.last() else { return };
+        let beyond = Link { coupling: 0.0, leak_left: self.piece.beyond[1], leak_right: 0.0 };
+        let mut joint = Joint {
+            left: Some(last.zone.to),
+            right: None,
+            middle: Some(match self.whole_cells(last.zone.to.cell + 1, end, None) {
+                Some(cells) => cells.then(beyond),
+                None => beyond,
+            }),
+        };
+        while let Some(last) = stack.last_mut() {
+            self.trim_left(&mut joint, last.zone.from);
+            let Some(touch) = joint.left else { break };
+            last.zone.to = touch;
+            if touch == last.zone.from && self.pull(&last.joint, &joint) <= 0.0 {
+                joint = self.merged(&last.joint, &last.zone, &joint);
+                stack.pop();
+            } else {
+                break;
+            }
+        }
+    }
+
+    /// Where π ≥ 0, joined over cells unless a corner of ψ opens the ground; and single points that may
+    /// carry a force: the ends of the shear layer and corners that press into the ground.
+    fn arcs(&self) -> Vec<Zone> {
+        let cells = self.piece.cells.clone();
+        let mut arcs: Vec<Zone> = Vec::new();
+        let mut parts = Vec::new();
+        for i in cells.clone() {
+            let corner = if i == cells.start { 1.0 } else { self.corner(i) };
+            let pressure = self.pressure(i);
+            positive_parts(&pressure, &mut parts);
+            let starts_here = parts.first().is_some_and(|part| part[0] == -1.0);
+            let ended_here = arcs.last().is_some_and(|a| a.to == Spot { cell: i.wrapping_sub(1), s: 1.0 });
+            if corner > 0.0 && !starts_here && !ended_here {
+                arcs.push(point(Spot { cell: i, s: -1.0 }));
+            }
+            for part in &parts {
+                join(&mut arcs, i, *part, corner >= 0.0);
+            }
+        }
+        let end = Spot { cell: cells.end - 1, s: 1.0 };
+        if arcs.last().is_none_or(|arc| arc.to != end) {
+            arcs.push(point(end));
+        }
+        arcs
+    }
+
+    /// −\[μψ'\] at the node to the left of cell i: positive where a corner presses into the ground.
+    fn corner(&self, i: usize) -> f64 {
+        let [a, b] = [self.w.mesh.cells[i - 1], self.w.mesh.cells[i]];
+        let rise = |c: &Cell| (c.gap[1] - c.gap[0]) / c.length();
+        if a.shear == b.shear && a.gap == [0.0; 2] && b.gap == [0.0; 2] {
+            return 0.0;
+        }
+        let slope = jet(self.w.cell(i), -1.0)[1] * 2.0 / b.length();
+        let jump = (a.shear - b.shear) * slope - (a.shear * rise(&a) - b.shear * rise(&b));
+        // A straight profile cut in two has no corner, however its slopes are rounded.
+        let size = (a.shear * rise(&a)).abs() + (b.shear * rise(&b)).abs();
+        if a.shear == b.shear && jump.abs() <= 1e-12 * size { 0.0 } else { jump }
+    }
+
+    /// The coefficients of π = kψ − μψ'' in cell i.
+    fn pressure(&self, i: usize) -> Vec<f64> {
+        let cell = &self.w.mesh.cells[i];
+        pressure_of(cell, &self.w.obstacle(i))
+    }
+
+    /// ψ, dψ/dx and π at a spot.
+    fn at(&self, spot: Spot) -> [f64; 3] {
+        let cell = &self.w.mesh.cells[spot.cell];
+        let [f, d1, d2, _] = jet(self.w.cell(spot.cell), spot.s);
+        let [left, right] = cell.gap;
+        let psi = f - (0.5 * (left + right) + 0.5 * (right - left) * spot.s);
+        let per_length = 2.0 / cell.length();
+        let slope = (d1 - 0.5 * (right - left)) * per_length;
+        [psi, slope, cell.spring * psi - cell.shear * d2 * per_length * per_length]
+    }
+
+    fn whole_cells(&self, from: usize, to: usize, before: Option<Link>) -> Option<Link> {
+        whole_cells(self.w.mesh, from, to, before)
+    }
+
+    fn from_beyond(&self, to: Spot) -> Joint {
+        let beyond = Link { coupling: 0.0, leak_left: 0.0, leak_right: self.piece.beyond[0] };
+        let middle = self.whole_cells(self.piece.cells.start, to.cell, Some(beyond));
+        Joint { left: None, right: Some(to), middle }
+    }
+
+    fn link(&self, joint: &Joint) -> Link {
+        let part = |i: usize, from: f64, to: f64| cell_part(&self.w.mesh.cells[i], from, to);
+        if let (Some(a), Some(b)) = (joint.left, joint.right) {
+            if a.cell == b.cell {
+                return part(a.cell, a.s, b.s);
+            }
+        }
+        let head = joint.left.filter(|a| a.s < 1.0).map(|a| part(a.cell, a.s, 1.0));
+        let tail = joint.right.filter(|b| b.s > -1.0).map(|b| part(b.cell, -1.0, b.s));
+        let parts = [head, joint.middle, tail];
+        let whole = parts.into_iter().flatten().reduce(Link::then);
+        // Spots that meet at a node: a joint of no length never arises between two arcs that can be
+        // held apart; a stiff one stands for it.
+        whole.unwrap_or(Link { coupling: f64::MAX, leak_left: 0.0, leak_right: 0.0 })
+    }
+
+    fn values(&self, joint: &Joint) -> [f64; 2] {
+        [joint.left, joint.right].map(|spot| spot.map_or(0.0, |spot| self.at(spot)[0]))
+    }
+
+    /// What a single point between two joints presses; not positive where the ground would have to pull.
+    fn pull(&self, before: &Joint, after: &Joint) -> f64 {
+        let [a, b] = self.values(before);
+        let [c, d] = self.values(after);
+        self.link(before).force_right(a, b) + self.link(after).force_left(c, d)
+    }
+
+    /// One joint over a dropped zone.
+    fn merged(&self, before: &Joint, zone: &Zone, after: &Joint) -> Joint {
+        let first = before.left.map_or(self.piece.cells.start, |a| a.cell + 1);
+        let last = after.right.map_or(self.piece.cells.end, |b| b.cell);
+        let from = zone.from.cell.max(first);
+        let to = (zone.to.cell + 1).min(last);
+        let inner = self.whole_cells(from, to, before.middle);
+        Joint { left: before.left, right: after.right, middle: chained(inner, after.middle) }
+    }
+
+    /// Trims both ends in turn until neither moves.
+    fn tighten(&self, joint: &mut Joint, left_limit: Spot, right_limit: Spot) {
+        for _ in 0..60 {
+            let before = (joint.left, joint.right);
+            self.trim_left(joint, left_limit);
+            self.trim_right(joint, right_limit);
+            if before == (joint.left, joint.right) {
+                break;
+            }
+        }
+    }
+
+    /// The concentrated force at the joint's left end, which ends a stretch of contact.
+    fn force_at_left(&self, joint: &Joint, spot: Spot) -> f64 {
+        let trial = Joint { left: Some(spot), ..*joint };
+        let [psi, slope, _] = self.at(spot);
+        let other = joint.right.map_or(0.0, |b| self.at(b)[0]);
+        let shear = self.w.mesh.cells[spot.cell].shear;
+        shear * slope + self.link(&trial).force_left(psi, other)
+    }
+
+    fn force_at_right(&self, joint: &Joint, spot: Spot) -> f64 {
+        let trial = Joint { right: Some(spot), ..*joint };
+        let [psi, slope, _] = self.at(spot);
+        let other = joint.left.map_or(0.0, |a| self.at(a)[0]);
+        let shear = self.w.mesh.cells[spot.cell].shear;
+        self.link(&trial).force_right(other, psi) - shear * slope
+    }
+
+    /// Moves the joint's left end to the left until nothing pulls there.
+    fn trim_left(&self, joint: &mut Joint, limit: Spot) {
+        let Some(mut spot) = joint.left else { return };
+        if spot == limit || self.force_at_left(joint, spot) >= 0.0 {
+            return;
+        }
+        loop {
+            let start = if spot.cell == limit.cell { limit.s } else { -1.0 };
+            let low = Spot { cell: spot.cell, s: start };
+            if self.force_at_left(joint, low) >= 0.0 {
+                let force = |s: f64| self.force_at_left(joint, Spot { cell: spot.cell, s });
+                spot.s = self.tangent(spot.cell, [start, spot.s], force, -1.0);
+                break;
+            }
+            if spot.cell == limit.cell {
+                spot = limit;
+                break;
+            }
+            // The whole cell opens; it lies between the spots unless the right one is in it.
+            if joint.right.is_none_or(|b| b.cell != spot.cell) {
+                let opened = self.whole_cells(spot.cell, spot.cell + 1, None);
+                joint.middle = chained(opened, joint.middle);
+            }
+            spot = Spot { cell: spot.cell - 1, s: 1.0 };
+            joint.left = Some(spot);
+        }
+        joint.left = Some(spot);
+    }
+
+    /// Moves the joint's right end to the right until nothing pulls there.
+    fn trim_right(&self, joint: &mut Joint, limit: Spot) {
+        let Some(mut spot) = joint.right else { return };
+        if spot == limit || self.force_at_right(joint, spot) >= 0.0 {
+            return;
+        }
+        loop {
+            let end = if spot.cell == limit.cell { limit.s } else { 1.0 };
+            let high = Spot { cell: spot.cell, s: end };
+            if self.force_at_right(joint, high) >= 0.0 {
+                let force = |s: f64| self.force_at_right(joint, Spot { cell: spot.cell, s });
+                spot.s = self.tangent(spot.cell, [spot.s, end], force, 1.0);
+                break;
+            }
+            if spot.cell == limit.cell {
+                spot = limit;
+                break;
+            }
+            if joint.left.is_none_or(|a| a.cell != spot.cell) {
+                joint.middle = self.whole_cells(spot.cell, spot.cell + 1, joint.middle);
+            }
+            spot = Spot { cell: spot.cell + 1, s: -1.0 };
+            joint.right = Some(spot);
+        }
+        joint.right = Some(spot);
+    }
+
+    /// The root of a concentrated force between two spots of one cell, where it changes sign. `sense` is
+    /// the sign of its slope, which is sense·π.
+    fn tangent(
+        &self,
+        cell: usize,
+        [mut low, mut high]: [f64; 2],
+        force: impl Fn(f64) -> f64,
+        sense: f64,
+    ) -> f64 {
+        let half = 0.5 * self.w.mesh.cells[cell].length();
+        let mut s = if sense > 0.0 { low } else { high };
+        for _ in 0..80 {
+            let f = force(s);
+            if f == 0.0 {
+                return s;
+            }
+            if (f > 0.0) == (sense > 0.0) {
+                high = s;
+            } else {
+                low = s;
+            }
+            let slope = sense * self.at(Spot { cell, s })[2] * half;
+            let newton = s - f / slope;
+            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            if (next - s).abs() <= 2.0 * f64::EPSILON || high - low <= 2.0 * f64::EPSILON {
+                return next;
+            }
+            s = next;
+        }
+        s
+    }
+}
+
+fn chained(first: Option<Link>, second: Option<Link>) -> Option<Link> {
+    match (first, second) {
+        (Some(a), Some(b)) => Some(a.then(b)),
+        (a, b) => a.or(b),
+    }
+}
+
+fn point(spot: Spot) -> Zone {
+    Zone { from: spot, to: spot }
+}
+
+/// The open ground of a part of a cell.
+pub(crate) fn cell_part(cell: &Cell, from: f64, to: f64) -> Link {
+    Link::uniform(cell.spring, cell.shear, 0.5 * (to - from) * cell.length())
+}
+
+/// `before`, then the whole cells of a range. Runs of equal ground are one link.
+fn whole_cells(mesh: &Mesh, from: usize, to: usize, before: Option<Link>) -> Option<Link> {
+    let mut link = before;
+    let mut i = from;
+    while i < to {
+        let cell = &mesh.cells[i];
+        let same = |c: &Cell| c.spring == cell.spring && c.shear == cell.shear;
+        let mut end = i + 1;
+        while end < to && same(&mesh.cells[end]) {
+            end += 1;
+        }
+        let length = mesh.cells[end - 1].x[1] - cell.x[0];
+        let run = Link::uniform(cell.spring, cell.shear, length);
+        link = Some(link.map_or(run, |link| link.then(run)));
+        i = end;
+    }
+    link
+}
+
+/// The coefficients of kψ − μψ'' from those of ψ.
+pub(crate) fn pressure_of(cell: &Cell, obstacle: &[f64]) -> Vec<f64> {
+    let per_length = 2.0 / cell.length();
+    let factor = cell.shear * per_length * per_length;
+    (0..obstacle.len())
+        .map(|j| {
+            let bend = obstacle.get(j + 2).map_or(0.0, |c| ((j + 2) * (j + 1)) as f64 * c);
+            cell.spring * obstacle[j] - factor * bend
+        })
+        .collect()
+}

@@ -1,0 +1,7 @@
+//! Where the beam touches: one file per method.
+
+pub(crate) mod active_set;
+pub(crate) mod layout;
+pub(crate) mod majorant;
+pub(crate) mod pieces;
+pub(crate) mod surface;

@@ -1,0 +1,268 @@
+//! The ground's surface and what it presses with, for a given w and given zones of contact.
+
+use super::layout::gap_at;
+use super::majorant::{Deflection, Spot, Zone, cell_part};
+use super::pieces::{Piece, pieces};
+use crate::ground::Link;
+use crate::mesh::Mesh;
+use crate::polynomial::{jet, value};
+
+/// A part of a cell in which beam and ground touch all along or not at all.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Part {
+    pub cell: usize,
+    /// Its ends in the cell's coordinate.
+    pub s: [f64; 2],
+    /// Off contact: u at both ends.
+    pub open: Option<[f64; 2]>,
+}
+
+/// A concentrated contact force.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Atom {
+    pub spot: Spot,
+    pub force: f64,
+}
+
+/// The ground's surface under a beam.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Surface {
+    /// From left to right; every cell is covered.
+    pub parts: Vec<Part>,
+    /// Where a concentrated force can stand: ends of the beam and of the shear layer, corners, single
+    /// points of contact.
+    pub atoms: Vec<Atom>,
+}
+
+impl Surface {
+    pub fn of(w: &Deflection, zones: &[Zone]) -> Self {
+        let mut surface = Surface::default();
+        for piece in pieces(w.mesh) {
+            let cells = piece.cells.clone();
+            let own: Vec<Zone> =
+                zones.iter().filter(|z| cells.contains(&z.from.cell)).copied().collect();
+            if piece.pasternak {
+                surface.add_pasternak(w, &piece, &own);
+            } else {
+                surface.add_winkler(&piece, &own);
+            }
+        }
+        surface
+    }
+
+    fn add_winkler(&mut self, piece: &Piece, zones: &[Zone]) {
+        let mut at = Spot { cell: piece.cells.start, s: -1.0 };
+        let end = Spot { cell: piece.cells.end - 1, s: 1.0 };
+        for zone in zones.iter().filter(|z| z.from != z.to) {
+            self.cover(at, zone.from, Some([0.0; 2]));
+            self.cover(zone.from, zone.to, None);
+            at = zone.to;
+        }
+        self.cover(at, end, Some([0.0; 2]));
+    }
+
+    fn cover(&mut self, from: Spot, to: Spot, open: Option<[f64; 2]>) {
+        for cell in from.cell..=to.cell {
+            let start = if cell == from.cell { from.s } else { -1.0 };
+            let end = if cell == to.cell { to.s } else { 1.0 };
+            if end > start {
+                self.parts.push(Part { cell, s: [start, end], open });
+            }
+        }
+    }
+
+    fn add_pasternak(&mut self, w: &Deflection, piece: &Piece, zones: &[Zone]) {
+        let end = Spot { cell: piece.cells.end - 1, s: 1.0 };
+        let mut left: Option<Spot> = None;
+        // What the ground on the left of the zone takes at its left end.
+        for (i, zone) in zones.iter().enumerate() {
+            let before = self.open(w, piece, left, Some(zone.from));
+            let last = i + 1 == zones.len();
+            let next = if last { None } else { Some(zones[i + 1].from) };
+            let after = open_links(w.mesh, piece, Some(zone.to), next)
+                .into_iter()
+                .map(|(_, link)| link)
+                .reduce(Link::then);
+            let [psi_from, psi_to] = [zone.from, zone.to].map(|spot| obstacle(w, spot));
+            let flux_in = before.1.map_or(0.0, |link| link.force_right(before.0, psi_from));
+            let psi_next = next.map_or(0.0, |spot| obstacle(w, spot));
+            let flux_out = after.map_or(0.0, |link| link.force_left(psi_to, psi_next));
+            if zone.from == zone.to {
+                self.atoms.push(Atom { spot: zone.from, force: flux_in + flux_out });
+            } else {
+                self.cover(zone.from, zone.to, None);
+                self.add_zone_atoms(w, zone, flux_in, flux_out);
+            }
+            left = Some(zone.to);
+        }
+        if left != Some(end) || zones.is_empty() {
+            self.open(w, piece, left, None);
+        }
+    }
+
+    /// Forces at the ends of a zone and at the corners within it.
+    fn add_zone_atoms(&mut self, w: &Deflection, zone: &Zone, flux_in: f64, flux_out: f64) {
+        let force = flux_in - flux(w, zone.from);
+        self.atoms.push(Atom { spot: zone.from, force });
+        for cell in zone.from.cell + 1..=zone.to.cell {
+            let [a, b] = [Spot { cell: cell - 1, s: 1.0 }, Spot { cell, s: -1.0 }];
+            let [left, right] = [a, b].map(|spot| w.mesh.cells[spot.cell]);
+            let straight = |c: &crate::mesh::Cell| (c.gap[1] - c.gap[0]) / c.length();
+            if left.shear != right.shear || straight(&left) != straight(&right) {
+                self.atoms.push(Atom { spot: b, force: flux(w, a) - flux(w, b) });
+            }
+        }
+        self.atoms.push(Atom { spot: zone.to, force: flux(w, zone.to) + flux_out });
+    }
+
+    /// Covers open ground between two spots; returns the value at the left spot and the whole link.
+    fn open(
+        &mut self,
+        w: &Deflection,
+        piece: &Piece,
+        from: Option<Spot>,
+        to: Option<Spot>,
+    ) -> (f64, Option<Link>) {
+        let links = open_links(w.mesh, piece, from, to);
+        let start = from.map_or(0.0, |spot| obstacle(w, spot));
+        let end = to.map_or(0.0, |spot| obstacle(w, spot));
+        // Forward: the link from the start to each joint; backward: each joint between that link and
+        // the next part. Sums of positive numbers only.
+        let mut so_far: Vec<Link> = Vec::with_capacity(links.len());
+        for (_, link) in &links {
+            so_far.push(so_far.last().map_or(*link, |before| before.then(*link)));
+        }
+        let mut right = end;
+        let mut values = vec![0.0; links.len() + 1];
+        values[0] = start;
+        values[links.len()] = end;
+        for i in (1..links.len()).rev() {
+            let (before, next) = (so_far[i - 1], links[i].1);
+            let pull = before.coupling * start + next.coupling * right;
+            let hold = before.coupling + before.leak_right + next.coupling + next.leak_left;
+            right = pull / hold;
+            values[i] = right;
+        }
+        for (i, (part, _)) in links.iter().enumerate() {
+            if let Some((cell, s)) = *part {
+                self.parts.push(Part { cell, s, open: Some([values[i], values[i + 1]]) });
+            }
+        }
+        (start, so_far.last().copied())
+    }
+
+    /// Concentrated force at the beam's left and right end.
+    pub fn end_forces(&self, mesh: &Mesh) -> [f64; 2] {
+        let last = mesh.cells.len() - 1;
+        let at = |spot: Spot| {
+            self.atoms.iter().filter(|a| a.spot == spot).map(|a| a.force).sum::<f64>()
+        };
+        [at(Spot { cell: 0, s: -1.0 }), at(Spot { cell: last, s: 1.0 })]
+    }
+}
+
+/// ψ at a spot.
+pub(crate) fn obstacle(w: &Deflection, spot: Spot) -> f64 {
+    value(w.cell(spot.cell), spot.s) - gap_at(&w.mesh.cells[spot.cell], spot.s)
+}
+
+/// μψ' at a spot.
+fn flux(w: &Deflection, spot: Spot) -> f64 {
+    let cell = &w.mesh.cells[spot.cell];
+    let slope = jet(w.cell(spot.cell), spot.s)[1] - 0.5 * (cell.gap[1] - cell.gap[0]);
+    cell.shear * slope * 2.0 / cell.length()
+}
+
+/// The links of open ground between two spots, cell by cell; a missing spot is the ground beyond.
+fn open_links(
+    mesh: &Mesh,
+    piece: &Piece,
+    from: Option<Spot>,
+    to: Option<Spot>,
+) -> Vec<(Option<(usize, [f64; 2])>, Link)> {
+    let mut links = Vec::new();
+    let first = from.unwrap_or(Spot { cell: piece.cells.start, s: -1.0 });
+    let last = to.unwrap_or(Spot { cell: piece.cells.end - 1, s: 1.0 });
+    if from.is_none() {
+        let leak_right = piece.beyond[0];
+        links.push((None, Link { coupling: 0.0, leak_left: 0.0, leak_right }));
+    }
+    for cell in first.cell..=last.cell {
+        let start = if cell == first.cell { first.s } else { -1.0 };
+        let end = if cell == last.cell { last.s } else { 1.0 };
+        if end > start {
+            let link = cell_part(&mesh.cells[cell], start, end);
+            links.push((Some((cell, [start, end])), link));
+        }
+    }
+    if to.is_none() {
+        let leak_left = piece.beyond[1];
+        links.push((None, Link { coupling: 0.0, leak_left, leak_right: 0.0 }));
+    }
+    links
+}
+
+/// The work of the ground's forces under ψ (contact on `zones`) on a second field δ: the first variation
+/// of ½ min_{u ≥ ψ} b(u, u), where `zones` is the contact of ψ; the bilinear form of the glued ground
+/// otherwise. Both fields are polynomials on the same mesh; ψ already without the gap.
+pub(crate) fn ground_work(mesh: &Mesh, terms: usize, zones: &[Zone], psi: &[f64], delta: &[f64]) -> f64 {
+    let of = |c: &'_ [f64], spot: Spot| value(&c[spot.cell * terms..(spot.cell + 1) * terms], spot.s);
+    let mut work = 0.0;
+    for piece in pieces(mesh) {
+        let mut left: Option<Spot> = None;
+        let own = zones.iter().filter(|z| piece.cells.contains(&z.from.cell));
+        let mut any = false;
+        let mut across = |from: Option<Spot>, to: Option<Spot>| {
+            let links = open_links(mesh, &piece, from, to);
+            if let Some(link) = links.into_iter().map(|(_, link)| link).reduce(Link::then) {
+                let [a, b] = [from, to].map(|spot| spot.map_or(0.0, |spot| of(psi, spot)));
+                let [da, db] = [from, to].map(|spot| spot.map_or(0.0, |spot| of(delta, spot)));
+                work += link.force_left(a, b) * da + link.force_right(a, b) * db;
+            }
+        };
+        let mut touching = 0.0;
+        for zone in own {
+            any = true;
+            if piece.pasternak {
+                across(left, Some(zone.from));
+            }
+            for cell in zone.from.cell..=zone.to.cell {
+                let start = if cell == zone.from.cell { zone.from.s } else { -1.0 };
+                let end = if cell == zone.to.cell { zone.to.s } else { 1.0 };
+                if end > start {
+                    let c = &mesh.cells[cell];
+                    let slice = cell * terms..(cell + 1) * terms;
+                    let form = (c.spring, c.shear);
+                    touching +=
+                        energy_form(c.length(), form, [start, end], &psi[slice.clone()], &delta[slice]);
+                }
+            }
+            left = Some(zone.to);
+        }
+        if piece.pasternak && any {
+            across(left, None);
+        }
+        work += touching;
+    }
+    work
+}
+
+/// ∫ (κ f g + N f' g') dx over a part of a cell of length h, for cubics f and g.
+pub(crate) fn energy_form(
+    h: f64,
+    (kappa, tension): (f64, f64),
+    [from, to]: [f64; 2],
+    f: &[f64],
+    g: &[f64],
+) -> f64 {
+    const GAUSS: [(f64, f64); 4] = crate::elements::hermite::GAUSS;
+    let mut sum = 0.0;
+    for (point, weight) in GAUSS {
+        let s = 0.5 * ((to - from) * point + (to + from));
+        let weight = 0.25 * (to - from) * weight;
+        let [f, df, ..] = jet(f, s);
+        let [g, dg, ..] = jet(g, s);
+        sum += weight * (kappa * f * g * h + tension * df * dg * 4.0 / h);
+    }
+    sum
+}

@@ -1,0 +1,146 @@
+//! The cubic element of Kikuchi (5.1), (5.2), on ξ ∈ \[0, 1\] (the paper's x in (5.2)).
+//!
+//! In element deformations w = w_left + θ_left h ξ + d₁ N₂(ξ) + d₂ M₂(ξ), since a rigid motion is
+//! reproduced by N₁ + N₂ = 1 and M₁ + M₂ + h N₂ = h ξ.
+
+use super::Element;
+use crate::mesh::Cell;
+
+/// Coefficients of a cubic.
+pub(crate) const TERMS: usize = 4;
+
+/// Gauss points and weights on \[−1, 1\] that integrate products of cubics exactly.
+pub(crate) const GAUSS: [(f64, f64); 4] = [
+    (-0.861_136_311_594_052_6, 0.347_854_845_137_453_85),
+    (-0.339_981_043_584_856_26, 0.652_145_154_862_546_1),
+    (0.339_981_043_584_856_26, 0.652_145_154_862_546_1),
+    (0.861_136_311_594_052_6, 0.347_854_845_137_453_85),
+];
+
+/// N₁, M₁, N₂, M₂ of (5.2) at ξ, on an element of length h.
+pub(crate) fn shape(xi: f64, h: f64) -> [f64; 4] {
+    let rest = 1.0 - xi;
+    [
+        rest * rest * (1.0 + 2.0 * xi),
+        h * xi * rest * rest,
+        xi * xi * (3.0 - 2.0 * xi),
+        -h * xi * xi * rest,
+    ]
+}
+
+/// What multiplies (w_left, θ_left, d₁, d₂) in w at ξ.
+pub(crate) fn deflection(xi: f64, h: f64) -> [f64; 4] {
+    let [_, _, n2, m2] = shape(xi, h);
+    [1.0, h * xi, n2, m2]
+}
+
+/// What multiplies (w_left, θ_left, d₁, d₂) in w' at ξ.
+pub(crate) fn slope(xi: f64, h: f64) -> [f64; 4] {
+    [0.0, 1.0, 6.0 * xi * (1.0 - xi) / h, xi * (3.0 * xi - 2.0)]
+}
+
+/// Bending, axial force and loads: K and F of (5.4). The ground is added by [`add_ground`].
+pub(crate) fn element(cell: &Cell, axial_force: f64) -> Element {
+    let h = cell.length();
+    let e = cell.stiffness / h;
+    let mut element = Element { length: h, ..Element::default() };
+    element.stiffness[2][2] = 12.0 * e / (h * h);
+    element.stiffness[2][3] = -6.0 * e / h;
+    element.stiffness[3][2] = -6.0 * e / h;
+    element.stiffness[3][3] = 4.0 * e;
+    add(&mut element, 0.0, axial_force, cell, [-1.0, 1.0], cell.load, cell.moment_load);
+    element
+}
+
+/// The ground where beam and ground touch from s = `from` to `to` (in \[−1, 1\]): ½∫(k ψ² + μ ψ'²)
+/// with ψ = w − g₀.
+pub(crate) fn add_ground(element: &mut Element, cell: &Cell, [from, to]: [f64; 2]) {
+    let rise = (cell.gap[1] - cell.gap[0]) / cell.length();
+    let load = cell.gap.map(|g| cell.spring * g);
+    add(element, cell.spring, cell.shear, cell, [from, to], load, [cell.shear * rise; 2]);
+}
+
+/// ½∫(κ w² + N w'²) − ∫(F w + G w') over a part of the element.
+fn add(
+    element: &mut Element,
+    spring: f64,
+    tension: f64,
+    cell: &Cell,
+    [from, to]: [f64; 2],
+    load: [f64; 2],
+    moment_load: [f64; 2],
+) {
+    let h = cell.length();
+    for (point, weight) in GAUSS {
+        let s = 0.5 * ((to - from) * point + (to + from));
+        let xi = 0.5 * (1.0 + s);
+        let weight = 0.25 * weight * (to - from) * h;
+        let [z, dz] = [deflection(xi, h), slope(xi, h)];
+        let linear = |v: [f64; 2]| v[0] + (v[1] - v[0]) * xi;
+        let [f, g] = [linear(load), linear(moment_load)];
+        for i in 0..4 {
+            element.load[i] += weight * (f * z[i] + g * dz[i]);
+            for j in 0..4 {
+                element.stiffness[i][j] += weight * (spring * z[i] * z[j] + tension * dz[i] * dz[j]);
+            }
+        }
+    }
+}
+
+/// The coefficients of w(s), s ∈ \[−1, 1\], for v = (w_left, θ_left, d₁, d₂).
+pub(crate) fn unfold(v: &[f64; 4], h: f64) -> [f64; TERMS] {
+    let [w, theta, d1, d2] = *v;
+    // N₂ = (2 + 3s − s³)/4, M₂ = h (s³ + s² − s − 1)/8.
+    let bend = 0.125 * h * d2;
+    [
+        w + 0.5 * h * theta + 0.5 * d1 - bend,
+        0.5 * h * theta + 0.75 * d1 - bend,
+        bend,
+        bend - 0.25 * d1,
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::polynomial::value;
+
+    #[test]
+    fn shape_functions_reproduce_rigid_motions() {
+        let h = 0.7;
+        for xi in [0.0, 0.2, 0.5, 1.0] {
+            let [n1, m1, n2, m2] = shape(xi, h);
+            assert!((n1 + n2 - 1.0).abs() < 1e-15);
+            assert!((m1 + m2 + h * n2 - h * xi).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn unfolding_is_interpolation() {
+        let (h, v) = (0.7, [0.3, -1.2, 0.4, 0.9]);
+        let c = unfold(&v, h);
+        for xi in [0.0, 0.3, 1.0] {
+            let z = deflection(xi, h);
+            let w: f64 = z.iter().zip(v).map(|(z, v)| z * v).sum();
+            assert!((value(&c, 2.0 * xi - 1.0) - w).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn an_even_load_becomes_the_printed_nodal_forces() {
+        // f h/2 and ± f h²/12 at the ends, any textbook.
+        let cell = Cell {
+            x: [0.0, 2.0],
+            stiffness: 3.0,
+            spring: 1.0,
+            shear: 0.0,
+            load: [6.0; 2],
+            moment_load: [0.0; 2],
+            gap: [0.0; 2],
+        };
+        let q = element(&cell, 0.0).load;
+        // d₁, d₂ carry the right end's force and moment; the left ones are the rest.
+        assert!((q[2] - 6.0).abs() < 1e-14 && (q[3] + 2.0).abs() < 1e-14);
+        assert!((q[0] - 12.0).abs() < 1e-14 && (q[1] - 12.0).abs() < 1e-14);
+    }
+}

@@ -1,0 +1,318 @@
+//! The model cut into cells within which everything given is constant or linear.
+//!
+//! Nodes stand where the physics needs them: at loads, supports, the ends of segments and of spread
+//! loads, the corners of the initial gap. A method adds its own.
+
+use crate::ground;
+use crate::model::{Load, Model, SupportKind};
+
+/// A stretch of beam and ground with constant EI, k, μ and linear f, g, g₀.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Cell {
+    /// Left and right end \[m\].
+    pub x: [f64; 2],
+    /// EI \[N·m²\].
+    pub stiffness: f64,
+    /// k \[N/m²\].
+    pub spring: f64,
+    /// μ \[N\].
+    pub shear: f64,
+    /// f at both ends \[N/m\].
+    pub load: [f64; 2],
+    /// g at both ends \[N·m/m\].
+    pub moment_load: [f64; 2],
+    /// g₀ at both ends \[m\].
+    pub gap: [f64; 2],
+}
+
+impl Cell {
+    pub fn length(&self) -> f64 {
+        self.x[1] - self.x[0]
+    }
+
+    /// The cell's own coordinate s ∈ \[−1, 1\] of a position x.
+    pub fn local(&self, x: f64) -> f64 {
+        let [from, to] = self.x;
+        // From the nearer end, so that both ends map to ±1 exactly.
+        let s = if x - from <= to - x {
+            2.0 * ((x - from) / (to - from)) - 1.0
+        } else {
+            1.0 - 2.0 * ((to - x) / (to - from))
+        };
+        s.clamp(-1.0, 1.0)
+    }
+
+    /// The position x of s ∈ \[−1, 1\].
+    pub fn global(&self, s: f64) -> f64 {
+        let half = 0.5 * self.length();
+        if s <= 0.0 { self.x[0] + half * (1.0 + s) } else { self.x[1] - half * (1.0 - s) }
+    }
+}
+
+/// What acts on and holds the beam at one point.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Node {
+    /// Position \[m\].
+    pub x: f64,
+    /// Point force, down \[N\].
+    pub force: f64,
+    /// Point moment \[N·m\].
+    pub moment: f64,
+    /// w = 0.
+    pub pinned: bool,
+    /// w' = 0.
+    pub clamped: bool,
+    /// Spring against w \[N/m\].
+    pub spring: f64,
+    /// Spring against w' \[N·m/rad\].
+    pub rotational_spring: f64,
+}
+
+/// Nodes from left to right and the cells between them.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Mesh {
+    pub nodes: Vec<Node>,
+    pub cells: Vec<Cell>,
+    /// P \[N\].
+    pub axial_force: f64,
+    /// √(kμ) of the endless ground beyond the left and the right end \[N/m\].
+    pub outside: [f64; 2],
+}
+
+/// Positions closer than this part of the beam's length are one position.
+const SAME_PLACE: f64 = 4.0 * f64::EPSILON;
+
+impl Mesh {
+    /// The fewest nodes, and `more` of them. Every interval between two of these is then cut into
+    /// as many equal cells as `parts` says of a cell.
+    pub fn build(model: &Model, more: &[f64], parts: impl Fn(&Cell) -> usize) -> Self {
+        let coarse = cells_between(model, positions(model, more));
+        let mut x = vec![0.0];
+        for cell in &coarse {
+            let n = parts(cell).max(1);
+            x.extend((1..n).map(|i| cell.global(2.0 * i as f64 / n as f64 - 1.0)));
+            x.push(cell.x[1]);
+        }
+        let cells = if x.len() == coarse.len() + 1 { coarse } else { cells_between(model, x) };
+        let first = cells[0];
+        let last = cells[cells.len() - 1];
+        let outside = [first, last].map(|cell| ground::outside(cell.spring, cell.shear));
+        let mut mesh =
+            Mesh { nodes: nodes_of(&cells), cells, axial_force: model.beam.axial_force, outside };
+        mesh.place_loads_and_supports(model);
+        mesh
+    }
+
+    /// `elements` equal elements, and a node wherever the model has one.
+    pub fn uniform(model: &Model, elements: usize) -> Self {
+        let l = model.beam.length;
+        let more: Vec<f64> =
+            (1..elements).map(|i| l * (i as f64 / elements as f64)).collect();
+        Self::build(model, &more, |_| 1)
+    }
+
+    pub fn length(&self) -> f64 {
+        self.nodes[self.nodes.len() - 1].x
+    }
+
+    /// The cell that holds x; of two that meet there the right one.
+    pub fn cell_at(&self, x: f64) -> usize {
+        self.cells.partition_point(|cell| cell.x[1] <= x).min(self.cells.len() - 1)
+    }
+
+    /// The node nearest to x.
+    fn node_at(&self, x: f64) -> usize {
+        let right = self.nodes.partition_point(|node| node.x < x).min(self.nodes.len() - 1);
+        let left = right.saturating_sub(1);
+        if x - self.nodes[left].x < self.nodes[right].x - x { left } else { right }
+    }
+
+    fn place_loads_and_supports(&mut self, model: &Model) {
+        for load in &model.loads {
+            match *load {
+                Load::PointForce { at, force } => {
+                    let i = self.node_at(at);
+                    self.nodes[i].force += force;
+                }
+                Load::PointMoment { at, moment } => {
+                    let i = self.node_at(at);
+                    self.nodes[i].moment += moment;
+                }
+                Load::Distributed { .. } | Load::DistributedMoment { .. } => {}
+            }
+        }
+        for support in &model.supports {
+            let i = self.node_at(support.at);
+            let node = &mut self.nodes[i];
+            match support.kind {
+                SupportKind::Pinned => node.pinned = true,
+                SupportKind::Fixed => (node.pinned, node.clamped) = (true, true),
+                SupportKind::Spring { spring, rotational_spring } => {
+                    node.spring += spring;
+                    node.rotational_spring += rotational_spring;
+                }
+            }
+        }
+    }
+}
+
+/// Where the model itself needs a node, with `more`: sorted, each place once.
+fn positions(model: &Model, more: &[f64]) -> Vec<f64> {
+    let l = model.beam.length;
+    let mut x = vec![0.0, l];
+    x.extend(model.beam.segments.iter().flat_map(|s| [s.from, s.to]));
+    x.extend(model.foundation.segments.iter().flat_map(|s| [s.from, s.to]));
+    for load in &model.loads {
+        match *load {
+            Load::PointForce { at, .. } | Load::PointMoment { at, .. } => x.push(at),
+            Load::Distributed { from, to, .. } | Load::DistributedMoment { from, to, .. } => {
+                x.extend([from, to]);
+            }
+        }
+    }
+    x.extend(model.supports.iter().map(|s| s.at));
+    x.extend(model.gap.iter().map(|g| g.at));
+    // Listed after the model's own, so that of two equal places the model's own spelling stays.
+    x.extend_from_slice(more);
+    x.retain(|&x| x >= 0.0 && x <= l);
+    x.sort_by(f64::total_cmp);
+    let near = SAME_PLACE * l;
+    let mut kept: Vec<f64> = Vec::with_capacity(x.len());
+    for x in x {
+        if kept.last().is_none_or(|last| x - last > near) {
+            kept.push(x);
+        }
+    }
+    while kept.len() > 1 && l - kept[kept.len() - 1] <= near {
+        kept.pop();
+    }
+    kept.push(l);
+    kept
+}
+
+fn nodes_of(cells: &[Cell]) -> Vec<Node> {
+    let first = cells.iter().take(1).map(|cell| cell.x[0]);
+    let x = first.chain(cells.iter().map(|cell| cell.x[1]));
+    x.map(|x| Node { x, ..Node::default() }).collect()
+}
+
+fn cells_between(model: &Model, x: Vec<f64>) -> Vec<Cell> {
+    let mut cells: Vec<Cell> = x
+        .windows(2)
+        .map(|x| Cell {
+            x: [x[0], x[1]],
+            stiffness: model.beam.bending_stiffness,
+            spring: model.foundation.spring,
+            shear: model.foundation.shear,
+            load: [0.0; 2],
+            moment_load: [0.0; 2],
+            gap: [0.0; 2],
+        })
+        .collect();
+    let range = |from: f64, to: f64| {
+        let middle = |cell: &Cell| 0.5 * (cell.x[0] + cell.x[1]);
+        let first = cells.partition_point(|cell| middle(cell) < from);
+        first..cells.partition_point(|cell| middle(cell) < to).max(first)
+    };
+    let beam: Vec<_> = model.beam.segments.iter().map(|s| (range(s.from, s.to), s)).collect();
+    let ground: Vec<_> =
+        model.foundation.segments.iter().map(|s| (range(s.from, s.to), s)).collect();
+    let spread: Vec<_> = model
+        .loads
+        .iter()
+        .filter_map(|load| match *load {
+            Load::Distributed { from, to, .. } | Load::DistributedMoment { from, to, .. } => {
+                Some((range(from, to), load))
+            }
+            Load::PointForce { .. } | Load::PointMoment { .. } => None,
+        })
+        .collect();
+    for (cells_of, segment) in beam {
+        for cell in &mut cells[cells_of] {
+            cell.stiffness = segment.bending_stiffness;
+        }
+    }
+    for (cells_of, segment) in ground {
+        for cell in &mut cells[cells_of] {
+            (cell.spring, cell.shear) = (segment.spring, segment.shear);
+        }
+    }
+    for (cells_of, load) in spread {
+        for cell in &mut cells[cells_of] {
+            add_spread(cell, load);
+        }
+    }
+    if !model.gap.is_empty() {
+        for cell in &mut cells {
+            cell.gap = cell.x.map(|x| initial_gap(model, x));
+        }
+    }
+    cells
+}
+
+fn add_spread(cell: &mut Cell, load: &Load) {
+    if let Load::Distributed { from, to, start, end }
+    | Load::DistributedMoment { from, to, start, end } = *load
+    {
+        let at = |x: f64| {
+            // Two sums of one kind of term each: a mirrored load is mirrored to the last bit.
+            (start * (to - x) + end * (x - from)) / (to - from)
+        };
+        let values = if start == end { [start; 2] } else { cell.x.map(at) };
+        let into = match load {
+            Load::Distributed { .. } => &mut cell.load,
+            _ => &mut cell.moment_load,
+        };
+        for (sum, value) in into.iter_mut().zip(values) {
+            *sum += value;
+        }
+    }
+}
+
+/// g₀(x): linear between corners, constant beyond them.
+fn initial_gap(model: &Model, x: f64) -> f64 {
+    let corners = &model.gap;
+    let right = corners.partition_point(|corner| corner.at < x);
+    match (right.checked_sub(1).map(|i| corners[i]), corners.get(right)) {
+        (Some(a), Some(b)) => {
+            (a.value * (b.at - x) + b.value * (x - a.at)) / (b.at - a.at)
+        }
+        (Some(only), None) => only.value,
+        (None, Some(only)) => only.value,
+        (None, None) => 0.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Beam, Foundation};
+
+    #[test]
+    fn nodes_stand_where_the_physics_needs_them() {
+        let model = Model::new(
+            Beam::uniform(10.0, 1.0).with_segment(2.0, 4.0, 5.0),
+            Foundation::winkler(1.0).with_segment(-5.0, 3.0, 7.0, 2.0),
+        )
+        .with_load(Load::point(1.0, 4.0))
+        .with_load(Load::Distributed { from: 1.0, to: 9.0, start: 0.0, end: 8.0 });
+        let mesh = Mesh::build(&model, &[], |_| 1);
+        let x: Vec<f64> = mesh.nodes.iter().map(|n| n.x).collect();
+        assert_eq!(x, [0.0, 1.0, 2.0, 3.0, 4.0, 9.0, 10.0]);
+        assert_eq!(mesh.cells[3].stiffness, 5.0);
+        assert_eq!((mesh.cells[2].spring, mesh.cells[3].spring), (7.0, 1.0));
+        assert_eq!(mesh.cells[4].load, [3.0, 8.0]);
+        assert_eq!(mesh.nodes[4].force, 1.0);
+        assert_eq!(mesh.outside, [f64::sqrt(14.0), 0.0]);
+    }
+
+    #[test]
+    fn places_that_differ_by_rounding_are_one() {
+        let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::winkler(1.0))
+            .with_load(Load::point(1.0, 0.3))
+            .with_load(Load::point(1.0, 0.1 + 0.2));
+        let mesh = Mesh::build(&model, &[], |_| 1);
+        assert_eq!(mesh.nodes.len(), 3);
+        assert_eq!(mesh.nodes[1].force, 2.0);
+    }
+}

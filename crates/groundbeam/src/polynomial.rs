@@ -1,0 +1,151 @@
+//! Polynomials on one stretch of the beam, in the stretch's own coordinate s ∈ \[−1, 1\].
+//!
+//! A polynomial is a slice of coefficients, constant first. Centred coordinates keep the digits of
+//! each derivative: the curvature never has to be found as a difference of deflections.
+
+/// f(s).
+pub(crate) fn value(c: &[f64], s: f64) -> f64 {
+    c.iter().rev().fold(0.0, |sum, &a| sum * s + a)
+}
+
+/// f(s), f'(s), f''(s), f'''(s), all with respect to s.
+pub(crate) fn jet(c: &[f64], s: f64) -> [f64; 4] {
+    let (mut f, mut d1, mut d2, mut d3) = (0.0, 0.0, 0.0, 0.0);
+    for &a in c.iter().rev() {
+        d3 = d3 * s + d2;
+        d2 = d2 * s + d1;
+        d1 = d1 * s + f;
+        f = f * s + a;
+    }
+    [f, d1, 2.0 * d2, 6.0 * d3]
+}
+
+/// The coefficients of df/ds.
+pub(crate) fn derivative(c: &[f64]) -> impl Iterator<Item = f64> + '_ {
+    c.iter().enumerate().skip(1).map(|(j, &a)| j as f64 * a)
+}
+
+/// The coefficients, in t ∈ \[−1, 1\], of f(middle + half·t).
+pub(crate) fn rescale(c: &[f64], middle: f64, half: f64) -> Vec<f64> {
+    let mut out = c.to_vec();
+    rescale_in_place(&mut out, middle, half);
+    out
+}
+
+fn rescale_in_place(c: &mut [f64], middle: f64, half: f64) {
+    // Repeated synthetic division by (s − middle), then powers of `half`.
+    for first in 0..c.len() {
+        for j in (first..c.len().saturating_sub(1)).rev() {
+            c[j] += middle * c[j + 1];
+        }
+    }
+    let mut power = 1.0;
+    for a in c.iter_mut() {
+        *a *= power;
+        power *= half;
+    }
+}
+
+/// Where f changes its sign within (−1, 1), from left to right, appended to `roots`.
+///
+/// The intervals on which f may vanish are told from those on which it cannot by the coefficients
+/// alone: |f(s)| ≥ |c₀| − Σ|cⱼ|. Nothing is sampled. A double root, where f touches zero without
+/// changing sign, is not reported.
+pub(crate) fn sign_changes(c: &[f64], roots: &mut Vec<f64>) {
+    isolate(c, -1.0, 1.0, 0, roots);
+}
+
+/// Halvings after which an interval is a point.
+const DEEPEST: u32 = 40;
+
+fn isolate(c: &[f64], low: f64, high: f64, depth: u32, roots: &mut Vec<f64>) {
+    let Some((&constant, rest)) = c.split_first() else { return };
+    let spread: f64 = rest.iter().map(|a| a.abs()).sum();
+    if constant.abs() > spread || (constant == 0.0 && spread == 0.0) {
+        return;
+    }
+    let [left, right] = [value(c, -1.0), value(c, 1.0)];
+    let slope_spread: f64 = rest.iter().enumerate().skip(1).map(|(j, a)| (j + 1) as f64 * a.abs()).sum();
+    let monotone = rest[0].abs() > slope_spread;
+    if monotone || depth >= DEEPEST {
+        if left * right < 0.0 || (left == 0.0 && right != 0.0 && low > -1.0) {
+            let s = monotone_root(c, left);
+            roots.push(low + 0.5 * (high - low) * (s + 1.0));
+        }
+        return;
+    }
+    let middle = 0.5 * (low + high);
+    isolate(&rescale(c, -0.5, 0.5), low, middle, depth + 1, roots);
+    isolate(&rescale(c, 0.5, 0.5), middle, high, depth + 1, roots);
+}
+
+/// The root of a function monotone on \[−1, 1\] that changes sign there: Newton within a bracket.
+fn monotone_root(c: &[f64], left: f64) -> f64 {
+    if left == 0.0 {
+        return -1.0;
+    }
+    let (mut low, mut high) = (-1.0_f64, 1.0_f64);
+    let mut s = 0.0;
+    for _ in 0..100 {
+        let [f, slope, ..] = jet(c, s);
+        if f == 0.0 {
+            return s;
+        }
+        if (f > 0.0) == (left > 0.0) {
+            low = s;
+        } else {
+            high = s;
+        }
+        let newton = s - f / slope;
+        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+        if next == s || high - low < 1e-16 {
+            break;
+        }
+        s = next;
+    }
+    s
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn jet_of_a_cubic() {
+        // f = 1 + 2s + 3s² + 4s³ at s = ½ by hand.
+        assert_eq!(jet(&[1.0, 2.0, 3.0, 4.0], 0.5), [3.25, 8.0, 18.0, 24.0]);
+    }
+
+    #[test]
+    fn rescaling_is_substitution() {
+        let c = [1.0, -2.0, 0.5, 3.0, -1.0];
+        let r = rescale(&c, 0.3, 0.2);
+        for t in [-1.0, -0.25, 0.0, 0.7, 1.0] {
+            assert!((value(&r, t) - value(&c, 0.3 + 0.2 * t)).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn all_sign_changes_of_a_chebyshev_polynomial() {
+        // T₁₀ has its roots at cos((2i−1)π/20).
+        let c = [-1.0, 0.0, 50.0, 0.0, -400.0, 0.0, 1120.0, 0.0, -1280.0, 0.0, 512.0];
+        let mut roots = vec![];
+        sign_changes(&c, &mut roots);
+        assert_eq!(roots.len(), 10);
+        for (i, r) in roots.iter().rev().enumerate() {
+            let exact = ((2 * i + 1) as f64 * std::f64::consts::PI / 20.0).cos();
+            assert!((r - exact).abs() < 1e-13, "{r} {exact}");
+        }
+    }
+
+    #[test]
+    fn a_root_between_two_halves_is_found_once() {
+        let mut roots = vec![];
+        sign_changes(&[0.0, 1.0, 0.0, -3.0], &mut roots);
+        assert_eq!(roots.len(), 3);
+        assert!(roots[1].abs() < 1e-15);
+        roots.clear();
+        sign_changes(&[0.0, 0.0, 1.0], &mut roots);
+        assert!(roots.is_empty(), "a double root changes no sign");
+    }
+}
