@@ -1,0 +1,74 @@
+"""Solves models with the multiprecision reference, and makes the files in `answers/`.
+
+    python solve.py model.toml              print the record of one model (plain numbers)
+    python solve.py --kikuchi               answers/kikuchi.json
+    python solve.py --family plain 0 20     answers/plain-000.json, models 0 to 19
+"""
+
+import argparse
+import sys
+import time
+from pathlib import Path
+
+import random_models
+from groundref.analytic import Rejected
+from groundref.model import Load, Model
+from groundref.record import make_record, to_json
+from groundref.topology import solve
+
+HERE = Path(__file__).resolve().parent
+DIGITS = 100
+
+
+def record_of(name, family, seed, model, note=None, log=None):
+    # what was solved is what the text says
+    model = Model.from_toml(model.to_toml())
+    return make_record(name, family, seed, model, solve(model, DIGITS, log=log), DIGITS, note)
+
+
+def kikuchi():
+    """The paper's example, cases I to IV."""
+    for case, moment in (("I", 0.1), ("II", 0.3), ("III", 0.4), ("IV", 0.49)):
+        loads = [Load("point", 1.0, 0.5), Load("moment", moment, 0.5)]
+        title = f"Kikuchi 1980, case {case}"
+        yield f"kikuchi-{case}", Model(1.0, 1.0, 1.0, 1.0, title=title, loads=loads), None
+
+
+def write(path, records):
+    path.parent.mkdir(exist_ok=True)
+    path.write_text(to_json(records))
+    print(f"{path.name}: {len(records)} records, {path.stat().st_size / 1e3:.0f} kB")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("file", nargs="?", help="a model file in plain numbers")
+    parser.add_argument("--kikuchi", action="store_true")
+    parser.add_argument("--family", nargs=3, metavar=("NAME", "FROM", "TO"))
+    parser.add_argument("--verbose", action="store_true")
+    args = parser.parse_args()
+    log = (lambda text: print("   ", text, flush=True)) if args.verbose else None
+    if args.file:
+        model = Model.from_toml(Path(args.file).read_text())
+        print(to_json([record_of(Path(args.file).stem, "file", None, model, log=log)]))
+    if args.kikuchi:
+        records = [record_of(n, "kikuchi", None, m, note, log) for n, m, note in kikuchi()]
+        write(HERE / "answers" / "kikuchi.json", records)
+    if args.family:
+        family, first, last = args.family[0], int(args.family[1]), int(args.family[2])
+        records = []
+        for index in range(first, last):
+            model, seed, thrown = random_models.make(family, index)
+            begin = time.time()
+            try:
+                record = record_of(f"{family}-{index:03d}", family, seed, model, log=log)
+                records.append(record)
+                outcome = f"{len(record['contact'])} regions {record['checks']}"
+            except (Rejected, ArithmeticError) as why:
+                outcome = f"REJECTED: {why}"
+            print(f"{family}-{index:03d} {time.time() - begin:5.1f} s {outcome}", flush=True)
+        write(HERE / "answers" / f"{family}-{first:03d}.json", records)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
