@@ -1,1 +1,128 @@
-//! placeholder
+//! Model files: TOML with units, read into a [`groundbeam::Model`].
+//!
+//! ```
+//! let document = groundbeam_file::parse(
+//!     r#"
+//!     title = "Strip footing under one column"
+//!
+//!     [beam]
+//!     length = "12 m"
+//!     E = "30 GPa"
+//!     section = { width = "1 m", height = "0.8 m" }
+//!
+//!     [foundation]
+//!     subgrade_modulus = "40 MN/m^3"
+//!     width = "1 m"
+//!
+//!     [[load]]
+//!     point = "600 kN"
+//!     at = "1 m"
+//!     "#,
+//! )?;
+//! assert_eq!(document.model.beam.length, 12.0);
+//! assert_eq!(document.model.foundation.spring, 40e6);
+//! # Ok::<(), groundbeam_file::Diagnostics>(())
+//! ```
+//!
+//! Everything that is wrong with a file is found at once, each with its place and what would be
+//! right: [`Diagnostics::render`] shows that to a person, and its fields to a program.
+//!
+//! A file gives every quantity a unit, or none. With units, numbers become SI, rounded once:
+//! `"9.3 MPa"` is exactly 9.3e6. Without, they are taken as one consistent system.
+//!
+//! This is the only crate that knows how a model is spelled.
+
+mod code;
+mod diagnostic;
+mod document;
+mod fault;
+mod number;
+mod positions;
+mod quantity;
+mod reader;
+mod render;
+mod section;
+mod source;
+mod stiffness;
+mod suggest;
+mod syntax;
+mod table;
+mod unit;
+mod units;
+mod write;
+
+pub use code::{CODES, Code};
+pub use diagnostic::{Diagnostic, Diagnostics, Related, Severity};
+pub use document::Document;
+pub use positions::parse_positions;
+pub use units::UnitSystem;
+pub use write::write_toml;
+
+use fault::Fault;
+use reader::Reader;
+use source::Source;
+use table::Section;
+use toml::de::DeTable;
+
+/// Reads a model file.
+///
+/// # Errors
+///
+/// Everything that is wrong with the file, [`Model::problems`](groundbeam::Model::problems)
+/// included. If it is not even TOML, only that is told.
+pub fn parse(text: &str) -> Result<Document, Diagnostics> {
+    let source = Source::new(text);
+    let (table, errors) = DeTable::parse_recoverable(text);
+    let syntax = syntax::explain(&source, table.get_ref(), &errors);
+    if !syntax.readable {
+        return Err(Diagnostics::new(syntax.found));
+    }
+    let root = Section { table: table.get_ref(), span: 0..0, name: "the file" };
+    if root.table.is_empty() {
+        return Err(Diagnostic::new(&source, no_model()).into());
+    }
+    let mut reader = Reader::new(&source);
+    reader.found = syntax.found;
+    let (title, model) = section::read(&mut reader, &root);
+    let before = reader.found.len();
+    let units = reader.unit_system();
+    let is_mixed = reader.found.len() > before;
+    // Lengths of which only some are in metres cannot be compared.
+    if !is_mixed {
+        for problem in model.problems() {
+            if let Some(span) = reader.places.of(&problem) {
+                reader.found.push(document::diagnostic(&source, span, &problem, units));
+            }
+        }
+    }
+    let Reader { found, places, .. } = reader;
+    if found.is_empty() {
+        Ok(Document { title, model, units, source, places })
+    } else {
+        Err(Diagnostics::new(found))
+    }
+}
+
+/// The text of a file, which must be UTF-8.
+///
+/// # Errors
+///
+/// One diagnostic at the first byte that is not; [`Diagnostics::render`] shows it with
+/// `String::from_utf8_lossy` of the bytes as the text.
+pub fn text_of(bytes: &[u8]) -> Result<&str, Diagnostics> {
+    std::str::from_utf8(bytes).map_err(|error| {
+        let source = Source::new(&String::from_utf8_lossy(bytes));
+        let start = error.valid_up_to();
+        let wide = bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]);
+        let hint =
+            if wide { "this looks like UTF-16; save it as UTF-8" } else { "save it as UTF-8" };
+        let message = "the file is not UTF-8 text";
+        let fault = Fault::new(code::NOT_UTF8, start..start + 1, message, "not a character", hint);
+        Diagnostic::new(&source, fault).into()
+    })
+}
+
+fn no_model() -> Fault {
+    let hint = "a model has at least [beam] with `length` and `EI`, and [foundation] with `k`";
+    Fault::new(code::EMPTY, 0..0, "the file holds no model", "", hint)
+}

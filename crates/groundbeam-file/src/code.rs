@@ -1,0 +1,72 @@
+//! Every code a diagnostic can carry: the one table behind `docs/diagnostics.md`.
+
+pub(crate) const SYNTAX: &str = "GB001";
+pub(crate) const DUPLICATE: &str = "GB002";
+pub(crate) const UNKNOWN_KEY: &str = "GB003";
+pub(crate) const MISSING: &str = "GB004";
+pub(crate) const WRONG_TYPE: &str = "GB005";
+pub(crate) const EXCLUSIVE: &str = "GB006";
+pub(crate) const INCOMPLETE: &str = "GB007";
+pub(crate) const MISPLACED: &str = "GB008";
+pub(crate) const UNKNOWN_WORD: &str = "GB009";
+pub(crate) const UNSUPPORTED: &str = "GB010";
+pub(crate) const NUMBER: &str = "GB011";
+pub(crate) const NOT_FINITE: &str = "GB012";
+pub(crate) const UNIT_SYNTAX: &str = "GB013";
+pub(crate) const UNKNOWN_UNIT: &str = "GB014";
+pub(crate) const WRONG_UNIT: &str = "GB015";
+pub(crate) const MIXED: &str = "GB016";
+pub(crate) const FACTOR: &str = "GB017";
+pub(crate) const EMPTY: &str = "GB018";
+pub(crate) const NOT_UTF8: &str = "GB019";
+
+/// One line of the table of codes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Code {
+    /// `GB001` to `GB099`: how the file is written. From `GB101` on: what the model says.
+    pub code: &'static str,
+    /// The rule that is broken.
+    pub meaning: &'static str,
+    /// A file in `cases/errors/` that breaks it.
+    pub example: &'static str,
+}
+
+const fn row(code: &'static str, meaning: &'static str, example: &'static str) -> Code {
+    Code { code, meaning, example }
+}
+
+/// Every code, in ascending order.
+pub const CODES: &[Code] = &[
+    row(SYNTAX, "the file is not valid TOML", "syntax.toml"),
+    row(DUPLICATE, "a key or table is given twice", "duplicate.toml"),
+    row(UNKNOWN_KEY, "a key or table has a name that means nothing here", "unknown-key.toml"),
+    row(MISSING, "a key or table that is needed is missing", "missing.toml"),
+    row(WRONG_TYPE, "a value or table is of the wrong type", "wrong-type.toml"),
+    row(EXCLUSIVE, "two keys exclude each other", "exclusive.toml"),
+    row(INCOMPLETE, "one of two keys that belong together is missing", "incomplete.toml"),
+    row(MISPLACED, "a key belongs to another kind of load", "misplaced.toml"),
+    row(UNKNOWN_WORD, "a word is none of those that can stand here", "unknown-word.toml"),
+    row(UNSUPPORTED, "load cases and combinations are not supported yet", "combinations.toml"),
+    row(NUMBER, "a number cannot be read", "number.toml"),
+    row(NOT_FINITE, "a number is not finite, or too large or small to hold", "not-finite.toml"),
+    row(UNIT_SYNTAX, "a unit cannot be read", "unit-syntax.toml"),
+    row(UNKNOWN_UNIT, "a unit is not known", "unknown-unit.toml"),
+    row(WRONG_UNIT, "a unit is of the wrong kind", "wrong-unit.toml"),
+    row(MIXED, "some quantities have a unit and others have none", "mixed-units.toml"),
+    row(FACTOR, "a factor of a stiffness is not positive", "factor.toml"),
+    row(EMPTY, "the file holds no model", "empty.toml"),
+    row(NOT_UTF8, "the file is not UTF-8 text", "not-utf8.toml"),
+    row("GB101", "the beam's length must be positive", "beam-length.toml"),
+    row("GB102", "the bending stiffness EI must be positive", "bending-stiffness.toml"),
+    row("GB103", "the axial force must be a finite number", "axial-force.toml"),
+    row("GB201", "the spring constant k must be positive", "foundation-spring.toml"),
+    row("GB202", "the shear constant mu must be zero or positive", "foundation-shear.toml"),
+    row("GB203", "a foundation segment must reach under the beam", "foundation-off-beam.toml"),
+    row("GB301", "a position must lie on the beam", "off-the-beam.toml"),
+    row("GB302", "a value must be a finite number", "out-of-range.toml"),
+    row("GB303", "a stretch must have a length", "stretch-without-length.toml"),
+    row("GB304", "segments may touch but not overlap", "overlap.toml"),
+    row("GB402", "a support's spring constant must be zero or positive", "support-spring.toml"),
+    row("GB403", "two supports must not share one position", "two-supports.toml"),
+    row("GB501", "the gap's corners must go from left to right", "gap-order.toml"),
+];

@@ -1,0 +1,147 @@
+//! What is wrong with a file, where, and what would be right.
+
+use crate::fault::Fault;
+use crate::source::Source;
+use std::fmt;
+use std::ops::Range;
+
+/// How bad it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Severity {
+    /// The file cannot be used.
+    Error,
+    /// The file can be used, but probably says something else than meant.
+    Warning,
+}
+
+/// Another place in the file that has to do with a [`Diagnostic`].
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Related {
+    /// Bytes of the text.
+    pub span: Range<usize>,
+    /// Line, from 1.
+    pub line: usize,
+    /// Column in characters, from 1.
+    pub column: usize,
+    /// What is there.
+    pub label: String,
+}
+
+/// One thing that is wrong with a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// A fixed code, one for each rule; [`CODES`](crate::CODES) lists them.
+    pub code: &'static str,
+    /// How bad it is.
+    pub severity: Severity,
+    /// What is wrong, in one sentence.
+    pub message: String,
+    /// A few words to stand under the place. May be empty.
+    pub label: String,
+    /// What would be right. May be empty.
+    pub hint: String,
+    /// The place, in bytes of the text.
+    pub span: Range<usize>,
+    /// Line of the place, from 1.
+    pub line: usize,
+    /// Column of the place in characters, from 1.
+    pub column: usize,
+    /// Other places that explain this one.
+    pub related: Vec<Related>,
+}
+
+impl Diagnostic {
+    /// An error at `fault.at` of the whole text.
+    pub(crate) fn new(source: &Source, fault: Fault) -> Self {
+        let span = source.whole_characters(fault.at);
+        let (line, column) = source.position(span.start);
+        Diagnostic {
+            code: fault.code,
+            severity: Severity::Error,
+            message: fault.message,
+            label: fault.label,
+            hint: fault.hint,
+            span,
+            line,
+            column,
+            related: Vec::new(),
+        }
+    }
+
+    pub(crate) fn with_related(mut self, source: &Source, span: Range<usize>, label: &str) -> Self {
+        let span = source.whole_characters(span);
+        let (line, column) = source.position(span.start);
+        self.related.push(Related { span, line, column, label: label.to_owned() });
+        self
+    }
+}
+
+impl fmt::Display for Diagnostic {
+    /// `14:6: [GB015] message (hint)`
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}: [{}] {}", self.line, self.column, self.code, self.message)?;
+        if self.hint.is_empty() { Ok(()) } else { write!(f, " ({})", self.hint) }
+    }
+}
+
+/// Everything that is wrong with a file, in the order of the text; never empty.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Diagnostics(Vec<Diagnostic>);
+
+impl Diagnostics {
+    /// Sorts by place; of two that stand at one place under one code the first is kept.
+    pub(crate) fn new(mut found: Vec<Diagnostic>) -> Self {
+        found.sort_by_key(|d| d.span.start);
+        found.dedup_by(|later, first| later.span == first.span && later.code == first.code);
+        Diagnostics(found)
+    }
+
+    /// One after the other, in the order of the text.
+    pub fn iter(&self) -> std::slice::Iter<'_, Diagnostic> {
+        self.0.iter()
+    }
+
+    /// The same as a list.
+    pub fn as_slice(&self) -> &[Diagnostic] {
+        &self.0
+    }
+}
+
+impl From<Diagnostic> for Diagnostics {
+    fn from(diagnostic: Diagnostic) -> Self {
+        Diagnostics(vec![diagnostic])
+    }
+}
+
+impl<'d> IntoIterator for &'d Diagnostics {
+    type Item = &'d Diagnostic;
+    type IntoIter = std::slice::Iter<'d, Diagnostic>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+impl IntoIterator for Diagnostics {
+    type Item = Diagnostic;
+    type IntoIter = std::vec::IntoIter<Diagnostic>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.into_iter()
+    }
+}
+
+impl fmt::Display for Diagnostics {
+    /// One line each; [`Diagnostics::render`] also shows the places.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, diagnostic) in self.iter().enumerate() {
+            if i > 0 {
+                writeln!(f)?;
+            }
+            write!(f, "{diagnostic}")?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Diagnostics {}

@@ -1,0 +1,97 @@
+//! A model file that was read: the model, and where in the file each part of it stands.
+
+use crate::diagnostic::Diagnostic;
+use crate::fault::Fault;
+use crate::reader::Field;
+use crate::source::Source;
+use crate::units::UnitSystem;
+use groundbeam::Model;
+use groundbeam::model::{Part, Problem};
+use std::collections::HashMap;
+use std::ops::Range;
+
+/// A model file that was read and found right.
+#[derive(Debug, Clone)]
+pub struct Document {
+    /// What the file calls itself.
+    pub title: Option<String>,
+    /// The model, in SI units or in the file's own consistent system.
+    pub model: Model,
+    /// Which of the two.
+    pub units: UnitSystem,
+    pub(crate) source: Source,
+    pub(crate) places: Places,
+}
+
+impl Document {
+    /// The text that was read.
+    pub fn text(&self) -> &str {
+        &self.source.text
+    }
+
+    /// Where the table of a part begins: the bytes of its heading.
+    pub fn part_span(&self, part: Part) -> Option<Range<usize>> {
+        self.places.parts.get(&part).cloned()
+    }
+
+    /// Where the value of a field stands, by the names of [`Problem::field`]; for a value that
+    /// was left out or has several sources, the heading of its part.
+    pub fn field_span(&self, part: Part, field: &str) -> Option<Range<usize>> {
+        let known = self.places.fields.get(&part)?.iter().find(|(name, _)| *name == field);
+        known.and_then(|(_, place)| place.clone()).or_else(|| self.part_span(part))
+    }
+
+    /// A problem of the model, at its place in the file.
+    ///
+    /// [`parse`](crate::parse) has found the problems there were; this is for those of a model
+    /// that was changed afterwards, and for rules found broken later.
+    pub fn diagnostic_for(&self, problem: &Problem) -> Diagnostic {
+        let span = self.field_span(problem.part, problem.field);
+        let span = span.or_else(|| self.part_span(problem.part)).unwrap_or(0..0);
+        diagnostic(&self.source, span, problem, self.units)
+    }
+}
+
+/// A problem of the model as a diagnostic, with its positions written out.
+pub(crate) fn diagnostic(
+    source: &Source,
+    span: Range<usize>,
+    problem: &Problem,
+    units: UnitSystem,
+) -> Diagnostic {
+    let fill = |text: &str| problem.fill(text, |x| units.length(x));
+    let fault = Fault::new(problem.code, span, fill(&problem.message), "", fill(&problem.hint));
+    Diagnostic::new(source, fault)
+}
+
+/// Where each part and field of the model stands.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Places {
+    parts: HashMap<Part, Range<usize>>,
+    /// No range: the value could not be read, or stands in another part.
+    fields: HashMap<Part, Vec<(&'static str, Option<Range<usize>>)>>,
+}
+
+impl Places {
+    pub fn part(&mut self, part: Part, span: &Range<usize>) {
+        self.parts.insert(part, span.clone());
+    }
+
+    pub fn field(&mut self, part: Part, name: &'static str, field: &Field) {
+        let place = (!field.value.is_nan()).then(|| field.span.clone());
+        self.fields.entry(part).or_default().push((name, place));
+    }
+
+    /// The place of a problem, unless it only follows from what has been reported already.
+    pub fn of(&self, problem: &Problem) -> Option<Range<usize>> {
+        if problem.numbers.iter().any(|number| number.is_nan()) {
+            return None;
+        }
+        let fields = self.fields.get(&problem.part)?;
+        let known = fields.iter().find(|(name, _)| *name == problem.field);
+        match known {
+            Some((_, place)) => place.clone(),
+            None => self.parts.get(&problem.part).cloned(),
+        }
+    }
+}

@@ -1,0 +1,31 @@
+//! What is wrong with one written value, before it is known where in the file the value stands.
+
+use std::ops::Range;
+
+/// A fault in a value; `at` counts bytes from the value's own start.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Fault {
+    pub code: &'static str,
+    pub at: Range<usize>,
+    pub message: String,
+    pub label: String,
+    pub hint: String,
+}
+
+impl Fault {
+    pub fn new(
+        code: &'static str,
+        at: Range<usize>,
+        message: impl Into<String>,
+        label: impl Into<String>,
+        hint: impl Into<String>,
+    ) -> Self {
+        Fault { code, at, message: message.into(), label: label.into(), hint: hint.into() }
+    }
+
+    /// The same fault in a text that begins `offset` bytes earlier.
+    pub fn moved(mut self, offset: usize) -> Self {
+        self.at = self.at.start + offset..self.at.end + offset;
+        self
+    }
+}

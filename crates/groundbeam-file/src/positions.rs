@@ -1,0 +1,83 @@
+//! Lists of positions from outside the file, as on a command line.
+
+use crate::code;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::fault::Fault;
+use crate::quantity::LENGTH;
+use crate::source::Source;
+use crate::units::UnitSystem;
+
+/// Reads positions \[m, or plain\] separated by commas, under the rule of the file they belong
+/// to: each with a unit, or none with one.
+///
+/// ```
+/// use groundbeam_file::{UnitSystem, parse_positions};
+///
+/// assert_eq!(parse_positions("0, 0.5, 1", UnitSystem::Plain).unwrap(), [0.0, 0.5, 1.0]);
+/// assert_eq!(parse_positions("0 m, 50 cm", UnitSystem::Si).unwrap(), [0.0, 0.5]);
+/// ```
+///
+/// # Errors
+///
+/// Every entry that is no position; places count from the start of `list`, so that
+/// [`Diagnostics::render`] shows them with `list` as the text.
+pub fn parse_positions(list: &str, units: UnitSystem) -> Result<Vec<f64>, Diagnostics> {
+    let source = Source::new(list);
+    let mut positions = Vec::new();
+    let mut found = Vec::new();
+    let mut start = 0;
+    for entry in list.split(',') {
+        match position(entry, units) {
+            Ok(position) => positions.push(position),
+            Err(fault) => found.push(Diagnostic::new(&source, fault.moved(start))),
+        }
+        start += entry.len() + 1;
+    }
+    if found.is_empty() { Ok(positions) } else { Err(Diagnostics::new(found)) }
+}
+
+fn position(entry: &str, units: UnitSystem) -> Result<f64, Fault> {
+    let trimmed = entry.trim();
+    let start = entry.len() - entry.trim_start().len();
+    let at = start..start + trimmed.len();
+    let example = match units {
+        UnitSystem::Si => "as in \"0 m, 0.5 m, 1 m\"",
+        UnitSystem::Plain => "as in 0,0.5,1",
+    };
+    if trimmed.is_empty() {
+        let message = "a position is missing here";
+        let hint = format!("separate positions by single commas, {example}");
+        return Err(Fault::new(code::NUMBER, at, message, "", hint));
+    }
+    let written = LENGTH.read("at", entry)?;
+    match (units, written.has_unit) {
+        (UnitSystem::Si, false) => {
+            let hint = format!("give every position a unit, {example}");
+            let message = format!("`{trimmed}` has no unit, but the file gives units");
+            Err(Fault::new(code::MIXED, at, message, "", hint))
+        }
+        (UnitSystem::Plain, true) => {
+            let hint = format!("give plain numbers, {example}");
+            let message = format!("`{trimmed}` has a unit, but the file gives none");
+            Err(Fault::new(code::MIXED, at, message, "", hint))
+        }
+        _ => Ok(written.value),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_wrong_entry_is_shown_at_its_place() {
+        let list = "0 m, x,, 2 kN, 3";
+        let wrong = parse_positions(list, UnitSystem::Si).unwrap_err();
+        let seen: Vec<_> = wrong.iter().map(|d| (d.code, &list[d.span.clone()])).collect();
+        let expected =
+            [(code::NUMBER, "x"), (code::NUMBER, ""), (code::WRONG_UNIT, "kN"), (code::MIXED, "3")];
+        assert_eq!(seen, expected);
+        assert!(parse_positions("1 m", UnitSystem::Plain).is_err());
+        assert!(parse_positions("", UnitSystem::Plain).is_err());
+    }
+}

@@ -1,0 +1,280 @@
+//! Quantities: a number and its unit, and the kinds of quantity a model is made of.
+
+use crate::code;
+use crate::fault::Fault;
+use crate::number::Decimal;
+use crate::unit::{Dimension, Unit};
+
+/// What a key wants.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Kind {
+    /// In words, with an article.
+    pub what: &'static str,
+    pub dimension: Dimension,
+    /// A value as it may stand in a file.
+    pub example: &'static str,
+    /// A unit to write behind a bare number.
+    pub unit: &'static str,
+    /// What someone who gives a quantity of another kind probably wants to do.
+    mistaken: &'static [(Dimension, &'static str)],
+}
+
+const fn kind(
+    what: &'static str,
+    dimension: Dimension,
+    example: &'static str,
+    unit: &'static str,
+    mistaken: &'static [(Dimension, &'static str)],
+) -> Kind {
+    Kind { what, dimension, example, unit, mistaken }
+}
+
+const LINE_LOAD: Dimension = Dimension::new(1, -1);
+const STRESS: Dimension = Dimension::new(1, -2);
+const MODULUS: Dimension = Dimension::new(1, -3);
+const STIFFNESS: Dimension = Dimension::new(1, 2);
+const SECOND_MOMENT: Dimension = Dimension::new(0, 4);
+
+pub(crate) const LENGTH: Kind = kind("a length", Dimension::LENGTH, "12 m", "m", &[]);
+pub(crate) const CLEARANCE: Kind = kind("a length", Dimension::LENGTH, "2 mm", "mm", &[]);
+pub(crate) const FORCE: Kind = kind("a force", Dimension::FORCE, "600 kN", "kN", &[]);
+pub(crate) const MOMENT: Kind = kind("a moment", Dimension::new(1, 1), "50 kN m", "kN m", &[]);
+pub(crate) const LOAD_PER_LENGTH: Kind = kind(
+    "a force per length",
+    LINE_LOAD,
+    "20 kN/m",
+    "kN/m",
+    &[(STRESS, "a pressure acts on an area: multiply it by the beam's width")],
+);
+pub(crate) const MOMENT_PER_LENGTH: Kind =
+    kind("a moment per length", Dimension::FORCE, "5 kN m/m", "kN m/m", &[]);
+pub(crate) const BENDING_STIFFNESS: Kind = kind(
+    "a bending stiffness",
+    STIFFNESS,
+    "1.2e6 kN m^2",
+    "kN m^2",
+    &[
+        (STRESS, "an elastic modulus is `E`; give it together with `I` or `section`"),
+        (SECOND_MOMENT, "a second moment of area is `I`; give it together with `E`"),
+    ],
+);
+pub(crate) const ELASTIC_MODULUS: Kind = kind(
+    "an elastic modulus",
+    STRESS,
+    "30 GPa",
+    "GPa",
+    &[(STIFFNESS, "a bending stiffness is `EI`; then leave `E` and `I` out")],
+);
+pub(crate) const SECOND_MOMENT_OF_AREA: Kind =
+    kind("a second moment of area", SECOND_MOMENT, "0.04 m^4", "m^4", &[]);
+pub(crate) const SPRING_PER_LENGTH: Kind = kind(
+    "a force per length and deflection",
+    STRESS,
+    "40 MN/m^2",
+    "MN/m^2",
+    &[(MODULUS, "a force per volume is a `subgrade_modulus`; give it together with `width`")],
+);
+pub(crate) const SUBGRADE_MODULUS: Kind = kind(
+    "a force per area and deflection",
+    MODULUS,
+    "40 MN/m^3",
+    "MN/m^3",
+    &[(STRESS, "a force per length of beam and deflection is `k`; then leave `width` out")],
+);
+pub(crate) const SHEAR_CONSTANT: Kind =
+    kind("a force (the ground's shear constant)", Dimension::FORCE, "9 MN", "MN", &[]);
+pub(crate) const SPRING: Kind = kind("a force per deflection", LINE_LOAD, "10 MN/m", "MN/m", &[]);
+pub(crate) const ROTATIONAL_SPRING: Kind = kind(
+    "a moment per angle",
+    Dimension { force: 1, length: 1, angle: -1 },
+    "5 MN m/rad",
+    "MN m/rad",
+    &[],
+);
+
+impl Kind {
+    /// A radian is a plain number, so what is per angle may be given without it.
+    fn accepts(&self, dimension: Dimension) -> bool {
+        dimension == self.dimension
+            || (dimension.angle == 0 && Dimension { angle: 0, ..self.dimension } == dimension)
+    }
+
+    /// The value in SI units, of a number with a unit, or as it stands, of a number without.
+    pub fn read(&self, key: &str, text: &str) -> Result<Written, Fault> {
+        let start = text.len() - text.trim_start().len();
+        let trimmed = text.trim();
+        let Some((number, length)) = Decimal::read(trimmed) else {
+            return Err(self.unreadable(key, text, trimmed).moved(start));
+        };
+        let rest = &trimmed[length..];
+        let unit_start = length + rest.len() - rest.trim_start().len();
+        let unit_text = rest.trim_start();
+        if let Some(fault) = self.interrupted(&trimmed[..length], unit_text, trimmed.len()) {
+            return Err(fault.moved(start));
+        }
+        let (value, has_unit) = if unit_text.is_empty() {
+            (number.to_f64(), false)
+        } else {
+            let unit = Unit::read(unit_text).map_err(|fault| fault.moved(start + unit_start))?;
+            if !self.accepts(unit.dimension) {
+                let at = start + unit_start..start + trimmed.len();
+                return Err(self.wrong_kind(key, unit.dimension, unit_text, at));
+            }
+            (number.times(&unit.scale), true)
+        };
+        if value.is_infinite() || (value == 0.0 && !number.is_zero()) {
+            let size = if value == 0.0 { "small" } else { "large" };
+            return Err(out_of_reach(size, start..start + trimmed.len()));
+        }
+        Ok(Written { value, has_unit })
+    }
+
+    fn wrong_kind(
+        &self,
+        key: &str,
+        found: Dimension,
+        unit: &str,
+        at: std::ops::Range<usize>,
+    ) -> Fault {
+        let hint = match self.mistaken.iter().find(|(dimension, _)| *dimension == found) {
+            Some((_, advice)) => (*advice).to_owned(),
+            None => format!("give a unit as in {key} = \"{}\"", self.example),
+        };
+        let found = found.describe();
+        let message = format!("`{unit}` is {found}, but {} is wanted here", self.what);
+        Fault::new(code::WRONG_UNIT, at, message, found, hint)
+    }
+
+    /// There is no number at the start of `trimmed`.
+    fn unreadable(&self, key: &str, text: &str, trimmed: &str) -> Fault {
+        let word = trimmed.trim_start_matches(['+', '-', '\u{2212}']);
+        let word = word.split_whitespace().next().unwrap_or("").to_lowercase();
+        if ["nan", "inf", "infinity"].contains(&&*word) {
+            return not_finite(&word, 0..trimmed.len());
+        }
+        let message = if trimmed.is_empty() {
+            format!("there is no number here, but `{key}` is {}", self.what)
+        } else {
+            format!("`{text}` does not begin with a number")
+        };
+        let hint = format!("write a number and its unit, as in {key} = \"{}\"", self.example);
+        Fault::new(code::NUMBER, 0..trimmed.len(), message, "", hint)
+    }
+
+    /// A number that goes on after a comma or a space: not guessed at.
+    fn interrupted(&self, number: &str, rest: &str, length: usize) -> Option<Fault> {
+        let digits_after =
+            |text: &str| -> String { text.chars().take_while(char::is_ascii_digit).collect() };
+        let (more, hint) = if let Some(after_comma) = rest.strip_prefix(',') {
+            let more = digits_after(after_comma);
+            let hint = format!("decimals stand after a point: {number}.{more}");
+            (more, hint)
+        } else {
+            let more = digits_after(rest);
+            let hint = format!("write the digits together: {number}{more}");
+            (more, hint)
+        };
+        if more.is_empty() {
+            return None;
+        }
+        let message = "this number cannot be read";
+        let at = number.len()..length - rest.len() + rest.find(more.as_str())? + more.len();
+        Some(Fault::new(code::NUMBER, at, message, "a second number", hint))
+    }
+}
+
+/// A value that was read, and whether a unit stood behind it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Written {
+    /// In SI units if there was a unit, else as it stands.
+    pub value: f64,
+    pub has_unit: bool,
+}
+
+/// `nan` or `inf`, which TOML and many programs write.
+pub(crate) fn not_finite(written: &str, at: std::ops::Range<usize>) -> Fault {
+    let what = if written.contains("nan") { "not a number" } else { "infinite" };
+    let message = format!("`{written}` is {what}; only finite numbers can be computed with");
+    Fault::new(code::NOT_FINITE, at, message, "", "give a finite number, or leave the key out")
+}
+
+/// A number outside the range of 64-bit floating point.
+pub(crate) fn out_of_reach(size: &str, at: std::ops::Range<usize>) -> Fault {
+    let message = format!("this number is too {size} to be held");
+    let hint = "numbers between 1e-60 and 1e60 in SI units can be computed with, and 0";
+    Fault::new(code::NOT_FINITE, at, message, "", hint)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn si(kind: &Kind, text: &str) -> f64 {
+        kind.read("key", text).unwrap().value
+    }
+
+    #[test]
+    fn decimal_prefixes_are_exact() {
+        assert_eq!(si(&FORCE, "12 kN"), 12_000.0);
+        assert_eq!(si(&FORCE, "0.1 kN"), 100.0);
+        assert_eq!(si(&LENGTH, "3.6 mm"), 0.0036);
+        assert_eq!(si(&ELASTIC_MODULUS, "9.3 MPa"), 9.3e6);
+        assert_eq!(si(&SPRING_PER_LENGTH, "1.1 N/mm^2"), 1.1e6);
+        assert_eq!(si(&SECOND_MOMENT_OF_AREA, "8356.1 cm4"), 8.3561e-5);
+        assert_eq!(si(&BENDING_STIFFNESS, "1.2e6 kN m^2"), 1.2e9);
+        assert_eq!(si(&MOMENT_PER_LENGTH, "5 kN m/m"), 5000.0);
+        assert_eq!(si(&ROTATIONAL_SPRING, "5 MN m/rad"), 5e6);
+        assert_eq!(si(&ROTATIONAL_SPRING, "5 MN m"), 5e6);
+    }
+
+    #[test]
+    fn other_units_are_rounded_once() {
+        assert_eq!(si(&LENGTH, "3.6 in"), 0.09144);
+        assert_eq!(si(&LENGTH, "10 ft"), 3.048);
+        assert_eq!(si(&FORCE, "1.5 kip"), 6_672.332_422_890_75);
+        assert_eq!(si(&ELASTIC_MODULUS, "29000 ksi"), 199_947_961_501.882_48);
+        let per_degree = si(&ROTATIONAL_SPRING, "1 N m/deg");
+        assert_eq!(per_degree, 57.295_779_513_082_32);
+    }
+
+    #[test]
+    fn spaces_do_not_matter_but_pieces_of_numbers_do() {
+        assert_eq!(si(&LENGTH, "  12m\t"), 12.0);
+        assert_eq!(si(&LENGTH, "1_000 mm"), 1.0);
+        let code_of = |text| LENGTH.read("length", text).unwrap_err().code;
+        for text in ["3,5 m", "1 000 m", "12,5", "twelve m", "", "  ", "m", "-", "$3"] {
+            assert_eq!(code_of(text), code::NUMBER, "{text:?}");
+        }
+        for text in ["nan", "-inf m", "1e400", "1e-400 m", "1e-330", "1e308 km"] {
+            assert_eq!(code_of(text), code::NOT_FINITE, "{text:?}");
+        }
+        for text in ["5 kN", "5 m^2", "5 m/m", "5 rad"] {
+            assert_eq!(code_of(text), code::WRONG_UNIT, "{text:?}");
+        }
+    }
+
+    #[test]
+    fn every_example_is_of_its_own_kind() {
+        let kinds = [
+            LENGTH,
+            CLEARANCE,
+            FORCE,
+            MOMENT,
+            LOAD_PER_LENGTH,
+            MOMENT_PER_LENGTH,
+            BENDING_STIFFNESS,
+            ELASTIC_MODULUS,
+            SECOND_MOMENT_OF_AREA,
+            SPRING_PER_LENGTH,
+            SUBGRADE_MODULUS,
+            SHEAR_CONSTANT,
+            SPRING,
+            ROTATIONAL_SPRING,
+        ];
+        for kind in kinds {
+            assert!(kind.read("key", kind.example).unwrap().has_unit);
+            assert!(kind.read("key", &format!("1 {}", kind.unit)).unwrap().has_unit);
+        }
+    }
+}

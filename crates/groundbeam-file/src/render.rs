@@ -1,0 +1,77 @@
+//! Diagnostics as a person reads them: file, line and column, the line itself, a mark, a hint.
+
+use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
+use crate::source::BYTE_ORDER_MARK;
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use std::ops::Range;
+
+impl Diagnostics {
+    /// All diagnostics with the places of `text` they are about, ending in a newline.
+    ///
+    /// `text` is what was parsed. With `colour`, escape codes for a terminal are put in.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// let text = "[beam]\nlength = \"12 m\"\nEI = \"5 kN m\"\n\n[foundation]\nk = \"40 MN/m^2\"\n";
+    /// let diagnostics = groundbeam_file::parse(text).unwrap_err();
+    /// assert_eq!(
+    ///     diagnostics.render("footing.toml", text, false),
+    ///     r#"error[GB015]: `kN m` is a moment, but a bending stiffness is wanted here
+    ///  --> footing.toml:3:9
+    ///   |
+    /// 3 | EI = "5 kN m"
+    ///   |         ^^^^ a moment
+    ///   |
+    ///   = help: give a unit as in EI = "1.2e6 kN m^2"
+    /// "#
+    /// );
+    /// ```
+    pub fn render(&self, file_name: &str, text: &str, colour: bool) -> String {
+        let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
+        let mut rendered = String::new();
+        for (i, diagnostic) in self.iter().enumerate() {
+            if i > 0 {
+                rendered.push('\n');
+            }
+            let group = group(diagnostic, file_name, text);
+            rendered.push_str(&renderer.render(&[group]));
+            rendered.push('\n');
+        }
+        rendered
+    }
+}
+
+fn group<'t>(diagnostic: &'t Diagnostic, file_name: &'t str, text: &'t str) -> Group<'t> {
+    // Columns are counted without the mark, so the text is shown without it.
+    let shown = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
+    let mark = text.len() - shown.len();
+    let inside = |span: &Range<usize>| {
+        let start = boundary(shown, span.start.saturating_sub(mark));
+        start..boundary(shown, span.end.saturating_sub(mark)).max(start)
+    };
+    let level = match diagnostic.severity {
+        Severity::Error => Level::ERROR,
+        Severity::Warning => Level::WARNING,
+    };
+    let label = |text: &'t str| (!text.is_empty()).then_some(text);
+    let primary = AnnotationKind::Primary.span(inside(&diagnostic.span));
+    let snippet = Snippet::source(shown)
+        .path(file_name)
+        .annotation(primary.label(label(&diagnostic.label)))
+        .annotations(diagnostic.related.iter().map(|related| {
+            AnnotationKind::Context.span(inside(&related.span)).label(label(&related.label))
+        }));
+    let title = level.primary_title(&*diagnostic.message).id(diagnostic.code);
+    let group = title.element(snippet);
+    if diagnostic.hint.is_empty() {
+        group
+    } else {
+        group.element(Level::HELP.message(&*diagnostic.hint))
+    }
+}
+
+/// The character boundary at or before `offset`; the caller's text may not be the one parsed.
+fn boundary(text: &str, offset: usize) -> usize {
+    (0..=offset.min(text.len())).rev().find(|&i| text.is_char_boundary(i)).unwrap_or(0)
+}

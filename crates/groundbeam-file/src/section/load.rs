@@ -1,0 +1,154 @@
+//! `[[load]]`.
+
+use super::unsupported;
+use crate::code;
+use crate::fault::Fault;
+use crate::quantity::{FORCE, Kind, LENGTH, LOAD_PER_LENGTH, MOMENT, MOMENT_PER_LENGTH};
+use crate::reader::{Field, Reader};
+use crate::table::Section;
+use groundbeam::Load;
+use groundbeam::model::Part;
+use toml::Spanned;
+use toml::de::DeValue;
+
+const KEYS: &[&str] =
+    &["point", "moment", "distributed", "distributed_moment", "at", "from", "to", "case"];
+const KINDS: [&str; 4] = ["point", "moment", "distributed", "distributed_moment"];
+
+pub(super) fn read(reader: &mut Reader, root: &Section, beam_length: f64) -> Vec<Load> {
+    let tables = reader.tables(root, "load", "[[load]]");
+    let mut loads = Vec::new();
+    for (i, table) in tables.iter().enumerate() {
+        loads.push(read_one(reader, table, Part::Load(i), beam_length));
+    }
+    loads
+}
+
+fn read_one(reader: &mut Reader, table: &Section, part: Part, beam_length: f64) -> Load {
+    reader.refuse_unknown(table, KEYS);
+    reader.places.part(part, &table.span);
+    if let Some(case) = table.value("case") {
+        unsupported(reader, case.span());
+    }
+    let mut kinds: Vec<(&str, &Spanned<DeValue>)> =
+        KINDS.iter().filter_map(|&kind| Some((kind, table.value(kind)?))).collect();
+    kinds.sort_by_key(|(_, value)| value.span().start);
+    let Some(&(kind, value)) = kinds.first() else {
+        reader.missing(
+            table,
+            "force or moment",
+            "one of point, moment, distributed, distributed_moment",
+        );
+        return nothing(reader, part, table);
+    };
+    for (other, other_value) in &kinds[1..] {
+        let hint = "give each load a [[load]] of its own";
+        reader.exclusive((kind, &value.span()), (other, &other_value.span()), hint);
+    }
+    match kind {
+        "point" => {
+            let (at, force) = point(reader, table, part, kind, value, &FORCE);
+            reader.places.field(part, "force", &force);
+            Load::PointForce { at: at.value, force: force.value }
+        }
+        "moment" => {
+            let (at, moment) = point(reader, table, part, kind, value, &MOMENT);
+            reader.places.field(part, "moment", &moment);
+            Load::PointMoment { at: at.value, moment: moment.value }
+        }
+        "distributed" => {
+            let (from, to) = stretch(reader, table, part, kind, beam_length);
+            let (start, end) = intensity(reader, part, kind, value, &LOAD_PER_LENGTH);
+            Load::Distributed { from, to, start, end }
+        }
+        _ => {
+            let (from, to) = stretch(reader, table, part, kind, beam_length);
+            let (start, end) = intensity(reader, part, kind, value, &MOMENT_PER_LENGTH);
+            Load::DistributedMoment { from, to, start, end }
+        }
+    }
+}
+
+/// Keeps the place of a load of unknown kind in the list, so that those after it keep theirs.
+fn nothing(reader: &mut Reader, part: Part, table: &Section) -> Load {
+    let unreadable = Field::unreadable(table.span.clone());
+    reader.places.field(part, "at", &unreadable);
+    reader.places.field(part, "force", &unreadable);
+    Load::point(f64::NAN, f64::NAN)
+}
+
+fn point(
+    reader: &mut Reader,
+    table: &Section,
+    part: Part,
+    kind: &str,
+    value: &Spanned<DeValue>,
+    wanted: &'static Kind,
+) -> (Field, Field) {
+    misplaced(reader, table, kind, &["from", "to"], "a load at a point has `at`");
+    let at = reader.required(table, "at", &LENGTH);
+    reader.places.field(part, "at", &at);
+    (at, reader.field(kind, value, wanted))
+}
+
+/// `from` and `to`; left out, the beam's ends.
+fn stretch(
+    reader: &mut Reader,
+    table: &Section,
+    part: Part,
+    kind: &str,
+    beam_length: f64,
+) -> (f64, f64) {
+    let advice =
+        "a distributed load has `from` and `to`, or neither: then it covers the whole beam";
+    misplaced(reader, table, kind, &["at"], advice);
+    let mut end = |key: &'static str, default: f64| {
+        let field = reader.quantity(table, key, &LENGTH);
+        let field = field.unwrap_or_else(|| Field::new(default, table.span.clone()));
+        reader.places.field(part, key, &field);
+        field.value
+    };
+    (end("from", 0.0), end("to", beam_length))
+}
+
+/// One number for an even load, or a list of two: at `from` and at `to`.
+fn intensity(
+    reader: &mut Reader,
+    part: Part,
+    kind: &str,
+    value: &Spanned<DeValue>,
+    wanted: &'static Kind,
+) -> (f64, f64) {
+    let (start, end) = match value.get_ref() {
+        DeValue::Array(array) => match &array[..] {
+            [start, end] => (reader.field(kind, start, wanted), reader.field(kind, end, wanted)),
+            other => {
+                let message = format!("`{kind}` has {} values", other.len());
+                let example = wanted.example;
+                let hint = format!(
+                    "give one value for an even load, or two for one that varies from `from` to \
+                     `to`, as in {kind} = [\"{example}\", \"{example}\"]"
+                );
+                reader.report(Fault::new(code::WRONG_TYPE, value.span(), message, "", hint));
+                let unreadable = Field::unreadable(value.span());
+                (unreadable.clone(), unreadable)
+            }
+        },
+        _ => {
+            let even = reader.field(kind, value, wanted);
+            (even.clone(), even)
+        }
+    };
+    reader.places.field(part, "start", &start);
+    reader.places.field(part, "end", &end);
+    (start.value, end.value)
+}
+
+fn misplaced(reader: &mut Reader, table: &Section, kind: &str, keys: &[&str], advice: &str) {
+    for key in keys {
+        if let Some((name, _)) = table.table.get_key_value(*key) {
+            let message = format!("`{key}` does not go with `{kind}`");
+            reader.report(Fault::new(code::MISPLACED, name.span(), message, "", advice));
+        }
+    }
+}

@@ -1,0 +1,76 @@
+//! `[[support]]`.
+
+use crate::code;
+use crate::fault::Fault;
+use crate::quantity::{LENGTH, ROTATIONAL_SPRING, SPRING};
+use crate::reader::{Field, Reader};
+use crate::suggest::nearest;
+use crate::table::Section;
+use groundbeam::model::Part;
+use groundbeam::{Support, SupportKind};
+
+const KEYS: &[&str] = &["at", "type", "spring", "rotational_spring"];
+
+pub(super) fn read(reader: &mut Reader, root: &Section) -> Vec<Support> {
+    let tables = reader.tables(root, "support", "[[support]]");
+    let mut supports = Vec::new();
+    for (i, table) in tables.iter().enumerate() {
+        supports.push(read_one(reader, table, Part::Support(i)));
+    }
+    supports
+}
+
+fn read_one(reader: &mut Reader, table: &Section, part: Part) -> Support {
+    reader.refuse_unknown(table, KEYS);
+    reader.places.part(part, &table.span);
+    let at = reader.required(table, "at", &LENGTH);
+    reader.places.field(part, "at", &at);
+    let spring = reader.quantity(table, "spring", &SPRING);
+    let rotational_spring = reader.quantity(table, "rotational_spring", &ROTATIONAL_SPRING);
+
+    if let Some(word) = table.value("type") {
+        let springs = [("spring", &spring), ("rotational_spring", &rotational_spring)];
+        for (key, field) in springs {
+            if let Some(field) = field {
+                let hint = "a support is rigid, with `type`, or elastic, with springs";
+                reader.exclusive(("type", &word.span()), (key, &field.span), hint);
+            }
+        }
+        return Support { at: at.value, kind: rigid(reader, table) };
+    }
+    if spring.is_none() && rotational_spring.is_none() {
+        let example = "type = \"pinned\" or type = \"fixed\"; or spring = \"10 MN/m\"";
+        reader.missing(table, "`type` and no spring", example);
+    }
+    let mut constant = |key: &'static str, field: Option<Field>| {
+        let field = field.unwrap_or_else(|| Field::new(0.0, table.span.clone()));
+        reader.places.field(part, key, &field);
+        field.value
+    };
+    let spring = constant("spring", spring);
+    let rotational_spring = constant("rotational_spring", rotational_spring);
+    Support { at: at.value, kind: SupportKind::Spring { spring, rotational_spring } }
+}
+
+fn rigid(reader: &mut Reader, table: &Section) -> SupportKind {
+    let words = ["pinned", "fixed"];
+    match reader.words(table, "type", "pinned") {
+        Some(("fixed", _)) => SupportKind::Fixed,
+        Some(("pinned", _)) | None => SupportKind::Pinned,
+        Some((other, span)) => {
+            let meant = match other.to_lowercase().as_str() {
+                "hinged" | "simple" | "hinge" | "pin" | "roller" => Some("pinned"),
+                "clamped" | "built-in" | "encastre" | "rigid" => Some("fixed"),
+                _ => nearest(other, words),
+            };
+            let choice = "`pinned` holds the deflection, `fixed` also the rotation";
+            let hint = match meant {
+                Some(word) => format!("did you mean \"{word}\"? {choice}"),
+                None => choice.to_owned(),
+            };
+            let message = format!("`{other}` is no type of support");
+            reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
+            SupportKind::Pinned
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! The text of a file, and where in it a byte stands.
+
+use std::ops::Range;
+
+/// U+FEFF, which some editors put at the start of a file. It takes no column.
+pub(crate) const BYTE_ORDER_MARK: char = '\u{feff}';
+
+/// A text with the starts of its lines.
+#[derive(Debug, Clone)]
+pub(crate) struct Source {
+    pub text: String,
+    line_starts: Vec<usize>,
+}
+
+impl Source {
+    pub fn new(text: &str) -> Self {
+        let after_newlines = text.match_indices('\n').map(|(i, _)| i + 1);
+        Source {
+            text: text.to_owned(),
+            line_starts: std::iter::once(0).chain(after_newlines).collect(),
+        }
+    }
+
+    /// Line and column of a byte, both from 1; columns count characters.
+    pub fn position(&self, offset: usize) -> (usize, usize) {
+        let offset = self.character_start(offset);
+        let line = self.line_starts.partition_point(|&start| start <= offset);
+        let before = &self.text[self.line_starts[line - 1]..offset];
+        (line, before.chars().filter(|&c| c != BYTE_ORDER_MARK).count() + 1)
+    }
+
+    /// The same span, moved outwards to whole characters inside the text.
+    pub fn whole_characters(&self, span: Range<usize>) -> Range<usize> {
+        let start = self.character_start(span.start);
+        let mut end = span.end.clamp(start, self.text.len());
+        while !self.text.is_char_boundary(end) {
+            end += 1;
+        }
+        start..end
+    }
+
+    fn character_start(&self, offset: usize) -> usize {
+        let mut start = offset.min(self.text.len());
+        while !self.text.is_char_boundary(start) {
+            start -= 1;
+        }
+        start
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_count_characters_from_one() {
+        let source = Source::new("\u{feff}a = 1\r\nµ = \"½\"\n\n");
+        assert_eq!(source.position(0), (1, 1));
+        assert_eq!(source.position(3), (1, 1), "the byte order mark takes no column");
+        let second_line = source.text.find('µ').unwrap();
+        assert_eq!(source.position(second_line), (2, 1));
+        assert_eq!(source.position(second_line + 1), (2, 1), "inside a character: its start");
+        assert_eq!(source.position(second_line + 2), (2, 2));
+        assert_eq!(source.position(usize::MAX), (4, 1));
+    }
+
+    #[test]
+    fn spans_grow_to_whole_characters() {
+        let source = Source::new("aµb");
+        assert_eq!(source.whole_characters(2..2), 1..2 + 1);
+        assert_eq!(source.whole_characters(1..2), 1..3);
+        assert_eq!(source.whole_characters(9..99), 4..4);
+    }
+}

@@ -1,0 +1,128 @@
+//! A stiffness is given as one number or as the product of two: EI or E and I, k or
+//! `subgrade_modulus` and `width`. A segment takes from its parent what it leaves out.
+
+use crate::code;
+use crate::fault::Fault;
+use crate::reader::{Field, Reader};
+use crate::table::Section;
+
+/// The names of a stiffness and its factors.
+pub(crate) struct Names {
+    pub product: &'static str,
+    pub factors: [&'static str; 2],
+    /// Lines that would be right, for the product and for each factor.
+    pub product_example: &'static str,
+    pub factor_examples: [&'static str; 2],
+}
+
+/// What one table says of a stiffness.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Given {
+    pub product: Option<Field>,
+    pub factors: [Option<Field>; 2],
+}
+
+/// What comes of it.
+pub(crate) enum Stiffness {
+    Known(Field),
+    /// The table says nothing of it.
+    NotGiven,
+    /// Only the first (0) or the second (1) factor is known.
+    Half(usize, Field),
+}
+
+impl Given {
+    /// The stiffness of a table; factors it does not give are those of `parent`.
+    pub fn resolve(&self, reader: &mut Reader, parent: &Given, names: &Names) -> Stiffness {
+        let own = self.factors.iter().position(|factor| factor.is_some());
+        if let Some(product) = &self.product {
+            if let Some((i, factor)) = own.and_then(|i| Some((i, self.factors[i].as_ref()?))) {
+                let hint = format!("give {}, or its factors, not both", names.product);
+                let a = (names.product, &product.span);
+                reader.exclusive(a, (names.factors[i], &factor.span), &hint);
+            }
+            return Stiffness::Known(product.clone());
+        }
+        let Some(own) = own else { return Stiffness::NotGiven };
+        let factor = |i: usize| self.factors[i].as_ref().or(parent.factors[i].as_ref());
+        match (factor(0), factor(1)) {
+            (Some(a), Some(b)) => {
+                let place = self.factors[own].as_ref().unwrap_or(a);
+                Stiffness::Known(Field::new(a.value * b.value, place.span.clone()))
+            }
+            (Some(a), None) => Stiffness::Half(0, a.clone()),
+            (None, Some(b)) => Stiffness::Half(1, b.clone()),
+            (None, None) => Stiffness::NotGiven,
+        }
+    }
+}
+
+impl Reader<'_> {
+    /// The value of a stiffness that must be known; what is missing is reported.
+    pub fn settle(&mut self, stiffness: Stiffness, section: &Section, names: &Names) -> Field {
+        match stiffness {
+            Stiffness::Known(field) => return field,
+            Stiffness::NotGiven => {
+                let what = format!("`{}`", names.product);
+                let [a, b] = names.factor_examples;
+                let example = format!("{}; or {a} and {b}", names.product_example);
+                self.missing(section, &what, &example);
+            }
+            Stiffness::Half(given, field) => {
+                let (given, other) = (names.factors[given], 1 - given);
+                let message = format!("`{given}` is given without `{}`", names.factors[other]);
+                let hint = format!("add {}", names.factor_examples[other]);
+                self.report(Fault::new(code::INCOMPLETE, field.span, message, "", hint));
+            }
+        }
+        Field::unreadable(section.span.clone())
+    }
+
+    /// A factor must be positive by itself: two negative ones would go unnoticed.
+    pub fn positive(&mut self, key: &str, factor: Field) -> Field {
+        if factor.value <= 0.0 {
+            let state = if factor.value == 0.0 { "zero" } else { "negative" };
+            let message = format!("`{key}` is {state}");
+            let span = factor.span.clone();
+            self.report(Fault::new(code::FACTOR, span, message, "", "it must be positive"));
+            return Field::unreadable(factor.span);
+        }
+        factor
+    }
+}
+
+/// Whether stretches leave no part of 0 to `length` out. What cannot be told counts as covered:
+/// then something else has been reported.
+pub(crate) fn cover(length: f64, stretches: impl Iterator<Item = (f64, f64)>) -> bool {
+    let mut stretches: Vec<(f64, f64)> = stretches.collect();
+    let unknown = |&(from, to): &(f64, f64)| from.is_nan() || to.is_nan();
+    if stretches.iter().any(unknown) || (length.is_nan() && !stretches.is_empty()) {
+        return true;
+    }
+    stretches.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut reached = 0.0;
+    for (from, to) in stretches {
+        if from > reached {
+            return false;
+        }
+        reached = to.max(reached);
+    }
+    reached > 0.0 && reached >= length
+}
+
+#[cfg(test)]
+mod tests {
+    use super::cover;
+
+    #[test]
+    fn stretches_cover_a_beam_when_they_touch_from_end_to_end() {
+        let cover = |stretches: &[(f64, f64)]| cover(10.0, stretches.iter().copied());
+        assert!(cover(&[(0.0, 10.0)]));
+        assert!(cover(&[(4.0, 12.0), (-1.0, 4.0)]));
+        assert!(cover(&[(f64::NAN, 1.0)]));
+        assert!(!cover(&[]));
+        assert!(!cover(&[(0.0, 4.0), (5.0, 10.0)]));
+        assert!(!cover(&[(1.0, 10.0)]));
+        assert!(!cover(&[(0.0, 9.0)]));
+    }
+}

@@ -1,0 +1,122 @@
+//! What the TOML reader refuses, said so that someone who does not know TOML can mend it.
+
+use crate::code;
+use crate::diagnostic::Diagnostic;
+use crate::fault::Fault;
+use crate::source::Source;
+use std::ops::Range;
+use toml::de::{DeTable, DeValue, Error};
+
+/// Tables of which there can be several; the last names of `[[beam.segment]]` and the like.
+const LISTS: [&str; 5] = ["load", "support", "gap", "segment", "combination"];
+
+/// What is wrong with the file as TOML.
+pub(crate) struct SyntaxFaults {
+    pub found: Vec<Diagnostic>,
+    /// Whether the rest can still be trusted: a text without quotes and a key given twice do not
+    /// spoil what stands around them.
+    pub readable: bool,
+}
+
+/// Explains `errors`, at most one on each line: the second mostly follows from the first.
+pub(crate) fn explain(source: &Source, table: &DeTable, errors: &[Error]) -> SyntaxFaults {
+    let mut found: Vec<Diagnostic> = Vec::new();
+    let mut readable = true;
+    let mut errors: Vec<_> = errors.iter().map(|e| (e.span().unwrap_or(0..0), e)).collect();
+    errors.sort_by_key(|(span, _)| span.start);
+    for (span, error) in errors {
+        let (fault, harmless) = fault(source, span.clone(), error.message());
+        readable &= harmless;
+        let mut diagnostic = Diagnostic::new(source, fault);
+        if diagnostic.code == code::DUPLICATE
+            && let Some(first) = first_of(table, &source.text[diagnostic.span.clone()], span.start)
+        {
+            diagnostic = diagnostic.with_related(source, first, "given first here");
+        }
+        if found.last().is_none_or(|last| last.line != diagnostic.line) {
+            found.push(diagnostic);
+        }
+    }
+    SyntaxFaults { found, readable }
+}
+
+/// The fault, and whether the rest of the file can still be read in spite of it.
+fn fault(source: &Source, span: Range<usize>, said: &str) -> (Fault, bool) {
+    let written = source.text.get(span.clone()).unwrap_or("");
+    let start_of_line =
+        source.text[..span.start.min(source.text.len())].rfind('\n').map_or(0, |i| i + 1);
+    let line_so_far = source.text.get(start_of_line..span.start).unwrap_or("");
+    let new = |message: &str, label: &str, hint: String| {
+        Fault::new(code::SYNTAX, span.clone(), message, label, hint)
+    };
+    if said.starts_with("duplicate key") {
+        let is_list = LISTS.contains(&written);
+        let in_header = line_so_far.trim_start().starts_with('[');
+        let hint = if is_list && in_header {
+            "there can be several of these: write each with double brackets, as in [[load]]"
+        } else if in_header {
+            "put the keys of both under one heading"
+        } else {
+            "keep one of the two"
+        };
+        let message = format!("`{written}` is given twice");
+        let fault = Fault::new(code::DUPLICATE, span, message, "given again here", hint);
+        return (fault, !is_list);
+    }
+    if said.starts_with("string values must be quoted") {
+        return if written.trim().is_empty() {
+            let hint = "write key = value, as in length = \"12 m\"".to_owned();
+            (new("a value is missing here", "", hint), false)
+        } else {
+            let hint = format!("write \"{written}\"");
+            let message = "text, and a number with its unit, stand in quotes";
+            (new(message, "no quotes", hint), true)
+        };
+    }
+    let advice = if said.starts_with("invalid float") || said.starts_with("invalid integer") {
+        "a number with its unit stands in quotes, as in \"1.5 kN\""
+    } else if said.starts_with("unexpected key or value") {
+        "one key = value stands on each line; decimals stand after a point, as in 3.5"
+    } else if said.starts_with("invalid mantissa") || said.starts_with("invalid fraction") {
+        "a number has digits on both sides of its point, as in 0.5 or 5.0"
+    } else if said.starts_with("unexpected leading zero") {
+        "a number does not begin with a zero, unless a point follows"
+    } else if said.starts_with("unclosed array table") {
+        "a heading of this kind is written [[load]]"
+    } else if said.starts_with("unclosed table") {
+        "a heading is written [beam]"
+    } else if said.starts_with("key with no value") {
+        "write key = value, as in length = \"12 m\""
+    } else if said.starts_with("invalid basic string") || said.starts_with("invalid literal string")
+    {
+        "text ends with the same quote it begins with, on the same line"
+    } else if said.starts_with("cannot recurse") || said.starts_with("recursion limit") {
+        "no value of a model lies this deep within others"
+    } else {
+        ""
+    };
+    (new(&format!("this is not valid TOML: {said}"), "", advice.to_owned()), false)
+}
+
+/// The nearest place before `offset` where a key of this name was kept.
+fn first_of(table: &DeTable, name: &str, offset: usize) -> Option<Range<usize>> {
+    let mut nearest: Option<Range<usize>> = None;
+    let mut waiting = vec![table];
+    while let Some(table) = waiting.pop() {
+        for (key, value) in table.iter() {
+            let span = key.span();
+            let is_nearer = nearest.as_ref().is_none_or(|n| n.start < span.start);
+            if key.get_ref() == name && span.start < offset && is_nearer {
+                nearest = Some(span);
+            }
+            match value.get_ref() {
+                DeValue::Table(inner) => waiting.push(inner),
+                DeValue::Array(array) => {
+                    waiting.extend(array.iter().filter_map(|v| v.as_ref().as_table()))
+                }
+                _ => {}
+            }
+        }
+    }
+    nearest
+}

@@ -1,0 +1,78 @@
+//! One table of the file, and the names that people try in it.
+
+use crate::suggest::nearest;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// A table with its place and the name it goes by in messages.
+#[derive(Clone)]
+pub(crate) struct Section<'a> {
+    pub table: &'a DeTable<'a>,
+    /// The header, or the braces of an inline table.
+    pub span: Range<usize>,
+    /// As a file writes it: `[beam]`, `[[load]]`.
+    pub name: &'static str,
+}
+
+impl<'a> Section<'a> {
+    pub fn value(&self, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
+        self.table.get(key)
+    }
+}
+
+/// Other names for the same things: the library's words, other programs' words, other letters.
+const MEANT: &[(&str, &[&str])] = &[
+    ("beam", &["bar", "girder", "member"]),
+    ("foundation", &["ground", "soil", "subgrade", "bed"]),
+    ("load", &["force", "forces", "action"]),
+    ("support", &["bearing", "constraint"]),
+    ("gap", &["clearance", "initial_gap"]),
+    ("combination", &["load_combination"]),
+    ("length", &["l", "span"]),
+    ("EI", &["bending_stiffness", "stiffness", "flexural_rigidity"]),
+    ("E", &["elastic_modulus", "youngs_modulus", "young", "modulus"]),
+    ("I", &["second_moment_of_area", "moment_of_inertia", "inertia"]),
+    ("axial_force", &["n", "p", "axial", "normal_force"]),
+    ("subgrade_modulus", &["ks", "k_s", "modulus", "bedding_modulus"]),
+    ("k", &["spring", "spring_constant", "winkler", "stiffness"]),
+    ("mu", &["µ", "μ", "shear", "g", "gp", "shear_constant", "pasternak"]),
+    ("width", &["b", "breadth"]),
+    ("height", &["h", "d", "depth"]),
+    ("point", &["f", "p", "force", "value", "point_load", "magnitude"]),
+    ("moment", &["m", "couple"]),
+    ("distributed", &["q", "w", "uniform", "line", "distributed_load"]),
+    ("distributed_moment", &["line_moment"]),
+    ("at", &["x", "position", "location", "station"]),
+    ("from", &["start", "begin", "x1"]),
+    ("to", &["end", "x2"]),
+    ("spring", &["k", "stiffness", "spring_constant"]),
+    ("rotational_spring", &["k_r", "kr", "rotation", "rotational"]),
+    ("type", &["kind"]),
+    ("value", &["gap", "clearance", "size"]),
+];
+
+/// The key among `keys` that someone who writes `written` probably means.
+pub(crate) fn suggestion<'k>(written: &str, keys: &[&'k str]) -> Option<&'k str> {
+    let lower = written.to_lowercase();
+    let is_other_name = |key: &str| {
+        MEANT.iter().any(|(name, others)| *name == key && others.contains(&lower.as_str()))
+    };
+    nearest(written, keys.iter().copied())
+        .or_else(|| keys.iter().copied().find(|key| is_other_name(key)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slips_and_other_names_lead_to_the_key() {
+        assert_eq!(suggestion("lenght", &["length", "EI"]), Some("length"));
+        assert_eq!(suggestion("ei", &["length", "EI"]), Some("EI"));
+        assert_eq!(suggestion("bending_stiffness", &["length", "EI"]), Some("EI"));
+        assert_eq!(suggestion("shear", &["k", "mu"]), Some("mu"));
+        assert_eq!(suggestion("loads", &["beam", "load"]), Some("load"));
+        assert_eq!(suggestion("colour", &["beam", "load"]), None);
+    }
+}

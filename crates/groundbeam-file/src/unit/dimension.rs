@@ -1,0 +1,75 @@
+//! What a unit measures: powers of force, length and angle.
+
+/// Powers of force, length and angle. Mass and time occur nowhere in a model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Dimension {
+    pub force: i32,
+    pub length: i32,
+    pub angle: i32,
+}
+
+impl Dimension {
+    pub const NONE: Dimension = Dimension::new(0, 0);
+    pub const FORCE: Dimension = Dimension::new(1, 0);
+    pub const LENGTH: Dimension = Dimension::new(0, 1);
+    pub const ANGLE: Dimension = Dimension { force: 0, length: 0, angle: 1 };
+
+    /// force^`force` × length^`length`
+    pub const fn new(force: i32, length: i32) -> Self {
+        Dimension { force, length, angle: 0 }
+    }
+
+    /// This dimension times `other` to a power. Powers stop at the limits of their type, which
+    /// no dimension that is wanted anywhere comes near.
+    pub fn times(self, other: Dimension, power: i32) -> Self {
+        let add = |mine: i32, its: i32| mine.saturating_add(its.saturating_mul(power));
+        Dimension {
+            force: add(self.force, other.force),
+            length: add(self.length, other.length),
+            angle: add(self.angle, other.angle),
+        }
+    }
+
+    /// In words, with an article: "a force per length".
+    pub fn describe(self) -> String {
+        let known = match (self.force, self.length, self.angle) {
+            (0, 0, 0) => "a plain number",
+            (0, 0, 1) => "an angle",
+            (0, 1, 0) => "a length",
+            (0, 2, 0) => "an area",
+            (0, 3, 0) => "a volume",
+            (0, 4, 0) => "a second moment of area",
+            (1, 0, 0) => "a force",
+            (1, -1, 0) => "a force per length",
+            (1, -2, 0) => "a force per area",
+            (1, -3, 0) => "a force per volume",
+            (1, 1, 0) => "a moment",
+            (1, 1, -1) => "a moment per angle",
+            (1, 2, 0) => "a bending stiffness",
+            _ => "",
+        };
+        if !known.is_empty() {
+            return known.to_owned();
+        }
+        let factors = [("force", self.force), ("length", self.length), ("angle", self.angle)];
+        let written: Vec<String> = factors
+            .into_iter()
+            .filter(|&(_, power)| power != 0)
+            .map(|(name, power)| if power == 1 { name.into() } else { format!("{name}^{power}") })
+            .collect();
+        format!("a quantity of the kind {}", written.join(" "))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn common_kinds_have_names_and_others_are_spelled_out() {
+        let line_load = Dimension::FORCE.times(Dimension::LENGTH, -1);
+        assert_eq!(line_load.describe(), "a force per length");
+        let odd = Dimension::ANGLE.times(Dimension::FORCE, 2).times(Dimension::LENGTH, -5);
+        assert_eq!(odd.describe(), "a quantity of the kind force^2 length^-5 angle");
+    }
+}

@@ -1,0 +1,14 @@
+//! Units: symbols, how they combine, and what they measure.
+//!
+//! Written for this file format rather than taken from a general unit calculator: those bring
+//! large tables and an expression language, accept far more than a quantity, and do not tell
+//! which characters are at fault. A force, a length and an angle are all that is needed here.
+
+mod dimension;
+mod expression;
+mod scale;
+mod symbol;
+
+pub(crate) use dimension::Dimension;
+pub(crate) use expression::Unit;
+pub(crate) use scale::Scale;

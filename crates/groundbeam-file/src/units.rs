@@ -1,0 +1,92 @@
+//! A file gives every quantity a unit, or none.
+
+use crate::code;
+use crate::fault::Fault;
+use crate::quantity::Kind;
+use crate::reader::Reader;
+use std::ops::Range;
+
+/// How a file writes its quantities, and so how results are to be written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum UnitSystem {
+    /// Every quantity has a unit; the model is in m, N, rad and their products.
+    Si,
+    /// No quantity has a unit; the numbers are one consistent system, whichever.
+    Plain,
+}
+
+impl UnitSystem {
+    /// A length \[m, or plain\] as a person reads it: `12 m`, or `12`.
+    pub fn length(self, value: f64) -> String {
+        let size = value.abs();
+        let number = if size != 0.0 && !(1e-4..1e7).contains(&size) {
+            format!("{value:e}")
+        } else {
+            value.to_string()
+        };
+        match self {
+            UnitSystem::Si => number + " m",
+            UnitSystem::Plain => number,
+        }
+    }
+}
+
+/// A quantity that was read.
+#[derive(Debug, Clone)]
+pub(crate) struct Seen {
+    pub key: String,
+    pub kind: &'static Kind,
+    pub has_unit: bool,
+    pub span: Range<usize>,
+}
+
+impl Reader<'_> {
+    /// Which of the two the file is; a mixture is reported at the first of the fewer.
+    pub fn unit_system(&mut self) -> UnitSystem {
+        let mut seen = std::mem::take(&mut self.quantities);
+        seen.sort_by_key(|quantity| quantity.span.start);
+        let with = seen.iter().filter(|quantity| quantity.has_unit).count();
+        let without = seen.len() - with;
+        let units_prevail = with >= without;
+        let odd_one = seen.iter().find(|quantity| quantity.has_unit != units_prevail);
+        let usual_one = seen.iter().find(|quantity| quantity.has_unit == units_prevail);
+        if let (Some(odd), Some(usual)) = (odd_one, usual_one) {
+            let rule = "a file gives every quantity a unit, zeros too, or none at all";
+            let (message, label, other, hint) = if units_prevail {
+                let number = self.source.text[odd.span.clone()].trim_matches(['"', '\'']);
+                let line = format!("{} = \"{} {}\"", odd.key, number.trim(), odd.kind.unit);
+                (
+                    format!("`{}` has no unit, but other quantities have one", odd.key),
+                    "no unit here",
+                    "a unit here",
+                    format!("{rule}; write for example {line}"),
+                )
+            } else {
+                (
+                    format!("`{}` has a unit, but other quantities have none", odd.key),
+                    "a unit here",
+                    "no unit here",
+                    rule.to_owned(),
+                )
+            };
+            let few = with.min(without);
+            let hint = if few > 1 { format!("{hint} ({few} are like this)") } else { hint };
+            let fault = Fault::new(code::MIXED, odd.span.clone(), message, label, hint);
+            self.report_with(fault, usual.span.clone(), other);
+        }
+        if with > 0 { UnitSystem::Si } else { UnitSystem::Plain }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_read_well() {
+        assert_eq!(UnitSystem::Si.length(12.0), "12 m");
+        assert_eq!(UnitSystem::Plain.length(0.25), "0.25");
+        assert_eq!(UnitSystem::Plain.length(0.0), "0");
+        assert_eq!(UnitSystem::Si.length(-1.5e300), "-1.5e300 m");
+    }
+}

@@ -1,0 +1,163 @@
+//! Model → text: the inverse of [`parse`](crate::parse), bit for bit.
+
+use crate::units::UnitSystem;
+use groundbeam::{Load, Model, SupportKind};
+use std::fmt::Write;
+
+/// The model as a model file, every number written so that reading it gives the same bits.
+///
+/// The units are those of SI, or none. Numbers that are not finite, which no model that
+/// [`Model::problems`] finds right contains, cannot be read again.
+///
+/// ```
+/// use groundbeam::{Beam, Foundation, Load, Model};
+/// use groundbeam_file::{UnitSystem, parse, write_toml};
+///
+/// let model = Model::new(Beam::uniform(12.0, 1.2e9), Foundation::pasternak(4e7, 9e6))
+///     .with_load(Load::point(6e5, 1.0));
+/// let text = write_toml(&model, Some("Strip footing"), UnitSystem::Si);
+/// assert!(text.contains("\n[[load]]\npoint = \"600000.0 N\"\nat = \"1.0 m\"\n"));
+/// assert_eq!(parse(&text).unwrap().model, model);
+/// ```
+pub fn write_toml(model: &Model, title: Option<&str>, units: UnitSystem) -> String {
+    let mut out = Writer { text: String::new(), units };
+    if let Some(title) = title {
+        out.line("title", &quoted(title));
+    }
+    out.beam(model);
+    out.foundation(model);
+    for load in &model.loads {
+        out.load(load);
+    }
+    out.supports_and_gap(model);
+    out.text.trim_start().to_owned()
+}
+
+struct Writer {
+    text: String,
+    units: UnitSystem,
+}
+
+impl Writer {
+    fn heading(&mut self, heading: &str) {
+        self.text.push('\n');
+        self.text.push_str(heading);
+        self.text.push('\n');
+    }
+
+    fn line(&mut self, key: &str, value: &str) {
+        // Writing to a String cannot fail.
+        let _ = writeln!(self.text, "{key} = {value}");
+    }
+
+    /// `{:?}` is the shortest text that reads back as the same bits, and always a TOML float.
+    fn number(&self, value: f64, unit: &str) -> String {
+        match self.units {
+            UnitSystem::Si => format!("\"{value:?} {unit}\""),
+            UnitSystem::Plain => format!("{value:?}"),
+        }
+    }
+
+    fn quantity(&mut self, key: &str, value: f64, unit: &str) {
+        let number = self.number(value, unit);
+        self.line(key, &number);
+    }
+
+    fn beam(&mut self, model: &Model) {
+        let beam = &model.beam;
+        self.heading("[beam]");
+        self.quantity("length", beam.length, "m");
+        self.quantity("EI", beam.bending_stiffness, "N m^2");
+        self.quantity("axial_force", beam.axial_force, "N");
+        for segment in &beam.segments {
+            self.heading("[[beam.segment]]");
+            self.stretch(segment.from, segment.to);
+            self.quantity("EI", segment.bending_stiffness, "N m^2");
+        }
+    }
+
+    fn foundation(&mut self, model: &Model) {
+        let ground = &model.foundation;
+        self.heading("[foundation]");
+        self.quantity("k", ground.spring, "N/m^2");
+        self.quantity("mu", ground.shear, "N");
+        for segment in &ground.segments {
+            self.heading("[[foundation.segment]]");
+            self.stretch(segment.from, segment.to);
+            self.quantity("k", segment.spring, "N/m^2");
+            self.quantity("mu", segment.shear, "N");
+        }
+    }
+
+    fn load(&mut self, load: &Load) {
+        self.heading("[[load]]");
+        match *load {
+            Load::PointForce { at, force } => {
+                self.quantity("point", force, "N");
+                self.quantity("at", at, "m");
+            }
+            Load::PointMoment { at, moment } => {
+                self.quantity("moment", moment, "N m");
+                self.quantity("at", at, "m");
+            }
+            Load::Distributed { from, to, start, end } => {
+                self.intensity("distributed", start, end, "N/m");
+                self.stretch(from, to);
+            }
+            Load::DistributedMoment { from, to, start, end } => {
+                self.intensity("distributed_moment", start, end, "N m/m");
+                self.stretch(from, to);
+            }
+        }
+    }
+
+    fn supports_and_gap(&mut self, model: &Model) {
+        for support in &model.supports {
+            self.heading("[[support]]");
+            self.quantity("at", support.at, "m");
+            match support.kind {
+                SupportKind::Pinned => self.line("type", "\"pinned\""),
+                SupportKind::Fixed => self.line("type", "\"fixed\""),
+                SupportKind::Spring { spring, rotational_spring } => {
+                    self.quantity("spring", spring, "N/m");
+                    self.quantity("rotational_spring", rotational_spring, "N m/rad");
+                }
+            }
+        }
+        for corner in &model.gap {
+            self.heading("[[gap]]");
+            self.quantity("at", corner.at, "m");
+            self.quantity("value", corner.value, "m");
+        }
+    }
+
+    fn stretch(&mut self, from: f64, to: f64) {
+        self.quantity("from", from, "m");
+        self.quantity("to", to, "m");
+    }
+
+    fn intensity(&mut self, key: &str, start: f64, end: f64, unit: &str) {
+        let value = if start.to_bits() == end.to_bits() {
+            self.number(start, unit)
+        } else {
+            format!("[{}, {}]", self.number(start, unit), self.number(end, unit))
+        };
+        self.line(key, &value);
+    }
+}
+
+/// A TOML basic string.
+fn quoted(text: &str) -> String {
+    let mut quoted = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' => quoted.push_str("\\\""),
+            '\\' => quoted.push_str("\\\\"),
+            c if c.is_control() => {
+                let _ = write!(quoted, "\\u{:04x}", u32::from(c));
+            }
+            c => quoted.push(c),
+        }
+    }
+    quoted + "\""
+}
