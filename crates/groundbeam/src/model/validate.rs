@@ -287,8 +287,9 @@ fn check_order(found: &mut Vec<Problem>, part: Part, from: f64, to: f64) {
         let hint = "`to` must lie to the right of `from`";
         found.push(Problem::new("GB303", part, "to", message, hint).with_numbers(&[from, to]));
     } else if !(from.is_finite() && to.is_finite()) {
+        let field = if from.is_finite() { "to" } else { "from" };
         let message = "an end of the stretch is not a finite number";
-        found.push(Problem::new("GB303", part, "to", message, "give both ends as numbers"));
+        found.push(Problem::new("GB303", part, field, message, "give both ends as numbers"));
     }
 }
 
