@@ -210,8 +210,7 @@ fn transform(h: f64, by_left: [bool; 2]) -> [[f64; 4]; 4] {
     let [w_known, theta_known] = by_left;
     let theta = if theta_known { [0.0, 0.0, 0.0, 1.0] } else { [0.0, 1.0, 0.0, -1.0] };
     let d2 = if theta_known { [0.0, 1.0, 0.0, -1.0] } else { [0.0, 0.0, 0.0, 1.0] };
-    let other: [f64; 4] =
-        std::array::from_fn(|i| [1.0, 0.0, -1.0, 0.0][i] - h * theta[i]);
+    let other: [f64; 4] = std::array::from_fn(|i| [1.0, 0.0, -1.0, 0.0][i] - h * theta[i]);
     let own = [0.0, 0.0, 1.0, 0.0];
     if w_known { [own, theta, other, d2] } else { [other, theta, own, d2] }
 }
@@ -417,8 +416,7 @@ fn mirror_row(row: &[f64; 4], h: f64) -> [f64; 4] {
 
 fn mirror_cell(cell: &ChainCell) -> (Element, Vec<TiedLink>) {
     let h = cell.element.length;
-    let half: [[f64; 4]; 4] =
-        std::array::from_fn(|i| mirror_row(&cell.element.stiffness[i], h));
+    let half: [[f64; 4]; 4] = std::array::from_fn(|i| mirror_row(&cell.element.stiffness[i], h));
     let stiffness = std::array::from_fn(|j| {
         let column = [half[0][j], half[1][j], half[2][j], half[3][j]];
         mirror_row(&column, h)

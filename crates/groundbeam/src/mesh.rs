@@ -106,8 +106,7 @@ impl Mesh {
     /// `elements` equal elements, and a node wherever the model has one.
     pub fn uniform(model: &Model, elements: usize) -> Self {
         let l = model.beam.length;
-        let more: Vec<f64> =
-            (1..elements).map(|i| l * (i as f64 / elements as f64)).collect();
+        let more: Vec<f64> = (1..elements).map(|i| l * (i as f64 / elements as f64)).collect();
         Self::build(model, &more, |_| 1)
     }
 
@@ -274,9 +273,7 @@ fn initial_gap(model: &Model, x: f64) -> f64 {
     let corners = &model.gap;
     let right = corners.partition_point(|corner| corner.at < x);
     match (right.checked_sub(1).map(|i| corners[i]), corners.get(right)) {
-        (Some(a), Some(b)) => {
-            (a.value * (b.at - x) + b.value * (x - a.at)) / (b.at - a.at)
-        }
+        (Some(a), Some(b)) => (a.value * (b.at - x) + b.value * (x - a.at)) / (b.at - a.at),
         (Some(only), None) => only.value,
         (None, Some(only)) => only.value,
         (None, None) => 0.0,

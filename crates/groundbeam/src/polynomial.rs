@@ -65,10 +65,11 @@ fn isolate(c: &[f64], low: f64, high: f64, depth: u32, roots: &mut Vec<f64>) {
         return;
     }
     let [left, right] = [value(c, -1.0), value(c, 1.0)];
-    let slope_spread: f64 = rest.iter().enumerate().skip(1).map(|(j, a)| (j + 1) as f64 * a.abs()).sum();
+    let slope_spread: f64 =
+        rest.iter().enumerate().skip(1).map(|(j, a)| (j + 1) as f64 * a.abs()).sum();
     let monotone = rest[0].abs() > slope_spread;
     if monotone || depth >= DEEPEST {
-        if left * right < 0.0 || (left == 0.0 && right != 0.0 && low > -1.0) {
+        if left * right < 0.0 || (left == 0.0 && low > -1.0 && crosses_at_left_end(c)) {
             let s = monotone_root(c, left);
             roots.push(low + 0.5 * (high - low) * (s + 1.0));
         }
@@ -77,6 +78,12 @@ fn isolate(c: &[f64], low: f64, high: f64, depth: u32, roots: &mut Vec<f64>) {
     let middle = 0.5 * (low + high);
     isolate(&rescale(c, -0.5, 0.5), low, middle, depth + 1, roots);
     isolate(&rescale(c, 0.5, 0.5), middle, high, depth + 1, roots);
+}
+
+/// Whether a root exactly at s = −1 is of odd order.
+fn crosses_at_left_end(c: &[f64]) -> bool {
+    let about_end = rescale(c, -1.0, 1.0);
+    about_end.iter().position(|&a| a != 0.0).is_some_and(|order| order % 2 == 1)
 }
 
 /// The root of a function monotone on \[−1, 1\] that changes sign there: Newton within a bracket.

@@ -1,6 +1,6 @@
 //! Contact zones cell by cell: which parts of a cell touch, which nodes touch, what links remain.
 
-use super::majorant::{Spot, Zone, tributary_spring};
+use super::majorant::Zone;
 use super::pieces::{Piece, pieces};
 use crate::chain::{ChainCell, ChainNode, Tie, TiedLink};
 use crate::elements::Element;
@@ -14,20 +14,9 @@ pub(crate) struct Layout {
     pub parts: Vec<Vec<[f64; 2]>>,
     /// Whether each node touches, as the end of the cell to its left and to its right.
     pub touched: Vec<[bool; 2]>,
-    /// Zones in all.
-    pub zones: usize,
 }
 
 impl Layout {
-    /// Beam and ground glued together everywhere.
-    pub fn bonded(mesh: &Mesh) -> Self {
-        Layout {
-            parts: vec![vec![[-1.0, 1.0]]; mesh.cells.len()],
-            touched: vec![[true; 2]; mesh.nodes.len()],
-            zones: 1,
-        }
-    }
-
     pub fn of(mesh: &Mesh, zones: &[Zone]) -> Self {
         let mut parts = vec![Vec::new(); mesh.cells.len()];
         let mut touched = vec![[false; 2]; mesh.nodes.len()];
@@ -63,12 +52,7 @@ impl Layout {
                 touch(cell, end);
             }
         }
-        Layout { parts, touched, zones: zones.len() }
-    }
-
-    /// Whether nothing touches.
-    pub fn is_empty(&self) -> bool {
-        self.zones == 0
+        Layout { parts, touched }
     }
 
     /// A node where the contact or a support holds the beam best: the middle of the longest stretch.
@@ -140,24 +124,6 @@ impl Layout {
             }
         }
         nodes
-    }
-
-    /// Nodal springs instead of ground without a shear layer, for the paper's pressures (5.5).
-    pub fn lump_winkler(&self, mesh: &Mesh, nodes: &mut [ChainNode]) {
-        for piece in pieces(mesh).iter().filter(|piece| !piece.pasternak) {
-            for node in piece.cells.start..=piece.cells.end {
-                let side = usize::from(node < piece.cells.end);
-                if self.touched[node][side] {
-                    let spot = if side == 1 {
-                        Spot { cell: node, s: -1.0 }
-                    } else {
-                        Spot { cell: node - 1, s: 1.0 }
-                    };
-                    nodes[node].ground_spring += tributary_spring(mesh, spot);
-                    nodes[node].gap = gap_at(&mesh.cells[spot.cell], spot.s);
-                }
-            }
-        }
     }
 
     /// The links of open ground in cell i. `row` gives w at s as a combination of the element's four.

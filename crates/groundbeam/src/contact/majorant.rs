@@ -70,16 +70,12 @@ pub(crate) fn contact(w: &Deflection) -> Vec<Zone> {
     zones
 }
 
-/// The nodes that touch if only nodes can: the paper's pressures (5.5).
+/// The nodes that touch if only nodes can: the paper's pressures (5.5). They need a shear layer.
 pub(crate) fn nodal_contact(w: &Deflection) -> Vec<Zone> {
     let mut zones = Vec::new();
     for piece in pieces(w.mesh) {
-        let scan = Scan::new(w, &piece);
-        let nodes = nodes_of(&piece);
         if piece.pasternak {
-            zones.extend(scan.hull(nodes));
-        } else {
-            zones.extend(nodes.filter(|zone| scan.at(zone.from)[0] >= 0.0));
+            zones.extend(Scan::new(w, &piece).hull(nodes_of(&piece)));
         }
     }
     zones
@@ -102,29 +98,6 @@ pub(crate) fn everywhere(mesh: &Mesh, nodal: bool) -> Vec<Zone> {
 fn nodes_of(piece: &Piece) -> impl Iterator<Item = Zone> + use<> {
     let last = point(Spot { cell: piece.cells.end - 1, s: 1.0 });
     piece.cells.clone().map(|cell| point(Spot { cell, s: -1.0 })).chain([last])
-}
-
-/// Half the cells on either side of a node, within its piece: what a nodal spring stands for.
-pub(crate) fn tributary_spring(mesh: &Mesh, spot: Spot) -> f64 {
-    let half = |i: usize| 0.5 * mesh.cells[i].spring * mesh.cells[i].length();
-    let own = half(spot.cell);
-    let before = spot.cell.checked_sub(1).filter(|&i| mesh.cells[i].shear == 0.0);
-    if spot.s == 1.0 { own } else { own + before.map_or(0.0, half) }
-}
-
-/// The work of nodal springs of ground without a shear layer.
-pub(crate) fn lumped_work(
-    mesh: &Mesh,
-    terms: usize,
-    zones: &[Zone],
-    psi: &[f64],
-    delta: &[f64],
-) -> f64 {
-    let of = |c: &[f64], spot: Spot| {
-        crate::polynomial::value(&c[spot.cell * terms..(spot.cell + 1) * terms], spot.s)
-    };
-    let springs = zones.iter().map(|zone| zone.from).filter(|s| mesh.cells[s.cell].shear == 0.0);
-    springs.map(|s| tributary_spring(mesh, s) * of(psi, s) * of(delta, s)).sum()
 }
 
 /// Without a shear layer, contact is where ψ ≥ 0.
@@ -270,7 +243,8 @@ impl<'a> Scan<'a> {
             let pressure = self.pressure(i);
             positive_parts(&pressure, &mut parts);
             let starts_here = parts.first().is_some_and(|part| part[0] == -1.0);
-            let ended_here = arcs.last().is_some_and(|a| a.to == Spot { cell: i.wrapping_sub(1), s: 1.0 });
+            let ended_here =
+                arcs.last().is_some_and(|a| a.to == Spot { cell: i.wrapping_sub(1), s: 1.0 });
             if corner > 0.0 && !starts_here && !ended_here {
                 arcs.push(point(Spot { cell: i, s: -1.0 }));
             }

@@ -1,7 +1,9 @@
 //! Where the beam touches: one file per method.
 
 pub(crate) mod active_set;
+pub(crate) mod exact;
 pub(crate) mod layout;
 pub(crate) mod majorant;
 pub(crate) mod pieces;
+pub(crate) mod recover;
 pub(crate) mod surface;

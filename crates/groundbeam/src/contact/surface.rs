@@ -102,17 +102,19 @@ impl Surface {
 
     /// Forces at the ends of a zone and at the corners within it.
     fn add_zone_atoms(&mut self, w: &Deflection, zone: &Zone, flux_in: f64, flux_out: f64) {
-        let force = flux_in - flux(w, zone.from);
-        self.atoms.push(Atom { spot: zone.from, force });
+        if can_carry(w.mesh, zone.from) {
+            let force = flux_in - flux(w, zone.from);
+            self.atoms.push(Atom { spot: zone.from, force });
+        }
         for cell in zone.from.cell + 1..=zone.to.cell {
             let [a, b] = [Spot { cell: cell - 1, s: 1.0 }, Spot { cell, s: -1.0 }];
-            let [left, right] = [a, b].map(|spot| w.mesh.cells[spot.cell]);
-            let straight = |c: &crate::mesh::Cell| (c.gap[1] - c.gap[0]) / c.length();
-            if left.shear != right.shear || straight(&left) != straight(&right) {
+            if can_carry(w.mesh, b) {
                 self.atoms.push(Atom { spot: b, force: flux(w, a) - flux(w, b) });
             }
         }
-        self.atoms.push(Atom { spot: zone.to, force: flux(w, zone.to) + flux_out });
+        if can_carry(w.mesh, zone.to) {
+            self.atoms.push(Atom { spot: zone.to, force: flux(w, zone.to) + flux_out });
+        }
     }
 
     /// Covers open ground between two spots; returns the value at the left spot and the whole link.
@@ -154,11 +156,26 @@ impl Surface {
     /// Concentrated force at the beam's left and right end.
     pub fn end_forces(&self, mesh: &Mesh) -> [f64; 2] {
         let last = mesh.cells.len() - 1;
-        let at = |spot: Spot| {
-            self.atoms.iter().filter(|a| a.spot == spot).map(|a| a.force).sum::<f64>()
-        };
+        let at =
+            |spot: Spot| self.atoms.iter().filter(|a| a.spot == spot).map(|a| a.force).sum::<f64>();
         [at(Spot { cell: 0, s: -1.0 }), at(Spot { cell: last, s: 1.0 })]
     }
+}
+
+/// Whether mechanics allows a concentrated force at the end of a stretch of contact: at the ends of the
+/// beam and of the shear layer, and at corners. Elsewhere the ground leaves the beam tangentially.
+fn can_carry(mesh: &Mesh, spot: Spot) -> bool {
+    let node = match spot.s {
+        -1.0 => spot.cell,
+        1.0 => spot.cell + 1,
+        _ => return false,
+    };
+    if node == 0 || node == mesh.cells.len() {
+        return true;
+    }
+    let [left, right] = [&mesh.cells[node - 1], &mesh.cells[node]];
+    let straight = |c: &crate::mesh::Cell| (c.gap[1] - c.gap[0]) / c.length();
+    left.shear != right.shear || straight(left) != straight(right)
 }
 
 /// ψ at a spot.
@@ -205,8 +222,15 @@ fn open_links(
 /// The work of the ground's forces under ψ (contact on `zones`) on a second field δ: the first variation
 /// of ½ min_{u ≥ ψ} b(u, u), where `zones` is the contact of ψ; the bilinear form of the glued ground
 /// otherwise. Both fields are polynomials on the same mesh; ψ already without the gap.
-pub(crate) fn ground_work(mesh: &Mesh, terms: usize, zones: &[Zone], psi: &[f64], delta: &[f64]) -> f64 {
-    let of = |c: &'_ [f64], spot: Spot| value(&c[spot.cell * terms..(spot.cell + 1) * terms], spot.s);
+pub(crate) fn ground_work(
+    mesh: &Mesh,
+    terms: usize,
+    zones: &[Zone],
+    psi: &[f64],
+    delta: &[f64],
+) -> f64 {
+    let of =
+        |c: &'_ [f64], spot: Spot| value(&c[spot.cell * terms..(spot.cell + 1) * terms], spot.s);
     let mut work = 0.0;
     for piece in pieces(mesh) {
         let mut left: Option<Spot> = None;
@@ -233,8 +257,13 @@ pub(crate) fn ground_work(mesh: &Mesh, terms: usize, zones: &[Zone], psi: &[f64]
                     let c = &mesh.cells[cell];
                     let slice = cell * terms..(cell + 1) * terms;
                     let form = (c.spring, c.shear);
-                    touching +=
-                        energy_form(c.length(), form, [start, end], &psi[slice.clone()], &delta[slice]);
+                    touching += energy_form(
+                        c.length(),
+                        form,
+                        [start, end],
+                        &psi[slice.clone()],
+                        &delta[slice],
+                    );
                 }
             }
             left = Some(zone.to);

@@ -81,8 +81,20 @@ fn add(
         for i in 0..4 {
             element.load[i] += weight * (f * z[i] + g * dz[i]);
             for j in 0..4 {
-                element.stiffness[i][j] += weight * (spring * z[i] * z[j] + tension * dz[i] * dz[j]);
+                element.stiffness[i][j] +=
+                    weight * (spring * z[i] * z[j] + tension * dz[i] * dz[j]);
             }
+        }
+    }
+}
+
+/// Adds ∫ p z over a part of the element, for each of its four functions z and a cubic p(s).
+pub(crate) fn add_work(work: &mut [f64; 4], h: f64, [from, to]: [f64; 2], pressure: &[f64]) {
+    for (point, weight) in GAUSS {
+        let s = 0.5 * ((to - from) * point + (to + from));
+        let p = 0.25 * weight * (to - from) * h * crate::polynomial::value(pressure, s);
+        for (work, z) in work.iter_mut().zip(deflection(0.5 * (1.0 + s), h)) {
+            *work += p * z;
         }
     }
 }

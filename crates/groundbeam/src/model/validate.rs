@@ -53,6 +53,41 @@ impl Problem {
         Problem { code, part, field, message: message.into(), hint: hint.into(), numbers: vec![] }
     }
 
+    /// Compression on a beam whose supports leave it free to move as a rigid body.
+    pub(crate) fn unheld_compression() -> Self {
+        Problem::new(
+            "GB601",
+            Part::Beam,
+            "axial_force",
+            "compression on a beam that its supports leave free to turn or to rise",
+            "existence is not assured then, however small the force: fix one end or hold the beam \
+             at two places (Kikuchi 1980, the end of section 4)",
+        )
+    }
+
+    /// Compression beyond the beam's own buckling load.
+    pub(crate) fn beyond_buckling(times: f64) -> Self {
+        Problem::new(
+            "GB602",
+            Part::Beam,
+            "axial_force",
+            format!("the compression is {times:.4} times the beam's own buckling load"),
+            "below that load there is exactly one equilibrium, whether the ground is lost or not; \
+             beyond it the problem is not convex",
+        )
+    }
+
+    /// Nodal pressures where nothing spreads them.
+    pub(crate) fn nodal_forces_on_springs(part: Part) -> Self {
+        Problem::new(
+            "GB603",
+            part,
+            "shear",
+            "the paper's concentrated pressures (5.5) need a shear layer (4.9), and mu is zero here",
+            "use the method `exact`, or `active-set` with its own pressure",
+        )
+    }
+
     fn with_numbers(mut self, numbers: &[f64]) -> Self {
         self.numbers = numbers.to_vec();
         self
@@ -223,7 +258,9 @@ impl Model {
     }
 
     fn check_on_beam(&self, found: &mut Vec<Problem>, part: Part, field: &'static str, x: f64) {
-        if !(x >= 0.0 && x <= self.beam.length) && in_range(self.beam.length) {
+        // A length that is wrong itself says nothing about positions.
+        let length_is_right = in_range(self.beam.length) && self.beam.length > 0.0;
+        if length_is_right && !(x >= 0.0 && x <= self.beam.length) {
             let (message, hint) = if x.is_finite() {
                 ("{0} lies off the beam", "the beam goes from 0 to {1}, measured from its left end")
             } else {

@@ -1,0 +1,280 @@
+//! The ground's part of the proof: its equation, its clearance, its energies.
+
+use super::{Claim, ClaimedPiece, gauss};
+use crate::model::Model;
+use crate::polynomial::{jet, rescale, value};
+
+/// Sums over the ground, piece by piece from the left.
+#[derive(Debug)]
+pub(super) struct GroundSums<'a> {
+    forces: &'a [(f64, f64)],
+    /// Concentrated forces used so far.
+    used: usize,
+    near: f64,
+    /// μu' just left of the position reached, and u there.
+    flux: f64,
+    surface: f64,
+    /// b(u, u).
+    pub energy: f64,
+    /// ⟨p, g₀⟩.
+    pub work_on_gap: f64,
+    /// ⟨p, u + g₀ − w⟩ of concentrated forces; the pressure along contact has none by construction.
+    pub on_gap: f64,
+    pub worst_product: f64,
+    pub largest_force: f64,
+    pub penetration: f64,
+    /// A bound of g(x, x), the ground's give under a unit force.
+    pub flexibility: f64,
+    /// Σ of concentrated forces that the ground's equation demands but nobody claims.
+    unbalanced: f64,
+    total_pressure: f64,
+    lift_stiffness: f64,
+    largest_pressure: f64,
+    smallest_pressure: f64,
+    smallest_force: f64,
+    length: f64,
+}
+
+impl<'a> GroundSums<'a> {
+    pub fn new(model: &Model, claim: &'a Claim) -> Self {
+        let l = model.beam.length;
+        let (k, mu) = model.foundation.constants_at(claim.pieces[0].x[1].min(l) * 0.5);
+        let surface = Under::new(model, &claim.pieces[0]).surface(-1.0)[0];
+        let outside = (k * mu).sqrt();
+        GroundSums {
+            forces: &claim.forces,
+            used: 0,
+            near: 16.0 * f64::EPSILON * l,
+            flux: outside * surface,
+            surface,
+            energy: outside * surface * surface,
+            work_on_gap: 0.0,
+            on_gap: 0.0,
+            worst_product: 0.0,
+            largest_force: claim.forces.iter().map(|f| f.1.abs()).fold(0.0, f64::max),
+            penetration: 0.0,
+            flexibility: flexibility(model),
+            unbalanced: 0.0,
+            total_pressure: 0.0,
+            lift_stiffness: outside,
+            largest_pressure: 0.0,
+            smallest_pressure: 0.0,
+            smallest_force: 0.0,
+            length: l,
+        }
+    }
+
+    /// One piece more.
+    pub fn add(&mut self, model: &Model, piece: &ClaimedPiece, largest_deflection: f64) {
+        let under = Under::new(model, piece);
+        let (k, mu, half) = (under.spring, under.shear, under.half);
+        let [u, du] = under.surface(-1.0);
+        let gap = u + under.gap(-1.0) - value(piece.deflection, -1.0);
+        self.balance(piece.x[0], mu * du, gap, under.gap(-1.0));
+        for (s, weight) in gauss() {
+            let [u, du] = under.surface(s);
+            let p = value(piece.pressure, s);
+            self.energy += weight * half * (k * u * u + mu * du * du);
+            self.total_pressure += weight * half * p.max(0.0);
+            self.work_on_gap += weight * half * p * under.gap(s);
+        }
+        self.lift_stiffness += k * 2.0 * half;
+        if piece.open.is_none() {
+            let [low, high] = bounds(piece.pressure, 8);
+            self.smallest_pressure = self.smallest_pressure.min(low);
+            self.largest_pressure = self.largest_pressure.max(high);
+        }
+        let tolerance = 1e-15 * largest_deflection;
+        self.penetration = self.penetration.max(under.penetration(tolerance));
+        let [u, du] = under.surface(1.0);
+        (self.flux, self.surface) = (mu * du, u);
+    }
+
+    /// The ground beyond the right end.
+    pub fn finish(&mut self, model: &Model) {
+        let l = self.length;
+        let (k, mu) = model.foundation.constants_at(l * (1.0 - f64::EPSILON));
+        let outside = (k * mu).sqrt();
+        self.energy += outside * self.surface * self.surface;
+        self.lift_stiffness += outside;
+        // A claimed force stands where beam and ground touch; its clearance was checked piece by piece,
+        // at the very end it is that of the last piece.
+        self.balance(l, -outside * self.surface, 0.0, 0.0);
+    }
+
+    /// At a joint the flux may fall by the concentrated force claimed there, and by nothing else.
+    fn balance(&mut self, x: f64, flux_right: f64, gap: f64, initial_gap: f64) {
+        let mut claimed = 0.0;
+        while let Some(&(at, force)) = self.forces.get(self.used) {
+            if at > x + self.near {
+                break;
+            }
+            claimed += force;
+            self.used += 1;
+            self.on_gap += (force * gap).max(0.0);
+            self.worst_product = self.worst_product.max((force * gap).abs());
+            self.work_on_gap += force * initial_gap;
+            self.total_pressure += force.max(0.0);
+            self.smallest_force = self.smallest_force.min(force);
+        }
+        self.unbalanced += (self.flux - flux_right - claimed).abs();
+    }
+
+    /// ½ b(u − Gp, u − Gp) from the forces nobody claims: at most half their sum squared times g.
+    pub fn misfit(&self) -> f64 {
+        if self.unbalanced == 0.0 {
+            return 0.0;
+        }
+        0.5 * self.unbalanced * self.unbalanced * self.flexibility
+    }
+
+    /// A surface that the beam pierces by δ is lifted by δ everywhere: admissible again, at this cost.
+    pub fn lifting(&self) -> f64 {
+        let lift = self.penetration;
+        lift * self.total_pressure + 0.5 * lift * lift * self.lift_stiffness
+    }
+
+    /// The smallest pressure or concentrated force, relative to the largest.
+    pub fn smallest_pressure(&self) -> f64 {
+        let relative = |x: f64, scale: f64| if x == 0.0 { 0.0 } else { x / scale };
+        let total = self.total_pressure;
+        let spread =
+            relative(self.smallest_pressure, self.largest_pressure.max(total / self.length));
+        spread.min(relative(self.smallest_force, total))
+    }
+}
+
+/// Bounds of a polynomial on \[−1, 1\] from its coefficients on `parts` equal parts; the lower one is
+/// taken at points, which is where a result could be refused.
+fn bounds(c: &[f64], parts: usize) -> [f64; 2] {
+    let at = |i: usize| value(c, 2.0 * i as f64 / parts as f64 - 1.0);
+    (0..=parts).map(at).fold([0.0, 0.0], |[low, high], p| [low.min(p), high.max(p)])
+}
+
+/// A bound of g(x, x) for the whole ground; infinite where there is no shear layer.
+///
+/// Less stiff ground gives more (the energy is monotone in k and μ), so the softest constants bound it. A
+/// shear layer that stops under the beam is held from one side only.
+fn flexibility(model: &Model) -> f64 {
+    let ground = &model.foundation;
+    let all = ground.segments.iter().map(|s| (s.spring, s.shear));
+    let (k, mu) = all.fold((ground.spring, ground.shear), |(k, mu), (other_k, other_mu)| {
+        (k.min(other_k), mu.min(other_mu))
+    });
+    if mu > 0.0 { 0.5 / (k * mu).sqrt() } else { f64::INFINITY }
+}
+
+/// The ground under one piece, from the model's own constants.
+struct Under<'a> {
+    piece: &'a ClaimedPiece<'a>,
+    half: f64,
+    spring: f64,
+    shear: f64,
+    gap: [f64; 2],
+}
+
+impl<'a> Under<'a> {
+    fn new(model: &Model, piece: &'a ClaimedPiece) -> Self {
+        let [from, to] = piece.x;
+        let (spring, shear) = model.foundation.constants_at(0.5 * (from + to));
+        let gap = piece.x.map(|x| initial_gap(model, x));
+        Under { piece, half: 0.5 * (to - from), spring, shear, gap }
+    }
+
+    fn gap(&self, s: f64) -> f64 {
+        0.5 * ((1.0 - s) * self.gap[0] + (1.0 + s) * self.gap[1])
+    }
+
+    /// u and u'.
+    fn surface(&self, s: f64) -> [f64; 2] {
+        let Some([left, right]) = self.piece.open else {
+            let [w, dw, ..] = jet(self.piece.deflection, s);
+            let rise = 0.5 * (self.gap[1] - self.gap[0]);
+            return [w - self.gap(s), (dw - rise) / self.half];
+        };
+        if self.shear == 0.0 {
+            return [0.0, 0.0];
+        }
+        // u = (left sinh(b(h − ξ)) + right sinh(bξ))/sinh(bh) about the middle:
+        // even part cosh, odd part sinh, each scaled by its value at the ends.
+        let b = (self.spring / self.shear).sqrt();
+        let z = b * self.half;
+        let (mean, rise) = (0.5 * (left + right), 0.5 * (right - left));
+        let even = cosh_ratio(z, s);
+        let odd = sinh_ratio(z, s);
+        let slope_even = z.tanh() * odd;
+        let slope_odd = if z < 1e-8 { 1.0 / z } else { even / z.tanh() };
+        [mean * even + rise * odd, b * (mean * slope_even + rise * slope_odd)]
+    }
+
+    /// A bound of how deep the beam pierces the ground's surface; what is below `tolerance` counts as
+    /// nothing found worth halving on.
+    fn penetration(&self, tolerance: f64) -> f64 {
+        if self.piece.open.is_none() {
+            return 0.0;
+        }
+        let mut beam = self.piece.deflection.to_vec();
+        beam.resize(beam.len().max(3), 0.0);
+        beam[0] -= 0.5 * (self.gap[0] + self.gap[1]);
+        beam[1] -= 0.5 * (self.gap[1] - self.gap[0]);
+        self.pierced(&beam, -1.0, 1.0, tolerance, 0)
+    }
+
+    /// On a part: u lies above its tangent at the middle (it is convex where not negative) by its least
+    /// curvature, the beam below its Taylor polynomial's bound.
+    fn pierced(&self, beam: &[f64], low: f64, high: f64, tolerance: f64, depth: u32) -> f64 {
+        let (middle, quarter) = (0.5 * (low + high), 0.5 * (high - low));
+        let c = rescale(beam, middle, quarter);
+        let [u, du] = self.surface(middle);
+        let bend = if self.shear > 0.0 {
+            let ends = [low, high].map(|s| self.surface(s)[0]);
+            let width = quarter * self.half;
+            // A convex function may dip between its ends, but not below zero here.
+            let least = (u - (du * width).abs()).min(ends[0]).min(ends[1]).max(0.0);
+            0.5 * self.spring / self.shear * least * width * width
+        } else {
+            0.0
+        };
+        let over = (c[2] - bend).max(0.0) + c[3..].iter().map(|a| a.abs()).sum::<f64>();
+        let tilt = (c[1] - du * quarter * self.half).abs();
+        let bound = (c[0] - u) + tilt + over;
+        if bound <= tolerance {
+            return bound.max(0.0);
+        }
+        let found = (c[0] - u).max(0.0);
+        if depth >= 28 || bound - found <= tolerance + 0.5 * found {
+            return bound.max(0.0);
+        }
+        let left = self.pierced(beam, low, middle, tolerance, depth + 1);
+        left.max(self.pierced(beam, middle, high, tolerance.max(left), depth + 1))
+    }
+}
+
+/// cosh(z s)/cosh(z) for |s| ≤ 1.
+fn cosh_ratio(z: f64, s: f64) -> f64 {
+    let a = (z * s).abs();
+    (a - z).exp() * (1.0 + (-2.0 * a).exp()) / (1.0 + (-2.0 * z).exp())
+}
+
+/// sinh(z s)/sinh(z) for |s| ≤ 1.
+fn sinh_ratio(z: f64, s: f64) -> f64 {
+    if z < 1e-8 {
+        return s;
+    }
+    let a = (z * s).abs();
+    ((a - z).exp() * (-2.0 * a).exp_m1() / (-2.0 * z).exp_m1()).copysign(s)
+}
+
+/// g₀(x): linear between corners, constant beyond them.
+fn initial_gap(model: &Model, x: f64) -> f64 {
+    let corners = &model.gap;
+    let (Some(first), Some(last)) = (corners.first(), corners.last()) else { return 0.0 };
+    if x <= first.at {
+        return first.value;
+    }
+    let between = corners.windows(2).find(|pair| x <= pair[1].at);
+    between.map_or(last.value, |pair| {
+        let t = (x - pair[0].at) / (pair[1].at - pair[0].at);
+        pair[0].value * (1.0 - t) + pair[1].value * t
+    })
+}

@@ -1,0 +1,145 @@
+//! Shear and moment from loads and pressures alone, from the left end to the right.
+
+use super::{Claim, ClaimedPiece};
+use crate::model::{Load, Model};
+
+/// What acts at one point: force down, moment.
+#[derive(Debug, Clone, Copy)]
+struct Event {
+    x: f64,
+    force: f64,
+    moment: f64,
+}
+
+/// The internal forces just right of the position reached, and the events still ahead.
+#[derive(Debug)]
+pub(super) struct Events {
+    /// Sorted from right to left; the next one is the last.
+    ahead: Vec<Event>,
+    /// Positions this close are the same: nodes within rounding of each other were one node.
+    near: f64,
+    /// T = V + P w' − g, with T' = p − f.
+    shear: f64,
+    moment: f64,
+    /// Σ|F| and Σ|M| about the left end, to judge the balance by.
+    forces: f64,
+    moments: f64,
+}
+
+impl Events {
+    pub fn of(model: &Model, claim: &Claim) -> Self {
+        let mut ahead = Vec::new();
+        for load in &model.loads {
+            match *load {
+                Load::PointForce { at: x, force } => ahead.push(Event { x, force, moment: 0.0 }),
+                Load::PointMoment { at: x, moment } => ahead.push(Event { x, force: 0.0, moment }),
+                Load::Distributed { .. } | Load::DistributedMoment { .. } => {}
+            }
+        }
+        let up = |&(x, force): &(f64, f64)| Event { x, force: -force, moment: 0.0 };
+        ahead.extend(claim.forces.iter().map(up));
+        let held = |&(x, force, moment): &(f64, f64, f64)| Event { x, force: -force, moment };
+        ahead.extend(claim.reactions.iter().map(held));
+        ahead.sort_by(|a, b| b.x.total_cmp(&a.x));
+        let near = 16.0 * f64::EPSILON * model.beam.length;
+        Events { ahead, near, shear: 0.0, moment: 0.0, forces: 0.0, moments: 0.0 }
+    }
+
+    /// Applies everything up to and at x.
+    pub fn advance(&mut self, x: f64) {
+        while let Some(event) = self.ahead.pop_if(|event| event.x <= x + self.near) {
+            self.shear -= event.force;
+            self.moment += event.moment;
+            self.forces += event.force.abs();
+            self.moments += event.moment.abs() + event.force.abs() * event.x;
+        }
+    }
+
+    /// Integrates over a piece; returns the coefficients of m(s).
+    pub fn integrate(&mut self, piece: &ClaimedPiece, load: &SpreadLoad, axial: f64) -> Vec<f64> {
+        let half = 0.5 * (piece.x[1] - piece.x[0]);
+        let mut net = piece.pressure.to_vec();
+        net.resize(net.len().max(2), 0.0);
+        let reach = piece.x[0].abs() + half;
+        for j in 0..2 {
+            net[j] -= load.force[j];
+        }
+        let size: f64 = net.iter().map(|c| c.abs()).sum::<f64>() * 2.0 * half;
+        self.forces += size;
+        self.moments += size * reach + load.moment[0].abs() * 2.0 * half;
+        // T' = p − f, then M' = V = T − P w' + g.
+        let total = antiderivative(&net, half, self.shear);
+        let mut shear = total.clone();
+        shear.resize(shear.len().max(piece.deflection.len()), 0.0);
+        for (j, c) in piece.deflection.iter().enumerate().skip(1) {
+            shear[j - 1] -= axial * (j as f64) * c / half;
+        }
+        for j in 0..2 {
+            shear[j] += load.moment[j];
+        }
+        let moment = antiderivative(&shear, half, self.moment);
+        self.shear = total.iter().sum();
+        self.moment = moment.iter().sum();
+        moment
+    }
+
+    /// |ΣF| and |ΣM| that remain at the right end, relative to what was summed.
+    pub fn balance(&self) -> [f64; 2] {
+        let relative = |x: f64, scale: f64| if x == 0.0 { 0.0 } else { x.abs() / scale };
+        [relative(self.shear, self.forces), relative(self.moment, self.moments)]
+    }
+}
+
+/// ∫ from the left end of a piece, which begins with `start`.
+fn antiderivative(c: &[f64], half: f64, start: f64) -> Vec<f64> {
+    let mut out = vec![0.0; c.len() + 1];
+    let mut at_left = 0.0;
+    for (j, a) in c.iter().enumerate() {
+        out[j + 1] = half * a / (j + 1) as f64;
+        at_left += if j % 2 == 0 { -out[j + 1] } else { out[j + 1] };
+    }
+    out[0] = start - at_left;
+    out
+}
+
+/// f and g on a piece: value at the middle and half the rise.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct SpreadLoad {
+    pub force: [f64; 2],
+    pub moment: [f64; 2],
+}
+
+impl SpreadLoad {
+    pub fn on(model: &Model, x: [f64; 2]) -> Self {
+        let middle = 0.5 * (x[0] + x[1]);
+        let mut sum = SpreadLoad::default();
+        for load in &model.loads {
+            let (Load::Distributed { from, to, start, end }
+            | Load::DistributedMoment { from, to, start, end }) = *load
+            else {
+                continue;
+            };
+            if middle <= from || middle >= to {
+                continue;
+            }
+            let rate = (end - start) / (to - from);
+            let terms = [start + rate * (middle - from), rate * 0.5 * (x[1] - x[0])];
+            let into = match load {
+                Load::Distributed { .. } => &mut sum.force,
+                _ => &mut sum.moment,
+            };
+            for (sum, term) in into.iter_mut().zip(terms) {
+                *sum += term;
+            }
+        }
+        sum
+    }
+
+    pub fn force(&self, s: f64) -> f64 {
+        self.force[0] + self.force[1] * s
+    }
+
+    pub fn moment(&self, s: f64) -> f64 {
+        self.moment[0] + self.moment[1] * s
+    }
+}

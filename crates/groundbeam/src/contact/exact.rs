@@ -1,0 +1,224 @@
+//! The contact problem without a mesh: the edges of contact as unknowns.
+//!
+//! Between loads, supports, joints and edges of contact the deflection solves (2.11) in closed form, so
+//! the only unknowns are which stretches touch and where they end. A coarse [mesh](super::active_set)
+//! tells the first; then each step
+//!
+//! 1. puts a node at every edge and solves the glued chain with [exact elements](crate::elements::exact);
+//! 2. lays the ground under the beam found, anew and exactly ([majorant](super::majorant)): its edges
+//!    are where the unloaded ground leaves the beam tangentially, u' = w' − g₀' (w = g₀ for μ = 0). Zones
+//!    split, merge, appear and vanish here of themselves.
+//!
+//! This is Newton's method on Φ in the space of all deflections: the error of the edges is squared in
+//! every step. If the steps do not settle, the mesh that began them is refined.
+
+use super::active_set::{self, Found, Pressure, Stalled, Step};
+use super::layout::Layout;
+use super::majorant::{self, Deflection, Spot, Zone};
+use crate::chain::{Chain, ChainCell, Loose};
+use crate::elements::exact::{ExactElement, TERMS, parts};
+use crate::elements::{Operator, Touch};
+use crate::mesh::{Cell, Mesh};
+use crate::model::Model;
+
+/// Cells of the first coarse mesh per wave length of the beam on its ground.
+const COARSE: f64 = 1.0;
+/// How often the coarse mesh is refined fourfold before the model is given up.
+const REFINEMENTS: u32 = 5;
+/// Newton steps from one coarse mesh.
+const MOST_STEPS: usize = 40;
+
+/// Stretches of contact as positions; a point has both equal.
+type Stretch = [f64; 2];
+
+/// Solves a model.
+pub(crate) fn solve(model: &Model) -> Result<Found, Stalled> {
+    let mut last = Stalled::default();
+    let mut iterations = 0;
+    for level in 0..=REFINEMENTS {
+        let fine = COARSE * 4_f64.powi(level as i32);
+        let axial = model.beam.axial_force;
+        let mesh = Mesh::build(model, &[], |cell| {
+            let wave = Operator::of(cell, axial, Touch::Contact).wave_number();
+            (wave * cell.length() * fine).ceil().max(2.0) as usize
+        });
+        let coarse = match active_set::solve(mesh, Pressure::Distributed) {
+            Ok(found) => found,
+            Err(stalled) => {
+                iterations += stalled.iterations;
+                last = stalled;
+                continue;
+            }
+        };
+        iterations += coarse.history.len();
+        match refine(model, &coarse) {
+            Ok(found) => return Ok(found),
+            Err(stalled) => {
+                iterations += stalled.iterations;
+                last = stalled;
+            }
+        }
+    }
+    Err(Stalled { iterations, ..last })
+}
+
+/// Newton's steps on the edges, from the contact of a coarse solution.
+fn refine(model: &Model, coarse: &Found) -> Result<Found, Stalled> {
+    let mut stretches = positions(&coarse.mesh, &coarse.zones);
+    let mut history = coarse.history.clone();
+    let l = model.beam.length;
+    let mut moved = f64::INFINITY;
+    for step in 0..MOST_STEPS {
+        let Ok(found) = glued(model, &stretches) else {
+            return Err(unsettled(step, moved));
+        };
+        let next = positions(&found.mesh, &found.zones);
+        let before = moved;
+        moved = distance(&stretches, &next) / l;
+        history.push(Step { zones: next.len(), step: 1.0, decrement: moved });
+        // Quadratic convergence ends at rounding: no further step would make it smaller.
+        let settled = moved <= 1e-15 || (moved <= 1e-12 && moved >= 0.25 * before);
+        if settled || (moved <= 1e-9 && step + 1 == MOST_STEPS) {
+            return Ok(Found { history, ..found });
+        }
+        stretches = next;
+    }
+    Err(unsettled(MOST_STEPS, moved))
+}
+
+fn unsettled(iterations: usize, reached: f64) -> Stalled {
+    let what = "the last move of an edge of contact, relative to the beam's length,";
+    Stalled { iterations, what, tolerance: 1e-12, reached }
+}
+
+/// The beam glued to the ground on given stretches, solved exactly, with the contact it asks for.
+pub(crate) fn glued(model: &Model, stretches: &[Stretch]) -> Result<Found, Loose> {
+    let axial = model.beam.axial_force;
+    let edges: Vec<f64> = stretches.iter().flatten().copied().collect();
+    let touches = |x: f64| stretches.iter().any(|s| s[0] < x && x < s[1]);
+    let touch = |cell: &Cell| {
+        if touches(0.5 * (cell.x[0] + cell.x[1])) { Touch::Contact } else { Touch::Open }
+    };
+    let mesh = Mesh::build(model, &edges, |cell| {
+        parts(&Operator::of(cell, axial, touch(cell)), cell.length())
+    });
+    let assumed = zones_of(&mesh, stretches, &touch);
+    let layout = Layout::of(&mesh, &assumed);
+    let elements: Vec<ExactElement> = mesh
+        .cells
+        .iter()
+        .map(|cell| ExactElement::new(&Operator::of(cell, axial, touch(cell)), cell.length()))
+        .collect();
+    let cells: Vec<ChainCell> = elements
+        .iter()
+        .enumerate()
+        .map(|(i, exact)| {
+            let h = exact.element.length;
+            // Only ends are tied: w_left, or w_right = w_left + h θ_left + d₁.
+            layout.chain_cell(&mesh, i, exact.element, |s| {
+                if s < 0.0 { [1.0, 0.0, 0.0, 0.0] } else { [1.0, h, 1.0, 0.0] }
+            })
+        })
+        .collect();
+    let nodes = layout.nodes(&mesh);
+    let shapes = Chain { nodes, cells, meeting: layout.meeting_node(&mesh) }.solve()?.cells;
+    let coefficients: Vec<f64> =
+        elements.iter().zip(&shapes).flat_map(|(exact, v)| exact.unfold(v)).collect();
+    if !coefficients.iter().all(|c| c.is_finite()) {
+        return Err(Loose);
+    }
+    let w = Deflection { mesh: &mesh, terms: TERMS, coefficients: &coefficients };
+    let zones = majorant::contact(&w);
+    Ok(Found {
+        mesh,
+        terms: TERMS,
+        shapes,
+        coefficients,
+        zones,
+        history: Vec::new(),
+        pressure: Pressure::Distributed,
+    })
+}
+
+/// Zones as positions.
+fn positions(mesh: &Mesh, zones: &[Zone]) -> Vec<Stretch> {
+    let at = |spot: Spot| mesh.cells[spot.cell].global(spot.s);
+    zones.iter().map(|zone| [at(zone.from), at(zone.to)]).collect()
+}
+
+/// Stretches as zones of a mesh that has a node at each of their ends.
+fn zones_of(mesh: &Mesh, stretches: &[Stretch], touch: &impl Fn(&Cell) -> Touch) -> Vec<Zone> {
+    let mut zones: Vec<Zone> = Vec::new();
+    for (i, cell) in mesh.cells.iter().enumerate() {
+        if touch(cell) == Touch::Contact {
+            zones.push(Zone { from: Spot { cell: i, s: -1.0 }, to: Spot { cell: i, s: 1.0 } });
+        }
+    }
+    // Points: the node nearest to them, if no stretch covers it.
+    let last = mesh.cells.len();
+    let is_point = |s: &&Stretch| s[1] <= s[0] || !zones_cover(mesh, &zones, s);
+    let points: Vec<Stretch> = stretches.iter().filter(is_point).copied().collect();
+    for stretch in points {
+        let x = 0.5 * (stretch[0] + stretch[1]);
+        let node = mesh.nodes.partition_point(|n| n.x < x).min(last);
+        let nearer_left = node > 0 && x - mesh.nodes[node - 1].x < mesh.nodes[node].x - x;
+        let node = if nearer_left { node - 1 } else { node };
+        let spot = if node == last {
+            Spot { cell: last - 1, s: 1.0 }
+        } else {
+            Spot { cell: node, s: -1.0 }
+        };
+        zones.push(Zone { from: spot, to: spot });
+    }
+    zones.sort_by_key(|zone| (zone.from.cell, zone.from.s > 0.0));
+    zones
+}
+
+/// Whether a stretch is more than a point on this mesh.
+fn zones_cover(mesh: &Mesh, zones: &[Zone], stretch: &Stretch) -> bool {
+    zones.iter().any(|zone| {
+        let [from, to] = mesh.cells[zone.from.cell].x;
+        stretch[0] <= 0.5 * (from + to) && 0.5 * (from + to) <= stretch[1]
+    })
+}
+
+/// The largest move of an edge; infinite if a zone came or went.
+fn distance(a: &[Stretch], b: &[Stretch]) -> f64 {
+    if a.len() != b.len() {
+        return f64::INFINITY;
+    }
+    a.iter().flatten().zip(b.iter().flatten()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::surface::{Surface, obstacle};
+    use crate::model::{Beam, Foundation, Load};
+
+    #[test]
+    fn paper_cases() {
+        for (m, w0, edge, pl) in [
+            (0.1, 0.298713420791215, 0.0, 0.377269967087740),
+            (0.3, 0.235628973800687, 0.0, 0.558603935284527),
+            (0.4, 0.186415053614288, 0.386850935749741, 0.668048968460973),
+            (0.49, 0.013217803941407, 0.811326256449155, 0.897199981229959),
+        ] {
+            let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
+                .with_load(Load::point(1.0, 0.5))
+                .with_load(Load::moment(m, 0.5));
+            let found = solve(&model).unwrap();
+            let w = found.deflection();
+            let left = obstacle(&w, Spot { cell: 0, s: -1.0 });
+            let s = Surface::of(&w, &found.zones);
+            let z = found.zones[0];
+            println!(
+                "{m} err {:e} its {:?} edge {:e} ends {:e}",
+                left - w0,
+                found.history,
+                found.mesh.cells[z.from.cell].global(z.from.s) - edge,
+                s.end_forces(&found.mesh)[1] - pl
+            );
+        }
+    }
+}

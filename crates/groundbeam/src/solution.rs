@@ -1,0 +1,486 @@
+//! What is found: deflections, moments, the ground's surface, contact, forces. Evaluated anywhere.
+
+use crate::Step;
+use crate::certificate::Certificate;
+use crate::existence::Existence;
+use crate::ground;
+use crate::mesh::Cell;
+use crate::model::Model;
+use crate::polynomial::{jet, sign_changes, value};
+use crate::solve::Method;
+
+/// A stretch of contact between beam and ground; of a single point, both ends are equal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactRegion {
+    /// Left end \[m\].
+    pub from: f64,
+    /// Right end \[m\].
+    pub to: f64,
+}
+
+/// The concentrated contact forces p₀ and p_l of (2.6), not negative, pushing the beam up \[N\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EndForces {
+    /// p₀, at x = 0.
+    pub left: f64,
+    /// p_l, at x = l.
+    pub right: f64,
+}
+
+/// A concentrated contact force inside the beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ConcentratedForce {
+    /// Position \[m\].
+    pub at: f64,
+    /// Force, pushing the beam up \[N\].
+    pub force: f64,
+}
+
+/// What a support does to the beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reaction {
+    /// Position \[m\].
+    pub at: f64,
+    /// Force, positive where it pushes the beam up \[N\].
+    pub force: f64,
+    /// Moment, positive where it turns the right side down \[N·m\].
+    pub moment: f64,
+}
+
+/// From which side a value is taken where a field jumps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// Just left of the position.
+    Left,
+    /// Just right of the position.
+    Right,
+}
+
+/// All fields at one point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fields {
+    /// w, down positive \[m\].
+    pub deflection: f64,
+    /// w' \[rad\].
+    pub slope: f64,
+    /// M = −EI w″, sagging positive \[N·m\].
+    pub moment: f64,
+    /// V = M' \[N\].
+    pub shear_force: f64,
+    /// u, the ground's surface, down positive \[m\].
+    pub settlement: f64,
+    /// u + g₀ − w, not negative \[m\].
+    pub gap: f64,
+    /// p, not negative, pushing the beam up \[N/m\].
+    pub pressure: f64,
+}
+
+/// One of the fields.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Field {
+    /// w.
+    Deflection,
+    /// w'.
+    Slope,
+    /// M.
+    Moment,
+    /// V.
+    ShearForce,
+    /// u.
+    Settlement,
+    /// u + g₀ − w.
+    Gap,
+    /// p.
+    Pressure,
+}
+
+impl Field {
+    /// All of them, in the order results list them.
+    pub const ALL: [Field; 7] = [
+        Field::Deflection,
+        Field::Slope,
+        Field::Moment,
+        Field::ShearForce,
+        Field::Settlement,
+        Field::Gap,
+        Field::Pressure,
+    ];
+
+    /// The name that results use: `deflection`, `shear_force`, …
+    pub fn name(self) -> &'static str {
+        match self {
+            Field::Deflection => "deflection",
+            Field::Slope => "slope",
+            Field::Moment => "moment",
+            Field::ShearForce => "shear_force",
+            Field::Settlement => "settlement",
+            Field::Gap => "gap",
+            Field::Pressure => "pressure",
+        }
+    }
+}
+
+impl Fields {
+    /// The value of one field.
+    pub fn get(&self, field: Field) -> f64 {
+        match field {
+            Field::Deflection => self.deflection,
+            Field::Slope => self.slope,
+            Field::Moment => self.moment,
+            Field::ShearForce => self.shear_force,
+            Field::Settlement => self.settlement,
+            Field::Gap => self.gap,
+            Field::Pressure => self.pressure,
+        }
+    }
+}
+
+/// Where a field is largest or smallest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extreme {
+    /// Position \[m\]; of several the leftmost.
+    pub x: f64,
+    /// Value of the field there.
+    pub value: f64,
+}
+
+/// The smallest and the largest value of a field on the beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// The smallest value.
+    pub min: Extreme,
+    /// The largest value.
+    pub max: Extreme,
+}
+
+/// A stretch of the beam that does not touch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LiftOff {
+    /// Left end \[m\].
+    pub from: f64,
+    /// Right end \[m\].
+    pub to: f64,
+    /// Where beam and ground are farthest apart, and how far.
+    pub largest_gap: Extreme,
+}
+
+/// A part of the beam on which every field is one closed form.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Stretch {
+    /// Its ends \[m\].
+    pub x: [f64; 2],
+    /// The cell it lies in, cut to its ends: coefficients of ground, beam and loads.
+    pub cell: Cell,
+    /// Coefficients of w(s).
+    pub deflection: Vec<f64>,
+    /// Coefficients of M(s).
+    pub moment: Vec<f64>,
+    /// Coefficients of p(s).
+    pub pressure: Vec<f64>,
+    /// Off contact, u at both ends.
+    pub open: Option<[f64; 2]>,
+}
+
+impl Stretch {
+    fn half(&self) -> f64 {
+        0.5 * (self.x[1] - self.x[0])
+    }
+
+    /// b·h of the open ground.
+    fn decay(&self) -> f64 {
+        (self.cell.spring / self.cell.shear).sqrt() * 2.0 * self.half()
+    }
+
+    fn gap_at(&self, s: f64) -> f64 {
+        let [left, right] = self.cell.gap;
+        0.5 * (left + right) + 0.5 * (right - left) * s
+    }
+
+    /// u and u'.
+    fn settlement(&self, s: f64, w: f64, slope: f64) -> [f64; 2] {
+        match self.open {
+            None => {
+                let rise = (self.cell.gap[1] - self.cell.gap[0]) / (2.0 * self.half());
+                [w - self.gap_at(s), slope - rise]
+            }
+            Some([0.0, 0.0]) => [0.0, 0.0],
+            Some([left, right]) => {
+                let t = 0.5 * (1.0 + s);
+                let bh = self.decay();
+                let b = bh / (2.0 * self.half());
+                let slope = ground::slope_between(left, right, bh, t);
+                [ground::between(left, right, bh, t), b * slope]
+            }
+        }
+    }
+
+    fn fields(&self, s: f64) -> Fields {
+        let per_length = 1.0 / self.half();
+        let [w, dw, ..] = jet(&self.deflection, s);
+        let slope = dw * per_length;
+        let [moment, dm, ..] = jet(&self.moment, s);
+        let [settlement, _] = self.settlement(s, w, slope);
+        let gap = match self.open {
+            None => 0.0,
+            Some(_) => settlement + self.gap_at(s) - w,
+        };
+        Fields {
+            deflection: w,
+            slope,
+            moment,
+            shear_force: dm * per_length,
+            settlement,
+            gap,
+            pressure: value(&self.pressure, s),
+        }
+    }
+
+    /// Where a field may be largest or smallest: its ends and where its derivative vanishes.
+    fn candidates(&self, field: Field) -> Vec<f64> {
+        let mut s = vec![-1.0];
+        let derivative = |c: &[f64], times: usize| {
+            let mut c = c.to_vec();
+            for _ in 0..times {
+                c = crate::polynomial::derivative(&c).collect();
+            }
+            c
+        };
+        match field {
+            Field::Deflection => sign_changes(&derivative(&self.deflection, 1), &mut s),
+            Field::Slope => sign_changes(&derivative(&self.deflection, 2), &mut s),
+            Field::Moment => sign_changes(&derivative(&self.moment, 1), &mut s),
+            Field::ShearForce => sign_changes(&derivative(&self.moment, 2), &mut s),
+            Field::Pressure => sign_changes(&derivative(&self.pressure, 1), &mut s),
+            Field::Settlement if self.open.is_none() => {
+                let mut c = derivative(&self.deflection, 1);
+                c[0] -= 0.5 * (self.cell.gap[1] - self.cell.gap[0]);
+                sign_changes(&c, &mut s);
+            }
+            // Open ground is convex where it is positive: one lowest point at most.
+            Field::Settlement => {
+                self.turning_points(|st, at| st.settlement(at, 0.0, 0.0)[1], &mut s)
+            }
+            Field::Gap if self.open.is_some() => {
+                let slope = |st: &Stretch, at: f64| {
+                    let [_, dw, ..] = jet(&st.deflection, at);
+                    let rise = (st.cell.gap[1] - st.cell.gap[0]) / (2.0 * st.half());
+                    st.settlement(at, 0.0, 0.0)[1] + rise - dw / st.half()
+                };
+                self.turning_points(slope, &mut s);
+            }
+            Field::Gap => {}
+        }
+        s.push(1.0);
+        s
+    }
+
+    /// Sign changes of a derivative that has no polynomial, between points close enough for one each.
+    fn turning_points(&self, slope: impl Fn(&Stretch, f64) -> f64, found: &mut Vec<f64>) {
+        const CUTS: usize = 16;
+        let at = |i: usize| 2.0 * i as f64 / CUTS as f64 - 1.0;
+        for i in 0..CUTS {
+            let (mut low, mut high) = (at(i), at(i + 1));
+            let sign = slope(self, low);
+            if sign * slope(self, high) >= 0.0 {
+                continue;
+            }
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                if slope(self, middle) * sign > 0.0 {
+                    low = middle;
+                } else {
+                    high = middle;
+                }
+            }
+            found.push(0.5 * (low + high));
+        }
+    }
+
+    fn local(&self, x: f64) -> f64 {
+        Cell { x: self.x, ..self.cell }.local(x)
+    }
+
+    fn global(&self, s: f64) -> f64 {
+        Cell { x: self.x, ..self.cell }.global(s)
+    }
+}
+
+/// An equilibrium, with its certificate.
+///
+/// There is one way to make one: [`solve`](crate::solve()), which certifies it.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    pub(crate) model: Model,
+    pub(crate) method: Method,
+    pub(crate) existence: Existence,
+    pub(crate) stretches: Vec<Stretch>,
+    pub(crate) contact: Vec<ContactRegion>,
+    pub(crate) end_forces: EndForces,
+    pub(crate) concentrated: Vec<ConcentratedForce>,
+    pub(crate) reactions: Vec<Reaction>,
+    pub(crate) certificate: Certificate,
+    pub(crate) history: Vec<Step>,
+    pub(crate) elements: usize,
+}
+
+impl Solution {
+    /// The model that was solved.
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// The method that found it.
+    pub fn method(&self) -> Method {
+        self.method
+    }
+
+    /// What is known of existence and uniqueness.
+    pub fn existence(&self) -> &Existence {
+        &self.existence
+    }
+
+    /// Where beam and ground touch, from left to right. A beam that touches nowhere has none.
+    pub fn contact(&self) -> &[ContactRegion] {
+        &self.contact
+    }
+
+    /// The concentrated contact forces under the beam's ends.
+    pub fn end_forces(&self) -> EndForces {
+        self.end_forces
+    }
+
+    /// Concentrated contact forces elsewhere: where μ jumps, where the ground has a corner, at a single
+    /// point of contact; with pressures as nodal forces (5.5), all of those.
+    pub fn concentrated_forces(&self) -> &[ConcentratedForce] {
+        &self.concentrated
+    }
+
+    /// What the supports do, in the order of the model's supports.
+    pub fn reactions(&self) -> &[Reaction] {
+        &self.reactions
+    }
+
+    /// The proof.
+    pub fn certificate(&self) -> &Certificate {
+        &self.certificate
+    }
+
+    /// Every step of the iteration that led here.
+    pub fn history(&self) -> &[Step] {
+        &self.history
+    }
+
+    /// Steps of the iteration.
+    pub fn iterations(&self) -> usize {
+        self.history.len()
+    }
+
+    /// Elements of the mesh, or closed-form pieces of the exact method.
+    pub fn elements(&self) -> usize {
+        self.elements
+    }
+
+    fn stretch_at(&self, x: f64, side: Side) -> &Stretch {
+        let i = match side {
+            Side::Right => self.stretches.partition_point(|s| s.x[1] <= x),
+            Side::Left => self.stretches.partition_point(|s| s.x[1] < x),
+        };
+        &self.stretches[i.min(self.stretches.len() - 1)]
+    }
+
+    /// All fields at a position of the beam, 0 ≤ x ≤ l \[m\]; where a field jumps, from the given side.
+    pub fn at(&self, x: f64, side: Side) -> Fields {
+        let x = x.clamp(0.0, self.model.beam.length);
+        let stretch = self.stretch_at(x, side);
+        stretch.fields(stretch.local(x))
+    }
+
+    /// One field at a position of the beam; where it jumps, from the right (at x = l from the left).
+    pub fn value(&self, field: Field, x: f64) -> f64 {
+        self.at(x, Side::Right).get(field)
+    }
+
+    /// u at any position on the whole line, also beyond the beam \[m\].
+    pub fn settlement(&self, x: f64) -> f64 {
+        let l = self.model.beam.length;
+        let (end, beyond) = if x < 0.0 {
+            (self.at(0.0, Side::Right), -x)
+        } else if x > l {
+            (self.at(l, Side::Left), x - l)
+        } else {
+            return self.value(Field::Settlement, x);
+        };
+        let stretch =
+            if x < 0.0 { &self.stretches[0] } else { &self.stretches[self.stretches.len() - 1] };
+        if stretch.cell.shear == 0.0 {
+            return 0.0;
+        }
+        end.settlement * (-(stretch.cell.spring / stretch.cell.shear).sqrt() * beyond).exp()
+    }
+
+    /// The smallest and largest value of a field, located by the roots of its derivative.
+    pub fn range(&self, field: Field) -> Range {
+        let mut range: Option<Range> = None;
+        for stretch in &self.stretches {
+            for s in stretch.candidates(field) {
+                let here = Extreme { x: stretch.global(s), value: stretch.fields(s).get(field) };
+                let range = range.get_or_insert(Range { min: here, max: here });
+                if here.value < range.min.value {
+                    range.min = here;
+                }
+                if here.value > range.max.value {
+                    range.max = here;
+                }
+            }
+        }
+        let nothing = Extreme { x: 0.0, value: 0.0 };
+        range.unwrap_or(Range { min: nothing, max: nothing })
+    }
+
+    /// The stretches that do not touch, each with its largest gap.
+    pub fn lift_off(&self) -> Vec<LiftOff> {
+        let mut found: Vec<LiftOff> = Vec::new();
+        for stretch in &self.stretches {
+            if stretch.open.is_none() {
+                continue;
+            }
+            let mut largest = Extreme { x: stretch.x[0], value: f64::NEG_INFINITY };
+            for s in stretch.candidates(Field::Gap) {
+                let here = stretch.fields(s).gap;
+                if here > largest.value {
+                    largest = Extreme { x: stretch.global(s), value: here };
+                }
+            }
+            let [from, to] = stretch.x;
+            let parted = self.contact.iter().any(|c| c.from == c.to && c.from == from);
+            match found.last_mut() {
+                Some(last) if last.to == from && !parted => {
+                    last.to = to;
+                    if largest.value > last.largest_gap.value {
+                        last.largest_gap = largest;
+                    }
+                }
+                _ => found.push(LiftOff { from, to, largest_gap: largest }),
+            }
+        }
+        // Nodal contact leaves slivers between touching nodes: within a region they are no lift-off.
+        found.retain(|l| !self.contact.iter().any(|c| c.from <= l.from && l.to <= c.to));
+        found
+    }
+
+    /// Positions at which the fields are worth listing: `even` equal steps, every load, support, joint and
+    /// edge of contact, and the extremes of every field.
+    pub fn stations(&self, even: usize) -> Vec<f64> {
+        let l = self.model.beam.length;
+        let mut x: Vec<f64> = (0..=even).map(|i| l * (i as f64 / even.max(1) as f64)).collect();
+        x.extend(crate::mesh::Mesh::build(&self.model, &[], |_| 1).nodes.iter().map(|n| n.x));
+        x.extend(self.contact.iter().flat_map(|c| [c.from, c.to]));
+        for field in Field::ALL {
+            let range = self.range(field);
+            x.extend([range.min.x, range.max.x]);
+        }
+        x.sort_by(f64::total_cmp);
+        x.dedup();
+        x
+    }
+}

@@ -1,0 +1,271 @@
+//! The road from a model to a certified answer, on one page.
+
+use crate::assemble::assemble;
+use crate::contact::active_set::{self, Found, Pressure, Stalled};
+use crate::contact::exact;
+use crate::existence::{Existence, Verdict, existence, held_rigidly};
+use crate::mesh::Mesh;
+use crate::model::{Model, Part, Problem};
+use crate::solution::Solution;
+use crate::stability::own_buckling_load;
+use std::fmt;
+
+/// How the contact problem is solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Method {
+    /// Closed forms between the edges of contact, which are the unknowns. No mesh.
+    #[default]
+    Exact,
+    /// Cubic elements (5.1), Newton's method on the convex energy.
+    ActiveSet,
+    /// The paper's (5.17) with (5.18), projected successive over-relaxation.
+    Psor,
+    /// The paper's iteration (5.14)–(5.17), after Uzawa.
+    Uzawa,
+}
+
+impl Method {
+    /// All methods, the default first.
+    pub const ALL: [Method; 4] = [Method::Exact, Method::ActiveSet, Method::Psor, Method::Uzawa];
+
+    /// The name that commands and results use: `exact`, `active-set`, `psor`, `uzawa`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Exact => "exact",
+            Method::ActiveSet => "active-set",
+            Method::Psor => "psor",
+            Method::Uzawa => "uzawa",
+        }
+    }
+}
+
+/// Choices for [`solve_with`]. The default needs none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Options {
+    /// How to solve.
+    pub method: Method,
+    /// Equal elements along the beam for the methods with a mesh; more are added where the model needs a
+    /// node. Not used by [`Method::Exact`].
+    pub elements: usize,
+    /// How the mesh represents the contact pressure. `Uzawa` and `Psor` are always [`Pressure::Dirac`].
+    pub pressure: Pressure,
+    /// Where `Uzawa` and `Psor` begin.
+    pub start: Start,
+    /// Sweeps after which `Uzawa` and `Psor` give up.
+    pub most_sweeps: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options {
+            method: Method::Exact,
+            elements: 100,
+            pressure: Pressure::Distributed,
+            start: Start::Bilateral,
+            most_sweeps: 1_000_000,
+        }
+    }
+}
+
+/// The first pressure of Uzawa's iteration, (5.15).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Start {
+    /// The pressure of the bilateral problem, its pulls left out.
+    #[default]
+    Bilateral,
+    /// None.
+    Zero,
+}
+
+/// What mechanics says.
+#[derive(Debug, Clone)]
+pub enum Outcome {
+    /// An equilibrium, certified.
+    Equilibrium(Box<Solution>),
+    /// There is none. The verdict holds the rigid motion that proves it.
+    NoEquilibrium(Existence),
+}
+
+/// Why there is no answer.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Error {
+    /// The model is wrong; every [`Problem`] says what would be right.
+    Invalid(Vec<Problem>),
+    /// The model is right but lies outside what is solved; the problem says why.
+    Unsupported(Problem),
+    /// The method did not reach its own tolerance.
+    NotConverged(NotConverged),
+}
+
+/// A method that did not reach its tolerance, and what it reached.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NotConverged {
+    /// The method.
+    pub method: Method,
+    /// Steps taken.
+    pub iterations: usize,
+    /// What was asked for and what was reached, both relative.
+    pub tolerance: f64,
+    /// See `tolerance`.
+    pub reached: f64,
+    /// What was not reached, in words.
+    pub what: &'static str,
+}
+
+impl fmt::Display for NotConverged {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "the method `{}` stopped after {} iterations: {} is {:.1e}, above its tolerance {:.1e}",
+            self.method.name(),
+            self.iterations,
+            self.what,
+            self.reached,
+            self.tolerance
+        )
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Error::Invalid(problems) => {
+                for (i, problem) in problems.iter().enumerate() {
+                    if i > 0 {
+                        writeln!(f)?;
+                    }
+                    write!(f, "{problem}")?;
+                }
+                Ok(())
+            }
+            Error::Unsupported(problem) => problem.fmt(f),
+            Error::NotConverged(what) => what.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for Error {}
+
+/// Solves the unilateral contact problem (2.3), (2.10)–(2.13) exactly.
+///
+/// # Errors
+///
+/// [`Error::Invalid`] for a model that breaks a rule, [`Error::Unsupported`] for compression that no
+/// support resists, [`Error::NotConverged`] if no certified answer was reached.
+pub fn solve(model: &Model) -> Result<Outcome, Error> {
+    solve_with(model, &Options::default())
+}
+
+/// Solves with a chosen method.
+///
+/// # Errors
+///
+/// As [`solve`]; and [`Error::Unsupported`] for the paper's pressures (5.5) on ground without a shear layer.
+pub fn solve_with(model: &Model, options: &Options) -> Result<Outcome, Error> {
+    let Checked { existence, stability } = check(model)?;
+    if let Verdict::None(_) = existence.verdict {
+        return Ok(Outcome::NoEquilibrium(existence));
+    }
+    let found = find(model, options)?;
+    let solution = assemble(model, options.method, existence, stability, found);
+    certified(solution, options)
+}
+
+/// Tells whether an equilibrium exists, without solving.
+///
+/// # Errors
+///
+/// As [`solve`], but never [`Error::NotConverged`].
+pub fn exists(model: &Model) -> Result<Existence, Error> {
+    Ok(check(model)?.existence)
+}
+
+struct Checked {
+    existence: Existence,
+    /// 1 + P/P_cr in compression, 1 otherwise.
+    stability: f64,
+}
+
+fn check(model: &Model) -> Result<Checked, Error> {
+    let problems = model.problems();
+    if !problems.is_empty() {
+        return Err(Error::Invalid(problems));
+    }
+    let mut stability = 1.0;
+    let axial = model.beam.axial_force;
+    if axial < 0.0 {
+        if !held_rigidly(model) {
+            return Err(Error::Unsupported(Problem::unheld_compression()));
+        }
+        let critical = own_buckling_load(model);
+        if -axial >= critical {
+            return Err(Error::Unsupported(Problem::beyond_buckling(-axial / critical)));
+        }
+        stability = 1.0 + axial / critical;
+    }
+    Ok(Checked { existence: existence(model), stability })
+}
+
+fn find(model: &Model, options: &Options) -> Result<Found, Error> {
+    let method = options.method;
+    let nodal =
+        options.pressure == Pressure::Dirac || matches!(method, Method::Psor | Method::Uzawa);
+    if method != Method::Exact && nodal {
+        if let Some(part) = without_shear_layer(model) {
+            return Err(Error::Unsupported(Problem::nodal_forces_on_springs(part)));
+        }
+    }
+    let elements = options.elements.max(1);
+    let stalled = |stalled: Stalled| {
+        Error::NotConverged(NotConverged {
+            method,
+            iterations: stalled.iterations,
+            tolerance: stalled.tolerance,
+            reached: stalled.reached,
+            what: stalled.what,
+        })
+    };
+    match method {
+        Method::Exact => exact::solve(model).map_err(stalled),
+        Method::ActiveSet => {
+            active_set::solve(Mesh::uniform(model, elements), options.pressure).map_err(stalled)
+        }
+        Method::Psor | Method::Uzawa => Err(stalled(Stalled::default())),
+    }
+}
+
+/// The part of the model that gives ground without a shear layer under the beam.
+fn without_shear_layer(model: &Model) -> Option<Part> {
+    let ground = &model.foundation;
+    let mesh = Mesh::build(model, &[], |_| 1);
+    let cell = mesh.cells.iter().find(|cell| cell.shear == 0.0)?;
+    let middle = 0.5 * (cell.x[0] + cell.x[1]);
+    let segment = ground.segments.iter().position(|s| s.from <= middle && middle < s.to);
+    Some(segment.map_or(Part::Foundation, Part::FoundationSegment))
+}
+
+/// A solution leaves the library only with a certificate that holds.
+fn certified(solution: Solution, options: &Options) -> Result<Outcome, Error> {
+    let certificate = solution.certificate();
+    let not = |what, reached, tolerance| {
+        Err(Error::NotConverged(NotConverged {
+            method: options.method,
+            iterations: solution.iterations(),
+            tolerance,
+            reached,
+            what,
+        }))
+    };
+    if !certificate.holds() {
+        let tolerance = crate::Certificate::TOLERANCE;
+        return not("the certificate's largest violation", certificate.violation(), tolerance);
+    }
+    if options.method == Method::Exact && certificate.relative_gap > EXACT_GAP {
+        return not("the certificate's relative gap", certificate.relative_gap, EXACT_GAP);
+    }
+    Ok(Outcome::Equilibrium(Box::new(solution)))
+}
+
+/// The relative gap of energies that the exact method must prove.
+const EXACT_GAP: f64 = 1e-9;

@@ -1,0 +1,86 @@
+//! The beam's own buckling load, which bounds the compression it may carry while the ground can be lost.
+
+use crate::chain::{Chain, ChainCell, ChainNode};
+use crate::elements::exact::{ExactElement, parts};
+use crate::elements::{Operator, Touch};
+use crate::mesh::Mesh;
+use crate::model::Model;
+
+/// The smallest compression \[N\] at which the beam on its supports, without ground, has a deflected state of
+/// no stiffness: a lower bound of it, right to twelve digits. Infinite if there is none.
+///
+/// Below it the energy of bending, springs and compression is positive definite, which is what the
+/// elimination of a chain finds out: all its pivots are positive.
+pub fn own_buckling_load(model: &Model) -> f64 {
+    let l = model.beam.length;
+    let stiffest = model.beam.segments.iter().map(|s| s.bending_stiffness);
+    let unit = stiffest.fold(model.beam.bending_stiffness, f64::max) / (l * l);
+    let mut low = 0.0;
+    let mut high = unit;
+    while is_stable(model, high) {
+        low = high;
+        high *= 2.0;
+        if high > 1e9 * unit {
+            return f64::INFINITY;
+        }
+    }
+    while high - low > 1e-13 * high {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            break;
+        }
+        if is_stable(model, middle) { low = middle } else { high = middle }
+    }
+    low
+}
+
+fn is_stable(model: &Model, compression: f64) -> bool {
+    let operator = |cell: &_| Operator::of(cell, -compression, Touch::Open);
+    let mesh = Mesh::build(model, &[], |cell| parts(&operator(cell), cell.length()));
+    let cell = |cell: &crate::mesh::Cell| ChainCell {
+        element: ExactElement::new(&operator(cell), cell.length()).element,
+        links: Vec::new(),
+    };
+    let nodes = mesh.nodes.iter().map(|n| ChainNode {
+        pinned: n.pinned,
+        clamped: n.clamped,
+        spring: n.spring,
+        rotational_spring: n.rotational_spring,
+        ..ChainNode::default()
+    });
+    let cells: Vec<ChainCell> = mesh.cells.iter().map(cell).collect();
+    let supported = mesh.nodes.iter().position(|n| n.clamped || n.pinned || n.spring > 0.0);
+    let chain = Chain { nodes: nodes.collect(), cells, meeting: supported.unwrap_or(0) };
+    chain.solve().is_ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Beam, Foundation, Support};
+    use std::f64::consts::PI;
+
+    fn load(supports: &[Support]) -> f64 {
+        let mut model = Model::new(Beam::uniform(2.0, 3.0), Foundation::winkler(1.0));
+        model.supports = supports.to_vec();
+        own_buckling_load(&model) * 4.0 / 3.0
+    }
+
+    #[test]
+    fn eulers_four_columns() {
+        // P l²/EI = π²/4, π², 20.190728556426629…, 4π² (Timoshenko and Gere, Theory of Elastic
+        // Stability; the third is the first root of tan z = z, squared).
+        let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-11, "{a} {b}");
+        close(load(&[Support::fixed(0.0)]), PI * PI / 4.0);
+        close(load(&[Support::pinned(0.0), Support::pinned(2.0)]), PI * PI);
+        close(load(&[Support::fixed(0.0), Support::pinned(2.0)]), 20.190_728_556_426_63);
+        close(load(&[Support::fixed(0.0), Support::fixed(2.0)]), 4.0 * PI * PI);
+    }
+
+    #[test]
+    fn a_pin_on_a_rotational_spring() {
+        // A rigid bar would buckle at k_φ/l; a bar a thousand times stiffer than its spring comes close.
+        let p = load(&[Support::pinned(0.0), Support::spring(2.0, 0.0, 3e-3)]);
+        assert!((p / 2e-3 - 1.0).abs() < 1e-3, "{p}");
+    }
+}
