@@ -27,12 +27,16 @@ pub struct Code {
     pub code: &'static str,
     /// The rule that is broken.
     pub meaning: &'static str,
-    /// A file in `cases/errors/` that breaks it.
-    pub example: &'static str,
+    /// A file in `cases/errors/` that breaks it; none for what is found while solving.
+    pub example: Option<&'static str>,
 }
 
 const fn row(code: &'static str, meaning: &'static str, example: &'static str) -> Code {
-    Code { code, meaning, example }
+    Code { code, meaning, example: Some(example) }
+}
+
+const fn while_solving(code: &'static str, meaning: &'static str) -> Code {
+    Code { code, meaning, example: None }
 }
 
 /// Every code, in ascending order.
@@ -69,4 +73,7 @@ pub const CODES: &[Code] = &[
     row("GB402", "a support's spring constant must be zero or positive", "support-spring.toml"),
     row("GB403", "two supports must not share one position", "two-supports.toml"),
     row("GB501", "the gap's corners must go from left to right", "gap-order.toml"),
+    while_solving("GB601", "compression on a beam that its supports leave free"),
+    while_solving("GB602", "the compression exceeds the beam's own buckling load"),
+    while_solving("GB603", "concentrated pressures need a shear layer"),
 ];

@@ -89,10 +89,10 @@ impl fmt::Display for Diagnostic {
 pub struct Diagnostics(Vec<Diagnostic>);
 
 impl Diagnostics {
-    /// Sorts by place; of two that stand at one place under one code the first is kept.
+    /// Sorts by place, and keeps one of two that say the same of the same place.
     pub(crate) fn new(mut found: Vec<Diagnostic>) -> Self {
         found.sort_by_key(|d| d.span.start);
-        found.dedup_by(|later, first| later.span == first.span && later.code == first.code);
+        found.dedup();
         Diagnostics(found)
     }
 

@@ -81,7 +81,7 @@ pub fn parse(text: &str) -> Result<Document, Diagnostics> {
     if root.table.is_empty() {
         return Err(Diagnostic::new(&source, no_model()).into());
     }
-    let mut reader = Reader::new(&source);
+    let mut reader = Reader::new(&source, &root);
     reader.found = syntax.found;
     let (title, model) = section::read(&mut reader, &root);
     let before = reader.found.len();

@@ -3,7 +3,7 @@
 use crate::code;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::fault::Fault;
-use crate::quantity::LENGTH;
+use crate::quantity::POSITION;
 use crate::source::Source;
 use crate::units::UnitSystem;
 
@@ -49,7 +49,7 @@ fn position(entry: &str, units: UnitSystem) -> Result<f64, Fault> {
         let hint = format!("separate positions by single commas, {example}");
         return Err(Fault::new(code::NUMBER, at, message, "", hint));
     }
-    let written = LENGTH.read("at", entry)?;
+    let written = POSITION.read("at", entry, units == UnitSystem::Plain)?;
     match (units, written.has_unit) {
         (UnitSystem::Si, false) => {
             let hint = format!("give every position a unit, {example}");

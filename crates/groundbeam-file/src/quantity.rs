@@ -36,6 +36,8 @@ const STIFFNESS: Dimension = Dimension::new(1, 2);
 const SECOND_MOMENT: Dimension = Dimension::new(0, 4);
 
 pub(crate) const LENGTH: Kind = kind("a length", Dimension::LENGTH, "12 m", "m", &[]);
+pub(crate) const POSITION: Kind = kind("a length", Dimension::LENGTH, "1 m", "m", &[]);
+pub(crate) const WIDTH: Kind = kind("a length", Dimension::LENGTH, "1 m", "m", &[]);
 pub(crate) const CLEARANCE: Kind = kind("a length", Dimension::LENGTH, "2 mm", "mm", &[]);
 pub(crate) const FORCE: Kind = kind("a force", Dimension::FORCE, "600 kN", "kN", &[]);
 pub(crate) const MOMENT: Kind = kind("a moment", Dimension::new(1, 1), "50 kN m", "kN m", &[]);
@@ -99,12 +101,39 @@ impl Kind {
             || (dimension.angle == 0 && Dimension { angle: 0, ..self.dimension } == dimension)
     }
 
+    /// A line of a file that gives `key` a right value; `plain`: in a file without units.
+    pub fn line(&self, key: &str, plain: bool) -> String {
+        format!("{key} = {}", self.value(plain))
+    }
+
+    /// A right value as a file spells it.
+    pub fn value(&self, plain: bool) -> String {
+        match self.example.split_once(' ') {
+            Some((number, _)) if plain => number.to_owned(),
+            _ => format!("\"{}\"", self.example),
+        }
+    }
+
+    /// A list of two right values, the first of them 0.
+    pub fn pair(&self, plain: bool) -> String {
+        let zero = if plain { "0".to_owned() } else { format!("\"0 {}\"", self.unit) };
+        format!("[{zero}, {}]", self.value(plain))
+    }
+
+    /// What to do where this quantity is wanted and something else stands.
+    pub fn advice(&self, key: &str, plain: bool) -> String {
+        let what = if plain { "a number" } else { "a number and its unit" };
+        format!("write {what}, as in {}", self.line(key, plain))
+    }
+
     /// The value in SI units, of a number with a unit, or as it stands, of a number without.
-    pub fn read(&self, key: &str, text: &str) -> Result<Written, Fault> {
+    ///
+    /// `plain` tells what advice fits the file.
+    pub fn read(&self, key: &str, text: &str, plain: bool) -> Result<Written, Fault> {
         let start = text.len() - text.trim_start().len();
         let trimmed = text.trim();
         let Some((number, length)) = Decimal::read(trimmed) else {
-            return Err(self.unreadable(key, text, trimmed).moved(start));
+            return Err(self.unreadable(key, text, trimmed, plain).moved(start));
         };
         let rest = &trimmed[length..];
         let unit_start = length + rest.len() - rest.trim_start().len();
@@ -138,7 +167,7 @@ impl Kind {
     ) -> Fault {
         let hint = match self.mistaken.iter().find(|(dimension, _)| *dimension == found) {
             Some((_, advice)) => (*advice).to_owned(),
-            None => format!("give a unit as in {key} = \"{}\"", self.example),
+            None => format!("give a unit as in {}", self.line(key, false)),
         };
         let found = found.describe();
         let message = format!("`{unit}` is {found}, but {} is wanted here", self.what);
@@ -146,7 +175,7 @@ impl Kind {
     }
 
     /// There is no number at the start of `trimmed`.
-    fn unreadable(&self, key: &str, text: &str, trimmed: &str) -> Fault {
+    fn unreadable(&self, key: &str, text: &str, trimmed: &str, plain: bool) -> Fault {
         let word = trimmed.trim_start_matches(['+', '-', '\u{2212}']);
         let word = word.split_whitespace().next().unwrap_or("").to_lowercase();
         if ["nan", "inf", "infinity"].contains(&&*word) {
@@ -157,8 +186,7 @@ impl Kind {
         } else {
             format!("`{text}` does not begin with a number")
         };
-        let hint = format!("write a number and its unit, as in {key} = \"{}\"", self.example);
-        Fault::new(code::NUMBER, 0..trimmed.len(), message, "", hint)
+        Fault::new(code::NUMBER, 0..trimmed.len(), message, "", self.advice(key, plain))
     }
 
     /// A number that goes on after a comma or a space: not guessed at.
@@ -201,7 +229,7 @@ pub(crate) fn not_finite(written: &str, at: std::ops::Range<usize>) -> Fault {
 /// A number outside the range of 64-bit floating point.
 pub(crate) fn out_of_reach(size: &str, at: std::ops::Range<usize>) -> Fault {
     let message = format!("this number is too {size} to be held");
-    let hint = "numbers between 1e-60 and 1e60 in SI units can be computed with, and 0";
+    let hint = "numbers between 1e-60 and 1e60, their negatives and 0 can be computed with";
     Fault::new(code::NOT_FINITE, at, message, "", hint)
 }
 
@@ -211,7 +239,7 @@ mod tests {
 
     #[track_caller]
     fn si(kind: &Kind, text: &str) -> f64 {
-        kind.read("key", text).unwrap().value
+        kind.read("key", text, false).unwrap().value
     }
 
     #[test]
@@ -242,7 +270,7 @@ mod tests {
     fn spaces_do_not_matter_but_pieces_of_numbers_do() {
         assert_eq!(si(&LENGTH, "  12m\t"), 12.0);
         assert_eq!(si(&LENGTH, "1_000 mm"), 1.0);
-        let code_of = |text| LENGTH.read("length", text).unwrap_err().code;
+        let code_of = |text| LENGTH.read("length", text, false).unwrap_err().code;
         for text in ["3,5 m", "1 000 m", "12,5", "twelve m", "", "  ", "m", "-", "$3"] {
             assert_eq!(code_of(text), code::NUMBER, "{text:?}");
         }
@@ -258,6 +286,8 @@ mod tests {
     fn every_example_is_of_its_own_kind() {
         let kinds = [
             LENGTH,
+            POSITION,
+            WIDTH,
             CLEARANCE,
             FORCE,
             MOMENT,
@@ -273,8 +303,8 @@ mod tests {
             ROTATIONAL_SPRING,
         ];
         for kind in kinds {
-            assert!(kind.read("key", kind.example).unwrap().has_unit);
-            assert!(kind.read("key", &format!("1 {}", kind.unit)).unwrap().has_unit);
+            assert!(kind.read("key", kind.example, false).unwrap().has_unit);
+            assert!(kind.read("key", &format!("1 {}", kind.unit), false).unwrap().has_unit);
         }
     }
 }

@@ -39,11 +39,22 @@ pub(crate) struct Reader<'s> {
     pub found: Vec<Diagnostic>,
     pub quantities: Vec<Seen>,
     pub places: Places,
+    /// Whether the file seems to give no units, so that advice fits it.
+    plain: bool,
+    /// Keys that unknown ones are probably meant to be, each with the start of its table.
+    meant: Vec<(usize, String)>,
 }
 
 impl<'s> Reader<'s> {
-    pub fn new(source: &'s Source) -> Self {
-        Reader { source, found: vec![], quantities: vec![], places: Places::default() }
+    pub fn new(source: &'s Source, root: &Section) -> Self {
+        Reader {
+            source,
+            found: vec![],
+            quantities: vec![],
+            places: Places::default(),
+            plain: root.has_bare_numbers_only(),
+            meant: vec![],
+        }
     }
 
     pub fn report(&mut self, fault: Fault) {
@@ -55,8 +66,15 @@ impl<'s> Reader<'s> {
         self.found.push(diagnostic.with_related(self.source, related, label));
     }
 
-    /// Reports that `key` is missing in `section`; `example` is a line that would be right.
-    pub fn missing(&mut self, section: &Section, what: &str, example: &str) {
+    /// Reports that none of `keys` is given in `section`, unless one of them is misspelt there.
+    /// `example` would be right.
+    pub fn missing(&mut self, section: &Section, keys: &[&str], what: &str, example: &str) {
+        let is_misspelt = |key: &&str| {
+            self.meant.iter().any(|(table, meant)| *table == section.span.start && meant == key)
+        };
+        if keys.iter().any(is_misspelt) {
+            return;
+        }
         let message = format!("{} has no {what}", section.name);
         let hint = format!("add {example}");
         self.report(Fault::new(code::MISSING, section.span.clone(), message, "", hint));
@@ -76,7 +94,10 @@ impl<'s> Reader<'s> {
             let written = key.get_ref();
             let message = format!("`{written}` means nothing in {}", section.name);
             let hint = match suggestion(written, keys) {
-                Some(meant) => format!("did you mean `{meant}`?"),
+                Some(meant) => {
+                    self.meant.push((section.span.start, meant.to_owned()));
+                    format!("did you mean `{meant}`?")
+                }
                 None => format!("what can stand here: {}", keys.join(", ")),
             };
             self.report(Fault::new(code::UNKNOWN_KEY, key.span(), message, "", hint));
@@ -150,7 +171,7 @@ impl<'s> Reader<'s> {
             DeValue::String(words) => Some((words, value.span())),
             _ => {
                 let hint = format!("write it in quotes, as in {key} = \"{example}\"");
-                self.wrong_type(value, format!("`{key}` is text"), hint);
+                self.wrong_type(value, format!("`{key}` must be text"), hint);
                 None
             }
         }
@@ -164,28 +185,39 @@ impl<'s> Reader<'s> {
     /// The quantity in `section` under `key`, which must be given.
     pub fn required(&mut self, section: &Section, key: &str, kind: &'static Kind) -> Field {
         self.quantity(section, key, kind).unwrap_or_else(|| {
-            self.missing(section, &format!("`{key}`"), &format!("{key} = \"{}\"", kind.example));
+            let example = self.line(key, kind);
+            self.missing(section, &[key], &format!("`{key}`"), &example);
             Field::unreadable(section.span.clone())
         })
+    }
+
+    /// A line that would be right in this file.
+    pub fn line(&self, key: &str, kind: &Kind) -> String {
+        kind.line(key, self.plain)
+    }
+
+    /// A list of two values that would be right in this file.
+    pub fn pair(&self, kind: &Kind) -> String {
+        kind.pair(self.plain)
     }
 
     /// One quantity, wherever it stands.
     pub fn field(&mut self, key: &str, value: &Spanned<DeValue>, kind: &'static Kind) -> Field {
         let span = value.span();
         let written = match value.get_ref() {
-            DeValue::String(text) => {
-                kind.read(key, text).map_err(|fault| self.inside_string(text, &span, fault))
-            }
+            DeValue::String(text) => kind
+                .read(key, text, self.plain)
+                .map_err(|fault| self.inside_string(text, &span, fault)),
             DeValue::Integer(integer) => bare_integer(integer, kind).map_err(|f| over(&span, f)),
             DeValue::Float(float) => {
-                kind.read(key, float.as_str()).map_err(|fault| over(&span, fault))
+                kind.read(key, float.as_str(), true).map_err(|fault| over(&span, fault))
             }
             other => Err(Fault::new(
                 code::WRONG_TYPE,
                 span.clone(),
                 format!("`{key}` is {}, but this is {}", kind.what, type_name(other)),
                 "",
-                format!("write a number with its unit, as in {key} = \"{}\"", kind.example),
+                kind.advice(key, self.plain),
             )),
         };
         match written {
@@ -224,7 +256,7 @@ fn over(span: &Range<usize>, fault: Fault) -> Fault {
 
 fn bare_integer(integer: &DeInteger, kind: &Kind) -> Result<Written, Fault> {
     if integer.radix() == 10 {
-        return kind.read("", integer.as_str());
+        return kind.read("", integer.as_str(), true);
     }
     match i128::from_str_radix(integer.as_str(), integer.radix()) {
         Ok(value) => Ok(Written { value: value as f64, has_unit: false }),

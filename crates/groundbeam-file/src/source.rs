@@ -26,12 +26,20 @@ impl Source {
         let offset = self.character_start(offset);
         let line = self.line_starts.partition_point(|&start| start <= offset);
         let before = &self.text[self.line_starts[line - 1]..offset];
-        (line, before.chars().filter(|&c| c != BYTE_ORDER_MARK).count() + 1)
+        let before =
+            if line == 1 { before.strip_prefix(BYTE_ORDER_MARK).unwrap_or(before) } else { before };
+        (line, before.chars().count() + 1)
     }
 
-    /// The same span, moved outwards to whole characters inside the text.
+    /// The same span, widened to whole characters inside the text.
     pub fn whole_characters(&self, span: Range<usize>) -> Range<usize> {
         let start = self.character_start(span.start);
+        if start == self.text.len() {
+            // The end of the file is shown at the end of its last line, not below it.
+            let line = self.text.strip_suffix('\n').unwrap_or(&self.text);
+            let end = line.strip_suffix('\r').unwrap_or(line).len();
+            return end..end;
+        }
         let mut end = span.end.clamp(start, self.text.len());
         while !self.text.is_char_boundary(end) {
             end += 1;
@@ -70,5 +78,6 @@ mod tests {
         assert_eq!(source.whole_characters(2..2), 1..2 + 1);
         assert_eq!(source.whole_characters(1..2), 1..3);
         assert_eq!(source.whole_characters(9..99), 4..4);
+        assert_eq!(Source::new("a\r\n").whole_characters(3..3), 1..1);
     }
 }

@@ -3,16 +3,16 @@
 
 use crate::code;
 use crate::fault::Fault;
+use crate::quantity::Kind;
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 
-/// The names of a stiffness and its factors.
-pub(crate) struct Names {
-    pub product: &'static str,
-    pub factors: [&'static str; 2],
-    /// Lines that would be right, for the product and for each factor.
-    pub product_example: &'static str,
-    pub factor_examples: [&'static str; 2],
+/// The keys of a stiffness and its factors.
+pub(crate) struct Keys {
+    pub product: (&'static str, &'static Kind),
+    pub factors: [(&'static str, &'static Kind); 2],
+    /// Another way to give the second factor, as in " or …"; may be empty.
+    pub instead: &'static str,
 }
 
 /// What one table says of a stiffness.
@@ -33,13 +33,13 @@ pub(crate) enum Stiffness {
 
 impl Given {
     /// The stiffness of a table; factors it does not give are those of `parent`.
-    pub fn resolve(&self, reader: &mut Reader, parent: &Given, names: &Names) -> Stiffness {
+    pub fn resolve(&self, reader: &mut Reader, parent: &Given, keys: &Keys) -> Stiffness {
         let own = self.factors.iter().position(|factor| factor.is_some());
         if let Some(product) = &self.product {
             if let Some((i, factor)) = own.and_then(|i| Some((i, self.factors[i].as_ref()?))) {
-                let hint = format!("give {}, or its factors, not both", names.product);
-                let a = (names.product, &product.span);
-                reader.exclusive(a, (names.factors[i], &factor.span), &hint);
+                let (name, [(a, _), (b, _)]) = (keys.product.0, keys.factors);
+                let hint = format!("give `{name}`, or `{a}` and `{b}`{}", keys.instead);
+                reader.exclusive((name, &product.span), (keys.factors[i].0, &factor.span), &hint);
             }
             return Stiffness::Known(product.clone());
         }
@@ -59,19 +59,21 @@ impl Given {
 
 impl Reader<'_> {
     /// The value of a stiffness that must be known; what is missing is reported.
-    pub fn settle(&mut self, stiffness: Stiffness, section: &Section, names: &Names) -> Field {
+    pub fn settle(&mut self, stiffness: Stiffness, section: &Section, keys: &Keys) -> Field {
         match stiffness {
             Stiffness::Known(field) => return field,
             Stiffness::NotGiven => {
-                let what = format!("`{}`", names.product);
-                let [a, b] = names.factor_examples;
-                let example = format!("{}; or {a} and {b}", names.product_example);
-                self.missing(section, &what, &example);
+                let (name, kind) = keys.product;
+                let [a, b] = keys.factors.map(|(factor, kind)| self.line(factor, kind));
+                let example = format!("{}; or {a} and {b}{}", self.line(name, kind), keys.instead);
+                let names = [name, keys.factors[0].0, keys.factors[1].0];
+                self.missing(section, &names, &format!("`{name}`"), &example);
             }
             Stiffness::Half(given, field) => {
-                let (given, other) = (names.factors[given], 1 - given);
-                let message = format!("`{given}` is given without `{}`", names.factors[other]);
-                let hint = format!("add {}", names.factor_examples[other]);
+                let (name, (other, kind)) = (keys.factors[given].0, keys.factors[1 - given]);
+                let message = format!("`{name}` is given without `{other}`");
+                let instead = if given == 0 { keys.instead } else { "" };
+                let hint = format!("add {}{instead}", self.line(other, kind));
                 self.report(Fault::new(code::INCOMPLETE, field.span, message, "", hint));
             }
         }

@@ -16,8 +16,11 @@ pub(crate) fn nearest<'c>(
         } else {
             edits(&lower, &candidate.to_lowercase())
         };
-        // A word of one or two letters is one edit away from too many others.
-        let near = distance == 0 || (distance <= allowed && candidate.chars().count() > 2);
+        // A word of one or two letters is one edit away from too many others, unless the edit
+        // takes away a letter too much.
+        let letters = candidate.chars().count();
+        let is_long_enough = letters > 2 || (letters == 2 && written.chars().count() == 3);
+        let near = distance == 0 || (distance <= allowed && is_long_enough);
         if near && best.is_none_or(|(least, _)| distance < least) {
             best = Some((distance, candidate));
         }
@@ -61,6 +64,7 @@ mod tests {
         assert_eq!(nearest("Length", keys), Some("length"));
         assert_eq!(nearest("axialforce", keys), Some("axial_force"));
         assert_eq!(nearest("ei", keys), Some("EI"));
+        assert_eq!(nearest("EII", keys), Some("EI"));
         assert_eq!(nearest("colour", keys), None);
         assert_eq!(nearest("a", keys), None);
         assert_eq!(nearest("", keys), None);

@@ -16,6 +16,27 @@ pub(crate) struct Section<'a> {
 }
 
 impl<'a> Section<'a> {
+    /// Whether numbers stand bare in this table and those below, and none stands in quotes.
+    pub fn has_bare_numbers_only(&self) -> bool {
+        let mut bare = false;
+        let mut waiting: Vec<&DeValue> =
+            self.table.iter().map(|(_, value)| value.get_ref()).collect();
+        while let Some(value) = waiting.pop() {
+            match value {
+                DeValue::Table(table) => waiting.extend(table.iter().map(|(_, v)| v.get_ref())),
+                DeValue::Array(array) => waiting.extend(array.iter().map(|v| v.get_ref())),
+                DeValue::Integer(_) | DeValue::Float(_) => bare = true,
+                DeValue::String(text)
+                    if text.trim_start().starts_with(|c: char| c.is_ascii_digit()) =>
+                {
+                    return false;
+                }
+                _ => {}
+            }
+        }
+        bare
+    }
+
     pub fn value(&self, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
         self.table.get(key)
     }

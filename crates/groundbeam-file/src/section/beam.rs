@@ -1,8 +1,10 @@
 //! `[beam]` and `[[beam.segment]]`.
 
-use crate::quantity::{BENDING_STIFFNESS, ELASTIC_MODULUS, FORCE, LENGTH, SECOND_MOMENT_OF_AREA};
+use crate::quantity::{
+    BENDING_STIFFNESS, ELASTIC_MODULUS, FORCE, LENGTH, POSITION, SECOND_MOMENT_OF_AREA, WIDTH,
+};
 use crate::reader::{Field, Reader};
-use crate::stiffness::{Given, Names, Stiffness, cover};
+use crate::stiffness::{Given, Keys, Stiffness, cover};
 use crate::table::Section;
 use groundbeam::model::Part;
 use groundbeam::{Beam, BeamSegment};
@@ -10,21 +12,17 @@ use groundbeam::{Beam, BeamSegment};
 const KEYS: &[&str] = &["length", "EI", "E", "I", "section", "axial_force", "segment"];
 const SEGMENT_KEYS: &[&str] = &["from", "to", "EI", "E", "I", "section"];
 const SECTION_KEYS: &[&str] = &["width", "height"];
-const NAMES: Names = Names {
-    product: "EI",
-    factors: ["E", "I"],
-    product_example: "EI = \"1.2e6 kN m^2\"",
-    factor_examples: [
-        "E = \"30 GPa\"",
-        "I = \"0.04 m^4\" or section = { width = \"1 m\", height = \"0.8 m\" }",
-    ],
+const STIFFNESS: Keys = Keys {
+    product: ("EI", &BENDING_STIFFNESS),
+    factors: [("E", &ELASTIC_MODULUS), ("I", &SECOND_MOMENT_OF_AREA)],
+    instead: " or a `section`",
 };
 
 pub(super) fn read(reader: &mut Reader, root: &Section) -> Beam {
     let unknown = Beam::uniform(f64::NAN, f64::NAN);
     let Some(table) = reader.table(root, "beam", "[beam]") else {
         if root.value("beam").is_none() {
-            reader.missing(root, "`[beam]`", "[beam] with `length` and `EI`");
+            reader.missing(root, &["beam"], "`[beam]`", "[beam] with `length` and `EI`");
         }
         return unknown;
     };
@@ -43,7 +41,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Beam {
         segments.push(read_segment(reader, segment, Part::BeamSegment(i), &given));
     }
 
-    let stiffness = given.resolve(reader, &Given::default(), &NAMES);
+    let stiffness = given.resolve(reader, &Given::default(), &STIFFNESS);
     let covered = cover(length.value, segments.iter().map(|s| (s.from, s.to)));
     let rightmost = segments.iter().max_by(|a, b| a.to.total_cmp(&b.to));
     let bending_stiffness = match (&stiffness, rightmost) {
@@ -53,7 +51,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Beam {
             segment.bending_stiffness
         }
         _ => {
-            let field = reader.settle(stiffness, &table, &NAMES);
+            let field = reader.settle(stiffness, &table, &STIFFNESS);
             reader.places.field(Part::Beam, "bending_stiffness", &field);
             field.value
         }
@@ -64,10 +62,10 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Beam {
 fn read_segment(reader: &mut Reader, table: &Section, part: Part, parent: &Given) -> BeamSegment {
     reader.refuse_unknown(table, SEGMENT_KEYS);
     reader.places.part(part, &table.span);
-    let from = reader.required(table, "from", &LENGTH);
-    let to = reader.required(table, "to", &LENGTH);
-    let stiffness = given(reader, table).resolve(reader, parent, &NAMES);
-    let stiffness = reader.settle(stiffness, table, &NAMES);
+    let from = reader.required(table, "from", &POSITION);
+    let to = reader.required(table, "to", &POSITION);
+    let stiffness = given(reader, table).resolve(reader, parent, &STIFFNESS);
+    let stiffness = reader.settle(stiffness, table, &STIFFNESS);
     reader.places.field(part, "from", &from);
     reader.places.field(part, "to", &to);
     reader.places.field(part, "bending_stiffness", &stiffness);
@@ -95,9 +93,9 @@ fn rectangle(reader: &mut Reader, table: &Section) -> Option<Field> {
         return table.value("section").map(|value| Field::unreadable(value.span()));
     };
     reader.refuse_unknown(&section, SECTION_KEYS);
-    let width = reader.required(&section, "width", &LENGTH);
+    let width = reader.required(&section, "width", &WIDTH);
     let width = reader.positive("width", width);
-    let height = reader.required(&section, "height", &LENGTH);
+    let height = reader.required(&section, "height", &WIDTH);
     let height = reader.positive("height", height);
     Some(Field::new(width.value * height.value.powi(3) / 12.0, section.span))
 }

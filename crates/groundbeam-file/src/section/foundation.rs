@@ -1,25 +1,29 @@
 //! `[foundation]` and `[[foundation.segment]]`.
 
-use crate::quantity::{LENGTH, SHEAR_CONSTANT, SPRING_PER_LENGTH, SUBGRADE_MODULUS};
+use crate::quantity::{POSITION, SHEAR_CONSTANT, SPRING_PER_LENGTH, SUBGRADE_MODULUS, WIDTH};
 use crate::reader::{Field, Reader};
-use crate::stiffness::{Given, Names, Stiffness, cover};
+use crate::stiffness::{Given, Keys, Stiffness, cover};
 use crate::table::Section;
 use groundbeam::model::Part;
 use groundbeam::{Foundation, FoundationSegment};
 
 const KEYS: &[&str] = &["k", "subgrade_modulus", "width", "mu", "segment"];
 const SEGMENT_KEYS: &[&str] = &["from", "to", "k", "subgrade_modulus", "width", "mu"];
-const NAMES: Names = Names {
-    product: "k",
-    factors: ["subgrade_modulus", "width"],
-    product_example: "k = \"40 MN/m^2\"",
-    factor_examples: ["subgrade_modulus = \"40 MN/m^3\"", "width = \"1 m\""],
+const STIFFNESS: Keys = Keys {
+    product: ("k", &SPRING_PER_LENGTH),
+    factors: [("subgrade_modulus", &SUBGRADE_MODULUS), ("width", &WIDTH)],
+    instead: "",
 };
 
 pub(super) fn read(reader: &mut Reader, root: &Section, beam_length: f64) -> Foundation {
     let Some(table) = reader.table(root, "foundation", "[foundation]") else {
         if root.value("foundation").is_none() {
-            reader.missing(root, "`[foundation]`", "[foundation] with `k`, and `mu` if it shears");
+            reader.missing(
+                root,
+                &["foundation"],
+                "`[foundation]`",
+                "[foundation] with `k`, and `mu` if it shears",
+            );
         }
         return Foundation::winkler(f64::NAN);
     };
@@ -30,7 +34,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section, beam_length: f64) -> Fou
     let shear = shear.unwrap_or_else(|| Field::new(0.0, table.span.clone()));
     reader.places.field(Part::Foundation, "shear", &shear);
     let given = given(reader, &table);
-    let stiffness = given.resolve(reader, &Given::default(), &NAMES);
+    let stiffness = given.resolve(reader, &Given::default(), &STIFFNESS);
     let known = match &stiffness {
         Stiffness::Known(field) => Some(field.clone()),
         _ => None,
@@ -54,7 +58,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section, beam_length: f64) -> Fou
             Foundation { spring, shear, segments }
         }
         _ => {
-            let spring = reader.settle(stiffness, &table, &NAMES);
+            let spring = reader.settle(stiffness, &table, &STIFFNESS);
             reader.places.field(Part::Foundation, "spring", &spring);
             Foundation { spring: spring.value, shear: shear.value, segments }
         }
@@ -72,10 +76,10 @@ fn read_segment(
 ) -> FoundationSegment {
     reader.refuse_unknown(table, SEGMENT_KEYS);
     reader.places.part(part, &table.span);
-    let from = reader.required(table, "from", &LENGTH);
-    let to = reader.required(table, "to", &LENGTH);
+    let from = reader.required(table, "from", &POSITION);
+    let to = reader.required(table, "to", &POSITION);
     let own_shear = reader.quantity(table, "mu", &SHEAR_CONSTANT);
-    let stiffness = given(reader, table).resolve(reader, parent, &NAMES);
+    let stiffness = given(reader, table).resolve(reader, parent, &STIFFNESS);
     let spring = match (&stiffness, parent_spring) {
         // A value of the parent's is reported at the parent if it is wrong.
         (Stiffness::NotGiven, Some(spring)) if own_shear.is_some() => {
@@ -83,7 +87,7 @@ fn read_segment(
             spring.clone()
         }
         _ => {
-            let spring = reader.settle(stiffness, table, &NAMES);
+            let spring = reader.settle(stiffness, table, &STIFFNESS);
             reader.places.field(part, "spring", &spring);
             spring
         }
@@ -100,7 +104,7 @@ fn given(reader: &mut Reader, table: &Section) -> Given {
     let product = reader.quantity(table, "k", &SPRING_PER_LENGTH);
     let modulus = reader.quantity(table, "subgrade_modulus", &SUBGRADE_MODULUS);
     let modulus = modulus.map(|modulus| reader.positive("subgrade_modulus", modulus));
-    let width = reader.quantity(table, "width", &LENGTH);
+    let width = reader.quantity(table, "width", &WIDTH);
     let width = width.map(|width| reader.positive("width", width));
     Given { product, factors: [modulus, width] }
 }

@@ -1,6 +1,6 @@
 //! `[[gap]]`.
 
-use crate::quantity::{CLEARANCE, LENGTH};
+use crate::quantity::{CLEARANCE, POSITION};
 use crate::reader::Reader;
 use crate::table::Section;
 use groundbeam::GapPoint;
@@ -14,7 +14,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Vec<GapPoint> {
     for (i, table) in tables.iter().enumerate() {
         reader.refuse_unknown(table, KEYS);
         reader.places.part(Part::Gap(i), &table.span);
-        let at = reader.required(table, "at", &LENGTH);
+        let at = reader.required(table, "at", &POSITION);
         let value = reader.required(table, "value", &CLEARANCE);
         reader.places.field(Part::Gap(i), "at", &at);
         reader.places.field(Part::Gap(i), "value", &value);

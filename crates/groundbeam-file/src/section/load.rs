@@ -3,7 +3,7 @@
 use super::unsupported;
 use crate::code;
 use crate::fault::Fault;
-use crate::quantity::{FORCE, Kind, LENGTH, LOAD_PER_LENGTH, MOMENT, MOMENT_PER_LENGTH};
+use crate::quantity::{FORCE, Kind, LOAD_PER_LENGTH, MOMENT, MOMENT_PER_LENGTH, POSITION};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 use groundbeam::Load;
@@ -34,11 +34,8 @@ fn read_one(reader: &mut Reader, table: &Section, part: Part, beam_length: f64) 
         KINDS.iter().filter_map(|&kind| Some((kind, table.value(kind)?))).collect();
     kinds.sort_by_key(|(_, value)| value.span().start);
     let Some(&(kind, value)) = kinds.first() else {
-        reader.missing(
-            table,
-            "force or moment",
-            "one of point, moment, distributed, distributed_moment",
-        );
+        let example = "one of point, moment, distributed, distributed_moment";
+        reader.missing(table, &KINDS, "force or moment", example);
         return nothing(reader, part, table);
     };
     for (other, other_value) in &kinds[1..] {
@@ -86,7 +83,7 @@ fn point(
     wanted: &'static Kind,
 ) -> (Field, Field) {
     misplaced(reader, table, kind, &["from", "to"], "a load at a point has `at`");
-    let at = reader.required(table, "at", &LENGTH);
+    let at = reader.required(table, "at", &POSITION);
     reader.places.field(part, "at", &at);
     (at, reader.field(kind, value, wanted))
 }
@@ -103,7 +100,7 @@ fn stretch(
         "a distributed load has `from` and `to`, or neither: then it covers the whole beam";
     misplaced(reader, table, kind, &["at"], advice);
     let mut end = |key: &'static str, default: f64| {
-        let field = reader.quantity(table, key, &LENGTH);
+        let field = reader.quantity(table, key, &POSITION);
         let field = field.unwrap_or_else(|| Field::new(default, table.span.clone()));
         reader.places.field(part, key, &field);
         field.value
@@ -124,10 +121,10 @@ fn intensity(
             [start, end] => (reader.field(kind, start, wanted), reader.field(kind, end, wanted)),
             other => {
                 let message = format!("`{kind}` has {} values", other.len());
-                let example = wanted.example;
+                let example = reader.pair(wanted);
                 let hint = format!(
                     "give one value for an even load, or two for one that varies from `from` to \
-                     `to`, as in {kind} = [\"{example}\", \"{example}\"]"
+                     `to`, as in {kind} = {example}"
                 );
                 reader.report(Fault::new(code::WRONG_TYPE, value.span(), message, "", hint));
                 let unreadable = Field::unreadable(value.span());

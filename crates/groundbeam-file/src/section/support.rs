@@ -2,7 +2,7 @@
 
 use crate::code;
 use crate::fault::Fault;
-use crate::quantity::{LENGTH, ROTATIONAL_SPRING, SPRING};
+use crate::quantity::{POSITION, ROTATIONAL_SPRING, SPRING};
 use crate::reader::{Field, Reader};
 use crate::suggest::nearest;
 use crate::table::Section;
@@ -23,7 +23,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Vec<Support> {
 fn read_one(reader: &mut Reader, table: &Section, part: Part) -> Support {
     reader.refuse_unknown(table, KEYS);
     reader.places.part(part, &table.span);
-    let at = reader.required(table, "at", &LENGTH);
+    let at = reader.required(table, "at", &POSITION);
     reader.places.field(part, "at", &at);
     let spring = reader.quantity(table, "spring", &SPRING);
     let rotational_spring = reader.quantity(table, "rotational_spring", &ROTATIONAL_SPRING);
@@ -39,8 +39,10 @@ fn read_one(reader: &mut Reader, table: &Section, part: Part) -> Support {
         return Support { at: at.value, kind: rigid(reader, table) };
     }
     if spring.is_none() && rotational_spring.is_none() {
-        let example = "type = \"pinned\" or type = \"fixed\"; or spring = \"10 MN/m\"";
-        reader.missing(table, "`type` and no spring", example);
+        let spring = reader.line("spring", &SPRING);
+        let example = format!("type = \"pinned\" or type = \"fixed\"; or {spring}");
+        let keys = ["type", "spring", "rotational_spring"];
+        reader.missing(table, &keys, "`type` and no spring", &example);
     }
     let mut constant = |key: &'static str, field: Option<Field>| {
         let field = field.unwrap_or_else(|| Field::new(0.0, table.span.clone()));

@@ -1,0 +1,187 @@
+//! What a right file says, in every way it can be said.
+
+use groundbeam::model::{Part, Problem};
+use groundbeam::{Load, Support, SupportKind};
+use groundbeam_file::{Document, UnitSystem, parse};
+
+#[track_caller]
+fn read(text: &str) -> Document {
+    match parse(text) {
+        Ok(document) => document,
+        Err(diagnostics) => panic!("{}", diagnostics.render("file.toml", text, false)),
+    }
+}
+
+const WHOLE: &str = r#"
+title = "Strip footing under three columns"
+
+[beam]
+length = "12 m"
+EI = "1.2e6 kN m^2"
+axial_force = "10 kN"
+
+[foundation]
+k = "40 MN/m^2"
+mu = "9 MN"
+
+[[foundation.segment]]
+from = "0 m"
+to = "2 m"
+k = "20 MN/m^2"
+
+[[foundation.segment]]
+from = "2 m"
+to = "15 m"
+mu = "0 MN"
+
+[[load]]
+point = "600 kN"
+at = "1 m"
+
+[[load]]
+moment = "50 kN m"
+at = "6 m"
+
+[[load]]
+distributed = ["0 kN/m", "20 kN/m"]
+from = "0 m"
+to = "10 m"
+
+[[load]]
+distributed_moment = "5 kN m/m"
+
+[[support]]
+at = "0 m"
+type = "pinned"
+
+[[support]]
+at = "6 m"
+type = "fixed"
+
+[[support]]
+at = "12 m"
+rotational_spring = "5 MN m/rad"
+
+[[gap]]
+at = "0 m"
+value = "2 mm"
+"#;
+
+#[test]
+fn a_whole_file() {
+    let document = read(WHOLE);
+    let model = &document.model;
+    assert_eq!(document.title.as_deref(), Some("Strip footing under three columns"));
+    assert_eq!(document.units, UnitSystem::Si);
+    assert_eq!((model.beam.length, model.beam.bending_stiffness), (12.0, 1.2e9));
+    assert_eq!(model.beam.axial_force, 1e4);
+    assert_eq!((model.foundation.spring, model.foundation.shear), (4e7, 9e6));
+    assert_eq!(model.foundation.constants_at(1.0), (2e7, 9e6), "mu from [foundation]");
+    assert_eq!(model.foundation.constants_at(3.0), (4e7, 0.0), "k from [foundation]");
+    let loads = [
+        Load::point(6e5, 1.0),
+        Load::moment(5e4, 6.0),
+        Load::Distributed { from: 0.0, to: 10.0, start: 0.0, end: 2e4 },
+        Load::DistributedMoment { from: 0.0, to: 12.0, start: 5e3, end: 5e3 },
+    ];
+    assert_eq!(model.loads, loads);
+    let spring = SupportKind::Spring { spring: 0.0, rotational_spring: 5e6 };
+    let supports = [Support::pinned(0.0), Support::fixed(6.0), Support { at: 12.0, kind: spring }];
+    assert_eq!(model.supports, supports);
+    assert_eq!((model.gap[0].at, model.gap[0].value), (0.0, 0.002));
+}
+
+#[test]
+fn plain_numbers_stay_as_they_are() {
+    let document = read(
+        "[beam]\nlength = 100\nEI = 1.0\n[foundation]\nk = \"1\"\nmu = 0.1\n\
+         [[load]]\npoint = 1.2503646726300526\nat = 0x10\n",
+    );
+    assert_eq!(document.units, UnitSystem::Plain);
+    assert_eq!(document.model.loads, [Load::point(1.2503646726300526, 16.0)]);
+}
+
+/// A beam of 12 m with `beam` in its table, on ground with `ground` in its own.
+fn with(beam: &str, ground: &str) -> Document {
+    read(&format!("[beam]\nlength = \"12 m\"\n{beam}\n[foundation]\n{ground}\n"))
+}
+
+#[test]
+fn a_stiffness_and_its_factors() {
+    let ei = |beam| with(beam, "k = \"1 N/m^2\"").model.beam.bending_stiffness;
+    assert_eq!(ei("EI = \"1.2e6 kN m^2\""), 1.2e9);
+    assert_eq!(ei("E = \"30 GPa\"\nI = \"0.04 m^4\""), 1.2e9);
+    let section = "section = { width = \"1 m\", height = \"80 cm\" }";
+    assert_eq!(ei(&format!("E = \"30 GPa\"\n{section}")), 3e10 * (0.8_f64.powi(3) / 12.0));
+    let k = |ground| with("EI = \"1 N m^2\"", ground).model.foundation.spring;
+    assert_eq!(k("subgrade_modulus = \"40 MN/m^3\"\nwidth = \"500 mm\""), 2e7);
+}
+
+#[test]
+fn segments_take_over_what_they_leave_out() {
+    let document = with(
+        "E = \"30 GPa\"\nI = \"0.04 m^4\"
+         [[beam.segment]]\nfrom = \"0 m\"\nto = \"1 m\"\nI = \"0.02 m^4\"
+         [[beam.segment]]\nfrom = \"1 m\"\nto = \"2 m\"\nE = \"10 GPa\"
+         [[beam.segment]]\nfrom = \"2 m\"\nto = \"3 m\"\nEI = \"1 N m^2\"",
+        "subgrade_modulus = \"40 MN/m^3\"\nwidth = \"1 m\"\nmu = \"1 N\"
+         [[foundation.segment]]\nfrom = \"0 m\"\nto = \"1 m\"\nwidth = \"2 m\"
+         [[foundation.segment]]\nfrom = \"1 m\"\nto = \"2 m\"\nsubgrade_modulus = \"10 MN/m^3\"
+         [[foundation.segment]]\nfrom = \"2 m\"\nto = \"3 m\"\nmu = \"2 N\"",
+    );
+    let ei: Vec<f64> = document.model.beam.segments.iter().map(|s| s.bending_stiffness).collect();
+    assert_eq!(ei, [6e8, 4e8, 1.0]);
+    let ground: Vec<(f64, f64)> =
+        document.model.foundation.segments.iter().map(|s| (s.spring, s.shear)).collect();
+    assert_eq!(ground, [(8e7, 1.0), (1e7, 1.0), (4e7, 2.0)]);
+}
+
+#[test]
+fn segments_from_end_to_end_may_stand_alone() {
+    let document = with(
+        "[[beam.segment]]\nfrom = \"6 m\"\nto = \"12 m\"\nEI = \"2 N m^2\"
+         [[beam.segment]]\nfrom = \"0 m\"\nto = \"600 cm\"\nEI = \"1 N m^2\"",
+        "[[foundation.segment]]\nfrom = \"-1 m\"\nto = \"4 m\"\nk = \"1 N/m^2\"\nmu = \"3 N\"
+         [[foundation.segment]]\nfrom = \"4 m\"\nto = \"12 m\"\nk = \"2 N/m^2\"",
+    );
+    // The right end belongs to no segment, so what holds there is that of the last one.
+    assert_eq!(document.model.beam.bending_stiffness_at(12.0), 2.0);
+    assert_eq!(document.model.foundation.constants_at(12.0), (2.0, 0.0));
+}
+
+#[test]
+fn one_table_can_be_written_in_several_ways() {
+    let usual =
+        read("[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n[[load]]\npoint = 1\nat = 0");
+    let inline = read(
+        "beam.length = 1\nbeam.EI = 1\nfoundation = { k = 1 }\nload = [ { point = 1, at = 0 } ]",
+    );
+    assert_eq!(usual.model, inline.model);
+}
+
+#[test]
+fn problems_found_later_have_a_place_too() {
+    let document = read(WHOLE);
+    let place = |part, field| {
+        let span = document.field_span(part, field).unwrap();
+        &document.text()[span]
+    };
+    assert_eq!(place(Part::Beam, "axial_force"), "\"10 kN\"");
+    assert_eq!(place(Part::Load(2), "end"), "\"20 kN/m\"");
+    assert_eq!(place(Part::Load(3), "to"), "[[load]]", "left out: the heading");
+    assert_eq!(place(Part::FoundationSegment(1), "spring"), "[[foundation.segment]]");
+    assert_eq!(document.part_span(Part::Support(7)), None);
+
+    let mut problem = Problem {
+        code: "GB999",
+        part: Part::Gap(0),
+        field: "value",
+        message: "between {0} and {1}".into(),
+        hint: "try {0}".into(),
+        numbers: vec![1.5, 12.0],
+    };
+    let diagnostic = document.diagnostic_for(&problem);
+    assert_eq!(diagnostic.to_string(), "53:9: [GB999] between 1.5 m and 12 m (try 1.5 m)");
+    problem.part = Part::Support(7);
+    assert_eq!(document.diagnostic_for(&problem).line, 1);
+}

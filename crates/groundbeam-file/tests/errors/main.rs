@@ -1,0 +1,49 @@
+//! Every file in `cases/errors/` says in its first lines what is wrong with it, and beside it
+//! stands what a person is shown.
+//!
+//! `UPDATE_EXPECTED=1 cargo test -p groundbeam-file` writes the `.expected` files and
+//! `docs/diagnostics.md` anew.
+
+mod cases;
+mod page;
+
+use cases::{ErrorCase, error_cases, same_as_file};
+use groundbeam_file::CODES;
+
+#[test]
+fn every_error_is_found_at_its_place() {
+    let cases = error_cases();
+    assert!(cases.len() >= CODES.iter().filter(|row| row.example.is_some()).count());
+    let mut wrong = Vec::new();
+    for case in &cases {
+        let found: Vec<String> = case
+            .diagnostics
+            .iter()
+            .map(|d| format!("# error: {} at {}:{}", d.code, d.line, d.column))
+            .collect();
+        if case.announced != found {
+            wrong.push(format!("{}\n{}\n", case.name, found.join("\n")));
+        }
+    }
+    assert!(wrong.is_empty(), "found something else than announced:\n{}", wrong.join("\n"));
+}
+
+#[test]
+fn every_message_reads_as_expected() {
+    for ErrorCase { path, rendered, .. } in error_cases() {
+        same_as_file(&rendered, &path.with_extension("expected"));
+    }
+}
+
+#[test]
+fn colour_adds_escape_codes_and_nothing_else() {
+    for case in error_cases() {
+        let coloured = case.diagnostics.render(&case.name, &case.text, true);
+        assert!(coloured.contains("\u{1b}["));
+        let mut plain = String::new();
+        for (i, piece) in coloured.split('\u{1b}').enumerate() {
+            plain.push_str(if i == 0 { piece } else { piece.split_once('m').unwrap().1 });
+        }
+        assert_eq!(plain, case.rendered);
+    }
+}

@@ -1,0 +1,65 @@
+//! `docs/diagnostics.md` is made from the table of codes and the files of `cases/errors/`.
+
+use super::cases::{ErrorCase, error_cases, root, same_as_file};
+use groundbeam_file::{CODES, Code};
+use std::fmt::Write;
+use std::fs;
+
+#[test]
+fn the_page_is_up_to_date() {
+    let cases = error_cases();
+    let mut page = String::from(
+        "# Diagnostics\n\n\
+         Everything groundbeam says about a model file carries one of these codes. \
+         `GB001` to `GB099` are about how the file is written, those from `GB101` on about what \
+         the model says; those from `GB601` on are found while solving.\n\n\
+         This page is written by `UPDATE_EXPECTED=1 cargo test -p groundbeam-file`.\n\n\
+         | code | what is wrong |\n|---|---|\n",
+    );
+    for Code { code, meaning, example } in CODES {
+        let link =
+            example.map_or(String::from(*code), |_| format!("[{code}](#{})", code.to_lowercase()));
+        writeln!(page, "| {link} | {meaning} |").unwrap();
+    }
+    for Code { code, meaning, example } in CODES {
+        let Some(example) = example else { continue };
+        let Some(case) = cases.iter().find(|case| case.name == *example) else {
+            panic!("{example}, the example of {code}, is not in cases/errors");
+        };
+        writeln!(
+            page,
+            "\n## {code}\n\n{}{}. From [{example}](../cases/errors/{example}):\n\n```text\n{}```",
+            meaning[..1].to_uppercase(),
+            &meaning[1..],
+            first_of(case, code),
+        )
+        .unwrap();
+    }
+    same_as_file(&page, &root().join("docs/diagnostics.md"));
+}
+
+/// The first message with this code.
+fn first_of(case: &ErrorCase, code: &str) -> String {
+    let start = format!("error[{code}]");
+    let messages = case.rendered.split("\n\n");
+    match messages.into_iter().find(|message| message.starts_with(&start)) {
+        Some(message) => format!("{}\n", message.trim_end()),
+        None => panic!("{} does not show {code}", case.name),
+    }
+}
+
+#[test]
+fn codes_ascend() {
+    assert!(CODES.is_sorted_by(|a, b| a.code < b.code));
+}
+
+/// The core has codes of its own; none may be without a line in the table.
+#[test]
+fn every_code_of_the_core_is_in_the_table() {
+    let source = root().join("crates/groundbeam/src/model/validate.rs");
+    let source = fs::read_to_string(source).unwrap();
+    for piece in source.split("\"GB").skip(1) {
+        let code = format!("GB{}", piece.split('"').next().unwrap());
+        assert!(CODES.iter().any(|row| row.code == code), "{code} is not in the table");
+    }
+}
