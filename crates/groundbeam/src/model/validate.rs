@@ -144,7 +144,7 @@ impl Model {
                 Part::Beam,
                 "axial_force",
                 format!("the axial force is {}", describe(beam.axial_force)),
-                "give a finite force, tension positive; leave it out for none",
+                remedy(beam.axial_force, "give a finite force, tension positive; or leave it out"),
             ));
         }
         let spans: Vec<_> = beam.segments.iter().map(|s| (s.from, s.to)).collect();
@@ -165,7 +165,7 @@ impl Model {
                     part,
                     "shear",
                     format!("the shear constant mu is {}", describe(shear)),
-                    "it must be zero (Winkler) or positive",
+                    remedy(shear, "it must be zero (Winkler) or positive"),
                 ));
             }
         };
@@ -223,7 +223,7 @@ impl Model {
                             part,
                             field,
                             format!("the spring constant is {}", describe(value)),
-                            "it must be zero or positive",
+                            remedy(value, "it must be zero or positive"),
                         ));
                     }
                 };
@@ -297,6 +297,15 @@ fn describe(value: f64) -> String {
     }
 }
 
+/// What would be right: the rule, or the range of numbers where only that is broken.
+fn remedy(value: f64, rule: &str) -> String {
+    if value.is_finite() && !in_range(value) {
+        "numbers between 1e-60 and 1e60, their negatives and 0 can be computed with".into()
+    } else {
+        rule.into()
+    }
+}
+
 fn positive(
     found: &mut Vec<Problem>,
     code: &'static str,
@@ -307,14 +316,16 @@ fn positive(
 ) {
     if !(in_range(value) && value > 0.0) {
         let message = format!("{what} is {}", describe(value));
-        found.push(Problem::new(code, part, field, message, "it must be positive"));
+        let hint = remedy(value, "it must be positive");
+        found.push(Problem::new(code, part, field, message, hint));
     }
 }
 
 fn finite(found: &mut Vec<Problem>, part: Part, field: &'static str, value: f64) {
     if !in_range(value) {
         let message = format!("the value is {}", describe(value));
-        found.push(Problem::new("GB302", part, field, message, "give a finite number"));
+        let hint = remedy(value, "give a finite number");
+        found.push(Problem::new("GB302", part, field, message, hint));
     }
 }
 
