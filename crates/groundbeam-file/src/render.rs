@@ -5,8 +5,12 @@ use crate::source::BYTE_ORDER_MARK;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use std::ops::Range;
 
+/// Nobody reads on after this many; [`Diagnostics::iter`] has them all.
+const MOST_SHOWN: usize = 100;
+
 impl Diagnostics {
-    /// All diagnostics with the places of `text` they are about, ending in a newline.
+    /// The diagnostics with the places of `text` they are about, ending in a newline. After the
+    /// first hundred only the number of the others is told.
     ///
     /// `text` is what was parsed. With `colour`, escape codes for a terminal are put in.
     ///
@@ -30,13 +34,16 @@ impl Diagnostics {
     pub fn render(&self, file_name: &str, text: &str, colour: bool) -> String {
         let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
         let mut rendered = String::new();
-        for (i, diagnostic) in self.iter().enumerate() {
+        for (i, diagnostic) in self.iter().take(MOST_SHOWN).enumerate() {
             if i > 0 {
                 rendered.push('\n');
             }
             let group = group(diagnostic, file_name, text);
             rendered.push_str(&renderer.render(&[group]));
             rendered.push('\n');
+        }
+        if let Some(more) = self.as_slice().len().checked_sub(MOST_SHOWN).filter(|&more| more > 0) {
+            rendered.push_str(&format!("\n... and {more} more in {file_name}\n"));
         }
         rendered
     }
@@ -50,17 +57,31 @@ fn group<'t>(diagnostic: &'t Diagnostic, file_name: &'t str, text: &'t str) -> G
         let start = boundary(shown, span.start.saturating_sub(mark));
         start..boundary(shown, span.end.saturating_sub(mark)).max(start)
     };
+    // The renderer looks through all it is given, so it is given no more than the lines it needs.
+    let spans =
+        || std::iter::once(&diagnostic.span).chain(diagnostic.related.iter().map(|r| &r.span));
+    let first = spans().map(|span| inside(span).start).min().unwrap_or(0);
+    let last = spans().map(|span| inside(span).end).max().unwrap_or(0);
+    let start = shown[..first].rfind('\n').map_or(0, |newline| newline + 1);
+    let end = shown[last..].find('\n').map_or(shown.len(), |newline| last + newline + 1);
+    let first_line = diagnostic.related.iter().map(|r| r.line).fold(diagnostic.line, usize::min);
+    let place = |span: &Range<usize>| {
+        let span = inside(span);
+        span.start - start..span.end - start
+    };
+
     let level = match diagnostic.severity {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
     };
     let label = |text: &'t str| (!text.is_empty()).then_some(text);
-    let primary = AnnotationKind::Primary.span(inside(&diagnostic.span));
-    let snippet = Snippet::source(shown)
+    let primary = AnnotationKind::Primary.span(place(&diagnostic.span));
+    let snippet = Snippet::source(&shown[start..end])
+        .line_start(first_line)
         .path(file_name)
         .annotation(primary.label(label(&diagnostic.label)))
         .annotations(diagnostic.related.iter().map(|related| {
-            AnnotationKind::Context.span(inside(&related.span)).label(label(&related.label))
+            AnnotationKind::Context.span(place(&related.span)).label(label(&related.label))
         }));
     let title = level.primary_title(&*diagnostic.message).id(diagnostic.code);
     let group = title.element(snippet);

@@ -185,3 +185,17 @@ fn problems_found_later_have_a_place_too() {
     problem.part = Part::Support(7);
     assert_eq!(document.diagnostic_for(&problem).line, 1);
 }
+
+#[test]
+fn thousands_of_faults_are_all_found_and_a_hundred_shown() {
+    let slip = "[[load]]\npoint = \"1 kM\"\nat = \"1 m\"\n";
+    let text = format!(
+        "[beam]\nlength = \"2 m\"\nEI = \"1 N m^2\"\n[foundation]\nk = \"1 Pa\"\n{}",
+        slip.repeat(3000)
+    );
+    let diagnostics = parse(&text).unwrap_err();
+    assert_eq!(diagnostics.as_slice().len(), 3000);
+    let shown = diagnostics.render("long.toml", &text, false);
+    assert_eq!(shown.matches("error[GB014]").count(), 100);
+    assert!(shown.ends_with("\n... and 2900 more in long.toml\n"));
+}
