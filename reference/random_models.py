@@ -201,7 +201,7 @@ def winkler(r, index):
 def supports(r, index):
     model = uniform_base(r, shear=index % 5 != 4)
     l, EI = model.length, model.EI
-    loaded(r, model, upward=0.35)
+    loaded(r, model, upward=0.1 if index % 4 == 0 else 0.3)
     if index % 4 == 0:  # compressed, hence well held: below the beam's own buckling load
         held = r.choice(["pins", "clamp", "clamp and pin"])
         ends = [0.0, l]
@@ -246,6 +246,89 @@ def gap(r, index):
     return model
 
 
+# ---- the hard ones ------------------------------------------------------------------------------------
+
+# Loads that stand on an edge of contact: the moment was found by secant steps so that the edge comes
+# to within 1e-16 of the last load but one; in the second model it is 1e-9 away from the balance.
+EDGE_LOADS = [
+    (1.0, 1.0, 1.0, 1.0, 0.5, 0.4851271361921004, [Load("point", 0.1, 0.6)]),
+    (1.0, 1.0, 1.0, 1.0, 0.5, 0.4851271351921004, [Load("point", 0.1, 0.6)]),
+    (1.0, 0.01, 1.0, 0.0, 0.5, 0.2964834055707226, [Load("point", 0.05, 0.4)]),
+    (2.0, 0.5, 3.0, 0.2, 1.2, 0.4357105859550535,
+     [Load("moment", 0.02, 0.8), Load("distributed", 0.05, 0.0, 2.0, 0.05)]),
+]  # fmt: skip
+
+
+def hard(r, index):
+    if index < 8:  # rigid and long beams: lambda l far from one
+        ratio = (0.01, 0.03, 0.1, 0.3, 20.0, 40.0, 70.0, 100.0)[index]
+        return loaded(r, uniform_base(r, (ratio, ratio), (0.05, 50.0)), upward=0.1)
+    if index < 13:  # EI over eight decades, all else of order one
+        model = Model(1.0, (1e-5, 1e-3, 1e-1, 1e1, 1e3)[index - 8], 1.0, short(r.uniform(0.01, 2.0)))
+        return loaded(r, model, upward=0.1)
+    if index < 18:  # the resultant next to an end
+        return nearly_tipping(r, (1e-3, 1e-4, 1e-5, 1e-6, 1e-6)[index - 13])
+    if index < 23:  # weightless, with forces up between forces down: many regions
+        return alternating(r, index - 16)
+    if index < 26:
+        return heels(r, index - 23)
+    l, EI, k, mu, at, moment, more = EDGE_LOADS[index - 26]
+    loads = [Load("point", 1.0, at), Load("moment", moment, at)] + more
+    return Model(l, EI, k, mu, loads=list(loads))
+
+
+def nearly_tipping(r, distance):
+    """Random loads and one moment that carries the resultant to distance * l from an end."""
+    model = loaded(r, uniform_base(r, (0.1, 6.0)), most=3, upward=0.0, weight=0.5)
+    l, total = model.length, work(model, 1.0, 1.0)
+    first = work(model, 0.0, l)
+    target = l * (distance if r.random() < 0.5 else 1 - distance)
+    model.loads.append(Load("moment", short(total * target - first, 15), place(r, l)))
+    return model
+
+
+def alternating(r, count):
+    """`count` forces down, forces up between them, now and then a moment; no weight or little."""
+    ratio = 6.0 * count
+    model = uniform_base(r, (ratio, 2 * ratio), (ratio / 4, 3 * ratio))
+    l = model.length
+    for i in range(count):
+        at = short(l * (i + 0.3 + 0.4 * r.random()) / count, 3)
+        model.loads.append(Load("point", short(r.uniform(0.5, 2.0)), at))
+        if i:
+            model.loads.append(Load("point", short(-r.uniform(0.05, 0.3)), short(l * i / count, 3)))
+    if r.random() < 0.5:
+        model.loads.append(Load("moment", short(0.05 * l / ratio), place(r, l)))
+    v = short(r.uniform(0.01, 0.05) / l)
+    model.loads.append(Load("distributed", v, 0.0, l, v))
+    a, b = stretch(r, l)
+    model.loads.append(Load("distributed_moment", short(0.1 / ratio), a, b, 0.0))
+    return model
+
+
+def heels(r, kind):
+    """Contact at single points: under both ends, and under a corner of the ground."""
+    model = uniform_base(r, (0.3, 1.0), (1.0, 4.0))
+    l = model.length
+    f = short(0.2 * model.k * l)
+    rise, small = l * 0.5, short(0.1 * f)
+    if kind == 0:  # a hollow under the beam
+        model.gap = [(0.0, 0.0), (short(0.45 * l), short(rise)), (l, 0.0)]
+        model.loads = [Load("point", f, place(r, l)), Load("distributed_moment", small, 0.0, l, small)]
+    elif kind == 1:  # a ridge with steep sides, and the right end
+        at = short(0.3 * l)
+        model.gap = [(0.0, short(rise)), (at, 0.0), (short(0.7 * l), short(rise)), (l, 0.0)]
+        a = short(0.4 * l)
+        model.loads = [Load("point", f, short(0.5 * l)), Load("distributed_moment", small, a, l, -small)]
+    else:  # arched by its loads: forces at the ends, one up between them
+        model.EI = short(model.k * l**4 / 4 / r.uniform(2.0, 3.0) ** 4)
+        model.mu = short(model.k * l**2 / r.uniform(1.0, 2.0) ** 2)
+        model.loads = [Load("point", f, 0.0), Load("point", f, l)]
+        model.loads.append(Load("point", short(-1.8 * f), short(0.48 * l)))
+        model.loads.append(Load("distributed_moment", short(0.01 * f), 0.0, short(0.3 * l), 0.0))
+    return model
+
+
 FAMILIES = {
     "plain": (60, plain),
     "tension": (40, tension),
@@ -253,6 +336,14 @@ FAMILIES = {
     "winkler": (20, winkler),
     "supports": (20, supports),
     "gap": (20, gap),
+    "hard": (30, hard),
+}
+
+NOTES = {
+    ("hard", 26): "a force stands on the edge of contact, to 1e-16",
+    ("hard", 27): "a force stands next to the edge of contact, about 3e-9 from it",
+    ("hard", 28): "a force stands on the edge of contact, to 1e-16; Winkler",
+    ("hard", 29): "a moment stands on the edge of contact, to 1e-16",
 }
 
 
@@ -262,7 +353,7 @@ def make(family, index):
     r = random.Random(seed)
     for thrown in range(1000):
         model = FAMILIES[family][1](r, index)
-        if stands(model):
+        if stands(model, 1e-7 if family == "hard" else 0.02):
             model.title = f"{family} {index:03d}"
             return model, seed, thrown
     raise RuntimeError(f"no standing model in {family} {index}")

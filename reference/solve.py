@@ -2,7 +2,9 @@
 
     python solve.py model.toml              print the record of one model (plain numbers)
     python solve.py --kikuchi               answers/kikuchi.json
+    python solve.py --limits                answers/limits.json
     python solve.py --family plain 0 20     answers/plain-000.json, models 0 to 19
+    python solve.py --all                   everything; about half an hour
 """
 
 import argparse
@@ -10,10 +12,11 @@ import sys
 import time
 from pathlib import Path
 
+import limits
 import random_models
 from groundref.analytic import Rejected
 from groundref.model import Load, Model
-from groundref.record import make_record, to_json
+from groundref.record import make_record, number, short, to_json
 from groundref.topology import solve
 
 HERE = Path(__file__).resolve().parent
@@ -40,34 +43,64 @@ def write(path, records):
     print(f"{path.name}: {len(records)} records, {path.stat().st_size / 1e3:.0f} kB")
 
 
+def solve_kikuchi(log):
+    records = [record_of(n, "kikuchi", None, m, note, log) for n, m, note in kikuchi()]
+    write(HERE / "answers" / "kikuchi.json", records)
+
+
+def solve_limits(log):
+    records = []
+    for name, model, note, checks in limits.all_limits():
+        model.title = name
+        record = record_of(name, "limits", None, model, note, log)
+        record["closed_forms"] = [
+            {"what": what, "value": number(value), "relative_difference": short(off)}
+            for what, value, off in limits.compare(record, checks)
+        ]
+        records.append(record)
+        print(f"{name} {len(record['closed_forms'])} closed forms hold", flush=True)
+    write(HERE / "answers" / "limits.json", records)
+
+
+def solve_family(family, first, last, log):
+    records = []
+    for index in range(first, last):
+        model, seed, thrown = random_models.make(family, index)
+        begin = time.time()
+        name, note = f"{family}-{index:03d}", random_models.NOTES.get((family, index))
+        try:
+            records.append(record_of(name, family, seed, model, note, log))
+            checks = ", ".join(f"{k} {v}" for k, v in records[-1]["checks"].items())
+            outcome = f"{len(records[-1]['contact'])} regions, {checks}"
+        except (Rejected, ArithmeticError) as why:
+            outcome = f"REJECTED: {why}"
+        print(f"{name} {time.time() - begin:5.1f} s {thrown} thrown, {outcome}", flush=True)
+    write(HERE / "answers" / f"{family}-{first:03d}.json", records)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("file", nargs="?", help="a model file in plain numbers")
-    parser.add_argument("--kikuchi", action="store_true")
+    parser.add_argument("--kikuchi", action="store_true", help="the paper's four cases")
+    parser.add_argument("--limits", action="store_true", help="models with closed forms")
     parser.add_argument("--family", nargs=3, metavar=("NAME", "FROM", "TO"))
+    parser.add_argument("--all", action="store_true", help="every file in answers/")
     parser.add_argument("--verbose", action="store_true")
     args = parser.parse_args()
     log = (lambda text: print("   ", text, flush=True)) if args.verbose else None
     if args.file:
         model = Model.from_toml(Path(args.file).read_text())
         print(to_json([record_of(Path(args.file).stem, "file", None, model, log=log)]))
-    if args.kikuchi:
-        records = [record_of(n, "kikuchi", None, m, note, log) for n, m, note in kikuchi()]
-        write(HERE / "answers" / "kikuchi.json", records)
+    if args.kikuchi or args.all:
+        solve_kikuchi(log)
+    if args.limits or args.all:
+        solve_limits(log)
     if args.family:
-        family, first, last = args.family[0], int(args.family[1]), int(args.family[2])
-        records = []
-        for index in range(first, last):
-            model, seed, thrown = random_models.make(family, index)
-            begin = time.time()
-            try:
-                record = record_of(f"{family}-{index:03d}", family, seed, model, log=log)
-                records.append(record)
-                outcome = f"{len(record['contact'])} regions {record['checks']}"
-            except (Rejected, ArithmeticError) as why:
-                outcome = f"REJECTED: {why}"
-            print(f"{family}-{index:03d} {time.time() - begin:5.1f} s {outcome}", flush=True)
-        write(HERE / "answers" / f"{family}-{first:03d}.json", records)
+        solve_family(args.family[0], int(args.family[1]), int(args.family[2]), log)
+    if args.all:
+        for family, (count, _) in random_models.FAMILIES.items():
+            for first in range(0, count, 20):
+                solve_family(family, first, min(first + 20, count), log)
 
 
 if __name__ == "__main__":

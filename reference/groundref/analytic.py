@@ -21,6 +21,14 @@ class Rejected(Exception):
     """The guess of who touches cannot be right; `why` says what went wrong."""
 
 
+class Vanished(Rejected):
+    """An interval shrank to nothing; `topology` is what is left without it."""
+
+    def __init__(self, topology):
+        super().__init__("a contact interval vanished")
+        self.topology = topology
+
+
 @dataclass
 class Edge:
     """An end of a contact interval. Fixed edges stand at a breakpoint of the model."""
@@ -352,8 +360,8 @@ def newton(model, topology, tolerance_digits, limit=60):
             final.edge_step = size
             final.iterations = iteration + 1
             return final
-        shortest = min(b.x - a.x for a, b in topology.intervals)
-        if shortest < l * mpf("1e-30"):
-            raise Rejected("a contact interval vanished")
+        lasting = [p for p in topology.intervals if p[1].x - p[0].x > l * mpf("1e-10")]
+        if len(lasting) < len(topology.intervals):
+            raise Vanished(Topology(lasting, list(topology.points)))
         last = size
     raise Rejected(f"Newton did not converge, last step {mp.nstr(last, 5)}")

@@ -58,7 +58,12 @@ def regions(system):
                 out[-1][1] = p.b
             else:
                 out.append([p.a, p.b])
-    alone = [n.x for n in system.nodes if n.touching and not any(p.contact for p in n.layers)]
+    force = total_force(system)
+    alone = [
+        n.x
+        for n in system.nodes
+        if n.touching and not any(p.contact for p in n.layers) and n.atom() > ZERO * force
+    ]
     out += [[x, x] for x in alone if not any(a <= x <= b for a, b in out)]
     return sorted(out)
 
@@ -146,9 +151,20 @@ def make_record(name, family, seed, model, solution, digits, note=None):
                 "mesh_difference": short(mesh_difference(solution)),
             },
         }
+        bare = [n.x for n in system.nodes if touches_without_force(n, spans, scales)]
+        if bare:
+            record["touching_without_force"] = [position(x) for x in bare]
         if note:
             record["note"] = note
     return record
+
+
+def touches_without_force(node, spans, scales):
+    """No gap at a support that is in no contact region."""
+    if any(a <= node.x <= b for a, b in spans):
+        return False
+    gaps = [p.fields(node.x)["gap"] for p in (node.left, node.right) if p]
+    return min(gaps) <= ZERO * scales["depth"]
 
 
 def reaction_entry(node, force, length):
