@@ -23,6 +23,8 @@ pub(crate) struct Cell {
     pub moment_load: [f64; 2],
     /// g₀ at both ends \[m\].
     pub gap: [f64; 2],
+    /// g₀', the same to the last bit in all cells between two corners.
+    pub gap_slope: f64,
 }
 
 impl Cell {
@@ -108,10 +110,6 @@ impl Mesh {
         let l = model.beam.length;
         let more: Vec<f64> = (1..elements).map(|i| l * (i as f64 / elements as f64)).collect();
         Self::build(model, &more, |_| 1)
-    }
-
-    pub fn length(&self) -> f64 {
-        self.nodes[self.nodes.len() - 1].x
     }
 
     /// The cell that holds x; of two that meet there the right one.
@@ -206,6 +204,7 @@ fn cells_between(model: &Model, x: Vec<f64>) -> Vec<Cell> {
             load: [0.0; 2],
             moment_load: [0.0; 2],
             gap: [0.0; 2],
+            gap_slope: 0.0,
         })
         .collect();
     let range = |from: f64, to: f64| {
@@ -244,6 +243,7 @@ fn cells_between(model: &Model, x: Vec<f64>) -> Vec<Cell> {
     if !model.gap.is_empty() {
         for cell in &mut cells {
             cell.gap = cell.x.map(|x| initial_gap(model, x));
+            cell.gap_slope = gap_slope(model, 0.5 * (cell.x[0] + cell.x[1]));
         }
     }
     cells
@@ -277,6 +277,15 @@ fn initial_gap(model: &Model, x: f64) -> f64 {
         (Some(only), None) => only.value,
         (None, Some(only)) => only.value,
         (None, None) => 0.0,
+    }
+}
+
+/// g₀'(x) between corners, 0 beyond them.
+fn gap_slope(model: &Model, x: f64) -> f64 {
+    let right = model.gap.partition_point(|corner| corner.at < x);
+    match (right.checked_sub(1).map(|i| model.gap[i]), model.gap.get(right)) {
+        (Some(a), Some(b)) => (b.value - a.value) / (b.at - a.at),
+        _ => 0.0,
     }
 }
 

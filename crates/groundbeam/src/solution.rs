@@ -199,10 +199,7 @@ impl Stretch {
     /// u and u'.
     fn settlement(&self, s: f64, w: f64, slope: f64) -> [f64; 2] {
         match self.open {
-            None => {
-                let rise = (self.cell.gap[1] - self.cell.gap[0]) / (2.0 * self.half());
-                [w - self.gap_at(s), slope - rise]
-            }
+            None => [w - self.gap_at(s), slope - self.cell.gap_slope],
             Some([0.0, 0.0]) => [0.0, 0.0],
             Some([left, right]) => {
                 let t = 0.5 * (1.0 + s);
@@ -214,7 +211,7 @@ impl Stretch {
         }
     }
 
-    fn fields(&self, s: f64) -> Fields {
+    pub(crate) fn fields(&self, s: f64) -> Fields {
         let per_length = 1.0 / self.half();
         let [w, dw, ..] = jet(&self.deflection, s);
         let slope = dw * per_length;
@@ -263,8 +260,7 @@ impl Stretch {
             Field::Gap if self.open.is_some() => {
                 let slope = |st: &Stretch, at: f64| {
                     let [_, dw, ..] = jet(&st.deflection, at);
-                    let rise = (st.cell.gap[1] - st.cell.gap[0]) / (2.0 * st.half());
-                    st.settlement(at, 0.0, 0.0)[1] + rise - dw / st.half()
+                    st.settlement(at, 0.0, 0.0)[1] + st.cell.gap_slope - dw / st.half()
                 };
                 self.turning_points(slope, &mut s);
             }

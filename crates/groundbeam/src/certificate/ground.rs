@@ -11,9 +11,11 @@ pub(super) struct GroundSums<'a> {
     /// Concentrated forces used so far.
     used: usize,
     near: f64,
-    /// μu' just left of the position reached, and u there.
+    /// μu' just left of the position reached; u, g₀ and the clearance there.
     flux: f64,
     surface: f64,
+    initial_gap: f64,
+    gap: f64,
     /// b(u, u).
     pub energy: f64,
     /// ⟨p, g₀⟩.
@@ -25,8 +27,8 @@ pub(super) struct GroundSums<'a> {
     pub penetration: f64,
     /// A bound of g(x, x), the ground's give under a unit force.
     pub flexibility: f64,
-    /// Σ of concentrated forces that the ground's equation demands but nobody claims.
-    unbalanced: f64,
+    /// Concentrated forces that the ground's equation demands but nobody claims.
+    unclaimed: Unclaimed,
     total_pressure: f64,
     lift_stiffness: f64,
     largest_pressure: f64,
@@ -47,6 +49,8 @@ impl<'a> GroundSums<'a> {
             near: 16.0 * f64::EPSILON * l,
             flux: outside * surface,
             surface,
+            initial_gap: 0.0,
+            gap: 0.0,
             energy: outside * surface * surface,
             work_on_gap: 0.0,
             on_gap: 0.0,
@@ -54,7 +58,7 @@ impl<'a> GroundSums<'a> {
             largest_force: claim.forces.iter().map(|f| f.1.abs()).fold(0.0, f64::max),
             penetration: 0.0,
             flexibility: flexibility(model),
-            unbalanced: 0.0,
+            unclaimed: Unclaimed::new(model),
             total_pressure: 0.0,
             lift_stiffness: outside,
             largest_pressure: 0.0,
@@ -68,6 +72,7 @@ impl<'a> GroundSums<'a> {
     pub fn add(&mut self, model: &Model, piece: &ClaimedPiece, largest_deflection: f64) {
         let under = Under::new(model, piece);
         let (k, mu, half) = (under.spring, under.shear, under.half);
+        self.unclaimed.enter(mu > 0.0, piece.x[0]);
         let [u, du] = under.surface(-1.0);
         let gap = u + under.gap(-1.0) - value(piece.deflection, -1.0);
         self.balance(piece.x[0], mu * du, gap, under.gap(-1.0));
@@ -84,10 +89,12 @@ impl<'a> GroundSums<'a> {
             self.smallest_pressure = self.smallest_pressure.min(low);
             self.largest_pressure = self.largest_pressure.max(high);
         }
-        let tolerance = 1e-15 * largest_deflection;
+        let tolerance = 1e-14 * largest_deflection;
         self.penetration = self.penetration.max(under.penetration(tolerance));
         let [u, du] = under.surface(1.0);
         (self.flux, self.surface) = (mu * du, u);
+        self.initial_gap = under.gap(1.0);
+        self.gap = u + self.initial_gap - value(piece.deflection, 1.0);
     }
 
     /// The ground beyond the right end.
@@ -97,9 +104,7 @@ impl<'a> GroundSums<'a> {
         let outside = (k * mu).sqrt();
         self.energy += outside * self.surface * self.surface;
         self.lift_stiffness += outside;
-        // A claimed force stands where beam and ground touch; its clearance was checked piece by piece,
-        // at the very end it is that of the last piece.
-        self.balance(l, -outside * self.surface, 0.0, 0.0);
+        self.balance(l, -outside * self.surface, self.gap, self.initial_gap);
     }
 
     /// At a joint the flux may fall by the concentrated force claimed there, and by nothing else.
@@ -117,15 +122,12 @@ impl<'a> GroundSums<'a> {
             self.total_pressure += force.max(0.0);
             self.smallest_force = self.smallest_force.min(force);
         }
-        self.unbalanced += (self.flux - flux_right - claimed).abs();
+        self.unclaimed.add(x, self.flux - flux_right - claimed);
     }
 
-    /// ½ b(u − Gp, u − Gp) from the forces nobody claims: at most half their sum squared times g.
+    /// ½ b(u − Gp, u − Gp).
     pub fn misfit(&self) -> f64 {
-        if self.unbalanced == 0.0 {
-            return 0.0;
-        }
-        0.5 * self.unbalanced * self.unbalanced * self.flexibility
+        self.unclaimed.energy()
     }
 
     /// A surface that the beam pierces by δ is lifted by δ everywhere: admissible again, at this cost.
@@ -141,6 +143,94 @@ impl<'a> GroundSums<'a> {
         let spread =
             relative(self.smallest_pressure, self.largest_pressure.max(total / self.length));
         spread.min(relative(self.smallest_force, total))
+    }
+}
+
+/// ½⟨r, Gr⟩ for concentrated forces r that stand on the ground unclaimed: ½ b(u − Gp, u − Gp).
+///
+/// Softer ground gives more, so it is bounded on ground with the smallest k and the smallest μ > 0 of the
+/// model, where G is the exponential (2.4). A shear layer of length L that stops under the beam gives at
+/// most coth(bL)/√(kμ) to a unit force, which bounds it by (Σ|r|)².
+#[derive(Debug)]
+struct Unclaimed {
+    spring: f64,
+    shear: f64,
+    length: f64,
+    finished: f64,
+    /// The layer now passed over: Σ|r|, Σ rᵢ e^(−b(x − xᵢ)), ⟨r, Gr⟩·2√(kμ), and whether it began at the
+    /// beam's end.
+    sum: f64,
+    carried: f64,
+    square: f64,
+    x: f64,
+    start: f64,
+    endless: bool,
+    inside: bool,
+}
+
+impl Unclaimed {
+    fn new(model: &Model) -> Self {
+        let ground = &model.foundation;
+        let segments = ground.segments.iter().map(|s| (s.spring, s.shear));
+        let (mut spring, mut shear) = (ground.spring, f64::INFINITY);
+        for (k, mu) in segments.chain([(ground.spring, ground.shear)]) {
+            spring = spring.min(k);
+            if mu > 0.0 {
+                shear = shear.min(mu);
+            }
+        }
+        Unclaimed {
+            spring,
+            shear,
+            length: model.beam.length,
+            finished: 0.0,
+            sum: 0.0,
+            carried: 0.0,
+            square: 0.0,
+            x: 0.0,
+            start: 0.0,
+            endless: true,
+            inside: true,
+        }
+    }
+
+    /// The next piece lies on a shear layer or not.
+    fn enter(&mut self, layer: bool, x: f64) {
+        if layer != self.inside {
+            self.close(x, false);
+            (self.start, self.endless, self.inside) = (x, x == 0.0, layer);
+        }
+    }
+
+    fn add(&mut self, x: f64, force: f64) {
+        if force == 0.0 {
+            return;
+        }
+        let b = (self.spring / self.shear).sqrt();
+        self.carried = self.carried * (-b * (x - self.x)).exp() + force;
+        self.x = x;
+        self.square += force * (2.0 * self.carried - force);
+        self.sum += force.abs();
+    }
+
+    fn close(&mut self, end: f64, endless: bool) {
+        if self.sum > 0.0 {
+            let give = 1.0 / (self.spring * self.shear).sqrt();
+            self.finished += if endless && self.endless {
+                // A sum of squares in exact arithmetic.
+                0.25 * give * self.square.max(0.0)
+            } else {
+                let b = (self.spring / self.shear).sqrt();
+                0.5 * give * self.sum * self.sum / (b * (end - self.start)).tanh()
+            };
+        }
+        (self.sum, self.carried, self.square) = (0.0, 0.0, 0.0);
+    }
+
+    fn energy(&self) -> f64 {
+        let mut all = Unclaimed { ..*self };
+        all.close(self.length, true);
+        all.finished
     }
 }
 
@@ -220,8 +310,8 @@ impl<'a> Under<'a> {
         self.pierced(&beam, -1.0, 1.0, tolerance, 0)
     }
 
-    /// On a part: u lies above its tangent at the middle (it is convex where not negative) by its least
-    /// curvature, the beam below its Taylor polynomial's bound.
+    /// On a part: u lies above its tangent at the middle (it is convex where not negative) by at least
+    /// its least curvature, the beam below its parabola by at most the size of the higher terms.
     fn pierced(&self, beam: &[f64], low: f64, high: f64, tolerance: f64, depth: u32) -> f64 {
         let (middle, quarter) = (0.5 * (low + high), 0.5 * (high - low));
         let c = rescale(beam, middle, quarter);
@@ -235,20 +325,27 @@ impl<'a> Under<'a> {
         } else {
             0.0
         };
-        let over = (c[2] - bend).max(0.0) + c[3..].iter().map(|a| a.abs()).sum::<f64>();
+        // clearance ≥ a − tilt·|t| + open·t² − rest on |t| ≤ 1.
         let tilt = (c[1] - du * quarter * self.half).abs();
-        let bound = (c[0] - u) + tilt + over;
+        let open = bend - c[2];
+        let dip =
+            if open > 0.0 && tilt < 2.0 * open { 0.25 * tilt * (tilt / open) } else { tilt - open };
+        let rest: f64 = c[3..].iter().map(|a| a.abs()).sum();
+        let bound = (c[0] - u) + dip + rest;
         if bound <= tolerance {
             return bound.max(0.0);
         }
         let found = (c[0] - u).max(0.0);
-        if depth >= 28 || bound - found <= tolerance + 0.5 * found {
+        if depth >= DEEPEST || bound - found <= tolerance + 0.5 * found {
             return bound.max(0.0);
         }
         let left = self.pierced(beam, low, middle, tolerance, depth + 1);
         left.max(self.pierced(beam, middle, high, tolerance.max(left), depth + 1))
     }
 }
+
+/// Halvings of a piece: next to an edge of contact the clearance falls like the cube of the distance.
+const DEEPEST: u32 = 16;
 
 /// cosh(z s)/cosh(z) for |s| ≤ 1.
 fn cosh_ratio(z: f64, s: f64) -> f64 {

@@ -121,7 +121,7 @@ struct Sums {
 
 /// Certifies a claim.
 pub(crate) fn certify(model: &Model, claim: &Claim) -> Certificate {
-    let mut sums = Sums::default();
+    let mut sums = Sums { largest_deflection: claim.largest_deflection(), ..Sums::default() };
     let mut ground = GroundSums::new(model, claim);
     let mut events = Events::of(model, claim);
     events.advance(0.0);
@@ -181,9 +181,6 @@ fn beam_piece(model: &Model, piece: &ClaimedPiece, events: &mut Events, sums: &m
         sums.misfit += dx * misfit * misfit / stiffness;
         sums.work += dx * (load.force(s) * w + load.moment(s) * slope);
     }
-    for s in [-1.0, -0.5, 0.0, 0.5, 1.0] {
-        sums.largest_deflection = sums.largest_deflection.max(value(piece.deflection, s).abs());
-    }
 }
 
 /// The work of point loads and the energy of springs.
@@ -205,6 +202,14 @@ fn work_at_points(model: &Model, claim: &Claim, sums: &mut Sums) {
 }
 
 impl Claim<'_> {
+    /// The largest |w|, to the accuracy of a scale.
+    fn largest_deflection(&self) -> f64 {
+        let at = |piece: &ClaimedPiece| {
+            [-1.0, -0.5, 0.0, 0.5, 1.0].map(|s| value(piece.deflection, s).abs())
+        };
+        self.pieces.iter().flat_map(at).fold(0.0, f64::max)
+    }
+
     /// w and w' at a position.
     fn deflection(&self, x: f64) -> [f64; 2] {
         let i = self.pieces.partition_point(|piece| piece.x[1] < x).min(self.pieces.len() - 1);

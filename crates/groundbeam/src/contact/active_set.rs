@@ -267,6 +267,7 @@ fn damp(element: &mut Element, mesh: &Mesh, i: usize, weight: f64, about: &[f64;
     cell.spring *= weight;
     cell.shear *= weight;
     cell.gap = [0.0; 2];
+    cell.gap_slope = 0.0;
     let mut extra = Element { length: element.length, ..Element::default() };
     hermite::add_ground(&mut extra, &cell, [-1.0, 1.0]);
     let pull = extra.forces(about);

@@ -69,10 +69,10 @@ fn refine(model: &Model, coarse: &Found) -> Result<Found, Stalled> {
     let l = model.beam.length;
     let mut moved = f64::INFINITY;
     for step in 0..MOST_STEPS {
-        let Ok(found) = glued(model, &stretches) else {
+        let Ok((found, zones)) = glued(model, &stretches) else {
             return Err(unsettled(step, moved));
         };
-        let next = positions(&found.mesh, &found.zones);
+        let next = positions(&found.mesh, &zones);
         let before = moved;
         moved = distance(&stretches, &next) / l;
         history.push(Step { zones: next.len(), step: 1.0, decrement: moved });
@@ -91,8 +91,8 @@ fn unsettled(iterations: usize, reached: f64) -> Stalled {
     Stalled { iterations, what, tolerance: 1e-12, reached }
 }
 
-/// The beam glued to the ground on given stretches, solved exactly, with the contact it asks for.
-pub(crate) fn glued(model: &Model, stretches: &[Stretch]) -> Result<Found, Loose> {
+/// The beam glued to the ground on given stretches, solved exactly, and the contact it asks for.
+pub(crate) fn glued(model: &Model, stretches: &[Stretch]) -> Result<(Found, Vec<Zone>), Loose> {
     let axial = model.beam.axial_force;
     let edges: Vec<f64> = stretches.iter().flatten().copied().collect();
     let touches = |x: f64| stretches.iter().any(|s| s[0] < x && x < s[1]);
@@ -128,16 +128,17 @@ pub(crate) fn glued(model: &Model, stretches: &[Stretch]) -> Result<Found, Loose
         return Err(Loose);
     }
     let w = Deflection { mesh: &mesh, terms: TERMS, coefficients: &coefficients };
-    let zones = majorant::contact(&w);
-    Ok(Found {
+    let wanted = majorant::contact(&w);
+    let found = Found {
         mesh,
         terms: TERMS,
         shapes,
         coefficients,
-        zones,
+        zones: assumed,
         history: Vec::new(),
         pressure: Pressure::Distributed,
-    })
+    };
+    Ok((found, wanted))
 }
 
 /// Zones as positions.
@@ -149,37 +150,35 @@ fn positions(mesh: &Mesh, zones: &[Zone]) -> Vec<Stretch> {
 /// Stretches as zones of a mesh that has a node at each of their ends.
 fn zones_of(mesh: &Mesh, stretches: &[Stretch], touch: &impl Fn(&Cell) -> Touch) -> Vec<Zone> {
     let mut zones: Vec<Zone> = Vec::new();
+    let kind = |i: usize| mesh.cells[i].shear > 0.0;
     for (i, cell) in mesh.cells.iter().enumerate() {
-        if touch(cell) == Touch::Contact {
-            zones.push(Zone { from: Spot { cell: i, s: -1.0 }, to: Spot { cell: i, s: 1.0 } });
+        if touch(cell) == Touch::Open {
+            continue;
+        }
+        let end = Spot { cell: i, s: 1.0 };
+        match zones.last_mut() {
+            Some(last) if last.to.cell + 1 == i && kind(i - 1) == kind(i) => last.to = end,
+            _ => zones.push(Zone { from: Spot { cell: i, s: -1.0 }, to: end }),
         }
     }
-    // Points: the node nearest to them, if no stretch covers it.
-    let last = mesh.cells.len();
-    let is_point = |s: &&Stretch| s[1] <= s[0] || !zones_cover(mesh, &zones, s);
-    let points: Vec<Stretch> = stretches.iter().filter(is_point).copied().collect();
-    for stretch in points {
-        let x = 0.5 * (stretch[0] + stretch[1]);
-        let node = mesh.nodes.partition_point(|n| n.x < x).min(last);
-        let nearer_left = node > 0 && x - mesh.nodes[node - 1].x < mesh.nodes[node].x - x;
-        let node = if nearer_left { node - 1 } else { node };
-        let spot = if node == last {
-            Spot { cell: last - 1, s: 1.0 }
-        } else {
-            Spot { cell: node, s: -1.0 }
-        };
+    // Points: the node nearest to them, if no zone holds it already.
+    let count = mesh.cells.len();
+    for x in stretches.iter().filter(|s| s[1] <= s[0]).map(|s| s[0]) {
+        let right = mesh.nodes.partition_point(|n| n.x < x).min(count);
+        let left = right.saturating_sub(1);
+        let node = if x - mesh.nodes[left].x < mesh.nodes[right].x - x { left } else { right };
+        let node_of = |spot: Spot| spot.cell + usize::from(spot.s == 1.0);
+        let held = |zone: &Zone| node_of(zone.from) <= node && node <= node_of(zone.to);
+        if zones.iter().any(held) {
+            continue;
+        }
+        // A point can carry a force only on a shear layer: of two cells that meet, the one that has it.
+        let cell = if node == count || (node > 0 && !kind(node)) { node - 1 } else { node };
+        let spot = Spot { cell, s: if cell == node { -1.0 } else { 1.0 } };
         zones.push(Zone { from: spot, to: spot });
     }
     zones.sort_by_key(|zone| (zone.from.cell, zone.from.s > 0.0));
     zones
-}
-
-/// Whether a stretch is more than a point on this mesh.
-fn zones_cover(mesh: &Mesh, zones: &[Zone], stretch: &Stretch) -> bool {
-    zones.iter().any(|zone| {
-        let [from, to] = mesh.cells[zone.from.cell].x;
-        stretch[0] <= 0.5 * (from + to) && 0.5 * (from + to) <= stretch[1]
-    })
 }
 
 /// The largest move of an edge; infinite if a zone came or went.

@@ -262,15 +262,11 @@ impl<'a> Scan<'a> {
     /// −\[μψ'\] at the node to the left of cell i: positive where a corner presses into the ground.
     fn corner(&self, i: usize) -> f64 {
         let [a, b] = [self.w.mesh.cells[i - 1], self.w.mesh.cells[i]];
-        let rise = |c: &Cell| (c.gap[1] - c.gap[0]) / c.length();
-        if a.shear == b.shear && a.gap == [0.0; 2] && b.gap == [0.0; 2] {
+        if a.shear == b.shear && a.gap_slope == b.gap_slope {
             return 0.0;
         }
         let slope = jet(self.w.cell(i), -1.0)[1] * 2.0 / b.length();
-        let jump = (a.shear - b.shear) * slope - (a.shear * rise(&a) - b.shear * rise(&b));
-        // A straight profile cut in two has no corner, however its slopes are rounded.
-        let size = (a.shear * rise(&a)).abs() + (b.shear * rise(&b)).abs();
-        if a.shear == b.shear && jump.abs() <= 1e-12 * size { 0.0 } else { jump }
+        (a.shear - b.shear) * slope - (a.shear * a.gap_slope - b.shear * b.gap_slope)
     }
 
     /// The coefficients of π = kψ − μψ'' in cell i.
@@ -286,7 +282,7 @@ impl<'a> Scan<'a> {
         let [left, right] = cell.gap;
         let psi = f - (0.5 * (left + right) + 0.5 * (right - left) * spot.s);
         let per_length = 2.0 / cell.length();
-        let slope = (d1 - 0.5 * (right - left)) * per_length;
+        let slope = d1 * per_length - cell.gap_slope;
         [psi, slope, cell.spring * psi - cell.shear * d2 * per_length * per_length]
     }
 

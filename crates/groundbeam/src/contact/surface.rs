@@ -174,8 +174,7 @@ fn can_carry(mesh: &Mesh, spot: Spot) -> bool {
         return true;
     }
     let [left, right] = [&mesh.cells[node - 1], &mesh.cells[node]];
-    let straight = |c: &crate::mesh::Cell| (c.gap[1] - c.gap[0]) / c.length();
-    left.shear != right.shear || straight(left) != straight(right)
+    left.shear != right.shear || left.gap_slope != right.gap_slope
 }
 
 /// ψ at a spot.
@@ -186,8 +185,8 @@ pub(crate) fn obstacle(w: &Deflection, spot: Spot) -> f64 {
 /// μψ' at a spot.
 fn flux(w: &Deflection, spot: Spot) -> f64 {
     let cell = &w.mesh.cells[spot.cell];
-    let slope = jet(w.cell(spot.cell), spot.s)[1] - 0.5 * (cell.gap[1] - cell.gap[0]);
-    cell.shear * slope * 2.0 / cell.length()
+    let slope = jet(w.cell(spot.cell), spot.s)[1] * 2.0 / cell.length() - cell.gap_slope;
+    cell.shear * slope
 }
 
 /// The links of open ground between two spots, cell by cell; a missing spot is the ground beyond.

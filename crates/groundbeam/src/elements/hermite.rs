@@ -55,9 +55,8 @@ pub(crate) fn element(cell: &Cell, axial_force: f64) -> Element {
 /// The ground where beam and ground touch from s = `from` to `to` (in \[−1, 1\]): ½∫(k ψ² + μ ψ'²)
 /// with ψ = w − g₀.
 pub(crate) fn add_ground(element: &mut Element, cell: &Cell, [from, to]: [f64; 2]) {
-    let rise = (cell.gap[1] - cell.gap[0]) / cell.length();
     let load = cell.gap.map(|g| cell.spring * g);
-    add(element, cell.spring, cell.shear, cell, [from, to], load, [cell.shear * rise; 2]);
+    add(element, cell.spring, cell.shear, cell, [from, to], load, [cell.shear * cell.gap_slope; 2]);
 }
 
 /// ½∫(κ w² + N w'²) − ∫(F w + G w') over a part of the element.
@@ -149,6 +148,7 @@ mod tests {
             load: [6.0; 2],
             moment_load: [0.0; 2],
             gap: [0.0; 2],
+            gap_slope: 0.0,
         };
         let q = element(&cell, 0.0).load;
         // d₁, d₂ carry the right end's force and moment; the left ones are the rest.

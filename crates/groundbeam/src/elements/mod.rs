@@ -67,12 +67,11 @@ impl Operator {
         if touch == Touch::Open {
             return off;
         }
-        let rise = (cell.gap[1] - cell.gap[0]) / cell.length();
         Operator {
             tension: axial_force + cell.shear,
             spring: cell.spring,
             load: [0, 1].map(|i| cell.load[i] + cell.spring * cell.gap[i]),
-            moment_load: cell.moment_load.map(|g| g + cell.shear * rise),
+            moment_load: cell.moment_load.map(|g| g + cell.shear * cell.gap_slope),
             ..off
         }
     }

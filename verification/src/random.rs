@@ -1,0 +1,248 @@
+//! Random models that have an equilibrium, from both ends of every parameter.
+
+use groundbeam::{Beam, Foundation, Load, Model, Support, Verdict, exists};
+use rand::{Rng, RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+/// What a family of models is made of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Family {
+    /// One kind of beam and of ground, a few loads.
+    Plain,
+    /// Axial tension.
+    Tension,
+    /// Stiffness and ground by segments.
+    Segments,
+    /// No shear layer.
+    Winkler,
+    /// Pins, fixed ends, springs; some under compression.
+    Supported,
+    /// An initial gap.
+    Gap,
+    /// Resultants close to an end, stiffness over eight decades, λl up to 10⁴.
+    Hard,
+    /// A long beam pulled up here and there: many zones.
+    Long,
+    /// All of it.
+    Mixed,
+}
+
+impl Family {
+    /// Every family.
+    pub const ALL: [Family; 9] = [
+        Family::Plain,
+        Family::Tension,
+        Family::Segments,
+        Family::Winkler,
+        Family::Supported,
+        Family::Gap,
+        Family::Hard,
+        Family::Long,
+        Family::Mixed,
+    ];
+}
+
+/// The model of a family with a number; the same numbers make the same model.
+pub fn model(family: Family, number: u64) -> Model {
+    let mut rng = ChaCha8Rng::seed_from_u64(number);
+    rng.set_stream(family as u64);
+    for _ in 0..1000 {
+        let model = draw(family, &mut rng);
+        if let Ok(existence) = exists(&model) {
+            if existence.verdict == Verdict::Unique {
+                return model;
+            }
+        }
+    }
+    unreachable!("a family in which one model in a thousand stands")
+}
+
+struct Dice<'a, R>(&'a mut R);
+
+impl<R: Rng> Dice<'_, R> {
+    fn even(&mut self, low: f64, high: f64) -> f64 {
+        self.0.random_range(low..high)
+    }
+
+    /// Even in the logarithm.
+    fn decades(&mut self, low: f64, high: f64) -> f64 {
+        10_f64.powf(self.even(low, high))
+    }
+
+    fn up_to(&mut self, most: usize) -> usize {
+        self.0.random_range(0..=most)
+    }
+
+    fn happens(&mut self, probability: f64) -> bool {
+        self.0.random_bool(probability)
+    }
+
+    /// A place on [0, 1], sometimes an end or a round number.
+    fn place(&mut self) -> f64 {
+        match self.up_to(9) {
+            0 => 0.0,
+            1 => 1.0,
+            2 => 0.5,
+            _ => self.even(0.0, 1.0),
+        }
+    }
+}
+
+fn draw(family: Family, rng: &mut impl Rng) -> Model {
+    let dice = &mut Dice(rng);
+    let mixed = family == Family::Mixed;
+    let hard = family == Family::Hard;
+    let length = dice.decades(-1.0, 2.0);
+    let k = dice.decades(-2.0, 2.0);
+    // Stiffness by the number that matters, l (k/4EI)^(1/4).
+    let lambda_l = match family {
+        Family::Hard => dice.decades(-2.0, 4.0),
+        Family::Long => dice.decades(1.0, 2.0),
+        _ => dice.decades(-1.0, 1.5),
+    };
+    let stiffness = 0.25 * k * (length / lambda_l).powi(4);
+    // The shear layer by √(μ/k) against √(EI/k)^(1/2).
+    let shear = match family {
+        Family::Winkler => 0.0,
+        _ if mixed && dice.happens(0.2) => 0.0,
+        Family::Hard => (k * stiffness).sqrt() * dice.decades(-4.0, 3.0),
+        _ => (k * stiffness).sqrt() * dice.decades(-2.0, 1.5),
+    };
+    let mut beam = Beam::uniform(length, stiffness);
+    let mut ground = Foundation::pasternak(k, shear);
+    if family == Family::Tension || (mixed && dice.happens(0.5)) {
+        let own = stiffness / (length * length);
+        beam.axial_force = own * dice.decades(-2.0, 3.0);
+    }
+    if family == Family::Segments || (mixed && dice.happens(0.5)) {
+        let mut ends: Vec<f64> = (0..2 + 2 * dice.up_to(2)).map(|_| dice.place()).collect();
+        ends.sort_by(f64::total_cmp);
+        for pair in ends.chunks_exact(2).filter(|pair| pair[0] < pair[1]) {
+            let factor = dice.decades(-1.5, 1.5);
+            beam = beam.with_segment(pair[0] * length, pair[1] * length, stiffness * factor);
+        }
+        let mut ends: Vec<f64> = (0..2 + 2 * dice.up_to(2)).map(|_| dice.place()).collect();
+        ends.sort_by(f64::total_cmp);
+        for pair in ends.chunks_exact(2).filter(|pair| pair[0] < pair[1]) {
+            let (k, mut shear) = (k * dice.decades(-1.0, 1.0), shear * dice.decades(-1.0, 1.0));
+            if dice.happens(0.15) {
+                shear = 0.0;
+            }
+            ground = ground.with_segment(pair[0] * length, pair[1] * length, k, shear);
+        }
+    }
+    let mut model = Model::new(beam, ground);
+    if family == Family::Supported || (mixed && dice.happens(0.3)) {
+        let mut places: Vec<f64> = (0..=dice.up_to(2)).map(|_| dice.place()).collect();
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        for place in places {
+            let at = place * length;
+            let support = match dice.up_to(3) {
+                0 => Support::pinned(at),
+                1 => Support::fixed(at),
+                2 => Support::spring(at, k * length * dice.decades(-2.0, 2.0), 0.0),
+                _ => Support::spring(
+                    at,
+                    k * length * dice.decades(-2.0, 2.0),
+                    stiffness / length * dice.decades(-2.0, 2.0),
+                ),
+            };
+            model = model.with_support(support);
+        }
+        if dice.happens(0.3) {
+            let critical = groundbeam::own_buckling_load(&model);
+            if critical.is_finite() && critical > 0.0 {
+                model.beam.axial_force = -critical * dice.even(0.01, 0.95);
+            }
+        }
+    }
+    load(&mut model, family, dice);
+    if family == Family::Gap || (mixed && dice.happens(0.5)) {
+        let corners = 1 + dice.up_to(4);
+        let mut places: Vec<f64> = (0..corners).map(|_| dice.place()).collect();
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        // Clearances of the order of the deflections to come.
+        let size = model.loads.iter().map(|load| size_of(load, length)).sum::<f64>() / (k * length);
+        for place in places {
+            let clearance = size * dice.even(-0.3, 1.0);
+            model = model.with_gap(place * length, clearance);
+        }
+    }
+    if hard {
+        bring_to_the_edge(&mut model, dice);
+    }
+    model
+}
+
+fn size_of(load: &Load, length: f64) -> f64 {
+    match *load {
+        Load::PointForce { force, .. } => force.abs(),
+        Load::PointMoment { moment, .. } => moment.abs() / length,
+        Load::Distributed { from, to, start, end } => 0.5 * (start.abs() + end.abs()) * (to - from),
+        Load::DistributedMoment { from, to, start, end } => {
+            0.5 * (start.abs() + end.abs()) * (to - from) / length
+        }
+    }
+}
+
+fn load<R: Rng>(model: &mut Model, family: Family, dice: &mut Dice<R>) {
+    let l = model.beam.length;
+    let count = match family {
+        Family::Long => 10 + dice.up_to(90),
+        _ => 1 + dice.up_to(5),
+    };
+    for _ in 0..count {
+        let at = dice.place() * l;
+        match dice.up_to(9) {
+            0..=5 => {
+                let force = dice.even(0.2, 2.0);
+                let up = if family == Family::Long { 0.2 } else { 0.15 };
+                let sign = if dice.happens(up) { -0.4 } else { 1.0 };
+                model.loads.push(Load::point(sign * force, at));
+            }
+            6 => {
+                let arm = if family == Family::Long { 0.01 } else { 0.2 };
+                model.loads.push(Load::moment(dice.even(-1.0, 1.0) * arm * l, at));
+            }
+            kind => {
+                let (mut from, mut to) = (dice.place(), dice.place());
+                if from > to {
+                    (from, to) = (to, from);
+                }
+                if from == to {
+                    (from, to) = (0.0, 1.0);
+                }
+                let (from, to) = (from * l, to * l);
+                let size = 2.0 / l;
+                let (start, end) = (dice.even(-0.1, 1.0) * size, dice.even(-0.1, 1.0) * size);
+                model.loads.push(if kind == 9 {
+                    let arm = 0.1 * l;
+                    Load::DistributedMoment { from, to, start: start * arm, end: end * arm }
+                } else {
+                    Load::Distributed { from, to, start, end }
+                });
+            }
+        }
+    }
+}
+
+/// Adds a moment that brings the resultant close to an end.
+fn bring_to_the_edge<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
+    if !model.supports.is_empty() || dice.happens(0.3) {
+        return;
+    }
+    let Ok(existence) = exists(model) else { return };
+    let l = model.beam.length;
+    let total = existence.resultant();
+    if total <= 0.0 {
+        return;
+    }
+    let share = dice.decades(-6.0, -1.0);
+    let share = if dice.happens(0.5) { share } else { 1.0 - share };
+    let wanted = total * share * l;
+    let moment = wanted - existence.static_reactions[1] * l;
+    let at = dice.place() * l;
+    model.loads.push(Load::moment(moment, at));
+}

@@ -1,0 +1,140 @@
+//! The multiprecision answers in `reference/answers`, and how far a solution is from them.
+
+use groundbeam::{Field, Model, Side, Solution};
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// One answer; `reference/README.md` says what the keys mean.
+#[derive(Debug, Deserialize)]
+pub struct Answer {
+    /// Name of the model.
+    pub name: String,
+    /// Family of models.
+    pub family: String,
+    /// The model file.
+    pub model: String,
+    /// Regions of contact.
+    pub contact: Vec<[f64; 2]>,
+    /// p₀ and p_l.
+    pub end_forces: BTreeMap<String, f64>,
+    /// Support reactions.
+    pub reactions: Vec<AnswerReaction>,
+    /// Primal energy.
+    pub primal_energy: f64,
+    /// The largest size of each field.
+    pub largest: BTreeMap<String, f64>,
+    /// Fields at stations.
+    pub stations: BTreeMap<String, serde_json::Value>,
+}
+
+/// What a support does.
+#[derive(Debug, Deserialize)]
+pub struct AnswerReaction {
+    /// Position.
+    pub at: f64,
+    /// Force, up.
+    pub force: f64,
+    /// Moment against the slope.
+    pub moment: f64,
+}
+
+/// How far a solution is from an answer, each relative to the largest size of its kind.
+#[derive(Debug, Default, Clone, Copy)]
+pub struct Distance {
+    /// The fields at the stations.
+    pub fields: f64,
+    /// The edges, relative to the length; infinite if the regions are others.
+    pub edges: f64,
+    /// The end forces and reactions, relative to all forces.
+    pub forces: f64,
+}
+
+impl Distance {
+    /// The largest of them.
+    pub fn worst(&self) -> f64 {
+        self.fields.max(self.edges).max(self.forces)
+    }
+}
+
+impl Answer {
+    /// All answers of a folder, file by file in the order of their names.
+    pub fn all() -> Vec<Answer> {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../reference/answers");
+        let mut files: Vec<_> = std::fs::read_dir(folder)
+            .expect("the folder of answers")
+            .map(|entry| entry.expect("a file of answers").path())
+            .collect();
+        files.sort();
+        let read = |path: &std::path::PathBuf| -> Vec<Answer> {
+            let text = std::fs::read_to_string(path).expect("a readable file");
+            serde_json::from_str(&text)
+                .unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+        };
+        files.iter().flat_map(read).collect()
+    }
+
+    /// The model.
+    pub fn parsed(&self) -> Model {
+        match groundbeam_file::parse(&self.model) {
+            Ok(document) => document.model,
+            Err(faults) => panic!("{}", faults.render(&self.name, &self.model, false)),
+        }
+    }
+
+    fn numbers(&self, key: &str) -> Vec<f64> {
+        let list = self.stations[key].as_array().expect("a list of numbers");
+        list.iter().map(|v| v.as_f64().unwrap_or(f64::NAN)).collect()
+    }
+
+    /// How far a solution is from this answer.
+    pub fn distance(&self, solution: &Solution) -> Distance {
+        let mut distance = Distance::default();
+        let l = solution.model().beam.length;
+        let x = self.numbers("x");
+        let sides = self.stations["side"].as_array().expect("a list of sides");
+        for field in Field::ALL {
+            // A clearance is a difference of deflections.
+            let largest = match field {
+                Field::Gap => self.largest["gap"].max(self.largest["deflection"]),
+                _ => self.largest[field.name()],
+            };
+            let wanted = self.numbers(field.name());
+            for ((&x, side), wanted) in x.iter().zip(sides).zip(wanted) {
+                // A limit at an edge is a limit at the edge that was found.
+                let edges = solution.contact().iter().flat_map(|region| [region.from, region.to]);
+                let near = |edge: &f64| side != "" && (edge - x).abs() <= 1e-11 * l;
+                let x = edges.into_iter().find(near).unwrap_or(x);
+                let side = if side == "-" || x == l { Side::Left } else { Side::Right };
+                let error = (solution.at(x, side).get(field) - wanted).abs();
+                if error > 0.0 {
+                    distance.fields = distance.fields.max(error / largest);
+                }
+            }
+        }
+        let found: Vec<f64> =
+            solution.contact().iter().flat_map(|region| [region.from, region.to]).collect();
+        let wanted: Vec<f64> = self.contact.iter().flatten().copied().collect();
+        if found.len() == wanted.len() {
+            for (a, b) in found.iter().zip(&wanted) {
+                distance.edges = distance.edges.max((a - b).abs() / l);
+            }
+        } else {
+            distance.edges = f64::INFINITY;
+        }
+        let ends = solution.end_forces();
+        let mut forces =
+            vec![(ends.left, self.end_forces["left"]), (ends.right, self.end_forces["right"])];
+        for (found, wanted) in solution.reactions().iter().zip(&self.reactions) {
+            forces.push((found.force, wanted.force));
+        }
+        let shear = self.largest["shear_force"];
+        let scale = forces.iter().fold(shear, |scale, f| scale.max(f.1.abs()));
+        for (found, wanted) in forces {
+            if found != wanted {
+                distance.forces = distance.forces.max((found - wanted).abs() / scale);
+            }
+        }
+        distance
+    }
+}
