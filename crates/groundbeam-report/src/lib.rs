@@ -1,1 +1,47 @@
-//! placeholder
+//! Results of [`groundbeam`] as a person or a program reads them: pure functions from a result to text.
+//!
+//! | module | makes |
+//! |---|---|
+//! | [`text`] | a report for the terminal, at most 80 columns wide |
+//! | [`json`] | the result document |
+//! | [`csv`] | a table of all fields along the beam, and the history of the iteration |
+//! | [`svg`], [`png`] | one picture: the beam on its ground, pressure, moment, shear |
+//!
+//! ```
+//! use groundbeam::{Beam, Foundation, Load, Model, Outcome};
+//! use groundbeam_report::{Context, Units, text};
+//!
+//! let model = Model::new(Beam::uniform(12.0, 1.2e9), Foundation::pasternak(40e6, 9e6))
+//!     .with_load(Load::point(600e3, 1.0))
+//!     .with_load(Load::point(600e3, 9.0));
+//! let Outcome::Equilibrium(solution) = groundbeam::solve(&model)? else { unreachable!() };
+//! let context = Context::new(Units::Si).with_title("Strip footing");
+//! let report = text::solved(&solution, &context, false);
+//! assert!(report.contains("the resultant, 1200 kN at x = 5 m, acts inside the beam"));
+//! # Ok::<(), groundbeam::Error>(())
+//! ```
+//!
+//! Nothing here reads a clock, a file or the environment, and equal results give equal bytes.
+
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+
+mod characteristics;
+mod context;
+mod curve;
+mod font;
+mod number;
+mod quantity;
+mod size;
+mod verdict;
+
+pub mod csv;
+pub mod json;
+pub mod png;
+pub mod svg;
+pub mod text;
+
+pub use characteristics::{Characteristics, Resultant};
+pub use context::Context;
+pub use quantity::Units;
+pub use verdict::sentence;

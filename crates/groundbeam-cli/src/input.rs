@@ -1,0 +1,59 @@
+//! The model file, or standard input.
+
+use crate::failure::Failure;
+use groundbeam::model::Problem;
+use groundbeam_file::{Diagnostics, Document, UnitSystem};
+use groundbeam_report::{Context, Units};
+use std::io::Read;
+use std::path::Path;
+
+/// A model with the name of where it came from.
+pub struct Input {
+    pub document: Document,
+    name: String,
+}
+
+impl Input {
+    /// Reads and parses a file; `-` is standard input.
+    pub fn read(path: &Path) -> Result<Self, Failure> {
+        let (name, bytes) = if path.as_os_str() == "-" {
+            ("<stdin>".to_owned(), read_standard_input())
+        } else {
+            (path.display().to_string(), std::fs::read(path))
+        };
+        let bytes = bytes.map_err(|error| Failure::file(Path::new(&name), &error))?;
+        let wrong = |found: Diagnostics| {
+            Failure::diagnostics(&found, &name, &String::from_utf8_lossy(&bytes))
+        };
+        let text = groundbeam_file::text_of(&bytes).map_err(wrong)?;
+        let document = groundbeam_file::parse(text).map_err(wrong)?;
+        Ok(Input { document, name })
+    }
+
+    /// Title and units, as reports want them.
+    pub fn context(&self) -> Context<'_> {
+        let units = match self.document.units {
+            UnitSystem::Si => Units::Si,
+            UnitSystem::Plain => Units::Plain,
+        };
+        Context { title: self.document.title.as_deref(), ..Context::new(units) }
+    }
+
+    /// Problems found while solving, at their places in the file.
+    pub fn wrong(&self, problems: &[Problem]) -> Failure {
+        let shown = problems.iter().map(|problem| self.located(problem)).collect::<Vec<_>>();
+        Failure::reported(shown.join("\n"), crate::Status::Wrong)
+    }
+
+    fn located(&self, problem: &Problem) -> String {
+        let found = Diagnostics::from(self.document.diagnostic_for(problem));
+        let colour = crate::output::standard_error_has_colour();
+        found.render(&self.name, self.document.text(), colour)
+    }
+}
+
+fn read_standard_input() -> std::io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    std::io::stdin().lock().read_to_end(&mut bytes)?;
+    Ok(bytes)
+}

@@ -1,0 +1,75 @@
+//! Where results go: standard output, and files that are never half-written.
+
+use crate::failure::Failure;
+use std::fs;
+use std::io::{self, ErrorKind, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+
+/// Whether standard output shows colour.
+pub fn standard_output_has_colour() -> bool {
+    io::stdout().is_terminal() && colour_is_wanted()
+}
+
+/// Whether standard error shows colour.
+pub fn standard_error_has_colour() -> bool {
+    io::stderr().is_terminal() && colour_is_wanted()
+}
+
+/// See no-color.org.
+fn colour_is_wanted() -> bool {
+    let unset = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
+    unset && std::env::var_os("TERM").is_none_or(|term| term != "dumb")
+}
+
+/// Prints to standard output. A reader that has seen enough is no failure.
+pub fn print(text: &str) -> Result<(), Failure> {
+    let mut standard_output = io::stdout().lock();
+    let written = standard_output.write_all(text.as_bytes()).and_then(|()| standard_output.flush());
+    match written {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(Failure::usage(format!("standard output: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Writes a file at once: beside it first, then in its place.
+pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    // What a link leads to is replaced, not the link.
+    let target = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    let is_special = fs::metadata(&target).is_ok_and(|found| !found.is_file());
+    let written = if is_special {
+        // A device or a pipe cannot be replaced; a folder says so itself.
+        fs::OpenOptions::new().write(true).open(&target).and_then(|mut f| f.write_all(bytes))
+    } else {
+        replace(&target, bytes)
+    };
+    match written {
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        written => written.map_err(|error| Failure::file(path, &error)),
+    }
+}
+
+fn replace(target: &Path, bytes: &[u8]) -> io::Result<()> {
+    let beside = beside(target)?;
+    let written = fs::OpenOptions::new()
+        .write(true)
+        .create_new(true)
+        .open(&beside)
+        .and_then(|mut file| file.write_all(bytes))
+        .and_then(|()| fs::rename(&beside, target));
+    if written.is_err() {
+        // The first error is the one to tell.
+        let _ = fs::remove_file(&beside);
+    }
+    written
+}
+
+/// A name in the same folder, so that renaming stays within one file system.
+fn beside(target: &Path) -> io::Result<PathBuf> {
+    let name = target.file_name().ok_or(ErrorKind::InvalidInput)?;
+    let mut hidden = std::ffi::OsString::from(".");
+    hidden.push(name);
+    hidden.push(format!(".{}.part", std::process::id()));
+    Ok(target.with_file_name(hidden))
+}

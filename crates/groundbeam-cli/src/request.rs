@@ -1,0 +1,133 @@
+//! What was typed means this: every choice made, every output known.
+
+use crate::failure::Failure;
+use crate::typed::{self, Command, Typed};
+use clap_complete::Shell;
+use groundbeam::Options;
+use std::path::{Path, PathBuf};
+
+/// What is to be done.
+pub enum Request {
+    Solve(Solve),
+    Check(Check),
+    Completions(Shell),
+    Manual,
+}
+
+/// Solve a model and write these.
+pub struct Solve {
+    pub file: PathBuf,
+    pub json: bool,
+    pub csv: Option<PathBuf>,
+    pub plot: Option<Plot>,
+    pub history: Option<PathBuf>,
+    /// As typed: it is read under the rule of the file.
+    pub at: Option<String>,
+    pub options: Options,
+}
+
+/// A picture to draw.
+pub struct Plot {
+    pub path: PathBuf,
+    pub format: Format,
+}
+
+/// How a picture is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    Svg,
+    Png,
+}
+
+/// Tell whether an equilibrium exists.
+pub struct Check {
+    pub file: PathBuf,
+    pub json: bool,
+}
+
+impl Request {
+    pub fn of(typed: Typed) -> Result<Self, Failure> {
+        Ok(match typed.command {
+            Command::Solve(solve) => Request::Solve(Solve::of(solve)?),
+            Command::Check(check) => Request::Check(Check { file: check.file, json: check.json }),
+            Command::Completions { shell } => Request::Completions(shell),
+            Command::Man => Request::Manual,
+        })
+    }
+}
+
+impl Solve {
+    fn of(typed: typed::Solve) -> Result<Self, Failure> {
+        let options = Options {
+            method: match typed.method {
+                typed::Method::Exact => groundbeam::Method::Exact,
+                typed::Method::ActiveSet => groundbeam::Method::ActiveSet,
+                typed::Method::Psor => groundbeam::Method::Psor,
+                typed::Method::Uzawa => groundbeam::Method::Uzawa,
+            },
+            elements: typed.elements as usize,
+            pressure: match typed.pressure {
+                typed::Pressure::Distributed => groundbeam::Pressure::Distributed,
+                typed::Pressure::Dirac => groundbeam::Pressure::Dirac,
+            },
+            start: match typed.start {
+                typed::Start::Bilateral => groundbeam::Start::Bilateral,
+                typed::Start::Zero => groundbeam::Start::Zero,
+            },
+            most_sweeps: usize::try_from(typed.most_sweeps).unwrap_or(usize::MAX),
+        };
+        let plot = typed.plot.map(Plot::of).transpose()?;
+        let solve = Solve {
+            file: typed.file,
+            json: typed.json,
+            csv: typed.csv,
+            plot,
+            history: typed.history,
+            at: typed.at,
+            options,
+        };
+        solve.check_outputs()?;
+        Ok(solve)
+    }
+
+    fn outputs(&self) -> impl Iterator<Item = &Path> {
+        let plot = self.plot.as_ref().map(|plot| &plot.path);
+        [self.csv.as_ref(), plot, self.history.as_ref()].into_iter().flatten().map(PathBuf::as_path)
+    }
+
+    /// No output may replace the model or another output.
+    fn check_outputs(&self) -> Result<(), Failure> {
+        let outputs: Vec<&Path> = self.outputs().collect();
+        for (i, &output) in outputs.iter().enumerate() {
+            if is_same_file(output, &self.file) {
+                let shown = output.display();
+                return Err(Failure::usage(format!("`{shown}` is the model itself")));
+            }
+            if outputs[..i].contains(&output) {
+                let shown = output.display();
+                return Err(Failure::usage(format!("`{shown}` is given for two outputs")));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn is_same_file(a: &Path, b: &Path) -> bool {
+    matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b && a.is_file())
+}
+
+impl Plot {
+    fn of(path: PathBuf) -> Result<Self, Failure> {
+        let extension = path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase);
+        let format = match extension.as_deref() {
+            Some("svg") => Format::Svg,
+            Some("png") => Format::Png,
+            _ => {
+                let shown = path.display();
+                let rule = "the name of a picture ends in .svg or .png";
+                return Err(Failure::usage(format!("--plot {shown}: {rule}")));
+            }
+        };
+        Ok(Plot { path, format })
+    }
+}

@@ -1,0 +1,114 @@
+//! `groundbeam solve`.
+
+use crate::Status;
+use crate::failure::Failure;
+use crate::input::Input;
+use crate::output::{print, standard_error_has_colour, standard_output_has_colour, write};
+use crate::request::{Format, Plot, Solve};
+use crate::waiting::while_working;
+use groundbeam::{Error, Outcome, Solution};
+use groundbeam_file::{Diagnostic, Diagnostics, Severity, parse_positions};
+use groundbeam_report::{Context, csv, json, png, svg, text};
+use std::time::Instant;
+
+pub fn run(request: &Solve) -> Result<Status, Failure> {
+    let input = Input::read(&request.file)?;
+    let model = &input.document.model;
+    let stations = request.at.as_deref().map(|list| positions(&input, list)).transpose()?;
+
+    let started = Instant::now();
+    let words = format!("solving with the method {}", request.options.method.name());
+    let outcome = while_working(words, || groundbeam::solve_with(model, &request.options));
+    let context = input.context().with_seconds(started.elapsed().as_secs_f64());
+
+    match outcome {
+        Ok(Outcome::Equilibrium(solution)) => {
+            let stations = stations.unwrap_or_else(|| json::default_stations(&solution));
+            write_files(request, &solution, &stations, &context)?;
+            print(&if request.json {
+                json::solved(&solution, &stations, &context)
+            } else {
+                text::solved(&solution, &context, standard_output_has_colour())
+            })?;
+            Ok(Status::Done)
+        }
+        Ok(Outcome::NoEquilibrium(existence)) => {
+            if request.json {
+                print(&json::no_equilibrium(model, &existence, &context))?;
+                return Ok(Status::NoEquilibrium);
+            }
+            let shown = text::existence(model, &existence, &context, standard_error_has_colour());
+            Err(Failure::reported(shown, Status::NoEquilibrium))
+        }
+        Err(Error::NotConverged(reached)) => {
+            if request.json {
+                print(&json::not_converged(&reached, &context))?;
+                return Ok(Status::NotConverged);
+            }
+            let shown = text::not_converged(&reached, standard_error_has_colour());
+            Err(Failure::reported(shown, Status::NotConverged))
+        }
+        Err(Error::Invalid(problems)) => Err(input.wrong(&problems)),
+        Err(Error::Unsupported(problem)) => Err(input.wrong(&[problem])),
+        Err(other) => Err(Failure::usage(other.to_string())),
+    }
+}
+
+fn write_files(
+    request: &Solve,
+    solution: &Solution,
+    stations: &[f64],
+    context: &Context,
+) -> Result<(), Failure> {
+    if let Some(path) = &request.csv {
+        write(path, csv::table(solution, stations, context.units).as_bytes())?;
+    }
+    if let Some(path) = &request.history {
+        write(path, csv::history(solution).as_bytes())?;
+    }
+    if let Some(Plot { path, format }) = &request.plot {
+        let bytes = match format {
+            Format::Svg => svg::picture(solution, context).into_bytes(),
+            Format::Png => png::picture(solution, context)
+                .map_err(|error| Failure::usage(error.to_string()))?,
+        };
+        write(path, &bytes)?;
+    }
+    Ok(())
+}
+
+/// The positions of `--at`, each on the beam.
+fn positions(input: &Input, list: &str) -> Result<Vec<f64>, Failure> {
+    let units = input.document.units;
+    let failure = |found: &Diagnostics| Failure::diagnostics(found, "--at", list);
+    let positions = parse_positions(list, units).map_err(|found| failure(&found))?;
+    let length = input.document.model.beam.length;
+    let mut start = 0;
+    for (entry, &x) in list.split(',').zip(&positions) {
+        if !(0.0..=length).contains(&x) {
+            let at = start + entry.len() - entry.trim_start().len();
+            let span = at..at + entry.trim().len();
+            let (message, hint) = (
+                format!("{} lies off the beam", units.length(x)),
+                format!(
+                    "the beam goes from 0 to {}, measured from its left end",
+                    units.length(length)
+                ),
+            );
+            let off = Diagnostic {
+                code: "GB301",
+                severity: Severity::Error,
+                message,
+                label: String::new(),
+                hint,
+                line: 1,
+                column: list[..at].chars().count() + 1,
+                span,
+                related: Vec::new(),
+            };
+            return Err(failure(&off.into()));
+        }
+        start += entry.len() + 1;
+    }
+    Ok(positions)
+}

@@ -1,0 +1,142 @@
+//! What was typed. What it means is in [`request`](crate::request).
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
+use std::path::PathBuf;
+
+/// Beams on ground that can only push back.
+///
+/// Given a beam, a Pasternak or Winkler foundation and loads, finds where the beam touches, where it lifts
+/// off and how hard the ground pushes, and proves the answer. If no equilibrium exists, says which way the
+/// beam tips.
+#[derive(Debug, Parser)]
+#[command(name = "groundbeam", version, max_term_width = 100, after_long_help = AFTER)]
+#[command(subcommand_required = true, arg_required_else_help = true)]
+pub struct Typed {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+const AFTER: &str = "\
+Exit status:
+  0  solved
+  2  the input or the command line is wrong
+  3  the model is right and no equilibrium exists
+  4  the solver could not meet its own tolerance
+
+Environment:
+  NO_COLOR  if set, nothing is coloured";
+
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Solve a model and report contact, forces, extremes and the certificate
+    Solve(Solve),
+    /// Read a model and tell whether an equilibrium exists, without solving
+    Check(Check),
+    /// Print a completion script for a shell
+    Completions {
+        /// The shell
+        shell: Shell,
+    },
+    /// Print the manual page
+    #[command(hide = true)]
+    Man,
+}
+
+#[derive(Debug, Args)]
+#[command(after_long_help = AFTER)]
+pub struct Solve {
+    /// Model file (TOML); `-` for standard input
+    pub file: PathBuf,
+
+    /// Print the result as one JSON document, and nothing else, on standard output
+    #[arg(long)]
+    pub json: bool,
+
+    /// Write all fields along the beam as a table
+    #[arg(long, value_name = "OUT")]
+    pub csv: Option<PathBuf>,
+
+    /// Draw beam, ground, pressure, moment and shear; the format is that of the name, .svg or .png
+    #[arg(long, value_name = "OUT")]
+    pub plot: Option<PathBuf>,
+
+    /// Write every step of the iteration as a table
+    #[arg(long, value_name = "OUT")]
+    pub history: Option<PathBuf>,
+
+    /// Positions at which the fields are listed, as in "0 m, 0.5 m", or 0,0.5 for a file without units
+    ///
+    /// For --json and --csv. Left out: an even grid with every load, edge of contact and extreme.
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
+    pub at: Option<String>,
+
+    /// How to solve
+    #[arg(long, value_enum, default_value = "exact")]
+    pub method: Method,
+
+    /// Elements of the mesh; `exact` has none
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
+    pub elements: u32,
+
+    /// How a mesh represents the contact pressure; `psor` and `uzawa` always take `dirac`
+    #[arg(long, value_enum, default_value = "distributed")]
+    pub pressure: Pressure,
+
+    /// Where `psor` and `uzawa` begin
+    #[arg(long, value_enum, default_value = "bilateral")]
+    pub start: Start,
+
+    /// Sweeps after which `psor` and `uzawa` give up
+    #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = clap::value_parser!(u64).range(1..))]
+    pub most_sweeps: u64,
+}
+
+#[derive(Debug, Args)]
+pub struct Check {
+    /// Model file (TOML); `-` for standard input
+    pub file: PathBuf,
+
+    /// Print the verdict as one JSON document, and nothing else, on standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub enum Method {
+    /// Closed forms between the edges of contact, no mesh
+    Exact,
+    /// Cubic elements, Newton's method on the convex energy
+    ActiveSet,
+    /// Projected successive over-relaxation, Kikuchi (5.17), (5.18)
+    Psor,
+    /// Uzawa's iteration, Kikuchi (5.14) to (5.17)
+    Uzawa,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub enum Pressure {
+    /// Spread over the stretches of contact
+    Distributed,
+    /// Forces at the nodes, Kikuchi (5.5)
+    Dirac,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub enum Start {
+    /// From the pressure of the bilateral problem, its pulls left out
+    Bilateral,
+    /// From no pressure
+    Zero,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Typed::command().debug_assert();
+    }
+}

@@ -1,0 +1,96 @@
+//! The numbers by which an engineer judges a beam on ground before looking at anything else.
+
+use groundbeam::{Existence, Model};
+
+/// β, βl, the shear length and the resultant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Characteristics {
+    /// β = (k/4EI)^¼ \[1/m\]: its smallest and its largest value along the beam.
+    pub beta: [f64; 2],
+    /// βl, where β varies ∫β dx. Below π/4 the beam is nearly rigid, above π its ends do not feel each
+    /// other (Hetényi).
+    pub beta_length: f64,
+    /// √(μ/k) \[m\], over which the ground's surface levels out: its smallest and largest value.
+    pub shear_length: [f64; 2],
+    /// The loads' resultant.
+    pub resultant: Resultant,
+}
+
+/// The resultant of the loads.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Resultant {
+    /// Its size, down positive \[N\].
+    pub force: f64,
+    /// Where it acts \[m\]; nowhere if its size is zero.
+    pub at: Option<f64>,
+}
+
+impl Characteristics {
+    /// Of a valid model.
+    pub fn of(model: &Model, existence: &Existence) -> Self {
+        let mut beta = [f64::INFINITY, 0.0_f64];
+        let mut shear_length = [f64::INFINITY, 0.0_f64];
+        let mut beta_length = 0.0;
+        for [from, to] in stretches(model) {
+            let middle = from + 0.5 * (to - from);
+            let stiffness = model.beam.bending_stiffness_at(middle);
+            let (spring, shear) = model.foundation.constants_at(middle);
+            let here = (spring / (4.0 * stiffness)).sqrt().sqrt();
+            beta_length += here * (to - from);
+            beta = widened(beta, here);
+            shear_length = widened(shear_length, (shear / spring).sqrt());
+        }
+        let resultant = Resultant {
+            force: existence.resultant(),
+            at: existence.resultant_position(model.beam.length),
+        };
+        Characteristics { beta, beta_length, shear_length, resultant }
+    }
+
+    /// Hetényi's classes.
+    pub(crate) fn class(&self) -> &'static str {
+        use std::f64::consts::PI;
+        if self.beta_length < 0.25 * PI {
+            "a short, nearly rigid beam"
+        } else if self.beta_length < PI {
+            "a beam of medium length"
+        } else {
+            "a long beam"
+        }
+    }
+}
+
+fn widened([low, high]: [f64; 2], value: f64) -> [f64; 2] {
+    [low.min(value), high.max(value)]
+}
+
+/// The parts of the beam on which beam and ground are uniform.
+fn stretches(model: &Model) -> Vec<[f64; 2]> {
+    let l = model.beam.length;
+    let beam = model.beam.segments.iter().flat_map(|s| [s.from, s.to]);
+    let ground = model.foundation.segments.iter().flat_map(|s| [s.from, s.to]);
+    let mut joints: Vec<f64> = beam.chain(ground).filter(|x| *x > 0.0 && *x < l).collect();
+    joints.extend([0.0, l]);
+    joints.sort_by(f64::total_cmp);
+    joints.dedup();
+    joints.windows(2).map(|pair| [pair[0], pair[1]]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use groundbeam::{Beam, Foundation, Load};
+
+    #[test]
+    fn a_varying_beam() {
+        let beam = Beam::uniform(4.0, 0.25).with_segment(1.0, 3.0, 4.0);
+        let model =
+            Model::new(beam, Foundation::pasternak(1.0, 4.0)).with_load(Load::point(2.0, 3.0));
+        let existence = groundbeam::exists(&model).unwrap();
+        let found = Characteristics::of(&model, &existence);
+        assert_eq!(found.beta, [0.5, 1.0]);
+        assert_eq!(found.beta_length, 3.0);
+        assert_eq!(found.shear_length, [2.0, 2.0]);
+        assert_eq!(found.resultant, Resultant { force: 2.0, at: Some(3.0) });
+    }
+}

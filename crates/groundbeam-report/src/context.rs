@@ -1,0 +1,59 @@
+//! What a report says besides the result itself.
+
+use crate::quantity::Units;
+
+/// What a report says besides the result itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Context<'a> {
+    /// What the model is called.
+    pub title: Option<&'a str>,
+    /// How numbers are written.
+    pub units: Units,
+    /// How long it took \[s\]; left out where nobody measured it.
+    pub seconds: Option<f64>,
+}
+
+impl<'a> Context<'a> {
+    /// No title, no time.
+    pub fn new(units: Units) -> Self {
+        Context { title: None, units, seconds: None }
+    }
+
+    /// The same with a title.
+    pub fn with_title(self, title: &'a str) -> Self {
+        Context { title: Some(title), ..self }
+    }
+
+    /// The same with the time it took \[s\].
+    pub fn with_seconds(self, seconds: f64) -> Self {
+        Context { seconds: Some(seconds), ..self }
+    }
+
+    /// The title on one line, without characters that would steer a terminal or break XML.
+    pub(crate) fn clean_title(&self) -> Option<String> {
+        let words = |title: &str| {
+            let plain: String = title.chars().map(|c| if is_plain(c) { c } else { ' ' }).collect();
+            plain.split_whitespace().collect::<Vec<_>>().join(" ")
+        };
+        self.title.map(words).filter(|title| !title.is_empty())
+    }
+}
+
+/// Neither a control character nor one that turns the direction of text, nor no character at all.
+fn is_plain(c: char) -> bool {
+    !c.is_control()
+        && !matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+        && !matches!(c, '\u{fffe}' | '\u{ffff}')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn titles_cannot_steer_a_terminal() {
+        let context = Context::new(Units::Si).with_title(" a\u{1b}[31m\tb\n ");
+        assert_eq!(context.clean_title().as_deref(), Some("a [31m b"));
+        assert_eq!(Context::new(Units::Si).with_title(" \n").clean_title(), None);
+    }
+}

@@ -1,0 +1,85 @@
+//! Tables: all fields along the beam, and the history of the iteration.
+
+use crate::curve::Jumps;
+use crate::quantity::Units;
+use ::csv::{Writer, WriterBuilder};
+use groundbeam::{Field, Fields, Solution};
+
+/// All fields at the given positions: `x_m, deflection_m, …`, without units in the header for plain numbers.
+///
+/// Where a field jumps (at point loads, supports and edges of contact) the position has two rows: first the
+/// values just to the left, then those just to the right. Numbers are written with as many digits as it
+/// takes to read back the same bits.
+pub fn table(solution: &Solution, positions: &[f64], units: Units) -> String {
+    let mut rows = Rows::new();
+    let names = Field::ALL.map(|field| column(field.name(), unit(field), units));
+    rows.push(std::iter::once(column("x", "m", units)).chain(names));
+    let jumps = Jumps::of(solution);
+    for &x in positions {
+        let (left, right) = jumps.rows(solution, x);
+        for fields in left.iter().chain([&right]) {
+            rows.push(row(x, fields));
+        }
+    }
+    rows.finish()
+}
+
+/// Every step of the iteration: `step, zones, part, decrement`.
+///
+/// `zones` counts the zones of contact, `part` is the part of Newton's step that was taken (for Uzawa's
+/// iteration its parameter), `decrement` how far the energy was from its least value, relative to the
+/// strain energy (for Uzawa's iteration the relative change of the pressure).
+pub fn history(solution: &Solution) -> String {
+    let mut rows = Rows::new();
+    rows.push(["step", "zones", "part", "decrement"].map(str::to_owned));
+    for (i, step) in solution.history().iter().enumerate() {
+        let zones = step.zones.to_string();
+        rows.push([(i + 1).to_string(), zones, number(step.step), number(step.decrement)]);
+    }
+    rows.finish()
+}
+
+fn row(x: f64, fields: &Fields) -> impl Iterator<Item = String> {
+    std::iter::once(number(x)).chain(Field::ALL.map(|field| number(fields.get(field))))
+}
+
+/// The shortest text that reads back as the same bits.
+fn number(value: f64) -> String {
+    // -0 is 0.
+    format!("{:?}", value + 0.0)
+}
+
+fn column(name: &str, unit: &str, units: Units) -> String {
+    match units {
+        Units::Si => format!("{name}_{unit}"),
+        Units::Plain => name.to_owned(),
+    }
+}
+
+fn unit(field: Field) -> &'static str {
+    match field {
+        Field::Deflection | Field::Settlement | Field::Gap => "m",
+        Field::Slope => "rad",
+        Field::Moment => "Nm",
+        Field::ShearForce => "N",
+        Field::Pressure => "N_per_m",
+    }
+}
+
+/// Rows in memory, where writing cannot fail.
+struct Rows(Writer<Vec<u8>>);
+
+impl Rows {
+    fn new() -> Self {
+        Rows(WriterBuilder::new().from_writer(Vec::new()))
+    }
+
+    fn push(&mut self, cells: impl IntoIterator<Item = String>) {
+        let _ = self.0.write_record(cells);
+    }
+
+    fn finish(self) -> String {
+        let bytes = self.0.into_inner().unwrap_or_default();
+        String::from_utf8(bytes).unwrap_or_default()
+    }
+}

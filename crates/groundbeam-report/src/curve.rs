@@ -1,0 +1,37 @@
+//! Fields along the beam as rows of points, with both sides of every jump.
+
+use crate::size::Sizes;
+use groundbeam::{Field, Fields, Side, Solution};
+
+/// A smaller difference of the two sides, relative to the field's largest value, is rounding.
+const JUMP: f64 = 1e-9;
+
+/// The fields' largest sizes, against which a jump is told from rounding.
+pub(crate) struct Jumps {
+    largest: [f64; Field::ALL.len()],
+}
+
+impl Jumps {
+    pub fn of(solution: &Solution) -> Self {
+        let sizes = Sizes::of(solution);
+        let largest = Field::ALL.map(|field| {
+            let range = solution.range(field);
+            let size = range.min.value.abs().max(range.max.value.abs());
+            sizes.value(field, size)
+        });
+        Jumps { largest }
+    }
+
+    /// The values at a position: one row, or where a field jumps the left and the right one.
+    pub fn rows(&self, solution: &Solution, x: f64) -> (Option<Fields>, Fields) {
+        let right = solution.at(x, Side::Right);
+        let inside = x > 0.0 && x < solution.model().beam.length;
+        let left = solution.at(x, Side::Left);
+        let jumps = inside
+            && Field::ALL.iter().zip(self.largest).any(|(&field, largest)| {
+                let step = (left.get(field) - right.get(field)).abs();
+                step > JUMP * largest && largest > 0.0
+            });
+        (jumps.then_some(left), right)
+    }
+}

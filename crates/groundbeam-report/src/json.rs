@@ -1,0 +1,385 @@
+//! The result document: one JSON object, in SI units or in the file's own consistent system.
+//!
+//! Numbers are written with as many digits as it takes to read back the same bits; what is infinite or not
+//! a number is `null`. Keys stand in a fixed order.
+//!
+//! `stations` holds every position once, with the values just to the right of it (at x = l just to the
+//! left) where a field jumps. Both sides of a jump are in the table of [`csv`](crate::csv).
+
+use crate::characteristics::Characteristics;
+use crate::context::Context;
+use crate::verdict::sentence;
+use groundbeam::{
+    Certificate, Existence, Extreme, Field, Method, Model, NotConverged, RigidMotion, Side,
+    Solution, Verdict,
+};
+use serde::Serialize;
+
+/// Equal steps of the grid that [`default_stations`] is made of.
+const EVEN_STEPS: usize = 100;
+
+/// Where the fields are listed if nobody says: an even grid, every load, support, joint and edge of
+/// contact, and every extreme.
+pub fn default_stations(solution: &Solution) -> Vec<f64> {
+    solution.stations(EVEN_STEPS)
+}
+
+/// The document of an equilibrium, with the fields at the given positions of the beam.
+pub fn solved(solution: &Solution, stations: &[f64], context: &Context) -> String {
+    let model = solution.model();
+    let document = Solved {
+        head: Head::new("solved", context),
+        method: solution.method().name(),
+        elements: solution.elements(),
+        existence: Proven::new(model, solution.existence(), context),
+        characteristics: Judged::new(model, solution.existence()),
+        contact: solution.contact().iter().map(|c| Stretch { from: c.from, to: c.to }).collect(),
+        lift_off: solution
+            .lift_off()
+            .iter()
+            .map(|l| Lifted { from: l.from, to: l.to, largest_gap: l.largest_gap.into() })
+            .collect(),
+        end_forces: Ends { left: solution.end_forces().left, right: solution.end_forces().right },
+        concentrated_forces: solution
+            .concentrated_forces()
+            .iter()
+            .map(|force| Force { at: force.at, force: force.force })
+            .collect(),
+        reactions: solution
+            .reactions()
+            .iter()
+            .map(|r| Held { at: r.at, force: r.force, moment: r.moment })
+            .collect(),
+        stations: Stations::of(solution, stations),
+        extremes: Extremes::of(solution),
+        certificate: solution.certificate().into(),
+        iterations: solution.iterations(),
+        seconds: context.seconds,
+    };
+    text(&document)
+}
+
+/// The document of a model that has no equilibrium.
+pub fn no_equilibrium(model: &Model, existence: &Existence, context: &Context) -> String {
+    verdict("no-equilibrium", model, existence, context)
+}
+
+/// The document of a model that was checked but not solved: its `status` is `equilibrium-exists` or
+/// `no-equilibrium`.
+pub fn existence(model: &Model, existence: &Existence, context: &Context) -> String {
+    let status = match existence.verdict {
+        Verdict::None(_) => "no-equilibrium",
+        Verdict::Unique | Verdict::NotUnique(_) => "equilibrium-exists",
+    };
+    verdict(status, model, existence, context)
+}
+
+fn verdict(
+    status: &'static str,
+    model: &Model,
+    existence: &Existence,
+    context: &Context,
+) -> String {
+    text(&Checked {
+        head: Head::new(status, context),
+        existence: Proven::new(model, existence, context),
+        characteristics: Judged::new(model, existence),
+        seconds: context.seconds,
+    })
+}
+
+/// The document of a method that did not reach its tolerance.
+pub fn not_converged(reached: &NotConverged, context: &Context) -> String {
+    text(&Stopped {
+        head: Head::new("not-converged", context),
+        method: Method::name(reached.method),
+        what: reached.what,
+        tolerance: reached.tolerance,
+        reached: reached.reached,
+        iterations: reached.iterations,
+        seconds: context.seconds,
+    })
+}
+
+/// Plain structs of numbers and words can always be written.
+fn text(document: &impl Serialize) -> String {
+    serde_json::to_string_pretty(document).unwrap_or_default() + "\n"
+}
+
+#[derive(Serialize)]
+struct Solved {
+    #[serde(flatten)]
+    head: Head,
+    method: &'static str,
+    elements: usize,
+    existence: Proven,
+    characteristics: Judged,
+    contact: Vec<Stretch>,
+    lift_off: Vec<Lifted>,
+    end_forces: Ends,
+    concentrated_forces: Vec<Force>,
+    reactions: Vec<Held>,
+    stations: Stations,
+    extremes: Extremes,
+    certificate: Proof,
+    iterations: usize,
+    seconds: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Checked {
+    #[serde(flatten)]
+    head: Head,
+    existence: Proven,
+    characteristics: Judged,
+    seconds: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Stopped {
+    #[serde(flatten)]
+    head: Head,
+    method: &'static str,
+    what: &'static str,
+    tolerance: f64,
+    reached: f64,
+    iterations: usize,
+    seconds: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Head {
+    status: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    title: Option<String>,
+    units: &'static str,
+}
+
+impl Head {
+    fn new(status: &'static str, context: &Context) -> Self {
+        Head { status, title: context.title.map(str::to_owned), units: context.units.name() }
+    }
+}
+
+#[derive(Serialize)]
+struct Proven {
+    verdict: &'static str,
+    static_reactions: [f64; 2],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    failing_motion: Option<Motion>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    undetermined_motion: Option<Motion>,
+    sentence: String,
+}
+
+impl Proven {
+    fn new(model: &Model, existence: &Existence, context: &Context) -> Self {
+        let (verdict, failing_motion, undetermined_motion) = match existence.verdict {
+            Verdict::Unique => ("unique", None, None),
+            Verdict::NotUnique(motion) => ("not-unique", None, Some(motion.into())),
+            Verdict::None(motion) => ("none", Some(motion.into()), None),
+        };
+        Proven {
+            verdict,
+            static_reactions: existence.static_reactions,
+            failing_motion,
+            undetermined_motion,
+            sentence: sentence(model, existence, context.units),
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct Motion {
+    left: f64,
+    right: f64,
+    work: f64,
+}
+
+impl From<RigidMotion> for Motion {
+    fn from(motion: RigidMotion) -> Self {
+        Motion { left: motion.left, right: motion.right, work: motion.work }
+    }
+}
+
+#[derive(Serialize)]
+struct Judged {
+    /// Smallest and largest.
+    beta: [f64; 2],
+    beta_length: f64,
+    /// Smallest and largest.
+    shear_length: [f64; 2],
+    resultant: Resultant,
+}
+
+#[derive(Serialize)]
+struct Resultant {
+    force: f64,
+    at: Option<f64>,
+}
+
+impl Judged {
+    fn new(model: &Model, existence: &Existence) -> Self {
+        let Characteristics { beta, beta_length, shear_length, resultant } =
+            Characteristics::of(model, existence);
+        let resultant = Resultant { force: resultant.force, at: resultant.at };
+        Judged { beta, beta_length, shear_length, resultant }
+    }
+}
+
+#[derive(Serialize)]
+struct Stretch {
+    from: f64,
+    to: f64,
+}
+
+#[derive(Serialize)]
+struct Lifted {
+    from: f64,
+    to: f64,
+    largest_gap: Point,
+}
+
+#[derive(Serialize)]
+struct Ends {
+    left: f64,
+    right: f64,
+}
+
+#[derive(Serialize)]
+struct Force {
+    at: f64,
+    force: f64,
+}
+
+#[derive(Serialize)]
+struct Held {
+    at: f64,
+    force: f64,
+    moment: f64,
+}
+
+#[derive(Serialize, Default)]
+struct Stations {
+    x: Vec<f64>,
+    deflection: Vec<f64>,
+    slope: Vec<f64>,
+    moment: Vec<f64>,
+    shear_force: Vec<f64>,
+    settlement: Vec<f64>,
+    gap: Vec<f64>,
+    pressure: Vec<f64>,
+}
+
+impl Stations {
+    fn of(solution: &Solution, positions: &[f64]) -> Self {
+        let fields: Vec<_> = positions.iter().map(|&x| solution.at(x, Side::Right)).collect();
+        let column = |field| fields.iter().map(|f| f.get(field)).collect();
+        Stations {
+            x: positions.to_vec(),
+            deflection: column(Field::Deflection),
+            slope: column(Field::Slope),
+            moment: column(Field::Moment),
+            shear_force: column(Field::ShearForce),
+            settlement: column(Field::Settlement),
+            gap: column(Field::Gap),
+            pressure: column(Field::Pressure),
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct Extremes {
+    deflection: Range,
+    slope: Range,
+    moment: Range,
+    shear_force: Range,
+    settlement: Range,
+    gap: Range,
+    pressure: Range,
+}
+
+#[derive(Serialize)]
+struct Range {
+    min: Point,
+    max: Point,
+}
+
+#[derive(Serialize)]
+struct Point {
+    x: f64,
+    value: f64,
+}
+
+impl From<Extreme> for Point {
+    fn from(extreme: Extreme) -> Self {
+        Point { x: extreme.x, value: extreme.value }
+    }
+}
+
+impl Extremes {
+    fn of(solution: &Solution) -> Self {
+        let range = |field| {
+            let range = solution.range(field);
+            Range { min: range.min.into(), max: range.max.into() }
+        };
+        Extremes {
+            deflection: range(Field::Deflection),
+            slope: range(Field::Slope),
+            moment: range(Field::Moment),
+            shear_force: range(Field::ShearForce),
+            settlement: range(Field::Settlement),
+            gap: range(Field::Gap),
+            pressure: range(Field::Pressure),
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct Proof {
+    primal_energy: f64,
+    dual_energy: f64,
+    gap: f64,
+    relative_gap: f64,
+    force_balance: f64,
+    moment_balance: f64,
+    smallest_pressure: f64,
+    deepest_penetration: f64,
+    complementarity: f64,
+    settlement_bound: f64,
+    moment_bound: f64,
+    moment_rms_bound: f64,
+}
+
+impl From<&Certificate> for Proof {
+    fn from(certificate: &Certificate) -> Self {
+        let Certificate {
+            primal_energy,
+            dual_energy,
+            gap,
+            relative_gap,
+            force_balance,
+            moment_balance,
+            smallest_pressure,
+            deepest_penetration,
+            complementarity,
+            settlement_bound,
+            moment_bound,
+            moment_rms_bound,
+        } = *certificate;
+        Proof {
+            primal_energy,
+            dual_energy,
+            gap,
+            relative_gap,
+            force_balance,
+            moment_balance,
+            smallest_pressure,
+            deepest_penetration,
+            complementarity,
+            settlement_bound,
+            moment_bound,
+            moment_rms_bound,
+        }
+    }
+}

@@ -1,0 +1,43 @@
+//! The picture as PNG.
+
+use crate::context::Context;
+use crate::{font, svg};
+use groundbeam::Solution;
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::{Options, Tree};
+use std::fmt;
+
+/// Pixels for one unit of the SVG picture.
+const PIXELS: f32 = 2.0;
+
+/// A picture that could not be drawn.
+#[derive(Debug)]
+pub struct Error(String);
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the picture could not be drawn: {}", self.0)
+    }
+}
+
+impl std::error::Error for Error {}
+
+/// The picture of [`svg::picture`] as the bytes of a PNG file, twice as many pixels wide.
+///
+/// # Errors
+///
+/// If memory for the pixels is lacking.
+pub fn picture(solution: &Solution, context: &Context) -> Result<Vec<u8>, Error> {
+    let mut options = Options { font_family: "Inter".to_owned(), ..Options::default() };
+    let fonts = options.fontdb_mut();
+    fonts.load_font_data(font::REGULAR.to_vec());
+    fonts.load_font_data(font::SEMI_BOLD.to_vec());
+    let tree = Tree::from_str(&svg::picture(solution, context), &options)
+        .map_err(|error| Error(error.to_string()))?;
+    let size = tree.size();
+    let [width, height] = [size.width(), size.height()].map(|side| (side * PIXELS).ceil() as u32);
+    let mut pixels =
+        Pixmap::new(width, height).ok_or_else(|| Error(format!("{width} × {height} pixels")))?;
+    resvg::render(&tree, Transform::from_scale(PIXELS, PIXELS), &mut pixels.as_mut());
+    pixels.encode_png().map_err(|error| Error(error.to_string()))
+}

@@ -1,0 +1,74 @@
+//! What is small enough to be rounding, in print.
+
+use groundbeam::{Extreme, Field, Load, Model, Solution};
+
+/// Relative to what loads and lengths make natural, below this a printed number is zero.
+const ROUNDING: f64 = 1e-12;
+
+/// The natural sizes of a solution's fields.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Sizes {
+    length: f64,
+    force: f64,
+    deflection: f64,
+}
+
+impl Sizes {
+    pub fn of(solution: &Solution) -> Self {
+        let model = solution.model();
+        let largest = |field| {
+            let range = solution.range(field);
+            range.min.value.abs().max(range.max.value.abs())
+        };
+        let reactions = solution.reactions().iter().map(|r| r.force.abs());
+        let force = load_size(model) + reactions.sum::<f64>();
+        Sizes {
+            length: model.beam.length,
+            force,
+            deflection: largest(Field::Deflection).max(largest(Field::Settlement)),
+        }
+    }
+
+    /// The value, or zero where it is nothing but rounding.
+    pub fn value(&self, field: Field, value: f64) -> f64 {
+        let natural = match field {
+            Field::Deflection | Field::Settlement | Field::Gap => self.deflection,
+            Field::Slope => self.deflection / self.length,
+            Field::Moment => self.force * self.length,
+            Field::ShearForce => self.force,
+            Field::Pressure => self.force / self.length,
+        };
+        if value.abs() <= ROUNDING * natural { 0.0 } else { value }
+    }
+
+    /// A position, or zero where it is nothing but rounding.
+    pub fn position(&self, x: f64) -> f64 {
+        if x.abs() <= ROUNDING * self.length { 0.0 } else { x }
+    }
+
+    pub fn force(&self, force: f64) -> f64 {
+        self.value(Field::ShearForce, force)
+    }
+
+    pub fn moment(&self, moment: f64) -> f64 {
+        self.value(Field::Moment, moment)
+    }
+
+    pub fn extreme(&self, field: Field, extreme: Extreme) -> Extreme {
+        Extreme { x: self.position(extreme.x), value: self.value(field, extreme.value) }
+    }
+}
+
+/// The sizes of all loads, moments as pairs of forces at the beam's ends.
+fn load_size(model: &Model) -> f64 {
+    let l = model.beam.length;
+    let size = |load: &Load| match *load {
+        Load::PointForce { force, .. } => force.abs(),
+        Load::PointMoment { moment, .. } => moment.abs() / l,
+        Load::Distributed { from, to, start, end } => 0.5 * (start.abs() + end.abs()) * (to - from),
+        Load::DistributedMoment { from, to, start, end } => {
+            0.5 * (start.abs() + end.abs()) * (to - from) / l
+        }
+    };
+    model.loads.iter().map(size).sum()
+}

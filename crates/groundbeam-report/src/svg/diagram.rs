@@ -1,0 +1,207 @@
+//! A field drawn over the beam's length: zero line, curve, extremes in words.
+
+use super::axis;
+use super::canvas::{Anchor, Canvas, number, printed};
+use super::frame::{Frame, LEFT, RIGHT, WIDTH};
+use super::labels::{Labels, Rect};
+use super::samples::simplified;
+use super::style::{FORCE, INK, NOTE, PANEL_TITLE, RIMMED, RULE, TICK};
+use crate::font::Metrics;
+use crate::quantity::{Kind, Unit, Units};
+use groundbeam::Extreme;
+
+/// Where it begins, below the baseline of its title.
+const TOP: f64 = 9.0;
+/// The height of a diagram without its title.
+const HEIGHT: f64 = 136.0;
+/// The same where there is nothing to draw.
+const EMPTY: f64 = 30.0;
+/// The part of the height that the values take up; the rest is for labels.
+const FILLED: f64 = 0.68;
+/// The longest arrow of a concentrated force.
+const LONGEST_ARROW: f64 = 50.0;
+
+/// What is drawn.
+pub(super) struct Diagram<'a> {
+    pub title: &'a str,
+    pub note: &'a str,
+    pub kind: Kind,
+    pub units: Units,
+    pub colour: &'static str,
+    /// Whether positive values are drawn downward.
+    pub downward: bool,
+    pub values: Vec<(f64, f64)>,
+    pub extremes: Vec<Extreme>,
+    /// Concentrated forces that push the beam up, with what to call them.
+    pub forces: Vec<(f64, f64, String)>,
+    /// Positions at which contact begins or ends.
+    pub edges: &'a [f64],
+}
+
+impl Diagram<'_> {
+    pub fn draw(&self, frame: &Frame, metrics: &Metrics) -> Canvas {
+        let mut canvas = Canvas::new();
+        let [low, high] = self.range();
+        let unit = self.units.unit(self.kind, low.abs().max(high.abs()));
+        self.title(&mut canvas, unit, metrics);
+        let is_empty = low == high && self.forces.is_empty();
+        let height = if is_empty { EMPTY } else { HEIGHT };
+        let page = Rect { left: LEFT + 2.0, top: TOP, right: WIDTH - 4.0, bottom: TOP + height };
+        let mut labels = Labels::new(metrics, page);
+
+        let scale = Scale::new([low, high], self.downward, height);
+        let zero = scale.y(0.0);
+        labels.avoid_line(&[[frame.x(0.0), zero], [frame.x(frame.length), zero]]);
+        self.grid(&mut canvas, frame, &scale, unit, height);
+        self.curve(&mut canvas, frame, &scale, &mut labels);
+        self.arrows(&mut canvas, frame, &scale, &mut labels);
+        self.extremes(&mut canvas, frame, &scale, &mut labels, unit);
+        canvas.reserve(page.bottom);
+        canvas
+    }
+
+    fn range(&self) -> [f64; 2] {
+        self.values.iter().fold([0.0, 0.0], |[low, high], &(_, v)| [low.min(v), high.max(v)])
+    }
+
+    fn title(&self, canvas: &mut Canvas, unit: Unit, metrics: &Metrics) {
+        let title = format!("{}{}", self.title, unit.bracketed());
+        canvas.text([LEFT, 0.0], Anchor::Start, PANEL_TITLE, &title);
+        // The title is semi-bold, a little wider than it is measured.
+        let x = LEFT + 1.06 * metrics.width(&title, PANEL_TITLE.size) + 12.0;
+        let is_empty = self.range() == [0.0, 0.0] && self.forces.is_empty();
+        let note = if is_empty { "zero everywhere" } else { self.note };
+        canvas.text([x, 0.0], Anchor::Start, NOTE, note);
+    }
+
+    fn grid(&self, canvas: &mut Canvas, frame: &Frame, scale: &Scale, unit: Unit, height: f64) {
+        let [top, bottom] = [TOP, TOP + height];
+        for &x in self.edges {
+            let x = frame.x(x);
+            let dashes = format!(r#"stroke="{RULE}" stroke-width="1" stroke-dasharray="3 3""#);
+            canvas.line([x, top], [x, bottom], &dashes);
+        }
+        for x in [0.0, frame.length] {
+            let x = frame.x(x);
+            canvas.line([x, top], [x, bottom], &format!(r#"stroke="{RULE}" stroke-width="1""#));
+        }
+        for value in axis::ticks(scale.range, 3) {
+            let y = scale.y(value);
+            if value != 0.0 {
+                let faint = r##"stroke="#eceef1" stroke-width="1""##;
+                canvas.line([LEFT, y], [RIGHT, y], faint);
+            }
+            let words = printed(&unit.number(value, 6));
+            canvas.text([LEFT - 8.0, y + 3.7], Anchor::End, TICK, &words);
+        }
+        let zero = scale.y(0.0);
+        canvas.line(
+            [frame.x(0.0), zero],
+            [frame.x(frame.length), zero],
+            &format!(r#"stroke="{INK}" stroke-width="1""#),
+        );
+    }
+
+    fn curve(&self, canvas: &mut Canvas, frame: &Frame, scale: &Scale, labels: &mut Labels) {
+        let [low, high] = scale.range;
+        if low == high {
+            return;
+        }
+        let points: Vec<_> =
+            self.values.iter().map(|&(x, value)| [frame.x(x), scale.y(value)]).collect();
+        let zero = scale.y(0.0);
+        // The ends close the area, and the curve meets the zero line there as the jump it is.
+        let mut closed = vec![[frame.x(0.0), zero]];
+        closed.extend(points);
+        closed.push([frame.x(frame.length), zero]);
+        let closed = simplified(&closed);
+        let fill = format!(r#"fill="{}" fill-opacity="0.14" stroke="none""#, self.colour);
+        canvas.polyline(&closed, true, &fill);
+        let stroke = format!(r#"fill="none" stroke="{}" stroke-width="1.7""#, self.colour);
+        canvas.polyline(&closed, false, &stroke);
+        labels.avoid_line(&closed);
+    }
+
+    /// Forces push from below up to the zero line.
+    fn arrows(&self, canvas: &mut Canvas, frame: &Frame, scale: &Scale, labels: &mut Labels) {
+        let largest = self.forces.iter().fold(0.0_f64, |most, force| most.max(force.1.abs()));
+        let zero = scale.y(0.0);
+        let room = (TOP + HEIGHT - zero).clamp(24.0, LONGEST_ARROW);
+        let mut tails = Vec::new();
+        for (x, force, _) in &self.forces {
+            let x = frame.x(*x);
+            let length = (room * force.abs() / largest).max(14.0);
+            arrow(canvas, [x, zero + length], [x, zero + 1.0], FORCE, 2.6);
+            labels.avoid(Rect::around([x, zero], [x, zero + length], 4.0));
+            tails.push([x, zero + 0.5 * length]);
+        }
+        let mut order: Vec<usize> = (0..tails.len()).collect();
+        order.sort_by(|&a, &b| self.forces[b].1.total_cmp(&self.forces[a].1));
+        for i in order {
+            let words = printed(&self.forces[i].2);
+            if let Some(place) = labels.around(tails[i], &words, RIMMED.size) {
+                canvas.text([place.x, place.baseline], Anchor::Start, RIMMED, &words);
+            }
+        }
+    }
+
+    fn extremes(
+        &self,
+        canvas: &mut Canvas,
+        frame: &Frame,
+        scale: &Scale,
+        labels: &mut Labels,
+        unit: Unit,
+    ) {
+        for extreme in self.extremes.iter().filter(|extreme| extreme.value != 0.0) {
+            let at = [frame.x(extreme.x), scale.y(extreme.value)];
+            let dot = format!(r##"fill="{}" stroke="#ffffff" stroke-width="1""##, self.colour);
+            let x = self.units.unit(Kind::Position, extreme.x).write(extreme.x, 4);
+            let words = printed(&format!("{} at {x}", unit.write(extreme.value, 4)));
+            canvas.dot(at, 3.2, &dot);
+            labels.avoid(Rect::around(at, at, 3.0));
+            if let Some(place) = labels.around(at, &words, RIMMED.size) {
+                canvas.text([place.x, place.baseline], Anchor::Start, RIMMED, &words);
+            }
+        }
+    }
+}
+
+/// From values to the height of the page.
+struct Scale {
+    range: [f64; 2],
+    per_value: f64,
+    zero: f64,
+}
+
+impl Scale {
+    fn new([low, high]: [f64; 2], downward: bool, height: f64) -> Self {
+        let top = TOP + 0.5 * (1.0 - FILLED) * height;
+        let per_value = if high > low { FILLED * height / (high - low) } else { 0.0 };
+        let (per_value, first) = if downward { (per_value, low) } else { (-per_value, high) };
+        let zero = if per_value == 0.0 { TOP + 0.5 * height } else { top - per_value * first };
+        Scale { range: [low, high], per_value, zero }
+    }
+
+    fn y(&self, value: f64) -> f64 {
+        self.zero + self.per_value * value
+    }
+}
+
+/// A straight arrow with its head at the second point, up or down.
+pub(super) fn arrow(
+    canvas: &mut Canvas,
+    [x, from]: [f64; 2],
+    [_, to]: [f64; 2],
+    colour: &str,
+    width: f64,
+) {
+    let up = if to < from { 1.0 } else { -1.0 };
+    let size = (2.0 + 2.2 * width).min(0.8 * (from - to).abs());
+    let neck = to + up * size;
+    let stroke = format!(r#"stroke="{colour}" stroke-width="{}""#, number(width));
+    canvas.line([x, from], [x, neck], &stroke);
+    let half = 0.42 * size;
+    let head = [[x, to], [x - half, neck], [x + half, neck]];
+    canvas.polyline(&head, true, &format!(r#"fill="{colour}""#));
+}

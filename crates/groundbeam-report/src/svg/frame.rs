@@ -1,0 +1,42 @@
+//! From positions along the beam to the width of the page, the same for all panels.
+
+use groundbeam::Model;
+
+/// The width of the picture.
+pub(super) const WIDTH: f64 = 960.0;
+/// Left of this stand the numbers of the axes.
+pub(super) const LEFT: f64 = 86.0;
+/// Where panels end.
+pub(super) const RIGHT: f64 = 936.0;
+
+/// The scale of x.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Frame {
+    /// The beam's length.
+    pub length: f64,
+    /// How much ground is shown beyond each end.
+    pub margin: f64,
+}
+
+impl Frame {
+    /// Shows as much ground beyond the ends as it takes to level out, within reason.
+    pub fn of(model: &Model) -> Self {
+        let length = model.beam.length;
+        let reach = [0.0, length * (1.0 - f64::EPSILON)].map(|x| {
+            let (spring, shear) = model.foundation.constants_at(x);
+            3.0 * (shear / spring).sqrt()
+        });
+        let margin = reach[0].max(reach[1]).clamp(0.05 * length, 0.15 * length);
+        Frame { length, margin }
+    }
+
+    /// Page units for one unit of length.
+    pub fn scale(&self) -> f64 {
+        (RIGHT - LEFT) / (self.length + 2.0 * self.margin)
+    }
+
+    /// The position on the page.
+    pub fn x(&self, x: f64) -> f64 {
+        LEFT + (x + self.margin) * self.scale()
+    }
+}

@@ -1,0 +1,193 @@
+//! Where words go: beside what they name, and on nothing else.
+
+use crate::font::Metrics;
+
+/// A rectangle on the page.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Rect {
+    pub left: f64,
+    pub top: f64,
+    pub right: f64,
+    pub bottom: f64,
+}
+
+impl Rect {
+    /// Around two corners, in any order.
+    pub fn around([x1, y1]: [f64; 2], [x2, y2]: [f64; 2], margin: f64) -> Self {
+        Rect {
+            left: x1.min(x2) - margin,
+            top: y1.min(y2) - margin,
+            right: x1.max(x2) + margin,
+            bottom: y1.max(y2) + margin,
+        }
+    }
+
+    fn overlaps(&self, other: &Rect) -> bool {
+        self.left < other.right
+            && other.left < self.right
+            && self.top < other.bottom
+            && other.top < self.bottom
+    }
+
+    /// Whether a straight line passes through, by clipping it (Liang and Barsky).
+    fn is_crossed_by(&self, [a, b]: [[f64; 2]; 2]) -> bool {
+        let [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+        let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
+        let sides = [
+            (-dx, a[0] - self.left),
+            (dx, self.right - a[0]),
+            (-dy, a[1] - self.top),
+            (dy, self.bottom - a[1]),
+        ];
+        for (speed, room) in sides {
+            if speed == 0.0 {
+                if room < 0.0 {
+                    return false;
+                }
+            } else if speed < 0.0 {
+                enters = enters.max(room / speed);
+            } else {
+                leaves = leaves.min(room / speed);
+            }
+        }
+        enters <= leaves
+    }
+}
+
+/// A place for a line of words: the left end of its baseline.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Place {
+    pub x: f64,
+    pub baseline: f64,
+}
+
+/// The labels placed so far, and what they must not cover.
+pub(super) struct Labels<'m> {
+    metrics: &'m Metrics,
+    page: Rect,
+    solid: Vec<Rect>,
+    lines: Vec<[[f64; 2]; 2]>,
+    left_out: usize,
+}
+
+/// Room around a label.
+const MARGIN: f64 = 2.0;
+
+impl<'m> Labels<'m> {
+    pub fn new(metrics: &'m Metrics, page: Rect) -> Self {
+        Labels { metrics, page, solid: Vec::new(), lines: Vec::new(), left_out: 0 }
+    }
+
+    /// No label may overlap this.
+    pub fn avoid(&mut self, solid: Rect) {
+        self.solid.push(solid);
+    }
+
+    /// No label should lie on this line.
+    pub fn avoid_line(&mut self, points: &[[f64; 2]]) {
+        self.lines.extend(points.windows(2).map(|pair| [pair[0], pair[1]]));
+    }
+
+    /// Labels that found no place.
+    pub fn left_out(&self) -> usize {
+        self.left_out
+    }
+
+    /// A place around a point, the nearest that is free; none if labels would overlap.
+    pub fn around(&mut self, at: [f64; 2], words: &str, size: f64) -> Option<Place> {
+        self.near(at, words, size, true)
+    }
+
+    /// The same, but not above the point.
+    pub fn below(&mut self, at: [f64; 2], words: &str, size: f64) -> Option<Place> {
+        self.near(at, words, size, false)
+    }
+
+    fn near(&mut self, [x, y]: [f64; 2], words: &str, size: f64, above: bool) -> Option<Place> {
+        let width = self.metrics.width(words, size);
+        let mut candidates = Vec::new();
+        for distance in [8.0, 14.0, 22.0, 32.0, 44.0, 58.0, 74.0] {
+            let below = y + distance + 0.75 * size;
+            for baseline in above.then_some(y - distance).into_iter().chain([below]) {
+                for left in [x - 0.5 * width, x + 4.0, x - width - 4.0] {
+                    candidates.push(Place { x: left, baseline });
+                }
+            }
+            let level = y + 0.35 * size;
+            candidates.push(Place { x: x + distance + 2.0, baseline: level });
+            candidates.push(Place { x: x - distance - 2.0 - width, baseline: level });
+        }
+        self.best(&candidates, width, size)
+    }
+
+    /// The first free one of some places.
+    pub fn at(&mut self, candidates: &[Place], words: &str, size: f64) -> Option<Place> {
+        let width = self.metrics.width(words, size);
+        self.best(candidates, width, size)
+    }
+
+    pub fn width(&self, words: &str, size: f64) -> f64 {
+        self.metrics.width(words, size)
+    }
+
+    fn best(&mut self, candidates: &[Place], width: f64, size: f64) -> Option<Place> {
+        let around = |place: &Place| Rect {
+            left: place.x - MARGIN,
+            top: place.baseline - 0.78 * size - MARGIN,
+            right: place.x + width + MARGIN,
+            bottom: place.baseline + 0.22 * size + MARGIN,
+        };
+        let is_possible = |place: &&Place| {
+            let label = around(place);
+            let page = &self.page;
+            let is_inside = label.left >= page.left
+                && label.right <= page.right
+                && label.top >= page.top
+                && label.bottom <= page.bottom;
+            is_inside && !self.solid.iter().any(|solid| label.overlaps(solid))
+        };
+        // Going on to the next place costs less than crossing a line, but many cost more.
+        let cost = |(i, place): &(usize, &Place)| {
+            let label = around(place);
+            let crossed = self.lines.iter().filter(|line| label.is_crossed_by(**line)).count();
+            i + 8 * crossed.min(4)
+        };
+        let possible = candidates.iter().enumerate().filter(|(_, place)| is_possible(place));
+        let best = possible.min_by_key(cost).map(|(_, place)| *place);
+        match best {
+            Some(place) => self.solid.push(around(&place)),
+            None => self.left_out += 1,
+        }
+        best
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_never_overlap() {
+        let metrics = Metrics::new();
+        let page = Rect { left: 0.0, top: 0.0, right: 300.0, bottom: 100.0 };
+        let mut labels = Labels::new(&metrics, page);
+        let placed: Vec<_> = (0..40)
+            .filter_map(|i| labels.around([150.0 + i as f64, 50.0], "600 kN", 12.0))
+            .collect();
+        assert!(placed.len() > 5 && labels.left_out() == 40 - placed.len());
+        for (i, a) in placed.iter().enumerate() {
+            for b in &placed[..i] {
+                assert!((a.x - b.x).abs() > 36.0 || (a.baseline - b.baseline).abs() > 12.0);
+            }
+        }
+    }
+
+    #[test]
+    fn a_line_through_a_box() {
+        let solid = Rect { left: 0.0, top: 0.0, right: 2.0, bottom: 2.0 };
+        assert!(solid.is_crossed_by([[-1.0, 1.0], [3.0, 1.0]]));
+        assert!(solid.is_crossed_by([[1.0, -5.0], [1.0, 5.0]]));
+        assert!(!solid.is_crossed_by([[-1.0, 2.5], [3.0, 2.5]]));
+        assert!(!solid.is_crossed_by([[3.0, 0.0], [5.0, 2.0]]));
+    }
+}

@@ -1,0 +1,276 @@
+//! What acts on the beam: arrows, areas of arrows, and turning arrows, with their sizes.
+
+use super::canvas::{Anchor, Canvas, number, printed};
+use super::diagram::arrow;
+use super::frame::Frame;
+use super::labels::{Labels, Place, Rect};
+use super::style::{LABEL, LOAD};
+use crate::quantity::{Kind, Units};
+use groundbeam::Load;
+
+/// The height of an area of arrows.
+const LANE: f64 = 22.0;
+/// What is kept free above it for its label.
+const LANE_LABEL: f64 = 18.0;
+/// Areas above one another; more share the last place.
+const MOST_LANES: usize = 3;
+/// A turning arrow's radius.
+const RADIUS: f64 = 14.0;
+
+/// Draws loads onto the beam's upper side.
+pub(super) struct Loads<'a> {
+    pub units: Units,
+    pub frame: &'a Frame,
+    /// The beam's upper side on the page, by position.
+    pub top: &'a dyn Fn(f64) -> f64,
+}
+
+/// A label to be placed, with the places it may have.
+struct Wanted {
+    words: String,
+    places: Vec<Place>,
+    weight: f64,
+}
+
+impl Loads<'_> {
+    pub fn draw(&self, canvas: &mut Canvas, loads: &[Load], labels: &mut Labels) {
+        let mut wanted = Vec::new();
+        let lanes = self.spread(canvas, loads, labels, &mut wanted);
+        self.points(canvas, loads, labels, lanes, &mut wanted);
+        // The largest loads get the best places.
+        wanted.sort_by(|a, b| b.weight.total_cmp(&a.weight));
+        for Wanted { words, places, .. } in wanted {
+            let style = super::style::LABEL;
+            if let Some(place) = labels.at(&places, &words, style.size) {
+                let style = super::canvas::Style { colour: LOAD, ..style };
+                canvas.text([place.x, place.baseline], Anchor::Start, style, &words);
+            }
+        }
+    }
+
+    /// Loads over a stretch, in lanes above one another where they overlap. Tells how many lanes.
+    fn spread(
+        &self,
+        canvas: &mut Canvas,
+        loads: &[Load],
+        labels: &mut Labels,
+        wanted: &mut Vec<Wanted>,
+    ) -> usize {
+        let mut ends: Vec<Vec<[f64; 2]>> = Vec::new();
+        let largest = |of: fn(&Load) -> f64| loads.iter().map(of).fold(0.0, f64::max);
+        let force = largest(|load| match *load {
+            Load::Distributed { start, end, .. } => start.abs().max(end.abs()),
+            _ => 0.0,
+        });
+        for load in loads {
+            let (from, to) = match *load {
+                Load::Distributed { from, to, .. } | Load::DistributedMoment { from, to, .. } => {
+                    (from, to)
+                }
+                _ => continue,
+            };
+            let is_free = |lane: &Vec<[f64; 2]>| lane.iter().all(|o| to <= o[0] || o[1] <= from);
+            let lane = match ends.iter().position(is_free) {
+                Some(lane) => lane,
+                None if ends.len() < MOST_LANES => {
+                    ends.push(Vec::new());
+                    ends.len() - 1
+                }
+                None => MOST_LANES - 1,
+            };
+            ends[lane].push([from, to]);
+            let base = 4.0 + lane as f64 * (LANE + LANE_LABEL);
+            match *load {
+                Load::Distributed { start, end, .. } => {
+                    let share = [start, end].map(|value| value / force);
+                    self.area(canvas, [from, to], share, base);
+                    let words = self.two_ended(Kind::Pressure, start, end);
+                    wanted.push(self.beside_area([from, to], share, base, words, labels));
+                }
+                Load::DistributedMoment { start, end, .. } => {
+                    self.turning_row(canvas, [from, to], [start, end], base);
+                    let words = self.per_length(start, end);
+                    wanted.push(self.beside_area([from, to], [0.5, 0.5], base, words, labels));
+                }
+                _ => {}
+            }
+        }
+        ends.len()
+    }
+
+    /// A force over a stretch: its outline and arrows in it.
+    fn area(&self, canvas: &mut Canvas, [from, to]: [f64; 2], share: [f64; 2], base: f64) {
+        let height = |t: f64| LANE * (share[0] + (share[1] - share[0]) * t);
+        let width = self.frame.x(to) - self.frame.x(from);
+        let steps = (width / 12.0).ceil().clamp(1.0, 200.0) as usize;
+        let at = |t: f64| {
+            let x = from + (to - from) * t;
+            [self.frame.x(x), (self.top)(x) - base]
+        };
+        let t = |i: usize| i as f64 / steps as f64;
+        let lower: Vec<_> = (0..=steps).map(|i| at(t(i))).collect();
+        let upper: Vec<_> =
+            (0..=steps).rev().map(|i| [at(t(i))[0], at(t(i))[1] - height(t(i)).abs()]).collect();
+        let outline = [lower, upper].concat();
+        let look =
+            format!(r#"fill="{LOAD}" fill-opacity="0.12" stroke="{LOAD}" stroke-width="0.9""#);
+        canvas.polyline(&outline, true, &look);
+        let arrows = (width / 16.0).floor().clamp(1.0, 60.0) as usize;
+        for i in 0..=arrows {
+            let t = i as f64 / arrows as f64;
+            let [x, low] = at(t);
+            let high = low - height(t).abs();
+            if height(t) > 7.0 {
+                arrow(canvas, [x, high], [x, low], LOAD, 0.9);
+            } else if height(t) < -7.0 {
+                arrow(canvas, [x, low], [x, high], LOAD, 0.9);
+            }
+        }
+    }
+
+    fn turning_row(&self, canvas: &mut Canvas, [from, to]: [f64; 2], ends: [f64; 2], base: f64) {
+        let width = self.frame.x(to) - self.frame.x(from);
+        let count = (width / 34.0).floor().clamp(1.0, 40.0) as usize;
+        for i in 0..count {
+            let t = (i as f64 + 0.5) / count as f64;
+            let x = from + (to - from) * t;
+            let moment = ends[0] + (ends[1] - ends[0]) * t;
+            let centre = [self.frame.x(x), (self.top)(x) - base - 0.4 * LANE];
+            turning_arrow(canvas, centre, 8.0, moment >= 0.0);
+        }
+    }
+
+    fn beside_area(
+        &self,
+        [from, to]: [f64; 2],
+        share: [f64; 2],
+        base: f64,
+        words: String,
+        labels: &mut Labels,
+    ) -> Wanted {
+        let height = |t: f64| LANE * (share[0] + (share[1] - share[0]) * t).abs();
+        let width = labels.width(&words, LABEL.size);
+        let mut places = Vec::new();
+        for rise in [5.0, 18.0, 31.0, 44.0] {
+            for t in [0.5, 0.3, 0.7, 0.15, 0.85] {
+                let x = from + (to - from) * t;
+                let left = self.frame.x(x) - 0.5 * width;
+                let top = (self.top)(x) - base - height(t).max(height(0.5));
+                places.push(Place { x: left, baseline: top - rise });
+            }
+        }
+        // Solid in slices, so that point loads' labels keep off a slanted area too.
+        let slices = ((self.frame.x(to) - self.frame.x(from)) / 6.0).clamp(1.0, 200.0) as u32;
+        for i in 0..slices {
+            let [a, b] = [i, i + 1].map(|i| f64::from(i) / f64::from(slices));
+            let x = [a, b].map(|t| from + (to - from) * t);
+            let low = (self.top)(x[0]) - base;
+            let corner = [self.frame.x(x[1]), low - height(a).max(height(b))];
+            labels.avoid(Rect::around([self.frame.x(x[0]), low], corner, 0.0));
+        }
+        Wanted { words, places, weight: f64::INFINITY }
+    }
+
+    /// Forces and moments at points, above all lanes.
+    fn points(
+        &self,
+        canvas: &mut Canvas,
+        loads: &[Load],
+        labels: &mut Labels,
+        lanes: usize,
+        wanted: &mut Vec<Wanted>,
+    ) {
+        let above = lanes as f64 * (LANE + LANE_LABEL);
+        let size = |load: &Load| match *load {
+            Load::PointForce { force, .. } => force.abs(),
+            _ => 0.0,
+        };
+        let largest = loads.iter().map(size).fold(0.0, f64::max);
+        for load in loads {
+            match *load {
+                Load::PointForce { at, force } if force != 0.0 => {
+                    let share = force.abs() / largest;
+                    let length = above + 18.0 + 26.0 * share;
+                    let [x, tip] = [self.frame.x(at), (self.top)(at) - 1.5];
+                    let (from, to) =
+                        if force > 0.0 { (tip - length, tip) } else { (tip, tip - length) };
+                    arrow(canvas, [x, from], [x, to], LOAD, 2.0);
+                    labels.avoid(Rect::around([x, tip], [x, tip - length], 3.0));
+                    let words = printed(&self.units.write(Kind::Force, force.abs(), 5));
+                    wanted.push(self.beside([x, tip - length], words, share, labels));
+                }
+                Load::PointMoment { at, moment } if moment != 0.0 => {
+                    let centre = [self.frame.x(at), (self.top)(at) + 3.0];
+                    turning_arrow(canvas, centre, RADIUS, moment > 0.0);
+                    let [x, y] = centre;
+                    let arc = Rect::around([x - RADIUS, y - RADIUS], [x + RADIUS, y], 3.0);
+                    labels.avoid(arc);
+                    let words = printed(&self.units.write(Kind::Moment, moment.abs(), 5));
+                    wanted.push(self.beside([x, y - RADIUS - 2.0], words, 0.5, labels));
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// Above a point, or to its side, or higher up.
+    fn beside(&self, [x, y]: [f64; 2], words: String, weight: f64, labels: &Labels) -> Wanted {
+        let width = labels.width(&words, LABEL.size);
+        let mut places = vec![Place { x: x - 0.5 * width, baseline: y - 8.0 }];
+        for drop in [8.0, 20.0] {
+            places.push(Place { x: x + 8.0, baseline: y + drop });
+            places.push(Place { x: x - 8.0 - width, baseline: y + drop });
+        }
+        for rise in [21.0, 34.0, 47.0] {
+            places.push(Place { x: x - 0.5 * width, baseline: y - rise });
+        }
+        // A moment's arrow is wider than a force's.
+        places.push(Place { x: x + RADIUS + 8.0, baseline: y + 8.0 });
+        places.push(Place { x: x - RADIUS - 8.0 - width, baseline: y + 8.0 });
+        // Below the beam, as a last resort.
+        for drop in [44.0, 58.0] {
+            places.push(Place { x: x - 0.5 * width, baseline: y + drop });
+        }
+        Wanted { words, places, weight }
+    }
+
+    /// `20 kN/m`, or `0 … 20 kN/m`.
+    fn two_ended(&self, kind: Kind, start: f64, end: f64) -> String {
+        let unit = self.units.unit(kind, start.abs().max(end.abs()));
+        printed(&if start == end {
+            unit.write(start, 5)
+        } else {
+            format!("{} … {}", unit.number(start, 5), unit.write(end, 5))
+        })
+    }
+
+    /// A moment per length is measured as a force, which would be misread.
+    fn per_length(&self, start: f64, end: f64) -> String {
+        let words = self.two_ended(Kind::Force, start, end);
+        if self.units == Units::Si { format!("{words} m/m") } else { words }
+    }
+}
+
+/// Most of a circle over the beam; with `clockwise` it turns the right side down.
+fn turning_arrow(canvas: &mut Canvas, [x, y]: [f64; 2], radius: f64, clockwise: bool) {
+    let side = if clockwise { 1.0 } else { -1.0 };
+    // From 20° below the level on one side, over the top, to 20° above it on the other.
+    let point = |degrees: f64, radius: f64| {
+        let angle = degrees.to_radians();
+        [x + side * radius * angle.cos(), y - radius * angle.sin()]
+    };
+    let [from, to] = [point(200.0, radius), point(22.0, radius)];
+    let sweep = if clockwise { 1 } else { 0 };
+    let [x1, y1, x2, y2] = [from[0], from[1], to[0], to[1]].map(number);
+    let r = number(radius);
+    let width = if radius > 10.0 { "2" } else { "1.2" };
+    let arc = format!("M{x1} {y1}A{r} {r} 0 0 {sweep} {x2} {y2}");
+    // Pale underneath, to be seen on arrows and on the beam.
+    canvas.path(&arc, r##"fill="none" stroke="#ffffff" stroke-width="4.5""##);
+    canvas.path(&arc, &format!(r#"fill="none" stroke="{LOAD}" stroke-width="{width}""#));
+    canvas.reserve(y - radius);
+    let half = 0.3 * radius;
+    let tip = point(-4.0, radius);
+    let head = [tip, point(24.0, radius - half), point(24.0, radius + half)];
+    canvas.polyline(&head, true, &format!(r#"fill="{LOAD}""#));
+}

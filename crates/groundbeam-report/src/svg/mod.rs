@@ -1,0 +1,167 @@
+//! One picture of a solution: the beam on its ground, pressure, moment and shear, above one another.
+//!
+//! Equal solutions give equal bytes. The picture has a white ground of its own and needs no style sheet and
+//! no script. It names the font Inter, in which its labels were measured; [`png`](crate::png) brings it along.
+
+mod axis;
+mod canvas;
+mod diagram;
+mod frame;
+mod labels;
+mod loads;
+mod samples;
+mod style;
+mod supports;
+mod system;
+
+use crate::characteristics::Characteristics;
+use crate::context::Context;
+use crate::font::Metrics;
+use crate::number::significant;
+use crate::quantity::{Kind, Units};
+use canvas::{Anchor, Canvas, printed};
+use diagram::Diagram;
+use frame::{Frame, LEFT, RIGHT, WIDTH};
+use groundbeam::{Field, Solution};
+use samples::Samples;
+use style::{FAINT_INK, MOMENT, NOTE, PRESSURE, SHEAR, TICK, TITLE};
+
+/// Edges of contact beyond this many are not marked in the diagrams.
+const MOST_EDGES: usize = 40;
+
+/// The picture as an SVG file.
+pub fn picture(solution: &Solution, context: &Context) -> String {
+    let metrics = Metrics::new();
+    let frame = Frame::of(solution.model());
+    let samples = Samples::of(solution);
+    let edges = edges(solution);
+    let title = context.clean_title();
+
+    let mut page = Canvas::new();
+    let mut y = header(&mut page, solution, context, title.as_deref());
+    let system = system::draw(solution, context.units, &frame, &samples, &metrics);
+    y = stacked(&mut page, &system, y);
+    for diagram in diagrams(solution, context.units, &samples, &edges) {
+        y = stacked(&mut page, &diagram.draw(&frame, &metrics), y);
+    }
+    axis_of_x(&mut page, &frame, context.units, y - PANEL_SPACE + 2.0);
+    let height = page.reach()[1].max(y) + 14.0;
+    page.finish(WIDTH, height, title.as_deref().unwrap_or("A beam on its ground"))
+}
+
+/// Between two panels.
+const PANEL_SPACE: f64 = 22.0;
+
+/// Puts a panel below y and tells where the next one begins.
+fn stacked(page: &mut Canvas, panel: &Canvas, y: f64) -> f64 {
+    let [top, bottom] = panel.reach();
+    page.place(panel, y - top);
+    y - top + bottom + PANEL_SPACE
+}
+
+/// Title and the numbers that judge the problem.
+fn header(page: &mut Canvas, solution: &Solution, context: &Context, title: Option<&str>) -> f64 {
+    let mut y = 16.0;
+    if let Some(title) = title {
+        y += 18.0;
+        page.text([LEFT, y], Anchor::Start, TITLE, title);
+    }
+    y += 20.0;
+    page.text([LEFT, y], Anchor::Start, NOTE, &numbers(solution, context.units));
+    y + 16.0
+}
+
+/// `l = 12 m · EI = … · k = … · μ = … · βl = …`
+fn numbers(solution: &Solution, units: Units) -> String {
+    let model = solution.model();
+    let found = Characteristics::of(model, solution.existence());
+    let mut parts = vec![format!("l = {}", units.position(model.beam.length))];
+    if model.beam.segments.is_empty() {
+        let stiffness = units.write(Kind::BendingStiffness, model.beam.bending_stiffness, 4);
+        parts.push(format!("EI = {stiffness}"));
+    } else {
+        parts.push("EI varies".to_owned());
+    }
+    if model.beam.axial_force != 0.0 {
+        parts.push(format!("P = {}", units.write(Kind::Constant, model.beam.axial_force, 4)));
+    }
+    if model.foundation.segments.is_empty() {
+        parts.push(format!("k = {}", units.write(Kind::Spring, model.foundation.spring, 4)));
+        parts.push(format!("μ = {}", units.write(Kind::Constant, model.foundation.shear, 4)));
+    } else {
+        parts.push("k and μ vary".to_owned());
+    }
+    parts.push(format!("βl = {}", significant(found.beta_length, 3)));
+    printed(&parts.join("\u{a0}\u{a0} · \u{a0}\u{a0}"))
+}
+
+/// Where contact begins or ends inside the beam.
+fn edges(solution: &Solution) -> Vec<f64> {
+    let l = solution.model().beam.length;
+    let mut edges: Vec<f64> = solution.contact().iter().flat_map(|c| [c.from, c.to]).collect();
+    edges.retain(|&x| x > 0.0 && x < l);
+    edges.dedup();
+    edges.truncate(MOST_EDGES);
+    edges
+}
+
+fn diagrams<'a>(
+    solution: &Solution,
+    units: Units,
+    samples: &Samples,
+    edges: &'a [f64],
+) -> [Diagram<'a>; 3] {
+    let range = |field| {
+        let range = solution.range(field);
+        [range.max, range.min].map(|extreme| samples.sizes.extreme(field, extreme))
+    };
+    let diagram = |field: Field, title, note, colour, downward| Diagram {
+        title,
+        note,
+        kind: Kind::of(field),
+        units,
+        colour,
+        downward,
+        values: samples.field(field),
+        extremes: range(field).to_vec(),
+        forces: Vec::new(),
+        edges,
+    };
+    let mut pressure =
+        diagram(Field::Pressure, "Contact pressure", "pushes the beam up", PRESSURE, true);
+    // The smallest pressure is zero, or of no interest.
+    pressure.extremes.truncate(1);
+    pressure.forces = concentrated(solution, units, samples);
+    if !pressure.forces.is_empty() {
+        pressure.note = "pushes the beam up; arrows are concentrated forces";
+    }
+    let note = "drawn on the tension side";
+    let moment = diagram(Field::Moment, "Bending moment", note, MOMENT, true);
+    let shear = diagram(Field::ShearForce, "Shear force", "", SHEAR, false);
+    [pressure, moment, shear]
+}
+
+/// Concentrated contact forces with their labels.
+fn concentrated(solution: &Solution, units: Units, samples: &Samples) -> Vec<(f64, f64, String)> {
+    let ends = solution.end_forces();
+    let l = solution.model().beam.length;
+    let inner = solution.concentrated_forces().iter().map(|force| (force.at, force.force));
+    let all = [(0.0, ends.left)].into_iter().chain(inner).chain([(l, ends.right)]);
+    all.map(|(at, force)| (at, samples.sizes.force(force)))
+        .filter(|&(_, force)| force != 0.0)
+        .map(|(at, force)| (at, force, units.write(Kind::Force, force, 4)))
+        .collect()
+}
+
+fn axis_of_x(page: &mut Canvas, frame: &Frame, units: Units, y: f64) {
+    let stroke = format!(r#"stroke="{FAINT_INK}" stroke-width="1""#);
+    page.line([frame.x(0.0), y], [frame.x(frame.length), y], &stroke);
+    let unit = units.unit(Kind::Position, frame.length);
+    for x in axis::ticks([0.0, frame.length], 6) {
+        let at = frame.x(x);
+        page.line([at, y], [at, y + 5.0], &stroke);
+        page.text([at, y + 18.0], Anchor::Middle, TICK, &printed(&unit.number(x, 6)));
+    }
+    let words = format!("x{}", unit.bracketed());
+    page.text([RIGHT, y + 18.0], Anchor::End, TICK, &words);
+}

@@ -1,0 +1,299 @@
+//! The first panel: the bent beam, the ground's surface under and beside it, loads and supports.
+
+use super::axis;
+use super::canvas::{Anchor, Canvas, printed};
+use super::frame::{Frame, LEFT, WIDTH};
+use super::labels::{Labels, Rect};
+use super::loads::Loads;
+use super::samples::{Samples, simplified};
+use super::style::{BEAM, FAINT_INK, GAP, GROUND, GROUND_LINE, LABEL, NOTE, PANEL_TITLE, PRESSURE};
+use super::supports;
+use crate::font::Metrics;
+use crate::number::significant;
+use crate::quantity::{Kind, Units};
+use groundbeam::{Field, Fields, Model, Side, Solution, SupportKind};
+
+/// How far apart the highest and the lowest point of beam and ground are drawn.
+const DEPTH: f64 = 92.0;
+/// The beam's drawn thickness.
+const THICKNESS: f64 = 8.0;
+/// Ground drawn below its lowest point.
+const BELOW: f64 = 40.0;
+/// Lift-off stretches whose gap is written out.
+const MOST_GAPS: usize = 8;
+/// Leading digits of a round exaggeration.
+const LEADS: [f64; 9] = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 8.0];
+
+/// The panel, with the beam's unloaded underside at y = 0.
+pub(super) fn draw(
+    solution: &Solution,
+    units: Units,
+    frame: &Frame,
+    samples: &Samples,
+    metrics: &Metrics,
+) -> Canvas {
+    let scale = vertical_scale(solution, frame, samples);
+    let mut picture = Picture {
+        solution,
+        units,
+        frame,
+        samples,
+        scale,
+        canvas: Canvas::new(),
+        labels: Labels::new(
+            metrics,
+            Rect { left: 8.0, top: f64::NEG_INFINITY, right: WIDTH - 4.0, bottom: f64::INFINITY },
+        ),
+        floor: 0.0,
+    };
+    picture.ground();
+    picture.lift_off();
+    picture.beam();
+    picture.contact();
+    picture.supports();
+    picture.loads();
+    picture.words();
+    picture.with_title()
+}
+
+/// Page units for one unit of deflection, so that the exaggeration is a round number; 0 if nothing moves.
+fn vertical_scale(solution: &Solution, frame: &Frame, samples: &Samples) -> f64 {
+    let largest = |field| {
+        let range = solution.range(field);
+        [range.min, range.max].map(|extreme| samples.sizes.extreme(field, extreme).value)
+    };
+    let mut range = [0.0_f64, 0.0_f64];
+    let surface = samples.all(surface);
+    let surface = surface.iter().map(|point| point.1);
+    let corners = solution.model().gap.iter().map(|corner| corner.value);
+    for value in largest(Field::Deflection).into_iter().chain(surface).chain(corners) {
+        range = [range[0].min(value), range[1].max(value)];
+    }
+    let size = range[1] - range[0];
+    if size == 0.0 {
+        return 0.0;
+    }
+    let exaggeration = DEPTH / size / frame.scale();
+    axis::round_down_to(exaggeration, &LEADS, false) * frame.scale()
+}
+
+/// The ground's surface below the beam's unloaded underside: u + g₀.
+fn surface(fields: &Fields) -> f64 {
+    fields.deflection + fields.gap
+}
+
+/// g₀ beyond an end, where it goes on as it is there.
+fn initial_gap_at_end(model: &Model, right: bool) -> f64 {
+    let corner = if right { model.gap.last() } else { model.gap.first() };
+    corner.map_or(0.0, |corner| corner.value)
+}
+
+struct Picture<'a> {
+    solution: &'a Solution,
+    units: Units,
+    frame: &'a Frame,
+    samples: &'a Samples,
+    scale: f64,
+    canvas: Canvas,
+    labels: Labels<'a>,
+    /// The lowest point of the ground's surface on the page.
+    floor: f64,
+}
+
+impl Picture<'_> {
+    fn points(&self, values: &[(f64, f64)]) -> Vec<[f64; 2]> {
+        let points: Vec<_> =
+            values.iter().map(|&(x, value)| [self.frame.x(x), self.scale * value]).collect();
+        simplified(&points)
+    }
+
+    fn ground(&mut self) {
+        let (model, frame) = (self.solution.model(), self.frame);
+        let beyond = |t: f64, right: bool| {
+            let away = frame.margin * t;
+            let x = if right { frame.length + away } else { -away };
+            (x, self.solution.settlement(x) + initial_gap_at_end(model, right))
+        };
+        const STEPS: u32 = 60;
+        let mut values: Vec<_> =
+            (1..=STEPS).rev().map(|i| beyond(f64::from(i) / f64::from(STEPS), false)).collect();
+        // Separate springs have a step where the beam ends.
+        if let (x, value) = beyond(f64::EPSILON, false)
+            && x < 0.0
+        {
+            values.push((0.0, value));
+        }
+        values.extend(self.samples.all(surface));
+        values.push((frame.length, beyond(f64::EPSILON, true).1));
+        values.extend((1..=STEPS).map(|i| beyond(f64::from(i) / f64::from(STEPS), true)));
+
+        let line = self.points(&values);
+        self.floor = line.iter().fold(0.0_f64, |floor, point| floor.max(point[1]));
+        let bottom = self.floor + BELOW;
+        let [left, right] = [frame.x(-frame.margin), frame.x(frame.length + frame.margin)];
+        let mut area = vec![[left, bottom]];
+        area.extend(&line);
+        area.push([right, bottom]);
+        self.canvas.polyline(&area, true, &format!(r#"fill="{GROUND}""#));
+        let stroke = format!(r#"fill="none" stroke="{GROUND_LINE}" stroke-width="1.4""#);
+        self.canvas.polyline(&line, false, &stroke);
+        self.labels.avoid_line(&line);
+        // Where the beam's underside was before loading.
+        let dashes = format!(r#"stroke="{FAINT_INK}" stroke-width="0.8" stroke-dasharray="5 4""#);
+        self.canvas.line([left, 0.0], [right, 0.0], &dashes);
+        self.labels.avoid_line(&[[left, 0.0], [right, 0.0]]);
+    }
+
+    fn lift_off(&mut self) {
+        for stretch in self.solution.lift_off() {
+            let (from, to) = (stretch.from, stretch.to);
+            let upper = self.points(&self.samples.between(from, to, |f| f.deflection));
+            let mut lower = self.points(&self.samples.between(from, to, surface));
+            lower.reverse();
+            let area = [upper, lower].concat();
+            self.canvas.polyline(&area, true, &format!(r#"fill="{GAP}""#));
+        }
+    }
+
+    fn beam(&mut self) {
+        let under = self.points(&self.samples.all(|f| f.deflection));
+        let over: Vec<_> = under.iter().rev().map(|&[x, y]| [x, y - THICKNESS]).collect();
+        self.labels.avoid_line(&under);
+        self.labels.avoid_line(&over);
+        let outline = [under, over].concat();
+        self.canvas.polyline(&outline, true, &format!(r#"fill="{BEAM}""#));
+    }
+
+    /// A line along which beam and ground touch; single points as dots.
+    fn contact(&mut self) {
+        for region in self.solution.contact() {
+            let points =
+                self.points(&self.samples.between(region.from, region.to, |f| f.deflection));
+            if region.from == region.to {
+                let at = points.first().copied().unwrap_or([self.frame.x(region.from), 0.0]);
+                self.canvas.dot(at, 3.5, &format!(r#"fill="{PRESSURE}""#));
+            } else {
+                let look = format!(
+                    r#"fill="none" stroke="{PRESSURE}" stroke-width="3" stroke-linecap="butt""#
+                );
+                self.canvas.polyline(&points, false, &look);
+            }
+        }
+    }
+
+    fn underside(&self, x: f64) -> f64 {
+        self.scale * self.solution.at(x, Side::Right).deflection
+    }
+
+    fn supports(&mut self) {
+        let model = self.solution.model();
+        for (support, reaction) in model.supports.iter().zip(self.solution.reactions()) {
+            let at = [self.frame.x(support.at), self.underside(support.at)];
+            let outward = match support.at {
+                0.0 => -1.0,
+                x if x == model.beam.length => 1.0,
+                _ => 0.0,
+            };
+            supports::draw(&mut self.canvas, at, support.kind, outward);
+            let [x, y] = at;
+            self.labels.avoid(Rect::around([x - 12.0, y], [x + 12.0, y + supports::HEIGHT], 0.0));
+            let words = self.reaction(support.kind, reaction.force, reaction.moment);
+            let below = [x, y + supports::HEIGHT - 2.0];
+            if let Some(place) = self.labels.around(below, &words, LABEL.size) {
+                self.canvas.text([place.x, place.baseline], Anchor::Start, LABEL, &words);
+            }
+        }
+    }
+
+    /// `↑ 120 kN, 5 kN m`
+    fn reaction(&self, kind: SupportKind, force: f64, moment: f64) -> String {
+        let force = self.samples.sizes.force(force);
+        let moment = self.samples.sizes.moment(moment);
+        let sense = if force < 0.0 { "↓" } else { "↑" };
+        let mut words = format!("{sense} {}", self.units.write(Kind::Force, force.abs(), 4));
+        if kind != SupportKind::Pinned && moment != 0.0 {
+            words += &format!(", {}", self.units.write(Kind::Moment, moment, 4));
+        }
+        printed(&words)
+    }
+
+    fn loads(&mut self) {
+        let solution = self.solution;
+        let scale = self.scale;
+        let top = |x: f64| scale * solution.at(x, Side::Right).deflection - THICKNESS;
+        let loads = Loads { units: self.units, frame: self.frame, top: &top };
+        loads.draw(&mut self.canvas, &solution.model().loads, &mut self.labels);
+    }
+
+    /// The largest deflection, the gaps, and where contact begins and ends.
+    fn words(&mut self) {
+        let sizes = self.samples.sizes;
+        let deepest = sizes.extreme(Field::Deflection, self.solution.range(Field::Deflection).max);
+        if deepest.value > 0.0 {
+            let at = [self.frame.x(deepest.x), self.scale * deepest.value];
+            let words = self.units.write(Kind::Deflection, deepest.value, 4);
+            self.word(at, &format!("{words} deep at {}", self.position(deepest.x)));
+        }
+        let mut gaps = self.solution.lift_off();
+        gaps.sort_by(|a, b| b.largest_gap.value.total_cmp(&a.largest_gap.value));
+        for stretch in gaps.iter().take(MOST_GAPS) {
+            let gap = sizes.extreme(Field::Gap, stretch.largest_gap);
+            if gap.value > 0.0 {
+                let fields = self.solution.at(gap.x, Side::Right);
+                let at = [self.frame.x(gap.x), self.scale * surface(&fields)];
+                let words = self.units.write(Kind::Deflection, gap.value, 4);
+                self.word(at, &format!("gap {words}"));
+            }
+        }
+        let bottom = self.floor + BELOW;
+        self.labels.avoid(Rect::around([0.0, bottom], [WIDTH, bottom + 100.0], 0.0));
+    }
+
+    /// Words in the ground below a point.
+    fn word(&mut self, [x, y]: [f64; 2], words: &str) {
+        let words = printed(words);
+        if let Some(place) = self.labels.below([x, y + 4.0], &words, LABEL.size) {
+            self.canvas.text([place.x, place.baseline], Anchor::Start, LABEL, &words);
+        }
+    }
+
+    fn position(&self, x: f64) -> String {
+        self.units.unit(Kind::Position, x).write(x, 4)
+    }
+
+    fn with_title(mut self) -> Canvas {
+        let [top, _] = self.canvas.reach();
+        let y = top - 16.0;
+        self.canvas.text([LEFT, y], Anchor::Start, PANEL_TITLE, "Beam and ground");
+        let mut notes = Vec::new();
+        if self.scale > 0.0 {
+            let times = printed(&significant(self.scale / self.frame.scale(), 2));
+            notes.push(format!("deflections drawn {times} times as large as lengths"));
+        }
+        let left_out = self.labels.left_out();
+        if left_out > 0 {
+            let labels = if left_out == 1 { "label" } else { "labels" };
+            notes.push(format!("{left_out} {labels} left out for lack of room"));
+        }
+        let x = LEFT + 1.06 * self.labels.width("Beam and ground", PANEL_TITLE.size) + 12.0;
+        let note = notes.join("; ");
+        self.canvas.text([x, y], Anchor::Start, NOTE, &note);
+        self.legend([x + self.labels.width(&note, NOTE.size) + 24.0, y]);
+        self.canvas
+    }
+
+    fn legend(&mut self, [mut x, y]: [f64; 2]) {
+        let mut entry = |colour: &str, height: f64, words: &str| {
+            let look = format!(r#"fill="{colour}""#);
+            self.canvas.rect([x, y - 4.0 - 0.5 * height], [18.0, height], &look);
+            self.canvas.text([x + 23.0, y], Anchor::Start, NOTE, words);
+            x += 23.0 + self.labels.width(words, NOTE.size) + 18.0;
+        };
+        if !self.solution.contact().is_empty() {
+            entry(PRESSURE, 3.0, "contact");
+        }
+        if !self.solution.lift_off().is_empty() {
+            entry(GAP, 9.0, "lift-off");
+        }
+    }
+}

@@ -1,0 +1,274 @@
+//! The report for a terminal, at most 80 columns wide.
+
+mod certificate;
+mod sheet;
+
+use crate::characteristics::Characteristics;
+use crate::context::Context;
+use crate::number::significant;
+use crate::quantity::{Kind, Units};
+use crate::size::Sizes;
+use crate::verdict;
+use groundbeam::{
+    ContactRegion, Existence, Extreme, Field, Model, NotConverged, Reaction, Solution, SupportKind,
+    Verdict,
+};
+use sheet::{Sheet, Tone};
+
+/// More rows of one kind than this are counted, not listed.
+const MOST_ROWS: usize = 20;
+
+/// The report of an equilibrium; with `colour`, with escape codes for a terminal.
+pub fn solved(solution: &Solution, context: &Context, colour: bool) -> String {
+    let mut sheet = Sheet::new(colour);
+    let units = context.units;
+    let sizes = Sizes::of(solution);
+    problem(&mut sheet, solution.model(), solution.existence(), context);
+    verdict_row(&mut sheet, solution.model(), solution.existence(), units);
+    sheet.blank();
+    contact(&mut sheet, solution, units, &sizes);
+    forces(&mut sheet, solution, units, &sizes);
+    sheet.blank();
+    extremes(&mut sheet, solution, units, &sizes);
+    sheet.blank();
+    certificate::rows(&mut sheet, solution, units);
+    sheet.blank();
+    method(&mut sheet, solution, context);
+    sheet.finish()
+}
+
+/// What the statics say of a model: the verdict alone, for an equilibrium that was not asked for or that
+/// does not exist.
+pub fn existence(model: &Model, existence: &Existence, context: &Context, colour: bool) -> String {
+    let mut sheet = Sheet::new(colour);
+    problem(&mut sheet, model, existence, context);
+    verdict_row(&mut sheet, model, existence, context.units);
+    sheet.finish()
+}
+
+/// What a method reached that did not reach its tolerance.
+pub fn not_converged(reached: &NotConverged, colour: bool) -> String {
+    let mut sheet = Sheet::new(colour);
+    sheet.toned_row("Not solved", &format!("no answer: {reached}"), Tone::Bad);
+    sheet.row("", "no result is given, since none could be certified");
+    sheet.finish()
+}
+
+/// Title, beam, ground, loads.
+fn problem(sheet: &mut Sheet, model: &Model, existence: &Existence, context: &Context) {
+    let units = context.units;
+    if let Some(title) = context.clean_title() {
+        sheet.heading(&title);
+        sheet.blank();
+    }
+    let found = Characteristics::of(model, existence);
+    let write = |kind, value| units.write(kind, value, 6);
+
+    let stiffnesses = model.beam.segments.iter().map(|s| s.bending_stiffness);
+    let stiffness =
+        spread(units, Kind::BendingStiffness, model.beam.bending_stiffness, stiffnesses);
+    let mut beam = format!("l = {}, EI = {stiffness}", units.position(model.beam.length));
+    if model.beam.axial_force != 0.0 {
+        let sense = if model.beam.axial_force > 0.0 { "tension" } else { "compression" };
+        let force = write(Kind::Constant, model.beam.axial_force.abs());
+        beam += &format!(", {sense} {force}");
+    }
+    sheet.row("Beam", &beam);
+
+    let springs = model.foundation.segments.iter().map(|s| s.spring);
+    let shears = model.foundation.segments.iter().map(|s| s.shear);
+    let spring = spread(units, Kind::Spring, model.foundation.spring, springs);
+    let shear = spread(units, Kind::Constant, model.foundation.shear, shears);
+    let is_winkler = found.shear_length[1] == 0.0;
+    let ground = if is_winkler {
+        format!("k = {spring}, no shear layer (Winkler)")
+    } else {
+        let length = range(units, Kind::Position, found.shear_length);
+        format!("k = {spring}, mu = {shear}, shear length √(mu/k) = {length}")
+    };
+    sheet.row("Ground", &ground);
+
+    let beta = range(units, Kind::PerLength, found.beta);
+    let beta_length = significant(found.beta_length, 4);
+    sheet.row("Stiffness", &format!("β = {beta}, βl = {beta_length}: {}", found.class()));
+
+    let force = found.resultant.force;
+    let loads = match found.resultant.at {
+        Some(x) => {
+            let sense = if force > 0.0 { "down" } else { "up" };
+            let share = significant(x / model.beam.length, 4);
+            let size = write(Kind::Force, force.abs());
+            format!("resultant {size} {sense} at x = {} ({share} l)", units.position(x))
+        }
+        None if model.loads.is_empty() => "none".to_owned(),
+        None => "resultant zero".to_owned(),
+    };
+    sheet.row("Loads", &loads);
+    sheet.blank();
+}
+
+/// A quantity that may vary: `2 MN`, or `1 to 3 MN`.
+fn spread(units: Units, kind: Kind, base: f64, others: impl Iterator<Item = f64>) -> String {
+    let mut all = [base, base];
+    for value in others {
+        all = [all[0].min(value), all[1].max(value)];
+    }
+    range(units, kind, all)
+}
+
+fn range(units: Units, kind: Kind, [low, high]: [f64; 2]) -> String {
+    let unit = units.unit(kind, high);
+    let digits = if kind == Kind::PerLength { 4 } else { 6 };
+    if low == high {
+        unit.write(high, digits)
+    } else {
+        format!("{} to {}", unit.number(low, digits), unit.write(high, digits))
+    }
+}
+
+fn verdict_row(sheet: &mut Sheet, model: &Model, existence: &Existence, units: Units) {
+    let sentence = verdict::sentence(model, existence, units);
+    match existence.verdict {
+        Verdict::Unique => {
+            sheet.toned_row("Equilibrium", &format!("exactly one: {sentence}"), Tone::Good);
+        }
+        Verdict::NotUnique(_) => {
+            let words = format!("not unique: {sentence}");
+            sheet.toned_row("Equilibrium", &words, Tone::Doubtful);
+        }
+        Verdict::None(motion) => {
+            sheet.toned_row("Equilibrium", &format!("none: {sentence}"), Tone::Bad);
+            sheet.row("Motion", &verdict::motion(motion, units));
+            if let Some(remedy) = verdict::remedy(motion, units) {
+                sheet.row("Remedy", &remedy);
+            }
+        }
+    }
+}
+
+fn contact(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) {
+    let regions = solution.contact();
+    let l = solution.model().beam.length;
+    if regions.is_empty() {
+        sheet.row("Contact", "nowhere");
+    }
+    listed(sheet, "Contact", regions, |region| match *region {
+        ContactRegion { from, to } if from == to => {
+            format!("at the point x = {}", units.position(sizes.position(from)))
+        }
+        ContactRegion { from, to } if from == 0.0 && to == l => "the whole beam".to_owned(),
+        ContactRegion { from, to } => between(units, sizes.position(from), to),
+    });
+    let lifted = solution.lift_off();
+    if lifted.is_empty() {
+        sheet.row("Lift-off", "none");
+    }
+    listed(sheet, "Lift-off", &lifted, |stretch| {
+        let largest = sizes.extreme(Field::Gap, stretch.largest_gap);
+        let gap = units.write(Kind::Deflection, largest.value, 6);
+        let place = between(units, sizes.position(stretch.from), stretch.to);
+        format!("{place}, up to {gap} at x = {}", units.position(largest.x))
+    });
+}
+
+/// `from 0 to 10.2 m`
+fn between(units: Units, from: f64, to: f64) -> String {
+    let unit = units.unit(Kind::Position, to);
+    format!("from {} to {}", unit.number(from, 6), unit.write(to, 6))
+}
+
+/// One row each; of very many only the first.
+fn listed<T>(sheet: &mut Sheet, label: &str, items: &[T], write: impl Fn(&T) -> String) {
+    for (i, item) in items.iter().take(MOST_ROWS).enumerate() {
+        sheet.row(if i == 0 { label } else { "" }, &write(item));
+    }
+    if items.len() > MOST_ROWS {
+        sheet.row("", &format!("and {} more", items.len() - MOST_ROWS));
+    }
+}
+
+fn forces(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) {
+    let write = |force: f64| units.write(Kind::Force, sizes.force(force), 6);
+    let ends = solution.end_forces();
+    let words = format!("left {}, right {}", write(ends.left), write(ends.right));
+    sheet.row("End forces", &words);
+    listed(sheet, "Forces", solution.concentrated_forces(), |force| {
+        format!("{} at x = {}, from the ground", write(force.force), units.position(force.at))
+    });
+    let supports = solution.model().supports.iter();
+    let reactions: Vec<_> = solution.reactions().iter().zip(supports).collect();
+    listed(sheet, "Supports", &reactions, |(reaction, support)| {
+        let Reaction { at, force, moment } = **reaction;
+        let kind = match support.kind {
+            SupportKind::Pinned => "pinned",
+            SupportKind::Fixed => "fixed",
+            SupportKind::Spring { .. } => "spring",
+        };
+        let force = sizes.force(force);
+        let sense = if force < 0.0 { "holds down with" } else { "carries" };
+        let size = units.write(Kind::Force, force.abs(), 6);
+        let mut words = format!("{kind} at x = {} {sense} {size}", units.position(at));
+        let turns = match support.kind {
+            SupportKind::Pinned => false,
+            SupportKind::Fixed => true,
+            SupportKind::Spring { rotational_spring, .. } => rotational_spring > 0.0,
+        };
+        if turns {
+            let moment = units.write(Kind::Moment, sizes.moment(moment), 6);
+            words += &format!(", moment {moment}");
+        }
+        words
+    });
+}
+
+fn extremes(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) {
+    sheet.heading(&format!("{:<13}{:>17}{:>30}", "", "smallest", "largest"));
+    for field in Field::ALL {
+        let range = solution.range(field);
+        let (min, max) = (sizes.extreme(field, range.min), sizes.extreme(field, range.max));
+        let unit = units.unit(Kind::of(field), min.value.abs().max(max.value.abs()));
+        let cell = |extreme: Extreme| {
+            let place = format!("at {}", units.position(extreme.x));
+            format!("{:>17} {place:<12}", unit.write(extreme.value, 6))
+        };
+        sheet.row(label(field), &format!("{}{}", cell(min), cell(max)));
+    }
+}
+
+fn label(field: Field) -> &'static str {
+    match field {
+        Field::Deflection => "Deflection",
+        Field::Slope => "Slope",
+        Field::Moment => "Moment",
+        Field::ShearForce => "Shear force",
+        Field::Settlement => "Settlement",
+        Field::Gap => "Gap",
+        Field::Pressure => "Pressure",
+    }
+}
+
+fn method(sheet: &mut Sheet, solution: &Solution, context: &Context) {
+    let counted = |count: usize, one: &str, many: &str| {
+        format!("{count} {}", if count == 1 { one } else { many })
+    };
+    let steps = counted(solution.iterations(), "step", "steps");
+    let pieces = match solution.method() {
+        groundbeam::Method::Exact => counted(solution.elements(), "closed form", "closed forms"),
+        _ => counted(solution.elements(), "element", "elements"),
+    };
+    let mut words = format!("{}, {pieces}, {steps}", solution.method().name());
+    if let Some(seconds) = context.seconds {
+        words += &format!(", {}", duration(seconds));
+    }
+    sheet.row("Method", &words);
+}
+
+fn duration(seconds: f64) -> String {
+    if seconds < 1e-3 {
+        format!("{:.0} µs", seconds * 1e6)
+    } else if seconds < 1.0 {
+        format!("{} ms", significant(seconds * 1e3, 2))
+    } else {
+        format!("{} s", significant(seconds, 3))
+    }
+}

@@ -1,0 +1,165 @@
+//! A page of labelled rows, at most 80 columns wide.
+
+/// The width no line exceeds, as far as words allow.
+pub(super) const WIDTH: usize = 80;
+/// Where the text of a row begins.
+const COLUMN: usize = 13;
+
+/// How words are marked on a terminal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Tone {
+    Plain,
+    Heading,
+    Good,
+    Doubtful,
+    Bad,
+}
+
+impl Tone {
+    fn code(self) -> &'static str {
+        match self {
+            Tone::Plain => "",
+            Tone::Heading => "\u{1b}[1m",
+            Tone::Good => "\u{1b}[1;32m",
+            Tone::Doubtful => "\u{1b}[1;33m",
+            Tone::Bad => "\u{1b}[1;31m",
+        }
+    }
+}
+
+/// The page so far.
+pub(super) struct Sheet {
+    text: String,
+    colour: bool,
+}
+
+impl Sheet {
+    pub fn new(colour: bool) -> Self {
+        Sheet { text: String::new(), colour }
+    }
+
+    pub fn finish(self) -> String {
+        self.text
+    }
+
+    pub fn blank(&mut self) {
+        self.text.push('\n');
+    }
+
+    /// A paragraph that begins at the left edge.
+    pub fn heading(&mut self, words: &str) {
+        for line in wrapped(words, WIDTH) {
+            let line = self.painted(&line, Tone::Heading);
+            self.text.push_str(&line);
+            self.text.push('\n');
+        }
+    }
+
+    /// `label        words`, wrapped under themselves. An empty label continues the row above.
+    pub fn row(&mut self, label: &str, words: &str) {
+        self.toned_row(label, words, Tone::Plain);
+    }
+
+    /// The same with the first part of the words, up to a colon, in a tone.
+    pub fn toned_row(&mut self, label: &str, words: &str, tone: Tone) {
+        let gap = " ".repeat(COLUMN.saturating_sub(label.chars().count()).max(1));
+        let head = self.painted(label, Tone::Heading) + &gap;
+        for (i, line) in wrapped(words, WIDTH - COLUMN).iter().enumerate() {
+            let lead = if i == 0 { head.clone() } else { " ".repeat(COLUMN) };
+            let line = match line.find(':') {
+                Some(colon) if i == 0 && tone != Tone::Plain => {
+                    self.painted(&line[..colon], tone) + &line[colon..]
+                }
+                None if i == 0 => self.painted(line, tone),
+                _ => line.clone(),
+            };
+            let line = format!("{lead}{line}");
+            self.text.push_str(line.trim_end());
+            self.text.push('\n');
+        }
+    }
+
+    /// `             label       words`: a row within a row.
+    pub fn item(&mut self, label: &str, words: &str) {
+        const INNER: usize = 12;
+        for (i, line) in wrapped(words, WIDTH - COLUMN - INNER).iter().enumerate() {
+            let label = if i == 0 { label } else { "" };
+            self.text.push_str(&format!("{:COLUMN$}{label:<INNER$}{line}\n", ""));
+        }
+    }
+
+    fn painted(&self, words: &str, tone: Tone) -> String {
+        if self.colour && tone != Tone::Plain && !words.is_empty() {
+            format!("{}{words}\u{1b}[0m", tone.code())
+        } else {
+            words.to_owned()
+        }
+    }
+}
+
+/// Lines of at most `width` characters, broken at spaces; a longer word stays whole. Never empty.
+fn wrapped(words: &str, width: usize) -> Vec<String> {
+    // Several spaces in a row are the columns of a table and stay.
+    if words.chars().count() <= width {
+        return vec![words.to_owned()];
+    }
+    let mut lines = vec![String::new()];
+    for word in unbroken(words) {
+        let line = lines.last_mut().filter(|line| {
+            line.is_empty() || line.chars().count() + 1 + word.chars().count() <= width
+        });
+        match line {
+            Some(line) => {
+                if !line.is_empty() {
+                    line.push(' ');
+                }
+                line.push_str(&word);
+            }
+            None => lines.push(word),
+        }
+    }
+    lines
+}
+
+/// Words as they may be parted; what stands in brackets stays together: `[0, 5]`.
+fn unbroken(words: &str) -> Vec<String> {
+    let mut parts: Vec<String> = Vec::new();
+    for word in words.split_whitespace() {
+        match parts.last_mut() {
+            Some(last) if last.contains('[') && !last.contains(']') => {
+                last.push(' ');
+                last.push_str(word);
+            }
+            _ => parts.push(word.to_owned()),
+        }
+    }
+    parts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_wrap_under_themselves() {
+        let mut sheet = Sheet::new(false);
+        sheet.row("Contact", &"word ".repeat(20));
+        let text = sheet.finish();
+        assert!(text.lines().all(|line| line.len() <= WIDTH && !line.ends_with(' ')));
+        assert!(text.lines().nth(1).is_some_and(|line| line.starts_with("             word")));
+    }
+
+    #[test]
+    fn colour_only_when_asked() {
+        let row = |colour| {
+            let mut sheet = Sheet::new(colour);
+            sheet.toned_row("Verdict", "none: it tips", Tone::Bad);
+            sheet.finish()
+        };
+        assert_eq!(row(false), "Verdict      none: it tips\n");
+        assert_eq!(
+            row(true),
+            "\u{1b}[1mVerdict\u{1b}[0m      \u{1b}[1;31mnone\u{1b}[0m: it tips\n"
+        );
+    }
+}

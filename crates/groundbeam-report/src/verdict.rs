@@ -1,0 +1,189 @@
+//! What the statics say, in sentences an engineer can check.
+
+use crate::quantity::{Kind, Units};
+use groundbeam::{Existence, Model, RigidMotion, Verdict};
+
+/// Why there is one equilibrium, more than one, or none: one sentence without a full stop.
+///
+/// ```
+/// use groundbeam::{Beam, Foundation, Load, Model};
+/// use groundbeam_report::{Units, sentence};
+///
+/// let model = Model::new(Beam::uniform(5.0, 1e8), Foundation::pasternak(40e6, 9e6))
+///     .with_load(Load::point(120e3, 5.0))
+///     .with_load(Load::moment(36e3, 2.0));
+/// let existence = groundbeam::exists(&model)?;
+/// assert_eq!(
+///     sentence(&model, &existence, Units::Si),
+///     "the resultant, 120 kN at x = 5.3 m, acts outside the beam [0, 5] m: it tips about its \
+///      right end"
+/// );
+/// # Ok::<(), groundbeam::Error>(())
+/// ```
+pub fn sentence(model: &Model, existence: &Existence, units: Units) -> String {
+    let say = Say { model, existence, units };
+    match existence.verdict {
+        Verdict::Unique => say.unique(),
+        Verdict::NotUnique(motion) => say.not_unique(motion),
+        Verdict::None(motion) => say.none(motion),
+    }
+}
+
+/// What would restore equilibrium, or at least must be added: one sentence without a full stop.
+pub(crate) fn remedy(motion: RigidMotion, units: Units) -> Option<String> {
+    (motion.work > 0.0).then(|| {
+        let force = units.write(Kind::Force, motion.work, 6);
+        let place = match (motion.left < 0.0, motion.right < 0.0) {
+            (true, false) => " at its left end",
+            (false, true) => " at its right end",
+            _ => "",
+        };
+        format!("it takes more than {force}, pushing the beam down{place}, to hold it")
+    })
+}
+
+/// A rigid motion as a formula: `r(0) = -1, r(l) = 0`, and what the loads do in it.
+pub(crate) fn motion(motion: RigidMotion, units: Units) -> String {
+    let moves = match (motion.left < 0.0, motion.right < 0.0) {
+        (true, false) => "its left end lifts, its right end stays",
+        (false, true) => "its right end lifts, its left end stays",
+        _ => "it lifts as a whole",
+    };
+    let work = units.write(Kind::Moment, motion.work, 6);
+    let per = if units == Units::Si { "per metre of lift" } else { "per unit of lift" };
+    format!("{moves}; nothing of it presses on the ground, and the loads do {work} of work {per}")
+}
+
+struct Say<'a> {
+    model: &'a Model,
+    existence: &'a Existence,
+    units: Units,
+}
+
+impl Say<'_> {
+    fn is_free(&self) -> bool {
+        self.model.supports.is_empty() && self.model.beam.axial_force == 0.0
+    }
+
+    fn force(&self, force: f64) -> String {
+        self.units.write(Kind::Force, force, 6)
+    }
+
+    /// `the resultant, 120 kN at x = 5.3 m,`
+    fn resultant(&self) -> String {
+        let force = self.existence.resultant();
+        let position = self.existence.resultant_position(self.model.beam.length);
+        let size = self.force(force.abs());
+        let upward = if force < 0.0 { " upward" } else { "" };
+        match position {
+            Some(x) => format!("the resultant, {size}{upward} at x = {},", self.units.position(x)),
+            None => "the resultant, zero,".to_owned(),
+        }
+    }
+
+    /// `[0, 5] m`
+    fn beam(&self) -> String {
+        let unit = self.units.unit(Kind::Position, self.model.beam.length);
+        let end = unit.number(self.model.beam.length, 6);
+        format!("[0, {end}] {}", unit.name).trim_end().to_owned()
+    }
+
+    fn unique(&self) -> String {
+        if self.is_free() {
+            return format!("{} acts inside the beam {}", self.resultant(), self.beam());
+        }
+        if self.model.supports.is_empty() {
+            return format!("{} acts down and the tension resists turning", self.resultant());
+        }
+        let free = "the supports leave no motion in which the loads would not have to press the \
+                    beam into the ground or do negative work";
+        free.to_owned()
+    }
+
+    fn not_unique(&self, motion: RigidMotion) -> String {
+        let undetermined = match (motion.left < 0.0, motion.right < 0.0) {
+            (true, false) => "how far it turns about its right end is not determined",
+            (false, true) => "how far it turns about its left end is not determined",
+            _ => "how high it lies is not determined",
+        };
+        let shown = "any equilibrium shown is one of many";
+        let held = !self.model.supports.is_empty();
+        if self.existence.resultant() == 0.0 && !held {
+            return format!("the loads have no resultant: {undetermined}, {shown}");
+        }
+        if held {
+            return format!(
+                "the loads neither hold the beam down nor lift it: {undetermined}, {shown}"
+            );
+        }
+        let end = if motion.left < 0.0 { "right" } else { "left" };
+        format!("{} acts exactly over the {end} end: {undetermined}, {shown}", self.resultant())
+    }
+
+    fn none(&self, motion: RigidMotion) -> String {
+        let force = self.existence.resultant();
+        let (lifting, pivot) = match (motion.left < 0.0, motion.right < 0.0) {
+            (true, false) => ("left", Some("right")),
+            (false, true) => ("right", Some("left")),
+            _ => ("", None),
+        };
+        let held = self.model.supports.iter().any(|support| {
+            let end = if pivot == Some("left") { 0.0 } else { self.model.beam.length };
+            support.at == end
+        });
+        match pivot {
+            Some(pivot) if held => format!(
+                "the support at its {pivot} end does not keep the beam from turning about it: the \
+                 loads lift its {lifting} end"
+            ),
+            Some(_) if force < 0.0 => format!("{} lifts the beam off the ground", self.resultant()),
+            Some(pivot) if force == 0.0 => format!(
+                "the loads have a moment but no resultant that could hold the beam down: it tips \
+                 about its {pivot} end"
+            ),
+            Some(pivot) if motion.work == 0.0 => format!(
+                "{} acts exactly over the {pivot} end, where separate springs (mu = 0) cannot carry \
+                 a concentrated force: the beam sinks and turns without end",
+                self.resultant()
+            ),
+            Some(pivot) => format!(
+                "{} acts outside the beam {}: it tips about its {pivot} end",
+                self.resultant(),
+                self.beam()
+            ),
+            None => format!("{} lifts the beam off the ground", self.resultant()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use groundbeam::{Beam, Foundation, Load, Support};
+
+    fn said(model: &Model) -> String {
+        sentence(model, &groundbeam::exists(model).unwrap(), Units::Plain)
+    }
+
+    #[test]
+    fn every_verdict_has_its_sentence() {
+        let beam = || Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0));
+        let springs = Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(1.0));
+        let outside = || beam().with_load(Load::point(1.0, 3.0)).with_load(Load::moment(2.0, 1.0));
+        let cases = [
+            (beam().with_load(Load::point(1.0, 3.0)), "acts inside the beam [0, 4]"),
+            (outside(), "1 at x = 5, acts outside the beam [0, 4]: it tips about its right end"),
+            (beam().with_load(Load::point(-1.0, 3.0)), "1 upward at x = 3, lifts the beam off"),
+            (beam().with_load(Load::moment(1.0, 3.0)), "a moment but no resultant"),
+            (beam().with_load(Load::point(1.0, 4.0)), "acts exactly over the right end"),
+            (springs.with_load(Load::point(1.0, 0.0)), "over the left end, where separate springs"),
+            (beam(), "the loads have no resultant"),
+            (outside().with_support(Support::pinned(4.0)), "the support at its right end does not"),
+            (outside().with_support(Support::pinned(1.0)), "the supports leave no motion"),
+        ];
+        for (model, part) in cases {
+            let said = said(&model);
+            assert!(said.contains(part), "{said}");
+        }
+    }
+}
