@@ -6,7 +6,7 @@ import random
 from mpmath import mp, mpf
 
 from .analytic import newton
-from .verify import balance_report, equation_residual, total_force
+from .verify import balance_report, equation_residual, margins, total_force
 
 FIELDS = ("deflection", "slope", "moment", "shear_force", "settlement", "gap", "pressure")
 DIGITS = 20
@@ -141,6 +141,7 @@ def make_record(name, family, seed, model, solution, digits, note=None):
             "reactions": [reaction_entry(n, force, model.length) for n in held],
             "primal_energy": number(balance["energy"]),
             "largest": {f: number(scales[f]) for f in FIELDS},
+            "margins": {k: short(v) for k, v in margins(system, scales).items()},
             "stations": table,
             "checks": {
                 "digits_difference": short(difference),

@@ -70,6 +70,34 @@ def sign_report(system):
     return bad, scales, worst
 
 
+def margins(system, scales):
+    """How plainly the regions can be told apart: over all openings the smallest of their largest
+    gaps, over all regions the smallest of their largest pressures or forces; both relative."""
+    force, out = total_force(system), {}
+    runs = []  # [contact?, size]
+    for i, p in enumerate(system.pieces):
+        name, scale = ("pressure", "pressure") if p.contact else ("gap", "depth")
+        values = [p.fields(p.a + (p.b - p.a) * j / 8)[name] for j in range(9)]
+        size = max(values) / scales[scale] if scales[scale] else mpf(0)
+        if p.contact and force:
+            size = max([size] + [n.atom() / force for n in system.nodes[i : i + 2]])
+        # an opening on both sides of a single touching point is two
+        alone = not p.contact and system.nodes[i].touching
+        if runs and runs[-1][0] == p.contact and not alone:
+            runs[-1][1] = max(runs[-1][1], size)
+        else:
+            runs.append([p.contact, size])
+    lone = [n.atom() / force for n in system.nodes if n.touching and force
+            and not any(p.contact for p in (n.left, n.right) if p)]  # fmt: skip
+    openings = [size for contact, size in runs if not contact]
+    regions = [size for contact, size in runs if contact] + [v for v in lone if v > SIGN_TOLERANCE]
+    if openings:
+        out["opening"] = min(openings)
+    if regions:
+        out["region"] = min(regions)
+    return out
+
+
 def total_force(system):
     """A scale for forces: the sum of the loads' sizes, moments divided by the length."""
     l = mpf(system.model.length)
