@@ -303,9 +303,10 @@ fn condense(
             b[i] = [0.0; 4];
         }
     }
+    let size = [0, 1, 2].map(|i| a[i][i].abs());
     for p in 0..3 {
         let pivot = a[p][p];
-        if pivot.is_nan() || pivot <= 1e-15 * m[3 + p][3 + p].abs() {
+        if pivot.is_nan() || pivot <= 1e-15 * size[p] {
             return Err(Loose);
         }
         for i in p + 1..3 {

@@ -169,22 +169,31 @@ fn positions(model: &Model, more: &[f64]) -> Vec<f64> {
     }
     x.extend(model.supports.iter().map(|s| s.at));
     x.extend(model.gap.iter().map(|g| g.at));
-    // Listed after the model's own, so that of two equal places the model's own spelling stays.
-    x.extend_from_slice(more);
-    x.retain(|&x| x >= 0.0 && x <= l);
-    x.sort_by(f64::total_cmp);
+    let own = |x: f64| (x, true);
+    let added = |&x: &f64| (x, false);
+    let mut x: Vec<(f64, bool)> = x.into_iter().map(own).chain(more.iter().map(added)).collect();
+    x.retain(|&(x, _)| x >= 0.0 && x <= l);
+    x.sort_by(|a, b| a.0.total_cmp(&b.0));
     let near = SAME_PLACE * l;
-    let mut kept: Vec<f64> = Vec::with_capacity(x.len());
-    for x in x {
-        if kept.last().is_none_or(|last| x - last > near) {
-            kept.push(x);
+    let mut kept: Vec<(f64, bool)> = Vec::with_capacity(x.len());
+    for (x, own) in x {
+        match kept.last_mut() {
+            // Of two spellings of one place the model's own stays.
+            Some(last) if x - last.0 <= near => {
+                if own && !last.1 {
+                    *last = (x, own);
+                }
+            }
+            _ => kept.push((x, own)),
         }
     }
-    while kept.len() > 1 && l - kept[kept.len() - 1] <= near {
+    while kept.len() > 1 && l - kept[kept.len() - 1].0 <= near {
         kept.pop();
     }
-    kept.push(l);
-    kept
+    let mut x: Vec<f64> = kept.into_iter().map(|(x, _)| x).collect();
+    x[0] = 0.0;
+    x.push(l);
+    x
 }
 
 fn nodes_of(cells: &[Cell]) -> Vec<Node> {

@@ -21,9 +21,10 @@ pub(super) struct Events {
     /// T = V + P w' − g, with T' = p − f.
     shear: f64,
     moment: f64,
-    /// Σ|F| and Σ|M| about the left end, to judge the balance by.
-    forces: f64,
+    /// Σ|F| and Σ|M|, to judge the balance by; a force's lever is the beam's length.
+    pub forces: f64,
     moments: f64,
+    length: f64,
 }
 
 impl Events {
@@ -42,7 +43,8 @@ impl Events {
         ahead.extend(claim.reactions.iter().map(held));
         ahead.sort_by(|a, b| b.x.total_cmp(&a.x));
         let near = 16.0 * f64::EPSILON * model.beam.length;
-        Events { ahead, near, shear: 0.0, moment: 0.0, forces: 0.0, moments: 0.0 }
+        let length = model.beam.length;
+        Events { ahead, near, shear: 0.0, moment: 0.0, forces: 0.0, moments: 0.0, length }
     }
 
     /// Applies everything up to and at x.
@@ -51,7 +53,7 @@ impl Events {
             self.shear -= event.force;
             self.moment += event.moment;
             self.forces += event.force.abs();
-            self.moments += event.moment.abs() + event.force.abs() * event.x;
+            self.moments += event.moment.abs();
         }
     }
 
@@ -60,13 +62,12 @@ impl Events {
         let half = 0.5 * (piece.x[1] - piece.x[0]);
         let mut net = piece.pressure.to_vec();
         net.resize(net.len().max(2), 0.0);
-        let reach = piece.x[0].abs() + half;
+        let size = |c: &[f64]| c.iter().map(|c| c.abs()).sum::<f64>() * 2.0 * half;
+        self.forces += size(piece.pressure) + size(&load.force);
+        self.moments += size(&load.moment);
         for j in 0..2 {
             net[j] -= load.force[j];
         }
-        let size: f64 = net.iter().map(|c| c.abs()).sum::<f64>() * 2.0 * half;
-        self.forces += size;
-        self.moments += size * reach + load.moment[0].abs() * 2.0 * half;
         // T' = p − f, then M' = V = T − P w' + g.
         let total = antiderivative(&net, half, self.shear);
         let mut shear = total.clone();
@@ -86,7 +87,8 @@ impl Events {
     /// |ΣF| and |ΣM| that remain at the right end, relative to what was summed.
     pub fn balance(&self) -> [f64; 2] {
         let relative = |x: f64, scale: f64| if x == 0.0 { 0.0 } else { x.abs() / scale };
-        [relative(self.shear, self.forces), relative(self.moment, self.moments)]
+        let moments = self.moments + self.forces * self.length;
+        [relative(self.shear, self.forces), relative(self.moment, moments)]
     }
 }
 

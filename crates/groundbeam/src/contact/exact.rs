@@ -168,7 +168,9 @@ fn zones_of(mesh: &Mesh, stretches: &[Stretch], touch: &impl Fn(&Cell) -> Touch)
         let left = right.saturating_sub(1);
         let node = if x - mesh.nodes[left].x < mesh.nodes[right].x - x { left } else { right };
         let node_of = |spot: Spot| spot.cell + usize::from(spot.s == 1.0);
-        let held = |zone: &Zone| node_of(zone.from) <= node && node <= node_of(zone.to);
+        let held = |zone: &Zone| {
+            kind(zone.from.cell) && node_of(zone.from) <= node && node <= node_of(zone.to)
+        };
         if zones.iter().any(held) {
             continue;
         }
