@@ -167,7 +167,12 @@ pub fn solve_with(model: &Model, options: &Options) -> Result<Outcome, Error> {
     if let Verdict::None(_) = existence.verdict {
         return Ok(Outcome::NoEquilibrium(existence));
     }
-    let found = find(model, options)?;
+    let proven = |found: &Found| {
+        let solution = assemble(model, options.method, existence, stability, found.clone());
+        let certificate = solution.certificate();
+        certificate.violation() <= PROVEN && certificate.relative_gap <= PROVEN
+    };
+    let found = find(model, options, proven)?;
     let solution = assemble(model, options.method, existence, stability, found);
     certified(solution, options)
 }
@@ -207,7 +212,11 @@ fn check(model: &Model) -> Result<Checked, Error> {
     Ok(Checked { existence: existence(model), stability })
 }
 
-fn find(model: &Model, options: &Options) -> Result<Found, Error> {
+fn find(
+    model: &Model,
+    options: &Options,
+    proven: impl Fn(&Found) -> bool,
+) -> Result<Found, Error> {
     let method = options.method;
     let nodal =
         options.pressure == Pressure::Dirac || matches!(method, Method::Psor | Method::Uzawa);
@@ -227,7 +236,7 @@ fn find(model: &Model, options: &Options) -> Result<Found, Error> {
         })
     };
     match method {
-        Method::Exact => exact::solve(model).map_err(stalled),
+        Method::Exact => exact::solve(model, proven).map_err(stalled),
         Method::ActiveSet => {
             active_set::solve(Mesh::uniform(model, elements), options.pressure).map_err(stalled)
         }
@@ -267,5 +276,7 @@ fn certified(solution: Solution, options: &Options) -> Result<Outcome, Error> {
     Ok(Outcome::Equilibrium(Box::new(solution)))
 }
 
+/// Violation and relative gap below which nothing is left to be found.
+const PROVEN: f64 = 1e-13;
 /// The relative gap of energies that the exact method must prove.
 const EXACT_GAP: f64 = 1e-9;

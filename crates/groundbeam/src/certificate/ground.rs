@@ -71,19 +71,18 @@ impl<'a> GroundSums<'a> {
     /// One piece more.
     pub fn add(&mut self, model: &Model, piece: &ClaimedPiece, largest_deflection: f64) {
         let under = Under::new(model, piece);
-        let (k, mu, half) = (under.spring, under.shear, under.half);
+        let (mu, half) = (under.shear, under.half);
         self.unclaimed.enter(mu > 0.0, piece.x[0]);
         let [u, du] = under.surface(-1.0);
         let gap = u + under.gap(-1.0) - value(piece.deflection, -1.0);
         self.balance(piece.x[0], mu * du, gap, under.gap(-1.0));
+        self.energy += under.energy();
         for (s, weight) in gauss() {
-            let [u, du] = under.surface(s);
             let p = value(piece.pressure, s);
-            self.energy += weight * half * (k * u * u + mu * du * du);
             self.total_pressure += weight * half * p.max(0.0);
             self.work_on_gap += weight * half * p * under.gap(s);
         }
-        self.lift_stiffness += k * 2.0 * half;
+        self.lift_stiffness += under.spring * 2.0 * half;
         if piece.open.is_none() {
             let [low, high] = bounds(piece.pressure, 8);
             self.smallest_pressure = self.smallest_pressure.min(low);
@@ -297,6 +296,19 @@ impl<'a> Under<'a> {
         [mean * even + rise * odd, b * (mean * slope_even + rise * slope_odd)]
     }
 
+    /// ∫(k u² + μ u'²): of open ground what its ends do, u μu' at the right less the same at the left.
+    fn energy(&self) -> f64 {
+        if self.piece.open.is_some() {
+            let [left, right] = [-1.0, 1.0].map(|s| self.surface(s));
+            return self.shear * (right[0] * right[1] - left[0] * left[1]);
+        }
+        let density = |s: f64| {
+            let [u, du] = self.surface(s);
+            self.spring * u * u + self.shear * du * du
+        };
+        gauss().map(|(s, weight)| weight * self.half * density(s)).sum()
+    }
+
     /// A bound of how deep the beam pierces the ground's surface; what is below `tolerance` counts as
     /// nothing found worth halving on.
     fn penetration(&self, tolerance: f64) -> f64 {
@@ -345,7 +357,7 @@ impl<'a> Under<'a> {
 }
 
 /// Halvings of a piece: next to an edge of contact the clearance falls like the cube of the distance.
-const DEEPEST: u32 = 16;
+const DEEPEST: u32 = 30;
 
 /// cosh(z s)/cosh(z) for |s| ≤ 1.
 fn cosh_ratio(z: f64, s: f64) -> f64 {
