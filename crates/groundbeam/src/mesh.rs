@@ -81,6 +81,9 @@ pub(crate) struct Mesh {
     pub outside: [f64; 2],
 }
 
+/// EI over h²(N + kh²) of a stiffened cell; waves are then longer than it.
+const STIFF: f64 = 4.0;
+
 /// Positions closer than this part of the beam's length are one position.
 const SAME_PLACE: f64 = 4.0 * f64::EPSILON;
 
@@ -102,6 +105,34 @@ impl Mesh {
         let mut mesh =
             Mesh { nodes: nodes_of(&cells), cells, axial_force: model.beam.axial_force, outside };
         mesh.place_loads_and_supports(model);
+        mesh
+    }
+
+    /// Makes the beam so stiff that its waves on the ground are as long as the cells: a mesh that is too
+    /// coarse for the beam then solves a smooth problem of its own, a start for a finer one.
+    pub fn stiffen(&mut self) {
+        for cell in &mut self.cells {
+            let h = cell.length();
+            let tension = self.axial_force.max(0.0) + cell.shear;
+            cell.stiffness = cell.stiffness.max(STIFF * h * h * (tension + cell.spring * h * h));
+        }
+    }
+
+    /// How many times the stiffest cell of a stiffened mesh exceeds its own beam.
+    pub fn stiffening(&self) -> f64 {
+        let mut stiff = self.clone();
+        stiff.stiffen();
+        let ratio = |(a, b): (&Cell, &Cell)| a.stiffness / b.stiffness;
+        stiff.cells.iter().zip(&self.cells).map(ratio).fold(1.0, f64::max)
+    }
+
+    /// The mesh with its beam `part` of the way, in the exponent, from stiffened to its own.
+    pub fn stiffened(&self, part: f64) -> Self {
+        let mut mesh = self.clone();
+        mesh.stiffen();
+        for (cell, own) in mesh.cells.iter_mut().zip(&self.cells) {
+            cell.stiffness = own.stiffness * (cell.stiffness / own.stiffness).powf(1.0 - part);
+        }
         mesh
     }
 

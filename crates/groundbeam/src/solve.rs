@@ -212,11 +212,7 @@ fn check(model: &Model) -> Result<Checked, Error> {
     Ok(Checked { existence: existence(model), stability })
 }
 
-fn find(
-    model: &Model,
-    options: &Options,
-    proven: impl Fn(&Found) -> bool,
-) -> Result<Found, Error> {
+fn find(model: &Model, options: &Options, proven: impl Fn(&Found) -> bool) -> Result<Found, Error> {
     let method = options.method;
     let nodal =
         options.pressure == Pressure::Dirac || matches!(method, Method::Psor | Method::Uzawa);
@@ -238,7 +234,14 @@ fn find(
     match method {
         Method::Exact => exact::solve(model, proven).map_err(stalled),
         Method::ActiveSet => {
-            active_set::solve(Mesh::uniform(model, elements), options.pressure).map_err(stalled)
+            // A mesh too coarse for the beam's waves: from a beam that it suits to the beam itself.
+            let mesh = Mesh::uniform(model, elements);
+            let stages = (mesh.stiffening().log2() / 4.0).ceil() as u32;
+            let stage = |i: u32| match i {
+                _ if i == stages => mesh.clone(),
+                _ => mesh.stiffened(f64::from(i) / f64::from(stages)),
+            };
+            active_set::solve_nested((0..=stages).map(stage), options.pressure).map_err(stalled)
         }
         Method::Psor | Method::Uzawa => Err(stalled(Stalled::default())),
     }

@@ -21,7 +21,7 @@ pub(super) struct Events {
     /// T = V + P w' − g, with T' = p − f.
     shear: f64,
     moment: f64,
-    /// Σ|F| and Σ|M|, to judge the balance by; a force's lever is the beam's length.
+    /// Σ|F| and Σ|M|, to judge the balance by; the lever between them is the beam's length.
     pub forces: f64,
     moments: f64,
     length: f64,
@@ -88,7 +88,7 @@ impl Events {
     pub fn balance(&self) -> [f64; 2] {
         let relative = |x: f64, scale: f64| if x == 0.0 { 0.0 } else { x.abs() / scale };
         let moments = self.moments + self.forces * self.length;
-        [relative(self.shear, self.forces), relative(self.moment, moments)]
+        [relative(self.shear, moments / self.length), relative(self.moment, moments)]
     }
 }
 

@@ -87,16 +87,51 @@ impl Default for Stalled {
 const MOST_STEPS: usize = 400;
 /// Newton's decrement, relative to twice the strain energy, below which the next step is the last.
 const CLOSE: f64 = 1e-15;
+/// The same on a mesh that only gives the next one its start.
+const COARSE_CLOSE: f64 = 1e-6;
 /// The part of the slope along a line that may remain.
 const SETTLED: f64 = 0.1;
 
-/// Solves on a given mesh.
-pub(crate) fn solve(mesh: Mesh, pressure: Pressure) -> Result<Found, Stalled> {
+/// Solves on the last of some meshes, each finer than the one before, which give it its start: on a mesh
+/// too coarse for the waves of a soft beam there are no far zones to be lost one after another.
+pub(crate) fn solve_nested(
+    meshes: impl Iterator<Item = Mesh>,
+    pressure: Pressure,
+) -> Result<Found, Stalled> {
+    let mut meshes = meshes.peekable();
+    let mut found: Option<Found> = None;
+    let mut history = Vec::new();
+    while let Some(mesh) = meshes.next() {
+        let close = if meshes.peek().is_some() { COARSE_CLOSE } else { CLOSE };
+        match solve(mesh, pressure, found.as_ref(), close) {
+            Ok(mut next) => {
+                history.append(&mut next.history);
+                found = Some(next);
+            }
+            // The finer mesh begins on its own.
+            Err(stalled) if meshes.peek().is_none() => return Err(stalled),
+            Err(_) => found = None,
+        }
+    }
+    found.map(|found| Found { history, ..found }).ok_or_else(Stalled::default)
+}
+
+/// Solves on one mesh, from the bonded beam or from the solution on another mesh.
+fn solve(
+    mesh: Mesh,
+    pressure: Pressure,
+    start: Option<&Found>,
+    close: f64,
+) -> Result<Found, Stalled> {
     let newton = Newton::new(&mesh, pressure);
     let mut history = Vec::new();
-    let nothing_holds = |Loose| Stalled::default();
-    let start = newton.glued(&newton.bonded(), None).map_err(nothing_holds)?;
-    let mut now = newton.unfold(start);
+    let mut now = match start {
+        Some(found) => newton.unfold(interpolated(&mesh, found)),
+        None => {
+            let nothing_holds = |Loose| Stalled::default();
+            newton.unfold(newton.glued(&newton.bonded(), None).map_err(nothing_holds)?)
+        }
+    };
     let mut zones = newton.contact(&now.coefficients);
     let mut last = false;
     for _ in 0..MOST_STEPS {
@@ -114,12 +149,25 @@ pub(crate) fn solve(mesh: Mesh, pressure: Pressure) -> Result<Found, Stalled> {
         if let Some(step) = history.last_mut() {
             step.step = t;
         }
-        last = line.decrement <= CLOSE && t == 1.0 && damping == 0.0;
+        last = line.decrement <= close && t == 1.0 && damping == 0.0;
         now = if t == 1.0 { target } else { now.towards(&target, t) };
         zones = newton.contact(&now.coefficients);
     }
     let reached = history.last().map_or(f64::NAN, |step| step.decrement);
     Err(Stalled { iterations: MOST_STEPS, reached, ..Stalled::default() })
+}
+
+/// The deflection of another mesh in the elements of this one: the same function if this one is finer.
+fn interpolated(mesh: &Mesh, found: &Found) -> Vec<[f64; 4]> {
+    let w = found.deflection();
+    let within = |cell: &crate::mesh::Cell| {
+        let parent = found.mesh.cell_at(0.5 * (cell.x[0] + cell.x[1]));
+        let from = &found.mesh.cells[parent];
+        let [a, b] = cell.x.map(|x| from.local(x));
+        let c = crate::polynomial::rescale(w.cell(parent), 0.5 * (a + b), 0.5 * (b - a));
+        hermite::fold(&c, cell.length())
+    };
+    mesh.cells.iter().map(within).collect()
 }
 
 /// A deflection: element by element and as polynomials.
@@ -401,7 +449,8 @@ mod tests {
                 (0.49, 0.013217803941407),
             ] {
                 for n in [10, 20, 40, 80, 160] {
-                    let found = solve(Mesh::uniform(&kikuchi(m), n), pressure).unwrap();
+                    let found =
+                        solve(Mesh::uniform(&kikuchi(m), n), pressure, None, CLOSE).unwrap();
                     let w = found.deflection();
                     let left = obstacle(&w, Spot { cell: 0, s: -1.0 });
                     let s = Surface::of(&w, &found.zones);

@@ -43,18 +43,30 @@ pub(crate) fn solve(model: &Model, proven: impl Fn(&Found) -> bool) -> Result<Fo
     for level in 0..=REFINEMENTS {
         let fine = COARSE * 4_f64.powi(level as i32);
         let axial = model.beam.axial_force;
-        let mesh = Mesh::build(model, &[], |cell| {
+        let wanted = |cell: &Cell| {
             let wave = Operator::of(cell, axial, Touch::Contact).wave_number();
             (wave * cell.length() * fine).ceil().max(2.0) as usize
-        });
-        let coarse = match active_set::solve(mesh, Pressure::Distributed) {
-            Ok(found) => found,
-            Err(stalled) => {
-                iterations += stalled.iterations;
-                last = stalled;
-                continue;
-            }
         };
+        // From two elements between nodes, doubled until every stretch has what it wants.
+        let most = Mesh::build(model, &[], |_| 1).cells.iter().map(wanted).max().unwrap_or(2);
+        let doublings = most.next_power_of_two().trailing_zeros();
+        let mesh = |i: u32| {
+            let parts = |cell: &Cell| wanted(cell).next_power_of_two().min(1 << i);
+            let mut mesh = Mesh::build(model, &[], parts);
+            if i < doublings {
+                mesh.stiffen();
+            }
+            mesh
+        };
+        let coarse =
+            match active_set::solve_nested((1..=doublings).map(mesh), Pressure::Distributed) {
+                Ok(found) => found,
+                Err(stalled) => {
+                    iterations += stalled.iterations;
+                    last = stalled;
+                    continue;
+                }
+            };
         iterations += coarse.history.len();
         match refine(model, &coarse, &proven) {
             Ok(found) => return Ok(found),
@@ -77,9 +89,14 @@ fn refine(
     let mut history = coarse.history.clone();
     let l = model.beam.length;
     let mut moved = f64::INFINITY;
+    let mut last: Option<Found> = None;
     for step in 0..MOST_STEPS {
         let Ok((found, zones)) = glued(model, &stretches) else {
-            return Err(unsettled(step, moved));
+            // A beam balanced on one point has no next step, and may need none.
+            return match last.take() {
+                Some(found) if proven(&found) => Ok(Found { history, ..found }),
+                _ => Err(unsettled(step, moved)),
+            };
         };
         let next = positions(&found.mesh, &zones);
         let before = moved;
@@ -91,6 +108,7 @@ fn refine(
             return Ok(Found { history, ..found });
         }
         stretches = next;
+        last = Some(found);
     }
     Err(unsettled(MOST_STEPS, moved))
 }

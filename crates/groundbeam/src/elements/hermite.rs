@@ -111,6 +111,12 @@ pub(crate) fn unfold(v: &[f64; 4], h: f64) -> [f64; TERMS] {
     ]
 }
 
+/// (w_left, θ_left, d₁, d₂) of a cubic with coefficients `c`: the way back from [`unfold`].
+pub(crate) fn fold(c: &[f64], h: f64) -> [f64; 4] {
+    let [w, slope, ..] = crate::polynomial::jet(c, -1.0);
+    [w, 2.0 * slope / h, 4.0 * (c[2] - c[3]), 8.0 * c[2] / h]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -134,6 +140,9 @@ mod tests {
             let z = deflection(xi, h);
             let w: f64 = z.iter().zip(v).map(|(z, v)| z * v).sum();
             assert!((value(&c, 2.0 * xi - 1.0) - w).abs() < 1e-15);
+        }
+        for (folded, given) in fold(&c, h).iter().zip(v) {
+            assert!((folded - given).abs() < 1e-14);
         }
     }
 
