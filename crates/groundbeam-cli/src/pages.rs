@@ -6,6 +6,7 @@ use crate::output::print;
 use crate::typed::Typed;
 use clap::CommandFactory;
 use clap_complete::Shell;
+use clap_mangen::Man;
 
 pub fn completions(shell: Shell) -> Result<Status, Failure> {
     let mut script = Vec::new();
@@ -14,11 +15,40 @@ pub fn completions(shell: Shell) -> Result<Status, Failure> {
     Ok(Status::Done)
 }
 
-/// The program and its commands, one after the other, as one page.
+/// The program and its commands on one page.
 pub fn manual() -> Result<Status, Failure> {
-    let mut page = Vec::new();
-    let written = clap_mangen::Man::new(Typed::command()).render(&mut page);
-    written.map_err(|error| Failure::usage(error.to_string()))?;
-    print(&String::from_utf8_lossy(&page))?;
+    print(&page().map_err(|error| Failure::usage(error.to_string()))?)?;
     Ok(Status::Done)
+}
+
+fn page() -> std::io::Result<String> {
+    let mut command = Typed::command();
+    command.build();
+    let whole = Man::new(command.clone());
+    let mut page = Vec::new();
+    whole.render_title(&mut page)?;
+    whole.render_name_section(&mut page)?;
+    whole.render_synopsis_section(&mut page)?;
+    whole.render_description_section(&mut page)?;
+    for part in command.get_subcommands().filter(|part| !part.is_hide_set()) {
+        if part.get_name() != "help" {
+            page.extend(section(part)?.bytes());
+        }
+    }
+    // Exit status and environment stand in lines of their own.
+    let notes = command.get_after_long_help().map(ToString::to_string).unwrap_or_default();
+    page.extend(format!(".SH NOTES\n.nf\n{notes}\n.fi\n").bytes());
+    Ok(String::from_utf8_lossy(&page).into_owned())
+}
+
+/// A command with its options, one level below the page's own sections.
+fn section(command: &clap::Command) -> std::io::Result<String> {
+    let part = Man::new(command.clone());
+    let mut text = Vec::new();
+    part.render_description_section(&mut text)?;
+    part.render_synopsis_section(&mut text)?;
+    part.render_options_section(&mut text)?;
+    let text = String::from_utf8_lossy(&text).replace(".SH ", ".SS ");
+    let heading = command.get_name().to_uppercase();
+    Ok(format!(".SH GROUNDBEAM {heading}\n{text}"))
 }

@@ -17,7 +17,7 @@
 //! let Outcome::Equilibrium(solution) = groundbeam::solve(&model)? else { unreachable!() };
 //! let context = Context::new(Units::Si).with_title("Strip footing");
 //! let report = text::solved(&solution, &context, false);
-//! assert!(report.contains("the resultant, 1200 kN at x = 5 m, acts inside the beam"));
+//! assert!(report.contains("exactly one: the resultant, 1200 kN at x = 5 m, acts"));
 //! # Ok::<(), groundbeam::Error>(())
 //! ```
 //!

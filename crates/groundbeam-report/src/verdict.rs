@@ -95,9 +95,7 @@ impl Say<'_> {
         if self.model.supports.is_empty() {
             return format!("{} acts down and the tension resists turning", self.resultant());
         }
-        let free = "the supports leave no motion in which the loads would not have to press the \
-                    beam into the ground or do negative work";
-        free.to_owned()
+        "no motion that the supports allow lifts the beam without work against the loads".to_owned()
     }
 
     fn not_unique(&self, motion: RigidMotion) -> String {
@@ -109,6 +107,7 @@ impl Say<'_> {
         let shown = "any equilibrium shown is one of many";
         let held = !self.model.supports.is_empty();
         if self.existence.resultant() == 0.0 && !held {
+            let undetermined = "how high the beam lies and how far it turns is not determined";
             return format!("the loads have no resultant: {undetermined}, {shown}");
         }
         if held {
@@ -179,7 +178,10 @@ mod tests {
             (springs.with_load(Load::point(1.0, 0.0)), "over the left end, where separate springs"),
             (beam(), "the loads have no resultant"),
             (outside().with_support(Support::pinned(4.0)), "the support at its right end does not"),
-            (outside().with_support(Support::pinned(1.0)), "the supports leave no motion"),
+            (
+                outside().with_support(Support::pinned(1.0)),
+                "no motion that the supports allow lifts",
+            ),
         ];
         for (model, part) in cases {
             let said = said(&model);

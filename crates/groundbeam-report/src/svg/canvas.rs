@@ -92,6 +92,9 @@ impl Canvas {
 
     /// A line of text on the baseline y.
     pub fn text(&mut self, [x, y]: [f64; 2], anchor: Anchor, style: Style, words: &str) {
+        if words.is_empty() {
+            return;
+        }
         self.reserve(y - style.size);
         self.reserve(y + 0.3 * style.size);
         let anchor = match anchor {

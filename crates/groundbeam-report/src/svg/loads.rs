@@ -152,7 +152,7 @@ impl Loads<'_> {
         let width = labels.width(&words, LABEL.size);
         let mut places = Vec::new();
         for rise in [5.0, 18.0, 31.0, 44.0] {
-            for t in [0.5, 0.3, 0.7, 0.15, 0.85] {
+            for t in [0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82, 0.1, 0.9] {
                 let x = from + (to - from) * t;
                 let left = self.frame.x(x) - 0.5 * width;
                 let top = (self.top)(x) - base - height(t).max(height(0.5));

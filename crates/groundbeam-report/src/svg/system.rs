@@ -138,6 +138,7 @@ impl Picture<'_> {
         let stroke = format!(r#"fill="none" stroke="{GROUND_LINE}" stroke-width="1.4""#);
         self.canvas.polyline(&line, false, &stroke);
         self.labels.avoid_line(&line);
+        self.labels.avoid(Rect::around([0.0, bottom], [WIDTH, bottom + 1e3], 0.0));
         // Where the beam's underside was before loading.
         let dashes = format!(r#"stroke="{FAINT_INK}" stroke-width="0.8" stroke-dasharray="5 4""#);
         self.canvas.line([left, 0.0], [right, 0.0], &dashes);
@@ -245,8 +246,6 @@ impl Picture<'_> {
                 self.word(at, &format!("gap {words}"));
             }
         }
-        let bottom = self.floor + BELOW;
-        self.labels.avoid(Rect::around([0.0, bottom], [WIDTH, bottom + 100.0], 0.0));
     }
 
     /// Words in the ground below a point.

@@ -31,7 +31,7 @@ pub fn solved(solution: &Solution, context: &Context, colour: bool) -> String {
     sheet.blank();
     extremes(&mut sheet, solution, units, &sizes);
     sheet.blank();
-    certificate::rows(&mut sheet, solution, units);
+    certificate::rows(&mut sheet, solution.certificate(), units);
     sheet.blank();
     method(&mut sheet, solution, context);
     sheet.finish()
@@ -228,7 +228,11 @@ fn extremes(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes)
         let (min, max) = (sizes.extreme(field, range.min), sizes.extreme(field, range.max));
         let unit = units.unit(Kind::of(field), min.value.abs().max(max.value.abs()));
         let cell = |extreme: Extreme| {
-            let place = format!("at {}", units.position(extreme.x));
+            let place = if min.value == max.value {
+                "everywhere".to_owned()
+            } else {
+                format!("at {}", units.position(extreme.x))
+            };
             format!("{:>17} {place:<12}", unit.write(extreme.value, 6))
         };
         sheet.row(label(field), &format!("{}{}", cell(min), cell(max)));

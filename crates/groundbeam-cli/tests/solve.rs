@@ -1,0 +1,163 @@
+//! `groundbeam solve`: exit status, and what goes where.
+
+#[allow(dead_code)]
+mod common;
+
+use common::{FOOTING, Folder, LIFTS, tips};
+use serde_json::json;
+
+#[test]
+fn a_report_on_standard_output() {
+    let done = Folder::with(LIFTS).run(&["solve", "model.toml"]);
+    done.is_clean(0);
+    assert!(done.stdout.starts_with("Kikuchi 1980, case IV\n"));
+    assert!(done.stdout.contains("Contact      from 0.811326 to 1\n"));
+}
+
+#[test]
+fn a_document_and_nothing_else() {
+    let done = Folder::with(LIFTS).run(&["solve", "model.toml", "--json", "--at", "0,0.25,1"]);
+    done.is_clean(0);
+    let found = done.json();
+    assert_eq!((&found["status"], &found["units"]), (&json!("solved"), &json!("none")));
+    assert_eq!(found["existence"]["verdict"], "unique");
+    assert_eq!(found["stations"]["x"], json!([0.0, 0.25, 1.0]));
+    assert_eq!(found["stations"]["pressure"].as_array().unwrap().len(), 3);
+    let edge = found["contact"][0]["from"].as_f64().unwrap();
+    assert!((edge - 0.811326256449155).abs() < 1e-12);
+    let force = found["end_forces"]["right"].as_f64().unwrap();
+    assert!((force - 0.897199981229959).abs() < 1e-12);
+    assert!(found["seconds"].as_f64().unwrap() > 0.0);
+}
+
+#[test]
+fn standard_input() {
+    let folder = Folder::new();
+    let done = folder.run_with_input(&["solve", "-", "--json"], LIFTS.as_bytes());
+    done.is_clean(0);
+    let done = folder.run_with_input(&["solve", "-"], b"[beam]\nlenth = 1\n");
+    done.fails(2, "--> <stdin>:2:1");
+}
+
+#[test]
+fn positions_follow_the_rule_of_the_file() {
+    let folder = Folder::with(FOOTING);
+    let at = |list| folder.run(&["solve", "model.toml", "--json", "--at", list]);
+    let done = at("0 m, 50 cm, 12 m");
+    done.is_clean(0);
+    assert_eq!(done.json()["stations"]["x"], json!([0.0, 0.5, 12.0]));
+    at("0 m, 0.5").fails(2, "`0.5` has no unit");
+    at("0 m, 13 m").fails(2, "13 m lies off the beam");
+    at("0 m, 13 m").fails(2, "--> --at:1:6");
+    at("-1 m").fails(2, "-1 m lies off the beam");
+    at("x").fails(2, "error[GB0");
+    at("").fails(2, "a position is missing");
+}
+
+#[test]
+fn tables_and_pictures() {
+    let folder = Folder::with(LIFTS);
+    let plain = folder.run(&["solve", "model.toml"]);
+    let arguments = [
+        "solve",
+        "model.toml",
+        "--csv",
+        "t.csv",
+        "--plot",
+        "p.SVG",
+        "--history",
+        "h.csv",
+        "--json",
+    ];
+    folder.run(&arguments).is_clean(0);
+    assert_eq!(folder.names(), ["h.csv", "model.toml", "p.SVG", "t.csv"]);
+    assert!(folder.read("t.csv").starts_with("x,deflection,slope,"));
+    assert!(folder.read("h.csv").starts_with("step,zones,part,decrement\n"));
+    assert!(folder.read("p.SVG").starts_with("<svg "));
+    // Files change nothing in the report, and an old file is replaced.
+    folder.write("p.png", b"old");
+    let done = folder.run(&["solve", "model.toml", "--plot", "p.png"]);
+    done.is_clean(0);
+    let without_time = |report: &str| report.rsplit_once(", ").unwrap().0.to_owned();
+    assert_eq!(without_time(&done.stdout), without_time(&plain.stdout));
+    assert!(std::fs::read(folder.path("p.png")).unwrap().starts_with(b"\x89PNG"));
+}
+
+#[test]
+fn no_equilibrium() {
+    let folder = Folder::with(&tips());
+    let done = folder.run(&["solve", "model.toml", "--csv", "t.csv"]);
+    done.fails(3, "tips about its right end");
+    done.fails(3, "its left end lifts, its right end stays");
+    assert_eq!(folder.names(), ["model.toml"]);
+    let done = folder.run(&["solve", "model.toml", "--json"]);
+    done.is_clean(3);
+    let found = done.json();
+    assert_eq!(found["status"], "no-equilibrium");
+    assert_eq!(found["existence"]["verdict"], "none");
+    let motion = &found["existence"]["failing_motion"];
+    assert_eq!((&motion["left"], &motion["right"]), (&json!(-1.0), &json!(0.0)));
+    assert!((motion["work"].as_f64().unwrap() - 0.1).abs() < 1e-12);
+}
+
+#[test]
+fn a_model_that_is_wrong() {
+    let folder = Folder::with(&LIFTS.replace("EI = 1", "EI = -1"));
+    for arguments in [&["solve", "model.toml"][..], &["solve", "model.toml", "--json"]] {
+        folder.run(arguments).fails(2, "error[GB102]: the bending stiffness EI is negative");
+        folder.run(arguments).fails(2, "--> model.toml:4:6");
+    }
+}
+
+#[test]
+fn a_model_that_is_not_solved_is_shown_at_its_line() {
+    let folder = Folder::with(&LIFTS.replace("EI = 1", "EI = 1\naxial_force = -0.1"));
+    let done = folder.run(&["solve", "model.toml"]);
+    done.fails(2, "error[GB601]");
+    done.fails(2, "--> model.toml:5:15");
+    let folder = Folder::with(FOOTING);
+    let arguments = ["solve", "model.toml", "--method", "active-set", "--pressure", "dirac"];
+    folder.run(&arguments).fails(2, "error[GB603]");
+}
+
+#[test]
+fn a_method_with_a_mesh() {
+    let folder = Folder::with(LIFTS);
+    let run = |elements| {
+        let arguments =
+            ["solve", "model.toml", "--json", "--method", "active-set", "--elements", elements];
+        let done = folder.run(&arguments);
+        done.is_clean(0);
+        done.json()
+    };
+    let found = run("40");
+    assert_eq!(found["method"], "active-set");
+    assert!(
+        found["certificate"]["relative_gap"].as_f64()
+            > run("80")["certificate"]["relative_gap"].as_f64()
+    );
+}
+
+#[test]
+fn a_method_that_stops_early() {
+    let folder = Folder::with(LIFTS);
+    let stopped = ["solve", "model.toml", "--method", "uzawa", "--most-sweeps", "2"];
+    folder.run(&stopped).fails(4, "the method `uzawa` stopped");
+    let done = folder.run(&[&stopped[..], &["--json"]].concat());
+    done.is_clean(4);
+    assert_eq!(done.json()["status"], "not-converged");
+}
+
+#[test]
+fn equal_runs_give_equal_files() {
+    let folder = Folder::with(LIFTS);
+    for name in ["a", "b"] {
+        let [csv, svg, png] = ["csv", "svg", "png"].map(|kind| format!("{name}.{kind}"));
+        folder.run(&["solve", "model.toml", "--csv", &csv, "--plot", &svg]).is_clean(0);
+        folder.run(&["solve", "model.toml", "--plot", &png]).is_clean(0);
+    }
+    for kind in ["csv", "svg", "png"] {
+        let read = |name: &str| std::fs::read(folder.path(&format!("{name}.{kind}"))).unwrap();
+        assert!(read("a") == read("b"), "{kind}");
+    }
+}

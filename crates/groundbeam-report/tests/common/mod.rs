@@ -1,0 +1,30 @@
+//! The models beside this file, solved.
+
+use groundbeam::{Outcome, Solution};
+use groundbeam_file::{Document, UnitSystem};
+use groundbeam_report::{Context, Units};
+
+/// Models that have an equilibrium.
+pub const SOLVABLE: [&str; 7] =
+    ["footing", "gap", "kikuchi-4", "long-beam", "supports", "tiny", "winkler"];
+
+/// `tests/models/NAME.toml`.
+pub fn document(name: &str) -> Document {
+    let path = format!("{}/tests/models/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    groundbeam_file::parse(&std::fs::read_to_string(path).unwrap()).unwrap()
+}
+
+pub fn context(document: &Document) -> Context<'_> {
+    let units = match document.units {
+        UnitSystem::Si => Units::Si,
+        UnitSystem::Plain => Units::Plain,
+    };
+    Context { title: document.title.as_deref(), units, seconds: Some(0.0015) }
+}
+
+pub fn solved(document: &Document) -> Solution {
+    match groundbeam::solve(&document.model).unwrap() {
+        Outcome::Equilibrium(solution) => *solution,
+        Outcome::NoEquilibrium(existence) => panic!("{existence:?}"),
+    }
+}

@@ -1,0 +1,47 @@
+//! CSV.
+
+#[allow(dead_code)]
+mod common;
+
+use common::{context, document, solved};
+use groundbeam::Side;
+use groundbeam_report::{Units, csv};
+
+#[test]
+fn both_sides_of_a_jump() {
+    let document = document("kikuchi-4");
+    let solution = solved(&document);
+    let table = csv::table(&solution, &[0.0, 0.5, 1.0], Units::Plain);
+    let rows: Vec<Vec<&str>> = table.lines().map(|row| row.split(',').collect()).collect();
+    let names = "x,deflection,slope,moment,shear_force,settlement,gap,pressure";
+    assert_eq!(table.lines().next(), Some(names));
+    assert_eq!(
+        rows.iter().map(|row| row[0]).collect::<Vec<_>>(),
+        ["x", "0.0", "0.5", "0.5", "1.0"]
+    );
+    let number = |row: usize, column: usize| rows[row][column].parse::<f64>().unwrap();
+    for (row, side) in [(2, Side::Left), (3, Side::Right)] {
+        let fields = solution.at(0.5, side);
+        assert_eq!(number(row, 3).to_bits(), fields.moment.to_bits());
+        assert_eq!(number(row, 4).to_bits(), fields.shear_force.to_bits());
+    }
+    assert!((number(3, 3) - number(2, 3) - 0.49).abs() < 1e-12);
+}
+
+#[test]
+fn units_stand_in_the_header() {
+    let document = document("footing");
+    let solution = solved(&document);
+    let table = csv::table(&solution, &[1.0], context(&document).units);
+    let names = "x_m,deflection_m,slope_rad,moment_Nm,shear_force_N,settlement_m,gap_m,\
+                 pressure_N_per_m";
+    assert_eq!(table.lines().next(), Some(names));
+}
+
+#[test]
+fn a_row_for_every_step() {
+    let solution = solved(&document("long-beam"));
+    let history = csv::history(&solution);
+    assert_eq!(history.lines().count(), solution.iterations() + 1);
+    assert!(history.starts_with("step,zones,part,decrement\n1,"));
+}

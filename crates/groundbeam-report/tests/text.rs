@@ -1,0 +1,67 @@
+//! What a person reads.
+
+#[allow(dead_code)]
+mod common;
+
+use common::{SOLVABLE, context, document, solved};
+use groundbeam::{Method, NotConverged};
+use groundbeam_report::text;
+
+/// Without the certificate's figures, which are rounding, and the steps it took.
+fn steady(report: &str) -> &str {
+    report.split("\nCertificate").next().unwrap()
+}
+
+#[test]
+fn reports() {
+    for name in SOLVABLE {
+        let document = document(name);
+        let report = text::solved(&solved(&document), &context(&document), false);
+        insta::assert_snapshot!(format!("text-{name}"), steady(&report));
+    }
+}
+
+#[test]
+fn no_line_is_wider_than_a_terminal() {
+    for name in SOLVABLE {
+        let document = document(name);
+        let report = text::solved(&solved(&document), &context(&document), false);
+        for line in report.lines() {
+            assert!(line.chars().count() <= 80 && line == line.trim_end(), "{name}: {line}");
+        }
+    }
+}
+
+#[test]
+fn no_equilibrium() {
+    let document = document("tips");
+    let existence = groundbeam::exists(&document.model).unwrap();
+    let report = text::existence(&document.model, &existence, &context(&document), false);
+    insta::assert_snapshot!("text-tips", report);
+}
+
+#[test]
+fn not_converged() {
+    let reached = NotConverged {
+        method: Method::Uzawa,
+        iterations: 1_000_000,
+        tolerance: 1e-10,
+        reached: 3.2e-4,
+        what: "the relative change of the pressure",
+    };
+    insta::assert_snapshot!("text-not-converged", text::not_converged(&reached, false));
+}
+
+#[test]
+fn colour_adds_escape_codes_and_nothing_else() {
+    let document = document("kikuchi-4");
+    let solution = solved(&document);
+    let report = |colour| text::solved(&solution, &context(&document), colour);
+    let (plain, coloured) = (report(false), report(true));
+    assert!(!plain.contains('\u{1b}') && coloured.contains("\u{1b}[1;32mexactly one\u{1b}[0m"));
+    let mut stripped = String::new();
+    for (i, piece) in coloured.split('\u{1b}').enumerate() {
+        stripped.push_str(if i == 0 { piece } else { piece.split_once('m').unwrap().1 });
+    }
+    assert_eq!(stripped, plain);
+}
