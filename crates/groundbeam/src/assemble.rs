@@ -23,7 +23,8 @@ pub(crate) fn assemble(
     stability: f64,
     found: Found,
 ) -> Solution {
-    let surface = Surface::of(&found.deflection(), &found.zones);
+    let given = found.surface.clone();
+    let surface = given.unwrap_or_else(|| Surface::of(&found.deflection(), &found.zones));
     let stretches = stretches(&found, &surface);
     let mesh = &found.mesh;
     let at = |atom: &Atom| mesh.cells[atom.spot.cell].global(atom.spot.s);

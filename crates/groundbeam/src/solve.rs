@@ -3,6 +3,7 @@
 use crate::assemble::assemble;
 use crate::contact::active_set::{self, Found, Pressure, Stalled};
 use crate::contact::exact;
+use crate::contact::uzawa::{self, Relaxation};
 use crate::existence::{Existence, Verdict, existence, held_rigidly};
 use crate::mesh::Mesh;
 use crate::model::{Model, Part, Problem};
@@ -167,10 +168,10 @@ pub fn solve_with(model: &Model, options: &Options) -> Result<Outcome, Error> {
     if let Verdict::None(_) = existence.verdict {
         return Ok(Outcome::NoEquilibrium(existence));
     }
-    let proven = |found: &Found| {
+    let proven = |found: &Found, tolerance: f64| {
         let solution = assemble(model, options.method, existence, stability, found.clone());
         let certificate = solution.certificate();
-        certificate.violation() <= PROVEN && certificate.relative_gap <= PROVEN
+        certificate.violation() <= tolerance && certificate.relative_gap <= tolerance
     };
     let found = find(model, options, proven)?;
     let solution = assemble(model, options.method, existence, stability, found);
@@ -212,7 +213,11 @@ fn check(model: &Model) -> Result<Checked, Error> {
     Ok(Checked { existence: existence(model), stability })
 }
 
-fn find(model: &Model, options: &Options, proven: impl Fn(&Found) -> bool) -> Result<Found, Error> {
+fn find(
+    model: &Model,
+    options: &Options,
+    proven: impl Fn(&Found, f64) -> bool,
+) -> Result<Found, Error> {
     let method = options.method;
     let nodal =
         options.pressure == Pressure::Dirac || matches!(method, Method::Psor | Method::Uzawa);
@@ -243,7 +248,15 @@ fn find(model: &Model, options: &Options, proven: impl Fn(&Found) -> bool) -> Re
             };
             active_set::solve_nested((0..=stages).map(stage), options.pressure).map_err(stalled)
         }
-        Method::Psor | Method::Uzawa => Err(stalled(Stalled::default())),
+        Method::Psor | Method::Uzawa => {
+            let relaxation = match method {
+                Method::Psor => Relaxation::Diagonal,
+                _ => Relaxation::Uniform,
+            };
+            let from_bilateral = options.start == Start::Bilateral;
+            let mesh = Mesh::uniform(model, elements);
+            uzawa::solve(mesh, relaxation, from_bilateral, options.most_sweeps).map_err(stalled)
+        }
     }
 }
 
@@ -279,7 +292,5 @@ fn certified(solution: Solution, options: &Options) -> Result<Outcome, Error> {
     Ok(Outcome::Equilibrium(Box::new(solution)))
 }
 
-/// Violation and relative gap below which nothing is left to be found.
-const PROVEN: f64 = 1e-13;
 /// The relative gap of energies that the exact method must prove.
 const EXACT_GAP: f64 = 1e-9;

@@ -13,7 +13,7 @@
 
 use super::layout::Layout;
 use super::majorant::{self, Deflection, Zone};
-use super::surface::{energy_form, ground_work};
+use super::surface::{Surface, energy_form, ground_work};
 use crate::chain::{Chain, Loose};
 use crate::elements::Element;
 use crate::elements::hermite::{self, TERMS};
@@ -55,6 +55,8 @@ pub(crate) struct Found {
     pub zones: Vec<Zone>,
     pub history: Vec<Step>,
     pub pressure: Pressure,
+    /// The ground, where it is not the majorant of this deflection to the last digit.
+    pub surface: Option<Surface>,
 }
 
 impl Found {
@@ -143,7 +145,16 @@ fn solve(
             zones = newton.contact(&target.coefficients);
             let State { shapes, coefficients } = target;
             let terms = TERMS;
-            return Ok(Found { mesh, terms, shapes, coefficients, zones, history, pressure });
+            return Ok(Found {
+                mesh,
+                terms,
+                shapes,
+                coefficients,
+                zones,
+                history,
+                pressure,
+                surface: None,
+            });
         }
         let t = if line.decrement > 1e-20 { line.settle() } else { 1.0 };
         if let Some(step) = history.last_mut() {
@@ -155,6 +166,18 @@ fn solve(
     }
     let reached = history.last().map_or(f64::NAN, |step| step.decrement);
     Err(Stalled { iterations: MOST_STEPS, reached, ..Stalled::default() })
+}
+
+/// The nodal pressures (5.5) of the bilateral problem, its pulls left out: a start for (5.15).
+pub(crate) fn bilateral_pressure(mesh: &Mesh) -> Vec<f64> {
+    let newton = Newton::new(mesh, Pressure::Dirac);
+    let zones = newton.bonded();
+    let Ok(shapes) = newton.glued(&zones, None) else {
+        return vec![0.0; mesh.nodes.len()];
+    };
+    let state = newton.unfold(shapes);
+    let w = Deflection { mesh, terms: TERMS, coefficients: &state.coefficients };
+    Surface::of(&w, &zones).atoms.iter().map(|atom| atom.force.max(0.0)).collect()
 }
 
 /// The deflection of another mesh in the elements of this one: the same function if this one is finer.

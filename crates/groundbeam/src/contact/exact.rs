@@ -31,13 +31,17 @@ const MOST_STEPS: usize = 40;
 /// Steps after which the certificate is asked whether the edges' last digits matter.
 const PATIENCE: usize = 4;
 
+/// The certificate's violation and relative gap that end the iteration early, and in the end.
+const PROVEN: f64 = 1e-13;
+const ENOUGH: f64 = 1e-11;
+
 /// Stretches of contact as positions; a point has both equal.
 type Stretch = [f64; 2];
 
-/// Solves a model. `proven` tells whether a deflection with its contact passes the certificate: where an
+/// Solves a model. `proven` tells whether a deflection with its contact passes the certificate to a tolerance: where an
 /// edge cannot be told from its neighbours (a zone without pressure, a beam balanced on one point), that
 /// and not the edge's last digit ends the iteration.
-pub(crate) fn solve(model: &Model, proven: impl Fn(&Found) -> bool) -> Result<Found, Stalled> {
+pub(crate) fn solve(model: &Model, proven: impl Fn(&Found, f64) -> bool) -> Result<Found, Stalled> {
     let mut last = Stalled::default();
     let mut iterations = 0;
     for level in 0..=REFINEMENTS {
@@ -83,7 +87,7 @@ pub(crate) fn solve(model: &Model, proven: impl Fn(&Found) -> bool) -> Result<Fo
 fn refine(
     model: &Model,
     coarse: &Found,
-    proven: &impl Fn(&Found) -> bool,
+    proven: &impl Fn(&Found, f64) -> bool,
 ) -> Result<Found, Stalled> {
     let mut stretches = positions(&coarse.mesh, &coarse.zones);
     let mut history = coarse.history.clone();
@@ -94,7 +98,7 @@ fn refine(
         let Ok((found, zones)) = glued(model, &stretches) else {
             // A beam balanced on one point has no next step, and may need none.
             return match last.take() {
-                Some(found) if proven(&found) => Ok(Found { history, ..found }),
+                Some(found) if proven(&found, ENOUGH) => Ok(Found { history, ..found }),
                 _ => Err(unsettled(step, moved)),
             };
         };
@@ -104,11 +108,14 @@ fn refine(
         history.push(Step { zones: next.len(), step: 1.0, decrement: moved });
         // Quadratic convergence ends at rounding: no further step would make it smaller.
         let settled = moved <= 1e-15 || (moved <= 1e-12 && moved >= 0.25 * before);
-        if settled || (step >= PATIENCE && proven(&found)) {
+        if settled || (step >= PATIENCE && proven(&found, PROVEN)) {
             return Ok(Found { history, ..found });
         }
         stretches = next;
         last = Some(found);
+    }
+    if let Some(found) = last.filter(|found| proven(found, ENOUGH)) {
+        return Ok(Found { history, ..found });
     }
     Err(unsettled(MOST_STEPS, moved))
 }
@@ -164,6 +171,7 @@ pub(crate) fn glued(model: &Model, stretches: &[Stretch]) -> Result<(Found, Vec<
         zones: assumed,
         history: Vec::new(),
         pressure: Pressure::Distributed,
+        surface: None,
     };
     Ok((found, wanted))
 }
@@ -235,7 +243,7 @@ mod tests {
             let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
                 .with_load(Load::point(1.0, 0.5))
                 .with_load(Load::moment(m, 0.5));
-            let found = solve(&model, |_| false).unwrap();
+            let found = solve(&model, |_, _| false).unwrap();
             let w = found.deflection();
             let left = obstacle(&w, Spot { cell: 0, s: -1.0 });
             let s = Surface::of(&w, &found.zones);

@@ -7,3 +7,4 @@ pub(crate) mod majorant;
 pub(crate) mod pieces;
 pub(crate) mod recover;
 pub(crate) mod surface;
+pub(crate) mod uzawa;

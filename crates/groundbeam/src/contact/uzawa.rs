@@ -1,0 +1,418 @@
+//! The paper's own iteration, (5.14)–(5.18).
+//!
+//! With nodal pressures (5.5) the pressure p ≥ 0 minimises ½pᵀ(G + C)p − …, where C is the beam's
+//! flexibility, subject to the equilibrium (5.20) in the rigid motions that nothing but the ground holds.
+//! A sweep of (5.17) is a splitting step with B = R⁻¹ + L, R = diag(ρᵢ) and L the part of G below its
+//! diagonal, and the two conditions (5.20) enter as what they are, equations with two multipliers: the
+//! rigid motion of the beam that makes the new pressure balance the loads. Such a step lowers the energy
+//! if B + Bᵀ − (G + C) is positive definite, that is if 2/ρᵢ > Gᵢᵢ + |C| for all i. So ρ follows from a
+//! bound on |C| and is no guess, no nodes have to be assumed to touch, and the iteration converges.
+//!
+//! G is never formed. Beyond a node its column decays by a factor from node to node, so that a sweep
+//! carries one number along, and costs O(n).
+
+use super::active_set::{Found, Pressure, Stalled, Step};
+use super::majorant::{self, Zone};
+use super::surface::{Atom, Part, Surface};
+use crate::chain::{Chain, ChainCell, ChainNode};
+use crate::elements::hermite::{self, TERMS};
+use crate::ground::Link;
+use crate::mesh::Mesh;
+
+/// The relative residual of (5.10) at which the iteration has converged.
+const TOLERANCE: f64 = 1e-11;
+/// How much of the greatest safe ρ is used.
+const SAFE: f64 = 0.95;
+
+/// Newton's steps for the two multipliers of a sweep; two or three are common.
+const MOST_NEWTON: usize = 200;
+
+/// Which ρ a sweep uses.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Relaxation {
+    /// One ρ for all nodes, (5.17).
+    Uniform,
+    /// ρᵢ = ω/Gᵢᵢ, (5.18).
+    Diagonal,
+}
+
+/// Iterates from the pressure of the bilateral problem or from none.
+pub(crate) fn solve(
+    mesh: Mesh,
+    relaxation: Relaxation,
+    from_bilateral: bool,
+    most_sweeps: usize,
+) -> Result<Found, Stalled> {
+    let ground = Column::of(&mesh);
+    let beam = FreeBeam::of(&mesh);
+    let flexibility = beam.largest_flexibility();
+    let rho = relaxed(&ground.diagonal, flexibility, relaxation);
+    let gap: Vec<f64> = (0..mesh.nodes.len()).map(|i| initial_gap(&mesh, i)).collect();
+    let mut pressure = if from_bilateral {
+        super::active_set::bilateral_pressure(&mesh)
+    } else {
+        vec![0.0; mesh.nodes.len()]
+    };
+    let mut rigid = [0.0; 2];
+    let mut history = Vec::new();
+    let mut residual = f64::INFINITY;
+    for _ in 0..most_sweeps {
+        let deflection = beam.deflection(&pressure);
+        let next = sweep(&ground, &beam, &rho, &gap, &deflection, &pressure, &mut rigid);
+        residual = change(&pressure, &next, &rho, &ground.diagonal);
+        pressure = next;
+        let touching = pressure.windows(2).filter(|p| p[0] == 0.0 && p[1] > 0.0).count();
+        let zones = touching + usize::from(pressure[0] > 0.0);
+        history.push(Step { zones, step: rho[0], decrement: residual });
+        if residual <= TOLERANCE || !residual.is_finite() {
+            break;
+        }
+    }
+    if !(residual <= TOLERANCE) {
+        let what = "the relative residual of the contact condition (5.10)";
+        let iterations = history.len();
+        return Err(Stalled { iterations, what, tolerance: TOLERANCE, reached: residual });
+    }
+    Ok(found(mesh.clone(), &ground, &beam, &pressure, rigid, history))
+}
+
+/// The greatest safe ρ: 2/ρᵢ > Gᵢᵢ + |C| everywhere.
+fn relaxed(diagonal: &[f64], flexibility: f64, relaxation: Relaxation) -> Vec<f64> {
+    let safe = diagonal.iter().map(|g| SAFE * 2.0 / (g + flexibility));
+    match relaxation {
+        Relaxation::Uniform => {
+            let least = safe.fold(f64::INFINITY, f64::min);
+            vec![least; diagonal.len()]
+        }
+        Relaxation::Diagonal => {
+            let omega = safe.zip(diagonal).map(|(rho, g)| rho * g).fold(f64::INFINITY, f64::min);
+            diagonal.iter().map(|g| omega / g).collect()
+        }
+    }
+}
+
+/// (5.17), with the rigid motion that makes the new pressure satisfy (5.20).
+fn sweep(
+    ground: &Column,
+    beam: &FreeBeam,
+    rho: &[f64],
+    gap: &[f64],
+    deflection: &[f64],
+    before: &[f64],
+    rigid: &mut [f64; 2],
+) -> Vec<f64> {
+    let n = before.len();
+    // Σ_{j ≥ i} Gᵢⱼ pⱼ of the old pressure.
+    let mut behind = vec![0.0; n];
+    for i in (0..n).rev() {
+        let carried = if i + 1 < n { ground.leftward[i + 1] * behind[i + 1] } else { 0.0 };
+        behind[i] = ground.diagonal[i] * before[i] + carried;
+    }
+    let mut next = vec![0.0; n];
+    for _ in 0..MOST_NEWTON {
+        // The new pressure and its derivatives by the two rigid motions.
+        let mut ahead = [0.0; 3];
+        let mut balance = beam.wanted;
+        let mut slope = [[0.0; 2]; 2];
+        for i in 0..n {
+            if i > 0 {
+                ahead = ahead.map(|a| a * ground.rightward[i]);
+            }
+            let r = beam.motions[i];
+            let w = deflection[i] + r[0] * rigid[0] + r[1] * rigid[1];
+            let value = before[i] - rho[i] * (ahead[0] + behind[i] + gap[i] - w);
+            let mut derivative = [0.0; 2];
+            next[i] = value.max(0.0);
+            if value > 0.0 {
+                derivative = [0, 1].map(|k| rho[i] * (r[k] - ahead[1 + k]));
+            }
+            for k in 0..2 {
+                balance[k] -= next[i] * r[k];
+                for m in 0..2 {
+                    slope[k][m] += r[k] * derivative[m];
+                }
+            }
+            ahead[0] += ground.diagonal[i] * next[i];
+            for k in 0..2 {
+                ahead[1 + k] += ground.diagonal[i] * derivative[k];
+            }
+        }
+        let size: f64 = next.iter().sum::<f64>().max(beam.size);
+        if beam.free == 0 || balance.iter().all(|b| b.abs() <= 4.0 * f64::EPSILON * size) {
+            break;
+        }
+        let step = newton(&balance, &slope, beam.free, rho[0] * n as f64);
+        if step.iter().zip(rigid.iter()).all(|(s, r)| s.abs() <= f64::EPSILON * 0.5 * r.abs()) {
+            break;
+        }
+        for k in 0..2 {
+            rigid[k] += step[k];
+        }
+    }
+    next
+}
+
+/// Solves slope·step = balance. One touching node cannot balance a moment, and none nothing: the slope is
+/// then made regular by a part of what all nodes together would have, and the step goes until others touch.
+fn newton(balance: &[f64; 2], slope: &[[f64; 2]; 2], free: usize, whole: f64) -> [f64; 2] {
+    let [a, b] = *balance;
+    if free == 1 {
+        return [a / slope[0][0].max(1e-6 * whole), 0.0];
+    }
+    let mut s = *slope;
+    let determinant = |s: &[[f64; 2]; 2]| s[0][0] * s[1][1] - s[0][1] * s[1][0];
+    if determinant(&s) <= 1e-12 * (s[0][0] * s[1][1]).max(1e-12 * whole * whole) {
+        for k in 0..2 {
+            s[k][k] += 1e-3 * whole;
+        }
+    }
+    let d = determinant(&s);
+    [(a * s[1][1] - b * s[0][1]) / d, (b * s[0][0] - a * s[1][0]) / d]
+}
+
+/// How far (5.10) is from holding: the change that a sweep with ρ = 1/Gᵢᵢ would make, relative to the
+/// largest pressure.
+fn change(before: &[f64], next: &[f64], rho: &[f64], diagonal: &[f64]) -> f64 {
+    let largest = next.iter().fold(0.0, |m: f64, p| m.max(p.abs()));
+    let mut worst: f64 = 0.0;
+    for i in 0..next.len() {
+        let moved = (next[i] - before[i]).abs() / (rho[i] * diagonal[i]).min(1.0);
+        worst = if moved.is_nan() { f64::NAN } else { worst.max(moved) };
+    }
+    if worst == 0.0 { 0.0 } else { worst / largest }
+}
+
+fn initial_gap(mesh: &Mesh, node: usize) -> f64 {
+    if node == 0 { mesh.cells[0].gap[0] } else { mesh.cells[node - 1].gap[1] }
+}
+
+/// G without forming it.
+struct Column {
+    /// Gᵢᵢ.
+    diagonal: Vec<f64>,
+    /// Gᵢⱼ/Gᵢ₋₁ⱼ for j < i.
+    rightward: Vec<f64>,
+    /// Gᵢ₋₁ⱼ/Gᵢⱼ for j ≥ i.
+    leftward: Vec<f64>,
+}
+
+impl Column {
+    fn of(mesh: &Mesh) -> Self {
+        let links: Vec<Link> =
+            mesh.cells.iter().map(|c| Link::uniform(c.spring, c.shear, c.length())).collect();
+        let n = mesh.nodes.len();
+        // What the ground on either side of a node offers to it.
+        let mut from_left = vec![mesh.outside[0]; n];
+        for i in 1..n {
+            let link = links[i - 1];
+            let hold = from_left[i - 1] + link.leak_left;
+            from_left[i] = link.leak_right + link.coupling * (hold / (hold + link.coupling));
+        }
+        let mut from_right = vec![mesh.outside[1]; n];
+        for i in (0..n - 1).rev() {
+            let link = links[i];
+            let hold = from_right[i + 1] + link.leak_right;
+            from_right[i] = link.leak_left + link.coupling * (hold / (hold + link.coupling));
+        }
+        let ratio = |coupling: f64, hold: f64| coupling / (coupling + hold);
+        let rightward = (0..n).map(|i| match i {
+            0 => 0.0,
+            _ => ratio(links[i - 1].coupling, links[i - 1].leak_right + from_right[i]),
+        });
+        let leftward = (0..n).map(|i| match i {
+            0 => 0.0,
+            _ => ratio(links[i - 1].coupling, links[i - 1].leak_left + from_left[i - 1]),
+        });
+        Column {
+            diagonal: (0..n).map(|i| 1.0 / (from_left[i] + from_right[i])).collect(),
+            rightward: rightward.collect(),
+            leftward: leftward.collect(),
+        }
+    }
+
+    /// u = G p.
+    fn settlement(&self, pressure: &[f64]) -> Vec<f64> {
+        let n = pressure.len();
+        let mut u = vec![0.0; n];
+        let mut carried = 0.0;
+        for i in (0..n).rev() {
+            u[i] = carried + self.diagonal[i] * pressure[i];
+            carried = u[i] * self.leftward[i];
+        }
+        carried = 0.0;
+        for i in 0..n {
+            carried *= self.rightward[i];
+            u[i] += carried;
+            carried += self.diagonal[i] * pressure[i];
+        }
+        u
+    }
+}
+
+/// The beam without ground, its free rigid motions taken out by pins that carry nothing once the pressure
+/// balances the loads.
+struct FreeBeam<'a> {
+    mesh: &'a Mesh,
+    chain: Chain,
+    /// How many rigid motions nothing but the ground holds.
+    free: usize,
+    /// These motions at the nodes.
+    motions: Vec<[f64; 2]>,
+    /// F(r) for them, and the size of the loads.
+    wanted: [f64; 2],
+    size: f64,
+}
+
+impl<'a> FreeBeam<'a> {
+    fn of(mesh: &'a Mesh) -> Self {
+        let last = mesh.nodes.len() - 1;
+        let l = mesh.nodes[last].x;
+        let turning_held = mesh.axial_force != 0.0
+            || mesh.nodes.iter().any(|n| n.clamped || n.rotational_spring > 0.0);
+        let held: Vec<f64> =
+            mesh.nodes.iter().filter(|n| n.pinned || n.spring > 0.0).map(|n| n.x).collect();
+        type Motion = Box<dyn Fn(f64) -> [f64; 2]>;
+        // The motions and the nodes that pin them.
+        let (free, pins, motion): (usize, Vec<usize>, Motion) =
+            match (held.as_slice(), turning_held) {
+                ([], false) => (2, vec![0, last], Box::new(move |x| [1.0 - x / l, x / l])),
+                ([], true) => (1, vec![0], Box::new(|_| [1.0, 0.0])),
+                ([at], false) => {
+                    let at = *at;
+                    let pin = if at > 0.5 * l { 0 } else { last };
+                    (1, vec![pin], Box::new(move |x| [(x - at) / l, 0.0]))
+                }
+                _ => (0, Vec::new(), Box::new(|_| [0.0; 2])),
+            };
+        let nodes = mesh.nodes.iter().enumerate().map(|(i, n)| ChainNode {
+            force: n.force,
+            moment: n.moment,
+            pinned: n.pinned || pins.contains(&i),
+            clamped: n.clamped,
+            spring: n.spring,
+            rotational_spring: n.rotational_spring,
+            ..ChainNode::default()
+        });
+        let nodes: Vec<ChainNode> = nodes.collect();
+        let cells: Vec<ChainCell> = mesh
+            .cells
+            .iter()
+            .map(|c| ChainCell { element: hermite::element(c, mesh.axial_force), links: vec![] })
+            .collect();
+        let meeting = nodes.iter().position(|n| n.pinned || n.spring > 0.0).unwrap_or(0);
+        let chain = Chain { nodes, cells, meeting };
+        let motions: Vec<[f64; 2]> = mesh.nodes.iter().map(|n| motion(n.x)).collect();
+        let (wanted, size) = work_of_loads(mesh, &chain, &motions);
+        FreeBeam { mesh, chain, free, motions, wanted, size }
+    }
+
+    fn shapes(&self, pressure: &[f64]) -> Vec<[f64; 4]> {
+        let mut chain = self.chain.clone();
+        for (node, p) in chain.nodes.iter_mut().zip(pressure) {
+            node.force -= p;
+        }
+        let nothing = vec![[f64::NAN; 4]; self.mesh.cells.len()];
+        chain.solve().map_or(nothing, |shape| shape.cells)
+    }
+
+    /// (5.16): w at the nodes, but for the free rigid motions.
+    fn deflection(&self, pressure: &[f64]) -> Vec<f64> {
+        let shapes = self.shapes(pressure);
+        let mut w: Vec<f64> = shapes.iter().map(|v| v[0]).collect();
+        let end = shapes.last().zip(self.mesh.cells.last());
+        w.extend(end.map(|(v, cell)| v[0] + cell.length() * v[1] + v[2]));
+        w
+    }
+
+    /// A bound of |C|: its greatest row sum where all its entries are positive (a beam held by no more than
+    /// two pins at its ends), else its trace.
+    fn largest_flexibility(&self) -> f64 {
+        let mut unloaded = self.chain.clone();
+        for node in &mut unloaded.nodes {
+            (node.force, node.moment) = (0.0, 0.0);
+        }
+        for cell in &mut unloaded.cells {
+            cell.element.load = [0.0; 4];
+        }
+        let own = FreeBeam { chain: unloaded, motions: Vec::new(), ..*self };
+        let n = self.mesh.nodes.len();
+        if self.free == 2 {
+            let all = own.deflection(&vec![-1.0; n]);
+            return all.into_iter().fold(0.0, f64::max);
+        }
+        let mut trace = 0.0;
+        let mut one = vec![0.0; n];
+        for i in 0..n {
+            one[i] = -1.0;
+            trace += own.deflection(&one)[i];
+            one[i] = 0.0;
+        }
+        trace
+    }
+}
+
+/// F(r) for each free motion, from the elements' own load vectors.
+fn work_of_loads(mesh: &Mesh, chain: &Chain, motions: &[[f64; 2]]) -> ([f64; 2], f64) {
+    let mut work = [0.0; 2];
+    let mut size = 0.0;
+    for (i, node) in mesh.nodes.iter().enumerate() {
+        let other = if i == 0 { 1 } else { i - 1 };
+        let run = node.x - mesh.nodes[other].x;
+        for k in 0..2 {
+            let slope = (motions[i][k] - motions[other][k]) / run;
+            work[k] += node.force * motions[i][k] + node.moment * slope;
+        }
+        size += node.force.abs();
+    }
+    for (i, (cell, element)) in mesh.cells.iter().zip(&chain.cells).enumerate() {
+        let q = element.element.load;
+        for k in 0..2 {
+            let slope = (motions[i + 1][k] - motions[i][k]) / cell.length();
+            work[k] += q[0] * motions[i][k] + q[1] * slope;
+        }
+        size += q[0].abs();
+    }
+    (work, size)
+}
+
+/// The result as every method gives it.
+fn found(
+    mesh: Mesh,
+    ground: &Column,
+    beam: &FreeBeam,
+    pressure: &[f64],
+    rigid: [f64; 2],
+    history: Vec<Step>,
+) -> Found {
+    let mut shapes = beam.shapes(pressure);
+    for (i, v) in shapes.iter_mut().enumerate() {
+        let [a, b] = [beam.motions[i], beam.motions[i + 1]];
+        let h = mesh.cells[i].length();
+        for k in 0..2 {
+            v[0] += rigid[k] * a[k];
+            v[1] += rigid[k] * (b[k] - a[k]) / h;
+        }
+    }
+    let coefficients: Vec<f64> =
+        shapes.iter().zip(&mesh.cells).flat_map(|(v, c)| hermite::unfold(v, c.length())).collect();
+    let u = ground.settlement(pressure);
+    let parts = (0..mesh.cells.len())
+        .map(|cell| Part { cell, s: [-1.0, 1.0], open: Some([u[cell], u[cell + 1]]) })
+        .collect();
+    let all = majorant::everywhere(&mesh, true);
+    let touching: Vec<(Zone, f64)> =
+        all.into_iter().zip(pressure.iter().copied()).filter(|(_, p)| *p > 0.0).collect();
+    let atoms = touching.iter().map(|(zone, force)| Atom { spot: zone.from, force: *force });
+    let surface = Surface { parts, atoms: atoms.collect() };
+    let zones: Vec<Zone> = touching.iter().map(|(zone, _)| *zone).collect();
+    Found {
+        mesh,
+        terms: TERMS,
+        shapes,
+        coefficients,
+        zones,
+        history,
+        pressure: Pressure::Dirac,
+        surface: Some(surface),
+    }
+}
