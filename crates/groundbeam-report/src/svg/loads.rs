@@ -152,13 +152,20 @@ impl Loads<'_> {
         let width = labels.width(&words, LABEL.size);
         let mut places = Vec::new();
         for rise in [5.0, 18.0, 31.0, 44.0] {
-            for t in [0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82, 0.1, 0.9] {
+            for step in 0..40 {
+                // From the middle outward, now to the left and now to the right.
+                let side = if step % 2 == 0 { 0.5 } else { -0.5 };
+                let t = 0.5 + side * f64::from(step) / 41.0;
                 let x = from + (to - from) * t;
                 let left = self.frame.x(x) - 0.5 * width;
                 let top = (self.top)(x) - base - height(t).max(height(0.5));
                 places.push(Place { x: left, baseline: top - rise });
             }
         }
+        // Beside its ends, where arrows leave no room above.
+        let level = |x: f64| (self.top)(x) - base - 4.0;
+        places.push(Place { x: self.frame.x(to) + 6.0, baseline: level(to) });
+        places.push(Place { x: self.frame.x(from) - 6.0 - width, baseline: level(from) });
         // Solid in slices, so that point loads' labels keep off a slanted area too.
         let slices = ((self.frame.x(to) - self.frame.x(from)) / 6.0).clamp(1.0, 200.0) as u32;
         for i in 0..slices {
