@@ -168,10 +168,10 @@ pub fn solve_with(model: &Model, options: &Options) -> Result<Outcome, Error> {
     if let Verdict::None(_) = existence.verdict {
         return Ok(Outcome::NoEquilibrium(existence));
     }
-    let proven = |found: &Found, tolerance: f64| {
+    let proven = |found: &Found, proof: exact::Proof| {
         let solution = assemble(model, options.method, existence, stability, found.clone());
         let certificate = solution.certificate();
-        certificate.violation() <= tolerance && certificate.relative_gap <= tolerance
+        certificate.violation() <= proof.violation && certificate.relative_gap <= proof.gap
     };
     let found = find(model, options, proven)?;
     let solution = assemble(model, options.method, existence, stability, found);
@@ -216,7 +216,7 @@ fn check(model: &Model) -> Result<Checked, Error> {
 fn find(
     model: &Model,
     options: &Options,
-    proven: impl Fn(&Found, f64) -> bool,
+    proven: impl Fn(&Found, exact::Proof) -> bool,
 ) -> Result<Found, Error> {
     let method = options.method;
     let nodal =

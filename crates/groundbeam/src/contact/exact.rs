@@ -31,9 +31,19 @@ const MOST_STEPS: usize = 40;
 /// Steps after which the certificate is asked whether the edges' last digits matter.
 const PATIENCE: usize = 4;
 
-/// The certificate's violation and relative gap that end the iteration early, and in the end.
-const PROVEN: f64 = 1e-13;
-const ENOUGH: f64 = 1e-11;
+/// What the certificate must show.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Proof {
+    /// The largest relative gap.
+    pub gap: f64,
+    /// The largest violation of balance, signs and complementarity. An edge that is off by δ leaves pδ
+    /// unbalanced.
+    pub violation: f64,
+}
+
+/// What ends the iteration early, and what is accepted in the end.
+const PROVEN: Proof = Proof { gap: 1e-13, violation: 1e-13 };
+const ENOUGH: Proof = Proof { gap: 1e-11, violation: 3e-8 };
 
 /// Stretches of contact as positions; a point has both equal.
 type Stretch = [f64; 2];
@@ -41,7 +51,10 @@ type Stretch = [f64; 2];
 /// Solves a model. `proven` tells whether a deflection with its contact passes the certificate to a tolerance: where an
 /// edge cannot be told from its neighbours (a zone without pressure, a beam balanced on one point), that
 /// and not the edge's last digit ends the iteration.
-pub(crate) fn solve(model: &Model, proven: impl Fn(&Found, f64) -> bool) -> Result<Found, Stalled> {
+pub(crate) fn solve(
+    model: &Model,
+    proven: impl Fn(&Found, Proof) -> bool,
+) -> Result<Found, Stalled> {
     let mut last = Stalled::default();
     let mut iterations = 0;
     for level in 0..=REFINEMENTS {
@@ -87,7 +100,7 @@ pub(crate) fn solve(model: &Model, proven: impl Fn(&Found, f64) -> bool) -> Resu
 fn refine(
     model: &Model,
     coarse: &Found,
-    proven: &impl Fn(&Found, f64) -> bool,
+    proven: &impl Fn(&Found, Proof) -> bool,
 ) -> Result<Found, Stalled> {
     let mut stretches = positions(&coarse.mesh, &coarse.zones);
     let mut history = coarse.history.clone();
