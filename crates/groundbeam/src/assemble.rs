@@ -40,7 +40,7 @@ pub(crate) fn assemble(
         model: model.clone(),
         method,
         existence,
-        contact: regions(&found, &surface),
+        contact: regions(&found),
         end_forces: EndForces { left, right },
         concentrated,
         reactions: Vec::new(),
@@ -131,10 +131,9 @@ fn cut(mesh: &Mesh, part: &Part) -> Cell {
 }
 
 /// Stretches and points of contact, those that meet joined.
-fn regions(found: &Found, surface: &Surface) -> Vec<ContactRegion> {
+fn regions(found: &Found) -> Vec<ContactRegion> {
     let mesh = &found.mesh;
     let position = |spot: Spot| mesh.cells[spot.cell].global(spot.s);
-    let _ = surface;
     let mut regions: Vec<ContactRegion> = Vec::new();
     let mut last_node = None;
     for zone in &found.zones {

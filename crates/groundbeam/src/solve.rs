@@ -221,10 +221,11 @@ fn find(
     let method = options.method;
     let nodal =
         options.pressure == Pressure::Dirac || matches!(method, Method::Psor | Method::Uzawa);
-    if method != Method::Exact && nodal {
-        if let Some(part) = without_shear_layer(model) {
-            return Err(Error::Unsupported(Problem::nodal_forces_on_springs(part)));
-        }
+    if method != Method::Exact
+        && nodal
+        && let Some(part) = without_shear_layer(model)
+    {
+        return Err(Error::Unsupported(Problem::nodal_forces_on_springs(part)));
     }
     let elements = options.elements.max(1);
     let stalled = |stalled: Stalled| {

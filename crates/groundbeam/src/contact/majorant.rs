@@ -180,7 +180,7 @@ impl<'a> Scan<'a> {
                     right: Some(new.from),
                     middle: self.whole_cells(last.zone.to.cell + 1, start, None),
                 },
-                None => self.from_beyond(new.from),
+                None => self.beyond_to(new.from),
             };
             loop {
                 let Some(last) = stack.last_mut() else {
@@ -290,7 +290,7 @@ impl<'a> Scan<'a> {
         whole_cells(self.w.mesh, from, to, before)
     }
 
-    fn from_beyond(&self, to: Spot) -> Joint {
+    fn beyond_to(&self, to: Spot) -> Joint {
         let beyond = Link { coupling: 0.0, leak_left: 0.0, leak_right: self.piece.beyond[0] };
         let middle = self.whole_cells(self.piece.cells.start, to.cell, Some(beyond));
         Joint { left: None, right: Some(to), middle }
@@ -298,10 +298,10 @@ impl<'a> Scan<'a> {
 
     fn link(&self, joint: &Joint) -> Link {
         let part = |i: usize, from: f64, to: f64| cell_part(&self.w.mesh.cells[i], from, to);
-        if let (Some(a), Some(b)) = (joint.left, joint.right) {
-            if a.cell == b.cell {
-                return part(a.cell, a.s, b.s);
-            }
+        if let (Some(a), Some(b)) = (joint.left, joint.right)
+            && a.cell == b.cell
+        {
+            return part(a.cell, a.s, b.s);
         }
         let head = joint.left.filter(|a| a.s < 1.0).map(|a| part(a.cell, a.s, 1.0));
         let tail = joint.right.filter(|b| b.s > -1.0).map(|b| part(b.cell, -1.0, b.s));

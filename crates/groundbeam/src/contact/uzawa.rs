@@ -68,7 +68,7 @@ pub(crate) fn solve(
             break;
         }
     }
-    if !(residual <= TOLERANCE) {
+    if residual.is_nan() || residual > TOLERANCE {
         let what = "the relative residual of the contact condition (5.10)";
         let iterations = history.len();
         return Err(Stalled { iterations, what, tolerance: TOLERANCE, reached: residual });
