@@ -1,4 +1,8 @@
 //! groundbeam checked against what is known: shared by the tests.
 
+pub mod cases;
+pub mod convergence;
+pub mod dense;
+pub mod documents;
 pub mod random;
 pub mod reference;

@@ -1,0 +1,158 @@
+//! How fast the methods with a mesh approach the exact answer: errors over N and the slopes fitted to them.
+
+use groundbeam::{
+    Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Pressure, Side, Solution,
+    solve, solve_with,
+};
+
+/// The numbers of elements that are tried.
+pub const ELEMENTS: [usize; 6] = [10, 20, 40, 80, 160, 320];
+
+/// Kikuchi's example, l = EI = μ = k = 1 with f₀ = 1 and M₀ at mid-length.
+pub fn kikuchi(moment: f64) -> Model {
+    Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
+        .with_load(Load::point(1.0, 0.5))
+        .with_load(Load::moment(moment, 0.5))
+}
+
+/// The same beam on separate springs.
+pub fn kikuchi_on_springs(moment: f64) -> Model {
+    Model { foundation: Foundation::winkler(1.0), ..kikuchi(moment) }
+}
+
+/// What is compared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    /// w anywhere, over the largest w.
+    Deflection,
+    /// w' anywhere.
+    Slope,
+    /// M at the nodes.
+    MomentAtNodes,
+    /// M anywhere.
+    Moment,
+    /// V at the nodes, from both sides.
+    ShearAtNodes,
+    /// V anywhere.
+    Shear,
+    /// p where both answers touch, over the largest p.
+    Pressure,
+    /// p_l, over the resultant.
+    EndForce,
+    /// The left edge of contact, over l.
+    Edge,
+    /// The certificate's relative gap.
+    Gap,
+}
+
+impl Quantity {
+    /// All, in the order of the table.
+    pub const ALL: [Quantity; 10] = [
+        Quantity::Deflection,
+        Quantity::Slope,
+        Quantity::MomentAtNodes,
+        Quantity::Moment,
+        Quantity::ShearAtNodes,
+        Quantity::Shear,
+        Quantity::Pressure,
+        Quantity::EndForce,
+        Quantity::Edge,
+        Quantity::Gap,
+    ];
+
+    /// The name in the table.
+    pub fn name(self) -> &'static str {
+        match self {
+            Quantity::Deflection => "w",
+            Quantity::Slope => "w′",
+            Quantity::MomentAtNodes => "M at nodes",
+            Quantity::Moment => "M",
+            Quantity::ShearAtNodes => "V at nodes",
+            Quantity::Shear => "V",
+            Quantity::Pressure => "p",
+            Quantity::EndForce => "p_l",
+            Quantity::Edge => "edge of contact",
+            Quantity::Gap => "relative gap",
+        }
+    }
+}
+
+/// Errors of one quantity, one for each of [`ELEMENTS`].
+pub type Errors = [f64; ELEMENTS.len()];
+
+/// Errors of a quantity against the exact method, for each number of elements.
+pub fn errors(model: &Model, pressure: Pressure, quantity: Quantity) -> Errors {
+    let exact = equilibrium(solve(model));
+    ELEMENTS.map(|elements| {
+        let method = Method::ActiveSet;
+        let options = Options { method, elements, pressure, ..Options::default() };
+        let found = equilibrium(solve_with(model, &options));
+        error(&exact, &found, elements, quantity)
+    })
+}
+
+/// The order of convergence: minus the slope of log(error) over log(N), by least squares; errors below
+/// `floor` are left to rounding. None if fewer than three are left.
+pub fn order(errors: &Errors, floor: f64) -> Option<f64> {
+    let points: Vec<(f64, f64)> = ELEMENTS
+        .iter()
+        .zip(errors)
+        .filter(|(_, e)| **e > floor)
+        .map(|(n, e)| ((*n as f64).ln(), e.ln()))
+        .collect();
+    let count = points.len() as f64;
+    if count < 3.0 {
+        return None;
+    }
+    let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
+    let (x, y) = (mean(|p| p.0), mean(|p| p.1));
+    let covariance: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
+    let variance: f64 = points.iter().map(|p| (p.0 - x) * (p.0 - x)).sum();
+    Some(-covariance / variance)
+}
+
+fn equilibrium(outcome: Result<Outcome, groundbeam::Error>) -> Solution {
+    match outcome {
+        Ok(Outcome::Equilibrium(solution)) => *solution,
+        other => panic!("no equilibrium: {other:?}"),
+    }
+}
+
+fn error(exact: &Solution, found: &Solution, elements: usize, quantity: Quantity) -> f64 {
+    // Stations that are nodes of every mesh, and three within each element of the finest.
+    let nodes = |n: usize| (0..=n).map(move |i| i as f64 / n as f64);
+    let largest = |field| {
+        let range = exact.range(field);
+        range.max.value.abs().max(range.min.value.abs())
+    };
+    let over = |stations: &mut dyn Iterator<Item = f64>, field| {
+        let sides = |x: f64| {
+            [Side::Left, Side::Right].map(|side| {
+                let outer = if x == 0.0 { Side::Right } else { Side::Left };
+                let side = if x == 0.0 || x == 1.0 { outer } else { side };
+                (exact.at(x, side).get(field) - found.at(x, side).get(field)).abs()
+            })
+        };
+        stations.flat_map(sides).fold(0.0, f64::max) / largest(field)
+    };
+    let everywhere = || nodes(4 * ELEMENTS[ELEMENTS.len() - 1]);
+    match quantity {
+        Quantity::Deflection => over(&mut everywhere(), Field::Deflection),
+        Quantity::Slope => over(&mut everywhere(), Field::Slope),
+        Quantity::MomentAtNodes => over(&mut nodes(elements), Field::Moment),
+        Quantity::Moment => over(&mut everywhere(), Field::Moment),
+        Quantity::ShearAtNodes => over(&mut nodes(elements), Field::ShearForce),
+        Quantity::Shear => over(&mut everywhere(), Field::ShearForce),
+        Quantity::Pressure => {
+            let touches = |s: &Solution, x: f64| s.contact().iter().any(|c| c.from < x && x < c.to);
+            let both = |x: &f64| touches(exact, *x) && touches(found, *x);
+            over(&mut everywhere().filter(both), Field::Pressure)
+        }
+        Quantity::EndForce => (exact.end_forces().right - found.end_forces().right).abs(),
+        Quantity::Edge => {
+            let edge = |s: &Solution| s.contact().first().map_or(f64::NAN, |c| c.from);
+            (edge(exact) - edge(found)).abs()
+        }
+        Quantity::Gap => found.certificate().relative_gap,
+    }
+}

@@ -1,0 +1,47 @@
+//! The repository's documents: where they are, and the parts of them that are made by a command.
+
+use std::path::PathBuf;
+
+/// The root of the repository.
+pub fn repository() -> PathBuf {
+    let crate_folder = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    crate_folder.parent().expect("the workspace holds this crate").to_path_buf()
+}
+
+/// The text of a document, its path relative to the repository.
+pub fn read(path: &str) -> String {
+    let path = repository().join(path);
+    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// The part of a text between `<!-- begin NAME -->` and `<!-- end NAME -->`, and where it is.
+pub fn part<'a>(text: &'a str, name: &str) -> Option<(std::ops::Range<usize>, &'a str)> {
+    let (begin, end) = (format!("<!-- begin {name} -->\n"), format!("<!-- end {name} -->"));
+    let from = text.find(&begin)? + begin.len();
+    let to = from + text[from..].find(&end)?;
+    Some((from..to, &text[from..to]))
+}
+
+/// Demands that a part of a document is what a command made of it; with `UPDATE_EXPECTED` in the
+/// environment, makes it so.
+pub fn expect(path: &str, name: &str, made: &str) {
+    expect_by(path, name, made, |a, b| a == b);
+}
+
+/// The same for text that may differ in ways that `alike` allows.
+pub fn expect_by(path: &str, name: &str, made: &str, alike: impl Fn(&str, &str) -> bool) {
+    let text = read(path);
+    let (range, written) =
+        part(&text, name).unwrap_or_else(|| panic!("{path} has no part `{name}`"));
+    if std::env::var_os("UPDATE_EXPECTED").is_some() {
+        let mut text = text.clone();
+        text.replace_range(range, made);
+        std::fs::write(repository().join(path), text).expect("the document can be written");
+    } else {
+        let how = "UPDATE_EXPECTED=1 cargo test --workspace";
+        assert!(
+            alike(written, made),
+            "`{name}` in {path} is not what is made now ({how}):\n{made}"
+        );
+    }
+}
