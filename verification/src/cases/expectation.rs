@@ -1,0 +1,410 @@
+//! One line `#: quantity = value tolerance`, read and judged.
+
+use super::scale::{Kind, scale};
+use groundbeam::{Existence, Field, Outcome, Side, Solution, Verdict};
+use groundbeam_file::{UnitSystem, parse_positions};
+
+/// What a line expects.
+#[derive(Debug, Clone)]
+pub struct Expectation {
+    /// Line of the file, counted from 1.
+    pub line: usize,
+    /// The quantity as it is written.
+    pub name: String,
+    /// The value as it is written, with its unit.
+    pub value: String,
+    /// How near the answer must be.
+    pub tolerance: Tolerance,
+    /// Why no nearer, in words; may be empty for a tolerance that leaves only rounding.
+    pub why: String,
+    quantity: Quantity,
+    /// In the model's units.
+    wanted: Wanted,
+    /// The written unit in the model's.
+    pub(super) scale: f64,
+}
+
+/// How near an answer must be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Tolerance {
+    /// The same word, or the same number of regions.
+    Same,
+    /// In the unit of the value.
+    Absolute(f64),
+    /// Against the largest of the line's values.
+    Relative(f64),
+}
+
+/// What an answer has, as an expectation sees it.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    /// A verdict.
+    Word(&'static str),
+    /// One number, or the ends of regions, in the unit of the expected value.
+    Numbers(Vec<f64>),
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Wanted {
+    Word(String),
+    Numbers(Vec<f64>),
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Quantity {
+    At(Field, f64, Side),
+    Settlement(f64),
+    Extreme { field: Field, largest: bool, position: bool },
+    Contact,
+    EndForce(Side),
+    Force(f64),
+    Reaction(f64),
+    ReactionMoment(f64),
+    Energy,
+    Verdict,
+    StaticReaction(Side),
+    FailingMotion,
+    FailingWork,
+}
+
+/// A tolerance up to this leaves only rounding, and needs no reason.
+const ROUNDING: f64 = 1e-9;
+
+impl Expectation {
+    /// Reads what stands after `#:`.
+    ///
+    /// # Errors
+    ///
+    /// What cannot be read, in words.
+    pub fn read(text: &str, line: usize, units: UnitSystem) -> Result<Expectation, String> {
+        let (said, why) = text.split_once('#').unwrap_or((text, ""));
+        let (name, rest) = said.split_once('=').ok_or("`=` is missing")?;
+        let (name, rest, why) = (name.trim(), rest.trim(), why.trim());
+        let quantity = Quantity::read(name, units)?;
+        let (value, tolerance) = match rest.rfind(" abs ").or_else(|| rest.rfind(" rel ")) {
+            Some(at) => {
+                let size: f64 =
+                    rest[at + 5..].trim().parse().map_err(|_| "the tolerance is no number")?;
+                let relative = rest[at..].starts_with(" rel");
+                let tolerance =
+                    if relative { Tolerance::Relative(size) } else { Tolerance::Absolute(size) };
+                (rest[..at].trim(), tolerance)
+            }
+            None => (rest, Tolerance::Same),
+        };
+        let kind = quantity.kind();
+        let (wanted, scale) = match kind {
+            None => (Wanted::Word(value.to_owned()), 1.0),
+            Some(kind) => numbers(value, kind, units)?,
+        };
+        let expectation = Expectation {
+            line,
+            name: name.to_owned(),
+            value: value.to_owned(),
+            tolerance,
+            why: why.to_owned(),
+            quantity,
+            wanted,
+            scale,
+        };
+        expectation.check()?;
+        Ok(expectation)
+    }
+
+    fn check(&self) -> Result<(), String> {
+        let wide = match (&self.wanted, self.tolerance) {
+            (Wanted::Word(word), Tolerance::Same) => {
+                let known = ["unique", "not-unique", "none"].contains(&word.as_str());
+                return if known { Ok(()) } else { Err(format!("`{word}` is no verdict")) };
+            }
+            (Wanted::Word(_), _) => return Err("a verdict has no tolerance".into()),
+            (Wanted::Numbers(list), Tolerance::Same) => {
+                let exact = list.is_empty() || self.quantity == Quantity::FailingMotion;
+                return if exact { Ok(()) } else { Err("a number needs `abs` or `rel`".into()) };
+            }
+            (Wanted::Numbers(list), Tolerance::Absolute(size)) => {
+                size * self.scale > ROUNDING * largest(list).max(self.scale)
+            }
+            (_, Tolerance::Relative(size)) => size > ROUNDING,
+        };
+        if wide && self.why.is_empty() {
+            return Err("a tolerance this wide needs a reason, after `#`".into());
+        }
+        Ok(())
+    }
+
+    /// What the answer has.
+    ///
+    /// # Errors
+    ///
+    /// If the answer has no such quantity.
+    pub fn found(&self, outcome: &Outcome) -> Result<Value, String> {
+        let numbers = match (self.quantity, outcome) {
+            (Quantity::Verdict, _) => return Ok(Value::Word(word(existence(outcome).verdict))),
+            (Quantity::StaticReaction(side), _) => {
+                let [left, right] = existence(outcome).static_reactions;
+                vec![if side == Side::Left { left } else { right }]
+            }
+            (Quantity::FailingMotion | Quantity::FailingWork, _) => {
+                match existence(outcome).verdict {
+                    Verdict::None(motion) | Verdict::NotUnique(motion) => {
+                        if self.quantity == Quantity::FailingWork {
+                            vec![motion.work]
+                        } else {
+                            vec![motion.left, motion.right]
+                        }
+                    }
+                    Verdict::Unique => return Err("no motion fails".into()),
+                }
+            }
+            (quantity, Outcome::Equilibrium(solution)) => quantity.of(solution)?,
+            (_, Outcome::NoEquilibrium(_)) => return Err("there is no equilibrium".into()),
+        };
+        Ok(Value::Numbers(numbers.into_iter().map(|number| number / self.scale).collect()))
+    }
+
+    /// How far a value is from the one expected: absolute in its unit, and relative to the largest.
+    ///
+    /// # Errors
+    ///
+    /// If the two are not comparable: another word, another number of regions.
+    pub fn distance(&self, found: &Value) -> Result<(f64, f64), String> {
+        match (&self.wanted, found) {
+            (Wanted::Word(wanted), Value::Word(found)) if wanted == found => Ok((0.0, 0.0)),
+            (Wanted::Numbers(wanted), Value::Numbers(found)) if wanted.len() == found.len() => {
+                let size = largest(wanted) / self.scale;
+                let pairs = wanted.iter().zip(found);
+                let error = pairs.map(|(w, f)| (w / self.scale - f).abs()).fold(0.0, worse);
+                Ok((error, if error == 0.0 { 0.0 } else { error / size }))
+            }
+            _ => Err(format!("{} is {}, not {}", self.name, shown(found), self.value)),
+        }
+    }
+
+    /// Whether the answer is as expected.
+    ///
+    /// # Errors
+    ///
+    /// How it is not.
+    pub fn judge(&self, outcome: &Outcome) -> Result<(), String> {
+        let found = self.found(outcome).map_err(|what| format!("{}: {what}", self.name))?;
+        let (absolute, relative) = self.distance(&found)?;
+        let near = match self.tolerance {
+            Tolerance::Same => absolute == 0.0,
+            Tolerance::Absolute(size) => absolute <= size,
+            Tolerance::Relative(size) => relative <= size,
+        };
+        if near {
+            return Ok(());
+        }
+        Err(format!(
+            "{} is {}, not {} (off by {absolute:.1e}, relative {relative:.1e})",
+            self.name,
+            shown(&found),
+            self.value
+        ))
+    }
+}
+
+fn worse(a: f64, b: f64) -> f64 {
+    if b.is_nan() { f64::INFINITY } else { a.max(b) }
+}
+
+fn largest(list: &[f64]) -> f64 {
+    list.iter().fold(0.0, |size, number| number.abs().max(size))
+}
+
+fn shown(value: &Value) -> String {
+    match value {
+        Value::Word(word) => (*word).to_owned(),
+        Value::Numbers(list) => format!("{list:?}"),
+    }
+}
+
+fn existence(outcome: &Outcome) -> &Existence {
+    match outcome {
+        Outcome::Equilibrium(solution) => solution.existence(),
+        Outcome::NoEquilibrium(existence) => existence,
+    }
+}
+
+fn word(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Unique => "unique",
+        Verdict::NotUnique(_) => "not-unique",
+        Verdict::None(_) => "none",
+    }
+}
+
+/// `1.5 kN`, `[0, 1.5] m`, `[0, 1], [2, 3] m`, or `none`.
+fn numbers(text: &str, kind: Kind, units: UnitSystem) -> Result<(Wanted, f64), String> {
+    if text == "none" {
+        return Ok((Wanted::Numbers(Vec::new()), 1.0));
+    }
+    let (list, unit) = match text.rfind(']') {
+        Some(end) => (&text[..=end], text[end + 1..].trim()),
+        None => match text.split_once(char::is_whitespace) {
+            Some((number, unit)) => (number, unit.trim()),
+            None => (text, ""),
+        },
+    };
+    let scale = scale(kind, unit, units)?;
+    let number = |word: &str| -> Result<f64, String> {
+        let word = word.trim_matches(|c: char| c.is_whitespace() || c == '[' || c == ']');
+        let value: f64 = word.parse().map_err(|_| format!("`{word}` is no number"))?;
+        Ok(value * scale)
+    };
+    let list = list.split(',').map(number).collect::<Result<_, _>>()?;
+    Ok((Wanted::Numbers(list), scale))
+}
+
+impl Quantity {
+    fn read(name: &str, units: UnitSystem) -> Result<Quantity, String> {
+        let unknown = || format!("`{name}` is no quantity that can be expected");
+        match name {
+            "contact" => return Ok(Quantity::Contact),
+            "energy" => return Ok(Quantity::Energy),
+            "verdict" => return Ok(Quantity::Verdict),
+            "failing_motion" => return Ok(Quantity::FailingMotion),
+            "failing_work" => return Ok(Quantity::FailingWork),
+            _ => {}
+        }
+        let (what, inside) =
+            name.strip_suffix(')').and_then(|n| n.split_once('(')).ok_or_else(unknown)?;
+        let side = || match inside {
+            "left" => Ok(Side::Left),
+            "right" => Ok(Side::Right),
+            _ => Err(format!("`{inside}` is neither `left` nor `right`")),
+        };
+        let field = |name: &str| Field::ALL.into_iter().find(|field| field.name() == name);
+        let position = |text: &str| match parse_positions(text, units) {
+            Ok(list) if list.len() == 1 => Ok(list[0]),
+            _ => Err(format!("`{text}` is no position")),
+        };
+        let extreme = |largest, position| {
+            let field = field(inside).ok_or_else(|| format!("`{inside}` is no field"))?;
+            Ok(Quantity::Extreme { field, largest, position })
+        };
+        match what {
+            "end_force" => Ok(Quantity::EndForce(side()?)),
+            "static_reaction" => Ok(Quantity::StaticReaction(side()?)),
+            "max" => extreme(true, false),
+            "min" => extreme(false, false),
+            "position_of_max" => extreme(true, true),
+            "position_of_min" => extreme(false, true),
+            "force" => Ok(Quantity::Force(position(inside)?)),
+            "reaction" => Ok(Quantity::Reaction(position(inside)?)),
+            "reaction_moment" => Ok(Quantity::ReactionMoment(position(inside)?)),
+            _ => {
+                let field = field(what).ok_or_else(unknown)?;
+                let (side, text) = match (inside.strip_prefix("left of "), field) {
+                    (Some(text), _) => (Side::Left, text),
+                    // The ground goes on beyond the beam.
+                    (None, Field::Settlement) => {
+                        return Ok(Quantity::Settlement(position(inside)?));
+                    }
+                    (None, _) => (Side::Right, inside.strip_prefix("right of ").unwrap_or(inside)),
+                };
+                Ok(Quantity::At(field, position(text)?, side))
+            }
+        }
+    }
+
+    /// What it measures; none for a verdict.
+    fn kind(self) -> Option<Kind> {
+        let of = |field| match field {
+            Field::Deflection | Field::Settlement | Field::Gap => Kind::Length,
+            Field::Slope => Kind::Angle,
+            Field::Moment => Kind::Moment,
+            Field::ShearForce => Kind::Force,
+            Field::Pressure => Kind::LineLoad,
+        };
+        Some(match self {
+            Quantity::At(field, ..) => of(field),
+            Quantity::Extreme { field, position: false, .. } => of(field),
+            Quantity::Settlement(_) | Quantity::Extreme { .. } | Quantity::Contact => Kind::Length,
+            Quantity::EndForce(_)
+            | Quantity::StaticReaction(_)
+            | Quantity::Force(_)
+            | Quantity::Reaction(_) => Kind::Force,
+            Quantity::ReactionMoment(_) | Quantity::Energy => Kind::Moment,
+            Quantity::FailingMotion => Kind::Number,
+            // Work per length of lift.
+            Quantity::FailingWork => Kind::Force,
+            Quantity::Verdict => return None,
+        })
+    }
+
+    fn of(self, solution: &Solution) -> Result<Vec<f64>, String> {
+        let support = |at: f64| {
+            let found = solution.reactions().iter().find(|reaction| reaction.at == at);
+            found.ok_or_else(|| "there is no support".to_owned())
+        };
+        Ok(match self {
+            Quantity::At(field, x, side) => vec![solution.at(x, side).get(field)],
+            Quantity::Settlement(x) => vec![solution.settlement(x)],
+            Quantity::Extreme { field, largest, position } => {
+                let range = solution.range(field);
+                let extreme = if largest { range.max } else { range.min };
+                vec![if position { extreme.x } else { extreme.value }]
+            }
+            Quantity::Contact => {
+                solution.contact().iter().flat_map(|region| [region.from, region.to]).collect()
+            }
+            Quantity::EndForce(Side::Left) => vec![solution.end_forces().left],
+            Quantity::EndForce(Side::Right) => vec![solution.end_forces().right],
+            Quantity::Force(x) => {
+                let near = 1e-9 * solution.model().beam.length;
+                let forces = solution.concentrated_forces();
+                let here = forces.iter().filter(|force| (force.at - x).abs() <= near);
+                vec![here.map(|force| force.force).sum()]
+            }
+            Quantity::Reaction(x) => vec![support(x)?.force],
+            Quantity::ReactionMoment(x) => vec![support(x)?.moment],
+            Quantity::Energy => vec![solution.certificate().primal_energy],
+            Quantity::StaticReaction(_)
+            | Quantity::FailingMotion
+            | Quantity::FailingWork
+            | Quantity::Verdict => Vec::new(),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<Expectation, String> {
+        Expectation::read(text, 1, UnitSystem::Si)
+    }
+
+    #[test]
+    fn lines_are_read() {
+        let line = read(" max(moment) = 17698 kip in abs 0.5 # printed without decimals").unwrap();
+        assert_eq!((line.name.as_str(), line.value.as_str()), ("max(moment)", "17698 kip in"));
+        assert_eq!(line.tolerance, Tolerance::Absolute(0.5));
+        assert_eq!(line.why, "printed without decimals");
+        let two = read("contact = [0, 1], [250, 300] cm abs 1e-12").unwrap();
+        assert_eq!(two.wanted, Wanted::Numbers(vec![0.0, 0.01, 2.5, 3.0]));
+        assert!(read("verdict = none").is_ok());
+        assert!(read("moment(left of 6 m) = -1 kN m rel 1e-12").is_ok());
+    }
+
+    #[test]
+    fn what_cannot_be_meant_is_refused() {
+        for text in [
+            "deflection(1 m) = 2 mm",
+            "deflection(1 m) = 2 mm rel 1e-3",
+            "deflection(1) = 2 mm rel 1e-12",
+            "deflection(1 m) = 2 rel 1e-12",
+            "deflection(1 m) = 2 kN rel 1e-12",
+            "deflexion(1 m) = 2 mm rel 1e-12",
+            "end_force(middle) = 2 N rel 1e-12",
+            "verdict = perhaps",
+            "verdict = none rel 1e-3",
+            "contact",
+        ] {
+            assert!(read(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! `docs/verification.md`: every expectation of every case, and what came out.
+
+use super::Case;
+use super::expectation::{Expectation, Tolerance, Value};
+use groundbeam::{Outcome, solve};
+use std::fmt::Write;
+
+/// The folders in the order of the manual, each with what it holds.
+const CHAPTERS: [(&str, &str, &str); 5] = [
+    ("kikuchi-1980/", "The paper's own examples", "Kikuchi's sections 4 and 5."),
+    ("textbook/", "Textbooks, manuals and closed forms", "Published numbers and exact solutions."),
+    ("footings/", "Structures with units", "What an engineer would try first."),
+    ("limits/", "Limits", "Degenerate and extreme models."),
+    ("", "Benchmark", "A model that other solvers were measured with."),
+];
+
+/// The manual's text.
+pub fn manual(cases: &[Case]) -> String {
+    let count: usize = cases.iter().map(|case| case.expectations.len()).sum();
+    let mut text = format!(
+        "# Verification manual\n\n\
+         {} models and {count} numbers that are known without groundbeam, and what groundbeam finds.\n\
+         Made from the files in `cases/` by\n\n\
+         ```sh\ncargo run --release -p groundbeam-verification --example manual\n```\n\n\
+         The *error* is relative to the reference (of a list, to its largest number); `< 1e-12` is \
+         rounding. The\n*gap* is what the certificate proves: the relative difference of primal and \
+         dual energy, which bounds the\nerror against the continuous problem. A test fails when a \
+         number leaves its tolerance, or when this page is\nnot what the command writes.\n",
+        cases.len()
+    );
+    let mut left: Vec<&Case> = cases.iter().collect();
+    for (folder, heading, about) in CHAPTERS {
+        let (these, others): (Vec<&Case>, Vec<&Case>) =
+            left.into_iter().partition(|case| case.path.starts_with(folder));
+        left = others;
+        if these.is_empty() {
+            continue;
+        }
+        _ = write!(text, "\n## {heading}\n\n{about}\n");
+        for case in these {
+            section(&mut text, case);
+        }
+    }
+    text
+}
+
+fn section(text: &mut String, case: &Case) {
+    let outcome = match solve(&case.document.model) {
+        Ok(outcome) => outcome,
+        Err(error) => {
+            _ = write!(text, "\n### {}\n\n{error}\n", case.title());
+            return;
+        }
+    };
+    let proof = match &outcome {
+        Outcome::Equilibrium(solution) => match solution.certificate().relative_gap {
+            gap if gap < 1e-12 => "gap < 1e-12".to_owned(),
+            _ => "gap < 1e-9".to_owned(),
+        },
+        Outcome::NoEquilibrium(_) => "no equilibrium".to_owned(),
+    };
+    _ = write!(
+        text,
+        "\n### {}\n\n{}  \n[`{path}`](../cases/{path}), {proof}\n\n\
+         | quantity | reference | groundbeam | error | tolerance |\n|---|---|---|---|---|\n",
+        case.title(),
+        case.source,
+        path = case.path
+    );
+    for expectation in &case.expectations {
+        row(text, expectation, &outcome);
+    }
+}
+
+fn row(text: &mut String, expectation: &Expectation, outcome: &Outcome) {
+    let (found, error) = match expectation.found(outcome) {
+        Err(what) => (what, "–".to_owned()),
+        Ok(found) => {
+            let error = match expectation.distance(&found) {
+                Ok(_) if matches!(found, Value::Word(_)) => "none".to_owned(),
+                Ok((0.0, _)) => bound(0.0),
+                Ok((absolute, relative)) if !relative.is_finite() => {
+                    bound(absolute) + " (absolute)"
+                }
+                Ok((_, relative)) => bound(relative),
+                Err(_) => "–".to_owned(),
+            };
+            (written(&found, expectation), error)
+        }
+    };
+    let tolerance = match expectation.tolerance {
+        Tolerance::Same => "the same".to_owned(),
+        Tolerance::Absolute(size) if size >= 1e-3 => format!("{size} absolute"),
+        Tolerance::Absolute(size) => format!("{size:e} absolute"),
+        Tolerance::Relative(size) => format!("{size:e}"),
+    };
+    let why = match expectation.why.as_str() {
+        "" => String::new(),
+        why => format!(": {why}"),
+    };
+    let (name, value) = (&expectation.name, &expectation.value);
+    _ = writeln!(text, "| `{name}` | {value} | {found} | {error} | {tolerance}{why} |");
+}
+
+/// What is near rounding changes with every processor: only its size is told.
+fn bound(error: f64) -> String {
+    match error {
+        e if e < 1e-12 => "< 1e-12".to_owned(),
+        e if e < 1e-9 => "< 1e-9".to_owned(),
+        e => format!("{e:.1e}"),
+    }
+}
+
+fn written(found: &Value, expectation: &Expectation) -> String {
+    match found {
+        Value::Word(word) => (*word).to_owned(),
+        Value::Numbers(list) => {
+            let smallest = match expectation.tolerance {
+                Tolerance::Absolute(size) => size.min(1e-9),
+                _ => 0.0,
+            };
+            let largest = list.iter().fold(0.0_f64, |size, number| number.abs().max(size));
+            let number = |x: f64| digits(x, smallest.max(1e-10 * largest));
+            match list.as_slice() {
+                [] => "none".to_owned(),
+                [x] => number(*x),
+                list => {
+                    let pair = |pair: &[f64]| format!("[{}, {}]", number(pair[0]), number(pair[1]));
+                    list.chunks_exact(2).map(pair).collect::<Vec<_>>().join(", ")
+                }
+            }
+        }
+    }
+}
+
+/// Eight figures; 0 for what is no more than `smallest`.
+fn digits(x: f64, smallest: f64) -> String {
+    if x.abs() <= smallest {
+        return "0".to_owned();
+    }
+    let rounded: f64 = format!("{x:.7e}").parse().unwrap_or(x);
+    if (1e-4..1e8).contains(&x.abs()) { rounded.to_string() } else { format!("{rounded:e}") }
+}

@@ -1,0 +1,119 @@
+//! The model files in `cases/`: each an example, a document and a test at once.
+//!
+//! What a file's answer must be stands in the file, in lines that begin with `#:`;
+//! `cases/README.md` describes them.
+
+pub mod expectation;
+pub mod manual;
+mod scale;
+
+use expectation::Expectation;
+use groundbeam_file::Document;
+use std::fmt;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// A model file with what its answer must be.
+#[derive(Debug)]
+pub struct Case {
+    /// The file below `cases/`, with `/` between folders.
+    pub path: String,
+    /// The model.
+    pub document: Document,
+    /// Where its numbers are from.
+    pub source: String,
+    /// What its answer must be.
+    pub expectations: Vec<Expectation>,
+}
+
+/// Something wrong with the expectations of a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Misread {
+    /// Line of the file, counted from 1; 0 if it is about the whole file.
+    pub line: usize,
+    /// What is wrong.
+    pub what: String,
+}
+
+impl fmt::Display for Misread {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.line {
+            0 => f.write_str(&self.what),
+            line => write!(f, "line {line}: {}", self.what),
+        }
+    }
+}
+
+impl Case {
+    /// What the file calls itself.
+    pub fn title(&self) -> &str {
+        self.document.title.as_deref().unwrap_or_default()
+    }
+
+    /// Reads a file's text.
+    ///
+    /// # Errors
+    ///
+    /// A model that is wrong, a line beginning with `#:` that says nothing known, a file without a title, a
+    /// source or an expectation.
+    pub fn read(path: &str, text: &str) -> Result<Case, Misread> {
+        let whole = |what: String| Misread { line: 0, what };
+        let document = groundbeam_file::parse(text)
+            .map_err(|faults| whole(faults.render(path, text, false)))?;
+        let mut source = None;
+        let mut expectations = Vec::new();
+        for (i, line) in text.lines().enumerate() {
+            let Some(said) = line.strip_prefix("#:") else { continue };
+            let at = |what: String| Misread { line: i + 1, what };
+            if let Some(words) = said.trim().strip_prefix("source =") {
+                source = Some(words.trim().to_owned());
+                continue;
+            }
+            let expectation = Expectation::read(said, i + 1, document.units).map_err(at)?;
+            expectations.push(expectation);
+        }
+        if expectations.is_empty() {
+            return Err(whole("the file says nowhere, with `#:`, what its answer must be".into()));
+        }
+        let source = source.ok_or_else(|| whole("the file has no line `#: source = …`".into()))?;
+        if document.title.is_none() {
+            return Err(whole("the file has no title".into()));
+        }
+        Ok(Case { path: path.to_owned(), document, source, expectations })
+    }
+}
+
+/// The folder `cases/`.
+pub fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases")
+}
+
+/// Every model file below `cases/` except those of `cases/errors`, in the order of their names.
+///
+/// # Panics
+///
+/// If a folder or file cannot be read.
+pub fn all() -> Vec<Result<Case, (String, Misread)>> {
+    let mut files = Vec::new();
+    collect(&folder(), "", &mut files);
+    files.sort();
+    let read = |path: String| {
+        let text = fs::read_to_string(folder().join(&path)).expect("a readable model file");
+        Case::read(&path, &text).map_err(|misread| (path, misread))
+    };
+    files.into_iter().map(read).collect()
+}
+
+fn collect(folder: &Path, below: &str, files: &mut Vec<String>) {
+    for entry in fs::read_dir(folder).expect("a readable folder") {
+        let entry = entry.expect("a readable entry");
+        let path = format!("{below}{}", entry.file_name().to_string_lossy());
+        if entry.path().is_dir() {
+            if path != "errors" {
+                collect(&entry.path(), &format!("{path}/"), files);
+            }
+        } else if path.ends_with(".toml") {
+            files.push(path);
+        }
+    }
+}

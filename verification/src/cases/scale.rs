@@ -1,0 +1,84 @@
+//! Units of expected values. The file format's reader is the only one that knows units: it is asked for
+//! the value of a small model.
+
+use groundbeam::Load;
+use groundbeam_file::UnitSystem;
+
+/// What a value measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A position or deflection.
+    Length,
+    /// A slope.
+    Angle,
+    /// A force.
+    Force,
+    /// A moment, or an energy or work.
+    Moment,
+    /// A pressure.
+    LineLoad,
+    /// A part of the largest lift of a rigid motion.
+    Number,
+}
+
+/// A unit in m, N and rad, under the rule of the file.
+pub fn scale(kind: Kind, unit: &str, units: UnitSystem) -> Result<f64, String> {
+    if kind == Kind::Number || units == UnitSystem::Plain {
+        return match unit {
+            "" => Ok(1.0),
+            _ => Err(format!("`{unit}` stands where no unit belongs")),
+        };
+    }
+    let (load, at) = match kind {
+        Kind::Angle if unit == "rad" => return Ok(1.0),
+        Kind::Angle if unit == "mrad" => return Ok(1e-3),
+        Kind::Angle => return Err(format!("`{unit}` is not `rad` or `mrad`")),
+        Kind::Length => ("point = \"1 N\"".to_owned(), format!("1 {unit}")),
+        Kind::Force => (format!("point = \"1 {unit}\""), "0 m".to_owned()),
+        Kind::Moment => (format!("moment = \"1 {unit}\""), "0 m".to_owned()),
+        Kind::LineLoad | Kind::Number => (format!("distributed = \"1 {unit}\""), String::new()),
+    };
+    let at = if at.is_empty() { at } else { format!("at = \"{at}\"") };
+    let text = format!(
+        "[beam]\nlength = \"1e9 m\"\nEI = \"1 N m^2\"\n[foundation]\nk = \"1 N/m^2\"\n\
+         [[load]]\n{load}\n{at}\n"
+    );
+    let document = groundbeam_file::parse(&text)
+        .map_err(|_| format!("`{unit}` is not a unit of {}", kind.describe()))?;
+    match document.model.loads[0] {
+        Load::PointForce { at, .. } if kind == Kind::Length => Ok(at),
+        Load::PointForce { force, .. } => Ok(force),
+        Load::PointMoment { moment, .. } => Ok(moment),
+        Load::Distributed { start, .. } => Ok(start),
+        Load::DistributedMoment { .. } => Err("no value".to_owned()),
+    }
+}
+
+impl Kind {
+    fn describe(self) -> &'static str {
+        match self {
+            Kind::Length => "a length",
+            Kind::Angle => "a slope",
+            Kind::Force => "a force",
+            Kind::Moment => "a moment",
+            Kind::LineLoad => "a force per length",
+            Kind::Number => "a number",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_those_of_the_model_files() {
+        let scale = |kind, unit| scale(kind, unit, UnitSystem::Si);
+        assert_eq!(scale(Kind::Length, "mm"), Ok(1e-3));
+        assert_eq!(scale(Kind::Moment, "kN m"), Ok(1e3));
+        assert_eq!(scale(Kind::LineLoad, "kN/m"), Ok(1e3));
+        assert_eq!(scale(Kind::Angle, "mrad"), Ok(1e-3));
+        assert!(scale(Kind::Force, "mm").is_err());
+        assert!(super::scale(Kind::Force, "kN", UnitSystem::Plain).is_err());
+    }
+}

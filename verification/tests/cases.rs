@@ -1,0 +1,118 @@
+//! Every model file below `cases/`, by being there: its expectations, and two roads to the same answer.
+
+use groundbeam::{Field, Method, Options, Outcome, Side, Solution, solve, solve_with};
+use groundbeam_verification::cases::{Case, all, folder, manual::manual};
+
+fn readable() -> Vec<Case> {
+    let (cases, faults): (Vec<_>, Vec<_>) = all().into_iter().partition(Result::is_ok);
+    let faults: Vec<String> = faults
+        .into_iter()
+        .filter_map(Result::err)
+        .map(|(path, misread)| format!("cases/{path}: {misread}"))
+        .collect();
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    cases.into_iter().filter_map(Result::ok).collect()
+}
+
+fn report(faults: &[String]) {
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn every_case_is_as_its_file_says() {
+    let mut faults = Vec::new();
+    for case in readable() {
+        let path = &case.path;
+        match solve(&case.document.model) {
+            Err(error) => faults.push(format!("cases/{path}: {error}")),
+            Ok(outcome) => {
+                for expectation in &case.expectations {
+                    if let Err(what) = expectation.judge(&outcome) {
+                        faults.push(format!("cases/{path}:{}: {what}", expectation.line));
+                    }
+                }
+            }
+        }
+    }
+    report(&faults);
+}
+
+#[test]
+fn a_mesh_is_no_farther_off_than_its_certificate_says() {
+    let mut faults = Vec::new();
+    for case in readable() {
+        let model = &case.document.model;
+        // Eight elements to a wave of the beam, where that makes a mesh. A mesh cannot follow a beam of
+        // thousands of waves, nor the ground under a beam 1e12 times as stiff.
+        let ei = model.beam.bending_stiffness;
+        let waves = (model.foundation.spring / (4.0 * ei)).powf(0.25) * model.beam.length;
+        if !(0.01..1000.0).contains(&waves) {
+            continue;
+        }
+        let elements = (8.0 * waves).max(100.0) as usize;
+        let options = Options { method: Method::ActiveSet, elements, ..Options::default() };
+        let outcomes = (solve(model), solve_with(model, &options));
+        let fault = match outcomes {
+            (Ok(Outcome::Equilibrium(exact)), Ok(Outcome::Equilibrium(mesh))) => {
+                farther_off_than_proven(&exact, &mesh)
+            }
+            (Ok(Outcome::NoEquilibrium(a)), Ok(Outcome::NoEquilibrium(b))) if a == b => None,
+            (Err(error), _) | (_, Err(error)) => Some(error.to_string()),
+            _ => Some("one method finds an equilibrium, the other none".to_owned()),
+        };
+        faults.extend(fault.map(|what| format!("cases/{}: {what}", case.path)));
+    }
+    report(&faults);
+}
+
+/// The bounds of the mesh's certificate, held against the exact answer.
+fn farther_off_than_proven(exact: &Solution, mesh: &Solution) -> Option<String> {
+    let (proof, sharp) = (mesh.certificate(), exact.certificate());
+    let strain = sharp.primal_energy.abs() + sharp.gap / sharp.relative_gap.max(f64::MIN_POSITIVE);
+    let rounding = 1e-11 * if strain.is_finite() { strain } else { sharp.primal_energy.abs() };
+    let [low, high] = [proof.dual_energy - rounding, proof.primal_energy + rounding];
+    if !(low..=high).contains(&sharp.primal_energy) {
+        return Some(format!("energy {} is not in [{low}, {high}]", sharp.primal_energy));
+    }
+    let l = exact.model().beam.length;
+    let size = |field| {
+        let range = exact.range(field);
+        range.max.value.abs().max(range.min.value.abs())
+    };
+    let settlement = proof.settlement_bound + 1e-10 * size(Field::Settlement);
+    let moment = proof.moment_rms_bound + 1e-10 * size(Field::Moment);
+    let mut squares = 0.0;
+    const STATIONS: usize = 2000;
+    for i in 0..STATIONS {
+        let x = l * (i as f64 + 0.5) / STATIONS as f64;
+        let (a, b) = (exact.at(x, Side::Right), mesh.at(x, Side::Right));
+        if (a.settlement - b.settlement).abs() > settlement {
+            return Some(format!(
+                "u({x}) is {} exactly and {} with a mesh, farther apart than {settlement:e}",
+                a.settlement, b.settlement
+            ));
+        }
+        squares += (a.moment - b.moment).powi(2) / STATIONS as f64;
+    }
+    // The sum over stations is not the integral: a part in a hundred is left to it.
+    if squares.sqrt() > 1.01 * moment {
+        return Some(format!("moments differ by {:e}, more than {moment:e}", squares.sqrt()));
+    }
+    None
+}
+
+#[test]
+fn the_verification_manual_is_what_the_cases_say() {
+    let page = std::fs::read_to_string(folder().join("../docs/verification.md"))
+        .expect("docs/verification.md");
+    let now = manual(&readable());
+    if page == now {
+        return;
+    }
+    let pairs = page.lines().zip(now.lines()).enumerate();
+    let first = pairs.filter(|(_, (a, b))| a != b).map(|(i, (a, b))| (i + 1, a, b)).next();
+    panic!(
+        "docs/verification.md is not what `cargo run --release -p groundbeam-verification --example \
+         manual` writes; the first line that differs: {first:#?}"
+    );
+}
