@@ -1,5 +1,6 @@
 //! groundbeam checked against what is known: shared by the tests.
 
+pub mod architecture;
 pub mod cases;
 pub mod convergence;
 pub mod dense;

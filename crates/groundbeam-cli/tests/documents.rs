@@ -1,0 +1,116 @@
+//! What the documents say the program prints, and the pictures in them, are what it prints and draws.
+//!
+//! In `README.md` and `docs/` a block that begins with `$ groundbeam …` holds that command and its output; a line
+//! `<!-- drawn: groundbeam … --plot FILE.svg -->` names the command that draws a picture. All run in the repository's
+//! root. `UPDATE_EXPECTED=1` writes what comes out.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+const BLOCK: &str = "```console\n$ groundbeam ";
+
+#[test]
+fn printed_output_is_real() {
+    let mut count = 0;
+    for path in documents() {
+        let text = std::fs::read_to_string(&path).expect("a readable document");
+        let mut made = String::new();
+        let mut rest = text.as_str();
+        while let Some(at) = rest.find(BLOCK) {
+            let (before, block) = rest.split_at(at + BLOCK.len());
+            let (command, block) = block.split_once('\n').expect("a command and its output");
+            let end = block.find("```").expect("a block has an end");
+            let printed = run(command);
+            count += 1;
+            assert!(
+                updating() || alike(&block[..end], &printed),
+                "{}: `groundbeam {command}` prints\n{printed}",
+                path.display()
+            );
+            made.push_str(before);
+            made.push_str(&format!("{command}\n{printed}"));
+            rest = &block[end..];
+        }
+        made.push_str(rest);
+        write_if_updating(&path, &text, &made);
+    }
+    assert!(count >= 3, "README.md shows what the program prints");
+}
+
+#[test]
+fn pictures_are_drawn_by_the_program() {
+    let mut count = 0;
+    for path in documents() {
+        let text = std::fs::read_to_string(&path).expect("a readable document");
+        for line in text.lines() {
+            let Some(command) = line.strip_prefix("<!-- drawn: groundbeam ") else { continue };
+            let command = command.trim_end_matches(" -->");
+            let (command, picture) = command.split_once(" --plot ").expect("--plot FILE.svg");
+            let drawn = tempfile::Builder::new().suffix(".svg").tempfile().expect("a file");
+            run(&format!("{command} --plot {}", drawn.path().display()));
+            let drawn = std::fs::read_to_string(drawn.path()).expect("a picture");
+            let picture = root().join(picture);
+            if updating() {
+                std::fs::write(&picture, &drawn).expect("the picture can be written");
+            }
+            let kept = std::fs::read_to_string(&picture).expect("the picture");
+            assert!(kept == drawn, "{} is not what `{command}` draws", picture.display());
+            count += 1;
+        }
+    }
+    assert!(count >= 1, "README.md has a picture");
+}
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn documents() -> Vec<PathBuf> {
+    let pages = std::fs::read_dir(root().join("docs")).expect("docs");
+    let pages = pages.map(|entry| entry.expect("an entry").path());
+    let mut found: Vec<PathBuf> =
+        pages.filter(|p| p.extension().is_some_and(|e| e == "md")).collect();
+    found.sort();
+    found.insert(0, root().join("README.md"));
+    found
+}
+
+/// Both streams of a command, one after the other.
+fn run(command: &str) -> String {
+    let done = Command::new(env!("CARGO_BIN_EXE_groundbeam"))
+        .args(command.split_whitespace())
+        .current_dir(root())
+        .output()
+        .expect("the program runs");
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");
+    text(done.stdout) + &text(done.stderr)
+}
+
+fn updating() -> bool {
+    std::env::var_os("UPDATE_EXPECTED").is_some()
+}
+
+fn write_if_updating(path: &Path, before: &str, after: &str) {
+    // What differs by time or rounding alone stays as it is.
+    if updating() && before != after && !alike(before, after) {
+        std::fs::write(path, after).expect("the document can be written");
+    }
+}
+
+/// The same but for seconds and for what is rounding alone.
+fn alike(a: &str, b: &str) -> bool {
+    a.lines().count() == b.lines().count()
+        && a.lines().zip(b.lines()).all(|(a, b)| a == b || steady(a) == steady(b))
+}
+
+/// A line without the numbers that another machine may print otherwise.
+fn steady(line: &str) -> String {
+    let rounding = ["energy gap", "balance ", "the beam enters", "right to ±", "Method "];
+    if !rounding.iter().any(|word| line.contains(word)) {
+        return line.to_owned();
+    }
+    let words = line.split_whitespace().map(|word| word.trim_end_matches(','));
+    let kept =
+        words.filter(|word| word.parse::<f64>().is_err() && !["µs", "ms", "s"].contains(word));
+    kept.collect::<Vec<_>>().join(" ")
+}

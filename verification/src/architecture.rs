@@ -1,0 +1,105 @@
+//! The code map, the crates' dependencies, and the rules of `ARCHITECTURE.md`, read from the sources.
+
+use crate::documents::repository;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// A source file: its path in the repository and its text.
+pub struct Source {
+    /// With `/` between folders.
+    pub path: String,
+    /// Its text.
+    pub text: String,
+}
+
+impl Source {
+    /// The first sentence of the file's own documentation, if it has one.
+    pub fn summary(&self) -> Option<String> {
+        let lines = self.text.lines().take_while(|line| line.starts_with("//!"));
+        let text: Vec<&str> =
+            lines.map(|line| line[3..].trim()).take_while(|l| !l.is_empty()).collect();
+        let mut text = text.join(" ").replace("\\[", "[").replace("\\]", "]");
+        // Links within the documentation lead nowhere from here.
+        while let Some(from) = text.find("](crate::") {
+            let to = text[from..].find(')').map_or(text.len(), |length| from + length + 1);
+            text.replace_range(from..to, "]");
+        }
+        let text = text.replace("[`", "`").replace("`]", "`");
+        let end = text.find(". ").unwrap_or(text.len());
+        let text = text[..end].trim_end_matches('.');
+        (!text.is_empty()).then(|| text.to_owned())
+    }
+
+    /// The text without the tests at its end.
+    pub fn code(&self) -> &str {
+        self.text.split("#[cfg(test)]\nmod ").next().unwrap_or_default()
+    }
+}
+
+/// All source files below a folder of the repository, in the order of their names.
+pub fn sources(folder: &str) -> Vec<Source> {
+    let root = repository();
+    let mut found = Vec::new();
+    let mut folders: Vec<PathBuf> = vec![root.join(folder)];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(&folder).into_iter().flatten() {
+            let path = entry.expect("an entry of a folder").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|extension| extension == "rs") {
+                found.push(Source { path: spelled(&root, &path), text: text(&path) });
+            }
+        }
+    }
+    found.sort_by(|a, b| a.path.cmp(&b.path));
+    found
+}
+
+fn text(path: &Path) -> String {
+    std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+fn spelled(root: &Path, path: &Path) -> String {
+    let inside = path.strip_prefix(root).expect("a file of the repository");
+    let parts: Vec<_> = inside.components().map(|c| c.as_os_str().to_string_lossy()).collect();
+    parts.join("/")
+}
+
+/// The crates of the workspace, each with its folder and what it depends on outside of tests.
+pub fn crates() -> BTreeMap<String, (String, Vec<String>)> {
+    let root = repository();
+    let output = Command::new(env!("CARGO"))
+        .args(["metadata", "--no-deps", "--offline", "--format-version", "1"])
+        .current_dir(&root)
+        .output()
+        .expect("cargo runs");
+    let metadata: serde_json::Value = serde_json::from_slice(&output.stdout).expect("metadata");
+    let list = |value: &serde_json::Value| value.as_array().cloned().unwrap_or_default();
+    let word = |value: &serde_json::Value| value.as_str().unwrap_or_default().to_owned();
+    let each = |package: &serde_json::Value| {
+        let outside_tests = |d: &serde_json::Value| d["kind"].is_null();
+        let needs = list(&package["dependencies"]);
+        let needs = needs.iter().filter(|d| outside_tests(d)).map(|d| word(&d["name"]));
+        let manifest = PathBuf::from(word(&package["manifest_path"]));
+        let folder = spelled(&root, manifest.parent().expect("a folder"));
+        (word(&package["name"]), (folder, needs.collect()))
+    };
+    list(&metadata["packages"]).iter().map(each).collect()
+}
+
+/// The code map: every source file with the first sentence of its documentation.
+pub fn map() -> String {
+    let mut made = String::from("```text\n");
+    for (name, (folder, _)) in crates() {
+        writeln!(made, "{name}").expect("text");
+        let prefix = format!("{folder}/src/");
+        for source in sources(&prefix) {
+            let file = source.path.strip_prefix(&prefix).unwrap_or(&source.path);
+            let summary = source.summary().unwrap_or_default();
+            writeln!(made, "  {file:<26} {summary}").expect("text");
+        }
+    }
+    made + "```\n"
+}

@@ -1,0 +1,125 @@
+//! The documents agree with each other and with the code.
+
+use groundbeam_verification::architecture::sources;
+use groundbeam_verification::documents::{expect, read, repository};
+
+#[test]
+fn the_problem_is_stated_once() {
+    expect("README.md", "problem", &read("crates/groundbeam/problem.md"));
+}
+
+#[test]
+fn the_example_in_the_readme_is_the_example() {
+    let readme = read("README.md");
+    let example = read("crates/groundbeam/examples/footing.rs");
+    let (_, code) = example.split_once("\n\n").expect("documentation, then code");
+    assert!(readme.contains(&format!("```rust\n{code}```")), "README.md holds footing.rs");
+    let printed = read("crates/groundbeam/examples/footing.expected");
+    assert!(readme.contains(&format!("```text\n{printed}```")), "README.md holds its output");
+    let model = read("docs/strip-footing.toml");
+    assert!(readme.contains(&format!("```toml\n{model}```")), "README.md holds the model file");
+}
+
+#[test]
+fn the_readme_tests_with_the_command_that_is_run_before_a_merge() {
+    let command = "\ncargo test --workspace\n";
+    assert!(read("README.md").contains(command) && read(".ci/run").contains(command));
+}
+
+/// Every model in the documents is read; a part of a model is completed by what it lacks.
+#[test]
+fn models_in_documents_are_models() {
+    let mut count = 0;
+    for path in ["README.md", "docs/file-format.md"] {
+        for block in blocks(&read(path), "toml") {
+            let mut model = block.clone();
+            for (table, text) in [
+                ("[beam]", "[beam]\nlength = \"12 m\"\nEI = \"1 GN m^2\"\n"),
+                ("[foundation]", "[foundation]\nk = \"40 MN/m^2\"\n"),
+                ("[[load]]", "[[load]]\npoint = \"600 kN\"\nat = \"1 m\"\n"),
+            ] {
+                if !block.contains(table) {
+                    model.push_str(text);
+                }
+            }
+            count += 1;
+            if let Err(faults) = groundbeam_file::parse(&model) {
+                panic!("{path}:\n{model}\n{}", faults.render(path, &model, false));
+            }
+        }
+    }
+    assert!(count >= 6, "models in the documents");
+}
+
+/// The table of notation names things that exist: types and fields in the library, keys in files and results.
+#[test]
+fn every_spelling_in_the_notation_exists() {
+    let text = |folder: &str| -> String {
+        sources(folder).iter().map(|source| source.code().to_owned()).collect()
+    };
+    let core = text("crates/groundbeam/src");
+    let files = text("crates/groundbeam-file/src");
+    let results = text("crates/groundbeam-report/src/json.rs")
+        + &read("crates/groundbeam-report/src/json.rs")
+        + &read("crates/groundbeam/src/solution.rs");
+    let notation = read("docs/notation.md");
+    let mut part = "";
+    let mut count = 0;
+    for line in notation.lines() {
+        if let Some(heading) = line.strip_prefix("## ") {
+            part = heading;
+        }
+        let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+        let [_, _, _, rust, key, ..] = cells[..] else { continue };
+        if !rust.starts_with('`') || part.starts_with("In ") {
+            continue;
+        }
+        count += 1;
+        let (rust, key) = (rust.trim_matches('`'), key.trim_matches('`'));
+        let (owner, name) = rust.split_once("::").unwrap_or(("", rust));
+        let owned = owner.is_empty()
+            || [format!("struct {owner} "), format!("enum {owner} ")]
+                .iter()
+                .any(|o| core.contains(o));
+        let named = [
+            format!("{name}:"),
+            format!("{name} {{"),
+            format!("fn {name}("),
+            format!("struct {name} "),
+        ];
+        assert!(owned && named.iter().any(|n| core.contains(n)), "the library has no {rust}");
+        let (spelled, place) =
+            if part == "Given" { (&files, "a file") } else { (&results, "a result") };
+        let keys = [format!("\"{key}\""), format!("{key}:")];
+        assert!(keys.iter().any(|k| spelled.contains(k)), "{place} has no key {key}");
+    }
+    assert!(count >= 25, "{count} lines of notation were read");
+}
+
+#[test]
+fn links_between_documents_lead_somewhere() {
+    let mut faults = Vec::new();
+    let docs = std::fs::read_dir(repository().join("docs")).expect("docs");
+    let docs =
+        docs.map(|entry| format!("docs/{}", entry.expect("entry").file_name().to_string_lossy()));
+    let top =
+        ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md", "reference/README.md"];
+    for path in docs.filter(|path| path.ends_with(".md")).chain(top.map(str::to_owned)) {
+        let folder = repository().join(&path).parent().expect("a folder").to_path_buf();
+        let text = read(&path);
+        for link in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+            let file = link.split('#').next().unwrap_or_default();
+            if !(file.is_empty() || link.starts_with("http") || folder.join(file).exists()) {
+                faults.push(format!("{path}: {link}"));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// The fenced blocks of one language.
+fn blocks(text: &str, language: &str) -> Vec<String> {
+    let fence = format!("```{language}\n");
+    let parts = text.split(&fence).skip(1);
+    parts.map(|part| part.split("```").next().unwrap_or_default().to_owned()).collect()
+}
