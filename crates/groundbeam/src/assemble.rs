@@ -63,6 +63,7 @@ fn claim(solution: &Solution, stability: f64) -> Claim<'_> {
     forces.push((l, right));
     let pieces = solution.stretches.iter().map(|stretch| ClaimedPiece {
         x: stretch.x,
+        half: stretch.half,
         deflection: &stretch.deflection,
         pressure: &stretch.pressure,
         open: stretch.open,
@@ -91,6 +92,7 @@ fn stretches(found: &Found, surface: &Surface) -> Vec<Stretch> {
         let cell = cut(&found.mesh, part);
         let [from, to] = part.s;
         let (middle, quarter) = (0.5 * (from + to), 0.5 * (to - from));
+        let half = 0.5 * found.mesh.cells[part.cell].length() * quarter;
         let whole = part.s == [-1.0, 1.0];
         let deflection = if whole {
             w.cell(part.cell).to_vec()
@@ -101,18 +103,25 @@ fn stretches(found: &Found, surface: &Surface) -> Vec<Stretch> {
         let pressure = if touching {
             let mut obstacle = deflection.clone();
             obstacle[0] -= 0.5 * (cell.gap[0] + cell.gap[1]);
-            obstacle[1] -= 0.5 * (cell.gap[1] - cell.gap[0]);
-            pressure_of(&cell, &obstacle)
+            obstacle[1] -= cell.gap_slope * half;
+            pressure_of(&cell, half, &obstacle)
         } else {
             Vec::new()
         };
         let moment = recovered.next().unwrap_or_else(|| {
-            let per_length = 2.0 / cell.length();
-            let factor = -cell.stiffness * per_length * per_length;
+            let factor = -cell.stiffness / (half * half);
             let bend = deflection.iter().enumerate().skip(2);
             bend.map(|(j, c)| factor * (j * (j - 1)) as f64 * c).collect()
         });
-        stretches.push(Stretch { x: cell.x, cell, deflection, moment, pressure, open: part.open });
+        stretches.push(Stretch {
+            half,
+            x: cell.x,
+            cell,
+            deflection,
+            moment,
+            pressure,
+            open: part.open,
+        });
     }
     stretches
 }

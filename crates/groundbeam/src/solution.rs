@@ -169,6 +169,8 @@ pub struct LiftOff {
 pub(crate) struct Stretch {
     /// Its ends \[m\].
     pub x: [f64; 2],
+    /// Half its length \[m\]: not the difference of its ends, which are rounded.
+    pub half: f64,
     /// The cell it lies in, cut to its ends: coefficients of ground, beam and loads.
     pub cell: Cell,
     /// Coefficients of w(s).
@@ -182,13 +184,9 @@ pub(crate) struct Stretch {
 }
 
 impl Stretch {
-    fn half(&self) -> f64 {
-        0.5 * (self.x[1] - self.x[0])
-    }
-
     /// b·h of the open ground.
     fn decay(&self) -> f64 {
-        (self.cell.spring / self.cell.shear).sqrt() * 2.0 * self.half()
+        (self.cell.spring / self.cell.shear).sqrt() * 2.0 * self.half
     }
 
     fn gap_at(&self, s: f64) -> f64 {
@@ -204,7 +202,7 @@ impl Stretch {
             Some([left, right]) => {
                 let t = 0.5 * (1.0 + s);
                 let bh = self.decay();
-                let b = bh / (2.0 * self.half());
+                let b = bh / (2.0 * self.half);
                 let slope = ground::slope_between(left, right, bh, t);
                 [ground::between(left, right, bh, t), b * slope]
             }
@@ -212,7 +210,7 @@ impl Stretch {
     }
 
     pub(crate) fn fields(&self, s: f64) -> Fields {
-        let per_length = 1.0 / self.half();
+        let per_length = 1.0 / self.half;
         let [w, dw, ..] = jet(&self.deflection, s);
         let slope = dw * per_length;
         let [moment, dm, ..] = jet(&self.moment, s);
@@ -250,7 +248,7 @@ impl Stretch {
             Field::Pressure => sign_changes(&derivative(&self.pressure, 1), &mut s),
             Field::Settlement if self.open.is_none() => {
                 let mut c = derivative(&self.deflection, 1);
-                c[0] -= 0.5 * (self.cell.gap[1] - self.cell.gap[0]);
+                c[0] -= self.cell.gap_slope * self.half;
                 sign_changes(&c, &mut s);
             }
             // Open ground is convex where it is positive: one lowest point at most.
@@ -260,7 +258,7 @@ impl Stretch {
             Field::Gap if self.open.is_some() => {
                 let slope = |st: &Stretch, at: f64| {
                     let [_, dw, ..] = jet(&st.deflection, at);
-                    st.settlement(at, 0.0, 0.0)[1] + st.cell.gap_slope - dw / st.half()
+                    st.settlement(at, 0.0, 0.0)[1] + st.cell.gap_slope - dw / st.half
                 };
                 self.turning_points(slope, &mut s);
             }
@@ -293,11 +291,18 @@ impl Stretch {
     }
 
     fn local(&self, x: f64) -> f64 {
-        Cell { x: self.x, ..self.cell }.local(x)
+        let [from, to] = self.x;
+        let s = if x - from <= to - x {
+            (x - from) / self.half - 1.0
+        } else {
+            1.0 - (to - x) / self.half
+        };
+        s.clamp(-1.0, 1.0)
     }
 
     fn global(&self, s: f64) -> f64 {
-        Cell { x: self.x, ..self.cell }.global(s)
+        let [from, to] = self.x;
+        if s <= 0.0 { from + self.half * (1.0 + s) } else { to - self.half * (1.0 - s) }
     }
 }
 

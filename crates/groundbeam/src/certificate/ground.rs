@@ -135,13 +135,12 @@ impl<'a> GroundSums<'a> {
         lift * self.total_pressure + 0.5 * lift * lift * self.lift_stiffness
     }
 
-    /// The smallest pressure or concentrated force, relative to the largest.
-    pub fn smallest_pressure(&self) -> f64 {
+    /// The smallest pressure or concentrated force, relative to the largest or to all forces' sizes.
+    pub fn smallest_pressure(&self, forces: f64) -> f64 {
         let relative = |x: f64, scale: f64| if x == 0.0 { 0.0 } else { x / scale };
-        let total = self.total_pressure;
         let spread =
-            relative(self.smallest_pressure, self.largest_pressure.max(total / self.length));
-        spread.min(relative(self.smallest_force, total))
+            relative(self.smallest_pressure, self.largest_pressure.max(forces / self.length));
+        spread.min(relative(self.smallest_force, self.total_pressure.max(forces)))
     }
 }
 
@@ -260,6 +259,8 @@ struct Under<'a> {
     spring: f64,
     shear: f64,
     gap: [f64; 2],
+    /// Half of what g₀ rises by.
+    rise: f64,
 }
 
 impl<'a> Under<'a> {
@@ -267,7 +268,8 @@ impl<'a> Under<'a> {
         let [from, to] = piece.x;
         let (spring, shear) = model.foundation.constants_at(0.5 * (from + to));
         let gap = piece.x.map(|x| initial_gap(model, x));
-        Under { piece, half: 0.5 * (to - from), spring, shear, gap }
+        let rise = initial_slope(model, 0.5 * (from + to)) * piece.half;
+        Under { piece, half: piece.half, spring, shear, gap, rise }
     }
 
     fn gap(&self, s: f64) -> f64 {
@@ -278,8 +280,7 @@ impl<'a> Under<'a> {
     fn surface(&self, s: f64) -> [f64; 2] {
         let Some([left, right]) = self.piece.open else {
             let [w, dw, ..] = jet(self.piece.deflection, s);
-            let rise = 0.5 * (self.gap[1] - self.gap[0]);
-            return [w - self.gap(s), (dw - rise) / self.half];
+            return [w - self.gap(s), (dw - self.rise) / self.half];
         };
         if self.shear == 0.0 {
             return [0.0, 0.0];
@@ -318,7 +319,7 @@ impl<'a> Under<'a> {
         let mut beam = self.piece.deflection.to_vec();
         beam.resize(beam.len().max(3), 0.0);
         beam[0] -= 0.5 * (self.gap[0] + self.gap[1]);
-        beam[1] -= 0.5 * (self.gap[1] - self.gap[0]);
+        beam[1] -= self.rise;
         self.pierced(&beam, -1.0, 1.0, tolerance, 0)
     }
 
@@ -386,4 +387,10 @@ fn initial_gap(model: &Model, x: f64) -> f64 {
         let t = (x - pair[0].at) / (pair[1].at - pair[0].at);
         pair[0].value * (1.0 - t) + pair[1].value * t
     })
+}
+
+/// g₀'(x) between corners, 0 beyond them.
+fn initial_slope(model: &Model, x: f64) -> f64 {
+    let between = model.gap.windows(2).find(|pair| pair[0].at < x && x < pair[1].at);
+    between.map_or(0.0, |pair| (pair[1].value - pair[0].value) / (pair[1].at - pair[0].at))
 }

@@ -85,6 +85,8 @@ pub(crate) struct Claim<'a> {
 /// A part of the beam on which w and p are polynomials of s ∈ \[−1, 1\].
 pub(crate) struct ClaimedPiece<'a> {
     pub x: [f64; 2],
+    /// Half its length; the ends themselves are rounded.
+    pub half: f64,
     pub deflection: &'a [f64],
     pub pressure: &'a [f64],
     /// u at both ends where the ground is free; none where it follows the beam.
@@ -153,7 +155,7 @@ pub(crate) fn certify(model: &Model, claim: &Claim) -> Certificate {
         relative_gap: relative(gap, strain),
         force_balance,
         moment_balance,
-        smallest_pressure: ground.smallest_pressure(),
+        smallest_pressure: ground.smallest_pressure(events.forces),
         deepest_penetration: relative(ground.penetration, sums.largest_deflection),
         complementarity: relative(
             ground.worst_product,
@@ -168,7 +170,7 @@ pub(crate) fn certify(model: &Model, claim: &Claim) -> Certificate {
 /// The beam's part of a piece: m from equilibrium, its misfit to EI w″, the energies.
 fn beam_piece(model: &Model, piece: &ClaimedPiece, events: &mut Events, sums: &mut Sums) {
     let [from, to] = piece.x;
-    let half = 0.5 * (to - from);
+    let half = piece.half;
     let stiffness = model.beam.bending_stiffness_at(0.5 * (from + to));
     let axial = model.beam.axial_force;
     let load = SpreadLoad::on(model, piece.x);
@@ -218,7 +220,7 @@ impl Claim<'_> {
     fn deflection(&self, x: f64) -> [f64; 2] {
         let i = self.pieces.partition_point(|piece| piece.x[1] < x).min(self.pieces.len() - 1);
         let piece = &self.pieces[i];
-        let half = 0.5 * (piece.x[1] - piece.x[0]);
+        let half = piece.half;
         let s = ((x - 0.5 * (piece.x[0] + piece.x[1])) / half).clamp(-1.0, 1.0);
         let [w, dw, ..] = jet(piece.deflection, s);
         [w, dw / half]

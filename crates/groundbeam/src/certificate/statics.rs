@@ -59,7 +59,7 @@ impl Events {
 
     /// Integrates over a piece; returns the coefficients of m(s).
     pub fn integrate(&mut self, piece: &ClaimedPiece, load: &SpreadLoad, axial: f64) -> Vec<f64> {
-        let half = 0.5 * (piece.x[1] - piece.x[0]);
+        let half = piece.half;
         let mut net = piece.pressure.to_vec();
         net.resize(net.len().max(2), 0.0);
         let size = |c: &[f64]| c.iter().map(|c| c.abs()).sum::<f64>() * 2.0 * half;

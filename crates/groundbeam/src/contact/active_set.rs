@@ -87,8 +87,11 @@ impl Default for Stalled {
 
 /// Steps before a solve is given up; thousands of random models need at most a few dozen.
 const MOST_STEPS: usize = 400;
-/// Newton's decrement, relative to twice the strain energy, below which the next step is the last.
+/// Newton's decrement, relative to twice the strain energy, below which the steps go on only as long as
+/// each makes it a hundred times smaller.
 const CLOSE: f64 = 1e-15;
+/// The decrement that rounding leaves: no step can be smaller.
+const LEAST: f64 = 1e-30;
 /// The same on a mesh that only gives the next one its start.
 const COARSE_CLOSE: f64 = 1e-6;
 /// The part of the slope along a line that may remain.
@@ -135,13 +138,14 @@ fn solve(
         }
     };
     let mut zones = newton.contact(&now.coefficients);
-    let mut last = false;
+    let mut before = f64::INFINITY;
     for _ in 0..MOST_STEPS {
         let (next, damping) = newton.step(&now, &zones)?;
         let target = newton.unfold(next);
         let line = Line::new(&newton, &now, &target, &zones, damping);
         history.push(Step { zones: zones.len(), step: 1.0, decrement: line.decrement });
-        if last || line.decrement <= 1e-30 {
+        let settled = before <= close && (close > CLOSE || line.decrement > 1e-2 * before);
+        if settled || line.decrement <= LEAST {
             zones = newton.contact(&target.coefficients);
             let State { shapes, coefficients } = target;
             let terms = TERMS;
@@ -160,7 +164,8 @@ fn solve(
         if let Some(step) = history.last_mut() {
             step.step = t;
         }
-        last = line.decrement <= close && t == 1.0 && damping == 0.0;
+        let full = t == 1.0 && damping == 0.0;
+        before = if full { line.decrement } else { f64::INFINITY };
         now = if t == 1.0 { target } else { now.towards(&target, t) };
         zones = newton.contact(&now.coefficients);
     }

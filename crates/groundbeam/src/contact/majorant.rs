@@ -272,7 +272,7 @@ impl<'a> Scan<'a> {
     /// The coefficients of π = kψ − μψ'' in cell i.
     fn pressure(&self, i: usize) -> Vec<f64> {
         let cell = &self.w.mesh.cells[i];
-        pressure_of(cell, &self.w.obstacle(i))
+        pressure_of(cell, 0.5 * cell.length(), &self.w.obstacle(i))
     }
 
     /// ψ, dψ/dx and π at a spot.
@@ -486,10 +486,9 @@ fn whole_cells(mesh: &Mesh, from: usize, to: usize, before: Option<Link>) -> Opt
     link
 }
 
-/// The coefficients of kψ − μψ'' from those of ψ.
-pub(crate) fn pressure_of(cell: &Cell, obstacle: &[f64]) -> Vec<f64> {
-    let per_length = 2.0 / cell.length();
-    let factor = cell.shear * per_length * per_length;
+/// The coefficients of kψ − μψ'' from those of ψ on a stretch of half length `half`.
+pub(crate) fn pressure_of(cell: &Cell, half: f64, obstacle: &[f64]) -> Vec<f64> {
+    let factor = cell.shear / (half * half);
     (0..obstacle.len())
         .map(|j| {
             let bend = obstacle.get(j + 2).map_or(0.0, |c| ((j + 2) * (j + 1)) as f64 * c);

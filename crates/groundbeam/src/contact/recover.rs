@@ -27,7 +27,7 @@ pub(crate) fn moments(
         let cell = &mesh.cells[i];
         let h = cell.length();
         let spread = distributed(found) && own.iter().any(|part| part.open.is_none());
-        let pressure = if spread { pressure_of(cell, &w.obstacle(i)) } else { Vec::new() };
+        let pressure = if spread { pressure_of(cell, 0.5 * h, &w.obstacle(i)) } else { Vec::new() };
         let mut demand = hermite::element(cell, mesh.axial_force).forces(&found.shapes[i]);
         for part in own.iter().filter(|part| spread && part.open.is_none()) {
             hermite::add_work(&mut demand, h, part.s, &pressure);

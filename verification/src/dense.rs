@@ -1,0 +1,132 @@
+//! The paper's discrete problem (5.10)–(5.11), written out densely and without any cleverness.
+//!
+//! Only for beams whose loads stand on the nodes of an even mesh. Nothing here is shared with the library:
+//! stiffness by the deflections and slopes of both ends as textbooks print it, G by its formula (2.4).
+
+use groundbeam::{Load, Model};
+
+/// Minimise ½WᵀKW + ½uᵀAu − FᵀW subject to u ≥ w, with A = G⁻¹.
+#[derive(Debug, Clone)]
+pub struct Dense {
+    /// Nodes.
+    pub nodes: usize,
+    /// K, 2N × 2N: w₁, θ₁, w₂, θ₂, …
+    pub stiffness: Vec<Vec<f64>>,
+    /// F, 2N.
+    pub load: Vec<f64>,
+    /// G, N × N.
+    pub flexibility: Vec<Vec<f64>>,
+}
+
+impl Dense {
+    /// The problem of a uniform beam on a uniform Pasternak foundation.
+    pub fn new(model: &Model, elements: usize) -> Self {
+        let nodes = elements + 1;
+        let h = model.beam.length / elements as f64;
+        let (ei, p) = (model.beam.bending_stiffness, model.beam.axial_force);
+        let bend = [
+            [12.0, 6.0 * h, -12.0, 6.0 * h],
+            [6.0 * h, 4.0 * h * h, -6.0 * h, 2.0 * h * h],
+            [-12.0, -6.0 * h, 12.0, -6.0 * h],
+            [6.0 * h, 2.0 * h * h, -6.0 * h, 4.0 * h * h],
+        ];
+        let pull = [
+            [36.0, 3.0 * h, -36.0, 3.0 * h],
+            [3.0 * h, 4.0 * h * h, -3.0 * h, -h * h],
+            [-36.0, -3.0 * h, 36.0, -3.0 * h],
+            [3.0 * h, -h * h, -3.0 * h, 4.0 * h * h],
+        ];
+        let mut stiffness = vec![vec![0.0; 2 * nodes]; 2 * nodes];
+        for e in 0..elements {
+            for i in 0..4 {
+                for j in 0..4 {
+                    stiffness[2 * e + i][2 * e + j] +=
+                        ei / h.powi(3) * bend[i][j] + p / (30.0 * h) * pull[i][j];
+                }
+            }
+        }
+        let mut load = vec![0.0; 2 * nodes];
+        let node = |x: f64| (x / h).round() as usize;
+        for l in &model.loads {
+            match *l {
+                Load::PointForce { at, force } => load[2 * node(at)] += force,
+                Load::PointMoment { at, moment } => load[2 * node(at) + 1] += moment,
+                Load::Distributed { start, .. } => {
+                    for e in 0..elements {
+                        load[2 * e] += 0.5 * start * h;
+                        load[2 * e + 1] += start * h * h / 12.0;
+                        load[2 * e + 2] += 0.5 * start * h;
+                        load[2 * e + 3] -= start * h * h / 12.0;
+                    }
+                }
+                Load::DistributedMoment { .. } => unreachable!("not drawn for this problem"),
+            }
+        }
+        let (k, mu) = (model.foundation.spring, model.foundation.shear);
+        let b = (k / mu).sqrt();
+        let g = |i: usize, j: usize| (-b * h * i.abs_diff(j) as f64).exp() / (2.0 * mu * b);
+        let flexibility = (0..nodes).map(|i| (0..nodes).map(|j| g(i, j)).collect()).collect();
+        Dense { nodes, stiffness, load, flexibility }
+    }
+
+    /// Tries every set of touching nodes and returns w and p of the one that satisfies all signs.
+    pub fn by_exhaustion(&self) -> Option<(Vec<f64>, Vec<f64>)> {
+        (1..1_usize << self.nodes).find_map(|set| {
+            let touching: Vec<usize> = (0..self.nodes).filter(|i| set >> i & 1 == 1).collect();
+            self.with_contact(&touching)
+        })
+    }
+
+    /// K W + p = F with (G p − w)ᵢ = 0 on the set and p = 0 off it; none if a sign fails.
+    fn with_contact(&self, touching: &[usize]) -> Option<(Vec<f64>, Vec<f64>)> {
+        let (n, m) = (2 * self.nodes, touching.len());
+        let mut a = vec![vec![0.0; n + m + 1]; n + m];
+        for i in 0..n {
+            a[i][..n].copy_from_slice(&self.stiffness[i]);
+            a[i][n + m] = self.load[i];
+        }
+        for (j, &node) in touching.iter().enumerate() {
+            a[2 * node][n + j] = 1.0;
+            a[n + j][2 * node] = -1.0;
+            for (i, &other) in touching.iter().enumerate() {
+                a[n + j][n + i] = self.flexibility[node][other];
+            }
+        }
+        let x = solve(a)?;
+        let w: Vec<f64> = (0..self.nodes).map(|i| x[2 * i]).collect();
+        let mut p = vec![0.0; self.nodes];
+        for (j, &node) in touching.iter().enumerate() {
+            p[node] = x[n + j];
+        }
+        let largest = w.iter().fold(0.0, |m: f64, w| m.max(w.abs()));
+        let force = p.iter().fold(0.0, |m: f64, p| m.max(p.abs()));
+        let u = |i: usize| self.flexibility[i].iter().zip(&p).map(|(g, p)| g * p).sum::<f64>();
+        let clear = (0..self.nodes).all(|i| u(i) - w[i] >= -1e-9 * largest);
+        (p.iter().all(|p| *p >= -1e-9 * force) && clear).then_some((w, p))
+    }
+}
+
+/// Gauss's elimination with the largest pivot; none for a singular matrix.
+fn solve(mut a: Vec<Vec<f64>>) -> Option<Vec<f64>> {
+    let n = a.len();
+    let scale = a.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
+    for p in 0..n {
+        let best = (p..n).max_by(|&i, &j| a[i][p].abs().total_cmp(&a[j][p].abs()))?;
+        a.swap(p, best);
+        if a[p][p].abs() < 1e-13 * scale {
+            return None;
+        }
+        for i in p + 1..n {
+            let factor = a[i][p] / a[p][p];
+            for j in p..=n {
+                a[i][j] -= factor * a[p][j];
+            }
+        }
+    }
+    let mut x = vec![0.0; n];
+    for i in (0..n).rev() {
+        let sum: f64 = (i + 1..n).map(|j| a[i][j] * x[j]).sum();
+        x[i] = (a[i][n] - sum) / a[i][i];
+    }
+    Some(x)
+}

@@ -1,0 +1,193 @@
+//! Thousands of random models: each solved, certified, and unmoved by what must not move it.
+
+use groundbeam::{Field, Method, Model, Options, Outcome, Side, Solution, solve, solve_with};
+use groundbeam_verification::random::{Family, model};
+
+fn exact(model: &Model) -> Result<Solution, String> {
+    match solve(model) {
+        Ok(Outcome::Equilibrium(solution)) => Ok(*solution),
+        Ok(Outcome::NoEquilibrium(_)) => Err("no equilibrium".into()),
+        Err(error) => Err(error.to_string()),
+    }
+}
+
+fn report(faults: &[String]) {
+    assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
+}
+
+/// No failure, and no result without a proof.
+#[test]
+fn exact_is_certified() {
+    let mut faults = Vec::new();
+    for family in Family::ALL {
+        let count = if family == Family::Long || family == Family::Hard { 100 } else { 500 };
+        for number in 0..count {
+            match exact(&model(family, number)) {
+                Ok(solution) => {
+                    let certificate = solution.certificate();
+                    if certificate.relative_gap > 1e-10 || certificate.violation() > 1e-7 {
+                        faults.push(format!("{family:?} {number}: {certificate:?}"));
+                    }
+                }
+                Err(error) => faults.push(format!("{family:?} {number}: {error}")),
+            }
+        }
+    }
+    report(&faults);
+}
+
+/// Any number of elements: an answer whose distance from the exact one its own certificate bounds.
+#[test]
+fn active_set_stays_within_its_certificate() {
+    let mut faults = Vec::new();
+    for family in Family::ALL {
+        let count = if family == Family::Long || family == Family::Hard { 60 } else { 300 };
+        for number in 0..count {
+            let model = model(family, number);
+            let elements = [1, 2, 7, 16, 50, 100, 333, 1000][number as usize % 8];
+            let options = Options { method: Method::ActiveSet, elements, ..Options::default() };
+            let coarse = match solve_with(&model, &options) {
+                Ok(Outcome::Equilibrium(solution)) => solution,
+                other => {
+                    faults.push(format!("{family:?} {number} {elements}: {other:?}"));
+                    continue;
+                }
+            };
+            let Ok(exact) = exact(&model) else { continue };
+            let certificate = coarse.certificate();
+            // Half the squared error in the energy is at most the gap: the energies differ by less.
+            let excess = certificate.primal_energy - exact.certificate().primal_energy;
+            let rounding = 1e-9 * exact.certificate().primal_energy.abs();
+            if excess > certificate.gap + rounding || excess < -rounding {
+                faults.push(format!(
+                    "{family:?} {number} {elements}: energy off by {excess:e}, gap {:e}",
+                    certificate.gap
+                ));
+            }
+            for i in 0..=20 {
+                let x = model.beam.length * f64::from(i) / 20.0;
+                let error = (coarse.settlement(x) - exact.settlement(x)).abs();
+                if error
+                    > certificate.settlement_bound * (1.0 + 1e-9) + 1e-9 * exact.settlement(x).abs()
+                {
+                    faults.push(format!(
+                        "{family:?} {number} {elements}: u({x}) off by {error:e}, bound {:e}",
+                        certificate.settlement_bound
+                    ));
+                    break;
+                }
+            }
+        }
+    }
+    report(&faults);
+}
+
+/// Loads times 2ᵏ: every field times 2ᵏ, bit for bit, and the same contact.
+#[test]
+fn scaling_by_a_power_of_two_is_bit_identical() {
+    let families =
+        [Family::Plain, Family::Tension, Family::Segments, Family::Winkler, Family::Supported];
+    let mut faults = Vec::new();
+    for family in families {
+        for number in 0..200 {
+            let model = model(family, number);
+            let factor = 2_f64.powi([-20, -3, 1, 11, 40][number as usize % 5]);
+            let scaled = model.clone().with_loads_scaled(factor);
+            for method in [Method::Exact, Method::ActiveSet] {
+                let options = Options { method, elements: 37, ..Options::default() };
+                let (Ok(Outcome::Equilibrium(a)), Ok(Outcome::Equilibrium(b))) =
+                    (solve_with(&model, &options), solve_with(&scaled, &options))
+                else {
+                    faults.push(format!("{family:?} {number}: no answer"));
+                    continue;
+                };
+                let same = a.contact() == b.contact()
+                    && a.iterations() == b.iterations()
+                    && (0..=50).all(|i| {
+                        let x = model.beam.length * f64::from(i) / 50.0;
+                        let (a, b) = (a.at(x, Side::Right), b.at(x, Side::Right));
+                        Field::ALL.iter().all(|&f| {
+                            (a.get(f) * factor).to_bits() == b.get(f).to_bits() || a.get(f) == 0.0
+                        })
+                    });
+                if !same {
+                    faults.push(format!("{family:?} {number} {method:?}: not the same bits"));
+                }
+            }
+        }
+    }
+    report(&faults);
+}
+
+/// The mirrored model has the mirrored answer.
+#[test]
+fn mirror_images_mirror() {
+    let mut faults = Vec::new();
+    for family in [
+        Family::Plain,
+        Family::Tension,
+        Family::Segments,
+        Family::Winkler,
+        Family::Supported,
+        Family::Gap,
+    ] {
+        for number in 0..200 {
+            let model = model(family, number);
+            let l = model.beam.length;
+            let (Ok(a), Ok(b)) = (exact(&model), exact(&model.mirrored())) else {
+                faults.push(format!("{family:?} {number}: no answer"));
+                continue;
+            };
+            let scale = |f: Field| {
+                let range = a.range(f);
+                range.max.value.abs().max(range.min.value.abs())
+            };
+            for i in 1..50 {
+                // Off the places where fields jump.
+                let x = l * (f64::from(i) + 0.123_456_7) / 51.0;
+                let (here, there) = (a.at(x, Side::Right), b.at(l - x, Side::Left));
+                for (field, sign) in [
+                    (Field::Deflection, 1.0),
+                    (Field::Moment, 1.0),
+                    (Field::ShearForce, -1.0),
+                    (Field::Slope, -1.0),
+                ] {
+                    let error = (here.get(field) - sign * there.get(field)).abs();
+                    if error > 1e-9 * scale(field) {
+                        faults.push(format!(
+                            "{family:?} {number}: {} at {x}: {error:e}",
+                            field.name()
+                        ));
+                    }
+                }
+            }
+            let (p, q) = (a.end_forces(), b.end_forces());
+            let total: f64 = scale(Field::ShearForce) + p.left + p.right;
+            if (p.left - q.right).abs() + (p.right - q.left).abs() > 1e-9 * total {
+                faults.push(format!("{family:?} {number}: end forces {p:?} {q:?}"));
+            }
+        }
+    }
+    report(&faults);
+}
+
+/// μ → 0 tends to Winkler's ground.
+#[test]
+fn a_vanishing_shear_layer_is_winklers_ground() {
+    for number in 0..50 {
+        let winkler = model(Family::Winkler, number);
+        let at = winkler.beam.length * 0.3;
+        let reference = exact(&winkler).expect("an answer").value(Field::Deflection, at);
+        let natural = (winkler.foundation.spring * winkler.beam.bending_stiffness).sqrt();
+        let mut last = f64::INFINITY;
+        for power in [-4, -6, -8] {
+            let mut soft = winkler.clone();
+            soft.foundation.shear = natural * 10_f64.powi(power);
+            let w = exact(&soft).expect("an answer").value(Field::Deflection, at);
+            let error = (w - reference).abs()
+                / exact(&winkler).expect("an answer").range(Field::Deflection).max.value.abs();
+            assert!(error < last * 0.5 || error < 1e-7, "{number}: {error:e} after {last:e}");
+            last = error;
+        }
+    }
+}

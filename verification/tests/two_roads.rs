@@ -1,0 +1,158 @@
+//! The paper's discrete problem by four roads: the active set, the paper's iteration, brute force over all
+//! contact sets, and an interior-point solver for quadratic programs.
+
+use clarabel::algebra::CscMatrix;
+use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
+use groundbeam::{
+    Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Pressure, Solution, Verdict,
+    exists, solve_with,
+};
+use groundbeam_verification::dense::Dense;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+/// A beam with loads on the nodes of an even mesh.
+fn model(rng: &mut ChaCha8Rng, elements: usize) -> Model {
+    loop {
+        let l = 10_f64.powf(rng.random_range(-0.5..1.0));
+        let k = 10_f64.powf(rng.random_range(-1.0..1.0));
+        let ei = 0.25 * k * (l / 10_f64.powf(rng.random_range(-0.5..0.6))).powi(4);
+        let mu = k * (l * 10_f64.powf(rng.random_range(-1.0..0.5))).powi(2);
+        let mut beam = Beam::uniform(l, ei);
+        if rng.random_bool(0.3) {
+            beam.axial_force = ei / (l * l) * rng.random_range(0.1..10.0);
+        }
+        let mut model = Model::new(beam, Foundation::pasternak(k, mu));
+        for _ in 0..rng.random_range(1..4) {
+            let at = l * (rng.random_range(0..=elements) as f64 / elements as f64);
+            model.loads.push(Load::point(rng.random_range(-0.3..1.0), at));
+        }
+        if rng.random_bool(0.5) {
+            let at = l * (rng.random_range(0..=elements) as f64 / elements as f64);
+            model.loads.push(Load::moment(l * rng.random_range(-0.3..0.3), at));
+        }
+        if rng.random_bool(0.3) {
+            model.loads.push(Load::uniform(rng.random_range(0.0..1.0) / l, 0.0, l));
+        }
+        if exists(&model).is_ok_and(|e| e.verdict == Verdict::Unique) {
+            return model;
+        }
+    }
+}
+
+fn solved(model: &Model, method: Method, elements: usize) -> Solution {
+    let options = Options { method, elements, pressure: Pressure::Dirac, ..Options::default() };
+    match solve_with(model, &options) {
+        Ok(Outcome::Equilibrium(solution)) => *solution,
+        Ok(Outcome::NoEquilibrium(_)) => panic!("no equilibrium: {model:?}"),
+        Err(error) => panic!("{error}: {model:?}"),
+    }
+}
+
+/// w and p at the nodes.
+fn nodal(solution: &Solution, elements: usize) -> (Vec<f64>, Vec<f64>) {
+    let l = solution.model().beam.length;
+    let x = |i: usize| l * (i as f64 / elements as f64);
+    let w = (0..=elements).map(|i| solution.value(Field::Deflection, x(i))).collect();
+    let mut p = vec![0.0; elements + 1];
+    for force in solution.concentrated_forces() {
+        p[(force.at / l * elements as f64).round() as usize] += force.force;
+    }
+    p[0] = solution.end_forces().left;
+    p[elements] = solution.end_forces().right;
+    (w, p)
+}
+
+fn distance(a: &[f64], b: &[f64]) -> f64 {
+    let size = b.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / size
+}
+
+#[test]
+fn brute_force_over_all_contact_sets() {
+    let mut rng = ChaCha8Rng::seed_from_u64(1980);
+    for number in 0..400 {
+        let elements = rng.random_range(2..9);
+        let model = model(&mut rng, elements);
+        let (w, p) = Dense::new(&model, elements).by_exhaustion().expect("one set satisfies all");
+        let (found_w, found_p) = nodal(&solved(&model, Method::ActiveSet, elements), elements);
+        let (dw, dp) = (distance(&found_w, &w), distance(&found_p, &p));
+        assert!(dw < 1e-7 && dp < 1e-7, "{number}: {dw:e} {dp:e} {model:?}");
+    }
+}
+
+#[test]
+fn the_papers_iteration() {
+    let mut rng = ChaCha8Rng::seed_from_u64(517);
+    for number in 0..200 {
+        let elements = rng.random_range(2..12);
+        let model = model(&mut rng, elements);
+        let (w, p) = nodal(&solved(&model, Method::ActiveSet, elements), elements);
+        for method in [Method::Uzawa, Method::Psor] {
+            let (found_w, found_p) = nodal(&solved(&model, method, elements), elements);
+            let (dw, dp) = (distance(&found_w, &w), distance(&found_p, &p));
+            assert!(dw < 1e-6 && dp < 1e-6, "{number} {method:?}: {dw:e} {dp:e} {model:?}");
+        }
+    }
+}
+
+#[test]
+fn an_interior_point_solver() {
+    let mut rng = ChaCha8Rng::seed_from_u64(11);
+    for number in 0..60 {
+        let elements = rng.random_range(10..40);
+        let model = model(&mut rng, elements);
+        let Some(w) = by_clarabel(&Dense::new(&model, elements)) else { continue };
+        let (found, _) = nodal(&solved(&model, Method::ActiveSet, elements), elements);
+        let dw = distance(&found, &w);
+        // Its own accuracy on a stiffness with h⁻³ in it.
+        assert!(dw < 2e-4, "{number}: {dw:e} {model:?}");
+    }
+}
+
+/// Over p ≥ 0 and W: minimise ½pᵀGp + ½WᵀKW subject to K W + p = F, the reciprocal form (3.9).
+fn by_clarabel(dense: &Dense) -> Option<Vec<f64>> {
+    let (n, m) = (dense.nodes, 2 * dense.nodes);
+    let size = m + n;
+    let upper = |a: &[Vec<f64>], shift: usize, out: &mut Vec<(usize, usize, f64)>| {
+        for (i, row) in a.iter().enumerate() {
+            for (j, &value) in row.iter().enumerate().skip(i) {
+                out.push((shift + i, shift + j, value));
+            }
+        }
+    };
+    let mut hessian = Vec::new();
+    upper(&dense.stiffness, 0, &mut hessian);
+    upper(&dense.flexibility, m, &mut hessian);
+    let mut rows = Vec::new();
+    for i in 0..m {
+        for j in 0..m {
+            if dense.stiffness[i][j] != 0.0 {
+                rows.push((i, j, dense.stiffness[i][j]));
+            }
+        }
+        if i % 2 == 0 {
+            rows.push((i, m + i / 2, 1.0));
+        }
+    }
+    for i in 0..n {
+        rows.push((m + i, m + i, -1.0));
+    }
+    let csc = |rows: usize, entries: &[(usize, usize, f64)]| {
+        let i = entries.iter().map(|e| e.0).collect();
+        let j = entries.iter().map(|e| e.1).collect();
+        CscMatrix::new_from_triplets(rows, size, i, j, entries.iter().map(|e| e.2).collect())
+    };
+    let mut right = dense.load.clone();
+    right.extend(vec![0.0; n]);
+    let cones = [SupportedConeT::ZeroConeT(m), SupportedConeT::NonnegativeConeT(n)];
+    let settings = DefaultSettings { verbose: false, ..DefaultSettings::default() };
+    let (p, a) = (csc(size, &hessian), csc(m + n, &rows));
+    let mut solver = DefaultSolver::new(&p, &vec![0.0; size], &a, &right, &cones, settings).ok()?;
+    solver.solve();
+    if solver.solution.status != SolverStatus::Solved {
+        return None;
+    }
+    // The multiplier of K W + p = F is the deflection, rigid motion and all.
+    Some((0..n).map(|i| -solver.solution.z[2 * i]).collect())
+}
