@@ -81,8 +81,8 @@ pub(crate) struct Mesh {
     pub outside: [f64; 2],
 }
 
-/// EI over h²(N + kh²) of a stiffened cell; waves are then longer than it.
-const STIFF: f64 = 4.0;
+/// EI over h²(N + kh²) of a stiffened cell: no more than its own where its waves are longer than it.
+const STIFF: f64 = 0.5;
 
 /// Positions closer than this part of the beam's length are one position.
 const SAME_PLACE: f64 = 4.0 * f64::EPSILON;

@@ -173,7 +173,7 @@ pub fn solve_with(model: &Model, options: &Options) -> Result<Outcome, Error> {
         let certificate = solution.certificate();
         certificate.violation() <= proof.violation && certificate.relative_gap <= proof.gap
     };
-    let found = find(model, options, proven)?;
+    let found = find(model, options, existence, proven)?;
     let solution = assemble(model, options.method, existence, stability, found);
     certified(solution, options)
 }
@@ -216,6 +216,7 @@ fn check(model: &Model) -> Result<Checked, Error> {
 fn find(
     model: &Model,
     options: &Options,
+    existence: Existence,
     proven: impl Fn(&Found, exact::Proof) -> bool,
 ) -> Result<Found, Error> {
     let method = options.method;
@@ -238,7 +239,14 @@ fn find(
         })
     };
     match method {
-        Method::Exact => exact::solve(model, proven).map_err(stalled),
+        Method::Exact => match existence.verdict {
+            Verdict::NotUnique(motion) if stands_on_an_end(model, existence) => {
+                let over_left = motion.left == 0.0;
+                exact::solve_balanced(model, existence.resultant(), over_left, proven)
+            }
+            _ => exact::solve(model, proven),
+        }
+        .map_err(stalled),
         Method::ActiveSet => {
             // A mesh too coarse for the beam's waves: from a beam that it suits to the beam itself.
             let mesh = Mesh::uniform(model, elements);
@@ -259,6 +267,12 @@ fn find(
             uzawa::solve(mesh, relaxation, from_bilateral, options.most_sweeps).map_err(stalled)
         }
     }
+}
+
+/// Whether a free beam's resultant is exactly over one end and pushes down.
+fn stands_on_an_end(model: &Model, existence: Existence) -> bool {
+    let free = model.supports.is_empty() && model.beam.axial_force == 0.0;
+    free && existence.resultant() > 0.0
 }
 
 /// The part of the model that gives ground without a shear layer under the beam.

@@ -414,12 +414,14 @@ impl<'a> Line<'a> {
         (ground - self.glued) - (1.0 - t) * self.beam - self.damping
     }
 
-    /// A t at which most of the slope is gone; 1 whenever that is true of the full step.
+    /// A t at which most of the slope is gone and Φ has fallen; 1 whenever that is true of the full step.
+    /// The slope grows along the line, so Φ falls as long as it is not positive, and Φ(1) − Φ(0) is at
+    /// most the mean of the slopes at ½ and 1.
     fn settle(&self) -> f64 {
         let small = SETTLED * self.fall;
         let (mut low, mut low_slope) = (0.0, -self.fall);
         let (mut high, mut high_slope) = (1.0, self.slope(1.0));
-        if high_slope.abs() <= small {
+        if high_slope.abs() <= small && (high_slope <= 0.0 || self.slope(0.5) + high_slope <= 0.0) {
             return 1.0;
         }
         while high_slope < -small && high < 1e12 {
@@ -431,7 +433,7 @@ impl<'a> Line<'a> {
         let mut slope = high_slope;
         let mut kept = 0;
         for _ in 0..60 {
-            if slope.abs() <= small {
+            if slope <= 0.0 && -slope <= small {
                 break;
             }
             // Regula falsi, halving the weight of an end that stays (Illinois).

@@ -19,10 +19,13 @@ use crate::chain::{Chain, ChainCell, Loose};
 use crate::elements::exact::{ExactElement, TERMS, parts};
 use crate::elements::{Operator, Touch};
 use crate::mesh::{Cell, Mesh};
-use crate::model::Model;
+use crate::model::{Load, Model};
+use crate::polynomial::jet;
 
 /// Cells of the first coarse mesh per wave length of the beam on its ground.
 const COARSE: f64 = 1.0;
+/// The most cells between two nodes of the model on the first coarse mesh.
+const MOST_COARSE: f64 = 64.0;
 /// How often the coarse mesh is refined fourfold before the model is given up.
 const REFINEMENTS: u32 = 5;
 /// Newton steps from one coarse mesh.
@@ -40,6 +43,9 @@ pub(crate) struct Proof {
     /// unbalanced.
     pub violation: f64,
 }
+
+/// How far from an end the resultant stands whose limit is taken, as a part of the length.
+const ALMOST: f64 = 1e-6;
 
 /// What ends the iteration early, and what is accepted in the end.
 const PROVEN: Proof = Proof { gap: 1e-13, violation: 1e-13 };
@@ -62,7 +68,7 @@ pub(crate) fn solve(
         let axial = model.beam.axial_force;
         let wanted = |cell: &Cell| {
             let wave = Operator::of(cell, axial, Touch::Contact).wave_number();
-            (wave * cell.length() * fine).ceil().max(2.0) as usize
+            (wave * cell.length() * fine).ceil().clamp(2.0, MOST_COARSE * fine) as usize
         };
         // From two elements between nodes, doubled until every stretch has what it wants.
         let most = Mesh::build(model, &[], |_| 1).cells.iter().map(wanted).max().unwrap_or(2);
@@ -70,9 +76,7 @@ pub(crate) fn solve(
         let mesh = |i: u32| {
             let parts = |cell: &Cell| wanted(cell).next_power_of_two().min(1 << i);
             let mut mesh = Mesh::build(model, &[], parts);
-            if i < doublings {
-                mesh.stiffen();
-            }
+            mesh.stiffen();
             mesh
         };
         let coarse =
@@ -96,6 +100,42 @@ pub(crate) fn solve(
     Err(Stalled { iterations, ..last })
 }
 
+/// A slope given at an end, by a spring that equilibrium leaves without a moment.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Held {
+    left: bool,
+    slope: f64,
+}
+
+/// Solves a free beam whose resultant stands exactly over one of its ends. That end alone carries it, and
+/// the beam may stand on it at any angle beyond the one at which it leaves the ground tangentially, which
+/// is the limit of resultants that move towards the end. One such angle is taken.
+pub(crate) fn solve_balanced(
+    model: &Model,
+    resultant: f64,
+    over_left: bool,
+    proven: impl Fn(&Found, Proof) -> bool,
+) -> Result<Found, Stalled> {
+    let l = model.beam.length;
+    let inward = if over_left { ALMOST } else { -ALMOST };
+    let nearly = model.clone().with_load(Load::moment(inward * resultant * l, 0.5 * l));
+    let limit = solve(&nearly, |_, _| false)?;
+    let last = limit.mesh.cells.len() - 1;
+    let (cell, s) = if over_left { (0, -1.0) } else { (last, 1.0) };
+    let [w, dw, ..] = jet(limit.deflection().cell(cell), s);
+    let tangent = 2.0 * dw / limit.mesh.cells[cell].length();
+    // Beyond the limit, clear of the ground: the limit's last stretch of contact has a length of order
+    // √ALMOST, and its slope an error of that order.
+    let beyond = 10.0 * ALMOST.sqrt() * tangent.abs().max(w.abs() / l);
+    let slope = if over_left { tangent - beyond } else { tangent + beyond };
+    let end = if over_left { 0.0 } else { l };
+    let history = limit.history;
+    match glued(model, &[[end, end]], Some(Held { left: over_left, slope })) {
+        Ok((found, _)) if proven(&found, ENOUGH) => Ok(Found { history, ..found }),
+        _ => Err(unsettled(history.len(), f64::NAN)),
+    }
+}
+
 /// Newton's steps on the edges, from the contact of a coarse solution.
 fn refine(
     model: &Model,
@@ -108,7 +148,7 @@ fn refine(
     let mut moved = f64::INFINITY;
     let mut last: Option<Found> = None;
     for step in 0..MOST_STEPS {
-        let Ok((found, zones)) = glued(model, &stretches) else {
+        let Ok((found, zones)) = glued(model, &stretches, None) else {
             // A beam balanced on one point has no next step, and may need none.
             return match last.take() {
                 Some(found) if proven(&found, ENOUGH) => Ok(Found { history, ..found }),
@@ -139,7 +179,11 @@ fn unsettled(iterations: usize, reached: f64) -> Stalled {
 }
 
 /// The beam glued to the ground on given stretches, solved exactly, and the contact it asks for.
-pub(crate) fn glued(model: &Model, stretches: &[Stretch]) -> Result<(Found, Vec<Zone>), Loose> {
+pub(crate) fn glued(
+    model: &Model,
+    stretches: &[Stretch],
+    held: Option<Held>,
+) -> Result<(Found, Vec<Zone>), Loose> {
     let axial = model.beam.axial_force;
     let edges: Vec<f64> = stretches.iter().flatten().copied().collect();
     let touches = |x: f64| stretches.iter().any(|s| s[0] < x && x < s[1]);
@@ -167,7 +211,13 @@ pub(crate) fn glued(model: &Model, stretches: &[Stretch]) -> Result<(Found, Vec<
             })
         })
         .collect();
-    let nodes = layout.nodes(&mesh);
+    let mut nodes = layout.nodes(&mesh);
+    if let Some(held) = held {
+        let node = if held.left { 0 } else { nodes.len() - 1 };
+        let spring = model.beam.bending_stiffness / model.beam.length;
+        nodes[node].rotational_spring += spring;
+        nodes[node].moment += spring * held.slope;
+    }
     let shapes = Chain { nodes, cells, meeting: layout.meeting_node(&mesh) }.solve()?.cells;
     let coefficients: Vec<f64> =
         elements.iter().zip(&shapes).flat_map(|(exact, v)| exact.unfold(v)).collect();
@@ -242,7 +292,7 @@ fn distance(a: &[Stretch], b: &[Stretch]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Beam, Foundation, Load};
+    use crate::model::{Beam, Foundation};
 
     /// Kikuchi's case IV: the edge from 60-digit arithmetic, and how fast it is reached.
     #[test]
@@ -253,7 +303,7 @@ mod tests {
         let mut stretches = vec![[0.8, 1.0]];
         let mut errors = Vec::new();
         for _ in 0..4 {
-            let (found, zones) = glued(&model, &stretches).expect("a solution");
+            let (found, zones) = glued(&model, &stretches, None).expect("a solution");
             stretches = positions(&found.mesh, &zones);
             errors.push((stretches[0][0] - 0.811_326_256_449_155).abs());
         }
