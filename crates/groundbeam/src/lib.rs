@@ -1,8 +1,27 @@
 //! Beams on ground that can only push back.
 //!
-//! The unilateral contact of a bending beam with a Pasternak foundation, after N. Kikuchi, *Beam bending
-//! problems on a Pasternak foundation using reciprocal variational inequalities* (1980), whose equation
-//! numbers are used throughout.
+//! The unilateral contact of a bending beam with a Pasternak foundation, solved exactly and with proof.
+//!
+#![doc = include_str!("../problem.md")]
+//!
+//! [`solve()`] takes a [`Model`] and says what mechanics says: an [`Outcome`] that is either a [`Solution`]
+//! with its [`Certificate`], or no equilibrium, with the [`RigidMotion`] that proves it. What is wrong with
+//! a model is an [`Error`].
+//!
+//! ```
+//! use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, solve};
+//!
+//! // Kikuchi's case IV: a unit force and a moment at the middle, the left end lifts off.
+//! let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
+//!     .with_load(Load::point(1.0, 0.5))
+//!     .with_load(Load::moment(0.49, 0.5));
+//! let Outcome::Equilibrium(solution) = solve(&model)? else { panic!("it tips") };
+//! assert_eq!(format!("{:.12}", solution.contact()[0].from), "0.811326256449");
+//! assert_eq!(format!("{:.12}", solution.end_forces().right), "0.897199981230");
+//! assert_eq!(format!("{:.12}", solution.value(Field::Deflection, 0.0)), "0.013217803941");
+//! assert!(solution.certificate().relative_gap < 1e-12);
+//! # Ok::<(), groundbeam::Error>(())
+//! ```
 
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]

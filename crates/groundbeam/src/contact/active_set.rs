@@ -94,6 +94,8 @@ const CLOSE: f64 = 1e-15;
 const LEAST: f64 = 1e-30;
 /// The same on a mesh that only gives the next one its start.
 const COARSE_CLOSE: f64 = 1e-6;
+/// The part of the bonded ground that first damps a step.
+const LEAST_DAMPING: f64 = 1e-6;
 /// The part of the slope along a line that may remain.
 const SETTLED: f64 = 0.1;
 
@@ -139,8 +141,9 @@ fn solve(
     };
     let mut zones = newton.contact(&now.coefficients);
     let mut before = f64::INFINITY;
+    let mut least_damping = 0.0;
     for _ in 0..MOST_STEPS {
-        let (next, damping) = newton.step(&now, &zones)?;
+        let (next, damping) = newton.step(&now, &zones, least_damping)?;
         let target = newton.unfold(next);
         let line = Line::new(&newton, &now, &target, &zones, damping);
         history.push(Step { zones: zones.len(), step: 1.0, decrement: line.decrement });
@@ -164,6 +167,8 @@ fn solve(
         if let Some(step) = history.last_mut() {
             step.step = t;
         }
+        // A direction that leads nowhere is one in which the contact holds the beam by rounding alone.
+        least_damping = if t < 1e-9 { (100.0 * damping).max(LEAST_DAMPING) } else { 0.0 };
         let full = t == 1.0 && damping == 0.0;
         before = if full { line.decrement } else { f64::INFINITY };
         now = if t == 1.0 { target } else { now.towards(&target, t) };
@@ -281,14 +286,19 @@ impl<'a> Newton<'a> {
     }
 
     /// Newton's step: the glued solve, damped only if the contact alone cannot hold the beam.
-    fn step(&self, now: &State, zones: &[Zone]) -> Result<(Vec<[f64; 4]>, f64), Stalled> {
-        let undamped = self.glued(zones, None);
-        if let Ok(shapes) = undamped
+    fn step(
+        &self,
+        now: &State,
+        zones: &[Zone],
+        least_damping: f64,
+    ) -> Result<(Vec<[f64; 4]>, f64), Stalled> {
+        if least_damping == 0.0
+            && let Ok(shapes) = self.glued(zones, None)
             && shapes.iter().flatten().all(|v| v.is_finite())
         {
             return Ok((shapes, 0.0));
         }
-        let mut weight = 1e-6;
+        let mut weight = least_damping.max(LEAST_DAMPING);
         while weight < 10.0 {
             if let Ok(shapes) = self.glued(zones, Some((weight, now))) {
                 return Ok((shapes, weight));

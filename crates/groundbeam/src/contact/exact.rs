@@ -161,7 +161,8 @@ fn refine(
         history.push(Step { zones: next.len(), step: 1.0, decrement: moved });
         // Quadratic convergence ends at rounding: no further step would make it smaller.
         let settled = moved <= 1e-15 || (moved <= 1e-12 && moved >= 0.25 * before);
-        if settled || (step >= PATIENCE && proven(&found, PROVEN)) {
+        let proof = if step >= 2 * PATIENCE { ENOUGH } else { PROVEN };
+        if settled || (step >= PATIENCE && proven(&found, proof)) {
             return Ok(Found { history, ..found });
         }
         stretches = next;
