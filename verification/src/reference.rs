@@ -1,6 +1,6 @@
 //! The multiprecision answers in `reference/answers`, and how far a solution is from them.
 
-use groundbeam::{Field, Model, Side, Solution};
+use groundbeam::{Field, Load, Model, Side, Solution};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -82,6 +82,13 @@ impl Answer {
         }
     }
 
+    fn loaded_near(&self, x: f64, near: f64) -> bool {
+        self.parsed().loads.iter().any(|load| match *load {
+            Load::PointForce { at, .. } | Load::PointMoment { at, .. } => (at - x).abs() <= near,
+            Load::Distributed { .. } | Load::DistributedMoment { .. } => false,
+        })
+    }
+
     fn numbers(&self, key: &str) -> Vec<f64> {
         let list = self.stations[key].as_array().expect("a list of numbers");
         list.iter().map(|v| v.as_f64().unwrap_or(f64::NAN)).collect()
@@ -97,6 +104,9 @@ impl Answer {
             // A clearance is a difference of deflections.
             let largest = match field {
                 Field::Gap => self.largest["gap"].max(self.largest["deflection"]),
+                Field::Settlement => {
+                    self.largest["settlement"].max(1e-9 * self.largest["deflection"])
+                }
                 _ => self.largest[field.name()],
             };
             let wanted = self.numbers(field.name());
@@ -104,7 +114,12 @@ impl Answer {
                 // A limit at an edge is a limit at the edge that was found.
                 let edges = solution.contact().iter().flat_map(|region| [region.from, region.to]);
                 let near = |edge: &f64| side != "" && (edge - x).abs() <= 1e-11 * l;
-                let x = edges.into_iter().find(near).unwrap_or(x);
+                let edge = edges.into_iter().find(near);
+                // A load within rounding of an edge: which of two jumps comes first is no question.
+                if edge.is_some() && self.loaded_near(x, 1e-11 * l) {
+                    continue;
+                }
+                let x = edge.unwrap_or(x);
                 let side = if side == "-" || x == l { Side::Left } else { Side::Right };
                 let error = (solution.at(x, side).get(field) - wanted).abs();
                 if error > 0.0 {
@@ -125,8 +140,9 @@ impl Answer {
         let ends = solution.end_forces();
         let mut forces =
             vec![(ends.left, self.end_forces["left"]), (ends.right, self.end_forces["right"])];
-        for (found, wanted) in solution.reactions().iter().zip(&self.reactions) {
-            forces.push((found.force, wanted.force));
+        for wanted in &self.reactions {
+            let found = solution.reactions().iter().find(|found| found.at == wanted.at);
+            forces.push((found.map_or(f64::NAN, |found| found.force), wanted.force));
         }
         let shear = self.largest["shear_force"];
         let scale = forces.iter().fold(shear, |scale, f| scale.max(f.1.abs()));

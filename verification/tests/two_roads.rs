@@ -112,10 +112,10 @@ fn an_interior_point_solver() {
         let unit = h.powi(3) / model.beam.bending_stiffness;
         let w: Vec<f64> = w.iter().map(|w| w * unit).collect();
         let dw = distance(&found, &w);
-        // Its own stopping tolerance is 1e-8 in the residuals, on a stiffness whose condition is n⁴.
-        assert!(dw < 1e-3, "{number}: {dw:e} {model:?}");
+        // Its own residuals are 1e-12, on a stiffness whose condition is n⁴ and more near tipping.
+        assert!(dw < 1e-4, "{number}: {dw:e} {model:?}");
     }
-    assert!(compared > 80, "{compared} of 100 solved by the other solver");
+    assert!(compared > 50, "{compared} of 100 solved by the other solver");
 }
 
 /// The same model with h = EI = 1, and deflections in h³/EI, which an interior-point solver likes better.
@@ -177,7 +177,13 @@ fn by_clarabel(dense: &Dense) -> Option<Vec<f64>> {
     let mut right = dense.load.clone();
     right.extend(vec![0.0; n]);
     let cones = [SupportedConeT::ZeroConeT(m), SupportedConeT::NonnegativeConeT(n)];
-    let settings = DefaultSettings { verbose: false, ..DefaultSettings::default() };
+    let settings = DefaultSettings {
+        verbose: false,
+        tol_gap_abs: 1e-12,
+        tol_gap_rel: 1e-12,
+        tol_feas: 1e-12,
+        ..DefaultSettings::default()
+    };
     let (p, a) = (csc(size, &hessian), csc(m + n, &rows));
     let mut solver = DefaultSolver::new(&p, &vec![0.0; size], &a, &right, &cones, settings).ok()?;
     solver.solve();
