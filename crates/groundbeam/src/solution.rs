@@ -441,8 +441,10 @@ impl Solution {
     /// The stretches that do not touch, each with its largest gap.
     pub fn lift_off(&self) -> Vec<LiftOff> {
         let mut found: Vec<LiftOff> = Vec::new();
+        // Nodal contact leaves slivers between touching nodes: within a region they are no lift-off.
+        let inside = |x: [f64; 2]| self.contact.iter().any(|c| c.from <= x[0] && x[1] <= c.to);
         for stretch in &self.stretches {
-            if stretch.open.is_none() {
+            if stretch.open.is_none() || inside(stretch.x) {
                 continue;
             }
             let mut largest = Extreme { x: stretch.x[0], value: f64::NEG_INFINITY };
@@ -464,8 +466,6 @@ impl Solution {
                 _ => found.push(LiftOff { from, to, largest_gap: largest }),
             }
         }
-        // Nodal contact leaves slivers between touching nodes: within a region they are no lift-off.
-        found.retain(|l| !self.contact.iter().any(|c| c.from <= l.from && l.to <= c.to));
         found
     }
 
