@@ -6,8 +6,11 @@
 //! stiffness found as a small difference of large ones. Each element is crossed once on the way in
 //! and once on the way out: the cost is linear in the number of elements.
 
+mod mirror;
+
 use crate::elements::Element;
 use crate::ground::Link;
+use mirror::{mirror_cell, mirror_shape};
 
 /// What a link of the ground is tied to.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -99,6 +102,8 @@ struct Return {
     constant: [f64; 3],
     /// v = C (w_right, θ_right, v₁, v₂).
     by_left: [bool; 2],
+    /// Whether the third unknown is u_right − u_left.
+    rise: bool,
     /// u of the left node where it ends there: u = constant − gain·(w, θ).
     ended: [f64; 3],
 }
@@ -222,22 +227,37 @@ fn cross(
     state: &Behind,
     back: &mut Return,
 ) -> Result<Behind, Loose> {
-    // Everything behind the right node, in (w_l, θ_l, d₁, d₂ | u_l, u_r).
+    // Everything behind the right node, in (w_l, θ_l, d₁, d₂ | u_l, u_r). Where the ground runs open from
+    // node to node, its rise δ = u_r − u_l takes the place of u_l: short ground couples its ends far more
+    // stiffly than anything holds them, and that stiffness must not swallow the rest.
+    let open = |tied: &TiedLink| tied.left == Tie::SurfaceLeft && tied.right == Tie::SurfaceRight;
+    back.rise = links.iter().any(open);
+    let surface_left =
+        if back.rise { [0.0, 0.0, 0.0, 0.0, -1.0, 1.0] } else { [0.0, 0.0, 0.0, 0.0, 1.0, 0.0] };
     let mut k = [[0.0; 6]; 6];
     let mut q = [0.0; 6];
     for i in 0..4 {
         k[i][..4].copy_from_slice(&element.stiffness[i]);
         q[i] = element.load[i];
     }
-    let slots = [0, 1, 4];
-    for (i, &a) in slots.iter().enumerate() {
-        q[a] += state.r[i];
-        for (j, &b) in slots.iter().enumerate() {
-            k[a][b] += state.s[i][j];
+    for i in [W, THETA] {
+        q[i] += state.r[i];
+        for j in [W, THETA] {
+            k[i][j] += state.s[i][j];
+        }
+        for j in [4, 5] {
+            k[i][j] += state.s[i][U] * surface_left[j];
+            k[j][i] += state.s[i][U] * surface_left[j];
+        }
+    }
+    for i in [4, 5] {
+        q[i] += state.r[U] * surface_left[i];
+        for j in [4, 5] {
+            k[i][j] += state.s[U][U] * surface_left[i] * surface_left[j];
         }
     }
     for tied in links {
-        add_link(tied, &mut k, &mut q);
+        add_link(tied, &surface_left, &mut k, &mut q);
     }
 
     back.by_left = [
@@ -341,9 +361,9 @@ fn condense(
     Ok(ahead)
 }
 
-fn add_link(tied: &TiedLink, k: &mut [[f64; 6]; 6], q: &mut [f64; 6]) {
+fn add_link(tied: &TiedLink, surface_left: &[f64; 6], k: &mut [[f64; 6]; 6], q: &mut [f64; 6]) {
     let functional = |tie: Tie| match tie {
-        Tie::SurfaceLeft => ([0.0, 0.0, 0.0, 0.0, 1.0, 0.0], 0.0),
+        Tie::SurfaceLeft => (*surface_left, 0.0),
         Tie::SurfaceRight => ([0.0, 0.0, 0.0, 0.0, 0.0, 1.0], 0.0),
         Tie::Beam { row, gap } => ([row[0], row[1], row[2], row[3], 0.0, 0.0], gap),
     };
@@ -389,7 +409,7 @@ impl Return {
         let c = transform(h, self.by_left);
         let z = [y[W], y[THETA], e[0], e[1]];
         *v = std::array::from_fn(|i| (0..4).map(|j| c[i][j] * z[j]).sum());
-        [v[0], v[1], e[2]]
+        [v[0], v[1], if self.rise { y[U] - e[2] } else { e[2] }]
     }
 
     /// u at a node where the unknown surface ends, seen from the cell just crossed.
@@ -401,41 +421,4 @@ impl Return {
         }
         y
     }
-}
-
-/// v = (w_l, θ_l, d₁, d₂) from the same four of the element seen in a mirror, and back.
-fn mirror_shape(v: &[f64; 4], h: f64) -> [f64; 4] {
-    let [w, theta, d1, d2] = *v;
-    [w + h * theta + d1, -(theta + d2), h * d2 - d1, d2]
-}
-
-fn mirror_row(row: &[f64; 4], h: f64) -> [f64; 4] {
-    // row·v = row·(Q v') with Q of `mirror_shape`.
-    let [a, b, c, d] = *row;
-    [a, h * a - b, a - c, d - b + h * c]
-}
-
-fn mirror_cell(cell: &ChainCell) -> (Element, Vec<TiedLink>) {
-    let h = cell.element.length;
-    let half: [[f64; 4]; 4] = std::array::from_fn(|i| mirror_row(&cell.element.stiffness[i], h));
-    let stiffness = std::array::from_fn(|j| {
-        let column = [half[0][j], half[1][j], half[2][j], half[3][j]];
-        mirror_row(&column, h)
-    });
-    let element = Element { length: h, stiffness, load: mirror_row(&cell.element.load, h) };
-    let mirror_tie = |tie: Tie| match tie {
-        Tie::SurfaceLeft => Tie::SurfaceRight,
-        Tie::SurfaceRight => Tie::SurfaceLeft,
-        Tie::Beam { row, gap } => Tie::Beam { row: mirror_row(&row, h), gap },
-    };
-    let links = cell.links.iter().map(|tied| TiedLink {
-        link: Link {
-            leak_left: tied.link.leak_right,
-            leak_right: tied.link.leak_left,
-            ..tied.link
-        },
-        left: mirror_tie(tied.right),
-        right: mirror_tie(tied.left),
-    });
-    (element, links.collect())
 }
