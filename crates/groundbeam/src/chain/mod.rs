@@ -227,11 +227,15 @@ fn cross(
     state: &Behind,
     back: &mut Return,
 ) -> Result<Behind, Loose> {
-    // Everything behind the right node, in (w_l, θ_l, d₁, d₂ | u_l, u_r). Where the ground runs open from
-    // node to node, its rise δ = u_r − u_l takes the place of u_l: short ground couples its ends far more
-    // stiffly than anything holds them, and that stiffness must not swallow the rest.
-    let open = |tied: &TiedLink| tied.left == Tie::SurfaceLeft && tied.right == Tie::SurfaceRight;
-    back.rise = links.iter().any(open);
+    // Everything behind the right node, in (w_l, θ_l, d₁, d₂ | u_l, u_r). Where open ground couples its
+    // ends more stiffly than anything holds them, as short ground does, its rise δ = u_r − u_l takes the
+    // place of u_l: that stiffness must not swallow the rest.
+    let stiff = |tied: &TiedLink| {
+        tied.left == Tie::SurfaceLeft
+            && tied.right == Tie::SurfaceRight
+            && tied.link.coupling > state.s[U][U]
+    };
+    back.rise = links.iter().any(stiff);
     let surface_left =
         if back.rise { [0.0, 0.0, 0.0, 0.0, -1.0, 1.0] } else { [0.0, 0.0, 0.0, 0.0, 1.0, 0.0] };
     let mut k = [[0.0; 6]; 6];
