@@ -88,7 +88,7 @@ impl Default for Stalled {
 /// Steps before a solve is given up; thousands of random models need at most a few dozen.
 const MOST_STEPS: usize = 400;
 /// Newton's decrement, relative to twice the strain energy, below which the steps go on only as long as
-/// each makes it a hundred times smaller.
+/// each makes it at least twice as small.
 const CLOSE: f64 = 1e-15;
 /// The decrement that rounding leaves: no step can be smaller.
 const LEAST: f64 = 1e-30;
@@ -147,7 +147,7 @@ fn solve(
         let target = newton.unfold(next);
         let line = Line::new(&newton, &now, &target, &zones, damping);
         history.push(Step { zones: zones.len(), step: 1.0, decrement: line.decrement });
-        let settled = before <= close && (close > CLOSE || line.decrement > 1e-2 * before);
+        let settled = before <= close && (close > CLOSE || line.decrement > 0.5 * before);
         if settled || line.decrement <= LEAST {
             zones = newton.contact(&target.coefficients);
             let State { shapes, coefficients } = target;
