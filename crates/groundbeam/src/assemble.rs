@@ -82,8 +82,11 @@ fn stretches(found: &Found, surface: &Surface) -> Vec<Stretch> {
     let recovered = if exact {
         Vec::new()
     } else {
+        // Forces at nodes are the elements' own business: only those within a cell are needed, and nodal
+        // pressures (5.5) have none.
+        let within = surface.atoms.iter().filter(|a| a.spot.s.abs() < 1.0);
         let forces: Vec<(usize, f64, f64)> =
-            surface.atoms.iter().map(|a| (a.spot.cell, a.spot.s, a.force)).collect();
+            within.map(|a| (a.spot.cell, a.spot.s, a.force)).collect();
         recover::moments(found, &surface.parts, &forces)
     };
     let mut recovered = recovered.into_iter();

@@ -8,8 +8,8 @@
 //! term. The inner minimum is the [majorant](super::majorant), found without iteration. Where it touches
 //! the ground acts as if glued to the beam, elsewhere not at all: Newton's step is one solve of the
 //! glued [chain](crate::chain). If the full step does not settle the slope of Φ along its line, the zero
-//! of that slope is searched for. Since Φ falls with every step and its minimum is unique, no contact
-//! set can come back: the method cannot cycle. `docs/methods.md` has the argument in full.
+//! of that slope is searched for. Φ falls with every accepted step, so no deflection comes back; what that
+//! proves about the number of steps, and what it does not, is in `docs/methods.md`.
 
 use super::layout::Layout;
 use super::majorant::{self, Deflection, Zone};

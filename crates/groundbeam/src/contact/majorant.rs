@@ -183,17 +183,12 @@ impl<'a> Scan<'a> {
                 None => self.beyond_to(new.from),
             };
             loop {
-                let Some(last) = stack.last_mut() else {
+                let Some(last) = stack.last() else {
                     self.trim_right(&mut joint, new.to);
                     break;
                 };
                 self.tighten(&mut joint, last.zone.from, new.to);
-                let Some(touch) = joint.left else { break };
-                last.zone.to = touch;
-                if touch == last.zone.from && self.pull(&last.joint, &joint) <= 0.0 {
-                    joint = self.merged(&last.joint, &last.zone, &joint);
-                    stack.pop();
-                } else {
+                if !self.drops_last(&mut stack, &mut joint) {
                     break;
                 }
             }
@@ -204,6 +199,19 @@ impl<'a> Scan<'a> {
         }
         self.close(&mut stack);
         stack.into_iter().map(|held| held.zone).collect()
+    }
+
+    /// Ends the last zone where the joint begins; if a pull is all that is left of it, drops it and lets the
+    /// joint run on to the one before.
+    fn drops_last(&self, stack: &mut Vec<Held>, joint: &mut Joint) -> bool {
+        let (Some(last), Some(touch)) = (stack.last_mut(), joint.left) else { return false };
+        last.zone.to = touch;
+        let dropped = touch == last.zone.from && self.pull(&last.joint, joint) <= 0.0;
+        if dropped {
+            *joint = self.merged(&last.joint, &last.zone, joint);
+            stack.pop();
+        }
+        dropped
     }
 
     /// The ground beyond the right end trims the last zones.
@@ -219,14 +227,9 @@ impl<'a> Scan<'a> {
                 None => beyond,
             }),
         };
-        while let Some(last) = stack.last_mut() {
+        while let Some(last) = stack.last() {
             self.trim_left(&mut joint, last.zone.from);
-            let Some(touch) = joint.left else { break };
-            last.zone.to = touch;
-            if touch == last.zone.from && self.pull(&last.joint, &joint) <= 0.0 {
-                joint = self.merged(&last.joint, &last.zone, &joint);
-                stack.pop();
-            } else {
+            if !self.drops_last(stack, &mut joint) {
                 break;
             }
         }
