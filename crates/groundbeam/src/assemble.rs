@@ -8,7 +8,7 @@ use crate::contact::recover;
 use crate::contact::surface::{Atom, Part, Surface};
 use crate::existence::Existence;
 use crate::mesh::{Cell, Mesh};
-use crate::model::{Model, SupportKind};
+use crate::model::{Load, Model, Support, SupportKind};
 use crate::polynomial::rescale;
 use crate::solution::{
     ConcentratedForce, ContactRegion, EndForces, Reaction, Side, Solution, Stretch,
@@ -163,52 +163,85 @@ fn regions(found: &Found) -> Vec<ContactRegion> {
     regions
 }
 
-/// From the jumps of shear and moment at each support, and the springs' own laws.
+/// From the equilibrium of the beam about each support, and the springs' own laws.
 fn reactions(solution: &Solution) -> Vec<Reaction> {
-    let model = &solution.model;
-    let axial = model.beam.axial_force;
-    let mesh = Mesh::build(model, &[], |_| 1);
-    let total = |x: f64, side: Side| {
-        let i = mesh.cells.partition_point(|c| c.x[1] < x);
-        let beyond = match side {
-            Side::Left => x <= 0.0,
-            Side::Right => x >= model.beam.length,
+    let supports = &solution.model.supports;
+    let reaction = |support: &Support| {
+        let x = support.at;
+        let (force, moment) = match support.kind {
+            SupportKind::Pinned => (lift(solution, x), 0.0),
+            SupportKind::Fixed => (lift(solution, x), turn(solution, x)),
+            SupportKind::Spring { spring, rotational_spring } => {
+                let here = solution.at(x, Side::Right);
+                (spring * here.deflection, -rotational_spring * here.slope)
+            }
         };
-        if beyond {
-            return [0.0, 0.0];
-        }
-        let fields = solution.at(x, side);
-        // g at x from the given side.
-        let cell = match side {
-            Side::Left => &mesh.cells[i],
-            Side::Right => &mesh.cells[mesh.cell_at(x)],
-        };
-        let g = if cell.x[0] >= x { cell.moment_load[0] } else { cell.moment_load[1] };
-        [fields.shear_force + axial * fields.slope - g, fields.moment]
+        Reaction { at: x, force, moment }
     };
-    model
-        .supports
-        .iter()
-        .map(|support| {
-            let x = support.at;
-            let [before, after] = [total(x, Side::Left), total(x, Side::Right)];
-            let node = mesh.nodes.iter().find(|n| (n.x - x).abs() <= 1e-12 * model.beam.length);
-            let (force, moment) = node.map_or((0.0, 0.0), |n| (n.force, n.moment));
-            let contact: f64 =
-                solution.concentrated.iter().filter(|c| c.at == x).map(|c| c.force).sum::<f64>()
-                    + if x == 0.0 { solution.end_forces.left } else { 0.0 }
-                    + if x == model.beam.length { solution.end_forces.right } else { 0.0 };
-            let up = after[0] - before[0] + force - contact;
-            let turn = after[1] - before[1] - moment;
-            let (force, moment) = match support.kind {
-                SupportKind::Pinned => (up, 0.0),
-                SupportKind::Fixed => (up, turn),
-                SupportKind::Spring { spring, rotational_spring } => {
-                    let here = solution.at(x, Side::Right);
-                    (spring * here.deflection, -rotational_spring * here.slope)
-                }
-            };
-            Reaction { at: x, force, moment }
-        })
-        .collect()
+    supports.iter().map(reaction).collect()
 }
+
+/// The force of a support at x: what the beam between the middles of the spans on both sides of it lacks
+/// to be in equilibrium. Next to a pin, where the beam hardly does more than turn, an element's own shear
+/// has lost its digits; half a span away it has not.
+fn lift(solution: &Solution, x: f64) -> f64 {
+    let model = &solution.model;
+    let (axial, l) = (model.beam.axial_force, model.beam.length);
+    let others = || model.supports.iter().map(|support| support.at);
+    let span_left = others().filter(|&at| at < x).fold(0.0, f64::max);
+    let span_right = others().filter(|&at| at > x).fold(l, f64::min);
+    // T = V + P w' − g at an end of a stretch.
+    let total = |stretch: &Stretch, s: f64, end: usize| {
+        let fields = stretch.fields(s);
+        fields.shear_force + axial * fields.slope - stretch.cell.moment_load[end]
+    };
+    let stretches = &solution.stretches;
+    let holding = |x: f64| stretches.partition_point(|s| s.x[1] < x).min(stretches.len() - 1);
+    let (first, from, before) = if x <= 0.0 {
+        (0, 0.0, 0.0)
+    } else {
+        let i = holding(0.5 * (span_left + x));
+        (i + 1, stretches[i].x[1], total(&stretches[i], 1.0, 1))
+    };
+    let (end, to, after) = if x >= l {
+        (stretches.len(), l, 0.0)
+    } else {
+        let i = holding(0.5 * (x + span_right));
+        (i, stretches[i].x[0], total(&stretches[i], -1.0, 0))
+    };
+    let near = SAME_PLACE * l;
+    let inside = |at: f64| from - near <= at && at <= to + near;
+    let mut force = after - before;
+    for stretch in stretches.get(first..end).unwrap_or_default() {
+        let even = stretch.pressure.iter().enumerate().step_by(2);
+        let pressure: f64 = even.map(|(j, c)| c / (j + 1) as f64).sum();
+        let [left, right] = stretch.cell.load;
+        force += stretch.half * (left + right - 2.0 * pressure);
+    }
+    for load in &model.loads {
+        if let Load::PointForce { at, force: load } = *load
+            && inside(at)
+        {
+            force += load;
+        }
+    }
+    let EndForces { left, right } = solution.end_forces;
+    let ends = [(0.0, left), (l, right)];
+    let contact = solution.concentrated.iter().map(|c| (c.at, c.force)).chain(ends);
+    force - contact.filter(|(at, _)| inside(*at)).map(|(_, force)| force).sum::<f64>()
+}
+
+/// The moment of a fixed support at x: the jump of the beam's own less the loads'.
+fn turn(solution: &Solution, x: f64) -> f64 {
+    let l = solution.model.beam.length;
+    let before = if x <= 0.0 { 0.0 } else { solution.at(x, Side::Left).moment };
+    let after = if x >= l { 0.0 } else { solution.at(x, Side::Right).moment };
+    let loads = solution.model.loads.iter().map(|load| match *load {
+        Load::PointMoment { at, moment } if (at - x).abs() <= SAME_PLACE * l => moment,
+        _ => 0.0,
+    });
+    after - before - loads.sum::<f64>()
+}
+
+/// Positions closer than this part of the length are one.
+const SAME_PLACE: f64 = 16.0 * f64::EPSILON;

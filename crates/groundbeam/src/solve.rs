@@ -1,9 +1,9 @@
 //! The road from a model to a certified answer, on one page.
 
 use crate::assemble::assemble;
-use crate::contact::active_set::{self, Found, Pressure, Stalled};
-use crate::contact::exact;
+use crate::contact::active_set::{Found, Pressure, Stalled};
 use crate::contact::uzawa::{self, Relaxation};
+use crate::contact::{exact, nested};
 use crate::existence::{Existence, Verdict, existence, held_rigidly};
 use crate::mesh::Mesh;
 use crate::model::{Model, Part, Problem};
@@ -248,14 +248,8 @@ fn find(
         }
         .map_err(stalled),
         Method::ActiveSet => {
-            // A mesh too coarse for the beam's waves: from a beam that it suits to the beam itself.
             let mesh = Mesh::uniform(model, elements);
-            let stages = (mesh.stiffening().log2() / 4.0).ceil() as u32;
-            let stage = |i: u32| match i {
-                _ if i == stages => mesh.clone(),
-                _ => mesh.stiffened(f64::from(i) / f64::from(stages)),
-            };
-            active_set::solve_nested((0..=stages).map(stage), options.pressure).map_err(stalled)
+            nested::solve_on(model, mesh, options.pressure).map_err(stalled)
         }
         Method::Psor | Method::Uzawa => {
             let relaxation = match method {

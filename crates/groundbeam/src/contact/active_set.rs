@@ -85,46 +85,27 @@ impl Default for Stalled {
     }
 }
 
-/// Steps before a solve is given up; thousands of random models need at most a few dozen.
-const MOST_STEPS: usize = 400;
+/// Steps before a solve is given up. A few dozen are the rule; soft beams hundreds of waves long, lifted to a
+/// million times what they settle, take up to a thousand.
+const MOST_STEPS: usize = 4000;
 /// Newton's decrement, relative to twice the strain energy, below which the steps go on only as long as
 /// each makes it at least twice as small.
-const CLOSE: f64 = 1e-15;
+pub(crate) const CLOSE: f64 = 1e-15;
+/// The same on a mesh that only gives the next one its start.
+pub(crate) const COARSE_CLOSE: f64 = 1e-6;
 /// The decrement that rounding leaves: no step can be smaller.
 const LEAST: f64 = 1e-30;
-/// The same on a mesh that only gives the next one its start.
-const COARSE_CLOSE: f64 = 1e-6;
+/// What is left to fall where rounding decides between two contacts that mean the same, as at a clamp that
+/// the beam leaves flat: accepted when [`PATIENCE`] steps have not halved it. The certificate judges.
+const ROUNDED: f64 = 1e-12;
+const PATIENCE: usize = 12;
 /// The part of the bonded ground that first damps a step.
 const LEAST_DAMPING: f64 = 1e-6;
 /// The part of the slope along a line that may remain.
 const SETTLED: f64 = 0.1;
 
-/// Solves on the last of some meshes, each finer than the one before, which give it its start: on a mesh
-/// too coarse for the waves of a soft beam there are no far zones to be lost one after another.
-pub(crate) fn solve_nested(
-    meshes: impl Iterator<Item = Mesh>,
-    pressure: Pressure,
-) -> Result<Found, Stalled> {
-    let mut meshes = meshes.peekable();
-    let mut found: Option<Found> = None;
-    let mut history = Vec::new();
-    while let Some(mesh) = meshes.next() {
-        let close = if meshes.peek().is_some() { COARSE_CLOSE } else { CLOSE };
-        match solve(mesh, pressure, found.as_ref(), close) {
-            Ok(mut next) => {
-                history.append(&mut next.history);
-                found = Some(next);
-            }
-            // The finer mesh begins on its own.
-            Err(stalled) if meshes.peek().is_none() => return Err(stalled),
-            Err(_) => found = None,
-        }
-    }
-    found.map(|found| Found { history, ..found }).ok_or_else(Stalled::default)
-}
-
 /// Solves on one mesh, from the bonded beam or from the solution on another mesh.
-fn solve(
+pub(crate) fn solve(
     mesh: Mesh,
     pressure: Pressure,
     start: Option<&Found>,
@@ -133,7 +114,7 @@ fn solve(
     let newton = Newton::new(&mesh, pressure);
     let mut history = Vec::new();
     let mut now = match start {
-        Some(found) => newton.unfold(interpolated(&mesh, found)),
+        Some(found) => newton.unfold(super::nested::interpolated(&mesh, found)),
         None => {
             let nothing_holds = |Loose| Stalled::default();
             newton.unfold(newton.glued(&newton.bonded(), None).map_err(nothing_holds)?)
@@ -142,13 +123,17 @@ fn solve(
     let mut zones = newton.contact(&now.coefficients);
     let mut before = f64::INFINITY;
     let mut least_damping = 0.0;
+    let (mut least, mut since) = (f64::INFINITY, 0);
     for _ in 0..MOST_STEPS {
         let (next, damping) = newton.step(&now, &zones, least_damping)?;
         let target = newton.unfold(next);
         let line = Line::new(&newton, &now, &target, &zones, damping);
         history.push(Step { zones: zones.len(), step: 1.0, decrement: line.decrement });
         let settled = before <= close && (close > CLOSE || line.decrement > 0.5 * before);
-        if settled || line.decrement <= LEAST {
+        since = if line.decrement < 0.5 * least { 0 } else { since + 1 };
+        least = least.min(line.decrement);
+        let idle = since >= PATIENCE && least <= ROUNDED && line.decrement <= ROUNDED;
+        if settled || idle || line.decrement <= LEAST {
             zones = newton.contact(&target.coefficients);
             let State { shapes, coefficients } = target;
             let terms = TERMS;
@@ -188,19 +173,6 @@ pub(crate) fn bilateral_pressure(mesh: &Mesh) -> Vec<f64> {
     let state = newton.unfold(shapes);
     let w = Deflection { mesh, terms: TERMS, coefficients: &state.coefficients };
     Surface::of(&w, &zones).atoms.iter().map(|atom| atom.force.max(0.0)).collect()
-}
-
-/// The deflection of another mesh in the elements of this one: the same function if this one is finer.
-fn interpolated(mesh: &Mesh, found: &Found) -> Vec<[f64; 4]> {
-    let w = found.deflection();
-    let within = |cell: &crate::mesh::Cell| {
-        let parent = found.mesh.cell_at(0.5 * (cell.x[0] + cell.x[1]));
-        let from = &found.mesh.cells[parent];
-        let [a, b] = cell.x.map(|x| from.local(x));
-        let c = crate::polynomial::rescale(w.cell(parent), 0.5 * (a + b), 0.5 * (b - a));
-        hermite::fold(&c, cell.length())
-    };
-    mesh.cells.iter().map(within).collect()
 }
 
 /// A deflection: element by element and as polynomials.

@@ -12,9 +12,10 @@
 //! This is Newton's method on Φ in the space of all deflections: the error of the edges is squared in
 //! every step. If the steps do not settle, the mesh that began them is refined.
 
-use super::active_set::{self, Found, Pressure, Stalled, Step};
+use super::active_set::{Found, Pressure, Stalled, Step};
 use super::layout::Layout;
 use super::majorant::{self, Deflection, Spot, Zone};
+use super::nested;
 use crate::chain::{Chain, ChainCell, Loose};
 use crate::elements::exact::{ExactElement, TERMS, parts};
 use crate::elements::{Operator, Touch};
@@ -24,8 +25,6 @@ use crate::polynomial::jet;
 
 /// Cells of the first coarse mesh per wave length of the beam on its ground.
 const COARSE: f64 = 1.0;
-/// The most cells between two nodes of the model on the first coarse mesh.
-const MOST_COARSE: f64 = 64.0;
 /// How often the coarse mesh is refined fourfold before the model is given up.
 const REFINEMENTS: u32 = 5;
 /// Newton steps from one coarse mesh.
@@ -64,23 +63,9 @@ pub(crate) fn solve(
     let mut last = Stalled::default();
     let mut iterations = 0;
     for level in 0..=REFINEMENTS {
-        let fine = COARSE * 4_f64.powi(level as i32);
-        let axial = model.beam.axial_force;
-        let wanted = |cell: &Cell| {
-            let wave = Operator::of(cell, axial, Touch::Contact).wave_number();
-            (wave * cell.length() * fine).ceil().clamp(2.0, MOST_COARSE * fine) as usize
-        };
-        // From two elements between nodes, doubled until every stretch has what it wants.
-        let most = Mesh::build(model, &[], |_| 1).cells.iter().map(wanted).max().unwrap_or(2);
-        let doublings = most.next_power_of_two().trailing_zeros();
-        let mesh = |i: u32| {
-            let parts = |cell: &Cell| wanted(cell).next_power_of_two().min(1 << i);
-            let mut mesh = Mesh::build(model, &[], parts);
-            mesh.stiffen();
-            mesh
-        };
+        let per_wave = COARSE * 4_f64.powi(level as i32);
         let coarse =
-            match active_set::solve_nested((1..=doublings).map(mesh), Pressure::Distributed) {
+            match nested::solve(nested::coarse_meshes(model, per_wave), Pressure::Distributed) {
                 Ok(found) => found,
                 Err(stalled) => {
                     iterations += stalled.iterations;

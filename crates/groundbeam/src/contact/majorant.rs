@@ -10,7 +10,7 @@
 //!   that it touches. A new arc is joined to the last one by the unloaded ground tangent to both. A
 //!   joint trims both arcs; an arc that is left with a pull is dropped and the joint made anew.
 //! * At the joint's ends a and b the concentrated forces A = μψ'(a) − μu'(a) and B = μu'(b) − μψ'(b)
-//!   vanish. Since dA/da = −π(a) and dB/db = π(b), and neither depends on the other end to first order,
+//!   vanish. There dA/da = −π(a) and dB/db = π(b), and neither depends on the other end to first order:
 //!   Newton's method on each in turn converges quadratically on both.
 //!
 //! Every arc is trimmed from its ends only and every cell passed over once: the scan is O(n).
@@ -348,33 +348,39 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// The concentrated force at the joint's left end, which ends a stretch of contact.
-    fn force_at_left(&self, joint: &Joint, spot: Spot) -> f64 {
+    /// The concentrated force at the joint's left end, which ends a stretch of contact, and its slope
+    /// dA/da = −π + (S/μ) A, where S is the stiffness of the open ground seen from there.
+    fn force_at_left(&self, joint: &Joint, spot: Spot) -> [f64; 2] {
         let trial = Joint { left: Some(spot), ..*joint };
-        let [psi, slope, _] = self.at(spot);
+        let [psi, slope, pressure] = self.at(spot);
         let other = joint.right.map_or(0.0, |b| self.at(b)[0]);
         let shear = self.w.mesh.cells[spot.cell].shear;
-        shear * slope + self.link(&trial).force_left(psi, other)
+        let link = self.link(&trial);
+        let force = shear * slope + link.force_left(psi, other);
+        [force, (link.leak_left + link.coupling) / shear * force - pressure]
     }
 
-    fn force_at_right(&self, joint: &Joint, spot: Spot) -> f64 {
+    /// The same at its right end, dB/db = π − (S/μ) B.
+    fn force_at_right(&self, joint: &Joint, spot: Spot) -> [f64; 2] {
         let trial = Joint { right: Some(spot), ..*joint };
-        let [psi, slope, _] = self.at(spot);
+        let [psi, slope, pressure] = self.at(spot);
         let other = joint.left.map_or(0.0, |a| self.at(a)[0]);
         let shear = self.w.mesh.cells[spot.cell].shear;
-        self.link(&trial).force_right(other, psi) - shear * slope
+        let link = self.link(&trial);
+        let force = link.force_right(other, psi) - shear * slope;
+        [force, pressure - (link.leak_right + link.coupling) / shear * force]
     }
 
     /// Moves the joint's left end to the left until nothing pulls there.
     fn trim_left(&self, joint: &mut Joint, limit: Spot) {
         let Some(mut spot) = joint.left else { return };
-        if spot == limit || self.force_at_left(joint, spot) >= 0.0 {
+        if spot == limit || self.force_at_left(joint, spot)[0] >= 0.0 {
             return;
         }
         loop {
             let start = if spot.cell == limit.cell { limit.s } else { -1.0 };
             let low = Spot { cell: spot.cell, s: start };
-            if self.force_at_left(joint, low) >= 0.0 {
+            if self.force_at_left(joint, low)[0] >= 0.0 {
                 let force = |s: f64| self.force_at_left(joint, Spot { cell: spot.cell, s });
                 spot.s = self.tangent(spot.cell, [start, spot.s], force, -1.0);
                 break;
@@ -397,13 +403,13 @@ impl<'a> Scan<'a> {
     /// Moves the joint's right end to the right until nothing pulls there.
     fn trim_right(&self, joint: &mut Joint, limit: Spot) {
         let Some(mut spot) = joint.right else { return };
-        if spot == limit || self.force_at_right(joint, spot) >= 0.0 {
+        if spot == limit || self.force_at_right(joint, spot)[0] >= 0.0 {
             return;
         }
         loop {
             let end = if spot.cell == limit.cell { limit.s } else { 1.0 };
             let high = Spot { cell: spot.cell, s: end };
-            if self.force_at_right(joint, high) >= 0.0 {
+            if self.force_at_right(joint, high)[0] >= 0.0 {
                 let force = |s: f64| self.force_at_right(joint, Spot { cell: spot.cell, s });
                 spot.s = self.tangent(spot.cell, [spot.s, end], force, 1.0);
                 break;
@@ -421,19 +427,21 @@ impl<'a> Scan<'a> {
         joint.right = Some(spot);
     }
 
-    /// The root of a concentrated force between two spots of one cell, where it changes sign. `sense` is
-    /// the sign of its slope, which is sense·π.
+    /// The root of a concentrated force between two spots of one cell, where it changes sign in the given
+    /// `sense`: Newton's method, halving where it leaves the bracket or does not halve the force.
     fn tangent(
         &self,
         cell: usize,
         [mut low, mut high]: [f64; 2],
-        force: impl Fn(f64) -> f64,
+        force: impl Fn(f64) -> [f64; 2],
         sense: f64,
     ) -> f64 {
         let half = 0.5 * self.w.mesh.cells[cell].length();
         let mut s = if sense > 0.0 { low } else { high };
-        for _ in 0..80 {
-            let f = force(s);
+        let mut before = f64::INFINITY;
+        // Twice the halvings that a double has.
+        for _ in 0..128 {
+            let [f, slope] = force(s);
             if f == 0.0 {
                 return s;
             }
@@ -442,9 +450,10 @@ impl<'a> Scan<'a> {
             } else {
                 low = s;
             }
-            let slope = sense * self.at(Spot { cell, s })[2] * half;
-            let newton = s - f / slope;
-            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            let newton = s - f / (slope * half);
+            let good = f.abs() < 0.5 * before && newton > low && newton < high;
+            let next = if good { newton } else { 0.5 * (low + high) };
+            before = f.abs();
             if (next - s).abs() <= 2.0 * f64::EPSILON || high - low <= 2.0 * f64::EPSILON {
                 return next;
             }

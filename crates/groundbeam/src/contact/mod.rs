@@ -4,6 +4,7 @@ pub(crate) mod active_set;
 pub(crate) mod exact;
 pub(crate) mod layout;
 pub(crate) mod majorant;
+pub(crate) mod nested;
 pub(crate) mod pieces;
 pub(crate) mod recover;
 pub(crate) mod surface;
