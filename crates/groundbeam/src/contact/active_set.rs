@@ -97,8 +97,8 @@ pub(crate) const COARSE_CLOSE: f64 = 1e-6;
 const LEAST: f64 = 1e-30;
 /// What is left to fall where rounding decides between two contacts that mean the same, as at a clamp that
 /// the beam leaves flat: accepted when [`PATIENCE`] steps have not halved it. The certificate judges.
-const ROUNDED: f64 = 1e-12;
-const PATIENCE: usize = 12;
+const ROUNDED: f64 = 1e-14;
+const PATIENCE: usize = 24;
 /// The part of the bonded ground that first damps a step.
 const LEAST_DAMPING: f64 = 1e-6;
 /// The part of the slope along a line that may remain.
