@@ -57,29 +57,32 @@ impl Existence {
 
 /// The verdict for a valid model with P ≥ 0, or with supports that leave no free motion.
 pub fn existence(model: &Model) -> Existence {
-    let [left, right] = static_reactions(model);
-    let static_reactions = [left.sum, right.sum];
-    let motion = |l: f64, r: f64, work: f64| RigidMotion { left: l, right: r, work };
+    let verdict = judge(&rays(model));
+    let static_reactions = static_reactions(model).map(|reaction| reaction.sum);
+    let resultant = static_reactions[0] + static_reactions[1];
     let verdict = match free_motions(model) {
-        Free::Nothing => Verdict::Unique,
-        Free::Turning(About::LeftEnd) => judge(&[(right, motion(0.0, -1.0, -right.sum))]),
-        Free::Turning(About::RightEnd) => judge(&[(left, motion(-1.0, 0.0, -left.sum))]),
-        Free::Rising => {
-            let both = left.plus(right);
-            judge(&[(both, motion(-1.0, -1.0, -both.sum))])
-        }
-        Free::RisingAndTurning => {
-            let verdict = judge(&[
-                (left, motion(-1.0, 0.0, -left.sum)),
-                (right, motion(0.0, -1.0, -right.sum)),
-            ]);
-            balanced_on_an_end(model, verdict, left.sum + right.sum)
-        }
+        Free::RisingAndTurning => balanced_on_an_end(model, verdict, resultant),
+        _ => verdict,
     };
     Existence { verdict, static_reactions }
 }
 
-/// The extreme rays of the cone of free motions, and the work they must cost.
+/// The extreme rays of the cone of free motions, each with the work −F(r) it costs: linear in the loads.
+/// Which rays there are does not depend on the loads.
+pub(crate) fn rays(model: &Model) -> Vec<(Sum, RigidMotion)> {
+    let [left, right] = static_reactions(model);
+    let ray =
+        |l: f64, r: f64, cost: Sum| (cost, RigidMotion { left: l, right: r, work: -cost.sum });
+    match free_motions(model) {
+        Free::Nothing => Vec::new(),
+        Free::Turning(About::LeftEnd) => vec![ray(0.0, -1.0, right)],
+        Free::Turning(About::RightEnd) => vec![ray(-1.0, 0.0, left)],
+        Free::Rising => vec![ray(-1.0, -1.0, left.plus(right))],
+        Free::RisingAndTurning => vec![ray(-1.0, 0.0, left), ray(0.0, -1.0, right)],
+    }
+}
+
+/// What the cost of the extreme rays says.
 fn judge(rays: &[(Sum, RigidMotion)]) -> Verdict {
     let worst = rays.iter().filter(|(cost, _)| cost.is_negative());
     if let Some((_, motion)) = worst.max_by(|a, b| a.1.work.total_cmp(&b.1.work)) {
@@ -161,8 +164,8 @@ pub(crate) fn held_rigidly(model: &Model) -> bool {
 
 /// A sum with the size of what was added, so that zero can be told from rounding.
 #[derive(Debug, Clone, Copy, Default)]
-struct Sum {
-    sum: f64,
+pub(crate) struct Sum {
+    pub sum: f64,
     compensation: f64,
     size: f64,
 }
@@ -193,11 +196,11 @@ impl Sum {
         Sum { sum: self.sum + other.sum, compensation: 0.0, size: self.size + other.size }
     }
 
-    fn is_zero(&self) -> bool {
+    pub fn is_zero(&self) -> bool {
         self.sum.abs() <= 8.0 * f64::EPSILON * self.size
     }
 
-    fn is_negative(&self) -> bool {
+    pub fn is_negative(&self) -> bool {
         self.sum < 0.0 && !self.is_zero()
     }
 }

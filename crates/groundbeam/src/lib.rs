@@ -32,6 +32,7 @@ mod chain;
 mod contact;
 mod elements;
 mod existence;
+mod factors;
 mod ground;
 mod mesh;
 mod polynomial;
@@ -44,6 +45,7 @@ pub mod model;
 pub use certificate::Certificate;
 pub use contact::active_set::{Pressure, Step};
 pub use existence::{Existence, RigidMotion, Verdict};
+pub use factors::{FirstLiftOff, LoadFactors, LossOfEquilibrium, load_factors};
 pub use model::{
     Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, Load, Model, Support, SupportKind,
 };

@@ -187,13 +187,15 @@ pub fn exists(model: &Model) -> Result<Existence, Error> {
     Ok(check(model)?.existence)
 }
 
-struct Checked {
-    existence: Existence,
+/// What is known of a model before it is solved.
+pub(crate) struct Checked {
+    pub existence: Existence,
     /// 1 + P/P_cr in compression, 1 otherwise.
-    stability: f64,
+    pub stability: f64,
 }
 
-fn check(model: &Model) -> Result<Checked, Error> {
+/// Refuses a model that is wrong or lies outside what is solved.
+pub(crate) fn check(model: &Model) -> Result<Checked, Error> {
     let problems = model.problems();
     if !problems.is_empty() {
         return Err(Error::Invalid(problems));
