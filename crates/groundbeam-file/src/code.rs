@@ -19,6 +19,7 @@ pub(crate) const MIXED: &str = "GB016";
 pub(crate) const FACTOR: &str = "GB017";
 pub(crate) const EMPTY: &str = "GB018";
 pub(crate) const NOT_UTF8: &str = "GB019";
+pub(crate) const EMPTY_NAME: &str = "GB020";
 
 /// One line of the table of codes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,7 +51,7 @@ pub const CODES: &[Code] = &[
     row(INCOMPLETE, "one of two keys that belong together is missing", "incomplete.toml"),
     row(MISPLACED, "a key belongs to another kind of load", "misplaced.toml"),
     row(UNKNOWN_WORD, "a word is none of those that can stand here", "unknown-word.toml"),
-    row(UNSUPPORTED, "load cases and combinations are not supported yet", "combinations.toml"),
+    row(UNSUPPORTED, "combinations of load cases are not supported yet", "combinations.toml"),
     row(NUMBER, "a number cannot be read", "number.toml"),
     row(NOT_FINITE, "a number is not finite, or too large or small to hold", "not-finite.toml"),
     row(UNIT_SYNTAX, "a unit cannot be read", "unit-syntax.toml"),
@@ -60,6 +61,7 @@ pub const CODES: &[Code] = &[
     row(FACTOR, "a factor of a stiffness is not positive", "factor.toml"),
     row(EMPTY, "the file holds no model", "empty.toml"),
     row(NOT_UTF8, "the file is not UTF-8 text", "not-utf8.toml"),
+    row(EMPTY_NAME, "a name is empty", "empty-name.toml"),
     row("GB101", "the beam's length must be positive", "beam-length.toml"),
     row("GB102", "the bending stiffness EI must be positive", "bending-stiffness.toml"),
     row("GB103", "the axial force must be a finite number", "axial-force.toml"),

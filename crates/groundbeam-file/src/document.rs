@@ -19,6 +19,9 @@ pub struct Document {
     pub model: Model,
     /// Which of the two.
     pub units: UnitSystem,
+    /// The load case to which each of the model's loads belongs, in the order of the loads; none for a
+    /// load to which the file gives none.
+    pub cases: Vec<Option<String>>,
     pub(crate) source: Source,
     pub(crate) places: Places,
 }

@@ -32,6 +32,7 @@
 //!
 //! This is the only crate that knows how a model is spelled.
 
+mod cases;
 mod code;
 mod diagnostic;
 mod document;
@@ -51,6 +52,7 @@ mod unit;
 mod units;
 mod write;
 
+pub use cases::parse_cases;
 pub use code::{CODES, Code};
 pub use diagnostic::{Diagnostic, Diagnostics, Related, Severity};
 pub use document::Document;
@@ -60,6 +62,7 @@ pub use write::write_toml;
 
 use fault::Fault;
 use reader::Reader;
+use section::Contents;
 use source::Source;
 use table::Section;
 use toml::de::DeTable;
@@ -83,7 +86,7 @@ pub fn parse(text: &str) -> Result<Document, Diagnostics> {
     }
     let mut reader = Reader::new(&source, &root);
     reader.found = syntax.found;
-    let (title, model) = section::read(&mut reader, &root);
+    let Contents { title, model, cases } = section::read(&mut reader, &root);
     let before = reader.found.len();
     let units = reader.unit_system();
     let is_mixed = reader.found.len() > before;
@@ -97,7 +100,7 @@ pub fn parse(text: &str) -> Result<Document, Diagnostics> {
     }
     let Reader { found, places, .. } = reader;
     if found.is_empty() {
-        Ok(Document { title, model, units, source, places })
+        Ok(Document { title, model, cases, units, source, places })
     } else {
         Err(Diagnostics::new(found))
     }

@@ -1,6 +1,5 @@
 //! `[[load]]`.
 
-use super::unsupported;
 use crate::code;
 use crate::fault::Fault;
 use crate::quantity::{FORCE, Kind, LOAD_PER_LENGTH, MOMENT, MOMENT_PER_LENGTH, POSITION};
@@ -15,21 +14,37 @@ const KEYS: &[&str] =
     &["point", "moment", "distributed", "distributed_moment", "at", "from", "to", "case"];
 const KINDS: [&str; 4] = ["point", "moment", "distributed", "distributed_moment"];
 
-pub(super) fn read(reader: &mut Reader, root: &Section, beam_length: f64) -> Vec<Load> {
+/// The loads, and beside each the load case it belongs to.
+pub(super) fn read(
+    reader: &mut Reader,
+    root: &Section,
+    beam_length: f64,
+) -> (Vec<Load>, Vec<Option<String>>) {
     let tables = reader.tables(root, "load", "[[load]]");
     let mut loads = Vec::new();
+    let mut cases = Vec::new();
     for (i, table) in tables.iter().enumerate() {
         loads.push(read_one(reader, table, Part::Load(i), beam_length));
+        cases.push(case(reader, table));
     }
-    loads
+    (loads, cases)
+}
+
+/// The name of a load case, without the spaces around it.
+fn case(reader: &mut Reader, table: &Section) -> Option<String> {
+    let (name, span) = reader.words(table, "case", "Q")?;
+    let name = name.trim();
+    if name.is_empty() {
+        let message = "the load case has no name";
+        let hint = "write its name, as in case = \"Q\", or leave the key out";
+        reader.report(Fault::new(code::EMPTY_NAME, span, message, "", hint));
+    }
+    Some(name.to_owned())
 }
 
 fn read_one(reader: &mut Reader, table: &Section, part: Part, beam_length: f64) -> Load {
     reader.refuse_unknown(table, KEYS);
     reader.places.part(part, &table.span);
-    if let Some(case) = table.value("case") {
-        unsupported(reader, case.span());
-    }
     let mut kinds: Vec<(&str, &Spanned<DeValue>)> =
         KINDS.iter().filter_map(|&kind| Some((kind, table.value(kind)?))).collect();
     kinds.sort_by_key(|(_, value)| value.span().start);
