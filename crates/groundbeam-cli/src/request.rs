@@ -23,7 +23,16 @@ pub struct Solve {
     pub history: Option<PathBuf>,
     /// As typed: it is read under the rule of the file.
     pub at: Option<String>,
+    pub factors: Option<Grow>,
     pub options: Options,
+}
+
+/// Whose load factors are asked for.
+pub enum Grow {
+    /// All loads grow.
+    All,
+    /// Those of the cases in a list, as typed: it is read with the file.
+    Cases(String),
 }
 
 /// A picture to draw.
@@ -84,6 +93,7 @@ impl Solve {
             plot,
             history: typed.history,
             at: typed.at,
+            factors: typed.factors.map(|cases| cases.map_or(Grow::All, Grow::Cases)),
             options,
         };
         solve.check_outputs()?;

@@ -4,22 +4,30 @@ use crate::Status;
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{print, standard_error_has_colour, standard_output_has_colour, write};
-use crate::request::{Format, Plot, Solve};
+use crate::request::{Format, Grow, Plot, Solve};
 use crate::waiting::while_working;
-use groundbeam::{Error, Outcome, Solution};
-use groundbeam_file::{Diagnostic, Diagnostics, Severity, parse_positions};
-use groundbeam_report::{Context, csv, json, png, svg, text};
+use groundbeam::{Error, LoadFactors, Outcome, Solution};
+use groundbeam_file::{Diagnostic, Diagnostics, Severity, parse_cases, parse_positions};
+use groundbeam_report::{Context, Factors, csv, json, png, svg, text};
 use std::time::Instant;
 
 pub fn run(request: &Solve) -> Result<Status, Failure> {
     let input = Input::read(&request.file)?;
     let model = &input.document.model;
     let stations = request.at.as_deref().map(|list| positions(&input, list)).transpose()?;
+    let growing = request.factors.as_ref().map(|grow| Growing::of(&input, grow)).transpose()?;
 
     let started = Instant::now();
     let words = format!("solving with the method {}", request.options.method.name());
     let outcome = while_working(words, || groundbeam::solve_with(model, &request.options));
     let context = input.context().with_seconds(started.elapsed().as_secs_f64());
+    let factors = growing.as_ref().map(|growing| growing.factors(&input)).transpose()?;
+    let context = match (&growing, &factors) {
+        (Some(Growing { cases, .. }), Some(found)) => {
+            context.with_factors(Factors { found, cases })
+        }
+        _ => context,
+    };
 
     match outcome {
         Ok(Outcome::Equilibrium(solution)) => {
@@ -45,12 +53,53 @@ pub fn run(request: &Solve) -> Result<Status, Failure> {
                 print(&json::not_converged(&reached, &context))?;
                 return Ok(Status::NotConverged);
             }
-            let shown = text::not_converged(&reached, standard_error_has_colour());
+            let colour = standard_error_has_colour();
+            let shown =
+                text::not_converged(&reached, colour) + &text::load_factors(&context, colour);
             Err(Failure::reported(shown, Status::NotConverged))
         }
         Err(Error::Invalid(problems)) => Err(input.wrong(&problems)),
         Err(Error::Unsupported(problem)) => Err(input.wrong(&[problem])),
         Err(other) => Err(Failure::usage(other.to_string())),
+    }
+}
+
+/// The loads that grow.
+struct Growing {
+    /// Names of load cases; none if all loads grow.
+    cases: Vec<String>,
+    /// In the order of the model's loads.
+    grows: Vec<bool>,
+}
+
+impl Growing {
+    fn of(input: &Input, grow: &Grow) -> Result<Self, Failure> {
+        let Grow::Cases(list) = grow else {
+            let grows = vec![true; input.document.model.loads.len()];
+            return Ok(Growing { cases: Vec::new(), grows });
+        };
+        let grows = parse_cases(list, &input.document)
+            .map_err(|found| Failure::diagnostics(&found, "--factors", list))?;
+        let mut cases: Vec<String> = Vec::new();
+        for name in list.split(',').map(str::trim) {
+            if !cases.iter().any(|case| case == name) {
+                cases.push(name.to_owned());
+            }
+        }
+        Ok(Growing { cases, grows })
+    }
+
+    fn factors(&self, input: &Input) -> Result<LoadFactors, Failure> {
+        let grows = |load: usize| self.grows.get(load).is_some_and(|&grows| grows);
+        groundbeam::load_factors(&input.document.model, grows).map_err(|error| match error {
+            Error::Invalid(problems) => input.wrong(&problems),
+            Error::Unsupported(problem) => input.wrong(&[problem]),
+            Error::NotConverged(reached) => {
+                let shown = text::not_converged(&reached, standard_error_has_colour());
+                Failure::reported(shown, Status::NotConverged)
+            }
+            other => Failure::usage(other.to_string()),
+        })
     }
 }
 

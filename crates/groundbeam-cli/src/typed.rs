@@ -71,6 +71,13 @@ pub struct Solve {
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     pub at: Option<String>,
 
+    /// Also tell how far the loads may grow until the beam first lifts off, and until equilibrium is lost
+    ///
+    /// All loads grow or, with names, those whose `case` is named; the others stay. As in --factors=Q or
+    /// --factors=Q,wind.
+    #[arg(long, value_name = "CASES", num_args = 0..=1, require_equals = true)]
+    pub factors: Option<Option<String>>,
+
     /// How to solve
     #[arg(long, value_enum, default_value = "exact")]
     pub method: Method,

@@ -161,3 +161,47 @@ fn equal_runs_give_equal_files() {
         assert!(read("a") == read("b"), "{kind}");
     }
 }
+
+#[test]
+fn load_factors() {
+    let folder =
+        Folder::with(&LIFTS.replace("0.49", "0.6").replace("moment", "case = \"Q\"\nmoment"));
+    // No equilibrium under all of the moment: the factors tell how much of it there may be.
+    let done = folder.run(&["solve", "model.toml", "--factors=Q", "--json"]);
+    done.is_clean(3);
+    let found = &done.json()["load_factors"];
+    assert_eq!(found["cases"], json!(["Q"]));
+    let lift_off = &found["first_lift_off"];
+    assert_eq!((&lift_off["when"], &lift_off["x"]), (&json!("at-factor"), &json!(0.0)));
+    assert!((lift_off["factor"].as_f64().unwrap() - 0.316105124527 / 0.6).abs() < 1e-11);
+    let loss = &found["loss_of_equilibrium"];
+    assert!((loss["factor"].as_f64().unwrap() - 0.5 / 0.6).abs() < 1e-15);
+    assert_eq!(loss["motion"]["left"], json!(-1.0));
+    let done = folder.run(&["solve", "model.toml", "--factors=Q"]);
+    done.fails(3, "Load factors first lift-off at 0.526842 times the loads of case Q, at x = 0\n");
+    // A weightless beam, all of whose loads grow, never stands under this moment.
+    let done = folder.run(&["solve", "--factors", "model.toml", "--json"]);
+    done.is_clean(3);
+    let found = &done.json()["load_factors"];
+    assert_eq!(
+        (&found["cases"], &found["first_lift_off"]["when"]),
+        (&json!(null), &json!("at-once"))
+    );
+    assert_eq!(found["loss_of_equilibrium"]["when"], "at-once");
+    // They are told even if nothing else can be.
+    let stopped = ["solve", "model.toml", "--factors", "--method", "uzawa", "--most-sweeps", "1"];
+    let stands = Folder::with(LIFTS);
+    stands.run(&stopped).fails(4, "Load factors not on the ground");
+    assert!(stands.run(&["solve", "model.toml", "--json"]).json()["load_factors"].is_null());
+}
+
+#[test]
+fn load_cases_that_are_not_there() {
+    let folder = Folder::with(&LIFTS.replace("moment", "case = \"Q\"\nmoment"));
+    let run = |list: &str| folder.run(&["solve", "model.toml", list]);
+    run("--factors=Q,q").fails(2, "error[GB009]: no load belongs to a case `q`");
+    run("--factors=Q,q").fails(2, "--> --factors:1:3");
+    run("--factors=wind").fails(2, "the cases of the file: Q");
+    run("--factors=").fails(2, "a load case is missing here");
+    Folder::with(LIFTS).run(&["solve", "model.toml", "--factors=Q"]).fails(2, "give one to those");
+}

@@ -1,6 +1,7 @@
 //! What a report says besides the result itself.
 
 use crate::quantity::Units;
+use groundbeam::LoadFactors;
 
 /// What a report says besides the result itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -11,12 +12,23 @@ pub struct Context<'a> {
     pub units: Units,
     /// How long it took \[s\]; left out where nobody measured it.
     pub seconds: Option<f64>,
+    /// What becomes of the model as its loads grow; left out where nobody asked.
+    pub factors: Option<Factors<'a>>,
+}
+
+/// Load factors with the names of the load cases that grow.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Factors<'a> {
+    /// What was found.
+    pub found: &'a LoadFactors,
+    /// The load cases whose loads grow; empty where all loads do.
+    pub cases: &'a [String],
 }
 
 impl<'a> Context<'a> {
     /// No title, no time.
     pub fn new(units: Units) -> Self {
-        Context { title: None, units, seconds: None }
+        Context { title: None, units, seconds: None, factors: None }
     }
 
     /// The same with a title.
@@ -29,14 +41,21 @@ impl<'a> Context<'a> {
         Context { seconds: Some(seconds), ..self }
     }
 
+    /// The same with load factors.
+    pub fn with_factors(self, factors: Factors<'a>) -> Self {
+        Context { factors: Some(factors), ..self }
+    }
+
     /// The title on one line, without characters that would steer a terminal or break XML.
     pub(crate) fn clean_title(&self) -> Option<String> {
-        let words = |title: &str| {
-            let plain: String = title.chars().map(|c| if is_plain(c) { c } else { ' ' }).collect();
-            plain.split_whitespace().collect::<Vec<_>>().join(" ")
-        };
-        self.title.map(words).filter(|title| !title.is_empty())
+        self.title.map(clean).filter(|title| !title.is_empty())
     }
+}
+
+/// Words of a file on one line, without characters that would steer a terminal or break XML.
+pub(crate) fn clean(words: &str) -> String {
+    let plain: String = words.chars().map(|c| if is_plain(c) { c } else { ' ' }).collect();
+    plain.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// Neither a control character nor one that turns the direction of text, nor no character at all.

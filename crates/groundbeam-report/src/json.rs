@@ -6,9 +6,12 @@
 //! `stations` holds every position once, with the values just to the right of it (at x = l just to the
 //! left) where a field jumps. Both sides of a jump are in the table of [`csv`](crate::csv).
 
+mod factors;
+
 use crate::characteristics::Characteristics;
 use crate::context::Context;
 use crate::verdict::sentence;
+use factors::Grown;
 use groundbeam::{
     Certificate, Existence, Extreme, Field, Method, Model, NotConverged, RigidMotion, Side,
     Solution, Verdict,
@@ -53,6 +56,7 @@ pub fn solved(solution: &Solution, stations: &[f64], context: &Context) -> Strin
         stations: Stations::of(solution, stations),
         extremes: Extremes::of(solution),
         certificate: solution.certificate().into(),
+        load_factors: context.factors.map(Grown::of),
         iterations: solution.iterations(),
         seconds: context.seconds,
     };
@@ -84,6 +88,7 @@ fn verdict(
         head: Head::new(status, context),
         existence: Proven::new(model, existence, context),
         characteristics: Judged::new(model, existence),
+        load_factors: context.factors.map(Grown::of),
         seconds: context.seconds,
     })
 }
@@ -97,6 +102,7 @@ pub fn not_converged(reached: &NotConverged, context: &Context) -> String {
         tolerance: reached.tolerance,
         reached: reached.reached,
         iterations: reached.iterations,
+        load_factors: context.factors.map(Grown::of),
         seconds: context.seconds,
     })
 }
@@ -122,6 +128,8 @@ struct Solved {
     stations: Stations,
     extremes: Extremes,
     certificate: Proof,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    load_factors: Option<Grown>,
     iterations: usize,
     seconds: Option<f64>,
 }
@@ -132,6 +140,8 @@ struct Checked {
     head: Head,
     existence: Proven,
     characteristics: Judged,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    load_factors: Option<Grown>,
     seconds: Option<f64>,
 }
 
@@ -144,6 +154,8 @@ struct Stopped {
     tolerance: f64,
     reached: f64,
     iterations: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    load_factors: Option<Grown>,
     seconds: Option<f64>,
 }
 

@@ -1,6 +1,7 @@
 //! The report for a terminal, at most 80 columns wide.
 
 mod certificate;
+mod factors;
 mod sheet;
 
 use crate::characteristics::Characteristics;
@@ -25,6 +26,7 @@ pub fn solved(solution: &Solution, context: &Context, colour: bool) -> String {
     let sizes = Sizes::of(solution);
     problem(&mut sheet, solution.model(), solution.existence(), context);
     verdict_row(&mut sheet, solution.model(), solution.existence(), units);
+    factors::rows(&mut sheet, context);
     sheet.blank();
     contact(&mut sheet, solution, units, &sizes);
     forces(&mut sheet, solution, units, &sizes);
@@ -43,6 +45,7 @@ pub fn existence(model: &Model, existence: &Existence, context: &Context, colour
     let mut sheet = Sheet::new(colour);
     problem(&mut sheet, model, existence, context);
     verdict_row(&mut sheet, model, existence, context.units);
+    factors::rows(&mut sheet, context);
     sheet.finish()
 }
 
@@ -51,6 +54,13 @@ pub fn not_converged(reached: &NotConverged, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     sheet.toned_row("Not solved", &format!("no answer: {reached}"), Tone::Bad);
     sheet.row("", "no result is given, since none could be certified");
+    sheet.finish()
+}
+
+/// The load factors alone, for a report that has no other place for them; empty if nobody asked.
+pub fn load_factors(context: &Context, colour: bool) -> String {
+    let mut sheet = Sheet::new(colour);
+    factors::rows(&mut sheet, context);
     sheet.finish()
 }
 

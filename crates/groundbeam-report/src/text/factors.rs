@@ -1,0 +1,119 @@
+//! Load factors, in words.
+
+use super::sheet::Sheet;
+use crate::context::{Context, Factors, clean};
+use crate::number::significant;
+use crate::quantity::Units;
+use groundbeam::{FirstLiftOff, LossOfEquilibrium, RigidMotion};
+
+/// The rows about load factors, if they were asked for.
+pub(super) fn rows(sheet: &mut Sheet, context: &Context) {
+    let Some(factors) = context.factors else { return };
+    let loads = Grows::of(&factors);
+    sheet.row("Load factors", &lift_off(factors.found.first_lift_off, &loads, context.units));
+    sheet.row("", &loss(factors.found.loss_of_equilibrium, &loads));
+}
+
+/// The loads that grow: `all loads`, and `they` where `however small they are` follows.
+struct Grows {
+    times: String,
+    are: String,
+}
+
+impl Grows {
+    fn of(factors: &Factors) -> Self {
+        let names: Vec<String> = factors.cases.iter().map(|case| clean(case)).collect();
+        let times = match names.as_slice() {
+            [] => return Grows { times: "all loads".into(), are: "the loads are".into() },
+            [one] => format!("the loads of case {one}"),
+            [many @ .., last] => format!("the loads of cases {} and {last}", many.join(", ")),
+        };
+        Grows { are: format!("{times} are"), times }
+    }
+}
+
+fn lift_off(found: FirstLiftOff, loads: &Grows, units: Units) -> String {
+    let Grows { times, are } = loads;
+    match found {
+        FirstLiftOff::AtOnce => {
+            format!("not on the ground along its whole length, however small {are}")
+        }
+        FirstLiftOff::At { factor, x } => {
+            let (factor, x) = (significant(factor, 6), units.position(x));
+            format!("first lift-off at {factor} times {times}, at x = {x}")
+        }
+        FirstLiftOff::Never => {
+            format!("on the ground along its whole length, however large {are}")
+        }
+    }
+}
+
+fn loss(found: LossOfEquilibrium, loads: &Grows) -> String {
+    let Grows { times, are } = loads;
+    match found {
+        LossOfEquilibrium::AtOnce(motion) => {
+            format!("no equilibrium at factors near zero of {times}: {}", falls(motion))
+        }
+        LossOfEquilibrium::At { factor, motion } => {
+            let factor = significant(factor, 6);
+            format!("no equilibrium beyond {factor} times {times}: {}", falls(motion))
+        }
+        LossOfEquilibrium::Never => format!("in equilibrium, however large {are}"),
+    }
+}
+
+fn falls(motion: RigidMotion) -> &'static str {
+    match (motion.left < 0.0, motion.right < 0.0) {
+        (true, false) => "it tips about its right end",
+        (false, true) => "it tips about its left end",
+        _ => "it lifts off as a whole",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use groundbeam::LoadFactors;
+
+    fn said(first_lift_off: FirstLiftOff, loss: LossOfEquilibrium, cases: &[&str]) -> String {
+        let found = LoadFactors { first_lift_off, loss_of_equilibrium: loss };
+        let cases: Vec<String> = cases.iter().map(|&case| case.into()).collect();
+        let factors = Factors { found: &found, cases: &cases };
+        let mut sheet = Sheet::new(false);
+        rows(&mut sheet, &Context::new(Units::Si).with_factors(factors));
+        sheet.finish()
+    }
+
+    #[test]
+    fn every_answer_has_its_sentence() {
+        let tips = RigidMotion { left: -1.0, right: 0.0, work: 0.0 };
+        let lift_off = FirstLiftOff::At { factor: 0.25, x: 1.5 };
+        let loss = LossOfEquilibrium::At { factor: 2.0 / 3.0, motion: tips };
+        assert_eq!(
+            said(lift_off, loss, &["Q"]),
+            "Load factors first lift-off at 0.25 times the loads of case Q, at x = 1.5 m\n             \
+             no equilibrium beyond 0.666667 times the loads of case Q: it tips\n             \
+             about its right end\n"
+        );
+        let cases = [
+            (FirstLiftOff::Never, LossOfEquilibrium::Never, vec![], "however large the loads are"),
+            (
+                FirstLiftOff::AtOnce,
+                LossOfEquilibrium::AtOnce(RigidMotion { right: -1.0, ..tips }),
+                vec!["G", "Q", "W\u{1b}[31m"],
+                "cases G, Q and W [31m",
+            ),
+            (
+                FirstLiftOff::AtOnce,
+                LossOfEquilibrium::AtOnce(RigidMotion { left: 0.0, right: -1.0, ..tips }),
+                vec![],
+                "no equilibrium at factors near zero of all loads: it tips about its",
+            ),
+        ];
+        for (lift_off, loss, names, part) in cases {
+            let said = said(lift_off, loss, &names);
+            assert!(said.contains(part), "{said}");
+            assert!(said.lines().all(|line| line.chars().count() <= 80), "{said}");
+        }
+    }
+}

@@ -1,0 +1,202 @@
+//! Load factors on random models: what is said to hold up to a factor holds just below it, and no more just above.
+
+use groundbeam::{
+    Field, FirstLiftOff, Load, LossOfEquilibrium, Model, Outcome, Verdict, exists, load_factors,
+    solve,
+};
+use groundbeam_verification::random::{Family, model};
+
+/// How far from the factor of first lift-off a solve looks: the factors at which the beam touches all along
+/// are an interval, so where a zone just born is too small to be solved for, a larger one tells as much.
+const BESIDE: [f64; 3] = [1e-6, 1e-4, 1e-2];
+/// Next to a clamp on separate springs, pressures of the size of rounding make gaps of this part of the length.
+const SLIVER: f64 = 1e-6;
+
+/// A random model under an even load that stays, and its own loads, which grow.
+fn weighted(family: Family, number: u64) -> Model {
+    let mut model = model(family, number);
+    let l = model.beam.length;
+    // Enough to close the gaps there are, and not nothing beside the other loads.
+    let depth = model.gap.iter().map(|corner| corner.value).fold(0.0, f64::max);
+    let share = [0.01, 0.3, 3.0][number as usize % 3];
+    let weight = 3.0 * model.foundation.spring * depth + share / l;
+    model.loads.push(Load::uniform(weight, 0.0, l));
+    model
+}
+
+/// All loads but the last at a factor.
+fn at(model: &Model, factor: f64) -> Model {
+    let mut model = model.clone();
+    let count = model.loads.len() - 1;
+    for load in &mut model.loads[..count] {
+        *load = load.scaled(factor);
+    }
+    model
+}
+
+/// Whether the beam touches along its whole length without a pull, and whether it does but for slivers.
+fn touches_all_along(model: &Model) -> Result<[bool; 2], String> {
+    match solve(model) {
+        Ok(Outcome::Equilibrium(found)) => {
+            let l = model.beam.length;
+            let open: f64 = found.lift_off().iter().map(|stretch| stretch.to - stretch.from).sum();
+            // Within its certificate an answer may pull by a billionth of the largest pressure.
+            let ends = found.end_forces();
+            let pulls = found.range(Field::Pressure).min.value < 0.0
+                || ends.left < 0.0
+                || ends.right < 0.0
+                || found.concentrated_forces().iter().any(|c| c.force < 0.0);
+            Ok([open == 0.0 && !pulls, open <= SLIVER * l])
+        }
+        Ok(Outcome::NoEquilibrium(_)) => Ok([false; 2]),
+        Err(error) => Err(error.to_string()),
+    }
+}
+
+fn report(faults: &[String]) {
+    assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
+}
+
+#[test]
+fn first_lift_off_lies_between_contact_and_lift_off() {
+    let mut faults = Vec::new();
+    let mut seen = [0; 3];
+    for family in Family::ALL {
+        let count = if matches!(family, Family::Long | Family::Hard) { 10 } else { 40 };
+        for number in 0..count {
+            let model = weighted(family, number);
+            let last = model.loads.len() - 1;
+            let found = match load_factors(&model, |load| load != last) {
+                Ok(found) => found.first_lift_off,
+                Err(error) => {
+                    faults.push(format!("{family:?} {number}: {error}"));
+                    continue;
+                }
+            };
+            let touches = |factor: f64| touches_all_along(&at(&model, factor));
+            let holds = |factor: f64| matches!(touches(factor), Ok([_, true]));
+            let ends = |factor: f64| {
+                let beyond = BESIDE.iter().map(|beside| touches(factor * (1.0 + beside)));
+                beyond.flat_map(Result::ok).next().is_some_and(|[whole, _]| !whole)
+            };
+            let right = match found {
+                FirstLiftOff::AtOnce => {
+                    seen[0] += 1;
+                    ends(1e-6)
+                }
+                FirstLiftOff::At { factor, .. } => {
+                    seen[1] += 1;
+                    holds(factor * (1.0 - BESIDE[0])) && ends(factor)
+                }
+                FirstLiftOff::Never => {
+                    seen[2] += 1;
+                    holds(1e3)
+                }
+            };
+            if !right {
+                faults.push(format!("{family:?} {number}: {found:?}"));
+            }
+        }
+    }
+    report(&faults);
+    assert!(seen.iter().all(|&count| count > 20), "{seen:?}");
+}
+
+#[test]
+fn equilibrium_is_lost_at_the_factor() {
+    let mut faults = Vec::new();
+    let mut lost = 0;
+    for family in Family::ALL {
+        for number in 0..500 {
+            let model = weighted(family, number);
+            let last = model.loads.len() - 1;
+            // The loads turned round lift the beam.
+            let model = if number % 2 == 0 { model } else { at(&model, -1.0) };
+            let found = load_factors(&model, |load| load != last);
+            let none = |factor: f64| {
+                matches!(exists(&at(&model, factor)).map(|e| e.verdict), Ok(Verdict::None(_)))
+            };
+            let right = match found.as_ref().map(|found| found.loss_of_equilibrium) {
+                Ok(LossOfEquilibrium::AtOnce(_)) => none(1e-6),
+                Ok(LossOfEquilibrium::At { factor, .. }) => {
+                    lost += 1;
+                    !none(factor * (1.0 - 1e-9))
+                        && none(factor * (1.0 + 1e-9))
+                        && !none(1e-9 * factor)
+                }
+                Ok(LossOfEquilibrium::Never) => {
+                    [1e-6, 1.0, 1e6].iter().all(|&factor| !none(factor))
+                }
+                Err(_) => false,
+            };
+            if !right {
+                faults.push(format!("{family:?} {number}: {found:?}"));
+            }
+        }
+    }
+    report(&faults);
+    assert!(lost > 500, "{lost}");
+}
+
+/// Without loads that stay and without a gap the fields are proportional to the factor.
+#[test]
+fn weightless_beams_lift_off_at_once_or_never() {
+    let mut faults = Vec::new();
+    for family in Family::ALL.into_iter().filter(|f| !matches!(f, Family::Gap | Family::Mixed)) {
+        for number in 0..60 {
+            let model = model(family, number);
+            let found = load_factors(&model, |_| true);
+            let Ok(found) = found else {
+                faults.push(format!("{family:?} {number}: {found:?}"));
+                continue;
+            };
+            let touches = touches_all_along(&model);
+            let right = match found.first_lift_off {
+                FirstLiftOff::AtOnce => matches!(touches, Ok([false, _])),
+                FirstLiftOff::Never => matches!(touches, Ok([_, true])),
+                FirstLiftOff::At { .. } => false,
+            };
+            if !right || found.loss_of_equilibrium != LossOfEquilibrium::Never {
+                faults.push(format!("{family:?} {number}: {found:?}, {touches:?}"));
+            }
+        }
+    }
+    report(&faults);
+}
+
+/// A beam seen in a mirror lifts off at the same factor, at the mirrored place; loads that stay multiplied
+/// by a power of two multiply the factors by it, bit for bit.
+#[test]
+fn mirrored_and_scaled() {
+    let mut faults = Vec::new();
+    for family in [Family::Plain, Family::Tension, Family::Segments, Family::Winkler] {
+        for number in 0..200 {
+            let model = weighted(family, number);
+            let l = model.beam.length;
+            let last = model.loads.len() - 1;
+            let factors = |model: &Model| load_factors(model, |load| load != last).ok();
+            let mut heavy = model.clone();
+            heavy.loads[last] = heavy.loads[last].scaled(8.0);
+            let (found, mirror, heavy) =
+                (factors(&model), factors(&model.mirrored()), factors(&heavy));
+            let lift_off = |found: Option<groundbeam::LoadFactors>| match found?.first_lift_off {
+                FirstLiftOff::At { factor, x } => Some((factor, x)),
+                _ => None,
+            };
+            let right = match (lift_off(found), lift_off(mirror), lift_off(heavy)) {
+                (Some((a, x)), Some((b, y)), Some((c, z))) => {
+                    let together = (a - b).abs() <= 1e-10 * a;
+                    // A beam that is its own mirror image lifts off at two places at once.
+                    let there = (x - (l - y)).abs() <= 1e-5 * l || (x == y && a == b);
+                    together && there && c == 8.0 * a && z == x
+                }
+                (None, None, None) => true,
+                _ => false,
+            };
+            if !right {
+                faults.push(format!("{family:?} {number}: {found:?} {mirror:?} {heavy:?}"));
+            }
+        }
+    }
+    report(&faults);
+}
