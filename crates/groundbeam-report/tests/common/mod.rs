@@ -19,7 +19,7 @@ pub fn context(document: &Document) -> Context<'_> {
         UnitSystem::Si => Units::Si,
         UnitSystem::Plain => Units::Plain,
     };
-    Context { title: document.title.as_deref(), units, seconds: Some(0.0015) }
+    Context { title: document.title.as_deref(), ..Context::new(units) }.with_seconds(0.0015)
 }
 
 pub fn solved(document: &Document) -> Solution {
