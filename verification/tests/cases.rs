@@ -27,7 +27,7 @@ fn every_case_is_as_its_file_says() {
             Err(error) => faults.push(format!("cases/{path}: {error}")),
             Ok(outcome) => {
                 for expectation in &case.expectations {
-                    if let Err(what) = expectation.judge(&outcome) {
+                    if let Err(what) = expectation.judge(&case.document, &outcome) {
                         faults.push(format!("cases/{path}:{}: {what}", expectation.line));
                     }
                 }

@@ -1,8 +1,9 @@
 //! One line `#: quantity = value tolerance`, read and judged.
 
+use super::growth::Growth;
 use super::scale::{Kind, scale};
 use groundbeam::{Existence, Field, Outcome, Side, Solution, Verdict};
-use groundbeam_file::{UnitSystem, parse_positions};
+use groundbeam_file::{Document, UnitSystem, parse_positions};
 
 /// What a line expects.
 #[derive(Debug, Clone)]
@@ -65,6 +66,7 @@ enum Quantity {
     StaticReaction(Side),
     FailingMotion,
     FailingWork,
+    Growth(Growth),
 }
 
 /// A tolerance up to this leaves only rounding, and needs no reason.
@@ -133,13 +135,14 @@ impl Expectation {
         Ok(())
     }
 
-    /// What the answer has.
+    /// What the answer has; load factors are a matter of the document alone.
     ///
     /// # Errors
     ///
     /// If the answer has no such quantity.
-    pub fn found(&self, outcome: &Outcome) -> Result<Value, String> {
+    pub fn found(&self, document: &Document, outcome: &Outcome) -> Result<Value, String> {
         let numbers = match (self.quantity, outcome) {
+            (Quantity::Growth(growth), _) => growth.of(&self.name, document)?,
             (Quantity::Verdict, _) => return Ok(Value::Word(word(existence(outcome).verdict))),
             (Quantity::StaticReaction(side), _) => {
                 let [left, right] = existence(outcome).static_reactions;
@@ -186,8 +189,9 @@ impl Expectation {
     /// # Errors
     ///
     /// How it is not.
-    pub fn judge(&self, outcome: &Outcome) -> Result<(), String> {
-        let found = self.found(outcome).map_err(|what| format!("{}: {what}", self.name))?;
+    pub fn judge(&self, document: &Document, outcome: &Outcome) -> Result<(), String> {
+        let found =
+            self.found(document, outcome).map_err(|what| format!("{}: {what}", self.name))?;
         let (absolute, relative) = self.distance(&found)?;
         let near = match self.tolerance {
             Tolerance::Same => absolute == 0.0,
@@ -271,6 +275,9 @@ impl Quantity {
         }
         let (what, inside) =
             name.strip_suffix(')').and_then(|n| n.split_once('(')).ok_or_else(unknown)?;
+        if let Some(growth) = Growth::read(what) {
+            return Ok(Quantity::Growth(growth));
+        }
         let side = || match inside {
             "left" => Ok(Side::Left),
             "right" => Ok(Side::Right),
@@ -328,7 +335,8 @@ impl Quantity {
             | Quantity::Force(_)
             | Quantity::Reaction(_) => Kind::Force,
             Quantity::ReactionMoment(_) | Quantity::Energy => Kind::Moment,
-            Quantity::FailingMotion => Kind::Number,
+            Quantity::Growth(Growth::PositionOfLiftOff) => Kind::Length,
+            Quantity::FailingMotion | Quantity::Growth(_) => Kind::Number,
             // Work per length of lift.
             Quantity::FailingWork => Kind::Force,
             Quantity::Verdict => return None,
@@ -365,6 +373,7 @@ impl Quantity {
             Quantity::StaticReaction(_)
             | Quantity::FailingMotion
             | Quantity::FailingWork
+            | Quantity::Growth(_)
             | Quantity::Verdict => Vec::new(),
         })
     }

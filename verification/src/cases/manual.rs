@@ -3,6 +3,7 @@
 use super::Case;
 use super::expectation::{Expectation, Tolerance, Value};
 use groundbeam::{Outcome, solve};
+use groundbeam_file::Document;
 use std::fmt::Write;
 
 /// The folders in the order of the manual, each with what it holds.
@@ -68,12 +69,12 @@ fn section(text: &mut String, case: &Case) {
         path = case.path
     );
     for expectation in &case.expectations {
-        row(text, expectation, &outcome);
+        row(text, expectation, &case.document, &outcome);
     }
 }
 
-fn row(text: &mut String, expectation: &Expectation, outcome: &Outcome) {
-    let (found, error) = match expectation.found(outcome) {
+fn row(text: &mut String, expectation: &Expectation, document: &Document, outcome: &Outcome) {
+    let (found, error) = match expectation.found(document, outcome) {
         Err(what) => (what, "–".to_owned()),
         Ok(found) => {
             let error = match expectation.distance(&found) {

@@ -4,6 +4,7 @@
 //! `cases/README.md` describes them.
 
 pub mod expectation;
+mod growth;
 pub mod manual;
 mod scale;
 
