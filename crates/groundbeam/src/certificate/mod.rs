@@ -10,13 +10,26 @@
 //! is the primal energy less the reciprocal energy, and half the squared error of (w, u) in the energy
 //! norm, against the continuous problem, is at most this number. `docs/certificate.md` has the proof.
 
+mod balance;
+mod claim;
+mod curve;
 mod ground;
+mod joints;
+mod lift;
 mod statics;
+mod supports;
+mod surface;
+mod unclaimed;
 
-use crate::model::{Model, SupportKind};
+use crate::model::{Load, Model};
 use crate::polynomial::{jet, value};
+use balance::{GivenBack, Remains, Segment};
+pub(crate) use claim::{Claim, ClaimedPiece};
 use ground::GroundSums;
+use joints::Joints;
 use statics::{Events, SpreadLoad};
+use supports::Supports;
+use surface::Under;
 
 /// The proof of a solution.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -37,6 +50,9 @@ pub struct Certificate {
     pub smallest_pressure: f64,
     /// The deepest interpenetration w − u − g₀, relative to the largest deflection.
     pub deepest_penetration: f64,
+    /// The largest jump of w, of w' or of a position where two pieces meet or a support holds, relative to
+    /// the largest w, w' or the length.
+    pub continuity: f64,
     /// The largest |p (u + g₀ − w)| of a concentrated force, relative to largest force × deflection.
     pub complementarity: f64,
     /// |u − u*| is at most this, anywhere \[m\]. Nothing is claimed (infinity) without a shear layer.
@@ -56,13 +72,14 @@ impl Certificate {
         self.violation() <= Self::TOLERANCE
     }
 
-    /// The largest relative violation of balance, signs and complementarity.
+    /// The largest relative violation of balance, signs, continuity and complementarity.
     pub fn violation(&self) -> f64 {
         let finite = if self.relative_gap.is_finite() { 0.0 } else { f64::INFINITY };
         [
             self.force_balance,
             self.moment_balance,
             -self.smallest_pressure,
+            self.continuity,
             self.complementarity,
             finite,
         ]
@@ -71,27 +88,9 @@ impl Certificate {
     }
 }
 
-/// What is claimed, from left to right.
-pub(crate) struct Claim<'a> {
-    pub pieces: Vec<ClaimedPiece<'a>>,
-    /// Concentrated contact forces: position, force up.
-    pub forces: Vec<(f64, f64)>,
-    /// Reactions of the supports: position, force up, moment.
-    pub reactions: Vec<(f64, f64, f64)>,
-    /// The part of the beam's own buckling load that its compression leaves: 1 for P ≥ 0.
-    pub stability: f64,
-}
-
-/// A part of the beam on which w and p are polynomials of s ∈ \[−1, 1\].
-pub(crate) struct ClaimedPiece<'a> {
-    pub x: [f64; 2],
-    /// Half its length; the ends themselves are rounded.
-    pub half: f64,
-    pub deflection: &'a [f64],
-    pub pressure: &'a [f64],
-    /// u at both ends where the ground is free; none where it follows the beam.
-    pub open: Option<[f64; 2]>,
-}
+/// Positions this close, as a part of the length, are the same: nodes within rounding of each other were
+/// one node.
+const NEAR: f64 = 16.0 * f64::EPSILON;
 
 /// Gauss–Legendre points on \[−1, 1\], exact to degree 23: to rounding for every integrand here.
 const GAUSS: [(f64, f64); 6] = [
@@ -107,47 +106,54 @@ fn gauss() -> impl Iterator<Item = (f64, f64)> {
     GAUSS.iter().flat_map(|&(s, w)| [(-s, w), (s, w)])
 }
 
+/// w and its derivatives by s at the points of quadrature.
+type Jets = [[f64; 4]; 2 * GAUSS.len()];
+
+fn jets(deflection: &[f64]) -> Jets {
+    let mut all = [[0.0; 4]; 2 * GAUSS.len()];
+    for (jet_here, (s, _)) in all.iter_mut().zip(gauss()) {
+        *jet_here = jet(deflection, s);
+    }
+    all
+}
+
 /// Energies and their parts, summed piece by piece.
 #[derive(Debug, Default)]
 struct Sums {
-    /// ∫EI w″², ∫P w'², ∫m²/EI, ∫(EI w″ + m)²/EI, F(w).
+    /// ∫EI w″², ∫P w'², ∫m²/EI, ∫(EI w″ + m)²/EI, F(w), ∫1/EI.
     bending: f64,
     axial: f64,
     moment: f64,
     misfit: f64,
     work: f64,
-    /// The springs' energies, twice.
-    springs: f64,
+    flexibility: f64,
     largest_deflection: f64,
+    largest_slope: f64,
 }
 
 /// Certifies a claim.
 pub(crate) fn certify(model: &Model, claim: &Claim) -> Certificate {
-    let mut sums = Sums { largest_deflection: claim.largest_deflection(), ..Sums::default() };
-    let mut ground = GroundSums::new(model, claim);
-    let mut events = Events::of(model, claim);
-    events.advance(0.0);
-    for piece in &claim.pieces {
-        beam_piece(model, piece, &mut events, &mut sums);
-        ground.add(model, piece, sums.largest_deflection);
-        events.advance(piece.x[1]);
+    let mut walk = Walk::new(model, claim);
+    for (i, piece) in claim.pieces.iter().enumerate() {
+        walk.add(piece, claim.pieces.get(i + 1));
     }
-    ground.finish(model);
-    work_at_points(model, claim, &mut sums);
+    walk.finish();
+    let [force_balance, moment_balance] = walk.events.balance();
+    let (sums, ground, joints, events) = (&walk.sums, &walk.ground, &walk.joints, &walk.events);
 
+    let inner = sums.axial + ground.energy + walk.supports.energy;
+    let strain = 0.5 * (sums.bending + sums.axial.abs() + ground.energy + walk.supports.energy);
+    let norm = walk.norm(strain);
     let stability = claim.stability;
-    let gap = 0.5 * sums.misfit / stability + ground.misfit() + ground.on_gap + ground.lifting();
-    let inner = sums.axial + ground.energy + sums.springs;
-    let strain = 0.5 * (sums.bending + sums.axial.abs() + ground.energy + sums.springs);
+    let gap = 0.5 * norm * norm / stability + walk.work();
+
     // Loads that supports take without any strain leave rounding alone, to be judged by the energy that
     // they would put into the ground.
     let sunk = events.forces * (events.forces / (model.foundation.spring * model.beam.length));
     let strain = strain + f64::EPSILON * sunk;
-    let relative = |x: f64, scale: f64| if x == 0.0 { 0.0 } else { x / scale };
-    let moment_bound = (2.0 * gap / stability).sqrt();
+    let moment_bound = (2.0 * gap / stability).sqrt() + joints.norm + ROUNDED * sums.moment.sqrt();
     let stiffest = model.beam.segments.iter().map(|s| s.bending_stiffness);
     let stiffest = stiffest.fold(model.beam.bending_stiffness, f64::max);
-    let [force_balance, moment_balance] = events.balance();
     Certificate {
         primal_energy: 0.5 * (sums.bending + inner) - sums.work,
         dual_energy: -0.5 * (sums.moment + inner) - ground.work_on_gap,
@@ -156,27 +162,188 @@ pub(crate) fn certify(model: &Model, claim: &Claim) -> Certificate {
         force_balance,
         moment_balance,
         smallest_pressure: ground.smallest_pressure(events.forces),
-        deepest_penetration: relative(ground.penetration, sums.largest_deflection),
+        deepest_penetration: relative(ground.lifting.deepest, sums.largest_deflection),
+        continuity: joints.continuity(model, sums.largest_deflection, sums.largest_slope),
         complementarity: relative(
             ground.worst_product,
             ground.largest_force * sums.largest_deflection,
         ),
-        settlement_bound: (2.0 * gap / stability * ground.flexibility).sqrt(),
+        settlement_bound: settlement_bound(model, gap / stability, ground, joints),
         moment_bound,
         moment_rms_bound: moment_bound * (stiffest / model.beam.length).sqrt(),
     }
 }
 
+/// Rounding of fields and of sums of squares, relative to their size.
+const ROUNDED: f64 = 4.0 * f64::EPSILON;
+
+fn relative(x: f64, scale: f64) -> f64 {
+    if x == 0.0 { 0.0 } else { x / scale }
+}
+
+/// |u − u*|: of the surface that was moved, by how much it was moved, and rounding of u and of positions.
+fn settlement_bound(model: &Model, gap: f64, ground: &GroundSums, joints: &Joints) -> f64 {
+    let flexibility = unclaimed::flexibility(model);
+    if flexibility == f64::INFINITY {
+        return flexibility;
+    }
+    let [u, slope] = ground.largest;
+    let moved = ground.lifting.moved + joints.moved;
+    let rounding = ROUNDED * (u + slope * model.beam.length);
+    (2.0 * gap * flexibility).sqrt() + moved + rounding
+}
+
+/// The state of the walk along the beam.
+struct Walk<'a> {
+    model: &'a Model,
+    claim: &'a Claim<'a>,
+    sums: Sums,
+    ground: GroundSums<'a>,
+    joints: Joints,
+    events: Events,
+    supports: Supports<'a>,
+    segment: Segment,
+    given_back: GivenBack,
+    /// The sum of all loads' sizes.
+    loads: f64,
+    /// ∫1/EI, ∫P w'², the pulls and the joints' moments where the segment began.
+    began: [f64; 4],
+}
+
+impl<'a> Walk<'a> {
+    fn new(model: &'a Model, claim: &'a Claim<'a>) -> Self {
+        let mut walk = Walk {
+            model,
+            claim,
+            sums: Sums { largest_deflection: claim.largest_deflection(), ..Sums::default() },
+            ground: GroundSums::new(model, claim),
+            joints: Joints::new(model),
+            events: Events::of(model, claim),
+            supports: Supports::new(model, claim),
+            segment: Segment::default(),
+            given_back: GivenBack::new(unclaimed::flexibility(model)),
+            loads: statics::size(model),
+            began: [0.0; 4],
+        };
+        walk.stop(0.0);
+        walk
+    }
+
+    fn stop(&mut self, x: f64) {
+        self.events.advance(x);
+        self.supports.advance(x, self.claim, &mut self.segment.carriers);
+        self.segment.to = x;
+    }
+
+    /// Over one piece, and what stands at its right end.
+    fn add(&mut self, piece: &'a ClaimedPiece<'a>, next: Option<&ClaimedPiece>) {
+        let model = self.model;
+        let jets = jets(piece.deflection);
+        beam_piece(model, piece, &jets, &mut self.events, &mut self.sums);
+        let under = Under::new(model, piece);
+        self.ground.add(under, &jets, &mut self.segment.carriers);
+        self.joints.add(piece);
+        self.stop(piece.x[1]);
+        if let Some(next) = next {
+            self.may_cut(&under, next);
+        }
+    }
+
+    /// Where w tells shear and moment as well as equilibrium from the left does, they are taken from it.
+    fn may_cut(&mut self, under: &Under, next: &ClaimedPiece) {
+        let (x, beam) = (next.x[0], &self.model.beam);
+        let stiffness = beam.bending_stiffness_at(0.5 * (x + next.x[1]));
+        let wave = (4.0 * stiffness / under.spring).sqrt().sqrt();
+        let wave = wave.max(((under.shear + beam.axial_force.max(0.0)) / under.spring).sqrt());
+        let ends_bare = next.open.is_none() && self.segment.is_bare();
+        if !(ends_bare || self.segment.stands(wave)) {
+            return;
+        }
+        let half = next.half;
+        let [_, dw, ddw, third] = jet(next.deflection, -1.0);
+        let load = SpreadLoad::on(self.model, next.x);
+        let shear = (beam.axial_force * dw - stiffness * third / (half * half)) / half;
+        let own = [shear - load.moment(-1.0), -stiffness * ddw / (half * half)];
+        let remains = self.remains(own);
+        if remains.force.abs() * wave + remains.moment.abs() <= ALIKE * self.loads * wave {
+            self.events.restart(x, &remains);
+            let ended = self.end_segment(remains);
+            self.given_back.add(ended);
+        }
+    }
+
+    fn remains(&self, own: [f64; 2]) -> Remains {
+        let length = self.segment.to - self.segment.from;
+        let axial = self.model.beam.axial_force * self.sums.largest_slope;
+        self.events.remains(own, length, axial)
+    }
+
+    fn end_segment(&mut self, remains: Remains) -> Segment {
+        let now = [self.sums.flexibility, self.sums.axial, self.ground.pull, self.joints.moment()];
+        let [flexibility, axial, pull, moment] = [0, 1, 2, 3].map(|i| now[i] - self.began[i]);
+        self.began = now;
+        let x = self.segment.to;
+        let mut ended = std::mem::take(&mut self.segment);
+        (self.segment.from, self.segment.to) = (x, x);
+        ended.moment = pull * (ended.to - ended.from) + moment;
+        ended.remains = remains;
+        ended.remains.force_noise += pull;
+        ended.remains.moment_noise += ended.moment;
+        (ended.flexibility, ended.axial) = (flexibility, axial.max(0.0));
+        ended.tension = self.model.beam.axial_force.max(0.0);
+        ended
+    }
+
+    fn finish(&mut self) {
+        self.ground.finish(&mut self.segment.carriers);
+        self.joints.finish(self.claim);
+        work_at_points(self.model, self.claim, &mut self.sums);
+        let remains = self.remains([0.0; 2]);
+        let last = self.end_segment(remains);
+        self.given_back.finish(last);
+    }
+
+    /// The norm of everything that is an error in the energies.
+    fn norm(&self, strain: f64) -> f64 {
+        let [pressed, supports, bent] = self.given_back.norms();
+        let ground = self.ground.misfit() + self.ground.lifting.norm() + pressed;
+        let beam = self.sums.misfit.sqrt() + bent;
+        let held = self.supports.misfit.sqrt() + supports;
+        let rounding = ROUNDED * (2.0 * strain + self.sums.moment).sqrt();
+        (beam * beam + ground * ground + held * held).sqrt() + self.joints.norm + rounding
+    }
+
+    /// What is no square: work of forces on a clearance.
+    fn work(&self) -> f64 {
+        // Nothing has a lever: what remains does work on a motion of the beam's own size.
+        let lost = self.given_back.lost.map_or(0.0, |Remains { force, moment, .. }| {
+            force.abs() * self.sums.largest_deflection + moment.abs() * self.sums.largest_slope
+        });
+        let clear = (1.0 + self.given_back.pressure) * self.ground.clear;
+        clear + self.ground.lifting.work + 2.0 * lost
+    }
+}
+
+/// How well shear and moment from w must agree with those from equilibrium to take their place.
+const ALIKE: f64 = 1e-8;
+
 /// The beam's part of a piece: m from equilibrium, its misfit to EI w″, the energies.
-fn beam_piece(model: &Model, piece: &ClaimedPiece, events: &mut Events, sums: &mut Sums) {
+fn beam_piece(
+    model: &Model,
+    piece: &ClaimedPiece,
+    jets: &Jets,
+    events: &mut Events,
+    sums: &mut Sums,
+) {
     let [from, to] = piece.x;
     let half = piece.half;
     let stiffness = model.beam.bending_stiffness_at(0.5 * (from + to));
     let axial = model.beam.axial_force;
     let load = SpreadLoad::on(model, piece.x);
     let moment = events.integrate(piece, &load, axial);
-    for (s, weight) in gauss() {
-        let [w, dw, ddw, _] = jet(piece.deflection, s);
+    sums.flexibility += 2.0 * half / stiffness;
+    for ((s, weight), jet) in gauss().zip(jets) {
+        let [w, dw, ddw, _] = *jet;
         let (slope, curvature) = (dw / half, ddw / (half * half));
         let m = value(&moment, s);
         let misfit = stiffness * curvature + m;
@@ -186,43 +353,17 @@ fn beam_piece(model: &Model, piece: &ClaimedPiece, events: &mut Events, sums: &m
         sums.moment += dx * m * m / stiffness;
         sums.misfit += dx * misfit * misfit / stiffness;
         sums.work += dx * (load.force(s) * w + load.moment(s) * slope);
+        sums.largest_slope = sums.largest_slope.max(slope.abs());
     }
 }
 
-/// The work of point loads and the energy of springs.
+/// The work of point loads.
 fn work_at_points(model: &Model, claim: &Claim, sums: &mut Sums) {
-    use crate::model::Load;
     for load in &model.loads {
         match *load {
             Load::PointForce { at, force } => sums.work += force * claim.deflection(at)[0],
             Load::PointMoment { at, moment } => sums.work += moment * claim.deflection(at)[1],
             Load::Distributed { .. } | Load::DistributedMoment { .. } => {}
         }
-    }
-    for support in &model.supports {
-        if let SupportKind::Spring { spring, rotational_spring } = support.kind {
-            let [w, slope] = claim.deflection(support.at);
-            sums.springs += spring * w * w + rotational_spring * slope * slope;
-        }
-    }
-}
-
-impl Claim<'_> {
-    /// The largest |w|, to the accuracy of a scale.
-    fn largest_deflection(&self) -> f64 {
-        let at = |piece: &ClaimedPiece| {
-            [-1.0, -0.5, 0.0, 0.5, 1.0].map(|s| value(piece.deflection, s).abs())
-        };
-        self.pieces.iter().flat_map(at).fold(0.0, f64::max)
-    }
-
-    /// w and w' at a position.
-    fn deflection(&self, x: f64) -> [f64; 2] {
-        let i = self.pieces.partition_point(|piece| piece.x[1] < x).min(self.pieces.len() - 1);
-        let piece = &self.pieces[i];
-        let half = piece.half;
-        let s = ((x - 0.5 * (piece.x[0] + piece.x[1])) / half).clamp(-1.0, 1.0);
-        let [w, dw, ..] = jet(piece.deflection, s);
-        [w, dw / half]
     }
 }

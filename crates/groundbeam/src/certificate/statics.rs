@@ -1,5 +1,6 @@
 //! Shear and moment from loads and pressures alone, from the left end to the right.
 
+use super::balance::Remains;
 use super::{Claim, ClaimedPiece};
 use crate::model::{Load, Model};
 
@@ -24,6 +25,10 @@ pub(super) struct Events {
     /// Σ|F| and Σ|M|, to judge the balance by; the lever between them is the beam's length.
     pub forces: f64,
     moments: f64,
+    /// The same since T and m were last taken from elsewhere, with what they were then,
+    since: [f64; 2],
+    /// and what was left out there of force and moment, up to a position.
+    left_over: [f64; 3],
     length: f64,
 }
 
@@ -42,9 +47,19 @@ impl Events {
         let held = |&(x, force, moment): &(f64, f64, f64)| Event { x, force: -force, moment };
         ahead.extend(claim.reactions.iter().map(held));
         ahead.sort_by(|a, b| b.x.total_cmp(&a.x));
-        let near = 16.0 * f64::EPSILON * model.beam.length;
+        let near = super::NEAR * model.beam.length;
         let length = model.beam.length;
-        Events { ahead, near, shear: 0.0, moment: 0.0, forces: 0.0, moments: 0.0, length }
+        Events {
+            ahead,
+            near,
+            shear: 0.0,
+            moment: 0.0,
+            forces: 0.0,
+            moments: 0.0,
+            since: [0.0; 2],
+            left_over: [0.0; 3],
+            length,
+        }
     }
 
     /// Applies everything up to and at x.
@@ -52,9 +67,14 @@ impl Events {
         while let Some(event) = self.ahead.pop_if(|event| event.x <= x + self.near) {
             self.shear -= event.force;
             self.moment += event.moment;
-            self.forces += event.force.abs();
-            self.moments += event.moment.abs();
+            self.count(event.force.abs(), event.moment.abs());
         }
+    }
+
+    fn count(&mut self, force: f64, moment: f64) {
+        self.forces += force;
+        self.moments += moment;
+        self.since = [self.since[0] + force, self.since[1] + moment];
     }
 
     /// Integrates over a piece; returns the coefficients of m(s).
@@ -63,8 +83,7 @@ impl Events {
         let mut net = piece.pressure.to_vec();
         net.resize(net.len().max(2), 0.0);
         let size = |c: &[f64]| c.iter().map(|c| c.abs()).sum::<f64>() * 2.0 * half;
-        self.forces += size(piece.pressure) + size(&load.force);
-        self.moments += size(&load.moment);
+        self.count(size(piece.pressure) + size(&load.force), size(&load.moment));
         for j in 0..2 {
             net[j] -= load.force[j];
         }
@@ -84,11 +103,38 @@ impl Events {
         moment
     }
 
+    /// What remains of T and m where a beam that has these of its own goes on, and its rounding.
+    pub fn remains(&self, own: [f64; 2], length: f64, axial: f64) -> Remains {
+        let [forces, moments] = self.since;
+        Remains {
+            force: self.shear - own[0],
+            moment: self.moment - own[1],
+            force_noise: f64::EPSILON * forces,
+            moment_noise: f64::EPSILON * (moments + (forces + axial.abs()) * length),
+        }
+    }
+
+    /// Goes on with other T and m.
+    pub fn restart(&mut self, x: f64, remains: &Remains) {
+        self.moved(x, remains);
+        self.shear -= remains.force;
+        self.moment -= remains.moment;
+        self.since = [self.shear.abs(), self.moment.abs()];
+    }
+
+    fn moved(&mut self, x: f64, remains: &Remains) {
+        let [force, moment, from] = self.left_over;
+        let moment = moment + force * (x - from) + remains.moment;
+        self.left_over = [force + remains.force, moment, x];
+    }
+
     /// |ΣF| and |ΣM| that remain at the right end, relative to what was summed.
-    pub fn balance(&self) -> [f64; 2] {
+    pub fn balance(&mut self) -> [f64; 2] {
+        self.moved(self.length, &self.remains([0.0; 2], 0.0, 0.0));
+        let [force, moment, _] = self.left_over;
         let relative = |x: f64, scale: f64| if x == 0.0 { 0.0 } else { x.abs() / scale };
         let moments = self.moments + self.forces * self.length;
-        [relative(self.shear, moments / self.length), relative(self.moment, moments)]
+        [relative(force, moments / self.length), relative(moment, moments)]
     }
 }
 
@@ -102,6 +148,20 @@ fn antiderivative(c: &[f64], half: f64, start: f64) -> Vec<f64> {
     }
     out[0] = start - at_left;
     out
+}
+
+/// The sum of all loads' sizes, moments over the length.
+pub(super) fn size(model: &Model) -> f64 {
+    let l = model.beam.length;
+    let sizes = model.loads.iter().map(|load| match *load {
+        Load::PointForce { force, .. } => force.abs(),
+        Load::PointMoment { moment, .. } => moment.abs() / l,
+        Load::Distributed { from, to, start, end } => 0.5 * (start.abs() + end.abs()) * (to - from),
+        Load::DistributedMoment { from, to, start, end } => {
+            0.5 * (start.abs() + end.abs()) * ((to - from) / l)
+        }
+    });
+    sizes.sum()
 }
 
 /// f and g on a piece: value at the middle and half the rise.

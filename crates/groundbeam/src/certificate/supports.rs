@@ -1,0 +1,63 @@
+//! What holds the beam besides the ground, from left to right.
+
+use super::Claim;
+use super::balance::{Carriers, Weights};
+use crate::model::{Model, Support, SupportKind};
+
+pub(super) struct Supports<'a> {
+    /// With the claimed force and moment, from right to left; the next one is the last.
+    ahead: Vec<(&'a Support, f64, f64)>,
+    near: f64,
+    length: f64,
+    /// The sum of all concentrated forces: no rigid support weighs less.
+    all: f64,
+    /// The springs' energies, twice, and those of what they miss of their own laws.
+    pub energy: f64,
+    pub misfit: f64,
+}
+
+impl<'a> Supports<'a> {
+    pub fn new(model: &'a Model, claim: &Claim) -> Self {
+        let claimed = |i: usize| claim.reactions.get(i).map_or((0.0, 0.0), |r| (r.1, r.2));
+        let supports = model.supports.iter().enumerate();
+        let mut ahead: Vec<_> = supports
+            .map(|(i, support)| {
+                let (force, moment) = claimed(i);
+                (support, force, moment)
+            })
+            .collect();
+        ahead.sort_by(|a, b| b.0.at.total_cmp(&a.0.at));
+        let length = model.beam.length;
+        let forces = claim.forces.iter().map(|f| f.1.abs());
+        let reactions = claim.reactions.iter().map(|r| r.1.abs() + r.2.abs() / length);
+        let all = forces.chain(reactions).sum();
+        let near = super::NEAR * length;
+        Supports { ahead, near, length, all, energy: 0.0, misfit: 0.0 }
+    }
+
+    /// Those up to and at x.
+    pub fn advance(&mut self, x: f64, claim: &Claim, carriers: &mut Carriers) {
+        let missed = |by: f64, spring: f64| if by == 0.0 { 0.0 } else { by * by / spring };
+        let near = self.near;
+        while let Some((support, force, moment)) =
+            self.ahead.pop_if(|(support, ..)| support.at <= x + near)
+        {
+            match support.kind {
+                SupportKind::Spring { spring, rotational_spring } => {
+                    let [w, slope] = claim.deflection(support.at);
+                    self.energy += spring * w * w + rotational_spring * slope * slope;
+                    self.misfit += missed(spring * w - force, spring)
+                        + missed(rotational_spring * slope + moment, rotational_spring);
+                    carriers.stored += missed(force, spring) + missed(moment, rotational_spring);
+                    carriers.supports.add(Weights::point(support.at, force.abs()));
+                    carriers.turning += moment.abs() * self.length;
+                }
+                SupportKind::Pinned => carriers.supports.add(Weights::point(support.at, self.all)),
+                SupportKind::Fixed => {
+                    carriers.supports.add(Weights::point(support.at, self.all));
+                    carriers.turning += self.all * self.length * self.length;
+                }
+            }
+        }
+    }
+}

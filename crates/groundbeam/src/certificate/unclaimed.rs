@@ -1,0 +1,105 @@
+//! How far the ground gives under forces that nobody claims.
+
+use crate::model::Model;
+
+/// ⟨r, Gr⟩ for concentrated forces r that stand on the ground unclaimed: b(u − Gp, u − Gp).
+///
+/// Softer ground gives more, so it is bounded on ground with the smallest k and the smallest μ > 0 of the
+/// model, where G is the exponential (2.4). A shear layer of length L that stops under the beam gives at
+/// most coth(bL)/√(kμ) to a unit force, which bounds it by (Σ|r|)².
+#[derive(Debug)]
+pub(super) struct Unclaimed {
+    spring: f64,
+    shear: f64,
+    length: f64,
+    finished: f64,
+    /// The layer now passed over: Σ|r|, Σ rᵢ e^(−b(x − xᵢ)), ⟨r, Gr⟩·2√(kμ), and whether it began at the
+    /// beam's end.
+    sum: f64,
+    carried: f64,
+    square: f64,
+    x: f64,
+    start: f64,
+    endless: bool,
+    inside: bool,
+}
+
+impl Unclaimed {
+    pub fn new(model: &Model) -> Self {
+        let ground = &model.foundation;
+        let segments = ground.segments.iter().map(|s| (s.spring, s.shear));
+        let (mut spring, mut shear) = (ground.spring, f64::INFINITY);
+        for (k, mu) in segments.chain([(ground.spring, ground.shear)]) {
+            spring = spring.min(k);
+            if mu > 0.0 {
+                shear = shear.min(mu);
+            }
+        }
+        Unclaimed {
+            spring,
+            shear,
+            length: model.beam.length,
+            finished: 0.0,
+            sum: 0.0,
+            carried: 0.0,
+            square: 0.0,
+            x: 0.0,
+            start: 0.0,
+            endless: true,
+            inside: true,
+        }
+    }
+
+    /// The next piece lies on a shear layer or not.
+    pub fn enter(&mut self, layer: bool, x: f64) {
+        if layer != self.inside {
+            self.close(x, false);
+            (self.start, self.endless, self.inside) = (x, x == 0.0, layer);
+        }
+    }
+
+    pub fn add(&mut self, x: f64, force: f64) {
+        if force == 0.0 {
+            return;
+        }
+        let b = (self.spring / self.shear).sqrt();
+        self.carried = self.carried * (-b * (x - self.x)).exp() + force;
+        self.x = x;
+        self.square += force * (2.0 * self.carried - force);
+        self.sum += force.abs();
+    }
+
+    fn close(&mut self, end: f64, endless: bool) {
+        if self.sum > 0.0 {
+            let give = 1.0 / (self.spring * self.shear).sqrt();
+            self.finished += if endless && self.endless {
+                // A sum of squares in exact arithmetic.
+                0.25 * give * self.square.max(0.0)
+            } else {
+                let b = (self.spring / self.shear).sqrt();
+                0.5 * give * self.sum * self.sum / (b * (end - self.start)).tanh()
+            };
+        }
+        (self.sum, self.carried, self.square) = (0.0, 0.0, 0.0);
+    }
+
+    /// ‖Gr‖ in the norm of b.
+    pub fn norm(&self) -> f64 {
+        let mut all = Unclaimed { ..*self };
+        all.close(self.length, true);
+        (2.0 * all.finished).sqrt()
+    }
+}
+
+/// A bound of g(x, x) for the whole ground; infinite where there is no shear layer.
+///
+/// Less stiff ground gives more (the energy is monotone in k and μ), so the softest constants bound it. A
+/// shear layer that stops under the beam is held from one side only.
+pub(super) fn flexibility(model: &Model) -> f64 {
+    let ground = &model.foundation;
+    let all = ground.segments.iter().map(|s| (s.spring, s.shear));
+    let (k, mu) = all.fold((ground.spring, ground.shear), |(k, mu), (other_k, other_mu)| {
+        (k.min(other_k), mu.min(other_mu))
+    });
+    if mu > 0.0 { 0.5 / (k * mu).sqrt() } else { f64::INFINITY }
+}
