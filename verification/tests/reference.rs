@@ -3,13 +3,17 @@
 use groundbeam::{Outcome, solve};
 use groundbeam_verification::reference::Answer;
 
-/// Shear layers 10⁴ times stiffer than √(k EI): contact ends in layers of the beam 10⁻⁴ of its length wide,
-/// and the coarse mesh that would find them takes minutes. A known gap.
-const TOO_STIFF: [&str; 3] = ["hard-005", "hard-006", "hard-007"];
-
 /// Models whose fields or regions 64 bits cannot tell to eleven digits: name, tolerance, whether regions are
 /// compared. The energies agree to eleven digits all the same.
-const KNOWN: [(&str, f64, bool); 2] = [
+const KNOWN: [(&str, f64, bool); 6] = [
+    // Shear layers 10⁴ to 10⁶ times stiffer than √(k EI) under beams lifted by thousands of settlements: the
+    // pressure at some edges is 10⁻⁵ of the largest and rounding in the slopes moves them by 10⁻⁹; of
+    // hard-006 an opening is 6·10⁻²¹ deep.
+    ("hard-005", 2e-5, false),
+    ("hard-006", 1e-6, false),
+    ("hard-007", 1e-6, false),
+    // The same, 10² times, seven zones.
+    ("hard-021", 3e-11, true),
     // A load 3·10⁻⁹ from an edge: the shear force between them is a third difference over that length.
     ("hard-027", 2e-7, true),
     // Zero at both supports and no contact force: touching points are a matter of definition, and so is the
@@ -21,7 +25,7 @@ const KNOWN: [(&str, f64, bool); 2] = [
 fn exact_agrees_with_sixty_digits() {
     let mut faults = Vec::new();
     let (mut count, mut worst, mut worst_gap) = (0, 0.0_f64, 0.0_f64);
-    for answer in Answer::all().into_iter().filter(|a| !TOO_STIFF.contains(&a.name.as_str())) {
+    for answer in Answer::all() {
         count += 1;
         match solve(&answer.parsed()) {
             Ok(Outcome::Equilibrium(solution)) => {

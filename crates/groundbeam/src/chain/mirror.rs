@@ -1,33 +1,40 @@
 //! A cell seen in a mirror, so that one sweep serves both directions.
 
 use super::{ChainCell, Tie, TiedLink};
-use crate::elements::Element;
+use crate::elements::{Basis, Element};
 use crate::ground::Link;
 
-/// v = (w_l, θ_l, d₁, d₂) from the same four of the element seen in a mirror, and back.
-pub(super) fn mirror_shape(v: &[f64; 4], h: f64) -> [f64; 4] {
+/// The four numbers of an element from those of the element seen in a mirror, and back.
+pub(super) fn mirror_shape(v: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
     let [w, theta, d1, d2] = *v;
-    [w + h * theta + d1, -(theta + d2), h * d2 - d1, d2]
+    match basis {
+        Basis::Deformation => [w + h * theta + d1, -(theta + d2), h * d2 - d1, d2],
+        Basis::Ends => [d1, -d2, w, -theta],
+    }
 }
 
-fn mirror_row(row: &[f64; 4], h: f64) -> [f64; 4] {
+fn mirror_row(row: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
     // row·v = row·(Q v') with Q of `mirror_shape`.
     let [a, b, c, d] = *row;
-    [a, h * a - b, a - c, d - b + h * c]
+    match basis {
+        Basis::Deformation => [a, h * a - b, a - c, d - b + h * c],
+        Basis::Ends => [c, -d, a, -b],
+    }
 }
 
 pub(super) fn mirror_cell(cell: &ChainCell) -> (Element, Vec<TiedLink>) {
-    let h = cell.element.length;
-    let half: [[f64; 4]; 4] = std::array::from_fn(|i| mirror_row(&cell.element.stiffness[i], h));
+    let Element { length: h, basis, .. } = cell.element;
+    let mirror_row = |row: &[f64; 4]| mirror_row(row, h, basis);
+    let half: [[f64; 4]; 4] = std::array::from_fn(|i| mirror_row(&cell.element.stiffness[i]));
     let stiffness = std::array::from_fn(|j| {
         let column = [half[0][j], half[1][j], half[2][j], half[3][j]];
-        mirror_row(&column, h)
+        mirror_row(&column)
     });
-    let element = Element { length: h, stiffness, load: mirror_row(&cell.element.load, h) };
+    let element = Element { stiffness, load: mirror_row(&cell.element.load), ..cell.element };
     let mirror_tie = |tie: Tie| match tie {
         Tie::SurfaceLeft => Tie::SurfaceRight,
         Tie::SurfaceRight => Tie::SurfaceLeft,
-        Tie::Beam { row, gap } => Tie::Beam { row: mirror_row(&row, h), gap },
+        Tie::Beam { row, gap } => Tie::Beam { row: mirror_row(&row), gap },
     };
     let links = cell.links.iter().map(|tied| TiedLink {
         link: Link {

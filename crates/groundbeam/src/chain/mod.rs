@@ -8,7 +8,7 @@
 
 mod mirror;
 
-use crate::elements::Element;
+use crate::elements::{Basis, Element};
 use crate::ground::Link;
 use mirror::{mirror_cell, mirror_shape};
 
@@ -21,7 +21,7 @@ pub(crate) enum Tie {
     SurfaceRight,
     /// The beam at a point of the cell: u = row·v − gap.
     Beam {
-        /// What multiplies v = (w_left, θ_left, d₁, d₂).
+        /// What multiplies the element's v.
         row: [f64; 4],
         /// g₀ there.
         gap: f64,
@@ -72,7 +72,7 @@ pub(crate) struct Chain {
 /// The solution of a chain.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Shape {
-    /// (w_left, θ_left, d₁, d₂) of every cell.
+    /// The four numbers of every cell's element.
     pub cells: Vec<[f64; 4]>,
     /// u at every node where it is an unknown.
     pub surface: Vec<f64>,
@@ -131,17 +131,18 @@ impl Chain {
         shape.surface[meet] = at_meeting[U];
         let mut y = at_meeting;
         for (i, back) in (0..meet).zip(&back_left).rev() {
-            y = back.cross(self.cells[i].element.length, y, &mut shape.cells[i]);
+            let Element { length, basis, .. } = self.cells[i].element;
+            y = back.cross(length, basis, y, &mut shape.cells[i]);
             y = back.end(&self.nodes[i], y, true);
             shape.surface[i] = y[U];
         }
         let mut y = at_meeting;
         y[THETA] = -y[THETA];
         for (i, back) in (meet..last).rev().zip(&back_right).rev() {
-            let h = self.cells[i].element.length;
+            let Element { length, basis, .. } = self.cells[i].element;
             let mut v = [0.0; 4];
-            y = back.cross(h, y, &mut v);
-            shape.cells[i] = mirror_shape(&v, h);
+            y = back.cross(length, basis, y, &mut v);
+            shape.cells[i] = mirror_shape(&v, length, basis);
             y = back.end(&self.nodes[i + 1], y, false);
             shape.surface[i + 1] = y[U];
         }
@@ -210,8 +211,16 @@ fn end_surface(state: &mut Behind) -> Result<[f64; 3], Loose> {
     Ok(gain)
 }
 
-/// w_left, θ_left, d₁, d₂ from w_right, θ_right, v₁, v₂, where vᵢ is either the left value or dᵢ.
-fn transform(h: f64, by_left: [bool; 2]) -> [[f64; 4]; 4] {
+/// The element's four from w_right, θ_right, v₁, v₂, where vᵢ is either the left value or dᵢ.
+fn transform(h: f64, basis: Basis, by_left: [bool; 2]) -> [[f64; 4]; 4] {
+    if basis == Basis::Ends {
+        return [
+            [0.0, 0.0, 1.0, 0.0],
+            [0.0, 0.0, 0.0, 1.0],
+            [1.0, 0.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0, 0.0],
+        ];
+    }
     let [w_known, theta_known] = by_left;
     let theta = if theta_known { [0.0, 0.0, 0.0, 1.0] } else { [0.0, 1.0, 0.0, -1.0] };
     let d2 = if theta_known { [0.0, 1.0, 0.0, -1.0] } else { [0.0, 0.0, 0.0, 1.0] };
@@ -268,7 +277,7 @@ fn cross(
         node.pinned || state.s[W][W] > element.stiffness[2][2],
         node.clamped || state.s[THETA][THETA] > element.stiffness[3][3],
     ];
-    let c = transform(element.length, back.by_left);
+    let c = transform(element.length, element.basis, back.by_left);
     // Congruence on the beam's four, then in the order (w_r, θ_r, u_r | v₁, v₂, u_l).
     let mut half = [[0.0; 4]; 6];
     for i in 0..6 {
@@ -406,11 +415,11 @@ fn solve_node(node: &ChainNode, both: &Behind) -> Result<[f64; 3], Loose> {
 
 impl Return {
     /// From (w, θ, u) of the right node to those of the left one and the cell's own v.
-    fn cross(&self, h: f64, y: [f64; 3], v: &mut [f64; 4]) -> [f64; 3] {
+    fn cross(&self, h: f64, basis: Basis, y: [f64; 3], v: &mut [f64; 4]) -> [f64; 3] {
         let e: [f64; 3] = std::array::from_fn(|i| {
             self.constant[i] - (0..3).map(|j| self.gain[i][j] * y[j]).sum::<f64>()
         });
-        let c = transform(h, self.by_left);
+        let c = transform(h, basis, self.by_left);
         let z = [y[W], y[THETA], e[0], e[1]];
         *v = std::array::from_fn(|i| (0..4).map(|j| c[i][j] * z[j]).sum());
         [v[0], v[1], if self.rise { y[U] - e[2] } else { e[2] }]

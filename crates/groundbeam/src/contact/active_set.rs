@@ -11,14 +11,15 @@
 //! of that slope is searched for. Φ falls with every accepted step, so no deflection comes back; what that
 //! proves about the number of steps, and what it does not, is in `docs/methods.md`.
 
+use super::forms::{beam_form, ground_work};
 use super::layout::Layout;
+use super::line::settle;
 use super::majorant::{self, Deflection, Zone};
-use super::surface::{Surface, energy_form, ground_work};
+use super::surface::Surface;
 use crate::chain::{Chain, Loose};
 use crate::elements::Element;
 use crate::elements::hermite::{self, TERMS};
 use crate::mesh::Mesh;
-use crate::polynomial::jet;
 
 /// How the contact pressure is represented.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -101,8 +102,6 @@ const ROUNDED: f64 = 1e-14;
 const PATIENCE: usize = 24;
 /// The part of the bonded ground that first damps a step.
 const LEAST_DAMPING: f64 = 1e-6;
-/// The part of the slope along a line that may remain.
-const SETTLED: f64 = 0.1;
 
 /// Solves on one mesh, from the bonded beam or from the solution on another mesh.
 pub(crate) fn solve(
@@ -148,7 +147,7 @@ pub(crate) fn solve(
                 surface: None,
             });
         }
-        let t = if line.decrement > 1e-20 { line.settle() } else { 1.0 };
+        let t = if line.decrement > 1e-20 { settle(line.fall, |t| line.slope(t)) } else { 1.0 };
         if let Some(step) = history.last_mut() {
             step.step = t;
         }
@@ -286,33 +285,8 @@ impl<'a> Newton<'a> {
         (0..self.mesh.cells.len()).flat_map(|i| w.obstacle(i)).collect()
     }
 
-    /// ∫(EI a″b″ + P a'b') and the springs at supports.
     fn beam_form(&self, a: &State, b: &State) -> f64 {
-        let mut sum = 0.0;
-        for (i, cell) in self.mesh.cells.iter().enumerate() {
-            let range = i * TERMS..(i + 1) * TERMS;
-            let [f, g] = [&a.coefficients[range.clone()], &b.coefficients[range]];
-            let h = cell.length();
-            // w'' = (4/h²)(2c₂ + 6c₃ s): the cross term vanishes.
-            let bend = 2.0 * (4.0 * f[2] * g[2]) + 2.0 / 3.0 * 36.0 * f[3] * g[3];
-            sum += cell.stiffness * bend * 8.0 / (h * h * h);
-            if self.mesh.axial_force != 0.0 {
-                sum += energy_form(h, (0.0, self.mesh.axial_force), [-1.0, 1.0], f, g);
-            }
-        }
-        for (i, node) in self.mesh.nodes.iter().enumerate() {
-            if node.spring != 0.0 || node.rotational_spring != 0.0 {
-                let [cell, s] = if i == 0 { [0, 0] } else { [i - 1, 1] };
-                let s = if s == 0 { -1.0 } else { 1.0 };
-                let end = |state: &State| {
-                    let [w, d, ..] = jet(&state.coefficients[cell * TERMS..(cell + 1) * TERMS], s);
-                    [w, d * 2.0 / self.mesh.cells[cell].length()]
-                };
-                let ([w, d], [z, e]) = (end(a), end(b));
-                sum += node.spring * w * z + node.rotational_spring * d * e;
-            }
-        }
-        sum
+        beam_form(self.mesh, TERMS, &a.coefficients, &b.coefficients)
     }
 
     fn ground_form(&self, zones: &[Zone], psi: &[f64], delta: &[f64]) -> f64 {
@@ -394,48 +368,6 @@ impl<'a> Line<'a> {
         let psi = self.newton.obstacle(&state.coefficients);
         let ground = self.newton.ground_form(&zones, &psi, &self.delta);
         (ground - self.glued) - (1.0 - t) * self.beam - self.damping
-    }
-
-    /// A t at which most of the slope is gone and Φ has fallen; 1 whenever that is true of the full step.
-    /// The slope grows along the line, so Φ falls as long as it is not positive, and Φ(1) − Φ(0) is at
-    /// most the mean of the slopes at ½ and 1.
-    fn settle(&self) -> f64 {
-        let small = SETTLED * self.fall;
-        let (mut low, mut low_slope) = (0.0, -self.fall);
-        let (mut high, mut high_slope) = (1.0, self.slope(1.0));
-        if high_slope.abs() <= small && (high_slope <= 0.0 || self.slope(0.5) + high_slope <= 0.0) {
-            return 1.0;
-        }
-        while high_slope < -small && high < 1e12 {
-            (low, low_slope) = (high, high_slope);
-            high *= 2.0;
-            high_slope = self.slope(high);
-        }
-        let mut t = high;
-        let mut slope = high_slope;
-        let mut kept = 0;
-        for _ in 0..60 {
-            if slope <= 0.0 && -slope <= small {
-                break;
-            }
-            // Regula falsi, halving the weight of an end that stays (Illinois).
-            t = low + (high - low) * (low_slope / (low_slope - high_slope));
-            slope = self.slope(t);
-            if slope < 0.0 {
-                (low, low_slope) = (t, slope);
-                if kept < 0 {
-                    high_slope *= 0.5;
-                }
-                kept = -1;
-            } else {
-                (high, high_slope) = (t, slope);
-                if kept > 0 {
-                    low_slope *= 0.5;
-                }
-                kept = 1;
-            }
-        }
-        t
     }
 }
 

@@ -13,6 +13,7 @@
 //! every step. If the steps do not settle, the mesh that began them is refined.
 
 use super::active_set::{Found, Pressure, Stalled, Step};
+use super::descent::shorten;
 use super::layout::Layout;
 use super::majorant::{self, Deflection, Spot, Zone};
 use super::nested;
@@ -21,14 +22,25 @@ use crate::elements::exact::{ExactElement, TERMS, parts};
 use crate::elements::{Operator, Touch};
 use crate::mesh::{Cell, Mesh};
 use crate::model::{Load, Model};
-use crate::polynomial::jet;
+use crate::polynomial::{jet, rescale};
 
 /// Cells of the first coarse mesh per wave length of the beam on its ground.
 const COARSE: f64 = 1.0;
 /// How often the coarse mesh is refined fourfold before the model is given up.
 const REFINEMENTS: u32 = 5;
-/// Newton steps from one coarse mesh.
-const MOST_STEPS: usize = 40;
+/// Newton steps from one start, and for a beam that only gives the next one its start.
+const MOST_STEPS: usize = 200;
+const STAGE_STEPS: usize = 100;
+/// The most wave lengths of the beam between two nodes of the model on the first coarse mesh.
+const MOST_WAVES: f64 = 32.0;
+/// The last move of an edge, relative to the beam's length, of a beam that only gives the next its start.
+const ROUGH: f64 = 1e-6;
+/// What may be left of its energy to fall, relative to twice the strain energy.
+const ROUGH_DECREMENT: f64 = 1e-12;
+/// A move of the edges, relative to the beam's length, after which no step is shortened.
+const LOCAL: f64 = 1e-8;
+/// How much less stiff (as a power of two) one beam is than the one it starts from.
+const STIFFER: f64 = 2.0;
 
 /// Steps after which the certificate is asked whether the edges' last digits matter.
 const PATIENCE: usize = 4;
@@ -63,18 +75,9 @@ pub(crate) fn solve(
     let mut last = Stalled::default();
     let mut iterations = 0;
     for level in 0..=REFINEMENTS {
-        let per_wave = COARSE * 4_f64.powi(level as i32);
-        let coarse =
-            match nested::solve(nested::coarse_meshes(model, per_wave), Pressure::Distributed) {
-                Ok(found) => found,
-                Err(stalled) => {
-                    iterations += stalled.iterations;
-                    last = stalled;
-                    continue;
-                }
-            };
-        iterations += coarse.history.len();
-        match refine(model, &coarse, &proven) {
+        let start = coarse(model, level);
+        let found = start.and_then(|start| refine(model, start, MOST_STEPS, &proven));
+        match found {
             Ok(found) => return Ok(found),
             Err(stalled) => {
                 iterations += stalled.iterations;
@@ -83,6 +86,39 @@ pub(crate) fn solve(
         }
     }
     Err(Stalled { iterations, ..last })
+}
+
+/// A deflection to start from: on a coarse mesh, for a beam so stiff that the mesh sees its waves, and
+/// from there to the beam itself by beams ever less stiff.
+fn coarse(model: &Model, level: u32) -> Result<Found, Stalled> {
+    let axial = model.beam.axial_force;
+    let waves = |cell: &Cell| {
+        Operator::of(cell, axial, Touch::Contact).wave_number() * cell.length() / MOST_WAVES
+    };
+    let cells = Mesh::build(model, &[], |_| 1).cells;
+    // |r| falls at least like EI^(−1/4).
+    let most = cells.iter().map(waves).fold(1.0, f64::max);
+    let times = most.powi(4).log2();
+    // Where that fails, a fine mesh may not.
+    let stages =
+        if level % 2 == 1 { 0 } else { (times * f64::from(level + 1) / STIFFER).ceil() as u32 };
+    let stiffer = |stage: u32| {
+        let mut model = model.clone();
+        let factor = (times * f64::from(stage) / f64::from(stages.max(1))).exp2();
+        model.beam.bending_stiffness *= factor;
+        for segment in &mut model.beam.segments {
+            segment.bending_stiffness *= factor;
+        }
+        model
+    };
+    let per_wave = COARSE * 4_f64.powi(level as i32);
+    let stiffest = stiffer(stages);
+    let meshes = nested::coarse_meshes(&stiffest, per_wave);
+    let mut found = nested::solve(meshes, Pressure::Distributed)?;
+    for stage in (1..=stages).rev() {
+        found = refine(&stiffer(stage), found, STAGE_STEPS, &|_, _| false)?;
+    }
+    Ok(found)
 }
 
 /// A slope given at an end, by a spring that equilibrium leaves without a moment.
@@ -121,22 +157,29 @@ pub(crate) fn solve_balanced(
     }
 }
 
-/// Newton's steps on the edges, from the contact of a coarse solution.
+/// Newton's steps on the edges, from the deflection of a coarser problem.
 fn refine(
     model: &Model,
-    coarse: &Found,
+    mut start: Found,
+    most_steps: usize,
     proven: &impl Fn(&Found, Proof) -> bool,
 ) -> Result<Found, Stalled> {
-    let mut stretches = positions(&coarse.mesh, &coarse.zones);
-    let mut history = coarse.history.clone();
+    let rough = most_steps < MOST_STEPS;
+    let mut stretches = positions(&start.mesh, &start.zones);
+    let mut history = std::mem::take(&mut start.history);
     let l = model.beam.length;
     let mut moved = f64::INFINITY;
+    // Steps in a row that did not halve the move.
+    let mut idle = 0;
+    // The deflection that asked for the stretches, and the last that equilibrium made.
+    let mut now = start;
     let mut last: Option<Found> = None;
-    for step in 0..MOST_STEPS {
+    for step in 0..most_steps {
         let Ok((found, zones)) = glued(model, &stretches, None) else {
             // A beam balanced on one point has no next step, and may need none.
             return match last.take() {
                 Some(found) if proven(&found, ENOUGH) => Ok(Found { history, ..found }),
+                _ if rough => Ok(Found { history, ..now }),
                 _ => Err(unsettled(step, moved)),
             };
         };
@@ -146,17 +189,43 @@ fn refine(
         history.push(Step { zones: next.len(), step: 1.0, decrement: moved });
         // Quadratic convergence ends at rounding: no further step would make it smaller.
         let settled = moved <= 1e-15 || (moved <= 1e-12 && moved >= 0.25 * before);
-        let proof = if step >= 2 * PATIENCE { ENOUGH } else { PROVEN };
+        if rough && moved <= ROUGH {
+            return Ok(Found { history, zones, ..found });
+        }
+        idle = if moved <= 0.5 * before && moved.is_finite() { 0 } else { idle + 1 };
+        let proof = if idle > PATIENCE { ENOUGH } else { PROVEN };
         if settled || (step >= PATIENCE && proven(&found, proof)) {
             return Ok(Found { history, ..found });
         }
-        stretches = next;
+        // Steps that shrink end by themselves; of others the energy decides how far they go.
+        let shrinks =
+            moved <= 0.5 * before && (before.is_finite() || (moved.is_finite() && step < 2));
+        let mut between = None;
+        if !shrinks && moved > LOCAL {
+            let shortened = shorten(model, &now, &found);
+            if rough && shortened.decrement <= ROUGH_DECREMENT {
+                return Ok(Found { history, zones, ..found });
+            }
+            if let Some(step) = history.last_mut() {
+                step.step = shortened.part;
+            }
+            between = shortened.between;
+        }
+        (now, stretches) = match between {
+            Some(between) => {
+                moved = f64::INFINITY;
+                let stretches = positions(&between.mesh, &between.zones);
+                (between, stretches)
+            }
+            None => (found.clone(), next),
+        };
         last = Some(found);
     }
-    if let Some(found) = last.filter(|found| proven(found, ENOUGH)) {
-        return Ok(Found { history, ..found });
+    match last.filter(|found| proven(found, ENOUGH)) {
+        Some(found) => Ok(Found { history, ..found }),
+        None if rough => Ok(Found { history, ..now }),
+        None => Err(unsettled(most_steps, moved)),
     }
-    Err(unsettled(MOST_STEPS, moved))
 }
 
 fn unsettled(iterations: usize, reached: f64) -> Stalled {
@@ -190,11 +259,8 @@ pub(crate) fn glued(
         .iter()
         .enumerate()
         .map(|(i, exact)| {
-            let h = exact.element.length;
-            // Only ends are tied: w_left, or w_right = w_left + h θ_left + d₁.
-            layout.chain_cell(&mesh, i, exact.element, |s| {
-                if s < 0.0 { [1.0, 0.0, 0.0, 0.0] } else { [1.0, h, 1.0, 0.0] }
-            })
+            // Only ends are tied.
+            layout.chain_cell(&mesh, i, exact.element, |s| exact.element.end_row(s > 0.0))
         })
         .collect();
     let mut nodes = layout.nodes(&mesh);
@@ -205,24 +271,67 @@ pub(crate) fn glued(
         nodes[node].moment += spring * held.slope;
     }
     let shapes = Chain { nodes, cells, meeting: layout.meeting_node(&mesh) }.solve()?.cells;
-    let coefficients: Vec<f64> =
-        elements.iter().zip(&shapes).flat_map(|(exact, v)| exact.unfold(v)).collect();
+    let (fine, coefficients) = unfolded(model, &mesh, &elements, &shapes);
     if !coefficients.iter().all(|c| c.is_finite()) {
         return Err(Loose);
     }
-    let w = Deflection { mesh: &mesh, terms: TERMS, coefficients: &coefficients };
+    let w = Deflection { mesh: &fine, terms: TERMS, coefficients: &coefficients };
     let wanted = majorant::contact(&w);
+    let zones = zones_of(&fine, stretches, &touch);
     let found = Found {
-        mesh,
+        mesh: fine,
         terms: TERMS,
-        shapes,
+        shapes: Vec::new(),
         coefficients,
-        zones: assumed,
+        zones,
         history: Vec::new(),
         pressure: Pressure::Distributed,
         surface: None,
     };
     Ok((found, wanted))
+}
+
+/// w as short series: each element's own, and where it has boundary layers cut into pieces.
+fn unfolded(
+    model: &Model,
+    mesh: &Mesh,
+    elements: &[ExactElement],
+    shapes: &[[f64; 4]],
+) -> (Mesh, Vec<f64>) {
+    let parts = elements.iter().zip(shapes).map(|(element, v)| element.unfold(v));
+    let parts: Vec<([f64; TERMS], [f64; 2])> = parts.collect();
+    let mut x = Vec::new();
+    for ((element, cell), (_, heights)) in elements.iter().zip(&mesh.cells).zip(&parts) {
+        x.push(cell.x[1]);
+        if let Some(layers) = &element.layers {
+            x.extend(layers.cuts(cell.x, *heights));
+        }
+    }
+    if x.len() == mesh.cells.len() {
+        return (mesh.clone(), parts.into_iter().flat_map(|(series, _)| series).collect());
+    }
+    let fine = Mesh::build(model, &x, |_| 1);
+    let mut coefficients = Vec::with_capacity(fine.cells.len() * TERMS);
+    let mut i = 0;
+    for piece in &fine.cells {
+        let middle = 0.5 * (piece.x[0] + piece.x[1]);
+        while mesh.cells[i].x[1] < middle {
+            i += 1;
+        }
+        let cell = &mesh.cells[i];
+        let (series, heights) = &parts[i];
+        let mut c = if piece.x == cell.x {
+            series.to_vec()
+        } else {
+            let [a, b] = piece.x.map(|x| cell.local(x));
+            rescale(series, 0.5 * (a + b), piece.length() / cell.length())
+        };
+        if let Some(layers) = &elements[i].layers {
+            layers.add(cell.x, *heights, piece.x, &mut c);
+        }
+        coefficients.extend(c);
+    }
+    (fine, coefficients)
 }
 
 /// Zones as positions.

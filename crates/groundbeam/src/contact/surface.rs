@@ -190,7 +190,7 @@ fn flux(w: &Deflection, spot: Spot) -> f64 {
 }
 
 /// The links of open ground between two spots, cell by cell; a missing spot is the ground beyond.
-fn open_links(
+pub(crate) fn open_links(
     mesh: &Mesh,
     piece: &Piece,
     from: Option<Spot>,
@@ -216,81 +216,4 @@ fn open_links(
         links.push((None, Link { coupling: 0.0, leak_left, leak_right: 0.0 }));
     }
     links
-}
-
-/// The work of the ground's forces under ψ (contact on `zones`) on a second field δ: the first variation
-/// of ½ min_{u ≥ ψ} b(u, u), where `zones` is the contact of ψ; the bilinear form of the glued ground
-/// otherwise. Both fields are polynomials on the same mesh; ψ already without the gap.
-pub(crate) fn ground_work(
-    mesh: &Mesh,
-    terms: usize,
-    zones: &[Zone],
-    psi: &[f64],
-    delta: &[f64],
-) -> f64 {
-    let of =
-        |c: &'_ [f64], spot: Spot| value(&c[spot.cell * terms..(spot.cell + 1) * terms], spot.s);
-    let mut work = 0.0;
-    for piece in pieces(mesh) {
-        let mut left: Option<Spot> = None;
-        let own = zones.iter().filter(|z| piece.cells.contains(&z.from.cell));
-        let mut any = false;
-        let mut across = |from: Option<Spot>, to: Option<Spot>| {
-            let links = open_links(mesh, &piece, from, to);
-            if let Some(link) = links.into_iter().map(|(_, link)| link).reduce(Link::then) {
-                let [a, b] = [from, to].map(|spot| spot.map_or(0.0, |spot| of(psi, spot)));
-                let [da, db] = [from, to].map(|spot| spot.map_or(0.0, |spot| of(delta, spot)));
-                work += link.force_left(a, b) * da + link.force_right(a, b) * db;
-            }
-        };
-        let mut touching = 0.0;
-        for zone in own {
-            any = true;
-            if piece.pasternak {
-                across(left, Some(zone.from));
-            }
-            for cell in zone.from.cell..=zone.to.cell {
-                let start = if cell == zone.from.cell { zone.from.s } else { -1.0 };
-                let end = if cell == zone.to.cell { zone.to.s } else { 1.0 };
-                if end > start {
-                    let c = &mesh.cells[cell];
-                    let slice = cell * terms..(cell + 1) * terms;
-                    let form = (c.spring, c.shear);
-                    touching += energy_form(
-                        c.length(),
-                        form,
-                        [start, end],
-                        &psi[slice.clone()],
-                        &delta[slice],
-                    );
-                }
-            }
-            left = Some(zone.to);
-        }
-        if piece.pasternak && any {
-            across(left, None);
-        }
-        work += touching;
-    }
-    work
-}
-
-/// ∫ (κ f g + N f' g') dx over a part of a cell of length h, for cubics f and g.
-pub(crate) fn energy_form(
-    h: f64,
-    (kappa, tension): (f64, f64),
-    [from, to]: [f64; 2],
-    f: &[f64],
-    g: &[f64],
-) -> f64 {
-    const GAUSS: [(f64, f64); 4] = crate::elements::hermite::GAUSS;
-    let mut sum = 0.0;
-    for (point, weight) in GAUSS {
-        let s = 0.5 * ((to - from) * point + (to + from));
-        let weight = 0.25 * (to - from) * weight;
-        let [f, df, ..] = jet(f, s);
-        let [g, dg, ..] = jet(g, s);
-        sum += weight * (kappa * f * g * h + tension * df * dg * 4.0 / h);
-    }
-    sum
 }

@@ -11,11 +11,24 @@ pub(crate) mod hermite;
 
 use crate::mesh::Cell;
 
-/// Energy ½ vᵀKv − qᵀv of an element in v = (w_left, θ_left, d₁, d₂).
+/// What an element's four numbers v are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Basis {
+    /// (w_left, θ_left, d₁, d₂).
+    #[default]
+    Deformation,
+    /// (w_left, θ_left, w_right, θ_right): for elements with boundary layers, whose ends turn easily while
+    /// the whole, stretched, does not.
+    Ends,
+}
+
+/// Energy ½ vᵀKv − qᵀv of an element.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Element {
     /// Length \[m\].
     pub length: f64,
+    /// What v is.
+    pub basis: Basis,
     /// K.
     pub stiffness: [[f64; 4]; 4],
     /// q.
@@ -23,6 +36,15 @@ pub(crate) struct Element {
 }
 
 impl Element {
+    /// What multiplies v in w at the element's left or right end.
+    pub fn end_row(&self, right: bool) -> [f64; 4] {
+        match (right, self.basis) {
+            (false, _) => [1.0, 0.0, 0.0, 0.0],
+            (true, Basis::Deformation) => [1.0, self.length, 1.0, 0.0],
+            (true, Basis::Ends) => [0.0, 0.0, 1.0, 0.0],
+        }
+    }
+
     /// K v − q: what the element demands of its left end and of its deformation.
     pub fn forces(&self, v: &[f64; 4]) -> [f64; 4] {
         std::array::from_fn(|i| {

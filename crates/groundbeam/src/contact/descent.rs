@@ -1,0 +1,118 @@
+//! A step of Newton's method on the edges that must not raise the energy.
+//!
+//! Near the answer each glued solve squares the edges' error. Far from it one may throw a lightly held
+//! beam across its length. Then the step is shortened to where the slope of the convex energy Φ along it
+//! has nearly vanished: both deflections are polynomials on the cells of both, and on a line between two
+//! deflections the slope of Φ is known exactly.
+
+use super::active_set::{Found, Pressure};
+use super::forms::{beam_form, ground_work};
+use super::line::settle;
+use super::majorant::{self, Deflection, Zone};
+use crate::elements::exact::TERMS;
+use crate::mesh::Mesh;
+use crate::model::Model;
+use crate::polynomial::rescale;
+
+/// The relative fall that rounding leaves.
+const LEAST: f64 = 1e-26;
+/// A shorter part of a step is no step: the line search has met rounding.
+const LEAST_PART: f64 = 1e-9;
+
+/// A step on the way from a deflection to the beam glued to the ground on its contact.
+#[derive(Debug, Clone)]
+pub(crate) struct Shortened {
+    /// The part of the way taken.
+    pub part: f64,
+    /// Newton's estimate of what the energy has left to fall, relative to twice the strain energy.
+    pub decrement: f64,
+    /// The deflection there unless it is the whole way.
+    pub between: Option<Found>,
+}
+
+/// How far to go from the deflection `now` towards the beam `glued` to the ground on its contact.
+pub(crate) fn shorten(model: &Model, now: &Found, glued: &Found) -> Shortened {
+    let x: Vec<f64> = [now, glued].iter().flat_map(|f| f.mesh.nodes.iter().map(|n| n.x)).collect();
+    let mesh = Mesh::build(model, &x, |_| 1);
+    let [from, to] = [now, glued].map(|found| on(&mesh, found));
+    let zones = moved(&mesh, glued);
+    let delta: Vec<f64> = from.iter().zip(&to).map(|(a, b)| b - a).collect();
+    let beam = beam_form(&mesh, TERMS, &delta, &delta);
+    let fall = beam + ground_work(&mesh, TERMS, &zones, &delta, &delta);
+    let psi = obstacle(&mesh, &to);
+    let energy = beam_form(&mesh, TERMS, &to, &to) + ground_work(&mesh, TERMS, &zones, &psi, &psi);
+    let decrement = if fall == 0.0 { 0.0 } else { fall / energy.abs() };
+    let whole = Shortened { part: 1.0, decrement, between: None };
+    // A fall that rounding made has no direction.
+    if decrement.is_nan() || decrement <= LEAST {
+        return whole;
+    }
+    let bonded = ground_work(&mesh, TERMS, &zones, &psi, &delta);
+    let at = |t: f64| -> Vec<f64> { from.iter().zip(&delta).map(|(a, d)| a + t * d).collect() };
+    let slope = |t: f64| {
+        let w = at(t);
+        let zones = majorant::contact(&Deflection { mesh: &mesh, terms: TERMS, coefficients: &w });
+        let ground = ground_work(&mesh, TERMS, &zones, &obstacle(&mesh, &w), &delta);
+        (ground - bonded) - (1.0 - t) * beam
+    };
+    let t = settle(fall, slope);
+    if t == 1.0 || t < LEAST_PART {
+        return whole;
+    }
+    let coefficients = at(t);
+    let w = Deflection { mesh: &mesh, terms: TERMS, coefficients: &coefficients };
+    let zones = majorant::contact(&w);
+    let found = Found {
+        mesh,
+        terms: TERMS,
+        shapes: Vec::new(),
+        coefficients,
+        zones,
+        history: Vec::new(),
+        pressure: Pressure::Distributed,
+        surface: None,
+    };
+    Shortened { part: t, decrement, between: Some(found) }
+}
+
+/// The coefficients of a deflection on a finer mesh.
+fn on(mesh: &Mesh, found: &Found) -> Vec<f64> {
+    let w = found.deflection();
+    let mut coefficients = Vec::with_capacity(mesh.cells.len() * TERMS);
+    for cell in &mesh.cells {
+        let parent = found.mesh.cell_at(0.5 * (cell.x[0] + cell.x[1]));
+        let from = &found.mesh.cells[parent];
+        let mut c = if cell.x == from.x {
+            w.cell(parent).to_vec()
+        } else {
+            let [a, b] = cell.x.map(|x| from.local(x));
+            rescale(w.cell(parent), 0.5 * (a + b), cell.length() / from.length())
+        };
+        c.resize(TERMS, 0.0);
+        coefficients.extend(c);
+    }
+    coefficients
+}
+
+/// The zones of a deflection, whose ends are nodes of both meshes, on a finer mesh.
+fn moved(mesh: &Mesh, found: &Found) -> Vec<Zone> {
+    let last = mesh.cells.len() - 1;
+    let spot = |spot: majorant::Spot| {
+        let cell = &found.mesh.cells[spot.cell];
+        // From within the cell, so that an end stays on its own side of a node.
+        if spot.s < 0.0 {
+            let inside = cell.x[0] + f64::EPSILON * cell.x[1];
+            majorant::Spot { cell: mesh.cell_at(inside.min(cell.x[1])), s: -1.0 }
+        } else {
+            let after = mesh.cells.partition_point(|c| c.x[1] < cell.x[1]).min(last);
+            majorant::Spot { cell: after, s: 1.0 }
+        }
+    };
+    found.zones.iter().map(|zone| Zone { from: spot(zone.from), to: spot(zone.to) }).collect()
+}
+
+/// The coefficients of ψ = w − g₀.
+fn obstacle(mesh: &Mesh, coefficients: &[f64]) -> Vec<f64> {
+    let w = Deflection { mesh, terms: TERMS, coefficients };
+    (0..mesh.cells.len()).flat_map(|i| w.obstacle(i)).collect()
+}

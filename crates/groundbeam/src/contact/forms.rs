@@ -1,0 +1,123 @@
+//! The energy's bilinear forms for deflections that are polynomials in each cell of a mesh.
+
+use super::majorant::{Spot, Zone};
+use super::pieces::pieces;
+use super::surface::open_links;
+use crate::ground::Link;
+use crate::mesh::Mesh;
+use crate::polynomial::{jet, rescale, value};
+
+/// ∫(EI a″b″ + P a'b') and the springs at supports.
+pub(crate) fn beam_form(mesh: &Mesh, terms: usize, a: &[f64], b: &[f64]) -> f64 {
+    let mut sum = 0.0;
+    for (i, cell) in mesh.cells.iter().enumerate() {
+        let range = i * terms..(i + 1) * terms;
+        let [f, g] = [&a[range.clone()], &b[range]];
+        let h = cell.length();
+        sum += cell.stiffness * inner(f, g, 2) * 8.0 / (h * h * h);
+        if mesh.axial_force != 0.0 {
+            sum += energy_form(h, (0.0, mesh.axial_force), [-1.0, 1.0], f, g);
+        }
+    }
+    for (i, node) in mesh.nodes.iter().enumerate() {
+        if node.spring != 0.0 || node.rotational_spring != 0.0 {
+            let (cell, s) = if i == 0 { (0, -1.0) } else { (i - 1, 1.0) };
+            let end = |c: &[f64]| {
+                let [w, d, ..] = jet(&c[cell * terms..(cell + 1) * terms], s);
+                [w, d * 2.0 / mesh.cells[cell].length()]
+            };
+            let ([w, d], [z, e]) = (end(a), end(b));
+            sum += node.spring * w * z + node.rotational_spring * d * e;
+        }
+    }
+    sum
+}
+
+/// The work of the ground's forces under ψ (contact on `zones`) on a second field δ: the first variation
+/// of ½ min_{u ≥ ψ} b(u, u), where `zones` is the contact of ψ; the bilinear form of the glued ground
+/// otherwise. Both fields are polynomials on the same mesh; ψ already without the gap.
+pub(crate) fn ground_work(
+    mesh: &Mesh,
+    terms: usize,
+    zones: &[Zone],
+    psi: &[f64],
+    delta: &[f64],
+) -> f64 {
+    let of =
+        |c: &'_ [f64], spot: Spot| value(&c[spot.cell * terms..(spot.cell + 1) * terms], spot.s);
+    let mut work = 0.0;
+    for piece in pieces(mesh) {
+        let mut left: Option<Spot> = None;
+        let own = zones.iter().filter(|z| piece.cells.contains(&z.from.cell));
+        let mut any = false;
+        let mut across = |from: Option<Spot>, to: Option<Spot>| {
+            let links = open_links(mesh, &piece, from, to);
+            if let Some(link) = links.into_iter().map(|(_, link)| link).reduce(Link::then) {
+                let [a, b] = [from, to].map(|spot| spot.map_or(0.0, |spot| of(psi, spot)));
+                let [da, db] = [from, to].map(|spot| spot.map_or(0.0, |spot| of(delta, spot)));
+                work += link.force_left(a, b) * da + link.force_right(a, b) * db;
+            }
+        };
+        let mut touching = 0.0;
+        for zone in own {
+            any = true;
+            if piece.pasternak {
+                across(left, Some(zone.from));
+            }
+            for cell in zone.from.cell..=zone.to.cell {
+                let start = if cell == zone.from.cell { zone.from.s } else { -1.0 };
+                let end = if cell == zone.to.cell { zone.to.s } else { 1.0 };
+                if end > start {
+                    let c = &mesh.cells[cell];
+                    let slice = cell * terms..(cell + 1) * terms;
+                    let form = (c.spring, c.shear);
+                    touching += energy_form(
+                        c.length(),
+                        form,
+                        [start, end],
+                        &psi[slice.clone()],
+                        &delta[slice],
+                    );
+                }
+            }
+            left = Some(zone.to);
+        }
+        if piece.pasternak && any {
+            across(left, None);
+        }
+        work += touching;
+    }
+    work
+}
+
+/// ∫ (κ f g + N f' g') dx over a part of a cell of length h, for polynomials f and g.
+pub(crate) fn energy_form(
+    h: f64,
+    (kappa, tension): (f64, f64),
+    [from, to]: [f64; 2],
+    f: &[f64],
+    g: &[f64],
+) -> f64 {
+    let (middle, quarter) = (0.5 * (from + to), 0.5 * (to - from));
+    let half = 0.5 * h * quarter;
+    let form =
+        |f: &[f64], g: &[f64]| kappa * half * inner(f, g, 0) + tension / half * inner(f, g, 1);
+    if [from, to] == [-1.0, 1.0] {
+        return form(f, g);
+    }
+    form(&rescale(f, middle, quarter), &rescale(g, middle, quarter))
+}
+
+/// ∫ f⁽ⁿ⁾ g⁽ⁿ⁾ ds over \[−1, 1\] for the derivatives of order n ≤ 2.
+pub(crate) fn inner(f: &[f64], g: &[f64], order: usize) -> f64 {
+    let falling = |j: usize| (0..order).map(|i| (j - i) as f64).product::<f64>();
+    let mut sum = 0.0;
+    for i in order..f.len() {
+        let mut row = 0.0;
+        for j in (order + (i - order) % 2..g.len()).step_by(2) {
+            row += falling(j) * g[j] / (i + j + 1 - 2 * order) as f64;
+        }
+        sum += 2.0 * falling(i) * f[i] * row;
+    }
+    sum
+}

@@ -1,0 +1,61 @@
+//! How far to go along a line on which a convex energy falls.
+
+/// The part of the slope along a line that may remain.
+const SETTLED: f64 = 0.1;
+
+/// A t at which most of the slope of Φ along a line is gone and Φ has fallen; 1 whenever that is true of
+/// the full step. `fall` is −Φ'(0) > 0. The slope grows along the line, so Φ falls as long as it is not
+/// positive, and Φ(1) − Φ(0) is at most the mean of the slopes at ½ and 1.
+pub(crate) fn settle(fall: f64, slope: impl Fn(f64) -> f64) -> f64 {
+    let small = SETTLED * fall;
+    let (mut low, mut low_slope) = (0.0, -fall);
+    let (mut high, mut high_slope) = (1.0, slope(1.0));
+    if high_slope.abs() <= small && (high_slope <= 0.0 || slope(0.5) + high_slope <= 0.0) {
+        return 1.0;
+    }
+    while high_slope < -small && high < 1e12 {
+        (low, low_slope) = (high, high_slope);
+        high *= 2.0;
+        high_slope = slope(high);
+    }
+    let mut t = high;
+    let mut at_t = high_slope;
+    let mut kept = 0;
+    for _ in 0..60 {
+        if at_t <= 0.0 && -at_t <= small {
+            break;
+        }
+        // Regula falsi, halving the weight of an end that stays (Illinois).
+        t = low + (high - low) * (low_slope / (low_slope - high_slope));
+        at_t = slope(t);
+        if at_t < 0.0 {
+            (low, low_slope) = (t, at_t);
+            if kept < 0 {
+                high_slope *= 0.5;
+            }
+            kept = -1;
+        } else {
+            (high, high_slope) = (t, at_t);
+            if kept > 0 {
+                low_slope *= 0.5;
+            }
+            kept = 1;
+        }
+    }
+    t
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_full_step_is_kept_and_an_overshoot_is_not() {
+        assert_eq!(settle(1.0, |t| t - 1.0), 1.0);
+        // Φ = (t − ¼)²/2 is least at ¼, Φ = (t − 6)²/2 at 6.
+        for least in [0.25, 6.0] {
+            let t = settle(least, |t| t - least);
+            assert!(t <= least && least - t <= SETTLED * least, "{t}");
+        }
+    }
+}
