@@ -59,7 +59,7 @@ pub(crate) struct Proof {
 const ALMOST: f64 = 1e-6;
 
 /// What ends the iteration early, and what is accepted in the end.
-const PROVEN: Proof = Proof { gap: 1e-13, violation: 1e-13 };
+const PROVEN: Proof = Proof { gap: 1e-22, violation: 1e-13 };
 const ENOUGH: Proof = Proof { gap: 1e-11, violation: 3e-8 };
 
 /// Stretches of contact as positions; a point has both equal.
