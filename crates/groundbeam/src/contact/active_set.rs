@@ -89,6 +89,8 @@ impl Default for Stalled {
 /// Steps before a solve is given up. A few dozen are the rule; soft beams hundreds of waves long, lifted to a
 /// million times what they settle, take up to a thousand.
 const MOST_STEPS: usize = 4000;
+/// The same on a mesh that only gives the next one its start.
+const COARSE_STEPS: usize = 200;
 /// Newton's decrement, relative to twice the strain energy, below which the steps go on only as long as
 /// each makes it at least twice as small.
 pub(crate) const CLOSE: f64 = 1e-15;
@@ -123,7 +125,8 @@ pub(crate) fn solve(
     let mut before = f64::INFINITY;
     let mut least_damping = 0.0;
     let (mut least, mut since) = (f64::INFINITY, 0);
-    for _ in 0..MOST_STEPS {
+    let most_steps = if close > CLOSE { COARSE_STEPS } else { MOST_STEPS };
+    for _ in 0..most_steps {
         let (next, damping) = newton.step(&now, &zones, least_damping)?;
         let target = newton.unfold(next);
         let line = Line::new(&newton, &now, &target, &zones, damping);
@@ -159,7 +162,7 @@ pub(crate) fn solve(
         zones = newton.contact(&now.coefficients);
     }
     let reached = history.last().map_or(f64::NAN, |step| step.decrement);
-    Err(Stalled { iterations: MOST_STEPS, reached, ..Stalled::default() })
+    Err(Stalled { iterations: most_steps, reached, ..Stalled::default() })
 }
 
 /// The nodal pressures (5.5) of the bilateral problem, its pulls left out: a start for (5.15).

@@ -26,8 +26,10 @@ use crate::polynomial::{jet, rescale};
 
 /// Cells of the first coarse mesh per wave length of the beam on its ground.
 const COARSE: f64 = 1.0;
-/// How often the coarse mesh is refined fourfold before the model is given up.
+/// How often the coarse mesh is refined threefold before the model is given up.
 const REFINEMENTS: u32 = 5;
+/// What the mesh that gives the start may leave of its energy.
+const START: f64 = 2e-15;
 /// Newton steps from one start, and for a beam that only gives the next one its start.
 const MOST_STEPS: usize = 200;
 const STAGE_STEPS: usize = 100;
@@ -61,6 +63,9 @@ const ALMOST: f64 = 1e-6;
 /// What ends the iteration early, and what is accepted in the end.
 const PROVEN: Proof = Proof { gap: 1e-22, violation: 1e-13 };
 const ENOUGH: Proof = Proof { gap: 1e-11, violation: 3e-8 };
+
+/// Edges this close to a place of the model's own, as a part of the length, are there.
+const SAME_PLACE: f64 = 64.0 * f64::EPSILON;
 
 /// Stretches of contact as positions; a point has both equal.
 type Stretch = [f64; 2];
@@ -111,10 +116,10 @@ fn coarse(model: &Model, level: u32) -> Result<Found, Stalled> {
         }
         model
     };
-    let per_wave = COARSE * 4_f64.powi(level as i32);
+    let per_wave = COARSE * 3_f64.powi(level as i32);
     let stiffest = stiffer(stages);
     let meshes = nested::coarse_meshes(&stiffest, per_wave);
-    let mut found = nested::solve(meshes, Pressure::Distributed)?;
+    let mut found = nested::solve(meshes, Pressure::Distributed, START)?;
     for stage in (1..=stages).rev() {
         found = refine(&stiffer(stage), found, STAGE_STEPS, &|_, _| false)?;
     }
@@ -165,7 +170,8 @@ fn refine(
     proven: &impl Fn(&Found, Proof) -> bool,
 ) -> Result<Found, Stalled> {
     let rough = most_steps < MOST_STEPS;
-    let mut stretches = positions(&start.mesh, &start.zones);
+    let places: Vec<f64> = Mesh::build(model, &[], |_| 1).nodes.iter().map(|n| n.x).collect();
+    let mut stretches = positions(&start.mesh, &start.zones, &places);
     let mut history = std::mem::take(&mut start.history);
     let l = model.beam.length;
     let mut moved = f64::INFINITY;
@@ -183,7 +189,7 @@ fn refine(
                 _ => Err(unsettled(step, moved)),
             };
         };
-        let next = positions(&found.mesh, &zones);
+        let next = positions(&found.mesh, &zones, &places);
         let before = moved;
         moved = distance(&stretches, &next) / l;
         history.push(Step { zones: next.len(), step: 1.0, decrement: moved });
@@ -214,7 +220,7 @@ fn refine(
         (now, stretches) = match between {
             Some(between) => {
                 moved = f64::INFINITY;
-                let stretches = positions(&between.mesh, &between.zones);
+                let stretches = positions(&between.mesh, &between.zones, &places);
                 (between, stretches)
             }
             None => (found.clone(), next),
@@ -334,10 +340,18 @@ fn unfolded(
     (fine, coefficients)
 }
 
-/// Zones as positions.
-fn positions(mesh: &Mesh, zones: &[Zone]) -> Vec<Stretch> {
-    let at = |spot: Spot| mesh.cells[spot.cell].global(spot.s);
-    zones.iter().map(|zone| [at(zone.from), at(zone.to)]).collect()
+/// Zones as positions. An edge within rounding of a place of the model's own is there.
+fn positions(mesh: &Mesh, zones: &[Zone], places: &[f64]) -> Vec<Stretch> {
+    let near = SAME_PLACE * mesh.cells[mesh.cells.len() - 1].x[1];
+    let at = |spot: Spot| {
+        let x = mesh.cells[spot.cell].global(spot.s);
+        let next = places.partition_point(|place| *place < x - near);
+        places.get(next).copied().filter(|place| *place <= x + near).unwrap_or(x)
+    };
+    // A stretch that rounding made is no point of contact.
+    let kept = |(zone, [from, to]): &(&Zone, Stretch)| from < to || zone.from == zone.to;
+    let all = zones.iter().map(|zone| (zone, [at(zone.from), at(zone.to)]));
+    all.filter(kept).map(|(_, stretch)| stretch).collect()
 }
 
 /// Stretches as zones of a mesh that has a node at each of their ends.
@@ -399,7 +413,7 @@ mod tests {
         let mut errors = Vec::new();
         for _ in 0..4 {
             let (found, zones) = glued(&model, &stretches, None).expect("a solution");
-            stretches = positions(&found.mesh, &zones);
+            stretches = positions(&found.mesh, &zones, &[]);
             errors.push((stretches[0][0] - 0.811_326_256_449_155).abs());
         }
         assert!(errors[3] < 2e-15, "{errors:?}");
