@@ -12,7 +12,7 @@
 //! This is Newton's method on Φ in the space of all deflections: the error of the edges is squared in
 //! every step. If the steps do not settle, the mesh that began them is refined.
 
-use super::active_set::{Found, Pressure, Stalled, Step};
+use super::active_set::{CLOSE, Found, Pressure, Stalled, Step};
 use super::descent::shorten;
 use super::layout::Layout;
 use super::majorant::{self, Deflection, Spot, Zone};
@@ -28,8 +28,6 @@ use crate::polynomial::{jet, rescale};
 const COARSE: f64 = 1.0;
 /// How often the coarse mesh is refined threefold before the model is given up.
 const REFINEMENTS: u32 = 5;
-/// What the mesh that gives the start may leave of its energy.
-const START: f64 = 2e-15;
 /// Newton steps from one start, and for a beam that only gives the next one its start.
 const MOST_STEPS: usize = 200;
 const STAGE_STEPS: usize = 100;
@@ -119,7 +117,7 @@ fn coarse(model: &Model, level: u32) -> Result<Found, Stalled> {
     let per_wave = COARSE * 3_f64.powi(level as i32);
     let stiffest = stiffer(stages);
     let meshes = nested::coarse_meshes(&stiffest, per_wave);
-    let mut found = nested::solve(meshes, Pressure::Distributed, START)?;
+    let mut found = nested::solve(meshes, Pressure::Distributed, CLOSE)?;
     for stage in (1..=stages).rev() {
         found = refine(&stiffer(stage), found, STAGE_STEPS, &|_, _| false)?;
     }
@@ -348,8 +346,9 @@ fn positions(mesh: &Mesh, zones: &[Zone], places: &[f64]) -> Vec<Stretch> {
         let next = places.partition_point(|place| *place < x - near);
         places.get(next).copied().filter(|place| *place <= x + near).unwrap_or(x)
     };
-    // A stretch that rounding made is no point of contact.
-    let kept = |(zone, [from, to]): &(&Zone, Stretch)| from < to || zone.from == zone.to;
+    // Without a shear layer a stretch that rounding made is no point of contact: it carries nothing.
+    let carries = |zone: &Zone| mesh.cells[zone.from.cell].shear > 0.0;
+    let kept = |(zone, [from, to]): &(&Zone, Stretch)| from < to || carries(zone);
     let all = zones.iter().map(|zone| (zone, [at(zone.from), at(zone.to)]));
     all.filter(kept).map(|(_, stretch)| stretch).collect()
 }

@@ -15,8 +15,6 @@
 //!
 //! Every arc is trimmed from its ends only and every cell passed over once: the scan is O(n).
 
-mod narrow;
-
 use super::pieces::{Piece, pieces};
 use crate::ground::Link;
 use crate::mesh::{Cell, Mesh};
@@ -358,10 +356,7 @@ impl<'a> Scan<'a> {
         let other = joint.right.map_or(0.0, |b| self.at(b)[0]);
         let shear = self.w.mesh.cells[spot.cell].shear;
         let link = self.link(&trial);
-        let force = match self.pressed(&trial, false) {
-            Some(force) => force,
-            None => shear * slope + link.force_left(psi, other),
-        };
+        let force = shear * slope + link.force_left(psi, other);
         [force, (link.leak_left + link.coupling) / shear * force - pressure]
     }
 
@@ -372,10 +367,7 @@ impl<'a> Scan<'a> {
         let other = joint.left.map_or(0.0, |a| self.at(a)[0]);
         let shear = self.w.mesh.cells[spot.cell].shear;
         let link = self.link(&trial);
-        let force = match self.pressed(&trial, true) {
-            Some(force) => force,
-            None => link.force_right(other, psi) - shear * slope,
-        };
+        let force = link.force_right(other, psi) - shear * slope;
         [force, pressure - (link.leak_right + link.coupling) / shear * force]
     }
 
