@@ -4,6 +4,9 @@ use super::Claim;
 use super::balance::{Carriers, Weights};
 use crate::model::{Model, Support, SupportKind};
 
+/// The share of all forces that a spring is taken to be able to carry, whatever it does carry.
+const LEAST: f64 = 1e-3;
+
 pub(super) struct Supports<'a> {
     /// With the claimed force and moment, from right to left; the next one is the last.
     ahead: Vec<(&'a Support, f64, f64)>,
@@ -48,9 +51,15 @@ impl<'a> Supports<'a> {
                     self.energy += spring * w * w + rotational_spring * slope * slope;
                     self.misfit += missed(spring * w - force, spring)
                         + missed(rotational_spring * slope + moment, rotational_spring);
+                    // A spring that happens to carry nothing still can.
+                    let able = |claimed: f64, stiffness: f64, least: f64| {
+                        if stiffness > 0.0 { claimed.abs().max(least) } else { claimed.abs() }
+                    };
+                    let force = able(force, spring, LEAST * self.all);
+                    let moment = able(moment, rotational_spring, LEAST * self.all * self.length);
                     carriers.stored += missed(force, spring) + missed(moment, rotational_spring);
-                    carriers.supports.add(Weights::point(support.at, force.abs()));
-                    carriers.turning += moment.abs() * self.length;
+                    carriers.supports.add(Weights::point(support.at, force));
+                    carriers.turning += moment * self.length;
                 }
                 SupportKind::Pinned => carriers.supports.add(Weights::point(support.at, self.all)),
                 SupportKind::Fixed => {
