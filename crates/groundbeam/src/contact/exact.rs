@@ -46,6 +46,8 @@ const STIFFER: f64 = 2.0;
 
 /// Steps after which the certificate is asked whether the edges' last digits matter.
 const PATIENCE: usize = 4;
+/// How often that, whatever the steps do, before the certificate's answer is good enough.
+const ROUNDS: usize = 12;
 
 /// What the certificate must show.
 #[derive(Debug, Clone, Copy)]
@@ -169,8 +171,9 @@ fn refine(
     let mut history = std::mem::take(&mut start.history);
     let l = model.beam.length;
     let mut moved = f64::INFINITY;
-    // Steps in a row that did not halve the move.
+    // Steps in a row that did not halve the move, and whether all have so far.
     let mut idle = 0;
+    let mut shrinks = true;
     // The deflection that asked for the stretches, and the last that equilibrium made.
     let mut now = start;
     let mut last: Option<Found> = None;
@@ -192,14 +195,14 @@ fn refine(
         if rough && moved <= ROUGH {
             return Ok(Found { history, zones, ..found });
         }
-        idle = if moved <= 0.5 * before && moved.is_finite() { 0 } else { idle + 1 };
-        let proof = if idle > PATIENCE { ENOUGH } else { PROVEN };
+        let halved = moved <= 0.5 * before && moved.is_finite();
+        idle = if halved { 0 } else { idle + 1 };
+        let proof = if idle > PATIENCE || step > ROUNDS * PATIENCE { ENOUGH } else { PROVEN };
         if settled || (step >= PATIENCE && proven(&found, proof)) {
             return Ok(Found { history, ..found });
         }
-        // Steps that shrink end by themselves; of others the energy decides how far they go.
-        let shrinks =
-            moved <= 0.5 * before && (before.is_finite() || (moved.is_finite() && step < 2));
+        // Steps that shrink end by themselves. Once one has not, the energy decides how far each goes.
+        shrinks &= halved && (before.is_finite() || step < 2);
         let mut between = None;
         if !shrinks && moved > LOCAL {
             let shortened = shorten(model, &now, &found);
