@@ -5,7 +5,7 @@ mod descent;
 pub(crate) mod exact;
 pub(crate) mod forms;
 pub(crate) mod layout;
-mod line;
+pub(crate) mod line;
 pub(crate) mod majorant;
 pub(crate) mod nested;
 pub(crate) mod pieces;
