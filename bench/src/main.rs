@@ -71,6 +71,7 @@ fn main() {
                     let err = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / b.iter().fold(0.0_f64, |m, b| m.max(b.abs()));
                     println!("   errw {:.1e} errp {:.1e} smallest {:.1e} deepest {:.1e}", err(&s.deflection, &r.deflection), err(&s.force, &r.force), r.smallest_force, r.deepest);
                 };
+                if std::env::var("NOREF").is_ok() { continue; }
                 compare(&glued); compare(&found);
                 if n <= 1000 { for z in &found.contact { println!("   {z:?} {:.4}..{:.4} forces {:.3e} {:.3e}", found.position(z[0]), found.position(z[1]), found.force[z[0]], found.force[z[1]]); } for (x, i, c, h) in found.rows() { println!("   row {x} {i} {c} {h}"); } }
                 println!("   reference {:?}", t.elapsed());

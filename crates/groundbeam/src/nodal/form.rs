@@ -4,7 +4,6 @@
 //! from the right end, y = T⁻¹x' = (w' − Lθ', Lθ') is where the left end would be if the element were
 //! rigid, and e = y − x what its deformation makes of that: w = y₁ − e₁, Lθ = y₂ − e₂, w' − w = y₂ + e₁.
 
-use crate::elements::Element;
 use crate::ground::Link;
 
 /// An element's energy ½ᵗ(y₂, e) M (y₂, e) − q·(y₁, y₂, e₁, e₂), and the ground's springs under its ends.
@@ -27,16 +26,12 @@ pub(super) struct Form {
 }
 
 impl Form {
-    /// A beam element without its ground.
-    pub fn beam(element: &Element) -> Self {
-        let h = element.length;
-        let (k, q) = (&element.stiffness, &element.load);
-        // In (Lθ, d₁, L d₂).
-        let (tt, t1, t2) = (k[1][1] / (h * h), k[1][2] / h, k[1][3] / (h * h));
-        let (d11, d12, d22) = (k[2][2], k[2][3] / h, k[3][3] / (h * h));
-        let [qw, qt, q1, q2] = [q[0], q[1] / h, q[2], q[3] / h];
+    /// A beam without its ground, of its length, its K for (Lθ, d₁, L d₂) and its q for (w, Lθ, d₁, L d₂).
+    pub fn beam(length: f64, stiffness: [f64; 6], load: [f64; 4]) -> Self {
+        let [tt, t1, t2, d11, d12, d22] = stiffness;
+        let [qw, qt, q1, q2] = load;
         Form {
-            length: h,
+            length,
             m: [tt, t1, t1 + t2 - tt],
             e: [d11, d11 + d12 - t1, d11 + 2.0 * d12 + d22 - 2.0 * (t1 + t2) + tt],
             q: [qw, qt, q1 - qw, q1 + q2 - qt, 0.0, 0.0],

@@ -1,7 +1,6 @@
 //! Equal elements between any two places of the model: runs, not elements, are what is stored.
 
-use crate::elements::exact::{ExactElement, REACH};
-use crate::elements::{Operator, Touch};
+use super::beam::REACH;
 use crate::ground::Link;
 use crate::mesh::{Cell, Mesh, Node};
 use crate::model::Model;
@@ -70,9 +69,11 @@ impl Grid {
     pub fn new(model: &Model, elements: usize) -> Self {
         let mesh = Mesh::build(model, &[], |_| 1);
         let per_length = elements as f64 / model.beam.length;
+        let axial_force = mesh.axial_force;
         let mut first = 0;
         let runs = mesh.cells.iter().map(|cell| {
-            let count = ((cell.length() * per_length).round() as usize).max(1);
+            let wanted = (cell.length() * per_length).round() as usize;
+            let count = wanted.max(pieces(cell, axial_force, cell.length()));
             let h = cell.length() / count as f64;
             let link = Link::uniform(cell.spring, cell.shear, h);
             let run = Run { cell: *cell, first, count, h, link };
@@ -82,7 +83,7 @@ impl Grid {
         Grid {
             runs: runs.collect(),
             nodes: mesh.nodes,
-            axial_force: mesh.axial_force,
+            axial_force,
             outside: mesh.outside,
             flat: model.gap.is_empty(),
         }
@@ -159,16 +160,33 @@ impl Grid {
         self.link(node, self.last()).map_or(beyond, |link| link.then(beyond))
     }
 
-    /// Into how many pieces the open beam of a cell must be cut for one series to serve each.
-    pub fn pieces(&self, cell: &Cell) -> usize {
-        let wave = Operator::of(cell, self.axial_force, Touch::Open).wave_number();
-        (wave * cell.length() / REACH).ceil().max(1.0) as usize
+    /// Into how many pieces an open beam of a cell's kind must be cut for one series to serve each.
+    pub fn pieces(&self, cell: &Cell, length: f64) -> usize {
+        pieces(cell, self.axial_force, length)
     }
 
-    /// The open beam of a cell, (2.11) solved exactly.
-    pub fn beam(&self, cell: &Cell, length: f64) -> ExactElement {
-        ExactElement::new(&Operator::of(cell, self.axial_force, Touch::Open), length)
+    /// What the model has at a node: force and moment, in a mirror or not.
+    pub fn load(&self, node: usize, mirrored: bool) -> [f64; 2] {
+        match self.place(node) {
+            None => [0.0; 2],
+            Some(Node { force, moment, .. }) => [*force, if mirrored { -moment } else { *moment }],
+        }
     }
+
+    /// The place of the model at a node, if it has one.
+    fn place(&self, node: usize) -> Option<&Node> {
+        let run = self.run_at(node);
+        if self.runs[run].first == node {
+            self.nodes.get(run)
+        } else {
+            self.nodes.get(run + 1).filter(|_| node == self.last())
+        }
+    }
+}
+
+fn pieces(cell: &Cell, axial_force: f64, length: f64) -> usize {
+    let wave = (axial_force / cell.stiffness).abs().sqrt();
+    (wave * length / REACH).ceil().max(1.0) as usize
 }
 
 /// A cell seen in a mirror.

@@ -6,6 +6,7 @@
 //! stretches off the ground are [one element](span) each, and the contact is found by Newton's method
 //! on [coarse meshes first](newton). Memory is a few numbers a node.
 
+mod beam;
 mod check;
 mod form;
 mod grid;
@@ -103,7 +104,6 @@ impl NodalSolver {
         }
         let Some(grid) = self.grids.pop() else { return Err(stalled(0)) };
         workspace.fill(&grid, true);
-        workspace.clear_open(&grid);
         swapped(workspace, into);
         into.contact.clone_from(&workspace.zones);
         into.work = workspace.work;

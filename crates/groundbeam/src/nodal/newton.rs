@@ -1,5 +1,6 @@
 //! Newton's method on the nodes that touch, from coarse grids to the wanted one.
 
+use super::beam::Beam;
 use super::form::Form;
 use super::grid::{Grid, mirrored};
 use super::hull::{Hull, Zone};
@@ -77,6 +78,7 @@ impl Workspace {
         let meeting = self.lay_out(grid)?;
         let stand = stand(grid, meeting, false);
         let Workspace { sides, deflection, slope, force, .. } = self;
+        force.fill(0.0);
         let mut fields = Fields { deflection, slope, force };
         let elements = sweep::solve(sides, meeting, stand, &mut fields)?;
         self.work.solves += 1;
@@ -98,7 +100,6 @@ impl Workspace {
     fn settle(&mut self, grid: &Grid) -> Result<(), Loose> {
         for step in 0..MOST_STEPS {
             if step >= WHOLE_STEPS {
-                self.clear_open(grid);
                 self.before[0].clone_from(&self.deflection);
                 self.before[1].clone_from(&self.force);
             }
@@ -117,21 +118,10 @@ impl Workspace {
         Err(Loose)
     }
 
-    /// Forces stand only where the beam touches.
-    pub fn clear_open(&mut self, grid: &Grid) {
-        let mut open = 0;
-        for &[from, to] in &self.zones {
-            self.force[open..from].fill(0.0);
-            open = to + 1;
-        }
-        self.force[open..=grid.last()].fill(0.0);
-    }
-
     /// Goes back on the way from the deflection before as far as the energy asks for. With K w = F − f for
     /// the forces f that a glued solve finds, and for mixtures of such w, the energy's slope along δ is
     /// Σ (p − f) δ with the ground's own answer p. True if nothing is left to fall.
     fn shorten(&mut self, grid: &Grid) -> bool {
-        self.clear_open(grid);
         let [w0, f0] = &self.before;
         let (w1, f1) = (&self.deflection, &self.force);
         let count = grid.last() + 1;
@@ -215,7 +205,10 @@ impl Workspace {
             used += 1;
             place.0.set(grid, from, to, side == 1);
             (place.1, place.2) = (side, stretch);
-            Form::beam(&place.0.element)
+            {
+            let (length, stiffness, load) = place.0.scaled();
+            Form::beam(length, stiffness, load)
+        }
         };
         let (Some(&[first, _]), Some(&[_, last])) = (zones.first(), zones.last()) else {
             return Err(Loose);
@@ -296,16 +289,10 @@ fn gaps(grid: &Grid, node: usize) -> [f64; 2] {
 
 /// What stands at a node that touches.
 fn stand(grid: &Grid, node: usize, mirrored: bool) -> Stand {
-    let run = grid.run_at(node);
-    let (first, last) = (node == 0, node == grid.last());
-    if grid.runs[run].first != node && !last {
-        return Stand::default();
-    }
-    let place = &grid.nodes[if last { run + 1 } else { run }];
-    let moment = if mirrored { -place.moment } else { place.moment };
-    let beyond = |end: bool, side: usize| if end { grid.outside[side] } else { 0.0 };
-    let spring = beyond(first, 0) + beyond(last, 1);
-    Stand { force: place.force, moment, spring, push: spring * grid.gap(node) }
+    let [force, moment] = grid.load(node, mirrored);
+    let beyond = |end: usize, side: usize| if node == end { grid.outside[side] } else { 0.0 };
+    let spring = beyond(0, 0) + beyond(grid.last(), 1);
+    Stand { force, moment, spring, push: spring * grid.gap(node) }
 }
 
 /// What acts at a free end that does not touch.
@@ -337,7 +324,8 @@ fn row(grid: &Grid, run: usize, from: usize, to: usize, turned: bool) -> Stretch
         if turned {
             cell = mirrored(&cell);
         }
-        Form::beam(&grid.beam(&cell, own.h).element).on(own.link, cell.gap)
+        let beam = Beam::new(&cell, grid.axial_force, own.h);
+        Form::beam(own.h, beam.stiffness(), beam.load()).on(own.link, cell.gap)
     };
     let (first, last, node) = if turned { (to - 1, from, to) } else { (from, to - 1, from) };
     let form = element(first).towards(&element(last), to - from);

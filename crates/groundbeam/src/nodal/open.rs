@@ -1,8 +1,8 @@
 //! Between zones of contact: w, w' and the ground's surface at every node, in closed form.
 
+use super::beam::TERMS;
 use super::grid::{Grid, Run};
 use super::span::Span;
-use crate::elements::exact::TERMS;
 
 /// Writes w (and w', if there is room) at the nodes of a span but its ends that touch.
 pub(super) fn beam(
@@ -13,18 +13,16 @@ pub(super) fn beam(
     mut slope: Option<&mut [f64]>,
 ) {
     let last = grid.last();
-    span.unfold(v, |from, to, series| {
+    span.unfold(v, |[from, to], length, series| {
         // Every piece writes its left end unless that touches; the last one its right end too.
-        let count = to - from;
         let first = usize::from(from == span.from && from > 0);
-        let end = if to == last { count + 1 } else { count };
-        let nodes = from + first..from + end;
-        let step = 2.0 / count as f64;
-        let s = move |i: usize| (first + i) as f64 * step - 1.0;
+        let nodes = from + first..to + usize::from(to == last);
+        let step = if span.mirrored { -1.0 } else { 1.0 } / (to - from) as f64;
+        let start = if span.mirrored { 1.0 } else { 0.0 };
+        let s = move |i: usize| start + (first + i) as f64 * step;
         values(series, s, &mut deflection[nodes.clone()]);
         if let Some(slope) = &mut slope {
-            let run = &grid.runs[grid.run_at(from)];
-            let per_length = 2.0 / (run.h * count as f64);
+            let per_length = if span.mirrored { -1.0 } else { 1.0 } / length;
             let mut derivative = [0.0; TERMS];
             for (j, c) in series.iter().enumerate().skip(1) {
                 derivative[j - 1] = j as f64 * c * per_length;

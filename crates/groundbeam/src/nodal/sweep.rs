@@ -25,6 +25,13 @@ pub(super) struct Stretch {
     pub stand: Stand,
 }
 
+/// Elements of one form that are crossed in one go: the number of the first, and where their gains go.
+struct Elements<'a> {
+    form: Form,
+    first: usize,
+    gains: &'a mut [Gain],
+}
+
 /// What stands at a node: force, moment, and the ground beyond an end of the beam.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Stand {
@@ -44,7 +51,7 @@ pub(super) struct Side {
     pub shapes: Vec<[f64; 4]>,
 }
 
-/// Where w, w' and the ground's forces go.
+/// Where w, w' and the ground's forces go; these are added.
 #[derive(Debug)]
 pub(super) struct Fields<'a> {
     pub deflection: &'a mut [f64],
@@ -60,6 +67,15 @@ impl Side {
     pub fn clear(&mut self) {
         self.stretches.clear();
         self.shapes.clear();
+    }
+
+    /// The next elements to cross.
+    fn next(&mut self, reached: Reached, steps: usize) -> Elements<'_> {
+        Elements {
+            form: self.stretches[reached.stretch].form,
+            first: reached.within,
+            gains: &mut self.gains[reached.elements..][..steps],
+        }
     }
 
     fn elements(&self) -> usize {
@@ -90,63 +106,54 @@ pub(super) fn solve(
     let theta = (s[0] * r[1] - s[1] * r[0]) / determinant;
     fields.deflection[meeting] = w;
     fields.slope[meeting] = theta;
-    fields.force[meeting] = stand.spring * w - stand.push;
-    outward(&mut sides[0], false, [w, theta], meeting, fields);
-    outward(&mut sides[1], true, [w, -theta], meeting, fields);
+    fields.force[meeting] += stand.spring * w - stand.push;
+    outward(sides, [w, theta], meeting, fields);
     Ok(count[0] + count[1])
+}
+
+/// How far a sweep has come.
+#[derive(Debug, Clone, Copy, Default)]
+struct Reached {
+    stretch: usize,
+    /// Elements crossed of this stretch, and in all.
+    within: usize,
+    elements: usize,
 }
 
 /// Both sweeps towards the meeting node, as far as possible at once. Returns what they offer to (w, θ).
 fn inward(sides: &mut [Side; 2]) -> Result<[Behind; 2], Loose> {
-    let mut state = [[0.0; 5]; 2];
-    // Stretch, elements of it already crossed, elements crossed in all.
-    let mut at = [[0_usize; 3]; 2];
-    let [left, right] = sides;
+    let mut states = [[0.0; 5]; 2];
+    let mut reached = [Reached::default(); 2];
     loop {
-        let open = [at[0][0] < left.stretches.len(), at[1][0] < right.stretches.len()];
-        for (side, lane) in [(&*left, 0), (&*right, 1)] {
-            if open[lane] && at[lane][1] == 0 {
-                enter(&mut state[lane], &side.stretches[at[lane][0]]);
+        let mut rest = [0; 2];
+        for lane in 0..2 {
+            if let Some(stretch) = sides[lane].stretches.get(reached[lane].stretch) {
+                if reached[lane].within == 0 {
+                    enter(&mut states[lane], stretch);
+                }
+                rest[lane] = stretch.count - reached[lane].within;
             }
         }
-        let rest = |side: &Side, at: &[usize; 3]| side.stretches[at[0]].count - at[1];
-        let steps = match open {
-            [true, true] => {
-                let steps = rest(left, &at[0]).min(rest(right, &at[1]));
-                let forms = [&left.stretches[at[0][0]].form, &right.stretches[at[1][0]].form];
-                let gains =
-                    [&mut left.gains[at[0][2]..][..steps], &mut right.gains[at[1][2]..][..steps]];
-                cross(&mut state, forms, [at[0][1], at[1][1]], gains)?;
-                steps
-            }
-            [true, false] => {
-                let steps = rest(left, &at[0]);
-                let gains = [&mut left.gains[at[0][2]..][..steps]];
-                let mut one = [state[0]];
-                cross(&mut one, [&left.stretches[at[0][0]].form], [at[0][1]], gains)?;
-                state[0] = one[0];
-                steps
-            }
-            [false, true] => {
-                let steps = rest(right, &at[1]);
-                let gains = [&mut right.gains[at[1][2]..][..steps]];
-                let mut one = [state[1]];
-                cross(&mut one, [&right.stretches[at[1][0]].form], [at[1][1]], gains)?;
-                state[1] = one[0];
-                steps
-            }
-            [false, false] => return Ok(state),
+        let steps = match rest {
+            [0, 0] => return Ok(states),
+            [0, steps] | [steps, 0] => steps,
+            [left, right] => left.min(right),
         };
-        for (side, lane) in [(&*left, 0), (&*right, 1)] {
-            if !open[lane] {
-                continue;
-            }
-            let stretch = &side.stretches[at[lane][0]];
-            at[lane][1] += steps;
-            at[lane][2] += steps;
-            if at[lane][1] == stretch.count {
-                leave(&mut state[lane], stretch);
-                at[lane] = [at[lane][0] + 1, 0, at[lane][2]];
+        let [left, right] = sides;
+        let [first, second] = states.each_mut();
+        let [at, to] = reached;
+        match rest {
+            [_, 0] => cross([first], [left.next(at, steps)])?,
+            [0, _] => cross([second], [right.next(to, steps)])?,
+            _ => cross([first, second], [left.next(at, steps), right.next(to, steps)])?,
+        }
+        for lane in (0..2).filter(|lane| rest[*lane] > 0) {
+            let now = &mut reached[lane];
+            (now.within, now.elements) = (now.within + steps, now.elements + steps);
+            let stretch = &sides[lane].stretches[now.stretch];
+            if now.within == stretch.count {
+                leave(&mut states[lane], stretch);
+                (now.stretch, now.within) = (now.stretch + 1, 0);
             }
         }
     }
@@ -171,16 +178,16 @@ fn leave(state: &mut Behind, stretch: &Stretch) {
     state[4] *= length;
 }
 
-/// Over as many elements as there are gains, each sweep within one form, from its element `first` on.
+/// Over elements, as many in each sweep.
 #[inline(always)]
 fn cross<const SWEEPS: usize>(
-    states: &mut [Behind; SWEEPS],
-    forms: [&Form; SWEEPS],
-    first: [usize; SWEEPS],
-    gains: [&mut [Gain]; SWEEPS],
+    states: [&mut Behind; SWEEPS],
+    elements: [Elements; SWEEPS],
 ) -> Result<(), Loose> {
-    let forms = forms.map(|form| *form);
-    let mut state = *states;
+    let forms = elements.each_ref().map(|elements| elements.form);
+    let first = elements.each_ref().map(|elements| elements.first);
+    let gains = elements.map(|elements| elements.gains);
+    let mut state = states.each_ref().map(|state| **state);
     let steps = gains[0].len();
     let mut least = f64::INFINITY;
     let mut gains = gains.map(|gains| gains.iter_mut());
@@ -193,24 +200,24 @@ fn cross<const SWEEPS: usize>(
             let (b_less, c_less) = (b - form.m[1], c - form.m[2]);
             let (g11, g12, g22) = (a + form.e[0], b + form.e[1], c + form.e[2]);
             let determinant = g11 * g22 - g12 * g12;
-            least = least.min(determinant);
-            let inverse = 1.0 / determinant;
-            let (p11, p12, p22) = (g22 * inverse, -g12 * inverse, g11 * inverse);
+            least = if determinant > least { least } else { determinant };
+            // The division takes longest: everything that does not need it comes before.
+            let (n11, n21) = (g22 * a - g12 * b, g11 * b - g12 * a);
+            let (n12, n22) = (g22 * b_less - g12 * c_less, g11 * c_less - g12 * b_less);
+            let (s11, s12) = (a * n11 + b * n21, a * n12 + b * n22);
+            let s22 = b_less * n12 + c_less * n22;
             let (t1, t2) = (q[2] - r1, q[3] - r2);
-            let k11 = p11 * a + p12 * b;
-            let k21 = p12 * a + p22 * b;
-            let k12 = p11 * b_less + p12 * c_less;
-            let k22 = p12 * b_less + p22 * c_less;
-            let c1 = p11 * t1 + p12 * t2;
-            let c2 = p12 * t1 + p22 * t2;
+            let (c1, c2) = (g22 * t1 - g12 * t2, g11 * t2 - g12 * t1);
+            let inverse = 1.0 / determinant;
+            let (s11, s12) = (a - s11 * inverse, b - s12 * inverse);
+            let s22 = (c + form.m[0]) - s22 * inverse;
+            let (k11, k21) = (n11 * inverse, n21 * inverse);
+            let (k12, k22) = (n12 * inverse, n22 * inverse);
+            let f1 = r1 + q[0] + (k11 * t1 + k21 * t2);
+            let f2 = r2 + q[1] + (k12 * t1 + k22 * t2);
             if let Some(gain) = gains[lane].next() {
-                *gain = [k11, k21, k12, k22, c1, c2];
+                *gain = [k11, k21, k12, k22, c1 * inverse, c2 * inverse];
             }
-            let s11 = a - (a * k11 + b * k21);
-            let s12 = b - (a * k12 + b * k22);
-            let s22 = (c + form.m[0]) - (b_less * k12 + c_less * k22);
-            let f1 = r1 + q[0] + (a * c1 + b * c2);
-            let f2 = r2 + q[1] + (b_less * c1 + c_less * c2);
             state[lane] = [
                 s11 + form.leak[1],
                 s12 - s11,
@@ -220,46 +227,134 @@ fn cross<const SWEEPS: usize>(
             ];
         }
     }
-    *states = state;
+    for (to, state) in states.into_iter().zip(state) {
+        *to = state;
+    }
     if least > 0.0 { Ok(()) } else { Err(Loose) }
 }
 
-/// From the meeting node to a side's end: w, w' and forces at all nodes that touch.
-fn outward(side: &mut Side, mirrored: bool, x: [f64; 2], meeting: usize, fields: &mut Fields) {
-    let sign = if mirrored { -1.0 } else { 1.0 };
-    let [mut w, mut theta] = x;
-    let mut gains = side.gains.iter().rev();
-    // What the element crossed last takes at the node reached; the node itself adds it.
-    let mut taken = fields.force[meeting];
-    let mut node = meeting;
-    for (stretch, shape) in side.stretches.iter().zip(&mut side.shapes).rev() {
-        let form = &stretch.form;
-        let (length, per_length) = (form.length, 1.0 / form.length);
-        let mut turn = theta * length;
-        let mut e = [0.0; 2];
-        // A span is one element over many nodes.
-        let next = |node: usize| if mirrored { node + 1 } else { node - 1 };
-        for (i, gain) in (0..stretch.count).rev().zip(&mut gains) {
-            let y = w - turn;
-            e = [
-                gain[0] * y + gain[2] * turn + gain[4],
-                gain[1] * y + gain[3] * turn + gain[5],
-            ];
-            let pulled = form.coupling * (turn + e[0]) - form.rise;
-            let at = i as f64;
-            let [push, push_next] =
-                [form.q[4] + at * form.dq[4], form.q[5] + at * form.dq[5]];
-            fields.force[node] = taken + (form.leak[1] * w - push_next) + pulled;
-            w = y - e[0];
-            turn -= e[1];
-            taken = (form.leak[0] * w - push) - pulled;
-            node = if i == 0 { stretch.node } else { next(node) };
-            fields.deflection[node] = w;
-            fields.slope[node] = sign * turn * per_length;
+/// Which way a sweep goes back. A mirror turns slopes.
+const LEFT: f64 = -1.0;
+const RIGHT: f64 = 1.0;
+
+/// A sweep on its way back.
+#[derive(Debug, Clone, Copy)]
+struct Back {
+    node: usize,
+    w: f64,
+    /// θ, or Lθ within a stretch.
+    turn: f64,
+    /// What the element crossed last takes at the node reached.
+    taken: f64,
+    /// The deformation of the element crossed last.
+    e: [f64; 2],
+    /// Stretches left, elements left of the last of them, and in all.
+    stretches: usize,
+    within: usize,
+    elements: usize,
+}
+
+/// From the meeting node to both ends: w, w' and forces at all nodes that touch.
+fn outward(sides: &mut [Side; 2], [w, theta]: [f64; 2], meeting: usize, fields: &mut Fields) {
+    let mut backs = [(&sides[0], theta), (&sides[1], -theta)].map(|(side, turn)| Back {
+        node: meeting,
+        w,
+        turn,
+        taken: 0.0,
+        e: [0.0; 2],
+        stretches: side.stretches.len(),
+        within: 0,
+        elements: side.gains.len(),
+    });
+    loop {
+        for lane in 0..2 {
+            let (back, side) = (&mut backs[lane], &sides[lane]);
+            if back.within == 0 && back.stretches > 0 {
+                let stretch = &side.stretches[back.stretches - 1];
+                back.within = stretch.count;
+                back.turn *= stretch.form.length;
+            }
         }
-        theta = turn * per_length;
-        taken += stretch.stand.spring * w - stretch.stand.push;
-        *shape = [w, theta, e[0] + e[1], e[1] * per_length];
+        let rest = [backs[0].within, backs[1].within];
+        let steps = match rest {
+            [0, 0] => break,
+            [0, steps] | [steps, 0] => steps,
+            [left, right] => left.min(right),
+        };
+        let [left, right] = &mut backs;
+        let [first, second] = &*sides;
+        match rest {
+            [_, 0] => recross([left], [first], [LEFT], steps, fields),
+            [0, _] => recross([right], [second], [RIGHT], steps, fields),
+            _ => recross([left, right], [first, second], [LEFT, RIGHT], steps, fields),
+        }
+        for lane in 0..2 {
+            let back = &mut backs[lane];
+            if rest[lane] == 0 || back.within > 0 {
+                continue;
+            }
+            back.stretches -= 1;
+            let stretch = &sides[lane].stretches[back.stretches];
+            let per_length = 1.0 / stretch.form.length;
+            back.turn *= per_length;
+            back.taken += stretch.stand.spring * back.w - stretch.stand.push;
+            sides[lane].shapes[back.stretches] =
+                [back.w, back.turn, back.e[0] + back.e[1], back.e[1] * per_length];
+        }
     }
-    fields.force[node] = taken;
+    for back in &backs {
+        fields.force[back.node] += back.taken;
+    }
+}
+
+/// Back over as many elements, each sweep within one stretch; `towards` its end, LEFT or RIGHT.
+#[inline(always)]
+fn recross<const SWEEPS: usize>(
+    backs: [&mut Back; SWEEPS],
+    sides: [&Side; SWEEPS],
+    towards: [f64; SWEEPS],
+    steps: usize,
+    fields: &mut Fields,
+) {
+    let mut now = backs.each_ref().map(|back| **back);
+    let stretches: [&Stretch; SWEEPS] =
+        std::array::from_fn(|lane| &sides[lane].stretches[now[lane].stretches - 1]);
+    let forms = stretches.map(|stretch| stretch.form);
+    let per_length: [f64; SWEEPS] = std::array::from_fn(|i| -towards[i] / forms[i].length);
+    let mut gains: [_; SWEEPS] = std::array::from_fn(|lane| {
+        let end = now[lane].elements;
+        sides[lane].gains[end - steps..end].iter().rev()
+    });
+    for _ in 0..steps {
+        for lane in 0..SWEEPS {
+            let (back, form) = (&mut now[lane], &forms[lane]);
+            let Some(gain) = gains[lane].next() else { continue };
+            let y = back.w - back.turn;
+            let e = [
+                gain[0] * y + gain[2] * back.turn + gain[4],
+                gain[1] * y + gain[3] * back.turn + gain[5],
+            ];
+            back.within -= 1;
+            let at = back.within as f64;
+            let push = [form.q[4] + at * form.dq[4], form.q[5] + at * form.dq[5]];
+            let pulled = form.coupling * (back.turn + e[0]) - form.rise;
+            fields.force[back.node] += back.taken + (form.leak[1] * back.w - push[1]) + pulled;
+            back.w = y - e[0];
+            back.turn -= e[1];
+            back.taken = (form.leak[0] * back.w - push[0]) - pulled;
+            // A span is one element over many nodes.
+            back.node = match (back.within, towards[lane] == LEFT) {
+                (0, _) => stretches[lane].node,
+                (_, true) => back.node - 1,
+                _ => back.node + 1,
+            };
+            fields.deflection[back.node] = back.w;
+            fields.slope[back.node] = back.turn * per_length[lane];
+            back.e = e;
+        }
+    }
+    for (back, mut now) in backs.into_iter().zip(now) {
+        now.elements -= steps;
+        *back = now;
+    }
 }
