@@ -16,6 +16,33 @@ pub struct NodalCheck {
     pub deepest_penetration: f64,
 }
 
+const WIDTH: usize = 4;
+
+#[derive(Debug, Clone, Copy, Default)]
+struct Sums {
+    sum: f64,
+    lever: f64,
+    size: f64,
+    smallest: f64,
+    largest: f64,
+    deepest: f64,
+    deflection: f64,
+}
+
+impl Sums {
+    #[inline(always)]
+    fn add(&mut self, at: f64, force: f64, deflection: f64, depth: f64) {
+        let most = |a: f64, b: f64| if b > a { b } else { a };
+        self.sum += force;
+        self.lever += force * at;
+        self.size += force.abs();
+        self.smallest = -most(-self.smallest, -force);
+        self.largest = most(self.largest, force);
+        self.deepest = most(self.deepest, depth);
+        self.deflection = most(self.deflection, deflection.abs());
+    }
+}
+
 pub(super) fn check(model: &Model, solution: &NodalSolution) -> NodalCheck {
     let middle = 0.5 * model.beam.length;
     let (mut force, mut moment, mut size) = (0.0, 0.0, 0.0);
@@ -44,23 +71,29 @@ pub(super) fn check(model: &Model, solution: &NodalSolution) -> NodalCheck {
     let (mut smallest, mut largest) = (0.0_f64, 0.0_f64);
     let (mut deepest, mut deflection) = (0.0_f64, 0.0_f64);
     for row in solution.grid.iter().flat_map(|grid| &grid.runs) {
-        let (mut sum, mut lever, mut sizes) = (0.0, 0.0, 0.0);
         let nodes = row.first..row.end() + usize::from(row.end() == last);
         let [gap, to] = row.cell.gap;
         let rise = (to - gap) / row.count as f64;
-        let fields = solution.force[nodes.clone()]
-            .iter()
-            .zip(&solution.deflection[nodes.clone()])
-            .zip(&solution.settlement[nodes]);
-        for (i, ((&f, &w), &u)) in fields.enumerate() {
-            let i = i as f64;
-            sum += f;
-            lever += f * i;
-            sizes += f.abs();
-            smallest = smallest.min(f);
-            largest = largest.max(f);
-            deepest = deepest.max(w - u - (gap + rise * i));
-            deflection = deflection.max(w.abs());
+        // Several sums side by side: one would wait for itself.
+        let mut sums = [Sums::default(); WIDTH];
+        let blocks = [&solution.force, &solution.deflection, &solution.settlement]
+            .map(|field| field[nodes.clone()].chunks(WIDTH));
+        let [forces, deflections, settlements] = blocks;
+        for (block, ((f, w), u)) in forces.zip(deflections).zip(settlements).enumerate() {
+            for (i, sums) in sums.iter_mut().enumerate().take(f.len()) {
+                let at = (block * WIDTH + i) as f64;
+                sums.add(at, f[i], w[i], w[i] - u[i] - (gap + rise * at));
+            }
+        }
+        let (mut sum, mut lever, mut sizes) = (0.0, 0.0, 0.0);
+        for part in &sums {
+            sum += part.sum;
+            lever += part.lever;
+            sizes += part.size;
+            smallest = smallest.min(part.smallest);
+            largest = largest.max(part.largest);
+            deepest = deepest.max(part.deepest);
+            deflection = deflection.max(part.deflection);
         }
         force -= sum;
         moment -= sum * (row.cell.x[0] - middle) + lever * row.h;

@@ -63,6 +63,11 @@ impl Form {
         self
     }
 
+    /// Whether all elements of its row are loaded alike.
+    pub fn is_even(&self) -> bool {
+        self.dq == [0.0; 6]
+    }
+
     /// The load on the element number i.
     pub fn load(&self, i: f64) -> [f64; 6] {
         std::array::from_fn(|j| self.q[j] + i * self.dq[j])

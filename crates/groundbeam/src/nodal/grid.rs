@@ -25,6 +25,12 @@ impl Run {
         self.first + self.count
     }
 
+    /// Whether nothing varies along it.
+    pub fn is_even(&self) -> bool {
+        let Cell { load, moment_load, gap, .. } = &self.cell;
+        [load, moment_load, gap].iter().all(|v| v[0] == v[1])
+    }
+
     /// What is given on the elements from one node to another, both of this run.
     pub fn part(&self, from: usize, to: usize) -> Cell {
         let at = |node: usize| (node - self.first) as f64 / self.count as f64;

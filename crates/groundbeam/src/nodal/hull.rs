@@ -15,6 +15,9 @@ pub(super) struct Hull<'a> {
     pub deflection: &'a [f64],
 }
 
+/// Nodes looked at in one go.
+const BLOCK: usize = 32;
+
 /// Zones, each with the node on which the one before it ended when they were joined.
 type Stack = Vec<Zone>;
 
@@ -66,27 +69,44 @@ impl Hull<'_> {
         arcs.clear();
         let last = self.grid.last();
         let mut start = Some(0);
-        let mut note = |node: usize, presses: bool| {
+        let note = |start: &mut Option<usize>, arcs: &mut Vec<Zone>, node: usize, presses: bool| {
             if presses != start.is_some() {
                 match start.take() {
                     Some(first) => arcs.push([first, node - 1]),
-                    None => start = Some(node),
+                    None => *start = Some(node),
                 }
             }
         };
         for run in &self.grid.runs {
             if run.first > 0 {
-                note(run.first, self.glued_force(run.first) > 0.0);
+                note(&mut start, arcs, run.first, self.glued_force(run.first) > 0.0);
             }
             let (c, leak) = (run.link.coupling, run.link.leak_left + run.link.leak_right);
             let [g, to] = run.cell.gap;
             let dg = (to - g) / run.count as f64;
             let w = &self.deflection[run.first..=run.end()];
-            for (i, w) in w.windows(3).enumerate() {
-                // −c ψ″ of linear g₀ is that of w.
-                let bend = (w[1] - w[0]) - (w[2] - w[1]);
-                let psi = w[1] - (g + dg * (i + 1) as f64);
-                note(run.first + i + 1, leak * psi + c * bend > 0.0);
+            // −c ψ″ of linear g₀ is that of w.
+            let presses = |i: usize, before: f64, w: f64, after: f64| {
+                let psi = w - (g + dg * i as f64);
+                leak * psi + c * ((w - before) - (after - w)) > 0.0
+            };
+            let mut at = 1;
+            while at < run.count {
+                // Where all or none of a block press, as the node before did, nothing begins or ends.
+                let end = (at + BLOCK).min(run.count);
+                let block = &w[at - 1..=end];
+                let mut pressing = 0;
+                for (i, w) in block.windows(3).enumerate() {
+                    pressing += usize::from(presses(at + i, w[0], w[1], w[2]));
+                }
+                let alike = if start.is_some() { pressing == end - at } else { pressing == 0 };
+                if !alike {
+                    for (i, w) in block.windows(3).enumerate() {
+                        let presses = presses(at + i, w[0], w[1], w[2]);
+                        note(&mut start, arcs, run.first + at + i, presses);
+                    }
+                }
+                at = end;
             }
         }
         match start {

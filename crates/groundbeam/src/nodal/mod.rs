@@ -11,6 +11,7 @@ mod check;
 mod form;
 mod grid;
 mod hull;
+mod lanes;
 mod newton;
 mod open;
 mod span;
@@ -104,6 +105,7 @@ impl NodalSolver {
         }
         let Some(grid) = self.grids.pop() else { return Err(stalled(0)) };
         workspace.fill(&grid, true);
+        workspace.clear_open(&grid);
         swapped(workspace, into);
         into.contact.clone_from(&workspace.zones);
         into.work = workspace.work;

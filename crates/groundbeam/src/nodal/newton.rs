@@ -77,8 +77,10 @@ impl Workspace {
     pub fn glue(&mut self, grid: &Grid) -> Result<(), Loose> {
         let meeting = self.lay_out(grid)?;
         let stand = stand(grid, meeting, false);
-        let Workspace { sides, deflection, slope, force, .. } = self;
-        force.fill(0.0);
+        let Workspace { sides, zones, deflection, slope, force, .. } = self;
+        for &[from, to] in zones.iter() {
+            force[from..=to].fill(0.0);
+        }
         let mut fields = Fields { deflection, slope, force };
         let elements = sweep::solve(sides, meeting, stand, &mut fields)?;
         self.work.solves += 1;
@@ -86,20 +88,30 @@ impl Workspace {
         Ok(())
     }
 
-    /// w between the zones; w' too if it is wanted.
-    pub fn fill(&mut self, grid: &Grid, with_slope: bool) {
+    /// w between the zones, or w'.
+    pub fn fill(&mut self, grid: &Grid, derivative: bool) {
         let Workspace { sides, spans, deflection, slope, .. } = self;
+        let into = if derivative { slope } else { deflection };
         for (span, side, stretch) in spans.iter() {
-            let v = &sides[*side].shapes[*stretch];
-            let slope = with_slope.then_some(slope.as_mut_slice());
-            open::beam(grid, span, v, deflection, slope);
+            open::beam(grid, span, &sides[*side].shapes[*stretch], derivative, into);
         }
+    }
+
+    /// No forces between the zones.
+    pub fn clear_open(&mut self, grid: &Grid) {
+        let mut open = 0;
+        for &[from, to] in &self.zones {
+            self.force[open..from].fill(0.0);
+            open = to + 1;
+        }
+        self.force[open..=grid.last()].fill(0.0);
     }
 
     /// Steps until the contact asked for is the contact assumed.
     fn settle(&mut self, grid: &Grid) -> Result<(), Loose> {
         for step in 0..MOST_STEPS {
             if step >= WHOLE_STEPS {
+                self.clear_open(grid);
                 self.before[0].clone_from(&self.deflection);
                 self.before[1].clone_from(&self.force);
             }
@@ -122,6 +134,7 @@ impl Workspace {
     /// the forces f that a glued solve finds, and for mixtures of such w, the energy's slope along δ is
     /// Σ (p − f) δ with the ground's own answer p. True if nothing is left to fall.
     fn shorten(&mut self, grid: &Grid) -> bool {
+        self.clear_open(grid);
         let [w0, f0] = &self.before;
         let (w1, f1) = (&self.deflection, &self.force);
         let count = grid.last() + 1;
@@ -328,7 +341,10 @@ fn row(grid: &Grid, run: usize, from: usize, to: usize, turned: bool) -> Stretch
         Form::beam(own.h, beam.stiffness(), beam.load()).on(own.link, cell.gap)
     };
     let (first, last, node) = if turned { (to - 1, from, to) } else { (from, to - 1, from) };
-    let form = element(first).towards(&element(last), to - from);
+    let mut form = element(first);
+    if !own.is_even() {
+        form = form.towards(&element(last), to - from);
+    }
     Stretch { form, count: to - from, node, stand: stand(grid, node, turned) }
 }
 

@@ -4,31 +4,24 @@ use super::beam::TERMS;
 use super::grid::{Grid, Run};
 use super::span::Span;
 
-/// Writes w (and w', if there is room) at the nodes of a span but its ends that touch.
-pub(super) fn beam(
-    grid: &Grid,
-    span: &Span,
-    v: &[f64; 4],
-    deflection: &mut [f64],
-    mut slope: Option<&mut [f64]>,
-) {
+/// Writes w or w' at the nodes of a span but its ends that touch.
+pub(super) fn beam(grid: &Grid, span: &Span, v: &[f64; 4], derivative: bool, into: &mut [f64]) {
     let last = grid.last();
     span.unfold(v, |[from, to], length, series| {
         // Every piece writes its left end unless that touches; the last one its right end too.
         let first = usize::from(from == span.from && from > 0);
         let nodes = from + first..to + usize::from(to == last);
-        let step = if span.mirrored { -1.0 } else { 1.0 } / (to - from) as f64;
-        let start = if span.mirrored { 1.0 } else { 0.0 };
+        let (start, sign) = if span.mirrored { (1.0, -1.0) } else { (0.0, 1.0) };
+        let step = sign / (to - from) as f64;
         let s = move |i: usize| start + (first + i) as f64 * step;
-        values(series, s, &mut deflection[nodes.clone()]);
-        if let Some(slope) = &mut slope {
-            let per_length = if span.mirrored { -1.0 } else { 1.0 } / length;
-            let mut derivative = [0.0; TERMS];
-            for (j, c) in series.iter().enumerate().skip(1) {
-                derivative[j - 1] = j as f64 * c * per_length;
-            }
-            values(&derivative, s, &mut slope[nodes]);
+        if !derivative {
+            return values(series, s, &mut into[nodes]);
         }
+        let mut slope = [0.0; TERMS];
+        for (j, c) in series.iter().enumerate().skip(1) {
+            slope[j - 1] = j as f64 * c * (sign / length);
+        }
+        values(&slope, s, &mut into[nodes]);
     });
 }
 

@@ -7,6 +7,7 @@
 //! other: a processor works on both at the same time.
 
 use super::form::Form;
+use super::lanes::Lanes;
 
 /// ½ xᵀSx − rᵀx for x = (w, Lθ): S₁₁, S₁₂, S₂₂, r₁, r₂.
 type Behind = [f64; 5];
@@ -184,53 +185,60 @@ fn cross<const SWEEPS: usize>(
     states: [&mut Behind; SWEEPS],
     elements: [Elements; SWEEPS],
 ) -> Result<(), Loose> {
-    let forms = elements.each_ref().map(|elements| elements.form);
+    let of = |number: &dyn Fn(&Form) -> f64| Lanes::of(|lane| number(&elements[lane].form));
+    let m: [_; 3] = std::array::from_fn(|i| of(&|form| form.m[i]));
+    let e: [_; 3] = std::array::from_fn(|i| of(&|form| form.e[i]));
+    let leak: [_; 2] = std::array::from_fn(|i| of(&|form| form.leak[i]));
     let first = elements.each_ref().map(|elements| elements.first);
-    let gains = elements.map(|elements| elements.gains);
-    let mut state = states.each_ref().map(|state| **state);
-    let steps = gains[0].len();
-    let mut least = f64::INFINITY;
-    let mut gains = gains.map(|gains| gains.iter_mut());
+    let even = elements.iter().all(|elements| elements.form.is_even());
+    let forms = elements.each_ref().map(|elements| elements.form);
+    let load_at = |step: usize| -> [Lanes<SWEEPS>; 6] {
+        let loads: [_; SWEEPS] =
+            std::array::from_fn(|lane| forms[lane].load((first[lane] + step) as f64));
+        std::array::from_fn(|i| Lanes::of(|lane| loads[lane][i]))
+    };
+    let mut load = load_at(0);
+    let [mut a, mut b, mut c, mut r1, mut r2]: [Lanes<SWEEPS>; 5] =
+        std::array::from_fn(|i| Lanes::of(|lane| states[lane][i]));
+    let mut least = Lanes([f64::INFINITY; SWEEPS]);
+    let steps = elements[0].gains.len();
+    let mut gains = elements.map(|elements| elements.gains.iter_mut());
     for step in 0..steps {
-        for lane in 0..SWEEPS {
-            let form = &forms[lane];
-            let [a, b, c, r1, r2] = state[lane];
-            let q = form.load((first[lane] + step) as f64);
-            let (a, r1) = (a + form.leak[0], r1 + q[4]);
-            let (b_less, c_less) = (b - form.m[1], c - form.m[2]);
-            let (g11, g12, g22) = (a + form.e[0], b + form.e[1], c + form.e[2]);
-            let determinant = g11 * g22 - g12 * g12;
-            least = if determinant > least { least } else { determinant };
-            // The division takes longest: everything that does not need it comes before.
-            let (n11, n21) = (g22 * a - g12 * b, g11 * b - g12 * a);
-            let (n12, n22) = (g22 * b_less - g12 * c_less, g11 * c_less - g12 * b_less);
-            let (s11, s12) = (a * n11 + b * n21, a * n12 + b * n22);
-            let s22 = b_less * n12 + c_less * n22;
-            let (t1, t2) = (q[2] - r1, q[3] - r2);
-            let (c1, c2) = (g22 * t1 - g12 * t2, g11 * t2 - g12 * t1);
-            let inverse = 1.0 / determinant;
-            let (s11, s12) = (a - s11 * inverse, b - s12 * inverse);
-            let s22 = (c + form.m[0]) - s22 * inverse;
-            let (k11, k21) = (n11 * inverse, n21 * inverse);
-            let (k12, k22) = (n12 * inverse, n22 * inverse);
-            let f1 = r1 + q[0] + (k11 * t1 + k21 * t2);
-            let f2 = r2 + q[1] + (k12 * t1 + k22 * t2);
-            if let Some(gain) = gains[lane].next() {
-                *gain = [k11, k21, k12, k22, c1 * inverse, c2 * inverse];
-            }
-            state[lane] = [
-                s11 + form.leak[1],
-                s12 - s11,
-                (s22 - s12) - (s12 - s11),
-                f1 + q[5],
-                f2 - f1,
-            ];
+        if !even {
+            load = load_at(step);
         }
+        (a, r1) = (a + leak[0], r1 + load[4]);
+        let (b_less, c_less) = (b - m[1], c - m[2]);
+        let (g11, g12, g22) = (a + e[0], b + e[1], c + e[2]);
+        let determinant = g11 * g22 - g12 * g12;
+        // The division takes longest: everything that does not need it comes before.
+        let (n11, n21) = (g22 * a - g12 * b, g11 * b - g12 * a);
+        let (n12, n22) = (g22 * b_less - g12 * c_less, g11 * c_less - g12 * b_less);
+        let (s11, s12) = (a * n11 + b * n21, a * n12 + b * n22);
+        let s22 = b_less * n12 + c_less * n22;
+        let (t1, t2) = (load[2] - r1, load[3] - r2);
+        let (c1, c2) = (g22 * t1 - g12 * t2, g11 * t2 - g12 * t1);
+        let inverse = determinant.inverse();
+        let (s11, s12) = (a - s11 * inverse, b - s12 * inverse);
+        let s22 = (c + m[0]) - s22 * inverse;
+        let (k11, k21) = (n11 * inverse, n21 * inverse);
+        let (k12, k22) = (n12 * inverse, n22 * inverse);
+        let (c1, c2) = (c1 * inverse, c2 * inverse);
+        let f1 = r1 + load[0] + (k11 * t1 + k21 * t2);
+        let f2 = r2 + load[1] + (k12 * t1 + k22 * t2);
+        for (lane, gains) in gains.iter_mut().enumerate() {
+            if let Some(gain) = gains.next() {
+                *gain = [k11, k21, k12, k22, c1, c2].map(|lanes| lanes.0[lane]);
+            }
+        }
+        (a, b, c) = (s11 + leak[1], s12 - s11, (s22 - s12) - (s12 - s11));
+        (r1, r2) = (f1 + load[5], f2 - f1);
+        least = Lanes::of(|i| if determinant.0[i] > least.0[i] { least.0[i] } else { determinant.0[i] });
     }
-    for (to, state) in states.into_iter().zip(state) {
-        *to = state;
+    for (lane, state) in states.into_iter().enumerate() {
+        *state = [a, b, c, r1, r2].map(|lanes| lanes.0[lane]);
     }
-    if least > 0.0 { Ok(()) } else { Err(Loose) }
+    if least.0.iter().all(|least| *least > 0.0) { Ok(()) } else { Err(Loose) }
 }
 
 /// Which way a sweep goes back. A mirror turns slopes.
@@ -320,38 +328,58 @@ fn recross<const SWEEPS: usize>(
     let stretches: [&Stretch; SWEEPS] =
         std::array::from_fn(|lane| &sides[lane].stretches[now[lane].stretches - 1]);
     let forms = stretches.map(|stretch| stretch.form);
-    let per_length: [f64; SWEEPS] = std::array::from_fn(|i| -towards[i] / forms[i].length);
+    let of = |number: &dyn Fn(&Form) -> f64| Lanes::of(|lane| number(&forms[lane]));
+    let leak: [_; 2] = std::array::from_fn(|i| of(&|form| form.leak[i]));
+    let (coupling, rise) = (of(&|form| form.coupling), of(&|form| form.rise));
+    let per_length = Lanes::of(|lane| -towards[lane] / forms[lane].length);
+    let even = forms.iter().all(Form::is_even);
+    let push_at = |within: &[usize; SWEEPS]| {
+        [4, 5].map(|i| Lanes::of(|lane| forms[lane].q[i] + within[lane] as f64 * forms[lane].dq[i]))
+    };
     let mut gains: [_; SWEEPS] = std::array::from_fn(|lane| {
         let end = now[lane].elements;
         sides[lane].gains[end - steps..end].iter().rev()
     });
+    let mut within = now.map(|back| back.within);
+    let mut node = now.map(|back| back.node);
+    let mut w = Lanes::of(|lane| now[lane].w);
+    let mut turn = Lanes::of(|lane| now[lane].turn);
+    let mut taken = Lanes::of(|lane| now[lane].taken);
+    let mut e = [Lanes([0.0; SWEEPS]); 2];
+    let mut push = push_at(&within);
     for _ in 0..steps {
-        for lane in 0..SWEEPS {
-            let (back, form) = (&mut now[lane], &forms[lane]);
-            let Some(gain) = gains[lane].next() else { continue };
-            let y = back.w - back.turn;
-            let e = [
-                gain[0] * y + gain[2] * back.turn + gain[4],
-                gain[1] * y + gain[3] * back.turn + gain[5],
-            ];
-            back.within -= 1;
-            let at = back.within as f64;
-            let push = [form.q[4] + at * form.dq[4], form.q[5] + at * form.dq[5]];
-            let pulled = form.coupling * (back.turn + e[0]) - form.rise;
-            fields.force[back.node] += back.taken + (form.leak[1] * back.w - push[1]) + pulled;
-            back.w = y - e[0];
-            back.turn -= e[1];
-            back.taken = (form.leak[0] * back.w - push[0]) - pulled;
-            // A span is one element over many nodes.
-            back.node = match (back.within, towards[lane] == LEFT) {
-                (0, _) => stretches[lane].node,
-                (_, true) => back.node - 1,
-                _ => back.node + 1,
-            };
-            fields.deflection[back.node] = back.w;
-            fields.slope[back.node] = back.turn * per_length[lane];
-            back.e = e;
+        let gain: [Gain; SWEEPS] =
+            std::array::from_fn(|lane| gains[lane].next().copied().unwrap_or_default());
+        let gain: [Lanes<SWEEPS>; 6] =
+            std::array::from_fn(|i| Lanes::of(|lane| gain[lane][i]));
+        let y = w - turn;
+        e = [gain[0] * y + gain[2] * turn + gain[4], gain[1] * y + gain[3] * turn + gain[5]];
+        within = within.map(|within| within - 1);
+        if !even {
+            push = push_at(&within);
         }
+        let pulled = coupling * (turn + e[0]) - rise;
+        let force = taken + (leak[1] * w - push[1]) + pulled;
+        w = y - e[0];
+        turn = turn - e[1];
+        taken = (leak[0] * w - push[0]) - pulled;
+        let slope = turn * per_length;
+        for lane in 0..SWEEPS {
+            fields.force[node[lane]] += force.0[lane];
+            // A span is one element over many nodes.
+            node[lane] = match (within[lane], towards[lane] == LEFT) {
+                (0, _) => stretches[lane].node,
+                (_, true) => node[lane] - 1,
+                _ => node[lane] + 1,
+            };
+            fields.deflection[node[lane]] = w.0[lane];
+            fields.slope[node[lane]] = slope.0[lane];
+        }
+    }
+    for (lane, back) in now.iter_mut().enumerate() {
+        (back.node, back.within) = (node[lane], within[lane]);
+        (back.w, back.turn, back.taken) = (w.0[lane], turn.0[lane], taken.0[lane]);
+        back.e = e.map(|e| e.0[lane]);
     }
     for (back, mut now) in backs.into_iter().zip(now) {
         now.elements -= steps;
