@@ -40,6 +40,17 @@ fn main() {
                 println!("{name} {:?} each, its {}, bad {bad}, zones {zones:?}", t.elapsed() / models.len() as u32, its as f64 / models.len() as f64);
             }
         }
+        "feet" => {
+            let models = models::footings(2000);
+            let mut full = 0; let mut its = 0;
+            for m in &models { if let Ok(Outcome::Equilibrium(s)) = solve(m) { full += usize::from(s.lift_off().is_empty()); its += s.iterations(); } }
+            println!("full contact {full}, its {}", its as f64 / models.len() as f64);
+            for _ in 0..5 {
+                let t = Instant::now();
+                for m in &models { std::hint::black_box(solve(m).is_ok()); }
+                println!("footings {:?} each", t.elapsed() / models.len() as u32);
+            }
+        }
         "rail" => {
             for l in [100.0, 200.0, 400.0, 800.0, 1600.0, 3200.0] {
                 let m = models::rail(l, 1);

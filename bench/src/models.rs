@@ -50,9 +50,9 @@ pub fn footings(count: usize) -> Vec<Model> {
         let columns = rng.random_range(2..=4);
         for i in 0..columns {
             let at = l * (i as f64 + rng.random_range(0.2..0.8)) / f64::from(columns);
-            model.loads.push(Load::point(rng.random_range(2e5..1.5e6), at));
+            model.loads.push(Load::point(rng.random_range(1e5..1.5e6), at));
             if rng.random_range(0..3) == 0 {
-                model.loads.push(Load::moment(rng.random_range(-5e5..5e5), at));
+                model.loads.push(Load::moment(rng.random_range(-1.5e6..1.5e6), at));
             }
         }
         model.loads.push(Load::uniform(24e3 * width * depth, 0.0, l));

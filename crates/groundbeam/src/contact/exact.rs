@@ -24,6 +24,8 @@ use crate::mesh::{Cell, Mesh};
 use crate::model::{Load, Model};
 use crate::polynomial::{jet, rescale};
 
+/// How long a beam may be, in units of 1/wave number, that needs no mesh to start from.
+const SHORT: f64 = 12.0;
 /// Cells of the first coarse mesh per wave length of the beam on its ground.
 const COARSE: f64 = 1.0;
 /// How often the coarse mesh is refined threefold before the model is given up.
@@ -75,6 +77,11 @@ pub(crate) fn solve(
     model: &Model,
     proven: impl Fn(&Found, Proof) -> bool,
 ) -> Result<Found, Stalled> {
+    if is_short(model)
+        && let Ok(found) = from_bonded(model, &proven)
+    {
+        return Ok(found);
+    }
     let mut last = Stalled::default();
     let mut iterations = 0;
     for level in 0..=REFINEMENTS {
@@ -89,6 +96,39 @@ pub(crate) fn solve(
         }
     }
     Err(Stalled { iterations, ..last })
+}
+
+/// Whether a beam is so short that no zone of contact lies far from another.
+fn is_short(model: &Model) -> bool {
+    let wave = |k: f64, mu: f64, stiffness: f64| {
+        let operator = Operator {
+            stiffness,
+            tension: model.beam.axial_force + mu,
+            spring: k,
+            load: [0.0; 2],
+            moment_load: [0.0; 2],
+        };
+        operator.wave_number() * model.beam.length
+    };
+    let segments = model.foundation.segments.iter().map(|s| (s.spring, s.shear));
+    let ground = segments.chain([(model.foundation.spring, model.foundation.shear)]);
+    let beam = model.beam.segments.iter().map(|s| s.bending_stiffness);
+    let softest = beam.fold(model.beam.bending_stiffness, f64::min);
+    ground.map(|(k, mu)| wave(k, mu, softest)).all(|waves| waves <= SHORT)
+}
+
+/// From the beam glued to the ground along its whole length. Where that pushes everywhere, it is the answer.
+fn from_bonded(
+    model: &Model,
+    proven: &impl Fn(&Found, Proof) -> bool,
+) -> Result<Found, Stalled> {
+    let whole = [[0.0, model.beam.length]];
+    let (found, zones) = glued(model, &whole, None).map_err(|Loose| unsettled(0, f64::NAN))?;
+    if positions(&found.mesh, &zones, &[]) == whole {
+        let history = vec![Step { zones: 1, step: 1.0, decrement: 0.0 }];
+        return Ok(Found { history, ..found });
+    }
+    refine(model, Found { zones, ..found }, MOST_STEPS, proven)
 }
 
 /// A deflection to start from: on a coarse mesh, for a beam so stiff that the mesh sees its waves, and
