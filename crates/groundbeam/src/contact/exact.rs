@@ -22,10 +22,11 @@ use crate::elements::exact::{ExactElement, TERMS, parts};
 use crate::elements::{Operator, Touch};
 use crate::mesh::{Cell, Mesh};
 use crate::model::{Load, Model};
+use crate::nodal;
 use crate::polynomial::{jet, rescale};
 
 /// How long a beam may be, in units of 1/wave number, that needs no mesh to start from.
-const SHORT: f64 = 12.0;
+const SHORT: f64 = 24.0;
 /// Cells of the first coarse mesh per wave length of the beam on its ground.
 const COARSE: f64 = 1.0;
 /// How often the coarse mesh is refined threefold before the model is given up.
@@ -77,8 +78,10 @@ pub(crate) fn solve(
     model: &Model,
     proven: impl Fn(&Found, Proof) -> bool,
 ) -> Result<Found, Stalled> {
-    if is_short(model)
-        && let Ok(found) = from_bonded(model, &proven)
+    let whole = vec![[0.0, model.beam.length]];
+    let near = if is_short(model) { Some(whole) } else { nodal::edges(model) };
+    if let Some(stretches) = near
+        && let Ok(found) = from_edges(model, &stretches, &proven)
     {
         return Ok(found);
     }
@@ -117,15 +120,15 @@ fn is_short(model: &Model) -> bool {
     ground.map(|(k, mu)| wave(k, mu, softest)).all(|waves| waves <= SHORT)
 }
 
-/// From the beam glued to the ground along its whole length. Where that pushes everywhere, it is the answer.
-fn from_bonded(
+/// From the beam glued to the ground on given stretches. Where it asks for just these, it is the answer.
+fn from_edges(
     model: &Model,
+    stretches: &[Stretch],
     proven: &impl Fn(&Found, Proof) -> bool,
 ) -> Result<Found, Stalled> {
-    let whole = [[0.0, model.beam.length]];
-    let (found, zones) = glued(model, &whole, None).map_err(|Loose| unsettled(0, f64::NAN))?;
-    if positions(&found.mesh, &zones, &[]) == whole {
-        let history = vec![Step { zones: 1, step: 1.0, decrement: 0.0 }];
+    let (found, zones) = glued(model, stretches, None).map_err(|Loose| unsettled(0, f64::NAN))?;
+    if positions(&found.mesh, &zones, &[]) == stretches {
+        let history = vec![Step { zones: stretches.len(), step: 1.0, decrement: 0.0 }];
         return Ok(Found { history, ..found });
     }
     refine(model, Found { zones, ..found }, MOST_STEPS, proven)

@@ -1,6 +1,7 @@
 //! Equal elements between any two places of the model: runs, not elements, are what is stored.
 
 use super::beam::REACH;
+use crate::elements::{Operator, Touch};
 use crate::ground::Link;
 use crate::mesh::{Cell, Mesh, Node};
 use crate::model::Model;
@@ -93,6 +94,13 @@ impl Grid {
             outside: mesh.outside,
             flat: model.gap.is_empty(),
         }
+    }
+
+    /// The largest wave number of the beam on its ground.
+    pub fn wave_number(&self) -> f64 {
+        let wave =
+            |run: &Run| Operator::of(&run.cell, self.axial_force, Touch::Contact).wave_number();
+        self.runs.iter().map(wave).fold(0.0, f64::max)
     }
 
     /// The last node.

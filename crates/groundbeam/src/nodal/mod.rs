@@ -145,6 +145,28 @@ impl NodalSolver {
     }
 }
 
+/// Where a free beam on a shear layer touches, to the accuracy of a mesh fine enough for its waves; none if
+/// it is no such beam, or too long and soft for a mesh.
+pub(crate) fn edges(model: &Model) -> Option<Vec<[f64; 2]>> {
+    if !model.supports.is_empty() || crate::solve::without_shear_layer(model).is_some() {
+        return None;
+    }
+    let waves = Grid::new(model, 1).wave_number() * model.beam.length;
+    if waves.is_nan() || waves > MOST_WAVES {
+        return None;
+    }
+    let mut grids = Vec::new();
+    newton::grids(model, (PER_WAVE * waves) as usize, &mut grids);
+    let mut workspace = Workspace::default();
+    workspace.contact(&grids).ok()?;
+    grids.last().map(|grid| workspace.edges(grid))
+}
+
+/// Elements per 1/wave number of a mesh whose edges are a start for the exact ones.
+const PER_WAVE: f64 = 4.0;
+/// The most 1/wave numbers of a beam that starts from a mesh.
+const MOST_WAVES: f64 = 1e5;
+
 fn stalled(iterations: usize) -> Error {
     Error::NotConverged(NotConverged {
         method: Method::ActiveSet,

@@ -8,7 +8,6 @@ use super::open;
 use super::span::Span;
 use super::sweep::{self, Fields, Loose, Side, Stand, Stretch};
 use crate::contact::line;
-use crate::elements::{Operator, Touch};
 use crate::ground::Link;
 use crate::model::Model;
 
@@ -172,37 +171,35 @@ impl Workspace {
         false
     }
 
-    /// The zones of a coarser grid on this one. The force at the last node that touches tells how much of
-    /// the ground around it presses, and so where between two nodes the contact ends.
+    /// The zones of a coarser grid on this one.
     fn refine(&mut self, coarse: &Grid, grid: &Grid) {
-        let force = &self.force;
-        let edge = |node: usize, inner: usize| {
-            let (x, next) = (coarse.x(node), coarse.x(inner));
-            let part = (force[node] / force[inner]).clamp(0.0, 1.0);
-            x + (next - x) * (0.5 - part)
-        };
         self.next.clear();
-        for &[from, to] in &self.zones {
-            let start = if from == 0 {
-                0
-            } else if from < to {
-                grid.nearest(edge(from, from + 1))
-            } else {
-                grid.nearest(coarse.x(from))
-            };
-            let end = if to == coarse.last() {
-                grid.last()
-            } else if from < to {
-                grid.nearest(edge(to, to - 1))
-            } else {
-                start
-            };
+        for [from, to] in self.edges(coarse) {
+            let (start, end) = (grid.nearest(from), grid.nearest(to));
             match self.next.last_mut() {
                 Some(last) if start <= last[1] + 1 => last[1] = end.max(last[1]),
-                _ => self.next.push([start, end.max(start)]),
+                _ => self.next.push([start, end]),
             }
         }
         std::mem::swap(&mut self.zones, &mut self.next);
+    }
+
+    /// Where the contact ends. The force at the last node that touches tells how much of the ground around
+    /// it presses.
+    pub fn edges(&self, grid: &Grid) -> Vec<[f64; 2]> {
+        let edge = |node: usize, inner: usize| {
+            let (x, next) = (grid.x(node), grid.x(inner));
+            if node == inner || node == 0 || node == grid.last() {
+                return x;
+            }
+            let part = (self.force[node] / self.force[inner]).clamp(0.0, 1.0);
+            x + (next - x) * (0.5 - part)
+        };
+        let ends = |&[from, to]: &Zone| {
+            let inner = (from + 1).min(to);
+            [edge(from, inner), edge(to, if from < to { to - 1 } else { to })]
+        };
+        self.zones.iter().map(ends).collect()
     }
 
     /// The stretches that both sides sweep over, and the node where they meet.
@@ -354,10 +351,7 @@ pub(super) fn grids(model: &Model, elements: usize, grids: &mut Vec<Grid>) {
     grids.clear();
     let fine = Grid::new(model, elements);
     let l = model.beam.length;
-    let wave = fine.runs.iter().map(|run| {
-        Operator::of(&run.cell, fine.axial_force, Touch::Contact).wave_number()
-    });
-    let wave = wave.fold(0.0, f64::max);
+    let wave = fine.wave_number();
     let coarsest = (l * wave * COARSEST).ceil().max(8.0);
     let mut wanted = elements as f64;
     grids.push(fine);
