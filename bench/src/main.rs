@@ -51,12 +51,22 @@ fn main() {
                 println!("footings {:?} each", t.elapsed() / models.len() as u32);
             }
         }
+        "C" => {
+            let models = models::random_beams(1000);
+            let mut times: Vec<f64> = models.iter().map(|m| { let t = Instant::now(); std::hint::black_box(solve(m).is_ok()); t.elapsed().as_secs_f64() * 1e6 }).collect();
+            let mut order: Vec<usize> = (0..1000).collect();
+            order.sort_by(|a, b| times[*b].total_cmp(&times[*a]));
+            println!("slowest {:?}", order[..5].iter().map(|i| (*i, times[*i], match solve(&models[*i]) { Ok(Outcome::Equilibrium(s)) => (s.iterations(), s.elements()), _ => (0, 0) })).collect::<Vec<_>>());
+            times.sort_by(f64::total_cmp);
+            println!("C median {} p90 {} max {} mean {}", times[500], times[900], times[999], times.iter().sum::<f64>() / 1000.0);
+        }
+        "rail1" => { for _ in 0..8 { std::hint::black_box(solve(&models::rail(3200.0, 1)).is_ok()); } }
         "rail" => {
-            for l in [100.0, 200.0, 400.0, 800.0, 1600.0, 3200.0] {
+            for l in [1250.0, 2500.0, 5000.0, 10000.0] {
                 let m = models::rail(l, 1);
                 let t = Instant::now();
                 match solve(&m) {
-                    Ok(Outcome::Equilibrium(s)) => println!("{l} loads {} zones {} its {} {:?} gap {:e}", m.loads.len(), s.contact().len(), s.iterations(), t.elapsed(), s.certificate().relative_gap),
+                    Ok(Outcome::Equilibrium(s)) => println!("{l} loads {} zones {} its {} {:?} gap {:e}", m.loads.len(), s.contact().len(), s.iterations(), (t.elapsed(), s.elements()), s.certificate().relative_gap),
                     Ok(_) => println!("none"),
                     Err(e) => println!("{l} {e} {:?}", t.elapsed()),
                 }

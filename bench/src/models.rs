@@ -69,7 +69,7 @@ pub fn rail(length: f64, number: u64) -> Model {
     let mut rng = ChaCha8Rng::seed_from_u64(number);
     // UIC60, tamped ballast per rail, and its own weight with half a sleeper's.
     let mut model = Model::new(Beam::uniform(length, 6.4e6), Foundation::pasternak(30e6, 2e6));
-    model.loads.push(Load::uniform(300.0, 0.0, length));
+    model.loads.push(Load::uniform(2500.0, 0.0, length));
     let mut at = 2.0;
     let mut axle = 0;
     while at < length - 1.0 {

@@ -288,7 +288,10 @@ pub(crate) fn glued(
 ) -> Result<(Found, Vec<Zone>), Loose> {
     let axial = model.beam.axial_force;
     let edges: Vec<f64> = stretches.iter().flatten().copied().collect();
-    let touches = |x: f64| stretches.iter().any(|s| s[0] < x && x < s[1]);
+    let touches = |x: f64| {
+        let next = stretches.partition_point(|s| s[1] <= x);
+        stretches.get(next).is_some_and(|s| s[0] < x)
+    };
     let touch = |cell: &Cell| {
         if touches(0.5 * (cell.x[0] + cell.x[1])) { Touch::Contact } else { Touch::Open }
     };

@@ -16,7 +16,7 @@ pub(super) struct Run {
     pub count: usize,
     /// Their length.
     pub h: f64,
-    /// The open ground of one of them.
+    /// The ground under one of them, glued at both ends.
     pub link: Link,
 }
 
@@ -49,13 +49,34 @@ impl Run {
 
     /// Open ground from one node to another, both of this run.
     pub fn open(&self, from: usize, to: usize) -> Link {
-        Link::uniform(self.cell.spring, self.cell.shear, self.h * (to - from) as f64)
+        open(&self.cell, self.h * (to - from) as f64)
     }
 
     /// The position of a node.
     pub fn x(&self, node: usize) -> f64 {
         self.cell.global(2.0 * (node - self.first) as f64 / self.count as f64 - 1.0)
     }
+}
+
+/// Where the ground presses.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Ground {
+    /// On the nodes alone, (5.5).
+    Nodal,
+    /// All along an element that is glued, to the accuracy of the trapezoidal rule.
+    Spread,
+}
+
+fn open(cell: &Cell, length: f64) -> Link {
+    if cell.shear == 0.0 {
+        return Link { coupling: 0.0, leak_left: 0.0, leak_right: 0.0 };
+    }
+    Link::uniform(cell.spring, cell.shear, length)
+}
+
+fn spread(cell: &Cell, h: f64) -> Link {
+    let leak = 0.5 * cell.spring * h;
+    Link { coupling: cell.shear / h, leak_left: leak, leak_right: leak }
 }
 
 /// The runs from left to right, and what acts at the nodes between them.
@@ -73,7 +94,7 @@ pub(super) struct Grid {
 
 impl Grid {
     /// About `elements` equal elements, and a node at every place of the model.
-    pub fn new(model: &Model, elements: usize) -> Self {
+    pub fn new(model: &Model, elements: usize, ground: Ground) -> Self {
         let mesh = Mesh::build(model, &[], |_| 1);
         let per_length = elements as f64 / model.beam.length;
         let axial_force = mesh.axial_force;
@@ -82,7 +103,10 @@ impl Grid {
             let wanted = (cell.length() * per_length).round() as usize;
             let count = wanted.max(pieces(cell, axial_force, cell.length()));
             let h = cell.length() / count as f64;
-            let link = Link::uniform(cell.spring, cell.shear, h);
+            let link = match ground {
+                Ground::Nodal => open(cell, h),
+                Ground::Spread => spread(cell, h),
+            };
             let run = Run { cell: *cell, first, count, h, link };
             first += count;
             run

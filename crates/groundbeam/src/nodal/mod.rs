@@ -23,7 +23,7 @@ pub use newton::Work;
 use crate::existence::{Existence, Verdict};
 use crate::model::{Model, Problem};
 use crate::solve::{Error, Method, NotConverged, exists};
-use grid::Grid;
+use grid::{Grid, Ground};
 use hull::Hull;
 use newton::Workspace;
 
@@ -90,7 +90,7 @@ impl NodalSolver {
         if matches!(existence.verdict, Verdict::None(_)) {
             return Ok(existence);
         }
-        newton::grids(model, elements.max(1), &mut self.grids);
+        newton::grids(model, elements.max(1), Ground::Nodal, &mut self.grids);
         let swapped = |workspace: &mut Workspace, into: &mut NodalSolution| {
             std::mem::swap(&mut workspace.deflection, &mut into.deflection);
             std::mem::swap(&mut workspace.slope, &mut into.slope);
@@ -98,7 +98,7 @@ impl NodalSolver {
         };
         let workspace = &mut self.workspace;
         swapped(workspace, into);
-        let found = workspace.contact(&self.grids);
+        let found = workspace.contact(&self.grids, newton::ANSWER);
         if found.is_err() {
             swapped(workspace, into);
             return Err(stalled(workspace.work.solves));
@@ -128,7 +128,7 @@ impl NodalSolver {
         into: &mut NodalSolution,
     ) -> Result<(), Error> {
         checked(model)?;
-        let grid = Grid::new(model, elements.max(1));
+        let grid = Grid::new(model, elements.max(1), Ground::Nodal);
         let workspace = &mut self.workspace;
         workspace.zones.clear();
         workspace.zones.push([0, grid.last()]);
@@ -145,20 +145,20 @@ impl NodalSolver {
     }
 }
 
-/// Where a free beam on a shear layer touches, to the accuracy of a mesh fine enough for its waves; none if
-/// it is no such beam, or too long and soft for a mesh.
+/// Where a free beam touches, to the accuracy of a mesh fine enough for its waves; none if it has supports or
+/// is too long and soft for a mesh.
 pub(crate) fn edges(model: &Model) -> Option<Vec<[f64; 2]>> {
-    if !model.supports.is_empty() || crate::solve::without_shear_layer(model).is_some() {
+    if !model.supports.is_empty() {
         return None;
     }
-    let waves = Grid::new(model, 1).wave_number() * model.beam.length;
+    let waves = Grid::new(model, 1, Ground::Spread).wave_number() * model.beam.length;
     if waves.is_nan() || waves > MOST_WAVES {
         return None;
     }
     let mut grids = Vec::new();
-    newton::grids(model, (PER_WAVE * waves) as usize, &mut grids);
+    newton::grids(model, (PER_WAVE * waves) as usize, Ground::Spread, &mut grids);
     let mut workspace = Workspace::default();
-    workspace.contact(&grids).ok()?;
+    workspace.contact(&grids, newton::START).ok()?;
     grids.last().map(|grid| workspace.edges(grid))
 }
 

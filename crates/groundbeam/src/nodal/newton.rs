@@ -2,7 +2,7 @@
 
 use super::beam::Beam;
 use super::form::Form;
-use super::grid::{Grid, mirrored};
+use super::grid::{Grid, Ground, mirrored};
 use super::hull::{Hull, Zone};
 use super::open;
 use super::span::Span;
@@ -13,8 +13,6 @@ use crate::model::Model;
 
 /// Steps on one grid that are taken whole; later ones are shortened where the energy asks for it.
 const WHOLE_STEPS: usize = 8;
-/// Steps before a grid is given up.
-const MOST_STEPS: usize = 200;
 /// The fall of the energy, relative to the work of the forces, that rounding leaves.
 const LEAST: f64 = 1e-28;
 
@@ -30,6 +28,20 @@ pub struct Work {
     /// Grids.
     pub grids: usize,
 }
+
+/// What ends the steps on one grid.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Goal {
+    /// Steps before an answer is given up, or a start is good enough.
+    pub steps: usize,
+    /// How many nodes a zone may still want to gain or lose: none of an answer.
+    pub moves: usize,
+}
+
+/// An answer: nothing moves.
+pub(super) const ANSWER: Goal = Goal { steps: 200, moves: 0 };
+/// A start for another method.
+pub(super) const START: Goal = Goal { steps: 100, moves: 1 };
 
 /// Everything that a solve needs and the next one can use again.
 #[derive(Debug, Clone, Default)]
@@ -48,7 +60,7 @@ pub(super) struct Workspace {
 
 impl Workspace {
     /// The nodes that touch on the wanted grid, from coarser ones.
-    pub fn contact(&mut self, grids: &[Grid]) -> Result<(), Loose> {
+    pub fn contact(&mut self, grids: &[Grid], goal: Goal) -> Result<(), Loose> {
         self.work = Work { grids: grids.len(), ..Work::default() };
         for (i, grid) in grids.iter().enumerate() {
             match i.checked_sub(1) {
@@ -60,7 +72,7 @@ impl Workspace {
             }
             self.room(grid);
             let before = self.work.solves;
-            self.settle(grid)?;
+            self.settle(grid, goal)?;
             self.work.fine_solves = self.work.solves - before;
         }
         Ok(())
@@ -106,9 +118,27 @@ impl Workspace {
         self.force[open..=grid.last()].fill(0.0);
     }
 
+    /// How many nodes touch now or in the next step, not both.
+    fn moved(&self) -> usize {
+        let count = |zones: &[Zone]| zones.iter().map(|[from, to]| to - from + 1).sum::<usize>();
+        let (mut both, mut next) = (0, self.next.iter().peekable());
+        for &[from, to] in &self.zones {
+            while let Some(&&[start, end]) = next.peek() {
+                if start <= to && from <= end {
+                    both += end.min(to) - start.max(from) + 1;
+                }
+                if end > to {
+                    break;
+                }
+                next.next();
+            }
+        }
+        count(&self.zones) + count(&self.next) - 2 * both
+    }
+
     /// Steps until the contact asked for is the contact assumed.
-    fn settle(&mut self, grid: &Grid) -> Result<(), Loose> {
-        for step in 0..MOST_STEPS {
+    fn settle(&mut self, grid: &Grid, goal: Goal) -> Result<(), Loose> {
+        for step in 0..goal.steps {
             if step >= WHOLE_STEPS {
                 self.clear_open(grid);
                 self.before[0].clone_from(&self.deflection);
@@ -118,7 +148,7 @@ impl Workspace {
             self.fill(grid, false);
             let hull = Hull { grid, deflection: &self.deflection };
             hull.zones(&mut self.arcs, &mut self.next);
-            if self.next == self.zones {
+            if self.next == self.zones || self.moved() <= goal.moves * self.zones.len() {
                 return Ok(());
             }
             if step >= WHOLE_STEPS && self.shorten(grid) {
@@ -126,7 +156,7 @@ impl Workspace {
             }
             std::mem::swap(&mut self.zones, &mut self.next);
         }
-        Err(Loose)
+        if goal.moves == 0 { Err(Loose) } else { Ok(()) }
     }
 
     /// Goes back on the way from the deflection before as far as the energy asks for. With K w = F − f for
@@ -175,7 +205,8 @@ impl Workspace {
     fn refine(&mut self, coarse: &Grid, grid: &Grid) {
         self.next.clear();
         for [from, to] in self.edges(coarse) {
-            let (start, end) = (grid.nearest(from), grid.nearest(to));
+            let start = grid.nearest(from);
+            let end = grid.nearest(to).max(start);
             match self.next.last_mut() {
                 Some(last) if start <= last[1] + 1 => last[1] = end.max(last[1]),
                 _ => self.next.push([start, end]),
@@ -192,8 +223,8 @@ impl Workspace {
             if node == inner || node == 0 || node == grid.last() {
                 return x;
             }
-            let part = (self.force[node] / self.force[inner]).clamp(0.0, 1.0);
-            x + (next - x) * (0.5 - part)
+            let part = self.force[node] / self.force[inner];
+            if part.is_nan() { x } else { x + (next - x) * (0.5 - part.clamp(0.0, 1.0)) }
         };
         let ends = |&[from, to]: &Zone| {
             let inner = (from + 1).min(to);
@@ -347,9 +378,9 @@ fn row(grid: &Grid, run: usize, from: usize, to: usize, turned: bool) -> Stretch
 
 /// Grids from one on which every wave of the beam is a few elements long to the wanted one; each finer
 /// one is as much finer as Newton's method, which squares errors, can make good in a step or two.
-pub(super) fn grids(model: &Model, elements: usize, grids: &mut Vec<Grid>) {
+pub(super) fn grids(model: &Model, elements: usize, ground: Ground, grids: &mut Vec<Grid>) {
     grids.clear();
-    let fine = Grid::new(model, elements);
+    let fine = Grid::new(model, elements, ground);
     let l = model.beam.length;
     let wave = fine.wave_number();
     let coarsest = (l * wave * COARSEST).ceil().max(8.0);
@@ -360,12 +391,12 @@ pub(super) fn grids(model: &Model, elements: usize, grids: &mut Vec<Grid>) {
         let next = (wanted * l * wave).sqrt() * FINER;
         if next >= 0.7 * wanted || next < coarsest {
             if wanted > 2.0 * coarsest {
-                grids.push(Grid::new(model, coarsest as usize));
+                grids.push(Grid::new(model, coarsest as usize, ground));
             }
             break;
         }
         wanted = next;
-        grids.push(Grid::new(model, wanted as usize));
+        grids.push(Grid::new(model, wanted as usize, ground));
     }
     grids.reverse();
 }
