@@ -14,10 +14,6 @@ impl Quad {
     pub fn double(self) -> f64 {
         self.high
     }
-
-    pub fn is_negative(self) -> bool {
-        self.high < 0.0
-    }
 }
 
 impl From<f64> for Quad {

@@ -24,12 +24,12 @@ type Block = [[Quad; 3]; 3];
 /// it is bonded).
 pub fn solve(model: &Model, rows: &[Row], contact: &[[usize; 2]]) -> Reference {
     let last = rows.last().map_or(0, |row| row.1 + row.2);
+    let loads = all_loads(model, rows);
     let touches = {
         let mut touches = vec![false; last + 1];
         contact.iter().for_each(|&[a, b]| touches[a..=b].fill(true));
         touches
     };
-    let (mut loads, even) = loads(model, rows, last);
     // Unknowns of node i: (w, θ, u), where it touches u = w and the third is left out.
     let mut diagonal = vec![[[Quad::default(); 3]; 3]; last + 1];
     let mut beside = vec![[[Quad::default(); 3]; 3]; last];
@@ -50,9 +50,6 @@ pub fn solve(model: &Model, rows: &[Row], contact: &[[usize; 2]]) -> Reference {
             to(&mut diagonal[i + 1], &mirror(&near));
             to(&mut beside[i], &far);
             ground.push(links);
-            let [w, m] = even_load(model, even, h);
-            loads[i] = [loads[i][0] + w, loads[i][1] + m];
-            loads[i + 1] = [loads[i + 1][0] + w, loads[i + 1][1] - m];
         }
     }
     // The ground on w where it touches, on u where it does not.
@@ -201,6 +198,26 @@ fn stumpff(t: Quad, n: u32) -> Quad {
 
 fn mirror(k: &[[Quad; 2]; 2]) -> [[Quad; 2]; 2] {
     [[k[0][0], -k[0][1]], [-k[1][0], k[1][1]]]
+}
+
+/// Forces and moments at the nodes, of all loads.
+fn all_loads(model: &Model, rows: &[Row]) -> Vec<[Quad; 2]> {
+    let last = rows.last().map_or(0, |row| row.1 + row.2);
+    let (mut at_nodes, even) = loads(model, rows, last);
+    for &(_, first, count, h) in rows {
+        let [w, m] = even_load(model, even, Quad::from(h));
+        for i in first..first + count {
+            at_nodes[i] = [at_nodes[i][0] + w, at_nodes[i][1] + m];
+            at_nodes[i + 1] = [at_nodes[i + 1][0] + w, at_nodes[i + 1][1] - m];
+        }
+    }
+    at_nodes
+}
+
+/// The same as doubles: forces, moments.
+pub fn nodal_loads(model: &Model, rows: &[Row]) -> [Vec<f64>; 2] {
+    let all = all_loads(model, rows);
+    [0, 1].map(|i| all.iter().map(|load| load[i].double()).collect())
 }
 
 /// Forces and moments at the nodes, and the even load along the whole beam.

@@ -166,9 +166,8 @@ pub(super) fn size(model: &Model) -> f64 {
 
 /// The loads that are spread.
 pub(super) fn spread(model: &Model) -> Vec<Load> {
-    let is_spread = |load: &&Load| {
-        matches!(load, Load::Distributed { .. } | Load::DistributedMoment { .. })
-    };
+    let is_spread =
+        |load: &&Load| matches!(load, Load::Distributed { .. } | Load::DistributedMoment { .. });
     model.loads.iter().filter(is_spread).copied().collect()
 }
 

@@ -171,9 +171,7 @@ impl Grid {
 
     /// Open ground from one node to another.
     pub fn link(&self, from: usize, to: usize) -> Option<Link> {
-        let links = self.parts(from, to).map(|(run, from, to)| {
-            self.runs[run].open(from, to)
-        });
+        let links = self.parts(from, to).map(|(run, from, to)| self.runs[run].open(from, to));
         links.reduce(Link::then)
     }
 

@@ -160,8 +160,7 @@ impl Hull<'_> {
 
     /// Where a zone that goes on to the left ends, if open ground follows up to `next`.
     fn last_that_presses(&self, [from, to]: Zone, next: Option<usize>) -> usize {
-        let presses =
-            |node: usize| self.push_from_left(node) + self.open_right(node, next) >= 0.0;
+        let presses = |node: usize| self.push_from_left(node) + self.open_right(node, next) >= 0.0;
         if from == to || presses(to) {
             return to;
         }

@@ -32,16 +32,18 @@ pub struct Work {
 /// What ends the steps on one grid.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Goal {
-    /// Steps before an answer is given up, or a start is good enough.
+    /// Steps before it is given up.
     pub steps: usize,
+    /// The finest grid on which steps are shortened, which takes dozens of scans each.
+    pub searched: usize,
     /// How many nodes a zone may still want to gain or lose: none of an answer.
     pub moves: usize,
 }
 
 /// An answer: nothing moves.
-pub(super) const ANSWER: Goal = Goal { steps: 200, moves: 0 };
+pub(super) const ANSWER: Goal = Goal { steps: 200, searched: usize::MAX, moves: 0 };
 /// A start for another method.
-pub(super) const START: Goal = Goal { steps: 100, moves: 1 };
+pub(super) const START: Goal = Goal { steps: 40, searched: 2000, moves: 1 };
 
 /// Everything that a solve needs and the next one can use again.
 #[derive(Debug, Clone, Default)]
@@ -140,6 +142,9 @@ impl Workspace {
     fn settle(&mut self, grid: &Grid, goal: Goal) -> Result<(), Loose> {
         for step in 0..goal.steps {
             if step >= WHOLE_STEPS {
+                if grid.last() > goal.searched {
+                    return Err(Loose);
+                }
                 self.clear_open(grid);
                 self.before[0].clone_from(&self.deflection);
                 self.before[1].clone_from(&self.force);
@@ -156,7 +161,7 @@ impl Workspace {
             }
             std::mem::swap(&mut self.zones, &mut self.next);
         }
-        if goal.moves == 0 { Err(Loose) } else { Ok(()) }
+        Err(Loose)
     }
 
     /// Goes back on the way from the deflection before as far as the energy asks for. With K w = F − f for
@@ -247,9 +252,9 @@ impl Workspace {
             place.0.set(grid, from, to, side == 1);
             (place.1, place.2) = (side, stretch);
             {
-            let (length, stiffness, load) = place.0.scaled();
-            Form::beam(length, stiffness, load)
-        }
+                let (length, stiffness, load) = place.0.scaled();
+                Form::beam(length, stiffness, load)
+            }
         };
         let (Some(&[first, _]), Some(&[_, last])) = (zones.first(), zones.last()) else {
             return Err(Loose);
@@ -272,7 +277,8 @@ impl Workspace {
         let [left, right] = sides;
         // From the left.
         if first > 0 {
-            let form = span(grid, 0, first, 0, 0).on(overhang(grid.left_of(first)), gaps(grid, first));
+            let form =
+                span(grid, 0, first, 0, 0).on(overhang(grid.left_of(first)), gaps(grid, first));
             left.stretches.push(Stretch { form, count: 1, node: 0, stand: off(grid, 0, false) });
         }
         for (i, &[from, to]) in zones.iter().enumerate() {
@@ -282,7 +288,12 @@ impl Workspace {
                 }
                 let form = span(grid, end, from, 0, left.stretches.len());
                 let form = between(grid, form, end, from, false);
-                left.stretches.push(Stretch { form, count: 1, node: end, stand: stand(grid, end, false) });
+                left.stretches.push(Stretch {
+                    form,
+                    count: 1,
+                    node: end,
+                    stand: stand(grid, end, false),
+                });
             }
             for (run, a, b) in grid.parts(from, to.min(meeting)).filter(|part| part.1 < part.2) {
                 left.stretches.push(row(grid, run, a, b, false));
@@ -303,7 +314,12 @@ impl Workspace {
                 }
                 let form = span(grid, to, start, 1, right.stretches.len());
                 let form = between(grid, form, to, start, true);
-                right.stretches.push(Stretch { form, count: 1, node: start, stand: stand(grid, start, true) });
+                right.stretches.push(Stretch {
+                    form,
+                    count: 1,
+                    node: start,
+                    stand: stand(grid, start, true),
+                });
             }
             let first = right.stretches.len();
             let from = from.max(meeting);
@@ -346,11 +362,7 @@ fn between(grid: &Grid, form: Form, from: usize, to: usize, turned: bool) -> For
     let Some(link) = grid.link(from, to) else { return form };
     let gap = [grid.gap(from), grid.gap(to)];
     if turned {
-        let link = Link {
-            leak_left: link.leak_right,
-            leak_right: link.leak_left,
-            ..link
-        };
+        let link = Link { leak_left: link.leak_right, leak_right: link.leak_left, ..link };
         form.on(link, [gap[1], gap[0]])
     } else {
         form.on(link, gap)

@@ -233,7 +233,10 @@ fn cross<const SWEEPS: usize>(
         }
         (a, b, c) = (s11 + leak[1], s12 - s11, (s22 - s12) - (s12 - s11));
         (r1, r2) = (f1 + load[5], f2 - f1);
-        least = Lanes::of(|i| if determinant.0[i] > least.0[i] { least.0[i] } else { determinant.0[i] });
+        least =
+            Lanes::of(
+                |i| if determinant.0[i] > least.0[i] { least.0[i] } else { determinant.0[i] },
+            );
     }
     for (lane, state) in states.into_iter().enumerate() {
         *state = [a, b, c, r1, r2].map(|lanes| lanes.0[lane]);
@@ -350,8 +353,7 @@ fn recross<const SWEEPS: usize>(
     for _ in 0..steps {
         let gain: [Gain; SWEEPS] =
             std::array::from_fn(|lane| gains[lane].next().copied().unwrap_or_default());
-        let gain: [Lanes<SWEEPS>; 6] =
-            std::array::from_fn(|i| Lanes::of(|lane| gain[lane][i]));
+        let gain: [Lanes<SWEEPS>; 6] = std::array::from_fn(|i| Lanes::of(|lane| gain[lane][i]));
         let y = w - turn;
         e = [gain[0] * y + gain[2] * turn + gain[4], gain[1] * y + gain[3] * turn + gain[5]];
         within = within.map(|within| within - 1);
