@@ -2,8 +2,8 @@
 //! models; and how much work they take, counted, not timed.
 
 use groundbeam::{
-    Beam, Field, Foundation, Load, Method, Model, NodalSolution, NodalSolver, Options, Outcome,
-    Pressure, Solution, solve, solve_with,
+    Beam, Error, Field, Foundation, Load, Method, Model, NodalSolution, NodalSolver, Options,
+    Outcome, Pressure, Solution, solve, solve_with,
 };
 use groundbeam_verification::cases;
 use groundbeam_verification::random::{Family, model};
@@ -116,8 +116,11 @@ fn random_beams_balance_press_and_lie_on_the_ground() {
         for number in 0..40 {
             let model = model(family, number);
             let elements = [3, 30, 300, 3000][number as usize % 4];
-            if let Err(error) = solver.solve_into(&model, elements, &mut found) {
-                panic!("{family:?} {number}: {error}");
+            match solver.solve_into(&model, elements, &mut found) {
+                Ok(_) => {}
+                // Ground without a shear layer somewhere.
+                Err(Error::Unsupported(_)) => continue,
+                Err(error) => panic!("{family:?} {number}: {error}"),
             }
             let check = found.check;
             let good = check.force_balance < 1e-9
@@ -165,19 +168,21 @@ fn the_work_of_the_exact_method() {
     assert_eq!(steps(&kikuchi(0.1)), 1, "a beam pressed everywhere is solved once");
     assert!(steps(&kikuchi(0.49)) <= 8);
     assert!(steps(&long_beam(0.0)) <= 6);
-    // Wagons in a row on a rail: twice as many cost twice as much.
+    // Wagons in a row on a rail, no two alike: four times as many cost four times as much.
     let rail = |wagons: usize| {
         let l = 30.0 * wagons as f64;
         let mut model = Model::new(Beam::uniform(l, 6.4e6), Foundation::pasternak(30e6, 2e6))
             .with_load(Load::uniform(2500.0, 0.0, l));
         for i in 0..wagons {
             for at in [8.0, 9.8, 17.0, 18.8] {
-                model.loads.push(Load::point(9e4, 30.0 * i as f64 + at));
+                let force = 8e4 + 1e3 * (i * 7 % 23) as f64;
+                model.loads.push(Load::point(force, 30.0 * i as f64 + at));
             }
         }
         equilibrium(solve(&model).expect("an answer"))
     };
     let [short, long] = [rail(20), rail(80)];
-    assert!(short.iterations() <= 6 && long.iterations() <= 6);
+    let steps = [short.iterations(), long.iterations()];
+    assert!(steps.iter().all(|steps| *steps <= 6), "{steps:?}");
     assert!(long.elements() <= 4 * short.elements() + 4);
 }

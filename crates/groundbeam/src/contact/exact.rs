@@ -16,17 +16,15 @@ use super::active_set::{CLOSE, Found, Pressure, Stalled, Step};
 use super::descent::shorten;
 use super::layout::Layout;
 use super::majorant::{self, Deflection, Spot, Zone};
+use super::near;
 use super::nested;
 use crate::chain::{Chain, ChainCell, Loose};
 use crate::elements::exact::{ExactElement, TERMS, parts};
 use crate::elements::{Operator, Touch};
 use crate::mesh::{Cell, Mesh};
 use crate::model::{Load, Model};
-use crate::nodal;
 use crate::polynomial::{jet, rescale};
 
-/// How long a beam may be, in units of 1/wave number, that needs no mesh to start from.
-const SHORT: f64 = 24.0;
 /// Cells of the first coarse mesh per wave length of the beam on its ground.
 const COARSE: f64 = 1.0;
 /// How often the coarse mesh is refined threefold before the model is given up.
@@ -89,9 +87,7 @@ pub(crate) fn solve(
     model: &Model,
     proven: impl Fn(&Found, Proof) -> bool,
 ) -> Result<Found, Stalled> {
-    let whole = vec![[0.0, model.beam.length]];
-    let near = if is_short(model) { Some(whole) } else { nodal::edges(model) };
-    if let Some(stretches) = near
+    if let Some(stretches) = near::edges(model)
         && let Ok(found) = from_edges(model, &stretches, &proven)
     {
         return Ok(found);
@@ -110,25 +106,6 @@ pub(crate) fn solve(
         }
     }
     Err(Stalled { iterations, ..last })
-}
-
-/// Whether a beam is so short that no zone of contact lies far from another.
-fn is_short(model: &Model) -> bool {
-    let wave = |k: f64, mu: f64, stiffness: f64| {
-        let operator = Operator {
-            stiffness,
-            tension: model.beam.axial_force + mu,
-            spring: k,
-            load: [0.0; 2],
-            moment_load: [0.0; 2],
-        };
-        operator.wave_number() * model.beam.length
-    };
-    let segments = model.foundation.segments.iter().map(|s| (s.spring, s.shear));
-    let ground = segments.chain([(model.foundation.spring, model.foundation.shear)]);
-    let beam = model.beam.segments.iter().map(|s| s.bending_stiffness);
-    let softest = beam.fold(model.beam.bending_stiffness, f64::min);
-    ground.map(|(k, mu)| wave(k, mu, softest)).all(|waves| waves <= SHORT)
 }
 
 /// From the beam glued to the ground on given stretches. Where it asks for just these, it is the answer.

@@ -7,6 +7,7 @@ pub(crate) mod forms;
 pub(crate) mod layout;
 pub(crate) mod line;
 pub(crate) mod majorant;
+mod near;
 pub(crate) mod nested;
 pub(crate) mod pieces;
 pub(crate) mod recover;

@@ -43,6 +43,16 @@ impl Sums {
     }
 }
 
+impl NodalCheck {
+    /// Whether all of it holds to rounding: [`Certificate::TOLERANCE`](crate::Certificate::TOLERANCE).
+    pub fn holds(&self) -> bool {
+        let NodalCheck { force_balance, moment_balance, smallest_force, deepest_penetration } =
+            *self;
+        let worst = [force_balance, moment_balance, -smallest_force, deepest_penetration];
+        worst.iter().all(|part| *part <= crate::Certificate::TOLERANCE)
+    }
+}
+
 pub(super) fn check(model: &Model, solution: &NodalSolution) -> NodalCheck {
     let middle = 0.5 * model.beam.length;
     let (mut force, mut moment, mut size) = (0.0, 0.0, 0.0);

@@ -74,7 +74,8 @@ impl NodalSolver {
     }
 
     /// Solves the contact problem on about `elements` elements, equal between any two places of the
-    /// model. Nothing is written if the verdict is that there is no equilibrium.
+    /// model. Nothing is written if the verdict is that there is no equilibrium; what is written beside an error
+    /// is no answer.
     ///
     /// # Errors
     ///
@@ -110,9 +111,9 @@ impl NodalSolver {
         into.contact.clone_from(&workspace.zones);
         into.work = workspace.work;
         settle_ground(&grid, into);
-        into.check = check::check(model, into);
         into.grid = Some(grid);
-        Ok(existence)
+        into.check = check::check(model, into);
+        if into.check.holds() { Ok(existence) } else { Err(stalled(into.work.solves)) }
     }
 
     /// The beam bonded to the ground at every node, pulls and all: one sweep from each end. What the ground
@@ -173,7 +174,7 @@ fn stalled(iterations: usize) -> Error {
         iterations,
         tolerance: 0.0,
         reached: f64::NAN,
-        what: "the number of nodes whose contact changes",
+        what: "the change of contact at the nodes",
     })
 }
 

@@ -43,7 +43,7 @@ pub(super) struct Goal {
 /// An answer: nothing moves.
 pub(super) const ANSWER: Goal = Goal { steps: 200, searched: usize::MAX, moves: 0 };
 /// A start for another method.
-pub(super) const START: Goal = Goal { steps: 40, searched: 2000, moves: 1 };
+pub(super) const START: Goal = Goal { steps: 40, searched: 20_000, moves: 1 };
 
 /// Everything that a solve needs and the next one can use again.
 #[derive(Debug, Clone, Default)]
@@ -138,6 +138,20 @@ impl Workspace {
         count(&self.zones) + count(&self.next) - 2 * both
     }
 
+    /// A beam that would turn about the nodes that touch is held by their neighbours too.
+    fn widen(&mut self, grid: &Grid) -> Result<(), Loose> {
+        let ends = self.zones.first().zip(self.zones.last());
+        let (from, to) = ends.map(|(first, last)| (first[0], last[1])).ok_or(Loose)?;
+        let reach = (to - from).max(1);
+        let zone = [from.saturating_sub(reach), (to + reach).min(grid.last())];
+        if zone == [from, to] {
+            return Err(Loose);
+        }
+        self.zones.clear();
+        self.zones.push(zone);
+        Ok(())
+    }
+
     /// Steps until the contact asked for is the contact assumed.
     fn settle(&mut self, grid: &Grid, goal: Goal) -> Result<(), Loose> {
         for step in 0..goal.steps {
@@ -145,11 +159,15 @@ impl Workspace {
                 if grid.last() > goal.searched {
                     return Err(Loose);
                 }
-                self.clear_open(grid);
                 self.before[0].clone_from(&self.deflection);
                 self.before[1].clone_from(&self.force);
             }
-            self.glue(grid)?;
+            while self.glue(grid).is_err() {
+                self.widen(grid)?;
+            }
+            if step + 1 >= WHOLE_STEPS {
+                self.clear_open(grid);
+            }
             self.fill(grid, false);
             let hull = Hull { grid, deflection: &self.deflection };
             hull.zones(&mut self.arcs, &mut self.next);
@@ -168,7 +186,6 @@ impl Workspace {
     /// the forces f that a glued solve finds, and for mixtures of such w, the energy's slope along δ is
     /// Σ (p − f) δ with the ground's own answer p. True if nothing is left to fall.
     fn shorten(&mut self, grid: &Grid) -> bool {
-        self.clear_open(grid);
         let [w0, f0] = &self.before;
         let (w1, f1) = (&self.deflection, &self.force);
         let count = grid.last() + 1;
@@ -260,7 +277,8 @@ impl Workspace {
             return Err(Loose);
         };
         let count: usize = zones.iter().map(|[from, to]| to - from).sum();
-        if count == 0 && zones.len() < 2 {
+        // One node holds a beam that tension keeps from turning.
+        if count == 0 && zones.len() < 2 && grid.axial_force <= 0.0 {
             return Err(Loose);
         }
         // Half of the elements that touch on each side.
