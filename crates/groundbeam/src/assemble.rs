@@ -2,8 +2,8 @@
 
 use crate::certificate::{Claim, ClaimedPiece, certify};
 use crate::contact::active_set::{Found, Pressure};
+use crate::contact::deflection::{Spot, pressure_of};
 use crate::contact::layout::gap_at;
-use crate::contact::majorant::{Spot, pressure_of};
 use crate::contact::recover;
 use crate::contact::surface::{Atom, Part, Surface};
 use crate::existence::Existence;

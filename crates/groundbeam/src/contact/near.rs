@@ -6,8 +6,12 @@ use crate::nodal;
 
 /// How long a beam may be, in units of 1/wave number, that needs no mesh to start from.
 const SHORT: f64 = 24.0;
-/// All of a short beam, what the nodes of a mesh tell of a long one; none if they tell nothing.
+/// All of a short beam, what the nodes of a mesh tell of a long one; none if they tell nothing. Beams on
+/// supports may leave stretches with hardly a pressure: they go the long way.
 pub(super) fn edges(model: &Model) -> Option<Vec<[f64; 2]>> {
+    if !model.supports.is_empty() {
+        return None;
+    }
     if is_short(model) { Some(vec![[0.0, model.beam.length]]) } else { nodal::edges(model) }
 }
 
