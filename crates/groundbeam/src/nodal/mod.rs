@@ -131,8 +131,7 @@ impl NodalSolver {
         checked(model)?;
         let grid = Grid::new(model, elements.max(1), Ground::Nodal);
         let workspace = &mut self.workspace;
-        workspace.zones.clear();
-        workspace.zones.push([0, grid.last()]);
+        workspace.bond(&grid);
         workspace.room(&grid);
         workspace.work = Work { grids: 1, ..Work::default() };
         workspace.glue(&grid).map_err(|_| stalled(1))?;

@@ -67,17 +67,23 @@ impl Workspace {
         for (i, grid) in grids.iter().enumerate() {
             match i.checked_sub(1) {
                 Some(coarser) => self.refine(&grids[coarser], grid),
-                None => {
-                    self.zones.clear();
-                    self.zones.push([0, grid.last()]);
-                }
+                None => self.bond(grid),
             }
             self.room(grid);
             let before = self.work.solves;
-            self.settle(grid, goal)?;
+            if self.settle(grid, goal, WHOLE_STEPS).is_err() {
+                self.bond(grid);
+                self.settle(grid, goal, 1)?;
+            }
             self.work.fine_solves = self.work.solves - before;
         }
         Ok(())
+    }
+
+    /// Contact everywhere.
+    pub fn bond(&mut self, grid: &Grid) {
+        self.zones.clear();
+        self.zones.push([0, grid.last()]);
     }
 
     pub fn room(&mut self, grid: &Grid) {
@@ -152,10 +158,10 @@ impl Workspace {
         Ok(())
     }
 
-    /// Steps until the contact asked for is the contact assumed.
-    fn settle(&mut self, grid: &Grid, goal: Goal) -> Result<(), Loose> {
+    /// Steps until the contact asked for is the contact assumed, the first few taken whole.
+    fn settle(&mut self, grid: &Grid, goal: Goal, whole: usize) -> Result<(), Loose> {
         for step in 0..goal.steps {
-            if step >= WHOLE_STEPS {
+            if step >= whole {
                 if grid.last() > goal.searched {
                     return Err(Loose);
                 }
@@ -165,7 +171,7 @@ impl Workspace {
             while self.glue(grid).is_err() {
                 self.widen(grid)?;
             }
-            if step + 1 >= WHOLE_STEPS {
+            if step + 1 >= whole {
                 self.clear_open(grid);
             }
             self.fill(grid, false);
@@ -174,7 +180,7 @@ impl Workspace {
             if self.next == self.zones || self.moved() <= goal.moves * self.zones.len() {
                 return Ok(());
             }
-            if step >= WHOLE_STEPS && self.shorten(grid) {
+            if step >= whole && self.shorten(grid) {
                 return Ok(());
             }
             std::mem::swap(&mut self.zones, &mut self.next);
