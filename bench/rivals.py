@@ -10,6 +10,7 @@ equalities: the form in which groundbeam works, found to be much better for inte
 
 import importlib.metadata
 import multiprocessing
+import os
 import pathlib
 import re
 import subprocess
@@ -299,6 +300,9 @@ PROGRAMS = [
 
 
 def run(pipe, job, data, again):
+    quiet = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(quiet, 1)
+    os.dup2(quiet, 2)
     try:
         best = min((job(*data) for _ in range(again)), key=lambda result: result[0])
         pipe.send(best)
