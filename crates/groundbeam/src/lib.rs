@@ -35,6 +35,7 @@ mod existence;
 mod factors;
 mod ground;
 mod mesh;
+mod nodal;
 mod polynomial;
 mod solution;
 mod solve;
@@ -49,6 +50,7 @@ pub use factors::{FirstLiftOff, LoadFactors, LossOfEquilibrium, load_factors};
 pub use model::{
     Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, Load, Model, Support, SupportKind,
 };
+pub use nodal::{NodalCheck, NodalSolution, NodalSolver, Work};
 pub use solution::{
     ConcentratedForce, ContactRegion, EndForces, Extreme, Field, Fields, LiftOff, Range, Reaction,
     Side, Solution,

@@ -88,6 +88,17 @@ impl Problem {
         )
     }
 
+    /// Values at nodes are for beams that the ground alone holds.
+    pub(crate) fn nodal_with_supports() -> Self {
+        Problem::new(
+            "GB604",
+            Part::Support(0),
+            "at",
+            "a beam solved for its nodes alone cannot have supports",
+            "use the method `exact` or `active-set`",
+        )
+    }
+
     fn with_numbers(mut self, numbers: &[f64]) -> Self {
         self.numbers = numbers.to_vec();
         self
