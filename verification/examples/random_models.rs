@@ -13,7 +13,7 @@ fn main() {
     let mesh = arguments.get(1).is_some_and(|method| method == "active-set");
     let first = number(3).unwrap_or(0);
     let wanted = |family: &Family| arguments.get(2).is_none_or(|a| *a == format!("{family:?}"));
-    for family in Family::ALL.into_iter().filter(wanted) {
+    for family in Family::ALL.into_iter().chain([Family::Extreme]).filter(wanted) {
         let (mut failed, mut worst, mut zones) = (0, 0.0_f64, 0);
         let (mut all, mut slowest) = (Duration::ZERO, (Duration::ZERO, 0));
         for number in first..first + count {
