@@ -180,10 +180,8 @@ impl Segment {
         let mut all = carriers.pressure;
         all.add(carriers.supports);
         let mut turning = carriers.turning;
-        let mut stored = carriers.stored;
         if self.axial > 0.0 {
             turning += (self.tension * self.axial / length).sqrt() * length * length;
-            stored += self.axial;
         }
         let about = self.to - all.centre;
         let force = remains.force.abs() + remains.force_noise;
@@ -205,12 +203,14 @@ impl Segment {
         // The part with β is in equilibrium but for the moment `turn`: on neither side of the centre does it
         // reach more.
         let moment = force * length + 2.0 * turn + self.moment;
-        let supports = (alpha + beta) * stored.sqrt();
+        // The tension only turns.
+        let part = |share: f64, stored: f64| if stored > 0.0 { share * stored.sqrt() } else { 0.0 };
+        let supports = part(alpha + beta, carriers.stored).hypot(part(beta, self.axial));
         (pressure <= LARGEST && (alpha + beta).is_finite()).then_some(Absorbed {
             pressure,
             sunk: pressure * carriers.sunk.sqrt(),
             pressed,
-            supports: if stored > 0.0 { supports } else { 0.0 },
+            supports,
             bent: moment * self.flexibility.sqrt(),
         })
     }

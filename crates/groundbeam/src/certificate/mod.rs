@@ -162,9 +162,15 @@ pub(crate) fn certify(model: &Model, claim: &Claim) -> Certificate {
     let gap = 0.5 * norm * norm / stability + walk.work();
 
     // Loads that supports take without any strain leave rounding alone, to be judged by the energy that
-    // they would put into the ground.
-    let sunk = events.forces * (events.forces / (model.foundation.spring * model.beam.length));
-    let strain = strain + f64::EPSILON * sunk;
+    // they would put into the ground and the beam.
+    let (length, k, ei) =
+        (model.beam.length, model.foundation.spring, model.beam.bending_stiffness);
+    let wave = (4.0 * ei / k).sqrt().sqrt().min(length);
+    let sunk = events.forces * (events.forces / (k * length));
+    let turned = events.moments / length * (events.moments / (k * length * length));
+    let moments = events.moments + events.forces * wave;
+    let bent = moments * wave * (moments / ei);
+    let strain = strain + f64::EPSILON * (sunk + turned + bent);
     let moment_bound = (2.0 * gap / stability).sqrt() + joints.norm + ROUNDED * sums.moment.sqrt();
     let stiffest = model.beam.segments.iter().map(|s| s.bending_stiffness);
     let stiffest = stiffest.fold(model.beam.bending_stiffness, f64::max);

@@ -24,7 +24,7 @@ pub(super) struct Events {
     moment: f64,
     /// Σ|F| and Σ|M|, to judge the balance by; the lever between them is the beam's length.
     pub forces: f64,
-    moments: f64,
+    pub moments: f64,
     /// The same since T and m were last taken from elsewhere, with what they were then,
     since: [f64; 2],
     /// and what was left out there of force and moment, up to a position.

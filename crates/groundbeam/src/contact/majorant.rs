@@ -426,7 +426,11 @@ impl<'a> Scan<'a> {
             let good = f.abs() < 0.5 * before && newton > low && newton < high;
             let next = if good { newton } else { 0.5 * (low + high) };
             before = f.abs();
-            if (next - s).abs() <= 2.0 * f64::EPSILON || high - low <= 2.0 * f64::EPSILON {
+            // At a corner the force jumps: to its side without a pull.
+            if high - low <= 2.0 * f64::EPSILON {
+                return if sense > 0.0 { high } else { low };
+            }
+            if (next - s).abs() <= 2.0 * f64::EPSILON {
                 return next;
             }
             s = next;
