@@ -47,7 +47,8 @@ pub use contact::active_set::{Pressure, Step};
 pub use existence::{Existence, RigidMotion, Verdict};
 pub use factors::{FirstLiftOff, LoadFactors, LossOfEquilibrium, load_factors};
 pub use model::{
-    Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, Load, Model, Support, SupportKind,
+    Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, Load, Model, Profile, Support,
+    SupportKind,
 };
 pub use solution::{
     ConcentratedForce, ContactRegion, EndForces, Extreme, Field, Fields, LiftOff, Range, Reaction,

@@ -1,22 +1,25 @@
-//! The model cut into cells within which everything given is constant or linear.
+//! The model cut into cells within which everything given is a polynomial, most of it constant or linear.
 //!
 //! Nodes stand where the physics needs them: at loads, supports, the ends of segments and of spread
 //! loads, the corners of the initial gap. A method adds its own.
 
 use crate::ground;
-use crate::model::{Load, Model, SupportKind};
+use crate::model::{Course, Load, Model, Profile, SupportKind};
+use crate::polynomial::{is_free_of_zeros, rescale, value};
 
-/// A stretch of beam and ground with constant EI, k, μ and linear f, g, g₀.
+/// A stretch of beam and ground with EI, k, μ of one kind and linear f, g, g₀.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Cell {
     /// Left and right end \[m\].
     pub x: [f64; 2],
-    /// EI \[N·m²\].
+    /// EI \[N·m²\], where it varies at the middle.
     pub stiffness: f64,
-    /// k \[N/m²\].
+    /// k \[N/m²\], where it varies at the middle.
     pub spring: f64,
-    /// μ \[N\].
+    /// μ \[N\], where it varies at the middle.
     pub shear: f64,
+    /// By how much they vary.
+    pub varies: Varies,
     /// f at both ends \[N/m\].
     pub load: [f64; 2],
     /// g at both ends \[N·m/m\].
@@ -27,7 +30,164 @@ pub(crate) struct Cell {
     pub gap_slope: f64,
 }
 
+/// What EI, k and μ are beyond their values at the middle of a cell: nothing where they are constant.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Varies {
+    /// Of the powers s, s², … in EI.
+    stiffness: [f64; Profile::MOST - 1],
+    /// The same of k and of μ.
+    spring: [f64; GROUND - 1],
+    shear: [f64; GROUND - 1],
+    /// Where μ varies, μ at both ends: to the last bit what the neighbours within a segment say.
+    shear_ends: Option<[f64; 2]>,
+}
+
+/// Coefficients of k(s) and μ(s).
+pub(crate) const GROUND: usize = crate::model::Foundation::MOST_CONTROL_VALUES;
+
+/// How far from a cell's middle, in half lengths, EI and μ are free of zeros: their reciprocals are
+/// series that fall as fast as the powers of this.
+const FREE: f64 = 10.0;
+
 impl Cell {
+    /// Whether EI varies.
+    pub fn beam_varies(&self) -> bool {
+        self.varies.stiffness.iter().any(|c| *c != 0.0)
+    }
+
+    /// Whether k or μ varies.
+    pub fn ground_varies(&self) -> bool {
+        let Varies { spring, shear, .. } = &self.varies;
+        spring.iter().chain(shear).any(|c| *c != 0.0)
+    }
+
+    /// The coefficients of EI(s).
+    pub fn stiffness_course(&self) -> [f64; Profile::MOST] {
+        with_first(self.stiffness, &self.varies.stiffness)
+    }
+
+    /// The coefficients of k(s).
+    pub fn spring_course(&self) -> [f64; GROUND] {
+        with_first(self.spring, &self.varies.spring)
+    }
+
+    /// The coefficients of μ(s).
+    pub fn shear_course(&self) -> [f64; GROUND] {
+        with_first(self.shear, &self.varies.shear)
+    }
+
+    /// μ at the left and the right end.
+    pub fn shear_ends(&self) -> [f64; 2] {
+        self.varies.shear_ends.unwrap_or([self.shear; 2])
+    }
+
+    /// k and μ at s.
+    pub fn ground_at(&self, s: f64) -> [f64; 2] {
+        if !self.ground_varies() {
+            return [self.spring, self.shear];
+        }
+        [value(&self.spring_course(), s), value(&self.shear_course(), s)]
+    }
+
+    /// Whether what varies does so little enough for short power series.
+    pub fn is_smooth(&self) -> bool {
+        (!self.beam_varies() || is_free_of_zeros(&self.stiffness_course(), FREE))
+            && (!self.ground_varies()
+                || (is_free_of_zeros(&self.spring_course(), FREE)
+                    && (self.shear == 0.0 || is_free_of_zeros(&self.shear_course(), FREE))))
+    }
+
+    /// Whether unloaded ground within the cell is one short power series as well.
+    pub fn is_short_for_open_ground(&self) -> bool {
+        if !self.ground_varies() || self.shear == 0.0 {
+            return true;
+        }
+        let half = 0.5 * self.length();
+        let squared = [-1.0, 0.0, 1.0].map(|s| {
+            let [k, mu] = self.ground_at(s);
+            k / mu * half * half
+        });
+        squared.into_iter().fold(0.0, f64::max) <= 1.0
+    }
+
+    /// The cell between two of its own coordinates.
+    pub fn part(&self, s: [f64; 2]) -> Self {
+        if s == [-1.0, 1.0] {
+            return *self;
+        }
+        let linear = |v: [f64; 2]| s.map(|s| 0.5 * (v[0] + v[1]) + 0.5 * (v[1] - v[0]) * s);
+        let mut part = Cell {
+            x: s.map(|s| self.global(s)),
+            load: linear(self.load),
+            moment_load: linear(self.moment_load),
+            gap: linear(self.gap),
+            ..*self
+        };
+        let (middle, half) = (0.5 * (s[0] + s[1]), 0.5 * (s[1] - s[0]));
+        let course = |c: &[f64]| {
+            let mut coefficients = [0.0; Profile::MOST];
+            coefficients[..c.len()].copy_from_slice(&rescale(c, middle, half));
+            coefficients
+        };
+        if self.beam_varies() {
+            part.set_stiffness(&course(&self.stiffness_course()));
+        }
+        if self.ground_varies() {
+            let ends = [0, 1].map(|i| {
+                if s[i].abs() == 1.0 {
+                    self.shear_ends()[i]
+                } else {
+                    value(&self.shear_course(), s[i])
+                }
+            });
+            let spring = course(&self.spring_course());
+            part.set_ground(&spring, &course(&self.shear_course()), ends);
+        }
+        part
+    }
+
+    fn set_stiffness(&mut self, coefficients: &[f64; Profile::MOST]) {
+        let [first, rest @ ..] = coefficients;
+        (self.stiffness, self.varies.stiffness) = (*first, *rest);
+    }
+
+    fn set_ground(
+        &mut self,
+        spring: &[f64; Profile::MOST],
+        shear: &[f64; Profile::MOST],
+        shear_ends: [f64; 2],
+    ) {
+        let first = |c: &[f64; Profile::MOST]| (c[0], std::array::from_fn(|i| c[i + 1]));
+        (self.spring, self.varies.spring) = first(spring);
+        (self.shear, self.varies.shear) = first(shear);
+        let varies = self.varies.shear.iter().any(|c| *c != 0.0);
+        self.varies.shear_ends = varies.then_some(shear_ends);
+    }
+
+    fn set_courses(&mut self, beam: Option<&Course>, ground: Option<&[Course; 2]>) {
+        if let Some(course) = beam {
+            self.set_stiffness(&course.coefficients);
+        }
+        if let Some([spring, shear]) = ground {
+            self.set_ground(&spring.coefficients, &shear.coefficients, shear.ends);
+        }
+    }
+
+    /// EI times a number.
+    fn stiffen(&mut self, times: f64) {
+        self.stiffness *= times;
+        self.varies.stiffness = self.varies.stiffness.map(|c| c * times);
+    }
+
+    /// k and μ times a number.
+    pub fn stiffen_ground(&mut self, times: f64) {
+        self.spring *= times;
+        self.shear *= times;
+        let Varies { spring, shear, shear_ends, .. } = &mut self.varies;
+        (*spring, *shear) = (spring.map(|c| c * times), shear.map(|c| c * times));
+        *shear_ends = shear_ends.map(|ends| ends.map(|c| c * times));
+    }
+
     pub fn length(&self) -> f64 {
         self.x[1] - self.x[0]
     }
@@ -91,17 +251,27 @@ impl Mesh {
     /// The fewest nodes, and `more` of them. Every interval between two of these is then cut into
     /// as many equal cells as `parts` says of a cell.
     pub fn build(model: &Model, more: &[f64], parts: impl Fn(&Cell) -> usize) -> Self {
+        Self::cut(model, more, |cell, x| into_equal(cell, parts(cell), x))
+    }
+
+    /// The same, and what varies so much that it is no short power series is halved before it is cut.
+    pub fn graded(model: &Model, more: &[f64], parts: impl Fn(&Cell) -> usize) -> Self {
+        Self::cut(model, more, |cell, x| graded(cell, &parts, MOST_HALVINGS, x))
+    }
+
+    /// Cuts each interval between two of the fewest nodes, and `more` of them, at positions of its own.
+    fn cut(model: &Model, more: &[f64], cut: impl Fn(&Cell, &mut Vec<f64>)) -> Self {
         let coarse = cells_between(model, positions(model, more));
         let mut x = vec![0.0];
         for cell in &coarse {
-            let n = parts(cell).max(1);
-            x.extend((1..n).map(|i| cell.global(2.0 * i as f64 / n as f64 - 1.0)));
+            cut(cell, &mut x);
             x.push(cell.x[1]);
         }
         let cells = if x.len() == coarse.len() + 1 { coarse } else { cells_between(model, x) };
         let first = cells[0];
         let last = cells[cells.len() - 1];
-        let outside = [first, last].map(|cell| ground::outside(cell.spring, cell.shear));
+        let outside = [first.ground_at(-1.0), last.ground_at(1.0)];
+        let outside = outside.map(|[spring, shear]| ground::outside(spring, shear));
         let mut mesh =
             Mesh { nodes: nodes_of(&cells), cells, axial_force: model.beam.axial_force, outside };
         mesh.place_loads_and_supports(model);
@@ -114,7 +284,12 @@ impl Mesh {
         for cell in &mut self.cells {
             let h = cell.length();
             let tension = self.axial_force.max(0.0) + cell.shear;
-            cell.stiffness = cell.stiffness.max(STIFF * h * h * (tension + cell.spring * h * h));
+            let least = STIFF * h * h * (tension + cell.spring * h * h);
+            if cell.beam_varies() {
+                cell.stiffen((least / cell.stiffness).max(1.0));
+            } else {
+                cell.stiffness = cell.stiffness.max(least);
+            }
         }
     }
 
@@ -131,7 +306,9 @@ impl Mesh {
         let mut mesh = self.clone();
         mesh.stiffen();
         for (cell, own) in mesh.cells.iter_mut().zip(&self.cells) {
-            cell.stiffness = own.stiffness * (cell.stiffness / own.stiffness).powf(1.0 - part);
+            let times = (cell.stiffness / own.stiffness).powf(1.0 - part);
+            cell.stiffness = own.stiffness * times;
+            cell.varies.stiffness = own.varies.stiffness.map(|c| c * times);
         }
         mesh
     }
@@ -182,6 +359,28 @@ impl Mesh {
             }
         }
     }
+}
+
+/// Halvings of a cell.
+const MOST_HALVINGS: u32 = 40;
+
+fn into_equal(cell: &Cell, parts: usize, x: &mut Vec<f64>) {
+    x.extend((1..parts).map(|i| cell.global(2.0 * i as f64 / parts as f64 - 1.0)));
+}
+
+fn graded(cell: &Cell, parts: &impl Fn(&Cell) -> usize, halvings: u32, x: &mut Vec<f64>) {
+    if halvings == 0 || cell.is_smooth() {
+        return into_equal(cell, parts(cell), x);
+    }
+    graded(&cell.part([-1.0, 0.0]), parts, halvings - 1, x);
+    x.push(cell.global(0.0));
+    graded(&cell.part([0.0, 1.0]), parts, halvings - 1, x);
+}
+
+fn with_first<const N: usize, const REST: usize>(first: f64, rest: &[f64; REST]) -> [f64; N] {
+    let mut all = [first; N];
+    all[1..].copy_from_slice(rest);
+    all
 }
 
 /// Where the model itself needs a node, with `more`: sorted, each place once.
@@ -241,6 +440,7 @@ fn cells_between(model: &Model, x: Vec<f64>) -> Vec<Cell> {
             stiffness: model.beam.bending_stiffness,
             spring: model.foundation.spring,
             shear: model.foundation.shear,
+            varies: Varies::default(),
             load: [0.0; 2],
             moment_load: [0.0; 2],
             gap: [0.0; 2],
@@ -267,12 +467,12 @@ fn cells_between(model: &Model, x: Vec<f64>) -> Vec<Cell> {
         .collect();
     for (cells_of, segment) in beam {
         for cell in &mut cells[cells_of] {
-            cell.stiffness = segment.bending_stiffness;
+            cell.set_courses(Some(&segment.course(cell.x)), None);
         }
     }
     for (cells_of, segment) in ground {
         for cell in &mut cells[cells_of] {
-            (cell.spring, cell.shear) = (segment.spring, segment.shear);
+            cell.set_courses(None, Some(&segment.courses(cell.x)));
         }
     }
     for (cells_of, load) in spread {
@@ -350,6 +550,29 @@ mod tests {
         assert_eq!(mesh.cells[4].load, [3.0, 8.0]);
         assert_eq!(mesh.nodes[4].force, 1.0);
         assert_eq!(mesh.outside, [f64::sqrt(14.0), 0.0]);
+    }
+
+    #[test]
+    fn what_varies_is_cut_finer_where_it_is_small() {
+        let thousandfold = Profile::linear(1.0, 1000.0);
+        let ground = Foundation::winkler(1.0).with_varying_segment(
+            -1.0,
+            6.0,
+            Profile::linear(1.0, 8.0),
+            Profile::linear(3.0, 10.0),
+        );
+        let beam = Beam::uniform(6.0, 1.0).with_varying_segment(0.0, 5.0, thousandfold);
+        let mesh = Mesh::graded(&Model::new(beam, ground), &[], |_| 1);
+        assert!(mesh.cells.iter().all(Cell::is_smooth));
+        assert!((30..80).contains(&mesh.cells.len()), "{}", mesh.cells.len());
+        let ends = |i: usize| mesh.cells[i].shear_ends();
+        assert!((1..mesh.cells.len()).all(|i| ends(i - 1)[1] == ends(i)[0]));
+        assert!((mesh.outside[0] - f64::sqrt(8.0)).abs() < 1e-15);
+        assert!((mesh.outside[1] - f64::sqrt(80.0)).abs() < 1e-14);
+        let part = mesh.cells[3].part([-0.5, 1.0]);
+        let course = thousandfold.at(part.global(0.3) / 5.0);
+        assert!((value(&part.stiffness_course(), 0.3) / course - 1.0).abs() < 1e-14);
+        assert_eq!(part.shear_ends()[1], ends(3)[1]);
     }
 
     #[test]

@@ -1,10 +1,9 @@
 //! Contact zones cell by cell: which parts of a cell touch, which nodes touch, what links remain.
 
-use super::majorant::Zone;
+use super::majorant::{Zone, cell_part};
 use super::pieces::{Piece, pieces};
 use crate::chain::{ChainCell, ChainNode, Tie, TiedLink};
 use crate::elements::Element;
-use crate::ground::Link;
 use crate::mesh::{Cell, Mesh};
 
 /// Where beam and ground touch, seen from the cells.
@@ -138,8 +137,7 @@ impl Layout {
         let mut at = -1.0;
         let mut link_to = |to: f64, left: Tie, right: Tie, at: f64| {
             if to > at {
-                let link = Link::uniform(cell.spring, cell.shear, 0.5 * (to - at) * cell.length());
-                links.push(TiedLink { link, left, right });
+                links.push(TiedLink { link: cell_part(cell, at, to), left, right });
             }
         };
         for &[from, to] in &self.parts[i] {

@@ -18,7 +18,7 @@
 use super::pieces::{Piece, pieces};
 use crate::ground::Link;
 use crate::mesh::{Cell, Mesh};
-use crate::polynomial::{jet, sign_changes};
+use crate::polynomial::{derivative, jet, product, sign_changes};
 
 /// A point of the beam: a cell and its coordinate s ∈ \[−1, 1\].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -264,15 +264,16 @@ impl<'a> Scan<'a> {
 
     /// −\[μψ'\] at the node to the left of cell i: positive where a corner presses into the ground.
     fn corner(&self, i: usize) -> f64 {
-        let [a, b] = [self.w.mesh.cells[i - 1], self.w.mesh.cells[i]];
-        if a.shear == b.shear && a.gap_slope == b.gap_slope {
+        let [a, b] = [&self.w.mesh.cells[i - 1], &self.w.mesh.cells[i]];
+        let ([_, before], [after, _]) = (a.shear_ends(), b.shear_ends());
+        if before == after && a.gap_slope == b.gap_slope {
             return 0.0;
         }
         let slope = jet(self.w.cell(i), -1.0)[1] * 2.0 / b.length();
-        (a.shear - b.shear) * slope - (a.shear * a.gap_slope - b.shear * b.gap_slope)
+        (before - after) * slope - (before * a.gap_slope - after * b.gap_slope)
     }
 
-    /// The coefficients of π = kψ − μψ'' in cell i.
+    /// The coefficients of π = kψ − (μψ')' in cell i.
     fn pressure(&self, i: usize) -> Vec<f64> {
         let cell = &self.w.mesh.cells[i];
         pressure_of(cell, 0.5 * cell.length(), &self.w.obstacle(i))
@@ -286,7 +287,12 @@ impl<'a> Scan<'a> {
         let psi = f - (0.5 * (left + right) + 0.5 * (right - left) * spot.s);
         let per_length = 2.0 / cell.length();
         let slope = d1 * per_length - cell.gap_slope;
-        [psi, slope, cell.spring * psi - cell.shear * d2 * per_length * per_length]
+        let [spring, shear] = cell.ground_at(spot.s);
+        let mut pressure = spring * psi - shear * d2 * per_length * per_length;
+        if cell.ground_varies() {
+            pressure -= jet(&cell.shear_course(), spot.s)[1] * per_length * slope;
+        }
+        [psi, slope, pressure]
     }
 
     fn whole_cells(&self, from: usize, to: usize, before: Option<Link>) -> Option<Link> {
@@ -354,7 +360,7 @@ impl<'a> Scan<'a> {
         let trial = Joint { left: Some(spot), ..*joint };
         let [psi, slope, pressure] = self.at(spot);
         let other = joint.right.map_or(0.0, |b| self.at(b)[0]);
-        let shear = self.w.mesh.cells[spot.cell].shear;
+        let [_, shear] = self.w.mesh.cells[spot.cell].ground_at(spot.s);
         let link = self.link(&trial);
         let force = shear * slope + link.force_left(psi, other);
         [force, (link.leak_left + link.coupling) / shear * force - pressure]
@@ -365,7 +371,7 @@ impl<'a> Scan<'a> {
         let trial = Joint { right: Some(spot), ..*joint };
         let [psi, slope, pressure] = self.at(spot);
         let other = joint.left.map_or(0.0, |a| self.at(a)[0]);
-        let shear = self.w.mesh.cells[spot.cell].shear;
+        let [_, shear] = self.w.mesh.cells[spot.cell].ground_at(spot.s);
         let link = self.link(&trial);
         let force = link.force_right(other, psi) - shear * slope;
         [force, pressure - (link.leak_right + link.coupling) / shear * force]
@@ -476,7 +482,21 @@ fn point(spot: Spot) -> Zone {
 
 /// The open ground of a part of a cell.
 pub(crate) fn cell_part(cell: &Cell, from: f64, to: f64) -> Link {
+    if cell.ground_varies() {
+        return varying_part(&cell.part([from, to]), MOST_HALVINGS);
+    }
     Link::uniform(cell.spring, cell.shear, 0.5 * (to - from) * cell.length())
+}
+
+/// Halvings of a stretch of ground that varies.
+const MOST_HALVINGS: u32 = 40;
+
+fn varying_part(cell: &Cell, halvings: u32) -> Link {
+    if halvings == 0 || (cell.is_short_for_open_ground() && cell.is_smooth()) {
+        return Link::varying(&cell.spring_course(), &cell.shear_course(), 0.5 * cell.length());
+    }
+    let [left, right] = [[-1.0, 0.0], [0.0, 1.0]].map(|s| varying_part(&cell.part(s), halvings - 1));
+    left.then(right)
 }
 
 /// `before`, then the whole cells of a range. Runs of equal ground are one link.
@@ -485,7 +505,15 @@ fn whole_cells(mesh: &Mesh, from: usize, to: usize, before: Option<Link>) -> Opt
     let mut i = from;
     while i < to {
         let cell = &mesh.cells[i];
-        let same = |c: &Cell| c.spring == cell.spring && c.shear == cell.shear;
+        if cell.ground_varies() {
+            let own = cell_part(cell, -1.0, 1.0);
+            link = Some(link.map_or(own, |link| link.then(own)));
+            i += 1;
+            continue;
+        }
+        let same = |c: &Cell| {
+            c.spring == cell.spring && c.shear == cell.shear && !c.ground_varies()
+        };
         let mut end = i + 1;
         while end < to && same(&mesh.cells[end]) {
             end += 1;
@@ -498,8 +526,17 @@ fn whole_cells(mesh: &Mesh, from: usize, to: usize, before: Option<Link>) -> Opt
     link
 }
 
-/// The coefficients of kψ − μψ'' from those of ψ on a stretch of half length `half`.
+/// The coefficients of kψ − (μψ')' from those of ψ on a stretch of half length `half`.
 pub(crate) fn pressure_of(cell: &Cell, half: f64, obstacle: &[f64]) -> Vec<f64> {
+    if cell.ground_varies() {
+        let slope: Vec<f64> = derivative(obstacle).map(|c| c / half).collect();
+        let flux = product(&cell.shear_course(), &slope);
+        let mut pressure = product(&cell.spring_course(), obstacle);
+        for (pressure, c) in pressure.iter_mut().zip(derivative(&flux)) {
+            *pressure -= c / half;
+        }
+        return pressure;
+    }
     let factor = cell.shear / (half * half);
     (0..obstacle.len())
         .map(|j| {

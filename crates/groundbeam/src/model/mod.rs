@@ -7,6 +7,7 @@ mod beam;
 mod foundation;
 mod gap;
 mod load;
+mod profile;
 mod support;
 mod validate;
 
@@ -14,6 +15,8 @@ pub use beam::{Beam, BeamSegment};
 pub use foundation::{Foundation, FoundationSegment};
 pub use gap::GapPoint;
 pub use load::Load;
+pub use profile::Profile;
+pub(crate) use profile::Course;
 pub use support::{Support, SupportKind};
 pub use validate::{Part, Problem};
 
