@@ -129,10 +129,16 @@ fn segments_take_over_what_they_leave_out() {
          [[foundation.segment]]\nfrom = \"1 m\"\nto = \"2 m\"\nsubgrade_modulus = \"10 MN/m^3\"
          [[foundation.segment]]\nfrom = \"2 m\"\nto = \"3 m\"\nmu = \"2 N\"",
     );
-    let ei: Vec<f64> = document.model.beam.segments.iter().map(|s| s.bending_stiffness).collect();
+    let ei: Vec<f64> =
+        document.model.beam.segments.iter().map(|s| s.bending_stiffness.start()).collect();
     assert_eq!(ei, [6e8, 4e8, 1.0]);
-    let ground: Vec<(f64, f64)> =
-        document.model.foundation.segments.iter().map(|s| (s.spring, s.shear)).collect();
+    let ground: Vec<(f64, f64)> = document
+        .model
+        .foundation
+        .segments
+        .iter()
+        .map(|s| (s.spring.start(), s.shear.start()))
+        .collect();
     assert_eq!(ground, [(8e7, 1.0), (1e7, 1.0), (4e7, 2.0)]);
 }
 

@@ -170,8 +170,11 @@ impl<'a> GroundSums<'a> {
         }
         // A force that stands clear of the ground does work on the clearance, or the ground is moved up to
         // it, whichever costs less.
-        let stiffness: f64 =
-            sides.iter().filter_map(|side| side.0).map(|under| under.bounds()[2] / under.half).sum();
+        let stiffness: f64 = sides
+            .iter()
+            .filter_map(|side| side.0)
+            .map(|under| under.bounds()[2] / under.half)
+            .sum();
         let clear = !touches && clearance > 0.0 && force <= clearance * stiffness;
         if clear && force > 0.0 {
             self.clear += force * clearance;

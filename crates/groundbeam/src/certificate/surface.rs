@@ -295,8 +295,7 @@ impl Curve for Clearance<'_> {
         let [u, du] = open.surface(s);
         let du = du * under.half;
         // The ground is convex where it is not negative: it lies above its tangent.
-        let (least, turn) =
-            if open.floor < 0.0 { (open.floor, 0.0) } else { (u, du.abs()) };
+        let (least, turn) = if open.floor < 0.0 { (open.floor, 0.0) } else { (u, du.abs()) };
         Point {
             s,
             value: u + under.gap(s) - w,

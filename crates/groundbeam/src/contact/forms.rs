@@ -112,9 +112,8 @@ fn bending(cell: &Cell, f: &[f64], g: &[f64]) -> f64 {
     if !cell.beam_varies() {
         return cell.stiffness * inner(f, g, 2);
     }
-    let bend = |c: &[f64]| -> Vec<f64> {
-        derivative(&derivative(c).collect::<Vec<f64>>()).collect()
-    };
+    let bend =
+        |c: &[f64]| -> Vec<f64> { derivative(&derivative(c).collect::<Vec<f64>>()).collect() };
     inner(&product(&cell.stiffness_course(), &bend(f)), &bend(g), 0)
 }
 

@@ -495,7 +495,8 @@ fn varying_part(cell: &Cell, halvings: u32) -> Link {
     if halvings == 0 || (cell.is_short_for_open_ground() && cell.is_smooth()) {
         return Link::varying(&cell.spring_course(), &cell.shear_course(), 0.5 * cell.length());
     }
-    let [left, right] = [[-1.0, 0.0], [0.0, 1.0]].map(|s| varying_part(&cell.part(s), halvings - 1));
+    let [left, right] =
+        [[-1.0, 0.0], [0.0, 1.0]].map(|s| varying_part(&cell.part(s), halvings - 1));
     left.then(right)
 }
 
@@ -511,9 +512,8 @@ fn whole_cells(mesh: &Mesh, from: usize, to: usize, before: Option<Link>) -> Opt
             i += 1;
             continue;
         }
-        let same = |c: &Cell| {
-            c.spring == cell.spring && c.shear == cell.shear && !c.ground_varies()
-        };
+        let same =
+            |c: &Cell| c.spring == cell.spring && c.shear == cell.shear && !c.ground_varies();
         let mut end = i + 1;
         while end < to && same(&mesh.cells[end]) {
             end += 1;

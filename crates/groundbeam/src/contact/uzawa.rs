@@ -198,8 +198,7 @@ struct Column {
 
 impl Column {
     fn of(mesh: &Mesh) -> Self {
-        let links: Vec<Link> =
-            mesh.cells.iter().map(|cell| cell_part(cell, -1.0, 1.0)).collect();
+        let links: Vec<Link> = mesh.cells.iter().map(|cell| cell_part(cell, -1.0, 1.0)).collect();
         let n = mesh.nodes.len();
         // What the ground on either side of a node offers to it.
         let mut from_left = vec![mesh.outside[0]; n];

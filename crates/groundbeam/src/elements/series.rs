@@ -62,9 +62,7 @@ impl Series {
     /// The coefficients of w(s) for the element's four numbers.
     pub fn unfold(&self, v: &[f64; 4]) -> [f64; TERMS] {
         let [free @ .., loaded] = &self.solutions;
-        std::array::from_fn(|j| {
-            loaded[j] + free.iter().zip(v).map(|(c, v)| c[j] * v).sum::<f64>()
-        })
+        std::array::from_fn(|j| loaded[j] + free.iter().zip(v).map(|(c, v)| c[j] * v).sum::<f64>())
     }
 }
 
@@ -218,8 +216,7 @@ mod tests {
                 let scale = uniform.element.stiffness[i][i];
                 assert!((element.load[i] - uniform.element.load[i]).abs() < 1e-14);
                 for j in 0..4 {
-                    let difference =
-                        element.stiffness[i][j] - uniform.element.stiffness[i][j];
+                    let difference = element.stiffness[i][j] - uniform.element.stiffness[i][j];
                     assert!(difference.abs() <= 4e-15 * (scale + 1.0), "{n} {k} {i}{j}");
                 }
             }

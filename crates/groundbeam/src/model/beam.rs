@@ -59,9 +59,8 @@ impl Beam {
     /// Bending stiffness EI \[N·m²\] at `x`; at the joint of two segments that of the right one.
     pub fn bending_stiffness_at(&self, x: f64) -> f64 {
         let segment = self.segments.iter().find(|s| s.from <= x && x < s.to);
-        segment.map_or(self.bending_stiffness, |s| {
-            s.bending_stiffness.at_position([s.from, s.to], x)
-        })
+        segment
+            .map_or(self.bending_stiffness, |s| s.bending_stiffness.at_position([s.from, s.to], x))
     }
 
     /// The largest bending stiffness given: it is nowhere more.

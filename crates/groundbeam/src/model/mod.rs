@@ -15,8 +15,8 @@ pub use beam::{Beam, BeamSegment};
 pub use foundation::{Foundation, FoundationSegment};
 pub use gap::GapPoint;
 pub use load::Load;
-pub use profile::Profile;
 pub(crate) use profile::Course;
+pub use profile::Profile;
 pub use support::{Support, SupportKind};
 pub use validate::{Part, Problem};
 

@@ -158,9 +158,8 @@ impl Profile {
         let degree = self.count - 1;
         let mut values = [0.0; Self::MOST];
         for (i, value) in values[..self.count].iter_mut().enumerate() {
-            *value = self.blossom(&std::array::from_fn(|level| {
-                if level + i < degree { a } else { b }
-            }));
+            *value =
+                self.blossom(&std::array::from_fn(|level| if level + i < degree { a } else { b }));
         }
         values
     }
@@ -265,7 +264,10 @@ mod tests {
             assert!((product.at(t) - a.at(t) * b.at(t) * b.at(t)).abs() < 1e-14);
         }
         assert_eq!(product.mirrored().at(0.0), product.at(1.0));
-        assert_eq!(Profile::constant(2.0).times(&Profile::constant(0.1)).map(|p| p.start()), Some(0.2));
+        assert_eq!(
+            Profile::constant(2.0).times(&Profile::constant(0.1)).map(|p| p.start()),
+            Some(0.2)
+        );
         let most = Profile::by_control_values(&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]).expect("a curve");
         assert!(most.times(&a).is_none());
     }

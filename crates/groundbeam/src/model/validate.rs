@@ -150,7 +150,14 @@ impl Model {
         let spans: Vec<_> = beam.segments.iter().map(|s| (s.from, s.to)).collect();
         for (i, segment) in beam.segments.iter().enumerate() {
             let part = Part::BeamSegment(i);
-            positive_along(found, "GB102", part, "bending_stiffness", &segment.bending_stiffness, ei);
+            positive_along(
+                found,
+                "GB102",
+                part,
+                "bending_stiffness",
+                &segment.bending_stiffness,
+                ei,
+            );
             self.check_stretch(found, part, segment.from, segment.to);
         }
         overlaps(found, &spans, Part::BeamSegment);
