@@ -97,12 +97,11 @@ impl Cell {
                     && (self.shear == 0.0 || is_free_of_zeros(&self.shear_course(), FREE))))
     }
 
-    /// Whether unloaded ground within the cell is one short power series as well.
-    pub fn is_short_for_open_ground(&self) -> bool {
+    /// Whether unloaded ground along the cell, 2·`half` long, is one short power series as well.
+    pub fn is_short_for_open_ground(&self, half: f64) -> bool {
         if !self.ground_varies() || self.shear == 0.0 {
             return true;
         }
-        let half = 0.5 * self.length();
         let squared = [-1.0, 0.0, 1.0].map(|s| {
             let [k, mu] = self.ground_at(s);
             k / mu * half * half

@@ -102,7 +102,8 @@ const DEEPEST: u32 = 40;
 fn isolate(c: &[f64], low: f64, high: f64, depth: u32, roots: &mut Vec<f64>) {
     let Some((&constant, rest)) = c.split_first() else { return };
     let spread: f64 = rest.iter().map(|a| a.abs()).sum();
-    if constant.abs() > spread || (constant == 0.0 && spread == 0.0) {
+    let sum = constant.abs() + spread;
+    if constant.abs() > spread || sum == 0.0 || sum.is_nan() {
         return;
     }
     let [left, right] = [value(c, -1.0), value(c, 1.0)];

@@ -483,7 +483,9 @@ fn point(spot: Spot) -> Zone {
 /// The open ground of a part of a cell.
 pub(crate) fn cell_part(cell: &Cell, from: f64, to: f64) -> Link {
     if cell.ground_varies() {
-        return varying_part(&cell.part([from, to]), MOST_HALVINGS);
+        // Not of the difference of the part's own ends, which are rounded.
+        let half = 0.25 * (to - from) * cell.length();
+        return varying_part(&cell.part([from, to]), half, MOST_HALVINGS);
     }
     Link::uniform(cell.spring, cell.shear, 0.5 * (to - from) * cell.length())
 }
@@ -491,12 +493,12 @@ pub(crate) fn cell_part(cell: &Cell, from: f64, to: f64) -> Link {
 /// Halvings of a stretch of ground that varies.
 const MOST_HALVINGS: u32 = 40;
 
-fn varying_part(cell: &Cell, halvings: u32) -> Link {
-    if halvings == 0 || (cell.is_short_for_open_ground() && cell.is_smooth()) {
-        return Link::varying(&cell.spring_course(), &cell.shear_course(), 0.5 * cell.length());
+fn varying_part(cell: &Cell, half: f64, halvings: u32) -> Link {
+    if halvings == 0 || (cell.is_short_for_open_ground(half) && cell.is_smooth()) {
+        return Link::varying(&cell.spring_course(), &cell.shear_course(), half);
     }
     let [left, right] =
-        [[-1.0, 0.0], [0.0, 1.0]].map(|s| varying_part(&cell.part(s), halvings - 1));
+        [[-1.0, 0.0], [0.0, 1.0]].map(|s| varying_part(&cell.part(s), 0.5 * half, halvings - 1));
     left.then(right)
 }
 

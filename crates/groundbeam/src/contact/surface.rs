@@ -149,7 +149,8 @@ impl Surface {
             }
             let short = |s: [f64; 2]| {
                 let within = cell.part(s);
-                within.is_smooth() && (part.open.is_none() || within.is_short_for_open_ground())
+                let half = 0.25 * (s[1] - s[0]) * cell.length();
+                within.is_smooth() && (part.open.is_none() || within.is_short_for_open_ground(half))
             };
             let mut cuts = vec![part.s[0]];
             halved(part.s, &short, MOST_HALVINGS, &mut cuts);
