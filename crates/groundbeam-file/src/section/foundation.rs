@@ -144,8 +144,8 @@ fn read_segment(
     FoundationSegment { from, to, spring: spring.profile, shear }
 }
 
-/// Two values for ground that varies linearly, three for a curve.
-const CURVE: Values = Values::Curve(Foundation::MOST_CONTROL_VALUES);
+/// Two values for ground that varies linearly, more for a curve; how many a ground may have the model knows.
+const CURVE: Values = Values::Curve(Profile::MOST);
 
 fn given(reader: &mut Reader, table: &Section) -> Given {
     let product = reader.along(table, "k", &SPRING_PER_LENGTH, CURVE);
