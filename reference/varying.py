@@ -225,7 +225,7 @@ class Piece:
 class System:
     """The linear problem for given stretches of contact."""
 
-    def __init__(self, model, stretches):
+    def __init__(self, model, stretches, cache):
         self.model = model
         self.winkler = all(v == [0.0] for _, _, v in model.mu)
         edges = [e for s in stretches for e in s]
@@ -237,7 +237,10 @@ class System:
         for a, b in zip(self.x, self.x[1:]):
             middle = (a + b) / 2
             touch = any(s[0] < middle < s[1] for s in stretches)
-            self.pieces.append(Piece(model, a, b, touch, self.winkler))
+            key = (a, b, touch)
+            if key not in cache:
+                cache[key] = Piece(model, a, b, touch, self.winkler)
+            self.pieces.append(cache[key])
         self.free = [e for e in edges if 0 < e < model.length]
         self.solve()
 
@@ -359,7 +362,8 @@ def solve(model, stretches):
     l = mpf(model.length)
     edges = [mpf(e) for s in stretches for e in s]
     free = [i for i, e in enumerate(edges) if 0 < e < l]
-    make = lambda edges: System(model, [edges[i : i + 2] for i in range(0, len(edges), 2)])
+    cache = {}  # what an edge does not bound stays as it is
+    make = lambda edges: System(model, [edges[i : i + 2] for i in range(0, len(edges), 2)], cache)
     system = make(edges)
     for _ in range(5):
         if not free:
@@ -519,9 +523,9 @@ def main():
             continue
         records.append(record(f"varying-{seed:03}", model, stretches))
         print(records[-1]["name"], records[-1]["contact"], flush=True)
-    lines = [json.dumps(r) for r in records]
-    path = Path(__file__).resolve().parent / "answers" / "varying.json"
-    path.write_text("[\n" + ",\n".join(lines) + "\n]\n")
+        lines = [json.dumps(r) for r in records]
+        path = Path(__file__).resolve().parent / "answers" / "varying.json"
+        path.write_text("[\n" + ",\n".join(lines) + "\n]\n")
 
 
 if __name__ == "__main__":
