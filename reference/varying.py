@@ -426,7 +426,11 @@ def record(name, model, stretches):
             total = mpf(0)
             for p, sign in [(p, 1) for p in system.pieces if p.a == x] + [(p, -1) for p in system.pieces if p.b == x]:
                 here = p.fields(x)
-                total += sign * (-here["shear_force"] - mpf(model.P) * here["slope"] + value(p.courses(x)[5], mpf(0)) - here["flux"])
+                beam = -here["shear_force"] - mpf(model.P) * here["slope"] + value(p.courses(x)[5], mpf(0))
+                at_end = x in (0, l)
+                total += sign * (beam if at_end and not p.contact else beam - here["flux"])
+                if at_end and p.contact and not system.winkler:
+                    total += system.sqrt_ground(x) * here["settlement"]
             force, _, _ = system.jumps(x)
             up = force - total
         else:
