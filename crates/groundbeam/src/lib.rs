@@ -27,6 +27,7 @@
 #![deny(missing_docs)]
 
 mod assemble;
+mod cell;
 mod certificate;
 mod chain;
 mod contact;

@@ -3,9 +3,10 @@
 use super::majorant::{Spot, Zone};
 use super::pieces::pieces;
 use super::surface::open_links;
+use super::varying;
 use crate::ground::Link;
 use crate::mesh::{Cell, Mesh};
-use crate::polynomial::{derivative, jet, product, rescale, value};
+use crate::polynomial::{jet, rescale, value};
 
 /// ∫(EI a″b″ + P a'b') and the springs at supports.
 pub(crate) fn beam_form(mesh: &Mesh, terms: usize, a: &[f64], b: &[f64]) -> f64 {
@@ -73,7 +74,7 @@ pub(crate) fn ground_work(
                     let [psi, delta] = [&psi[slice.clone()], &delta[slice]];
                     let part = [start, end];
                     touching += if c.ground_varies() {
-                        varying_form(c, part, psi, delta)
+                        varying::energy_form(c, part, psi, delta)
                     } else {
                         energy_form(c.length(), (c.spring, c.shear), part, psi, delta)
                     };
@@ -109,22 +110,7 @@ pub(crate) fn energy_form(
 
 /// ∫ EI f″ g″ ds over \[−1, 1\], with derivatives by s.
 fn bending(cell: &Cell, f: &[f64], g: &[f64]) -> f64 {
-    if !cell.beam_varies() {
-        return cell.stiffness * inner(f, g, 2);
-    }
-    let bend =
-        |c: &[f64]| -> Vec<f64> { derivative(&derivative(c).collect::<Vec<f64>>()).collect() };
-    inner(&product(&cell.stiffness_course(), &bend(f)), &bend(g), 0)
-}
-
-/// ∫ (k f g + μ f' g') dx over a part of a cell where k and μ vary.
-fn varying_form(cell: &Cell, part: [f64; 2], f: &[f64], g: &[f64]) -> f64 {
-    let (middle, quarter) = (0.5 * (part[0] + part[1]), 0.5 * (part[1] - part[0]));
-    let half = 0.5 * cell.length() * quarter;
-    let [f, g, spring, shear] =
-        [f, g, &cell.spring_course(), &cell.shear_course()].map(|c| rescale(c, middle, quarter));
-    let [df, dg] = [&f, &g].map(|c| derivative(c).collect::<Vec<f64>>());
-    half * inner(&product(&spring, &f), &g, 0) + inner(&product(&shear, &df), &dg, 0) / half
+    if cell.beam_varies() { varying::bending(cell, f, g) } else { cell.stiffness * inner(f, g, 2) }
 }
 
 /// ∫ f⁽ⁿ⁾ g⁽ⁿ⁾ ds over \[−1, 1\] for the derivatives of order n ≤ 2.

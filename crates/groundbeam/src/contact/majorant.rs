@@ -16,9 +16,10 @@
 //! Every arc is trimmed from its ends only and every cell passed over once: the scan is O(n).
 
 use super::pieces::{Piece, pieces};
+use super::varying;
 use crate::ground::Link;
 use crate::mesh::{Cell, Mesh};
-use crate::polynomial::{derivative, jet, product, sign_changes};
+use crate::polynomial::{jet, sign_changes};
 
 /// A point of the beam: a cell and its coordinate s ∈ \[−1, 1\].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -287,12 +288,8 @@ impl<'a> Scan<'a> {
         let psi = f - (0.5 * (left + right) + 0.5 * (right - left) * spot.s);
         let per_length = 2.0 / cell.length();
         let slope = d1 * per_length - cell.gap_slope;
-        let [spring, shear] = cell.ground_at(spot.s);
-        let mut pressure = spring * psi - shear * d2 * per_length * per_length;
-        if cell.ground_varies() {
-            pressure -= jet(&cell.shear_course(), spot.s)[1] * per_length * slope;
-        }
-        [psi, slope, pressure]
+        let [k, mu, rise] = cell.ground_rising_at(spot.s);
+        [psi, slope, k * psi - mu * d2 * per_length * per_length - rise * per_length * slope]
     }
 
     fn whole_cells(&self, from: usize, to: usize, before: Option<Link>) -> Option<Link> {
@@ -483,23 +480,9 @@ fn point(spot: Spot) -> Zone {
 /// The open ground of a part of a cell.
 pub(crate) fn cell_part(cell: &Cell, from: f64, to: f64) -> Link {
     if cell.ground_varies() {
-        // Not of the difference of the part's own ends, which are rounded.
-        let half = 0.25 * (to - from) * cell.length();
-        return varying_part(&cell.part([from, to]), half, MOST_HALVINGS);
+        return varying::link(cell, [from, to]);
     }
     Link::uniform(cell.spring, cell.shear, 0.5 * (to - from) * cell.length())
-}
-
-/// Halvings of a stretch of ground that varies.
-const MOST_HALVINGS: u32 = 40;
-
-fn varying_part(cell: &Cell, half: f64, halvings: u32) -> Link {
-    if halvings == 0 || (cell.is_short_for_open_ground(half) && cell.is_smooth()) {
-        return Link::varying(&cell.spring_course(), &cell.shear_course(), half);
-    }
-    let [left, right] =
-        [[-1.0, 0.0], [0.0, 1.0]].map(|s| varying_part(&cell.part(s), 0.5 * half, halvings - 1));
-    left.then(right)
 }
 
 /// `before`, then the whole cells of a range. Runs of equal ground are one link.
@@ -508,20 +491,13 @@ fn whole_cells(mesh: &Mesh, from: usize, to: usize, before: Option<Link>) -> Opt
     let mut i = from;
     while i < to {
         let cell = &mesh.cells[i];
-        if cell.ground_varies() {
-            let own = cell_part(cell, -1.0, 1.0);
-            link = Some(link.map_or(own, |link| link.then(own)));
-            i += 1;
-            continue;
-        }
-        let same =
-            |c: &Cell| c.spring == cell.spring && c.shear == cell.shear && !c.ground_varies();
         let mut end = i + 1;
-        while end < to && same(&mesh.cells[end]) {
+        while end < to && cell.shares_even_ground(&mesh.cells[end]) {
             end += 1;
         }
         let length = mesh.cells[end - 1].x[1] - cell.x[0];
-        let run = Link::uniform(cell.spring, cell.shear, length);
+        let uniform = || Link::uniform(cell.spring, cell.shear, length);
+        let run = if cell.ground_varies() { cell_part(cell, -1.0, 1.0) } else { uniform() };
         link = Some(link.map_or(run, |link| link.then(run)));
         i = end;
     }
@@ -531,13 +507,7 @@ fn whole_cells(mesh: &Mesh, from: usize, to: usize, before: Option<Link>) -> Opt
 /// The coefficients of kψ − (μψ')' from those of ψ on a stretch of half length `half`.
 pub(crate) fn pressure_of(cell: &Cell, half: f64, obstacle: &[f64]) -> Vec<f64> {
     if cell.ground_varies() {
-        let slope: Vec<f64> = derivative(obstacle).map(|c| c / half).collect();
-        let flux = product(&cell.shear_course(), &slope);
-        let mut pressure = product(&cell.spring_course(), obstacle);
-        for (pressure, c) in pressure.iter_mut().zip(derivative(&flux)) {
-            *pressure -= c / half;
-        }
-        return pressure;
+        return varying::pressure(cell, half, obstacle);
     }
     let factor = cell.shear / (half * half);
     (0..obstacle.len())

@@ -12,3 +12,4 @@ pub(crate) mod pieces;
 pub(crate) mod recover;
 pub(crate) mod surface;
 pub(crate) mod uzawa;
+mod varying;

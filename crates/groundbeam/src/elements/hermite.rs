@@ -194,7 +194,7 @@ pub(crate) fn fold(c: &[f64], h: f64) -> [f64; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::Varies;
+    use crate::cell::Varies;
 
     #[test]
     fn shape_functions_reproduce_rigid_motions() {

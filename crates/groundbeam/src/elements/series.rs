@@ -178,7 +178,7 @@ fn forces(c: &[f64; TERMS], courses: &Courses, a: f64, loaded: bool) -> [f64; 4]
 fn work(f: &[f64], g: &[f64], power: usize) -> f64 {
     let mut sum = 0.0;
     for (i, f) in f.iter().enumerate().filter(|(_, f)| **f != 0.0) {
-        for (j, g) in g.iter().enumerate().filter(|(j, _)| (i + j + power) % 2 == 0) {
+        for (j, g) in g.iter().enumerate().filter(|(j, _)| (i + j + power).is_multiple_of(2)) {
             sum += 2.0 * f * g / (i + j + power + 1) as f64;
         }
     }

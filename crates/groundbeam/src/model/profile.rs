@@ -230,7 +230,7 @@ fn binomial(n: usize, k: usize) -> f64 {
 /// The coefficient of s^j in (1 − s)^(n−i) (1 + s)^i.
 fn bernstein(n: usize, i: usize, j: usize) -> f64 {
     let term = |k: usize| {
-        let sign = if (j - k) % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if (j - k).is_multiple_of(2) { 1.0 } else { -1.0 };
         sign * binomial(i, k) * binomial(n - i, j - k)
     };
     (j.saturating_sub(n - i)..=i.min(j)).map(term).sum()
