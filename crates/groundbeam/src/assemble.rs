@@ -2,7 +2,7 @@
 
 use crate::certificate::{Claim, ClaimedPiece, certify};
 use crate::contact::active_set::{Found, Pressure};
-use crate::contact::majorant::{Spot, pressure_of};
+use crate::contact::deflection::{Spot, pressure_of};
 use crate::contact::recover;
 use crate::contact::surface::{Atom, Surface};
 use crate::existence::Existence;

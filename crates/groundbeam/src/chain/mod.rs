@@ -5,36 +5,18 @@
 //! or d is eliminated in each of its two directions, whichever is held more stiffly, and never is a
 //! stiffness found as a small difference of large ones. Each element is crossed once on the way in
 //! and once on the way out: the cost is linear in the number of elements.
+//!
+//! In a narrow gap, or near the edge of a wide one, a short link of stiffness μ/h ties the surface to the
+//! beam. There the third of x is not u but r = u − ψ: in differences of neighbouring r the sinking of beam
+//! and ground has no part, and μ/h never stands beside the stiffness that holds them.
 
+mod links;
 mod mirror;
 
 use crate::elements::{Basis, Element};
-use crate::ground::Link;
+use links::{Surfaces, add_link, counted};
+pub(crate) use links::{Tie, TiedLink};
 use mirror::{mirror_cell, mirror_shape};
-
-/// What a link of the ground is tied to.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Tie {
-    /// The ground's own surface at the cell's left node.
-    SurfaceLeft,
-    /// The ground's own surface at the cell's right node.
-    SurfaceRight,
-    /// The beam at a point of the cell: u = row·v − gap.
-    Beam {
-        /// What multiplies the element's v.
-        row: [f64; 4],
-        /// g₀ there.
-        gap: f64,
-    },
-}
-
-/// A link of unloaded ground within one cell.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct TiedLink {
-    pub link: Link,
-    pub left: Tie,
-    pub right: Tie,
-}
 
 /// A cell: its element and the links of open ground in it.
 #[derive(Debug, Clone, Default)]
@@ -52,13 +34,15 @@ pub(crate) struct ChainNode {
     pub clamped: bool,
     pub spring: f64,
     pub rotational_spring: f64,
-    /// A spring of the ground under the beam at this node, and the gap above it.
+    /// A spring of the ground under the beam at this node, and the initial gap there.
     pub ground_spring: f64,
     pub gap: f64,
     /// A spring of the ground under its own surface at this node.
     pub surface_spring: f64,
     /// u is an unknown of the cell to the left, to the right.
     pub surface: [bool; 2],
+    /// That unknown is r = u − ψ instead.
+    pub from_beam: bool,
 }
 
 #[derive(Debug, Clone, Default)]
@@ -74,15 +58,13 @@ pub(crate) struct Chain {
 pub(crate) struct Shape {
     /// The four numbers of every cell's element.
     pub cells: Vec<[f64; 4]>,
-    /// u at every node where it is an unknown.
-    pub surface: Vec<f64>,
 }
 
 /// The chain can move without work: the elimination met a pivot that is not positive.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Loose;
 
-/// Indices into (w, θ, u).
+/// Indices into (w, θ, u), where u may stand for r.
 const W: usize = 0;
 const THETA: usize = 1;
 const U: usize = 2;
@@ -126,15 +108,12 @@ impl Chain {
         let node = &self.nodes[meet];
         apply(node, &mut both, 1.0);
         let at_meeting = solve_node(node, &both)?;
-        let mut shape =
-            Shape { cells: vec![[0.0; 4]; self.cells.len()], surface: vec![0.0; self.nodes.len()] };
-        shape.surface[meet] = at_meeting[U];
+        let mut shape = Shape { cells: vec![[0.0; 4]; self.cells.len()] };
         let mut y = at_meeting;
         for (i, back) in (0..meet).zip(&back_left).rev() {
             let Element { length, basis, .. } = self.cells[i].element;
             y = back.cross(length, basis, y, &mut shape.cells[i]);
             y = back.end(&self.nodes[i], y, true);
-            shape.surface[i] = y[U];
         }
         let mut y = at_meeting;
         y[THETA] = -y[THETA];
@@ -144,7 +123,6 @@ impl Chain {
             y = back.cross(length, basis, y, &mut v);
             shape.cells[i] = mirror_shape(&v, length, basis);
             y = back.end(&self.nodes[i + 1], y, false);
-            shape.surface[i + 1] = y[U];
         }
         Ok(shape)
     }
@@ -159,9 +137,12 @@ impl Chain {
         let mut returns = Vec::with_capacity(count);
         let mut state = Behind::default();
         for step in 0..count {
-            let (node, cell) =
-                if MIRRORED { (start - step, start - step - 1) } else { (step, step) };
-            let node = &self.nodes[node];
+            let (node, cell, next) = if MIRRORED {
+                (start - step, start - step - 1, start - step - 1)
+            } else {
+                (step, step, step + 1)
+            };
+            let [node, next] = [&self.nodes[node], &self.nodes[next]];
             apply(node, &mut state, if MIRRORED { -1.0 } else { 1.0 });
             let mut back = Return::default();
             let sides = if MIRRORED { [1, 0] } else { [0, 1] };
@@ -171,9 +152,9 @@ impl Chain {
             let cell = &self.cells[cell];
             if MIRRORED {
                 let (element, links) = mirror_cell(cell);
-                state = cross(&element, &links, node, &state, &mut back)?;
+                state = cross(&element, &links, [node, next], &state, &mut back)?;
             } else {
-                state = cross(&cell.element, &cell.links, node, &state, &mut back)?;
+                state = cross(&cell.element, &cell.links, [node, next], &state, &mut back)?;
             }
             returns.push(back);
         }
@@ -189,6 +170,14 @@ fn apply(node: &ChainNode, state: &mut Behind, sign: f64) {
     state.s[U][U] += node.surface_spring;
     state.r[W] += node.force + node.ground_spring * node.gap;
     state.r[THETA] += sign * node.moment;
+    if node.from_beam {
+        // The surface's own spring under u = w − g₀ + r.
+        state.s[U][W] += node.surface_spring;
+        state.s[W][U] += node.surface_spring;
+        state.s[W][W] += node.surface_spring;
+        state.r[W] += node.surface_spring * node.gap;
+        state.r[U] += node.surface_spring * node.gap;
+    }
 }
 
 /// Eliminates u at a node where the shear layer's own surface ends.
@@ -232,7 +221,7 @@ fn transform(h: f64, basis: Basis, by_left: [bool; 2]) -> [[f64; 4]; 4] {
 fn cross(
     element: &Element,
     links: &[TiedLink],
-    node: &ChainNode,
+    [node, next]: [&ChainNode; 2],
     state: &Behind,
     back: &mut Return,
 ) -> Result<Behind, Loose> {
@@ -247,6 +236,10 @@ fn cross(
     back.rise = links.iter().any(stiff);
     let surface_left =
         if back.rise { [0.0, 0.0, 0.0, 0.0, -1.0, 1.0] } else { [0.0, 0.0, 0.0, 0.0, 1.0, 0.0] };
+    let surfaces = Surfaces {
+        left: counted(surface_left, node, element.end_row(false)),
+        right: counted([0.0, 0.0, 0.0, 0.0, 0.0, 1.0], next, element.end_row(true)),
+    };
     let mut k = [[0.0; 6]; 6];
     let mut q = [0.0; 6];
     for i in 0..4 {
@@ -270,7 +263,7 @@ fn cross(
         }
     }
     for tied in links {
-        add_link(tied, &surface_left, &mut k, &mut q);
+        add_link(tied, &surfaces, &mut k, &mut q);
     }
 
     back.by_left = [
@@ -372,29 +365,6 @@ fn condense(
         }
     }
     Ok(ahead)
-}
-
-fn add_link(tied: &TiedLink, surface_left: &[f64; 6], k: &mut [[f64; 6]; 6], q: &mut [f64; 6]) {
-    let functional = |tie: Tie| match tie {
-        Tie::SurfaceLeft => (*surface_left, 0.0),
-        Tie::SurfaceRight => ([0.0, 0.0, 0.0, 0.0, 0.0, 1.0], 0.0),
-        Tie::Beam { row, gap } => ([row[0], row[1], row[2], row[3], 0.0, 0.0], gap),
-    };
-    let (left, left_gap) = functional(tied.left);
-    let (right, right_gap) = functional(tied.right);
-    let difference: [f64; 6] = std::array::from_fn(|i| left[i] - right[i]);
-    for (spring, row, gap) in [
-        (tied.link.leak_left, left, left_gap),
-        (tied.link.leak_right, right, right_gap),
-        (tied.link.coupling, difference, left_gap - right_gap),
-    ] {
-        for i in 0..6 {
-            q[i] += spring * row[i] * gap;
-            for j in 0..6 {
-                k[i][j] += spring * row[i] * row[j];
-            }
-        }
-    }
 }
 
 /// Solves S y = r at the meeting node.

@@ -11,10 +11,11 @@
 //! of that slope is searched for. Φ falls with every accepted step, so no deflection comes back; what that
 //! proves about the number of steps, and what it does not, is in `docs/methods.md`.
 
+use super::deflection::{Deflection, Zone};
 use super::forms::{beam_form, ground_work};
 use super::layout::Layout;
 use super::line::settle;
-use super::majorant::{self, Deflection, Zone};
+use super::majorant;
 use super::surface::Surface;
 use crate::chain::{Chain, Loose};
 use crate::elements::Element;
@@ -376,7 +377,7 @@ impl<'a> Line<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::majorant::Spot;
+    use crate::contact::deflection::Spot;
     use crate::contact::surface::obstacle;
     use crate::model::{Beam, Foundation, Load, Model};
 

@@ -6,9 +6,10 @@
 //! deflections the slope of Φ is known exactly.
 
 use super::active_set::{Found, Pressure};
+use super::deflection::{Deflection, Spot, Zone};
 use super::forms::{beam_form, ground_work};
 use super::line::settle;
-use super::majorant::{self, Deflection, Zone};
+use super::majorant;
 use crate::elements::exact::TERMS;
 use crate::mesh::Mesh;
 use crate::model::Model;
@@ -97,15 +98,15 @@ fn on(mesh: &Mesh, found: &Found) -> Vec<f64> {
 /// The zones of a deflection, whose ends are nodes of both meshes, on a finer mesh.
 fn moved(mesh: &Mesh, found: &Found) -> Vec<Zone> {
     let last = mesh.cells.len() - 1;
-    let spot = |spot: majorant::Spot| {
+    let spot = |spot: Spot| {
         let cell = &found.mesh.cells[spot.cell];
         // From within the cell, so that an end stays on its own side of a node.
         if spot.s < 0.0 {
             let inside = cell.x[0] + f64::EPSILON * cell.x[1];
-            majorant::Spot { cell: mesh.cell_at(inside.min(cell.x[1])), s: -1.0 }
+            Spot { cell: mesh.cell_at(inside.min(cell.x[1])), s: -1.0 }
         } else {
             let after = mesh.cells.partition_point(|c| c.x[1] < cell.x[1]).min(last);
-            majorant::Spot { cell: after, s: 1.0 }
+            Spot { cell: after, s: 1.0 }
         }
     };
     found.zones.iter().map(|zone| Zone { from: spot(zone.from), to: spot(zone.to) }).collect()

@@ -13,10 +13,12 @@
 //! every step. If the steps do not settle, the mesh that began them is refined.
 
 use super::active_set::{CLOSE, Found, Pressure, Stalled, Step};
+use super::deflection::{Deflection, Zone};
 use super::descent::shorten;
 use super::layout::Layout;
-use super::majorant::{self, Deflection, Spot, Zone};
+use super::majorant;
 use super::nested;
+use super::stretches::{Stretch, distance, positions, zones_of};
 use crate::chain::{Chain, ChainCell, Loose};
 use crate::elements::exact::{ExactElement, TERMS, parts};
 use crate::elements::{Operator, Touch};
@@ -61,12 +63,6 @@ const ALMOST: f64 = 1e-6;
 /// What ends the iteration early, and what is accepted in the end.
 const PROVEN: Proof = Proof { gap: 1e-22, violation: 1e-13 };
 const ENOUGH: Proof = Proof { gap: 1e-11, violation: 3e-8 };
-
-/// Edges this close to a place of the model's own, as a part of the length, are there.
-const SAME_PLACE: f64 = 64.0 * f64::EPSILON;
-
-/// Stretches of contact as positions; a point has both equal.
-type Stretch = [f64; 2];
 
 /// Solves a model. `proven` tells whether a deflection with its contact passes the certificate to a tolerance: where an
 /// edge cannot be told from its neighbours (a zone without pressure, a beam balanced on one point), that
@@ -335,65 +331,6 @@ fn unfolded(
     (fine, coefficients)
 }
 
-/// Zones as positions. An edge within rounding of a place of the model's own is there.
-fn positions(mesh: &Mesh, zones: &[Zone], places: &[f64]) -> Vec<Stretch> {
-    let near = SAME_PLACE * mesh.cells[mesh.cells.len() - 1].x[1];
-    let at = |spot: Spot| {
-        let x = mesh.cells[spot.cell].global(spot.s);
-        let next = places.partition_point(|place| *place < x - near);
-        places.get(next).copied().filter(|place| *place <= x + near).unwrap_or(x)
-    };
-    // Without a shear layer a stretch that rounding made is no point of contact: it carries nothing.
-    let carries = |zone: &Zone| mesh.cells[zone.from.cell].shear > 0.0;
-    let kept = |(zone, [from, to]): &(&Zone, Stretch)| from < to || carries(zone);
-    let all = zones.iter().map(|zone| (zone, [at(zone.from), at(zone.to)]));
-    all.filter(kept).map(|(_, stretch)| stretch).collect()
-}
-
-/// Stretches as zones of a mesh that has a node at each of their ends.
-fn zones_of(mesh: &Mesh, stretches: &[Stretch], touch: &impl Fn(&Cell) -> Touch) -> Vec<Zone> {
-    let mut zones: Vec<Zone> = Vec::new();
-    let kind = |i: usize| mesh.cells[i].shear > 0.0;
-    for (i, cell) in mesh.cells.iter().enumerate() {
-        if touch(cell) == Touch::Open {
-            continue;
-        }
-        let end = Spot { cell: i, s: 1.0 };
-        match zones.last_mut() {
-            Some(last) if last.to.cell + 1 == i && kind(i - 1) == kind(i) => last.to = end,
-            _ => zones.push(Zone { from: Spot { cell: i, s: -1.0 }, to: end }),
-        }
-    }
-    // Points: the node nearest to them, if no zone holds it already.
-    let count = mesh.cells.len();
-    for x in stretches.iter().filter(|s| s[1] <= s[0]).map(|s| s[0]) {
-        let right = mesh.nodes.partition_point(|n| n.x < x).min(count);
-        let left = right.saturating_sub(1);
-        let node = if x - mesh.nodes[left].x < mesh.nodes[right].x - x { left } else { right };
-        let node_of = |spot: Spot| spot.cell + usize::from(spot.s == 1.0);
-        let held = |zone: &Zone| {
-            kind(zone.from.cell) && node_of(zone.from) <= node && node <= node_of(zone.to)
-        };
-        if zones.iter().any(held) {
-            continue;
-        }
-        // A point can carry a force only on a shear layer: of two cells that meet, the one that has it.
-        let cell = if node == count || (node > 0 && !kind(node)) { node - 1 } else { node };
-        let spot = Spot { cell, s: if cell == node { -1.0 } else { 1.0 } };
-        zones.push(Zone { from: spot, to: spot });
-    }
-    zones.sort_by_key(|zone| (zone.from.cell, zone.from.s > 0.0));
-    zones
-}
-
-/// The largest move of an edge; infinite if a zone came or went.
-fn distance(a: &[Stretch], b: &[Stretch]) -> f64 {
-    if a.len() != b.len() {
-        return f64::INFINITY;
-    }
-    a.iter().flatten().zip(b.iter().flatten()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -414,5 +351,31 @@ mod tests {
         }
         assert!(errors[3] < 2e-15, "{errors:?}");
         assert!(errors[1] < errors[0] * errors[0] * 10.0, "{errors:?}");
+    }
+
+    /// A gap of length h takes −π h off the ground's force and changes w by O(h), however short it is and
+    /// wherever a node stands in it: 10⁻¹³ of w is left for rounding.
+    #[test]
+    fn a_short_gap_keeps_the_digits_beside_it() {
+        let model = Model::new(Beam::uniform(1.0, 10.0), Foundation::pasternak(1.0, 3.4))
+            .with_load(Load::point(1.0, 0.5))
+            .with_load(Load::moment(0.1, 0.5));
+        let solved = |stretches: &[Stretch], node: f64| {
+            let model = model.clone().with_load(Load::point(f64::MIN_POSITIVE, node));
+            let (found, _) = glued(&model, stretches, None).expect("a solution");
+            let cell = found.mesh.cells.iter().position(|c| c.x[1] == 0.3).expect("a node");
+            let [w, _, bend, _] = jet(found.deflection().cell(cell), 1.0);
+            [w, bend / (0.5 * found.mesh.cells[cell].length()).powi(2)]
+        };
+        let bonded = solved(&[[0.0, 0.3], [0.3, 1.0]], 0.3);
+        for h in [1e-3, 1e-5, 1e-7, 1e-9, 1e-11] {
+            let stretches = [[0.0, 0.3], [0.3 + h, 1.0]];
+            for node in [0.0, 0.3 + 0.4 * h] {
+                let here = solved(&stretches, node);
+                for (a, b) in here.iter().zip(bonded) {
+                    assert!((a - b).abs() <= h * h + 1e-13, "{h}: {here:?} {bonded:?}");
+                }
+            }
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! The energy's bilinear forms for deflections that are polynomials in each cell of a mesh.
 
-use super::majorant::{Spot, Zone};
+use super::deflection::{Spot, Zone};
 use super::pieces::pieces;
 use super::surface::open_links;
 use super::varying;

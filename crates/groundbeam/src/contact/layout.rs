@@ -1,10 +1,15 @@
 //! Contact zones cell by cell: which parts of a cell touch, which nodes touch, what links remain.
 
-use super::majorant::{Zone, cell_part};
+use super::deflection::Zone;
+use super::majorant::cell_part;
 use super::pieces::{Piece, pieces};
 use crate::chain::{ChainCell, ChainNode, Tie, TiedLink};
-use crate::elements::Element;
+use crate::elements::{Element, Operator, Touch};
 use crate::mesh::{Cell, Mesh};
+use std::ops::Range;
+
+/// How near a point of contact is to a node that counts the surface from the beam, in wave lengths.
+const NEAR: f64 = 1e-2;
 
 /// Where beam and ground touch, seen from the cells.
 #[derive(Debug, Clone, PartialEq)]
@@ -121,8 +126,50 @@ impl Layout {
                     nodes[node].surface_spring += spring;
                 }
             }
+            for node in self.near_contact(mesh, cells.clone()) {
+                let open = nodes[node].surface.contains(&true);
+                nodes[node].from_beam = open;
+                if open {
+                    let right = node.min(mesh.cells.len() - 1);
+                    nodes[node].gap = mesh.cells[right].gap[node - right];
+                }
+            }
         }
         nodes
+    }
+
+    /// The nodes of a piece so near to a point of contact that the ground between is hardly more than a
+    /// stiff link.
+    fn near_contact(&self, mesh: &Mesh, cells: Range<usize>) -> impl Iterator<Item = usize> {
+        let x = |node: usize| mesh.nodes[node].x;
+        let at = |cell: usize, s: f64| mesh.cells[cell].global(s);
+        let mut distance = vec![f64::INFINITY; cells.len() + 1];
+        let mut last = f64::NEG_INFINITY;
+        for node in cells.start..=cells.end {
+            if node > cells.start {
+                last = self.parts[node - 1].last().map_or(last, |part| at(node - 1, part[1]));
+            }
+            distance[node - cells.start] = x(node) - last;
+            if self.touched[node].contains(&true) {
+                last = x(node);
+            }
+        }
+        let mut next = f64::INFINITY;
+        for node in (cells.start..=cells.end).rev() {
+            if node < cells.end {
+                next = self.parts[node].first().map_or(next, |part| at(node, part[0]));
+            }
+            let distance = &mut distance[node - cells.start];
+            *distance = distance.min(next - x(node));
+            if self.touched[node].contains(&true) {
+                next = x(node);
+            }
+        }
+        cells.clone().chain([cells.end]).filter(move |&node| {
+            let cell = &mesh.cells[node.min(cells.end - 1)];
+            let wave = Operator::of(cell, mesh.axial_force, Touch::Contact).wave_number();
+            wave * distance[node - cells.start] <= NEAR
+        })
     }
 
     /// The links of open ground in cell i. `row` gives w at s as a combination of the element's four.

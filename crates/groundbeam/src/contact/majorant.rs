@@ -15,48 +15,13 @@
 //!
 //! Every arc is trimmed from its ends only and every cell passed over once: the scan is O(n).
 
+use super::deflection::{Deflection, Spot, Zone};
+use super::narrow;
 use super::pieces::{Piece, pieces};
 use super::varying;
 use crate::ground::Link;
 use crate::mesh::{Cell, Mesh};
 use crate::polynomial::{jet, sign_changes};
-
-/// A point of the beam: a cell and its coordinate s ∈ \[−1, 1\].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Spot {
-    pub cell: usize,
-    pub s: f64,
-}
-
-/// A stretch of contact, or a point of it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Zone {
-    pub from: Spot,
-    pub to: Spot,
-}
-
-/// w on a mesh, as polynomials of `terms` coefficients in each cell.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Deflection<'a> {
-    pub mesh: &'a Mesh,
-    pub terms: usize,
-    pub coefficients: &'a [f64],
-}
-
-impl Deflection<'_> {
-    pub fn cell(&self, i: usize) -> &[f64] {
-        &self.coefficients[i * self.terms..(i + 1) * self.terms]
-    }
-
-    /// The coefficients of ψ = w − g₀ in cell i.
-    pub fn obstacle(&self, i: usize) -> Vec<f64> {
-        let mut c = self.cell(i).to_vec();
-        let [left, right] = self.mesh.cells[i].gap;
-        c[0] -= 0.5 * (left + right);
-        c[1] -= 0.5 * (right - left);
-        c
-    }
-}
 
 /// The stretches of contact, from left to right.
 pub(crate) fn contact(w: &Deflection) -> Vec<Zone> {
@@ -243,8 +208,8 @@ impl<'a> Scan<'a> {
         let mut arcs: Vec<Zone> = Vec::new();
         let mut parts = Vec::new();
         for i in cells.clone() {
-            let corner = if i == cells.start { 1.0 } else { self.corner(i) };
-            let pressure = self.pressure(i);
+            let corner = if i == cells.start { 1.0 } else { self.w.corner(i) };
+            let pressure = self.w.pressure(i);
             positive_parts(&pressure, &mut parts);
             let starts_here = parts.first().is_some_and(|part| part[0] == -1.0);
             let ended_here =
@@ -261,23 +226,6 @@ impl<'a> Scan<'a> {
             arcs.push(point(end));
         }
         arcs
-    }
-
-    /// −\[μψ'\] at the node to the left of cell i: positive where a corner presses into the ground.
-    fn corner(&self, i: usize) -> f64 {
-        let [a, b] = [&self.w.mesh.cells[i - 1], &self.w.mesh.cells[i]];
-        let ([_, before], [after, _]) = (a.shear_ends(), b.shear_ends());
-        if before == after && a.gap_slope == b.gap_slope {
-            return 0.0;
-        }
-        let slope = jet(self.w.cell(i), -1.0)[1] * 2.0 / b.length();
-        (before - after) * slope - (before * a.gap_slope - after * b.gap_slope)
-    }
-
-    /// The coefficients of π = kψ − (μψ')' in cell i.
-    fn pressure(&self, i: usize) -> Vec<f64> {
-        let cell = &self.w.mesh.cells[i];
-        pressure_of(cell, 0.5 * cell.length(), &self.w.obstacle(i))
     }
 
     /// ψ, dψ/dx and π at a spot.
@@ -324,9 +272,21 @@ impl<'a> Scan<'a> {
 
     /// What a single point between two joints presses; not positive where the ground would have to pull.
     fn pull(&self, before: &Joint, after: &Joint) -> f64 {
+        let flux = |spot: Option<Spot>| {
+            let shear = |spot: Spot| self.w.mesh.cells[spot.cell].ground_at(spot.s)[1];
+            spot.map_or(0.0, |spot| shear(spot) * self.at(spot)[1])
+        };
         let [a, b] = self.values(before);
         let [c, d] = self.values(after);
-        self.link(before).force_right(a, b) + self.link(after).force_left(c, d)
+        let from_left = match self.narrow(before) {
+            Some([_, force]) => force + flux(before.right),
+            None => self.link(before).force_right(a, b),
+        };
+        let from_right = match self.narrow(after) {
+            Some([force, _]) => force - flux(after.left),
+            None => self.link(after).force_left(c, d),
+        };
+        from_left + from_right
     }
 
     /// One joint over a dropped zone.
@@ -359,7 +319,10 @@ impl<'a> Scan<'a> {
         let other = joint.right.map_or(0.0, |b| self.at(b)[0]);
         let [_, shear] = self.w.mesh.cells[spot.cell].ground_at(spot.s);
         let link = self.link(&trial);
-        let force = shear * slope + link.force_left(psi, other);
+        let force = match self.narrow(&trial) {
+            Some([force, _]) => force,
+            None => shear * slope + link.force_left(psi, other),
+        };
         [force, (link.leak_left + link.coupling) / shear * force - pressure]
     }
 
@@ -370,8 +333,17 @@ impl<'a> Scan<'a> {
         let other = joint.left.map_or(0.0, |a| self.at(a)[0]);
         let [_, shear] = self.w.mesh.cells[spot.cell].ground_at(spot.s);
         let link = self.link(&trial);
-        let force = link.force_right(other, psi) - shear * slope;
+        let force = match self.narrow(&trial) {
+            Some([_, force]) => force,
+            None => link.force_right(other, psi) - shear * slope,
+        };
         [force, pressure - (link.leak_right + link.coupling) / shear * force]
+    }
+
+    /// The forces at both ends of a narrow joint.
+    fn narrow(&self, joint: &Joint) -> Option<[f64; 2]> {
+        let ends = [joint.left?, joint.right?];
+        narrow::end_forces(self.w, ends)
     }
 
     /// Moves the joint's left end to the left until nothing pulls there.
@@ -502,18 +474,4 @@ fn whole_cells(mesh: &Mesh, from: usize, to: usize, before: Option<Link>) -> Opt
         i = end;
     }
     link
-}
-
-/// The coefficients of kψ − (μψ')' from those of ψ on a stretch of half length `half`.
-pub(crate) fn pressure_of(cell: &Cell, half: f64, obstacle: &[f64]) -> Vec<f64> {
-    if cell.ground_varies() {
-        return varying::pressure(cell, half, obstacle);
-    }
-    let factor = cell.shear / (half * half);
-    (0..obstacle.len())
-        .map(|j| {
-            let bend = obstacle.get(j + 2).map_or(0.0, |c| ((j + 2) * (j + 1)) as f64 * c);
-            cell.spring * obstacle[j] - factor * bend
-        })
-        .collect()
 }

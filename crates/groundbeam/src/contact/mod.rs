@@ -1,15 +1,18 @@
 //! Where the beam touches: one file per method.
 
 pub(crate) mod active_set;
+pub(crate) mod deflection;
 mod descent;
 pub(crate) mod exact;
 pub(crate) mod forms;
 pub(crate) mod layout;
 mod line;
-pub(crate) mod majorant;
+mod majorant;
+mod narrow;
 pub(crate) mod nested;
 pub(crate) mod pieces;
 pub(crate) mod recover;
+mod stretches;
 pub(crate) mod surface;
 pub(crate) mod uzawa;
 mod varying;

@@ -5,7 +5,7 @@
 //! the ends equilibrium itself gives shear and moment: T' = p − f, M' = T − P w' + g.
 
 use super::active_set::Found;
-use super::majorant::pressure_of;
+use super::deflection::pressure_of;
 use super::surface::Part;
 use crate::elements::hermite;
 use crate::polynomial::rescale;

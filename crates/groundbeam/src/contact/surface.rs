@@ -1,7 +1,9 @@
 //! The ground's surface and what it presses with, for a given w and given zones of contact.
 
+use super::deflection::{Deflection, Spot, Zone};
 use super::layout::gap_at;
-use super::majorant::{Deflection, Spot, Zone, cell_part};
+use super::majorant::cell_part;
+use super::narrow;
 use super::pieces::{Piece, pieces};
 use crate::ground::Link;
 use crate::mesh::Mesh;
@@ -84,9 +86,15 @@ impl Surface {
                 .map(|(_, link)| link)
                 .reduce(Link::then);
             let [psi_from, psi_to] = [zone.from, zone.to].map(|spot| obstacle(w, spot));
-            let flux_in = before.1.map_or(0.0, |link| link.force_right(before.0, psi_from));
+            let flux_in = match narrow(w, left, Some(zone.from)) {
+                Some([_, force]) => force + flux(w, zone.from),
+                None => before.1.map_or(0.0, |link| link.force_right(before.0, psi_from)),
+            };
             let psi_next = next.map_or(0.0, |spot| obstacle(w, spot));
-            let flux_out = after.map_or(0.0, |link| link.force_left(psi_to, psi_next));
+            let flux_out = match narrow(w, Some(zone.to), next) {
+                Some([force, _]) => force - flux(w, zone.to),
+                None => after.map_or(0.0, |link| link.force_left(psi_to, psi_next)),
+            };
             if zone.from == zone.to {
                 self.atoms.push(Atom { spot: zone.from, force: flux_in + flux_out });
             } else {
@@ -236,6 +244,10 @@ fn can_carry(mesh: &Mesh, spot: Spot) -> bool {
     }
     let [left, right] = [&mesh.cells[node - 1], &mesh.cells[node]];
     left.shear_ends()[1] != right.shear_ends()[0] || left.gap_slope != right.gap_slope
+}
+
+fn narrow(w: &Deflection, from: Option<Spot>, to: Option<Spot>) -> Option<[f64; 2]> {
+    narrow::end_forces(w, [from?, to?])
 }
 
 /// ψ at a spot.

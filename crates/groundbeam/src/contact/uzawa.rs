@@ -12,7 +12,8 @@
 //! carries one number along, and costs O(n).
 
 use super::active_set::{Found, Pressure, Stalled, Step};
-use super::majorant::{self, Zone, cell_part};
+use super::deflection::Zone;
+use super::majorant::{self, cell_part};
 use super::surface::{Atom, Part, Surface};
 use crate::chain::{Chain, ChainCell, ChainNode};
 use crate::elements::hermite::{self, TERMS};

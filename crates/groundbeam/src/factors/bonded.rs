@@ -2,8 +2,8 @@
 
 use crate::chain::Loose;
 use crate::contact::active_set::Found;
+use crate::contact::deflection::pressure_of;
 use crate::contact::exact::glued;
-use crate::contact::majorant::pressure_of;
 use crate::contact::surface::Surface;
 use crate::mesh::Cell;
 use crate::model::Model;

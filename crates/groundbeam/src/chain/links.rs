@@ -1,0 +1,71 @@
+//! Links of open ground within a cell, tied to the ground's own surface or to the beam.
+
+use super::ChainNode;
+use crate::ground::Link;
+
+/// What a link of the ground is tied to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Tie {
+    /// The ground's own surface at the cell's left node.
+    SurfaceLeft,
+    /// The ground's own surface at the cell's right node.
+    SurfaceRight,
+    /// The beam at a point of the cell: u = row·v − gap.
+    Beam {
+        /// What multiplies the element's v.
+        row: [f64; 4],
+        /// g₀ there.
+        gap: f64,
+    },
+}
+
+/// A link of unloaded ground within one cell.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct TiedLink {
+    pub link: Link,
+    pub left: Tie,
+    pub right: Tie,
+}
+
+/// u at both ends of a cell: what multiplies its six unknowns, and the gap to take off.
+pub(super) struct Surfaces {
+    pub left: ([f64; 6], f64),
+    pub right: ([f64; 6], f64),
+}
+
+/// u at a node from the unknown that stands for it there.
+pub(super) fn counted(mut row: [f64; 6], node: &ChainNode, beam: [f64; 4]) -> ([f64; 6], f64) {
+    if !node.from_beam {
+        return (row, 0.0);
+    }
+    row[..4].copy_from_slice(&beam);
+    (row, node.gap)
+}
+
+pub(super) fn add_link(
+    tied: &TiedLink,
+    surfaces: &Surfaces,
+    k: &mut [[f64; 6]; 6],
+    q: &mut [f64; 6],
+) {
+    let functional = |tie: Tie| match tie {
+        Tie::SurfaceLeft => surfaces.left,
+        Tie::SurfaceRight => surfaces.right,
+        Tie::Beam { row, gap } => ([row[0], row[1], row[2], row[3], 0.0, 0.0], gap),
+    };
+    let (left, left_gap) = functional(tied.left);
+    let (right, right_gap) = functional(tied.right);
+    let difference: [f64; 6] = std::array::from_fn(|i| left[i] - right[i]);
+    for (spring, row, gap) in [
+        (tied.link.leak_left, left, left_gap),
+        (tied.link.leak_right, right, right_gap),
+        (tied.link.coupling, difference, left_gap - right_gap),
+    ] {
+        for i in 0..6 {
+            q[i] += spring * row[i] * gap;
+            for j in 0..6 {
+                k[i][j] += spring * row[i] * row[j];
+            }
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! A deflection in pieces, points of the beam, and what ψ = w − g₀ asks of the ground.
+
+use super::varying;
+use crate::mesh::{Cell, Mesh};
+use crate::polynomial::jet;
+
+/// A point of the beam: a cell and its coordinate s ∈ \[−1, 1\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Spot {
+    pub cell: usize,
+    pub s: f64,
+}
+
+/// A stretch of contact, or a point of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Zone {
+    pub from: Spot,
+    pub to: Spot,
+}
+
+/// w on a mesh, as polynomials of `terms` coefficients in each cell.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Deflection<'a> {
+    pub mesh: &'a Mesh,
+    pub terms: usize,
+    pub coefficients: &'a [f64],
+}
+
+impl Deflection<'_> {
+    pub fn cell(&self, i: usize) -> &[f64] {
+        &self.coefficients[i * self.terms..(i + 1) * self.terms]
+    }
+
+    /// The coefficients of ψ = w − g₀ in cell i.
+    pub fn obstacle(&self, i: usize) -> Vec<f64> {
+        let mut c = self.cell(i).to_vec();
+        let [left, right] = self.mesh.cells[i].gap;
+        c[0] -= 0.5 * (left + right);
+        c[1] -= 0.5 * (right - left);
+        c
+    }
+
+    /// −\[μψ'\] at the node to the left of cell i: positive where a corner presses into the ground.
+    pub fn corner(&self, i: usize) -> f64 {
+        let [a, b] = [&self.mesh.cells[i - 1], &self.mesh.cells[i]];
+        let ([_, before], [after, _]) = (a.shear_ends(), b.shear_ends());
+        if before == after && a.gap_slope == b.gap_slope {
+            return 0.0;
+        }
+        let slope = jet(self.cell(i), -1.0)[1] * 2.0 / b.length();
+        (before - after) * slope - (before * a.gap_slope - after * b.gap_slope)
+    }
+
+    /// The coefficients of π = kψ − (μψ')' in cell i.
+    pub fn pressure(&self, i: usize) -> Vec<f64> {
+        let cell = &self.mesh.cells[i];
+        pressure_of(cell, 0.5 * cell.length(), &self.obstacle(i))
+    }
+}
+
+/// The coefficients of kψ − (μψ')' from those of ψ on a stretch of half length `half`.
+pub(crate) fn pressure_of(cell: &Cell, half: f64, obstacle: &[f64]) -> Vec<f64> {
+    if cell.ground_varies() {
+        return varying::pressure(cell, half, obstacle);
+    }
+    let factor = cell.shear / (half * half);
+    (0..obstacle.len())
+        .map(|j| {
+            let bend = obstacle.get(j + 2).map_or(0.0, |c| ((j + 2) * (j + 1)) as f64 * c);
+            cell.spring * obstacle[j] - factor * bend
+        })
+        .collect()
+}

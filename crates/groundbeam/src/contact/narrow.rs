@@ -1,0 +1,175 @@
+//! The forces at the ends of a narrow joint, from the pressure it would need.
+//!
+//! Where a gap is just born, u and ψ differ in the last digits only, and so do their slopes: the
+//! concentrated forces A = μψ'(a) − μu'(a) and B = μu'(b) − μψ'(b) are small differences of large numbers.
+//! With e = u − ψ, −(μe')' + ke = −π between a and b and e = 0 at both, Green's identity gives them without:
+//!
+//! > A = ∫ π φ_a dx,  B = ∫ π φ_b dx,
+//!
+//! where φ_a is the unloaded ground that is 1 at a and 0 at b, φ_b the same from the other end, and π
+//! includes the atoms −\[μψ'\] of corners. π is a polynomial with its own digits, and its sign is what the
+//! joint is about. Rounding leaves ε μψ/h of the differences and ε h (kψ + μψ″) of the integrals: whichever
+//! is less decides.
+
+use super::deflection::{Deflection, Spot};
+use crate::cell::Cell;
+use crate::ground::{Link, between, settled};
+use crate::polynomial::value;
+
+/// The most cells a narrow joint reaches into; three are a gap and the cells beside it.
+const MOST_CELLS: usize = 4;
+/// The longest joint in wave lengths √(μ/k) of the ground.
+const LONGEST: f64 = 1.0;
+
+/// A part of a cell with what the ground needs there.
+struct Part {
+    cell: usize,
+    from: f64,
+    to: f64,
+    /// b·length.
+    length: f64,
+    stiffness: f64,
+    /// Where the ground varies: the part alone, half its length, its ground as a link.
+    varying: Option<(Cell, f64, Link)>,
+}
+
+impl Part {
+    fn of(cell: &Cell, i: usize, [from, to]: [f64; 2]) -> Option<Self> {
+        let ratio = 0.5 * (to - from);
+        let length = (cell.spring / cell.shear).sqrt() * ratio * cell.length();
+        let stiffness = (cell.spring * cell.shear).sqrt();
+        let mut part = Part { cell: i, from, to, length, stiffness, varying: None };
+        if cell.ground_varies() && to > from {
+            let (own, half) = (cell.part([from, to]), 0.5 * ratio * cell.length());
+            if !own.is_smooth() || !own.is_short_for_open_ground(half) {
+                return None;
+            }
+            let link = Link::varying(&own.spring_course(), &own.shear_course(), half);
+            part.varying = Some((own, half, link));
+        }
+        Some(part)
+    }
+
+    /// The unloaded ground across the part, from its value and its flux at the left end, or with `turned`
+    /// from those at the right end. Each step forward adds positive numbers only.
+    fn cross(&self, phi: f64, flux: f64, turned: bool) -> [f64; 2] {
+        if let Some((_, _, link)) = &self.varying {
+            let (behind, ahead) = if turned {
+                (link.leak_right, link.leak_left)
+            } else {
+                (link.leak_left, link.leak_right)
+            };
+            let held = behind * phi + flux;
+            let next = phi + held / link.coupling;
+            return [next, ahead * next + held];
+        }
+        let (sinh, cosh) = (self.length.sinh(), self.length.cosh());
+        let stiffness = self.stiffness;
+        [cosh * phi + sinh / stiffness * flux, stiffness * sinh * phi + cosh * flux]
+    }
+
+    /// The unloaded ground between two values at a fraction t of the part.
+    fn between(&self, ends: [f64; 2]) -> impl Fn(f64) -> f64 {
+        let length = self.length;
+        let series = self.varying.as_ref().map(|(cell, half, _)| {
+            settled(&cell.spring_course(), &cell.shear_course(), *half, ends)
+        });
+        move |t| match &series {
+            Some(c) => value(c, 2.0 * t - 1.0),
+            None => between(ends[0], ends[1], length, t),
+        }
+    }
+}
+
+/// A and B of a joint from `a` to `b`, if it is narrow.
+pub(super) fn end_forces(w: &Deflection, [a, b]: [Spot; 2]) -> Option<[f64; 2]> {
+    if b.cell < a.cell || b.cell - a.cell >= MOST_CELLS {
+        return None;
+    }
+    let part = |i: usize| {
+        let from = if i == a.cell { a.s } else { -1.0 };
+        let to = if i == b.cell { b.s } else { 1.0 };
+        Part::of(&w.mesh.cells[i], i, [from, to])
+    };
+    let parts: Vec<Part> = (a.cell..=b.cell).map(part).collect::<Option<_>>()?;
+    let whole: f64 = parts.iter().map(|part| part.length).sum();
+    if whole > LONGEST {
+        return None;
+    }
+    if whole <= 0.0 {
+        // Two arcs that meet at a corner: it opens if the corner pulls, at both alike.
+        let pull = parts.iter().skip(1).map(|part| 0.5 * w.corner(part.cell)).sum();
+        return Some([pull; 2]);
+    }
+    let noise: f64 = parts.iter().map(|part| length(w, part) * pressure_size(w, part.cell)).sum();
+    let soft: f64 = parts.iter().map(|part| length(w, part) / w.mesh.cells[part.cell].shear).sum();
+    let ends = [a, b].map(|spot| value(&w.obstacle(spot.cell), spot.s).abs());
+    if noise * soft > ends[0] + ends[1] {
+        return None;
+    }
+    let from_right = shape(parts.iter().rev(), true);
+    let from_left = shape(parts.iter(), false);
+    let count = parts.len();
+    let mut forces = [0.0; 2];
+    for (i, part) in parts.iter().enumerate() {
+        let phi_a = [from_right[count - i], from_right[count - i - 1]];
+        let phi_b = [from_left[i], from_left[i + 1]];
+        if i > 0 {
+            let atom = w.corner(part.cell);
+            forces[0] += atom * phi_a[0];
+            forces[1] += atom * phi_b[0];
+        }
+        if part.to > part.from {
+            let pi = w.pressure(part.cell);
+            let half = 0.5 * length(w, part);
+            let [shape_a, shape_b] = [phi_a, phi_b].map(|ends| part.between(ends));
+            for (t, weight) in GAUSS {
+                for t in [0.5 - 0.5 * t, 0.5 + 0.5 * t] {
+                    let s = part.from + t * (part.to - part.from);
+                    let p = half * weight * value(&pi, s);
+                    forces[0] += p * shape_a(t);
+                    forces[1] += p * shape_b(t);
+                }
+            }
+        }
+    }
+    Some(forces)
+}
+
+/// The length of a part \[m\].
+fn length(w: &Deflection, part: &Part) -> f64 {
+    0.5 * (part.to - part.from) * w.mesh.cells[part.cell].length()
+}
+
+/// What the terms of π in a cell add up to without their signs.
+fn pressure_size(w: &Deflection, i: usize) -> f64 {
+    let cell = &w.mesh.cells[i];
+    let bend = 4.0 * cell.shear / (cell.length() * cell.length());
+    let terms = w.obstacle(i).into_iter().enumerate();
+    terms.map(|(j, c)| c.abs() * (cell.spring + bend * (j * j.saturating_sub(1)) as f64)).sum()
+}
+
+/// The unloaded ground over parts in a row, 0 where the first begins and 1 where the last ends, at every
+/// joint of two.
+fn shape<'a>(parts: impl Iterator<Item = &'a Part>, turned: bool) -> Vec<f64> {
+    let mut values = vec![0.0];
+    let (mut phi, mut flux) = (0.0, 1.0);
+    for part in parts {
+        [phi, flux] = part.cross(phi, flux, turned);
+        values.push(phi);
+    }
+    values.iter().map(|value| value / phi).collect()
+}
+
+/// Gauss's rule with sixteen points, \[−1, 1\]: exact to degree 31, a cell's series and the ground's shape.
+/// Abramowitz and Stegun (1964), table 25.4.
+const GAUSS: [(f64, f64); 8] = [
+    (0.095_012_509_837_637_44, 0.189_450_610_455_068_5),
+    (0.281_603_550_779_258_9, 0.182_603_415_044_923_58),
+    (0.458_016_777_657_227_37, 0.169_156_519_395_002_54),
+    (0.617_876_244_402_643_8, 0.149_595_988_816_576_74),
+    (0.755_404_408_355_003, 0.124_628_971_255_533_88),
+    (0.865_631_202_387_831_8, 0.095_158_511_682_492_79),
+    (0.944_575_023_073_232_6, 0.062_253_523_938_647_894),
+    (0.989_400_934_991_649_9, 0.027_152_459_411_754_096),
+];
