@@ -1,6 +1,9 @@
 //! Random models that have an equilibrium, from both ends of every parameter.
 
-use groundbeam::{Beam, Foundation, Load, Model, Profile, Support, Verdict, exists};
+use groundbeam::{
+    Beam, FirstLiftOff, Foundation, Load, LoadFactors, Model, Profile, Support, Verdict, exists,
+    load_factors,
+};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -27,11 +30,13 @@ pub enum Family {
     Mixed,
     /// Stiffness and ground that run from one value to another, with some of all the rest.
     Varying,
+    /// All of it at its worst: λl up to 10⁴, up to a hundred loads, some pulling, resultants near an end.
+    Extreme = 20,
 }
 
 impl Family {
     /// Every family.
-    pub const ALL: [Family; 10] = [
+    pub const ALL: [Family; 11] = [
         Family::Plain,
         Family::Tension,
         Family::Segments,
@@ -42,6 +47,7 @@ impl Family {
         Family::Long,
         Family::Mixed,
         Family::Varying,
+        Family::Extreme,
     ];
 }
 
@@ -96,8 +102,9 @@ impl<R: Rng> Dice<'_, R> {
 
 fn draw(family: Family, rng: &mut impl Rng) -> Model {
     let dice = &mut Dice(rng);
-    let mixed = family == Family::Mixed;
-    let hard = family == Family::Hard;
+    let extreme = family == Family::Extreme;
+    let mixed = extreme || family == Family::Mixed;
+    let hard = extreme || family == Family::Hard;
     let varying = family == Family::Varying;
     let length = dice.decades(-1.0, 2.0);
     let k = dice.decades(-2.0, 2.0);
@@ -105,6 +112,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     let lambda_l = match family {
         Family::Hard => dice.decades(-2.0, 3.0),
         Family::Long => dice.decades(1.0, 2.0),
+        Family::Extreme => dice.decades(-2.0, 4.0),
         _ => dice.decades(-1.0, 1.5),
     };
     let stiffness = 0.25 * k * (length / lambda_l).powi(4);
@@ -112,7 +120,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     let shear = match family {
         Family::Winkler => 0.0,
         _ if mixed && dice.happens(0.2) => 0.0,
-        Family::Hard => (k * stiffness).sqrt() * dice.decades(-4.0, 3.0),
+        Family::Hard | Family::Extreme => (k * stiffness).sqrt() * dice.decades(-4.0, 3.0),
         _ => (k * stiffness).sqrt() * dice.decades(-2.0, 1.5),
     };
     let mut beam = Beam::uniform(length, stiffness);
@@ -184,6 +192,9 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     // A moment on a beam a hundred waves long would lift it by 10⁶ times its settlement and more.
     if hard && lambda_l < 30.0 {
         bring_to_the_edge(&mut model, dice);
+    }
+    if extreme && dice.happens(0.2) {
+        bring_to_lift_off(&mut model, dice);
     }
     model
 }
@@ -258,6 +269,7 @@ fn load<R: Rng>(model: &mut Model, family: Family, lambda_l: f64, dice: &mut Dic
     let l = model.beam.length;
     let count = match family {
         Family::Long => 10 + dice.up_to(90),
+        Family::Extreme if dice.happens(0.5) => 10 + dice.up_to(90),
         _ => 1 + dice.up_to(5),
     };
     for _ in 0..count {
@@ -265,13 +277,14 @@ fn load<R: Rng>(model: &mut Model, family: Family, lambda_l: f64, dice: &mut Dic
         match dice.up_to(9) {
             0..=5 => {
                 let force = dice.even(0.2, 2.0);
-                let up = if family == Family::Long { 0.2 } else { 0.15 };
+                let up = if matches!(family, Family::Long | Family::Extreme) { 0.2 } else { 0.15 };
                 let sign = if dice.happens(up) { -0.4 } else { 1.0 };
                 model.loads.push(Load::point(sign * force, at));
             }
             6 => {
                 let arm: f64 = if family == Family::Long { 0.01 } else { 0.2 };
-                let arm = if family == Family::Hard { arm.min(1.0 / lambda_l) } else { arm };
+                let hard = matches!(family, Family::Hard | Family::Extreme);
+                let arm = if hard { arm.min(1.0 / lambda_l) } else { arm };
                 model.loads.push(Load::moment(dice.even(-1.0, 1.0) * arm * l, at));
             }
             kind => {
@@ -313,4 +326,19 @@ fn bring_to_the_edge<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     let moment = wanted - existence.static_reactions[1] * l;
     let at = dice.place() * l;
     model.loads.push(Load::moment(moment, at));
+}
+
+/// Adds an even load, and the rest at a factor next to the one at which the beam first leaves the ground.
+fn bring_to_lift_off<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
+    let (l, own) = (model.beam.length, model.loads.len());
+    let size: f64 = model.loads.iter().map(|load| size_of(load, l)).sum();
+    model.loads.push(Load::uniform(size / l * dice.decades(-1.0, 1.0), 0.0, l));
+    let found = load_factors(model, |load| load < own);
+    if let Ok(LoadFactors { first_lift_off: FirstLiftOff::At { factor, .. }, .. }) = found {
+        let beside = dice.decades(-12.0, -2.0);
+        let factor = factor * if dice.happens(0.5) { 1.0 + beside } else { 1.0 - beside };
+        for load in &mut model.loads[..own] {
+            *load = load.scaled(factor);
+        }
+    }
 }

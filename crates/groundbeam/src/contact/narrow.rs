@@ -18,8 +18,8 @@ use crate::polynomial::value;
 
 /// The most cells a narrow joint reaches into; three are a gap and the cells beside it.
 const MOST_CELLS: usize = 4;
-/// The longest joint in wave lengths √(μ/k) of the ground.
-const LONGEST: f64 = 1.0;
+/// The longest joint in wave lengths √(μ/k) of the ground: beyond, the differences keep twelve digits.
+const LONGEST: f64 = 0.03;
 
 /// A part of a cell with what the ground needs there.
 struct Part {
@@ -68,16 +68,31 @@ impl Part {
         [cosh * phi + sinh / stiffness * flux, stiffness * sinh * phi + cosh * flux]
     }
 
-    /// The unloaded ground between two values at a fraction t of the part.
-    fn between(&self, ends: [f64; 2]) -> impl Fn(f64) -> f64 {
-        let length = self.length;
-        let series = self.varying.as_ref().map(|(cell, half, _)| {
-            settled(&cell.spring_course(), &cell.shear_course(), *half, ends)
-        });
-        move |t| match &series {
-            Some(c) => value(c, 2.0 * t - 1.0),
-            None => between(ends[0], ends[1], length, t),
+    /// ∫π over the part, its half length being 1, under the ground that is 1 at its left and at its right end.
+    fn under(&self, pi: &[f64]) -> [f64; 2] {
+        let at = |t: f64| value(pi, self.from + t * (self.to - self.from));
+        let mut under = [0.0; 2];
+        if let Some((cell, half, _)) = &self.varying {
+            let (spring, shear) = (cell.spring_course(), cell.shear_course());
+            let shapes = [[1.0, 0.0], [0.0, 1.0]].map(|ends| settled(&spring, &shear, *half, ends));
+            for (x, weight) in GAUSS {
+                for s in [-x, x] {
+                    let p = weight * at(0.5 * (1.0 + s));
+                    under[0] += p * value(&shapes[0], s);
+                    under[1] += p * value(&shapes[1], s);
+                }
+            }
+            return under;
         }
+        for (x, weight) in GAUSS {
+            let t = 0.5 - 0.5 * x;
+            let near = between(0.0, 1.0, self.length, t);
+            let far = between(1.0, 0.0, self.length, t);
+            let [p, q] = [t, 1.0 - t].map(at);
+            under[0] += weight * (p * far + q * near);
+            under[1] += weight * (p * near + q * far);
+        }
+        under
     }
 }
 
@@ -122,15 +137,9 @@ pub(super) fn end_forces(w: &Deflection, [a, b]: [Spot; 2]) -> Option<[f64; 2]> 
         if part.to > part.from {
             let pi = w.pressure(part.cell);
             let half = 0.5 * length(w, part);
-            let [shape_a, shape_b] = [phi_a, phi_b].map(|ends| part.between(ends));
-            for (t, weight) in GAUSS {
-                for t in [0.5 - 0.5 * t, 0.5 + 0.5 * t] {
-                    let s = part.from + t * (part.to - part.from);
-                    let p = half * weight * value(&pi, s);
-                    forces[0] += p * shape_a(t);
-                    forces[1] += p * shape_b(t);
-                }
-            }
+            let under = part.under(&pi);
+            forces[0] += half * (phi_a[0] * under[0] + phi_a[1] * under[1]);
+            forces[1] += half * (phi_b[0] * under[0] + phi_b[1] * under[1]);
         }
     }
     Some(forces)
