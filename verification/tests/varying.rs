@@ -1,8 +1,9 @@
 //! Stiffness and ground that vary along a segment, held against what they must agree with.
 
+use groundbeam::model::Part;
 use groundbeam::{
-    Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Profile, Side, Solution,
-    own_buckling_load, solve, solve_with,
+    Beam, Error, Field, Foundation, Load, Method, Model, NodalSolution, NodalSolver, Options,
+    Outcome, Profile, Side, Solution, own_buckling_load, solve, solve_with,
 };
 
 fn exact(model: &Model) -> Solution {
@@ -215,4 +216,12 @@ fn the_fields_are_each_others_derivatives() {
     let b = (spring().end() / shear().end()).sqrt();
     let ratio = solution.settlement(4.7) / solution.settlement(4.0);
     assert!((ratio - (-0.7 * b).exp()).abs() < 1e-15);
+}
+
+#[test]
+fn answers_at_nodes_alone_are_refused() {
+    let refused =
+        NodalSolver::new().solve_into(&smooth(shear()), 100, &mut NodalSolution::default());
+    let Err(Error::Unsupported(problem)) = refused else { panic!("{refused:?}") };
+    assert_eq!((problem.code, problem.part), ("GB605", Part::BeamSegment(0)));
 }

@@ -80,4 +80,6 @@ pub const CODES: &[Code] = &[
     while_solving("GB601", "compression on a beam that its supports leave free"),
     while_solving("GB602", "the compression exceeds the beam's own buckling load"),
     while_solving("GB603", "concentrated pressures need a shear layer"),
+    while_solving("GB604", "answers at nodes alone are for beams without supports"),
+    while_solving("GB605", "answers at nodes alone are for segments along which nothing varies"),
 ];

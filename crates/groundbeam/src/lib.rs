@@ -36,6 +36,7 @@ mod existence;
 mod factors;
 mod ground;
 mod mesh;
+mod nodal;
 mod polynomial;
 mod solution;
 mod solve;
@@ -51,6 +52,7 @@ pub use model::{
     Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, Load, Model, Profile, Support,
     SupportKind,
 };
+pub use nodal::{NodalCheck, NodalSolution, NodalSolver, Work};
 pub use solution::{
     ConcentratedForce, ContactRegion, EndForces, Extreme, Field, Fields, LiftOff, Range, Reaction,
     Side, Solution,

@@ -11,7 +11,8 @@ pub(crate) fn value(c: &[f64], s: f64) -> f64 {
 /// f(s), f'(s), f''(s), f'''(s), all with respect to s.
 pub(crate) fn jet(c: &[f64], s: f64) -> [f64; 4] {
     let (mut f, mut d1, mut d2, mut d3) = (0.0, 0.0, 0.0, 0.0);
-    for &a in c.iter().rev() {
+    // A beam off the ground is a short polynomial.
+    for &a in c.iter().rev().skip_while(|&&a| a == 0.0) {
         d3 = d3 * s + d2;
         d2 = d2 * s + d1;
         d1 = d1 * s + f;

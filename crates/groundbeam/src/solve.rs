@@ -272,7 +272,7 @@ fn stands_on_an_end(model: &Model, existence: Existence) -> bool {
 }
 
 /// The part of the model that gives ground without a shear layer under the beam.
-fn without_shear_layer(model: &Model) -> Option<Part> {
+pub(crate) fn without_shear_layer(model: &Model) -> Option<Part> {
     let ground = &model.foundation;
     let mesh = Mesh::build(model, &[], |_| 1);
     let cell = mesh.cells.iter().find(|cell| cell.shear == 0.0)?;

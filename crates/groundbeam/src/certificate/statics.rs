@@ -164,6 +164,13 @@ pub(super) fn size(model: &Model) -> f64 {
     sizes.sum()
 }
 
+/// The loads that are spread.
+pub(super) fn spread(model: &Model) -> Vec<Load> {
+    let is_spread =
+        |load: &&Load| matches!(load, Load::Distributed { .. } | Load::DistributedMoment { .. });
+    model.loads.iter().filter(is_spread).copied().collect()
+}
+
 /// f and g on a piece: value at the middle and half the rise.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct SpreadLoad {
@@ -172,10 +179,10 @@ pub(super) struct SpreadLoad {
 }
 
 impl SpreadLoad {
-    pub fn on(model: &Model, x: [f64; 2]) -> Self {
+    pub fn on(loads: &[Load], x: [f64; 2]) -> Self {
         let middle = 0.5 * (x[0] + x[1]);
         let mut sum = SpreadLoad::default();
-        for load in &model.loads {
+        for load in loads {
             let (Load::Distributed { from, to, start, end }
             | Load::DistributedMoment { from, to, start, end }) = *load
             else {

@@ -17,6 +17,7 @@ use super::deflection::{Deflection, Zone};
 use super::descent::shorten;
 use super::layout::Layout;
 use super::majorant;
+use super::near;
 use super::nested;
 use super::stretches::{Stretch, distance, positions, zones_of};
 use crate::chain::{Chain, ChainCell, Loose};
@@ -33,6 +34,8 @@ const REFINEMENTS: u32 = 5;
 /// Newton steps from one start, and for a beam that only gives the next one its start.
 const MOST_STEPS: usize = 200;
 const STAGE_STEPS: usize = 100;
+/// The same from edges that are known to be near: if it takes more, they are not.
+const NEAR_STEPS: usize = 24;
 /// The most wave lengths of the beam between two nodes of the model on the first coarse mesh.
 const MOST_WAVES: f64 = 32.0;
 /// The last move of an edge, relative to the beam's length, of a beam that only gives the next its start.
@@ -46,6 +49,8 @@ const STIFFER: f64 = 2.0;
 
 /// Steps after which the certificate is asked whether the edges' last digits matter.
 const PATIENCE: usize = 4;
+/// How often that, whatever the steps do, before the certificate's answer is good enough.
+const ROUNDS: usize = 12;
 
 /// What the certificate must show.
 #[derive(Debug, Clone, Copy)]
@@ -55,6 +60,15 @@ pub(crate) struct Proof {
     /// The largest violation of balance, signs and complementarity. An edge that is off by δ leaves pδ
     /// unbalanced.
     pub violation: f64,
+}
+
+/// What a row of Newton steps is for.
+#[derive(Debug, Clone, Copy)]
+enum Goal {
+    /// The answer, in so many steps at most.
+    Answer(usize),
+    /// A start for the next, softer beam.
+    Start,
 }
 
 /// How far from an end the resultant stands whose limit is taken, as a part of the length.
@@ -71,11 +85,16 @@ pub(crate) fn solve(
     model: &Model,
     proven: impl Fn(&Found, Proof) -> bool,
 ) -> Result<Found, Stalled> {
+    if let Some(stretches) = near::edges(model)
+        && let Ok(found) = from_edges(model, &stretches, &proven)
+    {
+        return Ok(found);
+    }
     let mut last = Stalled::default();
     let mut iterations = 0;
     for level in 0..=REFINEMENTS {
         let start = coarse(model, level);
-        let found = start.and_then(|start| refine(model, start, MOST_STEPS, &proven));
+        let found = start.and_then(|start| refine(model, start, Goal::Answer(MOST_STEPS), &proven));
         match found {
             Ok(found) => return Ok(found),
             Err(stalled) => {
@@ -85,6 +104,20 @@ pub(crate) fn solve(
         }
     }
     Err(Stalled { iterations, ..last })
+}
+
+/// From the beam glued to the ground on given stretches. Where it asks for just these, it is the answer.
+fn from_edges(
+    model: &Model,
+    stretches: &[Stretch],
+    proven: &impl Fn(&Found, Proof) -> bool,
+) -> Result<Found, Stalled> {
+    let (found, zones) = glued(model, stretches, None).map_err(|Loose| unsettled(0, f64::NAN))?;
+    if positions(&found.mesh, &zones, &[]) == stretches {
+        let history = vec![Step { zones: stretches.len(), step: 1.0, decrement: 0.0 }];
+        return Ok(Found { history, ..found });
+    }
+    refine(model, Found { zones, ..found }, Goal::Answer(NEAR_STEPS), proven)
 }
 
 /// A deflection to start from: on a coarse mesh, for a beam so stiff that the mesh sees its waves, and
@@ -112,7 +145,7 @@ fn coarse(model: &Model, level: u32) -> Result<Found, Stalled> {
     let meshes = nested::coarse_meshes(&stiffest, per_wave);
     let mut found = nested::solve(meshes, Pressure::Distributed, CLOSE)?;
     for stage in (1..=stages).rev() {
-        found = refine(&stiffer(stage), found, STAGE_STEPS, &|_, _| false)?;
+        found = refine(&stiffer(stage), found, Goal::Start, &|_, _| false)?;
     }
     Ok(found)
 }
@@ -157,17 +190,21 @@ pub(crate) fn solve_balanced(
 fn refine(
     model: &Model,
     mut start: Found,
-    most_steps: usize,
+    goal: Goal,
     proven: &impl Fn(&Found, Proof) -> bool,
 ) -> Result<Found, Stalled> {
-    let rough = most_steps < MOST_STEPS;
+    let (rough, most_steps) = match goal {
+        Goal::Answer(most_steps) => (false, most_steps),
+        Goal::Start => (true, STAGE_STEPS),
+    };
     let places: Vec<f64> = Mesh::build(model, &[], |_| 1).nodes.iter().map(|n| n.x).collect();
     let mut stretches = positions(&start.mesh, &start.zones, &places);
     let mut history = std::mem::take(&mut start.history);
     let l = model.beam.length;
     let mut moved = f64::INFINITY;
-    // Steps in a row that did not halve the move.
+    // Steps in a row that did not halve the move, and whether all have so far.
     let mut idle = 0;
+    let mut shrinks = true;
     // The deflection that asked for the stretches, and the last that equilibrium made.
     let mut now = start;
     let mut last: Option<Found> = None;
@@ -189,14 +226,14 @@ fn refine(
         if rough && moved <= ROUGH {
             return Ok(Found { history, zones, ..found });
         }
-        idle = if moved <= 0.5 * before && moved.is_finite() { 0 } else { idle + 1 };
-        let proof = if idle > PATIENCE { ENOUGH } else { PROVEN };
+        let halved = moved <= 0.5 * before && moved.is_finite();
+        idle = if halved { 0 } else { idle + 1 };
+        let proof = if idle > PATIENCE || step > ROUNDS * PATIENCE { ENOUGH } else { PROVEN };
         if settled || (step >= PATIENCE && proven(&found, proof)) {
             return Ok(Found { history, ..found });
         }
-        // Steps that shrink end by themselves; of others the energy decides how far they go.
-        let shrinks =
-            moved <= 0.5 * before && (before.is_finite() || (moved.is_finite() && step < 2));
+        // Steps that shrink end by themselves. Once one has not, the energy decides how far each goes.
+        shrinks &= halved && (before.is_finite() || step < 2);
         let mut between = None;
         if !shrinks && moved > LOCAL {
             let shortened = shorten(model, &now, &found);
@@ -238,7 +275,10 @@ pub(crate) fn glued(
 ) -> Result<(Found, Vec<Zone>), Loose> {
     let axial = model.beam.axial_force;
     let edges: Vec<f64> = stretches.iter().flatten().copied().collect();
-    let touches = |x: f64| stretches.iter().any(|s| s[0] < x && x < s[1]);
+    let touches = |x: f64| {
+        let next = stretches.partition_point(|s| s[1] <= x);
+        stretches.get(next).is_some_and(|s| s[0] < x)
+    };
     let touch = |cell: &Cell| {
         if touches(0.5 * (cell.x[0] + cell.x[1])) { Touch::Contact } else { Touch::Open }
     };

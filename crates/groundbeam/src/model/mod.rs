@@ -70,6 +70,14 @@ impl Model {
         self
     }
 
+    /// The first segment along which stiffness or ground varies.
+    pub(crate) fn varying_part(&self) -> Option<Part> {
+        let ground = &self.foundation.segments;
+        let beam = self.beam.segments.iter().position(|s| !s.bending_stiffness.is_constant());
+        let below = ground.iter().position(|s| !(s.spring.is_constant() && s.shear.is_constant()));
+        beam.map(Part::BeamSegment).or(below.map(Part::FoundationSegment))
+    }
+
     /// The model seen in a mirror: what was at x is at l − x.
     pub fn mirrored(&self) -> Self {
         let l = self.beam.length;

@@ -88,6 +88,32 @@ impl Problem {
         )
     }
 
+    /// Values at nodes are for beams that the ground alone holds.
+    pub(crate) fn nodal_with_supports() -> Self {
+        Problem::new(
+            "GB604",
+            Part::Support(0),
+            "at",
+            "a beam solved for its nodes alone cannot have supports",
+            "use the method `exact` or `active-set`",
+        )
+    }
+
+    /// Rows of equal elements need one stiffness and one ground each.
+    pub(crate) fn nodal_where_it_varies(part: Part) -> Self {
+        let field = match part {
+            Part::BeamSegment(_) => "bending_stiffness",
+            _ => "spring",
+        };
+        Problem::new(
+            "GB605",
+            part,
+            field,
+            "a beam solved for its nodes alone cannot vary along a segment",
+            "use the method `exact` or `active-set`, or many segments with a constant each",
+        )
+    }
+
     fn with_numbers(mut self, numbers: &[f64]) -> Self {
         self.numbers = numbers.to_vec();
         self

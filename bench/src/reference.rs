@@ -1,0 +1,257 @@
+//! The discrete problem in twice the digits, by another road: stiffnesses in (w, θ, u), block elimination.
+//!
+//! For a given set of nodes that touch, the glued system is solved as any textbook does it, and then every
+//! sign is looked at: no force pulls, and the beam lies nowhere below the ground. If all are right the set is the right one, whoever proposed it, since the problem is convex.
+
+use crate::quad::Quad;
+use groundbeam::{Load, Model};
+
+/// What came out.
+pub struct Reference {
+    pub deflection: Vec<f64>,
+    pub force: Vec<f64>,
+    /// The smallest force over the largest, and the deepest w − u over the largest w.
+    pub smallest_force: f64,
+    pub deepest: f64,
+}
+
+/// Equal elements in a row: position, first node, count, length.
+pub type Row = (f64, usize, usize, f64);
+
+type Block = [[Quad; 3]; 3];
+
+/// Solves a model of one EI, k, μ and point or even loads, with contact at the given nodes (all of them if
+/// it is bonded).
+pub fn solve(model: &Model, rows: &[Row], contact: &[[usize; 2]]) -> Reference {
+    let last = rows.last().map_or(0, |row| row.1 + row.2);
+    let loads = all_loads(model, rows);
+    let touches = {
+        let mut touches = vec![false; last + 1];
+        contact.iter().for_each(|&[a, b]| touches[a..=b].fill(true));
+        touches
+    };
+    // Unknowns of node i: (w, θ, u), where it touches u = w and the third is left out.
+    let mut diagonal = vec![[[Quad::default(); 3]; 3]; last + 1];
+    let mut beside = vec![[[Quad::default(); 3]; 3]; last];
+    let outside = root(Quad::from(model.foundation.spring) * Quad::from(model.foundation.shear));
+    let mut ground: Vec<[Quad; 2]> = Vec::with_capacity(last);
+    for &(_, first, count, h) in rows {
+        let h = Quad::from(h);
+        let (near, far, links) = element(model, h);
+        for i in first..first + count {
+            let to = |k: &mut Block, from: &[[Quad; 2]; 2]| {
+                for a in 0..2 {
+                    for b in 0..2 {
+                        k[a][b] = k[a][b] + from[a][b];
+                    }
+                }
+            };
+            to(&mut diagonal[i], &near);
+            to(&mut diagonal[i + 1], &mirror(&near));
+            to(&mut beside[i], &far);
+            ground.push(links);
+        }
+    }
+    // The ground on w where it touches, on u where it does not.
+    let which = |i: usize| if touches[i] { 0 } else { 2 };
+    let add = |to: &mut Quad, x: Quad| *to = *to + x;
+    for i in 0..last {
+        let [leak, coupling] = ground[i];
+        for j in [i, i + 1] {
+            add(&mut diagonal[j][which(j)][which(j)], leak + coupling);
+        }
+        add(&mut beside[i][which(i)][which(i + 1)], -coupling);
+    }
+    for i in [0, last] {
+        add(&mut diagonal[i][which(i)][which(i)], outside);
+    }
+    let one = Quad::from(1.0);
+    for (i, touches) in touches.iter().enumerate() {
+        if *touches {
+            diagonal[i][2][2] = one;
+        }
+    }
+    let x = eliminate(&mut diagonal, &beside, &loads);
+    let u = |i: usize| x[i][which(i)];
+    let force = |i: usize| {
+        let mut p = Quad::default();
+        if i > 0 {
+            let [leak, coupling] = ground[i - 1];
+            p = p + leak * u(i) + coupling * (u(i) - u(i - 1));
+        }
+        if i < last {
+            let [leak, coupling] = ground[i];
+            p = p + leak * u(i) + coupling * (u(i) - u(i + 1));
+        }
+        if i == 0 || i == last { p + outside * u(i) } else { p }
+    };
+    let all: Vec<f64> =
+        (0..=last).map(|i| if touches[i] { force(i).double() } else { 0.0 }).collect();
+    let w: Vec<f64> = x.iter().map(|x| x[0].double()).collect();
+    let largest = |v: &[f64]| v.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let smallest = all.iter().copied().fold(0.0, f64::min) / largest(&all);
+    let deepest = x.iter().enumerate().filter(|(i, _)| !touches[*i]);
+    let deepest = deepest.map(|(_, x)| (x[0] - x[2]).double()).fold(0.0, f64::max) / largest(&w);
+    Reference { smallest_force: smallest, deepest, deflection: w, force: all }
+}
+
+/// Block elimination from left to right: LDLᵗ with blocks of three.
+fn eliminate(diagonal: &mut [Block], beside: &[Block], loads: &[[Quad; 2]]) -> Vec<[Quad; 3]> {
+    let zero = Quad::default();
+    let n = diagonal.len();
+    let mut x: Vec<[Quad; 3]> = loads.iter().map(|l| [l[0], l[1], zero]).collect();
+    for i in 1..n {
+        // D'ᵢ = Dᵢ − Bᵗ D⁻¹ B.
+        let solved = solve_block(&diagonal[i - 1], &beside[i - 1], &x[i - 1]);
+        for a in 0..3 {
+            for m in 0..3 {
+                let b = beside[i - 1][m][a];
+                for c in 0..3 {
+                    diagonal[i][a][c] = diagonal[i][a][c] - b * solved[m][c];
+                }
+                x[i][a] = x[i][a] - b * solved[m][3];
+            }
+        }
+    }
+    let nothing = [[zero; 3]; 3];
+    for i in (0..n).rev() {
+        let mut rhs = x[i];
+        if i + 1 < n {
+            for a in 0..3 {
+                for m in 0..3 {
+                    rhs[a] = rhs[a] - beside[i][a][m] * x[i + 1][m];
+                }
+            }
+        }
+        let solved = solve_block(&diagonal[i], &nothing, &rhs);
+        x[i] = [solved[0][3], solved[1][3], solved[2][3]];
+    }
+    x
+}
+
+/// D⁻¹ (B, r).
+fn solve_block(d: &Block, b: &Block, r: &[Quad; 3]) -> [[Quad; 4]; 3] {
+    let mut a = *d;
+    let mut x: [[Quad; 4]; 3] = std::array::from_fn(|i| [b[i][0], b[i][1], b[i][2], r[i]]);
+    for p in 0..3 {
+        for i in p + 1..3 {
+            let factor = a[i][p] / a[p][p];
+            for j in p..3 {
+                a[i][j] = a[i][j] - factor * a[p][j];
+            }
+            for j in 0..4 {
+                x[i][j] = x[i][j] - factor * x[p][j];
+            }
+        }
+    }
+    for p in (0..3).rev() {
+        for j in 0..4 {
+            let mut sum = x[p][j];
+            for i in p + 1..3 {
+                sum = sum - a[p][i] * x[i][j];
+            }
+            x[p][j] = sum / a[p][p];
+        }
+    }
+    x
+}
+
+/// The beam's stiffness at an element's left end, between its ends, and the ground's leak and coupling.
+///
+/// With t = P h²/EI and cₙ = Σ tⁱ/(2i + n)!, w = w₀ + θ₀ x + A x²c₂ + B x³c₃: one formula for tension, none
+/// and compression.
+fn element(model: &Model, h: Quad) -> ([[Quad; 2]; 2], [[Quad; 2]; 2], [Quad; 2]) {
+    let q = Quad::from;
+    let ei = q(model.beam.bending_stiffness);
+    let t = q(model.beam.axial_force) * h * h / ei;
+    let (c1, c2, c3) = (stumpff(t, 1), stumpff(t, 2), stumpff(t, 3));
+    let d = c2 * c2 - c1 * c3;
+    let (h2, h3) = (h * h, h * h * h);
+    let kww = ei / h3 * (c1 / d);
+    let kwt = ei / h2 * (c2 / d);
+    let ktt = ei / h * ((c2 - c3) / d);
+    // θ–θ across: from equilibrium of moments, V h + M + M' + P (w' − w) = 0 for w = w' = 0, θ = 1.
+    let across = kwt * h - ktt;
+    let near = [[kww, kwt], [kwt, ktt]];
+    let far = [[-kww, kwt], [-kwt, across]];
+    let (k, mu) = (q(model.foundation.spring), q(model.foundation.shear));
+    let z2 = k * h * h / mu;
+    // √(kμ)/sinh z = (μ/h)/c₁(z²); √(kμ) tanh(z/2) = k h c₂/c₁.
+    let (s1, s2) = (stumpff(z2, 1), stumpff(z2, 2));
+    (near, far, [k * h * s2 / s1, mu / h / s1])
+}
+
+/// Σ tⁱ/(2i + n)!.
+fn stumpff(t: Quad, n: u32) -> Quad {
+    let mut term = Quad::from(1.0);
+    for i in 1..=n {
+        term = term / Quad::from(f64::from(i));
+    }
+    let mut sum = term;
+    for i in 1..30 {
+        let m = f64::from(2 * i + n);
+        term = term * t / Quad::from(m * (m - 1.0));
+        sum = sum + term;
+    }
+    sum
+}
+
+fn mirror(k: &[[Quad; 2]; 2]) -> [[Quad; 2]; 2] {
+    [[k[0][0], -k[0][1]], [-k[1][0], k[1][1]]]
+}
+
+/// Forces and moments at the nodes, of all loads.
+fn all_loads(model: &Model, rows: &[Row]) -> Vec<[Quad; 2]> {
+    let last = rows.last().map_or(0, |row| row.1 + row.2);
+    let (mut at_nodes, even) = loads(model, rows, last);
+    for &(_, first, count, h) in rows {
+        let [w, m] = even_load(model, even, Quad::from(h));
+        for i in first..first + count {
+            at_nodes[i] = [at_nodes[i][0] + w, at_nodes[i][1] + m];
+            at_nodes[i + 1] = [at_nodes[i + 1][0] + w, at_nodes[i + 1][1] - m];
+        }
+    }
+    at_nodes
+}
+
+/// The same as doubles: forces, moments.
+pub fn nodal_loads(model: &Model, rows: &[Row]) -> [Vec<f64>; 2] {
+    let all = all_loads(model, rows);
+    [0, 1].map(|i| all.iter().map(|load| load[i].double()).collect())
+}
+
+/// Forces and moments at the nodes, and the even load along the whole beam.
+fn loads(model: &Model, rows: &[Row], last: usize) -> (Vec<[Quad; 2]>, f64) {
+    let mut at_nodes = vec![[Quad::default(); 2]; last + 1];
+    let mut even = 0.0;
+    let node = |x: f64| rows.iter().find(|row| row.0 >= x * (1.0 - 1e-12)).map_or(last, |r| r.1);
+    for load in &model.loads {
+        match *load {
+            Load::PointForce { at, force } => {
+                at_nodes[node(at)][0] = at_nodes[node(at)][0] + Quad::from(force);
+            }
+            Load::PointMoment { at, moment } => {
+                at_nodes[node(at)][1] = at_nodes[node(at)][1] + Quad::from(moment);
+            }
+            Load::Distributed { start, .. } => even += start,
+            Load::DistributedMoment { .. } => {}
+        }
+    }
+    (at_nodes, even)
+}
+
+/// What an even load does to an element's left end, clamped at both ends: half of it, and the moment.
+fn even_load(model: &Model, f: f64, h: Quad) -> [Quad; 2] {
+    let q = Quad::from;
+    let t = q(model.beam.axial_force) * h * h / q(model.beam.bending_stiffness);
+    let (c1, c2, c3, c4) = (stumpff(t, 1), stumpff(t, 2), stumpff(t, 3), stumpff(t, 4));
+    let d = c2 * c2 - c1 * c3;
+    let moment = q(f) * h * h * ((c2 * c4 - c3 * c3) / d);
+    [q(f) * h * q(0.5), -moment]
+}
+
+fn root(x: Quad) -> Quad {
+    let guess = Quad::from(x.double().sqrt());
+    let better = (guess + x / guess) * Quad::from(0.5);
+    (better + x / better) * Quad::from(0.5)
+}

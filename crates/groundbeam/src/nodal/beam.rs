@@ -1,0 +1,153 @@
+//! The beam between two nodes, off the ground, in closed form.
+//!
+//! With x = h s and t = P h²/EI, EI w⁗ − P w″ = f − g' has the solutions
+//!
+//! w = w₀ + hθ₀ s + A s²c₂ + B s³c₃ + F₀ s⁴c₄ + F₁ s⁵c₅, cₙ = Σ (t s²)ⁱ/(2i + n)!,
+//!
+//! F₀ and F₁ those of (f − g')h⁴/EI at the left end and its rise. The same series serve tension and none.
+
+use crate::mesh::Cell;
+
+/// How long a beam may be for the series, as a part of 1/√(P/EI).
+pub(super) const REACH: f64 = 1.0;
+
+/// Coefficients of w(s): the first one left out is below 1/18! of the sum.
+pub(super) const TERMS: usize = 18;
+
+/// A beam, and what acts on it.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Beam {
+    /// h.
+    pub length: f64,
+    /// EI/h³.
+    stiffness: f64,
+    /// P h²/EI, and P/h.
+    t: f64,
+    tension: f64,
+    /// c₀ … c₅ at s = 1, and c₂² − c₁c₃.
+    c: [f64; 6],
+    determinant: f64,
+    /// F₀ and F₁.
+    load: [f64; 2],
+    /// ∫f, ∫(f x + g)/h, and g at the right end.
+    force: f64,
+    turn: f64,
+    moment_right: f64,
+}
+
+impl Beam {
+    /// The beam over a cell of the given length, with what acts there.
+    pub fn new(cell: &Cell, axial_force: f64, h: f64) -> Self {
+        let stiffness = cell.stiffness / (h * h * h);
+        let tension = axial_force / h;
+        let t = tension / stiffness;
+        let (mut c4, mut c5) = (1.0_f64 / 24.0, 1.0_f64 / 120.0);
+        let (mut even, mut odd) = (c4, c5);
+        let mut n = 4.0;
+        while even.abs() > 1e-20 * c4 && t != 0.0 {
+            even *= t / ((n + 1.0) * (n + 2.0));
+            odd *= t / ((n + 2.0) * (n + 3.0));
+            (c4, c5, n) = (c4 + even, c5 + odd, n + 2.0);
+        }
+        let (c2, c3) = (0.5 + t * c4, 1.0 / 6.0 + t * c5);
+        let (c0, c1) = (1.0 + t * c2, 1.0 + t * c3);
+        let ([f, f_right], [g, g_right]) = (cell.load, cell.moment_load);
+        Beam {
+            length: h,
+            stiffness,
+            t,
+            tension,
+            c: [c0, c1, c2, c3, c4, c5],
+            determinant: c2 * c2 - c1 * c3,
+            load: [(f - (g_right - g) / h) * h / stiffness, (f_right - f) * h / stiffness],
+            force: 0.5 * h * (f + f_right),
+            turn: h * (f / 6.0 + f_right / 3.0) + 0.5 * (g + g_right),
+            moment_right: g_right,
+        }
+    }
+
+    /// K for (hθ, d₁, h d₂): its entries θθ, θ1, θ2, 11, 12, 22.
+    pub fn stiffness(&self) -> [f64; 6] {
+        let e = self.stiffness / self.determinant;
+        let [_, c1, c2, c3, ..] = self.c;
+        [self.tension, self.tension, 0.0, e * c1, -e * c2, e * (c2 - c3)]
+    }
+
+    /// q for (w, hθ, d₁, h d₂): what a beam clamped at both ends would not take up.
+    pub fn load(&self) -> [f64; 4] {
+        let [c0, c1, c2, c3, c4, c5] = self.c;
+        let [f0, f1] = self.load;
+        let [a, b] = self.bends(-(f0 * c4 + f1 * c5), -(f0 * c3 + f1 * c4));
+        let bend = a * c0 + b * c1 + f0 * c2 + f1 * c3;
+        let third = self.t * a * c1 + b * c0 + f0 * c1 + f1 * c2;
+        let e = self.stiffness;
+        [self.force, self.turn, e * third + self.moment_right, -e * bend]
+    }
+
+    /// A and B of A c₂ + B c₃ = x, A c₁ + B c₂ = y.
+    fn bends(&self, x: f64, y: f64) -> [f64; 2] {
+        let [_, c1, c2, c3, ..] = self.c;
+        [(x * c2 - y * c3) / self.determinant, (y * c2 - x * c1) / self.determinant]
+    }
+
+    /// The coefficients of w(s), s ∈ \[0, 1\], for (w, θ, d₁, d₂).
+    pub fn unfold(&self, [w, theta, d1, d2]: [f64; 4]) -> [f64; TERMS] {
+        let [_, _, _, c3, c4, c5] = self.c;
+        let ([f0, f1], h) = (self.load, self.length);
+        let [a, b] = self.bends(d1 - (f0 * c4 + f1 * c5), h * d2 - (f0 * c3 + f1 * c4));
+        let mut c = [0.0; TERMS];
+        (c[0], c[1], c[2], c[3]) = (w, h * theta, 0.5 * a, b / 6.0);
+        (c[4], c[5]) = ((self.t * a + f0) / 24.0, (self.t * b + f1) / 120.0);
+        for j in 6..TERMS {
+            c[j] = c[j - 2] * self.t / (j * (j - 1)) as f64;
+        }
+        c
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cell::Varies;
+    use crate::elements::exact::ExactElement;
+    use crate::elements::{Operator, Touch};
+    use crate::polynomial::value;
+
+    /// The same beam by the power series about its middle.
+    #[test]
+    fn two_series_are_one_beam() {
+        let h = 0.7;
+        let cell = Cell {
+            x: [0.0, h],
+            stiffness: 2.0,
+            spring: 1.0,
+            shear: 1.0,
+            varies: Varies::default(),
+            load: [0.3, -0.8],
+            moment_load: [0.5, 0.1],
+            gap: [0.0; 2],
+            gap_slope: 0.0,
+        };
+        for tension in [0.0, 1e-3, 3.9] {
+            let beam = Beam::new(&cell, tension, h);
+            let exact = ExactElement::new(&Operator::of(&cell, tension, Touch::Open), h);
+            let (k, q) = (beam.stiffness(), beam.load());
+            let scale = [1.0, h, 1.0, h];
+            let at = |i: usize, j: usize| exact.element.stiffness[i][j] / (scale[i] * scale[j]);
+            let expected = [at(1, 1), at(1, 2), at(1, 3), at(2, 2), at(2, 3), at(3, 3)];
+            for (k, expected) in k.iter().zip(expected) {
+                assert!((k - expected).abs() < 1e-12 * at(2, 2), "{k} {expected}");
+            }
+            for i in 0..4 {
+                let expected = exact.element.load[i] / scale[i];
+                assert!((q[i] - expected).abs() < 1e-14, "{i}: {} {expected}", q[i]);
+            }
+            let v = [0.3, -0.2, 0.05, 0.4];
+            let (ours, (theirs, _)) = (beam.unfold(v), exact.unfold(&v));
+            for s in [0.0, 0.3, 1.0] {
+                let expected = value(&theirs, 2.0 * s - 1.0);
+                assert!((value(&ours, s) - expected).abs() < 1e-15, "{s}");
+            }
+        }
+    }
+}

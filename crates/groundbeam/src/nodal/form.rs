@@ -1,0 +1,75 @@
+//! How an element looks from its right end: what the sweep crosses.
+//!
+//! With θ times the element's length L as second unknown, x' = T x + d, T = \[\[1, 1\], \[0, 1\]\]. Seen
+//! from the right end, y = T⁻¹x' = (w' − Lθ', Lθ') is where the left end would be if the element were
+//! rigid, and e = y − x what its deformation makes of that: w = y₁ − e₁, Lθ = y₂ − e₂, w' − w = y₂ + e₁.
+
+use crate::ground::Link;
+
+/// An element's energy ½ᵗ(y₂, e) M (y₂, e) − q·(y₁, y₂, e₁, e₂), and the ground's springs under its ends.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Form {
+    /// L.
+    pub length: f64,
+    /// M: of y₂ with itself, with e₁, with e₂; and of e₁e₁, e₁e₂, e₂e₂.
+    pub m: [f64; 3],
+    pub e: [f64; 3],
+    /// q on the first element of a run, and what it grows by from one to the next. The fifth is the force
+    /// of the springs at the left end, the sixth that at the right end.
+    pub q: [f64; 6],
+    pub dq: [f64; 6],
+    /// Springs under the left and the right end.
+    pub leak: [f64; 2],
+    /// The spring between them, and the force in it while w' = w.
+    pub coupling: f64,
+    pub rise: f64,
+}
+
+impl Form {
+    /// A beam without its ground, of its length, its K for (Lθ, d₁, L d₂) and its q for (w, Lθ, d₁, L d₂).
+    pub fn beam(length: f64, stiffness: [f64; 6], load: [f64; 4]) -> Self {
+        let [tt, t1, t2, d11, d12, d22] = stiffness;
+        let [qw, qt, q1, q2] = load;
+        Form {
+            length,
+            m: [tt, t1, t1 + t2 - tt],
+            e: [d11, d11 + d12 - t1, d11 + 2.0 * d12 + d22 - 2.0 * (t1 + t2) + tt],
+            q: [qw, qt, q1 - qw, q1 + q2 - qt, 0.0, 0.0],
+            ..Form::default()
+        }
+    }
+
+    /// Adds ground under it that is open between its ends, where g₀ is `gap`.
+    pub fn on(mut self, link: Link, gap: [f64; 2]) -> Self {
+        // ½ c (w' − w − rise)².
+        let (c, rise) = (link.coupling, gap[1] - gap[0]);
+        self.m[0] += c;
+        self.m[1] += c;
+        self.e[0] += c;
+        self.q[1] += c * rise;
+        self.q[2] += c * rise;
+        (self.coupling, self.rise) = (c, c * rise);
+        self.leak = [link.leak_left, link.leak_right];
+        (self.q[4], self.q[5]) = (link.leak_left * gap[0], link.leak_right * gap[1]);
+        self
+    }
+
+    /// The first of `count` elements, the last of which is `last`.
+    pub fn towards(mut self, last: &Form, count: usize) -> Self {
+        if count > 1 {
+            let steps = (count - 1) as f64;
+            self.dq = std::array::from_fn(|i| (last.q[i] - self.q[i]) / steps);
+        }
+        self
+    }
+
+    /// Whether all elements of its row are loaded alike.
+    pub fn is_even(&self) -> bool {
+        self.dq == [0.0; 6]
+    }
+
+    /// The load on the element number i.
+    pub fn load(&self, i: f64) -> [f64; 6] {
+        std::array::from_fn(|j| self.q[j] + i * self.dq[j])
+    }
+}

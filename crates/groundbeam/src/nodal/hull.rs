@@ -1,0 +1,243 @@
+//! The ground under given deflections of the nodes: which of them it touches.
+//!
+//! As in [`majorant`](crate::contact::majorant), with nodes in place of points: only where the forces of
+//! glued ground press can a row of nodes touch (an *arc*), and the scan joins arcs from left to right.
+//! Forces at the ends of an arc are monotone along it, so each end is found by bisection.
+
+use super::grid::Grid;
+
+/// Nodes that touch, first and last.
+pub(super) type Zone = [usize; 2];
+
+/// ψ = w − g₀ at the nodes, and how the ground answers.
+pub(super) struct Hull<'a> {
+    pub grid: &'a Grid,
+    pub deflection: &'a [f64],
+}
+
+/// Nodes looked at in one go.
+const BLOCK: usize = 32;
+
+/// Zones, each with the node on which the one before it ended when they were joined.
+type Stack = Vec<Zone>;
+
+impl Hull<'_> {
+    /// The zones of contact; `arcs` is scratch.
+    pub fn zones(&self, arcs: &mut Vec<Zone>, zones: &mut Stack) {
+        self.arcs(arcs);
+        zones.clear();
+        for arc in arcs.iter() {
+            let mut new = *arc;
+            loop {
+                let Some(last) = zones.last_mut() else {
+                    new[0] = self.first_that_presses(new, None);
+                    break;
+                };
+                // Each end in turn until neither moves.
+                loop {
+                    let before = (last[1], new[0]);
+                    last[1] = self.last_that_presses(*last, Some(new[0]));
+                    new[0] = self.first_that_presses([new[0], arc[1]], Some(last[1]));
+                    if before == (last[1], new[0]) {
+                        break;
+                    }
+                }
+                if !self.pulls(zones, Some(new[0])) {
+                    break;
+                }
+                zones.pop();
+                new[0] = arc[0];
+            }
+            zones.push(new);
+        }
+        while let Some(last) = zones.last_mut() {
+            last[1] = self.last_that_presses(*last, None);
+            if !self.pulls(zones, None) {
+                break;
+            }
+            zones.pop();
+        }
+    }
+
+    pub fn psi(&self, node: usize) -> f64 {
+        let w = self.deflection[node];
+        if self.grid.flat { w } else { w - self.grid.gap(node) }
+    }
+
+    /// Rows of nodes under which glued ground would press, and the two ends of the beam.
+    fn arcs(&self, arcs: &mut Vec<Zone>) {
+        arcs.clear();
+        let last = self.grid.last();
+        let mut start = Some(0);
+        let note = |start: &mut Option<usize>, arcs: &mut Vec<Zone>, node: usize, presses: bool| {
+            if presses != start.is_some() {
+                match start.take() {
+                    Some(first) => arcs.push([first, node - 1]),
+                    None => *start = Some(node),
+                }
+            }
+        };
+        for run in &self.grid.runs {
+            if run.first > 0 {
+                note(&mut start, arcs, run.first, self.glued_force(run.first) > 0.0);
+            }
+            let (c, leak) = (run.link.coupling, run.link.leak_left + run.link.leak_right);
+            let [g, to] = run.cell.gap;
+            let dg = (to - g) / run.count as f64;
+            let w = &self.deflection[run.first..=run.end()];
+            // −c ψ″ of linear g₀ is that of w.
+            let presses = |i: usize, before: f64, w: f64, after: f64| {
+                let psi = w - (g + dg * i as f64);
+                leak * psi + c * ((w - before) - (after - w)) > 0.0
+            };
+            let mut at = 1;
+            while at < run.count {
+                // Where all or none of a block press, as the node before did, nothing begins or ends.
+                let end = (at + BLOCK).min(run.count);
+                let block = &w[at - 1..=end];
+                let mut pressing = 0;
+                for (i, w) in block.windows(3).enumerate() {
+                    pressing += usize::from(presses(at + i, w[0], w[1], w[2]));
+                }
+                let alike = if start.is_some() { pressing == end - at } else { pressing == 0 };
+                if !alike {
+                    for (i, w) in block.windows(3).enumerate() {
+                        let presses = presses(at + i, w[0], w[1], w[2]);
+                        note(&mut start, arcs, run.first + at + i, presses);
+                    }
+                }
+                at = end;
+            }
+        }
+        match start {
+            Some(first) => arcs.push([first, last]),
+            None => arcs.push([last, last]),
+        }
+    }
+
+    /// The force of ground glued to a node and both its neighbours.
+    fn glued_force(&self, node: usize) -> f64 {
+        self.push_from_left(node) + self.push_from_right(node)
+    }
+
+    /// What glued ground to the left of a node presses on it.
+    fn push_from_left(&self, node: usize) -> f64 {
+        if node == 0 {
+            return self.grid.outside[0] * self.psi(0);
+        }
+        let link = &self.grid.runs[self.grid.run_at(node - 1)].link;
+        link.force_right(self.psi(node - 1), self.psi(node))
+    }
+
+    fn push_from_right(&self, node: usize) -> f64 {
+        if node == self.grid.last() {
+            return self.grid.outside[1] * self.psi(node);
+        }
+        let link = &self.grid.runs[self.grid.run_at(node)].link;
+        link.force_left(self.psi(node), self.psi(node + 1))
+    }
+
+    /// What open ground between a node and the next zone, or beyond, presses on it.
+    fn open_right(&self, node: usize, next: Option<usize>) -> f64 {
+        match next {
+            None => self.grid.right_of(node).leak_left * self.psi(node),
+            Some(next) => self
+                .grid
+                .link(node, next)
+                .map_or(0.0, |link| link.force_left(self.psi(node), self.psi(next))),
+        }
+    }
+
+    fn open_left(&self, node: usize, before: Option<usize>) -> f64 {
+        match before {
+            None => self.grid.left_of(node).leak_right * self.psi(node),
+            Some(before) => self
+                .grid
+                .link(before, node)
+                .map_or(0.0, |link| link.force_right(self.psi(before), self.psi(node))),
+        }
+    }
+
+    /// Where a zone that goes on to the left ends, if open ground follows up to `next`.
+    fn last_that_presses(&self, [from, to]: Zone, next: Option<usize>) -> usize {
+        let presses = |node: usize| self.push_from_left(node) + self.open_right(node, next) >= 0.0;
+        if from == to || presses(to) {
+            return to;
+        }
+        // Steps that double, then halve.
+        let (mut pulls, mut step) = (to, 1);
+        let mut holds = from;
+        while pulls > from + step {
+            if presses(pulls - step) {
+                holds = pulls - step;
+                break;
+            }
+            pulls -= step;
+            step *= 2;
+        }
+        while pulls - holds > 1 {
+            let middle = holds + (pulls - holds) / 2;
+            if presses(middle) {
+                holds = middle;
+            } else {
+                pulls = middle;
+            }
+        }
+        holds
+    }
+
+    fn first_that_presses(&self, [from, to]: Zone, before: Option<usize>) -> usize {
+        let presses =
+            |node: usize| self.push_from_right(node) + self.open_left(node, before) >= 0.0;
+        if from == to || presses(from) {
+            return from;
+        }
+        let (mut pulls, mut step) = (from, 1);
+        let mut holds = to;
+        while pulls + step < to {
+            if presses(pulls + step) {
+                holds = pulls + step;
+                break;
+            }
+            pulls += step;
+            step *= 2;
+        }
+        while holds - pulls > 1 {
+            let middle = pulls + (holds - pulls) / 2;
+            if presses(middle) {
+                holds = middle;
+            } else {
+                pulls = middle;
+            }
+        }
+        holds
+    }
+
+    /// Whether the last zone is one node that open ground on both sides does not press on.
+    fn pulls(&self, zones: &[Zone], next: Option<usize>) -> bool {
+        let Some(&[from, to]) = zones.last() else { return false };
+        let before = zones.len().checked_sub(2).map(|i| zones[i][1]);
+        from == to && self.open_left(from, before) + self.open_right(from, next) <= 0.0
+    }
+
+    /// The ground's forces on zones of contact, node by node.
+    pub fn forces(&self, zones: &[Zone], mut each: impl FnMut(usize, f64)) {
+        for (i, &[from, to]) in zones.iter().enumerate() {
+            let before = i.checked_sub(1).map(|i| zones[i][1]);
+            let next = zones.get(i + 1).map(|zone| zone[0]);
+            for node in from..=to {
+                let left = if node == from {
+                    self.open_left(node, before)
+                } else {
+                    self.push_from_left(node)
+                };
+                let right = if node == to {
+                    self.open_right(node, next)
+                } else {
+                    self.push_from_right(node)
+                };
+                each(node, left + right);
+            }
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! Answers at nodes alone: against the paper, against the method `active-set` on the same mesh, on random
+//! models; and how much work they take, counted, not timed.
+
+use groundbeam::{
+    Beam, Error, Field, Foundation, Load, Method, Model, NodalSolution, NodalSolver, Options,
+    Outcome, Pressure, Solution, solve, solve_with,
+};
+use groundbeam_verification::cases;
+use groundbeam_verification::random::{Family, model};
+
+fn nodal(model: &Model, elements: usize) -> NodalSolution {
+    let mut found = NodalSolution::default();
+    NodalSolver::new().solve_into(model, elements, &mut found).expect("an answer");
+    found
+}
+
+fn kikuchi(moment: f64) -> Model {
+    Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
+        .with_load(Load::point(1.0, 0.5))
+        .with_load(Load::moment(moment, 0.5))
+}
+
+fn long_beam(axial_force: f64) -> Model {
+    let text = std::fs::read_to_string(cases::folder().join("long-beam.toml")).expect("a case");
+    let mut model = groundbeam_file::parse(&text).expect("a model").model;
+    model.beam.axial_force = axial_force;
+    model
+}
+
+fn equilibrium(outcome: Outcome) -> Box<Solution> {
+    let Outcome::Equilibrium(solution) = outcome else { panic!("an equilibrium") };
+    solution
+}
+
+/// What the paper's ten elements give at the left end, 0.29882 and 0.01341.
+#[test]
+fn the_papers_own_mesh() {
+    for (moment, printed) in [(0.1, 0.29882), (0.49, 0.01341)] {
+        let w = nodal(&kikuchi(moment), 10).deflection[0];
+        assert!((w - printed).abs() < 5.1e-6, "{w}");
+    }
+}
+
+/// Everything a mesh may meet, at multiples of an element's length.
+fn varied() -> Model {
+    let beam = Beam::uniform(8.0, 2.0).with_segment(2.0, 3.0, 0.5).with_segment(5.0, 8.0, 6.0);
+    let ground = Foundation::pasternak(1.0, 0.3)
+        .with_segment(-1.0, 1.5, 4.0, 1.0)
+        .with_segment(6.0, 9.0, 0.5, 2.0);
+    Model::new(beam, ground)
+        .with_load(Load::Distributed { from: 1.0, to: 4.0, start: 0.2, end: 1.0 })
+        .with_load(Load::Distributed { from: 0.0, to: 8.0, start: 0.05, end: 0.05 })
+        .with_load(Load::point(2.0, 6.5))
+        .with_load(Load::point(-0.4, 4.5))
+        .with_load(Load::moment(0.3, 2.5))
+        .with_load(Load::DistributedMoment { from: 5.5, to: 6.0, start: 0.1, end: -0.2 })
+        .with_gap(0.0, 0.0)
+        .with_gap(3.0, 0.02)
+        .with_gap(7.0, -0.01)
+}
+
+/// The method `active-set` on the same mesh solves the same discrete problem where P = 0.
+#[test]
+fn another_method_on_the_same_mesh() {
+    let options = Options {
+        method: Method::ActiveSet,
+        elements: 64,
+        pressure: Pressure::Dirac,
+        ..Options::default()
+    };
+    for model in [varied(), varied().mirrored(), kikuchi(0.4)] {
+        let theirs = equilibrium(solve_with(&model, &options).expect("an answer"));
+        let ours = nodal(&model, 64);
+        let largest = ours.deflection.iter().fold(0.0_f64, |most, w| most.max(w.abs()));
+        for (i, w) in ours.deflection.iter().enumerate() {
+            let x = ours.position(i);
+            let fields = [
+                (Field::Deflection, *w, 1e-11 * largest),
+                (Field::Slope, ours.slope[i], 1e-10 * largest),
+                (Field::Settlement, ours.settlement[i], 1e-11 * largest),
+            ];
+            for (field, value, tolerance) in fields {
+                let expected = theirs.value(field, x);
+                assert!((value - expected).abs() < tolerance, "{x} {field:?}: {value} {expected}");
+            }
+        }
+        let forces: f64 = ours.force.iter().sum();
+        let inner: f64 = theirs.concentrated_forces().iter().map(|c| c.force).sum();
+        let ends = theirs.end_forces();
+        assert!((forces - inner - ends.left - ends.right).abs() < 1e-12 * forces);
+    }
+}
+
+/// The finer the mesh, the nearer to the exact answer.
+#[test]
+fn meshes_converge_to_the_exact_answer() {
+    let model = long_beam(0.5);
+    let exact = equilibrium(solve(&model).expect("an answer"));
+    let error = |elements: usize| {
+        let found = nodal(&model, elements);
+        let off = |i: usize| {
+            (found.deflection[i] - exact.value(Field::Deflection, found.position(i))).abs()
+        };
+        (0..found.deflection.len()).map(off).fold(0.0, f64::max)
+    };
+    let errors = [error(1_000), error(10_000), error(100_000)];
+    assert!(errors[0] < 2e-2 && errors[1] < 2e-4 && errors[2] < 2e-6, "{errors:?}");
+}
+
+#[test]
+fn random_beams_balance_press_and_lie_on_the_ground() {
+    let families = [Family::Plain, Family::Tension, Family::Segments, Family::Gap, Family::Long];
+    let mut solver = NodalSolver::new();
+    let mut found = NodalSolution::default();
+    let mut refused = 0;
+    for family in families {
+        for number in 0..40 {
+            let model = model(family, number);
+            let elements = [3, 30, 300, 3000][number as usize % 4];
+            match solver.solve_into(&model, elements, &mut found) {
+                Ok(_) => {}
+                // Ground without a shear layer somewhere.
+                Err(Error::Unsupported(_)) => continue,
+                // Balanced on a node or two of a ridge: refused, not answered wrongly.
+                Err(Error::NotConverged(_)) if family == Family::Gap => {
+                    refused += 1;
+                    continue;
+                }
+                Err(error) => panic!("{family:?} {number}, {elements}: {error}"),
+            }
+            let check = found.check;
+            let good = check.force_balance < 1e-9
+                && check.moment_balance < 1e-9
+                && check.smallest_force > -1e-9
+                && check.deepest_penetration < 1e-9;
+            assert!(good, "{family:?} {number}, {elements}: {check:?} {:?}", found.contact);
+        }
+    }
+    // May fall, not grow.
+    assert!(refused <= 4, "{refused} of 40 beams on ridges");
+}
+
+/// Loads times two are fields times two, bit for bit; and memory used before changes nothing.
+#[test]
+fn bits_scale_and_repeat() {
+    let model = long_beam(0.0);
+    let mut solver = NodalSolver::new();
+    let (mut once, mut again) = (NodalSolution::default(), NodalSolution::default());
+    solver.solve_into(&model, 3000, &mut once).expect("an answer");
+    solver.solve_into(&kikuchi(0.4), 50, &mut again).expect("an answer");
+    solver.solve_into(&model.clone().with_loads_scaled(2.0), 3000, &mut again).expect("an answer");
+    assert_eq!(once.contact, again.contact);
+    for (a, b) in [(&once.deflection, &again.deflection), (&once.force, &again.force)] {
+        assert!(a.iter().zip(b).all(|(a, b)| (2.0 * a).to_bits() == b.to_bits()));
+    }
+}
+
+/// The guard of speed: work is counted, so that no clock decides. A change that makes a number larger
+/// makes every long beam slower by as much.
+#[test]
+fn the_work_on_a_long_beam() {
+    for axial_force in [0.0, 0.5] {
+        let model = long_beam(axial_force);
+        for elements in [1_000, 10_000, 100_000] {
+            let work = nodal(&model, elements).work;
+            assert!(work.fine_solves <= 3 && work.solves <= 14, "{elements}: {work:?}");
+            assert!(work.elements as f64 <= 2.5 * elements as f64, "{elements}: {work:?}");
+        }
+    }
+}
+
+/// The same of the exact method: a few steps, and pieces in proportion to what is given.
+#[test]
+fn the_work_of_the_exact_method() {
+    let steps = |model: &Model| equilibrium(solve(model).expect("an answer")).iterations();
+    assert_eq!(steps(&kikuchi(0.1)), 1, "a beam pressed everywhere is solved once");
+    assert!(steps(&kikuchi(0.49)) <= 8);
+    assert!(steps(&long_beam(0.0)) <= 6);
+    // Wagons in a row on a rail, no two alike: four times as many cost four times as much.
+    let rail = |wagons: usize| {
+        let l = 30.0 * wagons as f64;
+        let mut model = Model::new(Beam::uniform(l, 6.4e6), Foundation::pasternak(30e6, 2e6))
+            .with_load(Load::uniform(2500.0, 0.0, l));
+        for i in 0..wagons {
+            for at in [8.0, 9.8, 17.0, 18.8] {
+                let force = 8e4 + 1e3 * (i * 7 % 23) as f64;
+                model.loads.push(Load::point(force, 30.0 * i as f64 + at));
+            }
+        }
+        equilibrium(solve(&model).expect("an answer"))
+    };
+    let [short, long] = [rail(20), rail(80)];
+    let steps = [short.iterations(), long.iterations()];
+    assert!(steps.iter().all(|steps| *steps <= 6), "{steps:?}");
+    assert!(long.elements() <= 4 * short.elements() + 4);
+}
