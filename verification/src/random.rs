@@ -1,7 +1,7 @@
 //! Random models that have an equilibrium, from both ends of every parameter.
 
 use groundbeam::{
-    Beam, FirstLiftOff, Foundation, Load, LoadFactors, Model, Support, Verdict, exists,
+    Beam, FirstLiftOff, Foundation, Load, LoadFactors, Model, Profile, Support, Verdict, exists,
     load_factors,
 };
 use rand::{Rng, RngExt, SeedableRng};
@@ -28,13 +28,15 @@ pub enum Family {
     Long,
     /// All of it.
     Mixed,
+    /// Stiffness and ground that run from one value to another, with some of all the rest.
+    Varying,
     /// All of it at its worst: λl up to 10⁴, up to a hundred loads, some pulling, resultants near an end.
     Extreme = 20,
 }
 
 impl Family {
     /// Every family that takes milliseconds a model; `Extreme` takes seconds at times.
-    pub const ALL: [Family; 9] = [
+    pub const ALL: [Family; 10] = [
         Family::Plain,
         Family::Tension,
         Family::Segments,
@@ -44,6 +46,7 @@ impl Family {
         Family::Hard,
         Family::Long,
         Family::Mixed,
+        Family::Varying,
     ];
 }
 
@@ -80,6 +83,11 @@ impl<R: Rng> Dice<'_, R> {
         self.0.random_bool(probability)
     }
 
+    /// One time in five; without a throw where it is not asked for.
+    fn now_and_then(&mut self, asked: bool) -> bool {
+        asked && self.happens(0.2)
+    }
+
     /// A place on [0, 1], sometimes an end or a round number.
     fn place(&mut self) -> f64 {
         match self.up_to(9) {
@@ -96,6 +104,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     let extreme = family == Family::Extreme;
     let mixed = extreme || family == Family::Mixed;
     let hard = extreme || family == Family::Hard;
+    let varying = family == Family::Varying;
     let length = dice.decades(-1.0, 2.0);
     let k = dice.decades(-2.0, 2.0);
     // Stiffness by the number that matters, l (k/4EI)^(1/4).
@@ -115,7 +124,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     };
     let mut beam = Beam::uniform(length, stiffness);
     let mut ground = Foundation::pasternak(k, shear);
-    if family == Family::Tension || (mixed && dice.happens(0.5)) {
+    if family == Family::Tension || (mixed && dice.happens(0.5)) || dice.now_and_then(varying) {
         let own = stiffness / (length * length);
         beam.axial_force = own * dice.decades(-2.0, 3.0);
     }
@@ -136,8 +145,12 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
             ground = ground.with_segment(pair[0] * length, pair[1] * length, k, shear);
         }
     }
+    if varying {
+        beam = vary_beam(beam, stiffness, dice);
+        ground = vary_ground(ground, length, dice);
+    }
     let mut model = Model::new(beam, ground);
-    if family == Family::Supported || (mixed && dice.happens(0.3)) {
+    if family == Family::Supported || (mixed && dice.happens(0.3)) || dice.now_and_then(varying) {
         let mut places: Vec<f64> = (0..=dice.up_to(2)).map(|_| dice.place()).collect();
         places.sort_by(f64::total_cmp);
         places.dedup();
@@ -163,7 +176,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         }
     }
     load(&mut model, family, lambda_l, dice);
-    if family == Family::Gap || (mixed && dice.happens(0.5)) {
+    if family == Family::Gap || (mixed && dice.happens(0.5)) || dice.now_and_then(varying) {
         let corners = 1 + dice.up_to(4);
         let mut places: Vec<f64> = (0..corners).map(|_| dice.place()).collect();
         places.sort_by(f64::total_cmp);
@@ -183,6 +196,61 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         bring_to_lift_off(&mut model, dice);
     }
     model
+}
+
+/// One to three stretches of the beam along which EI runs linearly, with the cube or the fourth power of a
+/// depth, or along a curve.
+fn vary_beam<R: Rng>(mut beam: Beam, stiffness: f64, dice: &mut Dice<R>) -> Beam {
+    let length = beam.length;
+    for [from, to] in stretches(length, dice) {
+        let (start, end) = (dice.decades(-1.0, 1.0), dice.decades(-1.0, 1.0));
+        let profile = match dice.up_to(3) {
+            0 | 1 => Profile::linear(start, end),
+            2 => {
+                let power = if dice.happens(0.5) { 3 } else { 4 };
+                let depth = Profile::linear(start.sqrt(), end.sqrt());
+                let first = Some(Profile::constant(1.0));
+                let product = (0..power).fold(first, |all, _| all?.times(&depth));
+                product.unwrap_or(depth)
+            }
+            _ => {
+                let values: Vec<f64> =
+                    (0..3 + dice.up_to(3)).map(|_| dice.decades(-1.0, 1.0)).collect();
+                Profile::by_control_values(&values).unwrap_or(Profile::linear(start, end))
+            }
+        };
+        beam = beam.with_varying_segment(from, to, profile.scaled(stiffness));
+    }
+    beam
+}
+
+/// The same for the ground, one time in ten without a shear layer.
+fn vary_ground<R: Rng>(mut ground: Foundation, length: f64, dice: &mut Dice<R>) -> Foundation {
+    let curve = |dice: &mut Dice<R>, value: f64| {
+        let values = [0, 1, 2].map(|_| value * dice.decades(-0.7, 0.7));
+        match dice.up_to(2) {
+            0 => Profile::constant(values[0]),
+            1 => Profile::linear(values[0], values[1]),
+            _ => Profile::by_control_values(&values).unwrap_or(Profile::constant(value)),
+        }
+    };
+    let (k, mu) = (ground.spring, ground.shear);
+    for [from, to] in stretches(length, dice) {
+        let spring = curve(dice, k);
+        let shear = if dice.happens(0.1) { Profile::constant(0.0) } else { curve(dice, mu) };
+        ground = ground.with_varying_segment(from, to, spring, shear);
+    }
+    ground
+}
+
+/// One to three stretches of a beam, one time in three the whole of it.
+fn stretches<R: Rng>(length: f64, dice: &mut Dice<R>) -> Vec<[f64; 2]> {
+    if dice.up_to(2) == 0 {
+        return vec![[0.0, length]];
+    }
+    let mut ends: Vec<f64> = (0..2 + 2 * dice.up_to(2)).map(|_| dice.place() * length).collect();
+    ends.sort_by(f64::total_cmp);
+    ends.chunks_exact(2).filter(|pair| pair[0] < pair[1]).map(|pair| [pair[0], pair[1]]).collect()
 }
 
 fn size_of(load: &Load, length: f64) -> f64 {

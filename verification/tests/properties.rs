@@ -99,12 +99,19 @@ fn active_set_stays_within_its_certificate() {
 /// Loads times 2ᵏ: every field times 2ᵏ, bit for bit, and the same contact.
 #[test]
 fn scaling_by_a_power_of_two_is_bit_identical() {
-    let families =
-        [Family::Plain, Family::Tension, Family::Segments, Family::Winkler, Family::Supported];
+    let families = [
+        Family::Plain,
+        Family::Tension,
+        Family::Segments,
+        Family::Winkler,
+        Family::Supported,
+        Family::Varying,
+    ];
     let mut faults = Vec::new();
     for family in families {
         for number in 0..200 {
-            let model = model(family, number);
+            let mut model = model(family, number);
+            model.gap.clear();
             let factor = 2_f64.powi([-20, -3, 1, 11, 40][number as usize % 5]);
             let scaled = model.clone().with_loads_scaled(factor);
             for method in [Method::Exact, Method::ActiveSet] {
@@ -144,6 +151,7 @@ fn mirror_images_mirror() {
         Family::Winkler,
         Family::Supported,
         Family::Gap,
+        Family::Varying,
     ] {
         for number in 0..200 {
             let model = model(family, number);
@@ -152,9 +160,14 @@ fn mirror_images_mirror() {
                 faults.push(format!("{family:?} {number}: no answer"));
                 continue;
             };
-            let scale = |f: Field| {
+            let largest = |f: Field| {
                 let range = a.range(f);
                 range.max.value.abs().max(range.min.value.abs())
+            };
+            // A beam under moments alone has no shear force but rounding.
+            let scale = |f: Field| match f {
+                Field::ShearForce => largest(f).max(largest(Field::Moment) / l),
+                _ => largest(f),
             };
             for i in 1..50 {
                 // Off the places where fields jump.

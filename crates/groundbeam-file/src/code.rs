@@ -68,6 +68,8 @@ pub const CODES: &[Code] = &[
     row("GB201", "the spring constant k must be positive", "foundation-spring.toml"),
     row("GB202", "the shear constant mu must be zero or positive", "foundation-shear.toml"),
     row("GB203", "a foundation segment must reach under the beam", "foundation-off-beam.toml"),
+    row("GB204", "a curve of k or mu has at most three control values", "ground-curve.toml"),
+    row("GB205", "where the shear constant mu varies it must not fall to zero", "shear-fades.toml"),
     row("GB301", "a position must lie on the beam", "off-the-beam.toml"),
     row("GB302", "a value must be a finite number", "out-of-range.toml"),
     row("GB303", "a stretch must have a length", "stretch-without-length.toml"),
@@ -79,4 +81,5 @@ pub const CODES: &[Code] = &[
     while_solving("GB602", "the compression exceeds the beam's own buckling load"),
     while_solving("GB603", "concentrated pressures need a shear layer"),
     while_solving("GB604", "answers at nodes alone are for beams without supports"),
+    while_solving("GB605", "answers at nodes alone are for segments along which nothing varies"),
 ];

@@ -39,6 +39,7 @@ mod document;
 mod fault;
 mod number;
 mod positions;
+mod profile;
 mod quantity;
 mod reader;
 mod render;

@@ -3,6 +3,7 @@
 
 use crate::code;
 use crate::fault::Fault;
+use crate::profile::Along;
 use crate::quantity::Kind;
 use crate::reader::{Field, Reader};
 use crate::table::Section;
@@ -18,20 +19,26 @@ pub(crate) struct Keys {
 /// What one table says of a stiffness.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Given {
-    pub product: Option<Field>,
-    pub factors: [Option<Field>; 2],
+    pub product: Option<Along>,
+    pub factors: [Option<Along>; 2],
 }
 
 /// What comes of it.
 pub(crate) enum Stiffness {
-    Known(Field),
+    Known(Along),
     /// The table says nothing of it.
     NotGiven,
     /// Only the first (0) or the second (1) factor is known.
-    Half(usize, Field),
+    Half(usize, Along),
 }
 
 impl Given {
+    /// What is given for the whole, on a part of the way.
+    pub fn between(&self, way: [f64; 2]) -> Self {
+        let part = |given: &Option<Along>| given.as_ref().map(|given| given.between(way));
+        Given { product: part(&self.product), factors: [0, 1].map(|i| part(&self.factors[i])) }
+    }
+
     /// The stiffness of a table; factors it does not give are those of `parent`.
     pub fn resolve(&self, reader: &mut Reader, parent: &Given, keys: &Keys) -> Stiffness {
         let own = self.factors.iter().position(|factor| factor.is_some());
@@ -48,7 +55,7 @@ impl Given {
         match (factor(0), factor(1)) {
             (Some(a), Some(b)) => {
                 let place = self.factors[own].as_ref().unwrap_or(a);
-                Stiffness::Known(Field::new(a.value * b.value, place.span.clone()))
+                Stiffness::Known(a.times(b, &place.span))
             }
             (Some(a), None) => Stiffness::Half(0, a.clone()),
             (None, Some(b)) => Stiffness::Half(1, b.clone()),
@@ -59,9 +66,9 @@ impl Given {
 
 impl Reader<'_> {
     /// The value of a stiffness that must be known; what is missing is reported.
-    pub fn settle(&mut self, stiffness: Stiffness, section: &Section, keys: &Keys) -> Field {
+    pub fn settle(&mut self, stiffness: Stiffness, section: &Section, keys: &Keys) -> Along {
         match stiffness {
-            Stiffness::Known(field) => return field,
+            Stiffness::Known(known) => return known,
             Stiffness::NotGiven => {
                 let (name, kind) = keys.product;
                 let [a, b] = keys.factors.map(|(factor, kind)| self.line(factor, kind));
@@ -69,15 +76,15 @@ impl Reader<'_> {
                 let names = [name, keys.factors[0].0, keys.factors[1].0];
                 self.missing(section, &names, &format!("`{name}`"), &example);
             }
-            Stiffness::Half(given, field) => {
+            Stiffness::Half(given, half) => {
                 let (name, (other, kind)) = (keys.factors[given].0, keys.factors[1 - given]);
                 let message = format!("`{name}` is given without `{other}`");
                 let instead = if given == 0 { keys.instead } else { "" };
                 let hint = format!("add {}{instead}", self.line(other, kind));
-                self.report(Fault::new(code::INCOMPLETE, field.span, message, "", hint));
+                self.report(Fault::new(code::INCOMPLETE, half.span, message, "", hint));
             }
         }
-        Field::unreadable(section.span.clone())
+        Along::unreadable(section.span.clone())
     }
 
     /// A factor must be positive by itself: two negative ones would go unnoticed.

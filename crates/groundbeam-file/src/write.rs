@@ -1,7 +1,7 @@
 //! Model → text: the inverse of [`parse`](crate::parse), bit for bit.
 
 use crate::units::UnitSystem;
-use groundbeam::{Load, Model, SupportKind};
+use groundbeam::{Load, Model, Profile, SupportKind};
 use std::fmt::Write;
 
 /// The model as a model file, every number written so that reading it gives the same bits.
@@ -72,7 +72,7 @@ impl Writer {
         for segment in &beam.segments {
             self.heading("[[beam.segment]]");
             self.stretch(segment.from, segment.to);
-            self.quantity("EI", segment.bending_stiffness, "N m^2");
+            self.profile("EI", &segment.bending_stiffness, "N m^2");
         }
     }
 
@@ -84,8 +84,8 @@ impl Writer {
         for segment in &ground.segments {
             self.heading("[[foundation.segment]]");
             self.stretch(segment.from, segment.to);
-            self.quantity("k", segment.spring, "N/m^2");
-            self.quantity("mu", segment.shear, "N");
+            self.profile("k", &segment.spring, "N/m^2");
+            self.profile("mu", &segment.shear, "N");
         }
     }
 
@@ -134,6 +134,17 @@ impl Writer {
     fn stretch(&mut self, from: f64, to: f64) {
         self.quantity("from", from, "m");
         self.quantity("to", to, "m");
+    }
+
+    /// One value, or the list of control values.
+    fn profile(&mut self, key: &str, profile: &Profile, unit: &str) {
+        let numbers = profile.control_values().iter().map(|value| self.number(*value, unit));
+        let numbers: Vec<String> = numbers.collect();
+        let value = match &numbers[..] {
+            [constant] => constant.clone(),
+            several => format!("[{}]", several.join(", ")),
+        };
+        self.line(key, &value);
     }
 
     fn intensity(&mut self, key: &str, start: f64, end: f64, unit: &str) {

@@ -129,11 +129,63 @@ fn segments_take_over_what_they_leave_out() {
          [[foundation.segment]]\nfrom = \"1 m\"\nto = \"2 m\"\nsubgrade_modulus = \"10 MN/m^3\"
          [[foundation.segment]]\nfrom = \"2 m\"\nto = \"3 m\"\nmu = \"2 N\"",
     );
-    let ei: Vec<f64> = document.model.beam.segments.iter().map(|s| s.bending_stiffness).collect();
+    let ei: Vec<f64> =
+        document.model.beam.segments.iter().map(|s| s.bending_stiffness.start()).collect();
     assert_eq!(ei, [6e8, 4e8, 1.0]);
-    let ground: Vec<(f64, f64)> =
-        document.model.foundation.segments.iter().map(|s| (s.spring, s.shear)).collect();
+    let ground: Vec<(f64, f64)> = document
+        .model
+        .foundation
+        .segments
+        .iter()
+        .map(|s| (s.spring.start(), s.shear.start()))
+        .collect();
     assert_eq!(ground, [(8e7, 1.0), (1e7, 1.0), (4e7, 2.0)]);
+}
+
+#[test]
+fn two_values_run_from_one_end_to_the_other() {
+    // The beam is 12 m long; what holds for all of it holds where no segment says otherwise.
+    let document = with(
+        "E = \"2 Pa\"\nI = [\"1 m^4\", \"4 m^4\"]
+         [[beam.segment]]\nfrom = \"4 m\"\nto = \"8 m\"\nE = \"3 Pa\"
+         [[beam.segment]]\nfrom = \"8 m\"\nto = \"10 m\"\nEI = [\"5 N m^2\", \"7 N m^2\"]",
+        "subgrade_modulus = [\"1 N/m^3\", \"4 N/m^3\"]\nwidth = [\"2 m\", \"1 m\"]\nmu = \"3 N\"
+         [[foundation.segment]]\nfrom = \"-2 m\"\nto = \"3 m\"\nmu = [\"1 N\", \"2 N\"]",
+    );
+    let beam = &document.model.beam;
+    let runs: Vec<(f64, f64, Vec<f64>)> = beam
+        .segments
+        .iter()
+        .map(|s| (s.from, s.to, s.bending_stiffness.control_values().to_vec()))
+        .collect();
+    assert_eq!(
+        runs,
+        [
+            (4.0, 8.0, vec![6.0, 9.0]),
+            (8.0, 10.0, vec![5.0, 7.0]),
+            (0.0, 4.0, vec![2.0, 4.0]),
+            (10.0, 12.0, vec![7.0, 8.0]),
+        ]
+    );
+    let ground = &document.model.foundation;
+    let (k, mu) = ground.constants_at(6.0);
+    assert!((k - 2.5 * 1.5).abs() < 1e-14 && mu == 3.0);
+    assert_eq!((ground.segments[0].from, ground.segments[0].to), (0.0, 3.0));
+    assert_eq!(ground.constants_at(0.0), (2.0, 1.0));
+    assert!((ground.constants_at(1.5).0 - 1.375 * 1.875).abs() < 1e-14);
+}
+
+#[test]
+fn a_section_whose_height_varies_is_a_haunch() {
+    let haunch = with(
+        "E = \"12 Pa\"\nsection = { width = \"1 m\", height = [\"2 m\", \"1 m\"] }",
+        "k = \"1 N/m^2\"",
+    );
+    let beam = &haunch.model.beam;
+    for (x, height) in [(0.0, 2.0_f64), (3.0, 1.75), (6.0, 1.5), (11.0, 13.0 / 12.0)] {
+        let wanted = height.powi(3);
+        assert!((beam.bending_stiffness_at(x) - wanted).abs() < 1e-14 * wanted, "{x}");
+    }
 }
 
 #[test]

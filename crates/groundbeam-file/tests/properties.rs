@@ -1,7 +1,7 @@
 //! What holds for every text and every model.
 
 use groundbeam::model::{Part, Problem};
-use groundbeam::{Beam, Foundation, Load, Model, Support};
+use groundbeam::{Beam, Foundation, Load, Model, Profile, Support};
 use groundbeam_file::{Diagnostics, UnitSystem, parse, parse_positions, text_of, write_toml};
 use proptest::prelude::*;
 
@@ -66,10 +66,16 @@ fn load(length: f64) -> impl Strategy<Value = Load> {
     ]
 }
 
+/// Constant or by control values.
+fn profile(most: usize) -> impl Strategy<Value = Profile> {
+    prop::collection::vec(size(), 1..=most)
+        .prop_map(|values| Profile::by_control_values(&values).expect("not too many"))
+}
+
 fn model() -> impl Strategy<Value = Model> {
     size().prop_flat_map(|length| {
-        let beam = (joints(length), prop::collection::vec(size(), 5), size(), value());
-        let ground = (joints(length), prop::collection::vec((size(), size()), 5), size());
+        let beam = (joints(length), prop::collection::vec(profile(6), 5), size(), value());
+        let ground = (joints(length), prop::collection::vec((profile(3), profile(3)), 5), size());
         let loads = prop::collection::vec(load(length), 0..5);
         let supports = (joints(length), prop::collection::vec((0..3, size(), size()), 0..3));
         let gap = (joints(length), prop::collection::vec(value(), 0..5));
@@ -77,12 +83,12 @@ fn model() -> impl Strategy<Value = Model> {
             let (joints, stiffness, ei, axial_force) = beam;
             let mut beam = Beam::uniform(length, ei).with_axial_force(axial_force);
             for (ends, ei) in joints.windows(2).skip(1).zip(stiffness) {
-                beam = beam.with_segment(ends[0], ends[1], ei);
+                beam = beam.with_varying_segment(ends[0], ends[1], ei);
             }
             let (joints, constants, k) = ground;
             let mut foundation = Foundation::winkler(k);
             for (ends, (k, mu)) in joints.windows(2).skip(1).zip(constants) {
-                foundation = foundation.with_segment(ends[0], ends[1], k, mu);
+                foundation = foundation.with_varying_segment(ends[0], ends[1], k, mu);
             }
             let mut model = Model { loads, ..Model::new(beam, foundation) };
             for (at, (kind, spring, rotational)) in held.0.into_iter().zip(held.1) {

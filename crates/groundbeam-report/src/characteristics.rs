@@ -31,14 +31,20 @@ impl Characteristics {
         let mut beta = [f64::INFINITY, 0.0_f64];
         let mut shear_length = [f64::INFINITY, 0.0_f64];
         let mut beta_length = 0.0;
+        let at = |x: f64| {
+            let stiffness = model.beam.bending_stiffness_at(x);
+            let (spring, shear) = model.foundation.constants_at(x);
+            ((spring / (4.0 * stiffness)).sqrt().sqrt(), (shear / spring).sqrt())
+        };
+        let steps = if varies(model) { STEPS } else { 1 };
         for [from, to] in stretches(model) {
-            let middle = from + 0.5 * (to - from);
-            let stiffness = model.beam.bending_stiffness_at(middle);
-            let (spring, shear) = model.foundation.constants_at(middle);
-            let here = (spring / (4.0 * stiffness)).sqrt().sqrt();
-            beta_length += here * (to - from);
-            beta = widened(beta, here);
-            shear_length = widened(shear_length, (shear / spring).sqrt());
+            for i in 0..steps {
+                let middle = from + (to - from) * ((i as f64 + 0.5) / steps as f64);
+                let (here, layer) = at(middle);
+                beta_length += here * (to - from) / steps as f64;
+                beta = widened(beta, here);
+                shear_length = widened(shear_length, layer);
+            }
         }
         let resultant = Resultant {
             force: existence.resultant(),
@@ -64,7 +70,17 @@ fn widened([low, high]: [f64; 2], value: f64) -> [f64; 2] {
     [low.min(value), high.max(value)]
 }
 
-/// The parts of the beam on which beam and ground are uniform.
+/// Steps in which what varies along a segment is added up.
+const STEPS: usize = 256;
+
+/// Whether anything varies along a segment.
+fn varies(model: &Model) -> bool {
+    let beam = model.beam.segments.iter().map(|s| &s.bending_stiffness);
+    let ground = model.foundation.segments.iter().flat_map(|s| [&s.spring, &s.shear]);
+    beam.chain(ground).any(|profile| !profile.is_constant())
+}
+
+/// The parts of the beam on which beam and ground are of one kind.
 fn stretches(model: &Model) -> Vec<[f64; 2]> {
     let l = model.beam.length;
     let beam = model.beam.segments.iter().flat_map(|s| [s.from, s.to]);

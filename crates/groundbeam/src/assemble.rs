@@ -3,13 +3,13 @@
 use crate::certificate::{Claim, ClaimedPiece, certify};
 use crate::contact::active_set::{Found, Pressure};
 use crate::contact::deflection::{Spot, pressure_of};
-use crate::contact::layout::gap_at;
 use crate::contact::recover;
-use crate::contact::surface::{Atom, Part, Surface};
+use crate::contact::surface::{Atom, Surface};
 use crate::existence::Existence;
-use crate::mesh::{Cell, Mesh};
+use crate::ground::settled;
+use crate::mesh::Cell;
 use crate::model::{Load, Model, Support, SupportKind};
-use crate::polynomial::rescale;
+use crate::polynomial::{product, rescale};
 use crate::solution::{
     ConcentratedForce, ContactRegion, EndForces, Reaction, Side, Solution, Stretch,
 };
@@ -78,6 +78,7 @@ fn claim(solution: &Solution, stability: f64) -> Claim<'_> {
 
 fn stretches(found: &Found, surface: &Surface) -> Vec<Stretch> {
     let w = found.deflection();
+    let parts = surface.short_parts(&found.mesh);
     let exact = found.terms > crate::elements::hermite::TERMS;
     let recovered = if exact {
         Vec::new()
@@ -87,12 +88,12 @@ fn stretches(found: &Found, surface: &Surface) -> Vec<Stretch> {
         let within = surface.atoms.iter().filter(|a| a.spot.s.abs() < 1.0);
         let forces: Vec<(usize, f64, f64)> =
             within.map(|a| (a.spot.cell, a.spot.s, a.force)).collect();
-        recover::moments(found, &surface.parts, &forces)
+        recover::moments(found, &parts, &forces)
     };
     let mut recovered = recovered.into_iter();
-    let mut stretches = Vec::with_capacity(surface.parts.len());
-    for part in &surface.parts {
-        let cell = cut(&found.mesh, part);
+    let mut stretches = Vec::with_capacity(parts.len());
+    for part in &parts {
+        let cell = found.mesh.cells[part.cell].part(part.s);
         let [from, to] = part.s;
         let (middle, quarter) = (0.5 * (from + to), 0.5 * (to - from));
         let half = 0.5 * found.mesh.cells[part.cell].length() * quarter;
@@ -111,11 +112,13 @@ fn stretches(found: &Found, surface: &Surface) -> Vec<Stretch> {
         } else {
             Vec::new()
         };
-        let moment = recovered.next().unwrap_or_else(|| {
-            let factor = -cell.stiffness / (half * half);
-            let bend = deflection.iter().enumerate().skip(2);
-            bend.map(|(j, c)| factor * (j * (j - 1)) as f64 * c).collect()
-        });
+        let moment = recovered.next().unwrap_or_else(|| bent(&cell, half, &deflection));
+        let settlement = match part.open {
+            Some(ends) if cell.ground_varies() && cell.shear > 0.0 => {
+                settled(&cell.spring_course(), &cell.shear_course(), half, ends)
+            }
+            _ => Vec::new(),
+        };
         stretches.push(Stretch {
             half,
             x: cell.x,
@@ -124,22 +127,19 @@ fn stretches(found: &Found, surface: &Surface) -> Vec<Stretch> {
             moment,
             pressure,
             open: part.open,
+            settlement,
         });
     }
     stretches
 }
 
-/// A cell cut to a part of it.
-fn cut(mesh: &Mesh, part: &Part) -> Cell {
-    let cell = mesh.cells[part.cell];
-    let linear = |v: [f64; 2]| part.s.map(|s| 0.5 * (v[0] + v[1]) + 0.5 * (v[1] - v[0]) * s);
-    Cell {
-        x: part.s.map(|s| cell.global(s)),
-        load: linear(cell.load),
-        moment_load: linear(cell.moment_load),
-        gap: part.s.map(|s| gap_at(&cell, s)),
-        ..cell
-    }
+/// The coefficients of −EI w″.
+fn bent(cell: &Cell, half: f64, deflection: &[f64]) -> Vec<f64> {
+    let times = if cell.beam_varies() { 1.0 } else { cell.stiffness };
+    let factor = -times / (half * half);
+    let bend = deflection.iter().enumerate().skip(2);
+    let bend: Vec<f64> = bend.map(|(j, c)| factor * (j * (j - 1)) as f64 * c).collect();
+    if cell.beam_varies() { product(&cell.stiffness_course(), &bend) } else { bend }
 }
 
 /// Stretches and points of contact, those that meet joined.

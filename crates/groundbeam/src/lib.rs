@@ -27,6 +27,7 @@
 #![deny(missing_docs)]
 
 mod assemble;
+mod cell;
 mod certificate;
 mod chain;
 mod contact;
@@ -48,7 +49,8 @@ pub use contact::active_set::{Pressure, Step};
 pub use existence::{Existence, RigidMotion, Verdict};
 pub use factors::{FirstLiftOff, LoadFactors, LossOfEquilibrium, load_factors};
 pub use model::{
-    Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, Load, Model, Support, SupportKind,
+    Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, Load, Model, Profile, Support,
+    SupportKind,
 };
 pub use nodal::{NodalCheck, NodalSolution, NodalSolver, Work};
 pub use solution::{

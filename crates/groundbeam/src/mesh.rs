@@ -1,55 +1,12 @@
-//! The model cut into cells within which everything given is constant or linear.
+//! The model cut into cells within which everything given is a polynomial, most of it constant or linear.
 //!
 //! Nodes stand where the physics needs them: at loads, supports, the ends of segments and of spread
 //! loads, the corners of the initial gap. A method adds its own.
 
+use crate::cell::Varies;
+pub(crate) use crate::cell::{Cell, GROUND};
 use crate::ground;
 use crate::model::{Load, Model, SupportKind};
-
-/// A stretch of beam and ground with constant EI, k, μ and linear f, g, g₀.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Cell {
-    /// Left and right end \[m\].
-    pub x: [f64; 2],
-    /// EI \[N·m²\].
-    pub stiffness: f64,
-    /// k \[N/m²\].
-    pub spring: f64,
-    /// μ \[N\].
-    pub shear: f64,
-    /// f at both ends \[N/m\].
-    pub load: [f64; 2],
-    /// g at both ends \[N·m/m\].
-    pub moment_load: [f64; 2],
-    /// g₀ at both ends \[m\].
-    pub gap: [f64; 2],
-    /// g₀', the same to the last bit in all cells between two corners.
-    pub gap_slope: f64,
-}
-
-impl Cell {
-    pub fn length(&self) -> f64 {
-        self.x[1] - self.x[0]
-    }
-
-    /// The cell's own coordinate s ∈ \[−1, 1\] of a position x.
-    pub fn local(&self, x: f64) -> f64 {
-        let [from, to] = self.x;
-        // From the nearer end, so that both ends map to ±1 exactly.
-        let s = if x - from <= to - x {
-            2.0 * ((x - from) / (to - from)) - 1.0
-        } else {
-            1.0 - 2.0 * ((to - x) / (to - from))
-        };
-        s.clamp(-1.0, 1.0)
-    }
-
-    /// The position x of s ∈ \[−1, 1\].
-    pub fn global(&self, s: f64) -> f64 {
-        let half = 0.5 * self.length();
-        if s <= 0.0 { self.x[0] + half * (1.0 + s) } else { self.x[1] - half * (1.0 - s) }
-    }
-}
 
 /// What acts on and holds the beam at one point.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -91,17 +48,27 @@ impl Mesh {
     /// The fewest nodes, and `more` of them. Every interval between two of these is then cut into
     /// as many equal cells as `parts` says of a cell.
     pub fn build(model: &Model, more: &[f64], parts: impl Fn(&Cell) -> usize) -> Self {
+        Self::cut(model, more, |cell, x| into_equal(cell, parts(cell), x))
+    }
+
+    /// The same, and what varies so much that it is no short power series is halved before it is cut.
+    pub fn graded(model: &Model, more: &[f64], parts: impl Fn(&Cell) -> usize) -> Self {
+        Self::cut(model, more, |cell, x| graded(cell, &parts, MOST_HALVINGS, x))
+    }
+
+    /// Cuts each interval between two of the fewest nodes, and `more` of them, at positions of its own.
+    fn cut(model: &Model, more: &[f64], cut: impl Fn(&Cell, &mut Vec<f64>)) -> Self {
         let coarse = cells_between(model, positions(model, more));
         let mut x = vec![0.0];
         for cell in &coarse {
-            let n = parts(cell).max(1);
-            x.extend((1..n).map(|i| cell.global(2.0 * i as f64 / n as f64 - 1.0)));
+            cut(cell, &mut x);
             x.push(cell.x[1]);
         }
         let cells = if x.len() == coarse.len() + 1 { coarse } else { cells_between(model, x) };
         let first = cells[0];
         let last = cells[cells.len() - 1];
-        let outside = [first, last].map(|cell| ground::outside(cell.spring, cell.shear));
+        let outside = [first.ground_at(-1.0), last.ground_at(1.0)];
+        let outside = outside.map(|[spring, shear]| ground::outside(spring, shear));
         let mut mesh =
             Mesh { nodes: nodes_of(&cells), cells, axial_force: model.beam.axial_force, outside };
         mesh.place_loads_and_supports(model);
@@ -114,7 +81,12 @@ impl Mesh {
         for cell in &mut self.cells {
             let h = cell.length();
             let tension = self.axial_force.max(0.0) + cell.shear;
-            cell.stiffness = cell.stiffness.max(STIFF * h * h * (tension + cell.spring * h * h));
+            let least = STIFF * h * h * (tension + cell.spring * h * h);
+            if cell.beam_varies() {
+                cell.stiffen((least / cell.stiffness).max(1.0));
+            } else {
+                cell.stiffness = cell.stiffness.max(least);
+            }
         }
     }
 
@@ -131,7 +103,9 @@ impl Mesh {
         let mut mesh = self.clone();
         mesh.stiffen();
         for (cell, own) in mesh.cells.iter_mut().zip(&self.cells) {
-            cell.stiffness = own.stiffness * (cell.stiffness / own.stiffness).powf(1.0 - part);
+            let times = (cell.stiffness / own.stiffness).powf(1.0 - part);
+            *cell = *own;
+            cell.stiffen(times);
         }
         mesh
     }
@@ -182,6 +156,22 @@ impl Mesh {
             }
         }
     }
+}
+
+/// Halvings of a cell.
+const MOST_HALVINGS: u32 = 40;
+
+fn into_equal(cell: &Cell, parts: usize, x: &mut Vec<f64>) {
+    x.extend((1..parts).map(|i| cell.global(2.0 * i as f64 / parts as f64 - 1.0)));
+}
+
+fn graded(cell: &Cell, parts: &impl Fn(&Cell) -> usize, halvings: u32, x: &mut Vec<f64>) {
+    if halvings == 0 || cell.is_smooth() {
+        return into_equal(cell, parts(cell), x);
+    }
+    graded(&cell.part([-1.0, 0.0]), parts, halvings - 1, x);
+    x.push(cell.global(0.0));
+    graded(&cell.part([0.0, 1.0]), parts, halvings - 1, x);
 }
 
 /// Where the model itself needs a node, with `more`: sorted, each place once.
@@ -241,6 +231,7 @@ fn cells_between(model: &Model, x: Vec<f64>) -> Vec<Cell> {
             stiffness: model.beam.bending_stiffness,
             spring: model.foundation.spring,
             shear: model.foundation.shear,
+            varies: Varies::default(),
             load: [0.0; 2],
             moment_load: [0.0; 2],
             gap: [0.0; 2],
@@ -267,12 +258,12 @@ fn cells_between(model: &Model, x: Vec<f64>) -> Vec<Cell> {
         .collect();
     for (cells_of, segment) in beam {
         for cell in &mut cells[cells_of] {
-            cell.stiffness = segment.bending_stiffness;
+            cell.set_courses(Some(&segment.course(cell.x)), None);
         }
     }
     for (cells_of, segment) in ground {
         for cell in &mut cells[cells_of] {
-            (cell.spring, cell.shear) = (segment.spring, segment.shear);
+            cell.set_courses(None, Some(&segment.courses(cell.x)));
         }
     }
     for (cells_of, load) in spread {
@@ -332,7 +323,8 @@ fn gap_slope(model: &Model, x: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Beam, Foundation};
+    use crate::model::{Beam, Foundation, Profile};
+    use crate::polynomial::value;
 
     #[test]
     fn nodes_stand_where_the_physics_needs_them() {
@@ -350,6 +342,29 @@ mod tests {
         assert_eq!(mesh.cells[4].load, [3.0, 8.0]);
         assert_eq!(mesh.nodes[4].force, 1.0);
         assert_eq!(mesh.outside, [f64::sqrt(14.0), 0.0]);
+    }
+
+    #[test]
+    fn what_varies_is_cut_finer_where_it_is_small() {
+        let thousandfold = Profile::linear(1.0, 1000.0);
+        let ground = Foundation::winkler(1.0).with_varying_segment(
+            -1.0,
+            6.0,
+            Profile::linear(1.0, 8.0),
+            Profile::linear(3.0, 10.0),
+        );
+        let beam = Beam::uniform(6.0, 1.0).with_varying_segment(0.0, 5.0, thousandfold);
+        let mesh = Mesh::graded(&Model::new(beam, ground), &[], |_| 1);
+        assert!(mesh.cells.iter().all(Cell::is_smooth));
+        assert!((30..80).contains(&mesh.cells.len()), "{}", mesh.cells.len());
+        let ends = |i: usize| mesh.cells[i].shear_ends();
+        assert!((1..mesh.cells.len()).all(|i| ends(i - 1)[1] == ends(i)[0]));
+        assert!((mesh.outside[0] - f64::sqrt(8.0)).abs() < 1e-15);
+        assert!((mesh.outside[1] - f64::sqrt(80.0)).abs() < 1e-14);
+        let part = mesh.cells[3].part([-0.5, 1.0]);
+        let course = thousandfold.at(part.global(0.3) / 5.0);
+        assert!((value(&part.stiffness_course(), 0.3) / course - 1.0).abs() < 1e-14);
+        assert_eq!(part.shear_ends()[1], ends(3)[1]);
     }
 
     #[test]

@@ -47,6 +47,47 @@ fn rescale_in_place(c: &mut [f64], middle: f64, half: f64) {
     }
 }
 
+/// The coefficients of f·g.
+pub(crate) fn product(f: &[f64], g: &[f64]) -> Vec<f64> {
+    let mut out = vec![0.0; (f.len() + g.len()).saturating_sub(1)];
+    for (i, a) in f.iter().enumerate().filter(|(_, a)| **a != 0.0) {
+        for (j, b) in g.iter().enumerate() {
+            out[i + j] += a * b;
+        }
+    }
+    out
+}
+
+/// Whether f has no zero in the complex plane closer to s = 0 than `radius`: the test of Schur and Cohn,
+/// which takes one degree after the other away without moving a zero across the circle.
+pub(crate) fn is_free_of_zeros(c: &[f64], radius: f64) -> bool {
+    let mut power = 1.0;
+    let mut c: Vec<f64> = c
+        .iter()
+        .map(|a| {
+            let scaled = a * power;
+            power *= radius;
+            scaled
+        })
+        .collect();
+    while let Some(&last) = c.last() {
+        if last != 0.0 || c.len() == 1 {
+            break;
+        }
+        c.pop();
+    }
+    while c.len() > 1 {
+        let (first, last) = (c[0], c[c.len() - 1]);
+        let ratio = last / first;
+        if ratio.is_nan() || ratio.abs() >= 1.0 {
+            return false;
+        }
+        let degree = c.len() - 1;
+        c = (0..degree).map(|i| c[i] - ratio * c[degree - i]).collect();
+    }
+    c.first().is_some_and(|a| *a != 0.0)
+}
+
 /// Where f changes its sign within (−1, 1), from left to right, appended to `roots`.
 ///
 /// The intervals on which f may vanish are told from those on which it cannot by the coefficients
@@ -62,7 +103,8 @@ const DEEPEST: u32 = 40;
 fn isolate(c: &[f64], low: f64, high: f64, depth: u32, roots: &mut Vec<f64>) {
     let Some((&constant, rest)) = c.split_first() else { return };
     let spread: f64 = rest.iter().map(|a| a.abs()).sum();
-    if constant.abs() > spread || (constant == 0.0 && spread == 0.0) {
+    let sum = constant.abs() + spread;
+    if constant.abs() > spread || sum == 0.0 || sum.is_nan() {
         return;
     }
     let [left, right] = [value(c, -1.0), value(c, 1.0)];
@@ -122,6 +164,17 @@ mod tests {
     fn jet_of_a_cubic() {
         // f = 1 + 2s + 3s² + 4s³ at s = ½ by hand.
         assert_eq!(jet(&[1.0, 2.0, 3.0, 4.0], 0.5), [3.25, 8.0, 18.0, 24.0]);
+    }
+
+    #[test]
+    fn zeros_in_a_circle() {
+        // (s − 3)²(s + 4) = 36 − 15 s − 2 s² + s³.
+        let c = [36.0, -15.0, -2.0, 1.0, 0.0];
+        assert!(is_free_of_zeros(&c, 2.999) && !is_free_of_zeros(&c, 3.001));
+        // (s² + 4)(s − 3): a pair beside the axis.
+        let c = [-12.0, 4.0, -3.0, 1.0];
+        assert!(is_free_of_zeros(&c, 1.999) && !is_free_of_zeros(&c, 2.001));
+        assert!(is_free_of_zeros(&[2.0, 0.0], 1e9) && !is_free_of_zeros(&[0.0, 1.0], 1e-9));
     }
 
     #[test]

@@ -181,6 +181,8 @@ pub(crate) struct Stretch {
     pub pressure: Vec<f64>,
     /// Off contact, u at both ends.
     pub open: Option<[f64; 2]>,
+    /// Off contact where the ground varies: coefficients of u(s).
+    pub settlement: Vec<f64>,
 }
 
 impl Stretch {
@@ -199,6 +201,10 @@ impl Stretch {
         match self.open {
             None => [w - self.gap_at(s), slope - self.cell.gap_slope],
             Some([0.0, 0.0]) => [0.0, 0.0],
+            Some(_) if !self.settlement.is_empty() => {
+                let [u, du, ..] = jet(&self.settlement, s);
+                [u, du / self.half]
+            }
             Some([left, right]) => {
                 let t = 0.5 * (1.0 + s);
                 let bh = self.decay();
@@ -411,12 +417,15 @@ impl Solution {
         } else {
             return self.value(Field::Settlement, x);
         };
-        let stretch =
-            if x < 0.0 { &self.stretches[0] } else { &self.stretches[self.stretches.len() - 1] };
-        if stretch.cell.shear == 0.0 {
+        let [spring, shear] = if x < 0.0 {
+            self.stretches[0].cell.ground_at(-1.0)
+        } else {
+            self.stretches[self.stretches.len() - 1].cell.ground_at(1.0)
+        };
+        if shear == 0.0 {
             return 0.0;
         }
-        end.settlement * (-(stretch.cell.spring / stretch.cell.shear).sqrt() * beyond).exp()
+        end.settlement * (-(spring / shear).sqrt() * beyond).exp()
     }
 
     /// The smallest and largest value of a field, located by the roots of its derivative.

@@ -13,8 +13,7 @@ use crate::model::Model;
 /// elimination of a chain finds out: all its pivots are positive.
 pub fn own_buckling_load(model: &Model) -> f64 {
     let l = model.beam.length;
-    let stiffest = model.beam.segments.iter().map(|s| s.bending_stiffness);
-    let unit = stiffest.fold(model.beam.bending_stiffness, f64::max) / (l * l);
+    let unit = model.beam.stiffest() / (l * l);
     let mut low = 0.0;
     let mut high = unit;
     while is_stable(model, high) {
@@ -36,7 +35,7 @@ pub fn own_buckling_load(model: &Model) -> f64 {
 
 fn is_stable(model: &Model, compression: f64) -> bool {
     let operator = |cell: &_| Operator::of(cell, -compression, Touch::Open);
-    let mesh = Mesh::build(model, &[], |cell| parts(&operator(cell), cell.length()));
+    let mesh = Mesh::graded(model, &[], |cell| parts(&operator(cell), cell.length()));
     let cell = |cell: &crate::mesh::Cell| ChainCell {
         element: ExactElement::new(&operator(cell), cell.length()).element,
         links: Vec::new(),

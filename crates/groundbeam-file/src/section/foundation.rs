@@ -1,11 +1,12 @@
 //! `[foundation]` and `[[foundation.segment]]`.
 
+use crate::profile::{Along, Values, left_out};
 use crate::quantity::{POSITION, SHEAR_CONSTANT, SPRING_PER_LENGTH, SUBGRADE_MODULUS, WIDTH};
 use crate::reader::{Field, Reader};
 use crate::stiffness::{Given, Keys, Stiffness, cover};
 use crate::table::Section;
 use groundbeam::model::Part;
-use groundbeam::{Foundation, FoundationSegment};
+use groundbeam::{Foundation, FoundationSegment, Profile};
 
 const KEYS: &[&str] = &["k", "subgrade_modulus", "width", "mu", "segment"];
 const SEGMENT_KEYS: &[&str] = &["from", "to", "k", "subgrade_modulus", "width", "mu"];
@@ -30,22 +31,24 @@ pub(super) fn read(reader: &mut Reader, root: &Section, beam_length: f64) -> Fou
     reader.refuse_unknown(&table, KEYS);
     reader.places.part(Part::Foundation, &table.span);
 
-    let shear = reader.quantity(&table, "mu", &SHEAR_CONSTANT);
-    let shear = shear.unwrap_or_else(|| Field::new(0.0, table.span.clone()));
-    reader.places.field(Part::Foundation, "shear", &shear);
+    let shear = reader.along(&table, "mu", &SHEAR_CONSTANT, CURVE);
+    let nothing = || Along { profile: Profile::constant(0.0), span: table.span.clone() };
+    let shear = shear.unwrap_or_else(nothing);
+    reader.places.field(Part::Foundation, "shear", &shear.field());
     let given = given(reader, &table);
     let stiffness = given.resolve(reader, &Given::default(), &STIFFNESS);
     let known = match &stiffness {
-        Stiffness::Known(field) => Some(field.clone()),
+        Stiffness::Known(spring) => Some(spring.clone()),
         _ => None,
     };
+    let parent = Parent { given, spring: known, shear, length: beam_length };
 
     let mut segments = Vec::new();
     for (i, segment) in
         reader.tables(&table, "segment", "[[foundation.segment]]").iter().enumerate()
     {
         let part = Part::FoundationSegment(i);
-        segments.push(read_segment(reader, segment, part, &given, known.as_ref(), &shear));
+        segments.push(read_segment(reader, segment, part, &parent));
     }
 
     let covered = cover(beam_length, segments.iter().map(|s| (s.from, s.to)));
@@ -54,14 +57,46 @@ pub(super) fn read(reader: &mut Reader, root: &Section, beam_length: f64) -> Fou
         // Nothing is left for it to hold for; it must only be possible values.
         (Stiffness::NotGiven | Stiffness::Half(..), Some(segment)) if covered => {
             reader.places.field(Part::Foundation, "spring", &Field::unreadable(0..0));
-            let (spring, shear) = (segment.spring, segment.shear);
+            let (spring, shear) = (segment.spring.end(), segment.shear.end());
             Foundation { spring, shear, segments }
         }
         _ => {
             let spring = reader.settle(stiffness, &table, &STIFFNESS);
-            reader.places.field(Part::Foundation, "spring", &spring);
-            Foundation { spring: spring.value, shear: shear.value, segments }
+            reader.places.field(Part::Foundation, "spring", &spring.field());
+            add_where_it_varies(reader, &spring, &parent.shear, beam_length, &mut segments);
+            let [spring, shear] = [&spring, &parent.shear].map(|along| along.profile.start());
+            Foundation { spring, shear, segments }
         }
+    }
+}
+
+/// What `[foundation]` says, along the whole beam.
+struct Parent {
+    given: Given,
+    spring: Option<Along>,
+    shear: Along,
+    length: f64,
+}
+
+/// Ground that varies along the whole beam holds where no segment says otherwise.
+fn add_where_it_varies(
+    reader: &mut Reader,
+    spring: &Along,
+    shear: &Along,
+    length: f64,
+    segments: &mut Vec<FoundationSegment>,
+) {
+    let constant = spring.profile.is_constant() && shear.profile.is_constant();
+    // A wrong beginning is reported once.
+    if constant || spring.profile.start() <= 0.0 || shear.profile.start() < 0.0 {
+        return;
+    }
+    for [from, to] in left_out(length, segments.iter().map(|s| (s.from, s.to))) {
+        let [k, mu] = [spring, shear].map(|along| along.between([from / length, to / length]));
+        let part = Part::FoundationSegment(segments.len());
+        reader.places.field(part, "spring", &k.field());
+        reader.places.field(part, "shear", &mu.field());
+        segments.push(FoundationSegment { from, to, spring: k.profile, shear: mu.profile });
     }
 }
 
@@ -70,41 +105,53 @@ fn read_segment(
     reader: &mut Reader,
     table: &Section,
     part: Part,
-    parent: &Given,
-    parent_spring: Option<&Field>,
-    parent_shear: &Field,
+    parent: &Parent,
 ) -> FoundationSegment {
     reader.refuse_unknown(table, SEGMENT_KEYS);
     reader.places.part(part, &table.span);
     let from = reader.required(table, "from", &POSITION);
     let to = reader.required(table, "to", &POSITION);
-    let own_shear = reader.quantity(table, "mu", &SHEAR_CONSTANT);
-    let stiffness = given(reader, table).resolve(reader, parent, &STIFFNESS);
+    let own_shear = reader.along(table, "mu", &SHEAR_CONSTANT, CURVE);
+    let way = [from.value, to.value].map(|x| (x / parent.length).clamp(0.0, 1.0));
+    let own = given(reader, table);
+    let takes_over = |along: &Along| !along.profile.is_constant();
+    let parts = [&parent.given.product, &parent.given.factors[0], &parent.given.factors[1]];
+    let varies = parts.into_iter().flatten().any(takes_over) || takes_over(&parent.shear);
+    let stiffness = own.resolve(reader, &parent.given.between(way), &STIFFNESS);
+    let parent_spring = parent.spring.as_ref().map(|spring| spring.between(way));
     let spring = match (&stiffness, parent_spring) {
         // A value of the parent's is reported at the parent if it is wrong.
         (Stiffness::NotGiven, Some(spring)) if own_shear.is_some() => {
             reader.places.field(part, "spring", &Field::unreadable(0..0));
-            spring.clone()
+            spring
         }
         _ => {
             let spring = reader.settle(stiffness, table, &STIFFNESS);
-            reader.places.field(part, "spring", &spring);
+            reader.places.field(part, "spring", &spring.field());
             spring
         }
     };
     let inherited = Field::unreadable(0..0);
-    reader.places.field(part, "shear", own_shear.as_ref().unwrap_or(&inherited));
-    let shear = own_shear.map_or(parent_shear.value, |shear| shear.value);
+    reader.places.field(part, "shear", &own_shear.as_ref().map_or(inherited, Along::field));
+    let shear = own_shear.unwrap_or_else(|| parent.shear.between(way)).profile;
     reader.places.field(part, "from", &from);
     reader.places.field(part, "to", &to);
-    FoundationSegment { from: from.value, to: to.value, spring: spring.value, shear }
+    let (mut from, mut to) = (from.value, to.value);
+    // Ground goes on beyond the beam as it is at its ends: what varies along the beam ends there.
+    if varies && from < parent.length && to > 0.0 {
+        (from, to) = (from.max(0.0), to.min(parent.length));
+    }
+    FoundationSegment { from, to, spring: spring.profile, shear }
 }
 
+/// Two values for ground that varies linearly, more for a curve; how many a ground may have the model knows.
+const CURVE: Values = Values::Curve(Profile::MOST);
+
 fn given(reader: &mut Reader, table: &Section) -> Given {
-    let product = reader.quantity(table, "k", &SPRING_PER_LENGTH);
-    let modulus = reader.quantity(table, "subgrade_modulus", &SUBGRADE_MODULUS);
-    let modulus = modulus.map(|modulus| reader.positive("subgrade_modulus", modulus));
-    let width = reader.quantity(table, "width", &WIDTH);
-    let width = width.map(|width| reader.positive("width", width));
+    let product = reader.along(table, "k", &SPRING_PER_LENGTH, CURVE);
+    let modulus = reader.along(table, "subgrade_modulus", &SUBGRADE_MODULUS, Values::Linear);
+    let modulus = modulus.map(|modulus| reader.positive_along("subgrade_modulus", modulus));
+    let width = reader.along(table, "width", &WIDTH, Values::Linear);
+    let width = width.map(|width| reader.positive_along("width", width));
     Given { product, factors: [modulus, width] }
 }

@@ -11,8 +11,8 @@ use crate::quantity::{Kind, Units};
 use crate::size::Sizes;
 use crate::verdict;
 use groundbeam::{
-    ContactRegion, Existence, Extreme, Field, Model, NotConverged, Reaction, Solution, SupportKind,
-    Verdict,
+    ContactRegion, Existence, Extreme, Field, Model, NotConverged, Profile, Reaction, Solution,
+    SupportKind, Verdict,
 };
 use sheet::{Sheet, Tone};
 
@@ -74,7 +74,7 @@ fn problem(sheet: &mut Sheet, model: &Model, existence: &Existence, context: &Co
     let found = Characteristics::of(model, existence);
     let write = |kind, value| units.write(kind, value, 6);
 
-    let stiffnesses = model.beam.segments.iter().map(|s| s.bending_stiffness);
+    let stiffnesses = ends(model.beam.segments.iter().map(|s| s.bending_stiffness));
     let stiffness =
         spread(units, Kind::BendingStiffness, model.beam.bending_stiffness, stiffnesses);
     let mut beam = format!("l = {}, EI = {stiffness}", units.position(model.beam.length));
@@ -85,8 +85,8 @@ fn problem(sheet: &mut Sheet, model: &Model, existence: &Existence, context: &Co
     }
     sheet.row("Beam", &beam);
 
-    let springs = model.foundation.segments.iter().map(|s| s.spring);
-    let shears = model.foundation.segments.iter().map(|s| s.shear);
+    let springs = ends(model.foundation.segments.iter().map(|s| s.spring));
+    let shears = ends(model.foundation.segments.iter().map(|s| s.shear));
     let spring = spread(units, Kind::Spring, model.foundation.spring, springs);
     let shear = spread(units, Kind::Constant, model.foundation.shear, shears);
     let is_winkler = found.shear_length[1] == 0.0;
@@ -124,6 +124,11 @@ fn spread(units: Units, kind: Kind, base: f64, others: impl Iterator<Item = f64>
         all = [all[0].min(value), all[1].max(value)];
     }
     range(units, kind, all)
+}
+
+/// The values at both ends of every segment.
+fn ends(profiles: impl Iterator<Item = Profile>) -> impl Iterator<Item = f64> {
+    profiles.flat_map(|profile| [profile.start(), profile.end()])
 }
 
 fn range(units: Units, kind: Kind, [low, high]: [f64; 2]) -> String {

@@ -50,7 +50,7 @@ impl Claim<'_> {
 mod tests {
     use super::super::{Certificate, certify};
     use super::{Claim, ClaimedPiece};
-    use crate::model::{Beam, Foundation, Load, Model, Support};
+    use crate::model::{Beam, Foundation, Load, Model, Profile, Support};
     use crate::solution::Solution;
     use crate::{Outcome, solve};
 
@@ -84,6 +84,22 @@ mod tests {
                     .with_load(Load::uniform(1.0, 0.5, 3.0))
                     .with_load(Load::moment(-0.2, 1.3)),
             ),
+            ("varying", {
+                let beam = Beam::uniform(2.0, 1.0).with_varying_segment(
+                    0.0,
+                    2.0,
+                    Profile::linear(1.0, 0.6),
+                );
+                let ground = Foundation::winkler(1.0).with_varying_segment(
+                    0.0,
+                    2.0,
+                    Profile::linear(1.0, 2.0),
+                    Profile::linear(1.0, 0.6),
+                );
+                Model::new(beam, ground)
+                    .with_load(Load::point(1.0, 1.0))
+                    .with_load(Load::moment(0.8, 1.0))
+            }),
             ("pulled", {
                 let mut model = kikuchi().with_load(Load::moment(0.7, 0.5));
                 model.beam.axial_force = 2.0;

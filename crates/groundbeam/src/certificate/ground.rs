@@ -88,7 +88,7 @@ impl<'a> GroundSums<'a> {
         self.quadrature(&under, jets, carriers);
         let [u, du, clearance] = under.end(1.0);
         self.see(u, du);
-        self.before = Some(Before { under, flux: under.shear * du, clearance });
+        self.before = Some(Before { under, flux: under.flux(1.0, du), clearance });
     }
 
     /// The ground beyond the right end.
@@ -116,17 +116,18 @@ impl<'a> GroundSums<'a> {
             carriers.press(Weights::point(x, force), [x, x], force * u.max(left));
         }
         // The endless ground goes on with the value it has at the end.
-        let outside = |under: &Under| (under.spring * under.shear).sqrt();
         let (flux_left, flux_right) = match (&before, &next) {
-            (Some(before), Some(next)) => (before.flux, next.shear * du),
+            (Some(before), Some(next)) => (before.flux, next.flux(-1.0, du)),
             (None, Some(next)) => {
-                self.energy += outside(next) * u * u;
-                (outside(next) * u, next.shear * du)
+                let outside = next.outside(-1.0);
+                self.energy += outside * u * u;
+                (outside * u, next.flux(-1.0, du))
             }
             (Some(before), None) => {
                 let [u, ..] = before.under.end(1.0);
-                self.energy += outside(&before.under) * u * u;
-                (before.flux, -outside(&before.under) * u)
+                let outside = before.under.outside(1.0);
+                self.energy += outside * u * u;
+                (before.flux, -outside * u)
             }
             (None, None) => return,
         };
@@ -169,8 +170,11 @@ impl<'a> GroundSums<'a> {
         }
         // A force that stands clear of the ground does work on the clearance, or the ground is moved up to
         // it, whichever costs less.
-        let stiffness: f64 =
-            sides.iter().filter_map(|side| side.0).map(|under| under.shear / under.half).sum();
+        let stiffness: f64 = sides
+            .iter()
+            .filter_map(|side| side.0)
+            .map(|under| under.bounds()[2] / under.half)
+            .sum();
         let clear = !touches && clearance > 0.0 && force <= clearance * stiffness;
         if clear && force > 0.0 {
             self.clear += force * clearance;
@@ -186,10 +190,8 @@ impl<'a> GroundSums<'a> {
                 let jump = (clearances[1] - clearances[0]).abs();
                 [End::Open { jump, force }, End::Open { jump, force: 0.0 }]
             }
-            [left, right] => [left, right].map(|side| match side {
-                Some(one) if at_end => {
-                    End::Free { stiffness: (one.spring * one.shear).sqrt(), force }
-                }
+            [left, right] => [(left, 1.0), (right, -1.0)].map(|(side, end)| match side {
+                Some(one) if at_end => End::Free { stiffness: one.outside(end), force },
                 Some(_) => End::Free { stiffness: 0.0, force },
                 None => none,
             }),
@@ -214,13 +216,12 @@ impl<'a> GroundSums<'a> {
     }
 
     fn quadrature(&mut self, under: &Under, jets: &Jets, carriers: &mut Carriers) {
-        let (k, mu, half) = (under.spring, under.shear, under.half);
+        let half = under.half;
         let piece = under.piece;
         let open = under.is_open();
-        if open {
-            self.energy += under.energy();
-        }
-        if open && piece.pressure.is_empty() {
+        let energy = under.energy();
+        self.energy += energy.unwrap_or(0.0);
+        if energy.is_some() && piece.pressure.is_empty() {
             return;
         }
         let [mut mass, mut first, mut second, mut sunk] = [0.0; 4];
@@ -229,13 +230,16 @@ impl<'a> GroundSums<'a> {
             let [w, dw, ddw, _] = *jet;
             let p = value(piece.pressure, s);
             let [u, du] = under.surface(s, w, dw);
-            let rest = if open {
-                self.clear += dx * (p * (u + under.gap(s) - w)).abs();
-                -p
-            } else {
+            let [k, mu, rise] = under.constants(s);
+            if energy.is_none() {
                 self.energy += dx * (k * u * u + mu * du * du);
                 self.see(u, du);
-                k * u - mu * (ddw / (half * half)) - p
+            }
+            let rest = if open {
+                self.clear += dx * (p * (u + under.gap(s) - w)).abs();
+                under.residual(s) - p
+            } else {
+                k * u - mu * (ddw / (half * half)) - rise * du - p
             };
             self.spread += dx * rest * rest / k;
             self.work_on_gap += dx * p * under.gap(s);
@@ -259,7 +263,7 @@ impl<'a> GroundSums<'a> {
         let pull = depth_of(&Polynomial::new(piece.pressure));
         if pull > 0.0 {
             self.pull += pull * 2.0 * half;
-            self.pulled += pull * (2.0 * half / k).sqrt();
+            self.pulled += pull * (2.0 * half / under.bounds()[0]).sqrt();
         }
         let [low, high] = bounds(piece.pressure, 8);
         self.smallest_pressure = self.smallest_pressure.min(low);

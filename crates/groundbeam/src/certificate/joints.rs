@@ -45,14 +45,13 @@ impl Joints {
     pub fn new(model: &Model) -> Self {
         let beam = &model.beam;
         let ground = &model.foundation;
-        let segments = ground.segments.iter().map(|s| (s.spring, s.shear));
+        let segments = ground.segments.iter().map(|s| (s.spring.largest(), s.shear.largest()));
         let (mut spring, mut shear) = (ground.spring, ground.shear);
         for (k, mu) in segments {
             (spring, shear) = (spring.max(k), shear.max(mu));
         }
-        let bending = beam.segments.iter().map(|s| s.bending_stiffness);
         let mut stiffest = Stiffest {
-            bending: bending.fold(beam.bending_stiffness, f64::max),
+            bending: beam.stiffest(),
             spring,
             tension: shear + beam.axial_force.max(0.0),
             springs: 2.0 * (spring * shear).sqrt(),

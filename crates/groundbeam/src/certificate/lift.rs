@@ -46,7 +46,8 @@ impl Lifting {
     /// One open piece between its ends.
     pub fn add(&mut self, under: &Under, ends: [End; 2]) {
         let Some(clearance) = Clearance::of(under) else { return };
-        let (k, mu, length) = (under.spring, under.shear, 2.0 * under.half);
+        let [_, k, mu] = under.bounds();
+        let length = 2.0 * under.half;
         if ends.contains(&End::Edge) {
             let (left, middle, right) = (clearance.at(-1.0), clearance.at(0.0), clearance.at(1.0));
             for (end, point) in [(ends[0], left), (ends[1], right)] {
@@ -90,7 +91,7 @@ impl Lifting {
     /// v takes out what the clearance is `off` zero at the edge, over its reach; and it rises as the beam
     /// may fall below the ground, up to where the beam has come out again, and falls as much beyond.
     fn at_edge(&mut self, under: &Under, edge: &Edge, off: f64) {
-        let (k, mu) = (under.spring, under.shear);
+        let [_, k, mu] = under.bounds();
         let (reach, until) = (edge.reach * under.half, edge.until * under.half);
         let fall = edge.fall / under.half;
         self.squares[0] += off * off * (k * reach / 3.0 + mu / reach);

@@ -2,25 +2,39 @@
 
 use super::ClaimedPiece;
 use super::curve::{Curve, Point, ROUNDING, fourth, rounding};
-use crate::model::Model;
+use crate::model::{Course, Model};
 use crate::polynomial::jet;
 
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Under<'a> {
     pub piece: &'a ClaimedPiece<'a>,
     pub half: f64,
+    /// k and μ, where they vary at the middle.
     pub spring: f64,
     pub shear: f64,
+    ground: [Course; 2],
     gap: [f64; 2],
     /// Half of what g₀ rises by.
     rise: f64,
     open: Option<Open>,
 }
 
+/// The surface of open ground.
+#[derive(Debug, Clone, Copy)]
+enum Open {
+    Even(Even),
+    /// Where k or μ varies, a polynomial that solves (2.2) as far as its degree goes; what it misses
+    /// counts as a pressure that nobody claims.
+    Varying([f64; TERMS]),
+}
+
+/// Coefficients of u where the ground varies.
+const TERMS: usize = 22;
+
 /// u = (left sinh(b(h − ξ)) + right sinh(bξ))/sinh(bh) about the middle: an even part cosh and an odd
 /// part sinh, each scaled by its value at the ends.
 #[derive(Debug, Clone, Copy)]
-struct Open {
+struct Even {
     mean: f64,
     rise: f64,
     /// b, b h/2 and its tanh; e^(−bh).
@@ -35,7 +49,8 @@ struct Open {
 impl<'a> Under<'a> {
     pub fn new(model: &Model, piece: &'a ClaimedPiece) -> Self {
         let [from, to] = piece.x;
-        let (spring, shear) = model.foundation.constants_at(0.5 * (from + to));
+        let ground = model.foundation.constants_on(piece.x);
+        let [spring, shear] = ground.map(|course| course.coefficients[0]);
         let (gap, rise) = if model.gap.is_empty() {
             ([0.0; 2], 0.0)
         } else {
@@ -44,7 +59,7 @@ impl<'a> Under<'a> {
         };
         let open = piece.open.map(|[left, right]| {
             if shear == 0.0 {
-                return Open {
+                return Open::Even(Even {
                     mean: 0.0,
                     rise: 0.0,
                     b: 0.0,
@@ -52,11 +67,14 @@ impl<'a> Under<'a> {
                     tanh: 0.0,
                     faded: 1.0,
                     floor: 0.0,
-                };
+                });
+            }
+            if ground.iter().any(|course| !course.is_constant()) {
+                return Open::Varying(varying(&ground, piece.half, [left, right]));
             }
             let b = (spring / shear).sqrt();
             let z = b * piece.half;
-            Open {
+            Open::Even(Even {
                 mean: 0.5 * (left + right),
                 rise: 0.5 * (right - left),
                 b,
@@ -64,9 +82,9 @@ impl<'a> Under<'a> {
                 tanh: z.tanh(),
                 faded: (-2.0 * z).exp(),
                 floor: left.min(right).min(0.0),
-            }
+            })
         });
-        Under { piece, half: piece.half, spring, shear, gap, rise, open }
+        Under { piece, half: piece.half, spring, shear, ground, gap, rise, open }
     }
 
     /// Whether the ground is free here.
@@ -82,16 +100,61 @@ impl<'a> Under<'a> {
         0.5 * ((1.0 - s) * self.gap[0] + (1.0 + s) * self.gap[1])
     }
 
-    /// u and u' where the beam has w and dw/ds.
-    pub fn surface(&self, s: f64, w: f64, dw: f64) -> [f64; 2] {
-        self.open
-            .map_or_else(|| [w - self.gap(s), (dw - self.rise) / self.half], |open| open.surface(s))
+    /// k, μ and μ' at s.
+    pub fn constants(&self, s: f64) -> [f64; 3] {
+        let [spring, shear] = &self.ground;
+        let [mu, rise] = if shear.is_constant() { [self.shear, 0.0] } else { shear.rising_at(s) };
+        [spring.at(s), mu, rise / self.half]
     }
 
-    /// ∫(k u² + μ u'²) of open ground: what its ends do, u μu' at the right less the same at the left.
-    pub fn energy(&self) -> f64 {
-        let [left, right] = [-1.0, 1.0].map(|s| self.open.map_or([0.0; 2], |open| open.surface(s)));
-        self.shear * (right[0] * right[1] - left[0] * left[1])
+    /// Bounds: the least k, the largest k and μ.
+    pub fn bounds(&self) -> [f64; 3] {
+        let [spring, shear] = &self.ground;
+        [spring.bounds[0], spring.bounds[1], shear.bounds[1]]
+    }
+
+    /// k and μ at the left or the right end.
+    fn ends(&self, s: f64) -> [f64; 2] {
+        self.ground.map(|course| course.ends[usize::from(s > 0.0)])
+    }
+
+    /// μu' at an end where the surface has the slope u'.
+    pub fn flux(&self, s: f64, slope: f64) -> f64 {
+        self.ends(s)[1] * slope
+    }
+
+    /// What endless ground that goes on as it is at an end adds there: √(kμ).
+    pub fn outside(&self, s: f64) -> f64 {
+        let [spring, shear] = self.ends(s);
+        (spring * shear).sqrt()
+    }
+
+    /// u and u' where the beam has w and dw/ds.
+    pub fn surface(&self, s: f64, w: f64, dw: f64) -> [f64; 2] {
+        match &self.open {
+            None => [w - self.gap(s), (dw - self.rise) / self.half],
+            Some(Open::Even(even)) => even.surface(s),
+            Some(Open::Varying(c)) => {
+                let [u, du, ..] = jet(c, s);
+                [u, du / self.half]
+            }
+        }
+    }
+
+    /// ∫(k u² + μ u'²) of open even ground: what its ends do, u μu' at the right less the same at the left.
+    /// None for ground that touches or varies.
+    pub fn energy(&self) -> Option<f64> {
+        let Some(Open::Even(even)) = &self.open else { return None };
+        let [left, right] = [-1.0, 1.0].map(|s| even.surface(s));
+        Some(self.shear * (right[0] * right[1] - left[0] * left[1]))
+    }
+
+    /// ku − (μu')' of open ground.
+    pub fn residual(&self, s: f64) -> f64 {
+        let Some(Open::Varying(c)) = &self.open else { return 0.0 };
+        let [u, du, bend, _] = jet(c, s);
+        let [k, mu, rise] = self.constants(s);
+        k * u - (mu * bend / self.half + rise * du) / self.half
     }
 
     /// u, u' and the clearance at an end.
@@ -102,7 +165,40 @@ impl<'a> Under<'a> {
     }
 }
 
-impl Open {
+/// −(μu')' + ku = 0 on a stretch that is held at both ends: the coefficients follow one another,
+/// (j+2)(j+1) μ₀ c_{j+2} = a² \[ku\]_j − (j+1) Σ_{i≥1} μᵢ (j+2−i) c_{j+2−i}.
+fn varying(ground: &[Course; 2], half: f64, [left, right]: [f64; 2]) -> [f64; TERMS] {
+    let [spring, shear] = ground.map(|course| course.coefficients);
+    let solution = |level: f64, slope: f64| {
+        let mut c = [0.0; TERMS];
+        (c[0], c[1]) = (level, slope);
+        for j in 0..TERMS - 2 {
+            let [mut held, mut carried] = [0.0; 2];
+            for (i, k) in spring.iter().enumerate().take(j + 1) {
+                held += k * c[j - i];
+            }
+            for (i, mu) in shear.iter().enumerate().take(j + 2).skip(1) {
+                carried += mu * (j + 2 - i) as f64 * c[j + 2 - i];
+            }
+            let next = half * half * held / (j + 1) as f64 - carried;
+            c[j + 2] = next / ((j + 2) as f64 * shear[0]);
+        }
+        c
+    };
+    let (one, rising) = (solution(1.0, 0.0), solution(0.0, 1.0));
+    // The parts of each that have the same and the opposite sign at both ends.
+    let [[same, other], [lift, tilt]] = [&one, &rising].map(|c| {
+        let sum = |first: usize| c.iter().skip(first).step_by(2).sum::<f64>();
+        [sum(0), sum(1)]
+    });
+    let (mean, rise) = (0.5 * (left + right), 0.5 * (right - left));
+    let determinant = same * tilt - other * lift;
+    let level = (tilt * mean - lift * rise) / determinant;
+    let slope = (same * rise - other * mean) / determinant;
+    std::array::from_fn(|j| level * one[j] + slope * rising[j])
+}
+
+impl Even {
     fn surface(&self, s: f64) -> [f64; 2] {
         if self.b == 0.0 {
             return [0.0; 2];
@@ -123,16 +219,47 @@ impl Open {
 /// u + g₀ − w over open ground.
 pub(super) struct Clearance<'a> {
     under: &'a Under<'a>,
-    open: Open,
+    shape: Shape,
     /// (b h/2)²: the ground's curvature for its deflection.
     curvature: f64,
     rest: f64,
     noise: [f64; 2],
 }
 
+enum Shape {
+    Even(Even),
+    /// Where the ground varies, all of it is one polynomial.
+    Polynomial(Vec<f64>),
+}
+
 impl<'a> Clearance<'a> {
     pub fn of(under: &'a Under<'a>) -> Option<Self> {
-        let open = under.open?;
+        match &under.open {
+            None => None,
+            Some(Open::Even(even)) => Some(Self::over_even_ground(under, *even)),
+            Some(Open::Varying(c)) => Some(Self::over_varying_ground(under, c)),
+        }
+    }
+
+    fn over_varying_ground(under: &'a Under<'a>, u: &[f64]) -> Self {
+        let mut difference = u.to_vec();
+        difference.resize(u.len().max(under.piece.deflection.len()), 0.0);
+        for (c, w) in difference.iter_mut().zip(under.piece.deflection) {
+            *c -= w;
+        }
+        difference[0] += under.gap(0.0);
+        difference[1] += under.rise;
+        let parts = [rounding(under.piece.deflection), rounding(u)];
+        let gap = under.gap[0].abs().max(under.gap[1].abs());
+        let noise = [
+            parts[0][0] + parts[1][0] + ROUNDING * gap,
+            parts[0][1] + parts[1][1] + ROUNDING * under.rise.abs(),
+        ];
+        let rest = 0.5 * fourth(&difference);
+        Clearance { under, shape: Shape::Polynomial(difference), curvature: 0.0, rest, noise }
+    }
+
+    fn over_even_ground(under: &'a Under<'a>, open: Even) -> Self {
         let [value, slope] = rounding(under.piece.deflection);
         let ground = open.mean.abs() + open.rise.abs();
         let gap = under.gap[0].abs().max(under.gap[1].abs());
@@ -141,28 +268,34 @@ impl<'a> Clearance<'a> {
         } else {
             0.0
         };
-        Some(Clearance {
+        Clearance {
             under,
-            open,
+            shape: Shape::Even(open),
             curvature: open.z * open.z,
             rest: 0.5 * fourth(under.piece.deflection),
             noise: [
                 value + ROUNDING * (ground + gap),
                 slope + ROUNDING * (steep + under.rise.abs()),
             ],
-        })
+        }
     }
 }
 
 impl Curve for Clearance<'_> {
     fn at(&self, s: f64) -> Point {
         let under = self.under;
+        let open = match &self.shape {
+            Shape::Even(open) => open,
+            Shape::Polynomial(c) => {
+                let [value, slope, bend, third] = jet(c, s);
+                return Point { s, value, slope, bend, turn: third.abs() };
+            }
+        };
         let [w, dw, bend, third] = jet(under.piece.deflection, s);
-        let [u, du] = self.open.surface(s);
+        let [u, du] = open.surface(s);
         let du = du * under.half;
         // The ground is convex where it is not negative: it lies above its tangent.
-        let (least, turn) =
-            if self.open.floor < 0.0 { (self.open.floor, 0.0) } else { (u, du.abs()) };
+        let (least, turn) = if open.floor < 0.0 { (open.floor, 0.0) } else { (u, du.abs()) };
         Point {
             s,
             value: u + under.gap(s) - w,

@@ -27,7 +27,7 @@ pub(super) struct Unclaimed {
 impl Unclaimed {
     pub fn new(model: &Model) -> Self {
         let ground = &model.foundation;
-        let segments = ground.segments.iter().map(|s| (s.spring, s.shear));
+        let segments = ground.segments.iter().map(|s| (s.spring.smallest(), s.shear.smallest()));
         let (mut spring, mut shear) = (ground.spring, f64::INFINITY);
         for (k, mu) in segments.chain([(ground.spring, ground.shear)]) {
             spring = spring.min(k);
@@ -97,7 +97,7 @@ impl Unclaimed {
 /// shear layer that stops under the beam is held from one side only.
 pub(super) fn flexibility(model: &Model) -> f64 {
     let ground = &model.foundation;
-    let all = ground.segments.iter().map(|s| (s.spring, s.shear));
+    let all = ground.segments.iter().map(|s| (s.spring.smallest(), s.shear.smallest()));
     let (k, mu) = all.fold((ground.spring, ground.shear), |(k, mu), (other_k, other_mu)| {
         (k.min(other_k), mu.min(other_mu))
     });

@@ -301,8 +301,7 @@ impl<'a> Newton<'a> {
 /// Adds `weight` times the bonded ground, about a given state.
 fn damp(element: &mut Element, mesh: &Mesh, i: usize, weight: f64, about: &[f64; 4]) {
     let mut cell = mesh.cells[i];
-    cell.spring *= weight;
-    cell.shear *= weight;
+    cell.stiffen_ground(weight);
     cell.gap = [0.0; 2];
     cell.gap_slope = 0.0;
     let mut extra = Element { length: element.length, ..Element::default() };

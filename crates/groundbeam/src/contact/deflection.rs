@@ -1,5 +1,6 @@
 //! A deflection in pieces, points of the beam, and what ψ = w − g₀ asks of the ground.
 
+use super::varying;
 use crate::mesh::{Cell, Mesh};
 use crate::polynomial::jet;
 
@@ -41,23 +42,27 @@ impl Deflection<'_> {
 
     /// −\[μψ'\] at the node to the left of cell i: positive where a corner presses into the ground.
     pub fn corner(&self, i: usize) -> f64 {
-        let [a, b] = [self.mesh.cells[i - 1], self.mesh.cells[i]];
-        if a.shear == b.shear && a.gap_slope == b.gap_slope {
+        let [a, b] = [&self.mesh.cells[i - 1], &self.mesh.cells[i]];
+        let ([_, before], [after, _]) = (a.shear_ends(), b.shear_ends());
+        if before == after && a.gap_slope == b.gap_slope {
             return 0.0;
         }
         let slope = jet(self.cell(i), -1.0)[1] * 2.0 / b.length();
-        (a.shear - b.shear) * slope - (a.shear * a.gap_slope - b.shear * b.gap_slope)
+        (before - after) * slope - (before * a.gap_slope - after * b.gap_slope)
     }
 
-    /// The coefficients of π = kψ − μψ'' in cell i.
+    /// The coefficients of π = kψ − (μψ')' in cell i.
     pub fn pressure(&self, i: usize) -> Vec<f64> {
         let cell = &self.mesh.cells[i];
         pressure_of(cell, 0.5 * cell.length(), &self.obstacle(i))
     }
 }
 
-/// The coefficients of kψ − μψ'' from those of ψ on a stretch of half length `half`.
+/// The coefficients of kψ − (μψ')' from those of ψ on a stretch of half length `half`.
 pub(crate) fn pressure_of(cell: &Cell, half: f64, obstacle: &[f64]) -> Vec<f64> {
+    if cell.ground_varies() {
+        return varying::pressure(cell, half, obstacle);
+    }
     let factor = cell.shear / (half * half);
     (0..obstacle.len())
         .map(|j| {

@@ -137,10 +137,7 @@ fn coarse(model: &Model, level: u32) -> Result<Found, Stalled> {
     let stiffer = |stage: u32| {
         let mut model = model.clone();
         let factor = (times * f64::from(stage) / f64::from(stages.max(1))).exp2();
-        model.beam.bending_stiffness *= factor;
-        for segment in &mut model.beam.segments {
-            segment.bending_stiffness *= factor;
-        }
+        model.beam = model.beam.stiffened(factor);
         model
     };
     let per_wave = COARSE * 3_f64.powi(level as i32);
@@ -285,7 +282,7 @@ pub(crate) fn glued(
     let touch = |cell: &Cell| {
         if touches(0.5 * (cell.x[0] + cell.x[1])) { Touch::Contact } else { Touch::Open }
     };
-    let mesh = Mesh::build(model, &edges, |cell| {
+    let mesh = Mesh::graded(model, &edges, |cell| {
         parts(&Operator::of(cell, axial, touch(cell)), cell.length())
     });
     let assumed = zones_of(&mesh, stretches, &touch);

@@ -3,8 +3,9 @@
 use super::deflection::{Spot, Zone};
 use super::pieces::pieces;
 use super::surface::open_links;
+use super::varying;
 use crate::ground::Link;
-use crate::mesh::Mesh;
+use crate::mesh::{Cell, Mesh};
 use crate::polynomial::{jet, rescale, value};
 
 /// ∫(EI a″b″ + P a'b') and the springs at supports.
@@ -14,7 +15,7 @@ pub(crate) fn beam_form(mesh: &Mesh, terms: usize, a: &[f64], b: &[f64]) -> f64 
         let range = i * terms..(i + 1) * terms;
         let [f, g] = [&a[range.clone()], &b[range]];
         let h = cell.length();
-        sum += cell.stiffness * inner(f, g, 2) * 8.0 / (h * h * h);
+        sum += bending(cell, f, g) * 8.0 / (h * h * h);
         if mesh.axial_force != 0.0 {
             sum += energy_form(h, (0.0, mesh.axial_force), [-1.0, 1.0], f, g);
         }
@@ -70,14 +71,13 @@ pub(crate) fn ground_work(
                 if end > start {
                     let c = &mesh.cells[cell];
                     let slice = cell * terms..(cell + 1) * terms;
-                    let form = (c.spring, c.shear);
-                    touching += energy_form(
-                        c.length(),
-                        form,
-                        [start, end],
-                        &psi[slice.clone()],
-                        &delta[slice],
-                    );
+                    let [psi, delta] = [&psi[slice.clone()], &delta[slice]];
+                    let part = [start, end];
+                    touching += if c.ground_varies() {
+                        varying::energy_form(c, part, psi, delta)
+                    } else {
+                        energy_form(c.length(), (c.spring, c.shear), part, psi, delta)
+                    };
                 }
             }
             left = Some(zone.to);
@@ -106,6 +106,11 @@ pub(crate) fn energy_form(
         return form(f, g);
     }
     form(&rescale(f, middle, quarter), &rescale(g, middle, quarter))
+}
+
+/// ∫ EI f″ g″ ds over \[−1, 1\], with derivatives by s.
+fn bending(cell: &Cell, f: &[f64], g: &[f64]) -> f64 {
+    if cell.beam_varies() { varying::bending(cell, f, g) } else { cell.stiffness * inner(f, g, 2) }
 }
 
 /// ∫ f⁽ⁿ⁾ g⁽ⁿ⁾ ds over \[−1, 1\] for the derivatives of order n ≤ 2.

@@ -1,10 +1,10 @@
 //! Contact zones cell by cell: which parts of a cell touch, which nodes touch, what links remain.
 
 use super::deflection::Zone;
+use super::majorant::cell_part;
 use super::pieces::{Piece, pieces};
 use crate::chain::{ChainCell, ChainNode, Tie, TiedLink};
 use crate::elements::{Element, Operator, Touch};
-use crate::ground::Link;
 use crate::mesh::{Cell, Mesh};
 use std::ops::Range;
 
@@ -184,8 +184,7 @@ impl Layout {
         let mut at = -1.0;
         let mut link_to = |to: f64, left: Tie, right: Tie, at: f64| {
             if to > at {
-                let link = Link::uniform(cell.spring, cell.shear, 0.5 * (to - at) * cell.length());
-                links.push(TiedLink { link, left, right });
+                links.push(TiedLink { link: cell_part(cell, at, to), left, right });
             }
         };
         for &[from, to] in &self.parts[i] {

@@ -18,6 +18,7 @@
 use super::deflection::{Deflection, Spot, Zone};
 use super::narrow;
 use super::pieces::{Piece, pieces};
+use super::varying;
 use crate::ground::Link;
 use crate::mesh::{Cell, Mesh};
 use crate::polynomial::{jet, sign_changes};
@@ -235,7 +236,8 @@ impl<'a> Scan<'a> {
         let psi = f - (0.5 * (left + right) + 0.5 * (right - left) * spot.s);
         let per_length = 2.0 / cell.length();
         let slope = d1 * per_length - cell.gap_slope;
-        [psi, slope, cell.spring * psi - cell.shear * d2 * per_length * per_length]
+        let [k, mu, rise] = cell.ground_rising_at(spot.s);
+        [psi, slope, k * psi - mu * d2 * per_length * per_length - rise * per_length * slope]
     }
 
     fn whole_cells(&self, from: usize, to: usize, before: Option<Link>) -> Option<Link> {
@@ -271,7 +273,8 @@ impl<'a> Scan<'a> {
     /// What a single point between two joints presses; not positive where the ground would have to pull.
     fn pull(&self, before: &Joint, after: &Joint) -> f64 {
         let flux = |spot: Option<Spot>| {
-            spot.map_or(0.0, |spot| self.w.mesh.cells[spot.cell].shear * self.at(spot)[1])
+            let shear = |spot: Spot| self.w.mesh.cells[spot.cell].ground_at(spot.s)[1];
+            spot.map_or(0.0, |spot| shear(spot) * self.at(spot)[1])
         };
         let [a, b] = self.values(before);
         let [c, d] = self.values(after);
@@ -314,7 +317,7 @@ impl<'a> Scan<'a> {
         let trial = Joint { left: Some(spot), ..*joint };
         let [psi, slope, pressure] = self.at(spot);
         let other = joint.right.map_or(0.0, |b| self.at(b)[0]);
-        let shear = self.w.mesh.cells[spot.cell].shear;
+        let [_, shear] = self.w.mesh.cells[spot.cell].ground_at(spot.s);
         let link = self.link(&trial);
         let force = match self.narrow(&trial) {
             Some([force, _]) => force,
@@ -328,7 +331,7 @@ impl<'a> Scan<'a> {
         let trial = Joint { right: Some(spot), ..*joint };
         let [psi, slope, pressure] = self.at(spot);
         let other = joint.left.map_or(0.0, |a| self.at(a)[0]);
-        let shear = self.w.mesh.cells[spot.cell].shear;
+        let [_, shear] = self.w.mesh.cells[spot.cell].ground_at(spot.s);
         let link = self.link(&trial);
         let force = match self.narrow(&trial) {
             Some([_, force]) => force,
@@ -452,6 +455,9 @@ fn point(spot: Spot) -> Zone {
 
 /// The open ground of a part of a cell.
 pub(crate) fn cell_part(cell: &Cell, from: f64, to: f64) -> Link {
+    if cell.ground_varies() {
+        return varying::link(cell, [from, to]);
+    }
     Link::uniform(cell.spring, cell.shear, 0.5 * (to - from) * cell.length())
 }
 
@@ -461,13 +467,13 @@ fn whole_cells(mesh: &Mesh, from: usize, to: usize, before: Option<Link>) -> Opt
     let mut i = from;
     while i < to {
         let cell = &mesh.cells[i];
-        let same = |c: &Cell| c.spring == cell.spring && c.shear == cell.shear;
         let mut end = i + 1;
-        while end < to && same(&mesh.cells[end]) {
+        while end < to && cell.shares_even_ground(&mesh.cells[end]) {
             end += 1;
         }
         let length = mesh.cells[end - 1].x[1] - cell.x[0];
-        let run = Link::uniform(cell.spring, cell.shear, length);
+        let uniform = || Link::uniform(cell.spring, cell.shear, length);
+        let run = if cell.ground_varies() { cell_part(cell, -1.0, 1.0) } else { uniform() };
         link = Some(link.map_or(run, |link| link.then(run)));
         i = end;
     }

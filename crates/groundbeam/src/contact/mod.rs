@@ -16,3 +16,4 @@ pub(crate) mod recover;
 mod stretches;
 pub(crate) mod surface;
 pub(crate) mod uzawa;
+mod varying;

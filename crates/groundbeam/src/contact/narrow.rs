@@ -12,7 +12,8 @@
 //! is less decides.
 
 use super::deflection::{Deflection, Spot};
-use crate::ground::between;
+use crate::cell::Cell;
+use crate::ground::{Link, between, settled};
 use crate::polynomial::value;
 
 /// The most cells a narrow joint reaches into; three are a gap and the cells beside it.
@@ -28,6 +29,71 @@ struct Part {
     /// b·length.
     length: f64,
     stiffness: f64,
+    /// Where the ground varies: the part alone, half its length, its ground as a link.
+    varying: Option<(Cell, f64, Link)>,
+}
+
+impl Part {
+    fn of(cell: &Cell, i: usize, [from, to]: [f64; 2]) -> Option<Self> {
+        let ratio = 0.5 * (to - from);
+        let length = (cell.spring / cell.shear).sqrt() * ratio * cell.length();
+        let stiffness = (cell.spring * cell.shear).sqrt();
+        let mut part = Part { cell: i, from, to, length, stiffness, varying: None };
+        if cell.ground_varies() && to > from {
+            let (own, half) = (cell.part([from, to]), 0.5 * ratio * cell.length());
+            if !own.is_smooth() || !own.is_short_for_open_ground(half) {
+                return None;
+            }
+            let link = Link::varying(&own.spring_course(), &own.shear_course(), half);
+            part.varying = Some((own, half, link));
+        }
+        Some(part)
+    }
+
+    /// The unloaded ground across the part, from its value and its flux at the left end, or with `turned`
+    /// from those at the right end. Each step forward adds positive numbers only.
+    fn cross(&self, phi: f64, flux: f64, turned: bool) -> [f64; 2] {
+        if let Some((_, _, link)) = &self.varying {
+            let (behind, ahead) = if turned {
+                (link.leak_right, link.leak_left)
+            } else {
+                (link.leak_left, link.leak_right)
+            };
+            let held = behind * phi + flux;
+            let next = phi + held / link.coupling;
+            return [next, ahead * next + held];
+        }
+        let (sinh, cosh) = (self.length.sinh(), self.length.cosh());
+        let stiffness = self.stiffness;
+        [cosh * phi + sinh / stiffness * flux, stiffness * sinh * phi + cosh * flux]
+    }
+
+    /// ∫π over the part, its half length being 1, under the ground that is 1 at its left and at its right end.
+    fn under(&self, pi: &[f64]) -> [f64; 2] {
+        let at = |t: f64| value(pi, self.from + t * (self.to - self.from));
+        let mut under = [0.0; 2];
+        if let Some((cell, half, _)) = &self.varying {
+            let (spring, shear) = (cell.spring_course(), cell.shear_course());
+            let shapes = [[1.0, 0.0], [0.0, 1.0]].map(|ends| settled(&spring, &shear, *half, ends));
+            for (x, weight) in GAUSS {
+                for s in [-x, x] {
+                    let p = weight * at(0.5 * (1.0 + s));
+                    under[0] += p * value(&shapes[0], s);
+                    under[1] += p * value(&shapes[1], s);
+                }
+            }
+            return under;
+        }
+        for (x, weight) in GAUSS {
+            let t = 0.5 - 0.5 * x;
+            let near = between(0.0, 1.0, self.length, t);
+            let far = between(1.0, 0.0, self.length, t);
+            let [p, q] = [t, 1.0 - t].map(at);
+            under[0] += weight * (p * far + q * near);
+            under[1] += weight * (p * near + q * far);
+        }
+        under
+    }
 }
 
 /// A and B of a joint from `a` to `b`, if it is narrow.
@@ -38,12 +104,9 @@ pub(super) fn end_forces(w: &Deflection, [a, b]: [Spot; 2]) -> Option<[f64; 2]> 
     let part = |i: usize| {
         let from = if i == a.cell { a.s } else { -1.0 };
         let to = if i == b.cell { b.s } else { 1.0 };
-        let cell = &w.mesh.cells[i];
-        let length = (cell.spring / cell.shear).sqrt() * 0.5 * (to - from) * cell.length();
-        let stiffness = (cell.spring * cell.shear).sqrt();
-        Part { cell: i, from, to, length, stiffness }
+        Part::of(&w.mesh.cells[i], i, [from, to])
     };
-    let parts: Vec<Part> = (a.cell..=b.cell).map(part).collect();
+    let parts: Vec<Part> = (a.cell..=b.cell).map(part).collect::<Option<_>>()?;
     let whole: f64 = parts.iter().map(|part| part.length).sum();
     if whole > LONGEST {
         return None;
@@ -59,9 +122,8 @@ pub(super) fn end_forces(w: &Deflection, [a, b]: [Spot; 2]) -> Option<[f64; 2]> 
     if noise * soft > ends[0] + ends[1] {
         return None;
     }
-    let lengths = |part: &Part| (part.length, part.stiffness);
-    let from_right = shape(parts.iter().rev().map(lengths));
-    let from_left = shape(parts.iter().map(lengths));
+    let from_right = shape(parts.iter().rev(), true);
+    let from_left = shape(parts.iter(), false);
     let count = parts.len();
     let mut forces = [0.0; 2];
     for (i, part) in parts.iter().enumerate() {
@@ -75,17 +137,7 @@ pub(super) fn end_forces(w: &Deflection, [a, b]: [Spot; 2]) -> Option<[f64; 2]> 
         if part.to > part.from {
             let pi = w.pressure(part.cell);
             let half = 0.5 * length(w, part);
-            // ∫π under the shapes that are 1 at the part's left and at its right end.
-            let mut under = [0.0; 2];
-            for (x, weight) in GAUSS {
-                let t = 0.5 - 0.5 * x;
-                let near = between(0.0, 1.0, part.length, t);
-                let far = between(1.0, 0.0, part.length, t);
-                let [p, q] =
-                    [t, 1.0 - t].map(|t| value(&pi, part.from + t * (part.to - part.from)));
-                under[0] += weight * (p * far + q * near);
-                under[1] += weight * (p * near + q * far);
-            }
+            let under = part.under(&pi);
             forces[0] += half * (phi_a[0] * under[0] + phi_a[1] * under[1]);
             forces[1] += half * (phi_b[0] * under[0] + phi_b[1] * under[1]);
         }
@@ -107,13 +159,12 @@ fn pressure_size(w: &Deflection, i: usize) -> f64 {
 }
 
 /// The unloaded ground over parts in a row, 0 where the first begins and 1 where the last ends, at every
-/// joint of two. Each step forward adds positive numbers only.
-fn shape(parts: impl Iterator<Item = (f64, f64)>) -> Vec<f64> {
+/// joint of two.
+fn shape<'a>(parts: impl Iterator<Item = &'a Part>, turned: bool) -> Vec<f64> {
     let mut values = vec![0.0];
     let (mut phi, mut flux) = (0.0, 1.0);
-    for (length, stiffness) in parts {
-        let (sinh, cosh) = (length.sinh(), length.cosh());
-        (phi, flux) = (cosh * phi + sinh / stiffness * flux, stiffness * sinh * phi + cosh * flux);
+    for part in parts {
+        [phi, flux] = part.cross(phi, flux, turned);
         values.push(phi);
     }
     values.iter().map(|value| value / phi).collect()

@@ -1,7 +1,7 @@
 //! Stretches of contact near the right ones, found without an iteration on edges.
 
 use crate::elements::Operator;
-use crate::model::Model;
+use crate::model::{FoundationSegment, Model};
 use crate::nodal;
 
 /// How long a beam may be, in units of 1/wave number, that needs no mesh to start from.
@@ -24,12 +24,14 @@ fn is_short(model: &Model) -> bool {
             spring: k,
             load: [0.0; 2],
             moment_load: [0.0; 2],
+            courses: None,
         };
         operator.wave_number() * model.beam.length
     };
-    let segments = model.foundation.segments.iter().map(|s| (s.spring, s.shear));
+    let largest = |s: &FoundationSegment| (s.spring.largest(), s.shear.largest());
+    let segments = model.foundation.segments.iter().map(largest);
     let ground = segments.chain([(model.foundation.spring, model.foundation.shear)]);
-    let beam = model.beam.segments.iter().map(|s| s.bending_stiffness);
+    let beam = model.beam.segments.iter().map(|s| s.bending_stiffness.smallest());
     let softest = beam.fold(model.beam.bending_stiffness, f64::min);
     ground.map(|(k, mu)| wave(k, mu, softest)).all(|waves| waves <= SHORT)
 }

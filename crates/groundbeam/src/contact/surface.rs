@@ -136,29 +136,49 @@ impl Surface {
         let links = open_links(w.mesh, piece, from, to);
         let start = from.map_or(0.0, |spot| obstacle(w, spot));
         let end = to.map_or(0.0, |spot| obstacle(w, spot));
-        // Forward: the link from the start to each joint; backward: each joint between that link and
-        // the next part. Sums of positive numbers only.
-        let mut so_far: Vec<Link> = Vec::with_capacity(links.len());
-        for (_, link) in &links {
-            so_far.push(so_far.last().map_or(*link, |before| before.then(*link)));
-        }
-        let mut right = end;
-        let mut values = vec![0.0; links.len() + 1];
-        values[0] = start;
-        values[links.len()] = end;
-        for i in (1..links.len()).rev() {
-            let (before, next) = (so_far[i - 1], links[i].1);
-            let pull = before.coupling * start + next.coupling * right;
-            let hold = before.coupling + before.leak_right + next.coupling + next.leak_left;
-            right = pull / hold;
-            values[i] = right;
-        }
+        let row: Vec<Link> = links.iter().map(|(_, link)| *link).collect();
+        let (values, whole) = heights(&row, [start, end]);
         for (i, (part, _)) in links.iter().enumerate() {
             if let Some((cell, s)) = *part {
                 self.parts.push(Part { cell, s, open: Some([values[i], values[i + 1]]) });
             }
         }
-        (start, so_far.last().copied())
+        (start, whole)
+    }
+
+    /// The parts; where EI or the ground varies, each cut into short power series.
+    pub fn short_parts(&self, mesh: &Mesh) -> Vec<Part> {
+        let mut parts = Vec::with_capacity(self.parts.len());
+        for part in &self.parts {
+            let cell = &mesh.cells[part.cell];
+            if !cell.beam_varies() && !cell.ground_varies() {
+                parts.push(*part);
+                continue;
+            }
+            let short = |s: [f64; 2]| {
+                let within = cell.part(s);
+                let half = 0.25 * (s[1] - s[0]) * cell.length();
+                within.is_smooth() && (part.open.is_none() || within.is_short_for_open_ground(half))
+            };
+            let mut cuts = vec![part.s[0]];
+            halved(part.s, &short, MOST_HALVINGS, &mut cuts);
+            cuts.push(part.s[1]);
+            let pieces = || cuts.windows(2).map(|s| [s[0], s[1]]);
+            let values = match part.open {
+                Some(ends) if cuts.len() > 2 && cell.shear > 0.0 => {
+                    let row: Vec<Link> = pieces().map(|[a, b]| cell_part(cell, a, b)).collect();
+                    heights(&row, ends).0
+                }
+                _ => Vec::new(),
+            };
+            let at = |i: usize| values.get(i..i + 2).map(|u| [u[0], u[1]]);
+            parts.extend(pieces().enumerate().map(|(i, s)| Part {
+                cell: part.cell,
+                s,
+                open: part.open.map(|ends| at(i).unwrap_or(ends)),
+            }));
+        }
+        parts
     }
 
     /// Concentrated force at the beam's left and right end.
@@ -168,6 +188,47 @@ impl Surface {
             |spot: Spot| self.atoms.iter().filter(|a| a.spot == spot).map(|a| a.force).sum::<f64>();
         [at(Spot { cell: 0, s: -1.0 }), at(Spot { cell: last, s: 1.0 })]
     }
+}
+
+/// Halvings of a part.
+const MOST_HALVINGS: u32 = 40;
+
+fn halved(
+    [from, to]: [f64; 2],
+    short: &impl Fn([f64; 2]) -> bool,
+    halvings: u32,
+    cuts: &mut Vec<f64>,
+) {
+    if halvings == 0 || short([from, to]) {
+        return;
+    }
+    let middle = 0.5 * (from + to);
+    halved([from, middle], short, halvings - 1, cuts);
+    cuts.push(middle);
+    halved([middle, to], short, halvings - 1, cuts);
+}
+
+/// u at the ends and the joints of links in a row, held at both ends; and all of them as one link.
+///
+/// Forward: the link from the start to each joint; backward: each joint between that link and the next
+/// part. Sums of positive numbers only.
+fn heights(links: &[Link], [start, end]: [f64; 2]) -> (Vec<f64>, Option<Link>) {
+    let mut so_far: Vec<Link> = Vec::with_capacity(links.len());
+    for link in links {
+        so_far.push(so_far.last().map_or(*link, |before| before.then(*link)));
+    }
+    let mut right = end;
+    let mut values = vec![0.0; links.len() + 1];
+    values[0] = start;
+    values[links.len()] = end;
+    for i in (1..links.len()).rev() {
+        let (before, next) = (so_far[i - 1], links[i]);
+        let pull = before.coupling * start + next.coupling * right;
+        let hold = before.coupling + before.leak_right + next.coupling + next.leak_left;
+        right = pull / hold;
+        values[i] = right;
+    }
+    (values, so_far.last().copied())
 }
 
 /// Whether mechanics allows a concentrated force at the end of a stretch of contact: at the ends of the
@@ -182,7 +243,7 @@ fn can_carry(mesh: &Mesh, spot: Spot) -> bool {
         return true;
     }
     let [left, right] = [&mesh.cells[node - 1], &mesh.cells[node]];
-    left.shear != right.shear || left.gap_slope != right.gap_slope
+    left.shear_ends()[1] != right.shear_ends()[0] || left.gap_slope != right.gap_slope
 }
 
 fn narrow(w: &Deflection, from: Option<Spot>, to: Option<Spot>) -> Option<[f64; 2]> {
@@ -198,7 +259,7 @@ pub(crate) fn obstacle(w: &Deflection, spot: Spot) -> f64 {
 fn flux(w: &Deflection, spot: Spot) -> f64 {
     let cell = &w.mesh.cells[spot.cell];
     let slope = jet(w.cell(spot.cell), spot.s)[1] * 2.0 / cell.length() - cell.gap_slope;
-    cell.shear * slope
+    cell.ground_at(spot.s)[1] * slope
 }
 
 /// The links of open ground between two spots, cell by cell; a missing spot is the ground beyond.

@@ -13,7 +13,7 @@
 
 use super::active_set::{Found, Pressure, Stalled, Step};
 use super::deflection::Zone;
-use super::majorant;
+use super::majorant::{self, cell_part};
 use super::surface::{Atom, Part, Surface};
 use crate::chain::{Chain, ChainCell, ChainNode};
 use crate::elements::hermite::{self, TERMS};
@@ -199,8 +199,7 @@ struct Column {
 
 impl Column {
     fn of(mesh: &Mesh) -> Self {
-        let links: Vec<Link> =
-            mesh.cells.iter().map(|c| Link::uniform(c.spring, c.shear, c.length())).collect();
+        let links: Vec<Link> = mesh.cells.iter().map(|cell| cell_part(cell, -1.0, 1.0)).collect();
         let n = mesh.nodes.len();
         // What the ground on either side of a node offers to it.
         let mut from_left = vec![mesh.outside[0]; n];

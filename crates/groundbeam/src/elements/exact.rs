@@ -14,6 +14,7 @@
 //! into a slow shape, (D² − r₁²) w = −(F − G')/(EI r₂²), a series again, and the boundary layers
 //! cosh(r₂x) and sinh(r₂x): one element as long as the slow wave, whatever the layers' width.
 
+use super::series::Series;
 use super::{Basis, Element, Operator};
 
 /// Coefficients kept. With |r|·length ≤ 2 the first one left out is below 1/20! of the sum.
@@ -43,11 +44,11 @@ pub(crate) struct Layers {
 const APART: f64 = 100.0;
 
 impl Layers {
-    /// None where one series serves the whole length, or the roots are close or complex.
+    /// None where one series serves the whole length, the roots are close or complex, or they vary.
     fn of(operator: &Operator, length: f64) -> Option<Self> {
         let n = operator.tension / operator.stiffness;
         let k = operator.spring / operator.stiffness;
-        if n <= 0.0 || n * n < 4.0 * k {
+        if operator.courses.is_some() || n <= 0.0 || n * n < 4.0 * k {
             return None;
         }
         let fast_squared = 0.5 * (n + (n * n - 4.0 * k).sqrt());
@@ -62,8 +63,16 @@ impl Layers {
 pub(crate) struct ExactElement {
     pub element: Element,
     pub layers: Option<Layers>,
-    even: Half,
-    odd: Half,
+    shapes: Shapes,
+}
+
+/// The functions of an element.
+#[derive(Debug, Clone, Copy)]
+enum Shapes {
+    /// Even and odd ones.
+    Halves([Half; 2]),
+    /// Where EI, N or κ vary.
+    Whole(Series),
 }
 
 /// One parity: two solutions without load, the one with it, and the map from their amplitudes to the
@@ -80,6 +89,10 @@ struct Half {
 
 impl ExactElement {
     pub fn new(operator: &Operator, length: f64) -> Self {
+        if let Some(courses) = &operator.courses {
+            let (element, series) = Series::new(courses, length);
+            return ExactElement { element, layers: None, shapes: Shapes::Whole(series) };
+        }
         let a = 0.5 * length;
         let ei = operator.stiffness;
         let alpha = operator.tension * a * a / ei;
@@ -163,16 +176,20 @@ impl ExactElement {
         };
         let basis = if layers.is_some() { Basis::Ends } else { Basis::Deformation };
         let element = assemble(length, basis, &even.condensed(), &odd.condensed());
-        ExactElement { element, layers, even, odd }
+        ExactElement { element, layers, shapes: Shapes::Halves([even, odd]) }
     }
 
     /// w for the element's four numbers: the coefficients of w(s), and the heights of the boundary layers
     /// at the left and the right end, which those do not hold.
     pub fn unfold(&self, v: &[f64; 4]) -> ([f64; TERMS], [f64; 2]) {
+        let [even_half, odd_half] = match &self.shapes {
+            Shapes::Halves(halves) => halves,
+            Shapes::Whole(series) => return (series.unfold(v), [0.0; 2]),
+        };
         let a = 0.5 * self.element.length;
         let [even, odd] = parities(a, self.element.basis).map(|map| map.map(|row| dot(&row, v)));
-        let (even, cosh) = self.even.unfold(even);
-        let (odd, sinh) = self.odd.unfold(odd);
+        let (even, cosh) = even_half.unfold(even);
+        let (odd, sinh) = odd_half.unfold(odd);
         let series = std::array::from_fn(|j| if j % 2 == 0 { even[j / 2] } else { odd[j / 2] });
         let Some(layers) = self.layers else { return (series, [0.0; 2]) };
         // cosh(zs)/cosh(z) = (e^(−z(1−s)) + e^(−z(1+s)))/(1 + e^(−2z)), sinh with two minus signs.
@@ -368,7 +385,14 @@ mod tests {
     use crate::polynomial::jet;
 
     fn operator(n: f64, k: f64) -> Operator {
-        Operator { stiffness: 1.0, tension: n, spring: k, load: [0.0; 2], moment_load: [0.0; 2] }
+        Operator {
+            stiffness: 1.0,
+            tension: n,
+            spring: k,
+            load: [0.0; 2],
+            moment_load: [0.0; 2],
+            courses: None,
+        }
     }
 
     /// K in the deflections and slopes of both ends, as books print it.

@@ -5,6 +5,7 @@
 
 use super::Element;
 use crate::mesh::Cell;
+use crate::polynomial::value;
 
 /// Coefficients of a cubic.
 pub(crate) const TERMS: usize = 4;
@@ -15,6 +16,15 @@ pub(crate) const GAUSS: [(f64, f64); 4] = [
     (-0.339_981_043_584_856_26, 0.652_145_154_862_546_1),
     (0.339_981_043_584_856_26, 0.652_145_154_862_546_1),
     (0.861_136_311_594_052_6, 0.347_854_845_137_453_85),
+];
+
+/// The same for products of two cubics and a square.
+const FINER_GAUSS: [(f64, f64); 5] = [
+    (-0.906_179_845_938_664, 0.236_926_885_056_189_08),
+    (-0.538_469_310_105_683_1, 0.478_628_670_499_366_47),
+    (0.0, 0.568_888_888_888_888_9),
+    (0.538_469_310_105_683_1, 0.478_628_670_499_366_47),
+    (0.906_179_845_938_664, 0.236_926_885_056_189_08),
 ];
 
 /// N₁, M₁, N₂, M₂ of (5.2) at ξ, on an element of length h.
@@ -39,44 +49,106 @@ pub(crate) fn slope(xi: f64, h: f64) -> [f64; 4] {
     [0.0, 1.0, 6.0 * xi * (1.0 - xi) / h, xi * (3.0 * xi - 2.0)]
 }
 
+/// What multiplies (w_left, θ_left, d₁, d₂) in w″ at ξ.
+fn curvature(xi: f64, h: f64) -> [f64; 4] {
+    [0.0, 0.0, 6.0 * (1.0 - 2.0 * xi) / (h * h), (6.0 * xi - 2.0) / h]
+}
+
 /// Bending, axial force and loads: K and F of (5.4). The ground is added by [`add_ground`].
 pub(crate) fn element(cell: &Cell, axial_force: f64) -> Element {
     let h = cell.length();
     let e = cell.stiffness / h;
     let mut element = Element { length: h, ..Element::default() };
-    element.stiffness[2][2] = 12.0 * e / (h * h);
-    element.stiffness[2][3] = -6.0 * e / h;
-    element.stiffness[3][2] = -6.0 * e / h;
-    element.stiffness[3][3] = 4.0 * e;
-    add(&mut element, 0.0, axial_force, cell, [-1.0, 1.0], cell.load, cell.moment_load);
+    if cell.beam_varies() {
+        add_bending(&mut element, cell);
+    } else {
+        element.stiffness[2][2] = 12.0 * e / (h * h);
+        element.stiffness[2][3] = -6.0 * e / h;
+        element.stiffness[3][2] = -6.0 * e / h;
+        element.stiffness[3][3] = 4.0 * e;
+    }
+    let all = Spread {
+        spring: |_| 0.0,
+        tension: |_| axial_force,
+        load: |s| between(cell.load, s),
+        moment_load: |s| between(cell.moment_load, s),
+    };
+    add(&mut element, &GAUSS, cell, [-1.0, 1.0], &all);
     element
+}
+
+/// ½∫EI w″² where EI varies: of degree 5 times two linear curvatures, exact with four points.
+fn add_bending(element: &mut Element, cell: &Cell) {
+    let h = cell.length();
+    let stiffness = cell.stiffness_course();
+    for (s, weight) in GAUSS {
+        let bend = curvature(0.5 * (1.0 + s), h);
+        let weight = 0.5 * weight * h * value(&stiffness, s);
+        for i in 2..4 {
+            for j in 2..4 {
+                element.stiffness[i][j] += weight * bend[i] * bend[j];
+            }
+        }
+    }
+}
+
+/// Linear between the values at both ends.
+fn between(ends: [f64; 2], s: f64) -> f64 {
+    ends[0] + (ends[1] - ends[0]) * (0.5 * (1.0 + s))
 }
 
 /// The ground where beam and ground touch from s = `from` to `to` (in \[−1, 1\]): ½∫(k ψ² + μ ψ'²)
 /// with ψ = w − g₀.
 pub(crate) fn add_ground(element: &mut Element, cell: &Cell, [from, to]: [f64; 2]) {
+    if cell.ground_varies() {
+        let [spring, shear] = [cell.spring_course(), cell.shear_course()];
+        let all = Spread {
+            spring: |s| value(&spring, s),
+            tension: |s| value(&shear, s),
+            load: |s| value(&spring, s) * between(cell.gap, s),
+            moment_load: |s| value(&shear, s) * cell.gap_slope,
+        };
+        return add(element, &FINER_GAUSS, cell, [from, to], &all);
+    }
     let load = cell.gap.map(|g| cell.spring * g);
-    add(element, cell.spring, cell.shear, cell, [from, to], load, [cell.shear * cell.gap_slope; 2]);
+    let all = Spread {
+        spring: |_| cell.spring,
+        tension: |_| cell.shear,
+        load: |s| between(load, s),
+        moment_load: |_| cell.shear * cell.gap_slope,
+    };
+    add(element, &GAUSS, cell, [from, to], &all);
+}
+
+/// κ, N, F and G by s.
+struct Spread<K, N, F, G> {
+    spring: K,
+    tension: N,
+    load: F,
+    moment_load: G,
 }
 
 /// ½∫(κ w² + N w'²) − ∫(F w + G w') over a part of the element.
-fn add(
+fn add<K, N, F, G>(
     element: &mut Element,
-    spring: f64,
-    tension: f64,
+    gauss: &[(f64, f64)],
     cell: &Cell,
     [from, to]: [f64; 2],
-    load: [f64; 2],
-    moment_load: [f64; 2],
-) {
+    all: &Spread<K, N, F, G>,
+) where
+    K: Fn(f64) -> f64,
+    N: Fn(f64) -> f64,
+    F: Fn(f64) -> f64,
+    G: Fn(f64) -> f64,
+{
     let h = cell.length();
-    for (point, weight) in GAUSS {
+    for &(point, weight) in gauss {
         let s = 0.5 * ((to - from) * point + (to + from));
         let xi = 0.5 * (1.0 + s);
         let weight = 0.25 * weight * (to - from) * h;
         let [z, dz] = [deflection(xi, h), slope(xi, h)];
-        let linear = |v: [f64; 2]| v[0] + (v[1] - v[0]) * xi;
-        let [f, g] = [linear(load), linear(moment_load)];
+        let (spring, tension) = ((all.spring)(s), (all.tension)(s));
+        let (f, g) = ((all.load)(s), (all.moment_load)(s));
         for i in 0..4 {
             element.load[i] += weight * (f * z[i] + g * dz[i]);
             for j in 0..4 {
@@ -87,11 +159,13 @@ fn add(
     }
 }
 
-/// Adds ∫ p z over a part of the element, for each of its four functions z and a cubic p(s).
+/// Adds ∫ p z over a part of the element, for each of its four functions z and p(s): a cubic, or where the
+/// ground varies of degree 5.
 pub(crate) fn add_work(work: &mut [f64; 4], h: f64, [from, to]: [f64; 2], pressure: &[f64]) {
-    for (point, weight) in GAUSS {
+    let gauss: &[(f64, f64)] = if pressure.len() > TERMS { &FINER_GAUSS } else { &GAUSS };
+    for &(point, weight) in gauss {
         let s = 0.5 * ((to - from) * point + (to + from));
-        let p = 0.25 * weight * (to - from) * h * crate::polynomial::value(pressure, s);
+        let p = 0.25 * weight * (to - from) * h * value(pressure, s);
         for (work, z) in work.iter_mut().zip(deflection(0.5 * (1.0 + s), h)) {
             *work += p * z;
         }
@@ -120,7 +194,7 @@ pub(crate) fn fold(c: &[f64], h: f64) -> [f64; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::polynomial::value;
+    use crate::cell::Varies;
 
     #[test]
     fn shape_functions_reproduce_rigid_motions() {
@@ -154,6 +228,7 @@ mod tests {
             stiffness: 3.0,
             spring: 1.0,
             shear: 0.0,
+            varies: Varies::default(),
             load: [6.0; 2],
             moment_load: [0.0; 2],
             gap: [0.0; 2],

@@ -8,8 +8,11 @@
 
 pub(crate) mod exact;
 pub(crate) mod hermite;
+mod series;
 
-use crate::mesh::Cell;
+use crate::mesh::{Cell, GROUND};
+use crate::model::Profile;
+use crate::polynomial::value;
 
 /// What an element's four numbers v are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -62,7 +65,7 @@ pub(crate) enum Touch {
     Open,
 }
 
-/// The coefficients of EI w⁗ − N w″ + κ w = F − G' on a cell, in contact or off it.
+/// The coefficients of (EI w″)″ − (N w')' + κ w = F − G' on a cell, in contact or off it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Operator {
     /// EI.
@@ -75,6 +78,60 @@ pub(crate) struct Operator {
     pub load: [f64; 2],
     /// G at both ends: g, and μ g₀' in contact.
     pub moment_load: [f64; 2],
+    /// Where any of them varies otherwise than this says: all of them by s, the above being their values at
+    /// the middle and at the ends.
+    pub courses: Option<Courses>,
+}
+
+/// Coefficients of EI, N, κ, F and G as polynomials of s ∈ \[−1, 1\].
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Courses {
+    pub stiffness: [f64; Profile::MOST],
+    pub tension: [f64; GROUND],
+    pub spring: [f64; GROUND],
+    pub load: [f64; GROUND + 1],
+    pub moment_load: [f64; GROUND],
+}
+
+impl Courses {
+    fn of(cell: &Cell, axial_force: f64, touch: Touch) -> Option<Self> {
+        let ground_varies = touch == Touch::Contact && cell.ground_varies();
+        if !cell.beam_varies() && !ground_varies {
+            return None;
+        }
+        let linear = |v: [f64; 2]| [0.5 * (v[0] + v[1]), 0.5 * (v[1] - v[0])];
+        let mut courses = Courses {
+            stiffness: cell.stiffness_course(),
+            tension: [0.0; GROUND],
+            spring: [0.0; GROUND],
+            load: [0.0; GROUND + 1],
+            moment_load: [0.0; GROUND],
+        };
+        courses.tension[0] = axial_force;
+        courses.load[..2].copy_from_slice(&linear(cell.load));
+        courses.moment_load[..2].copy_from_slice(&linear(cell.moment_load));
+        if touch == Touch::Contact {
+            courses.spring = cell.spring_course();
+            let gap = linear(cell.gap);
+            for (i, mu) in cell.shear_course().into_iter().enumerate() {
+                courses.tension[i] += mu;
+                courses.moment_load[i] += mu * cell.gap_slope;
+            }
+            for (i, k) in courses.spring.iter().enumerate() {
+                courses.load[i] += k * gap[0];
+                courses.load[i + 1] += k * gap[1];
+            }
+        }
+        Some(courses)
+    }
+
+    /// The least EI, the largest |N| and the largest κ at the ends and the middle.
+    fn extremes(&self) -> [f64; 3] {
+        let ends = |c: &[f64]| [-1.0, 0.0, 1.0].map(|s| value(c, s));
+        let largest = |c: &[f64]| ends(c).into_iter().map(f64::abs).fold(0.0, f64::max);
+        let least = ends(&self.stiffness).into_iter().fold(f64::INFINITY, f64::min);
+        [least, largest(&self.tension), largest(&self.spring)]
+    }
 }
 
 impl Operator {
@@ -85,6 +142,7 @@ impl Operator {
             spring: 0.0,
             load: cell.load,
             moment_load: cell.moment_load,
+            courses: Courses::of(cell, axial_force, touch),
         };
         if touch == Touch::Open {
             return off;
@@ -98,10 +156,14 @@ impl Operator {
         }
     }
 
-    /// A bound of the largest |r| with EI r⁴ − N r² + κ = 0 \[1/m\].
+    /// A bound of the largest |r| with EI r⁴ − N r² + κ = 0 \[1/m\]; where they vary, of the worst of it.
     pub fn wave_number(&self) -> f64 {
-        let n = self.tension.abs() / self.stiffness;
-        let k = self.spring / self.stiffness;
+        let [stiffness, tension, spring] = match &self.courses {
+            None => [self.stiffness, self.tension.abs(), self.spring],
+            Some(courses) => courses.extremes(),
+        };
+        let n = tension / stiffness;
+        let k = spring / stiffness;
         (0.5 * (n + (n * n + 4.0 * k).sqrt())).sqrt()
     }
 }

@@ -1,5 +1,7 @@
 //! The ground: k(x) and μ(x) by segments on the whole line, (2.2) and Remark 2.
 
+use super::profile::{Course, Profile};
+
 /// A Pasternak foundation; with `shear` = 0 a Winkler foundation.
 ///
 /// The ground goes on to infinity on both sides with the constants it has at the beam's ends.
@@ -21,13 +23,16 @@ pub struct FoundationSegment {
     pub from: f64,
     /// Right end \[m\].
     pub to: f64,
-    /// Spring constant k \[N/m²\], positive.
-    pub spring: f64,
-    /// Shear constant μ \[N\], not negative.
-    pub shear: f64,
+    /// Spring constant k \[N/m²\] from the left end to the right one, positive.
+    pub spring: Profile,
+    /// Shear constant μ \[N\] from the left end to the right one: zero all along or positive all along.
+    pub shear: Profile,
 }
 
 impl Foundation {
+    /// The most control values of k and of μ on a segment: a modulus and a width may both run linearly.
+    pub const MOST_CONTROL_VALUES: usize = 3;
+
     /// Uniform ground with a shear layer.
     pub fn pasternak(spring: f64, shear: f64) -> Self {
         Foundation { spring, shear, segments: Vec::new() }
@@ -39,26 +44,57 @@ impl Foundation {
     }
 
     /// The same ground with other constants between two positions.
-    pub fn with_segment(mut self, from: f64, to: f64, spring: f64, shear: f64) -> Self {
+    pub fn with_segment(self, from: f64, to: f64, spring: f64, shear: f64) -> Self {
+        self.with_varying_segment(from, to, Profile::constant(spring), Profile::constant(shear))
+    }
+
+    /// The same ground with constants that vary between two positions.
+    pub fn with_varying_segment(
+        mut self,
+        from: f64,
+        to: f64,
+        spring: Profile,
+        shear: Profile,
+    ) -> Self {
         self.segments.push(FoundationSegment { from, to, spring, shear });
         self
     }
 
     /// (k \[N/m²\], μ \[N\]) at `x` on the beam; at a joint of two segments those of the right one.
     pub fn constants_at(&self, x: f64) -> (f64, f64) {
-        self.segments
-            .iter()
-            .find(|s| s.from <= x && x < s.to)
-            .map_or((self.spring, self.shear), |s| (s.spring, s.shear))
+        let segment = self.segments.iter().find(|s| s.from <= x && x < s.to);
+        segment.map_or((self.spring, self.shear), |s| {
+            let ends = [s.from, s.to];
+            (s.spring.at_position(ends, x), s.shear.at_position(ends, x))
+        })
+    }
+
+    /// k and μ on a stretch of the beam within which no segment ends.
+    pub(crate) fn constants_on(&self, x: [f64; 2]) -> [Course; 2] {
+        let middle = 0.5 * (x[0] + x[1]);
+        let segment = self.segments.iter().find(|s| s.from <= middle && middle < s.to);
+        segment.map_or([self.spring, self.shear].map(Course::constant), |s| s.courses(x))
     }
 
     pub(super) fn mirrored(&self, l: f64) -> Self {
         let segments = self.segments.iter().rev();
         Foundation {
             segments: segments
-                .map(|s| FoundationSegment { from: l - s.to, to: l - s.from, ..*s })
+                .map(|s| FoundationSegment {
+                    from: l - s.to,
+                    to: l - s.from,
+                    spring: s.spring.mirrored(),
+                    shear: s.shear.mirrored(),
+                })
                 .collect(),
             ..*self
         }
+    }
+}
+
+impl FoundationSegment {
+    /// k and μ on a stretch of the segment.
+    pub(crate) fn courses(&self, x: [f64; 2]) -> [Course; 2] {
+        [self.spring, self.shear].map(|constant| constant.on([self.from, self.to], x))
     }
 }

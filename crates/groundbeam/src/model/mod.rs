@@ -7,6 +7,7 @@ mod beam;
 mod foundation;
 mod gap;
 mod load;
+mod profile;
 mod support;
 mod validate;
 
@@ -14,6 +15,8 @@ pub use beam::{Beam, BeamSegment};
 pub use foundation::{Foundation, FoundationSegment};
 pub use gap::GapPoint;
 pub use load::Load;
+pub(crate) use profile::Course;
+pub use profile::Profile;
 pub use support::{Support, SupportKind};
 pub use validate::{Part, Problem};
 
@@ -65,6 +68,14 @@ impl Model {
             *load = load.scaled(factor);
         }
         self
+    }
+
+    /// The first segment along which stiffness or ground varies.
+    pub(crate) fn varying_part(&self) -> Option<Part> {
+        let ground = &self.foundation.segments;
+        let beam = self.beam.segments.iter().position(|s| !s.bending_stiffness.is_constant());
+        let below = ground.iter().position(|s| !(s.spring.is_constant() && s.shear.is_constant()));
+        beam.map(Part::BeamSegment).or(below.map(Part::FoundationSegment))
     }
 
     /// The model seen in a mirror: what was at x is at l − x.

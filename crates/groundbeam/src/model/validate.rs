@@ -1,6 +1,6 @@
 //! Every rule a model must obey, each with what would be right.
 
-use super::{Load, Model, SupportKind};
+use super::{Foundation, Load, Model, Profile, SupportKind};
 use std::fmt;
 
 /// Which part of the model a [`Problem`] is about; numbers count from 0 in the order given.
@@ -99,6 +99,21 @@ impl Problem {
         )
     }
 
+    /// Rows of equal elements need one stiffness and one ground each.
+    pub(crate) fn nodal_where_it_varies(part: Part) -> Self {
+        let field = match part {
+            Part::BeamSegment(_) => "bending_stiffness",
+            _ => "spring",
+        };
+        Problem::new(
+            "GB605",
+            part,
+            field,
+            "a beam solved for its nodes alone cannot vary along a segment",
+            "use the method `exact` or `active-set`, or many segments with a constant each",
+        )
+    }
+
     fn with_numbers(mut self, numbers: &[f64]) -> Self {
         self.numbers = numbers.to_vec();
         self
@@ -161,29 +176,35 @@ impl Model {
         let spans: Vec<_> = beam.segments.iter().map(|s| (s.from, s.to)).collect();
         for (i, segment) in beam.segments.iter().enumerate() {
             let part = Part::BeamSegment(i);
-            positive(found, "GB102", part, "bending_stiffness", segment.bending_stiffness, ei);
+            positive_along(
+                found,
+                "GB102",
+                part,
+                "bending_stiffness",
+                &segment.bending_stiffness,
+                ei,
+            );
             self.check_stretch(found, part, segment.from, segment.to);
         }
         overlaps(found, &spans, Part::BeamSegment);
     }
 
     fn check_foundation(&self, found: &mut Vec<Problem>) {
-        let mut constants = |part, spring: f64, shear: f64| {
-            positive(found, "GB201", part, "spring", spring, "the spring constant k");
-            if !(in_range(shear) && shear >= 0.0) {
-                found.push(Problem::new(
-                    "GB202",
-                    part,
-                    "shear",
-                    format!("the shear constant mu is {}", describe(shear)),
-                    remedy(shear, "it must be zero (Winkler) or positive"),
-                ));
+        let mut constants = |part, spring: &Profile, shear: &Profile| {
+            positive_along(found, "GB201", part, "spring", spring, "the spring constant k");
+            check_shear(found, part, shear);
+            for (field, constant) in [("spring", spring), ("shear", shear)] {
+                if constant.control_values().len() > Foundation::MOST_CONTROL_VALUES {
+                    let message = "this curve has more than three control values";
+                    let hint = "split the segment in two, or let it run linearly";
+                    found.push(Problem::new("GB204", part, field, message, hint));
+                }
             }
         };
         let ground = &self.foundation;
-        constants(Part::Foundation, ground.spring, ground.shear);
+        constants(Part::Foundation, &ground.spring.into(), &ground.shear.into());
         for (i, s) in ground.segments.iter().enumerate() {
-            constants(Part::FoundationSegment(i), s.spring, s.shear);
+            constants(Part::FoundationSegment(i), &s.spring, &s.shear);
         }
         for (i, s) in ground.segments.iter().enumerate() {
             let part = Part::FoundationSegment(i);
@@ -329,6 +350,37 @@ fn positive(
         let message = format!("{what} is {}", describe(value));
         let hint = remedy(value, "it must be positive");
         found.push(Problem::new(code, part, field, message, hint));
+    }
+}
+
+/// The control values must be positive: so is then what lies between them.
+fn positive_along(
+    found: &mut Vec<Problem>,
+    code: &'static str,
+    part: Part,
+    field: &'static str,
+    profile: &Profile,
+    what: &str,
+) {
+    let wrong = profile.control_values().iter().find(|value| !(in_range(**value) && **value > 0.0));
+    if let Some(value) = wrong {
+        positive(found, code, part, field, *value, what);
+    }
+}
+
+/// Zero all along, or positive all along: a shear layer that thins out to nothing has no end of its own.
+fn check_shear(found: &mut Vec<Problem>, part: Part, shear: &Profile) {
+    let values = shear.control_values();
+    let wrong = values.iter().find(|value| !(in_range(**value) && **value >= 0.0));
+    if let Some(&value) = wrong {
+        let message = format!("the shear constant mu is {}", describe(value));
+        let hint = remedy(value, "it must be zero (Winkler) or positive");
+        found.push(Problem::new("GB202", part, "shear", message, hint));
+    } else if !shear.is_constant() && values.contains(&0.0) {
+        let message = "the shear constant mu varies and falls to zero";
+        let hint = "where mu varies it must stay positive; end the segment where the shear layer \
+                    ends, at a small value of mu, and let one with mu = 0 follow";
+        found.push(Problem::new("GB205", part, "shear", message, hint));
     }
 }
 

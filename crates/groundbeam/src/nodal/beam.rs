@@ -108,6 +108,7 @@ impl Beam {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cell::Varies;
     use crate::elements::exact::ExactElement;
     use crate::elements::{Operator, Touch};
     use crate::polynomial::value;
@@ -121,6 +122,7 @@ mod tests {
             stiffness: 2.0,
             spring: 1.0,
             shear: 1.0,
+            varies: Varies::default(),
             load: [0.3, -0.8],
             moment_load: [0.5, 0.1],
             gap: [0.0; 2],

@@ -79,8 +79,8 @@ impl NodalSolver {
     ///
     /// # Errors
     ///
-    /// As [`solve`](crate::solve()); and [`Error::Unsupported`] for supports, and for ground without a
-    /// shear layer.
+    /// As [`solve`](crate::solve()); and [`Error::Unsupported`] for supports, for ground without a shear
+    /// layer, and where stiffness or ground varies along a segment.
     pub fn solve_into(
         &mut self,
         model: &Model,
@@ -146,9 +146,9 @@ impl NodalSolver {
 }
 
 /// Where a free beam touches, to the accuracy of a mesh fine enough for its waves; none if it has supports or
-/// is too long and soft for a mesh.
+/// is too long and soft for a mesh, or anything varies along a segment.
 pub(crate) fn edges(model: &Model) -> Option<Vec<[f64; 2]>> {
-    if !model.supports.is_empty() {
+    if !model.supports.is_empty() || model.varying_part().is_some() {
         return None;
     }
     let waves = Grid::new(model, 1, Ground::Spread).wave_number() * model.beam.length;
@@ -181,6 +181,9 @@ fn checked(model: &Model) -> Result<Existence, Error> {
     let existence = exists(model)?;
     if !model.supports.is_empty() {
         return Err(Error::Unsupported(Problem::nodal_with_supports()));
+    }
+    if let Some(part) = model.varying_part() {
+        return Err(Error::Unsupported(Problem::nodal_where_it_varies(part)));
     }
     if let Some(part) = crate::solve::without_shear_layer(model) {
         return Err(Error::Unsupported(Problem::nodal_forces_on_springs(part)));

@@ -1,0 +1,144 @@
+//! A quantity that may vary along the beam: one value, or a list from one end to the other.
+//!
+//! Two values run linearly; more are the control values of a curve ([`Profile`]).
+
+use crate::code;
+use crate::fault::Fault;
+use crate::quantity::Kind;
+use crate::reader::{Field, Reader};
+use crate::table::Section;
+use groundbeam::Profile;
+use std::ops::Range;
+use toml::de::DeValue;
+
+/// A quantity from `from` to `to` and its place.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Along {
+    pub profile: Profile,
+    pub span: Range<usize>,
+}
+
+impl Along {
+    /// Stands for one that is missing or cannot be read.
+    pub fn unreadable(span: Range<usize>) -> Self {
+        Along { profile: Profile::constant(f64::NAN), span }
+    }
+
+    pub fn is_readable(&self) -> bool {
+        !self.profile.control_values().iter().any(|value| value.is_nan())
+    }
+
+    /// One number for all of it, to remember its place by: NaN if it could not be read.
+    pub fn field(&self) -> Field {
+        let value = if self.is_readable() { self.profile.start() } else { f64::NAN };
+        Field::new(value, self.span.clone())
+    }
+
+    /// What it is between two parts of the way.
+    pub fn between(&self, [from, to]: [f64; 2]) -> Self {
+        Along { profile: self.profile.part(from, to), span: self.span.clone() }
+    }
+
+    /// The product with another one, at a place of its own.
+    pub fn times(&self, other: &Along, span: &Range<usize>) -> Self {
+        // Only lists of control values can be too many, and these are given for products alone.
+        let profile = self.profile.times(&other.profile);
+        Along { profile: profile.unwrap_or(Profile::constant(f64::NAN)), span: span.clone() }
+    }
+}
+
+/// How long a list may be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Values {
+    /// Two: from one end to the other.
+    Linear,
+    /// As many control values as this.
+    Curve(usize),
+}
+
+impl Reader<'_> {
+    /// The quantity in `section` under `key`, if given: one value, or a list.
+    pub fn along(
+        &mut self,
+        section: &Section,
+        key: &str,
+        kind: &'static Kind,
+        values: Values,
+    ) -> Option<Along> {
+        let value = section.value(key)?;
+        let DeValue::Array(array) = value.get_ref() else {
+            let Field { value, span } = self.field(key, value, kind);
+            return Some(Along { profile: Profile::constant(value), span });
+        };
+        let most = match values {
+            Values::Linear => 2,
+            Values::Curve(most) => most,
+        };
+        if !(2..=most).contains(&array.len()) {
+            let (count, noun) = match array.len() {
+                1 => (1, "value"),
+                count => (count, "values"),
+            };
+            let curve = match values {
+                Values::Linear => String::new(),
+                Values::Curve(most) => format!(", or up to {most} control values of a curve"),
+            };
+            let hint = format!(
+                "give one value, or two for a quantity that runs linearly from one end to the \
+                 other{curve}"
+            );
+            let message = format!("`{key}` has {count} {noun}");
+            self.report(Fault::new(code::WRONG_TYPE, value.span(), message, "", hint));
+            return Some(Along::unreadable(value.span()));
+        }
+        let read = |element| self.field(key, element, kind).value;
+        let numbers: Vec<f64> = array.iter().map(read).collect();
+        let profile = Profile::by_control_values(&numbers);
+        Some(Along { profile: profile.unwrap_or(Profile::constant(f64::NAN)), span: value.span() })
+    }
+
+    /// A factor must be positive by itself: two negative ones would go unnoticed.
+    pub fn positive_along(&mut self, key: &str, factor: Along) -> Along {
+        let wrong = factor.profile.control_values().iter().find(|value| **value <= 0.0);
+        let Some(&value) = wrong else { return factor };
+        self.positive(key, Field::new(value, factor.span.clone()));
+        Along::unreadable(factor.span)
+    }
+}
+
+/// What of 0 to `length` stretches leave out, from left to right; nothing while that cannot be told.
+pub(crate) fn left_out(length: f64, stretches: impl Iterator<Item = (f64, f64)>) -> Vec<[f64; 2]> {
+    let mut stretches: Vec<(f64, f64)> = stretches.collect();
+    let unknown = |&(from, to): &(f64, f64)| from.is_nan() || to.is_nan();
+    if length.is_nan() || stretches.iter().any(unknown) {
+        return Vec::new();
+    }
+    stretches.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut rest = Vec::new();
+    let mut reached = 0.0;
+    for (from, to) in stretches {
+        if from.min(length) > reached {
+            rest.push([reached, from.min(length)]);
+        }
+        reached = to.max(reached);
+    }
+    if length > reached {
+        rest.push([reached, length]);
+    }
+    rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::left_out;
+
+    #[test]
+    fn what_segments_leave_out() {
+        let rest = |stretches: &[(f64, f64)]| left_out(10.0, stretches.iter().copied());
+        assert_eq!(rest(&[]), [[0.0, 10.0]]);
+        assert_eq!(rest(&[(4.0, 12.0), (-1.0, 2.0)]), [[2.0, 4.0]]);
+        assert_eq!(rest(&[(3.0, 5.0), (5.0, 6.0)]), [[0.0, 3.0], [6.0, 10.0]]);
+        assert!(rest(&[(0.0, 10.0)]).is_empty());
+        assert!(rest(&[(f64::NAN, 10.0)]).is_empty());
+    }
+}

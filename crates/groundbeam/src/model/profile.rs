@@ -1,0 +1,274 @@
+//! How a quantity runs along a segment: a polynomial by its control values.
+//!
+//! A polynomial of degree n is given by n + 1 control values (its Bernstein coefficients, those of a Bézier
+//! curve): the first and the last are its values at the segment's ends, the others pull it their way. It lies
+//! between the least and the largest of them, so positive control values make a positive quantity, proven
+//! without looking anywhere in between; seen in a mirror they only change their order; and every part of the
+//! curve has control values of its own, sums of given ones with positive weights.
+
+use crate::polynomial::{jet, value};
+
+/// A quantity along a segment from its left end to its right one.
+///
+/// ```
+/// use groundbeam::Profile;
+///
+/// // A haunch: the depth falls evenly, EI with its cube.
+/// let depth = Profile::linear(1.2, 0.8);
+/// let inertia = depth.times(&depth).and_then(|square| square.times(&depth)).unwrap();
+/// assert!((inertia.at(0.5) - 1.0).abs() < 1e-15);
+/// assert_eq!(Profile::linear(2.0, 2.0), Profile::constant(2.0));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Profile {
+    values: [f64; Profile::MOST],
+    count: usize,
+}
+
+impl Profile {
+    /// The most control values: E, width and depth may all run linearly, E b d³/12.
+    pub const MOST: usize = 6;
+
+    /// The same everywhere.
+    pub fn constant(value: f64) -> Self {
+        let mut values = [0.0; Self::MOST];
+        values[0] = value;
+        Profile { values, count: 1 }
+    }
+
+    /// Linear between the values at both ends.
+    pub fn linear(start: f64, end: f64) -> Self {
+        Self::of(&[start, end])
+    }
+
+    /// By control values, from 1 to [`Self::MOST`] of them; none if there are more or none at all.
+    pub fn by_control_values(values: &[f64]) -> Option<Self> {
+        (1..=Self::MOST).contains(&values.len()).then(|| Self::of(values))
+    }
+
+    fn of(given: &[f64]) -> Self {
+        if given.iter().all(|value| *value == given[0]) {
+            return Self::constant(given[0]);
+        }
+        let mut values = [0.0; Self::MOST];
+        values[..given.len()].copy_from_slice(given);
+        Profile { values, count: given.len() }
+    }
+
+    /// The control values, one if the quantity is constant.
+    pub fn control_values(&self) -> &[f64] {
+        &self.values[..self.count]
+    }
+
+    /// Whether it is the same everywhere.
+    pub fn is_constant(&self) -> bool {
+        self.count == 1
+    }
+
+    /// The value at the left end.
+    pub fn start(&self) -> f64 {
+        self.values[0]
+    }
+
+    /// The value at the right end.
+    pub fn end(&self) -> f64 {
+        self.values[self.count - 1]
+    }
+
+    /// The smallest control value: it is nowhere less.
+    pub fn smallest(&self) -> f64 {
+        self.control_values().iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
+    /// The largest control value: it is nowhere more.
+    pub fn largest(&self) -> f64 {
+        self.control_values().iter().copied().fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The value at a part `t` of the way from the left end to the right one.
+    pub fn at(&self, t: f64) -> f64 {
+        self.blossom(&[[1.0 - t, t]; Self::MOST - 1])
+    }
+
+    /// The product of two quantities; none if it has more than [`Self::MOST`] control values.
+    pub fn times(&self, other: &Profile) -> Option<Profile> {
+        let (m, n) = (self.count - 1, other.count - 1);
+        let mut values = [0.0; Self::MOST];
+        let product = values.get_mut(..=m + n)?;
+        for (i, a) in self.control_values().iter().enumerate() {
+            for (j, b) in other.control_values().iter().enumerate() {
+                let weight = binomial(m, i) * binomial(n, j) / binomial(m + n, i + j);
+                product[i + j] += weight * (a * b);
+            }
+        }
+        Some(Self::of(product))
+    }
+
+    /// The quantity times a number.
+    pub fn scaled(mut self, factor: f64) -> Self {
+        for value in &mut self.values {
+            *value *= factor;
+        }
+        self
+    }
+
+    /// The part of it between two parts of the way.
+    pub fn part(&self, from: f64, to: f64) -> Self {
+        let [a, b] = [from, to].map(|t| [1.0 - t, t]);
+        Self::of(&self.between(a, b)[..self.count])
+    }
+
+    /// The same seen in a mirror.
+    pub fn mirrored(mut self) -> Self {
+        self.values[..self.count].reverse();
+        self
+    }
+
+    /// The value at x on a segment with the given ends.
+    pub(super) fn at_position(&self, ends: [f64; 2], x: f64) -> f64 {
+        self.blossom(&[weights(ends, x); Self::MOST - 1])
+    }
+
+    /// On a stretch x of a segment with the given ends, by s ∈ \[−1, 1\] along the stretch.
+    pub(super) fn on(&self, ends: [f64; 2], x: [f64; 2]) -> Course {
+        if self.is_constant() {
+            return Course::constant(self.start());
+        }
+        let [a, b] = x.map(|x| weights(ends, x));
+        let values = self.between(a, b);
+        let degree = self.count - 1;
+        let mut coefficients = [0.0; Self::MOST];
+        for (i, value) in values[..self.count].iter().enumerate() {
+            // C(n, i) ((1 − s)/2)^(n−i) ((1 + s)/2)^i.
+            let scale = binomial(degree, i) / f64::from(1_u32 << degree) * value;
+            for (j, c) in coefficients[..self.count].iter_mut().enumerate() {
+                *c += scale * bernstein(degree, i, j);
+            }
+        }
+        let values = &values[..=degree];
+        let bounds = [
+            values.iter().copied().fold(f64::INFINITY, f64::min),
+            values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+        ];
+        Course { coefficients, ends: [values[0], values[degree]], bounds }
+    }
+
+    /// The control values between two places, each given by its weights of both ends.
+    fn between(&self, a: [f64; 2], b: [f64; 2]) -> [f64; Self::MOST] {
+        let degree = self.count - 1;
+        let mut values = [0.0; Self::MOST];
+        for (i, value) in values[..self.count].iter_mut().enumerate() {
+            *value =
+                self.blossom(&std::array::from_fn(|level| if level + i < degree { a } else { b }));
+        }
+        values
+    }
+
+    /// De Casteljau's algorithm with a place of its own at every level.
+    fn blossom(&self, places: &[[f64; 2]; Self::MOST - 1]) -> f64 {
+        let mut values = self.values;
+        for (level, [left, right]) in places[..self.count - 1].iter().enumerate() {
+            for i in 0..self.count - 1 - level {
+                values[i] = left * values[i] + right * values[i + 1];
+            }
+        }
+        values[0]
+    }
+}
+
+impl From<f64> for Profile {
+    fn from(value: f64) -> Self {
+        Profile::constant(value)
+    }
+}
+
+/// A quantity on a stretch of the beam, by s ∈ \[−1, 1\] along the stretch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Course {
+    /// Of the powers of s.
+    pub coefficients: [f64; Profile::MOST],
+    /// At both ends: of two stretches that meet within a segment the same to the last bit.
+    pub ends: [f64; 2],
+    /// It lies between these.
+    pub bounds: [f64; 2],
+}
+
+impl Course {
+    pub fn constant(value: f64) -> Self {
+        let mut coefficients = [0.0; Profile::MOST];
+        coefficients[0] = value;
+        Course { coefficients, ends: [value; 2], bounds: [value; 2] }
+    }
+
+    /// Whether it is the same all along.
+    pub fn is_constant(&self) -> bool {
+        self.bounds[0] == self.bounds[1]
+    }
+
+    /// The value at s.
+    pub fn at(&self, s: f64) -> f64 {
+        if self.is_constant() { self.ends[0] } else { value(&self.coefficients, s) }
+    }
+
+    /// Value and derivative by s.
+    pub fn rising_at(&self, s: f64) -> [f64; 2] {
+        let [value, slope, ..] = jet(&self.coefficients, s);
+        [value, slope]
+    }
+}
+
+/// How near x is to the right and to the left end, as parts of the length.
+fn weights([from, to]: [f64; 2], x: f64) -> [f64; 2] {
+    let length = to - from;
+    [(to - x) / length, (x - from) / length]
+}
+
+fn binomial(n: usize, k: usize) -> f64 {
+    (0..k).fold(1.0, |product, i| product * (n - i) as f64 / (i + 1) as f64)
+}
+
+/// The coefficient of s^j in (1 − s)^(n−i) (1 + s)^i.
+fn bernstein(n: usize, i: usize, j: usize) -> f64 {
+    let term = |k: usize| {
+        let sign = if (j - k).is_multiple_of(2) { 1.0 } else { -1.0 };
+        sign * binomial(i, k) * binomial(n - i, j - k)
+    };
+    (j.saturating_sub(n - i)..=i.min(j)).map(term).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_part_of_a_curve_is_the_curve() {
+        let curve = Profile::by_control_values(&[3.0, 1.0, 4.0, 1.0, 5.0, 9.0]).expect("a curve");
+        let part = curve.part(0.2, 0.7);
+        let course = curve.on([1.0, 3.0], [1.4, 2.4]);
+        for s in [-1.0, -0.3, 0.0, 0.6, 1.0] {
+            let t = 0.5 * (1.0 + s);
+            let exact = curve.at(0.2 + 0.5 * t);
+            assert!((part.at(t) - exact).abs() < 1e-14);
+            assert!((value(&course.coefficients, s) - exact).abs() < 1e-14);
+        }
+        let next = curve.on([1.0, 3.0], [2.4, 3.0]);
+        assert_eq!(course.ends[1], next.ends[0]);
+        assert_eq!(next.ends[1], 9.0);
+    }
+
+    #[test]
+    fn products_are_products() {
+        let (a, b) = (Profile::linear(2.0, 3.0), Profile::linear(5.0, 1.0));
+        let product = a.times(&b).and_then(|p| p.times(&b)).expect("a product");
+        for t in [0.0, 0.25, 0.9, 1.0] {
+            assert!((product.at(t) - a.at(t) * b.at(t) * b.at(t)).abs() < 1e-14);
+        }
+        assert_eq!(product.mirrored().at(0.0), product.at(1.0));
+        assert_eq!(
+            Profile::constant(2.0).times(&Profile::constant(0.1)).map(|p| p.start()),
+            Some(0.2)
+        );
+        let most = Profile::by_control_values(&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]).expect("a curve");
+        assert!(most.times(&a).is_none());
+    }
+}
