@@ -44,6 +44,15 @@ def ground(h):
     return s / np.sinh(z), s * np.tanh(z / 2)
 
 
+def under_nodes(leak, beyond):
+    """Springs of open ground under its nodes; what lies beyond it is one at each end."""
+    u = np.zeros(len(leak) + 1)
+    u[:-1] += leak
+    u[1:] += leak
+    u[[0, -1]] += beyond
+    return u
+
+
 def assembled(h, blocks, size, stride):
     """Sum of element matrices whose unknowns begin at stride·i."""
     m = blocks.shape[1]
@@ -92,10 +101,7 @@ def natural(x, force, moment):
     one = np.ones(m)
     e = np.moveaxis(np.array([[12 * one, -6 * one, 0 * one], [-6 * one, 4 * one, 0 * one], [0 * one, 0 * one, c * h**3 / EI]]) * (EI / h**3), 2, 0)
     elements = assembled(h, e, 3 * m, 3)
-    u = np.zeros(n)
-    u[:-1] += leak
-    u[1:] += leak
-    u[[0, -1]] += np.sqrt(K * MU)
+    u = under_nodes(leak, np.sqrt(K * MU))
     nodes = sp.diags(np.kron(u, [0, 0, 1]))
     p = sp.block_diag([nodes, elements], format="csc")
     q = np.zeros(3 * n + 3 * m)
@@ -185,10 +191,7 @@ def by_lapack_natural(x, force, moment):
     """The glued beam with deformations and multipliers, dgbsv: (w, w', d₁, h·d₂, λ₁, λ₂) node by node."""
     h, n = np.diff(x), len(x)
     c, leak = ground(h)
-    u = np.zeros(n)
-    u[:-1] += leak
-    u[1:] += leak
-    u[[0, -1]] += np.sqrt(K * MU)
+    u = under_nodes(leak, np.sqrt(K * MU))
     size, low = 6 * n - 4, 6
     band = np.zeros((2 * low + 1, size))
 
@@ -218,10 +221,7 @@ def by_opensees(x, force, moment):
     import openseespy.opensees as ops
     h, n = np.diff(x), len(x)
     c, leak = ground(h)
-    u = np.zeros(n)
-    u[:-1] += leak
-    u[1:] += leak
-    u[[0, -1]] += np.sqrt(K * MU)
+    u = under_nodes(leak, np.sqrt(K * MU))
     penalty = 1e8
     began = time.perf_counter()
     ops.wipe()
@@ -266,9 +266,7 @@ def by_pynite(x, force, moment):
     from Pynite import FEModel3D
     h, n = np.diff(x), len(x)
     _, leak = ground(h)
-    u = np.zeros(n)
-    u[:-1] += leak
-    u[1:] += leak
+    u = under_nodes(leak, 0.0)
     began = time.perf_counter()
     model = FEModel3D()
     model.add_material("m", 1.0, 0.5, 0.3, 0.0)

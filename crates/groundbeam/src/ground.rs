@@ -9,7 +9,7 @@
 use crate::polynomial::{jet, value};
 
 /// A stretch of unloaded ground between two points of its surface.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Link {
     /// Spring between the two points \[N/m\].
     pub coupling: f64,

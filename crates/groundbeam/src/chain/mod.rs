@@ -53,13 +53,6 @@ pub(crate) struct Chain {
     pub meeting: usize,
 }
 
-/// The solution of a chain.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Shape {
-    /// The four numbers of every cell's element.
-    pub cells: Vec<[f64; 4]>,
-}
-
 /// The chain can move without work: the elimination met a pivot that is not positive.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Loose;
@@ -91,7 +84,8 @@ struct Return {
 }
 
 impl Chain {
-    pub fn solve(&self) -> Result<Shape, Loose> {
+    /// The four numbers of every cell's element.
+    pub fn solve(&self) -> Result<Vec<[f64; 4]>, Loose> {
         let last = self.nodes.len() - 1;
         let meet = self.meeting.min(last);
         let (left, back_left) = self.sweep::<false>(0, meet)?;
@@ -108,11 +102,11 @@ impl Chain {
         let node = &self.nodes[meet];
         apply(node, &mut both, 1.0);
         let at_meeting = solve_node(node, &both)?;
-        let mut shape = Shape { cells: vec![[0.0; 4]; self.cells.len()] };
+        let mut shapes = vec![[0.0; 4]; self.cells.len()];
         let mut y = at_meeting;
         for (i, back) in (0..meet).zip(&back_left).rev() {
             let Element { length, basis, .. } = self.cells[i].element;
-            y = back.cross(length, basis, y, &mut shape.cells[i]);
+            y = back.cross(length, basis, y, &mut shapes[i]);
             y = back.end(&self.nodes[i], y, true);
         }
         let mut y = at_meeting;
@@ -121,10 +115,10 @@ impl Chain {
             let Element { length, basis, .. } = self.cells[i].element;
             let mut v = [0.0; 4];
             y = back.cross(length, basis, y, &mut v);
-            shape.cells[i] = mirror_shape(&v, length, basis);
+            shapes[i] = mirror_shape(&v, length, basis);
             y = back.end(&self.nodes[i + 1], y, false);
         }
-        Ok(shape)
+        Ok(shapes)
     }
 
     /// From an end towards the meeting node, which is not yet counted in.
@@ -137,19 +131,16 @@ impl Chain {
         let mut returns = Vec::with_capacity(count);
         let mut state = Behind::default();
         for step in 0..count {
-            let (node, cell, next) = if MIRRORED {
-                (start - step, start - step - 1, start - step - 1)
-            } else {
-                (step, step, step + 1)
-            };
-            let [node, next] = [&self.nodes[node], &self.nodes[next]];
+            let [here, ahead] =
+                if MIRRORED { [start - step, start - step - 1] } else { [step, step + 1] };
+            let [node, next] = [&self.nodes[here], &self.nodes[ahead]];
             apply(node, &mut state, if MIRRORED { -1.0 } else { 1.0 });
             let mut back = Return::default();
             let sides = if MIRRORED { [1, 0] } else { [0, 1] };
             if node.surface[sides[0]] && !node.surface[sides[1]] {
                 back.ended = end_surface(&mut state)?;
             }
-            let cell = &self.cells[cell];
+            let cell = &self.cells[here.min(ahead)];
             if MIRRORED {
                 let (element, links) = mirror_cell(cell);
                 state = cross(&element, &links, [node, next], &state, &mut back)?;

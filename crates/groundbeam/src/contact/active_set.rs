@@ -257,7 +257,7 @@ impl<'a> Newton<'a> {
         let cells = cells.collect();
         let nodes = layout.nodes(self.mesh);
         let chain = Chain { nodes, cells, meeting: layout.meeting_node(self.mesh) };
-        Ok(chain.solve()?.cells)
+        chain.solve()
     }
 
     /// Newton's step: the glued solve, damped only if the contact alone cannot hold the beam.
@@ -378,7 +378,6 @@ impl<'a> Line<'a> {
 mod tests {
     use super::*;
     use crate::contact::deflection::Spot;
-    use crate::contact::surface::obstacle;
     use crate::model::{Beam, Foundation, Load, Model};
 
     /// The paper's own ten elements and nodal pressures: w(0) of cases I and IV as its figures' data give
@@ -391,7 +390,7 @@ mod tests {
                 .with_load(Load::moment(moment, 0.5));
             let mesh = Mesh::uniform(&model, 10);
             let found = solve(mesh, Pressure::Dirac, None, CLOSE).expect("a solution");
-            let end = obstacle(&found.deflection(), Spot { cell: 0, s: -1.0 });
+            let end = found.deflection().obstacle_at(Spot { cell: 0, s: -1.0 });
             assert!((end - printed).abs() < 5.1e-6, "{end}");
         }
     }

@@ -1,8 +1,9 @@
 //! A deflection in pieces, points of the beam, and what ψ = w − g₀ asks of the ground.
 
+use super::layout::gap_at;
 use super::varying;
 use crate::mesh::{Cell, Mesh};
-use crate::polynomial::jet;
+use crate::polynomial::{jet, value};
 
 /// A point of the beam: a cell and its coordinate s ∈ \[−1, 1\].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,6 +39,18 @@ impl Deflection<'_> {
         c[0] -= 0.5 * (left + right);
         c[1] -= 0.5 * (right - left);
         c
+    }
+
+    /// ψ at a spot.
+    pub fn obstacle_at(&self, spot: Spot) -> f64 {
+        value(self.cell(spot.cell), spot.s) - gap_at(&self.mesh.cells[spot.cell], spot.s)
+    }
+
+    /// μψ' at a spot.
+    pub fn flux(&self, spot: Spot) -> f64 {
+        let cell = &self.mesh.cells[spot.cell];
+        let slope = jet(self.cell(spot.cell), spot.s)[1] * 2.0 / cell.length() - cell.gap_slope;
+        cell.ground_at(spot.s)[1] * slope
     }
 
     /// −\[μψ'\] at the node to the left of cell i: positive where a corner presses into the ground.

@@ -12,7 +12,7 @@
 //! This is Newton's method on Φ in the space of all deflections: the error of the edges is squared in
 //! every step. If the steps do not settle, the mesh that began them is refined.
 
-use super::active_set::{CLOSE, Found, Pressure, Stalled, Step};
+use super::active_set::{Found, Pressure, Stalled, Step};
 use super::deflection::{Deflection, Zone};
 use super::descent::shorten;
 use super::layout::Layout;
@@ -146,7 +146,7 @@ fn coarse(model: &Model, level: u32) -> Result<Found, Stalled> {
     let per_wave = COARSE * 3_f64.powi(level as i32);
     let stiffest = stiffer(stages);
     let meshes = nested::coarse_meshes(&stiffest, per_wave);
-    let mut found = nested::solve(meshes, Pressure::Distributed, CLOSE)?;
+    let mut found = nested::solve(meshes, Pressure::Distributed)?;
     for stage in (1..=stages).rev() {
         found = refine(&stiffer(stage), found, Goal::Start, &|_, _| false)?;
     }
@@ -314,7 +314,7 @@ pub(crate) fn glued(
         nodes[node].rotational_spring += spring;
         nodes[node].moment += spring * held.slope;
     }
-    let shapes = Chain { nodes, cells, meeting: layout.meeting_node(&mesh) }.solve()?.cells;
+    let shapes = Chain { nodes, cells, meeting: layout.meeting_node(&mesh) }.solve()?;
     let (fine, coefficients) = unfolded(model, &mesh, &elements, &shapes);
     if !coefficients.iter().all(|c| c.is_finite()) {
         return Err(Loose);

@@ -266,27 +266,11 @@ impl<'a> Scan<'a> {
         whole.unwrap_or(Link { coupling: f64::MAX, leak_left: 0.0, leak_right: 0.0 })
     }
 
-    fn values(&self, joint: &Joint) -> [f64; 2] {
-        [joint.left, joint.right].map(|spot| spot.map_or(0.0, |spot| self.at(spot)[0]))
-    }
-
     /// What a single point between two joints presses; not positive where the ground would have to pull.
     fn pull(&self, before: &Joint, after: &Joint) -> f64 {
-        let flux = |spot: Option<Spot>| {
-            let shear = |spot: Spot| self.w.mesh.cells[spot.cell].ground_at(spot.s)[1];
-            spot.map_or(0.0, |spot| shear(spot) * self.at(spot)[1])
-        };
-        let [a, b] = self.values(before);
-        let [c, d] = self.values(after);
-        let from_left = match self.narrow(before) {
-            Some([_, force]) => force + flux(before.right),
-            None => self.link(before).force_right(a, b),
-        };
-        let from_right = match self.narrow(after) {
-            Some([force, _]) => force - flux(after.left),
-            None => self.link(after).force_left(c, d),
-        };
-        from_left + from_right
+        let fluxes =
+            |joint: &Joint| narrow::fluxes(self.w, [joint.left, joint.right], &self.link(joint));
+        fluxes(before)[1] + fluxes(after)[0]
     }
 
     /// One joint over a dropped zone.
@@ -342,8 +326,7 @@ impl<'a> Scan<'a> {
 
     /// The forces at both ends of a narrow joint.
     fn narrow(&self, joint: &Joint) -> Option<[f64; 2]> {
-        let ends = [joint.left?, joint.right?];
-        narrow::end_forces(self.w, ends)
+        narrow::end_forces(self.w, [joint.left, joint.right])
     }
 
     /// Moves the joint's left end to the left until nothing pulls there.

@@ -26,26 +26,28 @@ struct Part {
     cell: usize,
     from: f64,
     to: f64,
+    /// Half its length \[m\].
+    half: f64,
     /// b·length.
     length: f64,
     stiffness: f64,
-    /// Where the ground varies: the part alone, half its length, its ground as a link.
-    varying: Option<(Cell, f64, Link)>,
+    /// Where the ground varies: the part alone, and its ground as a link.
+    varying: Option<(Cell, Link)>,
 }
 
 impl Part {
     fn of(cell: &Cell, i: usize, [from, to]: [f64; 2]) -> Option<Self> {
-        let ratio = 0.5 * (to - from);
-        let length = (cell.spring / cell.shear).sqrt() * ratio * cell.length();
+        let half = 0.25 * (to - from) * cell.length();
+        let length = (cell.spring / cell.shear).sqrt() * 2.0 * half;
         let stiffness = (cell.spring * cell.shear).sqrt();
-        let mut part = Part { cell: i, from, to, length, stiffness, varying: None };
+        let mut part = Part { cell: i, from, to, half, length, stiffness, varying: None };
         if cell.ground_varies() && to > from {
-            let (own, half) = (cell.part([from, to]), 0.5 * ratio * cell.length());
+            let own = cell.part([from, to]);
             if !own.is_smooth() || !own.is_short_for_open_ground(half) {
                 return None;
             }
             let link = Link::varying(&own.spring_course(), &own.shear_course(), half);
-            part.varying = Some((own, half, link));
+            part.varying = Some((own, link));
         }
         Some(part)
     }
@@ -53,7 +55,7 @@ impl Part {
     /// The unloaded ground across the part, from its value and its flux at the left end, or with `turned`
     /// from those at the right end. Each step forward adds positive numbers only.
     fn cross(&self, phi: f64, flux: f64, turned: bool) -> [f64; 2] {
-        if let Some((_, _, link)) = &self.varying {
+        if let Some((_, link)) = &self.varying {
             let (behind, ahead) = if turned {
                 (link.leak_right, link.leak_left)
             } else {
@@ -72,9 +74,10 @@ impl Part {
     fn under(&self, pi: &[f64]) -> [f64; 2] {
         let at = |t: f64| value(pi, self.from + t * (self.to - self.from));
         let mut under = [0.0; 2];
-        if let Some((cell, half, _)) = &self.varying {
+        if let Some((cell, _)) = &self.varying {
             let (spring, shear) = (cell.spring_course(), cell.shear_course());
-            let shapes = [[1.0, 0.0], [0.0, 1.0]].map(|ends| settled(&spring, &shear, *half, ends));
+            let shapes =
+                [[1.0, 0.0], [0.0, 1.0]].map(|ends| settled(&spring, &shear, self.half, ends));
             for (x, weight) in GAUSS {
                 for s in [-x, x] {
                     let p = weight * at(0.5 * (1.0 + s));
@@ -96,8 +99,21 @@ impl Part {
     }
 }
 
-/// A and B of a joint from `a` to `b`, if it is narrow.
-pub(super) fn end_forces(w: &Deflection, [a, b]: [Spot; 2]) -> Option<[f64; 2]> {
+/// What open ground takes at both ends of a joint, where it is held at ψ; `link` is all of it. A missing end is
+/// the ground beyond the piece.
+pub(super) fn fluxes(w: &Deflection, ends: [Option<Spot>; 2], link: &Link) -> [f64; 2] {
+    let of = |f: &dyn Fn(Spot) -> f64| ends.map(|end| end.map_or(0.0, f));
+    if let Some([a, b]) = end_forces(w, ends) {
+        let [left, right] = of(&|spot| w.flux(spot));
+        return [a - left, b + right];
+    }
+    let [left, right] = of(&|spot| w.obstacle_at(spot));
+    [link.force_left(left, right), link.force_right(left, right)]
+}
+
+/// A and B of a joint, if it is narrow.
+pub(super) fn end_forces(w: &Deflection, ends: [Option<Spot>; 2]) -> Option<[f64; 2]> {
+    let [a, b] = [ends[0]?, ends[1]?];
     if b.cell < a.cell || b.cell - a.cell >= MOST_CELLS {
         return None;
     }
@@ -116,10 +132,9 @@ pub(super) fn end_forces(w: &Deflection, [a, b]: [Spot; 2]) -> Option<[f64; 2]> 
         let pull = parts.iter().skip(1).map(|part| 0.5 * w.corner(part.cell)).sum();
         return Some([pull; 2]);
     }
-    let noise: f64 = parts.iter().map(|part| length(w, part) * pressure_size(w, part.cell)).sum();
-    let soft: f64 = parts.iter().map(|part| length(w, part) / w.mesh.cells[part.cell].shear).sum();
-    let ends = [a, b].map(|spot| value(&w.obstacle(spot.cell), spot.s).abs());
-    if noise * soft > ends[0] + ends[1] {
+    let noise: f64 = parts.iter().map(|part| 2.0 * part.half * pressure_size(w, part.cell)).sum();
+    let soft: f64 = parts.iter().map(|part| 2.0 * part.half / w.mesh.cells[part.cell].shear).sum();
+    if noise * soft > w.obstacle_at(a).abs() + w.obstacle_at(b).abs() {
         return None;
     }
     let from_right = shape(parts.iter().rev(), true);
@@ -135,19 +150,12 @@ pub(super) fn end_forces(w: &Deflection, [a, b]: [Spot; 2]) -> Option<[f64; 2]> 
             forces[1] += atom * phi_b[0];
         }
         if part.to > part.from {
-            let pi = w.pressure(part.cell);
-            let half = 0.5 * length(w, part);
-            let under = part.under(&pi);
-            forces[0] += half * (phi_a[0] * under[0] + phi_a[1] * under[1]);
-            forces[1] += half * (phi_b[0] * under[0] + phi_b[1] * under[1]);
+            let under = part.under(&w.pressure(part.cell));
+            forces[0] += part.half * (phi_a[0] * under[0] + phi_a[1] * under[1]);
+            forces[1] += part.half * (phi_b[0] * under[0] + phi_b[1] * under[1]);
         }
     }
     Some(forces)
-}
-
-/// The length of a part \[m\].
-fn length(w: &Deflection, part: &Part) -> f64 {
-    0.5 * (part.to - part.from) * w.mesh.cells[part.cell].length()
 }
 
 /// What the terms of π in a cell add up to without their signs.

@@ -1,11 +1,12 @@
 //! Stretches of contact near the right ones, found without an iteration on edges.
 
-use crate::elements::Operator;
+use crate::elements::wave_number;
 use crate::model::{FoundationSegment, Model};
 use crate::nodal;
 
 /// How long a beam may be, in units of 1/wave number, that needs no mesh to start from.
 const SHORT: f64 = 24.0;
+
 /// All of a short beam, what the nodes of a mesh tell of a long one; none if they tell nothing. Beams on
 /// supports may leave stretches with hardly a pressure: they go the long way.
 pub(super) fn edges(model: &Model) -> Option<Vec<[f64; 2]>> {
@@ -17,21 +18,13 @@ pub(super) fn edges(model: &Model) -> Option<Vec<[f64; 2]>> {
 
 /// Whether a beam is so short that no zone of contact lies far from another.
 fn is_short(model: &Model) -> bool {
-    let wave = |k: f64, mu: f64, stiffness: f64| {
-        let operator = Operator {
-            stiffness,
-            tension: model.beam.axial_force + mu,
-            spring: k,
-            load: [0.0; 2],
-            moment_load: [0.0; 2],
-            courses: None,
-        };
-        operator.wave_number() * model.beam.length
-    };
     let largest = |s: &FoundationSegment| (s.spring.largest(), s.shear.largest());
     let segments = model.foundation.segments.iter().map(largest);
     let ground = segments.chain([(model.foundation.spring, model.foundation.shear)]);
     let beam = model.beam.segments.iter().map(|s| s.bending_stiffness.smallest());
     let softest = beam.fold(model.beam.bending_stiffness, f64::min);
-    ground.map(|(k, mu)| wave(k, mu, softest)).all(|waves| waves <= SHORT)
+    let waves = |(k, mu): (f64, f64)| {
+        wave_number(softest, (model.beam.axial_force + mu).abs(), k) * model.beam.length
+    };
+    ground.map(waves).all(|waves| waves <= SHORT)
 }

@@ -42,20 +42,19 @@ pub(crate) fn solve_on(model: &Model, mesh: Mesh, pressure: Pressure) -> Result<
     let count = mesh.cells.len();
     let coarser = coarse_meshes(model, 1.0).take_while(|coarse| coarse.cells.len() < count);
     let stiffened = (0..stages).map(|i| mesh.stiffened(part(i)));
-    solve(coarser.chain(stiffened).chain([mesh.clone()]), pressure, CLOSE)
+    solve(coarser.chain(stiffened).chain([mesh.clone()]), pressure)
 }
 
-/// Solves on the last of some meshes, so `close`ly, each of which gives the next one its start.
+/// Solves on the last of some meshes, each of which gives the next one its start.
 pub(crate) fn solve(
     meshes: impl Iterator<Item = Mesh>,
     pressure: Pressure,
-    last_close: f64,
 ) -> Result<Found, Stalled> {
     let mut meshes = meshes.peekable();
     let mut found: Option<Found> = None;
     let mut history = Vec::new();
     while let Some(mesh) = meshes.next() {
-        let close = if meshes.peek().is_some() { COARSE_CLOSE } else { last_close };
+        let close = if meshes.peek().is_some() { COARSE_CLOSE } else { CLOSE };
         match active_set::solve(mesh, pressure, found.as_ref(), close) {
             Ok(mut next) => {
                 history.append(&mut next.history);

@@ -1,13 +1,11 @@
 //! The ground's surface and what it presses with, for a given w and given zones of contact.
 
 use super::deflection::{Deflection, Spot, Zone};
-use super::layout::gap_at;
 use super::majorant::cell_part;
 use super::narrow;
 use super::pieces::{Piece, pieces};
 use crate::ground::Link;
 use crate::mesh::Mesh;
-use crate::polynomial::{jet, value};
 
 /// A part of a cell in which beam and ground touch all along or not at all.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,16 +83,11 @@ impl Surface {
                 .into_iter()
                 .map(|(_, link)| link)
                 .reduce(Link::then);
-            let [psi_from, psi_to] = [zone.from, zone.to].map(|spot| obstacle(w, spot));
-            let flux_in = match narrow(w, left, Some(zone.from)) {
-                Some([_, force]) => force + flux(w, zone.from),
-                None => before.1.map_or(0.0, |link| link.force_right(before.0, psi_from)),
+            let fluxes = |ends: [Option<Spot>; 2], link: Option<Link>| {
+                narrow::fluxes(w, ends, &link.unwrap_or_default())
             };
-            let psi_next = next.map_or(0.0, |spot| obstacle(w, spot));
-            let flux_out = match narrow(w, Some(zone.to), next) {
-                Some([force, _]) => force - flux(w, zone.to),
-                None => after.map_or(0.0, |link| link.force_left(psi_to, psi_next)),
-            };
+            let [_, flux_in] = fluxes([left, Some(zone.from)], before);
+            let [flux_out, _] = fluxes([Some(zone.to), next], after);
             if zone.from == zone.to {
                 self.atoms.push(Atom { spot: zone.from, force: flux_in + flux_out });
             } else {
@@ -111,31 +104,31 @@ impl Surface {
     /// Forces at the ends of a zone and at the corners within it.
     fn add_zone_atoms(&mut self, w: &Deflection, zone: &Zone, flux_in: f64, flux_out: f64) {
         if can_carry(w.mesh, zone.from) {
-            let force = flux_in - flux(w, zone.from);
+            let force = flux_in - w.flux(zone.from);
             self.atoms.push(Atom { spot: zone.from, force });
         }
         for cell in zone.from.cell + 1..=zone.to.cell {
             let [a, b] = [Spot { cell: cell - 1, s: 1.0 }, Spot { cell, s: -1.0 }];
             if can_carry(w.mesh, b) {
-                self.atoms.push(Atom { spot: b, force: flux(w, a) - flux(w, b) });
+                self.atoms.push(Atom { spot: b, force: w.flux(a) - w.flux(b) });
             }
         }
         if can_carry(w.mesh, zone.to) {
-            self.atoms.push(Atom { spot: zone.to, force: flux(w, zone.to) + flux_out });
+            self.atoms.push(Atom { spot: zone.to, force: w.flux(zone.to) + flux_out });
         }
     }
 
-    /// Covers open ground between two spots; returns the value at the left spot and the whole link.
+    /// Covers open ground between two spots; returns the whole link.
     fn open(
         &mut self,
         w: &Deflection,
         piece: &Piece,
         from: Option<Spot>,
         to: Option<Spot>,
-    ) -> (f64, Option<Link>) {
+    ) -> Option<Link> {
         let links = open_links(w.mesh, piece, from, to);
-        let start = from.map_or(0.0, |spot| obstacle(w, spot));
-        let end = to.map_or(0.0, |spot| obstacle(w, spot));
+        let start = from.map_or(0.0, |spot| w.obstacle_at(spot));
+        let end = to.map_or(0.0, |spot| w.obstacle_at(spot));
         let row: Vec<Link> = links.iter().map(|(_, link)| *link).collect();
         let (values, whole) = heights(&row, [start, end]);
         for (i, (part, _)) in links.iter().enumerate() {
@@ -143,7 +136,7 @@ impl Surface {
                 self.parts.push(Part { cell, s, open: Some([values[i], values[i + 1]]) });
             }
         }
-        (start, whole)
+        whole
     }
 
     /// The parts; where EI or the ground varies, each cut into short power series.
@@ -244,22 +237,6 @@ fn can_carry(mesh: &Mesh, spot: Spot) -> bool {
     }
     let [left, right] = [&mesh.cells[node - 1], &mesh.cells[node]];
     left.shear_ends()[1] != right.shear_ends()[0] || left.gap_slope != right.gap_slope
-}
-
-fn narrow(w: &Deflection, from: Option<Spot>, to: Option<Spot>) -> Option<[f64; 2]> {
-    narrow::end_forces(w, [from?, to?])
-}
-
-/// ψ at a spot.
-pub(crate) fn obstacle(w: &Deflection, spot: Spot) -> f64 {
-    value(w.cell(spot.cell), spot.s) - gap_at(&w.mesh.cells[spot.cell], spot.s)
-}
-
-/// μψ' at a spot.
-fn flux(w: &Deflection, spot: Spot) -> f64 {
-    let cell = &w.mesh.cells[spot.cell];
-    let slope = jet(w.cell(spot.cell), spot.s)[1] * 2.0 / cell.length() - cell.gap_slope;
-    cell.ground_at(spot.s)[1] * slope
 }
 
 /// The links of open ground between two spots, cell by cell; a missing spot is the ground beyond.

@@ -312,7 +312,7 @@ impl<'a> FreeBeam<'a> {
             node.force -= p;
         }
         let nothing = vec![[f64::NAN; 4]; self.mesh.cells.len()];
-        chain.solve().map_or(nothing, |shape| shape.cells)
+        chain.solve().unwrap_or(nothing)
     }
 
     /// (5.16): w at the nodes, but for the free rigid motions.

@@ -162,8 +162,13 @@ impl Operator {
             None => [self.stiffness, self.tension.abs(), self.spring],
             Some(courses) => courses.extremes(),
         };
-        let n = tension / stiffness;
-        let k = spring / stiffness;
-        (0.5 * (n + (n * n + 4.0 * k).sqrt())).sqrt()
+        wave_number(stiffness, tension, spring)
     }
+}
+
+/// A bound of the largest |r| with EI r⁴ − N r² + κ = 0 \[1/m\], from EI, |N| and κ.
+pub(crate) fn wave_number(stiffness: f64, tension: f64, spring: f64) -> f64 {
+    let n = tension / stiffness;
+    let k = spring / stiffness;
+    (0.5 * (n + (n * n + 4.0 * k).sqrt())).sqrt()
 }

@@ -161,56 +161,13 @@ impl Hull<'_> {
     /// Where a zone that goes on to the left ends, if open ground follows up to `next`.
     fn last_that_presses(&self, [from, to]: Zone, next: Option<usize>) -> usize {
         let presses = |node: usize| self.push_from_left(node) + self.open_right(node, next) >= 0.0;
-        if from == to || presses(to) {
-            return to;
-        }
-        // Steps that double, then halve.
-        let (mut pulls, mut step) = (to, 1);
-        let mut holds = from;
-        while pulls > from + step {
-            if presses(pulls - step) {
-                holds = pulls - step;
-                break;
-            }
-            pulls -= step;
-            step *= 2;
-        }
-        while pulls - holds > 1 {
-            let middle = holds + (pulls - holds) / 2;
-            if presses(middle) {
-                holds = middle;
-            } else {
-                pulls = middle;
-            }
-        }
-        holds
+        to - first_holding(to - from, |back| presses(to - back))
     }
 
     fn first_that_presses(&self, [from, to]: Zone, before: Option<usize>) -> usize {
         let presses =
             |node: usize| self.push_from_right(node) + self.open_left(node, before) >= 0.0;
-        if from == to || presses(from) {
-            return from;
-        }
-        let (mut pulls, mut step) = (from, 1);
-        let mut holds = to;
-        while pulls + step < to {
-            if presses(pulls + step) {
-                holds = pulls + step;
-                break;
-            }
-            pulls += step;
-            step *= 2;
-        }
-        while holds - pulls > 1 {
-            let middle = pulls + (holds - pulls) / 2;
-            if presses(middle) {
-                holds = middle;
-            } else {
-                pulls = middle;
-            }
-        }
-        holds
+        from + first_holding(to - from, |on| presses(from + on))
     }
 
     /// Whether the last zone is one node that open ground on both sides does not press on.
@@ -240,4 +197,29 @@ impl Hull<'_> {
             }
         }
     }
+}
+
+/// The least number up to `most` that holds, `most` where none before does: by steps that double, then halve.
+fn first_holding(most: usize, holds: impl Fn(usize) -> bool) -> usize {
+    if most == 0 || holds(0) {
+        return 0;
+    }
+    let (mut fails, mut step, mut found) = (0, 1, most);
+    while fails + step < most {
+        if holds(fails + step) {
+            found = fails + step;
+            break;
+        }
+        fails += step;
+        step *= 2;
+    }
+    while found - fails > 1 {
+        let middle = fails + (found - fails) / 2;
+        if holds(middle) {
+            found = middle;
+        } else {
+            fails = middle;
+        }
+    }
+    found
 }
