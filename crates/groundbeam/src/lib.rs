@@ -32,6 +32,7 @@ mod certificate;
 mod chain;
 mod contact;
 mod elements;
+mod envelope;
 mod existence;
 mod factors;
 mod ground;
@@ -46,6 +47,7 @@ pub mod model;
 
 pub use certificate::Certificate;
 pub use contact::active_set::{Pressure, Step};
+pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
 pub use existence::{Existence, RigidMotion, Verdict};
 pub use factors::{FirstLiftOff, LoadFactors, LossOfEquilibrium, load_factors};
 pub use model::{

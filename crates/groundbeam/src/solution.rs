@@ -296,7 +296,7 @@ impl Stretch {
         }
     }
 
-    fn local(&self, x: f64) -> f64 {
+    pub(crate) fn local(&self, x: f64) -> f64 {
         let [from, to] = self.x;
         let s = if x - from <= to - x {
             (x - from) / self.half - 1.0

@@ -1,0 +1,283 @@
+//! The smallest and largest values of several solutions: at every point, over the whole beam, and where they change hands.
+
+mod forms;
+mod upper;
+
+use crate::solution::{Extreme, Field, Range, Side, Solution};
+use forms::Forms;
+
+/// Smaller differences, relative to the field's largest value in all solutions, are rounding: the
+/// solution that comes first then governs.
+const ROUNDING: f64 = 1e-12;
+
+/// Several solutions of one beam, seen together.
+///
+/// Lift-off makes superposition false, so each combination of loads is solved by itself; what a section has to
+/// carry is the envelope of the answers. It governs by numbers: solutions count from 0, in the order in which
+/// they were given.
+///
+/// ```
+/// use groundbeam::{Beam, Envelope, Field, Foundation, Load, Model, Outcome, solve};
+///
+/// let footing = || Model::new(Beam::uniform(12.0, 1.28e9), Foundation::pasternak(40e6, 9e6));
+/// let mut solutions = Vec::new();
+/// for at in [2.0, 10.0] {
+///     let model = footing().with_load(Load::point(900e3, 6.0)).with_load(Load::point(300e3, at));
+///     let Outcome::Equilibrium(solution) = solve(&model)? else { unreachable!("it stands") };
+///     solutions.push(*solution);
+/// }
+/// let envelope = Envelope::of(&solutions);
+/// // The two are images of each other in a mirror: they change places in the middle.
+/// assert_eq!(envelope.at(Field::Deflection, 1.0).max.by, 0);
+/// assert_eq!(envelope.at(Field::Deflection, 11.0).max.by, 1);
+/// let changes = envelope.changes(Field::Deflection);
+/// assert!(changes.iter().any(|change| (change.x - 6.0).abs() < 1e-9));
+/// # Ok::<(), groundbeam::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Envelope<'a> {
+    solutions: Vec<&'a Solution>,
+    /// Of each solution, in the order of [`Field::ALL`].
+    ranges: Vec<[Range; Field::ALL.len()]>,
+}
+
+/// A value and the solution that has it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Governing {
+    /// The value, and where.
+    pub extreme: Extreme,
+    /// The solution, by its number; of several that have it the first.
+    pub by: usize,
+}
+
+/// The smallest and the largest of several solutions' values.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds {
+    /// The smallest value.
+    pub min: Governing,
+    /// The largest value.
+    pub max: Governing,
+}
+
+/// One of the two lines of an envelope.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Bound {
+    /// The line of smallest values.
+    Min,
+    /// The line of largest values.
+    Max,
+}
+
+/// Where another solution begins to govern.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Change {
+    /// Position \[m\]: where the two are equal, or where a field jumps.
+    pub x: f64,
+    /// On which line.
+    pub bound: Bound,
+    /// The solution that governs to the left.
+    pub from: usize,
+    /// The solution that governs to the right.
+    pub to: usize,
+}
+
+impl<'a> Envelope<'a> {
+    /// The envelope of some solutions, which are all of one beam.
+    ///
+    /// Where beams are of different length, what lies beyond the end of one is taken from its end. Of no
+    /// solutions at all, every value is zero.
+    pub fn of(solutions: impl IntoIterator<Item = &'a Solution>) -> Self {
+        let solutions: Vec<&Solution> = solutions.into_iter().collect();
+        let ranges = solutions.iter().map(|s| Field::ALL.map(|field| s.range(field))).collect();
+        Envelope { solutions, ranges }
+    }
+
+    /// The solutions, in the order in which they were given.
+    pub fn solutions(&self) -> &[&'a Solution] {
+        &self.solutions
+    }
+
+    /// The smallest and largest value of a field at a position; where it jumps, of both sides.
+    pub fn at(&self, field: Field, x: f64) -> Bounds {
+        let each = self.solutions.iter().map(|solution| {
+            let [a, b] = [Side::Left, Side::Right].map(|side| solution.at(x, side).get(field));
+            [a.min(b), a.max(b)].map(|value| Extreme { x, value })
+        });
+        governing(each, self.rounding(field))
+    }
+
+    /// The same from one side only.
+    pub fn beside(&self, field: Field, x: f64, side: Side) -> Bounds {
+        let each = self.solutions.iter().map(|solution| {
+            let value = solution.at(x, side).get(field);
+            [Extreme { x, value }; 2]
+        });
+        governing(each, self.rounding(field))
+    }
+
+    /// The smallest and largest value of a field on the whole beam, located by the roots of its derivative.
+    pub fn range(&self, field: Field) -> Bounds {
+        let each = self.ranges.iter().map(|ranges| {
+            let range = ranges[index(field)];
+            [range.min, range.max]
+        });
+        governing(each, self.rounding(field))
+    }
+
+    /// Where the governing solution changes, from left to right.
+    ///
+    /// Between two joints of any of the solutions every field is one closed form in each of them; the changes
+    /// are the roots of their differences, isolated by their coefficients and not sampled, and the joints at
+    /// which a field jumps.
+    pub fn changes(&self, field: Field) -> Vec<Change> {
+        let forms = Forms::of(&self.solutions, field);
+        let rounding = self.rounding(field);
+        let mut changes = Vec::new();
+        let mut governs = [None; 2];
+        forms.each_interval(|interval, curves| {
+            for (bound, governs) in [Bound::Max, Bound::Min].into_iter().zip(&mut governs) {
+                if bound == Bound::Min {
+                    curves.iter_mut().flatten().for_each(|c| *c = -*c);
+                }
+                for part in upper::parts(curves, rounding) {
+                    let x = forms::position(interval, part.from);
+                    if let Some(before) = governs.filter(|before| *before != part.by) {
+                        changes.push(Change { x, bound, from: before, to: part.by });
+                    }
+                    *governs = Some(part.by);
+                }
+            }
+        });
+        changes.sort_by(|a, b| a.x.total_cmp(&b.x));
+        changes
+    }
+
+    /// Positions at which the envelope is worth listing: `even` equal steps, the loads, supports, joints, edges
+    /// of contact and extremes of every solution, and the changes of every field.
+    pub fn stations(&self, even: usize) -> Vec<f64> {
+        let Some(first) = self.solutions.first() else { return Vec::new() };
+        let mut x = first.stations(even);
+        x.extend(self.solutions.iter().skip(1).flat_map(|solution| solution.stations(0)));
+        x.extend(Field::ALL.iter().flat_map(|&field| self.changes(field)).map(|change| change.x));
+        x.sort_by(f64::total_cmp);
+        x.dedup();
+        x
+    }
+
+    /// What is rounding in a field.
+    fn rounding(&self, field: Field) -> f64 {
+        let sizes = self.ranges.iter().map(|ranges| {
+            let range = ranges[index(field)];
+            range.min.value.abs().max(range.max.value.abs())
+        });
+        ROUNDING * sizes.fold(0.0, f64::max)
+    }
+}
+
+fn index(field: Field) -> usize {
+    Field::ALL.iter().position(|other| *other == field).unwrap_or(0)
+}
+
+/// The least of the first and the largest of the second values.
+fn governing(each: impl Iterator<Item = [Extreme; 2]>, rounding: f64) -> Bounds {
+    let nothing = Governing { extreme: Extreme { x: 0.0, value: 0.0 }, by: 0 };
+    let mut found: Option<Bounds> = None;
+    for (by, [low, high]) in each.enumerate() {
+        let [min, max] = [low, high].map(|extreme| Governing { extreme, by });
+        let found = found.get_or_insert(Bounds { min, max });
+        // The value is exact; who has it changes only for more than rounding.
+        if low.value < found.min.extreme.value - rounding {
+            found.min = min;
+        } else if low.value < found.min.extreme.value {
+            found.min.extreme = low;
+        }
+        if high.value > found.max.extreme.value + rounding {
+            found.max = max;
+        } else if high.value > found.max.extreme.value {
+            found.max.extreme = high;
+        }
+    }
+    found.unwrap_or(Bounds { min: nothing, max: nothing })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Beam, Foundation, Load, Model, Outcome, solve};
+
+    fn footing(loads: &[(f64, f64)]) -> Solution {
+        let mut model = Model::new(Beam::uniform(12.0, 1.28e9), Foundation::pasternak(40e6, 9e6));
+        for &(force, at) in loads {
+            model = model.with_load(Load::point(force, at));
+        }
+        match solve(&model) {
+            Ok(Outcome::Equilibrium(solution)) => *solution,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn of_one_solution_it_is_the_solution() {
+        let one = footing(&[(900e3, 1.5)]);
+        let envelope = Envelope::of([&one]);
+        for field in Field::ALL {
+            let range = one.range(field);
+            let found = envelope.range(field);
+            assert_eq!((found.min.extreme, found.max.extreme), (range.min, range.max));
+            assert!(envelope.changes(field).is_empty());
+        }
+        assert_eq!(envelope.stations(10), one.stations(10));
+    }
+
+    #[test]
+    fn of_none_it_is_nothing() {
+        let envelope = Envelope::of([]);
+        assert!(envelope.stations(10).is_empty() && envelope.changes(Field::Moment).is_empty());
+        assert_eq!(envelope.range(Field::Moment).max.extreme.value, 0.0);
+    }
+
+    #[test]
+    fn equal_solutions_never_change_places() {
+        let solutions = [footing(&[(900e3, 1.5)]), footing(&[(900e3, 1.5)])];
+        let envelope = Envelope::of(&solutions);
+        for field in Field::ALL {
+            assert!(envelope.changes(field).is_empty());
+            assert_eq!(envelope.range(field).max.by, 0);
+        }
+    }
+
+    #[test]
+    fn both_sides_of_a_jump_count() {
+        let solutions = [footing(&[(900e3, 6.0)])];
+        let envelope = Envelope::of(&solutions);
+        let here = envelope.at(Field::ShearForce, 6.0);
+        let side = |side| envelope.beside(Field::ShearForce, 6.0, side).max.extreme.value;
+        assert_eq!(here.min.extreme.value, side(Side::Right));
+        assert_eq!(here.max.extreme.value, side(Side::Left));
+        assert!((side(Side::Left) - side(Side::Right) - 900e3).abs() < 1e-4);
+    }
+
+    #[test]
+    fn at_a_change_the_two_are_equal_or_jump() {
+        let solutions =
+            [&[(900e3, 1.5)][..], &[(600e3, 6.0), (300e3, 11.0)], &[(200e3, 4.0), (700e3, 9.0)]]
+                .map(footing);
+        let envelope = Envelope::of(&solutions);
+        let mut count = 0;
+        for field in Field::ALL {
+            let range = envelope.range(field);
+            let size = range.max.extreme.value.abs().max(range.min.extreme.value.abs());
+            for Change { x, from, to, .. } in envelope.changes(field) {
+                count += 1;
+                let gap = |side| {
+                    let value = |i: usize| solutions[i].at(x, side).get(field);
+                    (value(from) - value(to)) / size
+                };
+                let (left, right) = (gap(Side::Left), gap(Side::Right));
+                let crosses = left.abs() < 1e-11 || right.abs() < 1e-11;
+                assert!(crosses || left * right < 0.0, "{field:?} {x} {left} {right}");
+            }
+        }
+        assert!(count > 10);
+    }
+}

@@ -1,0 +1,95 @@
+//! The upper line of several polynomials on one interval, and which of them it is.
+
+use crate::polynomial::{rescale, sign_changes, value};
+
+/// A part of the interval on which one polynomial is the largest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Part {
+    /// Its ends, in s ∈ \[−1, 1\].
+    pub from: f64,
+    pub to: f64,
+    /// The polynomial, by its number.
+    pub by: usize,
+}
+
+/// The parts from left to right. Of polynomials that differ by no more than `rounding` the first is taken.
+pub(super) fn parts(curves: &[Vec<f64>], rounding: f64) -> Vec<Part> {
+    let mut parts = vec![Part { from: -1.0, to: 1.0, by: 0 }];
+    for by in 1..curves.len() {
+        let mut raised: Vec<Part> = Vec::with_capacity(parts.len());
+        for part in &parts {
+            over(*part, by, curves, rounding, |piece| match raised.last_mut() {
+                Some(last) if last.by == piece.by => last.to = piece.to,
+                _ => raised.push(piece),
+            });
+        }
+        parts = raised;
+    }
+    parts
+}
+
+/// A part with one polynomial more: whichever of the two is larger, piece by piece.
+fn over(part: Part, by: usize, curves: &[Vec<f64>], rounding: f64, mut push: impl FnMut(Part)) {
+    let rise = difference(&curves[by], &curves[part.by]);
+    let whole = part.from == -1.0 && part.to == 1.0;
+    let middle = 0.5 * (part.from + part.to);
+    let rise = if whole { rise } else { rescale(&rise, middle, 0.5 * (part.to - part.from)) };
+    let (Some(constant), spread) =
+        (rise.first(), rise.iter().skip(1).map(|c| c.abs()).sum::<f64>())
+    else {
+        return push(part);
+    };
+    // What the coefficients alone tell: never above by more than rounding.
+    if constant + spread <= rounding {
+        return push(part);
+    }
+    let mut cuts = vec![-1.0];
+    sign_changes(&rise, &mut cuts);
+    cuts.push(1.0);
+    for ends in cuts.windows(2) {
+        let leads = value(&rise, 0.5 * (ends[0] + ends[1])) > 0.0;
+        let [from, to] = [ends[0], ends[1]]
+            .map(|s| middle + 0.5 * (part.to - part.from) * s)
+            .map(|s| s.clamp(part.from, part.to));
+        push(Part { from, to, by: if leads { by } else { part.by } });
+    }
+}
+
+/// f − g.
+fn difference(f: &[f64], g: &[f64]) -> Vec<f64> {
+    let at = |c: &[f64], i: usize| c.get(i).copied().unwrap_or(0.0);
+    (0..f.len().max(g.len())).map(|i| at(f, i) - at(g, i)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn numbers(parts: &[Part]) -> Vec<usize> {
+        parts.iter().map(|part| part.by).collect()
+    }
+
+    #[test]
+    fn lines_and_a_parabola() {
+        // |s| from two lines, and ½ + s²/2 which lies above both but at the ends.
+        let curves = [vec![0.0, -1.0], vec![0.0, 1.0], vec![0.25, 0.0, 0.25]];
+        let found = parts(&curves, 0.0);
+        assert_eq!(numbers(&found), [0, 2, 1]);
+        // s²/4 − s + ¼ = 0 at s = 2 − √3.
+        let root = 2.0 - 3.0_f64.sqrt();
+        assert!((found[1].from + root).abs() < 1e-15 && (found[2].from - root).abs() < 1e-15);
+    }
+
+    #[test]
+    fn equals_are_counted_once() {
+        let curves = [vec![1.0, 2.0], vec![1.0, 2.0 + 1e-16], vec![1.0, 2.0]];
+        assert_eq!(numbers(&parts(&curves, 1e-12)), [0]);
+    }
+
+    #[test]
+    fn what_rises_between_roots_is_seen() {
+        // Three bumps of one polynomial over zero: T₄(s) lies above −½ in three places.
+        let curves = [vec![-0.5], vec![1.0, 0.0, -8.0, 0.0, 8.0]];
+        assert_eq!(numbers(&parts(&curves, 0.0)), [1, 0, 1, 0, 1]);
+    }
+}
