@@ -9,7 +9,7 @@ pub(crate) const EXCLUSIVE: &str = "GB006";
 pub(crate) const INCOMPLETE: &str = "GB007";
 pub(crate) const MISPLACED: &str = "GB008";
 pub(crate) const UNKNOWN_WORD: &str = "GB009";
-pub(crate) const UNSUPPORTED: &str = "GB010";
+pub(crate) const TOO_MANY: &str = "GB010";
 pub(crate) const NUMBER: &str = "GB011";
 pub(crate) const NOT_FINITE: &str = "GB012";
 pub(crate) const UNIT_SYNTAX: &str = "GB013";
@@ -20,6 +20,7 @@ pub(crate) const FACTOR: &str = "GB017";
 pub(crate) const EMPTY: &str = "GB018";
 pub(crate) const NOT_UTF8: &str = "GB019";
 pub(crate) const EMPTY_NAME: &str = "GB020";
+pub(crate) const REPEATED: &str = "GB021";
 
 /// One line of the table of codes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -51,7 +52,7 @@ pub const CODES: &[Code] = &[
     row(INCOMPLETE, "one of two keys that belong together is missing", "incomplete.toml"),
     row(MISPLACED, "a key belongs to another kind of load", "misplaced.toml"),
     row(UNKNOWN_WORD, "a word is none of those that can stand here", "unknown-word.toml"),
-    row(UNSUPPORTED, "combinations of load cases are not supported yet", "combinations.toml"),
+    row(TOO_MANY, "more combinations than are solved", "too-many-combinations.toml"),
     row(NUMBER, "a number cannot be read", "number.toml"),
     row(NOT_FINITE, "a number is not finite, or too large or small to hold", "not-finite.toml"),
     row(UNIT_SYNTAX, "a unit cannot be read", "unit-syntax.toml"),
@@ -62,6 +63,7 @@ pub const CODES: &[Code] = &[
     row(EMPTY, "the file holds no model", "empty.toml"),
     row(NOT_UTF8, "the file is not UTF-8 text", "not-utf8.toml"),
     row(EMPTY_NAME, "a name is empty", "empty-name.toml"),
+    row(REPEATED, "two of a kind have the same name", "repeated-name.toml"),
     row("GB101", "the beam's length must be positive", "beam-length.toml"),
     row("GB102", "the bending stiffness EI must be positive", "bending-stiffness.toml"),
     row("GB103", "the axial force must be a finite number", "axial-force.toml"),

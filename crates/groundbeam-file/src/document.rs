@@ -1,5 +1,6 @@
 //! A model file that was read: the model, and where in the file each part of it stands.
 
+use crate::combination::Recipe;
 use crate::diagnostic::Diagnostic;
 use crate::fault::Fault;
 use crate::reader::Field;
@@ -15,13 +16,14 @@ use std::ops::Range;
 pub struct Document {
     /// What the file calls itself.
     pub title: Option<String>,
-    /// The model, in SI units or in the file's own consistent system.
+    /// The model under all of its loads as they are written, in SI units or in the file's own consistent system.
     pub model: Model,
     /// Which of the two.
     pub units: UnitSystem,
     /// The load case to which each of the model's loads belongs, in the order of the loads; none for a
     /// load to which the file gives none.
     pub cases: Vec<Option<String>>,
+    pub(crate) recipes: Vec<Recipe>,
     pub(crate) source: Source,
     pub(crate) places: Places,
 }

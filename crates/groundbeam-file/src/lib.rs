@@ -34,6 +34,7 @@
 
 mod cases;
 mod code;
+mod combination;
 mod diagnostic;
 mod document;
 mod fault;
@@ -44,6 +45,7 @@ mod quantity;
 mod reader;
 mod render;
 mod section;
+mod sets;
 mod source;
 mod stiffness;
 mod suggest;
@@ -55,9 +57,11 @@ mod write;
 
 pub use cases::parse_cases;
 pub use code::{CODES, Code};
+pub use combination::{Combination, LoadCase};
 pub use diagnostic::{Diagnostic, Diagnostics, Related, Severity};
 pub use document::Document;
 pub use positions::parse_positions;
+pub use sets::{CombinationSet, combination_sets};
 pub use units::UnitSystem;
 pub use write::write_toml;
 
@@ -87,7 +91,7 @@ pub fn parse(text: &str) -> Result<Document, Diagnostics> {
     }
     let mut reader = Reader::new(&source, &root);
     reader.found = syntax.found;
-    let Contents { title, model, cases } = section::read(&mut reader, &root);
+    let Contents { title, model, cases, recipes } = section::read(&mut reader, &root);
     let before = reader.found.len();
     let units = reader.unit_system();
     let is_mixed = reader.found.len() > before;
@@ -101,7 +105,7 @@ pub fn parse(text: &str) -> Result<Document, Diagnostics> {
     }
     let Reader { found, places, .. } = reader;
     if found.is_empty() {
-        Ok(Document { title, model, cases, units, source, places })
+        Ok(Document { title, model, cases, recipes, units, source, places })
     } else {
         Err(Diagnostics::new(found))
     }

@@ -1,18 +1,19 @@
 //! The tables of a model file, one file each, in the order of [`groundbeam::Model`].
 
 mod beam;
+mod combination;
 mod foundation;
 mod gap;
 mod load;
 mod support;
 
-use crate::code;
-use crate::fault::Fault;
+use crate::combination::Recipe;
 use crate::reader::Reader;
 use crate::table::Section;
 use groundbeam::Model;
 
-const TABLES: &[&str] = &["title", "beam", "foundation", "load", "support", "gap", "combination"];
+const TABLES: &[&str] =
+    &["title", "beam", "foundation", "load", "support", "gap", "case", "combination"];
 
 /// The whole file, as far as it could be read.
 pub(crate) struct Contents {
@@ -20,6 +21,7 @@ pub(crate) struct Contents {
     pub model: Model,
     /// The load case of each of the model's loads.
     pub cases: Vec<Option<String>>,
+    pub recipes: Vec<Recipe>,
 }
 
 /// Reads the whole file.
@@ -31,14 +33,6 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     let (loads, cases) = load::read(reader, root, beam.length);
     let supports = support::read(reader, root);
     let gap = gap::read(reader, root);
-    for combination in reader.tables(root, "combination", "[[combination]]") {
-        unsupported(reader, combination.span);
-    }
-    Contents { title, model: Model { beam, foundation, loads, supports, gap }, cases }
-}
-
-fn unsupported(reader: &mut Reader, span: std::ops::Range<usize>) {
-    let message = "combinations of load cases are not supported yet";
-    let hint = "write one file for each combination, with the factors multiplied into the loads";
-    reader.report(Fault::new(code::UNSUPPORTED, span, message, "", hint));
+    let recipes = combination::read(reader, root, &loads, &cases);
+    Contents { title, model: Model { beam, foundation, loads, supports, gap }, cases, recipes }
 }

@@ -1,0 +1,328 @@
+//! `[[case]]` and `[[combination]]`.
+
+use crate::code;
+use crate::combination::{MOST, Recipe};
+use crate::fault::Fault;
+use crate::number::Decimal;
+use crate::reader::Reader;
+use crate::sets::{self, Acting, Made, Practice, Set};
+use crate::suggest::nearest;
+use crate::table::Section;
+use groundbeam::Load;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+const CASE_KEYS: &[&str] = &["name", "action", "group"];
+const KEYS: &[&str] = &["name", "factors", "set"];
+
+/// What `[[case]]` says of a case.
+struct Described<'a> {
+    name: &'a str,
+    action: Option<(&'a str, Range<usize>)>,
+    group: Option<&'a str>,
+}
+
+/// The combinations of a file, in its order, those of sets in the place of the set.
+pub(super) fn read(
+    reader: &mut Reader,
+    root: &Section,
+    loads: &[Load],
+    cases: &[Option<String>],
+) -> Vec<Recipe> {
+    let mut names: Vec<&str> = Vec::new();
+    for case in cases.iter().flatten() {
+        if !case.is_empty() && !names.contains(&case.as_str()) {
+            names.push(case);
+        }
+    }
+    let described = describe(reader, root, &names);
+    let mut file = File { loads, cases, names, described, wanting: Vec::new(), made: Vec::new() };
+    let mut recipes: Vec<Recipe> = Vec::new();
+    let mut taken: Vec<(String, Range<usize>)> = Vec::new();
+    for table in reader.tables(root, "combination", "[[combination]]") {
+        reader.refuse_unknown(&table, KEYS);
+        let name = named(reader, &table, "ULS 1", &mut taken);
+        match (table.value("set"), table.value("factors")) {
+            (Some(set), None) => {
+                if let Some((_, span)) = &name {
+                    let hint = "the set names its combinations itself: leave `name` out";
+                    reader.exclusive(("name", span), ("set", &set.span()), hint);
+                }
+                file.make(reader, &table, &mut recipes);
+            }
+            (Some(set), Some(factors)) => {
+                let hint = "give either of them a [[combination]] of its own";
+                reader.exclusive(("set", &set.span()), ("factors", &factors.span()), hint);
+            }
+            (None, factors) => {
+                if table.value("name").is_none() {
+                    reader.missing(&table, &["name", "set"], "name", "name = \"ULS 1\"");
+                }
+                let factors = match factors {
+                    Some(factors) => file.factors(reader, factors),
+                    None => {
+                        let example = "factors = { G = 1.35, Q = 1.5 }";
+                        reader.missing(&table, &["factors", "set"], "factors", example);
+                        Vec::new()
+                    }
+                };
+                let name = name.map_or_else(String::new, |(name, _)| name.to_owned());
+                recipes.push(Recipe { name, factors });
+            }
+        }
+    }
+    for (name, span) in taken {
+        if file.made.contains(&name) {
+            let message = format!("a set makes a combination `{name}`, too");
+            let hint = "give each combination a name of its own";
+            reader.report(Fault::new(code::REPEATED, span, message, "", hint));
+        }
+    }
+    recipes
+}
+
+/// The cases that `[[case]]` describes, each of which some load has.
+fn describe<'a>(reader: &mut Reader, root: &Section<'a>, names: &[&str]) -> Vec<Described<'a>> {
+    let mut described = Vec::new();
+    let mut taken = Vec::new();
+    let actions = sets::actions();
+    for table in reader.tables(root, "case", "[[case]]") {
+        reader.refuse_unknown(&table, CASE_KEYS);
+        let name = named(reader, &table, "Q", &mut taken);
+        if table.value("name").is_none() {
+            reader.missing(&table, &["name"], "name", "name = \"Q\"");
+        }
+        let action = reader.words(&table, "action", "imposed B");
+        if let Some((action, span)) = &action
+            && !actions.contains(action)
+        {
+            let message = format!("`{action}` is no action that a code of practice knows");
+            let hint = match nearest(action, actions.iter().copied()) {
+                Some(meant) => format!("did you mean `{meant}`?"),
+                None => format!("the actions: {}", actions.join(", ")),
+            };
+            reader.report(Fault::new(code::UNKNOWN_WORD, span.clone(), message, "", hint));
+        }
+        let group = reader.words(&table, "group", "wind").map(|(group, _)| group.trim());
+        let Some((name, span)) = name else { continue };
+        if !names.contains(&name) {
+            unknown_case(reader, name, span, names);
+        }
+        described.push(Described { name, action, group });
+    }
+    described
+}
+
+/// The `name` of a table, which no other of its kind has; none if there is none or it is empty.
+fn named<'a>(
+    reader: &mut Reader,
+    table: &Section<'a>,
+    example: &str,
+    taken: &mut Vec<(String, Range<usize>)>,
+) -> Option<(&'a str, Range<usize>)> {
+    let (name, span) = reader.words(table, "name", example)?;
+    let name = name.trim();
+    if name.is_empty() {
+        let message = format!("the name of {} is empty", table.name);
+        let hint = format!("write a name, as in name = \"{example}\"");
+        reader.report(Fault::new(code::EMPTY_NAME, span, message, "", hint));
+        return None;
+    }
+    match taken.iter().find(|(other, _)| other == name) {
+        Some((_, first)) => {
+            let message = format!("two {} are called `{name}`", table.name);
+            let hint = "give each a name of its own";
+            let fault = Fault::new(code::REPEATED, span.clone(), message, "", hint);
+            reader.report_with(fault, first.clone(), "the first of them");
+        }
+        None => taken.push((name.to_owned(), span.clone())),
+    }
+    Some((name, span))
+}
+
+fn unknown_case(reader: &mut Reader, name: &str, span: Range<usize>, names: &[&str]) {
+    let message = format!("no load belongs to a case `{name}`");
+    let hint = match nearest(name, names.iter().copied()) {
+        Some(meant) => format!("did you mean `{meant}`?"),
+        None if names.is_empty() => {
+            "no load of the file has a `case`; give one to those that are meant".to_owned()
+        }
+        None => format!("the cases of the file: {}", names.join(", ")),
+    };
+    reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
+}
+
+/// What combinations are made of.
+struct File<'a> {
+    loads: &'a [Load],
+    cases: &'a [Option<String>],
+    /// Each case once, in the order of the loads.
+    names: Vec<&'a str>,
+    described: Vec<Described<'a>>,
+    /// Cases of which it has been said that an action is missing or of another code.
+    wanting: Vec<&'a str>,
+    /// The names of the combinations that sets made.
+    made: Vec<String>,
+}
+
+impl<'a> File<'a> {
+    /// `factors = { G = 1.35, Q = 1.5 }`
+    fn factors(&self, reader: &mut Reader, value: &Spanned<DeValue>) -> Vec<(String, f64)> {
+        let DeValue::Table(table) = value.get_ref() else {
+            let message = "`factors` is a table of cases and numbers".to_owned();
+            let hint = "write it as in factors = { G = 1.35, Q = 1.5 }".to_owned();
+            reader.wrong_type(value, message, hint);
+            return Vec::new();
+        };
+        in_order(table).into_iter().filter_map(|entry| self.factor(reader, entry)).collect()
+    }
+
+    fn factor(
+        &self,
+        reader: &mut Reader,
+        (name, at, value): (&str, Range<usize>, &Spanned<DeValue>),
+    ) -> Option<(String, f64)> {
+        if !self.names.contains(&name) {
+            unknown_case(reader, name, at, &self.names);
+        }
+        let factor = number(reader, name, value)?;
+        let of_it = self.cases.iter().zip(self.loads);
+        let mut of_it = of_it.filter(|(case, _)| case.as_deref() == Some(name));
+        if of_it.any(|(_, load)| is_finite(load) && !is_finite(&load.scaled(factor))) {
+            let message =
+                format!("with this factor a load of the case `{name}` is too large to hold");
+            let hint = "numbers reach up to about 1.8e308";
+            reader.report(Fault::new(code::NOT_FINITE, value.span(), message, "", hint));
+        }
+        Some((name.to_owned(), factor))
+    }
+
+    /// The combinations of a set.
+    fn make(&mut self, reader: &mut Reader, table: &Section, recipes: &mut Vec<Recipe>) {
+        let Some((written, span)) = reader.words(table, "set", "EN 1990 6.10") else { return };
+        let Some((practice, set)) = sets::find(written.trim()) else {
+            let message = format!("there is no set of combinations `{written}`");
+            let known = sets::names();
+            let hint = match nearest(written, known.iter().copied()) {
+                Some(meant) => format!("did you mean `{meant}`?"),
+                None => format!("the sets: {}", known.join(", ")),
+            };
+            reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
+            return;
+        };
+        let Some(acting) = self.acting(reader, practice, set, &span) else { return };
+        match sets::expand(practice, set, &acting, MOST.saturating_sub(recipes.len())) {
+            Ok(made) => {
+                if let Some(again) = made.iter().find(|made| self.made.contains(&made.name)) {
+                    let message = format!("this set makes `{}` a second time", again.name);
+                    let hint = "ask for each set once";
+                    reader.report(Fault::new(code::REPEATED, span, message, "", hint));
+                }
+                for Made { name, factors } in made {
+                    let factors = factors.iter().map(|&(i, f)| (acting[i].case.to_owned(), f));
+                    self.made.push(name.clone());
+                    recipes.push(Recipe { name, factors: factors.collect() });
+                }
+            }
+            Err(sets::TooMany) => {
+                let message = format!("the file's combinations are more than {MOST}");
+                let hint = "give cases that never act together, as winds from two sides, one \
+                            `group`, or write the combinations that matter with `factors`";
+                reader.report(Fault::new(code::TOO_MANY, span, message, "", hint));
+            }
+        }
+    }
+
+    /// What acts in the cases, for a set that knows all of it.
+    fn acting(
+        &mut self,
+        reader: &mut Reader,
+        practice: &Practice,
+        set: &Set,
+        span: &Range<usize>,
+    ) -> Option<Vec<Acting<'a>>> {
+        let mut acting = Vec::new();
+        for &case in &self.names {
+            let described = self.described.iter().find(|described| described.name == case);
+            let action = described.and_then(|described| described.action.clone());
+            let known = action.as_ref().is_some_and(|(a, _)| practice.actions().any(|b| b == *a));
+            if let (true, Some((action, _))) = (known, &action) {
+                let group = described.and_then(|described| described.group);
+                acting.push(Acting { case, action, group });
+            } else if !self.wanting.contains(&case) {
+                self.wanting.push(case);
+                wanting(reader, (practice, set, span), case, action);
+            }
+        }
+        (acting.len() == self.names.len()).then_some(acting)
+    }
+}
+
+/// Reports a case whose action a set does not know.
+fn wanting(
+    reader: &mut Reader,
+    (practice, set, span): (&Practice, &Set, &Range<usize>),
+    case: &str,
+    action: Option<(&str, Range<usize>)>,
+) {
+    let known: Vec<&str> = practice.actions().collect();
+    let all = format!("the actions of {}: {}", practice.code, known.join(", "));
+    match action {
+        None => {
+            let set = &set.name;
+            let message = format!("`{set}` needs to know what acts in the case `{case}`");
+            let hint = format!("add a [[case]] with name = \"{case}\" and its `action`; {all}");
+            reader.report(Fault::new(code::MISSING, span.clone(), message, "", hint));
+        }
+        // What no code knows has been said already.
+        Some((action, _)) if !sets::actions().contains(&action) => {}
+        Some((action, at)) => {
+            let message = format!("`{action}` is no action of {}", practice.code);
+            let fault = Fault::new(code::UNKNOWN_WORD, at, message, "", all);
+            reader.report_with(fault, span.clone(), "which this set is of");
+        }
+    }
+}
+
+/// The entries of a table in the order of the text.
+fn in_order<'t>(table: &'t DeTable) -> Vec<(&'t str, Range<usize>, &'t Spanned<DeValue<'t>>)> {
+    let mut entries: Vec<_> =
+        table.iter().map(|(key, value)| (key.get_ref().as_ref(), key.span(), value)).collect();
+    entries.sort_by_key(|(_, span, _)| span.start);
+    entries
+}
+
+/// A finite number without a unit.
+fn number(reader: &mut Reader, name: &str, value: &Spanned<DeValue>) -> Option<f64> {
+    let number = match value.get_ref() {
+        DeValue::Integer(integer) if integer.radix() == 10 => Decimal::read(integer.as_str()),
+        DeValue::Float(float) => Decimal::read(float.as_str()),
+        _ => {
+            let message = format!("the factor of `{name}` must be a number");
+            let hint = format!("write it without quotes and without a unit, as in {name} = 1.5");
+            reader.wrong_type(value, message, hint);
+            return None;
+        }
+    };
+    match number.map(|(number, _)| number.to_f64()) {
+        Some(number) if number.is_finite() => Some(number),
+        _ => {
+            let message = format!("the factor of `{name}` is not a finite number");
+            let hint = format!("write for example {name} = 1.5");
+            reader.report(Fault::new(code::NOT_FINITE, value.span(), message, "", hint));
+            None
+        }
+    }
+}
+
+fn is_finite(load: &Load) -> bool {
+    match *load {
+        Load::PointForce { force: size, .. } | Load::PointMoment { moment: size, .. } => {
+            size.is_finite()
+        }
+        Load::Distributed { start, end, .. } | Load::DistributedMoment { start, end, .. } => {
+            start.is_finite() && end.is_finite()
+        }
+    }
+}
