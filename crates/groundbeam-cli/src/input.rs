@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use groundbeam::model::Problem;
+use groundbeam::{Error, Existence, Model};
 use groundbeam_file::{Diagnostics, Document, UnitSystem};
 use groundbeam_report::{Context, Units};
 use std::io::Read;
@@ -43,6 +44,20 @@ impl Input {
     pub fn wrong(&self, problems: &[Problem]) -> Failure {
         let shown = problems.iter().map(|problem| self.located(problem)).collect::<Vec<_>>();
         Failure::reported(shown.join("\n"), crate::Status::Wrong)
+    }
+
+    /// Whether a model made of the file has an equilibrium.
+    pub fn existence(&self, model: &Model) -> Result<Existence, Failure> {
+        groundbeam::exists(model).map_err(|error| self.refused(&error))
+    }
+
+    /// Why a model is not solved, at its place in the file.
+    pub fn refused(&self, error: &Error) -> Failure {
+        match error {
+            Error::Invalid(problems) => self.wrong(problems),
+            Error::Unsupported(problem) => self.wrong(std::slice::from_ref(problem)),
+            other => Failure::usage(other.to_string()),
+        }
     }
 
     fn located(&self, problem: &Problem) -> String {

@@ -2,6 +2,7 @@
 //! `groundbeam` and `groundbeam_report`.
 
 mod check;
+mod combinations;
 mod failure;
 mod input;
 mod output;

@@ -24,6 +24,8 @@ pub struct Solve {
     /// As typed: it is read under the rule of the file.
     pub at: Option<String>,
     pub factors: Option<Grow>,
+    /// The name of one of the file's combinations.
+    pub combination: Option<String>,
     pub options: Options,
 }
 
@@ -93,6 +95,7 @@ impl Solve {
             plot,
             history: typed.history,
             at: typed.at,
+            combination: typed.combination,
             factors: typed.factors.map(|cases| cases.map_or(Grow::All, Grow::Cases)),
             options,
         };

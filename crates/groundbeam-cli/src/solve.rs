@@ -1,27 +1,71 @@
 //! `groundbeam solve`.
 
 use crate::Status;
+use crate::combinations;
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{print, standard_error_has_colour, standard_output_has_colour, write};
 use crate::request::{Format, Grow, Plot, Solve};
 use crate::waiting::while_working;
-use groundbeam::{Error, LoadFactors, Outcome, Solution};
-use groundbeam_file::{Diagnostic, Diagnostics, Severity, parse_cases, parse_positions};
+use groundbeam::{Error, LoadFactors, Model, Outcome, Solution};
+use groundbeam_file::{
+    Combination, Diagnostic, Diagnostics, Severity, parse_cases, parse_positions,
+};
 use groundbeam_report::{Context, Factors, csv, json, png, svg, text};
 use std::time::Instant;
 
 pub fn run(request: &Solve) -> Result<Status, Failure> {
     let input = Input::read(&request.file)?;
-    let model = &input.document.model;
-    let stations = request.at.as_deref().map(|list| positions(&input, list)).transpose()?;
-    let growing = request.factors.as_ref().map(|grow| Growing::of(&input, grow)).transpose()?;
+    match &request.combination {
+        None if input.document.has_combinations() => combinations::solve(&input, request),
+        None => one(&input, request, &Loaded::as_written(&input)),
+        Some(name) => one(&input, request, &Loaded::combined(&input, name)?),
+    }
+}
+
+/// The model under the loads that are asked for.
+struct Loaded {
+    title: Option<String>,
+    model: Model,
+    /// Which of the document's loads these are.
+    loads: Vec<usize>,
+}
+
+impl Loaded {
+    /// Every load of the file as it is written.
+    fn as_written(input: &Input) -> Self {
+        let model = input.document.model.clone();
+        let loads = (0..model.loads.len()).collect();
+        Loaded { title: input.document.title.clone(), model, loads }
+    }
+
+    /// One of the file's combinations.
+    fn combined(input: &Input, name: &str) -> Result<Self, Failure> {
+        let combination = input
+            .document
+            .combination(name)
+            .map_err(|found| Failure::diagnostics(&found, "--combination", name))?;
+        let Combination { name, model, loads, .. } = combination;
+        let title = match &input.document.title {
+            Some(title) => format!("{title}: {name}"),
+            None => name,
+        };
+        Ok(Loaded { title: Some(title), model, loads })
+    }
+}
+
+fn one(input: &Input, request: &Solve, loaded: &Loaded) -> Result<Status, Failure> {
+    let model = &loaded.model;
+    let stations = request.at.as_deref().map(|list| positions(input, list)).transpose()?;
+    let growing =
+        request.factors.as_ref().map(|grow| Growing::of(input, grow, loaded)).transpose()?;
 
     let started = Instant::now();
     let words = format!("solving with the method {}", request.options.method.name());
     let outcome = while_working(words, || groundbeam::solve_with(model, &request.options));
-    let context = input.context().with_seconds(started.elapsed().as_secs_f64());
-    let factors = growing.as_ref().map(|growing| growing.factors(&input)).transpose()?;
+    let context = Context { title: loaded.title.as_deref(), ..input.context() };
+    let context = context.with_seconds(started.elapsed().as_secs_f64());
+    let factors = growing.as_ref().map(|growing| growing.factors(input, model)).transpose()?;
     let context = match (&growing, &factors) {
         (Some(Growing { cases, .. }), Some(found)) => {
             context.with_factors(Factors { found, cases })
@@ -58,9 +102,7 @@ pub fn run(request: &Solve) -> Result<Status, Failure> {
                 text::not_converged(&reached, colour) + &text::load_factors(&context, colour);
             Err(Failure::reported(shown, Status::NotConverged))
         }
-        Err(Error::Invalid(problems)) => Err(input.wrong(&problems)),
-        Err(Error::Unsupported(problem)) => Err(input.wrong(&[problem])),
-        Err(other) => Err(Failure::usage(other.to_string())),
+        Err(other) => Err(input.refused(&other)),
     }
 }
 
@@ -73,13 +115,14 @@ struct Growing {
 }
 
 impl Growing {
-    fn of(input: &Input, grow: &Grow) -> Result<Self, Failure> {
+    fn of(input: &Input, grow: &Grow, loaded: &Loaded) -> Result<Self, Failure> {
         let Grow::Cases(list) = grow else {
-            let grows = vec![true; input.document.model.loads.len()];
+            let grows = vec![true; loaded.loads.len()];
             return Ok(Growing { cases: Vec::new(), grows });
         };
-        let grows = parse_cases(list, &input.document)
+        let of_file = parse_cases(list, &input.document)
             .map_err(|found| Failure::diagnostics(&found, "--factors", list))?;
+        let grows = loaded.loads.iter().map(|&load| of_file[load]).collect();
         let mut cases: Vec<String> = Vec::new();
         for name in list.split(',').map(str::trim) {
             if !cases.iter().any(|case| case == name) {
@@ -89,16 +132,14 @@ impl Growing {
         Ok(Growing { cases, grows })
     }
 
-    fn factors(&self, input: &Input) -> Result<LoadFactors, Failure> {
+    fn factors(&self, input: &Input, model: &Model) -> Result<LoadFactors, Failure> {
         let grows = |load: usize| self.grows.get(load).is_some_and(|&grows| grows);
-        groundbeam::load_factors(&input.document.model, grows).map_err(|error| match error {
-            Error::Invalid(problems) => input.wrong(&problems),
-            Error::Unsupported(problem) => input.wrong(&[problem]),
+        groundbeam::load_factors(model, grows).map_err(|error| match error {
             Error::NotConverged(reached) => {
                 let shown = text::not_converged(&reached, standard_error_has_colour());
                 Failure::reported(shown, Status::NotConverged)
             }
-            other => Failure::usage(other.to_string()),
+            other => input.refused(&other),
         })
     }
 }
@@ -127,7 +168,7 @@ fn write_files(
 }
 
 /// The positions of `--at`, each on the beam.
-fn positions(input: &Input, list: &str) -> Result<Vec<f64>, Failure> {
+pub fn positions(input: &Input, list: &str) -> Result<Vec<f64>, Failure> {
     let units = input.document.units;
     let failure = |found: &Diagnostics| Failure::diagnostics(found, "--at", list);
     let positions = parse_positions(list, units).map_err(|found| failure(&found))?;

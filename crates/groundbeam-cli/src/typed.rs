@@ -19,9 +19,9 @@ pub struct Typed {
 
 const AFTER: &str = "\
 Exit status:
-  0  solved
+  0  solved; of a file with combinations, all of them
   2  the input or the command line is wrong
-  3  the model is right and no equilibrium exists
+  3  the model is right and no equilibrium exists, of a combination at least
   4  the solver could not meet its own tolerance
 
 Environment:
@@ -53,11 +53,11 @@ pub struct Solve {
     #[arg(long)]
     pub json: bool,
 
-    /// Write all fields along the beam as a table
+    /// Write all fields along the beam as a table; of combinations, the envelope
     #[arg(long, value_name = "OUT")]
     pub csv: Option<PathBuf>,
 
-    /// Draw beam, ground, pressure, moment and shear; the format is that of the name, .svg or .png
+    /// Draw beam, ground, pressure, moment and shear, or the envelopes of combinations; the format is that of the name, .svg or .png
     #[arg(long, value_name = "OUT")]
     pub plot: Option<PathBuf>,
 
@@ -77,6 +77,12 @@ pub struct Solve {
     /// --factors=Q,wind.
     #[arg(long, value_name = "CASES", num_args = 0..=1, require_equals = true)]
     pub factors: Option<Option<String>>,
+
+    /// Solve this one of the file's combinations alone
+    ///
+    /// Left out, a file with combinations gives the results of all of them and their envelope.
+    #[arg(long, value_name = "NAME")]
+    pub combination: Option<String>,
 
     /// How to solve
     #[arg(long, value_enum, default_value = "exact")]

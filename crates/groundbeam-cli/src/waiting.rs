@@ -2,37 +2,58 @@
 
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 /// How long nothing is shown.
 const PATIENCE: Duration = Duration::from_secs(1);
-/// Between two pictures of the spinner.
+/// Between two pictures.
 const TICK: Duration = Duration::from_millis(120);
 
 /// Does some work; if a person waits for it, shows that it goes on.
 pub fn while_working<T>(words: String, work: impl FnOnce() -> T) -> T {
-    let spinner = std::io::stderr().is_terminal().then(|| Spinner::start(words));
+    let sign = std::io::stderr().is_terminal().then(|| Sign::start(words, None));
     let done = work();
-    drop(spinner);
+    drop(sign);
     done
 }
 
-struct Spinner {
+/// Does so many pieces of work, and calls what it is given after each; if a person waits, shows how many are done.
+pub fn while_counting<T>(
+    words: String,
+    pieces: usize,
+    work: impl FnOnce(&(dyn Fn() + Sync)) -> T,
+) -> T {
+    let count = Arc::new(AtomicU64::new(0));
+    let counted = Some((pieces as u64, Arc::clone(&count)));
+    let sign = std::io::stderr().is_terminal().then(|| Sign::start(words, counted));
+    let done = work(&|| {
+        count.fetch_add(1, Ordering::Relaxed);
+    });
+    drop(sign);
+    done
+}
+
+/// How many pieces there are, and how many are done.
+type Counted = Option<(u64, Arc<AtomicU64>)>;
+
+struct Sign {
     done: Option<Sender<()>>,
     thread: Option<JoinHandle<()>>,
 }
 
-impl Spinner {
-    fn start(words: String) -> Self {
+impl Sign {
+    fn start(words: String, counted: Counted) -> Self {
         let (done, ended) = channel();
-        let thread = thread::spawn(move || show(&ended, words));
-        Spinner { done: Some(done), thread: Some(thread) }
+        let thread = thread::spawn(move || show(&ended, words, counted));
+        Sign { done: Some(done), thread: Some(thread) }
     }
 }
 
-impl Drop for Spinner {
+impl Drop for Sign {
     fn drop(&mut self) {
         drop(self.done.take());
         if let Some(thread) = self.thread.take() {
@@ -42,16 +63,26 @@ impl Drop for Spinner {
 }
 
 /// Ends when the sender is dropped.
-fn show(ended: &Receiver<()>, words: String) {
+fn show(ended: &Receiver<()>, words: String, counted: Counted) {
     if !matches!(ended.recv_timeout(PATIENCE), Err(RecvTimeoutError::Timeout)) {
         return;
     }
-    let style = ProgressStyle::with_template("{spinner} {msg} ({elapsed})");
-    let spinner = ProgressBar::new_spinner()
+    let (bar, template) = match &counted {
+        None => (ProgressBar::new_spinner(), "{spinner} {msg} ({elapsed})"),
+        Some((pieces, _)) => {
+            (ProgressBar::new(*pieces), "{bar:20} {pos} of {len}, {msg} ({elapsed})")
+        }
+    };
+    let style = ProgressStyle::with_template(template);
+    let bar = bar
         .with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()))
         .with_elapsed(PATIENCE)
         .with_message(words);
-    spinner.enable_steady_tick(TICK);
-    let _ = ended.recv();
-    spinner.finish_and_clear();
+    bar.enable_steady_tick(TICK);
+    while matches!(ended.recv_timeout(TICK), Err(RecvTimeoutError::Timeout)) {
+        if let Some((_, done)) = &counted {
+            bar.set_position(done.load(Ordering::Relaxed));
+        }
+    }
+    bar.finish_and_clear();
 }

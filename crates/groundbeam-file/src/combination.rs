@@ -1,6 +1,11 @@
 //! Combinations of load cases: names, factors, and the models they make.
 
+use crate::code;
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::document::Document;
+use crate::fault::Fault;
+use crate::source::Source;
+use crate::suggest::nearest;
 use groundbeam::Model;
 
 /// More combinations than this a file may not have.
@@ -68,6 +73,29 @@ impl Document {
             Combination { name: recipe.name.clone(), factors: recipe.factors.clone(), model, loads }
         };
         self.recipes.iter().map(combined).collect()
+    }
+
+    /// The combination of a name.
+    ///
+    /// # Errors
+    ///
+    /// A name that no combination has, or a file that has none; the place counts from the start of `name`, so that
+    /// [`Diagnostics::render`] shows it with `name` as the text.
+    pub fn combination(&self, name: &str) -> Result<Combination, Diagnostics> {
+        let wanted = name.trim();
+        let mut all = self.combinations();
+        if let Some(i) = all.iter().position(|combination| combination.name == wanted) {
+            return Ok(all.swap_remove(i));
+        }
+        let names: Vec<&str> = all.iter().map(|combination| combination.name.as_str()).collect();
+        let hint = match nearest(wanted, names.iter().copied()) {
+            Some(meant) => format!("did you mean `{meant}`?"),
+            None if names.is_empty() => "the file has no [[combination]]".to_owned(),
+            None => format!("the combinations of the file: {}", names.join(", ")),
+        };
+        let message = format!("no combination is called `{wanted}`");
+        let fault = Fault::new(code::UNKNOWN_WORD, 0..name.len(), message, "", hint);
+        Err(Diagnostic::new(&Source::new(name), fault).into())
     }
 
     /// Every load case of the file by itself, in the order in which the loads name them.

@@ -1,9 +1,10 @@
-//! Tables: all fields along the beam, and the history of the iteration.
+//! Tables: all fields along the beam, the envelope of combinations, and the history of the iteration.
 
+use crate::combinations::Combinations;
 use crate::curve::Jumps;
 use crate::quantity::Units;
 use ::csv::{Writer, WriterBuilder};
-use groundbeam::{Field, Fields, Solution};
+use groundbeam::{Bounds, Field, Fields, Solution};
 
 /// All fields at the given positions: `x_m, deflection_m, …`, without units in the header for plain numbers.
 ///
@@ -20,6 +21,32 @@ pub fn table(solution: &Solution, positions: &[f64], units: Units) -> String {
         for fields in left.iter().chain([&right]) {
             rows.push(row(x, fields));
         }
+    }
+    rows.finish()
+}
+
+/// The envelope of all combinations at the given positions: `x_m, deflection_min_m, deflection_max_m,
+/// deflection_governs_min, deflection_governs_max, …`.
+///
+/// Where a field jumps, both sides count.
+pub fn envelope(combinations: &Combinations, positions: &[f64], units: Units) -> String {
+    let mut rows = Rows::new();
+    let names = Field::ALL.into_iter().flat_map(|field| {
+        let bound = |bound| column(&format!("{}_{bound}", field.name()), unit(field), units);
+        let governs = |bound| format!("{}_governs_{bound}", field.name());
+        [bound("min"), bound("max"), governs("min"), governs("max")]
+    });
+    rows.push(std::iter::once(column("x", "m", units)).chain(names));
+    let combined: Vec<&str> = combinations.solved().map(|(combined, _)| combined.name).collect();
+    let envelope = combinations.envelope();
+    for &x in positions {
+        let cells = Field::ALL.into_iter().flat_map(|field| {
+            let Bounds { min, max } = envelope.at(field, x);
+            let [low, high] = [min, max].map(|governing| number(governing.extreme.value));
+            let name = |by: usize| combined.get(by).copied().unwrap_or_default().to_owned();
+            [low, high, name(min.by), name(max.by)]
+        });
+        rows.push(std::iter::once(number(x)).chain(cells));
     }
     rows.finish()
 }

@@ -6,15 +6,18 @@
 //! `stations` holds every position once, with the values just to the right of it (at x = l just to the
 //! left) where a field jumps. Both sides of a jump are in the table of [`csv`](crate::csv).
 
+mod certificate;
+mod combinations;
 mod factors;
 
 use crate::characteristics::Characteristics;
 use crate::context::Context;
 use crate::verdict::sentence;
+use certificate::Proof;
+pub use combinations::{checked_combinations, combinations, envelope_stations};
 use factors::Grown;
 use groundbeam::{
-    Certificate, Existence, Extreme, Field, Method, Model, NotConverged, RigidMotion, Side,
-    Solution, Verdict,
+    Existence, Extreme, Field, Method, Model, NotConverged, RigidMotion, Side, Solution, Verdict,
 };
 use serde::Serialize;
 
@@ -29,38 +32,7 @@ pub fn default_stations(solution: &Solution) -> Vec<f64> {
 
 /// The document of an equilibrium, with the fields at the given positions of the beam.
 pub fn solved(solution: &Solution, stations: &[f64], context: &Context) -> String {
-    let model = solution.model();
-    let document = Solved {
-        head: Head::new("solved", context),
-        method: solution.method().name(),
-        elements: solution.elements(),
-        existence: Proven::new(model, solution.existence(), context),
-        characteristics: Judged::new(model, solution.existence()),
-        contact: solution.contact().iter().map(|c| Stretch { from: c.from, to: c.to }).collect(),
-        lift_off: solution
-            .lift_off()
-            .iter()
-            .map(|l| Lifted { from: l.from, to: l.to, largest_gap: l.largest_gap.into() })
-            .collect(),
-        end_forces: Ends { left: solution.end_forces().left, right: solution.end_forces().right },
-        concentrated_forces: solution
-            .concentrated_forces()
-            .iter()
-            .map(|force| Force { at: force.at, force: force.force })
-            .collect(),
-        reactions: solution
-            .reactions()
-            .iter()
-            .map(|r| Held { at: r.at, force: r.force, moment: r.moment })
-            .collect(),
-        stations: Stations::of(solution, stations),
-        extremes: Extremes::of(solution),
-        certificate: solution.certificate().into(),
-        load_factors: context.factors.map(Grown::of),
-        iterations: solution.iterations(),
-        seconds: context.seconds,
-    };
-    text(&document)
+    text(&Solved::of(solution, stations, context))
 }
 
 /// The document of a model that has no equilibrium.
@@ -84,27 +56,12 @@ fn verdict(
     existence: &Existence,
     context: &Context,
 ) -> String {
-    text(&Checked {
-        head: Head::new(status, context),
-        existence: Proven::new(model, existence, context),
-        characteristics: Judged::new(model, existence),
-        load_factors: context.factors.map(Grown::of),
-        seconds: context.seconds,
-    })
+    text(&Checked::of(status, model, existence, context))
 }
 
 /// The document of a method that did not reach its tolerance.
 pub fn not_converged(reached: &NotConverged, context: &Context) -> String {
-    text(&Stopped {
-        head: Head::new("not-converged", context),
-        method: Method::name(reached.method),
-        what: reached.what,
-        tolerance: reached.tolerance,
-        reached: reached.reached,
-        iterations: reached.iterations,
-        load_factors: context.factors.map(Grown::of),
-        seconds: context.seconds,
-    })
+    text(&Stopped::of(reached, context))
 }
 
 /// Plain structs of numbers and words can always be written.
@@ -134,6 +91,49 @@ struct Solved {
     seconds: Option<f64>,
 }
 
+impl Solved {
+    fn of(solution: &Solution, stations: &[f64], context: &Context) -> Self {
+        let model = solution.model();
+        Solved {
+            head: Head::new("solved", context),
+            method: solution.method().name(),
+            elements: solution.elements(),
+            existence: Proven::new(model, solution.existence(), context),
+            characteristics: Judged::new(model, solution.existence()),
+            contact: solution
+                .contact()
+                .iter()
+                .map(|c| Stretch { from: c.from, to: c.to })
+                .collect(),
+            lift_off: solution
+                .lift_off()
+                .iter()
+                .map(|l| Lifted { from: l.from, to: l.to, largest_gap: l.largest_gap.into() })
+                .collect(),
+            end_forces: Ends {
+                left: solution.end_forces().left,
+                right: solution.end_forces().right,
+            },
+            concentrated_forces: solution
+                .concentrated_forces()
+                .iter()
+                .map(|force| Force { at: force.at, force: force.force })
+                .collect(),
+            reactions: solution
+                .reactions()
+                .iter()
+                .map(|r| Held { at: r.at, force: r.force, moment: r.moment })
+                .collect(),
+            stations: Stations::of(solution, stations),
+            extremes: Extremes::of(solution),
+            certificate: solution.certificate().into(),
+            load_factors: context.factors.map(Grown::of),
+            iterations: solution.iterations(),
+            seconds: context.seconds,
+        }
+    }
+}
+
 #[derive(Serialize)]
 struct Checked {
     #[serde(flatten)]
@@ -143,6 +143,18 @@ struct Checked {
     #[serde(skip_serializing_if = "Option::is_none")]
     load_factors: Option<Grown>,
     seconds: Option<f64>,
+}
+
+impl Checked {
+    fn of(status: &'static str, model: &Model, existence: &Existence, context: &Context) -> Self {
+        Checked {
+            head: Head::new(status, context),
+            existence: Proven::new(model, existence, context),
+            characteristics: Judged::new(model, existence),
+            load_factors: context.factors.map(Grown::of),
+            seconds: context.seconds,
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -157,6 +169,21 @@ struct Stopped {
     #[serde(skip_serializing_if = "Option::is_none")]
     load_factors: Option<Grown>,
     seconds: Option<f64>,
+}
+
+impl Stopped {
+    fn of(reached: &NotConverged, context: &Context) -> Self {
+        Stopped {
+            head: Head::new("not-converged", context),
+            method: Method::name(reached.method),
+            what: reached.what,
+            tolerance: reached.tolerance,
+            reached: reached.reached,
+            iterations: reached.iterations,
+            load_factors: context.factors.map(Grown::of),
+            seconds: context.seconds,
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -343,58 +370,6 @@ impl Extremes {
             settlement: range(Field::Settlement),
             gap: range(Field::Gap),
             pressure: range(Field::Pressure),
-        }
-    }
-}
-
-#[derive(Serialize)]
-struct Proof {
-    primal_energy: f64,
-    dual_energy: f64,
-    gap: f64,
-    relative_gap: f64,
-    force_balance: f64,
-    moment_balance: f64,
-    smallest_pressure: f64,
-    deepest_penetration: f64,
-    continuity: f64,
-    complementarity: f64,
-    settlement_bound: f64,
-    moment_bound: f64,
-    moment_rms_bound: f64,
-}
-
-impl From<&Certificate> for Proof {
-    fn from(certificate: &Certificate) -> Self {
-        let Certificate {
-            primal_energy,
-            dual_energy,
-            gap,
-            relative_gap,
-            force_balance,
-            moment_balance,
-            smallest_pressure,
-            deepest_penetration,
-            continuity,
-            complementarity,
-            settlement_bound,
-            moment_bound,
-            moment_rms_bound,
-        } = *certificate;
-        Proof {
-            primal_energy,
-            dual_energy,
-            gap,
-            relative_gap,
-            force_balance,
-            moment_balance,
-            smallest_pressure,
-            deepest_penetration,
-            continuity,
-            complementarity,
-            settlement_bound,
-            moment_bound,
-            moment_rms_bound,
         }
     }
 }

@@ -21,12 +21,16 @@
 //! # Ok::<(), groundbeam::Error>(())
 //! ```
 //!
+//! Of the combinations of load cases, [`Combinations`], the functions named `combinations` make reports, documents and
+//! pictures that show the envelope.
+//!
 //! Nothing here reads a clock, a file or the environment, and equal results give equal bytes.
 
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
 mod characteristics;
+mod combinations;
 mod context;
 mod curve;
 mod font;
@@ -42,6 +46,7 @@ pub mod svg;
 pub mod text;
 
 pub use characteristics::{Characteristics, Resultant};
+pub use combinations::{Alone, Answer, Combinations, Combined, Overall};
 pub use context::{Context, Factors};
 pub use quantity::Units;
 pub use verdict::sentence;

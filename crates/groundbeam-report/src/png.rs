@@ -1,5 +1,6 @@
 //! The picture as PNG.
 
+use crate::combinations::Combinations;
 use crate::context::Context;
 use crate::{font, svg};
 use groundbeam::Solution;
@@ -28,12 +29,24 @@ impl std::error::Error for Error {}
 ///
 /// If memory for the pixels is lacking.
 pub fn picture(solution: &Solution, context: &Context) -> Result<Vec<u8>, Error> {
+    drawn(&svg::picture(solution, context))
+}
+
+/// The picture of [`svg::combinations`] in the same way.
+///
+/// # Errors
+///
+/// If memory for the pixels is lacking.
+pub fn combinations(all: &Combinations, context: &Context) -> Result<Vec<u8>, Error> {
+    drawn(&svg::combinations(all, context))
+}
+
+fn drawn(picture: &str) -> Result<Vec<u8>, Error> {
     let mut options = Options { font_family: "Inter".to_owned(), ..Options::default() };
     let fonts = options.fontdb_mut();
     fonts.load_font_data(font::REGULAR.to_vec());
     fonts.load_font_data(font::SEMI_BOLD.to_vec());
-    let tree = Tree::from_str(&svg::picture(solution, context), &options)
-        .map_err(|error| Error(error.to_string()))?;
+    let tree = Tree::from_str(picture, &options).map_err(|error| Error(error.to_string()))?;
     let size = tree.size();
     let [width, height] = [size.width(), size.height()].map(|side| (side * PIXELS).ceil() as u32);
     let mut pixels =

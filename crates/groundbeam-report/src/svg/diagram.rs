@@ -31,6 +31,10 @@ pub(super) struct Diagram<'a> {
     /// Whether positive values are drawn downward.
     pub downward: bool,
     pub values: Vec<(f64, f64)>,
+    /// The lower line of an envelope, of which `values` is the upper one; empty if there is one line only.
+    pub lower: Vec<(f64, f64)>,
+    /// The lines that make an envelope.
+    pub thin: Vec<Vec<(f64, f64)>>,
     pub extremes: Vec<Extreme>,
     /// Concentrated forces that push the beam up, with what to call them.
     pub forces: Vec<(f64, f64, String)>,
@@ -61,7 +65,8 @@ impl Diagram<'_> {
     }
 
     fn range(&self) -> [f64; 2] {
-        self.values.iter().fold([0.0, 0.0], |[low, high], &(_, v)| [low.min(v), high.max(v)])
+        let all = self.values.iter().chain(&self.lower);
+        all.fold([0.0, 0.0], |[low, high], &(_, v)| [low.min(v), high.max(v)])
     }
 
     fn title(&self, canvas: &mut Canvas, unit: Unit, metrics: &Metrics) {
@@ -107,8 +112,10 @@ impl Diagram<'_> {
         if low == high {
             return;
         }
-        let points: Vec<_> =
-            self.values.iter().map(|&(x, value)| [frame.x(x), scale.y(value)]).collect();
+        if !self.lower.is_empty() {
+            return self.band(canvas, frame, scale, labels);
+        }
+        let points = on_page(&self.values, frame, scale);
         let zero = scale.y(0.0);
         // The ends close the area, and the curve meets the zero line there as the jump it is.
         let mut closed = vec![[frame.x(0.0), zero]];
@@ -120,6 +127,26 @@ impl Diagram<'_> {
         let stroke = format!(r#"fill="none" stroke="{}" stroke-width="1.7""#, self.colour);
         canvas.polyline(&closed, false, &stroke);
         labels.avoid_line(&closed);
+    }
+
+    /// The area between the two lines of an envelope, and what makes it.
+    fn band(&self, canvas: &mut Canvas, frame: &Frame, scale: &Scale, labels: &mut Labels) {
+        let [upper, lower] =
+            [&self.values, &self.lower].map(|line| simplified(&on_page(line, frame, scale)));
+        let mut area = upper.clone();
+        area.extend(lower.iter().rev());
+        canvas.polyline(&area, true, &format!(r#"fill="{}" fill-opacity="0.14""#, self.colour));
+        for line in &self.thin {
+            let line = simplified(&on_page(line, frame, scale));
+            let stroke = r#"stroke-width="0.7" stroke-opacity="0.55""#;
+            let stroke = format!(r#"fill="none" stroke="{}" {stroke}"#, self.colour);
+            canvas.polyline(&line, false, &stroke);
+        }
+        let stroke = format!(r#"fill="none" stroke="{}" stroke-width="1.7""#, self.colour);
+        for line in [upper, lower] {
+            canvas.polyline(&line, false, &stroke);
+            labels.avoid_line(&line);
+        }
     }
 
     /// Forces push from below up to the zero line.
@@ -165,6 +192,11 @@ impl Diagram<'_> {
             }
         }
     }
+}
+
+/// A line from the beam to the page.
+fn on_page(line: &[(f64, f64)], frame: &Frame, scale: &Scale) -> Vec<[f64; 2]> {
+    line.iter().map(|&(x, value)| [frame.x(x), scale.y(value)]).collect()
 }
 
 /// From values to the height of the page.

@@ -6,6 +6,7 @@
 mod axis;
 mod canvas;
 mod diagram;
+mod envelope;
 mod frame;
 mod labels;
 mod loads;
@@ -21,6 +22,7 @@ use crate::number::significant;
 use crate::quantity::{Kind, Units};
 use canvas::{Anchor, Canvas, printed};
 use diagram::Diagram;
+pub use envelope::combinations;
 use frame::{Frame, LEFT, RIGHT, WIDTH};
 use groundbeam::{Field, Solution};
 use samples::Samples;
@@ -38,7 +40,8 @@ pub fn picture(solution: &Solution, context: &Context) -> String {
     let title = context.clean_title();
 
     let mut page = Canvas::new();
-    let mut y = header(&mut page, solution, context, title.as_deref());
+    let numbers = numbers(solution, context.units);
+    let mut y = header(&mut page, title.as_deref(), &[&numbers]);
     let system = system::draw(solution, context.units, &frame, &samples, &metrics);
     y = stacked(&mut page, &system, y);
     for diagram in diagrams(solution, context.units, &samples, &edges) {
@@ -60,14 +63,17 @@ fn stacked(page: &mut Canvas, panel: &Canvas, y: f64) -> f64 {
 }
 
 /// Title and the numbers that judge the problem.
-fn header(page: &mut Canvas, solution: &Solution, context: &Context, title: Option<&str>) -> f64 {
+fn header(page: &mut Canvas, title: Option<&str>, notes: &[&str]) -> f64 {
     let mut y = 16.0;
     if let Some(title) = title {
         y += 18.0;
         page.text([LEFT, y], Anchor::Start, TITLE, title);
     }
-    y += 20.0;
-    page.text([LEFT, y], Anchor::Start, NOTE, &numbers(solution, context.units));
+    y += 3.0;
+    for note in notes {
+        y += 17.0;
+        page.text([LEFT, y], Anchor::Start, NOTE, note);
+    }
     y + 16.0
 }
 
@@ -123,6 +129,8 @@ fn diagrams<'a>(
         colour,
         downward,
         values: samples.field(field),
+        lower: Vec::new(),
+        thin: Vec::new(),
         extremes: range(field).to_vec(),
         forces: Vec::new(),
         edges,

@@ -62,7 +62,7 @@ fn loss(found: LossOfEquilibrium, loads: &Grows) -> String {
     }
 }
 
-fn falls(motion: RigidMotion) -> &'static str {
+pub(super) fn falls(motion: RigidMotion) -> &'static str {
     match (motion.left < 0.0, motion.right < 0.0) {
         (true, false) => "it tips about its right end",
         (false, true) => "it tips about its left end",

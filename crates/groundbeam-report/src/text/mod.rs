@@ -1,6 +1,7 @@
 //! The report for a terminal, at most 80 columns wide.
 
 mod certificate;
+mod combinations;
 mod factors;
 mod sheet;
 
@@ -10,6 +11,7 @@ use crate::number::significant;
 use crate::quantity::{Kind, Units};
 use crate::size::Sizes;
 use crate::verdict;
+pub use combinations::combinations;
 use groundbeam::{
     ContactRegion, Existence, Extreme, Field, Model, NotConverged, Profile, Reaction, Solution,
     SupportKind, Verdict,
@@ -67,13 +69,34 @@ pub fn load_factors(context: &Context, colour: bool) -> String {
 /// Title, beam, ground, loads.
 fn problem(sheet: &mut Sheet, model: &Model, existence: &Existence, context: &Context) {
     let units = context.units;
+    title(sheet, context);
+    let found = Characteristics::of(model, existence);
+    structure(sheet, model, &found, units);
+    let force = found.resultant.force;
+    let loads = match found.resultant.at {
+        Some(x) => {
+            let sense = if force > 0.0 { "down" } else { "up" };
+            let share = significant(x / model.beam.length, 4);
+            let size = units.write(Kind::Force, force.abs(), 6);
+            format!("resultant {size} {sense} at x = {} ({share} l)", units.position(x))
+        }
+        None if model.loads.is_empty() => "none".to_owned(),
+        None => "resultant zero".to_owned(),
+    };
+    sheet.row("Loads", &loads);
+    sheet.blank();
+}
+
+fn title(sheet: &mut Sheet, context: &Context) {
     if let Some(title) = context.clean_title() {
         sheet.heading(&title);
         sheet.blank();
     }
-    let found = Characteristics::of(model, existence);
-    let write = |kind, value| units.write(kind, value, 6);
+}
 
+/// Beam and ground.
+fn structure(sheet: &mut Sheet, model: &Model, found: &Characteristics, units: Units) {
+    let write = |kind, value| units.write(kind, value, 6);
     let stiffnesses = ends(model.beam.segments.iter().map(|s| s.bending_stiffness));
     let stiffness =
         spread(units, Kind::BendingStiffness, model.beam.bending_stiffness, stiffnesses);
@@ -101,20 +124,6 @@ fn problem(sheet: &mut Sheet, model: &Model, existence: &Existence, context: &Co
     let beta = range(units, Kind::PerLength, found.beta);
     let beta_length = significant(found.beta_length, 4);
     sheet.row("Stiffness", &format!("β = {beta}, βl = {beta_length}: {}", found.class()));
-
-    let force = found.resultant.force;
-    let loads = match found.resultant.at {
-        Some(x) => {
-            let sense = if force > 0.0 { "down" } else { "up" };
-            let share = significant(x / model.beam.length, 4);
-            let size = write(Kind::Force, force.abs());
-            format!("resultant {size} {sense} at x = {} ({share} l)", units.position(x))
-        }
-        None if model.loads.is_empty() => "none".to_owned(),
-        None => "resultant zero".to_owned(),
-    };
-    sheet.row("Loads", &loads);
-    sheet.blank();
 }
 
 /// A quantity that may vary: `2 MN`, or `1 to 3 MN`.

@@ -55,6 +55,12 @@ impl Sheet {
         }
     }
 
+    /// A line of a table, as it is.
+    pub fn line(&mut self, words: &str) {
+        self.text.push_str(words.trim_end());
+        self.text.push('\n');
+    }
+
     /// `label        words`, wrapped under themselves. An empty label continues the row above.
     pub fn row(&mut self, label: &str, words: &str) {
         self.toned_row(label, words, Tone::Plain);

@@ -10,6 +10,11 @@ use forms::Forms;
 /// solution that comes first then governs.
 const ROUNDING: f64 = 1e-12;
 
+/// A shorter part of the beam, over which one leads by no more than rounding, is none.
+const SHORT: f64 = 1e-6;
+/// In the order in which they are looked at: the smallest values are the largest of what has the other sign.
+const BOUNDS: [Bound; 2] = [Bound::Max, Bound::Min];
+
 /// Several solutions of one beam, seen together.
 ///
 /// Lift-off makes superposition false, so each combination of loads is solved by itself; what a section has to
@@ -81,6 +86,13 @@ pub struct Change {
     pub to: usize,
 }
 
+/// A part of the beam on which one solution governs.
+struct Run {
+    from: f64,
+    to: f64,
+    by: usize,
+}
+
 impl<'a> Envelope<'a> {
     /// The envelope of some solutions, which are all of one beam.
     ///
@@ -132,24 +144,51 @@ impl<'a> Envelope<'a> {
     pub fn changes(&self, field: Field) -> Vec<Change> {
         let forms = Forms::of(&self.solutions, field);
         let rounding = self.rounding(field);
-        let mut changes = Vec::new();
-        let mut governs = [None; 2];
+        let mut runs = [Vec::new(), Vec::new()];
         forms.each_interval(|interval, curves| {
-            for (bound, governs) in [Bound::Max, Bound::Min].into_iter().zip(&mut governs) {
+            for (bound, runs) in BOUNDS.into_iter().zip(&mut runs) {
                 if bound == Bound::Min {
                     curves.iter_mut().flatten().for_each(|c| *c = -*c);
                 }
-                for part in upper::parts(curves, rounding) {
-                    let x = forms::position(interval, part.from);
-                    if let Some(before) = governs.filter(|before| *before != part.by) {
-                        changes.push(Change { x, bound, from: before, to: part.by });
-                    }
-                    *governs = Some(part.by);
+                for upper::Part { from, to, by } in upper::parts(curves, rounding) {
+                    let [from, to] = [from, to].map(|s| forms::position(interval, s));
+                    self.lengthen(runs, Run { from, to, by }, field);
                 }
             }
         });
+        let mut changes = Vec::new();
+        for (bound, runs) in BOUNDS.into_iter().zip(&runs) {
+            changes.extend(runs.windows(2).map(|pair| Change {
+                x: pair[1].from,
+                bound,
+                from: pair[0].by,
+                to: pair[1].by,
+            }));
+        }
         changes.sort_by(|a, b| a.x.total_cmp(&b.x));
         changes
+    }
+
+    /// Adds a run to those left of it. A short one that leads by rounding alone belongs to its neighbour: where all
+    /// solutions are zero, as the moment at a free end, any of them could lead.
+    fn lengthen(&self, runs: &mut Vec<Run>, next: Run, field: Field) {
+        let Some(last) = runs.last_mut() else { return runs.push(next) };
+        let is_nothing = |run: &Run, other: usize| {
+            let length = self.solutions[run.by].model().beam.length;
+            let middle = 0.5 * (run.from + run.to);
+            let value = |by: usize| self.solutions[by].at(middle, Side::Right).get(field);
+            run.to - run.from <= SHORT * length
+                && (value(run.by) - value(other)).abs() <= self.rounding(field)
+        };
+        if next.by == last.by || is_nothing(&next, last.by) {
+            last.to = next.to;
+        } else if is_nothing(last, next.by) {
+            let from = last.from;
+            runs.pop();
+            self.lengthen(runs, Run { from, ..next }, field);
+        } else {
+            runs.push(next);
+        }
     }
 
     /// Positions at which the envelope is worth listing: `even` equal steps, the loads, supports, joints, edges

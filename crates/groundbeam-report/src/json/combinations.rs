@@ -1,0 +1,258 @@
+//! The document of a file with combinations: each with its own result, and the envelope of all.
+
+use super::{Checked, EVEN_STEPS, Point, Proven, Solved, Stopped, default_stations, text};
+use crate::combinations::{Alone, Answer, Combinations, Combined, Overall};
+use crate::context::Context;
+use groundbeam::{Bound, Bounds, Change, Envelope, Field, Governing};
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// The document of all combinations, with the fields at the given positions; left out, each result and the
+/// envelope have those that suit them.
+pub fn combinations(
+    combinations: &Combinations,
+    stations: Option<&[f64]>,
+    context: &Context,
+) -> String {
+    let status = match combinations.overall() {
+        Overall::Solved => "solved",
+        Overall::NoEquilibrium => "no-equilibrium",
+        Overall::NotConverged => "not-converged",
+    };
+    let names: Vec<&str> = combinations.solved().map(|(combined, _)| combined.name).collect();
+    let envelope = combinations.envelope();
+    let of = Named { envelope: &envelope, names: &names };
+    let stations_of_all = || match stations {
+        Some(stations) => stations.to_vec(),
+        None => envelope.stations(EVEN_STEPS),
+    };
+    let any = !names.is_empty();
+    text(&All {
+        combinations: each(combinations, stations, context),
+        envelope: any.then(|| of.table(&stations_of_all())),
+        extremes: any.then(|| of.fields(|field| of.extremes(field))),
+        changes: any.then(|| of.fields(|field| of.changes(field))),
+        ..All::head(status, combinations, context)
+    })
+}
+
+/// Where an envelope is listed if nobody says: where each of the solutions would be, and where another combination
+/// begins to govern.
+pub fn envelope_stations(combinations: &Combinations) -> Vec<f64> {
+    combinations.envelope().stations(EVEN_STEPS)
+}
+
+/// The document of combinations that were checked but not solved.
+pub fn checked_combinations(combinations: &Combinations, context: &Context) -> String {
+    let status = match combinations.overall() {
+        Overall::NoEquilibrium => "no-equilibrium",
+        Overall::Solved | Overall::NotConverged => "equilibrium-exists",
+    };
+    let combined = each(combinations, None, context);
+    text(&All { combinations: combined, ..All::head(status, combinations, context) })
+}
+
+#[derive(Serialize)]
+struct All<'a> {
+    status: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    title: Option<String>,
+    units: &'static str,
+    combinations: Vec<One<'a>>,
+    cases: Vec<Case<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    envelope: Option<Table<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    extremes: Option<ByField<Extremes<'a>>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    changes: Option<ByField<Vec<Changed<'a>>>>,
+    seconds: Option<f64>,
+}
+
+impl<'a> All<'a> {
+    fn head(status: &'static str, combinations: &'a Combinations, context: &Context) -> Self {
+        All {
+            status,
+            title: context.title.map(str::to_owned),
+            units: context.units.name(),
+            combinations: Vec::new(),
+            cases: combinations.alone.iter().map(|case| Case::of(case, context)).collect(),
+            envelope: None,
+            extremes: None,
+            changes: None,
+            seconds: context.seconds,
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct One<'a> {
+    name: &'a str,
+    factors: BTreeMap<&'a str, f64>,
+    #[serde(flatten)]
+    result: Result,
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Result {
+    Solved(Box<Solved>),
+    Checked(Checked),
+    Stopped(Stopped),
+}
+
+fn each<'a>(
+    combinations: &'a Combinations,
+    stations: Option<&[f64]>,
+    context: &Context,
+) -> Vec<One<'a>> {
+    let context = Context { title: None, seconds: None, factors: None, ..*context };
+    let one = |combined: &'a Combined| {
+        let Combined { name, factors, model, answer } = combined;
+        let result = match answer {
+            Answer::Equilibrium(solution) => {
+                let own = stations.map_or_else(|| default_stations(solution), <[f64]>::to_vec);
+                Result::Solved(Box::new(Solved::of(solution, &own, &context)))
+            }
+            Answer::Exists(existence) => {
+                Result::Checked(Checked::of("equilibrium-exists", model, existence, &context))
+            }
+            Answer::NoEquilibrium(existence) => {
+                Result::Checked(Checked::of("no-equilibrium", model, existence, &context))
+            }
+            Answer::NotConverged(reached) => Result::Stopped(Stopped::of(reached, &context)),
+        };
+        let factors = factors.iter().map(|(case, factor)| (case.as_str(), *factor)).collect();
+        One { name, factors, result }
+    };
+    combinations.combined.iter().map(one).collect()
+}
+
+#[derive(Serialize)]
+struct Case<'a> {
+    name: &'a str,
+    stands_alone: bool,
+    /// `physical`, or `not a physical state`.
+    state: &'static str,
+    existence: Proven,
+}
+
+impl<'a> Case<'a> {
+    fn of(case: &'a Alone, context: &Context) -> Self {
+        let stands = case.stands();
+        Case {
+            name: case.name,
+            stands_alone: stands,
+            state: if stands { "physical" } else { "not a physical state" },
+            existence: Proven::new(case.model, case.existence, context),
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct ByField<T> {
+    deflection: T,
+    slope: T,
+    moment: T,
+    shear_force: T,
+    settlement: T,
+    gap: T,
+    pressure: T,
+}
+
+#[derive(Serialize)]
+struct Table<'a> {
+    x: Vec<f64>,
+    #[serde(flatten)]
+    fields: ByField<Lines<'a>>,
+}
+
+#[derive(Serialize)]
+struct Lines<'a> {
+    min: Vec<f64>,
+    max: Vec<f64>,
+    governs_min: Vec<&'a str>,
+    governs_max: Vec<&'a str>,
+}
+
+#[derive(Serialize)]
+struct Extremes<'a> {
+    min: Governed<'a>,
+    max: Governed<'a>,
+}
+
+#[derive(Serialize)]
+struct Governed<'a> {
+    #[serde(flatten)]
+    point: Point,
+    combination: &'a str,
+}
+
+#[derive(Serialize)]
+struct Changed<'a> {
+    x: f64,
+    /// `min` or `max`.
+    bound: &'static str,
+    from: &'a str,
+    to: &'a str,
+}
+
+/// An envelope that calls solutions by the names of their combinations.
+struct Named<'e, 'a> {
+    envelope: &'e Envelope<'e>,
+    names: &'e [&'a str],
+}
+
+impl<'a> Named<'_, 'a> {
+    fn name(&self, number: usize) -> &'a str {
+        self.names.get(number).copied().unwrap_or_default()
+    }
+
+    fn fields<T>(&self, of: impl Fn(Field) -> T) -> ByField<T> {
+        ByField {
+            deflection: of(Field::Deflection),
+            slope: of(Field::Slope),
+            moment: of(Field::Moment),
+            shear_force: of(Field::ShearForce),
+            settlement: of(Field::Settlement),
+            gap: of(Field::Gap),
+            pressure: of(Field::Pressure),
+        }
+    }
+
+    fn table(&self, stations: &[f64]) -> Table<'a> {
+        let lines = |field| {
+            let bounds = stations.iter().map(|&x| self.envelope.at(field, x));
+            let bounds: Vec<Bounds> = bounds.collect();
+            Lines {
+                min: bounds.iter().map(|bounds| bounds.min.extreme.value).collect(),
+                max: bounds.iter().map(|bounds| bounds.max.extreme.value).collect(),
+                governs_min: bounds.iter().map(|bounds| self.name(bounds.min.by)).collect(),
+                governs_max: bounds.iter().map(|bounds| self.name(bounds.max.by)).collect(),
+            }
+        };
+        Table { x: stations.to_vec(), fields: self.fields(lines) }
+    }
+
+    fn extremes(&self, field: Field) -> Extremes<'a> {
+        let governed = |Governing { extreme, by }| Governed {
+            point: extreme.into(),
+            combination: self.name(by),
+        };
+        let Bounds { min, max } = self.envelope.range(field);
+        Extremes { min: governed(min), max: governed(max) }
+    }
+
+    fn changes(&self, field: Field) -> Vec<Changed<'a>> {
+        let changed = |Change { x, bound, from, to }| Changed {
+            x,
+            bound: match bound {
+                Bound::Min => "min",
+                Bound::Max => "max",
+            },
+            from: self.name(from),
+            to: self.name(to),
+        };
+        self.envelope.changes(field).into_iter().map(changed).collect()
+    }
+}

@@ -1,0 +1,246 @@
+//! The report of all combinations: a table of them, the envelope, and every load case by itself.
+
+use super::factors::falls;
+use super::sheet::{Sheet, Tone};
+use super::{duration, label, structure, title};
+use crate::characteristics::Characteristics;
+use crate::combinations::{Answer, Combinations, Combined};
+use crate::context::{Context, clean};
+use crate::number::{order, significant};
+use crate::quantity::{Kind, Unit, Units};
+use crate::size::Sizes;
+use crate::verdict;
+use groundbeam::{Envelope, Extreme, Field, Governing, Solution, Verdict};
+
+/// The report of all combinations, solved or only checked; with `colour`, with escape codes for a terminal.
+pub fn combinations(combinations: &Combinations, context: &Context, colour: bool) -> String {
+    let mut sheet = Sheet::new(colour);
+    title(&mut sheet, context);
+    let known = |combined: &Combined| {
+        let existence = *combined.answer.existence()?;
+        Some(Characteristics::of(combined.model, &existence))
+    };
+    let first = combinations.combined.iter().find_map(|c| Some((c.model, known(c)?)));
+    if let Some((model, found)) = first {
+        structure(&mut sheet, model, &found, context.units);
+        sheet.blank();
+    }
+    let solved: Vec<Numbered> = numbered(combinations).collect();
+    if solved.is_empty() {
+        verdicts(&mut sheet, combinations);
+    } else {
+        names(&mut sheet, combinations);
+        sheet.blank();
+        table(&mut sheet, combinations, &solved, context.units);
+    }
+    failures(&mut sheet, combinations, context.units);
+    alone(&mut sheet, combinations, context.units);
+    if !solved.is_empty() {
+        sheet.blank();
+        envelope(&mut sheet, &combinations.envelope(), &solved, context.units);
+        sheet.blank();
+        proof(&mut sheet, &solved);
+        method(&mut sheet, combinations, &solved, context);
+    }
+    sheet.finish()
+}
+
+/// A solution with the number its combination has in the report.
+struct Numbered<'a> {
+    number: usize,
+    solution: &'a Solution,
+    sizes: Sizes,
+}
+
+fn numbered<'a>(combinations: &Combinations<'a>) -> impl Iterator<Item = Numbered<'a>> {
+    combinations.combined.iter().enumerate().filter_map(|(i, combined)| match combined.answer {
+        Answer::Equilibrium(solution) => {
+            Some(Numbered { number: i + 1, solution, sizes: Sizes::of(solution) })
+        }
+        _ => None,
+    })
+}
+
+/// The columns of numbers: which field, and whether its largest value.
+const COLUMNS: [(Field, bool); 4] = [
+    (Field::Deflection, true),
+    (Field::Moment, false),
+    (Field::Moment, true),
+    (Field::Pressure, true),
+];
+
+/// Numbers and names.
+fn names(sheet: &mut Sheet, combinations: &Combinations) {
+    for (i, combined) in combinations.combined.iter().enumerate() {
+        let name = format!("{:>4}  {}", i + 1, clean(combined.name));
+        sheet.row(if i == 0 { "Combinations" } else { "" }, &name);
+    }
+}
+
+/// Numbers, verdicts and names, where there is nothing else to tell.
+fn verdicts(sheet: &mut Sheet, combinations: &Combinations) {
+    sheet.heading("   #  equilibrium  combination");
+    for (i, combined) in combinations.combined.iter().enumerate() {
+        let outcome = outcome(combined);
+        let verdict = outcome.split(':').next().unwrap_or_default();
+        sheet.line(&format!("{:>4}  {verdict:<13}{}", i + 1, clean(combined.name)));
+    }
+}
+
+/// Verdict, contact and extremes, a line each.
+fn table(sheet: &mut Sheet, combinations: &Combinations, solved: &[Numbered], units: Units) {
+    let extreme = |row: &Numbered, (field, largest): (Field, bool)| {
+        let range = row.solution.range(field);
+        let extreme = if largest { range.max } else { range.min };
+        row.sizes.extreme(field, extreme).value
+    };
+    let unit = |(field, _): (Field, bool)| -> Unit {
+        let same = COLUMNS.iter().filter(|column| column.0 == field);
+        let all = same.flat_map(|column| solved.iter().map(|row| extreme(row, *column).abs()));
+        units.unit(Kind::of(field), all.fold(0.0, f64::max))
+    };
+    let line = |first: &str, cells: [String; 4]| {
+        let cells: String = cells.iter().map(|cell| format!("{cell:>11}")).collect();
+        format!("{first:<35}{cells}")
+    };
+    let fields = COLUMNS.map(|(field, _)| label(field).to_lowercase());
+    sheet.heading(&line("   #  equilibrium  zones of  lifted", fields));
+    let words = COLUMNS.map(|(_, largest)| if largest { "largest" } else { "smallest" }.to_owned());
+    sheet.heading(&line("                    contact   share", words));
+    if units == Units::Si {
+        sheet.heading(&line("", COLUMNS.map(|column| unit(column).name.to_owned())));
+    }
+    let mut rows = solved.iter().peekable();
+    for (i, combined) in combinations.combined.iter().enumerate() {
+        let words = outcome(combined);
+        let Some(row) = rows.next_if(|row| row.number == i + 1) else {
+            sheet.line(&format!("{:>4}  {words}", i + 1));
+            continue;
+        };
+        let zones = row.solution.contact().len();
+        let l = row.solution.model().beam.length;
+        let open: f64 = row.solution.lift_off().iter().map(|open| open.to - open.from).sum();
+        let share = format!("{} %", significant(100.0 * (open / l), 3));
+        let first = format!("{:>4}  {words:<11}{zones:>10}{share:>8}", i + 1);
+        let cells = COLUMNS.map(|column| unit(column).number(extreme(row, column), 5));
+        sheet.line(&line(&first, cells));
+    }
+}
+
+/// `one`, `many`, `none: it tips about its left end`.
+fn outcome(combined: &Combined) -> String {
+    match combined.answer.existence().map(|existence| existence.verdict) {
+        Some(Verdict::Unique) => "one".to_owned(),
+        Some(Verdict::NotUnique(_)) => "not unique".to_owned(),
+        Some(Verdict::None(motion)) => format!("none: {}", falls(motion)),
+        None => "not solved".to_owned(),
+    }
+}
+
+/// Why combinations have no answer, or more than one.
+fn failures(sheet: &mut Sheet, combinations: &Combinations, units: Units) {
+    let mut begun = false;
+    for (i, combined) in combinations.combined.iter().enumerate() {
+        let number = format!("{:>4}", i + 1);
+        let said = match combined.answer {
+            Answer::NotConverged(reached) => Some((format!("not solved: {reached}"), Tone::Bad)),
+            _ => combined.answer.existence().and_then(|existence| {
+                let sentence = verdict::sentence(combined.model, existence, units);
+                match existence.verdict {
+                    Verdict::Unique => None,
+                    Verdict::NotUnique(_) => {
+                        Some((format!("not unique: {sentence}"), Tone::Doubtful))
+                    }
+                    Verdict::None(motion) => {
+                        let remedy = verdict::remedy(motion, units);
+                        let remedy = remedy.map_or(String::new(), |remedy| format!("; {remedy}"));
+                        Some((format!("none: {sentence}{remedy}"), Tone::Bad))
+                    }
+                }
+            }),
+        };
+        if let Some((words, tone)) = said {
+            if !begun {
+                sheet.blank();
+            }
+            begun = true;
+            sheet.toned_row(&number, &words, tone);
+        }
+    }
+}
+
+/// Whether each load case could stand by itself.
+fn alone(sheet: &mut Sheet, combinations: &Combinations, units: Units) {
+    for (i, case) in combinations.alone.iter().enumerate() {
+        if i == 0 {
+            sheet.blank();
+        }
+        let sentence = verdict::sentence(case.model, case.existence, units);
+        let state = if case.stands() { "stands by itself" } else { "not a physical state" };
+        let words = format!("{}, {state}: {sentence}", clean(case.name));
+        sheet.row(if i == 0 { "Cases alone" } else { "" }, &words);
+    }
+}
+
+/// The extremes of all, each with the number of the combination that has it.
+fn envelope(sheet: &mut Sheet, envelope: &Envelope, solved: &[Numbered], units: Units) {
+    sheet.heading(&format!("{:<13}{:>14}{:>33}", "Envelope", "smallest", "largest"));
+    for field in Field::ALL {
+        let range = envelope.range(field);
+        let known = |Governing { extreme, by }: Governing| {
+            let row = solved.get(by);
+            let extreme = row.map_or(extreme, |row| row.sizes.extreme(field, extreme));
+            (extreme, row.map_or(0, |row| row.number))
+        };
+        let [min, max] = [range.min, range.max].map(known);
+        let unit = units.unit(Kind::of(field), min.0.value.abs().max(max.0.value.abs()));
+        if min.0.value == max.0.value {
+            let value = unit.write(min.0.value, 6);
+            sheet.row(label(field), &format!("{value:>14} everywhere, in every combination"));
+            continue;
+        }
+        let cell = |(Extreme { x, value }, number): (Extreme, usize)| {
+            let place = format!("at {}", units.position(x));
+            format!("{:>14} {place:<13}{:<5}", unit.write(value, 6), format!("#{number}"))
+        };
+        sheet.row(label(field), &format!("{}{}", cell(min), cell(max)));
+    }
+    for (name, force) in [
+        ("left end", (|row| row.solution.end_forces().left) as fn(&Numbered) -> f64),
+        ("right end", |row| row.solution.end_forces().right),
+    ] {
+        let mut most: Option<(usize, f64)> = None;
+        for row in solved {
+            let force = row.sizes.force(force(row));
+            if most.is_none_or(|(_, other)| force > other) {
+                most = Some((row.number, force));
+            }
+        }
+        let Some((number, force)) = most else { continue };
+        let words = match units.write(Kind::Force, force, 6) {
+            nothing if force == 0.0 => format!("{name} {nothing} in every combination"),
+            largest => format!("{name} up to {largest}, #{number}"),
+        };
+        sheet.row(if name == "left end" { "End forces" } else { "" }, &words);
+    }
+}
+
+fn proof(sheet: &mut Sheet, solved: &[Numbered]) {
+    let gap = solved.iter().map(|row| row.solution.certificate().relative_gap).fold(0.0, f64::max);
+    let words = format!(
+        "for each of the {} solved; energy gap at most {} of the strain energy",
+        solved.len(),
+        order(gap)
+    );
+    sheet.row("Certificate", &words);
+}
+
+fn method(sheet: &mut Sheet, combinations: &Combinations, solved: &[Numbered], context: &Context) {
+    let all = combinations.combined.len();
+    let name = solved.first().map_or("", |row| row.solution.method().name());
+    let mut words = format!("{name}, {} of {all} combinations solved", solved.len());
+    if let Some(seconds) = context.seconds {
+        words += &format!(", {}", duration(seconds));
+    }
+    sheet.row("Method", &words);
+}
