@@ -4,8 +4,10 @@ mod beam;
 mod foundation;
 mod gap;
 mod load;
+mod shape;
 mod soil;
 mod support;
+mod weight;
 
 use crate::code;
 use crate::fault::Fault;
@@ -29,9 +31,13 @@ pub(crate) struct Contents {
 pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     reader.refuse_unknown(root, TABLES);
     let title = reader.words(root, "title", "Strip footing").map(|(title, _)| title.to_owned());
-    let beam = beam::read(reader, root);
+    let (beam, weight) = beam::read(reader, root);
     let (foundation, bed) = foundation::read(reader, root, &beam);
-    let (loads, cases) = load::read(reader, root, beam.length);
+    let (mut loads, mut cases) = load::read(reader, root, beam.length);
+    for (load, case) in weight {
+        loads.push(load);
+        cases.push(case);
+    }
     let supports = support::read(reader, root);
     let gap = gap::read(reader, root);
     for combination in reader.tables(root, "combination", "[[combination]]") {
