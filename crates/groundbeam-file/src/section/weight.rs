@@ -52,10 +52,11 @@ pub(super) fn read(
             Some(area) => {
                 let [start, end] =
                     [area.profile.start(), area.profile.end()].map(|a| a * weight.value);
-                if !area.is_readable() || weight.value.is_nan() || !(from < to) {
-                    continue;
+                // A stretch without a length, or one that cannot be read, has been reported.
+                let known = area.is_readable() && !weight.value.is_nan();
+                if known && from < to {
+                    loads.push((Load::Distributed { from, to, start, end }, case.clone()));
                 }
-                loads.push((Load::Distributed { from, to, start, end }, case.clone()));
                 continue;
             }
         };
