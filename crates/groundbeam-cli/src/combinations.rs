@@ -33,7 +33,7 @@ pub fn solve(input: &Input, request: &Solve) -> Result<Status, Failure> {
     let outcomes: Vec<Result<Outcome, Error>> =
         while_counting(words, combinations.len(), |another| {
             let solved = combinations.par_iter().map(|combination| {
-                let outcome = groundbeam::solve_with(&combination.model, &request.options);
+                let outcome = input.document.solve_model(&combination.model, &request.options);
                 another();
                 outcome
             });

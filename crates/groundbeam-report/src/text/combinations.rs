@@ -22,7 +22,7 @@ pub fn combinations(combinations: &Combinations, context: &Context, colour: bool
     };
     let first = combinations.combined.iter().find_map(|c| Some((c.model, known(c)?)));
     if let Some((model, found)) = first {
-        structure(&mut sheet, model, &found, context.units);
+        structure(&mut sheet, model, &found, context);
         sheet.blank();
     }
     let solved: Vec<Numbered> = numbered(combinations).collect();
