@@ -112,7 +112,6 @@ fn random_beams_balance_press_and_lie_on_the_ground() {
     let families = [Family::Plain, Family::Tension, Family::Segments, Family::Gap, Family::Long];
     let mut solver = NodalSolver::new();
     let mut found = NodalSolution::default();
-    let mut refused = 0;
     for family in families {
         for number in 0..40 {
             let model = model(family, number);
@@ -121,11 +120,6 @@ fn random_beams_balance_press_and_lie_on_the_ground() {
                 Ok(_) => {}
                 // Ground without a shear layer somewhere.
                 Err(Error::Unsupported(_)) => continue,
-                // Balanced on a node or two of a ridge: refused, not answered wrongly.
-                Err(Error::NotConverged(_)) if family == Family::Gap => {
-                    refused += 1;
-                    continue;
-                }
                 Err(error) => panic!("{family:?} {number}, {elements}: {error}"),
             }
             let check = found.check;
@@ -136,8 +130,6 @@ fn random_beams_balance_press_and_lie_on_the_ground() {
             assert!(good, "{family:?} {number}, {elements}: {check:?} {:?}", found.contact);
         }
     }
-    // May fall, not grow.
-    assert!(refused <= 4, "{refused} of 40 beams on ridges");
 }
 
 /// Loads times two are fields times two, bit for bit; and memory used before changes nothing.

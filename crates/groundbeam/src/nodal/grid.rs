@@ -1,6 +1,8 @@
 //! Equal elements between any two places of the model: runs, not elements, are what is stored.
 
-use super::beam::REACH;
+use super::beam::{Beam, REACH};
+use super::form::Form;
+use super::layer::Layer;
 use crate::elements::{Operator, Touch};
 use crate::ground::Link;
 use crate::mesh::{Cell, Mesh, Node};
@@ -18,9 +20,41 @@ pub(super) struct Run {
     pub h: f64,
     /// The ground under one of them, glued at both ends.
     pub link: Link,
+    /// What a sweep crosses there: the first element in its direction, from the left and from the right.
+    pub glued: [Form; 2],
+    /// The ground, and all of it open from the first node to the last.
+    pub layer: Layer,
+    pub whole: Link,
 }
 
 impl Run {
+    fn new(cell: Cell, axial_force: f64, first: usize, count: usize, ground: Ground) -> Self {
+        let h = cell.length() / count as f64;
+        let layer = Layer::of(&cell);
+        let link = match ground {
+            Ground::Nodal => layer.open(h),
+            Ground::Spread => spread(&cell, h),
+        };
+        let whole = layer.open(cell.length());
+        let mut run = Run { cell, first, count, h, link, glued: Default::default(), layer, whole };
+        run.glued = [run.first_glued(axial_force, false), run.first_glued(axial_force, true)];
+        run
+    }
+
+    /// The first element that a sweep crosses, glued at both ends.
+    fn first_glued(&self, axial_force: f64, from_right: bool) -> Form {
+        let last = self.count - 1;
+        let form = |element: usize| {
+            let from = self.first + if from_right { last - element } else { element };
+            let part = self.part(from, from + 1);
+            let cell = if from_right { mirrored(&part) } else { part };
+            let beam = Beam::new(&cell, axial_force, self.h);
+            Form::beam(self.h, beam.stiffness(), beam.load()).on(self.link, cell.gap)
+        };
+        let first = form(0);
+        if self.is_even() { first } else { first.towards(&form(last), self.count) }
+    }
+
     /// The node after the last element.
     pub fn end(&self) -> usize {
         self.first + self.count
@@ -49,7 +83,10 @@ impl Run {
 
     /// Open ground from one node to another, both of this run.
     pub fn open(&self, from: usize, to: usize) -> Link {
-        open(&self.cell, self.h * (to - from) as f64)
+        if to - from == self.count {
+            return self.whole;
+        }
+        self.layer.open(self.h * (to - from) as f64)
     }
 
     /// The position of a node.
@@ -65,13 +102,6 @@ pub(super) enum Ground {
     Nodal,
     /// All along an element that is glued, to the accuracy of the trapezoidal rule.
     Spread,
-}
-
-fn open(cell: &Cell, length: f64) -> Link {
-    if cell.shear == 0.0 {
-        return Link { coupling: 0.0, leak_left: 0.0, leak_right: 0.0 };
-    }
-    Link::uniform(cell.spring, cell.shear, length)
 }
 
 fn spread(cell: &Cell, h: f64) -> Link {
@@ -102,12 +132,7 @@ impl Grid {
         let runs = mesh.cells.iter().map(|cell| {
             let wanted = (cell.length() * per_length).round() as usize;
             let count = wanted.max(pieces(cell, axial_force, cell.length()));
-            let h = cell.length() / count as f64;
-            let link = match ground {
-                Ground::Nodal => open(cell, h),
-                Ground::Spread => spread(cell, h),
-            };
-            let run = Run { cell: *cell, first, count, h, link };
+            let run = Run::new(*cell, axial_force, first, count, ground);
             first += count;
             run
         });
@@ -125,6 +150,12 @@ impl Grid {
         let wave =
             |run: &Run| Operator::of(&run.cell, self.axial_force, Touch::Contact).wave_number();
         self.runs.iter().map(wave).fold(0.0, f64::max)
+    }
+
+    /// What lifting the whole ground by one takes.
+    pub fn stiffness(&self) -> f64 {
+        let springs = self.runs.iter().map(|run| run.cell.spring * run.cell.length());
+        springs.sum::<f64>() + self.outside[0] + self.outside[1]
     }
 
     /// The last node.

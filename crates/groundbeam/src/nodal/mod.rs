@@ -12,8 +12,12 @@ mod form;
 mod grid;
 mod hull;
 mod lanes;
+mod layer;
+mod layout;
+mod levels;
 mod newton;
 mod open;
+mod search;
 mod span;
 mod sweep;
 
@@ -91,7 +95,7 @@ impl NodalSolver {
         if matches!(existence.verdict, Verdict::None(_)) {
             return Ok(existence);
         }
-        newton::grids(model, elements.max(1), Ground::Nodal, &mut self.grids);
+        levels::grids(model, elements.max(1), Ground::Nodal, &mut self.grids);
         let swapped = |workspace: &mut Workspace, into: &mut NodalSolution| {
             std::mem::swap(&mut workspace.deflection, &mut into.deflection);
             std::mem::swap(&mut workspace.slope, &mut into.slope);
@@ -134,7 +138,7 @@ impl NodalSolver {
         workspace.bond(&grid);
         workspace.room(&grid);
         workspace.work = Work { grids: 1, ..Work::default() };
-        workspace.glue(&grid).map_err(|_| stalled(1))?;
+        workspace.glue(&grid, None).map_err(|_| stalled(1))?;
         std::mem::swap(&mut workspace.deflection, &mut into.deflection);
         std::mem::swap(&mut workspace.slope, &mut into.slope);
         std::mem::swap(&mut workspace.force, &mut into.force);
@@ -156,7 +160,7 @@ pub(crate) fn edges(model: &Model) -> Option<Vec<[f64; 2]>> {
         return None;
     }
     let mut grids = Vec::new();
-    newton::grids(model, (PER_WAVE * waves) as usize, Ground::Spread, &mut grids);
+    levels::grids(model, (PER_WAVE * waves) as usize, Ground::Spread, &mut grids);
     let mut workspace = Workspace::default();
     workspace.contact(&grids, newton::START).ok()?;
     grids.last().map(|grid| workspace.edges(grid))
