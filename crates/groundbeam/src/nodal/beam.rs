@@ -6,7 +6,7 @@
 //!
 //! F₀ and F₁ those of (f − g')h⁴/EI at the left end and its rise. The same series serve tension and none.
 
-use crate::mesh::Cell;
+use super::grid::Given;
 
 /// How long a beam may be for the series, as a part of 1/√(P/EI).
 pub(super) const REACH: f64 = 1.0;
@@ -36,9 +36,9 @@ pub(super) struct Beam {
 }
 
 impl Beam {
-    /// The beam over a cell of the given length, with what acts there.
-    pub fn new(cell: &Cell, axial_force: f64, h: f64) -> Self {
-        let stiffness = cell.stiffness / (h * h * h);
+    /// The beam of a bending stiffness and a length, with what acts there.
+    pub fn new(bending: f64, given: &Given, axial_force: f64, h: f64) -> Self {
+        let stiffness = bending / (h * h * h);
         let tension = axial_force / h;
         let t = tension / stiffness;
         let (mut c4, mut c5) = (1.0_f64 / 24.0, 1.0_f64 / 120.0);
@@ -51,7 +51,7 @@ impl Beam {
         }
         let (c2, c3) = (0.5 + t * c4, 1.0 / 6.0 + t * c5);
         let (c0, c1) = (1.0 + t * c2, 1.0 + t * c3);
-        let ([f, f_right], [g, g_right]) = (cell.load, cell.moment_load);
+        let ([f, f_right], [g, g_right]) = (given.load, given.moment_load);
         Beam {
             length: h,
             stiffness,
@@ -111,6 +111,7 @@ mod tests {
     use crate::cell::Varies;
     use crate::elements::exact::ExactElement;
     use crate::elements::{Operator, Touch};
+    use crate::mesh::Cell;
     use crate::polynomial::value;
 
     /// The same beam by the power series about its middle.
@@ -128,8 +129,9 @@ mod tests {
             gap: [0.0; 2],
             gap_slope: 0.0,
         };
+        let given = Given { load: cell.load, moment_load: cell.moment_load, gap: [0.0; 2] };
         for tension in [0.0, 1e-3, 3.9] {
-            let beam = Beam::new(&cell, tension, h);
+            let beam = Beam::new(2.0, &given, tension, h);
             let exact = ExactElement::new(&Operator::of(&cell, tension, Touch::Open), h);
             let (k, q) = (beam.stiffness(), beam.load());
             let scale = [1.0, h, 1.0, h];

@@ -82,7 +82,7 @@ pub(super) fn check(model: &Model, solution: &NodalSolution) -> NodalCheck {
     let (mut deepest, mut deflection) = (0.0_f64, 0.0_f64);
     for row in solution.grid.iter().flat_map(|grid| &grid.runs) {
         let nodes = row.first..row.end() + usize::from(row.end() == last);
-        let [gap, to] = row.cell.gap;
+        let [gap, to] = row.given.gap;
         let rise = (to - gap) / row.count as f64;
         // Several sums side by side: one would wait for itself.
         let mut sums = [Sums::default(); WIDTH];
@@ -106,7 +106,7 @@ pub(super) fn check(model: &Model, solution: &NodalSolution) -> NodalCheck {
             deflection = deflection.max(part.deflection);
         }
         force -= sum;
-        moment -= sum * (row.cell.x[0] - middle) + lever * row.h;
+        moment -= sum * (row.x[0] - middle) + lever * row.h;
         size += sizes;
     }
     let relative = |x: f64, scale: f64| if x == 0.0 { 0.0 } else { x / scale };

@@ -1,6 +1,5 @@
 //! The ground under one run: springs and a shear layer that do not vary.
 
-use crate::cell::Cell;
 use crate::ground::Link;
 
 /// √(kμ) and √(k/μ).
@@ -11,14 +10,11 @@ pub(super) struct Layer {
 }
 
 impl Layer {
-    pub fn of(cell: &Cell) -> Self {
-        if cell.shear == 0.0 {
+    pub fn new(spring: f64, shear: f64) -> Self {
+        if shear == 0.0 {
             return Layer::default();
         }
-        Layer {
-            stiffness: (cell.spring * cell.shear).sqrt(),
-            rate: (cell.spring / cell.shear).sqrt(),
-        }
+        Layer { stiffness: (spring * shear).sqrt(), rate: (spring / shear).sqrt() }
     }
 
     /// Open ground of a length, as [`Link::uniform`] with one exponential:

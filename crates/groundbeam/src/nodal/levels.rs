@@ -3,32 +3,40 @@
 use super::grid::{Grid, Ground};
 use crate::model::Model;
 
+/// Elements per 1/wave number on the coarsest grid that shows every wave of the beam.
+const COARSEST: f64 = 1.5;
+/// By how much a grid of a beam that is too soft for it is coarser than the next, and the fewest elements it has.
+const STEP: f64 = 4.0;
+const FEWEST: f64 = 20.0;
+
 /// Grids from one on which every wave of the beam is a few elements long to the wanted one; each finer
-/// one is as much finer as Newton's method, which squares errors, can make good in a step or two.
+/// one is as much finer as Newton's method, which squares errors, can make good in a step or two. Where the
+/// wanted one itself is too coarse for the beam, those before it are of stiffer beams.
 pub(super) fn grids(model: &Model, elements: usize, ground: Ground, grids: &mut Vec<Grid>) {
     grids.clear();
     let fine = Grid::new(model, elements, ground);
-    let l = model.beam.length;
-    let wave = fine.wave_number();
-    let coarsest = (l * wave * COARSEST).ceil().max(8.0);
+    let waves = model.beam.length * fine.wave_number();
+    let coarsest = (waves * COARSEST).ceil().max(8.0);
     let mut wanted = elements as f64;
-    grids.push(fine);
+    let mut coarser = Vec::new();
     loop {
         // h → √(h/wave).
-        let next = (wanted * l * wave).sqrt() * FINER;
+        let next = (wanted * waves).sqrt();
         if next >= 0.7 * wanted || next < coarsest {
-            if wanted > 2.0 * coarsest {
-                grids.push(Grid::new(model, coarsest as usize, ground));
-            }
             break;
         }
+        coarser.push(next);
         wanted = next;
-        grids.push(Grid::new(model, wanted as usize, ground));
     }
-    grids.reverse();
+    if wanted > 2.0 * coarsest {
+        coarser.push(coarsest);
+    }
+    if coarser.is_empty() {
+        while wanted >= STEP * FEWEST {
+            wanted /= STEP;
+            coarser.push(wanted);
+        }
+    }
+    grids.extend(coarser.iter().rev().map(|elements| fine.coarser(*elements as usize)));
+    grids.push(fine);
 }
-
-/// Elements per 1/wave number on the coarsest grid.
-const COARSEST: f64 = 1.5;
-/// How much finer than √(h/wave) each grid is.
-const FINER: f64 = 1.0;

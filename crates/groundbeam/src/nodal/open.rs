@@ -92,7 +92,7 @@ pub(super) fn ground(
 
 /// u = (left sinh b(L − x) + right sinh bx)/sinh bL at equal steps strictly between two ends.
 fn between(run: &Run, left: f64, right: f64, into: &mut [f64]) {
-    let b = (run.cell.spring / run.cell.shear).sqrt();
+    let b = run.layer.rate;
     let count = into.len() + 1;
     let length = b * run.h * count as f64;
     if length < 0.5 {
