@@ -14,6 +14,8 @@ pub(super) type Zone = [usize; 2];
 pub(super) struct Hull<'a> {
     pub grid: &'a Grid,
     pub deflection: &'a [f64],
+    /// Zones that may be near the right ones: where the search for each end begins.
+    pub near: &'a [Zone],
 }
 
 /// Nodes looked at in one go.
@@ -157,7 +159,9 @@ impl Hull<'_> {
             let open = opening.to_right(self.grid, node, next);
             self.push_from_left(node) + open.force_left(self.psi(node), psi_next) >= 0.0
         };
-        to - first_holding(to - from, presses)
+        let near = self.near.partition_point(|zone| zone[1] < from);
+        let guess = self.near.get(near).map_or(to, |zone| zone[1].min(to));
+        to - first_holding(to - from, to - guess, presses)
     }
 
     fn first_that_presses(&self, [from, to]: Zone, before: Option<usize>) -> usize {
@@ -168,7 +172,9 @@ impl Hull<'_> {
             let open = opening.to_left(self.grid, node, before);
             self.push_from_right(node) + open.force_right(psi_before, self.psi(node)) >= 0.0
         };
-        from + first_holding(to - from, presses)
+        let near = self.near.partition_point(|zone| zone[0] <= to);
+        let guess = near.checked_sub(1).map_or(from, |i| self.near[i][0].max(from));
+        from + first_holding(to - from, guess - from, presses)
     }
 
     /// Whether the last zone is one node that open ground on both sides does not press on.
@@ -249,27 +255,59 @@ impl Opening {
     }
 }
 
-/// The least number up to `most` that holds, `most` where none before does: by steps that double, then halve.
-fn first_holding(most: usize, mut holds: impl FnMut(usize) -> bool) -> usize {
-    if most == 0 || holds(0) {
-        return 0;
-    }
-    let (mut fails, mut step, mut found) = (0, 1, most);
-    while fails + step < most {
-        if holds(fails + step) {
-            found = fails + step;
-            break;
+/// The least number up to `most` that holds, `most` where none before does; all that follow it hold too. By
+/// steps away from a guess that double, then by halves.
+fn first_holding(most: usize, guess: usize, mut holds: impl FnMut(usize) -> bool) -> usize {
+    let (mut fails, mut found) = (None, most);
+    let mut step = 1;
+    if guess < most && !holds(guess) {
+        // Upwards.
+        fails = Some(guess);
+        let mut at = guess + step;
+        while at < most {
+            if holds(at) {
+                found = at;
+                break;
+            }
+            fails = Some(at);
+            step *= 2;
+            at += step;
         }
-        fails += step;
-        step *= 2;
+    } else {
+        found = guess;
+        while found > 0 {
+            let at = found.saturating_sub(step);
+            if !holds(at) {
+                fails = Some(at);
+                break;
+            }
+            found = at;
+            step *= 2;
+        }
     }
-    while found - fails > 1 {
-        let middle = fails + (found - fails) / 2;
+    while let Some(low) = fails.filter(|low| found - low > 1) {
+        let middle = low + (found - low) / 2;
         if holds(middle) {
             found = middle;
         } else {
-            fails = middle;
+            fails = Some(middle);
         }
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn any_guess_finds_the_first() {
+        for most in 0..40 {
+            for first in 0..=most {
+                for guess in 0..=most {
+                    assert_eq!(first_holding(most, guess, |i| i >= first), first);
+                }
+            }
+        }
+    }
 }

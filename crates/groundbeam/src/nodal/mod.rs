@@ -199,7 +199,7 @@ fn checked(model: &Model) -> Result<Existence, Error> {
 fn settle_ground(grid: &Grid, into: &mut NodalSolution) {
     let NodalSolution { deflection, settlement, contact, .. } = into;
     settlement.resize(grid.last() + 1, 0.0);
-    let hull = Hull { grid, deflection };
+    let hull = Hull { grid, deflection, near: &[] };
     let mut before: Option<(usize, f64)> = None;
     for &[from, to] in contact.iter() {
         if grid.flat {

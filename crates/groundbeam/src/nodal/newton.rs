@@ -192,7 +192,7 @@ impl Workspace {
                 whole = whole.min(step.max(1));
             }
             self.fill(grid, false);
-            let hull = Hull { grid, deflection: &self.deflection };
+            let hull = Hull { grid, deflection: &self.deflection, near: &self.zones };
             hull.zones(&mut self.arcs, &mut self.next);
             let settled = self.next == self.zones || self.moved() <= goal.moves * self.zones.len();
             if settled && tether.is_none_or(|tether| self.is_slack(grid, &tether)) {

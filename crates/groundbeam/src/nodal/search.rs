@@ -30,7 +30,7 @@ impl Workspace {
             for ((w, w0), w1) in trial.iter_mut().zip(&*w0).zip(w1) {
                 *w = w0 + t * (w1 - w0);
             }
-            let hull = Hull { grid, deflection: trial };
+            let hull = Hull { grid, deflection: trial, near: &self.zones };
             hull.zones(arcs, zones);
             let mut sum = 0.0;
             for i in 0..w1.len() {
@@ -53,7 +53,7 @@ impl Workspace {
                     *now = before + t * (*now - before);
                 }
             }
-            let hull = Hull { grid, deflection: &self.deflection };
+            let hull = Hull { grid, deflection: &self.deflection, near: &self.zones };
             hull.zones(&mut self.arcs, &mut self.next);
         }
         false

@@ -96,7 +96,11 @@ impl Span {
 
     /// The series of each piece for w and θ at the span's beginning and its deformation, with the piece's
     /// first and last node in the grid and its length. In a mirror s runs from the last to the first.
-    pub fn unfold(&self, v: &[f64; 4], mut each: impl FnMut([usize; 2], f64, &[f64; TERMS])) {
+    pub fn unfold(
+        &self,
+        v: &[f64; 4],
+        mut each: impl FnMut([usize; 2], f64, &[f64; TERMS], usize),
+    ) {
         let [w, theta, mut d1, mut d2] = *v;
         let mut length = self.whole.length;
         let mut passed = 0;
@@ -118,7 +122,8 @@ impl Span {
                 [self.to - passed - piece.count, self.to - passed]
             };
             passed += piece.count;
-            each(nodes, l, &piece.beam.unfold(own));
+            let (series, terms) = piece.beam.unfold(own);
+            each(nodes, l, &series, terms);
         }
     }
 }

@@ -28,7 +28,7 @@ pub(super) struct Stretch {
 
 /// Elements of one form that are crossed in one go: the number of the first, and where their gains go.
 struct Elements<'a> {
-    form: Form,
+    form: &'a Form,
     first: usize,
     gains: &'a mut [Gain],
 }
@@ -73,7 +73,7 @@ impl Side {
     /// The next elements to cross.
     fn next(&mut self, reached: Reached, steps: usize) -> Elements<'_> {
         Elements {
-            form: self.stretches[reached.stretch].form,
+            form: &self.stretches[reached.stretch].form,
             first: reached.within,
             gains: &mut self.gains[reached.elements..][..steps],
         }
@@ -190,7 +190,7 @@ fn cross<const SWEEPS: usize>(
     states: [&mut Behind; SWEEPS],
     elements: [Elements; SWEEPS],
 ) -> Result<(), Loose> {
-    let of = |number: &dyn Fn(&Form) -> f64| Lanes::of(|lane| number(&elements[lane].form));
+    let of = |number: &dyn Fn(&Form) -> f64| Lanes::of(|lane| number(elements[lane].form));
     let m: [_; 3] = std::array::from_fn(|i| of(&|form| form.m[i]));
     let e: [_; 3] = std::array::from_fn(|i| of(&|form| form.e[i]));
     let leak: [_; 2] = std::array::from_fn(|i| of(&|form| form.leak[i]));
@@ -335,12 +335,12 @@ fn recross<const SWEEPS: usize>(
     let mut now = backs.each_ref().map(|back| **back);
     let stretches: [&Stretch; SWEEPS] =
         std::array::from_fn(|lane| &sides[lane].stretches[now[lane].stretches - 1]);
-    let forms = stretches.map(|stretch| stretch.form);
-    let of = |number: &dyn Fn(&Form) -> f64| Lanes::of(|lane| number(&forms[lane]));
+    let forms = stretches.map(|stretch| &stretch.form);
+    let of = |number: &dyn Fn(&Form) -> f64| Lanes::of(|lane| number(forms[lane]));
     let leak: [_; 2] = std::array::from_fn(|i| of(&|form| form.leak[i]));
     let (coupling, rise) = (of(&|form| form.coupling), of(&|form| form.rise));
     let per_length = Lanes::of(|lane| -towards[lane] / forms[lane].length);
-    let even = forms.iter().all(Form::is_even);
+    let even = forms.iter().all(|form| form.is_even());
     let push_at = |within: &[usize; SWEEPS]| {
         [4, 5].map(|i| Lanes::of(|lane| forms[lane].q[i] + within[lane] as f64 * forms[lane].dq[i]))
     };
