@@ -11,6 +11,9 @@ use crate::model::Model;
 /// EI over h²(N + kh²) of a stiffened beam: no more than its own where its waves are longer than h.
 const STIFF: f64 = 0.5;
 
+/// How many nodes are few.
+const FEW: usize = 4;
+
 /// What is given along a stretch, linear between its two ends.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Given {
@@ -107,7 +110,9 @@ impl Run {
                 Link { coupling: self.shear / self.h, leak_left: leak, leak_right: leak }
             }
         };
-        self.glued = [false, true].map(|mirrored| self.first_glued(axial_force, mirrored));
+        let form = self.first_glued(axial_force, false);
+        let alike = self.given.is_even() && self.given.moment_load[0] == 0.0;
+        self.glued = [form, if alike { form } else { self.first_glued(axial_force, true) }];
     }
 
     /// The first element that a sweep crosses, glued at both ends.
@@ -124,11 +129,13 @@ impl Run {
         if self.given.is_even() { first } else { first.towards(&form(last), self.count) }
     }
 
-    /// Makes the beam's waves on the ground no shorter than an element.
-    fn stiffen(&mut self, axial_force: f64, h: f64) {
+    /// Makes the beam's waves on the ground no shorter than an element; whether they were.
+    fn stiffen(&mut self, axial_force: f64, h: f64) -> bool {
         let tension = axial_force.max(0.0) + self.shear;
         let least = STIFF * h * h * (tension + self.spring * h * h);
+        let stiffened = least > self.stiffness;
         self.stiffness = self.stiffness.max(least);
+        stiffened
     }
 
     pub fn length(&self) -> f64 {
@@ -198,6 +205,8 @@ pub(super) struct Grid {
     /// √(kμ) beyond the left and the right end.
     pub outside: [f64; 2],
     ground: Ground,
+    /// Whether the beam is stiffer than the model's.
+    pub stiffened: bool,
     /// Whether g₀ is zero everywhere.
     pub flat: bool,
 }
@@ -212,6 +221,7 @@ impl Grid {
             axial_force: mesh.axial_force,
             outside: mesh.outside,
             ground,
+            stiffened: false,
             flat: model.gap.is_empty(),
         };
         grid.chain();
@@ -224,7 +234,7 @@ impl Grid {
         let mut grid = self.clone();
         let per_length = elements as f64 / self.length();
         for run in &mut grid.runs {
-            run.stiffen(self.axial_force, 1.0 / per_length);
+            grid.stiffened |= run.stiffen(self.axial_force, 1.0 / per_length);
         }
         grid.cut(per_length);
         grid
@@ -243,6 +253,11 @@ impl Grid {
             run.beyond[1] = link;
             link = run.whole.then(link);
         }
+    }
+
+    /// Whether a node of it is but a few of a finer grid of the same beam.
+    pub fn is_close_to(&self, finer: &Grid) -> bool {
+        self.stiffened == finer.stiffened && finer.last() <= FEW * self.last()
     }
 
     fn cut(&mut self, per_length: f64) {

@@ -72,41 +72,38 @@ impl Hull<'_> {
         arcs.clear();
         let last = self.grid.last();
         let mut start = Some(0);
-        let note = |start: &mut Option<usize>, arcs: &mut Vec<Zone>, node: usize, presses: bool| {
-            if presses != start.is_some() {
-                match start.take() {
-                    Some(first) => arcs.push([first, node - 1]),
-                    None => *start = Some(node),
-                }
-            }
+        let note = |start: &mut Option<usize>, arcs: &mut Vec<Zone>, node: usize| match start.take()
+        {
+            Some(first) => arcs.push([first, node - 1]),
+            None => *start = Some(node),
         };
         for run in &self.grid.runs {
-            if run.first > 0 {
-                note(&mut start, arcs, run.first, self.glued_force(run.first) > 0.0);
+            let glued = run.first > 0 && self.glued_force(run.first) > 0.0;
+            if run.first > 0 && glued != start.is_some() {
+                note(&mut start, arcs, run.first);
             }
             let (c, leak) = (run.link.coupling, run.link.leak_left + run.link.leak_right);
             let [g, to] = run.given.gap;
             let dg = (to - g) / run.count as f64;
             let w = &self.deflection[run.first..=run.end()];
-            // −c ψ″ of linear g₀ is that of w.
-            let presses = |i: usize, before: f64, w: f64, after: f64| {
-                let psi = w - (g + dg * i as f64);
-                leak * psi + c * ((w - before) - (after - w)) > 0.0
-            };
+            let mut presses = [false; BLOCK];
             let mut at = 1;
             while at < run.count {
-                // Where all or none of a block press, as the node before did, nothing begins or ends.
                 let end = (at + BLOCK).min(run.count);
-                let block = &w[at - 1..=end];
                 let mut pressing = 0;
-                for (i, w) in block.windows(3).enumerate() {
-                    pressing += usize::from(presses(at + i, w[0], w[1], w[2]));
+                for ((i, w), presses) in w[at - 1..=end].windows(3).enumerate().zip(&mut presses) {
+                    // −c ψ″ of linear g₀ is that of w.
+                    let psi = w[1] - (g + dg * (at + i) as f64);
+                    *presses = leak * psi + c * ((w[1] - w[0]) - (w[2] - w[1])) > 0.0;
+                    pressing += usize::from(*presses);
                 }
-                let alike = if start.is_some() { pressing == end - at } else { pressing == 0 };
-                if !alike {
-                    for (i, w) in block.windows(3).enumerate() {
-                        let presses = presses(at + i, w[0], w[1], w[2]);
-                        note(&mut start, arcs, run.first + at + i, presses);
+                // Where all or none of a block press, as the node before did, nothing begins or ends.
+                let alike = if start.is_some() { end - at } else { 0 };
+                if pressing != alike {
+                    for (i, presses) in presses[..end - at].iter().enumerate() {
+                        if *presses != start.is_some() {
+                            note(&mut start, arcs, run.first + at + i);
+                        }
                     }
                 }
                 at = end;

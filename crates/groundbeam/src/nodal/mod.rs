@@ -30,6 +30,7 @@ use crate::solve::{Error, Method, NotConverged, exists};
 use grid::{Grid, Ground};
 use hull::Hull;
 use newton::Workspace;
+use sweep::Loose;
 
 /// A beam whose ground presses at nodes alone: values at every node.
 #[derive(Debug, Clone, Default)]
@@ -96,15 +97,20 @@ impl NodalSolver {
             return Ok(existence);
         }
         levels::grids(model, elements.max(1), Ground::Nodal, &mut self.grids);
+        let (workspace, grids) = (&mut self.workspace, &self.grids);
         let swapped = |workspace: &mut Workspace, into: &mut NodalSolution| {
             std::mem::swap(&mut workspace.deflection, &mut into.deflection);
             std::mem::swap(&mut workspace.slope, &mut into.slope);
             std::mem::swap(&mut workspace.force, &mut into.force);
         };
-        let workspace = &mut self.workspace;
+        // Coarse grids in memory of their own: that of the answer keeps its length.
+        let fine = grids.len() - 1;
+        workspace
+            .contact(&grids[..fine], newton::ANSWER)
+            .map_err(|Loose| stalled(workspace.work.solves))?;
+        workspace.begin(grids, fine);
         swapped(workspace, into);
-        let found = workspace.contact(&self.grids, newton::ANSWER);
-        if found.is_err() {
+        if workspace.level(grids, fine, newton::ANSWER).is_err() {
             swapped(workspace, into);
             return Err(stalled(workspace.work.solves));
         }

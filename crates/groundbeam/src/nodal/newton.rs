@@ -60,22 +60,38 @@ pub(super) struct Workspace {
 }
 
 impl Workspace {
-    /// The nodes that touch on the wanted grid, from coarser ones.
+    /// The nodes that touch on the last grid, from coarser ones.
     pub fn contact(&mut self, grids: &[Grid], goal: Goal) -> Result<(), Loose> {
-        self.work = Work { grids: grids.len(), ..Work::default() };
-        for (i, grid) in grids.iter().enumerate() {
-            match i.checked_sub(1) {
-                Some(coarser) => self.refine(&grids[coarser], grid),
-                None => self.bond(grid),
-            }
-            self.room(grid);
-            let before = self.work.solves;
-            if self.settle(grid, goal, WHOLE_STEPS).is_err() {
-                self.bond(grid);
-                self.settle(grid, goal, 1)?;
-            }
-            self.work.fine_solves = self.work.solves - before;
+        self.work = Work::default();
+        for level in 0..grids.len() {
+            self.begin(grids, level);
+            self.level(grids, level, goal)?;
         }
+        Ok(())
+    }
+
+    /// A guess at the nodes that touch on one grid: those on the one before, or all.
+    pub fn begin(&mut self, grids: &[Grid], level: usize) {
+        match level.checked_sub(1) {
+            Some(coarser) => self.refine(&grids[coarser], &grids[level]),
+            None => self.bond(&grids[level]),
+        }
+    }
+
+    /// The nodes that touch on one grid, from a guess.
+    pub fn level(&mut self, grids: &[Grid], level: usize, mut goal: Goal) -> Result<(), Loose> {
+        let grid = &grids[level];
+        self.room(grid);
+        if grids.get(level + 1).is_some_and(|finer| grid.is_close_to(finer)) {
+            goal.moves = goal.moves.max(1);
+        }
+        let before = self.work.solves;
+        self.work.grids += 1;
+        if self.settle(grid, goal, WHOLE_STEPS).is_err() {
+            self.bond(grid);
+            self.settle(grid, goal, 1)?;
+        }
+        self.work.fine_solves = self.work.solves - before;
         Ok(())
     }
 
@@ -229,7 +245,7 @@ impl Workspace {
                 return x;
             }
             let part = self.force[node] / self.force[inner];
-            if part.is_nan() { x } else { x + (next - x) * (0.5 - part.clamp(0.0, 1.0)) }
+            if part.is_nan() { x } else { x + (next - x) * (0.5 - part.clamp(-1.0, 2.0)) }
         };
         let ends = |&[from, to]: &Zone| {
             let inner = (from + 1).min(to);
