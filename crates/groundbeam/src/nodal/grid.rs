@@ -11,9 +11,6 @@ use crate::model::Model;
 /// EI over h²(N + kh²) of a stiffened beam: no more than its own where its waves are longer than h.
 const STIFF: f64 = 0.5;
 
-/// How many nodes are few.
-const FEW: usize = 4;
-
 /// What is given along a stretch, linear between its two ends.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Given {
@@ -129,13 +126,11 @@ impl Run {
         if self.given.is_even() { first } else { first.towards(&form(last), self.count) }
     }
 
-    /// Makes the beam's waves on the ground no shorter than an element; whether they were.
-    fn stiffen(&mut self, axial_force: f64, h: f64) -> bool {
+    /// Makes the beam's waves on the ground no shorter than an element.
+    fn stiffen(&mut self, axial_force: f64, h: f64) {
         let tension = axial_force.max(0.0) + self.shear;
         let least = STIFF * h * h * (tension + self.spring * h * h);
-        let stiffened = least > self.stiffness;
         self.stiffness = self.stiffness.max(least);
-        stiffened
     }
 
     pub fn length(&self) -> f64 {
@@ -205,8 +200,8 @@ pub(super) struct Grid {
     /// √(kμ) beyond the left and the right end.
     pub outside: [f64; 2],
     ground: Ground,
-    /// Whether the beam is stiffer than the model's.
-    pub stiffened: bool,
+    /// Whether its contact may be off by a node: the next grid is hardly finer.
+    pub rough: bool,
     /// Whether g₀ is zero everywhere.
     pub flat: bool,
 }
@@ -221,7 +216,7 @@ impl Grid {
             axial_force: mesh.axial_force,
             outside: mesh.outside,
             ground,
-            stiffened: false,
+            rough: false,
             flat: model.gap.is_empty(),
         };
         grid.chain();
@@ -234,7 +229,7 @@ impl Grid {
         let mut grid = self.clone();
         let per_length = elements as f64 / self.length();
         for run in &mut grid.runs {
-            grid.stiffened |= run.stiffen(self.axial_force, 1.0 / per_length);
+            run.stiffen(self.axial_force, 1.0 / per_length);
         }
         grid.cut(per_length);
         grid
@@ -253,11 +248,6 @@ impl Grid {
             run.beyond[1] = link;
             link = run.whole.then(link);
         }
-    }
-
-    /// Whether a node of it is but a few of a finer grid of the same beam.
-    pub fn is_close_to(&self, finer: &Grid) -> bool {
-        self.stiffened == finer.stiffened && finer.last() <= FEW * self.last()
     }
 
     fn cut(&mut self, per_length: f64) {

@@ -98,23 +98,57 @@ impl NodalSolver {
         }
         levels::grids(model, elements.max(1), Ground::Nodal, &mut self.grids);
         let (workspace, grids) = (&mut self.workspace, &self.grids);
+        // Coarse grids in memory of their own: that of the answer keeps its length.
+        let found = workspace.approach(grids, newton::ANSWER);
+        found.map_err(|Loose| stalled(workspace.work.solves))?;
+        self.finish(model, into)?;
+        Ok(existence)
+    }
+
+    /// The same from a neighbour: `into` holds the answer for a model not far from this one. On as many nodes,
+    /// its contact is where the search begins, and no coarser grid is needed.
+    ///
+    /// # Errors
+    ///
+    /// As [`NodalSolver::solve_into`].
+    pub fn solve_near_into(
+        &mut self,
+        model: &Model,
+        elements: usize,
+        into: &mut NodalSolution,
+    ) -> Result<Existence, Error> {
+        let existence = checked(model)?;
+        if matches!(existence.verdict, Verdict::None(_)) {
+            return Ok(existence);
+        }
+        let grid = Grid::new(model, elements.max(1), Ground::Nodal);
+        if into.contact.is_empty() || into.deflection.len() != grid.last() + 1 {
+            return self.solve_into(model, elements, into);
+        }
+        self.grids.clear();
+        self.grids.push(grid);
+        self.workspace.work = Work::default();
+        self.workspace.zones.clone_from(&into.contact);
+        match self.finish(model, into) {
+            Ok(()) => Ok(existence),
+            Err(_) => self.solve_into(model, elements, into),
+        }
+    }
+
+    /// The answer on the last grid, from a guess at its contact.
+    fn finish(&mut self, model: &Model, into: &mut NodalSolution) -> Result<(), Error> {
+        let workspace = &mut self.workspace;
         let swapped = |workspace: &mut Workspace, into: &mut NodalSolution| {
             std::mem::swap(&mut workspace.deflection, &mut into.deflection);
             std::mem::swap(&mut workspace.slope, &mut into.slope);
             std::mem::swap(&mut workspace.force, &mut into.force);
         };
-        // Coarse grids in memory of their own: that of the answer keeps its length.
-        let fine = grids.len() - 1;
-        workspace
-            .contact(&grids[..fine], newton::ANSWER)
-            .map_err(|Loose| stalled(workspace.work.solves))?;
-        workspace.begin(grids, fine);
+        let Some(grid) = self.grids.pop() else { return Err(stalled(0)) };
         swapped(workspace, into);
-        if workspace.level(grids, fine, newton::ANSWER).is_err() {
+        if workspace.level(&grid, newton::ANSWER).is_err() {
             swapped(workspace, into);
             return Err(stalled(workspace.work.solves));
         }
-        let Some(grid) = self.grids.pop() else { return Err(stalled(0)) };
         workspace.fill(&grid, true);
         workspace.clear_open(&grid);
         swapped(workspace, into);
@@ -123,7 +157,7 @@ impl NodalSolver {
         settle_ground(&grid, into);
         into.grid = Some(grid);
         into.check = check::check(model, into);
-        if into.check.holds() { Ok(existence) } else { Err(stalled(into.work.solves)) }
+        if into.check.holds() { Ok(()) } else { Err(stalled(into.work.solves)) }
     }
 
     /// The beam bonded to the ground at every node, pulls and all: one sweep from each end. What the ground

@@ -45,6 +45,9 @@ pub(super) const ANSWER: Goal = Goal { steps: 200, searched: usize::MAX, moves: 
 /// A start for another method.
 pub(super) const START: Goal = Goal { steps: 40, searched: 20_000, moves: 1 };
 
+/// The part of 1/√(k/μ) that an element must not exceed for its pressure to be a straight line.
+const FINE: f64 = 0.2;
+
 /// Everything that a solve needs and the next one can use again.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Workspace {
@@ -62,27 +65,25 @@ pub(super) struct Workspace {
 impl Workspace {
     /// The nodes that touch on the last grid, from coarser ones.
     pub fn contact(&mut self, grids: &[Grid], goal: Goal) -> Result<(), Loose> {
+        self.approach(grids, goal)?;
+        self.level(&grids[grids.len() - 1], goal)
+    }
+
+    /// A guess at the nodes that touch on the last grid, from coarser ones.
+    pub fn approach(&mut self, grids: &[Grid], goal: Goal) -> Result<(), Loose> {
         self.work = Work::default();
-        for level in 0..grids.len() {
-            self.begin(grids, level);
-            self.level(grids, level, goal)?;
+        self.bond(&grids[0]);
+        for level in 1..grids.len() {
+            self.level(&grids[level - 1], goal)?;
+            self.refine(&grids[level - 1], &grids[level]);
         }
         Ok(())
     }
 
-    /// A guess at the nodes that touch on one grid: those on the one before, or all.
-    pub fn begin(&mut self, grids: &[Grid], level: usize) {
-        match level.checked_sub(1) {
-            Some(coarser) => self.refine(&grids[coarser], &grids[level]),
-            None => self.bond(&grids[level]),
-        }
-    }
-
     /// The nodes that touch on one grid, from a guess.
-    pub fn level(&mut self, grids: &[Grid], level: usize, mut goal: Goal) -> Result<(), Loose> {
-        let grid = &grids[level];
+    pub fn level(&mut self, grid: &Grid, mut goal: Goal) -> Result<(), Loose> {
         self.room(grid);
-        if grids.get(level + 1).is_some_and(|finer| grid.is_close_to(finer)) {
+        if grid.rough {
             goal.moves = goal.moves.max(1);
         }
         let before = self.work.solves;
@@ -236,22 +237,41 @@ impl Workspace {
         std::mem::swap(&mut self.zones, &mut self.next);
     }
 
-    /// Where the contact ends. The force at the last node that touches tells how much of the ground around
-    /// it presses.
+    /// Where the contact ends.
     pub fn edges(&self, grid: &Grid) -> Vec<[f64; 2]> {
-        let edge = |node: usize, inner: usize| {
-            let (x, next) = (grid.x(node), grid.x(inner));
-            if node == inner || node == 0 || node == grid.last() {
-                return x;
-            }
-            let part = self.force[node] / self.force[inner];
-            if part.is_nan() { x } else { x + (next - x) * (0.5 - part.clamp(-1.0, 2.0)) }
-        };
-        let ends = |&[from, to]: &Zone| {
-            let inner = (from + 1).min(to);
-            [edge(from, inner), edge(to, if from < to { to - 1 } else { to })]
-        };
+        let ends = |&[from, to]: &Zone| [self.edge(grid, from, to), self.edge(grid, to, from)];
         self.zones.iter().map(ends).collect()
+    }
+
+    /// Where contact ends beside the last node of a zone that goes on towards another. There p = p₀ + p₁ξ,
+    /// and open ground brings p e^(−bξ) of what lies ξ beyond the node to it: up to an edge at ξ = s,
+    /// F = p₀(h/2 + s) − p₁h²/6 + (p₁ − b p₀)s²/2.
+    fn edge(&self, grid: &Grid, node: usize, towards: usize) -> f64 {
+        let x = grid.x(node);
+        if node == towards || node == 0 || node == grid.last() {
+            return x;
+        }
+        let inwards = |steps: usize| {
+            if towards > node { node + steps } else { node - steps }
+        };
+        let run = &grid.runs[grid.run_at(node.min(inwards(1)))];
+        let per_length = |steps: usize| self.force[inwards(steps)] / run.h;
+        let (mut level, mut rise, mut decay) = (per_length(1), 0.0, 0.0);
+        let inside = |node: usize| run.first < node && node < run.end();
+        let straight = run.layer.rate * run.h < FINE;
+        if straight && towards.abs_diff(node) > 2 && inside(inwards(1)) && inside(inwards(2)) {
+            rise = (level - per_length(2)) / run.h;
+            level += rise * run.h;
+            decay = run.layer.rate * level;
+        }
+        let half = 0.5 * run.h;
+        let beyond = |s: f64| {
+            let curved = rise * run.h * run.h / 6.0 - 0.5 * (rise - decay) * s * s;
+            ((self.force[node] + curved) / level - half).clamp(-3.0 * half, 3.0 * half)
+        };
+        let s = beyond(beyond(0.0));
+        let outwards = if towards > node { -s } else { s };
+        if s.is_nan() { x } else { x + outwards }
     }
 }
 

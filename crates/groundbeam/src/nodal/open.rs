@@ -36,14 +36,19 @@ fn values(c: &[f64; TERMS], terms: usize, s: impl Fn(usize) -> f64, into: &mut [
     }
 }
 
+/// Places side by side: one sum would wait for itself.
+const WIDTH: usize = 4;
+
 fn horner<const N: usize>(c: &[f64; TERMS], s: impl Fn(usize) -> f64, into: &mut [f64]) {
-    for (i, value) in into.iter_mut().enumerate() {
-        let s = s(i);
-        let mut sum = c[N - 1];
-        for j in (0..N - 1).rev() {
-            sum = sum * s + c[j];
+    for (block, values) in into.chunks_mut(WIDTH).enumerate() {
+        let s: [f64; WIDTH] = std::array::from_fn(|i| s(block * WIDTH + i));
+        let mut sums = [c[N - 1]; WIDTH];
+        for c in c[..N - 1].iter().rev() {
+            for (sum, s) in sums.iter_mut().zip(&s) {
+                *sum = *sum * s + c;
+            }
         }
-        *value = sum;
+        values.copy_from_slice(&sums[..values.len()]);
     }
 }
 
