@@ -140,12 +140,12 @@ impl Hull<'_> {
     /// What open ground between a node and the next zone, or beyond, presses on it.
     fn open_right(&self, node: usize, next: Option<usize>) -> f64 {
         let psi = next.map_or(0.0, |next| self.psi(next));
-        Opening::default().to_right(self.grid, node, next).force_left(self.psi(node), psi)
+        Opening::default().rightwards(self.grid, node, next).force_left(self.psi(node), psi)
     }
 
     fn open_left(&self, node: usize, before: Option<usize>) -> f64 {
         let psi = before.map_or(0.0, |before| self.psi(before));
-        Opening::default().to_left(self.grid, node, before).force_right(psi, self.psi(node))
+        Opening::default().leftwards(self.grid, node, before).force_right(psi, self.psi(node))
     }
 
     /// Where a zone that goes on to the left ends, if open ground follows up to `next`.
@@ -153,7 +153,7 @@ impl Hull<'_> {
         let (mut opening, psi_next) = (Opening::default(), next.map_or(0.0, |next| self.psi(next)));
         let presses = |back: usize| {
             let node = to - back;
-            let open = opening.to_right(self.grid, node, next);
+            let open = opening.rightwards(self.grid, node, next);
             self.push_from_left(node) + open.force_left(self.psi(node), psi_next) >= 0.0
         };
         let near = self.near.partition_point(|zone| zone[1] < from);
@@ -166,7 +166,7 @@ impl Hull<'_> {
             (Opening::default(), before.map_or(0.0, |before| self.psi(before)));
         let presses = |on: usize| {
             let node = from + on;
-            let open = opening.to_left(self.grid, node, before);
+            let open = opening.leftwards(self.grid, node, before);
             self.push_from_right(node) + open.force_right(psi_before, self.psi(node)) >= 0.0
         };
         let near = self.near.partition_point(|zone| zone[0] <= to);
@@ -214,7 +214,7 @@ type Rest = Option<Link>;
 
 impl Opening {
     /// From a node to the first node of the next zone, or beyond the beam.
-    fn to_right(&mut self, grid: &Grid, node: usize, next: Option<usize>) -> Link {
+    fn rightwards(&mut self, grid: &Grid, node: usize, next: Option<usize>) -> Link {
         if next.is_none() && node == grid.last() {
             return grid.right_of(node);
         }
@@ -233,7 +233,7 @@ impl Opening {
     }
 
     /// From the last node of the zone before, or from beyond the beam, to a node.
-    fn to_left(&mut self, grid: &Grid, node: usize, before: Option<usize>) -> Link {
+    fn leftwards(&mut self, grid: &Grid, node: usize, before: Option<usize>) -> Link {
         if node == 0 {
             return grid.left_of(node);
         }
