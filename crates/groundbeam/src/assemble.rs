@@ -9,7 +9,7 @@ use crate::existence::Existence;
 use crate::ground::settled;
 use crate::mesh::Cell;
 use crate::model::{Load, Model, Support, SupportKind};
-use crate::polynomial::{product, rescale};
+use crate::polynomial::{Coefficients, product, rescale};
 use crate::solution::{
     ConcentratedForce, ContactRegion, EndForces, Reaction, Side, Solution, Stretch,
 };
@@ -99,25 +99,25 @@ fn stretches(found: &Found, surface: &Surface) -> Vec<Stretch> {
         let half = 0.5 * found.mesh.cells[part.cell].length() * quarter;
         let whole = part.s == [-1.0, 1.0];
         let deflection = if whole {
-            w.cell(part.cell).to_vec()
+            w.cell(part.cell).into()
         } else {
             rescale(w.cell(part.cell), middle, quarter)
         };
         let touching = part.open.is_none() && found.pressure == Pressure::Distributed;
         let pressure = if touching {
-            let mut obstacle = deflection.clone();
+            let mut obstacle = deflection;
             obstacle[0] -= 0.5 * (cell.gap[0] + cell.gap[1]);
             obstacle[1] -= cell.gap_slope * half;
             pressure_of(&cell, half, &obstacle)
         } else {
-            Vec::new()
+            Coefficients::default()
         };
         let moment = recovered.next().unwrap_or_else(|| bent(&cell, half, &deflection));
         let settlement = match part.open {
             Some(ends) if cell.ground_varies() && cell.shear > 0.0 => {
                 settled(&cell.spring_course(), &cell.shear_course(), half, ends)
             }
-            _ => Vec::new(),
+            _ => Coefficients::default(),
         };
         stretches.push(Stretch {
             half,
@@ -134,11 +134,11 @@ fn stretches(found: &Found, surface: &Surface) -> Vec<Stretch> {
 }
 
 /// The coefficients of −EI w″.
-fn bent(cell: &Cell, half: f64, deflection: &[f64]) -> Vec<f64> {
+fn bent(cell: &Cell, half: f64, deflection: &[f64]) -> Coefficients {
     let times = if cell.beam_varies() { 1.0 } else { cell.stiffness };
     let factor = -times / (half * half);
     let bend = deflection.iter().enumerate().skip(2);
-    let bend: Vec<f64> = bend.map(|(j, c)| factor * (j * (j - 1)) as f64 * c).collect();
+    let bend: Coefficients = bend.map(|(j, c)| factor * (j * (j - 1)) as f64 * c).collect();
     if cell.beam_varies() { product(&cell.stiffness_course(), &bend) } else { bend }
 }
 

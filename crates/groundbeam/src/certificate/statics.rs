@@ -3,6 +3,7 @@
 use super::balance::Remains;
 use super::{Claim, ClaimedPiece};
 use crate::model::{Load, Model};
+use crate::polynomial::Coefficients;
 
 /// What acts at one point: force down, moment.
 #[derive(Debug, Clone, Copy)]
@@ -78,10 +79,9 @@ impl Events {
     }
 
     /// Integrates over a piece; returns the coefficients of m(s).
-    pub fn integrate(&mut self, piece: &ClaimedPiece, load: &SpreadLoad, axial: f64) -> Vec<f64> {
+    pub fn integrate(&mut self, piece: &ClaimedPiece, load: &SpreadLoad, axial: f64) -> Coefficients {
         let half = piece.half;
-        let mut net = piece.pressure.to_vec();
-        net.resize(net.len().max(2), 0.0);
+        let mut net = Coefficients::from(piece.pressure).at_least(2);
         let size = |c: &[f64]| c.iter().map(|c| c.abs()).sum::<f64>() * 2.0 * half;
         self.count(size(piece.pressure) + size(&load.force), size(&load.moment));
         for j in 0..2 {
@@ -89,8 +89,7 @@ impl Events {
         }
         // T' = p − f, then M' = V = T − P w' + g.
         let total = antiderivative(&net, half, self.shear);
-        let mut shear = total.clone();
-        shear.resize(shear.len().max(piece.deflection.len()), 0.0);
+        let mut shear = total.at_least(piece.deflection.len());
         for (j, c) in piece.deflection.iter().enumerate().skip(1) {
             shear[j - 1] -= axial * (j as f64) * c / half;
         }
@@ -139,8 +138,8 @@ impl Events {
 }
 
 /// ∫ from the left end of a piece, which begins with `start`.
-fn antiderivative(c: &[f64], half: f64, start: f64) -> Vec<f64> {
-    let mut out = vec![0.0; c.len() + 1];
+fn antiderivative(c: &[f64], half: f64, start: f64) -> Coefficients {
+    let mut out = Coefficients::zeros(c.len() + 1);
     let mut at_left = 0.0;
     for (j, a) in c.iter().enumerate() {
         out[j + 1] = half * a / (j + 1) as f64;

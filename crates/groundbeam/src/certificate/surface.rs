@@ -3,7 +3,7 @@
 use super::ClaimedPiece;
 use super::curve::{Curve, Point, ROUNDING, fourth, rounding};
 use crate::model::{Course, Model};
-use crate::polynomial::jet;
+use crate::polynomial::{Coefficients, jet};
 
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Under<'a> {
@@ -229,7 +229,7 @@ pub(super) struct Clearance<'a> {
 enum Shape {
     Even(Even),
     /// Where the ground varies, all of it is one polynomial.
-    Polynomial(Vec<f64>),
+    Polynomial(Coefficients),
 }
 
 impl<'a> Clearance<'a> {
@@ -242,8 +242,7 @@ impl<'a> Clearance<'a> {
     }
 
     fn over_varying_ground(under: &'a Under<'a>, u: &[f64]) -> Self {
-        let mut difference = u.to_vec();
-        difference.resize(u.len().max(under.piece.deflection.len()), 0.0);
+        let mut difference = Coefficients::from(u).at_least(under.piece.deflection.len());
         for (c, w) in difference.iter_mut().zip(under.piece.deflection) {
             *c -= w;
         }

@@ -286,7 +286,7 @@ impl<'a> Newton<'a> {
     /// ψ = w − g₀ as coefficients.
     fn obstacle(&self, coefficients: &[f64]) -> Vec<f64> {
         let w = Deflection { mesh: self.mesh, terms: TERMS, coefficients };
-        (0..self.mesh.cells.len()).flat_map(|i| w.obstacle(i)).collect()
+        (0..self.mesh.cells.len()).flat_map(|i| w.obstacle(i).to_vec()).collect()
     }
 
     fn beam_form(&self, a: &State, b: &State) -> f64 {

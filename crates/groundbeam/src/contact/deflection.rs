@@ -3,7 +3,7 @@
 use super::layout::gap_at;
 use super::varying;
 use crate::mesh::{Cell, Mesh};
-use crate::polynomial::{jet, value};
+use crate::polynomial::{Coefficients, jet, value};
 
 /// A point of the beam: a cell and its coordinate s ∈ \[−1, 1\].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,8 +33,8 @@ impl Deflection<'_> {
     }
 
     /// The coefficients of ψ = w − g₀ in cell i.
-    pub fn obstacle(&self, i: usize) -> Vec<f64> {
-        let mut c = self.cell(i).to_vec();
+    pub fn obstacle(&self, i: usize) -> Coefficients {
+        let mut c = Coefficients::from(self.cell(i));
         let [left, right] = self.mesh.cells[i].gap;
         c[0] -= 0.5 * (left + right);
         c[1] -= 0.5 * (right - left);
@@ -65,14 +65,14 @@ impl Deflection<'_> {
     }
 
     /// The coefficients of π = kψ − (μψ')' in cell i.
-    pub fn pressure(&self, i: usize) -> Vec<f64> {
+    pub fn pressure(&self, i: usize) -> Coefficients {
         let cell = &self.mesh.cells[i];
         pressure_of(cell, 0.5 * cell.length(), &self.obstacle(i))
     }
 }
 
 /// The coefficients of kψ − (μψ')' from those of ψ on a stretch of half length `half`.
-pub(crate) fn pressure_of(cell: &Cell, half: f64, obstacle: &[f64]) -> Vec<f64> {
+pub(crate) fn pressure_of(cell: &Cell, half: f64, obstacle: &[f64]) -> Coefficients {
     if cell.ground_varies() {
         return varying::pressure(cell, half, obstacle);
     }

@@ -365,7 +365,7 @@ fn unfolded(
         let cell = &mesh.cells[i];
         let (series, heights) = &parts[i];
         let mut c = if piece.x == cell.x {
-            series.to_vec()
+            series[..].into()
         } else {
             let [a, b] = piece.x.map(|x| cell.local(x));
             rescale(series, 0.5 * (a + b), piece.length() / cell.length())
@@ -373,7 +373,7 @@ fn unfolded(
         if let Some(layers) = &elements[i].layers {
             layers.add(cell.x, *heights, piece.x, &mut c);
         }
-        coefficients.extend(c);
+        coefficients.extend_from_slice(&c);
     }
     (fine, coefficients)
 }

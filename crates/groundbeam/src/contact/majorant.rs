@@ -21,7 +21,7 @@ use super::pieces::{Piece, pieces};
 use super::varying;
 use crate::ground::Link;
 use crate::mesh::{Cell, Mesh};
-use crate::polynomial::{jet, sign_changes};
+use crate::polynomial::{jet, sign_changes, value};
 
 /// The stretches of contact, from left to right.
 pub(crate) fn contact(w: &Deflection) -> Vec<Zone> {
@@ -69,28 +69,27 @@ fn nodes_of(piece: &Piece) -> impl Iterator<Item = Zone> + use<> {
 /// Without a shear layer, contact is where ψ ≥ 0.
 fn winkler_contact(w: &Deflection, piece: &Piece) -> Vec<Zone> {
     let mut zones: Vec<Zone> = Vec::new();
-    let mut ends = Vec::new();
+    let mut knots = Vec::new();
     for cell in piece.cells.clone() {
         let obstacle = w.obstacle(cell);
-        positive_parts(&obstacle, &mut ends);
-        for part in &ends {
-            join(&mut zones, cell, *part, true);
+        for part in positive_parts(&obstacle, &mut knots) {
+            join(&mut zones, cell, part, true);
         }
     }
     zones
 }
 
-/// The intervals of \[−1, 1\] on which a polynomial is not negative.
-fn positive_parts(c: &[f64], parts: &mut Vec<[f64; 2]>) {
-    parts.clear();
-    let mut knots = vec![-1.0];
-    sign_changes(c, &mut knots);
+/// The intervals of \[−1, 1\] on which a polynomial is not negative; `knots` is room for their ends.
+fn positive_parts<'a>(
+    c: &'a [f64],
+    knots: &'a mut Vec<f64>,
+) -> impl Iterator<Item = [f64; 2]> + 'a {
+    knots.clear();
+    knots.push(-1.0);
+    sign_changes(c, knots);
     knots.push(1.0);
-    for k in knots.windows(2) {
-        if k[1] > k[0] && crate::polynomial::value(c, 0.5 * (k[0] + k[1])) >= 0.0 {
-            parts.push([k[0], k[1]]);
-        }
-    }
+    let parts = knots.windows(2).map(|k| [k[0], k[1]]);
+    parts.filter(|[a, b]| b > a && value(c, 0.5 * (a + b)) >= 0.0)
 }
 
 /// Appends a part of a cell to the last zone if the two meet and may be one.
@@ -206,19 +205,19 @@ impl<'a> Scan<'a> {
     fn arcs(&self) -> Vec<Zone> {
         let cells = self.piece.cells.clone();
         let mut arcs: Vec<Zone> = Vec::new();
-        let mut parts = Vec::new();
+        let mut knots = Vec::new();
         for i in cells.clone() {
             let corner = if i == cells.start { 1.0 } else { self.w.corner(i) };
             let pressure = self.w.pressure(i);
-            positive_parts(&pressure, &mut parts);
-            let starts_here = parts.first().is_some_and(|part| part[0] == -1.0);
+            let mut parts = positive_parts(&pressure, &mut knots).peekable();
+            let starts_here = parts.peek().is_some_and(|part| part[0] == -1.0);
             let ended_here =
                 arcs.last().is_some_and(|a| a.to == Spot { cell: i.wrapping_sub(1), s: 1.0 });
             if corner > 0.0 && !starts_here && !ended_here {
                 arcs.push(point(Spot { cell: i, s: -1.0 }));
             }
-            for part in &parts {
-                join(&mut arcs, i, *part, corner >= 0.0);
+            for part in parts {
+                join(&mut arcs, i, part, corner >= 0.0);
             }
         }
         let end = Spot { cell: cells.end - 1, s: 1.0 };
