@@ -90,7 +90,8 @@ impl Events {
         // T' = p − f, then M' = V = T − P w' + g.
         let total = antiderivative(&net, half, self.shear);
         let mut shear = total.at_least(piece.deflection.len());
-        for (j, c) in piece.deflection.iter().enumerate().skip(1) {
+        let tension = if axial == 0.0 { &[] } else { piece.deflection };
+        for (j, c) in tension.iter().enumerate().skip(1) {
             shear[j - 1] -= axial * (j as f64) * c / half;
         }
         for j in 0..2 {

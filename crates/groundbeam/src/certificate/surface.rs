@@ -9,6 +9,8 @@ use crate::polynomial::{Coefficients, jet};
 pub(super) struct Under<'a> {
     pub piece: &'a ClaimedPiece<'a>,
     pub half: f64,
+    /// w and dw/ds at both ends.
+    deflection: [[f64; 2]; 2],
     /// k and μ, where they vary at the middle.
     pub spring: f64,
     pub shear: f64,
@@ -47,7 +49,7 @@ struct Even {
 }
 
 impl<'a> Under<'a> {
-    pub fn new(model: &Model, piece: &'a ClaimedPiece) -> Self {
+    pub fn new(model: &Model, piece: &'a ClaimedPiece, deflection: [[f64; 2]; 2]) -> Self {
         let [from, to] = piece.x;
         let ground = model.foundation.constants_on(piece.x);
         let [spring, shear] = ground.map(|course| course.coefficients[0]);
@@ -84,7 +86,7 @@ impl<'a> Under<'a> {
                 floor: left.min(right).min(0.0),
             })
         });
-        Under { piece, half: piece.half, spring, shear, ground, gap, rise, open }
+        Under { piece, half: piece.half, deflection, spring, shear, ground, gap, rise, open }
     }
 
     /// Whether the ground is free here.
@@ -159,7 +161,7 @@ impl<'a> Under<'a> {
 
     /// u, u' and the clearance at an end.
     pub fn end(&self, s: f64) -> [f64; 3] {
-        let [w, dw, ..] = jet(self.piece.deflection, s);
+        let [w, dw] = self.deflection[usize::from(s > 0.0)];
         let [u, du] = self.surface(s, w, dw);
         [u, du, if self.is_open() { u + self.gap(s) - w } else { 0.0 }]
     }
