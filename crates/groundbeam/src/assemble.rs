@@ -21,11 +21,13 @@ pub(crate) fn assemble(
     method: Method,
     existence: Existence,
     stability: f64,
-    found: Found,
+    found: &Found,
 ) -> Solution {
-    let given = found.surface.clone();
-    let surface = given.unwrap_or_else(|| Surface::of(&found.deflection(), &found.zones));
-    let stretches = stretches(&found, &surface);
+    let surface = match &found.surface {
+        Some(given) => given,
+        None => &Surface::of(&found.deflection(), &found.zones),
+    };
+    let stretches = stretches(found, surface);
     let mesh = &found.mesh;
     let at = |atom: &Atom| mesh.cells[atom.spot.cell].global(atom.spot.s);
     let l = model.beam.length;
@@ -40,12 +42,12 @@ pub(crate) fn assemble(
         model: model.clone(),
         method,
         existence,
-        contact: regions(&found),
+        contact: regions(found),
         end_forces: EndForces { left, right },
         concentrated,
         reactions: Vec::new(),
         certificate: Default::default(),
-        history: found.history,
+        history: Vec::new(),
         elements: found.mesh.cells.len(),
         stretches,
     };

@@ -2,6 +2,7 @@
 
 use crate::assemble::assemble;
 use crate::contact::active_set::{Found, Pressure, Stalled};
+use crate::contact::exact::Proof;
 use crate::contact::uzawa::{self, Relaxation};
 use crate::contact::{exact, nested};
 use crate::existence::{Existence, Verdict, existence, held_rigidly};
@@ -168,14 +169,17 @@ pub fn solve_with(model: &Model, options: &Options) -> Result<Outcome, Error> {
     if let Verdict::None(_) = existence.verdict {
         return Ok(Outcome::NoEquilibrium(existence));
     }
-    let proven = |found: &Found, proof: exact::Proof| {
-        let solution = assemble(model, options.method, existence, stability, found.clone());
-        let certificate = solution.certificate();
-        certificate.violation() <= proof.violation && certificate.relative_gap <= proof.gap
+    let mut judged = None;
+    let judge = |found: &Found| {
+        let solution = assemble(model, options.method, existence, stability, found);
+        let certificate = *solution.certificate();
+        judged = Some(solution);
+        Proof { gap: certificate.relative_gap, violation: certificate.violation() }
     };
-    let found = find(model, options, existence, proven)?;
-    let solution = assemble(model, options.method, existence, stability, found);
-    certified(solution, options)
+    let found = find(model, options, existence, judge)?;
+    let assembled =
+        judged.unwrap_or_else(|| assemble(model, options.method, existence, stability, &found));
+    certified(Solution { history: found.history, ..assembled }, options)
 }
 
 /// Tells whether an equilibrium exists, without solving.
@@ -219,7 +223,7 @@ fn find(
     model: &Model,
     options: &Options,
     existence: Existence,
-    proven: impl Fn(&Found, exact::Proof) -> bool,
+    judge: impl FnMut(&Found) -> Proof,
 ) -> Result<Found, Error> {
     let method = options.method;
     let nodal =
@@ -244,9 +248,9 @@ fn find(
         Method::Exact => match existence.verdict {
             Verdict::NotUnique(motion) if stands_on_an_end(model, existence) => {
                 let over_left = motion.left == 0.0;
-                exact::solve_balanced(model, existence.resultant(), over_left, proven)
+                exact::solve_balanced(model, existence.resultant(), over_left, judge)
             }
-            _ => exact::solve(model, proven),
+            _ => exact::solve(model, judge),
         }
         .map_err(stalled),
         Method::ActiveSet => {

@@ -1,12 +1,12 @@
 //! The ground's part of the proof: its equation, its clearance, its energies.
 
+use super::Claim;
 use super::balance::{Carriers, Weights};
 use super::curve::Polynomial;
 use super::lift::{End, Lifting};
+use super::quadrature::{Seen, at_points, gauss, seen_bounds};
 use super::surface::Under;
 use super::unclaimed::Unclaimed;
-use super::Claim;
-use super::quadrature::{Seen, at_points, gauss, seen_bounds};
 use crate::model::Model;
 
 /// Sums over the ground, piece by piece from the left.

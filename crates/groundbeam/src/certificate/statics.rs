@@ -79,7 +79,12 @@ impl Events {
     }
 
     /// Integrates over a piece; returns the coefficients of m(s).
-    pub fn integrate(&mut self, piece: &ClaimedPiece, load: &SpreadLoad, axial: f64) -> Coefficients {
+    pub fn integrate(
+        &mut self,
+        piece: &ClaimedPiece,
+        load: &SpreadLoad,
+        axial: f64,
+    ) -> Coefficients {
         let half = piece.half;
         let mut net = Coefficients::from(piece.pressure).at_least(2);
         let size = |c: &[f64]| c.iter().map(|c| c.abs()).sum::<f64>() * 2.0 * half;

@@ -46,6 +46,22 @@ impl Deflection<'_> {
         value(self.cell(spot.cell), spot.s) - gap_at(&self.mesh.cells[spot.cell], spot.s)
     }
 
+    /// ψ, ψ' and π = kψ − (μψ')' at a spot.
+    pub fn pressing(&self, spot: Spot) -> [f64; 3] {
+        let cell = &self.mesh.cells[spot.cell];
+        let [f, d1, d2, _] = jet(self.cell(spot.cell), spot.s);
+        let psi = f - gap_at(cell, spot.s);
+        let per_length = 2.0 / cell.length();
+        let slope = d1 * per_length - cell.gap_slope;
+        let [k, mu, rise] = cell.ground_rising_at(spot.s);
+        [psi, slope, k * psi - mu * d2 * per_length * per_length - rise * per_length * slope]
+    }
+
+    /// The position of a spot.
+    pub fn position(&self, spot: Spot) -> f64 {
+        self.mesh.cells[spot.cell].global(spot.s)
+    }
+
     /// μψ' at a spot.
     pub fn flux(&self, spot: Spot) -> f64 {
         let cell = &self.mesh.cells[spot.cell];

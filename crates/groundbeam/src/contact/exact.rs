@@ -10,16 +10,17 @@
 //!    split, merge, appear and vanish here of themselves.
 //!
 //! This is Newton's method on Φ in the space of all deflections: the error of the edges is squared in
-//! every step. If the steps do not settle, the mesh that began them is refined.
+//! every step. Near the answer [each edge](super::edges) is moved by itself instead, which squares the
+//! error as well. If the steps do not settle, the mesh that began them is refined.
 
 use super::active_set::{Found, Pressure, Stalled, Step};
-use super::deflection::{Deflection, Zone};
 use super::descent::shorten;
+use super::edges;
 use super::layout::Layout;
 use super::majorant;
 use super::near;
 use super::nested;
-use super::stretches::{Stretch, distance, positions, zones_of};
+use super::stretches::{Stretch, at_place, distance, positions, zones_of};
 use crate::chain::{Chain, ChainCell, Loose};
 use crate::elements::exact::{ExactElement, TERMS, parts};
 use crate::elements::{Operator, Touch};
@@ -44,6 +45,12 @@ const ROUGH: f64 = 1e-6;
 const ROUGH_DECREMENT: f64 = 1e-12;
 /// A move of the edges, relative to the beam's length, after which no step is shortened.
 const LOCAL: f64 = 1e-8;
+/// The same, after which the next step moves each edge by itself,
+const NEAR: f64 = 1e-2;
+/// and after which the edges are so good that the certificate is asked.
+const CLOSE: f64 = 1e-13;
+/// A step that leaves no more than this part of the move before is one that squares the error.
+const SQUARING: f64 = 0.1;
 /// How much less stiff (as a power of two) one beam is than the one it starts from.
 const STIFFER: f64 = 2.0;
 
@@ -52,14 +59,23 @@ const PATIENCE: usize = 4;
 /// How often that, whatever the steps do, before the certificate's answer is good enough.
 const ROUNDS: usize = 12;
 
-/// What the certificate must show.
+/// What the certificate shows, or must show.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Proof {
-    /// The largest relative gap.
+    /// The relative gap.
     pub gap: f64,
     /// The largest violation of balance, signs and complementarity. An edge that is off by δ leaves pδ
     /// unbalanced.
     pub violation: f64,
+}
+
+impl Proof {
+    /// What is known where nothing is asked.
+    const NONE: Proof = Proof { gap: f64::INFINITY, violation: f64::INFINITY };
+
+    fn is_within(self, wanted: Proof) -> bool {
+        self.gap <= wanted.gap && self.violation <= wanted.violation
+    }
 }
 
 /// What a row of Newton steps is for.
@@ -81,15 +97,16 @@ const ENOUGH: Proof = Proof { gap: 1e-11, violation: 3e-8 };
 const LAST: Proof = Proof { gap: 5e-10, violation: 5e-8 };
 const LAST_STEPS: usize = 100;
 
-/// Solves a model. `proven` tells whether a deflection with its contact passes the certificate to a tolerance: where an
+/// Solves a model. `judge` tells what the certificate shows of a deflection with its contact: where an
 /// edge cannot be told from its neighbours (a zone without pressure, a beam balanced on one point), that
-/// and not the edge's last digit ends the iteration.
+/// and not the edge's last digit ends the iteration. What is returned is what was judged last.
 pub(crate) fn solve(
     model: &Model,
-    proven: impl Fn(&Found, Proof) -> bool,
+    mut judge: impl FnMut(&Found) -> Proof,
 ) -> Result<Found, Stalled> {
+    let judge: &mut dyn FnMut(&Found) -> Proof = &mut judge;
     if let Some(stretches) = near::edges(model)
-        && let Ok(found) = from_edges(model, &stretches, &proven)
+        && let Ok(found) = from_edges(model, &stretches, judge)
     {
         return Ok(found);
     }
@@ -97,7 +114,7 @@ pub(crate) fn solve(
     let mut iterations = 0;
     for level in 0..=REFINEMENTS {
         let start = coarse(model, level);
-        let found = start.and_then(|start| refine(model, start, Goal::Answer(MOST_STEPS), &proven));
+        let found = start.and_then(|start| refine(model, start, Goal::Answer(MOST_STEPS), judge));
         match found {
             Ok(found) => return Ok(found),
             Err(stalled) => {
@@ -113,14 +130,16 @@ pub(crate) fn solve(
 fn from_edges(
     model: &Model,
     stretches: &[Stretch],
-    proven: &impl Fn(&Found, Proof) -> bool,
+    judge: &mut dyn FnMut(&Found) -> Proof,
 ) -> Result<Found, Stalled> {
-    let (found, zones) = glued(model, stretches, None).map_err(|Loose| unsettled(0, f64::NAN))?;
+    let found = glued(model, stretches, None).map_err(|Loose| unsettled(0, f64::NAN))?;
+    let zones = majorant::contact(&found.deflection());
     if positions(&found.mesh, &zones, &[]) == stretches {
+        judge(&found);
         let history = vec![Step { zones: stretches.len(), step: 1.0, decrement: 0.0 }];
         return Ok(Found { history, ..found });
     }
-    refine(model, Found { zones, ..found }, Goal::Answer(NEAR_STEPS), proven)
+    refine(model, Found { zones, ..found }, Goal::Answer(NEAR_STEPS), judge)
 }
 
 /// A deflection to start from: on a coarse mesh, for a beam so stiff that the mesh sees its waves, and
@@ -148,7 +167,7 @@ fn coarse(model: &Model, level: u32) -> Result<Found, Stalled> {
     let meshes = nested::coarse_meshes(&stiffest, per_wave);
     let mut found = nested::solve(meshes, Pressure::Distributed)?;
     for stage in (1..=stages).rev() {
-        found = refine(&stiffer(stage), found, Goal::Start, &|_, _| false)?;
+        found = refine(&stiffer(stage), found, Goal::Start, &mut |_| Proof::NONE)?;
     }
     Ok(found)
 }
@@ -167,12 +186,12 @@ pub(crate) fn solve_balanced(
     model: &Model,
     resultant: f64,
     over_left: bool,
-    proven: impl Fn(&Found, Proof) -> bool,
+    mut judge: impl FnMut(&Found) -> Proof,
 ) -> Result<Found, Stalled> {
     let l = model.beam.length;
     let inward = if over_left { ALMOST } else { -ALMOST };
     let nearly = model.clone().with_load(Load::moment(inward * resultant * l, 0.5 * l));
-    let limit = solve(&nearly, |_, _| false)?;
+    let limit = solve(&nearly, |_| Proof::NONE)?;
     let last = limit.mesh.cells.len() - 1;
     let (cell, s) = if over_left { (0, -1.0) } else { (last, 1.0) };
     let [w, dw, ..] = jet(limit.deflection().cell(cell), s);
@@ -184,7 +203,7 @@ pub(crate) fn solve_balanced(
     let end = if over_left { 0.0 } else { l };
     let history = limit.history;
     match glued(model, &[[end, end]], Some(Held { left: over_left, slope })) {
-        Ok((found, _)) if proven(&found, ENOUGH) => Ok(Found { history, ..found }),
+        Ok(found) if judge(&found).is_within(ENOUGH) => Ok(Found { history, ..found }),
         _ => Err(unsettled(history.len(), f64::NAN)),
     }
 }
@@ -194,7 +213,7 @@ fn refine(
     model: &Model,
     mut start: Found,
     goal: Goal,
-    proven: &impl Fn(&Found, Proof) -> bool,
+    judge: &mut dyn FnMut(&Found) -> Proof,
 ) -> Result<Found, Stalled> {
     let (rough, most_steps) = match goal {
         Goal::Answer(most_steps) => (false, most_steps),
@@ -208,20 +227,35 @@ fn refine(
     // Steps in a row that did not halve the move, and whether all have so far.
     let mut idle = 0;
     let mut shrinks = true;
+    // Whether edges may be moved by themselves.
+    let mut alone = true;
     // The deflection that asked for the stretches, and the last that equilibrium made.
     let mut now = start;
     let mut last: Option<Found> = None;
     for step in 0..most_steps {
-        let Ok((found, zones)) = glued(model, &stretches, None) else {
+        let Ok(found) = glued(model, &stretches, None) else {
             // A beam balanced on one point has no next step, and may need none.
             return match last.take() {
-                Some(found) if proven(&found, LAST) => Ok(Found { history, ..found }),
+                Some(found) if judge(&found).is_within(LAST) => Ok(Found { history, ..found }),
                 _ if rough => Ok(Found { history, ..now }),
                 _ => Err(unsettled(step, moved)),
             };
         };
-        let next = positions(&found.mesh, &zones, &places);
         let before = moved;
+        let by_edges = if !rough && alone && shrinks && before <= NEAR {
+            edges::moved(&found.deflection(), &found.zones)
+        } else {
+            None
+        };
+        let by_scan = by_edges.is_none();
+        let mut zones = Vec::new();
+        let next = match by_edges {
+            Some(next) => next.into_iter().map(|s| s.map(|x| at_place(x, &places, l))).collect(),
+            None => {
+                zones = majorant::contact(&found.deflection());
+                positions(&found.mesh, &zones, &places)
+            }
+        };
         moved = distance(&stretches, &next) / l;
         history.push(Step { zones: next.len(), step: 1.0, decrement: moved });
         // Quadratic convergence ends at rounding: no further step would make it smaller.
@@ -236,8 +270,14 @@ fn refine(
             _ if idle > PATIENCE || step > ROUNDS * PATIENCE => ENOUGH,
             _ => PROVEN,
         };
-        if settled || (step >= PATIENCE && proven(&found, proof)) {
-            return Ok(Found { history, ..found });
+        let squaring = moved > CLOSE && moved <= SQUARING * before;
+        if settled || moved <= CLOSE || (step >= PATIENCE && !squaring) {
+            let shown = judge(&found);
+            if (settled && by_scan) || shown.is_within(proof) {
+                return Ok(Found { history, ..found });
+            }
+            // Where edges by themselves come to rest at no answer, the scan goes on.
+            alone &= by_scan;
         }
         // Steps that shrink end by themselves. Once one has not, the energy decides how far each goes.
         shrinks &= halved && (before.is_finite() || step < 2);
@@ -262,7 +302,7 @@ fn refine(
         };
         last = Some(found);
     }
-    match last.filter(|found| proven(found, ENOUGH)) {
+    match last.filter(|found| judge(found).is_within(ENOUGH)) {
         Some(found) => Ok(Found { history, ..found }),
         None if rough => Ok(Found { history, ..now }),
         None => Err(unsettled(most_steps, moved)),
@@ -274,12 +314,12 @@ fn unsettled(iterations: usize, reached: f64) -> Stalled {
     Stalled { iterations, what, tolerance: 1e-12, reached }
 }
 
-/// The beam glued to the ground on given stretches, solved exactly, and the contact it asks for.
+/// The beam glued to the ground on given stretches, solved exactly.
 pub(crate) fn glued(
     model: &Model,
     stretches: &[Stretch],
     held: Option<Held>,
-) -> Result<(Found, Vec<Zone>), Loose> {
+) -> Result<Found, Loose> {
     let axial = model.beam.axial_force;
     let edges: Vec<f64> = stretches.iter().flatten().copied().collect();
     let touches = |x: f64| {
@@ -319,10 +359,8 @@ pub(crate) fn glued(
     if !coefficients.iter().all(|c| c.is_finite()) {
         return Err(Loose);
     }
-    let w = Deflection { mesh: &fine, terms: TERMS, coefficients: &coefficients };
-    let wanted = majorant::contact(&w);
     let zones = zones_of(&fine, stretches, &touch);
-    let found = Found {
+    Ok(Found {
         mesh: fine,
         terms: TERMS,
         shapes: Vec::new(),
@@ -331,8 +369,7 @@ pub(crate) fn glued(
         history: Vec::new(),
         pressure: Pressure::Distributed,
         surface: None,
-    };
-    Ok((found, wanted))
+    })
 }
 
 /// w as short series: each element's own, and where it has boundary layers cut into pieces.
@@ -392,7 +429,8 @@ mod tests {
         let mut stretches = vec![[0.8, 1.0]];
         let mut errors = Vec::new();
         for _ in 0..4 {
-            let (found, zones) = glued(&model, &stretches, None).expect("a solution");
+            let found = glued(&model, &stretches, None).expect("a solution");
+            let zones = majorant::contact(&found.deflection());
             stretches = positions(&found.mesh, &zones, &[]);
             errors.push((stretches[0][0] - 0.811_326_256_449_155).abs());
         }
@@ -409,7 +447,7 @@ mod tests {
             .with_load(Load::moment(0.1, 0.5));
         let solved = |stretches: &[Stretch], node: f64| {
             let model = model.clone().with_load(Load::point(f64::MIN_POSITIVE, node));
-            let (found, _) = glued(&model, stretches, None).expect("a solution");
+            let found = glued(&model, stretches, None).expect("a solution");
             let cell = found.mesh.cells.iter().position(|c| c.x[1] == 0.3).expect("a node");
             let [w, _, bend, _] = jet(found.deflection().cell(cell), 1.0);
             [w, bend / (0.5 * found.mesh.cells[cell].length()).powi(2)]

@@ -21,7 +21,7 @@ use super::pieces::{Piece, pieces};
 use super::varying;
 use crate::ground::Link;
 use crate::mesh::{Cell, Mesh};
-use crate::polynomial::{jet, sign_changes, value};
+use crate::polynomial::{sign_changes, value};
 
 /// The stretches of contact, from left to right.
 pub(crate) fn contact(w: &Deflection) -> Vec<Zone> {
@@ -227,18 +227,6 @@ impl<'a> Scan<'a> {
         arcs
     }
 
-    /// ψ, dψ/dx and π at a spot.
-    fn at(&self, spot: Spot) -> [f64; 3] {
-        let cell = &self.w.mesh.cells[spot.cell];
-        let [f, d1, d2, _] = jet(self.w.cell(spot.cell), spot.s);
-        let [left, right] = cell.gap;
-        let psi = f - (0.5 * (left + right) + 0.5 * (right - left) * spot.s);
-        let per_length = 2.0 / cell.length();
-        let slope = d1 * per_length - cell.gap_slope;
-        let [k, mu, rise] = cell.ground_rising_at(spot.s);
-        [psi, slope, k * psi - mu * d2 * per_length * per_length - rise * per_length * slope]
-    }
-
     fn whole_cells(&self, from: usize, to: usize, before: Option<Link>) -> Option<Link> {
         whole_cells(self.w.mesh, from, to, before)
     }
@@ -298,8 +286,8 @@ impl<'a> Scan<'a> {
     /// dA/da = −π + (S/μ) A, where S is the stiffness of the open ground seen from there.
     fn force_at_left(&self, joint: &Joint, spot: Spot) -> [f64; 2] {
         let trial = Joint { left: Some(spot), ..*joint };
-        let [psi, slope, pressure] = self.at(spot);
-        let other = joint.right.map_or(0.0, |b| self.at(b)[0]);
+        let [psi, slope, pressure] = self.w.pressing(spot);
+        let other = joint.right.map_or(0.0, |b| self.w.pressing(b)[0]);
         let [_, shear] = self.w.mesh.cells[spot.cell].ground_at(spot.s);
         let link = self.link(&trial);
         let force = match self.narrow(&trial) {
@@ -312,8 +300,8 @@ impl<'a> Scan<'a> {
     /// The same at its right end, dB/db = π − (S/μ) B.
     fn force_at_right(&self, joint: &Joint, spot: Spot) -> [f64; 2] {
         let trial = Joint { right: Some(spot), ..*joint };
-        let [psi, slope, pressure] = self.at(spot);
-        let other = joint.left.map_or(0.0, |a| self.at(a)[0]);
+        let [psi, slope, pressure] = self.w.pressing(spot);
+        let other = joint.left.map_or(0.0, |a| self.w.pressing(a)[0]);
         let [_, shear] = self.w.mesh.cells[spot.cell].ground_at(spot.s);
         let link = self.link(&trial);
         let force = match self.narrow(&trial) {

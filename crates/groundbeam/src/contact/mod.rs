@@ -3,6 +3,7 @@
 pub(crate) mod active_set;
 pub(crate) mod deflection;
 mod descent;
+mod edges;
 pub(crate) mod exact;
 pub(crate) mod forms;
 pub(crate) mod layout;

@@ -54,11 +54,8 @@ pub(crate) fn moments(
                 [mean + rise * middle, rise * quarter]
             };
             let touching = spread && part.open.is_none();
-            let mut net = if touching {
-                rescale(&pressure, middle, quarter)
-            } else {
-                Coefficients::zeros(2)
-            };
+            let mut net =
+                if touching { rescale(&pressure, middle, quarter) } else { Coefficients::zeros(2) };
             for (net, f) in net.iter_mut().zip(linear(cell.load)) {
                 *net -= f;
             }
