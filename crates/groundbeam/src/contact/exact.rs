@@ -46,7 +46,7 @@ const ROUGH_DECREMENT: f64 = 1e-12;
 /// A move of the edges, relative to the beam's length, after which no step is shortened.
 const LOCAL: f64 = 1e-8;
 /// The same, after which the next step moves each edge by itself,
-const NEAR: f64 = 1e-2;
+const NEAR: f64 = 0.1;
 /// and after which the edges are so good that the certificate is asked.
 const CLOSE: f64 = 1e-13;
 /// A step that leaves no more than this part of the move before is one that squares the error.

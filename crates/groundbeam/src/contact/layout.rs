@@ -126,10 +126,18 @@ impl Layout {
                     nodes[node].surface_spring += spring;
                 }
             }
-            for node in self.near_contact(mesh, cells.clone()) {
-                let open = nodes[node].surface.contains(&true);
-                nodes[node].from_beam = open;
-                if open {
+            let own = cells.start..=cells.end;
+            if nodes[own.clone()].iter().all(|node| !node.surface.contains(&true)) {
+                continue;
+            }
+            let distances = self.distances_to_contact(mesh, &cells);
+            for (node, distance) in own.zip(distances) {
+                let cell = &mesh.cells[node.min(cells.end - 1)];
+                let waves = || {
+                    Operator::of(cell, mesh.axial_force, Touch::Contact).wave_number() * distance
+                };
+                if nodes[node].surface.contains(&true) && waves() <= NEAR {
+                    nodes[node].from_beam = true;
                     let right = node.min(mesh.cells.len() - 1);
                     nodes[node].gap = mesh.cells[right].gap[node - right];
                 }
@@ -138,9 +146,9 @@ impl Layout {
         nodes
     }
 
-    /// The nodes of a piece so near to a point of contact that the ground between is hardly more than a
-    /// stiff link.
-    fn near_contact(&self, mesh: &Mesh, cells: Range<usize>) -> impl Iterator<Item = usize> {
+    /// How far each node of a piece is from the next point of contact: near one the ground between is hardly
+    /// more than a stiff link.
+    fn distances_to_contact(&self, mesh: &Mesh, cells: &Range<usize>) -> Vec<f64> {
         let x = |node: usize| mesh.nodes[node].x;
         let at = |cell: usize, s: f64| mesh.cells[cell].global(s);
         let mut distance = vec![f64::INFINITY; cells.len() + 1];
@@ -165,11 +173,7 @@ impl Layout {
                 next = x(node);
             }
         }
-        cells.clone().chain([cells.end]).filter(move |&node| {
-            let cell = &mesh.cells[node.min(cells.end - 1)];
-            let wave = Operator::of(cell, mesh.axial_force, Touch::Contact).wave_number();
-            wave * distance[node - cells.start] <= NEAR
-        })
+        distance
     }
 
     /// The links of open ground in cell i. `row` gives w at s as a combination of the element's four.
