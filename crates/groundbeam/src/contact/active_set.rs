@@ -242,9 +242,9 @@ impl<'a> Newton<'a> {
         let layout = Layout::of(self.mesh, zones);
         let cells = self.mesh.cells.iter().enumerate().map(|(i, cell)| {
             let mut element = self.elements[i];
-            for part in &layout.parts[i] {
+            for part in layout.parts(i) {
                 if part[1] > part[0] {
-                    hermite::add_ground(&mut element, cell, *part);
+                    hermite::add_ground(&mut element, cell, part);
                 }
             }
             if let Some((weight, state)) = near {

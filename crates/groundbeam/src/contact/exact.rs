@@ -51,6 +51,8 @@ const NEAR: f64 = 0.1;
 const CLOSE: f64 = 1e-13;
 /// A step that leaves no more than this part of the move before is one that squares the error.
 const SQUARING: f64 = 0.1;
+/// How many steps may stray from that before squaring the error is no excuse.
+const MOST_STRAYS: usize = 4;
 /// How much less stiff (as a power of two) one beam is than the one it starts from.
 const STIFFER: f64 = 2.0;
 
@@ -224,9 +226,11 @@ fn refine(
     let mut history = std::mem::take(&mut start.history);
     let l = model.beam.length;
     let mut moved = f64::INFINITY;
-    // Steps in a row that did not halve the move, and whether all have so far.
+    // Steps in a row that did not halve the move, how many have not so far, and whether the last step was
+    // taken whole.
     let mut idle = 0;
-    let mut shrinks = true;
+    let mut strays = 0;
+    let mut whole = true;
     // Whether edges may be moved by themselves.
     let mut alone = true;
     // The deflection that asked for the stretches, and the last that equilibrium made.
@@ -242,7 +246,7 @@ fn refine(
             };
         };
         let before = moved;
-        let by_edges = if !rough && alone && shrinks && before <= NEAR {
+        let by_edges = if !rough && alone && whole && before <= NEAR {
             edges::moved(&found.deflection(), &found.zones)
         } else {
             None
@@ -270,7 +274,7 @@ fn refine(
             _ if idle > PATIENCE || step > ROUNDS * PATIENCE => ENOUGH,
             _ => PROVEN,
         };
-        let squaring = moved > CLOSE && moved <= SQUARING * before;
+        let squaring = moved <= SQUARING * before;
         if settled || moved <= CLOSE || (step >= PATIENCE && !squaring) {
             let shown = judge(&found);
             if (settled && by_scan) || shown.is_within(proof) {
@@ -279,10 +283,14 @@ fn refine(
             // Where edges by themselves come to rest at no answer, the scan goes on.
             alone &= by_scan;
         }
-        // Steps that shrink end by themselves. Once one has not, the energy decides how far each goes.
-        shrinks &= halved && (before.is_finite() || step < 2);
+        // Steps that shrink end by themselves. Once one has not, the energy decides how far each goes, but
+        // for those that square the error.
+        if !(halved && (before.is_finite() || step < 2)) {
+            strays += 1;
+        }
+        whole = strays == 0 || (strays <= MOST_STRAYS && before.is_finite() && squaring);
         let mut between = None;
-        if !shrinks && moved > LOCAL {
+        if !whole && moved > LOCAL {
             let shortened = shorten(model, &now, &found);
             if rough && shortened.decrement <= ROUGH_DECREMENT {
                 return Ok(Found { history, zones, ..found });
@@ -355,7 +363,7 @@ pub(crate) fn glued(
         nodes[node].moment += spring * held.slope;
     }
     let shapes = Chain { nodes, cells, meeting: layout.meeting_node(&mesh) }.solve()?;
-    let (fine, coefficients) = unfolded(model, &mesh, &elements, &shapes);
+    let (fine, coefficients) = unfolded(model, mesh, &elements, &shapes);
     if !coefficients.iter().all(|c| c.is_finite()) {
         return Err(Loose);
     }
@@ -375,10 +383,17 @@ pub(crate) fn glued(
 /// w as short series: each element's own, and where it has boundary layers cut into pieces.
 fn unfolded(
     model: &Model,
-    mesh: &Mesh,
+    mesh: Mesh,
     elements: &[ExactElement],
     shapes: &[[f64; 4]],
 ) -> (Mesh, Vec<f64>) {
+    let mut coefficients = Vec::with_capacity(mesh.cells.len() * TERMS);
+    if elements.iter().all(|element| element.layers.is_none()) {
+        for (element, v) in elements.iter().zip(shapes) {
+            coefficients.extend_from_slice(&element.unfold(v).0);
+        }
+        return (mesh, coefficients);
+    }
     let parts = elements.iter().zip(shapes).map(|(element, v)| element.unfold(v));
     let parts: Vec<([f64; TERMS], [f64; 2])> = parts.collect();
     let mut x = Vec::new();
@@ -388,11 +403,7 @@ fn unfolded(
             x.extend(layers.cuts(cell.x, *heights));
         }
     }
-    if x.len() == mesh.cells.len() {
-        return (mesh.clone(), parts.into_iter().flat_map(|(series, _)| series).collect());
-    }
     let fine = Mesh::build(model, &x, |_| 1);
-    let mut coefficients = Vec::with_capacity(fine.cells.len() * TERMS);
     let mut i = 0;
     for piece in &fine.cells {
         let middle = 0.5 * (piece.x[0] + piece.x[1]);

@@ -121,7 +121,8 @@ pub(crate) fn inner(f: &[f64], g: &[f64], order: usize) -> f64 {
     let mut sum = 0.0;
     for (i, a) in f.iter().enumerate() {
         // ∫ s^(i+j) = 2/(i+j+1) for even i + j.
-        let pairs = g.get(i % 2..).unwrap_or_default().chunks(2).zip(POWERS[(i + i % 2) / 2..].iter());
+        let pairs =
+            g.get(i % 2..).unwrap_or_default().chunks(2).zip(POWERS[(i + i % 2) / 2..].iter());
         sum += a * pairs.map(|(pair, whole)| pair[0] * whole).sum::<f64>();
     }
     sum

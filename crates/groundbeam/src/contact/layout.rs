@@ -14,15 +14,15 @@ const NEAR: f64 = 1e-2;
 /// Where beam and ground touch, seen from the cells.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Layout {
-    /// The parts \[s_from, s_to\] of each cell that touch; a point has both equal.
-    pub parts: Vec<Vec<[f64; 2]>>,
+    /// The parts \[s_from, s_to\] of cells that touch, cell by cell; a point has both equal.
+    parts: Vec<(usize, [f64; 2])>,
     /// Whether each node touches, as the end of the cell to its left and to its right.
     pub touched: Vec<[bool; 2]>,
 }
 
 impl Layout {
     pub fn of(mesh: &Mesh, zones: &[Zone]) -> Self {
-        let mut parts = vec![Vec::new(); mesh.cells.len()];
+        let mut parts = Vec::with_capacity(mesh.cells.len());
         let mut touched = vec![[false; 2]; mesh.nodes.len()];
         let mut touch = |cell: usize, s: f64| {
             if s.abs() < 1.0 {
@@ -50,13 +50,20 @@ impl Layout {
                 let start = if cell == from.cell { from.s } else { -1.0 };
                 let end = if cell == to.cell { to.s } else { 1.0 };
                 if end > start || from == to {
-                    parts[cell].push([start, end]);
+                    parts.push((cell, [start, end]));
                 }
                 touch(cell, start);
                 touch(cell, end);
             }
         }
         Layout { parts, touched }
+    }
+
+    /// The parts of cell i that touch.
+    pub fn parts(&self, i: usize) -> impl DoubleEndedIterator<Item = [f64; 2]> + '_ {
+        let first = self.parts.partition_point(|(cell, _)| *cell < i);
+        let end = first + self.parts[first..].partition_point(|(cell, _)| *cell == i);
+        self.parts[first..end].iter().map(|(_, part)| *part)
     }
 
     /// A node where the contact or a support holds the beam best: the middle of the longest stretch.
@@ -155,7 +162,7 @@ impl Layout {
         let mut last = f64::NEG_INFINITY;
         for node in cells.start..=cells.end {
             if node > cells.start {
-                last = self.parts[node - 1].last().map_or(last, |part| at(node - 1, part[1]));
+                last = self.parts(node - 1).last().map_or(last, |part| at(node - 1, part[1]));
             }
             distance[node - cells.start] = x(node) - last;
             if self.touched[node].contains(&true) {
@@ -165,7 +172,7 @@ impl Layout {
         let mut next = f64::INFINITY;
         for node in (cells.start..=cells.end).rev() {
             if node < cells.end {
-                next = self.parts[node].first().map_or(next, |part| at(node, part[0]));
+                next = self.parts(node).next().map_or(next, |part| at(node, part[0]));
             }
             let distance = &mut distance[node - cells.start];
             *distance = distance.min(next - x(node));
@@ -191,7 +198,7 @@ impl Layout {
                 links.push(TiedLink { link: cell_part(cell, at, to), left, right });
             }
         };
-        for &[from, to] in &self.parts[i] {
+        for [from, to] in self.parts(i) {
             link_to(from, left, beam(from), at);
             (left, at) = (beam(to), to);
         }

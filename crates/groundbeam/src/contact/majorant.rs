@@ -287,7 +287,7 @@ impl<'a> Scan<'a> {
     fn force_at_left(&self, joint: &Joint, spot: Spot) -> [f64; 2] {
         let trial = Joint { left: Some(spot), ..*joint };
         let [psi, slope, pressure] = self.w.pressing(spot);
-        let other = joint.right.map_or(0.0, |b| self.w.pressing(b)[0]);
+        let other = joint.right.map_or(0.0, |b| self.w.obstacle_at(b));
         let [_, shear] = self.w.mesh.cells[spot.cell].ground_at(spot.s);
         let link = self.link(&trial);
         let force = match self.narrow(&trial) {
@@ -301,7 +301,7 @@ impl<'a> Scan<'a> {
     fn force_at_right(&self, joint: &Joint, spot: Spot) -> [f64; 2] {
         let trial = Joint { right: Some(spot), ..*joint };
         let [psi, slope, pressure] = self.w.pressing(spot);
-        let other = joint.left.map_or(0.0, |a| self.w.pressing(a)[0]);
+        let other = joint.left.map_or(0.0, |a| self.w.obstacle_at(a));
         let [_, shear] = self.w.mesh.cells[spot.cell].ground_at(spot.s);
         let link = self.link(&trial);
         let force = match self.narrow(&trial) {
