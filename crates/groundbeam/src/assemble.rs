@@ -9,7 +9,7 @@ use crate::existence::Existence;
 use crate::ground::settled;
 use crate::mesh::Cell;
 use crate::model::{Load, Model, Support, SupportKind};
-use crate::polynomial::{Coefficients, product, rescale};
+use crate::polynomial::{Coefficients, derivative, product, rescale};
 use crate::solution::{
     ConcentratedForce, ContactRegion, EndForces, Reaction, Side, Solution, Stretch,
 };
@@ -95,15 +95,14 @@ fn stretches(found: &Found, surface: &Surface) -> Vec<Stretch> {
     let mut recovered = recovered.into_iter();
     let mut stretches = Vec::with_capacity(parts.len());
     for part in &parts {
-        let cell = found.mesh.cells[part.cell].part(part.s);
         let [from, to] = part.s;
         let (middle, quarter) = (0.5 * (from + to), 0.5 * (to - from));
         let half = 0.5 * found.mesh.cells[part.cell].length() * quarter;
-        let whole = part.s == [-1.0, 1.0];
-        let deflection = if whole {
-            w.cell(part.cell).into()
+        let (cell, deflection) = if part.s == [-1.0, 1.0] {
+            (found.mesh.cells[part.cell], w.cell(part.cell).into())
         } else {
-            rescale(w.cell(part.cell), middle, quarter)
+            let cell = found.mesh.cells[part.cell].part(part.s);
+            (cell, rescale(w.cell(part.cell), middle, quarter))
         };
         let touching = part.open.is_none() && found.pressure == Pressure::Distributed;
         let pressure = if touching {
@@ -139,8 +138,10 @@ fn stretches(found: &Found, surface: &Surface) -> Vec<Stretch> {
 fn bent(cell: &Cell, half: f64, deflection: &[f64]) -> Coefficients {
     let times = if cell.beam_varies() { 1.0 } else { cell.stiffness };
     let factor = -times / (half * half);
-    let bend = deflection.iter().enumerate().skip(2);
-    let bend: Coefficients = bend.map(|(j, c)| factor * (j * (j - 1)) as f64 * c).collect();
+    let mut bend = derivative(&derivative(deflection));
+    for c in bend.iter_mut() {
+        *c *= factor;
+    }
     if cell.beam_varies() { product(&cell.stiffness_course(), &bend) } else { bend }
 }
 

@@ -97,10 +97,45 @@ pub(crate) fn jet(c: &[f64], s: f64) -> [f64; 4] {
     [f, d1, 2.0 * d2, 6.0 * d3]
 }
 
-/// The coefficients of df/ds.
-pub(crate) fn derivative(c: &[f64]) -> impl Iterator<Item = f64> + '_ {
-    c.iter().enumerate().skip(1).map(|(j, &a)| j as f64 * a)
+/// f(−1) and f(1).
+pub(crate) fn ends(c: &[f64]) -> [f64; 2] {
+    let [mut even, mut odd] = [0.0; 2];
+    for powers in c.chunks(2).rev() {
+        even += powers[0];
+        odd += powers.get(1).copied().unwrap_or(0.0);
+    }
+    [even - odd, even + odd]
 }
+
+/// The coefficients of df/ds.
+pub(crate) fn derivative(c: &[f64]) -> Coefficients {
+    let mut out = Coefficients::zeros(c.len().saturating_sub(1));
+    for (j, (out, a)) in out.iter_mut().zip(c.iter().skip(1)).enumerate() {
+        *out = (j + 1) as f64 * a;
+    }
+    out
+}
+
+/// The coefficients of `start` + ∫ f dx from s = −1, on a stretch of half length `half`.
+pub(crate) fn integral(c: &[f64], half: f64, start: f64) -> Coefficients {
+    let mut out = Coefficients::zeros(c.len() + 1);
+    for ((out, a), part) in out.iter_mut().skip(1).zip(c).zip(&PARTS) {
+        *out = half * a * part;
+    }
+    out[0] = start - ends(&out)[0];
+    out
+}
+
+/// 1/(j + 1).
+const PARTS: [f64; MOST] = {
+    let mut all = [0.0; MOST];
+    let mut j = 0;
+    while j < MOST {
+        all[j] = 1.0 / (j + 1) as f64;
+        j += 1;
+    }
+    all
+};
 
 /// The coefficients, in t ∈ \[−1, 1\], of f(middle + half·t).
 pub(crate) fn rescale(c: &[f64], middle: f64, half: f64) -> Coefficients {

@@ -239,9 +239,8 @@ impl Stretch {
     /// Where a field may be largest or smallest: its ends and where its derivative vanishes.
     fn candidates(&self, field: Field) -> Vec<f64> {
         let mut s = vec![-1.0];
-        let differentiated = |c: &[f64], times: usize| {
-            (0..times).fold(Coefficients::from(c), |c, _| derivative(&c).collect())
-        };
+        let differentiated =
+            |c: &[f64], times: usize| (0..times).fold(Coefficients::from(c), |c, _| derivative(&c));
         match field {
             Field::Deflection => sign_changes(&differentiated(&self.deflection, 1), &mut s),
             Field::Slope => sign_changes(&differentiated(&self.deflection, 2), &mut s),

@@ -4,7 +4,7 @@ use super::Claim;
 use super::balance::{Carriers, Weights};
 use super::curve::Polynomial;
 use super::lift::{End, Lifting};
-use super::quadrature::{Seen, at_points, gauss, seen_bounds};
+use super::quadrature::{Seen, at_points, gauss, larger, seen_bounds};
 use super::surface::Under;
 use super::unclaimed::Unclaimed;
 use crate::model::Model;
@@ -98,7 +98,7 @@ impl<'a> GroundSums<'a> {
     }
 
     fn see(&mut self, u: f64, du: f64) {
-        self.largest = [self.largest[0].max(u.abs()), self.largest[1].max(du.abs())];
+        self.largest = [larger(self.largest[0], u.abs()), larger(self.largest[1], du.abs())];
     }
 
     /// Between the piece before and the next one, or the ground beyond the beam's ends.
@@ -244,7 +244,7 @@ impl<'a> GroundSums<'a> {
             };
             self.spread += dx * rest * rest / k;
             self.work_on_gap += dx * p * under.gap(s);
-            self.total_pressure += dx * p.max(0.0);
+            self.total_pressure += dx * larger(0.0, p);
             let share = dx * p;
             mass += share;
             first += share * s;

@@ -28,7 +28,7 @@ use balance::{GivenBack, Remains, Segment};
 pub(crate) use claim::{Claim, ClaimedPiece};
 use ground::GroundSums;
 use joints::Joints;
-use quadrature::{Seen, at_points, gauss};
+use quadrature::{Seen, at_points, gauss, larger};
 use statics::{Events, SpreadLoad};
 use supports::Supports;
 use surface::Under;
@@ -358,11 +358,11 @@ fn beam_piece(
         sums.misfit += soft * misfit * misfit;
         sums.axial += dx * axial * slope * slope;
         sums.work += dx * (load.force(s) * seen.deflection[i] + load.moment(s) * slope);
-        sums.largest_slope = sums.largest_slope.max(slope.abs());
+        sums.largest_slope = larger(sums.largest_slope, slope.abs());
     }
     let ends = seen.ends.map(|[w, _]| w);
     let deflections = seen.deflection.into_iter().chain(ends).map(f64::abs);
-    sums.largest_deflection = deflections.fold(sums.largest_deflection, f64::max);
+    sums.largest_deflection = deflections.fold(sums.largest_deflection, larger);
 }
 
 /// The work of point loads.

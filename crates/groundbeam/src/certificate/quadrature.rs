@@ -1,6 +1,6 @@
 //! A piece's polynomials where the proof looks at them: at the points of quadrature and at both ends.
 
-use crate::polynomial::{Coefficients, derivative};
+use crate::polynomial::{derivative, ends};
 
 /// Gauss–Legendre points on \[−1, 1\], exact to degree 23: to rounding for every integrand here.
 const GAUSS: [(f64, f64); 6] = [
@@ -53,9 +53,9 @@ impl Seen {
     pub const POINTS: usize = 2 * GAUSS.len();
 
     pub fn of(deflection: &[f64]) -> Self {
-        let slope: Coefficients = derivative(deflection).collect();
-        let bend: Coefficients = derivative(&slope).collect();
-        let ([left, right], [tilt_left, tilt_right]) = (at_ends(deflection), at_ends(&slope));
+        let slope = derivative(deflection);
+        let bend = derivative(&slope);
+        let ([left, right], [tilt_left, tilt_right]) = (ends(deflection), ends(&slope));
         Seen {
             deflection: at_points(deflection),
             slope: at_points(&slope),
@@ -65,21 +65,16 @@ impl Seen {
     }
 }
 
-/// f(−1) and f(1).
-fn at_ends(c: &[f64]) -> [f64; 2] {
-    let [mut even, mut odd] = [0.0; 2];
-    for powers in c.chunks(2).rev() {
-        even += powers[0];
-        odd += powers.get(1).copied().unwrap_or(0.0);
-    }
-    [even - odd, even + odd]
+/// The larger of two numbers; what is no number is passed over.
+pub(super) fn larger(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
 }
 
 /// The least and the largest of zero and the values seen of a polynomial: what is printed; what is proven
 /// is bounded.
 pub(super) fn seen_bounds(c: &[f64], points: &AtPoints) -> [f64; 2] {
-    let all = points.iter().copied().chain(at_ends(c));
-    all.fold([0.0, 0.0], |[low, high], p| [low.min(p), high.max(p)])
+    let all = points.iter().copied().chain(ends(c));
+    all.fold([0.0, 0.0], |[low, high], p| [-larger(-low, -p), larger(high, p)])
 }
 
 #[cfg(test)]

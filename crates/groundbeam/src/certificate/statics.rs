@@ -3,7 +3,7 @@
 use super::balance::Remains;
 use super::{Claim, ClaimedPiece};
 use crate::model::{Load, Model};
-use crate::polynomial::Coefficients;
+use crate::polynomial::{Coefficients, integral};
 
 /// What acts at one point: force down, moment.
 #[derive(Debug, Clone, Copy)]
@@ -35,7 +35,8 @@ pub(super) struct Events {
 
 impl Events {
     pub fn of(model: &Model, claim: &Claim) -> Self {
-        let mut ahead = Vec::new();
+        let most = model.loads.len() + claim.forces.len() + claim.reactions.len();
+        let mut ahead = Vec::with_capacity(most);
         for load in &model.loads {
             match *load {
                 Load::PointForce { at: x, force } => ahead.push(Event { x, force, moment: 0.0 }),
@@ -93,7 +94,7 @@ impl Events {
             net[j] -= load.force[j];
         }
         // T' = p − f, then M' = V = T − P w' + g.
-        let total = antiderivative(&net, half, self.shear);
+        let total = integral(&net, half, self.shear);
         let mut shear = total.at_least(piece.deflection.len());
         let tension = if axial == 0.0 { &[] } else { piece.deflection };
         for (j, c) in tension.iter().enumerate().skip(1) {
@@ -102,7 +103,7 @@ impl Events {
         for j in 0..2 {
             shear[j] += load.moment[j];
         }
-        let moment = antiderivative(&shear, half, self.moment);
+        let moment = integral(&shear, half, self.moment);
         self.shear = total.iter().sum();
         self.moment = moment.iter().sum();
         moment
@@ -141,18 +142,6 @@ impl Events {
         let moments = self.moments + self.forces * self.length;
         [relative(force, moments / self.length), relative(moment, moments)]
     }
-}
-
-/// ∫ from the left end of a piece, which begins with `start`.
-fn antiderivative(c: &[f64], half: f64, start: f64) -> Coefficients {
-    let mut out = Coefficients::zeros(c.len() + 1);
-    let mut at_left = 0.0;
-    for (j, a) in c.iter().enumerate() {
-        out[j + 1] = half * a / (j + 1) as f64;
-        at_left += if j % 2 == 0 { -out[j + 1] } else { out[j + 1] };
-    }
-    out[0] = start - at_left;
-    out
 }
 
 /// The sum of all loads' sizes, moments over the length.

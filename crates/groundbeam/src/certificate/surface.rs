@@ -99,6 +99,9 @@ impl<'a> Under<'a> {
     }
 
     pub fn gap(&self, s: f64) -> f64 {
+        if self.gap == [0.0; 2] {
+            return 0.0;
+        }
         0.5 * ((1.0 - s) * self.gap[0] + (1.0 + s) * self.gap[1])
     }
 

@@ -93,10 +93,12 @@ pub(crate) fn pressure_of(cell: &Cell, half: f64, obstacle: &[f64]) -> Coefficie
         return varying::pressure(cell, half, obstacle);
     }
     let factor = cell.shear / (half * half);
-    (0..obstacle.len())
-        .map(|j| {
-            let bend = obstacle.get(j + 2).map_or(0.0, |c| ((j + 2) * (j + 1)) as f64 * c);
-            cell.spring * obstacle[j] - factor * bend
-        })
-        .collect()
+    let mut pressure = Coefficients::from(obstacle);
+    for c in pressure.iter_mut() {
+        *c *= cell.spring;
+    }
+    for (j, (pressure, c)) in pressure.iter_mut().zip(obstacle.iter().skip(2)).enumerate() {
+        *pressure -= factor * ((j + 2) * (j + 1)) as f64 * c;
+    }
+    pressure
 }

@@ -115,8 +115,7 @@ fn bending(cell: &Cell, f: &[f64], g: &[f64]) -> f64 {
 
 /// ∫ f⁽ⁿ⁾ g⁽ⁿ⁾ ds over \[−1, 1\] for the derivatives of order n ≤ 2.
 pub(crate) fn inner(f: &[f64], g: &[f64], order: usize) -> f64 {
-    let differentiated =
-        |c: &[f64]| (0..order).fold(Coefficients::from(c), |c, _| derivative(&c).collect());
+    let differentiated = |c: &[f64]| (0..order).fold(Coefficients::from(c), |c, _| derivative(&c));
     let [f, g] = [f, g].map(differentiated);
     let mut sum = 0.0;
     for (i, a) in f.iter().enumerate() {

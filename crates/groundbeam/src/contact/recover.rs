@@ -8,7 +8,7 @@ use super::active_set::Found;
 use super::deflection::pressure_of;
 use super::surface::Part;
 use crate::elements::hermite;
-use crate::polynomial::{Coefficients, rescale};
+use crate::polynomial::{Coefficients, integral, rescale};
 
 /// The coefficients of M(s) on each part, in the part's own coordinate.
 pub(crate) fn moments(
@@ -83,15 +83,4 @@ pub(crate) fn moments(
 
 fn distributed(found: &Found) -> bool {
     found.pressure == super::active_set::Pressure::Distributed
-}
-
-fn integral(c: &[f64], half: f64, start: f64) -> Coefficients {
-    let mut out = Coefficients::zeros(c.len() + 1);
-    let mut at_left = 0.0;
-    for (j, a) in c.iter().enumerate() {
-        out[j + 1] = half * a / (j + 1) as f64;
-        at_left += if j % 2 == 0 { -out[j + 1] } else { out[j + 1] };
-    }
-    out[0] = start - at_left;
-    out
 }

@@ -97,7 +97,7 @@ fn lowest(c: &[f64]) -> (f64, f64) {
         return (-1.0, bound);
     }
     let mut places = vec![-1.0];
-    sign_changes(&derivative(c).collect::<Coefficients>(), &mut places);
+    sign_changes(&derivative(c), &mut places);
     places.push(1.0);
     let all = places.into_iter().map(|s| (s, value(c, s)));
     all.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((-1.0, bound))
