@@ -99,6 +99,14 @@ impl Say<'_> {
     }
 
     fn not_unique(&self, motion: RigidMotion) -> String {
+        if motion.right > 0.0 {
+            let place = self.model.beam.length * (motion.left / (motion.left - motion.right));
+            return format!(
+                "the beam stands on the single point x = {}, right under the resultant: how far it turns \
+                 about it is not determined, any equilibrium shown is one of many",
+                self.units.position(place)
+            );
+        }
         let undetermined = match (motion.left < 0.0, motion.right < 0.0) {
             (true, false) => "how far it turns about its right end is not determined",
             (false, true) => "how far it turns about its left end is not determined",

@@ -38,11 +38,12 @@ pub(crate) fn assemble(
         .filter(|atom| atom.force != 0.0)
         .map(|atom| ConcentratedForce { at: at(atom), force: atom.force })
         .collect();
+    let contact = regions(found);
     let mut solution = Solution {
         model: model.clone(),
         method,
-        existence,
-        contact: regions(found),
+        existence: existence.with_contact(model, &contact),
+        contact,
         end_forces: EndForces { left, right },
         concentrated,
         reactions: Vec::new(),

@@ -8,25 +8,27 @@
 //! both shrink the set of free motions.
 
 use crate::model::{Load, Model, SupportKind};
+use crate::solution::ContactRegion;
 
 /// What the statics say about equilibrium.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Verdict {
     /// There is exactly one equilibrium.
     Unique,
-    /// A static reaction is zero: equilibria may exist, and then not one alone. The motion changes no
-    /// energy.
+    /// A static reaction is zero, or the beam stands on one point alone: equilibria may exist, and then not
+    /// one alone. The motion changes no energy.
     NotUnique(RigidMotion),
     /// There is none: the motion never presses on the ground and the loads gain work in it.
     None(RigidMotion),
 }
 
-/// A rigid motion of the beam, r(x) = a x + b ≤ 0, scaled to a largest lift of 1.
+/// A rigid motion of the beam, r(x) = a x + b, scaled to a largest size of 1. It presses nowhere: r ≤ 0,
+/// unless the beam stands on one point inside and turns about it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RigidMotion {
-    /// r(0), 0 or −1.
+    /// r(0): 0 or −1; about a point inside, between −1 and 0.
     pub left: f64,
-    /// r(l), 0 or −1.
+    /// r(l): 0 or −1; about a point inside, between 0 and 1.
     pub right: f64,
     /// F(r), the work of the loads in it \[N·m per m of lift\].
     pub work: f64,
@@ -52,6 +54,23 @@ impl Existence {
     pub fn resultant_position(&self, l: f64) -> Option<f64> {
         let total = self.resultant();
         (total != 0.0).then(|| l * (self.static_reactions[1] / total))
+    }
+
+    /// The same once the contact is known: a beam that stands on a single point inside, and that neither
+    /// tension nor a support keeps from turning there, has more than one equilibrium.
+    pub(crate) fn with_contact(self, model: &Model, contact: &[ContactRegion]) -> Existence {
+        let (mut points, turning) = hold(model);
+        points.extend(contact.iter().flat_map(|region| [region.from, region.to]));
+        let l = model.beam.length;
+        let verdict = match (self.verdict, points.first()) {
+            (Verdict::Unique, Some(&x)) if turning && points.iter().all(|point| *point == x) => {
+                let largest = x.max(l - x);
+                let (left, right) = (-x / largest, (l - x) / largest);
+                Verdict::NotUnique(RigidMotion { left, right, work: 0.0 })
+            }
+            (verdict, _) => verdict,
+        };
+        Existence { verdict, ..self }
     }
 }
 
@@ -127,6 +146,19 @@ enum About {
 }
 
 fn free_motions(model: &Model) -> Free {
+    let (held, turning) = hold(model);
+    match (held.as_slice(), turning) {
+        ([], true) => Free::RisingAndTurning,
+        ([], false) => Free::Rising,
+        ([x], true) if *x == 0.0 => Free::Turning(About::LeftEnd),
+        ([x], true) if *x == model.beam.length => Free::Turning(About::RightEnd),
+        // Turning about a point inside the beam presses one side into the ground.
+        _ => Free::Nothing,
+    }
+}
+
+/// Where supports hold the beam, and whether it may turn.
+fn hold(model: &Model) -> (Vec<f64>, bool) {
     let mut held: Vec<f64> = Vec::new();
     let mut turning = model.beam.axial_force == 0.0;
     for support in &model.supports {
@@ -142,14 +174,7 @@ fn free_motions(model: &Model) -> Free {
         }
         turning &= !stops_turning;
     }
-    match (held.as_slice(), turning) {
-        ([], true) => Free::RisingAndTurning,
-        ([], false) => Free::Rising,
-        ([x], true) if *x == 0.0 => Free::Turning(About::LeftEnd),
-        ([x], true) if *x == model.beam.length => Free::Turning(About::RightEnd),
-        // Turning about a point inside the beam presses one side into the ground.
-        _ => Free::Nothing,
-    }
+    (held, turning)
 }
 
 /// Whether supports leave no rigid motion at all, pressing on the ground or not: what a beam in

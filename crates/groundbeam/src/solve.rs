@@ -4,7 +4,7 @@ use crate::assemble::assemble;
 use crate::contact::active_set::{Found, Pressure, Stalled};
 use crate::contact::exact::Proof;
 use crate::contact::uzawa::{self, Relaxation};
-use crate::contact::{exact, nested};
+use crate::contact::{balanced, exact, nested};
 use crate::existence::{Existence, Verdict, existence, held_rigidly};
 use crate::mesh::Mesh;
 use crate::model::{Model, Part, Problem};
@@ -248,7 +248,7 @@ fn find(
         Method::Exact => match existence.verdict {
             Verdict::NotUnique(motion) if stands_on_an_end(model, existence) => {
                 let over_left = motion.left == 0.0;
-                exact::solve_balanced(model, existence.resultant(), over_left, judge)
+                balanced::solve_over_an_end(model, existence.resultant(), over_left, judge)
             }
             _ => exact::solve(model, judge),
         }

@@ -14,6 +14,7 @@
 //! error as well. If the steps do not settle, the mesh that began them is refined.
 
 use super::active_set::{Found, Pressure, Stalled, Step};
+use super::balanced::Held;
 use super::descent::shorten;
 use super::edges;
 use super::layout::Layout;
@@ -25,7 +26,7 @@ use crate::chain::{Chain, ChainCell, Loose};
 use crate::elements::exact::{ExactElement, TERMS, parts};
 use crate::elements::{Operator, Touch};
 use crate::mesh::{Cell, Mesh};
-use crate::model::{Load, Model};
+use crate::model::Model;
 use crate::polynomial::{jet, rescale};
 
 /// Cells of the first coarse mesh per wave length of the beam on its ground.
@@ -61,6 +62,13 @@ const PATIENCE: usize = 4;
 /// How often that, whatever the steps do, before the certificate's answer is good enough.
 const ROUNDS: usize = 12;
 
+/// Steps in a row that did not halve the move, after which the beam is tried without its weakest zones.
+const WALKING: usize = 8;
+/// The weakest zone that is kept in that, relative to the strongest, and the most that the others may move,
+/// relative to the beam's length.
+const WEAKEST: f64 = 1e-10;
+const STILL: f64 = 1e-3;
+
 /// What the certificate shows, or must show.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Proof {
@@ -73,9 +81,9 @@ pub(crate) struct Proof {
 
 impl Proof {
     /// What is known where nothing is asked.
-    const NONE: Proof = Proof { gap: f64::INFINITY, violation: f64::INFINITY };
+    pub(super) const NONE: Proof = Proof { gap: f64::INFINITY, violation: f64::INFINITY };
 
-    fn is_within(self, wanted: Proof) -> bool {
+    pub(super) fn is_within(self, wanted: Proof) -> bool {
         self.gap <= wanted.gap && self.violation <= wanted.violation
     }
 }
@@ -89,12 +97,9 @@ enum Goal {
     Start,
 }
 
-/// How far from an end the resultant stands whose limit is taken, as a part of the length.
-const ALMOST: f64 = 1e-6;
-
 /// What ends the iteration early, and what is accepted in the end.
 const PROVEN: Proof = Proof { gap: 1e-22, violation: 1e-13 };
-const ENOUGH: Proof = Proof { gap: 1e-11, violation: 3e-8 };
+pub(super) const ENOUGH: Proof = Proof { gap: 1e-11, violation: 3e-8 };
 /// What is accepted where rounding moves the edges for ever, after so many steps.
 const LAST: Proof = Proof { gap: 5e-10, violation: 5e-8 };
 const LAST_STEPS: usize = 100;
@@ -174,42 +179,6 @@ fn coarse(model: &Model, level: u32) -> Result<Found, Stalled> {
     Ok(found)
 }
 
-/// A slope given at an end, by a spring that equilibrium leaves without a moment.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Held {
-    left: bool,
-    slope: f64,
-}
-
-/// Solves a free beam whose resultant stands exactly over one of its ends. That end alone carries it, and
-/// the beam may stand on it at any angle beyond the one at which it leaves the ground tangentially, which
-/// is the limit of resultants that move towards the end. One such angle is taken.
-pub(crate) fn solve_balanced(
-    model: &Model,
-    resultant: f64,
-    over_left: bool,
-    mut judge: impl FnMut(&Found) -> Proof,
-) -> Result<Found, Stalled> {
-    let l = model.beam.length;
-    let inward = if over_left { ALMOST } else { -ALMOST };
-    let nearly = model.clone().with_load(Load::moment(inward * resultant * l, 0.5 * l));
-    let limit = solve(&nearly, |_| Proof::NONE)?;
-    let last = limit.mesh.cells.len() - 1;
-    let (cell, s) = if over_left { (0, -1.0) } else { (last, 1.0) };
-    let [w, dw, ..] = jet(limit.deflection().cell(cell), s);
-    let tangent = 2.0 * dw / limit.mesh.cells[cell].length();
-    // Beyond the limit, clear of the ground: the limit's last stretch of contact has a length of order
-    // √ALMOST, and its slope an error of that order.
-    let beyond = 10.0 * ALMOST.sqrt() * tangent.abs().max(w.abs() / l);
-    let slope = if over_left { tangent - beyond } else { tangent + beyond };
-    let end = if over_left { 0.0 } else { l };
-    let history = limit.history;
-    match glued(model, &[[end, end]], Some(Held { left: over_left, slope })) {
-        Ok(found) if judge(&found).is_within(ENOUGH) => Ok(Found { history, ..found }),
-        _ => Err(unsettled(history.len(), f64::NAN)),
-    }
-}
-
 /// Newton's steps on the edges, from the deflection of a coarser problem.
 fn refine(
     model: &Model,
@@ -238,8 +207,10 @@ fn refine(
     let mut last: Option<Found> = None;
     for step in 0..most_steps {
         let Ok(found) = glued(model, &stretches, None) else {
-            // A beam balanced on one point has no next step, and may need none.
-            return match last.take() {
+            // A beam balanced on one point may turn about it, as far as no other point touches.
+            let at_this_slope = Some(Held::as_in(&now));
+            let balanced = glued(model, &stretches, at_this_slope).ok();
+            return match balanced.or(last) {
                 Some(found) if judge(&found).is_within(LAST) => Ok(Found { history, ..found }),
                 _ if rough => Ok(Found { history, ..now }),
                 _ => Err(unsettled(step, moved)),
@@ -283,6 +254,14 @@ fn refine(
             // Where edges by themselves come to rest at no answer, the scan goes on.
             alone &= by_scan;
         }
+        if most_steps > NEAR_STEPS
+            && idle > 0
+            && idle.is_multiple_of(WALKING)
+            && let Some(start) = without_the_weakest(model, &found, &next)
+            && let Ok(found) = refine(model, start, Goal::Answer(NEAR_STEPS), judge)
+        {
+            return Ok(Found { history, ..found });
+        }
         // Steps that shrink end by themselves. Once one has not, the energy decides how far each goes, but
         // for those that square the error.
         if !(halved && (before.is_finite() || step < 2)) {
@@ -317,7 +296,34 @@ fn refine(
     }
 }
 
-fn unsettled(iterations: usize, reached: f64) -> Stalled {
+/// The beam glued to the ground where it presses most, if it asks for just that.
+///
+/// A step moves an end of contact by a wave length at most. Beyond the last load of a beam hundreds of waves
+/// long, zones each a thousand times weaker than the one before walk to the end of the beam that way, where
+/// in truth all of it lifts.
+fn without_the_weakest(model: &Model, found: &Found, stretches: &[Stretch]) -> Option<Found> {
+    let weight = |[a, b]: &Stretch| {
+        let x = 0.5 * (a + b);
+        let cell = found.mesh.cell_at(x);
+        let [w, ..] = jet(found.deflection().cell(cell), found.mesh.cells[cell].local(x));
+        w.abs() * (b - a)
+    };
+    let weights: Vec<f64> = stretches.iter().map(weight).collect();
+    let mut ranked = weights.clone();
+    ranked.sort_by(|a, b| b.total_cmp(a));
+    let worth_keeping = |w: &&f64| **w > WEAKEST * ranked[0];
+    let most = ranked.iter().take_while(worth_keeping).count().min(stretches.len() - 1);
+    (1..=most).rev().find_map(|count| {
+        let strong = stretches.iter().zip(&weights).filter(|(_, w)| **w >= ranked[count - 1]);
+        let strong: Vec<Stretch> = strong.map(|(stretch, _)| *stretch).collect();
+        let found = glued(model, &strong, None).ok()?;
+        let zones = majorant::contact(&found.deflection());
+        let moved = distance(&strong, &positions(&found.mesh, &zones, &[]));
+        (moved <= STILL * model.beam.length).then_some(Found { zones, ..found })
+    })
+}
+
+pub(super) fn unsettled(iterations: usize, reached: f64) -> Stalled {
     let what = "the last move of an edge of contact, relative to the beam's length,";
     Stalled { iterations, what, tolerance: 1e-12, reached }
 }
@@ -429,7 +435,7 @@ fn unfolded(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Beam, Foundation};
+    use crate::model::{Beam, Foundation, Load};
 
     /// Kikuchi's case IV: the edge from 60-digit arithmetic, and how fast it is reached.
     #[test]

@@ -1,6 +1,7 @@
 //! Where the beam touches: one file per method.
 
 pub(crate) mod active_set;
+pub(crate) mod balanced;
 pub(crate) mod deflection;
 mod descent;
 mod edges;

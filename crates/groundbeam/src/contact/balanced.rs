@@ -1,0 +1,53 @@
+//! A beam that stands on one point, and may turn there.
+
+use super::active_set::{Found, Stalled};
+use super::exact::{ENOUGH, Proof, glued, solve, unsettled};
+use crate::model::{Load, Model};
+use crate::polynomial::jet;
+
+/// How far from an end the resultant stands whose limit is taken, as a part of the length.
+const ALMOST: f64 = 1e-6;
+
+/// A slope given at an end, by a spring that equilibrium leaves without a moment.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Held {
+    pub left: bool,
+    pub slope: f64,
+}
+
+impl Held {
+    /// The slope that a deflection has at the left end.
+    pub fn as_in(found: &Found) -> Held {
+        let [_, slope, ..] = jet(found.deflection().cell(0), -1.0);
+        Held { left: true, slope: 2.0 * slope / found.mesh.cells[0].length() }
+    }
+}
+
+/// Solves a free beam whose resultant stands exactly over one of its ends. That end alone carries it, and
+/// the beam may stand on it at any angle beyond the one at which it leaves the ground tangentially, which
+/// is the limit of resultants that move towards the end. One such angle is taken.
+pub(crate) fn solve_over_an_end(
+    model: &Model,
+    resultant: f64,
+    over_left: bool,
+    mut judge: impl FnMut(&Found) -> Proof,
+) -> Result<Found, Stalled> {
+    let l = model.beam.length;
+    let inward = if over_left { ALMOST } else { -ALMOST };
+    let nearly = model.clone().with_load(Load::moment(inward * resultant * l, 0.5 * l));
+    let limit = solve(&nearly, |_| Proof::NONE)?;
+    let last = limit.mesh.cells.len() - 1;
+    let (cell, s) = if over_left { (0, -1.0) } else { (last, 1.0) };
+    let [w, dw, ..] = jet(limit.deflection().cell(cell), s);
+    let tangent = 2.0 * dw / limit.mesh.cells[cell].length();
+    // Beyond the limit, clear of the ground: the limit's last stretch of contact has a length of order
+    // √ALMOST, and its slope an error of that order.
+    let beyond = 10.0 * ALMOST.sqrt() * tangent.abs().max(w.abs() / l);
+    let slope = if over_left { tangent - beyond } else { tangent + beyond };
+    let end = if over_left { 0.0 } else { l };
+    let history = limit.history;
+    match glued(model, &[[end, end]], Some(Held { left: over_left, slope })) {
+        Ok(found) if judge(&found).is_within(ENOUGH) => Ok(Found { history, ..found }),
+        _ => Err(unsettled(history.len(), f64::NAN)),
+    }
+}
