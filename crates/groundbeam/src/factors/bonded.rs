@@ -76,7 +76,7 @@ impl Watched {
             let sum = both.map(|(a, b)| a + factor * b).collect();
             (sum, stays.size + factor * grows.size)
         } else {
-            (grows.coefficients.clone(), grows.size)
+            (grows.coefficients, grows.size)
         };
         let (s, lowest) = lowest(&coefficients);
         (lowest < -ROUNDING * size).then_some(s)
