@@ -1,7 +1,8 @@
 //! A beam that stands on one point, and may turn there.
 
 use super::active_set::{Found, Stalled};
-use super::exact::{ENOUGH, Proof, glued, solve, unsettled};
+use super::exact::{ENOUGH, Proof, solve, unsettled};
+use super::glue::Glue;
 use crate::model::{Load, Model};
 use crate::polynomial::jet;
 
@@ -46,7 +47,7 @@ pub(crate) fn solve_over_an_end(
     let slope = if over_left { tangent - beyond } else { tangent + beyond };
     let end = if over_left { 0.0 } else { l };
     let history = limit.history;
-    match glued(model, &[[end, end]], Some(Held { left: over_left, slope })) {
+    match Glue::new(model).on(&[[end, end]], Some(Held { left: over_left, slope })) {
         Ok(found) if judge(&found).is_within(ENOUGH) => Ok(Found { history, ..found }),
         _ => Err(unsettled(history.len(), f64::NAN)),
     }

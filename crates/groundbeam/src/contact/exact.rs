@@ -17,17 +17,17 @@ use super::active_set::{Found, Pressure, Stalled, Step};
 use super::balanced::Held;
 use super::descent::shorten;
 use super::edges;
-use super::layout::Layout;
+use super::glue::Glue;
 use super::majorant;
 use super::near;
 use super::nested;
-use super::stretches::{Stretch, at_place, distance, positions, zones_of};
-use crate::chain::{Chain, ChainCell, Loose};
-use crate::elements::exact::{ExactElement, TERMS, parts};
+use super::stretches::{Stretch, at_place, distance, positions};
+use crate::chain::Loose;
 use crate::elements::{Operator, Touch};
 use crate::mesh::{Cell, Mesh};
 use crate::model::Model;
-use crate::polynomial::{jet, rescale};
+use crate::polynomial::jet;
+use std::rc::Rc;
 
 /// Cells of the first coarse mesh per wave length of the beam on its ground.
 const COARSE: f64 = 1.0;
@@ -113,7 +113,7 @@ pub(crate) fn solve(
 ) -> Result<Found, Stalled> {
     let judge: &mut dyn FnMut(&Found) -> Proof = &mut judge;
     if let Some(stretches) = near::edges(model)
-        && let Ok(found) = from_edges(model, &stretches, judge)
+        && let Ok(found) = from_edges(&mut Glue::new(model), &stretches, judge)
     {
         return Ok(found);
     }
@@ -121,7 +121,9 @@ pub(crate) fn solve(
     let mut iterations = 0;
     for level in 0..=REFINEMENTS {
         let start = coarse(model, level);
-        let found = start.and_then(|start| refine(model, start, Goal::Answer(MOST_STEPS), judge));
+        let found = start.and_then(|start| {
+            refine(&mut Glue::new(model), start, Goal::Answer(MOST_STEPS), judge)
+        });
         match found {
             Ok(found) => return Ok(found),
             Err(stalled) => {
@@ -135,18 +137,18 @@ pub(crate) fn solve(
 
 /// From the beam glued to the ground on given stretches. Where it asks for just these, it is the answer.
 fn from_edges(
-    model: &Model,
+    glue: &mut Glue,
     stretches: &[Stretch],
     judge: &mut dyn FnMut(&Found) -> Proof,
 ) -> Result<Found, Stalled> {
-    let found = glued(model, stretches, None).map_err(|Loose| unsettled(0, f64::NAN))?;
+    let found = glue.on(stretches, None).map_err(|Loose| unsettled(0, f64::NAN))?;
     let zones = majorant::contact(&found.deflection());
     if positions(&found.mesh, &zones, &[]) == stretches {
         judge(&found);
         let history = vec![Step { zones: stretches.len(), step: 1.0, decrement: 0.0 }];
         return Ok(Found { history, ..found });
     }
-    refine(model, Found { zones, ..found }, Goal::Answer(NEAR_STEPS), judge)
+    refine(glue, Found { zones, ..found }, Goal::Answer(NEAR_STEPS), judge)
 }
 
 /// A deflection to start from: on a coarse mesh, for a beam so stiff that the mesh sees its waves, and
@@ -174,14 +176,14 @@ fn coarse(model: &Model, level: u32) -> Result<Found, Stalled> {
     let meshes = nested::coarse_meshes(&stiffest, per_wave);
     let mut found = nested::solve(meshes, Pressure::Distributed)?;
     for stage in (1..=stages).rev() {
-        found = refine(&stiffer(stage), found, Goal::Start, &mut |_| Proof::NONE)?;
+        found = refine(&mut Glue::new(&stiffer(stage)), found, Goal::Start, &mut |_| Proof::NONE)?;
     }
     Ok(found)
 }
 
 /// Newton's steps on the edges, from the deflection of a coarser problem.
 fn refine(
-    model: &Model,
+    glue: &mut Glue,
     mut start: Found,
     goal: Goal,
     judge: &mut dyn FnMut(&Found) -> Proof,
@@ -190,6 +192,7 @@ fn refine(
         Goal::Answer(most_steps) => (false, most_steps),
         Goal::Start => (true, STAGE_STEPS),
     };
+    let model = glue.model;
     let places: Vec<f64> = Mesh::build(model, &[], |_| 1).nodes.iter().map(|n| n.x).collect();
     let mut stretches = positions(&start.mesh, &start.zones, &places);
     let mut history = std::mem::take(&mut start.history);
@@ -203,16 +206,16 @@ fn refine(
     // Whether edges may be moved by themselves.
     let mut alone = true;
     // The deflection that asked for the stretches, and the last that equilibrium made.
-    let mut now = start;
-    let mut last: Option<Found> = None;
+    let mut now = Rc::new(start);
+    let mut last: Option<Rc<Found>> = None;
     for step in 0..most_steps {
-        let Ok(found) = glued(model, &stretches, None) else {
+        let Ok(found) = glue.on(&stretches, None) else {
             // A beam balanced on one point may turn about it, as far as no other point touches.
             let at_this_slope = Some(Held::as_in(&now));
-            let balanced = glued(model, &stretches, at_this_slope).ok();
-            return match balanced.or(last) {
+            let balanced = glue.on(&stretches, at_this_slope).ok();
+            return match balanced.or(last.map(Rc::unwrap_or_clone)) {
                 Some(found) if judge(&found).is_within(LAST) => Ok(Found { history, ..found }),
-                _ if rough => Ok(Found { history, ..now }),
+                _ if rough => Ok(Found { history, ..Rc::unwrap_or_clone(now) }),
                 _ => Err(unsettled(step, moved)),
             };
         };
@@ -257,8 +260,8 @@ fn refine(
         if most_steps > NEAR_STEPS
             && idle > 0
             && idle.is_multiple_of(WALKING)
-            && let Some(start) = without_the_weakest(model, &found, &next)
-            && let Ok(found) = refine(model, start, Goal::Answer(NEAR_STEPS), judge)
+            && let Some(start) = without_the_weakest(glue, &found, &next)
+            && let Ok(found) = refine(glue, start, Goal::Answer(NEAR_STEPS), judge)
         {
             return Ok(Found { history, ..found });
         }
@@ -279,19 +282,20 @@ fn refine(
             }
             between = shortened.between;
         }
+        let found = Rc::new(found);
         (now, stretches) = match between {
             Some(between) => {
                 moved = f64::INFINITY;
                 let stretches = positions(&between.mesh, &between.zones, &places);
-                (between, stretches)
+                (Rc::new(between), stretches)
             }
-            None => (found.clone(), next),
+            None => (Rc::clone(&found), next),
         };
         last = Some(found);
     }
     match last.filter(|found| judge(found).is_within(ENOUGH)) {
-        Some(found) => Ok(Found { history, ..found }),
-        None if rough => Ok(Found { history, ..now }),
+        Some(found) => Ok(Found { history, ..Rc::unwrap_or_clone(found) }),
+        None if rough => Ok(Found { history, ..Rc::unwrap_or_clone(now) }),
         None => Err(unsettled(most_steps, moved)),
     }
 }
@@ -301,7 +305,7 @@ fn refine(
 /// A step moves an end of contact by a wave length at most. Beyond the last load of a beam hundreds of waves
 /// long, zones each a thousand times weaker than the one before walk to the end of the beam that way, where
 /// in truth all of it lifts.
-fn without_the_weakest(model: &Model, found: &Found, stretches: &[Stretch]) -> Option<Found> {
+fn without_the_weakest(glue: &mut Glue, found: &Found, stretches: &[Stretch]) -> Option<Found> {
     let weight = |[a, b]: &Stretch| {
         let x = 0.5 * (a + b);
         let cell = found.mesh.cell_at(x);
@@ -316,120 +320,16 @@ fn without_the_weakest(model: &Model, found: &Found, stretches: &[Stretch]) -> O
     (1..=most).rev().find_map(|count| {
         let strong = stretches.iter().zip(&weights).filter(|(_, w)| **w >= ranked[count - 1]);
         let strong: Vec<Stretch> = strong.map(|(stretch, _)| *stretch).collect();
-        let found = glued(model, &strong, None).ok()?;
+        let found = glue.on(&strong, None).ok()?;
         let zones = majorant::contact(&found.deflection());
         let moved = distance(&strong, &positions(&found.mesh, &zones, &[]));
-        (moved <= STILL * model.beam.length).then_some(Found { zones, ..found })
+        (moved <= STILL * glue.model.beam.length).then_some(Found { zones, ..found })
     })
 }
 
 pub(super) fn unsettled(iterations: usize, reached: f64) -> Stalled {
     let what = "the last move of an edge of contact, relative to the beam's length,";
     Stalled { iterations, what, tolerance: 1e-12, reached }
-}
-
-/// The beam glued to the ground on given stretches, solved exactly.
-pub(crate) fn glued(
-    model: &Model,
-    stretches: &[Stretch],
-    held: Option<Held>,
-) -> Result<Found, Loose> {
-    let axial = model.beam.axial_force;
-    let edges: Vec<f64> = stretches.iter().flatten().copied().collect();
-    let touches = |x: f64| {
-        let next = stretches.partition_point(|s| s[1] <= x);
-        stretches.get(next).is_some_and(|s| s[0] < x)
-    };
-    let touch = |cell: &Cell| {
-        if touches(0.5 * (cell.x[0] + cell.x[1])) { Touch::Contact } else { Touch::Open }
-    };
-    let mesh = Mesh::graded(model, &edges, |cell| {
-        parts(&Operator::of(cell, axial, touch(cell)), cell.length())
-    });
-    let assumed = zones_of(&mesh, stretches, &touch);
-    let layout = Layout::of(&mesh, &assumed);
-    let elements: Vec<ExactElement> = mesh
-        .cells
-        .iter()
-        .map(|cell| ExactElement::new(&Operator::of(cell, axial, touch(cell)), cell.length()))
-        .collect();
-    let cells: Vec<ChainCell> = elements
-        .iter()
-        .enumerate()
-        .map(|(i, exact)| {
-            // Only ends are tied.
-            layout.chain_cell(&mesh, i, exact.element, |s| exact.element.end_row(s > 0.0))
-        })
-        .collect();
-    let mut nodes = layout.nodes(&mesh);
-    if let Some(held) = held {
-        let node = if held.left { 0 } else { nodes.len() - 1 };
-        let spring = model.beam.bending_stiffness / model.beam.length;
-        nodes[node].rotational_spring += spring;
-        nodes[node].moment += spring * held.slope;
-    }
-    let shapes = Chain { nodes, cells, meeting: layout.meeting_node(&mesh) }.solve()?;
-    let (fine, coefficients) = unfolded(model, mesh, &elements, &shapes);
-    if !coefficients.iter().all(|c| c.is_finite()) {
-        return Err(Loose);
-    }
-    let zones = zones_of(&fine, stretches, &touch);
-    Ok(Found {
-        mesh: fine,
-        terms: TERMS,
-        shapes: Vec::new(),
-        coefficients,
-        zones,
-        history: Vec::new(),
-        pressure: Pressure::Distributed,
-        surface: None,
-    })
-}
-
-/// w as short series: each element's own, and where it has boundary layers cut into pieces.
-fn unfolded(
-    model: &Model,
-    mesh: Mesh,
-    elements: &[ExactElement],
-    shapes: &[[f64; 4]],
-) -> (Mesh, Vec<f64>) {
-    let mut coefficients = Vec::with_capacity(mesh.cells.len() * TERMS);
-    if elements.iter().all(|element| element.layers.is_none()) {
-        for (element, v) in elements.iter().zip(shapes) {
-            coefficients.extend_from_slice(&element.unfold(v).0);
-        }
-        return (mesh, coefficients);
-    }
-    let parts = elements.iter().zip(shapes).map(|(element, v)| element.unfold(v));
-    let parts: Vec<([f64; TERMS], [f64; 2])> = parts.collect();
-    let mut x = Vec::new();
-    for ((element, cell), (_, heights)) in elements.iter().zip(&mesh.cells).zip(&parts) {
-        x.push(cell.x[1]);
-        if let Some(layers) = &element.layers {
-            x.extend(layers.cuts(cell.x, *heights));
-        }
-    }
-    let fine = Mesh::build(model, &x, |_| 1);
-    let mut i = 0;
-    for piece in &fine.cells {
-        let middle = 0.5 * (piece.x[0] + piece.x[1]);
-        while mesh.cells[i].x[1] < middle {
-            i += 1;
-        }
-        let cell = &mesh.cells[i];
-        let (series, heights) = &parts[i];
-        let mut c = if piece.x == cell.x {
-            series[..].into()
-        } else {
-            let [a, b] = piece.x.map(|x| cell.local(x));
-            rescale(series, 0.5 * (a + b), piece.length() / cell.length())
-        };
-        if let Some(layers) = &elements[i].layers {
-            layers.add(cell.x, *heights, piece.x, &mut c);
-        }
-        coefficients.extend_from_slice(&c);
-    }
-    (fine, coefficients)
 }
 
 #[cfg(test)]
@@ -446,38 +346,12 @@ mod tests {
         let mut stretches = vec![[0.8, 1.0]];
         let mut errors = Vec::new();
         for _ in 0..4 {
-            let found = glued(&model, &stretches, None).expect("a solution");
+            let found = Glue::new(&model).on(&stretches, None).expect("a solution");
             let zones = majorant::contact(&found.deflection());
             stretches = positions(&found.mesh, &zones, &[]);
             errors.push((stretches[0][0] - 0.811_326_256_449_155).abs());
         }
         assert!(errors[3] < 2e-15, "{errors:?}");
         assert!(errors[1] < errors[0] * errors[0] * 10.0, "{errors:?}");
-    }
-
-    /// A gap of length h takes −π h off the ground's force and changes w by O(h), however short it is and
-    /// wherever a node stands in it: 10⁻¹³ of w is left for rounding.
-    #[test]
-    fn a_short_gap_keeps_the_digits_beside_it() {
-        let model = Model::new(Beam::uniform(1.0, 10.0), Foundation::pasternak(1.0, 3.4))
-            .with_load(Load::point(1.0, 0.5))
-            .with_load(Load::moment(0.1, 0.5));
-        let solved = |stretches: &[Stretch], node: f64| {
-            let model = model.clone().with_load(Load::point(f64::MIN_POSITIVE, node));
-            let found = glued(&model, stretches, None).expect("a solution");
-            let cell = found.mesh.cells.iter().position(|c| c.x[1] == 0.3).expect("a node");
-            let [w, _, bend, _] = jet(found.deflection().cell(cell), 1.0);
-            [w, bend / (0.5 * found.mesh.cells[cell].length()).powi(2)]
-        };
-        let bonded = solved(&[[0.0, 0.3], [0.3, 1.0]], 0.3);
-        for h in [1e-3, 1e-5, 1e-7, 1e-9, 1e-11] {
-            let stretches = [[0.0, 0.3], [0.3 + h, 1.0]];
-            for node in [0.0, 0.3 + 0.4 * h] {
-                let here = solved(&stretches, node);
-                for (a, b) in here.iter().zip(bonded) {
-                    assert!((a - b).abs() <= h * h + 1e-13, "{h}: {here:?} {bonded:?}");
-                }
-            }
-        }
     }
 }

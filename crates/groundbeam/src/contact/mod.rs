@@ -7,6 +7,7 @@ mod descent;
 mod edges;
 pub(crate) mod exact;
 pub(crate) mod forms;
+pub(crate) mod glue;
 pub(crate) mod layout;
 pub(crate) mod line;
 mod majorant;

@@ -3,7 +3,7 @@
 use crate::chain::Loose;
 use crate::contact::active_set::Found;
 use crate::contact::deflection::pressure_of;
-use crate::contact::exact::glued;
+use crate::contact::glue::Glue;
 use crate::contact::surface::Surface;
 use crate::mesh::Cell;
 use crate::model::Model;
@@ -11,7 +11,7 @@ use crate::polynomial::{Coefficients, derivative, rescale, sign_changes, value};
 
 /// The deflection of a beam that touches along its whole length, whether the ground pushes or pulls.
 pub(super) fn glued_all_along(model: &Model) -> Result<Found, Loose> {
-    glued(model, &[[0.0, model.beam.length]], None)
+    Glue::new(model).on(&[[0.0, model.beam.length]], None)
 }
 
 /// What must not be negative on a stretch of the beam or at a point of it: the pressure there, or a
