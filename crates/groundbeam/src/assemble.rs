@@ -15,43 +15,43 @@ use crate::solution::{
 };
 use crate::solve::Method;
 
-/// Everything a solution holds, and its certificate.
+/// Everything a solution holds, and its certificate, in the memory of one that is no longer needed.
 pub(crate) fn assemble(
     model: &Model,
     method: Method,
     existence: Existence,
     stability: f64,
     found: &Found,
-) -> Solution {
+    kept: Option<Box<Solution>>,
+) -> Box<Solution> {
     let surface = match &found.surface {
         Some(given) => given,
         None => &Surface::of(&found.deflection(), &found.zones),
     };
-    let stretches = stretches(found, surface);
+    let mut solution = match kept {
+        Some(mut kept) => {
+            kept.model.become_like(model);
+            kept
+        }
+        None => Box::new(Solution::without_fields(model.clone())),
+    };
     let mesh = &found.mesh;
     let at = |atom: &Atom| mesh.cells[atom.spot.cell].global(atom.spot.s);
     let l = model.beam.length;
     // Adding zero turns −0 into 0.
     let [left, right] = surface.end_forces(mesh).map(|force| force + 0.0);
     let inner = surface.atoms.iter().filter(|atom| at(atom) > 0.0 && at(atom) < l);
-    let concentrated: Vec<ConcentratedForce> = inner
-        .filter(|atom| atom.force != 0.0)
-        .map(|atom| ConcentratedForce { at: at(atom), force: atom.force })
-        .collect();
-    let contact = regions(found);
-    let mut solution = Solution {
-        model: model.clone(),
-        method,
-        existence: existence.with_contact(model, &contact),
-        contact,
-        end_forces: EndForces { left, right },
-        concentrated,
-        reactions: Vec::new(),
-        certificate: Default::default(),
-        history: Vec::new(),
-        elements: found.mesh.cells.len(),
-        stretches,
-    };
+    let inner = inner.filter(|atom| atom.force != 0.0);
+    solution.concentrated.clear();
+    solution
+        .concentrated
+        .extend(inner.map(|atom| ConcentratedForce { at: at(atom), force: atom.force }));
+    regions(found, &mut solution.contact);
+    stretches(found, surface, &mut solution.stretches);
+    solution.method = method;
+    solution.existence = existence.with_contact(model, &solution.contact);
+    solution.end_forces = EndForces { left, right };
+    solution.elements = found.mesh.cells.len();
     solution.reactions = reactions(&solution);
     solution.certificate = certify(model, &claim(&solution, stability));
     solution
@@ -79,7 +79,7 @@ fn claim(solution: &Solution, stability: f64) -> Claim<'_> {
     }
 }
 
-fn stretches(found: &Found, surface: &Surface) -> Vec<Stretch> {
+fn stretches(found: &Found, surface: &Surface, stretches: &mut Vec<Stretch>) {
     let w = found.deflection();
     let parts = surface.short_parts(&found.mesh);
     let exact = found.terms > crate::elements::hermite::TERMS;
@@ -94,7 +94,8 @@ fn stretches(found: &Found, surface: &Surface) -> Vec<Stretch> {
         recover::moments(found, &parts, &forces)
     };
     let mut recovered = recovered.into_iter();
-    let mut stretches = Vec::with_capacity(parts.len());
+    stretches.clear();
+    stretches.reserve(parts.len());
     for part in &parts {
         let [from, to] = part.s;
         let (middle, quarter) = (0.5 * (from + to), 0.5 * (to - from));
@@ -132,7 +133,6 @@ fn stretches(found: &Found, surface: &Surface) -> Vec<Stretch> {
             settlement,
         });
     }
-    stretches
 }
 
 /// The coefficients of −EI w″.
@@ -147,10 +147,10 @@ fn bent(cell: &Cell, half: f64, deflection: &[f64]) -> Coefficients {
 }
 
 /// Stretches and points of contact, those that meet joined.
-fn regions(found: &Found) -> Vec<ContactRegion> {
+fn regions(found: &Found, regions: &mut Vec<ContactRegion>) {
     let mesh = &found.mesh;
     let position = |spot: Spot| mesh.cells[spot.cell].global(spot.s);
-    let mut regions: Vec<ContactRegion> = Vec::new();
+    regions.clear();
     let mut last_node = None;
     for zone in &found.zones {
         let (from, to) = (position(zone.from), position(zone.to));
@@ -164,7 +164,6 @@ fn regions(found: &Found) -> Vec<ContactRegion> {
             _ => regions.push(ContactRegion { from, to }),
         }
     }
-    regions
 }
 
 /// From the equilibrium of the beam about each support, and the springs' own laws.

@@ -11,9 +11,10 @@ use crate::model::{Load, Model, SupportKind};
 use crate::solution::ContactRegion;
 
 /// What the statics say about equilibrium.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Verdict {
     /// There is exactly one equilibrium.
+    #[default]
     Unique,
     /// A static reaction is zero, or the beam stands on one point alone: equilibria may exist, and then not
     /// one alone. The motion changes no energy.
@@ -35,7 +36,7 @@ pub struct RigidMotion {
 }
 
 /// The verdict and the statics it rests on.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Existence {
     /// Whether an equilibrium exists, and is the only one.
     pub verdict: Verdict,

@@ -326,6 +326,23 @@ pub struct Solution {
 }
 
 impl Solution {
+    /// A place for a solution.
+    pub(crate) fn without_fields(model: Model) -> Self {
+        Solution {
+            model,
+            method: Method::default(),
+            existence: Existence::default(),
+            stretches: Vec::new(),
+            contact: Vec::new(),
+            end_forces: EndForces { left: 0.0, right: 0.0 },
+            concentrated: Vec::new(),
+            reactions: Vec::new(),
+            certificate: Certificate::default(),
+            history: Vec::new(),
+            elements: 0,
+        }
+    }
+
     /// The model that was solved.
     pub fn model(&self) -> &Model {
         &self.model

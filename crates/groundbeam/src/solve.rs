@@ -8,7 +8,7 @@ use crate::contact::{balanced, exact, nested};
 use crate::existence::{Existence, Verdict, existence, held_rigidly};
 use crate::mesh::Mesh;
 use crate::model::{Model, Part, Problem};
-use crate::solution::Solution;
+use crate::solution::{ContactRegion, Solution};
 use crate::stability::own_buckling_load;
 use std::fmt;
 
@@ -165,21 +165,43 @@ pub fn solve(model: &Model) -> Result<Outcome, Error> {
 ///
 /// As [`solve`]; and [`Error::Unsupported`] for the paper's pressures (5.5) on ground without a shear layer.
 pub fn solve_with(model: &Model, options: &Options) -> Result<Outcome, Error> {
+    let mut kept = None;
+    let existence = solve_in(model, options, None, &mut kept)?;
+    Ok(match kept {
+        Some(solution) => Outcome::Equilibrium(solution),
+        None => Outcome::NoEquilibrium(existence),
+    })
+}
+
+/// Solves in the memory of a solution that is no longer needed; the exact method from the contact that is
+/// likely. What is kept is nothing if no equilibrium exists, and no solution if there is an error.
+pub(crate) fn solve_in(
+    model: &Model,
+    options: &Options,
+    likely: Option<&[ContactRegion]>,
+    kept: &mut Option<Box<Solution>>,
+) -> Result<Existence, Error> {
     let Checked { existence, stability } = check(model)?;
     if let Verdict::None(_) = existence.verdict {
-        return Ok(Outcome::NoEquilibrium(existence));
+        *kept = None;
+        return Ok(existence);
     }
-    let mut judged = None;
-    let judge = |found: &Found| {
-        let solution = assemble(model, options.method, existence, stability, found);
-        let certificate = *solution.certificate();
-        judged = Some(solution);
+    let mut assembled = |found: &Found| {
+        let memory = kept.take();
+        let solution = assemble(model, options.method, existence, stability, found, memory);
+        let certificate = kept.insert(solution).certificate();
         Proof { gap: certificate.relative_gap, violation: certificate.violation() }
     };
-    let found = find(model, options, existence, judge)?;
-    let assembled =
-        judged.unwrap_or_else(|| assemble(model, options.method, existence, stability, &found));
-    certified(Solution { history: found.history, ..assembled }, options)
+    let found = find(model, options, existence, likely, &mut assembled)?;
+    // The exact method has had its answer judged.
+    if options.method != Method::Exact {
+        assembled(&found);
+    }
+    if let Some(solution) = kept {
+        solution.history = found.history;
+        certified(solution, options)?;
+    }
+    Ok(existence)
 }
 
 /// Tells whether an equilibrium exists, without solving.
@@ -223,6 +245,7 @@ fn find(
     model: &Model,
     options: &Options,
     existence: Existence,
+    likely: Option<&[ContactRegion]>,
     judge: impl FnMut(&Found) -> Proof,
 ) -> Result<Found, Error> {
     let method = options.method;
@@ -250,7 +273,7 @@ fn find(
                 let over_left = motion.left == 0.0;
                 balanced::solve_over_an_end(model, existence.resultant(), over_left, judge)
             }
-            _ => exact::solve(model, judge),
+            _ => exact::solve(model, likely, judge),
         }
         .map_err(stalled),
         Method::ActiveSet => {
@@ -286,7 +309,7 @@ pub(crate) fn without_shear_layer(model: &Model) -> Option<Part> {
 }
 
 /// A solution leaves the library only with a certificate that holds.
-fn certified(solution: Solution, options: &Options) -> Result<Outcome, Error> {
+fn certified(solution: &Solution, options: &Options) -> Result<(), Error> {
     let certificate = solution.certificate();
     let not = |what, reached, tolerance| {
         Err(Error::NotConverged(NotConverged {
@@ -304,7 +327,7 @@ fn certified(solution: Solution, options: &Options) -> Result<Outcome, Error> {
     if options.method == Method::Exact && certificate.relative_gap > EXACT_GAP {
         return not("the certificate's relative gap", certificate.relative_gap, EXACT_GAP);
     }
-    Ok(Outcome::Equilibrium(Box::new(solution)))
+    Ok(())
 }
 
 /// The relative gap of energies that the exact method must prove.

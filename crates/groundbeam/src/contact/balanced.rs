@@ -36,7 +36,7 @@ pub(crate) fn solve_over_an_end(
     let l = model.beam.length;
     let inward = if over_left { ALMOST } else { -ALMOST };
     let nearly = model.clone().with_load(Load::moment(inward * resultant * l, 0.5 * l));
-    let limit = solve(&nearly, |_| Proof::NONE)?;
+    let limit = solve(&nearly, None, |_| Proof::NONE)?;
     let last = limit.mesh.cells.len() - 1;
     let (cell, s) = if over_left { (0, -1.0) } else { (last, 1.0) };
     let [w, dw, ..] = jet(limit.deflection().cell(cell), s);

@@ -27,6 +27,7 @@ use crate::elements::{Operator, Touch};
 use crate::mesh::{Cell, Mesh};
 use crate::model::Model;
 use crate::polynomial::jet;
+use crate::solution::ContactRegion;
 use std::rc::Rc;
 
 /// Cells of the first coarse mesh per wave length of the beam on its ground.
@@ -107,13 +108,21 @@ const LAST_STEPS: usize = 100;
 /// Solves a model. `judge` tells what the certificate shows of a deflection with its contact: where an
 /// edge cannot be told from its neighbours (a zone without pressure, a beam balanced on one point), that
 /// and not the edge's last digit ends the iteration. What is returned is what was judged last.
+/// The steps begin at the contact that is `likely`, that of a neighbouring model, or else at one of their own.
 pub(crate) fn solve(
     model: &Model,
+    likely: Option<&[ContactRegion]>,
     mut judge: impl FnMut(&Found) -> Proof,
 ) -> Result<Found, Stalled> {
     let judge: &mut dyn FnMut(&Found) -> Proof = &mut judge;
+    let glue = &mut Glue::new(model);
+    if let Some(likely) = likely
+        && let Ok(found) = from_likely(glue, &on_the_beam(likely, model.beam.length), judge)
+    {
+        return Ok(found);
+    }
     if let Some(stretches) = near::edges(model)
-        && let Ok(found) = from_edges(&mut Glue::new(model), &stretches, judge)
+        && let Ok(found) = from_edges(glue, &stretches, judge)
     {
         return Ok(found);
     }
@@ -122,7 +131,7 @@ pub(crate) fn solve(
     for level in 0..=REFINEMENTS {
         let start = coarse(model, level);
         let found = start.and_then(|start| {
-            refine(&mut Glue::new(model), start, Goal::Answer(MOST_STEPS), judge)
+            refine(glue, Start::asked_by(start), Goal::Answer(MOST_STEPS), judge)
         });
         match found {
             Ok(found) => return Ok(found),
@@ -133,6 +142,12 @@ pub(crate) fn solve(
         }
     }
     Err(Stalled { iterations, ..last })
+}
+
+/// The contact of another beam, as far as this one reaches.
+fn on_the_beam(contact: &[ContactRegion], l: f64) -> Vec<Stretch> {
+    let within = contact.iter().filter(|region| region.from <= l);
+    within.map(|region| [region.from, region.to.min(l)]).collect()
 }
 
 /// From the beam glued to the ground on given stretches. Where it asks for just these, it is the answer.
@@ -148,7 +163,43 @@ fn from_edges(
         let history = vec![Step { zones: stretches.len(), step: 1.0, decrement: 0.0 }];
         return Ok(Found { history, ..found });
     }
-    refine(glue, Found { zones, ..found }, Goal::Answer(NEAR_STEPS), judge)
+    let start = Start::asked_by(Found { zones, ..found });
+    refine(glue, start, Goal::Answer(NEAR_STEPS), judge)
+}
+
+/// The same from stretches so likely that their edges are moved by themselves from the first step on.
+fn from_likely(
+    glue: &mut Glue,
+    stretches: &[Stretch],
+    judge: &mut dyn FnMut(&Found) -> Proof,
+) -> Result<Found, Stalled> {
+    let found = glue.on(stretches, None).map_err(|Loose| unsettled(0, f64::NAN))?;
+    let near = |next: &Vec<Stretch>| {
+        next != stretches && distance(stretches, next) <= NEAR * glue.model.beam.length
+    };
+    match edges::moved(&found.deflection(), &found.zones).filter(near) {
+        Some(next) => {
+            let start = Start { found, stretches: next, near: true };
+            refine(glue, start, Goal::Answer(NEAR_STEPS), judge)
+        }
+        // Where all of the beam touches, or zones come and go, no edge tells.
+        None => from_edges(glue, stretches, judge),
+    }
+}
+
+/// A deflection, and the contact that it asks for.
+struct Start {
+    found: Found,
+    stretches: Vec<Stretch>,
+    /// Whether that is near the contact on which it was glued.
+    near: bool,
+}
+
+impl Start {
+    fn asked_by(found: Found) -> Self {
+        let stretches = positions(&found.mesh, &found.zones, &[]);
+        Start { found, stretches, near: false }
+    }
 }
 
 /// A deflection to start from: on a coarse mesh, for a beam so stiff that the mesh sees its waves, and
@@ -176,7 +227,12 @@ fn coarse(model: &Model, level: u32) -> Result<Found, Stalled> {
     let meshes = nested::coarse_meshes(&stiffest, per_wave);
     let mut found = nested::solve(meshes, Pressure::Distributed)?;
     for stage in (1..=stages).rev() {
-        found = refine(&mut Glue::new(&stiffer(stage)), found, Goal::Start, &mut |_| Proof::NONE)?;
+        found = refine(
+            &mut Glue::new(&stiffer(stage)),
+            Start::asked_by(found),
+            Goal::Start,
+            &mut |_| Proof::NONE,
+        )?;
     }
     Ok(found)
 }
@@ -184,7 +240,7 @@ fn coarse(model: &Model, level: u32) -> Result<Found, Stalled> {
 /// Newton's steps on the edges, from the deflection of a coarser problem.
 fn refine(
     glue: &mut Glue,
-    mut start: Found,
+    start: Start,
     goal: Goal,
     judge: &mut dyn FnMut(&Found) -> Proof,
 ) -> Result<Found, Stalled> {
@@ -194,9 +250,13 @@ fn refine(
     };
     let model = glue.model;
     let places: Vec<f64> = Mesh::build(model, &[], |_| 1).nodes.iter().map(|n| n.x).collect();
-    let mut stretches = positions(&start.mesh, &start.zones, &places);
-    let mut history = std::mem::take(&mut start.history);
     let l = model.beam.length;
+    let placed = |stretches: Vec<Stretch>| -> Vec<Stretch> {
+        stretches.into_iter().map(|ends| ends.map(|x| at_place(x, &places, l))).collect()
+    };
+    let Start { found: mut start, stretches, near } = start;
+    let mut stretches = placed(stretches);
+    let mut history = std::mem::take(&mut start.history);
     let mut moved = f64::INFINITY;
     // Steps in a row that did not halve the move, how many have not so far, and whether the last step was
     // taken whole.
@@ -220,7 +280,8 @@ fn refine(
             };
         };
         let before = moved;
-        let by_edges = if !rough && alone && whole && before <= NEAR {
+        let near = before <= NEAR || (step == 0 && near);
+        let by_edges = if near && whole && alone && !rough {
             edges::moved(&found.deflection(), &found.zones)
         } else {
             None
@@ -228,7 +289,7 @@ fn refine(
         let by_scan = by_edges.is_none();
         let mut zones = Vec::new();
         let next = match by_edges {
-            Some(next) => next.into_iter().map(|s| s.map(|x| at_place(x, &places, l))).collect(),
+            Some(next) => placed(next),
             None => {
                 zones = majorant::contact(&found.deflection());
                 positions(&found.mesh, &zones, &places)
@@ -261,7 +322,7 @@ fn refine(
             && idle > 0
             && idle.is_multiple_of(WALKING)
             && let Some(start) = without_the_weakest(glue, &found, &next)
-            && let Ok(found) = refine(glue, start, Goal::Answer(NEAR_STEPS), judge)
+            && let Ok(found) = refine(glue, Start::asked_by(start), Goal::Answer(NEAR_STEPS), judge)
         {
             return Ok(Found { history, ..found });
         }
