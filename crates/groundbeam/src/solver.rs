@@ -90,3 +90,56 @@ impl Solver {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Beam, Foundation, Load};
+    use crate::{Outcome, solve};
+
+    fn footing(moment: f64) -> Model {
+        Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
+            .with_load(Load::point(1.0, 0.5))
+            .with_load(Load::moment(moment, 0.5))
+    }
+
+    fn bits(solution: &Solution) -> Vec<u64> {
+        let ends = solution.contact().iter().flat_map(|c| [c.from, c.to]);
+        let forces = solution.end_forces();
+        let all = ends.chain([forces.left, forces.right, solution.certificate().gap]);
+        all.map(f64::to_bits).collect()
+    }
+
+    #[test]
+    fn what_was_solved_before_changes_no_bit() {
+        let mut solver = Solver::new();
+        for moment in [0.49, 0.1, 0.45, 0.49, 0.3] {
+            let Ok(Outcome::Equilibrium(alone)) = solve(&footing(moment)) else { panic!() };
+            let Ok(Answer::Equilibrium(here)) = solver.solve(&footing(moment)) else { panic!() };
+            assert_eq!(bits(&alone), bits(here));
+            assert_eq!(here.model(), &footing(moment));
+        }
+        assert!(matches!(solver.solve(&footing(0.6)), Ok(Answer::NoEquilibrium(_))));
+        assert!(solver.take().is_none());
+    }
+
+    #[test]
+    fn the_next_answer_is_as_good_and_takes_fewer_steps() {
+        let mut solver = Solver::new();
+        let [mut anew, mut next] = [0; 2];
+        // Down to full contact and up again.
+        for i in (0..40).chain((0..40).rev()) {
+            let model = footing(0.49 - 0.005 * f64::from(i));
+            let Ok(Outcome::Equilibrium(alone)) = solve(&model) else { panic!() };
+            let Ok(Answer::Equilibrium(here)) = solver.solve_next(&model) else { panic!() };
+            assert_eq!(alone.contact().len(), here.contact().len());
+            for (a, b) in alone.contact().iter().zip(here.contact()) {
+                assert!((a.from - b.from).abs() < 1e-12 && (a.to - b.to).abs() < 1e-12);
+            }
+            assert!(here.certificate().relative_gap < 1e-22, "{:?}", here.certificate());
+            anew += alone.iterations();
+            next += here.iterations();
+        }
+        assert!(next < anew, "{next} {anew}");
+    }
+}

@@ -306,14 +306,25 @@ fn refine(
         idle = if halved { 0 } else { idle + 1 };
         let proof = match step {
             _ if step > LAST_STEPS => LAST,
+            // Zones that come and go are more than the last digits of edges.
+            _ if moved.is_infinite() => PROVEN,
             _ if idle > PATIENCE || step > ROUNDS * PATIENCE => ENOUGH,
             _ => PROVEN,
         };
-        let squaring = moved <= SQUARING * before;
-        if settled || moved <= CLOSE || (step >= PATIENCE && !squaring) {
-            let shown = judge(&found);
-            if (settled && by_scan) || shown.is_within(proof) {
-                return Ok(Found { history, ..found });
+        let squaring = before.is_finite() && moved <= SQUARING * before;
+        // A zone that its own deflection does not ask for is none: rounding may take it away and bring it back.
+        let sheds = next.len() < stretches.len() && step <= LAST_STEPS;
+        if settled || moved <= CLOSE || (step >= PATIENCE && !squaring && !sheds) {
+            // A zone too small for the energy is seen by the scan alone.
+            let asks_for_these = || {
+                let zones = majorant::contact(&found.deflection());
+                distance(&stretches, &positions(&found.mesh, &zones, &places)) <= LOCAL * l
+            };
+            if by_scan || asks_for_these() {
+                let shown = judge(&found);
+                if (settled && by_scan) || shown.is_within(proof) {
+                    return Ok(Found { history, ..found });
+                }
             }
             // Where edges by themselves come to rest at no answer, the scan goes on.
             alone &= by_scan;
@@ -331,7 +342,7 @@ fn refine(
         if !(halved && (before.is_finite() || step < 2)) {
             strays += 1;
         }
-        whole = strays == 0 || (strays <= MOST_STRAYS && before.is_finite() && squaring);
+        whole = strays == 0 || (strays <= MOST_STRAYS && squaring);
         let mut between = None;
         if !whole && moved > LOCAL {
             let shortened = shorten(model, &now, &found);
