@@ -271,12 +271,16 @@ fn refine(
     for step in 0..most_steps {
         let Ok(found) = glue.on(&stretches, None) else {
             // A beam balanced on one point may turn about it, as far as no other point touches.
-            let at_this_slope = Some(Held::as_in(&now));
-            let balanced = glue.on(&stretches, at_this_slope).ok();
-            return match balanced.or(last.map(Rc::unwrap_or_clone)) {
-                Some(found) if judge(&found).is_within(LAST) => Ok(Found { history, ..found }),
-                _ if rough => Ok(Found { history, ..Rc::unwrap_or_clone(now) }),
-                _ => Err(unsettled(step, moved)),
+            let held = glue.on(&stretches, Some(Held::as_in(&now))).ok();
+            let mut proven = |found: &Found| judge(found).is_within(LAST);
+            let found = match held.filter(&mut proven) {
+                Some(found) => Some(found),
+                None => last.map(Rc::unwrap_or_clone).filter(proven),
+            };
+            return match found {
+                Some(found) => Ok(Found { history, ..found }),
+                None if rough => Ok(Found { history, ..Rc::unwrap_or_clone(now) }),
+                None => Err(unsettled(step, moved)),
             };
         };
         let before = moved;
