@@ -23,7 +23,7 @@ fn every_case_is_as_its_file_says() {
     let mut faults = Vec::new();
     for case in readable() {
         let path = &case.path;
-        match solve(&case.document.model) {
+        match case.document.solve(&Options::default()) {
             Err(error) => faults.push(format!("cases/{path}: {error}")),
             Ok(outcome) => {
                 for expectation in &case.expectations {

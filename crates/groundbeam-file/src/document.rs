@@ -5,8 +5,9 @@ use crate::fault::Fault;
 use crate::reader::Field;
 use crate::source::Source;
 use crate::units::UnitSystem;
-use groundbeam::Model;
 use groundbeam::model::{Part, Problem};
+use groundbeam::soil::Bed;
+use groundbeam::{Error, Model, Options, Outcome, solve_with};
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -17,7 +18,10 @@ pub struct Document {
     pub title: Option<String>,
     /// The model, in SI units or in the file's own consistent system.
     pub model: Model,
-    /// Which of the two.
+    /// The soil from which the model's ground was made, if the file gives one; a ground that depends on the
+    /// solution is in the model as it is before anything is solved.
+    pub bed: Option<Bed>,
+    /// Whether all is in SI units or in the file's own consistent system.
     pub units: UnitSystem,
     /// The load case to which each of the model's loads belongs, in the order of the loads; none for a
     /// load to which the file gives none.
@@ -30,6 +34,18 @@ impl Document {
     /// The text that was read.
     pub fn text(&self) -> &str {
         &self.source.text
+    }
+
+    /// Solves the model, on the ground that the solution itself makes of the soil where the file gives one.
+    ///
+    /// # Errors
+    ///
+    /// As [`groundbeam::solve_with`].
+    pub fn solve(&self, options: &Options) -> Result<Outcome, Error> {
+        match &self.bed {
+            Some(bed) => Ok(bed.solve(&self.model, options)?.outcome),
+            None => solve_with(&self.model, options),
+        }
     }
 
     /// Where the table of a part begins: the bytes of its heading.

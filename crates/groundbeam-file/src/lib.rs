@@ -87,7 +87,7 @@ pub fn parse(text: &str) -> Result<Document, Diagnostics> {
     }
     let mut reader = Reader::new(&source, &root);
     reader.found = syntax.found;
-    let Contents { title, model, cases } = section::read(&mut reader, &root);
+    let Contents { title, model, bed, cases } = section::read(&mut reader, &root);
     let before = reader.found.len();
     let units = reader.unit_system();
     let is_mixed = reader.found.len() > before;
@@ -101,7 +101,7 @@ pub fn parse(text: &str) -> Result<Document, Diagnostics> {
     }
     let Reader { found, places, .. } = reader;
     if found.is_empty() {
-        Ok(Document { title, model, cases, units, source, places })
+        Ok(Document { title, model, bed, cases, units, source, places })
     } else {
         Err(Diagnostics::new(found))
     }

@@ -7,11 +7,13 @@
 //! left) where a field jumps. Both sides of a jump are in the table of [`csv`](crate::csv).
 
 mod factors;
+mod ground;
 
 use crate::characteristics::Characteristics;
 use crate::context::Context;
 use crate::verdict::sentence;
 use factors::Grown;
+use ground::Ground;
 use groundbeam::{
     Certificate, Existence, Extreme, Field, Method, Model, NotConverged, RigidMotion, Side,
     Solution, Verdict,
@@ -36,6 +38,7 @@ pub fn solved(solution: &Solution, stations: &[f64], context: &Context) -> Strin
         elements: solution.elements(),
         existence: Proven::new(model, solution.existence(), context),
         characteristics: Judged::new(model, solution.existence()),
+        ground: context.ground.map(|ground| Ground::of(ground, model)),
         contact: solution.contact().iter().map(|c| Stretch { from: c.from, to: c.to }).collect(),
         lift_off: solution
             .lift_off()
@@ -120,6 +123,8 @@ struct Solved {
     elements: usize,
     existence: Proven,
     characteristics: Judged,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ground: Option<Ground>,
     contact: Vec<Stretch>,
     lift_off: Vec<Lifted>,
     end_forces: Ends,

@@ -42,6 +42,6 @@ pub mod svg;
 pub mod text;
 
 pub use characteristics::{Characteristics, Resultant};
-pub use context::{Context, Factors};
+pub use context::{Context, Factors, Ground};
 pub use quantity::Units;
 pub use verdict::sentence;

@@ -2,7 +2,7 @@
 
 use super::Case;
 use super::expectation::{Expectation, Tolerance, Value};
-use groundbeam::{Outcome, solve};
+use groundbeam::{Options, Outcome};
 use groundbeam_file::Document;
 use std::fmt::Write;
 
@@ -46,7 +46,7 @@ pub fn manual(cases: &[Case]) -> String {
 }
 
 fn section(text: &mut String, case: &Case) {
-    let outcome = match solve(&case.document.model) {
+    let outcome = match case.document.solve(&Options::default()) {
         Ok(outcome) => outcome,
         Err(error) => {
             _ = write!(text, "\n### {}\n\n{error}\n", case.title());

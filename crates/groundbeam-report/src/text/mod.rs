@@ -2,6 +2,7 @@
 
 mod certificate;
 mod factors;
+mod ground;
 mod sheet;
 
 use crate::characteristics::Characteristics;
@@ -90,13 +91,14 @@ fn problem(sheet: &mut Sheet, model: &Model, existence: &Existence, context: &Co
     let spring = spread(units, Kind::Spring, model.foundation.spring, springs);
     let shear = spread(units, Kind::Constant, model.foundation.shear, shears);
     let is_winkler = found.shear_length[1] == 0.0;
-    let ground = if is_winkler {
+    let constants = if is_winkler {
         format!("k = {spring}, no shear layer (Winkler)")
     } else {
         let length = range(units, Kind::Position, found.shear_length);
         format!("k = {spring}, mu = {shear}, shear length √(mu/k) = {length}")
     };
-    sheet.row("Ground", &ground);
+    sheet.row("Ground", &constants);
+    ground::rows(sheet, model, context);
 
     let beta = range(units, Kind::PerLength, found.beta);
     let beta_length = significant(found.beta_length, 4);
