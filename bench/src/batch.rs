@@ -3,7 +3,9 @@
 use crate::clock::side_by_side;
 use crate::models::{footings, rail, random_beams};
 use crate::table::{Table, short};
-use groundbeam::{Model, NodalSolution, NodalSolver, Outcome, Solution, solve};
+use groundbeam::{
+    Answer, Load, Model, NodalSolution, NodalSolver, Outcome, Solution, Solver, solve,
+};
 use std::time::Instant;
 
 fn solved(model: &Model) -> Box<Solution> {
@@ -120,6 +122,53 @@ pub fn exact() -> String {
             short(1e6 * each),
             short(steps as f64 / models.len() as f64),
             format!("{zones:?}"),
+        ]);
+    }
+    table.finish("") + &followed()
+}
+
+/// The same model with its first load 2 % larger.
+fn neighbour(model: &Model) -> Model {
+    let mut model = model.clone();
+    if let Some(load) = model.loads.first_mut() {
+        *load = Load::scaled(*load, 1.02);
+    }
+    model
+}
+
+/// Neighbouring models: each solved anew, and from the contact of the one before.
+fn followed() -> String {
+    let mut table = Table::new(
+        "A neighbouring model, its first load 2 % larger: from the contact of the one before, or anew",
+        &["models", "anew / followed", "µs anew", "µs followed", "steps anew", "steps followed"],
+    );
+    for (name, models) in [("footings", footings(2000)), ("case C", random_beams(300))] {
+        let neighbours: Vec<Model> = models.iter().map(neighbour).collect();
+        let mut solver = Solver::new();
+        // Both are timed without the model that comes before.
+        let mut timed = |followed: bool| {
+            let (mut seconds, mut steps) = (0.0, 0);
+            for (model, neighbour) in models.iter().zip(&neighbours) {
+                solver.solve(model).expect("a model that stands");
+                let began = Instant::now();
+                let answer =
+                    if followed { solver.solve_next(neighbour) } else { solver.solve(neighbour) };
+                seconds += began.elapsed().as_secs_f64();
+                if let Ok(Answer::Equilibrium(solution)) = answer {
+                    steps += solution.iterations();
+                }
+            }
+            (1e6 * seconds / models.len() as f64, steps as f64 / models.len() as f64)
+        };
+        let runs: Vec<_> = (0..5).map(|_| [timed(false), timed(true)]).collect();
+        let least = |i: usize| runs.iter().map(|run| run[i].0).fold(f64::INFINITY, f64::min);
+        table.row(&[
+            name.to_owned(),
+            format!("**{:.2}**", least(0) / least(1)),
+            short(least(0)),
+            short(least(1)),
+            short(runs[0][0].1),
+            short(runs[0][1].1),
         ]);
     }
     table.finish("")

@@ -9,47 +9,49 @@ use crate::existence::Existence;
 use crate::ground::settled;
 use crate::mesh::Cell;
 use crate::model::{Load, Model, Support, SupportKind};
-use crate::polynomial::{product, rescale};
+use crate::polynomial::{Coefficients, derivative, product, rescale};
 use crate::solution::{
     ConcentratedForce, ContactRegion, EndForces, Reaction, Side, Solution, Stretch,
 };
 use crate::solve::Method;
 
-/// Everything a solution holds, and its certificate.
+/// Everything a solution holds, and its certificate, in the memory of one that is no longer needed.
 pub(crate) fn assemble(
     model: &Model,
     method: Method,
     existence: Existence,
     stability: f64,
-    found: Found,
-) -> Solution {
-    let given = found.surface.clone();
-    let surface = given.unwrap_or_else(|| Surface::of(&found.deflection(), &found.zones));
-    let stretches = stretches(&found, &surface);
+    found: &Found,
+    kept: Option<Box<Solution>>,
+) -> Box<Solution> {
+    let surface = match &found.surface {
+        Some(given) => given,
+        None => &Surface::of(&found.deflection(), &found.zones),
+    };
+    let mut solution = match kept {
+        Some(mut kept) => {
+            kept.model.become_like(model);
+            kept
+        }
+        None => Box::new(Solution::without_fields(model.clone())),
+    };
     let mesh = &found.mesh;
     let at = |atom: &Atom| mesh.cells[atom.spot.cell].global(atom.spot.s);
     let l = model.beam.length;
     // Adding zero turns −0 into 0.
     let [left, right] = surface.end_forces(mesh).map(|force| force + 0.0);
     let inner = surface.atoms.iter().filter(|atom| at(atom) > 0.0 && at(atom) < l);
-    let concentrated: Vec<ConcentratedForce> = inner
-        .filter(|atom| atom.force != 0.0)
-        .map(|atom| ConcentratedForce { at: at(atom), force: atom.force })
-        .collect();
-    let contact = regions(&found);
-    let mut solution = Solution {
-        model: model.clone(),
-        method,
-        existence: existence.with_contact(model, &contact),
-        contact,
-        end_forces: EndForces { left, right },
-        concentrated,
-        reactions: Vec::new(),
-        certificate: Default::default(),
-        history: found.history,
-        elements: found.mesh.cells.len(),
-        stretches,
-    };
+    let inner = inner.filter(|atom| atom.force != 0.0);
+    solution.concentrated.clear();
+    solution
+        .concentrated
+        .extend(inner.map(|atom| ConcentratedForce { at: at(atom), force: atom.force }));
+    regions(found, &mut solution.contact);
+    stretches(found, surface, &mut solution.stretches);
+    solution.method = method;
+    solution.existence = existence.with_contact(model, &solution.contact);
+    solution.end_forces = EndForces { left, right };
+    solution.elements = found.mesh.cells.len();
     solution.reactions = reactions(&solution);
     solution.certificate = certify(model, &claim(&solution, stability));
     solution
@@ -77,7 +79,7 @@ fn claim(solution: &Solution, stability: f64) -> Claim<'_> {
     }
 }
 
-fn stretches(found: &Found, surface: &Surface) -> Vec<Stretch> {
+fn stretches(found: &Found, surface: &Surface, stretches: &mut Vec<Stretch>) {
     let w = found.deflection();
     let parts = surface.short_parts(&found.mesh);
     let exact = found.terms > crate::elements::hermite::TERMS;
@@ -92,33 +94,33 @@ fn stretches(found: &Found, surface: &Surface) -> Vec<Stretch> {
         recover::moments(found, &parts, &forces)
     };
     let mut recovered = recovered.into_iter();
-    let mut stretches = Vec::with_capacity(parts.len());
+    stretches.clear();
+    stretches.reserve(parts.len());
     for part in &parts {
-        let cell = found.mesh.cells[part.cell].part(part.s);
         let [from, to] = part.s;
         let (middle, quarter) = (0.5 * (from + to), 0.5 * (to - from));
         let half = 0.5 * found.mesh.cells[part.cell].length() * quarter;
-        let whole = part.s == [-1.0, 1.0];
-        let deflection = if whole {
-            w.cell(part.cell).to_vec()
+        let (cell, deflection) = if part.s == [-1.0, 1.0] {
+            (found.mesh.cells[part.cell], w.cell(part.cell).into())
         } else {
-            rescale(w.cell(part.cell), middle, quarter)
+            let cell = found.mesh.cells[part.cell].part(part.s);
+            (cell, rescale(w.cell(part.cell), middle, quarter))
         };
         let touching = part.open.is_none() && found.pressure == Pressure::Distributed;
         let pressure = if touching {
-            let mut obstacle = deflection.clone();
+            let mut obstacle = deflection;
             obstacle[0] -= 0.5 * (cell.gap[0] + cell.gap[1]);
             obstacle[1] -= cell.gap_slope * half;
             pressure_of(&cell, half, &obstacle)
         } else {
-            Vec::new()
+            Coefficients::default()
         };
         let moment = recovered.next().unwrap_or_else(|| bent(&cell, half, &deflection));
         let settlement = match part.open {
             Some(ends) if cell.ground_varies() && cell.shear > 0.0 => {
                 settled(&cell.spring_course(), &cell.shear_course(), half, ends)
             }
-            _ => Vec::new(),
+            _ => Coefficients::default(),
         };
         stretches.push(Stretch {
             half,
@@ -131,23 +133,24 @@ fn stretches(found: &Found, surface: &Surface) -> Vec<Stretch> {
             settlement,
         });
     }
-    stretches
 }
 
 /// The coefficients of −EI w″.
-fn bent(cell: &Cell, half: f64, deflection: &[f64]) -> Vec<f64> {
+fn bent(cell: &Cell, half: f64, deflection: &[f64]) -> Coefficients {
     let times = if cell.beam_varies() { 1.0 } else { cell.stiffness };
     let factor = -times / (half * half);
-    let bend = deflection.iter().enumerate().skip(2);
-    let bend: Vec<f64> = bend.map(|(j, c)| factor * (j * (j - 1)) as f64 * c).collect();
+    let mut bend = derivative(&derivative(deflection));
+    for c in bend.iter_mut() {
+        *c *= factor;
+    }
     if cell.beam_varies() { product(&cell.stiffness_course(), &bend) } else { bend }
 }
 
 /// Stretches and points of contact, those that meet joined.
-fn regions(found: &Found) -> Vec<ContactRegion> {
+fn regions(found: &Found, regions: &mut Vec<ContactRegion>) {
     let mesh = &found.mesh;
     let position = |spot: Spot| mesh.cells[spot.cell].global(spot.s);
-    let mut regions: Vec<ContactRegion> = Vec::new();
+    regions.clear();
     let mut last_node = None;
     for zone in &found.zones {
         let (from, to) = (position(zone.from), position(zone.to));
@@ -161,7 +164,6 @@ fn regions(found: &Found) -> Vec<ContactRegion> {
             _ => regions.push(ContactRegion { from, to }),
         }
     }
-    regions
 }
 
 /// From the equilibrium of the beam about each support, and the springs' own laws.

@@ -11,9 +11,10 @@ use crate::model::{Load, Model, SupportKind};
 use crate::solution::ContactRegion;
 
 /// What the statics say about equilibrium.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Verdict {
     /// There is exactly one equilibrium.
+    #[default]
     Unique,
     /// A static reaction is zero, or the beam stands on one point alone: equilibria may exist, and then not
     /// one alone. The motion changes no energy.
@@ -35,7 +36,7 @@ pub struct RigidMotion {
 }
 
 /// The verdict and the statics it rests on.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Existence {
     /// Whether an equilibrium exists, and is the only one.
     pub verdict: Verdict,
@@ -76,10 +77,12 @@ impl Existence {
 
 /// The verdict for a valid model with P ≥ 0, or with supports that leave no free motion.
 pub fn existence(model: &Model) -> Existence {
-    let verdict = judge(&rays(model));
-    let static_reactions = static_reactions(model).map(|reaction| reaction.sum);
+    let reactions = static_reactions(model);
+    let free = free_motions(model);
+    let verdict = judge(&rays_of(free, reactions));
+    let static_reactions = reactions.map(|reaction| reaction.sum);
     let resultant = static_reactions[0] + static_reactions[1];
-    let verdict = match free_motions(model) {
+    let verdict = match free {
         Free::RisingAndTurning => balanced_on_an_end(model, verdict, resultant),
         _ => verdict,
     };
@@ -89,10 +92,13 @@ pub fn existence(model: &Model) -> Existence {
 /// The extreme rays of the cone of free motions, each with the work −F(r) it costs: linear in the loads.
 /// Which rays there are does not depend on the loads.
 pub(crate) fn rays(model: &Model) -> Vec<(Sum, RigidMotion)> {
-    let [left, right] = static_reactions(model);
+    rays_of(free_motions(model), static_reactions(model))
+}
+
+fn rays_of(free: Free, [left, right]: [Sum; 2]) -> Vec<(Sum, RigidMotion)> {
     let ray =
         |l: f64, r: f64, cost: Sum| (cost, RigidMotion { left: l, right: r, work: -cost.sum });
-    match free_motions(model) {
+    match free {
         Free::Nothing => Vec::new(),
         Free::Turning(About::LeftEnd) => vec![ray(0.0, -1.0, right)],
         Free::Turning(About::RightEnd) => vec![ray(-1.0, 0.0, left)],

@@ -6,7 +6,7 @@
 //! three are positive, two links in a row make another by sums and products of positive numbers,
 //! and so no digit is ever lost, however short or long or uneven the ground.
 
-use crate::polynomial::{jet, value};
+use crate::polynomial::{Coefficients, jet, value};
 
 /// A stretch of unloaded ground between two points of its surface.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -65,7 +65,7 @@ impl Link {
 const TERMS: usize = 20;
 
 /// The coefficients of u(s) on such a stretch, from its end values.
-pub(crate) fn settled(spring: &[f64], shear: &[f64], half: f64, ends: [f64; 2]) -> Vec<f64> {
+pub(crate) fn settled(spring: &[f64], shear: &[f64], half: f64, ends: [f64; 2]) -> Coefficients {
     Pair::new(spring, shear, half).between(ends)
 }
 
@@ -108,7 +108,7 @@ impl Pair {
         ([level / determinant, rise / determinant], determinant)
     }
 
-    fn between(&self, ends: [f64; 2]) -> Vec<f64> {
+    fn between(&self, ends: [f64; 2]) -> Coefficients {
         let ([level, rise], _) = self.amplitudes(ends);
         self.one.iter().zip(&self.rising).map(|(a, b)| level * a + rise * b).collect()
     }

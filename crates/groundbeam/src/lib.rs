@@ -41,6 +41,7 @@ mod nodal;
 mod polynomial;
 mod solution;
 mod solve;
+mod solver;
 mod stability;
 
 pub mod model;
@@ -61,4 +62,5 @@ pub use solution::{
     Side, Solution,
 };
 pub use solve::{Error, Method, NotConverged, Options, Outcome, Start, exists, solve, solve_with};
+pub use solver::{Answer, Solver};
 pub use stability::own_buckling_load;

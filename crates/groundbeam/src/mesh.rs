@@ -58,13 +58,14 @@ impl Mesh {
 
     /// Cuts each interval between two of the fewest nodes, and `more` of them, at positions of its own.
     fn cut(model: &Model, more: &[f64], cut: impl Fn(&Cell, &mut Vec<f64>)) -> Self {
-        let coarse = cells_between(model, positions(model, more));
-        let mut x = vec![0.0];
+        let coarse = cells_between(model, &positions(model, more));
+        let mut x = Vec::with_capacity(2 * coarse.len());
+        x.push(0.0);
         for cell in &coarse {
             cut(cell, &mut x);
             x.push(cell.x[1]);
         }
-        let cells = if x.len() == coarse.len() + 1 { coarse } else { cells_between(model, x) };
+        let cells = if x.len() == coarse.len() + 1 { coarse } else { cells_between(model, &x) };
         let first = cells[0];
         let last = cells[cells.len() - 1];
         let outside = [first.ground_at(-1.0), last.ground_at(1.0)];
@@ -177,44 +178,44 @@ fn graded(cell: &Cell, parts: &impl Fn(&Cell) -> usize, halvings: u32, x: &mut V
 /// Where the model itself needs a node, with `more`: sorted, each place once.
 fn positions(model: &Model, more: &[f64]) -> Vec<f64> {
     let l = model.beam.length;
-    let mut x = vec![0.0, l];
-    x.extend(model.beam.segments.iter().flat_map(|s| [s.from, s.to]));
-    x.extend(model.foundation.segments.iter().flat_map(|s| [s.from, s.to]));
+    let most = 2 * (1 + model.beam.segments.len() + model.foundation.segments.len())
+        + 2 * model.loads.len()
+        + model.supports.len()
+        + model.gap.len()
+        + more.len();
+    // With whether it is the model's own.
+    let mut places: Vec<(f64, bool)> = Vec::with_capacity(most);
+    let mut own = |x: f64| places.push((x, true));
+    [0.0, l].into_iter().for_each(&mut own);
+    model.beam.segments.iter().flat_map(|s| [s.from, s.to]).for_each(&mut own);
+    model.foundation.segments.iter().flat_map(|s| [s.from, s.to]).for_each(&mut own);
     for load in &model.loads {
         match *load {
-            Load::PointForce { at, .. } | Load::PointMoment { at, .. } => x.push(at),
+            Load::PointForce { at, .. } | Load::PointMoment { at, .. } => own(at),
             Load::Distributed { from, to, .. } | Load::DistributedMoment { from, to, .. } => {
-                x.extend([from, to]);
+                [from, to].into_iter().for_each(&mut own);
             }
         }
     }
-    x.extend(model.supports.iter().map(|s| s.at));
-    x.extend(model.gap.iter().map(|g| g.at));
-    let own = |x: f64| (x, true);
-    let added = |&x: &f64| (x, false);
-    let mut x: Vec<(f64, bool)> = x.into_iter().map(own).chain(more.iter().map(added)).collect();
-    x.retain(|&(x, _)| x >= 0.0 && x <= l);
-    x.sort_by(|a, b| a.0.total_cmp(&b.0));
+    model.supports.iter().map(|s| s.at).for_each(&mut own);
+    model.gap.iter().map(|g| g.at).for_each(&mut own);
+    places.extend(more.iter().map(|&x| (x, false)));
+    places.retain(|&(x, _)| x >= 0.0 && x <= l);
+    places.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
     let near = SAME_PLACE * l;
-    let mut kept: Vec<(f64, bool)> = Vec::with_capacity(x.len());
-    for (x, own) in x {
-        match kept.last_mut() {
-            // Of two spellings of one place the model's own stays.
-            Some(last) if x - last.0 <= near => {
-                if own && !last.1 {
-                    *last = (x, own);
-                }
-            }
-            _ => kept.push((x, own)),
+    places.dedup_by(|next, last| {
+        let same = next.0 - last.0 <= near;
+        // Of two spellings of one place the model's own stays.
+        if same && next.1 && !last.1 {
+            *last = *next;
         }
+        same
+    });
+    while places.len() > 1 && l - places[places.len() - 1].0 <= near {
+        places.pop();
     }
-    while kept.len() > 1 && l - kept[kept.len() - 1].0 <= near {
-        kept.pop();
-    }
-    let mut x: Vec<f64> = kept.into_iter().map(|(x, _)| x).collect();
-    x[0] = 0.0;
-    x.push(l);
-    x
+    places[0].0 = 0.0;
+    places.into_iter().map(|(x, _)| x).chain([l]).collect()
 }
 
 fn nodes_of(cells: &[Cell]) -> Vec<Node> {
@@ -223,7 +224,7 @@ fn nodes_of(cells: &[Cell]) -> Vec<Node> {
     x.map(|x| Node { x, ..Node::default() }).collect()
 }
 
-fn cells_between(model: &Model, x: Vec<f64>) -> Vec<Cell> {
+fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
     let mut cells: Vec<Cell> = x
         .windows(2)
         .map(|x| Cell {
@@ -238,37 +239,22 @@ fn cells_between(model: &Model, x: Vec<f64>) -> Vec<Cell> {
             gap_slope: 0.0,
         })
         .collect();
-    let range = |from: f64, to: f64| {
-        let middle = |cell: &Cell| 0.5 * (cell.x[0] + cell.x[1]);
-        let first = cells.partition_point(|cell| middle(cell) < from);
-        first..cells.partition_point(|cell| middle(cell) < to).max(first)
-    };
-    let beam: Vec<_> = model.beam.segments.iter().map(|s| (range(s.from, s.to), s)).collect();
-    let ground: Vec<_> =
-        model.foundation.segments.iter().map(|s| (range(s.from, s.to), s)).collect();
-    let spread: Vec<_> = model
-        .loads
-        .iter()
-        .filter_map(|load| match *load {
-            Load::Distributed { from, to, .. } | Load::DistributedMoment { from, to, .. } => {
-                Some((range(from, to), load))
-            }
-            Load::PointForce { .. } | Load::PointMoment { .. } => None,
-        })
-        .collect();
-    for (cells_of, segment) in beam {
-        for cell in &mut cells[cells_of] {
+    for segment in &model.beam.segments {
+        for cell in within(&mut cells, segment.from, segment.to) {
             cell.set_courses(Some(&segment.course(cell.x)), None);
         }
     }
-    for (cells_of, segment) in ground {
-        for cell in &mut cells[cells_of] {
+    for segment in &model.foundation.segments {
+        for cell in within(&mut cells, segment.from, segment.to) {
             cell.set_courses(None, Some(&segment.courses(cell.x)));
         }
     }
-    for (cells_of, load) in spread {
-        for cell in &mut cells[cells_of] {
-            add_spread(cell, load);
+    for load in &model.loads {
+        match *load {
+            Load::Distributed { from, to, .. } | Load::DistributedMoment { from, to, .. } => {
+                within(&mut cells, from, to).iter_mut().for_each(|cell| add_spread(cell, load));
+            }
+            Load::PointForce { .. } | Load::PointMoment { .. } => {}
         }
     }
     if !model.gap.is_empty() {
@@ -278,6 +264,14 @@ fn cells_between(model: &Model, x: Vec<f64>) -> Vec<Cell> {
         }
     }
     cells
+}
+
+/// The cells between two positions.
+fn within(cells: &mut [Cell], from: f64, to: f64) -> &mut [Cell] {
+    let middle = |cell: &Cell| 0.5 * (cell.x[0] + cell.x[1]);
+    let first = cells.partition_point(|cell| middle(cell) < from);
+    let end = cells.partition_point(|cell| middle(cell) < to).max(first);
+    &mut cells[first..end]
 }
 
 fn add_spread(cell: &mut Cell, load: &Load) {

@@ -3,6 +3,82 @@
 //! A polynomial is a slice of coefficients, constant first. Centred coordinates keep the digits of
 //! each derivative: the curvature never has to be found as a difference of deflections.
 
+use std::ops::{Deref, DerefMut};
+
+/// The most coefficients that anything here has: a deflection of 20 times an EI of degree 5.
+pub(crate) const MOST: usize = 24;
+
+/// Coefficients held in place. Cells have a few of these each, made anew in every step: none of them is
+/// worth a trip to the heap.
+#[derive(Clone, Copy, PartialEq, Default)]
+pub(crate) struct Coefficients {
+    count: usize,
+    held: [f64; MOST],
+}
+
+impl Coefficients {
+    pub fn zeros(count: usize) -> Self {
+        debug_assert!(count <= MOST);
+        Coefficients { count: count.min(MOST), held: [0.0; MOST] }
+    }
+
+    /// The same polynomial with room for at least `count`.
+    pub fn at_least(mut self, count: usize) -> Self {
+        debug_assert!(count <= MOST);
+        self.count = self.count.max(count.min(MOST));
+        self
+    }
+
+    /// The highest one.
+    pub fn pop(&mut self) -> Option<f64> {
+        self.count = self.count.checked_sub(1)?;
+        Some(std::mem::take(&mut self.held[self.count]))
+    }
+}
+
+impl Deref for Coefficients {
+    type Target = [f64];
+
+    fn deref(&self) -> &[f64] {
+        &self.held[..self.count]
+    }
+}
+
+impl DerefMut for Coefficients {
+    fn deref_mut(&mut self) -> &mut [f64] {
+        &mut self.held[..self.count]
+    }
+}
+
+impl From<&[f64]> for Coefficients {
+    fn from(c: &[f64]) -> Self {
+        let mut all = Self::zeros(c.len());
+        let count = all.count;
+        all.copy_from_slice(&c[..count]);
+        all
+    }
+}
+
+impl FromIterator<f64> for Coefficients {
+    fn from_iter<T: IntoIterator<Item = f64>>(c: T) -> Self {
+        let mut all = Self::default();
+        for c in c {
+            debug_assert!(all.count < MOST);
+            if let Some(next) = all.held.get_mut(all.count) {
+                *next = c;
+                all.count += 1;
+            }
+        }
+        all
+    }
+}
+
+impl std::fmt::Debug for Coefficients {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_list().entries(self.iter()).finish()
+    }
+}
+
 /// f(s).
 pub(crate) fn value(c: &[f64], s: f64) -> f64 {
     c.iter().rev().fold(0.0, |sum, &a| sum * s + a)
@@ -21,19 +97,49 @@ pub(crate) fn jet(c: &[f64], s: f64) -> [f64; 4] {
     [f, d1, 2.0 * d2, 6.0 * d3]
 }
 
-/// The coefficients of df/ds.
-pub(crate) fn derivative(c: &[f64]) -> impl Iterator<Item = f64> + '_ {
-    c.iter().enumerate().skip(1).map(|(j, &a)| j as f64 * a)
+/// f(−1) and f(1).
+pub(crate) fn ends(c: &[f64]) -> [f64; 2] {
+    let [mut even, mut odd] = [0.0; 2];
+    for powers in c.chunks(2).rev() {
+        even += powers[0];
+        odd += powers.get(1).copied().unwrap_or(0.0);
+    }
+    [even - odd, even + odd]
 }
 
-/// The coefficients, in t ∈ \[−1, 1\], of f(middle + half·t).
-pub(crate) fn rescale(c: &[f64], middle: f64, half: f64) -> Vec<f64> {
-    let mut out = c.to_vec();
-    rescale_in_place(&mut out, middle, half);
+/// The coefficients of df/ds.
+pub(crate) fn derivative(c: &[f64]) -> Coefficients {
+    let mut out = Coefficients::zeros(c.len().saturating_sub(1));
+    for (j, (out, a)) in out.iter_mut().zip(c.iter().skip(1)).enumerate() {
+        *out = (j + 1) as f64 * a;
+    }
     out
 }
 
-fn rescale_in_place(c: &mut [f64], middle: f64, half: f64) {
+/// The coefficients of `start` + ∫ f dx from s = −1, on a stretch of half length `half`.
+pub(crate) fn integral(c: &[f64], half: f64, start: f64) -> Coefficients {
+    let mut out = Coefficients::zeros(c.len() + 1);
+    for ((out, a), part) in out.iter_mut().skip(1).zip(c).zip(&PARTS) {
+        *out = half * a * part;
+    }
+    out[0] = start - ends(&out)[0];
+    out
+}
+
+/// 1/(j + 1).
+const PARTS: [f64; MOST] = {
+    let mut all = [0.0; MOST];
+    let mut j = 0;
+    while j < MOST {
+        all[j] = 1.0 / (j + 1) as f64;
+        j += 1;
+    }
+    all
+};
+
+/// The coefficients, in t ∈ \[−1, 1\], of f(middle + half·t).
+pub(crate) fn rescale(c: &[f64], middle: f64, half: f64) -> Coefficients {
+    let mut c = Coefficients::from(c);
     // Repeated synthetic division by (s − middle), then powers of `half`.
     for first in 0..c.len() {
         for j in (first..c.len().saturating_sub(1)).rev() {
@@ -45,11 +151,12 @@ fn rescale_in_place(c: &mut [f64], middle: f64, half: f64) {
         *a *= power;
         power *= half;
     }
+    c
 }
 
 /// The coefficients of f·g.
-pub(crate) fn product(f: &[f64], g: &[f64]) -> Vec<f64> {
-    let mut out = vec![0.0; (f.len() + g.len()).saturating_sub(1)];
+pub(crate) fn product(f: &[f64], g: &[f64]) -> Coefficients {
+    let mut out = Coefficients::zeros((f.len() + g.len()).saturating_sub(1));
     for (i, a) in f.iter().enumerate().filter(|(_, a)| **a != 0.0) {
         for (j, b) in g.iter().enumerate() {
             out[i + j] += a * b;
@@ -62,7 +169,7 @@ pub(crate) fn product(f: &[f64], g: &[f64]) -> Vec<f64> {
 /// which takes one degree after the other away without moving a zero across the circle.
 pub(crate) fn is_free_of_zeros(c: &[f64], radius: f64) -> bool {
     let mut power = 1.0;
-    let mut c: Vec<f64> = c
+    let mut c: Coefficients = c
         .iter()
         .map(|a| {
             let scaled = a * power;

@@ -6,7 +6,7 @@ use crate::existence::Existence;
 use crate::ground;
 use crate::mesh::Cell;
 use crate::model::Model;
-use crate::polynomial::{jet, sign_changes, value};
+use crate::polynomial::{Coefficients, derivative, jet, sign_changes, value};
 use crate::solve::Method;
 
 /// A stretch of contact between beam and ground; of a single point, both ends are equal.
@@ -174,15 +174,15 @@ pub(crate) struct Stretch {
     /// The cell it lies in, cut to its ends: coefficients of ground, beam and loads.
     pub cell: Cell,
     /// Coefficients of w(s).
-    pub deflection: Vec<f64>,
+    pub deflection: Coefficients,
     /// Coefficients of M(s).
-    pub moment: Vec<f64>,
+    pub moment: Coefficients,
     /// Coefficients of p(s).
-    pub pressure: Vec<f64>,
+    pub pressure: Coefficients,
     /// Off contact, u at both ends.
     pub open: Option<[f64; 2]>,
     /// Off contact where the ground varies: coefficients of u(s).
-    pub settlement: Vec<f64>,
+    pub settlement: Coefficients,
 }
 
 impl Stretch {
@@ -239,21 +239,16 @@ impl Stretch {
     /// Where a field may be largest or smallest: its ends and where its derivative vanishes.
     fn candidates(&self, field: Field) -> Vec<f64> {
         let mut s = vec![-1.0];
-        let derivative = |c: &[f64], times: usize| {
-            let mut c = c.to_vec();
-            for _ in 0..times {
-                c = crate::polynomial::derivative(&c).collect();
-            }
-            c
-        };
+        let differentiated =
+            |c: &[f64], times: usize| (0..times).fold(Coefficients::from(c), |c, _| derivative(&c));
         match field {
-            Field::Deflection => sign_changes(&derivative(&self.deflection, 1), &mut s),
-            Field::Slope => sign_changes(&derivative(&self.deflection, 2), &mut s),
-            Field::Moment => sign_changes(&derivative(&self.moment, 1), &mut s),
-            Field::ShearForce => sign_changes(&derivative(&self.moment, 2), &mut s),
-            Field::Pressure => sign_changes(&derivative(&self.pressure, 1), &mut s),
+            Field::Deflection => sign_changes(&differentiated(&self.deflection, 1), &mut s),
+            Field::Slope => sign_changes(&differentiated(&self.deflection, 2), &mut s),
+            Field::Moment => sign_changes(&differentiated(&self.moment, 1), &mut s),
+            Field::ShearForce => sign_changes(&differentiated(&self.moment, 2), &mut s),
+            Field::Pressure => sign_changes(&differentiated(&self.pressure, 1), &mut s),
             Field::Settlement if self.open.is_none() => {
-                let mut c = derivative(&self.deflection, 1);
+                let mut c = differentiated(&self.deflection, 1);
                 c[0] -= self.cell.gap_slope * self.half;
                 sign_changes(&c, &mut s);
             }
@@ -331,6 +326,23 @@ pub struct Solution {
 }
 
 impl Solution {
+    /// A place for a solution.
+    pub(crate) fn without_fields(model: Model) -> Self {
+        Solution {
+            model,
+            method: Method::default(),
+            existence: Existence::default(),
+            stretches: Vec::new(),
+            contact: Vec::new(),
+            end_forces: EndForces { left: 0.0, right: 0.0 },
+            concentrated: Vec::new(),
+            reactions: Vec::new(),
+            certificate: Certificate::default(),
+            history: Vec::new(),
+            elements: 0,
+        }
+    }
+
     /// The model that was solved.
     pub fn model(&self) -> &Model {
         &self.model

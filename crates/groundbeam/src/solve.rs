@@ -2,12 +2,13 @@
 
 use crate::assemble::assemble;
 use crate::contact::active_set::{Found, Pressure, Stalled};
+use crate::contact::exact::Proof;
 use crate::contact::uzawa::{self, Relaxation};
 use crate::contact::{balanced, exact, nested};
 use crate::existence::{Existence, Verdict, existence, held_rigidly};
 use crate::mesh::Mesh;
 use crate::model::{Model, Part, Problem};
-use crate::solution::Solution;
+use crate::solution::{ContactRegion, Solution};
 use crate::stability::own_buckling_load;
 use std::fmt;
 
@@ -164,18 +165,43 @@ pub fn solve(model: &Model) -> Result<Outcome, Error> {
 ///
 /// As [`solve`]; and [`Error::Unsupported`] for the paper's pressures (5.5) on ground without a shear layer.
 pub fn solve_with(model: &Model, options: &Options) -> Result<Outcome, Error> {
+    let mut kept = None;
+    let existence = solve_in(model, options, None, &mut kept)?;
+    Ok(match kept {
+        Some(solution) => Outcome::Equilibrium(solution),
+        None => Outcome::NoEquilibrium(existence),
+    })
+}
+
+/// Solves in the memory of a solution that is no longer needed; the exact method from the contact that is
+/// likely. What is kept is nothing if no equilibrium exists, and no solution if there is an error.
+pub(crate) fn solve_in(
+    model: &Model,
+    options: &Options,
+    likely: Option<&[ContactRegion]>,
+    kept: &mut Option<Box<Solution>>,
+) -> Result<Existence, Error> {
     let Checked { existence, stability } = check(model)?;
     if let Verdict::None(_) = existence.verdict {
-        return Ok(Outcome::NoEquilibrium(existence));
+        *kept = None;
+        return Ok(existence);
     }
-    let proven = |found: &Found, proof: exact::Proof| {
-        let solution = assemble(model, options.method, existence, stability, found.clone());
-        let certificate = solution.certificate();
-        certificate.violation() <= proof.violation && certificate.relative_gap <= proof.gap
+    let mut assembled = |found: &Found| {
+        let memory = kept.take();
+        let solution = assemble(model, options.method, existence, stability, found, memory);
+        let certificate = kept.insert(solution).certificate();
+        Proof { gap: certificate.relative_gap, violation: certificate.violation() }
     };
-    let found = find(model, options, existence, proven)?;
-    let solution = assemble(model, options.method, existence, stability, found);
-    certified(solution, options)
+    let found = find(model, options, existence, likely, &mut assembled)?;
+    // The exact method has had its answer judged.
+    if options.method != Method::Exact {
+        assembled(&found);
+    }
+    if let Some(solution) = kept {
+        solution.history = found.history;
+        certified(solution, options)?;
+    }
+    Ok(existence)
 }
 
 /// Tells whether an equilibrium exists, without solving.
@@ -219,7 +245,8 @@ fn find(
     model: &Model,
     options: &Options,
     existence: Existence,
-    proven: impl Fn(&Found, exact::Proof) -> bool,
+    likely: Option<&[ContactRegion]>,
+    judge: impl FnMut(&Found) -> Proof,
 ) -> Result<Found, Error> {
     let method = options.method;
     let nodal =
@@ -244,9 +271,9 @@ fn find(
         Method::Exact => match existence.verdict {
             Verdict::NotUnique(motion) if stands_on_an_end(model, existence) => {
                 let over_left = motion.left == 0.0;
-                balanced::solve_over_an_end(model, existence.resultant(), over_left, proven)
+                balanced::solve_over_an_end(model, existence.resultant(), over_left, judge)
             }
-            _ => exact::solve(model, proven),
+            _ => exact::solve(model, likely, judge),
         }
         .map_err(stalled),
         Method::ActiveSet => {
@@ -282,7 +309,7 @@ pub(crate) fn without_shear_layer(model: &Model) -> Option<Part> {
 }
 
 /// A solution leaves the library only with a certificate that holds.
-fn certified(solution: Solution, options: &Options) -> Result<Outcome, Error> {
+fn certified(solution: &Solution, options: &Options) -> Result<(), Error> {
     let certificate = solution.certificate();
     let not = |what, reached, tolerance| {
         Err(Error::NotConverged(NotConverged {
@@ -300,7 +327,7 @@ fn certified(solution: Solution, options: &Options) -> Result<Outcome, Error> {
     if options.method == Method::Exact && certificate.relative_gap > EXACT_GAP {
         return not("the certificate's relative gap", certificate.relative_gap, EXACT_GAP);
     }
-    Ok(Outcome::Equilibrium(Box::new(solution)))
+    Ok(())
 }
 
 /// The relative gap of energies that the exact method must prove.

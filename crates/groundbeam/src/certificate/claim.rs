@@ -1,6 +1,6 @@
 //! What is claimed: the answer that is to be proven, piece by piece.
 
-use crate::polynomial::{jet, value};
+use crate::polynomial::jet;
 
 /// What is claimed, from left to right.
 pub(crate) struct Claim<'a> {
@@ -26,14 +26,6 @@ pub(crate) struct ClaimedPiece<'a> {
 }
 
 impl Claim<'_> {
-    /// The largest |w|, to the accuracy of a scale.
-    pub fn largest_deflection(&self) -> f64 {
-        let at = |piece: &ClaimedPiece| {
-            [-1.0, -0.5, 0.0, 0.5, 1.0].map(|s| value(piece.deflection, s).abs())
-        };
-        self.pieces.iter().flat_map(at).fold(0.0, f64::max)
-    }
-
     /// w and w' at a position.
     pub fn deflection(&self, x: f64) -> [f64; 2] {
         let i = self.pieces.partition_point(|piece| piece.x[1] < x).min(self.pieces.len() - 1);
@@ -197,7 +189,9 @@ mod tests {
                     check(format!("joint {i}"), &|s| s.stretches[i].x[0] += CHANGE);
                 }
                 check(format!("half {i}"), &|s| nudge(&mut s.stretches[i].half));
-                check(format!("a piece {i} left out"), &|s| drop(s.stretches.remove(i)));
+                check(format!("a piece {i} left out"), &|s| {
+                    s.stretches.remove(i);
+                });
             }
             let ends = good.end_forces;
             if ends.left > 0.0 {

@@ -108,6 +108,16 @@ pub(super) struct Polynomial<'a> {
 }
 
 impl<'a> Polynomial<'a> {
+    /// How deep a polynomial may lie below zero: not at all where the constant exceeds all other terms.
+    pub fn depth(coefficients: &'a [f64]) -> f64 {
+        let [size, _] = sizes(coefficients);
+        let constant = coefficients.first().copied().unwrap_or(0.0);
+        if 2.0 * constant - size > ROUNDING * size {
+            return 0.0;
+        }
+        depth_of(&Polynomial::new(coefficients))
+    }
+
     pub fn new(coefficients: &'a [f64]) -> Self {
         Polynomial { coefficients, rest: 0.5 * fourth(coefficients), noise: rounding(coefficients) }
     }
@@ -136,12 +146,17 @@ pub(super) fn fourth(c: &[f64]) -> f64 {
 
 /// Rounding of a polynomial's values and of its slopes on \[−1, 1\].
 pub(super) fn rounding(c: &[f64]) -> [f64; 2] {
+    sizes(c).map(|sum| ROUNDING * sum)
+}
+
+/// What the terms of a polynomial and of its derivative add up to at most on \[−1, 1\].
+fn sizes(c: &[f64]) -> [f64; 2] {
     let mut sums = [0.0; 2];
     for (j, c) in c.iter().enumerate() {
         sums[0] += c.abs();
         sums[1] += j as f64 * c.abs();
     }
-    sums.map(|sum| ROUNDING * sum)
+    sums
 }
 
 /// Rounding of a sum, relative to its terms' sizes.

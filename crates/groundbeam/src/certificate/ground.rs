@@ -1,13 +1,13 @@
 //! The ground's part of the proof: its equation, its clearance, its energies.
 
+use super::Claim;
 use super::balance::{Carriers, Weights};
-use super::curve::{Polynomial, depth_of};
+use super::curve::Polynomial;
 use super::lift::{End, Lifting};
+use super::quadrature::{Seen, at_points, gauss, larger, seen_bounds};
 use super::surface::Under;
 use super::unclaimed::Unclaimed;
-use super::{Claim, Jets, gauss};
 use crate::model::Model;
-use crate::polynomial::value;
 
 /// Sums over the ground, piece by piece from the left.
 #[derive(Debug)]
@@ -82,10 +82,10 @@ impl<'a> GroundSums<'a> {
         }
     }
 
-    /// One piece more, with w and its derivatives at the points of quadrature.
-    pub fn add(&mut self, under: Under<'a>, jets: &Jets, carriers: &mut Carriers) {
+    /// One piece more, with what is seen of w.
+    pub fn add(&mut self, under: Under<'a>, seen: &Seen, carriers: &mut Carriers) {
         self.joint(Some(under), carriers);
-        self.quadrature(&under, jets, carriers);
+        self.quadrature(&under, seen, carriers);
         let [u, du, clearance] = under.end(1.0);
         self.see(u, du);
         self.before = Some(Before { under, flux: under.flux(1.0, du), clearance });
@@ -98,7 +98,7 @@ impl<'a> GroundSums<'a> {
     }
 
     fn see(&mut self, u: f64, du: f64) {
-        self.largest = [self.largest[0].max(u.abs()), self.largest[1].max(du.abs())];
+        self.largest = [larger(self.largest[0], u.abs()), larger(self.largest[1], du.abs())];
     }
 
     /// Between the piece before and the next one, or the ground beyond the beam's ends.
@@ -215,7 +215,7 @@ impl<'a> GroundSums<'a> {
         sum
     }
 
-    fn quadrature(&mut self, under: &Under, jets: &Jets, carriers: &mut Carriers) {
+    fn quadrature(&mut self, under: &Under, seen: &Seen, carriers: &mut Carriers) {
         let half = under.half;
         let piece = under.piece;
         let open = under.is_open();
@@ -224,11 +224,12 @@ impl<'a> GroundSums<'a> {
         if energy.is_some() && piece.pressure.is_empty() {
             return;
         }
+        let bend = 1.0 / (half * half);
         let [mut mass, mut first, mut second, mut sunk] = [0.0; 4];
-        for ((s, weight), jet) in gauss().zip(jets) {
+        let pressure = at_points(piece.pressure);
+        for (i, (s, weight)) in gauss().enumerate() {
             let dx = weight * half;
-            let [w, dw, ddw, _] = *jet;
-            let p = value(piece.pressure, s);
+            let (w, dw, p) = (seen.deflection[i], seen.slope[i], pressure[i]);
             let [u, du] = under.surface(s, w, dw);
             let [k, mu, rise] = under.constants(s);
             if energy.is_none() {
@@ -239,11 +240,11 @@ impl<'a> GroundSums<'a> {
                 self.clear += dx * (p * (u + under.gap(s) - w)).abs();
                 under.residual(s) - p
             } else {
-                k * u - mu * (ddw / (half * half)) - rise * du - p
+                k * u - mu * (seen.bend[i] * bend) - rise * du - p
             };
             self.spread += dx * rest * rest / k;
             self.work_on_gap += dx * p * under.gap(s);
-            self.total_pressure += dx * p.max(0.0);
+            self.total_pressure += dx * larger(0.0, p);
             let share = dx * p;
             mass += share;
             first += share * s;
@@ -260,12 +261,12 @@ impl<'a> GroundSums<'a> {
             };
             carriers.press(weights, piece.x, sunk);
         }
-        let pull = depth_of(&Polynomial::new(piece.pressure));
+        let pull = Polynomial::depth(piece.pressure);
         if pull > 0.0 {
             self.pull += pull * 2.0 * half;
             self.pulled += pull * (2.0 * half / under.bounds()[0]).sqrt();
         }
-        let [low, high] = bounds(piece.pressure, 8);
+        let [low, high] = seen_bounds(piece.pressure, &pressure);
         self.smallest_pressure = self.smallest_pressure.min(low);
         self.largest_pressure = self.largest_pressure.max(high);
     }
@@ -285,11 +286,4 @@ impl<'a> GroundSums<'a> {
             relative(self.smallest_pressure, self.largest_pressure.max(forces / self.length));
         spread.min(relative(self.smallest_force, self.total_pressure.max(forces)))
     }
-}
-
-/// The least and the largest value of a polynomial on \[−1, 1\] at the ends of `parts` equal parts: what is
-/// printed; what is proven is bounded.
-fn bounds(c: &[f64], parts: usize) -> [f64; 2] {
-    let at = |i: usize| value(c, 2.0 * i as f64 / parts as f64 - 1.0);
-    (0..=parts).map(at).fold([0.0, 0.0], |[low, high], p| [low.min(p), high.max(p)])
 }

@@ -6,7 +6,6 @@
 use super::curve::rounding;
 use super::{Claim, ClaimedPiece};
 use crate::model::{Model, SupportKind};
-use crate::polynomial::jet;
 
 /// The stiffest of everything, which bounds what a small deflection costs.
 #[derive(Debug)]
@@ -87,17 +86,15 @@ impl Joints {
         }
     }
 
-    pub fn add(&mut self, piece: &ClaimedPiece) {
+    /// One piece more, with w and dw/ds at its ends.
+    pub fn add(&mut self, piece: &ClaimedPiece, ends: [[f64; 2]; 2]) {
         let [from, to] = piece.x;
         let [noise, tilt] = rounding(piece.deflection);
-        let end = |s: f64| {
-            let [w, dw, ..] = jet(piece.deflection, s);
-            [w, dw / piece.half, noise, tilt / piece.half]
-        };
+        let [left, right] = ends.map(|[w, dw]| [w, dw / piece.half, noise, tilt / piece.half]);
         let off = (to - from - 2.0 * piece.half).abs().max((from - self.at).abs());
         self.misplaced = self.misplaced.max(off);
-        self.meet(self.at, self.last, Some(end(-1.0)));
-        (self.last, self.at) = (Some(end(1.0)), to);
+        self.meet(self.at, self.last, Some(left));
+        (self.last, self.at) = (Some(right), to);
     }
 
     pub fn finish(&mut self, claim: &Claim) {

@@ -16,17 +16,19 @@ mod curve;
 mod ground;
 mod joints;
 mod lift;
+mod quadrature;
 mod statics;
 mod supports;
 mod surface;
 mod unclaimed;
 
 use crate::model::{Load, Model};
-use crate::polynomial::{is_free_of_zeros, jet, value};
+use crate::polynomial::{is_free_of_zeros, jet};
 use balance::{GivenBack, Remains, Segment};
 pub(crate) use claim::{Claim, ClaimedPiece};
 use ground::GroundSums;
 use joints::Joints;
+use quadrature::{Seen, at_points, gauss, larger};
 use statics::{Events, SpreadLoad};
 use supports::Supports;
 use surface::Under;
@@ -91,45 +93,6 @@ impl Certificate {
 /// Positions this close, as a part of the length, are the same: nodes within rounding of each other were
 /// one node.
 const NEAR: f64 = 16.0 * f64::EPSILON;
-
-/// Gauss–Legendre points on \[−1, 1\], exact to degree 23: to rounding for every integrand here.
-const GAUSS: [(f64, f64); 6] = [
-    (0.125_233_408_511_468_9, 0.249_147_045_813_402_78),
-    (0.367_831_498_998_180_2, 0.233_492_536_538_354_82),
-    (0.587_317_954_286_617_4, 0.203_167_426_723_065_92),
-    (0.769_902_674_194_304_7, 0.160_078_328_543_346_22),
-    (0.904_117_256_370_474_9, 0.106_939_325_995_318_43),
-    (0.981_560_634_246_719_2, 0.047_175_336_386_511_83),
-];
-
-fn gauss() -> impl Iterator<Item = (f64, f64)> {
-    GAUSS.iter().flat_map(|&(s, w)| [(-s, w), (s, w)])
-}
-
-/// w and its derivatives by s at the points of quadrature.
-type Jets = [[f64; 4]; 2 * GAUSS.len()];
-
-fn jets(deflection: &[f64]) -> Jets {
-    let mut all = [[0.0; 4]; 2 * GAUSS.len()];
-    let mut points = gauss();
-    // Four points at once, by the steps of `jet`.
-    for block in all.chunks_exact_mut(4) {
-        let s: [f64; 4] = std::array::from_fn(|_| points.next().map_or(0.0, |(s, _)| s));
-        let [mut f, mut d1, mut d2, mut d3] = [[0.0; 4]; 4];
-        for &a in deflection.iter().rev() {
-            for i in 0..4 {
-                d3[i] = d3[i] * s[i] + d2[i];
-                d2[i] = d2[i] * s[i] + d1[i];
-                d1[i] = d1[i] * s[i] + f[i];
-                f[i] = f[i] * s[i] + a;
-            }
-        }
-        for (i, jet) in block.iter_mut().enumerate() {
-            *jet = [f[i], d1[i], 2.0 * d2[i], 6.0 * d3[i]];
-        }
-    }
-    all
-}
 
 /// Energies and their parts, summed piece by piece.
 #[derive(Debug, Default)]
@@ -238,7 +201,7 @@ impl<'a> Walk<'a> {
         let mut walk = Walk {
             model,
             claim,
-            sums: Sums { largest_deflection: claim.largest_deflection(), ..Sums::default() },
+            sums: Sums::default(),
             ground: GroundSums::new(model, claim),
             joints: Joints::new(model),
             events: Events::of(model, claim),
@@ -262,12 +225,12 @@ impl<'a> Walk<'a> {
     /// Over one piece, and what stands at its right end.
     fn add(&mut self, piece: &'a ClaimedPiece<'a>, next: Option<&ClaimedPiece>) {
         let model = self.model;
-        let jets = jets(piece.deflection);
+        let seen = Seen::of(piece.deflection);
         let load = SpreadLoad::on(&self.spread, piece.x);
-        beam_piece(model, piece, &load, &jets, &mut self.events, &mut self.sums);
-        let under = Under::new(model, piece);
-        self.ground.add(under, &jets, &mut self.segment.carriers);
-        self.joints.add(piece);
+        beam_piece(model, piece, &load, &seen, &mut self.events, &mut self.sums);
+        let under = Under::new(model, piece, seen.ends);
+        self.ground.add(under, &seen, &mut self.segment.carriers);
+        self.joints.add(piece, seen.ends);
         self.stop(piece.x[1]);
         if let Some(next) = next {
             self.may_cut(&under, next);
@@ -366,35 +329,40 @@ fn beam_piece(
     model: &Model,
     piece: &ClaimedPiece,
     load: &SpreadLoad,
-    jets: &Jets,
+    seen: &Seen,
     events: &mut Events,
     sums: &mut Sums,
 ) {
     let half = piece.half;
     let course = model.beam.bending_stiffness_on(piece.x);
-    sums.too_long |= !course.is_constant() && !is_free_of_zeros(&course.coefficients, FREE);
     let axial = model.beam.axial_force;
-    let moment = events.integrate(piece, load, axial);
+    let moment = at_points(&events.integrate(piece, load, axial));
+    let mut stiffness = [course.at(0.0); Seen::POINTS];
     if course.is_constant() {
         sums.flexibility += 2.0 * half / course.at(0.0);
+    } else {
+        sums.too_long |= !is_free_of_zeros(&course.coefficients, FREE);
+        stiffness = at_points(&course.coefficients);
+        let flexibility = gauss().zip(stiffness).map(|((_, weight), stiffness)| weight / stiffness);
+        sums.flexibility += half * flexibility.sum::<f64>();
     }
-    for ((s, weight), jet) in gauss().zip(jets) {
-        let [w, dw, ddw, _] = *jet;
-        let (slope, curvature) = (dw / half, ddw / (half * half));
-        let m = value(&moment, s);
-        let stiffness = course.at(s);
-        let misfit = stiffness * curvature + m;
+    let per_length = 1.0 / half;
+    for (i, (s, weight)) in gauss().enumerate() {
         let dx = weight * half;
-        if !course.is_constant() {
-            sums.flexibility += dx / stiffness;
-        }
-        sums.bending += dx * stiffness * curvature * curvature;
+        let slope = seen.slope[i] * per_length;
+        let bend = stiffness[i] * (seen.bend[i] * per_length * per_length);
+        let misfit = bend + moment[i];
+        let soft = dx / stiffness[i];
+        sums.bending += soft * bend * bend;
+        sums.moment += soft * moment[i] * moment[i];
+        sums.misfit += soft * misfit * misfit;
         sums.axial += dx * axial * slope * slope;
-        sums.moment += dx * m * m / stiffness;
-        sums.misfit += dx * misfit * misfit / stiffness;
-        sums.work += dx * (load.force(s) * w + load.moment(s) * slope);
-        sums.largest_slope = sums.largest_slope.max(slope.abs());
+        sums.work += dx * (load.force(s) * seen.deflection[i] + load.moment(s) * slope);
+        sums.largest_slope = larger(sums.largest_slope, slope.abs());
     }
+    let ends = seen.ends.map(|[w, _]| w);
+    let deflections = seen.deflection.into_iter().chain(ends).map(f64::abs);
+    sums.largest_deflection = deflections.fold(sums.largest_deflection, larger);
 }
 
 /// The work of point loads.

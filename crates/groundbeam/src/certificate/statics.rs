@@ -3,6 +3,7 @@
 use super::balance::Remains;
 use super::{Claim, ClaimedPiece};
 use crate::model::{Load, Model};
+use crate::polynomial::{Coefficients, integral};
 
 /// What acts at one point: force down, moment.
 #[derive(Debug, Clone, Copy)]
@@ -34,7 +35,8 @@ pub(super) struct Events {
 
 impl Events {
     pub fn of(model: &Model, claim: &Claim) -> Self {
-        let mut ahead = Vec::new();
+        let most = model.loads.len() + claim.forces.len() + claim.reactions.len();
+        let mut ahead = Vec::with_capacity(most);
         for load in &model.loads {
             match *load {
                 Load::PointForce { at: x, force } => ahead.push(Event { x, force, moment: 0.0 }),
@@ -78,26 +80,30 @@ impl Events {
     }
 
     /// Integrates over a piece; returns the coefficients of m(s).
-    pub fn integrate(&mut self, piece: &ClaimedPiece, load: &SpreadLoad, axial: f64) -> Vec<f64> {
+    pub fn integrate(
+        &mut self,
+        piece: &ClaimedPiece,
+        load: &SpreadLoad,
+        axial: f64,
+    ) -> Coefficients {
         let half = piece.half;
-        let mut net = piece.pressure.to_vec();
-        net.resize(net.len().max(2), 0.0);
+        let mut net = Coefficients::from(piece.pressure).at_least(2);
         let size = |c: &[f64]| c.iter().map(|c| c.abs()).sum::<f64>() * 2.0 * half;
         self.count(size(piece.pressure) + size(&load.force), size(&load.moment));
         for j in 0..2 {
             net[j] -= load.force[j];
         }
         // T' = p − f, then M' = V = T − P w' + g.
-        let total = antiderivative(&net, half, self.shear);
-        let mut shear = total.clone();
-        shear.resize(shear.len().max(piece.deflection.len()), 0.0);
-        for (j, c) in piece.deflection.iter().enumerate().skip(1) {
+        let total = integral(&net, half, self.shear);
+        let mut shear = total.at_least(piece.deflection.len());
+        let tension = if axial == 0.0 { &[] } else { piece.deflection };
+        for (j, c) in tension.iter().enumerate().skip(1) {
             shear[j - 1] -= axial * (j as f64) * c / half;
         }
         for j in 0..2 {
             shear[j] += load.moment[j];
         }
-        let moment = antiderivative(&shear, half, self.moment);
+        let moment = integral(&shear, half, self.moment);
         self.shear = total.iter().sum();
         self.moment = moment.iter().sum();
         moment
@@ -136,18 +142,6 @@ impl Events {
         let moments = self.moments + self.forces * self.length;
         [relative(force, moments / self.length), relative(moment, moments)]
     }
-}
-
-/// ∫ from the left end of a piece, which begins with `start`.
-fn antiderivative(c: &[f64], half: f64, start: f64) -> Vec<f64> {
-    let mut out = vec![0.0; c.len() + 1];
-    let mut at_left = 0.0;
-    for (j, a) in c.iter().enumerate() {
-        out[j + 1] = half * a / (j + 1) as f64;
-        at_left += if j % 2 == 0 { -out[j + 1] } else { out[j + 1] };
-    }
-    out[0] = start - at_left;
-    out
 }
 
 /// The sum of all loads' sizes, moments over the length.

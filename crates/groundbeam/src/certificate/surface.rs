@@ -3,12 +3,14 @@
 use super::ClaimedPiece;
 use super::curve::{Curve, Point, ROUNDING, fourth, rounding};
 use crate::model::{Course, Model};
-use crate::polynomial::jet;
+use crate::polynomial::{Coefficients, jet};
 
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Under<'a> {
     pub piece: &'a ClaimedPiece<'a>,
     pub half: f64,
+    /// w and dw/ds at both ends.
+    deflection: [[f64; 2]; 2],
     /// k and μ, where they vary at the middle.
     pub spring: f64,
     pub shear: f64,
@@ -47,7 +49,7 @@ struct Even {
 }
 
 impl<'a> Under<'a> {
-    pub fn new(model: &Model, piece: &'a ClaimedPiece) -> Self {
+    pub fn new(model: &Model, piece: &'a ClaimedPiece, deflection: [[f64; 2]; 2]) -> Self {
         let [from, to] = piece.x;
         let ground = model.foundation.constants_on(piece.x);
         let [spring, shear] = ground.map(|course| course.coefficients[0]);
@@ -84,7 +86,7 @@ impl<'a> Under<'a> {
                 floor: left.min(right).min(0.0),
             })
         });
-        Under { piece, half: piece.half, spring, shear, ground, gap, rise, open }
+        Under { piece, half: piece.half, deflection, spring, shear, ground, gap, rise, open }
     }
 
     /// Whether the ground is free here.
@@ -97,6 +99,9 @@ impl<'a> Under<'a> {
     }
 
     pub fn gap(&self, s: f64) -> f64 {
+        if self.gap == [0.0; 2] {
+            return 0.0;
+        }
         0.5 * ((1.0 - s) * self.gap[0] + (1.0 + s) * self.gap[1])
     }
 
@@ -159,7 +164,7 @@ impl<'a> Under<'a> {
 
     /// u, u' and the clearance at an end.
     pub fn end(&self, s: f64) -> [f64; 3] {
-        let [w, dw, ..] = jet(self.piece.deflection, s);
+        let [w, dw] = self.deflection[usize::from(s > 0.0)];
         let [u, du] = self.surface(s, w, dw);
         [u, du, if self.is_open() { u + self.gap(s) - w } else { 0.0 }]
     }
@@ -229,7 +234,7 @@ pub(super) struct Clearance<'a> {
 enum Shape {
     Even(Even),
     /// Where the ground varies, all of it is one polynomial.
-    Polynomial(Vec<f64>),
+    Polynomial(Coefficients),
 }
 
 impl<'a> Clearance<'a> {
@@ -242,8 +247,7 @@ impl<'a> Clearance<'a> {
     }
 
     fn over_varying_ground(under: &'a Under<'a>, u: &[f64]) -> Self {
-        let mut difference = u.to_vec();
-        difference.resize(u.len().max(under.piece.deflection.len()), 0.0);
+        let mut difference = Coefficients::from(u).at_least(under.piece.deflection.len());
         for (c, w) in difference.iter_mut().zip(under.piece.deflection) {
             *c -= w;
         }

@@ -242,9 +242,9 @@ impl<'a> Newton<'a> {
         let layout = Layout::of(self.mesh, zones);
         let cells = self.mesh.cells.iter().enumerate().map(|(i, cell)| {
             let mut element = self.elements[i];
-            for part in &layout.parts[i] {
+            for part in layout.parts(i) {
                 if part[1] > part[0] {
-                    hermite::add_ground(&mut element, cell, *part);
+                    hermite::add_ground(&mut element, cell, part);
                 }
             }
             if let Some((weight, state)) = near {
@@ -286,7 +286,7 @@ impl<'a> Newton<'a> {
     /// ψ = w − g₀ as coefficients.
     fn obstacle(&self, coefficients: &[f64]) -> Vec<f64> {
         let w = Deflection { mesh: self.mesh, terms: TERMS, coefficients };
-        (0..self.mesh.cells.len()).flat_map(|i| w.obstacle(i)).collect()
+        (0..self.mesh.cells.len()).flat_map(|i| w.obstacle(i).to_vec()).collect()
     }
 
     fn beam_form(&self, a: &State, b: &State) -> f64 {

@@ -1,7 +1,8 @@
 //! A beam that stands on one point, and may turn there.
 
 use super::active_set::{Found, Stalled};
-use super::exact::{ENOUGH, Proof, glued, solve, unsettled};
+use super::exact::{ENOUGH, Proof, solve, unsettled};
+use super::glue::Glue;
 use crate::model::{Load, Model};
 use crate::polynomial::jet;
 
@@ -30,12 +31,12 @@ pub(crate) fn solve_over_an_end(
     model: &Model,
     resultant: f64,
     over_left: bool,
-    proven: impl Fn(&Found, Proof) -> bool,
+    mut judge: impl FnMut(&Found) -> Proof,
 ) -> Result<Found, Stalled> {
     let l = model.beam.length;
     let inward = if over_left { ALMOST } else { -ALMOST };
     let nearly = model.clone().with_load(Load::moment(inward * resultant * l, 0.5 * l));
-    let limit = solve(&nearly, |_, _| false)?;
+    let limit = solve(&nearly, None, |_| Proof::NONE)?;
     let last = limit.mesh.cells.len() - 1;
     let (cell, s) = if over_left { (0, -1.0) } else { (last, 1.0) };
     let [w, dw, ..] = jet(limit.deflection().cell(cell), s);
@@ -46,8 +47,8 @@ pub(crate) fn solve_over_an_end(
     let slope = if over_left { tangent - beyond } else { tangent + beyond };
     let end = if over_left { 0.0 } else { l };
     let history = limit.history;
-    match glued(model, &[[end, end]], Some(Held { left: over_left, slope })) {
-        Ok((found, _)) if proven(&found, ENOUGH) => Ok(Found { history, ..found }),
+    match Glue::new(model).on(&[[end, end]], Some(Held { left: over_left, slope })) {
+        Ok(found) if judge(&found).is_within(ENOUGH) => Ok(Found { history, ..found }),
         _ => Err(unsettled(history.len(), f64::NAN)),
     }
 }

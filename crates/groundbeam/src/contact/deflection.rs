@@ -3,7 +3,7 @@
 use super::layout::gap_at;
 use super::varying;
 use crate::mesh::{Cell, Mesh};
-use crate::polynomial::{jet, value};
+use crate::polynomial::{Coefficients, jet, value};
 
 /// A point of the beam: a cell and its coordinate s ∈ \[−1, 1\].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,8 +33,8 @@ impl Deflection<'_> {
     }
 
     /// The coefficients of ψ = w − g₀ in cell i.
-    pub fn obstacle(&self, i: usize) -> Vec<f64> {
-        let mut c = self.cell(i).to_vec();
+    pub fn obstacle(&self, i: usize) -> Coefficients {
+        let mut c = Coefficients::from(self.cell(i));
         let [left, right] = self.mesh.cells[i].gap;
         c[0] -= 0.5 * (left + right);
         c[1] -= 0.5 * (right - left);
@@ -44,6 +44,22 @@ impl Deflection<'_> {
     /// ψ at a spot.
     pub fn obstacle_at(&self, spot: Spot) -> f64 {
         value(self.cell(spot.cell), spot.s) - gap_at(&self.mesh.cells[spot.cell], spot.s)
+    }
+
+    /// ψ, ψ' and π = kψ − (μψ')' at a spot.
+    pub fn pressing(&self, spot: Spot) -> [f64; 3] {
+        let cell = &self.mesh.cells[spot.cell];
+        let [f, d1, d2, _] = jet(self.cell(spot.cell), spot.s);
+        let psi = f - gap_at(cell, spot.s);
+        let per_length = 2.0 / cell.length();
+        let slope = d1 * per_length - cell.gap_slope;
+        let [k, mu, rise] = cell.ground_rising_at(spot.s);
+        [psi, slope, k * psi - mu * d2 * per_length * per_length - rise * per_length * slope]
+    }
+
+    /// The position of a spot.
+    pub fn position(&self, spot: Spot) -> f64 {
+        self.mesh.cells[spot.cell].global(spot.s)
     }
 
     /// μψ' at a spot.
@@ -65,22 +81,24 @@ impl Deflection<'_> {
     }
 
     /// The coefficients of π = kψ − (μψ')' in cell i.
-    pub fn pressure(&self, i: usize) -> Vec<f64> {
+    pub fn pressure(&self, i: usize) -> Coefficients {
         let cell = &self.mesh.cells[i];
         pressure_of(cell, 0.5 * cell.length(), &self.obstacle(i))
     }
 }
 
 /// The coefficients of kψ − (μψ')' from those of ψ on a stretch of half length `half`.
-pub(crate) fn pressure_of(cell: &Cell, half: f64, obstacle: &[f64]) -> Vec<f64> {
+pub(crate) fn pressure_of(cell: &Cell, half: f64, obstacle: &[f64]) -> Coefficients {
     if cell.ground_varies() {
         return varying::pressure(cell, half, obstacle);
     }
     let factor = cell.shear / (half * half);
-    (0..obstacle.len())
-        .map(|j| {
-            let bend = obstacle.get(j + 2).map_or(0.0, |c| ((j + 2) * (j + 1)) as f64 * c);
-            cell.spring * obstacle[j] - factor * bend
-        })
-        .collect()
+    let mut pressure = Coefficients::from(obstacle);
+    for c in pressure.iter_mut() {
+        *c *= cell.spring;
+    }
+    for (j, (pressure, c)) in pressure.iter_mut().zip(obstacle.iter().skip(2)).enumerate() {
+        *pressure -= factor * ((j + 2) * (j + 1)) as f64 * c;
+    }
+    pressure
 }

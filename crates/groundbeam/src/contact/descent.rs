@@ -83,14 +83,13 @@ fn on(mesh: &Mesh, found: &Found) -> Vec<f64> {
     for cell in &mesh.cells {
         let parent = found.mesh.cell_at(0.5 * (cell.x[0] + cell.x[1]));
         let from = &found.mesh.cells[parent];
-        let mut c = if cell.x == from.x {
-            w.cell(parent).to_vec()
+        let c = if cell.x == from.x {
+            w.cell(parent).into()
         } else {
             let [a, b] = cell.x.map(|x| from.local(x));
             rescale(w.cell(parent), 0.5 * (a + b), cell.length() / from.length())
         };
-        c.resize(TERMS, 0.0);
-        coefficients.extend(c);
+        coefficients.extend_from_slice(&c.at_least(TERMS));
     }
     coefficients
 }
@@ -115,5 +114,5 @@ fn moved(mesh: &Mesh, found: &Found) -> Vec<Zone> {
 /// The coefficients of ψ = w − g₀.
 fn obstacle(mesh: &Mesh, coefficients: &[f64]) -> Vec<f64> {
     let w = Deflection { mesh, terms: TERMS, coefficients };
-    (0..mesh.cells.len()).flat_map(|i| w.obstacle(i)).collect()
+    (0..mesh.cells.len()).flat_map(|i| w.obstacle(i).to_vec()).collect()
 }

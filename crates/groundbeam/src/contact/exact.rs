@@ -10,23 +10,25 @@
 //!    split, merge, appear and vanish here of themselves.
 //!
 //! This is Newton's method on Φ in the space of all deflections: the error of the edges is squared in
-//! every step. If the steps do not settle, the mesh that began them is refined.
+//! every step. Near the answer [each edge](super::edges) is moved by itself instead, which squares the
+//! error as well. If the steps do not settle, the mesh that began them is refined.
 
 use super::active_set::{Found, Pressure, Stalled, Step};
 use super::balanced::Held;
-use super::deflection::{Deflection, Zone};
 use super::descent::shorten;
-use super::layout::Layout;
+use super::edges;
+use super::glue::Glue;
 use super::majorant;
 use super::near;
 use super::nested;
-use super::stretches::{Stretch, distance, positions, zones_of};
-use crate::chain::{Chain, ChainCell, Loose};
-use crate::elements::exact::{ExactElement, TERMS, parts};
+use super::stretches::{Stretch, at_place, distance, positions};
+use crate::chain::Loose;
 use crate::elements::{Operator, Touch};
 use crate::mesh::{Cell, Mesh};
 use crate::model::Model;
-use crate::polynomial::{jet, rescale};
+use crate::polynomial::jet;
+use crate::solution::ContactRegion;
+use std::rc::Rc;
 
 /// Cells of the first coarse mesh per wave length of the beam on its ground.
 const COARSE: f64 = 1.0;
@@ -45,6 +47,14 @@ const ROUGH: f64 = 1e-6;
 const ROUGH_DECREMENT: f64 = 1e-12;
 /// A move of the edges, relative to the beam's length, after which no step is shortened.
 const LOCAL: f64 = 1e-8;
+/// The same, after which the next step moves each edge by itself,
+const NEAR: f64 = 0.1;
+/// and after which the edges are so good that the certificate is asked.
+const CLOSE: f64 = 1e-13;
+/// A step that leaves no more than this part of the move before is one that squares the error.
+const SQUARING: f64 = 0.1;
+/// How many steps may stray from that before squaring the error is no excuse.
+const MOST_STRAYS: usize = 4;
 /// How much less stiff (as a power of two) one beam is than the one it starts from.
 const STIFFER: f64 = 2.0;
 
@@ -60,14 +70,23 @@ const WALKING: usize = 8;
 const WEAKEST: f64 = 1e-10;
 const STILL: f64 = 1e-3;
 
-/// What the certificate must show.
+/// What the certificate shows, or must show.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Proof {
-    /// The largest relative gap.
+    /// The relative gap.
     pub gap: f64,
     /// The largest violation of balance, signs and complementarity. An edge that is off by δ leaves pδ
     /// unbalanced.
     pub violation: f64,
+}
+
+impl Proof {
+    /// What is known where nothing is asked.
+    pub(super) const NONE: Proof = Proof { gap: f64::INFINITY, violation: f64::INFINITY };
+
+    pub(super) fn is_within(self, wanted: Proof) -> bool {
+        self.gap <= wanted.gap && self.violation <= wanted.violation
+    }
 }
 
 /// What a row of Newton steps is for.
@@ -86,15 +105,24 @@ pub(super) const ENOUGH: Proof = Proof { gap: 1e-11, violation: 3e-8 };
 const LAST: Proof = Proof { gap: 5e-10, violation: 5e-8 };
 const LAST_STEPS: usize = 100;
 
-/// Solves a model. `proven` tells whether a deflection with its contact passes the certificate to a tolerance: where an
+/// Solves a model. `judge` tells what the certificate shows of a deflection with its contact: where an
 /// edge cannot be told from its neighbours (a zone without pressure, a beam balanced on one point), that
-/// and not the edge's last digit ends the iteration.
+/// and not the edge's last digit ends the iteration. What is returned is what was judged last.
+/// The steps begin at the contact that is `likely`, that of a neighbouring model, or else at one of their own.
 pub(crate) fn solve(
     model: &Model,
-    proven: impl Fn(&Found, Proof) -> bool,
+    likely: Option<&[ContactRegion]>,
+    mut judge: impl FnMut(&Found) -> Proof,
 ) -> Result<Found, Stalled> {
+    let judge: &mut dyn FnMut(&Found) -> Proof = &mut judge;
+    let glue = &mut Glue::new(model);
+    if let Some(likely) = likely
+        && let Ok(found) = from_likely(glue, &on_the_beam(likely, model.beam.length), judge)
+    {
+        return Ok(found);
+    }
     if let Some(stretches) = near::edges(model)
-        && let Ok(found) = from_edges(model, &stretches, &proven)
+        && let Ok(found) = from_edges(glue, &stretches, judge)
     {
         return Ok(found);
     }
@@ -102,7 +130,9 @@ pub(crate) fn solve(
     let mut iterations = 0;
     for level in 0..=REFINEMENTS {
         let start = coarse(model, level);
-        let found = start.and_then(|start| refine(model, start, Goal::Answer(MOST_STEPS), &proven));
+        let found = start.and_then(|start| {
+            refine(glue, Start::asked_by(start), Goal::Answer(MOST_STEPS), judge)
+        });
         match found {
             Ok(found) => return Ok(found),
             Err(stalled) => {
@@ -114,18 +144,62 @@ pub(crate) fn solve(
     Err(Stalled { iterations, ..last })
 }
 
+/// The contact of another beam, as far as this one reaches.
+fn on_the_beam(contact: &[ContactRegion], l: f64) -> Vec<Stretch> {
+    let within = contact.iter().filter(|region| region.from <= l);
+    within.map(|region| [region.from, region.to.min(l)]).collect()
+}
+
 /// From the beam glued to the ground on given stretches. Where it asks for just these, it is the answer.
 fn from_edges(
-    model: &Model,
+    glue: &mut Glue,
     stretches: &[Stretch],
-    proven: &impl Fn(&Found, Proof) -> bool,
+    judge: &mut dyn FnMut(&Found) -> Proof,
 ) -> Result<Found, Stalled> {
-    let (found, zones) = glued(model, stretches, None).map_err(|Loose| unsettled(0, f64::NAN))?;
+    let found = glue.on(stretches, None).map_err(|Loose| unsettled(0, f64::NAN))?;
+    let zones = majorant::contact(&found.deflection());
     if positions(&found.mesh, &zones, &[]) == stretches {
+        judge(&found);
         let history = vec![Step { zones: stretches.len(), step: 1.0, decrement: 0.0 }];
         return Ok(Found { history, ..found });
     }
-    refine(model, Found { zones, ..found }, Goal::Answer(NEAR_STEPS), proven)
+    let start = Start::asked_by(Found { zones, ..found });
+    refine(glue, start, Goal::Answer(NEAR_STEPS), judge)
+}
+
+/// The same from stretches so likely that their edges are moved by themselves from the first step on.
+fn from_likely(
+    glue: &mut Glue,
+    stretches: &[Stretch],
+    judge: &mut dyn FnMut(&Found) -> Proof,
+) -> Result<Found, Stalled> {
+    let found = glue.on(stretches, None).map_err(|Loose| unsettled(0, f64::NAN))?;
+    let near = |next: &Vec<Stretch>| {
+        next != stretches && distance(stretches, next) <= NEAR * glue.model.beam.length
+    };
+    match edges::moved(&found.deflection(), &found.zones).filter(near) {
+        Some(next) => {
+            let start = Start { found, stretches: next, near: true };
+            refine(glue, start, Goal::Answer(NEAR_STEPS), judge)
+        }
+        // Where all of the beam touches, or zones come and go, no edge tells.
+        None => from_edges(glue, stretches, judge),
+    }
+}
+
+/// A deflection, and the contact that it asks for.
+struct Start {
+    found: Found,
+    stretches: Vec<Stretch>,
+    /// Whether that is near the contact on which it was glued.
+    near: bool,
+}
+
+impl Start {
+    fn asked_by(found: Found) -> Self {
+        let stretches = positions(&found.mesh, &found.zones, &[]);
+        Start { found, stretches, near: false }
+    }
 }
 
 /// A deflection to start from: on a coarse mesh, for a beam so stiff that the mesh sees its waves, and
@@ -153,46 +227,78 @@ fn coarse(model: &Model, level: u32) -> Result<Found, Stalled> {
     let meshes = nested::coarse_meshes(&stiffest, per_wave);
     let mut found = nested::solve(meshes, Pressure::Distributed)?;
     for stage in (1..=stages).rev() {
-        found = refine(&stiffer(stage), found, Goal::Start, &|_, _| false)?;
+        found = refine(
+            &mut Glue::new(&stiffer(stage)),
+            Start::asked_by(found),
+            Goal::Start,
+            &mut |_| Proof::NONE,
+        )?;
     }
     Ok(found)
 }
 
 /// Newton's steps on the edges, from the deflection of a coarser problem.
 fn refine(
-    model: &Model,
-    mut start: Found,
+    glue: &mut Glue,
+    start: Start,
     goal: Goal,
-    proven: &impl Fn(&Found, Proof) -> bool,
+    judge: &mut dyn FnMut(&Found) -> Proof,
 ) -> Result<Found, Stalled> {
     let (rough, most_steps) = match goal {
         Goal::Answer(most_steps) => (false, most_steps),
         Goal::Start => (true, STAGE_STEPS),
     };
+    let model = glue.model;
     let places: Vec<f64> = Mesh::build(model, &[], |_| 1).nodes.iter().map(|n| n.x).collect();
-    let mut stretches = positions(&start.mesh, &start.zones, &places);
-    let mut history = std::mem::take(&mut start.history);
     let l = model.beam.length;
+    let placed = |stretches: Vec<Stretch>| -> Vec<Stretch> {
+        stretches.into_iter().map(|ends| ends.map(|x| at_place(x, &places, l))).collect()
+    };
+    let Start { found: mut start, stretches, near } = start;
+    let mut stretches = placed(stretches);
+    let mut history = std::mem::take(&mut start.history);
     let mut moved = f64::INFINITY;
-    // Steps in a row that did not halve the move, and whether all have so far.
+    // Steps in a row that did not halve the move, how many have not so far, and whether the last step was
+    // taken whole.
     let mut idle = 0;
-    let mut shrinks = true;
+    let mut strays = 0;
+    let mut whole = true;
+    // Whether edges may be moved by themselves.
+    let mut alone = true;
     // The deflection that asked for the stretches, and the last that equilibrium made.
-    let mut now = start;
-    let mut last: Option<Found> = None;
+    let mut now = Rc::new(start);
+    let mut last: Option<Rc<Found>> = None;
     for step in 0..most_steps {
-        let Ok((found, zones)) = glued(model, &stretches, None) else {
+        let Ok(found) = glue.on(&stretches, None) else {
             // A beam balanced on one point may turn about it, as far as no other point touches.
-            let held = glued(model, &stretches, Some(Held::as_in(&now))).map(|(found, _)| found);
-            let proven = |found: &Found| proven(found, LAST);
-            return match held.ok().filter(proven).or(last.filter(proven)) {
+            let held = glue.on(&stretches, Some(Held::as_in(&now))).ok();
+            let mut proven = |found: &Found| judge(found).is_within(LAST);
+            let found = match held.filter(&mut proven) {
+                Some(found) => Some(found),
+                None => last.map(Rc::unwrap_or_clone).filter(proven),
+            };
+            return match found {
                 Some(found) => Ok(Found { history, ..found }),
-                None if rough => Ok(Found { history, ..now }),
+                None if rough => Ok(Found { history, ..Rc::unwrap_or_clone(now) }),
                 None => Err(unsettled(step, moved)),
             };
         };
-        let next = positions(&found.mesh, &zones, &places);
         let before = moved;
+        let near = before <= NEAR || (step == 0 && near);
+        let by_edges = if near && whole && alone && !rough {
+            edges::moved(&found.deflection(), &found.zones)
+        } else {
+            None
+        };
+        let by_scan = by_edges.is_none();
+        let mut zones = Vec::new();
+        let next = match by_edges {
+            Some(next) => placed(next),
+            None => {
+                zones = majorant::contact(&found.deflection());
+                positions(&found.mesh, &zones, &places)
+            }
+        };
         moved = distance(&stretches, &next) / l;
         history.push(Step { zones: next.len(), step: 1.0, decrement: moved });
         // Quadratic convergence ends at rounding: no further step would make it smaller.
@@ -204,24 +310,45 @@ fn refine(
         idle = if halved { 0 } else { idle + 1 };
         let proof = match step {
             _ if step > LAST_STEPS => LAST,
+            // Zones that come and go are more than the last digits of edges.
+            _ if moved.is_infinite() => PROVEN,
             _ if idle > PATIENCE || step > ROUNDS * PATIENCE => ENOUGH,
             _ => PROVEN,
         };
-        if settled || (step >= PATIENCE && proven(&found, proof)) {
-            return Ok(Found { history, ..found });
+        let squaring = before.is_finite() && moved <= SQUARING * before;
+        // A zone that its own deflection does not ask for is none: rounding may take it away and bring it back.
+        let sheds = next.len() < stretches.len() && step <= LAST_STEPS;
+        if settled || moved <= CLOSE || (step >= PATIENCE && !squaring && !sheds) {
+            // A zone too small for the energy is seen by the scan alone.
+            let asks_for_these = || {
+                let zones = majorant::contact(&found.deflection());
+                distance(&stretches, &positions(&found.mesh, &zones, &places)) <= LOCAL * l
+            };
+            if by_scan || asks_for_these() {
+                let shown = judge(&found);
+                if (settled && by_scan) || shown.is_within(proof) {
+                    return Ok(Found { history, ..found });
+                }
+            }
+            // Where edges by themselves come to rest at no answer, the scan goes on.
+            alone &= by_scan;
         }
         if most_steps > NEAR_STEPS
             && idle > 0
             && idle.is_multiple_of(WALKING)
-            && let Some(start) = without_the_weakest(model, &found, &next)
-            && let Ok(found) = refine(model, start, Goal::Answer(NEAR_STEPS), proven)
+            && let Some(start) = without_the_weakest(glue, &found, &next)
+            && let Ok(found) = refine(glue, Start::asked_by(start), Goal::Answer(NEAR_STEPS), judge)
         {
             return Ok(Found { history, ..found });
         }
-        // Steps that shrink end by themselves. Once one has not, the energy decides how far each goes.
-        shrinks &= halved && (before.is_finite() || step < 2);
+        // Steps that shrink end by themselves. Once one has not, the energy decides how far each goes, but
+        // for those that square the error.
+        if !(halved && (before.is_finite() || step < 2)) {
+            strays += 1;
+        }
+        whole = strays == 0 || (strays <= MOST_STRAYS && squaring);
         let mut between = None;
-        if !shrinks && moved > LOCAL {
+        if !whole && moved > LOCAL {
             let shortened = shorten(model, &now, &found);
             if rough && shortened.decrement <= ROUGH_DECREMENT {
                 return Ok(Found { history, zones, ..found });
@@ -231,19 +358,20 @@ fn refine(
             }
             between = shortened.between;
         }
+        let found = Rc::new(found);
         (now, stretches) = match between {
             Some(between) => {
                 moved = f64::INFINITY;
                 let stretches = positions(&between.mesh, &between.zones, &places);
-                (between, stretches)
+                (Rc::new(between), stretches)
             }
-            None => (found.clone(), next),
+            None => (Rc::clone(&found), next),
         };
         last = Some(found);
     }
-    match last.filter(|found| proven(found, ENOUGH)) {
-        Some(found) => Ok(Found { history, ..found }),
-        None if rough => Ok(Found { history, ..now }),
+    match last.filter(|found| judge(found).is_within(ENOUGH)) {
+        Some(found) => Ok(Found { history, ..Rc::unwrap_or_clone(found) }),
+        None if rough => Ok(Found { history, ..Rc::unwrap_or_clone(now) }),
         None => Err(unsettled(most_steps, moved)),
     }
 }
@@ -253,7 +381,7 @@ fn refine(
 /// A step moves an end of contact by a wave length at most. Beyond the last load of a beam hundreds of waves
 /// long, zones each a thousand times weaker than the one before walk to the end of the beam that way, where
 /// in truth all of it lifts.
-fn without_the_weakest(model: &Model, found: &Found, stretches: &[Stretch]) -> Option<Found> {
+fn without_the_weakest(glue: &mut Glue, found: &Found, stretches: &[Stretch]) -> Option<Found> {
     let weight = |[a, b]: &Stretch| {
         let x = 0.5 * (a + b);
         let cell = found.mesh.cell_at(x);
@@ -268,119 +396,16 @@ fn without_the_weakest(model: &Model, found: &Found, stretches: &[Stretch]) -> O
     (1..=most).rev().find_map(|count| {
         let strong = stretches.iter().zip(&weights).filter(|(_, w)| **w >= ranked[count - 1]);
         let strong: Vec<Stretch> = strong.map(|(stretch, _)| *stretch).collect();
-        let (found, zones) = glued(model, &strong, None).ok()?;
+        let found = glue.on(&strong, None).ok()?;
+        let zones = majorant::contact(&found.deflection());
         let moved = distance(&strong, &positions(&found.mesh, &zones, &[]));
-        (moved <= STILL * model.beam.length).then_some(Found { zones, ..found })
+        (moved <= STILL * glue.model.beam.length).then_some(Found { zones, ..found })
     })
 }
 
 pub(super) fn unsettled(iterations: usize, reached: f64) -> Stalled {
     let what = "the last move of an edge of contact, relative to the beam's length,";
     Stalled { iterations, what, tolerance: 1e-12, reached }
-}
-
-/// The beam glued to the ground on given stretches, solved exactly, and the contact it asks for.
-pub(crate) fn glued(
-    model: &Model,
-    stretches: &[Stretch],
-    held: Option<Held>,
-) -> Result<(Found, Vec<Zone>), Loose> {
-    let axial = model.beam.axial_force;
-    let edges: Vec<f64> = stretches.iter().flatten().copied().collect();
-    let touches = |x: f64| {
-        let next = stretches.partition_point(|s| s[1] <= x);
-        stretches.get(next).is_some_and(|s| s[0] < x)
-    };
-    let touch = |cell: &Cell| {
-        if touches(0.5 * (cell.x[0] + cell.x[1])) { Touch::Contact } else { Touch::Open }
-    };
-    let mesh = Mesh::graded(model, &edges, |cell| {
-        parts(&Operator::of(cell, axial, touch(cell)), cell.length())
-    });
-    let assumed = zones_of(&mesh, stretches, &touch);
-    let layout = Layout::of(&mesh, &assumed);
-    let elements: Vec<ExactElement> = mesh
-        .cells
-        .iter()
-        .map(|cell| ExactElement::new(&Operator::of(cell, axial, touch(cell)), cell.length()))
-        .collect();
-    let cells: Vec<ChainCell> = elements
-        .iter()
-        .enumerate()
-        .map(|(i, exact)| {
-            // Only ends are tied.
-            layout.chain_cell(&mesh, i, exact.element, |s| exact.element.end_row(s > 0.0))
-        })
-        .collect();
-    let mut nodes = layout.nodes(&mesh);
-    if let Some(held) = held {
-        let node = if held.left { 0 } else { nodes.len() - 1 };
-        let spring = model.beam.bending_stiffness / model.beam.length;
-        nodes[node].rotational_spring += spring;
-        nodes[node].moment += spring * held.slope;
-    }
-    let shapes = Chain { nodes, cells, meeting: layout.meeting_node(&mesh) }.solve()?;
-    let (fine, coefficients) = unfolded(model, &mesh, &elements, &shapes);
-    if !coefficients.iter().all(|c| c.is_finite()) {
-        return Err(Loose);
-    }
-    let w = Deflection { mesh: &fine, terms: TERMS, coefficients: &coefficients };
-    let wanted = majorant::contact(&w);
-    let zones = zones_of(&fine, stretches, &touch);
-    let found = Found {
-        mesh: fine,
-        terms: TERMS,
-        shapes: Vec::new(),
-        coefficients,
-        zones,
-        history: Vec::new(),
-        pressure: Pressure::Distributed,
-        surface: None,
-    };
-    Ok((found, wanted))
-}
-
-/// w as short series: each element's own, and where it has boundary layers cut into pieces.
-fn unfolded(
-    model: &Model,
-    mesh: &Mesh,
-    elements: &[ExactElement],
-    shapes: &[[f64; 4]],
-) -> (Mesh, Vec<f64>) {
-    let parts = elements.iter().zip(shapes).map(|(element, v)| element.unfold(v));
-    let parts: Vec<([f64; TERMS], [f64; 2])> = parts.collect();
-    let mut x = Vec::new();
-    for ((element, cell), (_, heights)) in elements.iter().zip(&mesh.cells).zip(&parts) {
-        x.push(cell.x[1]);
-        if let Some(layers) = &element.layers {
-            x.extend(layers.cuts(cell.x, *heights));
-        }
-    }
-    if x.len() == mesh.cells.len() {
-        return (mesh.clone(), parts.into_iter().flat_map(|(series, _)| series).collect());
-    }
-    let fine = Mesh::build(model, &x, |_| 1);
-    let mut coefficients = Vec::with_capacity(fine.cells.len() * TERMS);
-    let mut i = 0;
-    for piece in &fine.cells {
-        let middle = 0.5 * (piece.x[0] + piece.x[1]);
-        while mesh.cells[i].x[1] < middle {
-            i += 1;
-        }
-        let cell = &mesh.cells[i];
-        let (series, heights) = &parts[i];
-        let mut c = if piece.x == cell.x {
-            series.to_vec()
-        } else {
-            let [a, b] = piece.x.map(|x| cell.local(x));
-            rescale(series, 0.5 * (a + b), piece.length() / cell.length())
-        };
-        if let Some(layers) = &elements[i].layers {
-            layers.add(cell.x, *heights, piece.x, &mut c);
-        }
-        coefficients.extend(c);
-    }
-    (fine, coefficients)
 }
 
 #[cfg(test)]
@@ -397,37 +422,12 @@ mod tests {
         let mut stretches = vec![[0.8, 1.0]];
         let mut errors = Vec::new();
         for _ in 0..4 {
-            let (found, zones) = glued(&model, &stretches, None).expect("a solution");
+            let found = Glue::new(&model).on(&stretches, None).expect("a solution");
+            let zones = majorant::contact(&found.deflection());
             stretches = positions(&found.mesh, &zones, &[]);
             errors.push((stretches[0][0] - 0.811_326_256_449_155).abs());
         }
         assert!(errors[3] < 2e-15, "{errors:?}");
         assert!(errors[1] < errors[0] * errors[0] * 10.0, "{errors:?}");
-    }
-
-    /// A gap of length h takes −π h off the ground's force and changes w by O(h), however short it is and
-    /// wherever a node stands in it: 10⁻¹³ of w is left for rounding.
-    #[test]
-    fn a_short_gap_keeps_the_digits_beside_it() {
-        let model = Model::new(Beam::uniform(1.0, 10.0), Foundation::pasternak(1.0, 3.4))
-            .with_load(Load::point(1.0, 0.5))
-            .with_load(Load::moment(0.1, 0.5));
-        let solved = |stretches: &[Stretch], node: f64| {
-            let model = model.clone().with_load(Load::point(f64::MIN_POSITIVE, node));
-            let (found, _) = glued(&model, stretches, None).expect("a solution");
-            let cell = found.mesh.cells.iter().position(|c| c.x[1] == 0.3).expect("a node");
-            let [w, _, bend, _] = jet(found.deflection().cell(cell), 1.0);
-            [w, bend / (0.5 * found.mesh.cells[cell].length()).powi(2)]
-        };
-        let bonded = solved(&[[0.0, 0.3], [0.3, 1.0]], 0.3);
-        for h in [1e-3, 1e-5, 1e-7, 1e-9, 1e-11] {
-            let stretches = [[0.0, 0.3], [0.3 + h, 1.0]];
-            for node in [0.0, 0.3 + 0.4 * h] {
-                let here = solved(&stretches, node);
-                for (a, b) in here.iter().zip(bonded) {
-                    assert!((a - b).abs() <= h * h + 1e-13, "{h}: {here:?} {bonded:?}");
-                }
-            }
-        }
     }
 }

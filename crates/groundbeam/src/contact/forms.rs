@@ -6,7 +6,7 @@ use super::surface::open_links;
 use super::varying;
 use crate::ground::Link;
 use crate::mesh::{Cell, Mesh};
-use crate::polynomial::{jet, rescale, value};
+use crate::polynomial::{Coefficients, MOST, derivative, jet, rescale, value};
 
 /// ∫(EI a″b″ + P a'b') and the springs at supports.
 pub(crate) fn beam_form(mesh: &Mesh, terms: usize, a: &[f64], b: &[f64]) -> f64 {
@@ -115,14 +115,25 @@ fn bending(cell: &Cell, f: &[f64], g: &[f64]) -> f64 {
 
 /// ∫ f⁽ⁿ⁾ g⁽ⁿ⁾ ds over \[−1, 1\] for the derivatives of order n ≤ 2.
 pub(crate) fn inner(f: &[f64], g: &[f64], order: usize) -> f64 {
-    let falling = |j: usize| (0..order).map(|i| (j - i) as f64).product::<f64>();
+    let differentiated = |c: &[f64]| (0..order).fold(Coefficients::from(c), |c, _| derivative(&c));
+    let [f, g] = [f, g].map(differentiated);
     let mut sum = 0.0;
-    for i in order..f.len() {
-        let mut row = 0.0;
-        for j in (order + (i - order) % 2..g.len()).step_by(2) {
-            row += falling(j) * g[j] / (i + j + 1 - 2 * order) as f64;
-        }
-        sum += 2.0 * falling(i) * f[i] * row;
+    for (i, a) in f.iter().enumerate() {
+        // ∫ s^(i+j) = 2/(i+j+1) for even i + j.
+        let pairs =
+            g.get(i % 2..).unwrap_or_default().chunks(2).zip(POWERS[(i + i % 2) / 2..].iter());
+        sum += a * pairs.map(|(pair, whole)| pair[0] * whole).sum::<f64>();
     }
     sum
 }
+
+/// ∫ s^(2n) ds over \[−1, 1\].
+const POWERS: [f64; MOST] = {
+    let mut all = [0.0; MOST];
+    let mut n = 0;
+    while n < MOST {
+        all[n] = 2.0 / (2 * n + 1) as f64;
+        n += 1;
+    }
+    all
+};

@@ -14,15 +14,15 @@ const NEAR: f64 = 1e-2;
 /// Where beam and ground touch, seen from the cells.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Layout {
-    /// The parts \[s_from, s_to\] of each cell that touch; a point has both equal.
-    pub parts: Vec<Vec<[f64; 2]>>,
+    /// The parts \[s_from, s_to\] of cells that touch, cell by cell; a point has both equal.
+    parts: Vec<(usize, [f64; 2])>,
     /// Whether each node touches, as the end of the cell to its left and to its right.
     pub touched: Vec<[bool; 2]>,
 }
 
 impl Layout {
     pub fn of(mesh: &Mesh, zones: &[Zone]) -> Self {
-        let mut parts = vec![Vec::new(); mesh.cells.len()];
+        let mut parts = Vec::with_capacity(mesh.cells.len());
         let mut touched = vec![[false; 2]; mesh.nodes.len()];
         let mut touch = |cell: usize, s: f64| {
             if s.abs() < 1.0 {
@@ -50,13 +50,20 @@ impl Layout {
                 let start = if cell == from.cell { from.s } else { -1.0 };
                 let end = if cell == to.cell { to.s } else { 1.0 };
                 if end > start || from == to {
-                    parts[cell].push([start, end]);
+                    parts.push((cell, [start, end]));
                 }
                 touch(cell, start);
                 touch(cell, end);
             }
         }
         Layout { parts, touched }
+    }
+
+    /// The parts of cell i that touch.
+    pub fn parts(&self, i: usize) -> impl DoubleEndedIterator<Item = [f64; 2]> + '_ {
+        let first = self.parts.partition_point(|(cell, _)| *cell < i);
+        let end = first + self.parts[first..].partition_point(|(cell, _)| *cell == i);
+        self.parts[first..end].iter().map(|(_, part)| *part)
     }
 
     /// A node where the contact or a support holds the beam best: the middle of the longest stretch.
@@ -126,10 +133,18 @@ impl Layout {
                     nodes[node].surface_spring += spring;
                 }
             }
-            for node in self.near_contact(mesh, cells.clone()) {
-                let open = nodes[node].surface.contains(&true);
-                nodes[node].from_beam = open;
-                if open {
+            let own = cells.start..=cells.end;
+            if nodes[own.clone()].iter().all(|node| !node.surface.contains(&true)) {
+                continue;
+            }
+            let distances = self.distances_to_contact(mesh, &cells);
+            for (node, distance) in own.zip(distances) {
+                let cell = &mesh.cells[node.min(cells.end - 1)];
+                let waves = || {
+                    Operator::of(cell, mesh.axial_force, Touch::Contact).wave_number() * distance
+                };
+                if nodes[node].surface.contains(&true) && waves() <= NEAR {
+                    nodes[node].from_beam = true;
                     let right = node.min(mesh.cells.len() - 1);
                     nodes[node].gap = mesh.cells[right].gap[node - right];
                 }
@@ -138,16 +153,16 @@ impl Layout {
         nodes
     }
 
-    /// The nodes of a piece so near to a point of contact that the ground between is hardly more than a
-    /// stiff link.
-    fn near_contact(&self, mesh: &Mesh, cells: Range<usize>) -> impl Iterator<Item = usize> {
+    /// How far each node of a piece is from the next point of contact: near one the ground between is hardly
+    /// more than a stiff link.
+    fn distances_to_contact(&self, mesh: &Mesh, cells: &Range<usize>) -> Vec<f64> {
         let x = |node: usize| mesh.nodes[node].x;
         let at = |cell: usize, s: f64| mesh.cells[cell].global(s);
         let mut distance = vec![f64::INFINITY; cells.len() + 1];
         let mut last = f64::NEG_INFINITY;
         for node in cells.start..=cells.end {
             if node > cells.start {
-                last = self.parts[node - 1].last().map_or(last, |part| at(node - 1, part[1]));
+                last = self.parts(node - 1).last().map_or(last, |part| at(node - 1, part[1]));
             }
             distance[node - cells.start] = x(node) - last;
             if self.touched[node].contains(&true) {
@@ -157,7 +172,7 @@ impl Layout {
         let mut next = f64::INFINITY;
         for node in (cells.start..=cells.end).rev() {
             if node < cells.end {
-                next = self.parts[node].first().map_or(next, |part| at(node, part[0]));
+                next = self.parts(node).next().map_or(next, |part| at(node, part[0]));
             }
             let distance = &mut distance[node - cells.start];
             *distance = distance.min(next - x(node));
@@ -165,11 +180,7 @@ impl Layout {
                 next = x(node);
             }
         }
-        cells.clone().chain([cells.end]).filter(move |&node| {
-            let cell = &mesh.cells[node.min(cells.end - 1)];
-            let wave = Operator::of(cell, mesh.axial_force, Touch::Contact).wave_number();
-            wave * distance[node - cells.start] <= NEAR
-        })
+        distance
     }
 
     /// The links of open ground in cell i. `row` gives w at s as a combination of the element's four.
@@ -187,7 +198,7 @@ impl Layout {
                 links.push(TiedLink { link: cell_part(cell, at, to), left, right });
             }
         };
-        for &[from, to] in &self.parts[i] {
+        for [from, to] in self.parts(i) {
             link_to(from, left, beam(from), at);
             (left, at) = (beam(to), to);
         }

@@ -21,7 +21,7 @@ use super::pieces::{Piece, pieces};
 use super::varying;
 use crate::ground::Link;
 use crate::mesh::{Cell, Mesh};
-use crate::polynomial::{jet, sign_changes};
+use crate::polynomial::{sign_changes, value};
 
 /// The stretches of contact, from left to right.
 pub(crate) fn contact(w: &Deflection) -> Vec<Zone> {
@@ -69,28 +69,27 @@ fn nodes_of(piece: &Piece) -> impl Iterator<Item = Zone> + use<> {
 /// Without a shear layer, contact is where ψ ≥ 0.
 fn winkler_contact(w: &Deflection, piece: &Piece) -> Vec<Zone> {
     let mut zones: Vec<Zone> = Vec::new();
-    let mut ends = Vec::new();
+    let mut knots = Vec::new();
     for cell in piece.cells.clone() {
         let obstacle = w.obstacle(cell);
-        positive_parts(&obstacle, &mut ends);
-        for part in &ends {
-            join(&mut zones, cell, *part, true);
+        for part in positive_parts(&obstacle, &mut knots) {
+            join(&mut zones, cell, part, true);
         }
     }
     zones
 }
 
-/// The intervals of \[−1, 1\] on which a polynomial is not negative.
-fn positive_parts(c: &[f64], parts: &mut Vec<[f64; 2]>) {
-    parts.clear();
-    let mut knots = vec![-1.0];
-    sign_changes(c, &mut knots);
+/// The intervals of \[−1, 1\] on which a polynomial is not negative; `knots` is room for their ends.
+fn positive_parts<'a>(
+    c: &'a [f64],
+    knots: &'a mut Vec<f64>,
+) -> impl Iterator<Item = [f64; 2]> + 'a {
+    knots.clear();
+    knots.push(-1.0);
+    sign_changes(c, knots);
     knots.push(1.0);
-    for k in knots.windows(2) {
-        if k[1] > k[0] && crate::polynomial::value(c, 0.5 * (k[0] + k[1])) >= 0.0 {
-            parts.push([k[0], k[1]]);
-        }
-    }
+    let parts = knots.windows(2).map(|k| [k[0], k[1]]);
+    parts.filter(|[a, b]| b > a && value(c, 0.5 * (a + b)) >= 0.0)
 }
 
 /// Appends a part of a cell to the last zone if the two meet and may be one.
@@ -206,19 +205,19 @@ impl<'a> Scan<'a> {
     fn arcs(&self) -> Vec<Zone> {
         let cells = self.piece.cells.clone();
         let mut arcs: Vec<Zone> = Vec::new();
-        let mut parts = Vec::new();
+        let mut knots = Vec::new();
         for i in cells.clone() {
             let corner = if i == cells.start { 1.0 } else { self.w.corner(i) };
             let pressure = self.w.pressure(i);
-            positive_parts(&pressure, &mut parts);
-            let starts_here = parts.first().is_some_and(|part| part[0] == -1.0);
+            let mut parts = positive_parts(&pressure, &mut knots).peekable();
+            let starts_here = parts.peek().is_some_and(|part| part[0] == -1.0);
             let ended_here =
                 arcs.last().is_some_and(|a| a.to == Spot { cell: i.wrapping_sub(1), s: 1.0 });
             if corner > 0.0 && !starts_here && !ended_here {
                 arcs.push(point(Spot { cell: i, s: -1.0 }));
             }
-            for part in &parts {
-                join(&mut arcs, i, *part, corner >= 0.0);
+            for part in parts {
+                join(&mut arcs, i, part, corner >= 0.0);
             }
         }
         let end = Spot { cell: cells.end - 1, s: 1.0 };
@@ -226,18 +225,6 @@ impl<'a> Scan<'a> {
             arcs.push(point(end));
         }
         arcs
-    }
-
-    /// ψ, dψ/dx and π at a spot.
-    fn at(&self, spot: Spot) -> [f64; 3] {
-        let cell = &self.w.mesh.cells[spot.cell];
-        let [f, d1, d2, _] = jet(self.w.cell(spot.cell), spot.s);
-        let [left, right] = cell.gap;
-        let psi = f - (0.5 * (left + right) + 0.5 * (right - left) * spot.s);
-        let per_length = 2.0 / cell.length();
-        let slope = d1 * per_length - cell.gap_slope;
-        let [k, mu, rise] = cell.ground_rising_at(spot.s);
-        [psi, slope, k * psi - mu * d2 * per_length * per_length - rise * per_length * slope]
     }
 
     fn whole_cells(&self, from: usize, to: usize, before: Option<Link>) -> Option<Link> {
@@ -299,8 +286,8 @@ impl<'a> Scan<'a> {
     /// dA/da = −π + (S/μ) A, where S is the stiffness of the open ground seen from there.
     fn force_at_left(&self, joint: &Joint, spot: Spot) -> [f64; 2] {
         let trial = Joint { left: Some(spot), ..*joint };
-        let [psi, slope, pressure] = self.at(spot);
-        let other = joint.right.map_or(0.0, |b| self.at(b)[0]);
+        let [psi, slope, pressure] = self.w.pressing(spot);
+        let other = joint.right.map_or(0.0, |b| self.w.obstacle_at(b));
         let [_, shear] = self.w.mesh.cells[spot.cell].ground_at(spot.s);
         let link = self.link(&trial);
         let force = match self.narrow(&trial) {
@@ -313,8 +300,8 @@ impl<'a> Scan<'a> {
     /// The same at its right end, dB/db = π − (S/μ) B.
     fn force_at_right(&self, joint: &Joint, spot: Spot) -> [f64; 2] {
         let trial = Joint { right: Some(spot), ..*joint };
-        let [psi, slope, pressure] = self.at(spot);
-        let other = joint.left.map_or(0.0, |a| self.at(a)[0]);
+        let [psi, slope, pressure] = self.w.pressing(spot);
+        let other = joint.left.map_or(0.0, |a| self.w.obstacle_at(a));
         let [_, shear] = self.w.mesh.cells[spot.cell].ground_at(spot.s);
         let link = self.link(&trial);
         let force = match self.narrow(&trial) {

@@ -37,8 +37,8 @@ struct Part {
 
 impl Part {
     fn of(cell: &Cell, i: usize, [from, to]: [f64; 2]) -> Option<Self> {
-        let half = 0.25 * (to - from) * cell.length();
-        let length = (cell.spring / cell.shear).sqrt() * 2.0 * half;
+        let half = half_length(cell, [from, to]);
+        let length = decay(cell, half);
         let stiffness = (cell.spring * cell.shear).sqrt();
         let mut part = Part { cell: i, from, to, half, length, stiffness, varying: None };
         if cell.ground_varies() && to > from {
@@ -99,6 +99,16 @@ impl Part {
     }
 }
 
+/// Half the length of a part of a cell.
+fn half_length(cell: &Cell, [from, to]: [f64; 2]) -> f64 {
+    0.25 * (to - from) * cell.length()
+}
+
+/// b·length.
+fn decay(cell: &Cell, half: f64) -> f64 {
+    (cell.spring / cell.shear).sqrt() * 2.0 * half
+}
+
 /// What open ground takes at both ends of a joint, where it is held at ψ; `link` is all of it. A missing end is
 /// the ground beyond the piece.
 pub(super) fn fluxes(w: &Deflection, ends: [Option<Spot>; 2], link: &Link) -> [f64; 2] {
@@ -117,16 +127,18 @@ pub(super) fn end_forces(w: &Deflection, ends: [Option<Spot>; 2]) -> Option<[f64
     if b.cell < a.cell || b.cell - a.cell >= MOST_CELLS {
         return None;
     }
-    let part = |i: usize| {
+    let within = |i: usize| {
         let from = if i == a.cell { a.s } else { -1.0 };
         let to = if i == b.cell { b.s } else { 1.0 };
-        Part::of(&w.mesh.cells[i], i, [from, to])
+        [from, to]
     };
-    let parts: Vec<Part> = (a.cell..=b.cell).map(part).collect::<Option<_>>()?;
-    let whole: f64 = parts.iter().map(|part| part.length).sum();
+    let length = |i: usize| decay(&w.mesh.cells[i], half_length(&w.mesh.cells[i], within(i)));
+    let whole: f64 = (a.cell..=b.cell).map(length).sum();
     if whole > LONGEST {
         return None;
     }
+    let part = |i: usize| Part::of(&w.mesh.cells[i], i, within(i));
+    let parts: Vec<Part> = (a.cell..=b.cell).map(part).collect::<Option<_>>()?;
     if whole <= 0.0 {
         // Two arcs that meet at a corner: it opens if the corner pulls, at both alike.
         let pull = parts.iter().skip(1).map(|part| 0.5 * w.corner(part.cell)).sum();
@@ -162,7 +174,8 @@ pub(super) fn end_forces(w: &Deflection, ends: [Option<Spot>; 2]) -> Option<[f64
 fn pressure_size(w: &Deflection, i: usize) -> f64 {
     let cell = &w.mesh.cells[i];
     let bend = 4.0 * cell.shear / (cell.length() * cell.length());
-    let terms = w.obstacle(i).into_iter().enumerate();
+    let terms = w.obstacle(i);
+    let terms = terms.iter().enumerate();
     terms.map(|(j, c)| c.abs() * (cell.spring + bend * (j * j.saturating_sub(1)) as f64)).sum()
 }
 

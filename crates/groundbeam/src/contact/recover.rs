@@ -8,14 +8,14 @@ use super::active_set::Found;
 use super::deflection::pressure_of;
 use super::surface::Part;
 use crate::elements::hermite;
-use crate::polynomial::rescale;
+use crate::polynomial::{Coefficients, integral, rescale};
 
 /// The coefficients of M(s) on each part, in the part's own coordinate.
 pub(crate) fn moments(
     found: &Found,
     parts: &[Part],
     point_forces: &[(usize, f64, f64)],
-) -> Vec<Vec<f64>> {
+) -> Vec<Coefficients> {
     let mesh = &found.mesh;
     let w = found.deflection();
     let mut moments = Vec::with_capacity(parts.len());
@@ -27,7 +27,11 @@ pub(crate) fn moments(
         let cell = &mesh.cells[i];
         let h = cell.length();
         let spread = distributed(found) && own.iter().any(|part| part.open.is_none());
-        let pressure = if spread { pressure_of(cell, 0.5 * h, &w.obstacle(i)) } else { Vec::new() };
+        let pressure = if spread {
+            pressure_of(cell, 0.5 * h, &w.obstacle(i))
+        } else {
+            Coefficients::default()
+        };
         let mut demand = hermite::element(cell, mesh.axial_force).forces(&found.shapes[i]);
         for part in own.iter().filter(|part| spread && part.open.is_none()) {
             hermite::add_work(&mut demand, h, part.s, &pressure);
@@ -50,13 +54,13 @@ pub(crate) fn moments(
                 [mean + rise * middle, rise * quarter]
             };
             let touching = spread && part.open.is_none();
-            let mut net = if touching { rescale(&pressure, middle, quarter) } else { vec![0.0; 2] };
+            let mut net =
+                if touching { rescale(&pressure, middle, quarter) } else { Coefficients::zeros(2) };
             for (net, f) in net.iter_mut().zip(linear(cell.load)) {
                 *net -= f;
             }
             let total = integral(&net, half, shear);
-            let mut slope = total.clone();
-            slope.resize(slope.len().max(4), 0.0);
+            let mut slope = total.at_least(4);
             let deflection = rescale(w.cell(i), middle, quarter);
             for (j, c) in deflection.iter().enumerate().skip(1) {
                 slope[j - 1] -= mesh.axial_force * j as f64 * c / half;
@@ -79,15 +83,4 @@ pub(crate) fn moments(
 
 fn distributed(found: &Found) -> bool {
     found.pressure == super::active_set::Pressure::Distributed
-}
-
-fn integral(c: &[f64], half: f64, start: f64) -> Vec<f64> {
-    let mut out = vec![0.0; c.len() + 1];
-    let mut at_left = 0.0;
-    for (j, a) in c.iter().enumerate() {
-        out[j + 1] = half * a / (j + 1) as f64;
-        at_left += if j % 2 == 0 { -out[j + 1] } else { out[j + 1] };
-    }
-    out[0] = start - at_left;
-    out
 }

@@ -12,17 +12,20 @@ pub(crate) type Stretch = [f64; 2];
 
 /// Zones as positions. An edge within rounding of a place of the model's own is there.
 pub(super) fn positions(mesh: &Mesh, zones: &[Zone], places: &[f64]) -> Vec<Stretch> {
-    let near = SAME_PLACE * mesh.cells[mesh.cells.len() - 1].x[1];
-    let at = |spot: Spot| {
-        let x = mesh.cells[spot.cell].global(spot.s);
-        let next = places.partition_point(|place| *place < x - near);
-        places.get(next).copied().filter(|place| *place <= x + near).unwrap_or(x)
-    };
+    let l = mesh.cells[mesh.cells.len() - 1].x[1];
+    let at = |spot: Spot| at_place(mesh.cells[spot.cell].global(spot.s), places, l);
     // Without a shear layer a stretch that rounding made is no point of contact: it carries nothing.
     let carries = |zone: &Zone| mesh.cells[zone.from.cell].shear > 0.0;
     let kept = |(zone, [from, to]): &(&Zone, Stretch)| from < to || carries(zone);
     let all = zones.iter().map(|zone| (zone, [at(zone.from), at(zone.to)]));
     all.filter(kept).map(|(_, stretch)| stretch).collect()
+}
+
+/// A position on a beam of length l; within rounding of a place of the model's own that place.
+pub(super) fn at_place(x: f64, places: &[f64], l: f64) -> f64 {
+    let near = SAME_PLACE * l;
+    let next = places.partition_point(|place| *place < x - near);
+    places.get(next).copied().filter(|place| *place <= x + near).unwrap_or(x)
 }
 
 /// Stretches as zones of a mesh that has a node at each of their ends.

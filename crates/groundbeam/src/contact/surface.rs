@@ -226,7 +226,7 @@ fn heights(links: &[Link], [start, end]: [f64; 2]) -> (Vec<f64>, Option<Link>) {
 
 /// Whether mechanics allows a concentrated force at the end of a stretch of contact: at the ends of the
 /// beam and of the shear layer, and at corners. Elsewhere the ground leaves the beam tangentially.
-fn can_carry(mesh: &Mesh, spot: Spot) -> bool {
+pub(crate) fn can_carry(mesh: &Mesh, spot: Spot) -> bool {
     let node = match spot.s {
         -1.0 => spot.cell,
         1.0 => spot.cell + 1,

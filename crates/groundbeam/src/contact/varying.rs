@@ -3,7 +3,7 @@
 use super::forms::inner;
 use crate::cell::Cell;
 use crate::ground::Link;
-use crate::polynomial::{derivative, product, rescale};
+use crate::polynomial::{Coefficients, derivative, product, rescale};
 
 /// Halvings of a stretch of ground.
 const MOST_HALVINGS: u32 = 40;
@@ -25,20 +25,18 @@ fn chain(cell: &Cell, half: f64, halvings: u32) -> Link {
 }
 
 /// The coefficients of kψ − (μψ')' from those of ψ on a stretch of half length `half`.
-pub(super) fn pressure(cell: &Cell, half: f64, obstacle: &[f64]) -> Vec<f64> {
-    let slope: Vec<f64> = derivative(obstacle).map(|c| c / half).collect();
-    let flux = product(&cell.shear_course(), &slope);
+pub(super) fn pressure(cell: &Cell, half: f64, obstacle: &[f64]) -> Coefficients {
+    let flux = product(&cell.shear_course(), &derivative(obstacle));
     let mut pressure = product(&cell.spring_course(), obstacle);
-    for (pressure, c) in pressure.iter_mut().zip(derivative(&flux)) {
-        *pressure -= c / half;
+    for (pressure, c) in pressure.iter_mut().zip(derivative(&flux).iter()) {
+        *pressure -= c / (half * half);
     }
     pressure
 }
 
 /// ∫ EI f″ g″ ds over \[−1, 1\], with derivatives by s.
 pub(super) fn bending(cell: &Cell, f: &[f64], g: &[f64]) -> f64 {
-    let bend =
-        |c: &[f64]| -> Vec<f64> { derivative(&derivative(c).collect::<Vec<f64>>()).collect() };
+    let bend = |c: &[f64]| derivative(&derivative(c));
     inner(&product(&cell.stiffness_course(), &bend(f)), &bend(g), 0)
 }
 
@@ -48,6 +46,6 @@ pub(super) fn energy_form(cell: &Cell, part: [f64; 2], f: &[f64], g: &[f64]) -> 
     let half = 0.5 * cell.length() * quarter;
     let [f, g, spring, shear] =
         [f, g, &cell.spring_course(), &cell.shear_course()].map(|c| rescale(c, middle, quarter));
-    let [df, dg] = [&f, &g].map(|c| derivative(c).collect::<Vec<f64>>());
+    let [df, dg] = [&f, &g].map(|c| derivative(c));
     half * inner(&product(&spring, &f), &g, 0) + inner(&product(&shear, &df), &dg, 0) / half
 }

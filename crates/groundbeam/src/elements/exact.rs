@@ -116,14 +116,7 @@ impl ExactElement {
             Some(layers) => layers.slow::<0>(a, push_even / ei),
         };
         let even = Half::new(even, |c, loaded| {
-            let (mut w, mut slope, mut bend, mut area) = (0.0, 0.0, 0.0, 0.0);
-            for (i, &c) in c.iter().enumerate().rev() {
-                let j = (2 * i) as f64;
-                w += c;
-                slope += j * c;
-                bend += j * (j - 1.0) * c;
-                area += c / (j + 1.0);
-            }
+            let [w, slope, bend, area] = sums(c, &EVEN_SUMS);
             let push = if loaded { force_even } else { 0.0 };
             let sink = 2.0 * a * (operator.spring * area - push);
             ([w, slope / a], [sink, 2.0 * ei * bend / (a * a)])
@@ -149,14 +142,7 @@ impl ExactElement {
             Some(layers) => layers.slow::<1>(a, force_odd / ei),
         };
         let odd = Half::new(odd, |c, loaded| {
-            let (mut w, mut excess, mut bend, mut first) = (0.0, 0.0, 0.0, 0.0);
-            for (i, &c) in c.iter().enumerate().rev() {
-                let j = (2 * i + 1) as f64;
-                w += c;
-                excess += (j - 1.0) * c;
-                bend += j * (j - 1.0) * c;
-                first += c / (j + 2.0);
-            }
+            let [w, excess, bend, first] = sums(c, &ODD_SUMS);
             let (push, turn) = if loaded { (force_odd / 3.0, moment_even) } else { (0.0, 0.0) };
             // Virtual work of a rigid turn, so that the large bending terms never enter.
             let turning =
@@ -279,14 +265,60 @@ fn series<const PARITY: usize>(
 ) -> [f64; TERMS / 2] {
     let mut c = [0.0; TERMS / 2];
     (c[0], c[1]) = (first, second);
-    for i in 0..TERMS / 2 - 2 {
-        let j = (2 * i + PARITY) as f64;
-        let load = if i == 0 { rho } else { 0.0 };
-        let below = (j + 2.0) * (j + 1.0);
-        c[i + 2] =
-            (alpha * below * c[i + 1] - beta * c[i] + load) / ((j + 4.0) * (j + 3.0) * below);
+    let [by_two, by_four] = &const { falling::<PARITY>() };
+    c[2] = alpha * by_two[0] * c[1] - by_four[0] * (beta * first - rho);
+    for i in 1..TERMS / 2 - 2 {
+        c[i + 2] = alpha * by_two[i] * c[i + 1] - beta * by_four[i] * c[i];
     }
     c
+}
+
+/// 1/((j+4)(j+3)) and 1/((j+4)(j+3)(j+2)(j+1)) for every other j.
+const fn falling<const PARITY: usize>() -> [[f64; TERMS / 2]; 2] {
+    let mut all = [[0.0; TERMS / 2]; 2];
+    let mut i = 0;
+    while i < TERMS / 2 {
+        let j = (2 * i + PARITY) as f64;
+        all[0][i] = 1.0 / ((j + 4.0) * (j + 3.0));
+        all[1][i] = 1.0 / ((j + 4.0) * (j + 3.0) * (j + 2.0) * (j + 1.0));
+        i += 1;
+    }
+    all
+}
+
+/// What c_j counts in w, w' and w″ at s = 1 and in ∫w over the half, for even j.
+const EVEN_SUMS: [[f64; 4]; TERMS / 2] = {
+    let mut all = [[0.0; 4]; TERMS / 2];
+    let mut i = 0;
+    while i < TERMS / 2 {
+        let j = (2 * i) as f64;
+        all[i] = [1.0, j, j * (j - 1.0), 1.0 / (j + 1.0)];
+        i += 1;
+    }
+    all
+};
+
+/// The same for odd j, with w' − w in place of w' and ∫ws in place of ∫w.
+const ODD_SUMS: [[f64; 4]; TERMS / 2] = {
+    let mut all = [[0.0; 4]; TERMS / 2];
+    let mut i = 0;
+    while i < TERMS / 2 {
+        let j = (2 * i + 1) as f64;
+        all[i] = [1.0, j - 1.0, j * (j - 1.0), 1.0 / (j + 2.0)];
+        i += 1;
+    }
+    all
+};
+
+/// Sums of coefficients, each weighted in four ways, the small ones first.
+fn sums(c: &[f64; TERMS / 2], weights: &[[f64; 4]; TERMS / 2]) -> [f64; 4] {
+    let mut sums = [0.0; 4];
+    for (c, weights) in c.iter().zip(weights).rev() {
+        for (sum, weight) in sums.iter_mut().zip(weights) {
+            *sum += weight * c;
+        }
+    }
+    sums
 }
 
 impl Half {
@@ -364,15 +396,11 @@ fn assemble(
     let mut element = Element { length, basis, ..Element::default() };
     for (map, (stiffness, load)) in maps.iter().zip([even, odd]) {
         for i in 0..4 {
-            for m in 0..2 {
-                element.load[i] += map[m][i] * load[m];
-            }
+            let [a, b] = [map[0][i], map[1][i]];
+            element.load[i] += a * load[0] + b * load[1];
+            let row = [0, 1].map(|n| a * stiffness[0][n] + b * stiffness[1][n]);
             for j in 0..4 {
-                for m in 0..2 {
-                    for n in 0..2 {
-                        element.stiffness[i][j] += map[m][i] * stiffness[m][n] * map[n][j];
-                    }
-                }
+                element.stiffness[i][j] += row[0] * map[0][j] + row[1] * map[1][j];
             }
         }
     }

@@ -1,7 +1,7 @@
 //! A field of several solutions as polynomials on common intervals.
 
 use crate::ground::settled;
-use crate::polynomial::{derivative, rescale};
+use crate::polynomial::{Coefficients, derivative, rescale};
 use crate::solution::{Field, Solution, Stretch};
 
 /// Open ground is cut into pieces of so many decay lengths: on one of them u is a polynomial to the last digit.
@@ -33,7 +33,7 @@ impl<'a> Forms<'a> {
 
     /// Goes through the intervals from left to right: ends, and of each solution the coefficients of its
     /// polynomial in s ∈ \[−1, 1\].
-    pub fn each_interval(&self, mut visit: impl FnMut([f64; 2], &mut Vec<Vec<f64>>)) {
+    pub fn each_interval(&self, mut visit: impl FnMut([f64; 2], &mut Vec<Coefficients>)) {
         let mut at = vec![0; self.solutions.len()];
         for ends in self.joints.windows(2) {
             let ends = [ends[0], ends[1]];
@@ -43,7 +43,11 @@ impl<'a> Forms<'a> {
                 while *at + 1 < stretches.len() && stretches[*at].x[1] <= ends[0] {
                     *at += 1;
                 }
-                curves.push(stretches.get(*at).map_or(vec![0.0], |s| form(s, self.field, ends)));
+                curves.push(
+                    stretches
+                        .get(*at)
+                        .map_or(Coefficients::zeros(1), |s| form(s, self.field, ends)),
+                );
             }
             visit(ends, &mut curves);
         }
@@ -76,10 +80,11 @@ fn cut(stretch: &Stretch, joints: &mut Vec<f64>) {
 }
 
 /// A field on a part of a stretch, in the part's own coordinate.
-fn form(stretch: &Stretch, field: Field, [from, to]: [f64; 2]) -> Vec<f64> {
+fn form(stretch: &Stretch, field: Field, [from, to]: [f64; 2]) -> Coefficients {
     let [a, b] = [from, to].map(|x| stretch.local(x));
     let part = |c: &[f64]| rescale(c, 0.5 * (a + b), 0.5 * (b - a));
-    let per_length = |c: &[f64]| -> Vec<f64> { derivative(c).map(|c| c / stretch.half).collect() };
+    let per_length =
+        |c: &[f64]| -> Coefficients { derivative(c).iter().map(|c| c / stretch.half).collect() };
     let [left, right] = stretch.cell.gap;
     let clearance = part(&[0.5 * (left + right), 0.5 * (right - left)]);
     match field {
@@ -92,7 +97,7 @@ fn form(stretch: &Stretch, field: Field, [from, to]: [f64; 2]) -> Vec<f64> {
             None => sum(&part(&stretch.deflection), &clearance, -1.0),
             Some(_) => open_ground(stretch, [a, b]),
         },
-        Field::Gap if stretch.open.is_none() => vec![0.0],
+        Field::Gap if stretch.open.is_none() => Coefficients::zeros(1),
         Field::Gap => {
             let over_ground = sum(&open_ground(stretch, [a, b]), &clearance, 1.0);
             sum(&over_ground, &part(&stretch.deflection), -1.0)
@@ -101,24 +106,24 @@ fn form(stretch: &Stretch, field: Field, [from, to]: [f64; 2]) -> Vec<f64> {
 }
 
 /// u between two points of a stretch off the ground.
-fn open_ground(stretch: &Stretch, [a, b]: [f64; 2]) -> Vec<f64> {
+fn open_ground(stretch: &Stretch, [a, b]: [f64; 2]) -> Coefficients {
     if !stretch.settlement.is_empty() {
         return rescale(&stretch.settlement, 0.5 * (a + b), 0.5 * (b - a));
     }
     if !is_exponential(stretch) {
-        return vec![0.0];
+        return Coefficients::zeros(1);
     }
     let (k, mu) = (stretch.cell.spring, stretch.cell.shear);
     let half = 0.5 * (b - a) * stretch.half;
     // A piece this long lies far from both ends.
     if 2.0 * half > 1.5 * PIECE * (mu / k).sqrt() {
-        return vec![0.0];
+        return Coefficients::zeros(1);
     }
     settled(&[k], &[mu], half, [a, b].map(|s| stretch.fields(s).settlement))
 }
 
 /// f + factor·g.
-fn sum(f: &[f64], g: &[f64], factor: f64) -> Vec<f64> {
+fn sum(f: &[f64], g: &[f64], factor: f64) -> Coefficients {
     let at = |c: &[f64], i: usize| c.get(i).copied().unwrap_or(0.0);
     (0..f.len().max(g.len())).map(|i| at(f, i) + factor * at(g, i)).collect()
 }

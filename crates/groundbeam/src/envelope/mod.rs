@@ -148,7 +148,7 @@ impl<'a> Envelope<'a> {
         forms.each_interval(|interval, curves| {
             for (bound, runs) in BOUNDS.into_iter().zip(&mut runs) {
                 if bound == Bound::Min {
-                    curves.iter_mut().flatten().for_each(|c| *c = -*c);
+                    curves.iter_mut().flat_map(|c| c.iter_mut()).for_each(|c| *c = -*c);
                 }
                 for upper::Part { from, to, by } in upper::parts(curves, rounding) {
                     let [from, to] = [from, to].map(|s| forms::position(interval, s));

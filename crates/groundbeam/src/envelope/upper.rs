@@ -1,6 +1,6 @@
 //! The upper line of several polynomials on one interval, and which of them it is.
 
-use crate::polynomial::{rescale, sign_changes, value};
+use crate::polynomial::{Coefficients, rescale, sign_changes, value};
 
 /// A part of the interval on which one polynomial is the largest.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,7 +13,7 @@ pub(super) struct Part {
 }
 
 /// The parts from left to right. Of polynomials that differ by no more than `rounding` the first is taken.
-pub(super) fn parts(curves: &[Vec<f64>], rounding: f64) -> Vec<Part> {
+pub(super) fn parts(curves: &[Coefficients], rounding: f64) -> Vec<Part> {
     let mut parts = vec![Part { from: -1.0, to: 1.0, by: 0 }];
     for by in 1..curves.len() {
         let mut raised: Vec<Part> = Vec::with_capacity(parts.len());
@@ -29,7 +29,7 @@ pub(super) fn parts(curves: &[Vec<f64>], rounding: f64) -> Vec<Part> {
 }
 
 /// A part with one polynomial more: whichever of the two is larger, piece by piece.
-fn over(part: Part, by: usize, curves: &[Vec<f64>], rounding: f64, mut push: impl FnMut(Part)) {
+fn over(part: Part, by: usize, curves: &[Coefficients], rounding: f64, mut push: impl FnMut(Part)) {
     let rise = difference(&curves[by], &curves[part.by]);
     let whole = part.from == -1.0 && part.to == 1.0;
     let middle = 0.5 * (part.from + part.to);
@@ -56,7 +56,7 @@ fn over(part: Part, by: usize, curves: &[Vec<f64>], rounding: f64, mut push: imp
 }
 
 /// f − g.
-fn difference(f: &[f64], g: &[f64]) -> Vec<f64> {
+fn difference(f: &[f64], g: &[f64]) -> Coefficients {
     let at = |c: &[f64], i: usize| c.get(i).copied().unwrap_or(0.0);
     (0..f.len().max(g.len())).map(|i| at(f, i) - at(g, i)).collect()
 }
@@ -72,7 +72,8 @@ mod tests {
     #[test]
     fn lines_and_a_parabola() {
         // |s| from two lines, and ½ + s²/2 which lies above both but at the ends.
-        let curves = [vec![0.0, -1.0], vec![0.0, 1.0], vec![0.25, 0.0, 0.25]];
+        let curves = [vec![0.0, -1.0], vec![0.0, 1.0], vec![0.25, 0.0, 0.25]]
+            .map(|c| Coefficients::from(&c[..]));
         let found = parts(&curves, 0.0);
         assert_eq!(numbers(&found), [0, 2, 1]);
         // s²/4 − s + ¼ = 0 at s = 2 − √3.
@@ -82,14 +83,16 @@ mod tests {
 
     #[test]
     fn equals_are_counted_once() {
-        let curves = [vec![1.0, 2.0], vec![1.0, 2.0 + 1e-16], vec![1.0, 2.0]];
+        let curves = [vec![1.0, 2.0], vec![1.0, 2.0 + 1e-16], vec![1.0, 2.0]]
+            .map(|c| Coefficients::from(&c[..]));
         assert_eq!(numbers(&parts(&curves, 1e-12)), [0]);
     }
 
     #[test]
     fn what_rises_between_roots_is_seen() {
         // Three bumps of one polynomial over zero: T₄(s) lies above −½ in three places.
-        let curves = [vec![-0.5], vec![1.0, 0.0, -8.0, 0.0, 8.0]];
+        let curves =
+            [vec![-0.5], vec![1.0, 0.0, -8.0, 0.0, 8.0]].map(|c| Coefficients::from(&c[..]));
         assert_eq!(numbers(&parts(&curves, 0.0)), [1, 0, 1, 0, 1]);
     }
 }

@@ -3,15 +3,15 @@
 use crate::chain::Loose;
 use crate::contact::active_set::Found;
 use crate::contact::deflection::pressure_of;
-use crate::contact::exact::glued;
+use crate::contact::glue::Glue;
 use crate::contact::surface::Surface;
 use crate::mesh::Cell;
 use crate::model::Model;
-use crate::polynomial::{derivative, rescale, sign_changes, value};
+use crate::polynomial::{Coefficients, derivative, rescale, sign_changes, value};
 
 /// The deflection of a beam that touches along its whole length, whether the ground pushes or pulls.
 pub(super) fn glued_all_along(model: &Model) -> Result<Found, Loose> {
-    glued(model, &[[0.0, model.beam.length]], None).map(|(found, _)| found)
+    Glue::new(model).on(&[[0.0, model.beam.length]], None)
 }
 
 /// What must not be negative on a stretch of the beam or at a point of it: the pressure there, or a
@@ -26,7 +26,7 @@ pub(super) struct Watched {
 /// One of the two, with the size of what was added up in it.
 #[derive(Debug, Clone, Default)]
 struct Side {
-    coefficients: Vec<f64>,
+    coefficients: Coefficients,
     size: f64,
 }
 
@@ -72,11 +72,11 @@ impl Watched {
     fn pulled_at(&self, factor: f64) -> Option<f64> {
         let (stays, grows) = (&self.staying, &self.growing);
         let (coefficients, size) = if factor.is_finite() {
-            let both = stays.coefficients.iter().zip(&grows.coefficients);
+            let both = stays.coefficients.iter().zip(grows.coefficients.iter());
             let sum = both.map(|(a, b)| a + factor * b).collect();
             (sum, stays.size + factor * grows.size)
         } else {
-            (grows.coefficients.clone(), grows.size)
+            (grows.coefficients, grows.size)
         };
         let (s, lowest) = lowest(&coefficients);
         (lowest < -ROUNDING * size).then_some(s)
@@ -97,7 +97,7 @@ fn lowest(c: &[f64]) -> (f64, f64) {
         return (-1.0, bound);
     }
     let mut places = vec![-1.0];
-    sign_changes(&derivative(c).collect::<Vec<f64>>(), &mut places);
+    sign_changes(&derivative(c), &mut places);
     places.push(1.0);
     let all = places.into_iter().map(|s| (s, value(c, s)));
     all.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((-1.0, bound))
@@ -176,7 +176,7 @@ fn known_roots(found: &Found, x: [f64; 2], cell: &Cell) -> Vec<(f64, usize)> {
 }
 
 /// Divides c(s) by 1 + s if `end` is −1, by 1 − s if it is 1: both are positive within.
-fn without_root(c: &mut Vec<f64>, end: f64) {
+fn without_root(c: &mut Coefficients, end: f64) {
     // From the highest power down; what remains at the end is the rounding of a zero.
     let mut carried = 0.0;
     for a in c.iter_mut().rev() {
@@ -191,7 +191,7 @@ fn without_root(c: &mut Vec<f64>, end: f64) {
 fn forces(staying: &Found, growing: &Found) -> Vec<Watched> {
     let [stays, grows] = [staying, growing].map(forces_of);
     let find = |all: &[(f64, Side)], x: f64| {
-        let nothing = Side { coefficients: vec![0.0], size: 0.0 };
+        let nothing = Side { coefficients: Coefficients::zeros(1), size: 0.0 };
         all.iter().find(|(at, _)| *at == x).map_or(nothing, |(_, side)| side.clone())
     };
     // Corners of the gap are corners only where the gap acts: with the loads that stay.
@@ -212,7 +212,7 @@ fn forces_of(found: &Found) -> Vec<(f64, Side)> {
         let obstacle = w.obstacle(atom.spot.cell);
         let terms = obstacle.iter().enumerate();
         let size = terms.map(|(j, c)| (outside + slope * j as f64) * c.abs()).sum();
-        (cell.global(atom.spot.s), Side { coefficients: vec![atom.force], size })
+        (cell.global(atom.spot.s), Side { coefficients: [atom.force][..].into(), size })
     };
     surface.atoms.iter().map(force).collect()
 }

@@ -192,7 +192,7 @@ impl<'a> Parts<'a> {
     fn prove(&self, factor: f64, stability: f64) -> Result<(), Error> {
         let model = self.at(factor);
         let found = glued_all_along(&model).map_err(|_| not_found(f64::NAN))?;
-        let solution = assemble(&model, Method::Exact, existence(&model), stability, found);
+        let solution = assemble(&model, Method::Exact, existence(&model), stability, &found, None);
         let certificate = solution.certificate();
         if certificate.holds() { Ok(()) } else { Err(not_found(certificate.violation())) }
     }

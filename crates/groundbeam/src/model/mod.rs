@@ -78,6 +78,19 @@ impl Model {
         beam.map(Part::BeamSegment).or(below.map(Part::FoundationSegment))
     }
 
+    /// Becomes another model in the memory of this one.
+    pub(crate) fn become_like(&mut self, other: &Model) {
+        let mut segments = std::mem::take(&mut self.beam.segments);
+        segments.clone_from(&other.beam.segments);
+        self.beam = Beam { segments, ..other.beam };
+        let mut segments = std::mem::take(&mut self.foundation.segments);
+        segments.clone_from(&other.foundation.segments);
+        self.foundation = Foundation { segments, ..other.foundation };
+        self.loads.clone_from(&other.loads);
+        self.supports.clone_from(&other.supports);
+        self.gap.clone_from(&other.gap);
+    }
+
     /// The model seen in a mirror: what was at x is at l − x.
     pub fn mirrored(&self) -> Self {
         let l = self.beam.length;

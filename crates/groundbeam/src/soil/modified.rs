@@ -81,13 +81,10 @@ fn rate_of(solution: &Solution) -> Option<f64> {
 /// ∫u² and ∫u'² on a stretch.
 fn on(stretch: &Stretch) -> [f64; 2] {
     let half = stretch.half;
-    let of = |u: &[f64]| {
-        let slope: Vec<f64> = derivative(u).collect();
-        [half * square(u), square(&slope) / half]
-    };
+    let of = |u: &[f64]| [half * square(u), square(&derivative(u)) / half];
     match stretch.open {
         None => {
-            let mut u = stretch.deflection.to_vec();
+            let mut u = stretch.deflection;
             let [left, right] = stretch.cell.gap;
             u[0] -= 0.5 * (left + right);
             u[1] -= 0.5 * (right - left);

@@ -1,0 +1,181 @@
+//! The beam glued to the ground on given stretches, solved exactly.
+
+use super::active_set::{Found, Pressure};
+use super::balanced::Held;
+use super::layout::Layout;
+use super::stretches::{Stretch, zones_of};
+use crate::chain::{Chain, ChainCell, Loose};
+use crate::elements::exact::{ExactElement, TERMS, parts};
+use crate::elements::{Operator, Touch};
+use crate::mesh::{Cell, Mesh};
+use crate::model::Model;
+use crate::polynomial::rescale;
+
+/// One beam, glued on stretches that change from step to step.
+#[derive(Debug)]
+pub(crate) struct Glue<'a> {
+    pub model: &'a Model,
+    /// The elements of the step before: most cells meet no edge, and are what they were.
+    known: Vec<Known>,
+}
+
+/// An element, and the cell it was made for.
+#[derive(Debug)]
+struct Known {
+    x: [f64; 2],
+    touch: Touch,
+    exact: ExactElement,
+}
+
+impl<'a> Glue<'a> {
+    pub fn new(model: &'a Model) -> Self {
+        Glue { model, known: Vec::new() }
+    }
+
+    /// The beam glued to the ground on given stretches.
+    pub fn on(&mut self, stretches: &[Stretch], held: Option<Held>) -> Result<Found, Loose> {
+        let model = self.model;
+        let axial = model.beam.axial_force;
+        let touches = |x: f64| {
+            let next = stretches.partition_point(|s| s[1] <= x);
+            stretches.get(next).is_some_and(|s| s[0] < x)
+        };
+        let touch = |cell: &Cell| {
+            if touches(0.5 * (cell.x[0] + cell.x[1])) { Touch::Contact } else { Touch::Open }
+        };
+        let mesh = Mesh::graded(model, stretches.as_flattened(), |cell| {
+            parts(&Operator::of(cell, axial, touch(cell)), cell.length())
+        });
+        let zones = zones_of(&mesh, stretches, &touch);
+        let layout = Layout::of(&mesh, &zones);
+        self.make_elements(&mesh, &touch);
+        let cell = |(i, known): (usize, &Known)| {
+            // Only ends are tied.
+            let element = known.exact.element;
+            layout.chain_cell(&mesh, i, element, |s| element.end_row(s > 0.0))
+        };
+        let cells: Vec<ChainCell> = self.known.iter().enumerate().map(cell).collect();
+        let mut nodes = layout.nodes(&mesh);
+        if let Some(held) = held {
+            let node = if held.left { 0 } else { nodes.len() - 1 };
+            let spring = model.beam.bending_stiffness / model.beam.length;
+            nodes[node].rotational_spring += spring;
+            nodes[node].moment += spring * held.slope;
+        }
+        let shapes = Chain { nodes, cells, meeting: layout.meeting_node(&mesh) }.solve()?;
+        let layered = self.known.iter().any(|known| known.exact.layers.is_some());
+        let (mesh, coefficients, zones) = if layered {
+            let (fine, coefficients) = self.in_layers(&mesh, &shapes);
+            let zones = zones_of(&fine, stretches, &touch);
+            (fine, coefficients, zones)
+        } else {
+            (mesh, self.unfolded(&shapes), zones)
+        };
+        if !coefficients.iter().all(|c| c.is_finite()) {
+            return Err(Loose);
+        }
+        Ok(Found {
+            mesh,
+            terms: TERMS,
+            shapes: Vec::new(),
+            coefficients,
+            zones,
+            history: Vec::new(),
+            pressure: Pressure::Distributed,
+            surface: None,
+        })
+    }
+
+    /// The elements of a mesh, of which those that were known are kept.
+    fn make_elements(&mut self, mesh: &Mesh, touch: &impl Fn(&Cell) -> Touch) {
+        let axial = self.model.beam.axial_force;
+        let before = std::mem::replace(&mut self.known, Vec::with_capacity(mesh.cells.len()));
+        let mut before = before.into_iter().peekable();
+        for cell in &mesh.cells {
+            let (x, touch) = (cell.x, touch(cell));
+            while before.next_if(|known| known.x[0] < x[0]).is_some() {}
+            let known = before.next_if(|known| known.x == x && known.touch == touch);
+            self.known.push(known.unwrap_or_else(|| {
+                let exact = ExactElement::new(&Operator::of(cell, axial, touch), cell.length());
+                Known { x, touch, exact }
+            }));
+        }
+    }
+
+    /// w as short series, one for each element.
+    fn unfolded(&self, shapes: &[[f64; 4]]) -> Vec<f64> {
+        let mut coefficients = Vec::with_capacity(self.known.len() * TERMS);
+        for (known, v) in self.known.iter().zip(shapes) {
+            coefficients.extend_from_slice(&known.exact.unfold(v).0);
+        }
+        coefficients
+    }
+
+    /// The same where there are boundary layers: elements that have them are cut into pieces.
+    fn in_layers(&self, mesh: &Mesh, shapes: &[[f64; 4]]) -> (Mesh, Vec<f64>) {
+        let parts = self.known.iter().zip(shapes).map(|(known, v)| known.exact.unfold(v));
+        let parts: Vec<([f64; TERMS], [f64; 2])> = parts.collect();
+        let mut x = Vec::new();
+        for (known, (_, heights)) in self.known.iter().zip(&parts) {
+            x.push(known.x[1]);
+            if let Some(layers) = &known.exact.layers {
+                x.extend(layers.cuts(known.x, *heights));
+            }
+        }
+        let fine = Mesh::build(self.model, &x, |_| 1);
+        let mut coefficients = Vec::with_capacity(fine.cells.len() * TERMS);
+        let mut i = 0;
+        for piece in &fine.cells {
+            let middle = 0.5 * (piece.x[0] + piece.x[1]);
+            while mesh.cells[i].x[1] < middle {
+                i += 1;
+            }
+            let cell = &mesh.cells[i];
+            let (series, heights) = &parts[i];
+            let mut c = if piece.x == cell.x {
+                series[..].into()
+            } else {
+                let [a, b] = piece.x.map(|x| cell.local(x));
+                rescale(series, 0.5 * (a + b), piece.length() / cell.length())
+            };
+            if let Some(layers) = &self.known[i].exact.layers {
+                layers.add(cell.x, *heights, piece.x, &mut c);
+            }
+            coefficients.extend_from_slice(&c);
+        }
+        (fine, coefficients)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Beam, Foundation, Load};
+    use crate::polynomial::jet;
+
+    /// A gap of length h takes −π h off the ground's force and changes w by O(h), however short it is and
+    /// wherever a node stands in it: 10⁻¹³ of w is left for rounding.
+    #[test]
+    fn a_short_gap_keeps_the_digits_beside_it() {
+        let model = Model::new(Beam::uniform(1.0, 10.0), Foundation::pasternak(1.0, 3.4))
+            .with_load(Load::point(1.0, 0.5))
+            .with_load(Load::moment(0.1, 0.5));
+        let solved = |stretches: &[Stretch], node: f64| {
+            let model = model.clone().with_load(Load::point(f64::MIN_POSITIVE, node));
+            let found = Glue::new(&model).on(stretches, None).expect("a solution");
+            let cell = found.mesh.cells.iter().position(|c| c.x[1] == 0.3).expect("a node");
+            let [w, _, bend, _] = jet(found.deflection().cell(cell), 1.0);
+            [w, bend / (0.5 * found.mesh.cells[cell].length()).powi(2)]
+        };
+        let bonded = solved(&[[0.0, 0.3], [0.3, 1.0]], 0.3);
+        for h in [1e-3, 1e-5, 1e-7, 1e-9, 1e-11] {
+            let stretches = [[0.0, 0.3], [0.3 + h, 1.0]];
+            for node in [0.0, 0.3 + 0.4 * h] {
+                let here = solved(&stretches, node);
+                for (a, b) in here.iter().zip(bonded) {
+                    assert!((a - b).abs() <= h * h + 1e-13, "{h}: {here:?} {bonded:?}");
+                }
+            }
+        }
+    }
+}

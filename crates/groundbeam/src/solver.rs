@@ -1,0 +1,145 @@
+//! One model after another, in the same memory.
+
+use crate::existence::{Existence, Verdict};
+use crate::model::Model;
+use crate::solution::Solution;
+use crate::solve::{Error, Options, solve_in};
+
+/// Solves one model after another by the exact method, each in the memory of the one before.
+///
+/// ```
+/// use groundbeam::{Answer, Beam, Foundation, Load, Model, Solver};
+///
+/// // A wheel that rolls along a beam: how deep the beam sinks at most, and where.
+/// let beam = Model::new(Beam::uniform(6.0, 1.0), Foundation::pasternak(1.0, 0.2));
+/// let mut solver = Solver::new();
+/// let mut deepest = (0.0, 0.0);
+/// for i in 0..=40 {
+///     let at = 1.0 + 0.1 * f64::from(i);
+///     let model = beam.clone().with_load(Load::point(1.0, at));
+///     if let Answer::Equilibrium(solution) = solver.solve_next(&model)? {
+///         let end = solution.settlement(0.0);
+///         if end > deepest.1 {
+///             deepest = (at, end);
+///         }
+///     }
+/// }
+/// assert_eq!(deepest.0, 1.0);
+/// # Ok::<(), groundbeam::Error>(())
+/// ```
+#[derive(Debug, Clone, Default)]
+pub struct Solver {
+    kept: Option<Box<Solution>>,
+    /// Whether what is kept is a solution.
+    holds: bool,
+}
+
+/// What mechanics says, lent by the [`Solver`] that knows it.
+#[derive(Debug, Clone, Copy)]
+pub enum Answer<'a> {
+    /// An equilibrium, certified.
+    Equilibrium(&'a Solution),
+    /// There is none. The verdict holds the rigid motion that proves it.
+    NoEquilibrium(Existence),
+}
+
+impl Solver {
+    /// One that has not solved anything yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Solves a model as [`solve`](crate::solve()) does, to the same bits, whatever was solved before.
+    ///
+    /// # Errors
+    ///
+    /// As [`solve`](crate::solve()).
+    pub fn solve(&mut self, model: &Model) -> Result<Answer<'_>, Error> {
+        self.solve_from(model, false)
+    }
+
+    /// Solves a model that is little different from the one before: a load was moved or grew, the ground
+    /// changed. The steps begin at the contact found for that one, and are fewer. The same is proven of the
+    /// answer, whose last digits may be others.
+    ///
+    /// # Errors
+    ///
+    /// As [`solve`](crate::solve()).
+    pub fn solve_next(&mut self, model: &Model) -> Result<Answer<'_>, Error> {
+        self.solve_from(model, true)
+    }
+
+    /// The last solution, to keep; none if the last model had none.
+    pub fn take(&mut self) -> Option<Box<Solution>> {
+        let holds = std::mem::take(&mut self.holds);
+        self.kept.take().filter(|_| holds)
+    }
+
+    fn solve_from(&mut self, model: &Model, next: bool) -> Result<Answer<'_>, Error> {
+        let likely = self.kept.as_ref().filter(|_| next && self.holds);
+        let likely = likely.map(|solution| solution.contact().to_vec());
+        self.holds = false;
+        let existence = solve_in(model, &Options::default(), likely.as_deref(), &mut self.kept)?;
+        if let Verdict::None(_) = existence.verdict {
+            return Ok(Answer::NoEquilibrium(existence));
+        }
+        self.holds = true;
+        match &self.kept {
+            Some(solution) => Ok(Answer::Equilibrium(solution)),
+            None => Ok(Answer::NoEquilibrium(existence)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Beam, Foundation, Load};
+    use crate::{Outcome, solve};
+
+    fn footing(moment: f64) -> Model {
+        Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
+            .with_load(Load::point(1.0, 0.5))
+            .with_load(Load::moment(moment, 0.5))
+    }
+
+    fn bits(solution: &Solution) -> Vec<u64> {
+        let ends = solution.contact().iter().flat_map(|c| [c.from, c.to]);
+        let forces = solution.end_forces();
+        let all = ends.chain([forces.left, forces.right, solution.certificate().gap]);
+        all.map(f64::to_bits).collect()
+    }
+
+    #[test]
+    fn what_was_solved_before_changes_no_bit() {
+        let mut solver = Solver::new();
+        for moment in [0.49, 0.1, 0.45, 0.49, 0.3] {
+            let Ok(Outcome::Equilibrium(alone)) = solve(&footing(moment)) else { panic!() };
+            let Ok(Answer::Equilibrium(here)) = solver.solve(&footing(moment)) else { panic!() };
+            assert_eq!(bits(&alone), bits(here));
+            assert_eq!(here.model(), &footing(moment));
+        }
+        assert!(matches!(solver.solve(&footing(0.6)), Ok(Answer::NoEquilibrium(_))));
+        assert!(solver.take().is_none());
+    }
+
+    #[test]
+    fn the_next_answer_is_as_good_and_takes_fewer_steps() {
+        let mut solver = Solver::new();
+        let [mut anew, mut next] = [0; 2];
+        // Down to full contact and up again.
+        for i in (0..40).chain((0..40).rev()) {
+            let model = footing(0.49 - 0.005 * f64::from(i));
+            let Ok(Outcome::Equilibrium(alone)) = solve(&model) else { panic!() };
+            let Ok(Answer::Equilibrium(here)) = solver.solve_next(&model) else { panic!() };
+            assert_eq!(alone.contact().len(), here.contact().len());
+            for (a, b) in alone.contact().iter().zip(here.contact()) {
+                assert!((a.from - b.from).abs() < 1e-12 && (a.to - b.to).abs() < 1e-12);
+            }
+            assert!(here.certificate().relative_gap < 1e-22, "{:?}", here.certificate());
+            anew += alone.iterations();
+            next += here.iterations();
+        }
+        assert!(next < anew, "{next} {anew}");
+    }
+}
