@@ -221,14 +221,15 @@ impl<'a> Named<'_, 'a> {
     }
 
     fn table(&self, stations: &[f64]) -> Table<'a> {
+        let all: Vec<_> = stations.iter().map(|&x| self.envelope.all_at(x)).collect();
         let lines = |field| {
-            let bounds = stations.iter().map(|&x| self.envelope.at(field, x));
-            let bounds: Vec<Bounds> = bounds.collect();
+            let number = Field::ALL.iter().position(|other| *other == field).unwrap_or(0);
+            let bounds = || all.iter().map(|bounds| &bounds[number]);
             Lines {
-                min: bounds.iter().map(|bounds| bounds.min.extreme.value).collect(),
-                max: bounds.iter().map(|bounds| bounds.max.extreme.value).collect(),
-                governs_min: bounds.iter().map(|bounds| self.name(bounds.min.by)).collect(),
-                governs_max: bounds.iter().map(|bounds| self.name(bounds.max.by)).collect(),
+                min: bounds().map(|bounds| bounds.min.extreme.value).collect(),
+                max: bounds().map(|bounds| bounds.max.extreme.value).collect(),
+                governs_min: bounds().map(|bounds| self.name(bounds.min.by)).collect(),
+                governs_max: bounds().map(|bounds| self.name(bounds.max.by)).collect(),
             }
         };
         Table { x: stations.to_vec(), fields: self.fields(lines) }
