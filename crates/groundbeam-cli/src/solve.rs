@@ -7,11 +7,11 @@ use crate::input::Input;
 use crate::output::{print, standard_error_has_colour, standard_output_has_colour, write};
 use crate::request::{Format, Grow, Plot, Solve};
 use crate::waiting::while_working;
-use groundbeam::{Error, LoadFactors, Model, Outcome, Solution};
+use groundbeam::{Error, LoadFactors, Model, Options, Outcome, Solution};
 use groundbeam_file::{
     Combination, Diagnostic, Diagnostics, Severity, parse_cases, parse_positions,
 };
-use groundbeam_report::{Context, Factors, csv, json, png, svg, text};
+use groundbeam_report::{Context, Factors, Ground, csv, json, png, svg, text};
 use std::time::Instant;
 
 pub fn run(request: &Solve) -> Result<Status, Failure> {
@@ -62,10 +62,16 @@ fn one(input: &Input, request: &Solve, loaded: &Loaded) -> Result<Status, Failur
 
     let started = Instant::now();
     let words = format!("solving with the method {}", request.options.method.name());
-    let outcome = while_working(words, || groundbeam::solve_with(model, &request.options));
+    let outcome = while_working(words, || solved(input, model, &request.options));
     let context = Context { title: loaded.title.as_deref(), ..input.context() };
     let context = context.with_seconds(started.elapsed().as_secs_f64());
-    let factors = growing.as_ref().map(|growing| growing.factors(input, model)).transpose()?;
+    let (outcome, context) = match outcome {
+        Ok((outcome, Some(ground))) => (Ok(outcome), context.with_ground(ground)),
+        Ok((outcome, None)) => (Ok(outcome), context),
+        Err(error) => (Err(error), context),
+    };
+    let factors =
+        growing.as_ref().map(|growing| growing.factors(input, model, &context)).transpose()?;
     let context = match (&growing, &factors) {
         (Some(Growing { cases, .. }), Some(found)) => {
             context.with_factors(Factors { found, cases })
@@ -106,6 +112,20 @@ fn one(input: &Input, request: &Solve, loaded: &Loaded) -> Result<Status, Failur
     }
 }
 
+/// What mechanics says of a model of the file, and the ground that was made of its soil if it has one.
+pub fn solved<'a>(
+    input: &'a Input,
+    model: &Model,
+    options: &Options,
+) -> Result<(Outcome, Option<Ground<'a>>), Error> {
+    let Some(bed) = &input.document.bed else {
+        return Ok((groundbeam::solve_with(model, options)?, None));
+    };
+    let found = bed.solve(model, options)?;
+    let ground = Ground::of(bed, &found);
+    Ok((found.outcome, Some(ground)))
+}
+
 /// The loads that grow.
 struct Growing {
     /// Names of load cases; none if all loads grow.
@@ -132,9 +152,16 @@ impl Growing {
         Ok(Growing { cases, grows })
     }
 
-    fn factors(&self, input: &Input, model: &Model) -> Result<LoadFactors, Failure> {
+    /// On the ground that was solved.
+    fn factors(
+        &self,
+        input: &Input,
+        model: &Model,
+        context: &Context,
+    ) -> Result<LoadFactors, Failure> {
+        let model = context.ground.map_or_else(|| model.clone(), |g| g.subgrade.under(model));
         let grows = |load: usize| self.grows.get(load).is_some_and(|&grows| grows);
-        groundbeam::load_factors(model, grows).map_err(|error| match error {
+        groundbeam::load_factors(&model, grows).map_err(|error| match error {
             Error::NotConverged(reached) => {
                 let shown = text::not_converged(&reached, standard_error_has_colour());
                 Failure::reported(shown, Status::NotConverged)

@@ -21,6 +21,7 @@ pub(crate) const EMPTY: &str = "GB018";
 pub(crate) const NOT_UTF8: &str = "GB019";
 pub(crate) const EMPTY_NAME: &str = "GB020";
 pub(crate) const REPEATED: &str = "GB021";
+pub(crate) const POISSON: &str = "GB206";
 
 /// One line of the table of codes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -72,6 +73,7 @@ pub const CODES: &[Code] = &[
     row("GB203", "a foundation segment must reach under the beam", "foundation-off-beam.toml"),
     row("GB204", "a curve of k or mu has at most three control values", "ground-curve.toml"),
     row("GB205", "where the shear constant mu varies it must not fall to zero", "shear-fades.toml"),
+    row(POISSON, "Poisson's ratio of a soil lies between 0 and 0.5", "poisson.toml"),
     row("GB301", "a position must lie on the beam", "off-the-beam.toml"),
     row("GB302", "a value must be a finite number", "out-of-range.toml"),
     row("GB303", "a stretch must have a length", "stretch-without-length.toml"),

@@ -6,8 +6,9 @@ use crate::fault::Fault;
 use crate::reader::Field;
 use crate::source::Source;
 use crate::units::UnitSystem;
-use groundbeam::Model;
 use groundbeam::model::{Part, Problem};
+use groundbeam::soil::Bed;
+use groundbeam::{Error, Model, Options, Outcome, solve_with};
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -18,7 +19,10 @@ pub struct Document {
     pub title: Option<String>,
     /// The model under all of its loads as they are written, in SI units or in the file's own consistent system.
     pub model: Model,
-    /// Which of the two.
+    /// The soil from which the model's ground was made, if the file gives one; a ground that depends on the
+    /// solution is in the model as it is before anything is solved.
+    pub bed: Option<Bed>,
+    /// Whether all is in SI units or in the file's own consistent system.
     pub units: UnitSystem,
     /// The load case to which each of the model's loads belongs, in the order of the loads; none for a
     /// load to which the file gives none.
@@ -32,6 +36,27 @@ impl Document {
     /// The text that was read.
     pub fn text(&self) -> &str {
         &self.source.text
+    }
+
+    /// Solves the model, on the ground that the solution itself makes of the soil where the file gives one.
+    ///
+    /// # Errors
+    ///
+    /// As [`groundbeam::solve_with`].
+    pub fn solve(&self, options: &Options) -> Result<Outcome, Error> {
+        self.solve_model(&self.model, options)
+    }
+
+    /// Solves another model on the same soil: that of one of its [`combinations`](Self::combinations).
+    ///
+    /// # Errors
+    ///
+    /// As [`groundbeam::solve_with`].
+    pub fn solve_model(&self, model: &Model, options: &Options) -> Result<Outcome, Error> {
+        match &self.bed {
+            Some(bed) => Ok(bed.solve(model, options)?.outcome),
+            None => solve_with(model, options),
+        }
     }
 
     /// Where the table of a part begins: the bytes of its heading.

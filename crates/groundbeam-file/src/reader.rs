@@ -10,6 +10,7 @@ use crate::fault::Fault;
 use crate::quantity::{self, Kind, Written};
 use crate::source::Source;
 use crate::table::{Section, suggestion};
+use crate::unit::Dimension;
 use crate::units::Seen;
 use std::ops::Range;
 use toml::Spanned;
@@ -222,8 +223,11 @@ impl<'s> Reader<'s> {
         };
         match written {
             Ok(Written { value, has_unit }) => {
-                let key = key.to_owned();
-                self.quantities.push(Seen { key, kind, has_unit, span: span.clone() });
+                // A plain number has no unit in either kind of file.
+                if kind.dimension != Dimension::NONE {
+                    let key = key.to_owned();
+                    self.quantities.push(Seen { key, kind, has_unit, span: span.clone() });
+                }
                 Field::new(value, span)
             }
             Err(fault) => {

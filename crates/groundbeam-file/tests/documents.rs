@@ -251,3 +251,35 @@ fn thousands_of_faults_are_all_found_and_a_hundred_shown() {
     assert_eq!(shown.matches("error[GB014]").count(), 100);
     assert!(shown.ends_with("\n... and 2900 more in long.toml\n"));
 }
+
+/// The own weight follows the sections, in a load case of its own, after the file's loads.
+#[test]
+fn own_weight_follows_the_sections() {
+    let text = r#"
+        [beam]
+        length = "12 m"
+        E = "30 GPa"
+        section = { width = "1 m", height = ["0.5 m", "1 m"] }
+        unit_weight = "25 kN/m^3"
+        weight_case = " G "
+        [[beam.segment]]
+        from = "3 m"
+        to = "6 m"
+        section = { shape = "circle", diameter = "1 m" }
+        [foundation]
+        k = "40 MN/m^2"
+        [[load]]
+        point = "1 kN"
+        at = "1 m"
+        case = "Q"
+    "#;
+    let document = parse(text).unwrap();
+    let [_, first, second, third] = document.model.loads[..] else { panic!("four loads") };
+    let along = |from, to, start, end| Load::Distributed { from, to, start, end };
+    assert_eq!(first, along(0.0, 3.0, 12_500.0, 15_625.0));
+    let round = 25_000.0 * std::f64::consts::PI / 4.0;
+    assert_eq!(second, along(3.0, 6.0, round, round));
+    assert_eq!(third, along(6.0, 12.0, 18_750.0, 25_000.0));
+    let cases: Vec<_> = document.cases.iter().map(Option::as_deref).collect();
+    assert_eq!(cases, [Some("Q"), Some("G"), Some("G"), Some("G")]);
+}

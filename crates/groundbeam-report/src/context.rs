@@ -2,6 +2,7 @@
 
 use crate::quantity::Units;
 use groundbeam::LoadFactors;
+use groundbeam::soil::{Bed, OnSoil, Subgrade};
 
 /// What a report says besides the result itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,6 +15,27 @@ pub struct Context<'a> {
     pub seconds: Option<f64>,
     /// What becomes of the model as its loads grow; left out where nobody asked.
     pub factors: Option<Factors<'a>>,
+    /// The soil from which the model's ground was made; left out where its constants were given.
+    pub ground: Option<Ground<'a>>,
+}
+
+/// A ground that was made of soil.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ground<'a> {
+    /// The soil, and the method.
+    pub bed: &'a Bed,
+    /// k and μ.
+    pub subgrade: Subgrade,
+    /// γ of layers, and how many solutions it took where it is taken from the solution.
+    pub gamma: Option<(f64, usize)>,
+}
+
+impl<'a> Ground<'a> {
+    /// The ground of an answer.
+    pub fn of(bed: &'a Bed, found: &OnSoil) -> Self {
+        let gamma = found.gamma.map(|gamma| (gamma, found.rounds));
+        Ground { bed, subgrade: found.subgrade, gamma }
+    }
 }
 
 /// Load factors with the names of the load cases that grow.
@@ -28,7 +50,7 @@ pub struct Factors<'a> {
 impl<'a> Context<'a> {
     /// No title, no time.
     pub fn new(units: Units) -> Self {
-        Context { title: None, units, seconds: None, factors: None }
+        Context { title: None, units, seconds: None, factors: None, ground: None }
     }
 
     /// The same with a title.
@@ -44,6 +66,11 @@ impl<'a> Context<'a> {
     /// The same with load factors.
     pub fn with_factors(self, factors: Factors<'a>) -> Self {
         Context { factors: Some(factors), ..self }
+    }
+
+    /// The same with the soil from which the ground was made.
+    pub fn with_ground(self, ground: Ground<'a>) -> Self {
+        Context { ground: Some(ground), ..self }
     }
 
     /// The title on one line, without characters that would steer a terminal or break XML.

@@ -9,6 +9,7 @@
 mod certificate;
 mod combinations;
 mod factors;
+mod ground;
 
 use crate::characteristics::Characteristics;
 use crate::context::Context;
@@ -16,6 +17,7 @@ use crate::verdict::sentence;
 use certificate::Proof;
 pub use combinations::{checked_combinations, combinations, envelope_stations};
 use factors::Grown;
+use ground::Ground;
 use groundbeam::{
     Existence, Extreme, Field, Method, Model, NotConverged, RigidMotion, Side, Solution, Verdict,
 };
@@ -77,6 +79,8 @@ struct Solved {
     elements: usize,
     existence: Proven,
     characteristics: Judged,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ground: Option<Ground>,
     contact: Vec<Stretch>,
     lift_off: Vec<Lifted>,
     end_forces: Ends,
@@ -100,6 +104,7 @@ impl Solved {
             elements: solution.elements(),
             existence: Proven::new(model, solution.existence(), context),
             characteristics: Judged::new(model, solution.existence()),
+            ground: context.ground.map(|ground| Ground::of(ground, model)),
             contact: solution
                 .contact()
                 .iter()

@@ -47,6 +47,6 @@ pub mod text;
 
 pub use characteristics::{Characteristics, Resultant};
 pub use combinations::{Alone, Answer, Combinations, Combined, Overall};
-pub use context::{Context, Factors};
+pub use context::{Context, Factors, Ground};
 pub use quantity::Units;
 pub use verdict::sentence;

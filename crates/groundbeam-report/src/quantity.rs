@@ -85,6 +85,10 @@ pub(crate) enum Kind {
     Spring,
     /// μ and P.
     Constant,
+    /// k on an area: k over a width.
+    AreaSpring,
+    /// μ on an area: μ over a width.
+    AreaShear,
     /// 1/length.
     PerLength,
 }
@@ -185,6 +189,26 @@ impl Kind {
                         rung(1e6, 1e6, "MN"),
                         rung(1e3, 1e3, "kN"),
                         rung(0.0, 1.0, "N"),
+                    ]
+                }
+            }
+            Kind::AreaSpring => {
+                const {
+                    &[
+                        rung(1e9, 1e9, "GN/m³"),
+                        rung(1e6, 1e6, "MN/m³"),
+                        rung(1e3, 1e3, "kN/m³"),
+                        rung(0.0, 1.0, "N/m³"),
+                    ]
+                }
+            }
+            Kind::AreaShear => {
+                const {
+                    &[
+                        rung(1e9, 1e9, "GN/m"),
+                        rung(1e6, 1e6, "MN/m"),
+                        rung(1e3, 1e3, "kN/m"),
+                        rung(0.0, 1.0, "N/m"),
                     ]
                 }
             }

@@ -35,6 +35,7 @@ impl Solved {
             name: &c.name,
             factors: &c.factors,
             model: &c.model,
+            ground: None,
             answer: match outcome {
                 Ok(Outcome::Equilibrium(solution)) => Answer::Equilibrium(solution),
                 Ok(Outcome::NoEquilibrium(existence)) => Answer::NoEquilibrium(existence),

@@ -44,6 +44,7 @@ mod solve;
 mod stability;
 
 pub mod model;
+pub mod soil;
 
 pub use certificate::Certificate;
 pub use contact::active_set::{Pressure, Step};

@@ -1,7 +1,7 @@
 //! The answers to a file: one, or one for each of its combinations with their envelope.
 
 use super::expectation::{Expectation, Of, Value};
-use groundbeam::{Envelope, Error, Outcome, Solution, solve};
+use groundbeam::{Envelope, Error, Options, Outcome, Solution};
 use groundbeam_file::Document;
 
 /// What comes out of a file.
@@ -17,12 +17,16 @@ impl Answers {
     ///
     /// The first that cannot be solved.
     pub fn of(document: &Document) -> Result<Answers, Error> {
+        let options = Options::default();
         let mut outcomes = Vec::new();
         for combination in document.combinations() {
-            outcomes.push((Some(combination.name), solve(&combination.model)?));
+            outcomes.push((
+                Some(combination.name),
+                document.solve_model(&combination.model, &options)?,
+            ));
         }
         if !document.has_combinations() {
-            outcomes.push((None, solve(&document.model)?));
+            outcomes.push((None, document.solve(&options)?));
         }
         Ok(Answers { outcomes })
     }

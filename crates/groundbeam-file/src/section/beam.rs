@@ -1,26 +1,29 @@
 //! `[beam]` and `[[beam.segment]]`.
 
+use super::shape::{self, Shape};
+use super::weight::{self, Area};
 use crate::profile::{Along, Values, left_out};
 use crate::quantity::{
-    BENDING_STIFFNESS, ELASTIC_MODULUS, FORCE, LENGTH, POSITION, SECOND_MOMENT_OF_AREA, WIDTH,
+    BENDING_STIFFNESS, ELASTIC_MODULUS, FORCE, LENGTH, POSITION, SECOND_MOMENT_OF_AREA,
 };
 use crate::reader::{Field, Reader};
 use crate::stiffness::{Given, Keys, Stiffness, cover};
 use crate::table::Section;
 use groundbeam::model::Part;
-use groundbeam::{Beam, BeamSegment, Profile};
+use groundbeam::{Beam, BeamSegment, Load, Profile};
 
-const KEYS: &[&str] = &["length", "EI", "E", "I", "section", "axial_force", "segment"];
+const KEYS: &[&str] =
+    &["length", "EI", "E", "I", "section", "unit_weight", "weight_case", "axial_force", "segment"];
 const SEGMENT_KEYS: &[&str] = &["from", "to", "EI", "E", "I", "section"];
-const SECTION_KEYS: &[&str] = &["width", "height"];
 const STIFFNESS: Keys = Keys {
     product: ("EI", &BENDING_STIFFNESS),
     factors: [("E", &ELASTIC_MODULUS), ("I", &SECOND_MOMENT_OF_AREA)],
     instead: " or a `section`",
 };
 
-pub(super) fn read(reader: &mut Reader, root: &Section) -> Beam {
-    let unknown = Beam::uniform(f64::NAN, f64::NAN);
+/// The beam, and its own weight if the file asks for that, each load with its load case.
+pub(super) fn read(reader: &mut Reader, root: &Section) -> (Beam, Vec<(Load, Option<String>)>) {
+    let unknown = (Beam::uniform(f64::NAN, f64::NAN), Vec::new());
     let Some(table) = reader.table(root, "beam", "[beam]") else {
         if root.value("beam").is_none() {
             reader.missing(root, &["beam"], "`[beam]`", "[beam] with `length` and `EI`");
@@ -36,12 +39,20 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Beam {
     let axial_force = axial_force.unwrap_or_else(|| Field::new(0.0, table.span.clone()));
     reader.places.field(Part::Beam, "axial_force", &axial_force);
 
-    let given = given(reader, &table);
+    let (given, area) = given(reader, &table);
+    let mut areas = Vec::new();
     let mut segments = Vec::new();
     for (i, segment) in reader.tables(&table, "segment", "[[beam.segment]]").iter().enumerate() {
         let part = Part::BeamSegment(i);
-        segments.push(read_segment(reader, segment, part, &given, length.value));
+        let (read, own) = read_segment(reader, segment, part, &given, length.value);
+        let way = [read.from / length.value, read.to / length.value];
+        let area = own.map_or_else(|| area.as_ref().map(|area| area.between(way)), Some);
+        let area = area.filter(|_| !gives_stiffness(segment));
+        areas.push(Area { from: read.from, to: read.to, area });
+        segments.push(read);
     }
+    let base = area.filter(|_| !gives_stiffness(&table));
+    let weight = weight::read(reader, &table, length.value, base, areas);
 
     let stiffness = given.resolve(reader, &Given::default(), &STIFFNESS);
     let covered = cover(length.value, segments.iter().map(|s| (s.from, s.to)));
@@ -59,7 +70,13 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Beam {
             known.profile.start()
         }
     };
-    Beam { length: length.value, bending_stiffness, segments, axial_force: axial_force.value }
+    let axial_force = axial_force.value;
+    (Beam { length: length.value, bending_stiffness, segments, axial_force }, weight)
+}
+
+/// Whether a table gives EI or I by themselves: then no section of a parent's is that of the beam there.
+fn gives_stiffness(table: &Section) -> bool {
+    table.value("EI").is_some() || table.value("I").is_some()
 }
 
 /// A stiffness that varies along the whole beam holds where no segment says otherwise.
@@ -87,56 +104,35 @@ fn read_segment(
     part: Part,
     parent: &Given,
     length: f64,
-) -> BeamSegment {
+) -> (BeamSegment, Option<Along>) {
     reader.refuse_unknown(table, SEGMENT_KEYS);
     reader.places.part(part, &table.span);
     let from = reader.required(table, "from", &POSITION);
     let to = reader.required(table, "to", &POSITION);
     let parent = parent.between([from.value / length, to.value / length]);
-    let stiffness = given(reader, table).resolve(reader, &parent, &STIFFNESS);
+    let (own, area) = given(reader, table);
+    let stiffness = own.resolve(reader, &parent, &STIFFNESS);
     let stiffness = reader.settle(stiffness, table, &STIFFNESS);
     reader.places.field(part, "from", &from);
     reader.places.field(part, "to", &to);
     reader.places.field(part, "bending_stiffness", &stiffness.field());
-    BeamSegment { from: from.value, to: to.value, bending_stiffness: stiffness.profile }
+    let bending_stiffness = stiffness.profile;
+    (BeamSegment { from: from.value, to: to.value, bending_stiffness }, area)
 }
 
-fn given(reader: &mut Reader, table: &Section) -> Given {
+/// What a table says of EI, and the area of its section.
+fn given(reader: &mut Reader, table: &Section) -> (Given, Option<Along>) {
     let curve = Values::Curve(Profile::MOST);
     let product = reader.along(table, "EI", &BENDING_STIFFNESS, curve);
     let modulus = reader.along(table, "E", &ELASTIC_MODULUS, Values::Linear);
     let modulus = modulus.map(|modulus| reader.positive_along("E", modulus));
     let inertia = reader.along(table, "I", &SECOND_MOMENT_OF_AREA, Values::Linear);
     let inertia = inertia.map(|inertia| reader.positive_along("I", inertia));
-    let section = rectangle(reader, table);
+    let shape = shape::read(reader, table);
+    let (section, area) = shape.map(|Shape { inertia, area }| (inertia, area)).unzip();
     if let (Some(inertia), Some(section)) = (&inertia, &section) {
-        let hint = "the section gives I = width height^3 / 12; keep one of the two";
+        let hint = "the section gives I; keep one of the two";
         reader.exclusive(("I", &inertia.span), ("section", &section.span), hint);
     }
-    Given { product, factors: [modulus, inertia.or(section)] }
-}
-
-/// I = b h³ / 12 of `section = { width, height }`.
-fn rectangle(reader: &mut Reader, table: &Section) -> Option<Along> {
-    let Some(section) = reader.table(table, "section", "section") else {
-        // Of the wrong type, and reported: as if given, to keep "I is missing" out.
-        return table.value("section").map(|value| Along::unreadable(value.span()));
-    };
-    reader.refuse_unknown(&section, SECTION_KEYS);
-    let mut side = |key: &'static str| {
-        let given = reader.along(&section, key, &WIDTH, Values::Linear);
-        let given = given.map(|given| reader.positive_along(key, given));
-        given.unwrap_or_else(|| {
-            let missing = reader.required(&section, key, &WIDTH);
-            Along::unreadable(missing.span)
-        })
-    };
-    let [width, height] = ["width", "height"].map(&mut side);
-    let span = section.span;
-    if width.profile.is_constant() && height.profile.is_constant() {
-        let inertia = width.profile.start() * height.profile.start().powi(3) / 12.0;
-        return Some(Along { profile: Profile::constant(inertia), span });
-    }
-    let product = [&height, &height, &height].into_iter().fold(width, |a, b| a.times(b, &span));
-    Some(Along { profile: product.profile.scaled(1.0 / 12.0), span })
+    (Given { product, factors: [modulus, inertia.or(section)] }, area)
 }

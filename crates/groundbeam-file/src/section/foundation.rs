@@ -1,14 +1,16 @@
 //! `[foundation]` and `[[foundation.segment]]`.
 
+use super::soil;
 use crate::profile::{Along, Values, left_out};
 use crate::quantity::{POSITION, SHEAR_CONSTANT, SPRING_PER_LENGTH, SUBGRADE_MODULUS, WIDTH};
 use crate::reader::{Field, Reader};
 use crate::stiffness::{Given, Keys, Stiffness, cover};
 use crate::table::Section;
 use groundbeam::model::Part;
-use groundbeam::{Foundation, FoundationSegment, Profile};
+use groundbeam::soil::{Bed, Subgrade};
+use groundbeam::{Beam, Foundation, FoundationSegment, Profile};
 
-const KEYS: &[&str] = &["k", "subgrade_modulus", "width", "mu", "segment"];
+const KEYS: &[&str] = &["k", "subgrade_modulus", "width", "mu", "segment", "soil"];
 const SEGMENT_KEYS: &[&str] = &["from", "to", "k", "subgrade_modulus", "width", "mu"];
 const STIFFNESS: Keys = Keys {
     product: ("k", &SPRING_PER_LENGTH),
@@ -16,7 +18,8 @@ const STIFFNESS: Keys = Keys {
     instead: "",
 };
 
-pub(super) fn read(reader: &mut Reader, root: &Section, beam_length: f64) -> Foundation {
+/// The ground, and the soil it was made from if the file gives that.
+pub(super) fn read(reader: &mut Reader, root: &Section, beam: &Beam) -> (Foundation, Option<Bed>) {
     let Some(table) = reader.table(root, "foundation", "[foundation]") else {
         if root.value("foundation").is_none() {
             reader.missing(
@@ -26,16 +29,51 @@ pub(super) fn read(reader: &mut Reader, root: &Section, beam_length: f64) -> Fou
                 "[foundation] with `k`, and `mu` if it shears",
             );
         }
-        return Foundation::winkler(f64::NAN);
+        return (Foundation::winkler(f64::NAN), None);
     };
     reader.refuse_unknown(&table, KEYS);
     reader.places.part(Part::Foundation, &table.span);
+    if let Some(soil) = reader.table(&table, "soil", "[foundation.soil]") {
+        return on_soil(reader, &table, &soil, beam);
+    }
+    if table.value("soil").is_some() {
+        reader.places.field(Part::Foundation, "spring", &Field::unreadable(0..0));
+        return (Foundation::winkler(f64::NAN), None);
+    }
+    (constants(reader, &table, beam.length), None)
+}
 
-    let shear = reader.along(&table, "mu", &SHEAR_CONSTANT, CURVE);
+/// A ground made of soil: nothing else may say what it is.
+fn on_soil(
+    reader: &mut Reader,
+    table: &Section,
+    soil: &Section,
+    beam: &Beam,
+) -> (Foundation, Option<Bed>) {
+    for key in ["k", "subgrade_modulus", "mu", "segment"] {
+        if let Some((name, _)) = table.table.get_key_value(key) {
+            let hint = "give the ground's constants, or the soil from which they follow";
+            reader.exclusive((key, &name.span()), ("soil", &soil.span), hint);
+        }
+    }
+    let width = reader.required(table, "width", &WIDTH);
+    let width = reader.positive("width", width);
+    let bed = soil::read(reader, soil, width.value);
+    for field in ["spring", "shear"] {
+        reader.places.field(Part::Foundation, field, &Field::unreadable(0..0));
+    }
+    let unknown = Subgrade { spring: f64::NAN, shear: 0.0 };
+    let ground = bed.as_ref().map_or(unknown, |bed| bed.subgrade(beam));
+    (Foundation::pasternak(ground.spring, ground.shear), bed)
+}
+
+/// A ground given by its constants.
+fn constants(reader: &mut Reader, table: &Section, beam_length: f64) -> Foundation {
+    let shear = reader.along(table, "mu", &SHEAR_CONSTANT, CURVE);
     let nothing = || Along { profile: Profile::constant(0.0), span: table.span.clone() };
     let shear = shear.unwrap_or_else(nothing);
     reader.places.field(Part::Foundation, "shear", &shear.field());
-    let given = given(reader, &table);
+    let given = given(reader, table);
     let stiffness = given.resolve(reader, &Given::default(), &STIFFNESS);
     let known = match &stiffness {
         Stiffness::Known(spring) => Some(spring.clone()),
@@ -44,8 +82,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section, beam_length: f64) -> Fou
     let parent = Parent { given, spring: known, shear, length: beam_length };
 
     let mut segments = Vec::new();
-    for (i, segment) in
-        reader.tables(&table, "segment", "[[foundation.segment]]").iter().enumerate()
+    for (i, segment) in reader.tables(table, "segment", "[[foundation.segment]]").iter().enumerate()
     {
         let part = Part::FoundationSegment(i);
         segments.push(read_segment(reader, segment, part, &parent));
@@ -61,7 +98,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section, beam_length: f64) -> Fou
             Foundation { spring, shear, segments }
         }
         _ => {
-            let spring = reader.settle(stiffness, &table, &STIFFNESS);
+            let spring = reader.settle(stiffness, table, &STIFFNESS);
             reader.places.field(Part::Foundation, "spring", &spring.field());
             add_where_it_varies(reader, &spring, &parent.shear, beam_length, &mut segments);
             let [spring, shear] = [&spring, &parent.shear].map(|along| along.profile.start());

@@ -5,12 +5,16 @@ mod combination;
 mod foundation;
 mod gap;
 mod load;
+mod shape;
+mod soil;
 mod support;
+mod weight;
 
 use crate::combination::Recipe;
 use crate::reader::Reader;
 use crate::table::Section;
 use groundbeam::Model;
+use groundbeam::soil::Bed;
 
 const TABLES: &[&str] =
     &["title", "beam", "foundation", "load", "support", "gap", "case", "combination"];
@@ -19,6 +23,7 @@ const TABLES: &[&str] =
 pub(crate) struct Contents {
     pub title: Option<String>,
     pub model: Model,
+    pub bed: Option<Bed>,
     /// The load case of each of the model's loads.
     pub cases: Vec<Option<String>>,
     pub recipes: Vec<Recipe>,
@@ -28,11 +33,16 @@ pub(crate) struct Contents {
 pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     reader.refuse_unknown(root, TABLES);
     let title = reader.words(root, "title", "Strip footing").map(|(title, _)| title.to_owned());
-    let beam = beam::read(reader, root);
-    let foundation = foundation::read(reader, root, beam.length);
-    let (loads, cases) = load::read(reader, root, beam.length);
+    let (beam, weight) = beam::read(reader, root);
+    let (foundation, bed) = foundation::read(reader, root, &beam);
+    let (mut loads, mut cases) = load::read(reader, root, beam.length);
+    for (load, case) in weight {
+        loads.push(load);
+        cases.push(case);
+    }
     let supports = support::read(reader, root);
     let gap = gap::read(reader, root);
     let recipes = combination::read(reader, root, &loads, &cases);
-    Contents { title, model: Model { beam, foundation, loads, supports, gap }, cases, recipes }
+    let model = Model { beam, foundation, loads, supports, gap };
+    Contents { title, model, bed, cases, recipes }
 }

@@ -106,9 +106,10 @@ fn each<'a>(
     stations: Option<&[f64]>,
     context: &Context,
 ) -> Vec<One<'a>> {
-    let context = Context { title: None, seconds: None, factors: None, ..*context };
+    let context = Context::new(context.units);
     let one = |combined: &'a Combined| {
-        let Combined { name, factors, model, answer } = combined;
+        let Combined { name, factors, model, ground, answer } = combined;
+        let context = Context { ground: *ground, ..context };
         let result = match answer {
             Answer::Equilibrium(solution) => {
                 let own = stations.map_or_else(|| default_stations(solution), <[f64]>::to_vec);

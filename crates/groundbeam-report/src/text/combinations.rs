@@ -20,9 +20,15 @@ pub fn combinations(combinations: &Combinations, context: &Context, colour: bool
         let existence = *combined.answer.existence()?;
         Some(Characteristics::of(combined.model, &existence))
     };
-    let first = combinations.combined.iter().find_map(|c| Some((c.model, known(c)?)));
-    if let Some((model, found)) = first {
-        structure(&mut sheet, model, &found, context.units);
+    let first = combinations.combined.iter().find_map(|c| Some((c, known(c)?)));
+    if let Some((combined, found)) = first {
+        let ground = combined.ground.filter(|ground| ground.gamma.is_none());
+        structure(&mut sheet, combined.model, &found, &Context { ground, ..*context });
+        if combinations.combined.iter().any(|c| c.ground.is_some_and(|g| g.gamma.is_some())) {
+            let words = "k and mu of each combination are those that its own solution makes of it; \
+                         above stands the ground before anything is solved";
+            sheet.row("Soil", words);
+        }
         sheet.blank();
     }
     let solved: Vec<Numbered> = numbered(combinations).collect();

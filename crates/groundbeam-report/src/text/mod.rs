@@ -3,6 +3,7 @@
 mod certificate;
 mod combinations;
 mod factors;
+mod ground;
 mod sheet;
 
 use crate::characteristics::Characteristics;
@@ -71,7 +72,7 @@ fn problem(sheet: &mut Sheet, model: &Model, existence: &Existence, context: &Co
     let units = context.units;
     title(sheet, context);
     let found = Characteristics::of(model, existence);
-    structure(sheet, model, &found, units);
+    structure(sheet, model, &found, context);
     let force = found.resultant.force;
     let loads = match found.resultant.at {
         Some(x) => {
@@ -95,7 +96,8 @@ fn title(sheet: &mut Sheet, context: &Context) {
 }
 
 /// Beam and ground.
-fn structure(sheet: &mut Sheet, model: &Model, found: &Characteristics, units: Units) {
+fn structure(sheet: &mut Sheet, model: &Model, found: &Characteristics, context: &Context) {
+    let units = context.units;
     let write = |kind, value| units.write(kind, value, 6);
     let stiffnesses = ends(model.beam.segments.iter().map(|s| s.bending_stiffness));
     let stiffness =
@@ -113,13 +115,14 @@ fn structure(sheet: &mut Sheet, model: &Model, found: &Characteristics, units: U
     let spring = spread(units, Kind::Spring, model.foundation.spring, springs);
     let shear = spread(units, Kind::Constant, model.foundation.shear, shears);
     let is_winkler = found.shear_length[1] == 0.0;
-    let ground = if is_winkler {
+    let constants = if is_winkler {
         format!("k = {spring}, no shear layer (Winkler)")
     } else {
         let length = range(units, Kind::Position, found.shear_length);
         format!("k = {spring}, mu = {shear}, shear length √(mu/k) = {length}")
     };
-    sheet.row("Ground", &ground);
+    sheet.row("Ground", &constants);
+    ground::rows(sheet, model, context);
 
     let beta = range(units, Kind::PerLength, found.beta);
     let beta_length = significant(found.beta_length, 4);

@@ -183,12 +183,12 @@ fn refine(
     for step in 0..most_steps {
         let Ok((found, zones)) = glued(model, &stretches, None) else {
             // A beam balanced on one point may turn about it, as far as no other point touches.
-            let at_this_slope = Some(Held::as_in(&now));
-            let balanced = glued(model, &stretches, at_this_slope).ok().map(|(found, _)| found);
-            return match balanced.or(last) {
-                Some(found) if proven(&found, LAST) => Ok(Found { history, ..found }),
-                _ if rough => Ok(Found { history, ..now }),
-                _ => Err(unsettled(step, moved)),
+            let held = glued(model, &stretches, Some(Held::as_in(&now))).map(|(found, _)| found);
+            let proven = |found: &Found| proven(found, LAST);
+            return match held.ok().filter(proven).or(last.filter(proven)) {
+                Some(found) => Ok(Found { history, ..found }),
+                None if rough => Ok(Found { history, ..now }),
+                None => Err(unsettled(step, moved)),
             };
         };
         let next = positions(&found.mesh, &zones, &places);

@@ -1,0 +1,255 @@
+//! `section = { … }`: the second moment of area and the area of a cross section.
+
+use crate::code;
+use crate::fault::Fault;
+use crate::profile::{Along, Values};
+use crate::quantity::WIDTH;
+use crate::reader::Reader;
+use crate::suggest::nearest;
+use crate::table::Section;
+use groundbeam::Profile;
+use std::f64::consts::PI;
+use std::ops::Range;
+
+/// What a cross section is to a beam.
+#[derive(Debug, Clone)]
+pub(super) struct Shape {
+    pub inertia: Along,
+    pub area: Along,
+}
+
+impl Shape {
+    fn constant([area, inertia]: [f64; 2], span: Range<usize>) -> Self {
+        let along = |value| Along { profile: Profile::constant(value), span: span.clone() };
+        Shape { inertia: along(inertia), area: along(area) }
+    }
+
+    fn unreadable(span: Range<usize>) -> Self {
+        Shape::constant([f64::NAN; 2], span)
+    }
+}
+
+/// A shape by its sides, in this order: \[A, I\], or which side leaves no room for the others.
+struct Kind {
+    name: &'static str,
+    sides: &'static [&'static str],
+    measure: fn(&[f64]) -> Result<[f64; 2], &'static str>,
+}
+
+const KINDS: [Kind; 5] = [
+    Kind {
+        name: "circle",
+        sides: &["diameter"],
+        measure: |d| Ok([PI * d[0].powi(2) / 4.0, PI * d[0].powi(4) / 64.0]),
+    },
+    Kind {
+        name: "tube",
+        sides: &["diameter", "wall"],
+        measure: |s| {
+            let [outer, inner] = [s[0], s[0] - 2.0 * s[1]];
+            let ring = |power| outer.powi(power) - inner.powi(power);
+            fits(inner, "wall").map(|()| [PI * ring(2) / 4.0, PI * ring(4) / 64.0])
+        },
+    },
+    Kind {
+        name: "box",
+        sides: &["width", "height", "wall"],
+        measure: |s| {
+            let [b, h] = [s[0] - 2.0 * s[2], s[1] - 2.0 * s[2]];
+            let inertia = (s[0] * s[1].powi(3) - b * h.powi(3)) / 12.0;
+            fits(b.min(h), "wall").map(|()| [s[0] * s[1] - b * h, inertia])
+        },
+    },
+    Kind {
+        name: "I",
+        sides: &["width", "height", "flange", "web"],
+        measure: |s| {
+            let [width, height, web] = [s[0], s[1], s[3]];
+            let between = height - 2.0 * s[2];
+            fits(between, "flange")?;
+            fits(width - web, "web")?;
+            let area = width * height - (width - web) * between;
+            let inertia = (width * height.powi(3) - (width - web) * between.powi(3)) / 12.0;
+            Ok([area, inertia])
+        },
+    },
+    Kind {
+        name: "T",
+        sides: &["width", "height", "flange", "web"],
+        measure: |s| {
+            let [width, height, flange, web] = [s[0], s[1], s[2], s[3]];
+            let stem = height - flange;
+            fits(stem, "flange")?;
+            fits(width - web, "web")?;
+            let (plate, leg) = (width * flange, web * stem);
+            // Between the middles of flange and stem, half the height.
+            let apart = 0.5 * height;
+            let own = (width * flange.powi(3) + web * stem.powi(3)) / 12.0;
+            Ok([plate + leg, own + plate * leg / (plate + leg) * apart * apart])
+        },
+    },
+];
+
+fn fits(room: f64, side: &'static str) -> Result<(), &'static str> {
+    if room <= 0.0 { Err(side) } else { Ok(()) }
+}
+
+/// A rolled rail: area \[m²\] and second moment about the horizontal axis \[m⁴\].
+struct Rail {
+    names: &'static [&'static str],
+    area: f64,
+    inertia: f64,
+}
+
+/// 54E1 and 60E1 from EN 13674-1, annex A; 136RE from AREMA's Manual, chapter 4, section 1.
+const RAILS: [Rail; 3] = [
+    Rail { names: &["60E1", "UIC60"], area: 76.70e-4, inertia: 3038.3e-8 },
+    Rail { names: &["54E1", "UIC54"], area: 69.77e-4, inertia: 2337.9e-8 },
+    Rail {
+        names: &["136RE"],
+        area: 13.35 * INCH * INCH,
+        inertia: 94.9 * INCH * INCH * INCH * INCH,
+    },
+];
+const INCH: f64 = 0.0254;
+
+/// The cross section that `table` gives, if it gives one.
+pub(super) fn read(reader: &mut Reader, table: &Section) -> Option<Shape> {
+    let Some(section) = reader.table(table, "section", "section") else {
+        // Of the wrong type, and reported: as if given, to keep "I is missing" out.
+        return table.value("section").map(|value| Shape::unreadable(value.span()));
+    };
+    if section.value("rail").is_some() {
+        reader.refuse_unknown(&section, &["rail"]);
+        return Some(rail(reader, &section));
+    }
+    let Some((name, span)) = reader.words(&section, "shape", "T") else {
+        return Some(rectangle(reader, &section));
+    };
+    let names: Vec<&str> = KINDS.iter().map(|kind| kind.name).chain(["rectangle"]).collect();
+    match KINDS.iter().find(|kind| kind.name == name) {
+        Some(kind) => Some(by_sides(reader, &section, kind)),
+        None if name == "rectangle" => Some(rectangle(reader, &section)),
+        None => {
+            let hint = match nearest(name, names.iter().copied()) {
+                Some(meant) => format!("did you mean \"{meant}\"?"),
+                None => format!("shapes: {}", names.join(", ")),
+            };
+            let message = format!("`{name}` is no shape of a section");
+            reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
+            Some(Shape::unreadable(section.span))
+        }
+    }
+}
+
+/// A = b h and I = b h³ / 12; both sides may run from one value to another.
+fn rectangle(reader: &mut Reader, section: &Section) -> Shape {
+    reader.refuse_unknown(section, &["shape", "width", "height"]);
+    let mut side = |key: &'static str| {
+        let given = reader.along(section, key, &WIDTH, Values::Linear);
+        let given = given.map(|given| reader.positive_along(key, given));
+        given.unwrap_or_else(|| {
+            let missing = reader.required(section, key, &WIDTH);
+            Along::unreadable(missing.span)
+        })
+    };
+    let [width, height] = ["width", "height"].map(&mut side);
+    let span = section.span.clone();
+    if width.profile.is_constant() && height.profile.is_constant() {
+        let [b, h] = [width.profile.start(), height.profile.start()];
+        return Shape::constant([b * h, b * h.powi(3) / 12.0], span);
+    }
+    let area = width.times(&height, &span);
+    let cubed = [&height, &height, &height].into_iter().fold(width, |a, b| a.times(b, &span));
+    let inertia = Along { profile: cubed.profile.scaled(1.0 / 12.0), span };
+    Shape { inertia, area }
+}
+
+fn by_sides(reader: &mut Reader, section: &Section, kind: &Kind) -> Shape {
+    let keys: Vec<&str> = ["shape"].into_iter().chain(kind.sides.iter().copied()).collect();
+    reader.refuse_unknown(section, &keys);
+    let sides: Vec<f64> = kind
+        .sides
+        .iter()
+        .map(|key| {
+            let side = reader.required(section, key, &WIDTH);
+            reader.positive(key, side).value
+        })
+        .collect();
+    let span = section.span.clone();
+    match (kind.measure)(&sides) {
+        Ok(measures) => Shape::constant(measures, span),
+        Err(side) => {
+            let at = section.value(side).map_or(span.clone(), |value| value.span());
+            let message = format!("`{side}` is thicker than the section has room for");
+            let hint = format!("the sides of a {} are those around it", kind.name);
+            reader.report(Fault::new(code::FACTOR, at, message, "", hint));
+            Shape::unreadable(span)
+        }
+    }
+}
+
+fn rail(reader: &mut Reader, section: &Section) -> Shape {
+    let span = section.span.clone();
+    let Some((name, at)) = reader.words(section, "rail", "60E1") else {
+        return Shape::unreadable(span);
+    };
+    let plain = name.to_uppercase().replace([' ', '-'], "");
+    match RAILS.iter().find(|rail| rail.names.contains(&plain.as_str())) {
+        Some(rail) => Shape::constant([rail.area, rail.inertia], span),
+        None => {
+            let names: Vec<&str> = RAILS.iter().flat_map(|rail| rail.names).copied().collect();
+            let hint = format!("rails: {}; for others give `I`", names.join(", "));
+            let message = format!("the rail `{name}` is not known");
+            reader.report(Fault::new(code::UNKNOWN_WORD, at, message, "", hint));
+            Shape::unreadable(span)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn measured(name: &str, sides: &[f64]) -> Result<[f64; 2], &'static str> {
+        let kind = KINDS.iter().find(|kind| kind.name == name).unwrap();
+        (kind.measure)(sides)
+    }
+
+    #[track_caller]
+    fn close(found: [f64; 2], wanted: [f64; 2]) {
+        for (a, b) in found.iter().zip(wanted) {
+            assert!((a / b - 1.0).abs() < 1e-12, "{found:?} {wanted:?}");
+        }
+    }
+
+    /// Against the parts: outer less inner, and the T about its own centroid by Steiner's theorem.
+    #[test]
+    fn sections_by_their_parts() {
+        let circle = |d: f64| [PI * d * d / 4.0, PI * d.powi(4) / 64.0];
+        close(measured("circle", &[0.5]).unwrap(), circle(0.5));
+        let [outer, inner] = [circle(0.5), circle(0.46)];
+        let ring = [outer[0] - inner[0], outer[1] - inner[1]];
+        close(measured("tube", &[0.5, 0.02]).unwrap(), ring);
+        let rectangle = |b: f64, h: f64| [b * h, b * h.powi(3) / 12.0];
+        let [outer, inner] = [rectangle(2.0, 1.0), rectangle(1.6, 0.6)];
+        let hollow = [outer[0] - inner[0], outer[1] - inner[1]];
+        close(measured("box", &[2.0, 1.0, 0.2]).unwrap(), hollow);
+        // A flange of 2 × 0.25 over a stem of 0.5 × 0.75.
+        let (flange, stem) = (rectangle(2.0, 0.25), rectangle(0.5, 0.75));
+        let centre = (flange[0] * 0.125 + stem[0] * 0.625) / (flange[0] + stem[0]);
+        let steiner = |part: [f64; 2], at: f64| part[1] + part[0] * (at - centre).powi(2);
+        let inertia = steiner(flange, 0.125) + steiner(stem, 0.625);
+        close(measured("T", &[2.0, 1.0, 0.25, 0.5]).unwrap(), [flange[0] + stem[0], inertia]);
+        // IPE 300 without its fillets: A = 5188 mm² of sharp corners, I of 7999 cm⁴.
+        let [area, inertia] = measured("I", &[150.0, 300.0, 10.7, 7.1]).unwrap();
+        assert!((area - 5188.0).abs() < 1.0 && (inertia / 1e4 - 7999.0).abs() < 1.0);
+    }
+
+    #[test]
+    fn sides_without_room() {
+        assert_eq!(measured("tube", &[0.5, 0.25]), Err("wall"));
+        assert_eq!(measured("I", &[0.3, 0.5, 0.25, 0.1]), Err("flange"));
+        assert_eq!(measured("T", &[0.3, 0.5, 0.2, 0.3]), Err("web"));
+    }
+}

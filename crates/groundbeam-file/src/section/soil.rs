@@ -1,0 +1,108 @@
+//! `[foundation.soil]`: what is known of the soil, in place of `k` and `mu`.
+
+use crate::code;
+use crate::fault::Fault;
+use crate::quantity::{ELASTIC_MODULUS, Kind, LENGTH, RATIO, SUBGRADE_MODULUS, WIDTH};
+use crate::reader::{Field, Reader};
+use crate::suggest::nearest;
+use crate::table::Section;
+use groundbeam::soil::{Bed, Elastic, LayeredSoil, PlateTest, Soil, SoilLayer};
+
+/// A method: its name, the keys it takes, and what other keys tell that it is not.
+struct Method {
+    name: &'static str,
+    keys: &'static [&'static str],
+    make: fn(&mut Reader, &Section) -> Soil,
+}
+
+const ELASTIC: &[&str] = &["method", "E", "nu"];
+const PLATE: &[&str] = &["method", "plate_modulus", "plate_width"];
+const LAYER: &[&str] = &["E", "nu", "thickness"];
+
+const METHODS: [Method; 8] = [
+    Method {
+        name: "modified-vlasov",
+        keys: &["method", "layer"],
+        make: |reader, table| Soil::ModifiedVlasov(layers(reader, table)),
+    },
+    Method {
+        name: "vlasov",
+        keys: &["method", "layer", "gamma"],
+        make: |reader, table| {
+            Soil::Vlasov(layers(reader, table), positive(reader, table, "gamma", &RATIO))
+        },
+    },
+    Method { name: "vesic", keys: ELASTIC, make: |r, t| Soil::Vesic(elastic(r, t)) },
+    Method { name: "biot", keys: ELASTIC, make: |r, t| Soil::Biot(elastic(r, t)) },
+    Method {
+        name: "meyerhof-baike",
+        keys: ELASTIC,
+        make: |r, t| Soil::MeyerhofBaike(elastic(r, t)),
+    },
+    Method { name: "selvadurai", keys: ELASTIC, make: |r, t| Soil::Selvadurai(elastic(r, t)) },
+    Method { name: "terzaghi-clay", keys: PLATE, make: |r, t| Soil::TerzaghiClay(plate(r, t)) },
+    Method { name: "terzaghi-sand", keys: PLATE, make: |r, t| Soil::TerzaghiSand(plate(r, t)) },
+];
+
+/// The soil under a beam that bears on a `width` of it.
+pub(super) fn read(reader: &mut Reader, table: &Section, width: f64) -> Option<Bed> {
+    let method = method(reader, table)?;
+    reader.refuse_unknown(table, method.keys);
+    Some(Bed { soil: (method.make)(reader, table), width })
+}
+
+fn method(reader: &mut Reader, table: &Section) -> Option<&'static Method> {
+    if table.value("method").is_none() {
+        reader.missing(table, &["method"], "`method`", "method = \"modified-vlasov\"");
+    }
+    let (word, span) = reader.words(table, "method", "modified-vlasov")?;
+    let known = METHODS.iter().find(|method| method.name == word);
+    if known.is_none() {
+        let names: Vec<&str> = METHODS.iter().map(|method| method.name).collect();
+        let plain = word.to_lowercase().replace('ć', "c").replace([' ', '_'], "-");
+        let hint = match nearest(&plain, names.iter().copied()) {
+            Some(meant) => format!("did you mean \"{meant}\"?"),
+            None => format!("methods: {}", names.join(", ")),
+        };
+        let message = format!("`{word}` is no method to make a ground of a soil");
+        reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
+    }
+    known
+}
+
+fn layers(reader: &mut Reader, table: &Section) -> LayeredSoil {
+    let tables = reader.tables(table, "layer", "[[foundation.soil.layer]]");
+    if tables.is_empty() && table.value("layer").is_none() {
+        let example =
+            "[[foundation.soil.layer]] with `E`, `nu` and `thickness`, the uppermost first";
+        reader.missing(table, &["layer"], "layer", example);
+    }
+    let layers = tables.iter().map(|layer| {
+        reader.refuse_unknown(layer, LAYER);
+        let Elastic { modulus, poisson } = elastic(reader, layer);
+        SoilLayer { modulus, poisson, thickness: positive(reader, layer, "thickness", &LENGTH) }
+    });
+    LayeredSoil { layers: layers.collect() }
+}
+
+fn elastic(reader: &mut Reader, table: &Section) -> Elastic {
+    let modulus = positive(reader, table, "E", &ELASTIC_MODULUS);
+    let poisson = reader.required(table, "nu", &RATIO);
+    if poisson.value < 0.0 || poisson.value >= 0.5 {
+        let message = "Poisson's ratio of a soil lies between 0 and 0.5";
+        let hint = "0.2 to 0.35 for sand, 0.4 to 0.45 for wet clay; 0.5 would be a fluid";
+        reader.report(Fault::new(code::POISSON, poisson.span, message, "", hint));
+        return Elastic { modulus, poisson: f64::NAN };
+    }
+    Elastic { modulus, poisson: poisson.value }
+}
+
+fn plate(reader: &mut Reader, table: &Section) -> PlateTest {
+    let modulus = positive(reader, table, "plate_modulus", &SUBGRADE_MODULUS);
+    PlateTest { modulus, width: positive(reader, table, "plate_width", &WIDTH) }
+}
+
+fn positive(reader: &mut Reader, table: &Section, key: &'static str, kind: &'static Kind) -> f64 {
+    let field: Field = reader.required(table, key, kind);
+    reader.positive(key, field).value
+}

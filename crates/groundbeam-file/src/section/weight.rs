@@ -1,0 +1,67 @@
+//! The beam's own weight: `unit_weight` times the area of its sections.
+
+use crate::code;
+use crate::fault::Fault;
+use crate::profile::{Along, left_out};
+use crate::quantity::UNIT_WEIGHT;
+use crate::reader::Reader;
+use crate::table::Section;
+use groundbeam::Load;
+
+/// The area of the beam's section on a stretch, if it is known there.
+pub(super) struct Area {
+    pub from: f64,
+    pub to: f64,
+    pub area: Option<Along>,
+}
+
+/// The loads of the beam's own weight, each with its load case; none if `table` gives no unit weight.
+pub(super) fn read(
+    reader: &mut Reader,
+    table: &Section,
+    length: f64,
+    base: Option<Along>,
+    mut areas: Vec<Area>,
+) -> Vec<(Load, Option<String>)> {
+    let case = reader.words(table, "weight_case", "G").map(|(name, _)| name.trim().to_owned());
+    let Some(weight) = reader.quantity(table, "unit_weight", &UNIT_WEIGHT) else {
+        if let Some((key, _)) = table.table.get_key_value("weight_case") {
+            let message = "`weight_case` is given without `unit_weight`";
+            let hint = "unit_weight = \"25 kN/m^3\" makes the beam's own weight a load";
+            reader.report(Fault::new(code::INCOMPLETE, key.span(), message, "", hint));
+        }
+        return Vec::new();
+    };
+    let weight = reader.positive("unit_weight", weight);
+    for [from, to] in left_out(length, areas.iter().map(|area| (area.from, area.to))) {
+        let area = base.as_ref().map(|base| base.between([from / length, to / length]));
+        areas.push(Area { from, to, area });
+    }
+    areas.sort_by(|a, b| a.from.total_cmp(&b.from));
+    let mut loads = Vec::new();
+    for Area { from, to, area } in areas {
+        let (message, hint) = match area {
+            None => (
+                "the area of the beam's section is not known everywhere",
+                "give `section` instead of `EI` or `I`, or the weight as a distributed load",
+            ),
+            Some(area) if area.profile.control_values().len() > 2 => (
+                "the area of the beam's section does not run linearly",
+                "give the weight as distributed loads, or let one side of the section vary alone",
+            ),
+            Some(area) => {
+                let [start, end] =
+                    [area.profile.start(), area.profile.end()].map(|a| a * weight.value);
+                // A stretch without a length, or one that cannot be read, has been reported.
+                let known = area.is_readable() && !weight.value.is_nan();
+                if known && from < to {
+                    loads.push((Load::Distributed { from, to, start, end }, case.clone()));
+                }
+                continue;
+            }
+        };
+        reader.report(Fault::new(code::INCOMPLETE, weight.span.clone(), message, "", hint));
+        break;
+    }
+    loads
+}

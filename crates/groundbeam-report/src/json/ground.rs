@@ -1,0 +1,40 @@
+//! The soil from which the ground was made, in the result document.
+
+use crate::context;
+use groundbeam::Model;
+use serde::Serialize;
+
+#[derive(Serialize)]
+pub(super) struct Ground {
+    source: &'static str,
+    width: f64,
+    k: f64,
+    mu: f64,
+    /// k and mu of an area.
+    #[serde(rename = "C1")]
+    area_spring: f64,
+    #[serde(rename = "C2")]
+    area_shear: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    gamma: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rounds: Option<usize>,
+    warnings: Vec<String>,
+}
+
+impl Ground {
+    pub fn of(ground: context::Ground, model: &Model) -> Self {
+        let (width, subgrade) = (ground.bed.width, ground.subgrade);
+        Ground {
+            source: ground.bed.source(),
+            width,
+            k: subgrade.spring,
+            mu: subgrade.shear,
+            area_spring: subgrade.spring / width,
+            area_shear: subgrade.shear / width,
+            gamma: ground.gamma.map(|(gamma, _)| gamma),
+            rounds: ground.gamma.map(|(_, rounds)| rounds),
+            warnings: ground.bed.doubts(&model.beam),
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! The soil from which the ground was made.
+
+use super::sheet::{Sheet, Tone};
+use crate::context::Context;
+use crate::number::significant;
+use crate::quantity::Kind;
+use groundbeam::Model;
+
+/// The method, the values of an area beside those of the beam, and what is to be doubted.
+pub fn rows(sheet: &mut Sheet, model: &Model, context: &Context) {
+    let Some(ground) = &context.ground else { return };
+    let units = context.units;
+    let (width, subgrade) = (ground.bed.width, ground.subgrade);
+    let mut words = format!("by {}", ground.bed.source());
+    if let Some((gamma, rounds)) = ground.gamma {
+        words += &format!(", γ = {}", significant(gamma, 6));
+        if rounds > 1 {
+            words += &format!(", the solution's own after {rounds} of them");
+        }
+    }
+    sheet.row("Soil", &words);
+    let area = units.write(Kind::AreaSpring, subgrade.spring / width, 6);
+    let mut values = format!("on a width of {}: C1 = k/b = {area}", units.position(width));
+    if subgrade.shear > 0.0 {
+        let shear = units.write(Kind::AreaShear, subgrade.shear / width, 6);
+        values += &format!(", C2 = mu/b = {shear}");
+    }
+    sheet.row("", &values);
+    for doubt in ground.bed.doubts(&model.beam) {
+        sheet.toned_row("Caution", &doubt, Tone::Doubtful);
+    }
+}

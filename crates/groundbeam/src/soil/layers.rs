@@ -1,0 +1,238 @@
+//! Elastic layers on rock as a two-parameter ground, after Vlasov and Leontiev.
+//!
+//! The soil below a beam moves up and down alone, v(x, z) = u(x) φ(z), with φ(0) = 1 at the surface and
+//! φ(H) = 0 on the rock. Its strain energy per length of beam of width b is then ½(k u² + μ u'²) with
+//!
+//! k = b ∫₀ᴴ E₀ φ'² dz,  μ = b ∫₀ᴴ G φ² dz,  E₀ = E (1 − ν)/((1 + ν)(1 − 2ν)),  G = E/2(1 + ν).
+//!
+//! The best φ for a given u makes the energy stationary: (E₀ φ')' = r G φ with the rate r = ∫u'²/∫u².
+
+/// A layer of elastic soil.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SoilLayer {
+    /// Young's modulus E \[Pa\].
+    pub modulus: f64,
+    /// Poisson's ratio ν, less than one half.
+    pub poisson: f64,
+    /// Thickness \[m\].
+    pub thickness: f64,
+}
+
+impl SoilLayer {
+    /// E₀, the modulus of soil that cannot move sideways \[Pa\].
+    pub fn constrained_modulus(&self) -> f64 {
+        let nu = self.poisson;
+        self.modulus * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu))
+    }
+
+    /// G \[Pa\].
+    pub fn shear_modulus(&self) -> f64 {
+        self.modulus / (2.0 * (1.0 + self.poisson))
+    }
+
+    /// How many times φ falls by e within the layer.
+    fn decay(&self, rate: f64) -> f64 {
+        (rate * self.shear_modulus() / self.constrained_modulus()).sqrt() * self.thickness
+    }
+}
+
+/// Layers of elastic soil, the uppermost first, on rock that does not move.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LayeredSoil {
+    /// From the surface down; at least one.
+    pub layers: Vec<SoilLayer>,
+}
+
+/// A two-parameter ground, per length of beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Subgrade {
+    /// k \[N/m²\].
+    pub spring: f64,
+    /// μ \[N\].
+    pub shear: f64,
+}
+
+impl LayeredSoil {
+    /// k and μ under a beam of a given width \[m\], where the ground's surface varies at the rate
+    /// r = ∫u'²/∫u² \[1/m²\]. Rate 0 is soil that is pressed evenly: of one layer k = b E₀/H, μ = b G H/3.
+    ///
+    /// ```
+    /// use groundbeam::soil::{LayeredSoil, SoilLayer};
+    ///
+    /// let clay = SoilLayer { modulus: 20e6, poisson: 0.25, thickness: 4.0 };
+    /// let ground = LayeredSoil { layers: vec![clay] }.subgrade(0.0, 1.5);
+    /// assert_eq!(ground.spring, 1.5 * 24e6 / 4.0);
+    /// assert!((ground.shear - 1.5 * 8e6 * 4.0 / 3.0).abs() < 1e-6);
+    /// ```
+    pub fn subgrade(&self, rate: f64, width: f64) -> Subgrade {
+        let heights = self.heights(rate);
+        let mut ground = Subgrade { spring: 0.0, shear: 0.0 };
+        for (layer, ends) in self.layers.iter().zip(heights.windows(2)) {
+            let [square, slope] = squares(ends[0], ends[1], layer.decay(rate));
+            ground.spring += width * layer.constrained_modulus() * slope / layer.thickness;
+            ground.shear += width * layer.shear_modulus() * square * layer.thickness;
+        }
+        ground
+    }
+
+    /// γ: how many times φ falls by e from the surface to the rock; of one layer the γ of Vallabhan and
+    /// Das, γ² = r H² (1 − 2ν)/2(1 − ν).
+    pub fn gamma(&self, rate: f64) -> f64 {
+        self.layers.iter().map(|layer| layer.decay(rate)).sum()
+    }
+
+    /// The rate that belongs to a γ.
+    pub fn rate(&self, gamma: f64) -> f64 {
+        (gamma / self.gamma(1.0)).powi(2)
+    }
+
+    /// φ at the top of every layer, and on the rock.
+    fn heights(&self, rate: f64) -> Vec<f64> {
+        // From the rock up: −E₀ φ'/φ below each layer's top, and the part of φ left at its bottom.
+        let mut below = f64::INFINITY;
+        let mut left: Vec<f64> = Vec::with_capacity(self.layers.len());
+        for layer in self.layers.iter().rev() {
+            let (part, above) = passed(layer, layer.decay(rate), below);
+            left.push(part);
+            below = above;
+        }
+        let mut phi = vec![1.0];
+        for part in left.iter().rev() {
+            phi.push(phi[phi.len() - 1] * part);
+        }
+        phi
+    }
+}
+
+/// φ at the bottom of a layer over φ at its top, and −E₀ φ'/φ at its top, with `below` at its bottom.
+fn passed(layer: &SoilLayer, decay: f64, below: f64) -> (f64, f64) {
+    let stiffness = layer.constrained_modulus() / layer.thickness;
+    if below == f64::INFINITY {
+        return (0.0, stiffness * coth_times(decay));
+    }
+    // sinh(c)/c and cosh(c), both over cosh(c).
+    let [sinh, cosh] = [tanh_over(decay), 1.0];
+    let whole = stiffness * cosh + below * sinh;
+    let above = stiffness * (below * cosh + stiffness * decay * decay * sinh) / whole;
+    (stiffness / (whole * decay.cosh()), above)
+}
+
+/// c coth c.
+fn coth_times(c: f64) -> f64 {
+    1.0 / tanh_over(c)
+}
+
+/// tanh(c)/c.
+fn tanh_over(c: f64) -> f64 {
+    if c < 1e-4 { 1.0 - c * c / 3.0 } else { c.tanh() / c }
+}
+
+/// ∫₀¹ φ² dt and ∫₀¹ (dφ/dt)² dt of φ'' = c² φ with φ(0) = `top` and φ(1) = `bottom`.
+pub(crate) fn squares(top: f64, bottom: f64, c: f64) -> [f64; 2] {
+    let (both, product) = (top * top + bottom * bottom, top * bottom);
+    if c < 0.5 {
+        // sinh c cosh c − c and c cosh c − sinh c by their series: nothing of a difference is lost.
+        let sinh = c.sinh();
+        let ratio = if c == 0.0 { 1.0 } else { c / sinh };
+        let (own, cross) = (series(2.0 * c, |_| 4.0), series(c, |n| 2.0 * n));
+        let square = 0.5 * ratio * ratio * (both * own + 2.0 * product * cross);
+        let fall = top - bottom;
+        // (sinh c cosh c + c − c cosh c − sinh c)/c, of order c⁴.
+        let even = (own - cross - 2.0 * series(c, |_| 1.0)) * c * c;
+        let slope = ratio * ratio * (0.5 * fall * fall * (2.0 + own * c * c) + product * even);
+        return [square, slope];
+    }
+    let d = (-c).exp();
+    let [coth, per_sinh] = [(1.0 + d * d), 2.0 * d].map(|x| x / (1.0 - d * d));
+    let own = [coth - c * per_sinh * per_sinh, coth + c * per_sinh * per_sinh];
+    let cross = [(c * coth - 1.0) * per_sinh, (c * coth + 1.0) * per_sinh];
+    [
+        (both * own[0] + 2.0 * product * cross[0]) / (2.0 * c),
+        (both * own[1] - 2.0 * product * cross[1]) * (0.5 * c),
+    ]
+}
+
+/// Σ weight(n) x^(2n−2)/(2n+1)! over n ≥ 1.
+fn series(x: f64, weight: impl Fn(f64) -> f64) -> f64 {
+    let mut term = 1.0;
+    let mut sum = 0.0;
+    for n in 1..12 {
+        let n = f64::from(n);
+        term /= 2.0 * n * (2.0 * n + 1.0);
+        sum += weight(n) * term;
+        term *= x * x;
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Closed forms of one layer, Vallabhan and Das (1991): k = E₀γ(sinh γ cosh γ + γ)/2H sinh²γ,
+    /// 2t = GH(sinh γ cosh γ − γ)/2γ sinh²γ.
+    #[test]
+    fn one_layer_in_closed_form() {
+        let layer = SoilLayer { modulus: 3.0, poisson: 0.2, thickness: 2.0 };
+        let (e0, g) = (layer.constrained_modulus(), layer.shear_modulus());
+        for gamma in [0.3_f64, 0.7, 3.0, 12.0] {
+            let rate = gamma * gamma / 4.0 * e0 / g;
+            let soil = LayeredSoil { layers: vec![layer] };
+            let Subgrade { spring, shear } = soil.subgrade(rate, 1.0);
+            let (s, c) = (gamma.sinh(), gamma.cosh());
+            let k = e0 * gamma * (s * c + gamma) / (4.0 * s * s);
+            let two_t = g * 2.0 * (s * c - gamma) / (2.0 * gamma * s * s);
+            assert!((spring / k - 1.0).abs() < 1e-13, "{gamma}: {spring} {k}");
+            assert!((shear / two_t - 1.0).abs() < 1e-12, "{gamma}: {shear} {two_t}");
+            assert!((soil.gamma(rate) / gamma - 1.0).abs() < 1e-14);
+        }
+    }
+
+    /// A layer cut in three is the same soil.
+    #[test]
+    fn cut_layers_are_the_same_soil() {
+        let part = |thickness: f64| SoilLayer { modulus: 5.0, poisson: 0.3, thickness };
+        let whole = LayeredSoil { layers: vec![part(3.0)] };
+        let cut = LayeredSoil { layers: vec![part(0.01), part(2.0), part(0.99)] };
+        for rate in [0.0, 1e-9, 0.04, 1.0, 300.0] {
+            let (a, b) = (whole.subgrade(rate, 1.0), cut.subgrade(rate, 1.0));
+            assert!((a.spring / b.spring - 1.0).abs() < 1e-13, "{rate}: {a:?} {b:?}");
+            assert!((a.shear / b.shear - 1.0).abs() < 1e-12, "{rate}: {a:?} {b:?}");
+        }
+    }
+
+    /// Evenly pressed layers are springs in a row; both branches of the integrals meet.
+    #[test]
+    fn springs_in_a_row() {
+        let layers = [(2.0, 1.0), (7.0, 0.5), (1.0, 3.0)].map(|(modulus, thickness)| SoilLayer {
+            modulus,
+            poisson: 0.0,
+            thickness,
+        });
+        let soil = LayeredSoil { layers: layers.to_vec() };
+        let compliance: f64 = layers.iter().map(|l| l.thickness / l.modulus).sum();
+        assert!((soil.subgrade(0.0, 2.0).spring * compliance - 2.0).abs() < 1e-14);
+        for (top, bottom) in [(1.0, 0.0), (1.0, 0.9), (0.2, 1.0)] {
+            let [below, above] = [0.5 - 1e-9, 0.5 + 1e-9].map(|c| squares(top, bottom, c));
+            for (a, b) in below.iter().zip(above) {
+                assert!((a / b - 1.0).abs() < 1e-8, "{below:?} {above:?}");
+            }
+        }
+    }
+
+    /// k + rμ is −E₀φ' at the surface: the energy that the load puts in.
+    #[test]
+    fn energy_is_work() {
+        let layers = [(2.0, 0.1, 1.0), (70.0, 0.4, 0.5), (1.0, 0.2, 3.0)]
+            .map(|(modulus, poisson, thickness)| SoilLayer { modulus, poisson, thickness });
+        let soil = LayeredSoil { layers: layers.to_vec() };
+        for rate in [1e-6, 0.1, 2.0, 50.0] {
+            let Subgrade { spring, shear } = soil.subgrade(rate, 1.0);
+            let below = layers
+                .iter()
+                .rev()
+                .fold(f64::INFINITY, |below, layer| passed(layer, layer.decay(rate), below).1);
+            assert!(((spring + rate * shear) / below - 1.0).abs() < 1e-13);
+        }
+    }
+}
