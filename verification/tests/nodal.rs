@@ -112,7 +112,6 @@ fn random_beams_balance_press_and_lie_on_the_ground() {
     let families = [Family::Plain, Family::Tension, Family::Segments, Family::Gap, Family::Long];
     let mut solver = NodalSolver::new();
     let mut found = NodalSolution::default();
-    let mut refused = 0;
     for family in families {
         for number in 0..40 {
             let model = model(family, number);
@@ -121,11 +120,6 @@ fn random_beams_balance_press_and_lie_on_the_ground() {
                 Ok(_) => {}
                 // Ground without a shear layer somewhere.
                 Err(Error::Unsupported(_)) => continue,
-                // Balanced on a node or two of a ridge: refused, not answered wrongly.
-                Err(Error::NotConverged(_)) if family == Family::Gap => {
-                    refused += 1;
-                    continue;
-                }
                 Err(error) => panic!("{family:?} {number}, {elements}: {error}"),
             }
             let check = found.check;
@@ -136,8 +130,6 @@ fn random_beams_balance_press_and_lie_on_the_ground() {
             assert!(good, "{family:?} {number}, {elements}: {check:?} {:?}", found.contact);
         }
     }
-    // May fall, not grow.
-    assert!(refused <= 4, "{refused} of 40 beams on ridges");
 }
 
 /// Loads times two are fields times two, bit for bit; and memory used before changes nothing.
@@ -155,16 +147,35 @@ fn bits_scale_and_repeat() {
     }
 }
 
+/// From the answer to a model nearby: the same answer as from nothing, by fewer solves.
+#[test]
+fn a_neighbour_is_a_start() {
+    let mut solver = NodalSolver::new();
+    let mut found = nodal(&long_beam(0.0), 3000);
+    let mut heavier = long_beam(0.0);
+    heavier.loads[0] = Load::point(1.3, 4.645674871334563);
+    solver.solve_near_into(&heavier, 3000, &mut found).expect("an answer");
+    let (work, expected) = (found.work, nodal(&heavier, 3000));
+    assert_eq!(found.contact, expected.contact);
+    assert!(found.deflection.iter().zip(&expected.deflection).all(|(a, b)| (a - b).abs() < 1e-13));
+    assert!(work.grids == 1 && work.solves <= 4, "{work:?} {:?}", expected.work);
+    // A start that is of no use is none.
+    solver.solve_near_into(&kikuchi(0.4), 3000, &mut found).expect("an answer");
+    assert_eq!(found.contact, nodal(&kikuchi(0.4), 3000).contact);
+}
+
 /// The guard of speed: work is counted, so that no clock decides. A change that makes a number larger
 /// makes every long beam slower by as much.
 #[test]
 fn the_work_on_a_long_beam() {
     for axial_force in [0.0, 0.5] {
         let model = long_beam(axial_force);
-        for elements in [1_000, 10_000, 100_000] {
+        for (elements, solves, fine, swept) in
+            [(1_000, 7, 2, 1.8), (10_000, 9, 2, 1.3), (100_000, 13, 2, 1.0), (300_000, 13, 1, 0.7)]
+        {
             let work = nodal(&model, elements).work;
-            assert!(work.fine_solves <= 3 && work.solves <= 14, "{elements}: {work:?}");
-            assert!(work.elements as f64 <= 2.5 * elements as f64, "{elements}: {work:?}");
+            assert!(work.fine_solves <= fine && work.solves <= solves, "{elements}: {work:?}");
+            assert!(work.elements as f64 <= swept * elements as f64, "{elements}: {work:?}");
         }
     }
 }

@@ -38,7 +38,8 @@ impl Document {
         &self.source.text
     }
 
-    /// Solves the model, on the ground that the solution itself makes of the soil where the file gives one.
+    /// Solves the model as it is written, on the ground that the solution itself makes of the soil where the
+    /// file gives one.
     ///
     /// # Errors
     ///

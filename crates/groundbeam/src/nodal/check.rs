@@ -16,30 +16,36 @@ pub struct NodalCheck {
     pub deepest_penetration: f64,
 }
 
+/// Nodes that are summed side by side: one sum would wait for itself.
 const WIDTH: usize = 4;
 
+/// Sums and extremes over nodes: one of every [`WIDTH`] each.
 #[derive(Debug, Clone, Copy, Default)]
 struct Sums {
-    sum: f64,
-    lever: f64,
-    size: f64,
-    smallest: f64,
-    largest: f64,
-    deepest: f64,
-    deflection: f64,
+    sum: [f64; WIDTH],
+    lever: [f64; WIDTH],
+    size: [f64; WIDTH],
+    pull: [f64; WIDTH],
+    push: [f64; WIDTH],
+    depth: [f64; WIDTH],
+    deflection: [f64; WIDTH],
 }
 
 impl Sums {
+    /// Nodes from one on, whose g₀ and its rise from node to node are given.
     #[inline(always)]
-    fn add(&mut self, at: f64, force: f64, deflection: f64, depth: f64) {
+    fn add(&mut self, from: usize, gap: [f64; 2], f: &[f64], w: &[f64], u: &[f64]) {
         let most = |a: f64, b: f64| if b > a { b } else { a };
-        self.sum += force;
-        self.lever += force * at;
-        self.size += force.abs();
-        self.smallest = -most(-self.smallest, -force);
-        self.largest = most(self.largest, force);
-        self.deepest = most(self.deepest, depth);
-        self.deflection = most(self.deflection, deflection.abs());
+        for i in 0..f.len() {
+            let at = (from + i) as f64;
+            self.sum[i] += f[i];
+            self.lever[i] += f[i] * at;
+            self.size[i] += f[i].abs();
+            self.pull[i] = most(self.pull[i], -f[i]);
+            self.push[i] = most(self.push[i], f[i]);
+            self.depth[i] = most(self.depth[i], w[i] - u[i] - (gap[0] + gap[1] * at));
+            self.deflection[i] = most(self.deflection[i], w[i].abs());
+        }
     }
 }
 
@@ -82,32 +88,25 @@ pub(super) fn check(model: &Model, solution: &NodalSolution) -> NodalCheck {
     let (mut deepest, mut deflection) = (0.0_f64, 0.0_f64);
     for row in solution.grid.iter().flat_map(|grid| &grid.runs) {
         let nodes = row.first..row.end() + usize::from(row.end() == last);
-        let [gap, to] = row.cell.gap;
+        let [gap, to] = row.given.gap;
         let rise = (to - gap) / row.count as f64;
-        // Several sums side by side: one would wait for itself.
-        let mut sums = [Sums::default(); WIDTH];
-        let blocks = [&solution.force, &solution.deflection, &solution.settlement]
-            .map(|field| field[nodes.clone()].chunks(WIDTH));
-        let [forces, deflections, settlements] = blocks;
-        for (block, ((f, w), u)) in forces.zip(deflections).zip(settlements).enumerate() {
-            for (i, sums) in sums.iter_mut().enumerate().take(f.len()) {
-                let at = (block * WIDTH + i) as f64;
-                sums.add(at, f[i], w[i], w[i] - u[i] - (gap + rise * at));
-            }
+        let mut sums = Sums::default();
+        let [f, w, u] = [&solution.force, &solution.deflection, &solution.settlement]
+            .map(|field| field[nodes.clone()].as_chunks::<WIDTH>());
+        for (block, ((f, w), u)) in f.0.iter().zip(w.0).zip(u.0).enumerate() {
+            sums.add(block * WIDTH, [gap, rise], f, w, u);
         }
-        let (mut sum, mut lever, mut sizes) = (0.0, 0.0, 0.0);
-        for part in &sums {
-            sum += part.sum;
-            lever += part.lever;
-            sizes += part.size;
-            smallest = smallest.min(part.smallest);
-            largest = largest.max(part.largest);
-            deepest = deepest.max(part.deepest);
-            deflection = deflection.max(part.deflection);
-        }
+        sums.add(f.0.len() * WIDTH, [gap, rise], f.1, w.1, u.1);
+        let sum: f64 = sums.sum.iter().sum();
+        let lever: f64 = sums.lever.iter().sum();
+        let largest_of = |part: &[f64; WIDTH]| part.iter().fold(0.0_f64, |a, b| a.max(*b));
+        smallest = smallest.min(-largest_of(&sums.pull));
+        largest = largest.max(largest_of(&sums.push));
+        deepest = deepest.max(largest_of(&sums.depth));
+        deflection = deflection.max(largest_of(&sums.deflection));
         force -= sum;
-        moment -= sum * (row.cell.x[0] - middle) + lever * row.h;
-        size += sizes;
+        moment -= sum * (row.x[0] - middle) + lever * row.h;
+        size += sums.size.iter().sum::<f64>();
     }
     let relative = |x: f64, scale: f64| if x == 0.0 { 0.0 } else { x / scale };
     NodalCheck {

@@ -63,6 +63,14 @@ impl Form {
         self
     }
 
+    /// The one so many elements on.
+    pub fn after(mut self, elements: usize) -> Self {
+        if elements > 0 && !self.is_even() {
+            self.q = self.load(elements as f64);
+        }
+        self
+    }
+
     /// Whether all elements of its row are loaded alike.
     pub fn is_even(&self) -> bool {
         self.dq == [0.0; 6]

@@ -1,16 +1,65 @@
 //! Equal elements between any two places of the model: runs, not elements, are what is stored.
 
-use super::beam::REACH;
-use crate::elements::{Operator, Touch};
+use super::beam::{Beam, REACH};
+use super::form::Form;
+use super::layer::Layer;
+use crate::elements::wave_number;
 use crate::ground::Link;
 use crate::mesh::{Cell, Mesh, Node};
 use crate::model::Model;
 
+/// EI over h²(N + kh²) of a stiffened beam: no more than its own where its waves are longer than h.
+const STIFF: f64 = 0.5;
+
+/// What is given along a stretch, linear between its two ends.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Given {
+    /// f, g and g₀.
+    pub load: [f64; 2],
+    pub moment_load: [f64; 2],
+    pub gap: [f64; 2],
+}
+
+impl Given {
+    fn of(cell: &Cell) -> Self {
+        Given { load: cell.load, moment_load: cell.moment_load, gap: cell.gap }
+    }
+
+    fn is_even(&self) -> bool {
+        [self.load, self.moment_load, self.gap].iter().all(|v| v[0] == v[1])
+    }
+
+    /// From one fraction of the length to another.
+    fn part(&self, [a, b]: [f64; 2]) -> Self {
+        let linear = |v: [f64; 2]| [a, b].map(|t| v[0] + (v[1] - v[0]) * t);
+        Given {
+            load: linear(self.load),
+            moment_load: linear(self.moment_load),
+            gap: linear(self.gap),
+        }
+    }
+
+    /// Seen in a mirror.
+    pub fn mirrored(&self) -> Self {
+        let turned = |[a, b]: [f64; 2]| [b, a];
+        Given {
+            load: turned(self.load),
+            moment_load: turned(self.moment_load).map(|g| -g),
+            gap: turned(self.gap),
+        }
+    }
+}
+
 /// Equal elements between two places of the model.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Run {
-    /// What is given between the two places.
-    pub cell: Cell,
+    /// The two places.
+    pub x: [f64; 2],
+    /// EI, k and μ.
+    pub stiffness: f64,
+    spring: f64,
+    shear: f64,
+    pub given: Given,
     /// Its first node, and how many elements follow.
     pub first: usize,
     pub count: usize,
@@ -18,43 +67,117 @@ pub(super) struct Run {
     pub h: f64,
     /// The ground under one of them, glued at both ends.
     pub link: Link,
+    /// What a sweep crosses there: the first element in its direction, from the left and from the right.
+    pub glued: [Form; 2],
+    /// The ground, and all of it open from the first node to the last.
+    pub layer: Layer,
+    whole: Link,
+    /// Open ground and what is beyond the beam, left of its first node and right of its last.
+    beyond: [Link; 2],
 }
 
 impl Run {
+    fn new(cell: &Cell) -> Self {
+        let layer = Layer::new(cell.spring, cell.shear);
+        Run {
+            x: cell.x,
+            stiffness: cell.stiffness,
+            spring: cell.spring,
+            shear: cell.shear,
+            given: Given::of(cell),
+            first: 0,
+            count: 0,
+            h: 0.0,
+            link: Link::default(),
+            glued: Default::default(),
+            layer,
+            whole: layer.open(cell.length()),
+            beyond: Default::default(),
+        }
+    }
+
+    /// Cuts it into so many elements.
+    fn cut(&mut self, first: usize, count: usize, axial_force: f64, ground: Ground) {
+        (self.first, self.count) = (first, count);
+        self.h = self.length() / count as f64;
+        self.link = match ground {
+            Ground::Nodal => self.layer.open(self.h),
+            Ground::Spread => {
+                let leak = 0.5 * self.spring * self.h;
+                Link { coupling: self.shear / self.h, leak_left: leak, leak_right: leak }
+            }
+        };
+        let form = self.first_glued(axial_force, false);
+        let alike = self.given.is_even() && self.given.moment_load[0] == 0.0;
+        self.glued = [form, if alike { form } else { self.first_glued(axial_force, true) }];
+    }
+
+    /// The first element that a sweep crosses, glued at both ends.
+    fn first_glued(&self, axial_force: f64, mirrored: bool) -> Form {
+        let last = self.count - 1;
+        let form = |element: usize| {
+            let from = self.first + if mirrored { last - element } else { element };
+            let part = self.part(from, from + 1);
+            let given = if mirrored { part.mirrored() } else { part };
+            let beam = Beam::new(self.stiffness, &given, axial_force, self.h);
+            Form::beam(self.h, beam.stiffness(), beam.load()).on(self.link, given.gap)
+        };
+        let first = form(0);
+        if self.given.is_even() { first } else { first.towards(&form(last), self.count) }
+    }
+
+    /// Makes the beam's waves on the ground no shorter than an element.
+    fn stiffen(&mut self, axial_force: f64, h: f64) {
+        let tension = axial_force.max(0.0) + self.shear;
+        let least = STIFF * h * h * (tension + self.spring * h * h);
+        self.stiffness = self.stiffness.max(least);
+    }
+
+    pub fn length(&self) -> f64 {
+        self.x[1] - self.x[0]
+    }
+
     /// The node after the last element.
     pub fn end(&self) -> usize {
         self.first + self.count
     }
 
-    /// Whether nothing varies along it.
-    pub fn is_even(&self) -> bool {
-        let Cell { load, moment_load, gap, .. } = &self.cell;
-        [load, moment_load, gap].iter().all(|v| v[0] == v[1])
-    }
-
     /// What is given on the elements from one node to another, both of this run.
-    pub fn part(&self, from: usize, to: usize) -> Cell {
-        let at = |node: usize| (node - self.first) as f64 / self.count as f64;
-        let (a, b) = (at(from), at(to));
-        let linear = |v: [f64; 2]| [a, b].map(|t| v[0] + (v[1] - v[0]) * t);
-        let cell = &self.cell;
-        Cell {
-            x: [self.x(from), self.x(to)],
-            load: linear(cell.load),
-            moment_load: linear(cell.moment_load),
-            gap: linear(cell.gap),
-            ..*cell
+    pub fn part(&self, from: usize, to: usize) -> Given {
+        if self.given.is_even() {
+            return self.given;
         }
+        self.given.part([from, to].map(|node| (node - self.first) as f64 / self.count as f64))
     }
 
     /// Open ground from one node to another, both of this run.
     pub fn open(&self, from: usize, to: usize) -> Link {
-        open(&self.cell, self.h * (to - from) as f64)
+        if to - from == self.count {
+            return self.whole;
+        }
+        self.layer.open(self.h * (to - from) as f64)
     }
 
-    /// The position of a node.
+    /// The position of a node, from the nearer end.
     pub fn x(&self, node: usize) -> f64 {
-        self.cell.global(2.0 * (node - self.first) as f64 / self.count as f64 - 1.0)
+        let ([left, right], count) = (self.x, self.count as f64);
+        let (before, after) = ((node - self.first) as f64, (self.end() - node) as f64);
+        if before <= after {
+            left + self.length() * (before / count)
+        } else {
+            right - self.length() * (after / count)
+        }
+    }
+
+    /// The largest wave number of the beam on its ground.
+    fn wave_number(&self, axial_force: f64) -> f64 {
+        wave_number(self.stiffness, (axial_force + self.shear).abs(), self.spring)
+    }
+
+    /// Into how many pieces an open beam of this kind must be cut for one series to serve each.
+    pub fn pieces(&self, axial_force: f64, length: f64) -> usize {
+        let wave = (axial_force / self.stiffness).abs().sqrt();
+        (wave * length / REACH).ceil().max(1.0) as usize
     }
 }
 
@@ -67,18 +190,6 @@ pub(super) enum Ground {
     Spread,
 }
 
-fn open(cell: &Cell, length: f64) -> Link {
-    if cell.shear == 0.0 {
-        return Link { coupling: 0.0, leak_left: 0.0, leak_right: 0.0 };
-    }
-    Link::uniform(cell.spring, cell.shear, length)
-}
-
-fn spread(cell: &Cell, h: f64) -> Link {
-    let leak = 0.5 * cell.spring * h;
-    Link { coupling: cell.shear / h, leak_left: leak, leak_right: leak }
-}
-
 /// The runs from left to right, and what acts at the nodes between them.
 #[derive(Debug, Clone)]
 pub(super) struct Grid {
@@ -88,6 +199,9 @@ pub(super) struct Grid {
     pub axial_force: f64,
     /// √(kμ) beyond the left and the right end.
     pub outside: [f64; 2],
+    ground: Ground,
+    /// Whether its contact may be off by a node: the next grid is hardly finer.
+    pub rough: bool,
     /// Whether g₀ is zero everywhere.
     pub flat: bool,
 }
@@ -96,35 +210,70 @@ impl Grid {
     /// About `elements` equal elements, and a node at every place of the model.
     pub fn new(model: &Model, elements: usize, ground: Ground) -> Self {
         let mesh = Mesh::build(model, &[], |_| 1);
-        let per_length = elements as f64 / model.beam.length;
-        let axial_force = mesh.axial_force;
-        let mut first = 0;
-        let runs = mesh.cells.iter().map(|cell| {
-            let wanted = (cell.length() * per_length).round() as usize;
-            let count = wanted.max(pieces(cell, axial_force, cell.length()));
-            let h = cell.length() / count as f64;
-            let link = match ground {
-                Ground::Nodal => open(cell, h),
-                Ground::Spread => spread(cell, h),
-            };
-            let run = Run { cell: *cell, first, count, h, link };
-            first += count;
-            run
-        });
-        Grid {
-            runs: runs.collect(),
+        let mut grid = Grid {
+            runs: mesh.cells.iter().map(Run::new).collect(),
             nodes: mesh.nodes,
-            axial_force,
+            axial_force: mesh.axial_force,
             outside: mesh.outside,
+            ground,
+            rough: false,
             flat: model.gap.is_empty(),
+        };
+        grid.chain();
+        grid.cut(elements as f64 / model.beam.length);
+        grid
+    }
+
+    /// The same with fewer elements; where they are too long for the beam, it is made as stiff as they are long.
+    pub fn coarser(&self, elements: usize) -> Self {
+        let mut grid = self.clone();
+        let per_length = elements as f64 / self.length();
+        for run in &mut grid.runs {
+            run.stiffen(self.axial_force, 1.0 / per_length);
         }
+        grid.cut(per_length);
+        grid
+    }
+
+    /// The ground beyond each run, from both ends.
+    fn chain(&mut self) {
+        let spring = Link::default();
+        let mut link = Link { leak_right: self.outside[0], ..spring };
+        for run in &mut self.runs {
+            run.beyond[0] = link;
+            link = link.then(run.whole);
+        }
+        link = Link { leak_left: self.outside[1], ..spring };
+        for run in self.runs.iter_mut().rev() {
+            run.beyond[1] = link;
+            link = run.whole.then(link);
+        }
+    }
+
+    fn cut(&mut self, per_length: f64) {
+        let mut first = 0;
+        for run in &mut self.runs {
+            let length = run.length();
+            let wanted = (length * per_length).round() as usize;
+            let count = wanted.max(run.pieces(self.axial_force, length));
+            run.cut(first, count, self.axial_force, self.ground);
+            first += count;
+        }
+    }
+
+    pub fn length(&self) -> f64 {
+        self.runs.last().map_or(0.0, |run| run.x[1])
     }
 
     /// The largest wave number of the beam on its ground.
     pub fn wave_number(&self) -> f64 {
-        let wave =
-            |run: &Run| Operator::of(&run.cell, self.axial_force, Touch::Contact).wave_number();
-        self.runs.iter().map(wave).fold(0.0, f64::max)
+        self.runs.iter().map(|run| run.wave_number(self.axial_force)).fold(0.0, f64::max)
+    }
+
+    /// What lifting the whole ground by one takes.
+    pub fn stiffness(&self) -> f64 {
+        let springs = self.runs.iter().map(|run| run.spring * run.length());
+        springs.sum::<f64>() + self.outside[0] + self.outside[1]
     }
 
     /// The last node.
@@ -148,14 +297,14 @@ impl Grid {
         }
         let run = &self.runs[self.run_at(node)];
         let t = (node - run.first) as f64 / run.count as f64;
-        run.cell.gap[0] + (run.cell.gap[1] - run.cell.gap[0]) * t
+        run.given.gap[0] + (run.given.gap[1] - run.given.gap[0]) * t
     }
 
     /// The node nearest to a position.
     pub fn nearest(&self, x: f64) -> usize {
-        let run = self.runs.partition_point(|run| run.cell.x[1] < x).min(self.runs.len() - 1);
+        let run = self.runs.partition_point(|run| run.x[1] < x).min(self.runs.len() - 1);
         let run = &self.runs[run];
-        let steps = ((x - run.cell.x[0]) / run.h).round().max(0.0) as usize;
+        let steps = ((x - run.x[0]) / run.h).round().max(0.0) as usize;
         run.first + steps.min(run.count)
     }
 
@@ -177,8 +326,9 @@ impl Grid {
 
     /// The ground from beyond the left end up to a node.
     pub fn left_of(&self, node: usize) -> Link {
-        let beyond = Link { coupling: 0.0, leak_left: 0.0, leak_right: self.outside[0] };
-        self.link(0, node).map_or(beyond, |link| beyond.then(link))
+        let run = &self.runs[self.run_at(node)];
+        let [before, _] = run.beyond;
+        if node == run.first { before } else { before.then(run.open(run.first, node)) }
     }
 
     /// Open ground from one node, or from beyond the left end, up to another.
@@ -192,13 +342,9 @@ impl Grid {
 
     /// The ground from a node to beyond the right end.
     pub fn right_of(&self, node: usize) -> Link {
-        let beyond = Link { coupling: 0.0, leak_left: self.outside[1], leak_right: 0.0 };
-        self.link(node, self.last()).map_or(beyond, |link| link.then(beyond))
-    }
-
-    /// Into how many pieces an open beam of a cell's kind must be cut for one series to serve each.
-    pub fn pieces(&self, cell: &Cell, length: f64) -> usize {
-        pieces(cell, self.axial_force, length)
+        let run = &self.runs[self.run_at(node.max(1) - 1)];
+        let [_, after] = run.beyond;
+        if node == run.end() { after } else { run.open(node, run.end()).then(after) }
     }
 
     /// What the model has at a node: force and moment, in a mirror or not.
@@ -217,22 +363,5 @@ impl Grid {
         } else {
             self.nodes.get(run + 1).filter(|_| node == self.last())
         }
-    }
-}
-
-fn pieces(cell: &Cell, axial_force: f64, length: f64) -> usize {
-    let wave = (axial_force / cell.stiffness).abs().sqrt();
-    (wave * length / REACH).ceil().max(1.0) as usize
-}
-
-/// A cell seen in a mirror.
-pub(super) fn mirrored(cell: &Cell) -> Cell {
-    let turned = |[a, b]: [f64; 2]| [b, a];
-    Cell {
-        load: turned(cell.load),
-        moment_load: turned(cell.moment_load).map(|g| -g),
-        gap: turned(cell.gap),
-        gap_slope: -cell.gap_slope,
-        ..*cell
     }
 }

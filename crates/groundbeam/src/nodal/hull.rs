@@ -5,6 +5,7 @@
 //! Forces at the ends of an arc are monotone along it, so each end is found by bisection.
 
 use super::grid::Grid;
+use crate::ground::Link;
 
 /// Nodes that touch, first and last.
 pub(super) type Zone = [usize; 2];
@@ -13,6 +14,8 @@ pub(super) type Zone = [usize; 2];
 pub(super) struct Hull<'a> {
     pub grid: &'a Grid,
     pub deflection: &'a [f64],
+    /// Zones that may be near the right ones: where the search for each end begins.
+    pub near: &'a [Zone],
 }
 
 /// Nodes looked at in one go.
@@ -35,10 +38,10 @@ impl Hull<'_> {
                 };
                 // Each end in turn until neither moves.
                 loop {
-                    let before = (last[1], new[0]);
+                    let before = new[0];
                     last[1] = self.last_that_presses(*last, Some(new[0]));
                     new[0] = self.first_that_presses([new[0], arc[1]], Some(last[1]));
-                    if before == (last[1], new[0]) {
+                    if before == new[0] {
                         break;
                     }
                 }
@@ -69,41 +72,38 @@ impl Hull<'_> {
         arcs.clear();
         let last = self.grid.last();
         let mut start = Some(0);
-        let note = |start: &mut Option<usize>, arcs: &mut Vec<Zone>, node: usize, presses: bool| {
-            if presses != start.is_some() {
-                match start.take() {
-                    Some(first) => arcs.push([first, node - 1]),
-                    None => *start = Some(node),
-                }
-            }
+        let note = |start: &mut Option<usize>, arcs: &mut Vec<Zone>, node: usize| match start.take()
+        {
+            Some(first) => arcs.push([first, node - 1]),
+            None => *start = Some(node),
         };
         for run in &self.grid.runs {
-            if run.first > 0 {
-                note(&mut start, arcs, run.first, self.glued_force(run.first) > 0.0);
+            let glued = run.first > 0 && self.glued_force(run.first) > 0.0;
+            if run.first > 0 && glued != start.is_some() {
+                note(&mut start, arcs, run.first);
             }
             let (c, leak) = (run.link.coupling, run.link.leak_left + run.link.leak_right);
-            let [g, to] = run.cell.gap;
+            let [g, to] = run.given.gap;
             let dg = (to - g) / run.count as f64;
             let w = &self.deflection[run.first..=run.end()];
-            // −c ψ″ of linear g₀ is that of w.
-            let presses = |i: usize, before: f64, w: f64, after: f64| {
-                let psi = w - (g + dg * i as f64);
-                leak * psi + c * ((w - before) - (after - w)) > 0.0
-            };
+            let mut presses = [false; BLOCK];
             let mut at = 1;
             while at < run.count {
-                // Where all or none of a block press, as the node before did, nothing begins or ends.
                 let end = (at + BLOCK).min(run.count);
-                let block = &w[at - 1..=end];
                 let mut pressing = 0;
-                for (i, w) in block.windows(3).enumerate() {
-                    pressing += usize::from(presses(at + i, w[0], w[1], w[2]));
+                for ((i, w), presses) in w[at - 1..=end].windows(3).enumerate().zip(&mut presses) {
+                    // −c ψ″ of linear g₀ is that of w.
+                    let psi = w[1] - (g + dg * (at + i) as f64);
+                    *presses = leak * psi + c * ((w[1] - w[0]) - (w[2] - w[1])) > 0.0;
+                    pressing += usize::from(*presses);
                 }
-                let alike = if start.is_some() { pressing == end - at } else { pressing == 0 };
-                if !alike {
-                    for (i, w) in block.windows(3).enumerate() {
-                        let presses = presses(at + i, w[0], w[1], w[2]);
-                        note(&mut start, arcs, run.first + at + i, presses);
+                // Where all or none of a block press, as the node before did, nothing begins or ends.
+                let alike = if start.is_some() { end - at } else { 0 };
+                if pressing != alike {
+                    for (i, presses) in presses[..end - at].iter().enumerate() {
+                        if *presses != start.is_some() {
+                            note(&mut start, arcs, run.first + at + i);
+                        }
                     }
                 }
                 at = end;
@@ -139,35 +139,39 @@ impl Hull<'_> {
 
     /// What open ground between a node and the next zone, or beyond, presses on it.
     fn open_right(&self, node: usize, next: Option<usize>) -> f64 {
-        match next {
-            None => self.grid.right_of(node).leak_left * self.psi(node),
-            Some(next) => self
-                .grid
-                .link(node, next)
-                .map_or(0.0, |link| link.force_left(self.psi(node), self.psi(next))),
-        }
+        let psi = next.map_or(0.0, |next| self.psi(next));
+        Opening::default().rightwards(self.grid, node, next).force_left(self.psi(node), psi)
     }
 
     fn open_left(&self, node: usize, before: Option<usize>) -> f64 {
-        match before {
-            None => self.grid.left_of(node).leak_right * self.psi(node),
-            Some(before) => self
-                .grid
-                .link(before, node)
-                .map_or(0.0, |link| link.force_right(self.psi(before), self.psi(node))),
-        }
+        let psi = before.map_or(0.0, |before| self.psi(before));
+        Opening::default().leftwards(self.grid, node, before).force_right(psi, self.psi(node))
     }
 
     /// Where a zone that goes on to the left ends, if open ground follows up to `next`.
     fn last_that_presses(&self, [from, to]: Zone, next: Option<usize>) -> usize {
-        let presses = |node: usize| self.push_from_left(node) + self.open_right(node, next) >= 0.0;
-        to - first_holding(to - from, |back| presses(to - back))
+        let (mut opening, psi_next) = (Opening::default(), next.map_or(0.0, |next| self.psi(next)));
+        let presses = |back: usize| {
+            let node = to - back;
+            let open = opening.rightwards(self.grid, node, next);
+            self.push_from_left(node) + open.force_left(self.psi(node), psi_next) >= 0.0
+        };
+        let near = self.near.partition_point(|zone| zone[1] < from);
+        let guess = self.near.get(near).map_or(to, |zone| zone[1].min(to));
+        to - first_holding(to - from, to - guess, presses)
     }
 
     fn first_that_presses(&self, [from, to]: Zone, before: Option<usize>) -> usize {
-        let presses =
-            |node: usize| self.push_from_right(node) + self.open_left(node, before) >= 0.0;
-        from + first_holding(to - from, |on| presses(from + on))
+        let (mut opening, psi_before) =
+            (Opening::default(), before.map_or(0.0, |before| self.psi(before)));
+        let presses = |on: usize| {
+            let node = from + on;
+            let open = opening.leftwards(self.grid, node, before);
+            self.push_from_right(node) + open.force_right(psi_before, self.psi(node)) >= 0.0
+        };
+        let near = self.near.partition_point(|zone| zone[0] <= to);
+        let guess = near.checked_sub(1).map_or(from, |i| self.near[i][0].max(from));
+        from + first_holding(to - from, guess - from, presses)
     }
 
     /// Whether the last zone is one node that open ground on both sides does not press on.
@@ -182,44 +186,125 @@ impl Hull<'_> {
         for (i, &[from, to]) in zones.iter().enumerate() {
             let before = i.checked_sub(1).map(|i| zones[i][1]);
             let next = zones.get(i + 1).map(|zone| zone[0]);
-            for node in from..=to {
-                let left = if node == from {
-                    self.open_left(node, before)
-                } else {
-                    self.push_from_left(node)
-                };
-                let right = if node == to {
-                    self.open_right(node, next)
-                } else {
-                    self.push_from_right(node)
-                };
-                each(node, left + right);
+            each(from, self.open_left(from, before));
+            each(to, self.open_right(to, next));
+            for (run, a, b) in self.grid.parts(from, to) {
+                let link = &self.grid.runs[run].link;
+                let mut psi = self.psi(a);
+                for node in a..b {
+                    let after = self.psi(node + 1);
+                    each(node, link.force_left(psi, after));
+                    each(node + 1, link.force_right(psi, after));
+                    psi = after;
+                }
             }
         }
     }
 }
 
-/// The least number up to `most` that holds, `most` where none before does: by steps that double, then halve.
-fn first_holding(most: usize, holds: impl Fn(usize) -> bool) -> usize {
-    if most == 0 || holds(0) {
-        return 0;
-    }
-    let (mut fails, mut step, mut found) = (0, 1, most);
-    while fails + step < most {
-        if holds(fails + step) {
-            found = fails + step;
-            break;
+/// Open ground beside a node that moves: what lies beyond the run that it moves in is kept.
+#[derive(Default)]
+struct Opening {
+    run: usize,
+    rest: Option<Rest>,
+}
+
+/// The ground from a run's end to a zone or beyond the beam; none if the zone begins in that run.
+type Rest = Option<Link>;
+
+impl Opening {
+    /// From a node to the first node of the next zone, or beyond the beam.
+    fn rightwards(&mut self, grid: &Grid, node: usize, next: Option<usize>) -> Link {
+        if next.is_none() && node == grid.last() {
+            return grid.right_of(node);
         }
-        fails += step;
-        step *= 2;
+        let run = grid.run_at(node);
+        let (own, end) = (&grid.runs[run], next.unwrap_or(grid.last()));
+        let rest = match self.rest {
+            Some(rest) if self.run == run => rest,
+            _ => match next {
+                None => Some(grid.right_of(own.end())),
+                Some(next) => grid.link(own.end().min(next), next),
+            },
+        };
+        (self.run, self.rest) = (run, Some(rest));
+        let near = own.open(node, own.end().min(end));
+        rest.map_or(near, |rest| near.then(rest))
     }
-    while found - fails > 1 {
-        let middle = fails + (found - fails) / 2;
+
+    /// From the last node of the zone before, or from beyond the beam, to a node.
+    fn leftwards(&mut self, grid: &Grid, node: usize, before: Option<usize>) -> Link {
+        if node == 0 {
+            return grid.left_of(node);
+        }
+        let run = grid.run_at(node - 1);
+        let (own, start) = (&grid.runs[run], before.unwrap_or(0));
+        let rest = match self.rest {
+            Some(rest) if self.run == run => rest,
+            _ => match before {
+                None => Some(grid.left_of(own.first)),
+                Some(before) => grid.link(before, own.first.max(before)),
+            },
+        };
+        (self.run, self.rest) = (run, Some(rest));
+        let near = own.open(own.first.max(start), node);
+        rest.map_or(near, |rest| rest.then(near))
+    }
+}
+
+/// The least number up to `most` that holds, `most` where none before does; all that follow it hold too. By
+/// steps away from a guess that double, then by halves.
+fn first_holding(most: usize, guess: usize, mut holds: impl FnMut(usize) -> bool) -> usize {
+    let (mut fails, mut found) = (None, most);
+    let mut step = 1;
+    if guess < most && !holds(guess) {
+        // Upwards.
+        fails = Some(guess);
+        let mut at = guess + step;
+        while at < most {
+            if holds(at) {
+                found = at;
+                break;
+            }
+            fails = Some(at);
+            step *= 2;
+            at += step;
+        }
+    } else {
+        found = guess;
+        while found > 0 {
+            let at = found.saturating_sub(step);
+            if !holds(at) {
+                fails = Some(at);
+                break;
+            }
+            found = at;
+            step *= 2;
+        }
+    }
+    while let Some(low) = fails.filter(|low| found - low > 1) {
+        let middle = low + (found - low) / 2;
         if holds(middle) {
             found = middle;
         } else {
-            fails = middle;
+            fails = Some(middle);
         }
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn any_guess_finds_the_first() {
+        for most in 0..40 {
+            for first in 0..=most {
+                for guess in 0..=most {
+                    assert_eq!(first_holding(most, guess, |i| i >= first), first);
+                }
+            }
+        }
+    }
 }

@@ -12,8 +12,12 @@ mod form;
 mod grid;
 mod hull;
 mod lanes;
+mod layer;
+mod layout;
+mod levels;
 mod newton;
 mod open;
+mod search;
 mod span;
 mod sweep;
 
@@ -26,6 +30,7 @@ use crate::solve::{Error, Method, NotConverged, exists};
 use grid::{Grid, Ground};
 use hull::Hull;
 use newton::Workspace;
+use sweep::Loose;
 
 /// A beam whose ground presses at nodes alone: values at every node.
 #[derive(Debug, Clone, Default)]
@@ -56,7 +61,7 @@ impl NodalSolution {
     /// Rows of equal elements: position of the first node, its number, elements, their length.
     pub fn rows(&self) -> Vec<(f64, usize, usize, f64)> {
         let runs = self.grid.iter().flat_map(|grid| &grid.runs);
-        runs.map(|run| (run.cell.x[0], run.first, run.count, run.h)).collect()
+        runs.map(|run| (run.x[0], run.first, run.count, run.h)).collect()
     }
 }
 
@@ -91,20 +96,59 @@ impl NodalSolver {
         if matches!(existence.verdict, Verdict::None(_)) {
             return Ok(existence);
         }
-        newton::grids(model, elements.max(1), Ground::Nodal, &mut self.grids);
+        levels::grids(model, elements.max(1), Ground::Nodal, &mut self.grids);
+        let (workspace, grids) = (&mut self.workspace, &self.grids);
+        // Coarse grids in memory of their own: that of the answer keeps its length.
+        let found = workspace.approach(grids, newton::ANSWER);
+        found.map_err(|Loose| stalled(workspace.work.solves))?;
+        self.finish(model, into)?;
+        Ok(existence)
+    }
+
+    /// The same from a neighbour: `into` holds the answer for a model not far from this one. On as many nodes,
+    /// its contact is where the search begins, and no coarser grid is needed.
+    ///
+    /// # Errors
+    ///
+    /// As [`NodalSolver::solve_into`].
+    pub fn solve_near_into(
+        &mut self,
+        model: &Model,
+        elements: usize,
+        into: &mut NodalSolution,
+    ) -> Result<Existence, Error> {
+        let existence = checked(model)?;
+        if matches!(existence.verdict, Verdict::None(_)) {
+            return Ok(existence);
+        }
+        let grid = Grid::new(model, elements.max(1), Ground::Nodal);
+        if into.contact.is_empty() || into.deflection.len() != grid.last() + 1 {
+            return self.solve_into(model, elements, into);
+        }
+        self.grids.clear();
+        self.grids.push(grid);
+        self.workspace.work = Work::default();
+        self.workspace.zones.clone_from(&into.contact);
+        match self.finish(model, into) {
+            Ok(()) => Ok(existence),
+            Err(_) => self.solve_into(model, elements, into),
+        }
+    }
+
+    /// The answer on the last grid, from a guess at its contact.
+    fn finish(&mut self, model: &Model, into: &mut NodalSolution) -> Result<(), Error> {
+        let workspace = &mut self.workspace;
         let swapped = |workspace: &mut Workspace, into: &mut NodalSolution| {
             std::mem::swap(&mut workspace.deflection, &mut into.deflection);
             std::mem::swap(&mut workspace.slope, &mut into.slope);
             std::mem::swap(&mut workspace.force, &mut into.force);
         };
-        let workspace = &mut self.workspace;
+        let Some(grid) = self.grids.pop() else { return Err(stalled(0)) };
         swapped(workspace, into);
-        let found = workspace.contact(&self.grids, newton::ANSWER);
-        if found.is_err() {
+        if workspace.level(&grid, newton::ANSWER).is_err() {
             swapped(workspace, into);
             return Err(stalled(workspace.work.solves));
         }
-        let Some(grid) = self.grids.pop() else { return Err(stalled(0)) };
         workspace.fill(&grid, true);
         workspace.clear_open(&grid);
         swapped(workspace, into);
@@ -113,7 +157,7 @@ impl NodalSolver {
         settle_ground(&grid, into);
         into.grid = Some(grid);
         into.check = check::check(model, into);
-        if into.check.holds() { Ok(existence) } else { Err(stalled(into.work.solves)) }
+        if into.check.holds() { Ok(()) } else { Err(stalled(into.work.solves)) }
     }
 
     /// The beam bonded to the ground at every node, pulls and all: one sweep from each end. What the ground
@@ -134,7 +178,7 @@ impl NodalSolver {
         workspace.bond(&grid);
         workspace.room(&grid);
         workspace.work = Work { grids: 1, ..Work::default() };
-        workspace.glue(&grid).map_err(|_| stalled(1))?;
+        workspace.glue(&grid, None).map_err(|_| stalled(1))?;
         std::mem::swap(&mut workspace.deflection, &mut into.deflection);
         std::mem::swap(&mut workspace.slope, &mut into.slope);
         std::mem::swap(&mut workspace.force, &mut into.force);
@@ -156,7 +200,7 @@ pub(crate) fn edges(model: &Model) -> Option<Vec<[f64; 2]>> {
         return None;
     }
     let mut grids = Vec::new();
-    newton::grids(model, (PER_WAVE * waves) as usize, Ground::Spread, &mut grids);
+    levels::grids(model, (PER_WAVE * waves) as usize, Ground::Spread, &mut grids);
     let mut workspace = Workspace::default();
     workspace.contact(&grids, newton::START).ok()?;
     grids.last().map(|grid| workspace.edges(grid))
@@ -195,7 +239,7 @@ fn checked(model: &Model) -> Result<Existence, Error> {
 fn settle_ground(grid: &Grid, into: &mut NodalSolution) {
     let NodalSolution { deflection, settlement, contact, .. } = into;
     settlement.resize(grid.last() + 1, 0.0);
-    let hull = Hull { grid, deflection };
+    let hull = Hull { grid, deflection, near: &[] };
     let mut before: Option<(usize, f64)> = None;
     for &[from, to] in contact.iter() {
         if grid.flat {

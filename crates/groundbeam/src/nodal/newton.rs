@@ -1,20 +1,20 @@
 //! Newton's method on the nodes that touch, from coarse grids to the wanted one.
 
-use super::beam::Beam;
-use super::form::Form;
-use super::grid::{Grid, Ground, mirrored};
+use super::grid::Grid;
 use super::hull::{Hull, Zone};
+use super::layout::{Layout, Tether};
 use super::open;
-use super::span::Span;
-use super::sweep::{self, Fields, Loose, Side, Stand, Stretch};
-use crate::contact::line;
-use crate::ground::Link;
-use crate::model::Model;
+use super::search::Line;
+use super::sweep::{self, Fields, Loose};
 
 /// Steps on one grid that are taken whole; later ones are shortened where the energy asks for it.
 const WHOLE_STEPS: usize = 8;
-/// The fall of the energy, relative to the work of the forces, that rounding leaves.
-const LEAST: f64 = 1e-28;
+/// The tether's part of the ground's stiffness, by how much it grows until it holds, and how often.
+const TETHER: f64 = 1e-6;
+const STIFFER: f64 = 1e3;
+const TETHERS: usize = 3;
+/// The part of the ground's forces that a tether may take of an answer.
+const SLACK: f64 = 1e-14;
 
 /// What was done, in units that no clock disturbs.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -45,38 +45,54 @@ pub(super) const ANSWER: Goal = Goal { steps: 200, searched: usize::MAX, moves: 
 /// A start for another method.
 pub(super) const START: Goal = Goal { steps: 40, searched: 20_000, moves: 1 };
 
+/// The part of 1/√(k/μ) that an element must not exceed for its pressure to be a straight line.
+const FINE: f64 = 0.2;
+
 /// Everything that a solve needs and the next one can use again.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Workspace {
-    sides: [Side; 2],
-    spans: Vec<(Span, usize, usize)>,
-    arcs: Vec<Zone>,
-    next: Vec<Zone>,
+    layout: Layout,
+    pub(super) arcs: Vec<Zone>,
+    pub(super) next: Vec<Zone>,
     pub zones: Vec<Zone>,
     pub deflection: Vec<f64>,
     pub slope: Vec<f64>,
     pub force: Vec<f64>,
-    before: [Vec<f64>; 2],
+    pub(super) before: Line,
     pub work: Work,
 }
 
 impl Workspace {
-    /// The nodes that touch on the wanted grid, from coarser ones.
+    /// The nodes that touch on the last grid, from coarser ones.
     pub fn contact(&mut self, grids: &[Grid], goal: Goal) -> Result<(), Loose> {
-        self.work = Work { grids: grids.len(), ..Work::default() };
-        for (i, grid) in grids.iter().enumerate() {
-            match i.checked_sub(1) {
-                Some(coarser) => self.refine(&grids[coarser], grid),
-                None => self.bond(grid),
-            }
-            self.room(grid);
-            let before = self.work.solves;
-            if self.settle(grid, goal, WHOLE_STEPS).is_err() {
-                self.bond(grid);
-                self.settle(grid, goal, 1)?;
-            }
-            self.work.fine_solves = self.work.solves - before;
+        self.approach(grids, goal)?;
+        self.level(&grids[grids.len() - 1], goal)
+    }
+
+    /// A guess at the nodes that touch on the last grid, from coarser ones.
+    pub fn approach(&mut self, grids: &[Grid], goal: Goal) -> Result<(), Loose> {
+        self.work = Work::default();
+        self.bond(&grids[0]);
+        for level in 1..grids.len() {
+            self.level(&grids[level - 1], goal)?;
+            self.refine(&grids[level - 1], &grids[level]);
         }
+        Ok(())
+    }
+
+    /// The nodes that touch on one grid, from a guess.
+    pub fn level(&mut self, grid: &Grid, mut goal: Goal) -> Result<(), Loose> {
+        self.room(grid);
+        if grid.rough {
+            goal.moves = goal.moves.max(1);
+        }
+        let before = self.work.solves;
+        self.work.grids += 1;
+        if self.settle(grid, goal, WHOLE_STEPS).is_err() {
+            self.bond(grid);
+            self.settle(grid, goal, 1)?;
+        }
+        self.work.fine_solves = self.work.solves - before;
         Ok(())
     }
 
@@ -92,38 +108,49 @@ impl Workspace {
         }
     }
 
-    /// The beam glued to the ground on `zones`: w on all nodes, w' and forces where they touch.
-    pub fn glue(&mut self, grid: &Grid) -> Result<(), Loose> {
-        let meeting = self.lay_out(grid)?;
-        let stand = stand(grid, meeting, false);
-        let Workspace { sides, zones, deflection, slope, force, .. } = self;
+    /// The beam glued to the ground on `zones` and held by a tether, if any: w on all nodes, w' and forces
+    /// where they touch. Nothing is written if it is loose.
+    pub fn glue(&mut self, grid: &Grid, tether: Option<Tether>) -> Result<(), Loose> {
+        let Workspace { layout, zones, deflection, slope, force, .. } = self;
+        layout.set(grid, zones, tether)?;
+        self.work.solves += 1;
+        let middle = sweep::inward(&mut layout.sides, layout.stand)?;
         for &[from, to] in zones.iter() {
             force[from..=to].fill(0.0);
         }
         let mut fields = Fields { deflection, slope, force };
-        let elements = sweep::solve(sides, meeting, stand, &mut fields)?;
-        self.work.solves += 1;
-        self.work.elements += elements;
+        let Layout { sides, meeting, stand, .. } = layout;
+        self.work.elements += sweep::outward(sides, *meeting, *stand, middle, &mut fields);
         Ok(())
+    }
+
+    /// The same where the ground does not hold the beam: springs at its two ends, stretched by no more than
+    /// it moves, keep the step one on which the energy falls.
+    fn glue_loose(&mut self, grid: &Grid, at: [f64; 2]) -> Result<Tether, Loose> {
+        let mut spring = TETHER * grid.stiffness();
+        for _ in 0..TETHERS {
+            let tether = Tether { spring, at };
+            if self.glue(grid, Some(tether)).is_ok() {
+                return Ok(tether);
+            }
+            spring *= STIFFER;
+        }
+        Err(Loose)
     }
 
     /// w between the zones, or w'.
     pub fn fill(&mut self, grid: &Grid, derivative: bool) {
-        let Workspace { sides, spans, deflection, slope, .. } = self;
+        let Workspace { layout, deflection, slope, .. } = self;
         let into = if derivative { slope } else { deflection };
-        for (span, side, stretch) in spans.iter() {
-            open::beam(grid, span, &sides[*side].shapes[*stretch], derivative, into);
+        for placed in layout.spans() {
+            let shape = &layout.sides[placed.side].shapes[placed.stretch];
+            open::beam(grid, &placed.span, shape, derivative, into);
         }
     }
 
     /// No forces between the zones.
     pub fn clear_open(&mut self, grid: &Grid) {
-        let mut open = 0;
-        for &[from, to] in &self.zones {
-            self.force[open..from].fill(0.0);
-            open = to + 1;
-        }
-        self.force[open..=grid.last()].fill(0.0);
+        clear(&mut self.force[..=grid.last()], &self.zones);
     }
 
     /// How many nodes touch now or in the next step, not both.
@@ -144,89 +171,56 @@ impl Workspace {
         count(&self.zones) + count(&self.next) - 2 * both
     }
 
-    /// A beam that would turn about the nodes that touch is held by their neighbours too.
-    fn widen(&mut self, grid: &Grid) -> Result<(), Loose> {
-        let ends = self.zones.first().zip(self.zones.last());
-        let (from, to) = ends.map(|(first, last)| (first[0], last[1])).ok_or(Loose)?;
-        let reach = (to - from).max(1);
-        let zone = [from.saturating_sub(reach), (to + reach).min(grid.last())];
-        if zone == [from, to] {
-            return Err(Loose);
+    /// Before a step that may be shortened; on the first one, what is left at open nodes of the solves before
+    /// the last is no force.
+    fn remember(&mut self, grid: &Grid, first: bool) {
+        if first {
+            clear(&mut self.force[..=grid.last()], &self.next);
         }
-        self.zones.clear();
-        self.zones.push(zone);
-        Ok(())
+        std::mem::swap(&mut self.before.deflection, &mut self.deflection);
+        std::mem::swap(&mut self.before.force, &mut self.force);
+        self.room(grid);
+        self.force.fill(0.0);
+    }
+
+    fn is_slack(&self, grid: &Grid, tether: &Tether) -> bool {
+        let all: f64 = self.force.iter().map(|force| force.abs()).sum();
+        let ends = [0, grid.last()].map(|end| self.deflection[end]);
+        tether.forces(ends).iter().all(|force| force.abs() <= SLACK * all)
     }
 
     /// Steps until the contact asked for is the contact assumed, the first few taken whole.
     fn settle(&mut self, grid: &Grid, goal: Goal, whole: usize) -> Result<(), Loose> {
+        let mut whole = whole;
         for step in 0..goal.steps {
             if step >= whole {
                 if grid.last() > goal.searched {
                     return Err(Loose);
                 }
-                self.before[0].clone_from(&self.deflection);
-                self.before[1].clone_from(&self.force);
+                self.remember(grid, step == whole);
             }
-            while self.glue(grid).is_err() {
-                self.widen(grid)?;
-            }
-            if step + 1 >= whole {
-                self.clear_open(grid);
+            let mut tether = None;
+            if self.glue(grid, None).is_err() {
+                if step < whole {
+                    self.remember(grid, true);
+                }
+                let ends = [0, grid.last()].map(|end| self.before.deflection[end]);
+                tether = Some(self.glue_loose(grid, if step > 0 { ends } else { [0.0; 2] })?);
+                whole = whole.min(step.max(1));
             }
             self.fill(grid, false);
-            let hull = Hull { grid, deflection: &self.deflection };
+            let hull = Hull { grid, deflection: &self.deflection, near: &self.zones };
             hull.zones(&mut self.arcs, &mut self.next);
-            if self.next == self.zones || self.moved() <= goal.moves * self.zones.len() {
+            let settled = self.next == self.zones || self.moved() <= goal.moves * self.zones.len();
+            if settled && tether.is_none_or(|tether| self.is_slack(grid, &tether)) {
                 return Ok(());
             }
-            if step >= whole && self.shorten(grid) {
+            if step > 0 && step >= whole && self.shorten(grid) {
                 return Ok(());
             }
             std::mem::swap(&mut self.zones, &mut self.next);
         }
         Err(Loose)
-    }
-
-    /// Goes back on the way from the deflection before as far as the energy asks for. With K w = F − f for
-    /// the forces f that a glued solve finds, and for mixtures of such w, the energy's slope along δ is
-    /// Σ (p − f) δ with the ground's own answer p. True if nothing is left to fall.
-    fn shorten(&mut self, grid: &Grid) -> bool {
-        let [w0, f0] = &self.before;
-        let (w1, f1) = (&self.deflection, &self.force);
-        let count = grid.last() + 1;
-        let mut w = vec![0.0; count];
-        let (mut arcs, mut zones) = (Vec::new(), Vec::new());
-        let mut slope = |t: f64| {
-            for i in 0..count {
-                w[i] = w0[i] + t * (w1[i] - w0[i]);
-            }
-            let hull = Hull { grid, deflection: &w };
-            hull.zones(&mut arcs, &mut zones);
-            let mut sum = 0.0;
-            for i in 0..count {
-                sum -= (f0[i] + t * (f1[i] - f0[i])) * (w1[i] - w0[i]);
-            }
-            hull.forces(&zones, |i, p| sum += p * (w1[i] - w0[i]));
-            sum
-        };
-        let fall = -slope(0.0);
-        let work: f64 = f1.iter().zip(w1).map(|(f, w)| (f * w).abs()).sum();
-        if fall.is_nan() || fall <= LEAST * work {
-            return true;
-        }
-        let slope = std::cell::RefCell::new(slope);
-        let t = line::settle(fall, |t| (slope.borrow_mut())(t));
-        if t < 1.0 {
-            let [w0, f0] = &self.before;
-            for i in 0..count {
-                self.deflection[i] = w0[i] + t * (self.deflection[i] - w0[i]);
-                self.force[i] = f0[i] + t * (self.force[i] - f0[i]);
-            }
-            let hull = Hull { grid, deflection: &self.deflection };
-            hull.zones(&mut self.arcs, &mut self.next);
-        }
-        false
     }
 
     /// The zones of a coarser grid on this one.
@@ -243,201 +237,50 @@ impl Workspace {
         std::mem::swap(&mut self.zones, &mut self.next);
     }
 
-    /// Where the contact ends. The force at the last node that touches tells how much of the ground around
-    /// it presses.
+    /// Where the contact ends.
     pub fn edges(&self, grid: &Grid) -> Vec<[f64; 2]> {
-        let edge = |node: usize, inner: usize| {
-            let (x, next) = (grid.x(node), grid.x(inner));
-            if node == inner || node == 0 || node == grid.last() {
-                return x;
-            }
-            let part = self.force[node] / self.force[inner];
-            if part.is_nan() { x } else { x + (next - x) * (0.5 - part.clamp(0.0, 1.0)) }
-        };
-        let ends = |&[from, to]: &Zone| {
-            let inner = (from + 1).min(to);
-            [edge(from, inner), edge(to, if from < to { to - 1 } else { to })]
-        };
+        let ends = |&[from, to]: &Zone| [self.edge(grid, from, to), self.edge(grid, to, from)];
         self.zones.iter().map(ends).collect()
     }
 
-    /// The stretches that both sides sweep over, and the node where they meet.
-    fn lay_out(&mut self, grid: &Grid) -> Result<usize, Loose> {
-        let Workspace { sides, spans, zones, .. } = self;
-        sides.iter_mut().for_each(Side::clear);
-        let mut used = 0;
-        let mut span = |grid: &Grid, from: usize, to: usize, side: usize, stretch: usize| {
-            if used == spans.len() {
-                spans.push(Default::default());
-            }
-            let place = &mut spans[used];
-            used += 1;
-            place.0.set(grid, from, to, side == 1);
-            (place.1, place.2) = (side, stretch);
-            {
-                let (length, stiffness, load) = place.0.scaled();
-                Form::beam(length, stiffness, load)
-            }
+    /// Where contact ends beside the last node of a zone that goes on towards another. There p = p₀ + p₁ξ,
+    /// and open ground brings p e^(−bξ) of what lies ξ beyond the node to it: up to an edge at ξ = s,
+    /// F = p₀(h/2 + s) − p₁h²/6 + (p₁ − b p₀)s²/2.
+    fn edge(&self, grid: &Grid, node: usize, towards: usize) -> f64 {
+        let x = grid.x(node);
+        if node == towards || node == 0 || node == grid.last() {
+            return x;
+        }
+        let inwards = |steps: usize| {
+            if towards > node { node + steps } else { node - steps }
         };
-        let (Some(&[first, _]), Some(&[_, last])) = (zones.first(), zones.last()) else {
-            return Err(Loose);
+        let run = &grid.runs[grid.run_at(node.min(inwards(1)))];
+        let per_length = |steps: usize| self.force[inwards(steps)] / run.h;
+        let (mut level, mut rise, mut decay) = (per_length(1), 0.0, 0.0);
+        let inside = |node: usize| run.first < node && node < run.end();
+        let straight = run.layer.rate * run.h < FINE;
+        if straight && towards.abs_diff(node) > 2 && inside(inwards(1)) && inside(inwards(2)) {
+            rise = (level - per_length(2)) / run.h;
+            level += rise * run.h;
+            decay = run.layer.rate * level;
+        }
+        let half = 0.5 * run.h;
+        let beyond = |s: f64| {
+            let curved = rise * run.h * run.h / 6.0 - 0.5 * (rise - decay) * s * s;
+            ((self.force[node] + curved) / level - half).clamp(-3.0 * half, 3.0 * half)
         };
-        let count: usize = zones.iter().map(|[from, to]| to - from).sum();
-        // One node holds a beam that tension keeps from turning.
-        if count == 0 && zones.len() < 2 && grid.axial_force <= 0.0 {
-            return Err(Loose);
-        }
-        // Half of the elements that touch on each side.
-        let mut before = 0;
-        let mut meeting = first;
-        for &[from, to] in zones.iter() {
-            let missing = count / 2 - before;
-            meeting = from + missing.min(to - from);
-            if missing <= to - from {
-                break;
-            }
-            before += to - from;
-        }
-        let [left, right] = sides;
-        // From the left.
-        if first > 0 {
-            let form =
-                span(grid, 0, first, 0, 0).on(overhang(grid.left_of(first)), gaps(grid, first));
-            left.stretches.push(Stretch { form, count: 1, node: 0, stand: off(grid, 0, false) });
-        }
-        for (i, &[from, to]) in zones.iter().enumerate() {
-            if let Some(end) = i.checked_sub(1).map(|i| zones[i][1]) {
-                if from > meeting {
-                    break;
-                }
-                let form = span(grid, end, from, 0, left.stretches.len());
-                let form = between(grid, form, end, from, false);
-                left.stretches.push(Stretch {
-                    form,
-                    count: 1,
-                    node: end,
-                    stand: stand(grid, end, false),
-                });
-            }
-            for (run, a, b) in grid.parts(from, to.min(meeting)).filter(|part| part.1 < part.2) {
-                left.stretches.push(row(grid, run, a, b, false));
-            }
-        }
-        // From the right.
-        if last < grid.last() {
-            let link = grid.right_of(last);
-            let turned = Link { leak_right: link.leak_left, ..link };
-            let form = span(grid, last, grid.last(), 1, 0).on(overhang(turned), gaps(grid, last));
-            let node = grid.last();
-            right.stretches.push(Stretch { form, count: 1, node, stand: off(grid, node, true) });
-        }
-        for (i, &[from, to]) in zones.iter().enumerate().rev() {
-            if let Some(&[start, _]) = zones.get(i + 1) {
-                if to < meeting {
-                    break;
-                }
-                let form = span(grid, to, start, 1, right.stretches.len());
-                let form = between(grid, form, to, start, true);
-                right.stretches.push(Stretch {
-                    form,
-                    count: 1,
-                    node: start,
-                    stand: stand(grid, start, true),
-                });
-            }
-            let first = right.stretches.len();
-            let from = from.max(meeting);
-            if from < to {
-                for (run, a, b) in grid.parts(from, to) {
-                    right.stretches.push(row(grid, run, a, b, true));
-                }
-                right.stretches[first..].reverse();
-            }
-        }
-        spans.truncate(used);
-        Ok(meeting)
+        let s = beyond(beyond(0.0));
+        let outwards = if towards > node { -s } else { s };
+        if s.is_nan() { x } else { x + outwards }
     }
 }
 
-/// What the ground beyond a free end does under the first node that touches.
-fn overhang(link: Link) -> Link {
-    Link { coupling: 0.0, leak_left: 0.0, leak_right: link.leak_right }
-}
-
-fn gaps(grid: &Grid, node: usize) -> [f64; 2] {
-    [0.0, grid.gap(node)]
-}
-
-/// What stands at a node that touches.
-fn stand(grid: &Grid, node: usize, mirrored: bool) -> Stand {
-    let [force, moment] = grid.load(node, mirrored);
-    let beyond = |end: usize, side: usize| if node == end { grid.outside[side] } else { 0.0 };
-    let spring = beyond(0, 0) + beyond(grid.last(), 1);
-    Stand { force, moment, spring, push: spring * grid.gap(node) }
-}
-
-/// What acts at a free end that does not touch.
-fn off(grid: &Grid, node: usize, mirrored: bool) -> Stand {
-    Stand { spring: 0.0, push: 0.0, ..stand(grid, node, mirrored) }
-}
-
-/// The beam and the open ground between two zones.
-fn between(grid: &Grid, form: Form, from: usize, to: usize, turned: bool) -> Form {
-    let Some(link) = grid.link(from, to) else { return form };
-    let gap = [grid.gap(from), grid.gap(to)];
-    if turned {
-        let link = Link { leak_left: link.leak_right, leak_right: link.leak_left, ..link };
-        form.on(link, [gap[1], gap[0]])
-    } else {
-        form.on(link, gap)
+/// No forces but on zones.
+fn clear(force: &mut [f64], zones: &[Zone]) {
+    let mut open = 0;
+    for &[from, to] in zones {
+        force[open..from].fill(0.0);
+        open = to + 1;
     }
+    force[open..].fill(0.0);
 }
-
-/// Elements of a run, each glued at both ends.
-fn row(grid: &Grid, run: usize, from: usize, to: usize, turned: bool) -> Stretch {
-    let own = &grid.runs[run];
-    let element = |a: usize| {
-        let mut cell = own.part(a, a + 1);
-        if turned {
-            cell = mirrored(&cell);
-        }
-        let beam = Beam::new(&cell, grid.axial_force, own.h);
-        Form::beam(own.h, beam.stiffness(), beam.load()).on(own.link, cell.gap)
-    };
-    let (first, last, node) = if turned { (to - 1, from, to) } else { (from, to - 1, from) };
-    let mut form = element(first);
-    if !own.is_even() {
-        form = form.towards(&element(last), to - from);
-    }
-    Stretch { form, count: to - from, node, stand: stand(grid, node, turned) }
-}
-
-/// Grids from one on which every wave of the beam is a few elements long to the wanted one; each finer
-/// one is as much finer as Newton's method, which squares errors, can make good in a step or two.
-pub(super) fn grids(model: &Model, elements: usize, ground: Ground, grids: &mut Vec<Grid>) {
-    grids.clear();
-    let fine = Grid::new(model, elements, ground);
-    let l = model.beam.length;
-    let wave = fine.wave_number();
-    let coarsest = (l * wave * COARSEST).ceil().max(8.0);
-    let mut wanted = elements as f64;
-    grids.push(fine);
-    loop {
-        // h → √(h/wave).
-        let next = (wanted * l * wave).sqrt() * FINER;
-        if next >= 0.7 * wanted || next < coarsest {
-            if wanted > 2.0 * coarsest {
-                grids.push(Grid::new(model, coarsest as usize, ground));
-            }
-            break;
-        }
-        wanted = next;
-        grids.push(Grid::new(model, wanted as usize, ground));
-    }
-    grids.reverse();
-}
-
-/// Elements per 1/wave number on the coarsest grid.
-const COARSEST: f64 = 1.5;
-/// How much finer than √(h/wave) each grid is.
-const FINER: f64 = 1.0;

@@ -7,7 +7,7 @@ use super::span::Span;
 /// Writes w or w' at the nodes of a span but its ends that touch.
 pub(super) fn beam(grid: &Grid, span: &Span, v: &[f64; 4], derivative: bool, into: &mut [f64]) {
     let last = grid.last();
-    span.unfold(v, |[from, to], length, series| {
+    span.unfold(v, |[from, to], length, series, terms| {
         // Every piece writes its left end unless that touches; the last one its right end too.
         let first = usize::from(from == span.from && from > 0);
         let nodes = from + first..to + usize::from(to == last);
@@ -15,21 +15,19 @@ pub(super) fn beam(grid: &Grid, span: &Span, v: &[f64; 4], derivative: bool, int
         let step = sign / (to - from) as f64;
         let s = move |i: usize| start + (first + i) as f64 * step;
         if !derivative {
-            return values(series, s, &mut into[nodes]);
+            return values(series, terms, s, &mut into[nodes]);
         }
-        let mut slope = [0.0; TERMS];
-        for (j, c) in series.iter().enumerate().skip(1) {
-            slope[j - 1] = j as f64 * c * (sign / length);
+        let (mut slope, scale) = ([0.0; TERMS], sign / length);
+        for (j, c) in series.iter().enumerate().take(terms).skip(1) {
+            slope[j - 1] = j as f64 * c * scale;
         }
-        values(&slope, s, &mut into[nodes]);
+        values(&slope, terms - 1, s, &mut into[nodes]);
     });
 }
 
 /// A series at many places, with as many terms as matter.
-fn values(c: &[f64; TERMS], s: impl Fn(usize) -> f64, into: &mut [f64]) {
-    let largest = c.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
-    let needed = c.iter().rposition(|c| c.abs() > 1e-19 * largest).map_or(1, |last| last + 1);
-    match needed {
+fn values(c: &[f64; TERMS], terms: usize, s: impl Fn(usize) -> f64, into: &mut [f64]) {
+    match terms {
         0..=4 => horner::<4>(c, s, into),
         5..=6 => horner::<6>(c, s, into),
         7..=10 => horner::<10>(c, s, into),
@@ -38,14 +36,19 @@ fn values(c: &[f64; TERMS], s: impl Fn(usize) -> f64, into: &mut [f64]) {
     }
 }
 
+/// Places side by side: one sum would wait for itself.
+const WIDTH: usize = 4;
+
 fn horner<const N: usize>(c: &[f64; TERMS], s: impl Fn(usize) -> f64, into: &mut [f64]) {
-    for (i, value) in into.iter_mut().enumerate() {
-        let s = s(i);
-        let mut sum = c[N - 1];
-        for j in (0..N - 1).rev() {
-            sum = sum * s + c[j];
+    for (block, values) in into.chunks_mut(WIDTH).enumerate() {
+        let s: [f64; WIDTH] = std::array::from_fn(|i| s(block * WIDTH + i));
+        let mut sums = [c[N - 1]; WIDTH];
+        for c in c[..N - 1].iter().rev() {
+            for (sum, s) in sums.iter_mut().zip(&s) {
+                *sum = *sum * s + c;
+            }
         }
-        *value = sum;
+        values.copy_from_slice(&sums[..values.len()]);
     }
 }
 
@@ -92,7 +95,7 @@ pub(super) fn ground(
 
 /// u = (left sinh b(L − x) + right sinh bx)/sinh bL at equal steps strictly between two ends.
 fn between(run: &Run, left: f64, right: f64, into: &mut [f64]) {
-    let b = (run.cell.spring / run.cell.shear).sqrt();
+    let b = run.layer.rate;
     let count = into.len() + 1;
     let length = b * run.h * count as f64;
     if length < 0.5 {

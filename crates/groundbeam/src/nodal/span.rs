@@ -1,7 +1,7 @@
 //! The beam between two nodes that touch: any number of pieces off the ground as one element.
 
 use super::beam::{Beam, TERMS};
-use super::grid::{Grid, mirrored};
+use super::grid::Grid;
 
 /// An element in (w, θ, d₁, d₂): K of the last three and q of all.
 #[derive(Debug, Clone, Copy, Default)]
@@ -50,7 +50,7 @@ impl Span {
     fn add_run(&mut self, grid: &Grid, run: usize, from: usize, to: usize) {
         let own = &grid.runs[run];
         let count = to - from;
-        let wanted = grid.pieces(&own.cell, own.h * count as f64).min(count);
+        let wanted = own.pieces(grid.axial_force, own.h * count as f64).min(count);
         let at = |i: usize| count * i / wanted;
         for i in 0..wanted {
             let (a, b) = if self.mirrored {
@@ -59,8 +59,9 @@ impl Span {
                 (from + at(i), from + at(i + 1))
             };
             let part = own.part(a, b);
-            let cell = if self.mirrored { mirrored(&part) } else { part };
-            let beam = Beam::new(&cell, grid.axial_force, own.h * (b - a) as f64);
+            let given = if self.mirrored { part.mirrored() } else { part };
+            let length = own.h * (b - a) as f64;
+            let beam = Beam::new(own.stiffness, &given, grid.axial_force, length);
             let load = grid.load(if self.mirrored { b } else { a }, self.mirrored);
             self.add(beam, b - a, load);
         }
@@ -95,7 +96,11 @@ impl Span {
 
     /// The series of each piece for w and θ at the span's beginning and its deformation, with the piece's
     /// first and last node in the grid and its length. In a mirror s runs from the last to the first.
-    pub fn unfold(&self, v: &[f64; 4], mut each: impl FnMut([usize; 2], f64, &[f64; TERMS])) {
+    pub fn unfold(
+        &self,
+        v: &[f64; 4],
+        mut each: impl FnMut([usize; 2], f64, &[f64; TERMS], usize),
+    ) {
         let [w, theta, mut d1, mut d2] = *v;
         let mut length = self.whole.length;
         let mut passed = 0;
@@ -117,7 +122,8 @@ impl Span {
                 [self.to - passed - piece.count, self.to - passed]
             };
             passed += piece.count;
-            each(nodes, l, &piece.beam.unfold(own));
+            let (series, terms) = piece.beam.unfold(own);
+            each(nodes, l, &series, terms);
         }
     }
 }
@@ -141,48 +147,33 @@ impl Whole {
     /// This one, a force and a moment, and the next one; what is between them goes into `piece`.
     fn then(&self, next: &Whole, load: [f64; 2], piece: &mut Piece) -> Whole {
         let (h, l) = (self.length, next.length);
-        // In (θ, D₁, D₂ | d₁, d₂): this one has (θ, d₁, d₂), the next one (θ + d₂, D₁ − d₁ − l d₂, D₂ − d₂).
-        const THIS: [[f64; 5]; 3] =
-            [[1.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 0.0, 1.0]];
-        let that =
-            [[1.0, 0.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, -1.0, -l], [0.0, 0.0, 1.0, 0.0, -1.0]];
-        let mut k = [[0.0; 5]; 5];
-        let mut q = [0.0; 5];
-        for (element, rows) in [(self, &THIS), (next, &that)] {
-            for i in 0..3 {
-                let mut row = [0.0; 5];
-                for j in 0..3 {
-                    for b in 0..5 {
-                        row[b] += element.stiffness[i][j] * rows[j][b];
-                    }
-                }
-                for a in 0..5 {
-                    q[a] += rows[i][a] * element.load[i + 1];
-                    for b in 0..5 {
-                        k[a][b] += rows[i][a] * row[b];
-                    }
-                }
-            }
-        }
+        let ([k, n], [q, r]) = ([self.stiffness, next.stiffness], [self.load, next.load]);
+        // This one has (θ, d₁, d₂), the next one (θ + d₂, D₁ − d₁ − l d₂, D₂ − d₂): what it demands of d₂ is
+        let turn = [0, 1, 2].map(|j| n[0][j] - l * n[1][j] - n[2][j]);
+        let [a, b, c] =
+            [k[1][1] + n[1][1], k[1][2] - turn[1], k[2][2] + (turn[0] - l * turn[1] - turn[2])];
+        // (θ, D₁, D₂) by (d₁, d₂), and with themselves.
+        let across =
+            [[k[0][1] - n[0][1], k[0][2] + turn[0]], [-n[1][1], turn[1]], [-n[1][2], turn[2]]];
+        let mut outer = n;
+        outer[0][0] += k[0][0];
         // Forces at the node between and on the next one's left end move with w + hθ + d₁.
-        let through = next.load[0] + load[0];
-        q[0] += h * through + load[1];
-        q[3] += through;
-        q[4] += load[1];
-        let [a, b, c] = [k[3][3], k[3][4], k[4][4]];
+        let through = r[0] + load[0];
+        let [q1, q2] = [q[2] - r[2] + through, q[3] + (r[1] - l * r[2] - r[3]) + load[1]];
+        let ends = [q[1] + r[1] + h * through + load[1], r[2], r[3]];
         let determinant = a * c - b * b;
-        let solve = |x: f64, y: f64| [(c * x - b * y) / determinant, (a * y - b * x) / determinant];
-        let columns = [0, 1, 2].map(|j| solve(-k[3][j], -k[4][j]));
+        let inverse = 1.0 / determinant;
+        let solve = |x: f64, y: f64| [(c * x - b * y) * inverse, (a * y - b * x) * inverse];
+        let columns = across.map(|[x, y]| solve(-x, -y));
         piece.gain = [0, 1].map(|i| columns.map(|column| column[i]));
-        piece.constant = solve(q[3], q[4]);
+        piece.constant = solve(q1, q2);
         let mut whole = Whole { length: h + l, ..Whole::default() };
-        whole.load[0] = self.load[0] + through;
+        whole.load[0] = q[0] + through;
         for i in 0..3 {
-            let [first, second] = piece.constant;
-            whole.load[i + 1] = q[i] - k[i][3] * first - k[i][4] * second;
+            let [x, y] = across[i];
+            whole.load[i + 1] = ends[i] - x * piece.constant[0] - y * piece.constant[1];
             for j in 0..3 {
-                let [first, second] = columns[j];
-                whole.stiffness[i][j] = k[i][j] + k[i][3] * first + k[i][4] * second;
+                whole.stiffness[i][j] = outer[i][j] + x * columns[j][0] + y * columns[j][1];
             }
         }
         whole

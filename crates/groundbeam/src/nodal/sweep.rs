@@ -28,7 +28,7 @@ pub(super) struct Stretch {
 
 /// Elements of one form that are crossed in one go: the number of the first, and where their gains go.
 struct Elements<'a> {
-    form: Form,
+    form: &'a Form,
     first: usize,
     gains: &'a mut [Gain],
 }
@@ -73,7 +73,7 @@ impl Side {
     /// The next elements to cross.
     fn next(&mut self, reached: Reached, steps: usize) -> Elements<'_> {
         Elements {
-            form: self.stretches[reached.stretch].form,
+            form: &self.stretches[reached.stretch].form,
             first: reached.within,
             gains: &mut self.gains[reached.elements..][..steps],
         }
@@ -84,19 +84,13 @@ impl Side {
     }
 }
 
-/// Glues and solves; `stand` is what stands at the meeting node. Returns the elements crossed.
-pub(super) fn solve(
-    sides: &mut [Side; 2],
-    meeting: usize,
-    stand: Stand,
-    fields: &mut Fields,
-) -> Result<usize, Loose> {
-    let count = sides.each_ref().map(Side::elements);
-    for (side, count) in sides.iter_mut().zip(count) {
-        side.gains.resize(count, [0.0; 6]);
+/// Both sweeps towards the meeting node, and w and θ there; `stand` is what stands there.
+pub(super) fn inward(sides: &mut [Side; 2], stand: Stand) -> Result<[f64; 2], Loose> {
+    for side in sides.iter_mut() {
+        side.gains.resize(side.elements(), [0.0; 6]);
         side.shapes.resize(side.stretches.len(), [0.0; 4]);
     }
-    let [left, right] = inward(sides)?;
+    let [left, right] = offers(sides)?;
     let s = [left[0] + right[0] + stand.spring, left[1] - right[1], left[2] + right[2]];
     let r = [left[3] + right[3] + stand.force + stand.push, left[4] - right[4] + stand.moment];
     let determinant = s[0] * s[2] - s[1] * s[1];
@@ -105,11 +99,22 @@ pub(super) fn solve(
     }
     let w = (s[2] * r[0] - s[1] * r[1]) / determinant;
     let theta = (s[0] * r[1] - s[1] * r[0]) / determinant;
+    Ok([w, theta])
+}
+
+/// From the meeting node to both ends. Returns the elements crossed.
+pub(super) fn outward(
+    sides: &mut [Side; 2],
+    meeting: usize,
+    stand: Stand,
+    [w, theta]: [f64; 2],
+    fields: &mut Fields,
+) -> usize {
     fields.deflection[meeting] = w;
     fields.slope[meeting] = theta;
     fields.force[meeting] += stand.spring * w - stand.push;
-    outward(sides, [w, theta], meeting, fields);
-    Ok(count[0] + count[1])
+    unfold(sides, [w, theta], meeting, fields);
+    sides.iter().map(|side| side.gains.len()).sum()
 }
 
 /// How far a sweep has come.
@@ -122,7 +127,7 @@ struct Reached {
 }
 
 /// Both sweeps towards the meeting node, as far as possible at once. Returns what they offer to (w, θ).
-fn inward(sides: &mut [Side; 2]) -> Result<[Behind; 2], Loose> {
+fn offers(sides: &mut [Side; 2]) -> Result<[Behind; 2], Loose> {
     let mut states = [[0.0; 5]; 2];
     let mut reached = [Reached::default(); 2];
     loop {
@@ -185,7 +190,7 @@ fn cross<const SWEEPS: usize>(
     states: [&mut Behind; SWEEPS],
     elements: [Elements; SWEEPS],
 ) -> Result<(), Loose> {
-    let of = |number: &dyn Fn(&Form) -> f64| Lanes::of(|lane| number(&elements[lane].form));
+    let of = |number: &dyn Fn(&Form) -> f64| Lanes::of(|lane| number(elements[lane].form));
     let m: [_; 3] = std::array::from_fn(|i| of(&|form| form.m[i]));
     let e: [_; 3] = std::array::from_fn(|i| of(&|form| form.e[i]));
     let leak: [_; 2] = std::array::from_fn(|i| of(&|form| form.leak[i]));
@@ -266,7 +271,7 @@ struct Back {
 }
 
 /// From the meeting node to both ends: w, w' and forces at all nodes that touch.
-fn outward(sides: &mut [Side; 2], [w, theta]: [f64; 2], meeting: usize, fields: &mut Fields) {
+fn unfold(sides: &mut [Side; 2], [w, theta]: [f64; 2], meeting: usize, fields: &mut Fields) {
     let mut backs = [(&sides[0], theta), (&sides[1], -theta)].map(|(side, turn)| Back {
         node: meeting,
         w,
@@ -330,12 +335,12 @@ fn recross<const SWEEPS: usize>(
     let mut now = backs.each_ref().map(|back| **back);
     let stretches: [&Stretch; SWEEPS] =
         std::array::from_fn(|lane| &sides[lane].stretches[now[lane].stretches - 1]);
-    let forms = stretches.map(|stretch| stretch.form);
-    let of = |number: &dyn Fn(&Form) -> f64| Lanes::of(|lane| number(&forms[lane]));
+    let forms = stretches.map(|stretch| &stretch.form);
+    let of = |number: &dyn Fn(&Form) -> f64| Lanes::of(|lane| number(forms[lane]));
     let leak: [_; 2] = std::array::from_fn(|i| of(&|form| form.leak[i]));
     let (coupling, rise) = (of(&|form| form.coupling), of(&|form| form.rise));
     let per_length = Lanes::of(|lane| -towards[lane] / forms[lane].length);
-    let even = forms.iter().all(Form::is_even);
+    let even = forms.iter().all(|form| form.is_even());
     let push_at = |within: &[usize; SWEEPS]| {
         [4, 5].map(|i| Lanes::of(|lane| forms[lane].q[i] + within[lane] as f64 * forms[lane].dq[i]))
     };

@@ -1,0 +1,53 @@
+//! The ground under one run: springs and a shear layer that do not vary.
+
+use crate::ground::Link;
+
+/// √(kμ) and √(k/μ).
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Layer {
+    stiffness: f64,
+    pub rate: f64,
+}
+
+impl Layer {
+    pub fn new(spring: f64, shear: f64) -> Self {
+        if shear == 0.0 {
+            return Layer::default();
+        }
+        Layer { stiffness: (spring * shear).sqrt(), rate: (spring / shear).sqrt() }
+    }
+
+    /// Open ground of a length, as [`Link::uniform`] with one exponential:
+    /// 1/sinh z = 2e^(−z)/(1 − e^(−z))(1 + e^(−z)) and tanh(z/2) = (1 − e^(−z))/(1 + e^(−z)).
+    pub fn open(&self, length: f64) -> Link {
+        if self.stiffness == 0.0 {
+            return Link::default();
+        }
+        let z = self.rate * length;
+        let (decay, fall) = if z < 1.0 {
+            let fall = -(-z).exp_m1();
+            (1.0 - fall, fall)
+        } else {
+            let decay = (-z).exp();
+            (decay, 1.0 - decay)
+        };
+        let leak = self.stiffness * fall / (1.0 + decay);
+        let coupling = self.stiffness * (2.0 * decay) / (fall * (1.0 + decay));
+        Link { coupling, leak_left: leak, leak_right: leak }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_exponential_is_enough() {
+        let layer = Layer { stiffness: 1.0, rate: 2.0 };
+        for bh in [1e-12, 1e-6, 0.3, 0.999, 1.0, 5.0, 300.0] {
+            let (ours, link) = (layer.open(0.5 * bh), Link::uniform(2.0, 0.5, 0.5 * bh));
+            assert!((ours.coupling - link.coupling).abs() <= 1e-15 * link.coupling, "{bh}");
+            assert!((ours.leak_left - link.leak_left).abs() <= 1e-15 * link.leak_left, "{bh}");
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! How far along a step the energy falls.
+
+use super::grid::Grid;
+use super::hull::{Hull, Zone};
+use super::newton::Workspace;
+use crate::contact::line;
+
+/// The fall of the energy, relative to the work of the forces, that rounding leaves.
+const LEAST: f64 = 1e-28;
+
+/// The deflections and forces before a step, and room for those on the way.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Line {
+    pub deflection: Vec<f64>,
+    pub force: Vec<f64>,
+    trial: Vec<f64>,
+    arcs: Vec<Zone>,
+    zones: Vec<Zone>,
+}
+
+impl Workspace {
+    /// Goes back on the way from the deflection before as far as the energy asks for. With K w = F − f for
+    /// the forces f that a glued solve finds, and for mixtures of such w, the energy's slope along δ is
+    /// Σ (p − f) δ with the ground's own answer p. True if nothing is left to fall.
+    pub(super) fn shorten(&mut self, grid: &Grid) -> bool {
+        let Line { deflection: w0, force: f0, trial, arcs, zones } = &mut self.before;
+        let (w1, f1) = (&self.deflection, &self.force);
+        trial.resize(w1.len(), 0.0);
+        let mut slope = |t: f64| {
+            for ((w, w0), w1) in trial.iter_mut().zip(&*w0).zip(w1) {
+                *w = w0 + t * (w1 - w0);
+            }
+            let hull = Hull { grid, deflection: trial, near: &self.zones };
+            hull.zones(arcs, zones);
+            let mut sum = 0.0;
+            for i in 0..w1.len() {
+                sum -= (f0[i] + t * (f1[i] - f0[i])) * (w1[i] - w0[i]);
+            }
+            hull.forces(zones, |i, p| sum += p * (w1[i] - w0[i]));
+            sum
+        };
+        let fall = -slope(0.0);
+        let work: f64 = f1.iter().zip(w1).map(|(f, w)| (f * w).abs()).sum();
+        if fall.is_nan() || fall <= LEAST * work {
+            return true;
+        }
+        let slope = std::cell::RefCell::new(slope);
+        let t = line::settle(fall, |t| (slope.borrow_mut())(t));
+        if t != 1.0 {
+            let Line { deflection: w0, force: f0, .. } = &self.before;
+            for (now, before) in [(&mut self.deflection, w0), (&mut self.force, f0)] {
+                for (now, before) in now.iter_mut().zip(before) {
+                    *now = before + t * (*now - before);
+                }
+            }
+            let hull = Hull { grid, deflection: &self.deflection, near: &self.zones };
+            hull.zones(&mut self.arcs, &mut self.next);
+        }
+        false
+    }
+}
