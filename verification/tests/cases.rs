@@ -1,6 +1,7 @@
 //! Every model file below `cases/`, by being there: its expectations, and two roads to the same answer.
 
 use groundbeam::{Field, Method, Options, Outcome, Side, Solution, solve, solve_with};
+use groundbeam_verification::cases::answers::Answers;
 use groundbeam_verification::cases::{Case, all, folder, manual::manual};
 
 fn readable() -> Vec<Case> {
@@ -23,11 +24,11 @@ fn every_case_is_as_its_file_says() {
     let mut faults = Vec::new();
     for case in readable() {
         let path = &case.path;
-        match case.document.solve(&Options::default()) {
+        match Answers::of(&case.document) {
             Err(error) => faults.push(format!("cases/{path}: {error}")),
-            Ok(outcome) => {
+            Ok(answers) => {
                 for expectation in &case.expectations {
-                    if let Err(what) = expectation.judge(&case.document, &outcome) {
+                    if let Err(what) = answers.judge(expectation, &case.document) {
                         faults.push(format!("cases/{path}:{}: {what}", expectation.line));
                     }
                 }
@@ -40,8 +41,10 @@ fn every_case_is_as_its_file_says() {
 #[test]
 fn a_mesh_is_no_farther_off_than_its_certificate_says() {
     let mut faults = Vec::new();
-    for case in readable() {
-        let model = &case.document.model;
+    let cases = readable();
+    let models = cases.iter().flat_map(|case| case.models().into_iter().map(|m| (&case.path, m)));
+    for (path, model) in models {
+        let model = &model;
         // Eight elements to a wave of the beam, where that makes a mesh. A mesh cannot follow a beam of
         // thousands of waves, nor the ground under a beam 1e12 times as stiff.
         let ei = model.beam.bending_stiffness;
@@ -60,7 +63,7 @@ fn a_mesh_is_no_farther_off_than_its_certificate_says() {
             (Err(error), _) | (_, Err(error)) => Some(error.to_string()),
             _ => Some("one method finds an equilibrium, the other none".to_owned()),
         };
-        faults.extend(fault.map(|what| format!("cases/{}: {what}", case.path)));
+        faults.extend(fault.map(|what| format!("cases/{path}: {what}")));
     }
     report(&faults);
 }

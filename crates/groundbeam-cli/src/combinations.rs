@@ -5,12 +5,12 @@ use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{print, standard_output_has_colour, write};
 use crate::request::{Check, Format, Plot, Solve};
-use crate::solve::positions;
+use crate::solve::{positions, solved};
 use crate::waiting::while_counting;
 use groundbeam::{Error, Existence, Outcome, Verdict};
 use groundbeam_file::{Combination, LoadCase};
 use groundbeam_report::{
-    Alone, Answer, Combinations, Combined, Context, Overall, csv, json, png, svg, text,
+    Alone, Answer, Combinations, Combined, Context, Ground, Overall, csv, json, png, svg, text,
 };
 use rayon::prelude::*;
 use std::time::Instant;
@@ -30,10 +30,10 @@ pub fn solve(input: &Input, request: &Solve) -> Result<Status, Failure> {
     let started = Instant::now();
     let words = format!("solving combinations with the method {}", request.options.method.name());
     // Each is solved by itself and kept in its place: the same bits on any number of processors.
-    let outcomes: Vec<Result<Outcome, Error>> =
+    let outcomes: Vec<Result<(Outcome, Option<Ground>), Error>> =
         while_counting(words, combinations.len(), |another| {
             let solved = combinations.par_iter().map(|combination| {
-                let outcome = input.document.solve_model(&combination.model, &request.options);
+                let outcome = solved(input, &combination.model, &request.options);
                 another();
                 outcome
             });
@@ -42,13 +42,14 @@ pub fn solve(input: &Input, request: &Solve) -> Result<Status, Failure> {
     let alone = alone(input)?;
     let mut combined = Vec::new();
     for (combination, outcome) in combinations.iter().zip(&outcomes) {
+        let ground = outcome.as_ref().ok().and_then(|(_, ground)| *ground);
         let answer = match outcome {
-            Ok(Outcome::Equilibrium(solution)) => Answer::Equilibrium(solution),
-            Ok(Outcome::NoEquilibrium(existence)) => Answer::NoEquilibrium(existence),
+            Ok((Outcome::Equilibrium(solution), _)) => Answer::Equilibrium(solution),
+            Ok((Outcome::NoEquilibrium(existence), _)) => Answer::NoEquilibrium(existence),
             Err(Error::NotConverged(reached)) => Answer::NotConverged(reached),
             Err(error) => return Err(input.refused(error)),
         };
-        combined.push(together(combination, answer));
+        combined.push(Combined { ground, ..together(combination, answer) });
     }
     let all = Combinations { combined, alone: alone.iter().map(Case::of).collect() };
     let context = input.context().with_seconds(started.elapsed().as_secs_f64());
@@ -110,7 +111,7 @@ fn alone(input: &Input) -> Result<Vec<Case>, Failure> {
 
 fn together<'a>(combination: &'a Combination, answer: Answer<'a>) -> Combined<'a> {
     let Combination { name, factors, model, .. } = combination;
-    Combined { name, factors, model, answer }
+    Combined { name, factors, model, ground: None, answer }
 }
 
 fn status(all: &Combinations) -> Status {

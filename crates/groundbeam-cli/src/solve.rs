@@ -113,7 +113,7 @@ fn one(input: &Input, request: &Solve, loaded: &Loaded) -> Result<Status, Failur
 }
 
 /// What mechanics says of a model of the file, and the ground that was made of its soil if it has one.
-fn solved<'a>(
+pub fn solved<'a>(
     input: &'a Input,
     model: &Model,
     options: &Options,

@@ -48,7 +48,7 @@ impl Document {
         self.solve_model(&self.model, options)
     }
 
-    /// The same for this document's model under other loads.
+    /// Solves another model on the same soil: that of one of its [`combinations`](Self::combinations).
     ///
     /// # Errors
     ///

@@ -1,5 +1,6 @@
 //! The answers to all combinations of a file, seen together.
 
+use crate::context::Ground;
 use groundbeam::{Envelope, Existence, Model, NotConverged, Solution, Verdict};
 
 /// All combinations of a file with their answers, and every load case by itself.
@@ -20,6 +21,8 @@ pub struct Combined<'a> {
     pub factors: &'a [(String, f64)],
     /// The model under its loads.
     pub model: &'a Model,
+    /// The soil from which its ground was made; none where the constants were given.
+    pub ground: Option<Ground<'a>>,
     /// What came out.
     pub answer: Answer<'a>,
 }

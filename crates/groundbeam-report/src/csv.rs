@@ -40,8 +40,7 @@ pub fn envelope(combinations: &Combinations, positions: &[f64], units: Units) ->
     let combined: Vec<&str> = combinations.solved().map(|(combined, _)| combined.name).collect();
     let envelope = combinations.envelope();
     for &x in positions {
-        let cells = Field::ALL.into_iter().flat_map(|field| {
-            let Bounds { min, max } = envelope.at(field, x);
+        let cells = envelope.all_at(x).into_iter().flat_map(|Bounds { min, max }| {
             let [low, high] = [min, max].map(|governing| number(governing.extreme.value));
             let name = |by: usize| combined.get(by).copied().unwrap_or_default().to_owned();
             [low, high, name(min.by), name(max.by)]

@@ -2,7 +2,7 @@
 
 use super::growth::Growth;
 use super::scale::{Kind, scale};
-use groundbeam::{Existence, Field, Outcome, Side, Solution, Verdict};
+use groundbeam::{Envelope, Existence, Field, Outcome, Side, Solution, Verdict};
 use groundbeam_file::{Document, UnitSystem, parse_positions};
 
 /// What a line expects.
@@ -10,6 +10,8 @@ use groundbeam_file::{Document, UnitSystem, parse_positions};
 pub struct Expectation {
     /// Line of the file, counted from 1.
     pub line: usize,
+    /// Whose quantity it is.
+    pub of: Of,
     /// The quantity as it is written.
     pub name: String,
     /// The value as it is written, with its unit.
@@ -23,6 +25,17 @@ pub struct Expectation {
     wanted: Wanted,
     /// The written unit in the model's.
     pub(super) scale: f64,
+}
+
+/// Whose quantity is expected.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Of {
+    /// The file's, which has no combinations.
+    File,
+    /// That of one of its combinations: `[ULS 1] max(moment)`.
+    Combination(String),
+    /// That of the envelope: `[envelope] max(moment)`.
+    Envelope,
 }
 
 /// How near an answer must be.
@@ -39,8 +52,8 @@ pub enum Tolerance {
 /// What an answer has, as an expectation sees it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
-    /// A verdict.
-    Word(&'static str),
+    /// A verdict, or the name of a combination.
+    Word(String),
     /// One number, or the ends of regions, in the unit of the expected value.
     Numbers(Vec<f64>),
 }
@@ -67,6 +80,7 @@ enum Quantity {
     FailingMotion,
     FailingWork,
     Growth(Growth),
+    Governs { field: Field, largest: bool },
 }
 
 /// A tolerance up to this leaves only rounding, and needs no reason.
@@ -80,6 +94,11 @@ impl Expectation {
     /// What cannot be read, in words.
     pub fn read(text: &str, line: usize, units: UnitSystem) -> Result<Expectation, String> {
         let (said, why) = text.split_once('#').unwrap_or((text, ""));
+        let (of, said) = match said.trim_start().strip_prefix('[').and_then(|s| s.split_once(']')) {
+            None => (Of::File, said),
+            Some(("envelope", said)) => (Of::Envelope, said),
+            Some((name, said)) => (Of::Combination(name.to_owned()), said),
+        };
         let (name, rest) = said.split_once('=').ok_or("`=` is missing")?;
         let (name, rest, why) = (name.trim(), rest.trim(), why.trim());
         let quantity = Quantity::read(name, units)?;
@@ -101,6 +120,7 @@ impl Expectation {
         };
         let expectation = Expectation {
             line,
+            of,
             name: name.to_owned(),
             value: value.to_owned(),
             tolerance,
@@ -116,7 +136,8 @@ impl Expectation {
     fn check(&self) -> Result<(), String> {
         let wide = match (&self.wanted, self.tolerance) {
             (Wanted::Word(word), Tolerance::Same) => {
-                let known = ["unique", "not-unique", "none"].contains(&word.as_str());
+                let known = matches!(self.quantity, Quantity::Governs { .. })
+                    || ["unique", "not-unique", "none"].contains(&word.as_str());
                 return if known { Ok(()) } else { Err(format!("`{word}` is no verdict")) };
             }
             (Wanted::Word(_), _) => return Err("a verdict has no tolerance".into()),
@@ -143,7 +164,9 @@ impl Expectation {
     pub fn found(&self, document: &Document, outcome: &Outcome) -> Result<Value, String> {
         let numbers = match (self.quantity, outcome) {
             (Quantity::Growth(growth), _) => growth.of(&self.name, document)?,
-            (Quantity::Verdict, _) => return Ok(Value::Word(word(existence(outcome).verdict))),
+            (Quantity::Verdict, _) => {
+                return Ok(Value::Word(word(existence(outcome).verdict).to_owned()));
+            }
             (Quantity::StaticReaction(side), _) => {
                 let [left, right] = existence(outcome).static_reactions;
                 vec![if side == Side::Left { left } else { right }]
@@ -164,6 +187,31 @@ impl Expectation {
             (_, Outcome::NoEquilibrium(_)) => return Err("there is no equilibrium".into()),
         };
         Ok(Value::Numbers(numbers.into_iter().map(|number| number / self.scale).collect()))
+    }
+
+    /// What the envelope of solutions has, which go by names.
+    ///
+    /// # Errors
+    ///
+    /// If an envelope has no such quantity.
+    pub fn found_in_envelope(&self, envelope: &Envelope, names: &[&str]) -> Result<Value, String> {
+        let of = |field, largest| {
+            let range = envelope.range(field);
+            if largest { range.max } else { range.min }
+        };
+        match self.quantity {
+            Quantity::Extreme { field, largest, position } => {
+                let extreme = of(field, largest).extreme;
+                let number = if position { extreme.x } else { extreme.value };
+                Ok(Value::Numbers(vec![number / self.scale]))
+            }
+            Quantity::Governs { field, largest } => {
+                let name = names.get(of(field, largest).by);
+                name.map(|name| Value::Word((*name).to_owned()))
+                    .ok_or_else(|| "nothing was solved".to_owned())
+            }
+            _ => Err("an envelope has extremes, and who governs them".to_owned()),
+        }
     }
 
     /// How far a value is from the one expected: absolute in its unit, and relative to the largest.
@@ -189,10 +237,8 @@ impl Expectation {
     /// # Errors
     ///
     /// How it is not.
-    pub fn judge(&self, document: &Document, outcome: &Outcome) -> Result<(), String> {
-        let found =
-            self.found(document, outcome).map_err(|what| format!("{}: {what}", self.name))?;
-        let (absolute, relative) = self.distance(&found)?;
+    pub fn judge(&self, found: &Value) -> Result<(), String> {
+        let (absolute, relative) = self.distance(found)?;
         let near = match self.tolerance {
             Tolerance::Same => absolute == 0.0,
             Tolerance::Absolute(size) => absolute <= size,
@@ -204,7 +250,7 @@ impl Expectation {
         Err(format!(
             "{} is {}, not {} (off by {absolute:.1e}, relative {relative:.1e})",
             self.name,
-            shown(&found),
+            shown(found),
             self.value
         ))
     }
@@ -220,7 +266,7 @@ fn largest(list: &[f64]) -> f64 {
 
 fn shown(value: &Value) -> String {
     match value {
-        Value::Word(word) => (*word).to_owned(),
+        Value::Word(word) => word.clone(),
         Value::Numbers(list) => format!("{list:?}"),
     }
 }
@@ -299,6 +345,10 @@ impl Quantity {
             "min" => extreme(false, false),
             "position_of_max" => extreme(true, true),
             "position_of_min" => extreme(false, true),
+            "governs_max" | "governs_min" => {
+                let field = field(inside).ok_or_else(|| format!("`{inside}` is no field"))?;
+                Ok(Quantity::Governs { field, largest: what == "governs_max" })
+            }
             "force" => Ok(Quantity::Force(position(inside)?)),
             "reaction" => Ok(Quantity::Reaction(position(inside)?)),
             "reaction_moment" => Ok(Quantity::ReactionMoment(position(inside)?)),
@@ -339,7 +389,7 @@ impl Quantity {
             Quantity::FailingMotion | Quantity::Growth(_) => Kind::Number,
             // Work per length of lift.
             Quantity::FailingWork => Kind::Force,
-            Quantity::Verdict => return None,
+            Quantity::Verdict | Quantity::Governs { .. } => return None,
         })
     }
 
@@ -374,6 +424,7 @@ impl Quantity {
             | Quantity::FailingMotion
             | Quantity::FailingWork
             | Quantity::Growth(_)
+            | Quantity::Governs { .. }
             | Quantity::Verdict => Vec::new(),
         })
     }

@@ -1,16 +1,17 @@
 //! `docs/verification.md`: every expectation of every case, and what came out.
 
 use super::Case;
-use super::expectation::{Expectation, Tolerance, Value};
-use groundbeam::{Options, Outcome};
+use super::answers::Answers;
+use super::expectation::{Expectation, Of, Tolerance, Value};
 use groundbeam_file::Document;
 use std::fmt::Write;
 
 /// The folders in the order of the manual, each with what it holds.
-const CHAPTERS: [(&str, &str, &str); 5] = [
+const CHAPTERS: [(&str, &str, &str); 6] = [
     ("kikuchi-1980/", "The paper's own examples", "Kikuchi's sections 4 and 5."),
     ("textbook/", "Textbooks, manuals and closed forms", "Published numbers and exact solutions."),
     ("footings/", "Structures with units", "What an engineer would try first."),
+    ("combinations/", "Combinations of load cases", "Each solved by itself, and their envelope."),
     ("limits/", "Limits", "Degenerate and extreme models."),
     ("", "Benchmark", "A model that other solvers were measured with."),
 ];
@@ -46,19 +47,18 @@ pub fn manual(cases: &[Case]) -> String {
 }
 
 fn section(text: &mut String, case: &Case) {
-    let outcome = match case.document.solve(&Options::default()) {
-        Ok(outcome) => outcome,
+    let answers = match Answers::of(&case.document) {
+        Ok(answers) => answers,
         Err(error) => {
             _ = write!(text, "\n### {}\n\n{error}\n", case.title());
             return;
         }
     };
-    let proof = match &outcome {
-        Outcome::Equilibrium(solution) => match solution.certificate().relative_gap {
-            gap if gap < 1e-12 => "gap < 1e-12".to_owned(),
-            _ => "gap < 1e-9".to_owned(),
-        },
-        Outcome::NoEquilibrium(_) => "no equilibrium".to_owned(),
+    let gaps = answers.solutions().into_iter().map(|found| found.certificate().relative_gap);
+    let proof = match gaps.reduce(f64::max) {
+        Some(gap) if gap < 1e-12 => "gap < 1e-12",
+        Some(_) => "gap < 1e-9",
+        None => "no equilibrium",
     };
     _ = write!(
         text,
@@ -69,12 +69,12 @@ fn section(text: &mut String, case: &Case) {
         path = case.path
     );
     for expectation in &case.expectations {
-        row(text, expectation, &case.document, &outcome);
+        row(text, expectation, &case.document, &answers);
     }
 }
 
-fn row(text: &mut String, expectation: &Expectation, document: &Document, outcome: &Outcome) {
-    let (found, error) = match expectation.found(document, outcome) {
+fn row(text: &mut String, expectation: &Expectation, document: &Document, answers: &Answers) {
+    let (found, error) = match answers.found(expectation, document) {
         Err(what) => (what, "–".to_owned()),
         Ok(found) => {
             let error = match expectation.distance(&found) {
@@ -100,7 +100,12 @@ fn row(text: &mut String, expectation: &Expectation, document: &Document, outcom
         why => format!(": {why}"),
     };
     let (name, value) = (&expectation.name, &expectation.value);
-    _ = writeln!(text, "| `{name}` | {value} | {found} | {error} | {tolerance}{why} |");
+    let of = match &expectation.of {
+        Of::File => String::new(),
+        Of::Combination(name) => format!("{name}, "),
+        Of::Envelope => "envelope, ".to_owned(),
+    };
+    _ = writeln!(text, "| {of}`{name}` | {value} | {found} | {error} | {tolerance}{why} |");
 }
 
 /// What is near rounding changes with every processor: only its size is told.
@@ -114,7 +119,7 @@ fn bound(error: f64) -> String {
 
 fn written(found: &Value, expectation: &Expectation) -> String {
     match found {
-        Value::Word(word) => (*word).to_owned(),
+        Value::Word(word) => word.clone(),
         Value::Numbers(list) => {
             let smallest = match expectation.tolerance {
                 Tolerance::Absolute(size) => size.min(1e-9),

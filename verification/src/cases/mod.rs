@@ -3,12 +3,14 @@
 //! What a file's answer must be stands in the file, in lines that begin with `#:`;
 //! `cases/README.md` describes them.
 
+pub mod answers;
 pub mod expectation;
 mod growth;
 pub mod manual;
 mod scale;
 
 use expectation::Expectation;
+use groundbeam::Model;
 use groundbeam_file::Document;
 use std::fmt;
 use std::fs;
@@ -46,6 +48,15 @@ impl fmt::Display for Misread {
 }
 
 impl Case {
+    /// The models to be solved: the file's own, or those of its combinations.
+    pub fn models(&self) -> Vec<Model> {
+        if self.document.has_combinations() {
+            self.document.combinations().into_iter().map(|c| c.model).collect()
+        } else {
+            vec![self.document.model.clone()]
+        }
+    }
+
     /// What the file calls itself.
     pub fn title(&self) -> &str {
         self.document.title.as_deref().unwrap_or_default()

@@ -106,9 +106,10 @@ fn each<'a>(
     stations: Option<&[f64]>,
     context: &Context,
 ) -> Vec<One<'a>> {
-    let context = Context { title: None, seconds: None, factors: None, ..*context };
+    let context = Context::new(context.units);
     let one = |combined: &'a Combined| {
-        let Combined { name, factors, model, answer } = combined;
+        let Combined { name, factors, model, ground, answer } = combined;
+        let context = Context { ground: *ground, ..context };
         let result = match answer {
             Answer::Equilibrium(solution) => {
                 let own = stations.map_or_else(|| default_stations(solution), <[f64]>::to_vec);
@@ -221,14 +222,15 @@ impl<'a> Named<'_, 'a> {
     }
 
     fn table(&self, stations: &[f64]) -> Table<'a> {
+        let all: Vec<_> = stations.iter().map(|&x| self.envelope.all_at(x)).collect();
         let lines = |field| {
-            let bounds = stations.iter().map(|&x| self.envelope.at(field, x));
-            let bounds: Vec<Bounds> = bounds.collect();
+            let number = Field::ALL.iter().position(|other| *other == field).unwrap_or(0);
+            let bounds = || all.iter().map(|bounds| &bounds[number]);
             Lines {
-                min: bounds.iter().map(|bounds| bounds.min.extreme.value).collect(),
-                max: bounds.iter().map(|bounds| bounds.max.extreme.value).collect(),
-                governs_min: bounds.iter().map(|bounds| self.name(bounds.min.by)).collect(),
-                governs_max: bounds.iter().map(|bounds| self.name(bounds.max.by)).collect(),
+                min: bounds().map(|bounds| bounds.min.extreme.value).collect(),
+                max: bounds().map(|bounds| bounds.max.extreme.value).collect(),
+                governs_min: bounds().map(|bounds| self.name(bounds.min.by)).collect(),
+                governs_max: bounds().map(|bounds| self.name(bounds.max.by)).collect(),
             }
         };
         Table { x: stations.to_vec(), fields: self.fields(lines) }

@@ -43,14 +43,15 @@ pub fn combinations(combinations: &Combinations, context: &Context) -> String {
 
 fn diagrams(envelope: &Envelope, units: Units) -> [Diagram<'static>; 4] {
     let samples: Vec<Samples> = envelope.solutions().iter().map(|s| Samples::of(s)).collect();
-    let stations = envelope.stations(EVEN_STEPS);
-    let diagram = |field: Field, title, note, colour, downward| {
+    let mut lines = lines(envelope, &envelope.stations(EVEN_STEPS));
+    let mut diagram = |field: Field, title, note, colour, downward| {
         let range = envelope.range(field);
         let extremes = [range.max, range.min].map(|governing| {
             let sizes = samples.get(governing.by).map(|samples| samples.sizes);
             sizes.map_or(governing.extreme, |sizes| sizes.extreme(field, governing.extreme))
         });
-        let [lower, values] = lines(envelope, field, &stations);
+        let number = Field::ALL.iter().position(|other| *other == field).unwrap_or(0);
+        let [lower, values] = std::mem::take(&mut lines[number]);
         Diagram {
             title,
             note,
@@ -79,14 +80,15 @@ fn diagrams(envelope: &Envelope, units: Units) -> [Diagram<'static>; 4] {
     ]
 }
 
-/// The lines of smallest and largest values, with both sides of every jump.
-fn lines(envelope: &Envelope, field: Field, stations: &[f64]) -> [Vec<(f64, f64)>; 2] {
-    let mut lines = [Vec::new(), Vec::new()];
+/// The lines of smallest and largest values of all fields, with both sides of every jump.
+fn lines(envelope: &Envelope, stations: &[f64]) -> [[Vec<(f64, f64)>; 2]; Field::ALL.len()] {
+    let mut lines = Field::ALL.map(|_| [Vec::new(), Vec::new()]);
     for &x in stations {
         for side in [Side::Left, Side::Right] {
-            let bounds = envelope.beside(field, x, side);
-            lines[0].push((x, bounds.min.extreme.value));
-            lines[1].push((x, bounds.max.extreme.value));
+            for (lines, bounds) in lines.iter_mut().zip(envelope.all_beside(x, side)) {
+                lines[0].push((x, bounds.min.extreme.value));
+                lines[1].push((x, bounds.max.extreme.value));
+            }
         }
     }
     lines

@@ -20,9 +20,15 @@ pub fn combinations(combinations: &Combinations, context: &Context, colour: bool
         let existence = *combined.answer.existence()?;
         Some(Characteristics::of(combined.model, &existence))
     };
-    let first = combinations.combined.iter().find_map(|c| Some((c.model, known(c)?)));
-    if let Some((model, found)) = first {
-        structure(&mut sheet, model, &found, context);
+    let first = combinations.combined.iter().find_map(|c| Some((c, known(c)?)));
+    if let Some((combined, found)) = first {
+        let ground = combined.ground.filter(|ground| ground.gamma.is_none());
+        structure(&mut sheet, combined.model, &found, &Context { ground, ..*context });
+        if combinations.combined.iter().any(|c| c.ground.is_some_and(|g| g.gamma.is_some())) {
+            let words = "k and mu of each combination are those that its own solution makes of it; \
+                         above stands the ground before anything is solved";
+            sheet.row("Soil", words);
+        }
         sheet.blank();
     }
     let solved: Vec<Numbered> = numbered(combinations).collect();
@@ -89,16 +95,19 @@ fn verdicts(sheet: &mut Sheet, combinations: &Combinations) {
 
 /// Verdict, contact and extremes, a line each.
 fn table(sheet: &mut Sheet, combinations: &Combinations, solved: &[Numbered], units: Units) {
-    let extreme = |row: &Numbered, (field, largest): (Field, bool)| {
-        let range = row.solution.range(field);
-        let extreme = if largest { range.max } else { range.min };
-        row.sizes.extreme(field, extreme).value
+    let extremes = |row: &Numbered| {
+        COLUMNS.map(|(field, largest)| {
+            let range = row.solution.range(field);
+            row.sizes.extreme(field, if largest { range.max } else { range.min }).value
+        })
     };
-    let unit = |(field, _): (Field, bool)| -> Unit {
-        let same = COLUMNS.iter().filter(|column| column.0 == field);
-        let all = same.flat_map(|column| solved.iter().map(|row| extreme(row, *column).abs()));
-        units.unit(Kind::of(field), all.fold(0.0, f64::max))
-    };
+    let values: Vec<[f64; 4]> = solved.iter().map(extremes).collect();
+    // Both columns of a field are in one unit.
+    let units_of_columns: [Unit; 4] = COLUMNS.map(|(field, _)| {
+        let same = (0..4).filter(|&column| COLUMNS[column].0 == field);
+        let sizes = same.flat_map(|column| values.iter().map(move |row| row[column].abs()));
+        units.unit(Kind::of(field), sizes.fold(0.0, f64::max))
+    });
     let line = |first: &str, cells: [String; 4]| {
         let cells: String = cells.iter().map(|cell| format!("{cell:>11}")).collect();
         format!("{first:<35}{cells}")
@@ -108,12 +117,12 @@ fn table(sheet: &mut Sheet, combinations: &Combinations, solved: &[Numbered], un
     let words = COLUMNS.map(|(_, largest)| if largest { "largest" } else { "smallest" }.to_owned());
     sheet.heading(&line("                    contact   share", words));
     if units == Units::Si {
-        sheet.heading(&line("", COLUMNS.map(|column| unit(column).name.to_owned())));
+        sheet.heading(&line("", units_of_columns.map(|unit| unit.name.to_owned())));
     }
-    let mut rows = solved.iter().peekable();
+    let mut rows = solved.iter().zip(&values).peekable();
     for (i, combined) in combinations.combined.iter().enumerate() {
         let words = outcome(combined);
-        let Some(row) = rows.next_if(|row| row.number == i + 1) else {
+        let Some((row, values)) = rows.next_if(|(row, _)| row.number == i + 1) else {
             sheet.line(&format!("{:>4}  {words}", i + 1));
             continue;
         };
@@ -122,7 +131,7 @@ fn table(sheet: &mut Sheet, combinations: &Combinations, solved: &[Numbered], un
         let open: f64 = row.solution.lift_off().iter().map(|open| open.to - open.from).sum();
         let share = format!("{} %", significant(100.0 * (open / l), 3));
         let first = format!("{:>4}  {words:<11}{zones:>10}{share:>8}", i + 1);
-        let cells = COLUMNS.map(|column| unit(column).number(extreme(row, column), 5));
+        let cells = [0, 1, 2, 3].map(|i| units_of_columns[i].number(values[i], 5));
         sheet.line(&line(&first, cells));
     }
 }

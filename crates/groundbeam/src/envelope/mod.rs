@@ -3,7 +3,7 @@
 mod forms;
 mod upper;
 
-use crate::solution::{Extreme, Field, Range, Side, Solution};
+use crate::solution::{Extreme, Field, Fields, Range, Side, Solution};
 use forms::Forms;
 
 /// Smaller differences, relative to the field's largest value in all solutions, are rounding: the
@@ -43,15 +43,19 @@ const BOUNDS: [Bound; 2] = [Bound::Max, Bound::Min];
 pub struct Envelope<'a> {
     solutions: Vec<&'a Solution>,
     /// Of each solution, in the order of [`Field::ALL`].
-    ranges: Vec<[Range; Field::ALL.len()]>,
+    ranges: Vec<[Range; FIELDS]>,
+    /// What is rounding in each field.
+    rounding: [f64; FIELDS],
 }
+
+const FIELDS: usize = Field::ALL.len();
 
 /// A value and the solution that has it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Governing {
     /// The value, and where.
     pub extreme: Extreme,
-    /// The solution, by its number; of several that have it the first.
+    /// The solution, by its number; of several that have it, but for rounding, the first. The position is its own.
     pub by: usize,
 }
 
@@ -100,8 +104,15 @@ impl<'a> Envelope<'a> {
     /// solutions at all, every value is zero.
     pub fn of(solutions: impl IntoIterator<Item = &'a Solution>) -> Self {
         let solutions: Vec<&Solution> = solutions.into_iter().collect();
-        let ranges = solutions.iter().map(|s| Field::ALL.map(|field| s.range(field))).collect();
-        Envelope { solutions, ranges }
+        let range_of = |s: &&Solution| Field::ALL.map(|field| s.range(field));
+        let ranges: Vec<[Range; FIELDS]> = solutions.iter().map(range_of).collect();
+        let mut rounding = [0.0_f64; FIELDS];
+        for range in &ranges {
+            for (rounding, Range { min, max }) in rounding.iter_mut().zip(range) {
+                *rounding = rounding.max(ROUNDING * min.value.abs().max(max.value.abs()));
+            }
+        }
+        Envelope { solutions, ranges, rounding }
     }
 
     /// The solutions, in the order in which they were given.
@@ -111,20 +122,32 @@ impl<'a> Envelope<'a> {
 
     /// The smallest and largest value of a field at a position; where it jumps, of both sides.
     pub fn at(&self, field: Field, x: f64) -> Bounds {
-        let each = self.solutions.iter().map(|solution| {
-            let [a, b] = [Side::Left, Side::Right].map(|side| solution.at(x, side).get(field));
-            [a.min(b), a.max(b)].map(|value| Extreme { x, value })
-        });
-        governing(each, self.rounding(field))
+        self.all_at(x)[index(field)]
     }
 
-    /// The same from one side only.
-    pub fn beside(&self, field: Field, x: f64, side: Side) -> Bounds {
-        let each = self.solutions.iter().map(|solution| {
-            let value = solution.at(x, side).get(field);
-            [Extreme { x, value }; 2]
-        });
-        governing(each, self.rounding(field))
+    /// Those of all fields, in the order of [`Field::ALL`].
+    pub fn all_at(&self, x: f64) -> [Bounds; FIELDS] {
+        self.bounds(x, [Side::Left, Side::Right])
+    }
+
+    /// Those of all fields from one side only.
+    pub fn all_beside(&self, x: f64, side: Side) -> [Bounds; FIELDS] {
+        self.bounds(x, [side, side])
+    }
+
+    fn bounds(&self, x: f64, sides: [Side; 2]) -> [Bounds; FIELDS] {
+        let evaluated = |solution: &&Solution| {
+            let first = solution.at(x, sides[0]);
+            [first, if sides[0] == sides[1] { first } else { solution.at(x, sides[1]) }]
+        };
+        let fields: Vec<[Fields; 2]> = self.solutions.iter().map(evaluated).collect();
+        Field::ALL.map(|field| {
+            let each = fields.iter().map(|sides| {
+                let [a, b] = [sides[0].get(field), sides[1].get(field)];
+                [a.min(b), a.max(b)].map(|value| Extreme { x, value })
+            });
+            governing(each, self.rounding(field))
+        })
     }
 
     /// The smallest and largest value of a field on the whole beam, located by the roots of its derivative.
@@ -205,11 +228,7 @@ impl<'a> Envelope<'a> {
 
     /// What is rounding in a field.
     fn rounding(&self, field: Field) -> f64 {
-        let sizes = self.ranges.iter().map(|ranges| {
-            let range = ranges[index(field)];
-            range.min.value.abs().max(range.max.value.abs())
-        });
-        ROUNDING * sizes.fold(0.0, f64::max)
+        self.rounding[index(field)]
     }
 }
 
@@ -228,12 +247,12 @@ fn governing(each: impl Iterator<Item = [Extreme; 2]>, rounding: f64) -> Bounds 
         if low.value < found.min.extreme.value - rounding {
             found.min = min;
         } else if low.value < found.min.extreme.value {
-            found.min.extreme = low;
+            found.min.extreme.value = low.value;
         }
         if high.value > found.max.extreme.value + rounding {
             found.max = max;
         } else if high.value > found.max.extreme.value {
-            found.max.extreme = high;
+            found.max.extreme.value = high.value;
         }
     }
     found.unwrap_or(Bounds { min: nothing, max: nothing })
@@ -290,7 +309,8 @@ mod tests {
         let solutions = [footing(&[(900e3, 6.0)])];
         let envelope = Envelope::of(&solutions);
         let here = envelope.at(Field::ShearForce, 6.0);
-        let side = |side| envelope.beside(Field::ShearForce, 6.0, side).max.extreme.value;
+        let shear = index(Field::ShearForce);
+        let side = |side| envelope.all_beside(6.0, side)[shear].max.extreme.value;
         assert_eq!(here.min.extreme.value, side(Side::Right));
         assert_eq!(here.max.extreme.value, side(Side::Left));
         assert!((side(Side::Left) - side(Side::Right) - 900e3).abs() < 1e-4);

@@ -1,0 +1,139 @@
+//! Files with combinations: exit status, and what goes where.
+
+#[allow(dead_code)]
+mod common;
+
+use common::{Folder, LIFTS};
+use serde_json::json;
+
+/// A unit load that may be light, and a moment that may be large.
+fn combined() -> String {
+    let cases = LIFTS.replace("point = 1\n", "point = 1\ncase = \"G\"\n");
+    cases.replace("moment = 0.49\n", "moment = 0.49\ncase = \"W\"\n")
+        + "[[combination]]\nname = \"both\"\nfactors = { G = 1, W = 1 }\n\
+           [[combination]]\nname = \"heavy\"\nfactors = { G = 2, W = 1 }\n"
+}
+
+/// The same with a combination that tips.
+fn tips() -> String {
+    combined() + "[[combination]]\nname = \"storm\"\nfactors = { G = 1, W = 1.5 }\n"
+}
+
+#[test]
+fn all_are_solved() {
+    let folder = Folder::with(&combined());
+    let done = folder.run(&["solve", "model.toml"]);
+    done.is_clean(0);
+    assert!(done.stdout.contains("Combinations    1  both\n"));
+    assert!(done.stdout.contains("W, not a physical state"));
+    let done = folder.run(&["solve", "model.toml", "--json", "--at", "0,1"]);
+    done.is_clean(0);
+    let found = done.json();
+    assert_eq!((&found["status"], &found["units"]), (&json!("solved"), &json!("none")));
+    assert_eq!(found["envelope"]["x"], json!([0.0, 1.0]));
+    // The one that is nearly lifted off its left end is `both`.
+    let edge = found["combinations"][0]["contact"][0]["from"].as_f64().unwrap();
+    assert!((edge - 0.811326256449155).abs() < 1e-12);
+    assert_eq!(found["extremes"]["gap"]["max"]["combination"], "both");
+    assert_eq!(found["envelope"]["gap"]["governs_max"][0], "both");
+}
+
+#[test]
+fn one_without_equilibrium_does_not_hide_the_others() {
+    let folder = Folder::with(&tips());
+    let outputs = ["--csv", "t.csv", "--plot", "p.svg"];
+    let done = folder.run(&[&["solve", "model.toml"][..], &outputs].concat());
+    done.is_clean(3);
+    assert!(done.stdout.contains("   3  none: it tips about its right end"));
+    assert!(done.stdout.contains("exact, 2 of 3 combinations solved"));
+    assert!(folder.read("t.csv").starts_with("x,deflection_min,deflection_max,"));
+    assert!(folder.read("p.svg").starts_with("<svg "));
+    let done = folder.run(&["solve", "model.toml", "--json"]);
+    done.is_clean(3);
+    let found = done.json();
+    let status = |i: usize| found["combinations"][i]["status"].clone();
+    assert_eq!([status(0), status(1), status(2)], ["solved", "solved", "no-equilibrium"]);
+    assert_eq!(found["status"], "no-equilibrium");
+    for arguments in [&["check", "model.toml"][..], &["check", "model.toml", "--json"]] {
+        folder.run(arguments).is_clean(3);
+    }
+    let checked = folder.run(&["check", "model.toml", "--json"]).json();
+    assert_eq!(checked["combinations"][0]["status"], "equilibrium-exists");
+    assert!(folder.run(&["check", "model.toml"]).stdout.contains("   1  one          both\n"));
+}
+
+#[test]
+fn a_method_that_stops_early() {
+    let stopped = ["solve", "model.toml", "--json", "--method", "uzawa", "--most-sweeps", "2"];
+    let done = Folder::with(&combined()).run(&stopped);
+    done.is_clean(4);
+    assert_eq!(done.json()["status"], "not-converged");
+    // What mechanics says goes before what a solver does.
+    Folder::with(&tips()).run(&stopped).is_clean(3);
+    // The heavy one touches all along, where the method begins: it is given all the same.
+    assert_eq!(done.json()["combinations"][0]["status"], "not-converged");
+    assert_eq!(done.json()["combinations"][1]["status"], "solved");
+    assert_eq!(done.json()["extremes"]["moment"]["max"]["combination"], "heavy");
+}
+
+#[test]
+fn one_of_them_alone() {
+    let folder = Folder::with(&tips());
+    let one = |name: &str| folder.run(&["solve", "model.toml", "--json", "--combination", name]);
+    let done = one("both");
+    done.is_clean(0);
+    let alone = done.json();
+    assert_eq!(alone["title"], "Kikuchi 1980, case IV: both");
+    let all = folder.run(&["solve", "model.toml", "--json"]).json();
+    for key in ["contact", "stations", "extremes", "certificate", "existence"] {
+        assert_eq!(alone[key], all["combinations"][0][key], "{key}");
+    }
+    one("storm").is_clean(3);
+    one("bot").fails(2, "did you mean `both`?");
+    Folder::with(LIFTS)
+        .run(&["solve", "model.toml", "--combination", "both"])
+        .fails(2, "the file has no [[combination]]");
+}
+
+#[test]
+fn questions_about_one_model_need_its_name() {
+    let folder = Folder::with(&combined());
+    folder.run(&["solve", "model.toml", "--factors=W"]).fails(2, "add --combination NAME");
+    folder.run(&["solve", "model.toml", "--history", "h.csv"]).fails(2, "add --combination NAME");
+    let arguments = ["solve", "model.toml", "--json", "--combination", "heavy", "--factors=W"];
+    let done = folder.run(&arguments);
+    done.is_clean(0);
+    let loss = &done.json()["load_factors"]["loss_of_equilibrium"];
+    // A moment of 0.49 turns a force of 2 over beyond 1/0.49 times itself.
+    assert!((loss["factor"].as_f64().unwrap() - 1.0 / 0.49).abs() < 1e-14);
+}
+
+#[test]
+fn any_number_of_threads_gives_the_same_bytes() {
+    let folder = Folder::with(&tips());
+    let run = |threads: &str| {
+        let mut command = folder.command(&["solve", "model.toml", "--json"]);
+        let output = command.env("RAYON_NUM_THREADS", threads).output().unwrap();
+        let text = String::from_utf8(output.stdout).unwrap();
+        let lines = text.lines().filter(|line| !line.contains("\"seconds\""));
+        lines.map(str::to_owned).collect::<Vec<_>>()
+    };
+    assert_eq!(run("1"), run("4"));
+}
+
+#[test]
+fn sets_of_codes_of_practice() {
+    let actions = "[[case]]\nname = \"G\"\naction = \"permanent\"\n\
+                   [[case]]\nname = \"W\"\naction = \"wind\"\n\
+                   [[combination]]\nset = \"EN 1990 EQU\"\n";
+    let folder = Folder::with(&(combined().replace("0.49", "0.2") + actions));
+    let found = folder.run(&["solve", "model.toml", "--json"]).json();
+    let names: Vec<&str> = found["combinations"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|combination| combination["name"].as_str().unwrap())
+        .collect();
+    let made = ["EQU: 1.1 G + 1.5 W", "EQU: 0.9 G + 1.5 W", "EQU: 1.1 G", "EQU: 0.9 G"];
+    assert_eq!(names[2..], made);
+}

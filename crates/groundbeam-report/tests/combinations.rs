@@ -1,0 +1,162 @@
+//! All combinations of a file: report, document, table and picture.
+
+#[allow(dead_code)]
+mod common;
+
+use common::{context, document};
+use groundbeam::{Error, Existence, Field, NotConverged, Outcome};
+use groundbeam_file::{Combination, Document, LoadCase};
+use groundbeam_report::{Alone, Answer, Combinations, Combined, csv, json, png, svg, text};
+use serde_json::{Value, json};
+
+/// A file, solved.
+struct Solved {
+    document: Document,
+    combinations: Vec<Combination>,
+    outcomes: Vec<Result<Outcome, Error>>,
+    cases: Vec<(LoadCase, Existence)>,
+}
+
+fn solved(name: &str) -> Solved {
+    let document = document(name);
+    let combinations = document.combinations();
+    let outcomes = combinations.iter().map(|c| groundbeam::solve(&c.model)).collect();
+    let alone = |case: LoadCase| {
+        let existence = groundbeam::exists(&case.model).unwrap();
+        (case, existence)
+    };
+    let cases = document.load_cases().into_iter().map(alone).collect();
+    Solved { document, combinations, outcomes, cases }
+}
+
+impl Solved {
+    fn all(&self) -> Combinations<'_> {
+        let combined = self.combinations.iter().zip(&self.outcomes).map(|(c, outcome)| Combined {
+            name: &c.name,
+            factors: &c.factors,
+            model: &c.model,
+            ground: None,
+            answer: match outcome {
+                Ok(Outcome::Equilibrium(solution)) => Answer::Equilibrium(solution),
+                Ok(Outcome::NoEquilibrium(existence)) => Answer::NoEquilibrium(existence),
+                Err(Error::NotConverged(reached)) => Answer::NotConverged(reached),
+                Err(error) => panic!("{error}"),
+            },
+        });
+        let alone = self.cases.iter().map(|(case, existence)| Alone {
+            name: &case.name,
+            model: &case.model,
+            existence,
+        });
+        Combinations { combined: combined.collect(), alone: alone.collect() }
+    }
+
+    fn json(&self, stations: Option<&[f64]>) -> Value {
+        let text = json::combinations(&self.all(), stations, &context(&self.document));
+        serde_json::from_str(&text).unwrap()
+    }
+}
+
+/// Without what is rounding: the certificate.
+fn steady(report: &str) -> String {
+    let lines = report.lines().filter(|line| !line.contains("energy") && !line.contains("Method"));
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn the_report() {
+    let found = solved("combinations");
+    let report = text::combinations(&found.all(), &context(&found.document), false);
+    insta::assert_snapshot!("text-combinations", steady(&report));
+    for line in report.lines() {
+        assert!(line.chars().count() <= 80 && line == line.trim_end(), "{line}");
+    }
+    let coloured = text::combinations(&found.all(), &context(&found.document), true);
+    assert!(coloured.contains("\u{1b}[1;31mnone\u{1b}[0m"));
+}
+
+#[test]
+fn what_was_not_solved_is_told() {
+    let found = solved("combinations");
+    let mut all = found.all();
+    let reached = NotConverged {
+        method: groundbeam::Method::Uzawa,
+        iterations: 7,
+        tolerance: 1e-10,
+        reached: 1e-3,
+        what: "the relative change of the pressure",
+    };
+    all.combined[0].answer = Answer::NotConverged(&reached);
+    let report = text::combinations(&all, &context(&found.document), false);
+    assert!(report.contains("   1         not solved: the method `uzawa` stopped after 7"));
+    let document: Value =
+        serde_json::from_str(&json::combinations(&all, None, &context(&found.document))).unwrap();
+    // That one has no equilibrium says more.
+    assert_eq!(document["status"], "no-equilibrium");
+    assert_eq!(document["combinations"][0]["status"], "not-converged");
+    all.combined.pop();
+    let document: Value =
+        serde_json::from_str(&json::combinations(&all, None, &context(&found.document))).unwrap();
+    assert_eq!(document["status"], "not-converged");
+}
+
+#[test]
+fn the_document() {
+    let found = solved("combinations");
+    let document = found.json(None);
+    assert_eq!(document["status"], "no-equilibrium");
+    let combined = document["combinations"].as_array().unwrap();
+    assert_eq!(combined.len(), 17);
+    assert_eq!(combined[0]["name"], "6.10: 1.35 G + 1.5 Q + 0.9 W right");
+    assert_eq!(combined[0]["factors"], json!({ "G": 1.35, "Q": 1.5, "W right": 0.9 }));
+    assert_eq!(combined[16]["status"], "no-equilibrium");
+    assert_eq!(combined[16]["existence"]["verdict"], "none");
+    assert_eq!(document["cases"][0]["stands_alone"], true);
+    assert_eq!(document["cases"][2]["state"], "not a physical state");
+    let x = document["envelope"]["x"].as_array().unwrap();
+    for field in Field::ALL {
+        let lines = &document["envelope"][field.name()];
+        let extremes = &document["extremes"][field.name()];
+        for (bound, governs) in [("min", "governs_min"), ("max", "governs_max")] {
+            let values = lines[bound].as_array().unwrap();
+            assert_eq!(
+                (values.len(), lines[governs].as_array().unwrap().len()),
+                (x.len(), x.len())
+            );
+            // The extreme is one of the stations, and none goes beyond it.
+            let extreme = extremes[bound]["value"].as_f64().unwrap();
+            let values: Vec<f64> = values.iter().map(|value| value.as_f64().unwrap()).collect();
+            let reached = if bound == "min" {
+                values.iter().copied().fold(f64::INFINITY, f64::min)
+            } else {
+                values.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+            };
+            assert!((reached - extreme).abs() <= 1e-9 * extreme.abs(), "{field:?} {bound}");
+        }
+        for change in document["changes"][field.name()].as_array().unwrap() {
+            assert!(x.contains(&change["x"]), "{field:?}: {change}");
+        }
+    }
+    let some = found.json(Some(&[0.0, 6.0, 12.0]));
+    assert_eq!(some["envelope"]["x"], json!([0.0, 6.0, 12.0]));
+    assert_eq!(some["combinations"][3]["stations"]["x"], json!([0.0, 6.0, 12.0]));
+}
+
+#[test]
+fn the_table_and_the_picture() {
+    let found = solved("combinations");
+    let context = context(&found.document);
+    let table = csv::envelope(&found.all(), &[0.0, 6.0], context.units);
+    assert!(table.starts_with("x_m,deflection_min_m,deflection_max_m,deflection_governs_min,"));
+    assert_eq!(table.lines().count(), 3);
+    let picture = svg::combinations(&found.all(), &context);
+    assert_eq!(picture, svg::combinations(&found.all(), &context));
+    assert!(
+        !picture.contains("NaN") && picture.contains("envelope of 16 of 17 combinations; 1 not")
+    );
+    let bytes = png::combinations(&found.all(), &context).unwrap();
+    assert_eq!(bytes[..8], *b"\x89PNG\r\n\x1a\n");
+    let nothing = Combinations { combined: vec![found.all().combined[16]], alone: Vec::new() };
+    assert!(svg::combinations(&nothing, &context).contains("0 of 1 combinations"));
+    assert!(!json::combinations(&nothing, None, &context).contains("\"envelope\""));
+}
