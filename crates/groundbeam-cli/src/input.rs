@@ -37,7 +37,8 @@ impl Input {
             UnitSystem::Si => Units::Si,
             UnitSystem::Plain => Units::Plain,
         };
-        Context { title: self.document.title.as_deref(), ..Context::new(units) }
+        let context = Context::new(units).with_limits(&self.document.limits);
+        Context { title: self.document.title.as_deref(), ..context }
     }
 
     /// Problems found while solving, at their places in the file.

@@ -8,7 +8,7 @@ use crate::source::Source;
 use crate::units::UnitSystem;
 use groundbeam::model::{Part, Problem};
 use groundbeam::soil::Bed;
-use groundbeam::{Error, Model, Options, Outcome, solve_with};
+use groundbeam::{Error, Limits, Model, Options, Outcome, solve_with};
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -22,6 +22,8 @@ pub struct Document {
     /// The soil from which the model's ground was made, if the file gives one; a ground that depends on the
     /// solution is in the model as it is before anything is solved.
     pub bed: Option<Bed>,
+    /// What the file asks a design to keep to.
+    pub limits: Limits,
     /// Whether all is in SI units or in the file's own consistent system.
     pub units: UnitSystem,
     /// The load case to which each of the model's loads belongs, in the order of the loads; none for a

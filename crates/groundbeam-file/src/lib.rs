@@ -91,7 +91,7 @@ pub fn parse(text: &str) -> Result<Document, Diagnostics> {
     }
     let mut reader = Reader::new(&source, &root);
     reader.found = syntax.found;
-    let Contents { title, model, bed, cases, recipes } = section::read(&mut reader, &root);
+    let Contents { title, model, bed, limits, cases, recipes } = section::read(&mut reader, &root);
     let before = reader.found.len();
     let units = reader.unit_system();
     let is_mixed = reader.found.len() > before;
@@ -105,7 +105,7 @@ pub fn parse(text: &str) -> Result<Document, Diagnostics> {
     }
     let Reader { found, places, .. } = reader;
     if found.is_empty() {
-        Ok(Document { title, model, bed, cases, recipes, units, source, places })
+        Ok(Document { title, model, bed, limits, cases, recipes, units, source, places })
     } else {
         Err(Diagnostics::new(found))
     }

@@ -87,6 +87,7 @@ pub(crate) const SHEAR_CONSTANT: Kind =
     kind("a force (the ground's shear constant)", Dimension::FORCE, "9 MN", "MN", &[]);
 pub(crate) const UNIT_WEIGHT: Kind =
     kind("a force per volume", MODULUS, "25 kN/m^3", "kN/m^3", &[]);
+pub(crate) const STRESS_LIMIT: Kind = kind("a pressure", STRESS, "200 kPa", "kPa", &[]);
 pub(crate) const RATIO: Kind = kind("a plain number", Dimension::NONE, "0.3", "", &[]);
 pub(crate) const SPRING: Kind = kind("a force per deflection", LINE_LOAD, "10 MN/m", "MN/m", &[]);
 pub(crate) const ROTATIONAL_SPRING: Kind = kind(

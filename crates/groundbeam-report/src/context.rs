@@ -1,8 +1,8 @@
 //! What a report says besides the result itself.
 
 use crate::quantity::Units;
-use groundbeam::LoadFactors;
 use groundbeam::soil::{Bed, OnSoil, Subgrade};
+use groundbeam::{Limits, LoadFactors};
 
 /// What a report says besides the result itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,6 +17,8 @@ pub struct Context<'a> {
     pub factors: Option<Factors<'a>>,
     /// The soil from which the model's ground was made; left out where its constants were given.
     pub ground: Option<Ground<'a>>,
+    /// What the design must keep to; left out where nobody asked.
+    pub limits: Option<&'a Limits>,
 }
 
 /// A ground that was made of soil.
@@ -50,7 +52,7 @@ pub struct Factors<'a> {
 impl<'a> Context<'a> {
     /// No title, no time.
     pub fn new(units: Units) -> Self {
-        Context { title: None, units, seconds: None, factors: None, ground: None }
+        Context { title: None, units, seconds: None, factors: None, ground: None, limits: None }
     }
 
     /// The same with a title.
@@ -71,6 +73,11 @@ impl<'a> Context<'a> {
     /// The same with the soil from which the ground was made.
     pub fn with_ground(self, ground: Ground<'a>) -> Self {
         Context { ground: Some(ground), ..self }
+    }
+
+    /// The same with limits to check against.
+    pub fn with_limits(self, limits: &'a Limits) -> Self {
+        Context { limits: Some(limits), ..self }
     }
 
     /// The title on one line, without characters that would steer a terminal or break XML.

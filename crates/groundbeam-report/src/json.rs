@@ -7,6 +7,7 @@
 //! left) where a field jumps. Both sides of a jump are in the table of [`csv`](crate::csv).
 
 mod certificate;
+mod checks;
 mod combinations;
 mod factors;
 mod ground;
@@ -88,6 +89,8 @@ struct Solved {
     reactions: Vec<Held>,
     stations: Stations,
     extremes: Extremes,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    checks: Vec<checks::Checked>,
     certificate: Proof,
     #[serde(skip_serializing_if = "Option::is_none")]
     load_factors: Option<Grown>,
@@ -131,6 +134,7 @@ impl Solved {
                 .collect(),
             stations: Stations::of(solution, stations),
             extremes: Extremes::of(solution),
+            checks: checks::of(context.limits, solution),
             certificate: solution.certificate().into(),
             load_factors: context.factors.map(Grown::of),
             iterations: solution.iterations(),

@@ -89,6 +89,8 @@ pub(crate) enum Kind {
     AreaSpring,
     /// μ on an area: μ over a width.
     AreaShear,
+    /// Force per area.
+    Stress,
     /// 1/length.
     PerLength,
 }
@@ -209,6 +211,16 @@ impl Kind {
                         rung(1e6, 1e6, "MN/m"),
                         rung(1e3, 1e3, "kN/m"),
                         rung(0.0, 1.0, "N/m"),
+                    ]
+                }
+            }
+            Kind::Stress => {
+                const {
+                    &[
+                        rung(1e9, 1e9, "GPa"),
+                        rung(1e7, 1e6, "MPa"),
+                        rung(1e2, 1e3, "kPa"),
+                        rung(0.0, 1.0, "Pa"),
                     ]
                 }
             }

@@ -30,6 +30,7 @@ mod assemble;
 mod cell;
 mod certificate;
 mod chain;
+mod checks;
 mod contact;
 mod elements;
 mod envelope;
@@ -48,6 +49,7 @@ pub mod model;
 pub mod soil;
 
 pub use certificate::Certificate;
+pub use checks::{Check, Checked, Limits, overturning};
 pub use contact::active_set::{Pressure, Step};
 pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
 pub use existence::{Existence, RigidMotion, Verdict};

@@ -1,6 +1,7 @@
 //! The tables of a model file, one file each, in the order of [`groundbeam::Model`].
 
 mod beam;
+mod checks;
 mod combination;
 mod foundation;
 mod gap;
@@ -13,17 +14,18 @@ mod weight;
 use crate::combination::Recipe;
 use crate::reader::Reader;
 use crate::table::Section;
-use groundbeam::Model;
 use groundbeam::soil::Bed;
+use groundbeam::{Limits, Model};
 
 const TABLES: &[&str] =
-    &["title", "beam", "foundation", "load", "support", "gap", "case", "combination"];
+    &["title", "beam", "foundation", "load", "support", "gap", "case", "combination", "checks"];
 
 /// The whole file, as far as it could be read.
 pub(crate) struct Contents {
     pub title: Option<String>,
     pub model: Model,
     pub bed: Option<Bed>,
+    pub limits: Limits,
     /// The load case of each of the model's loads.
     pub cases: Vec<Option<String>>,
     pub recipes: Vec<Recipe>,
@@ -42,7 +44,8 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     }
     let supports = support::read(reader, root);
     let gap = gap::read(reader, root);
+    let limits = checks::read(reader, root);
     let recipes = combination::read(reader, root, &loads, &cases);
     let model = Model { beam, foundation, loads, supports, gap };
-    Contents { title, model, bed, cases, recipes }
+    Contents { title, model, bed, limits, cases, recipes }
 }

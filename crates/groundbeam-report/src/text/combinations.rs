@@ -2,7 +2,7 @@
 
 use super::factors::falls;
 use super::sheet::{Sheet, Tone};
-use super::{duration, label, structure, title};
+use super::{checks, duration, label, structure, title};
 use crate::characteristics::Characteristics;
 use crate::combinations::{Answer, Combinations, Combined};
 use crate::context::{Context, clean};
@@ -45,6 +45,9 @@ pub fn combinations(combinations: &Combinations, context: &Context, colour: bool
         sheet.blank();
         envelope(&mut sheet, &combinations.envelope(), &solved, context.units);
         sheet.blank();
+        let named = |row: &Numbered<'_>| combinations.combined[row.number - 1].name;
+        let all: Vec<_> = solved.iter().map(|row| (named(row), row.solution)).collect();
+        checks::worst_rows(&mut sheet, &all, context);
         proof(&mut sheet, &solved);
         method(&mut sheet, combinations, &solved, context);
     }

@@ -1,6 +1,7 @@
 //! The report for a terminal, at most 80 columns wide.
 
 mod certificate;
+mod checks;
 mod combinations;
 mod factors;
 mod ground;
@@ -36,6 +37,7 @@ pub fn solved(solution: &Solution, context: &Context, colour: bool) -> String {
     sheet.blank();
     extremes(&mut sheet, solution, units, &sizes);
     sheet.blank();
+    checks::rows(&mut sheet, solution, context);
     certificate::rows(&mut sheet, solution.certificate(), units);
     sheet.blank();
     method(&mut sheet, solution, context);

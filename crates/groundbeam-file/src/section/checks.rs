@@ -1,0 +1,83 @@
+//! `[checks]`: what a design must keep to.
+
+use crate::code;
+use crate::fault::Fault;
+use crate::quantity::{CLEARANCE, RATIO, STRESS_LIMIT, WIDTH};
+use crate::reader::{Field, Reader};
+use crate::table::Section;
+use groundbeam::Limits;
+use toml::de::DeValue;
+
+const KEYS: &[&str] =
+    &["bearing_pressure", "width", "settlement", "lifted_share", "eccentricity", "overturning"];
+
+/// The limits of the file.
+pub(super) fn read(reader: &mut Reader, root: &Section) -> Limits {
+    let Some(table) = reader.table(root, "checks", "[checks]") else { return Limits::default() };
+    reader.refuse_unknown(&table, KEYS);
+    let mut limit = |key: &'static str, kind| {
+        let field = reader.quantity(&table, key, kind)?;
+        Some(reader.positive(key, field).value)
+    };
+    let pressure = limit("bearing_pressure", &STRESS_LIMIT);
+    let own_width = limit("width", &WIDTH);
+    let settlement = limit("settlement", &CLEARANCE);
+    let overturning = limit("overturning", &RATIO);
+    let lifted_share = lifted_share(reader, &table);
+    let eccentricity = eccentricity(reader, &table);
+    let bearing_pressure = pressure.and_then(|pressure| {
+        let width = own_width.or_else(|| width_of_the_ground(root));
+        if width.is_none() {
+            let example = "`width` here or in [foundation]: what the beam bears on";
+            reader.missing(&table, &["width"], "`width`", example);
+        }
+        Some((pressure, width?))
+    });
+    Limits { bearing_pressure, settlement, lifted_share, eccentricity, overturning }
+}
+
+/// A part of the length; 0 for a beam that must not lift off at all.
+fn lifted_share(reader: &mut Reader, table: &Section) -> Option<f64> {
+    let share = reader.quantity(table, "lifted_share", &RATIO)?;
+    if share.value < 0.0 || share.value > 1.0 {
+        let message = "the share of the beam that may lift off is a part of its length, 0 to 1";
+        let hint = "lifted_share = 0 for a beam that must not lift off";
+        reader.report(Fault::new(code::FACTOR, share.span, message, "", hint));
+    }
+    Some(share.value)
+}
+
+/// The width in `[foundation]`, if it is one number; what is wrong with it has been reported there.
+fn width_of_the_ground(root: &Section) -> Option<f64> {
+    let DeValue::Table(ground) = root.value("foundation")?.get_ref() else { return None };
+    let text = match ground.get("width")?.get_ref() {
+        DeValue::String(text) => text.as_ref(),
+        DeValue::Float(float) => float.as_str(),
+        DeValue::Integer(integer) => integer.as_str(),
+        _ => return None,
+    };
+    let width = WIDTH.read("width", text, false).ok()?.value;
+    (width > 0.0).then_some(width)
+}
+
+/// A part of the length, `0.25`, or as engineers write it, `"l/6"`.
+fn eccentricity(reader: &mut Reader, table: &Section) -> Option<f64> {
+    let value = table.value("eccentricity")?;
+    let fraction = match value.get_ref() {
+        DeValue::String(text) => {
+            let parts = text.trim().strip_prefix("l/").or(text.trim().strip_prefix("L/"));
+            parts.and_then(|parts| parts.trim().parse::<f64>().ok())
+        }
+        _ => None,
+    };
+    let field = match fraction {
+        Some(parts) => Field::new(1.0 / parts, value.span()),
+        None => reader.field("eccentricity", value, &RATIO),
+    };
+    if field.value <= 0.0 || field.value > 0.5 {
+        let message = "the resultant's distance from the middle is at most half the length";
+        let hint = "write \"l/6\" for the kern, \"l/3\" for EN 1997-1, 6.5.4";
+        reader.report(Fault::new(code::FACTOR, value.span(), message, "", hint));
+    }
+    Some(field.value)
+}
