@@ -45,6 +45,7 @@ mod stability;
 
 pub mod model;
 pub mod soil;
+pub mod train;
 
 pub use certificate::Certificate;
 pub use contact::active_set::{Pressure, Step};

@@ -8,16 +8,18 @@ mod load;
 mod shape;
 mod soil;
 mod support;
+mod train;
 mod weight;
 
 use crate::combination::Recipe;
+use crate::document::MovingTrain;
 use crate::reader::Reader;
 use crate::table::Section;
 use groundbeam::Model;
 use groundbeam::soil::Bed;
 
 const TABLES: &[&str] =
-    &["title", "beam", "foundation", "load", "support", "gap", "case", "combination"];
+    &["title", "beam", "foundation", "load", "support", "gap", "case", "combination", "train"];
 
 /// The whole file, as far as it could be read.
 pub(crate) struct Contents {
@@ -27,6 +29,7 @@ pub(crate) struct Contents {
     /// The load case of each of the model's loads.
     pub cases: Vec<Option<String>>,
     pub recipes: Vec<Recipe>,
+    pub train: Option<MovingTrain>,
 }
 
 /// Reads the whole file.
@@ -43,6 +46,7 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     let supports = support::read(reader, root);
     let gap = gap::read(reader, root);
     let recipes = combination::read(reader, root, &loads, &cases);
+    let train = train::read(reader, root, beam.length);
     let model = Model { beam, foundation, loads, supports, gap };
-    Contents { title, model, bed, cases, recipes }
+    Contents { title, model, bed, cases, recipes, train }
 }

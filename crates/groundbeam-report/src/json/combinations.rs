@@ -30,8 +30,8 @@ pub fn combinations(
     text(&All {
         combinations: each(combinations, stations, context),
         envelope: any.then(|| of.table(&stations_of_all())),
-        extremes: any.then(|| of.fields(|field| of.extremes(field))),
-        changes: any.then(|| of.fields(|field| of.changes(field))),
+        extremes: any.then(|| ByField::of(|field| of.extremes(field))),
+        changes: any.then(|| ByField::of(|field| of.changes(field))),
         ..All::head(status, combinations, context)
     })
 }
@@ -149,8 +149,9 @@ impl<'a> Case<'a> {
     }
 }
 
+/// Something of each field, by its name.
 #[derive(Serialize)]
-struct ByField<T> {
+pub(super) struct ByField<T> {
     deflection: T,
     slope: T,
     moment: T,
@@ -158,6 +159,20 @@ struct ByField<T> {
     settlement: T,
     gap: T,
     pressure: T,
+}
+
+impl<T> ByField<T> {
+    pub fn of(of: impl Fn(Field) -> T) -> Self {
+        ByField {
+            deflection: of(Field::Deflection),
+            slope: of(Field::Slope),
+            moment: of(Field::Moment),
+            shear_force: of(Field::ShearForce),
+            settlement: of(Field::Settlement),
+            gap: of(Field::Gap),
+            pressure: of(Field::Pressure),
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -208,18 +223,6 @@ impl<'a> Named<'_, 'a> {
         self.names.get(number).copied().unwrap_or_default()
     }
 
-    fn fields<T>(&self, of: impl Fn(Field) -> T) -> ByField<T> {
-        ByField {
-            deflection: of(Field::Deflection),
-            slope: of(Field::Slope),
-            moment: of(Field::Moment),
-            shear_force: of(Field::ShearForce),
-            settlement: of(Field::Settlement),
-            gap: of(Field::Gap),
-            pressure: of(Field::Pressure),
-        }
-    }
-
     fn table(&self, stations: &[f64]) -> Table<'a> {
         let lines = |field| {
             let bounds = stations.iter().map(|&x| self.envelope.at(field, x));
@@ -231,7 +234,7 @@ impl<'a> Named<'_, 'a> {
                 governs_max: bounds.iter().map(|bounds| self.name(bounds.max.by)).collect(),
             }
         };
-        Table { x: stations.to_vec(), fields: self.fields(lines) }
+        Table { x: stations.to_vec(), fields: ByField::of(lines) }
     }
 
     fn extremes(&self, field: Field) -> Extremes<'a> {
