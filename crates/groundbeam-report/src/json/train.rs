@@ -87,6 +87,7 @@ struct Stretch {
 struct Error {
     stated: f64,
     reached: f64,
+    reached_by_field: ByField<f64>,
 }
 
 impl<'a> Head<'a> {
@@ -106,7 +107,11 @@ impl<'a> Head<'a> {
                 .collect(),
             range: stretch(range),
             positions: passage.solved().count(),
-            error: Error { stated: reach.asked, reached: reach.reached },
+            error: Error {
+                stated: reach.asked,
+                reached: reach.largest(),
+                reached_by_field: ByField::of(|field| reach.of(field)),
+            },
             without_equilibrium: passage
                 .without_equilibrium()
                 .iter()

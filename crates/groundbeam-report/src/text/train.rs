@@ -74,11 +74,18 @@ fn head(sheet: &mut Sheet, moving: &Moving, units: Units) {
 fn positions(sheet: &mut Sheet, passage: &Passage) {
     let reach = passage.reach();
     let count = passage.solved().count();
-    let words = format!(
+    let (met, missed): (Vec<Field>, Vec<Field>) =
+        Field::ALL.into_iter().partition(|&field| reach.of(field) <= reach.asked);
+    let reached = met.into_iter().map(|field| reach.of(field)).fold(0.0, f64::max);
+    let mut words = format!(
         "{count} solved; error of the envelope {} of each field's largest value, {} asked for",
-        order(reach.reached),
+        order(reached),
         order(reach.asked)
     );
+    for field in missed {
+        let name = label(field).to_lowercase();
+        words += &format!("; of the {name} {}", order(reach.of(field)));
+    }
     sheet.row("Positions", &words);
 }
 

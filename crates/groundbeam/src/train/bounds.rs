@@ -22,8 +22,23 @@ pub struct Located {
 pub struct Reach {
     /// Asked for.
     pub asked: f64,
-    /// The most by which the last position that was tried anywhere stuck out of the envelope of those before.
-    pub reached: f64,
+    /// Of each field, in the order of [`Field::ALL`], the most by which the last position that was tried anywhere stuck
+    /// out of the envelope of those before. Where a field jumps, as the pressure at a moving edge of contact may, it
+    /// stays as large as the jump.
+    pub reached: [f64; 7],
+}
+
+impl Reach {
+    /// The largest of all fields.
+    pub fn largest(&self) -> f64 {
+        self.reached.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// The one of a field.
+    pub fn of(&self, field: Field) -> f64 {
+        let index = Field::ALL.iter().position(|other| *other == field);
+        index.map_or(0.0, |index| self.reached[index])
+    }
 }
 
 /// The largest gaps under the beam while a train passes; none where nothing lifts.

@@ -108,7 +108,7 @@ pub(super) fn sticks_out(
     stations: &[f64],
     table: &Table,
     scale: &[f64; 7],
-) -> f64 {
+) -> [f64; 7] {
     let mut most = [0.0_f64; 7];
     let mut note = |field: usize, by: f64| most[field] = most[field].max(by);
     for (i, (values, bounds)) in middle.samples.iter().zip(&table.bounds).enumerate() {
@@ -136,9 +136,8 @@ pub(super) fn sticks_out(
         note(field, range.max.value - table.all[1][field]);
         note(field, table.all[0][field] - range.min.value);
     }
-    let relative =
-        most.iter().zip(scale).map(|(by, scale)| if *by > 0.0 { by / scale } else { 0.0 });
-    relative.fold(0.0, f64::max)
+    let relative = |field: usize| if most[field] > 0.0 { most[field] / scale[field] } else { 0.0 };
+    std::array::from_fn(relative)
 }
 
 /// Whether an axle passes a section somewhere between two positions, or stands there in one of them.

@@ -66,8 +66,8 @@ pub struct Position {
 /// An interval between two neighbouring positions.
 #[derive(Debug, Clone, Copy)]
 struct Between {
-    /// By how much its middle, or that of the interval it is a half of, stuck out of the envelope.
-    error: f64,
+    /// By how much its middle, or that of the interval it is a half of, stuck out of the envelope of each field.
+    error: [f64; 7],
     open: bool,
 }
 
@@ -112,7 +112,7 @@ impl<'a> Sweep<'a> {
         let new: Vec<Position> =
             wanted.into_iter().zip(answers).map(|(at, answer)| self.sampled(at, answer)).collect();
         if self.found.is_empty() {
-            let untested = Between { error: f64::INFINITY, open: true };
+            let untested = Between { error: [f64::INFINITY; 7], open: true };
             self.between = vec![untested; new.len().saturating_sub(1)];
             self.found = new;
         } else {
@@ -145,7 +145,10 @@ impl<'a> Sweep<'a> {
 
     /// What is known now.
     pub fn finish(self) -> Passage {
-        let reached = self.between.iter().map(|between| between.error).fold(0.0, f64::max);
+        let each = self.between.iter().map(|between| between.error);
+        let reached = each.fold([0.0_f64; 7], |most, error| {
+            std::array::from_fn(|field| most[field].max(error[field]))
+        });
         let none = edges::without_equilibrium(self.model, self.train, &self.found);
         Passage {
             model: self.model.clone(),
@@ -176,10 +179,10 @@ impl<'a> Sweep<'a> {
             let ends = [start, right];
             let error = match ends.iter().chain(&[&middle]).all(|end| end.ranges.is_some()) {
                 true => sticks_out(&middle, ends, self.train, &self.stations, &table, &scale),
-                false => 0.0,
+                false => [0.0; 7],
             };
             let is_edge = is_edge(ends[0], &middle) || is_edge(&middle, ends[1]);
-            let open = error > self.error || is_edge;
+            let open = is_edge || error.iter().any(|error| *error > self.error);
             found.push(middle);
             between.extend([Between { error, open }; 2]);
         }
@@ -196,8 +199,8 @@ impl<'a> Sweep<'a> {
             if length <= shortest * l || solved == 0 {
                 between.open = false;
                 // A jump as an axle comes or leaves has both its sides solved.
-                if !between.error.is_finite() {
-                    between.error = 0.0;
+                if between.error.contains(&f64::INFINITY) {
+                    between.error = [0.0; 7];
                 }
             }
         }
