@@ -12,6 +12,10 @@ use std::time::Instant;
 
 pub fn run(request: &Check) -> Result<Status, Failure> {
     let input = Input::read(&request.file)?;
+    if input.document.train.is_some() {
+        let rule = "whether it can pass is told by `groundbeam solve`";
+        return Err(Failure::usage(format!("the file has a train: {rule}")));
+    }
     if input.document.has_combinations() {
         return combinations::check(&input, request);
     }

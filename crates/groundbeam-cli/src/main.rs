@@ -9,6 +9,7 @@ mod output;
 mod pages;
 mod request;
 mod solve;
+mod trains;
 mod typed;
 mod waiting;
 

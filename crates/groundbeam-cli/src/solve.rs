@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{print, standard_error_has_colour, standard_output_has_colour, write};
 use crate::request::{Format, Grow, Plot, Solve};
+use crate::trains;
 use crate::waiting::while_working;
 use groundbeam::{Error, LoadFactors, Model, Options, Outcome, Solution};
 use groundbeam_file::{
@@ -16,6 +17,18 @@ use std::time::Instant;
 
 pub fn run(request: &Solve) -> Result<Status, Failure> {
     let input = Input::read(&request.file)?;
+    if let Some(train) = &input.document.train {
+        let model = match &request.combination {
+            None if input.document.has_combinations() => {
+                let message = "the file has combinations and a train: add --combination NAME for \
+                               the one under which it passes";
+                return Err(Failure::usage(message.to_owned()));
+            }
+            None => Loaded::as_written(&input),
+            Some(name) => Loaded::combined(&input, name)?,
+        };
+        return trains::solve(&input, request, train, &model.model, model.title.as_deref());
+    }
     match &request.combination {
         None if input.document.has_combinations() => combinations::solve(&input, request),
         None => one(&input, request, &Loaded::as_written(&input)),

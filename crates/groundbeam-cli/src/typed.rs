@@ -19,9 +19,9 @@ pub struct Typed {
 
 const AFTER: &str = "\
 Exit status:
-  0  solved; of a file with combinations, all of them
+  0  solved; of a file with combinations, all of them; of a train, every position
   2  the input or the command line is wrong
-  3  the model is right and no equilibrium exists, of a combination at least
+  3  the model is right and no equilibrium exists, of a combination or position at least
   4  the solver could not meet its own tolerance
 
 Environment:

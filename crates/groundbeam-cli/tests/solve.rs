@@ -205,3 +205,61 @@ fn load_cases_that_are_not_there() {
     run("--factors=").fails(2, "a load case is missing here");
     Folder::with(LIFTS).run(&["solve", "model.toml", "--factors=Q"]).fails(2, "give one to those");
 }
+
+/// A rail under two axles.
+const TRAIN: &str = "\
+[beam]\nlength = '12 m'\nEI = '6.4 MN m^2'\n[foundation]\nk = '40 MN/m^2'\n\
+[[load]]\ndistributed = '3 kN/m'\n\
+[[train]]\nname = 'bogie'\naxles = [{ at = '0 m', force = '112 kN' }, { at = '1.8 m', force = '112 kN' }]\n";
+
+#[test]
+fn a_train_gives_the_envelope_of_its_positions() {
+    let folder = Folder::with(TRAIN);
+    let done = folder.run(&["solve", "model.toml", "--json", "--at", "0 m,6 m"]);
+    done.is_clean(0);
+    let found = done.json();
+    let train = &found["train"];
+    assert_eq!((&found["status"], &train["name"]), (&json!("solved"), &json!("bogie")));
+    assert_eq!(train["range"], json!({ "from": 0.0, "to": 13.8 }));
+    assert!(train["positions"].as_u64().unwrap() > 32);
+    assert!(
+        train["error"]["reached"].as_f64().unwrap() <= train["error"]["stated"].as_f64().unwrap()
+    );
+    assert_eq!(found["envelope"]["x"], json!([0.0, 6.0]));
+    let governs = found["envelope"]["moment"]["governs_max"][1].as_f64().unwrap();
+    assert!((governs - 6.0).abs() < 1e-6 || (governs - 7.8).abs() < 1e-6);
+    assert!(found["extremes"]["moment"]["max"]["first_axle"].is_number());
+    assert!(found["uplift"]["behind"]["value"].as_f64().unwrap() > 0.0);
+    let report = folder.run(&["solve", "model.toml", "--plot", "p.svg", "--csv", "t.csv"]);
+    report.is_clean(0);
+    assert!(report.stdout.contains("Train        bogie: 2 axles, 224 kN together, over 1.8 m\n"));
+    assert!(report.stdout.lines().all(|line| line.chars().count() <= 80), "{}", report.stdout);
+    assert!(folder.read("p.svg").starts_with("<svg "));
+    assert!(
+        folder
+            .read("t.csv")
+            .starts_with("x_m,deflection_min_m,deflection_max_m,deflection_governs_min_m,")
+    );
+    folder.run(&["solve", "model.toml", "--factors"]).fails(2, "the file has a train");
+    folder.run(&["check", "model.toml"]).fails(2, "the file has a train");
+}
+
+#[test]
+fn a_train_under_which_the_beam_tips() {
+    let lifts = TRAIN.replace("axles = [", "axles = [{ at = '11 m', force = '-40 kN' }, ");
+    let done = Folder::with(&lifts).run(&["solve", "model.toml", "--json"]);
+    done.is_clean(3);
+    let found = done.json();
+    assert_eq!(found["status"], "no-equilibrium");
+    let ranges = found["train"]["without_equilibrium"].as_array().unwrap();
+    assert!(!ranges.is_empty() && found["envelope"]["x"].is_array());
+}
+
+#[test]
+fn a_train_under_a_combination() {
+    let both = TRAIN.replace("'3 kN/m'\n", "'3 kN/m'\ncase = 'G'\n")
+        + "[[combination]]\nname = 'ULS'\nfactors = { G = 1.35 }\n";
+    let folder = Folder::with(&both);
+    folder.run(&["solve", "model.toml"]).fails(2, "add --combination NAME");
+    folder.run(&["solve", "model.toml", "--combination", "ULS"]).is_clean(0);
+}

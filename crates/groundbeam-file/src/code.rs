@@ -22,6 +22,8 @@ pub(crate) const NOT_UTF8: &str = "GB019";
 pub(crate) const EMPTY_NAME: &str = "GB020";
 pub(crate) const REPEATED: &str = "GB021";
 pub(crate) const POISSON: &str = "GB206";
+pub(crate) const STRETCH: &str = "GB303";
+pub(crate) const FIRST_AXLE: &str = "GB701";
 
 /// One line of the table of codes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,7 +55,7 @@ pub const CODES: &[Code] = &[
     row(INCOMPLETE, "one of two keys that belong together is missing", "incomplete.toml"),
     row(MISPLACED, "a key belongs to another kind of load", "misplaced.toml"),
     row(UNKNOWN_WORD, "a word is none of those that can stand here", "unknown-word.toml"),
-    row(TOO_MANY, "more combinations than are solved", "too-many-combinations.toml"),
+    row(TOO_MANY, "more combinations or trains than are solved", "too-many-combinations.toml"),
     row(NUMBER, "a number cannot be read", "number.toml"),
     row(NOT_FINITE, "a number is not finite, or too large or small to hold", "not-finite.toml"),
     row(UNIT_SYNTAX, "a unit cannot be read", "unit-syntax.toml"),
@@ -76,7 +78,7 @@ pub const CODES: &[Code] = &[
     row(POISSON, "Poisson's ratio of a soil lies between 0 and 0.5", "poisson.toml"),
     row("GB301", "a position must lie on the beam", "off-the-beam.toml"),
     row("GB302", "a value must be a finite number", "out-of-range.toml"),
-    row("GB303", "a stretch must have a length", "stretch-without-length.toml"),
+    row(STRETCH, "a stretch must have a length", "stretch-without-length.toml"),
     row("GB304", "segments may touch but not overlap", "overlap.toml"),
     row("GB402", "a support's spring constant must be zero or positive", "support-spring.toml"),
     row("GB403", "two supports must not share one position", "two-supports.toml"),
@@ -86,4 +88,5 @@ pub const CODES: &[Code] = &[
     while_solving("GB603", "concentrated pressures need a shear layer"),
     while_solving("GB604", "answers at nodes alone are for beams without supports"),
     while_solving("GB605", "answers at nodes alone are for segments along which nothing varies"),
+    row(FIRST_AXLE, "a train is measured backward from its first axle", "first-axle.toml"),
 ];

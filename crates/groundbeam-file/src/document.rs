@@ -8,6 +8,7 @@ use crate::source::Source;
 use crate::units::UnitSystem;
 use groundbeam::model::{Part, Problem};
 use groundbeam::soil::Bed;
+use groundbeam::train::Train;
 use groundbeam::{Error, Limits, Model, Options, Outcome, solve_with};
 use std::collections::HashMap;
 use std::ops::Range;
@@ -29,9 +30,26 @@ pub struct Document {
     /// The load case to which each of the model's loads belongs, in the order of the loads; none for a
     /// load to which the file gives none.
     pub cases: Vec<Option<String>>,
+    /// The train that passes over the beam, if the file has one.
+    pub train: Option<MovingTrain>,
     pub(crate) recipes: Vec<Recipe>,
     pub(crate) source: Source,
     pub(crate) places: Places,
+}
+
+/// A train, and where it goes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MovingTrain {
+    /// What the file calls it.
+    pub name: String,
+    /// The set it is of; none if the file gives its loads.
+    pub set: Option<String>,
+    /// What its loads were multiplied by.
+    pub factor: f64,
+    /// Its loads, multiplied.
+    pub train: Train,
+    /// From where to where its first axle goes \[m\].
+    pub range: [f64; 2],
 }
 
 impl Document {

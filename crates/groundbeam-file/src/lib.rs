@@ -51,6 +51,7 @@ mod stiffness;
 mod suggest;
 mod syntax;
 mod table;
+mod trains;
 mod unit;
 mod units;
 mod write;
@@ -59,9 +60,10 @@ pub use cases::parse_cases;
 pub use code::{CODES, Code};
 pub use combination::{Combination, LoadCase};
 pub use diagnostic::{Diagnostic, Diagnostics, Related, Severity};
-pub use document::Document;
+pub use document::{Document, MovingTrain};
 pub use positions::parse_positions;
 pub use sets::{CombinationSet, combination_sets};
+pub use trains::{TrainSet, train_sets};
 pub use units::UnitSystem;
 pub use write::write_toml;
 
@@ -91,7 +93,8 @@ pub fn parse(text: &str) -> Result<Document, Diagnostics> {
     }
     let mut reader = Reader::new(&source, &root);
     reader.found = syntax.found;
-    let Contents { title, model, bed, limits, cases, recipes } = section::read(&mut reader, &root);
+    let contents = section::read(&mut reader, &root);
+    let Contents { title, model, bed, limits, cases, recipes, train } = contents;
     let before = reader.found.len();
     let units = reader.unit_system();
     let is_mixed = reader.found.len() > before;
@@ -105,7 +108,7 @@ pub fn parse(text: &str) -> Result<Document, Diagnostics> {
     }
     let Reader { found, places, .. } = reader;
     if found.is_empty() {
-        Ok(Document { title, model, bed, limits, cases, recipes, units, source, places })
+        Ok(Document { title, model, bed, limits, cases, recipes, train, units, source, places })
     } else {
         Err(Diagnostics::new(found))
     }

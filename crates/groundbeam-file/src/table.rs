@@ -55,6 +55,8 @@ const MEANT: &[(&str, &[&str])] = &[
     ("action", &["type", "kind", "category", "nature"]),
     ("set", &["code", "standard"]),
     ("group", &["exclusive", "alternative"]),
+    ("train", &["moving_load", "vehicle", "trains", "axle_train"]),
+    ("axles", &["axle", "wheels", "forces"]),
     ("length", &["l", "span"]),
     ("EI", &["bending_stiffness", "stiffness", "flexural_rigidity"]),
     ("E", &["elastic_modulus", "youngs_modulus", "young", "modulus"]),

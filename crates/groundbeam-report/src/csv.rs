@@ -3,6 +3,7 @@
 use crate::combinations::Combinations;
 use crate::curve::Jumps;
 use crate::quantity::Units;
+use crate::trains::Moving;
 use ::csv::{Writer, WriterBuilder};
 use groundbeam::{Bounds, Field, Fields, Solution};
 
@@ -44,6 +45,26 @@ pub fn envelope(combinations: &Combinations, positions: &[f64], units: Units) ->
             let [low, high] = [min, max].map(|governing| number(governing.extreme.value));
             let name = |by: usize| combined.get(by).copied().unwrap_or_default().to_owned();
             [low, high, name(min.by), name(max.by)]
+        });
+        rows.push(std::iter::once(number(x)).chain(cells));
+    }
+    rows.finish()
+}
+
+/// The envelope of a train's passage at the given sections: as [`envelope`], and what governs is the position of the
+/// first axle.
+pub fn train(moving: &Moving, sections: &[f64], units: Units) -> String {
+    let mut rows = Rows::new();
+    let names = Field::ALL.into_iter().flat_map(|field| {
+        let bound = |bound| column(&format!("{}_{bound}", field.name()), unit(field), units);
+        let governs = |bound| column(&format!("{}_governs_{bound}", field.name()), "m", units);
+        [bound("min"), bound("max"), governs("min"), governs("max")]
+    });
+    rows.push(std::iter::once(column("x", "m", units)).chain(names));
+    for &x in sections {
+        let bounds = moving.passage.at(x).into_iter().flatten();
+        let cells = bounds.flat_map(|[min, max]| {
+            [min.value, max.value, min.first_axle, max.first_axle].map(number)
         });
         rows.push(std::iter::once(number(x)).chain(cells));
     }

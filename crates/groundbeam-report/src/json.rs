@@ -11,6 +11,7 @@ mod checks;
 mod combinations;
 mod factors;
 mod ground;
+mod train;
 
 use crate::characteristics::Characteristics;
 use crate::context::Context;
@@ -23,6 +24,7 @@ use groundbeam::{
     Existence, Extreme, Field, Method, Model, NotConverged, RigidMotion, Side, Solution, Verdict,
 };
 use serde::Serialize;
+pub use train::train;
 
 /// Equal steps of the grid that [`default_stations`] is made of.
 const EVEN_STEPS: usize = 100;

@@ -23,6 +23,7 @@
 //!
 //! Of the combinations of load cases, [`Combinations`], the functions named `combinations` make reports, documents and
 //! pictures that show the envelope.
+//! Of a train that passes, [`Moving`], those named `train` do.
 //!
 //! Nothing here reads a clock, a file or the environment, and equal results give equal bytes.
 
@@ -37,6 +38,7 @@ mod font;
 mod number;
 mod quantity;
 mod size;
+mod trains;
 mod verdict;
 
 pub mod csv;
@@ -49,4 +51,5 @@ pub use characteristics::{Characteristics, Resultant};
 pub use combinations::{Alone, Answer, Combinations, Combined, Overall};
 pub use context::{Context, Factors, Ground};
 pub use quantity::Units;
+pub use trains::Moving;
 pub use verdict::sentence;

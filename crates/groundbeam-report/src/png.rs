@@ -2,6 +2,7 @@
 
 use crate::combinations::Combinations;
 use crate::context::Context;
+use crate::trains::Moving;
 use crate::{font, svg};
 use groundbeam::Solution;
 use resvg::tiny_skia::{Pixmap, Transform};
@@ -39,6 +40,15 @@ pub fn picture(solution: &Solution, context: &Context) -> Result<Vec<u8>, Error>
 /// If memory for the pixels is lacking.
 pub fn combinations(all: &Combinations, context: &Context) -> Result<Vec<u8>, Error> {
     drawn(&svg::combinations(all, context))
+}
+
+/// The picture of [`svg::train`] in the same way.
+///
+/// # Errors
+///
+/// If memory for the pixels is lacking.
+pub fn train(moving: &Moving, context: &Context) -> Result<Vec<u8>, Error> {
+    drawn(&svg::train(moving, context))
 }
 
 fn drawn(picture: &str) -> Result<Vec<u8>, Error> {

@@ -47,6 +47,7 @@ mod stability;
 
 pub mod model;
 pub mod soil;
+pub mod train;
 
 pub use certificate::Certificate;
 pub use checks::{Check, Checked, Limits, overturning};

@@ -9,16 +9,28 @@ mod load;
 mod shape;
 mod soil;
 mod support;
+mod train;
 mod weight;
 
 use crate::combination::Recipe;
+use crate::document::MovingTrain;
 use crate::reader::Reader;
 use crate::table::Section;
 use groundbeam::soil::Bed;
 use groundbeam::{Limits, Model};
 
-const TABLES: &[&str] =
-    &["title", "beam", "foundation", "load", "support", "gap", "case", "combination", "checks"];
+const TABLES: &[&str] = &[
+    "title",
+    "beam",
+    "foundation",
+    "load",
+    "support",
+    "gap",
+    "case",
+    "combination",
+    "train",
+    "checks",
+];
 
 /// The whole file, as far as it could be read.
 pub(crate) struct Contents {
@@ -29,6 +41,7 @@ pub(crate) struct Contents {
     /// The load case of each of the model's loads.
     pub cases: Vec<Option<String>>,
     pub recipes: Vec<Recipe>,
+    pub train: Option<MovingTrain>,
 }
 
 /// Reads the whole file.
@@ -46,6 +59,7 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     let gap = gap::read(reader, root);
     let limits = checks::read(reader, root);
     let recipes = combination::read(reader, root, &loads, &cases);
+    let train = train::read(reader, root, beam.length);
     let model = Model { beam, foundation, loads, supports, gap };
-    Contents { title, model, bed, limits, cases, recipes }
+    Contents { title, model, bed, limits, cases, recipes, train }
 }

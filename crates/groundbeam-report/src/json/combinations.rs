@@ -30,8 +30,8 @@ pub fn combinations(
     text(&All {
         combinations: each(combinations, stations, context),
         envelope: any.then(|| of.table(&stations_of_all())),
-        extremes: any.then(|| of.fields(|field| of.extremes(field))),
-        changes: any.then(|| of.fields(|field| of.changes(field))),
+        extremes: any.then(|| ByField::of(|field| of.extremes(field))),
+        changes: any.then(|| ByField::of(|field| of.changes(field))),
         ..All::head(status, combinations, context)
     })
 }
@@ -150,8 +150,9 @@ impl<'a> Case<'a> {
     }
 }
 
+/// Something of each field, by its name.
 #[derive(Serialize)]
-struct ByField<T> {
+pub(super) struct ByField<T> {
     deflection: T,
     slope: T,
     moment: T,
@@ -159,6 +160,20 @@ struct ByField<T> {
     settlement: T,
     gap: T,
     pressure: T,
+}
+
+impl<T> ByField<T> {
+    pub fn of(of: impl Fn(Field) -> T) -> Self {
+        ByField {
+            deflection: of(Field::Deflection),
+            slope: of(Field::Slope),
+            moment: of(Field::Moment),
+            shear_force: of(Field::ShearForce),
+            settlement: of(Field::Settlement),
+            gap: of(Field::Gap),
+            pressure: of(Field::Pressure),
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -209,18 +224,6 @@ impl<'a> Named<'_, 'a> {
         self.names.get(number).copied().unwrap_or_default()
     }
 
-    fn fields<T>(&self, of: impl Fn(Field) -> T) -> ByField<T> {
-        ByField {
-            deflection: of(Field::Deflection),
-            slope: of(Field::Slope),
-            moment: of(Field::Moment),
-            shear_force: of(Field::ShearForce),
-            settlement: of(Field::Settlement),
-            gap: of(Field::Gap),
-            pressure: of(Field::Pressure),
-        }
-    }
-
     fn table(&self, stations: &[f64]) -> Table<'a> {
         let all: Vec<_> = stations.iter().map(|&x| self.envelope.all_at(x)).collect();
         let lines = |field| {
@@ -233,7 +236,7 @@ impl<'a> Named<'_, 'a> {
                 governs_max: bounds().map(|bounds| self.name(bounds.max.by)).collect(),
             }
         };
-        Table { x: stations.to_vec(), fields: self.fields(lines) }
+        Table { x: stations.to_vec(), fields: ByField::of(lines) }
     }
 
     fn extremes(&self, field: Field) -> Extremes<'a> {

@@ -14,6 +14,7 @@ mod samples;
 mod style;
 mod supports;
 mod system;
+mod train;
 
 use crate::characteristics::Characteristics;
 use crate::context::Context;
@@ -27,6 +28,7 @@ use frame::{Frame, LEFT, RIGHT, WIDTH};
 use groundbeam::{Field, Solution};
 use samples::Samples;
 use style::{FAINT_INK, MOMENT, NOTE, PRESSURE, SHEAR, TICK, TITLE};
+pub use train::train;
 
 /// Edges of contact beyond this many are not marked in the diagrams.
 const MOST_EDGES: usize = 40;

@@ -6,6 +6,7 @@ mod combinations;
 mod factors;
 mod ground;
 mod sheet;
+mod train;
 
 use crate::characteristics::Characteristics;
 use crate::context::Context;
@@ -19,6 +20,7 @@ use groundbeam::{
     SupportKind, Verdict,
 };
 use sheet::{Sheet, Tone};
+pub use train::train;
 
 /// More rows of one kind than this are counted, not listed.
 const MOST_ROWS: usize = 20;

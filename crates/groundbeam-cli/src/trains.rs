@@ -1,0 +1,111 @@
+//! A train that passes over the beam: every position solved, and the envelope of all.
+
+use crate::Status;
+use crate::failure::Failure;
+use crate::input::Input;
+use crate::output::{print, standard_output_has_colour, write};
+use crate::request::{Format, Plot, Solve};
+use crate::solve::positions;
+use crate::waiting::while_working;
+use groundbeam::train::{Answer, Passage, Sweep};
+use groundbeam::{Error, Model};
+use groundbeam_file::MovingTrain;
+use groundbeam_report::{Context, Moving, csv, json, png, svg, text};
+use rayon::prelude::*;
+use std::time::Instant;
+
+/// The error of the envelope, relative to each field's largest value.
+const ERROR: f64 = 1e-3;
+
+/// Sweeps the train over the model and reports the envelope.
+pub fn solve(
+    input: &Input,
+    request: &Solve,
+    train: &MovingTrain,
+    model: &Model,
+    title: Option<&str>,
+) -> Result<Status, Failure> {
+    for (option, is_given) in
+        [("--history", request.history.is_some()), ("--factors", request.factors.is_some())]
+    {
+        if is_given {
+            let rule = "it is about one position, and the file has a train";
+            return Err(Failure::usage(format!("{option}: {rule}")));
+        }
+    }
+    let stations = request.at.as_deref().map(|list| positions(input, list)).transpose()?;
+    let started = Instant::now();
+    let words = format!("moving the train with the method {}", request.options.method.name());
+    let passage = while_working(words, || swept(input, request, train, model));
+    let passage = passage.map_err(|error| input.refused(&error))?;
+    let moving = Moving {
+        name: &train.name,
+        set: train.set.as_deref(),
+        factor: train.factor,
+        range: train.range,
+        passage: &passage,
+    };
+    let context = Context { title, ..input.context() };
+    let context = context.with_seconds(started.elapsed().as_secs_f64());
+    write_files(request, &moving, stations.as_deref(), &context)?;
+    print(&if request.json {
+        json::train(&moving, stations.as_deref(), &context)
+    } else {
+        text::train(&moving, &context, standard_output_has_colour())
+    })?;
+    Ok(status(&passage))
+}
+
+fn swept(
+    input: &Input,
+    request: &Solve,
+    train: &MovingTrain,
+    model: &Model,
+) -> Result<Passage, Error> {
+    let mut sweep = Sweep::new(model, &train.train, train.range, ERROR);
+    while !sweep.wanted().is_empty() {
+        // Each is solved by itself and kept in its place: the same bits on any number of processors.
+        let solved = sweep.wanted().par_iter().map(|&first_axle| {
+            let loaded = train.train.on(model, first_axle);
+            Answer::of(input.document.solve_model(&loaded, &request.options))
+        });
+        let solved: Vec<Result<Answer, Error>> = solved.collect();
+        sweep.give(solved.into_iter().collect::<Result<Vec<Answer>, Error>>()?);
+    }
+    Ok(sweep.finish())
+}
+
+fn status(passage: &Passage) -> Status {
+    if !passage.without_equilibrium().is_empty() {
+        Status::NoEquilibrium
+    } else if passage.not_converged().next().is_some() {
+        Status::NotConverged
+    } else {
+        Status::Done
+    }
+}
+
+fn write_files(
+    request: &Solve,
+    moving: &Moving,
+    stations: Option<&[f64]>,
+    context: &Context,
+) -> Result<(), Failure> {
+    if moving.passage.solved().next().is_none() {
+        return Ok(());
+    }
+    if let Some(path) = &request.csv {
+        let stations = stations.map_or_else(|| moving.default_stations(), <[f64]>::to_vec);
+        write(path, csv::train(moving, &stations, context.units).as_bytes())?;
+    }
+    if let Some(Plot { path, format }) = &request.plot {
+        let bytes = match format {
+            Format::Svg => svg::train(moving, context).into_bytes(),
+            Format::Png => {
+                png::train(moving, context).map_err(|error| Failure::usage(error.to_string()))?
+            }
+        };
+        write(path, &bytes)?;
+    }
+    Ok(())
+}

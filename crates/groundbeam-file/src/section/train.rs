@@ -1,0 +1,181 @@
+//! `[[train]]`.
+
+use crate::code;
+use crate::document::MovingTrain;
+use crate::fault::Fault;
+use crate::quantity::{FORCE, LOAD_PER_LENGTH, POSITION, RATIO};
+use crate::reader::Reader;
+use crate::suggest::nearest;
+use crate::table::Section;
+use crate::trains::{self, TrainSet};
+use crate::units::Seen;
+use groundbeam::train::{Axle, Train, UniformPart};
+use std::ops::Range;
+
+const KEYS: &[&str] = &["name", "set", "axles", "uniform", "from", "to", "factor"];
+
+/// The train of a file, of which there is at most one.
+pub(super) fn read(reader: &mut Reader, root: &Section, beam_length: f64) -> Option<MovingTrain> {
+    let tables = reader.tables(root, "train", "[[train]]");
+    for table in tables.iter().skip(1) {
+        let message = "a second train is not solved";
+        let hint = "write one [[train]] in a file, and another file for another train";
+        let fault = Fault::new(code::TOO_MANY, table.span.clone(), message, "", hint);
+        reader.report_with(fault, tables[0].span.clone(), "the first of them");
+    }
+    tables.first().map(|table| read_one(reader, table, beam_length))
+}
+
+fn read_one(reader: &mut Reader, table: &Section, beam_length: f64) -> MovingTrain {
+    reader.refuse_unknown(table, KEYS);
+    let name = reader.words(table, "name", "LM71").filter(|(name, span)| {
+        let is_empty = name.trim().is_empty();
+        if is_empty {
+            let message = "the train has no name";
+            let hint = "write its name, as in name = \"LM71\", or leave the key out";
+            reader.report(Fault::new(code::EMPTY_NAME, span.clone(), message, "", hint));
+        }
+        !is_empty
+    });
+    let (set, train) = parts(reader, table);
+    let factor = match reader.quantity(table, "factor", &RATIO) {
+        Some(factor) => {
+            let scaled = train.clone().scaled(factor.value);
+            if factor.value.is_finite() && is_finite(&train) && !is_finite(&scaled) {
+                let message = "with this factor a load of the train is too large to hold";
+                let hint = "numbers reach up to about 1.8e308";
+                reader.report(Fault::new(code::NOT_FINITE, factor.span, message, "", hint));
+            }
+            factor.value
+        }
+        None => 1.0,
+    };
+    let range = range(reader, table, &train, beam_length);
+    let name = match (name, set) {
+        (Some((name, _)), _) => name.trim().to_owned(),
+        (None, Some(set)) => set.name.clone(),
+        (None, None) => "train".to_owned(),
+    };
+    let set = set.map(|set| set.name.clone());
+    MovingTrain { name, set, factor, train: train.scaled(factor), range }
+}
+
+/// The axles and spread loads: of a set, or as they are written.
+fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Train) {
+    let mut train = Train::default();
+    let Some(set) = table.value("set") else {
+        let lists = (table.value("axles").is_some(), table.value("uniform").is_some());
+        if lists.0 {
+            train.axles = axles(reader, table);
+        } else {
+            let force = reader.line("force", &FORCE);
+            let at = reader.line("at", &POSITION);
+            let example = format!("set = \"LM71\", or axles = [{{ {at}, {force} }}, …]");
+            reader.missing(table, &["set", "axles"], "axles", &example);
+        }
+        if lists.1 {
+            train.uniform = uniform(reader, table);
+        }
+        return (None, train);
+    };
+    for key in ["axles", "uniform"] {
+        if let Some(other) = table.value(key) {
+            let hint = "the set brings its own loads: leave either of them out";
+            reader.exclusive(("set", &set.span()), (key, &other.span()), hint);
+        }
+    }
+    let Some((written, span)) = reader.words(table, "set", "LM71") else { return (None, train) };
+    // The loads of a set have units, so that the rest of the file must have them.
+    let key = "set".to_owned();
+    reader.quantities.push(Seen { key, kind: &FORCE, has_unit: true, span: span.clone() });
+    let found = trains::find(written.trim());
+    match found {
+        Some(set) => train = set.train.clone(),
+        None => {
+            let names: Vec<&str> = trains::train_sets().iter().map(|set| &*set.name).collect();
+            let message = format!("there is no train `{written}`");
+            let hint = match nearest(written, names.iter().copied()) {
+                Some(meant) => format!("did you mean `{meant}`?"),
+                None => format!("the trains: {}", names.join(", ")),
+            };
+            reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
+        }
+    }
+    (found, train)
+}
+
+/// `axles = [{ at = "0 m", force = "250 kN" }, …]`
+fn axles(reader: &mut Reader, table: &Section) -> Vec<Axle> {
+    let mut axles = Vec::new();
+    let mut first: Option<(f64, Range<usize>)> = None;
+    let list = reader.tables(table, "axles", "an axle");
+    for axle in &list {
+        reader.refuse_unknown(axle, &["at", "force"]);
+        let at = reader.required(axle, "at", &POSITION);
+        let force = reader.required(axle, "force", &FORCE);
+        if first.as_ref().is_none_or(|(least, _)| at.value < *least || at.value.is_nan()) {
+            first = Some((at.value, at.span));
+        }
+        axles.push(Axle { behind: at.value, force: force.value });
+    }
+    match first {
+        Some((at, span)) if !at.is_nan() && at != 0.0 => {
+            let message = "the first axle of a train stands at 0";
+            let hint = "measure the others backward from the first one, in positive numbers";
+            reader.report(Fault::new(code::FIRST_AXLE, span, message, "", hint));
+        }
+        None if table.value("axles").is_some_and(|list| list.get_ref().as_array().is_some()) => {
+            reader.missing(table, &["set"], "axle", "at least one to `axles`");
+        }
+        _ => {}
+    }
+    axles
+}
+
+/// `uniform = [{ from = "5.6 m", load = "80 kN/m" }, …]`; left out, an end is infinitely far away.
+fn uniform(reader: &mut Reader, table: &Section) -> Vec<UniformPart> {
+    let mut parts = Vec::new();
+    for part in reader.tables(table, "uniform", "a spread load") {
+        reader.refuse_unknown(&part, &["from", "to", "load"]);
+        let from = reader.quantity(&part, "from", &POSITION);
+        let to = reader.quantity(&part, "to", &POSITION);
+        let load = reader.required(&part, "load", &LOAD_PER_LENGTH);
+        if let (Some(from), Some(to)) = (&from, &to)
+            && to.value <= from.value
+        {
+            let hint = "both are measured backward from the first axle; `to` is farther back";
+            backward(reader, "a spread load of the train has no length", &to.span, hint);
+        }
+        parts.push(UniformPart {
+            from: from.map_or(f64::NEG_INFINITY, |from| from.value),
+            to: to.map_or(f64::INFINITY, |to| to.value),
+            intensity: load.value,
+        });
+    }
+    parts
+}
+
+/// Where the first axle goes; left out, until the last one has left the beam.
+fn range(reader: &mut Reader, table: &Section, train: &Train, beam_length: f64) -> [f64; 2] {
+    let [start, end] = train.passage(beam_length);
+    let from = reader.quantity(table, "from", &POSITION);
+    let to = reader.quantity(table, "to", &POSITION);
+    let place = to.as_ref().or(from.as_ref()).map(|field| field.span.clone());
+    let range = [from.map_or(start, |from| from.value), to.map_or(end, |to| to.value)];
+    if let Some(span) = place
+        && range[1] <= range[0]
+    {
+        let hint = "`from` and `to` are positions of the first axle, which goes to the right";
+        backward(reader, "the train goes nowhere", &span, hint);
+    }
+    range
+}
+
+fn backward(reader: &mut Reader, message: &str, span: &Range<usize>, hint: &str) {
+    reader.report(Fault::new(code::STRETCH, span.clone(), message, "", hint));
+}
+
+fn is_finite(train: &Train) -> bool {
+    train.axles.iter().all(|axle| axle.force.is_finite())
+        && train.uniform.iter().all(|part| part.intensity.is_finite())
+}

@@ -1,0 +1,180 @@
+//! The report of a train's passage: the train, the envelope, uplift ahead of and behind the axles.
+
+use super::sheet::{Sheet, Tone};
+use super::{duration, label, structure, title};
+use crate::characteristics::Characteristics;
+use crate::context::{Context, clean};
+use crate::number::{order, significant};
+use crate::quantity::{Kind, Units};
+use crate::size::Sizes;
+use crate::trains::Moving;
+use groundbeam::Field;
+use groundbeam::train::{Located, Passage};
+
+/// More ranges of one kind than this are counted, not listed.
+const MOST_RANGES: usize = 8;
+
+/// The report of a train's passage; with `colour`, with escape codes for a terminal.
+pub fn train(moving: &Moving, context: &Context, colour: bool) -> String {
+    let mut sheet = Sheet::new(colour);
+    let passage = moving.passage;
+    title(&mut sheet, context);
+    if let Some((_, solution)) = passage.solved().next() {
+        let found = Characteristics::of(passage.model(), solution.existence());
+        structure(&mut sheet, passage.model(), &found, context);
+    }
+    head(&mut sheet, moving, context.units);
+    positions(&mut sheet, passage);
+    failures(&mut sheet, passage, context.units);
+    if passage.solved().next().is_some() {
+        sheet.blank();
+        envelope(&mut sheet, passage, context.units);
+        sheet.blank();
+        uplift(&mut sheet, passage, context.units);
+        sheet.blank();
+        proof(&mut sheet, passage, context);
+    }
+    sheet.finish()
+}
+
+/// Name, axles, and where it goes.
+fn head(sheet: &mut Sheet, moving: &Moving, units: Units) {
+    let train = moving.passage.train();
+    let name = clean(moving.name);
+    let mut words = match moving.set {
+        Some(set) if set != name => format!("{name}, set {set}"),
+        _ => name,
+    };
+    if moving.factor != 1.0 {
+        words += &format!(", factor {}", significant(moving.factor, 6));
+    }
+    let force: f64 = train.axles.iter().map(|axle| axle.force).sum();
+    let force = units.write(Kind::Force, force, 6);
+    words += &match train.axles.len() {
+        1 => format!(": one axle of {force}"),
+        count => {
+            let length = units.position(train.length());
+            format!(": {count} axles, {force} together, over {length}")
+        }
+    };
+    for part in &train.uniform {
+        words += &format!(", {}", units.write(Kind::Pressure, part.intensity, 6));
+        if part.from.is_finite() {
+            words += &format!(" from {}", units.position(part.from));
+        }
+        if part.to.is_finite() {
+            words += &format!(" to {}", units.position(part.to));
+        }
+    }
+    sheet.row("Train", &words);
+    let [from, to] = moving.range.map(|x| units.position(x));
+    sheet.row("", &format!("the first axle goes from {from} to {to}"));
+}
+
+fn positions(sheet: &mut Sheet, passage: &Passage) {
+    let reach = passage.reach();
+    let count = passage.solved().count();
+    let (met, missed): (Vec<Field>, Vec<Field>) =
+        Field::ALL.into_iter().partition(|&field| reach.of(field) <= reach.asked);
+    let reached = met.into_iter().map(|field| reach.of(field)).fold(0.0, f64::max);
+    let mut words = format!(
+        "{count} solved; error of the envelope {} of each field's largest value, {} asked for",
+        order(reached),
+        order(reach.asked)
+    );
+    for field in missed {
+        let name = label(field).to_lowercase();
+        words += &format!("; of the {name} {}", order(reach.of(field)));
+    }
+    sheet.row("Positions", &words);
+}
+
+/// Where the train cannot stand, and where nothing was certified.
+fn failures(sheet: &mut Sheet, passage: &Passage, units: Units) {
+    let none = passage.without_equilibrium();
+    for (i, [from, to]) in none.iter().take(MOST_RANGES).enumerate() {
+        let [from, to] = [from, to].map(|x| units.position(*x));
+        let words = format!("no equilibrium: first axle from {from} to {to}");
+        sheet.toned_row(if i == 0 { "Tips" } else { "" }, &words, Tone::Bad);
+    }
+    if let Some(more @ 1..) = none.len().checked_sub(MOST_RANGES) {
+        sheet.row("", &format!("and {more} ranges more"));
+    }
+    let failed: Vec<f64> = passage.not_converged().collect();
+    if let Some(first) = failed.first() {
+        let first = units.position(*first);
+        let words = format!("not solved: {} positions, the first at {first}", failed.len());
+        sheet.toned_row("Not solved", &words, Tone::Bad);
+    }
+}
+
+/// Extremes with their places on the beam and those of the first axle.
+fn envelope(sheet: &mut Sheet, passage: &Passage, units: Units) {
+    let columns = |first: &str, a: [&str; 3], b: [&str; 3]| {
+        let cell = |[value, x, train]: [&str; 3]| format!("{value:>15}{x:>9}{train:>9}");
+        format!("{first:<13}{}{}", cell(a), cell(b))
+    };
+    let words = |largest| [largest, "at", "train at"];
+    sheet.heading(&columns("Envelope", words("smallest"), words("largest")));
+    for field in Field::ALL {
+        let Some(range) = passage.range(field) else { continue };
+        let known = range.map(|located| cleaned(passage, field, located));
+        let [min, max] = known;
+        let unit = units.unit(Kind::of(field), min.value.abs().max(max.value.abs()));
+        if min.value == max.value {
+            let value = unit.write(min.value, 6);
+            sheet.row(label(field), &format!("{value:>15} everywhere, always"));
+            continue;
+        }
+        let cells = known.map(|Located { x, value, first_axle }| {
+            let place = |x: f64| units.write(Kind::Position, x, 4);
+            [unit.write(value, 6), place(x), place(first_axle)]
+        });
+        let [a, b] = &cells;
+        let of = |cell: &[String; 3]| -> String {
+            format!("{:>15}{:>9}{:>9}", cell[0], cell[1], cell[2])
+        };
+        sheet.line(&format!("{:<13}{}{}", label(field), of(a), of(b)));
+    }
+}
+
+/// What is nothing but rounding is zero in print.
+fn cleaned(passage: &Passage, field: Field, located: Located) -> Located {
+    let Some((_, solution)) = passage.nearest(located.first_axle) else { return located };
+    let sizes = Sizes::of(solution);
+    let (x, value) = (sizes.position(located.x), sizes.value(field, located.value));
+    Located { x, value, ..located }
+}
+
+fn uplift(sheet: &mut Sheet, passage: &Passage, units: Units) {
+    let uplift = passage.uplift();
+    let rows = [
+        ("ahead of the axles", uplift.ahead),
+        ("between them", uplift.between),
+        ("behind them", uplift.behind),
+    ];
+    for (i, (place, gap)) in rows.into_iter().enumerate() {
+        let words = match gap.map(|gap| cleaned(passage, Field::Gap, gap)) {
+            Some(gap) if gap.value != 0.0 => {
+                let [x, at] = [gap.x, gap.first_axle].map(|x| units.write(Kind::Position, x, 4));
+                let value = units.write(Kind::Deflection, gap.value, 4);
+                format!("{place} up to {value}, at {x} with the first axle at {at}")
+            }
+            _ => format!("{place} none"),
+        };
+        sheet.row(if i == 0 { "Uplift" } else { "" }, &words);
+    }
+}
+
+fn proof(sheet: &mut Sheet, passage: &Passage, context: &Context) {
+    let gaps = passage.solved().map(|(_, solution)| solution.certificate().relative_gap);
+    let gap = order(gaps.fold(0.0, f64::max));
+    let words = format!("for each position; energy gap at most {gap} of the strain energy");
+    sheet.row("Certificate", &words);
+    let method = passage.solved().next().map_or("", |(_, solution)| solution.method().name());
+    let mut words = method.to_owned();
+    if let Some(seconds) = context.seconds {
+        words += &format!(", {}", duration(seconds));
+    }
+    sheet.row("Method", &words);
+}

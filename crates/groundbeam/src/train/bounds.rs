@@ -1,0 +1,199 @@
+//! What a passage of a train does to the beam: the envelope of all its positions.
+
+use super::interval::passing;
+use super::sweep::{Answer, Position};
+use super::{Train, marks};
+use crate::model::Model;
+use crate::solution::{Field, Side, Solution};
+
+/// A value, where on the beam it is, and where the train stands then.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Located {
+    /// Position on the beam \[m\].
+    pub x: f64,
+    /// The value.
+    pub value: f64,
+    /// Position of the first axle \[m\].
+    pub first_axle: f64,
+}
+
+/// The error that was asked for and the one that was reached, relative to each field's largest value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reach {
+    /// Asked for.
+    pub asked: f64,
+    /// Of each field, in the order of [`Field::ALL`], the most by which the last position that was tried anywhere stuck
+    /// out of the envelope of those before. Where a field jumps, as the pressure at a moving edge of contact may, it
+    /// stays as large as the jump.
+    pub reached: [f64; 7],
+}
+
+impl Reach {
+    /// The largest of all fields.
+    pub fn largest(&self) -> f64 {
+        self.reached.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// The one of a field.
+    pub fn of(&self, field: Field) -> f64 {
+        let index = Field::ALL.iter().position(|other| *other == field);
+        index.map_or(0.0, |index| self.reached[index])
+    }
+}
+
+/// The largest gaps under the beam while a train passes; none where nothing lifts.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Uplift {
+    /// Ahead of the first axle.
+    pub ahead: Option<Located>,
+    /// Between the first axle and the last.
+    pub between: Option<Located>,
+    /// Behind the last axle.
+    pub behind: Option<Located>,
+}
+
+/// The passage of a train over a beam.
+#[derive(Debug, Clone)]
+pub struct Passage {
+    pub(super) model: Model,
+    pub(super) train: Train,
+    pub(super) positions: Vec<Position>,
+    pub(super) reach: Reach,
+    pub(super) none: Vec<[f64; 2]>,
+}
+
+impl Passage {
+    /// The model without the train.
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// The train.
+    pub fn train(&self) -> &Train {
+        &self.train
+    }
+
+    /// Every position that was tried, from left to right.
+    pub fn positions(&self) -> &[Position] {
+        &self.positions
+    }
+
+    /// The error that was asked for, and the one that was reached.
+    pub fn reach(&self) -> Reach {
+        self.reach
+    }
+
+    /// Ranges of the first axle's position in which there is no equilibrium.
+    pub fn without_equilibrium(&self) -> &[[f64; 2]] {
+        &self.none
+    }
+
+    /// Positions at which the method did not reach its tolerance.
+    pub fn not_converged(&self) -> impl Iterator<Item = f64> {
+        let failed = |p: &&Position| matches!(p.answer, Answer::NotConverged(_));
+        self.positions.iter().filter(failed).map(|position| position.first_axle)
+    }
+
+    /// The positions that were solved, with their solutions.
+    pub fn solved(&self) -> impl Iterator<Item = (f64, &Solution)> {
+        self.positions.iter().filter_map(|position| match &position.answer {
+            Answer::Equilibrium(solution) => Some((position.first_axle, &**solution)),
+            _ => None,
+        })
+    }
+
+    /// The smallest and the largest value of every field at a section, in the order of [`Field::ALL`]; none if nothing
+    /// was solved.
+    ///
+    /// Of all solved positions, and of each axle as it passes the section, where the fields beside it are interpolated
+    /// between the solved positions before and after.
+    pub fn at(&self, x: f64) -> Option<[[Located; 2]; 7]> {
+        let mut bounds: Option<[[Located; 2]; 7]> = None;
+        let mut note = |first_axle: f64, values: [f64; 7]| {
+            let here = values.map(|value| [Located { x, value, first_axle }; 2]);
+            let bounds = bounds.get_or_insert(here);
+            for (bounds, [new, _]) in bounds.iter_mut().zip(here) {
+                widen(bounds, [new, new]);
+            }
+        };
+        for (first_axle, solution) in self.solved() {
+            for side in [Side::Left, Side::Right] {
+                let fields = solution.at(x, side);
+                note(first_axle, Field::ALL.map(|field| fields.get(field)));
+            }
+        }
+        for axle in 0..self.train.axles.len() {
+            if let Some((first_axle, both)) = passing(&self.positions, &self.train, axle, x) {
+                both.into_iter().for_each(|values| note(first_axle, values));
+            }
+        }
+        bounds
+    }
+
+    /// The smallest and the largest value of a field on the whole beam in all solved positions; none if nothing was
+    /// solved.
+    pub fn range(&self, field: Field) -> Option<[Located; 2]> {
+        let mut bounds: Option<[Located; 2]> = None;
+        let index = Field::ALL.iter().position(|other| *other == field)?;
+        for position in &self.positions {
+            let Some(ranges) = &position.ranges else { continue };
+            let first_axle = position.first_axle;
+            let new = [ranges[index].min, ranges[index].max].map(|extreme| Located {
+                x: extreme.x,
+                value: extreme.value,
+                first_axle,
+            });
+            widen(bounds.get_or_insert(new), new);
+        }
+        bounds
+    }
+
+    /// The solution at a position that was solved, or else nearest to it.
+    pub fn nearest(&self, first_axle: f64) -> Option<(f64, &Solution)> {
+        let away = |at: f64| (at - first_axle).abs();
+        self.solved().min_by(|a, b| away(a.0).total_cmp(&away(b.0)))
+    }
+
+    /// The largest gaps ahead of, between and behind the axles.
+    pub fn uplift(&self) -> Uplift {
+        let mut uplift = Uplift::default();
+        for (first_axle, solution) in self.solved() {
+            for open in solution.lift_off() {
+                let x = open.largest_gap.x;
+                let place = if x > first_axle {
+                    &mut uplift.ahead
+                } else if x < first_axle - self.train.length() {
+                    &mut uplift.behind
+                } else {
+                    &mut uplift.between
+                };
+                let here = Located { x, value: open.largest_gap.value, first_axle };
+                if place.is_none_or(|most| here.value > most.value) {
+                    *place = Some(here);
+                }
+            }
+        }
+        uplift
+    }
+
+    /// Sections at which the envelope is worth listing: `even` equal steps, corners of the model, and the extremes.
+    pub fn stations(&self, even: usize) -> Vec<f64> {
+        let l = self.model.beam.length;
+        let mut x: Vec<f64> = (0..=even).map(|i| l * (i as f64 / even.max(1) as f64)).collect();
+        x.extend(marks(&self.model));
+        x.extend(Field::ALL.iter().filter_map(|&field| self.range(field)).flatten().map(|e| e.x));
+        x.sort_by(f64::total_cmp);
+        x.dedup();
+        x
+    }
+}
+
+/// Takes the smaller of the smallest and the larger of the largest values; of equals the first.
+fn widen(bounds: &mut [Located; 2], [low, high]: [Located; 2]) {
+    if low.value < bounds[0].value {
+        bounds[0] = low;
+    }
+    if high.value > bounds[1].value {
+        bounds[1] = high;
+    }
+}

@@ -1,0 +1,175 @@
+//! Between two solved positions: what is interpolated there, and how far a third sticks out.
+
+use super::sweep::Position;
+use super::{SAME_PLACE, Train};
+
+/// Where [`Field::ShearForce`] stands in [`Field::ALL`].
+const SHEAR: usize = 3;
+
+/// Of each field the values just left and just right of an axle, as it passes a section.
+pub(super) type Beside = [[f64; 7]; 2];
+
+/// The fields beside an axle that stands between two solved positions, a share t of the way from the left to the right
+/// one; none where it is off the beam.
+pub(super) fn beside_axle(
+    ends: [&Position; 2],
+    train: &Train,
+    axle: usize,
+    t: f64,
+) -> Option<Beside> {
+    let [start, end] = ends.map(|end| end.under.get(axle).copied().flatten());
+    let (start, end) = (leaving(start?, train, axle), arriving(end?, train, axle));
+    Some([0, 1].map(|side| {
+        std::array::from_fn(|field| (1.0 - t) * start[side][field] + t * end[side][field])
+    }))
+}
+
+/// Beside an axle that goes on to the right. Where it stands on a fixed load, that one is then behind it: only the axle's
+/// own jump of the shear force is taken along.
+fn leaving([_, right]: Beside, train: &Train, axle: usize) -> Beside {
+    let mut left = right;
+    left[SHEAR] += jump(train, axle);
+    [left, right]
+}
+
+/// The same for an axle that comes from the left.
+fn arriving([left, _]: Beside, train: &Train, axle: usize) -> Beside {
+    let mut right = left;
+    right[SHEAR] -= jump(train, axle);
+    [left, right]
+}
+
+/// The force of all axles at an axle's place.
+fn jump(train: &Train, axle: usize) -> f64 {
+    let behind = train.axles[axle].behind;
+    train.axles.iter().filter(|other| other.behind == behind).map(|other| other.force).sum()
+}
+
+/// The envelope at the stations, from the left and from the right: smallest and largest values.
+pub(super) struct Table {
+    bounds: Vec<[[f64; 7]; 2]>,
+    /// Over the whole beam.
+    all: [[f64; 7]; 2],
+}
+
+impl Table {
+    pub fn of(found: &[Position], train: &Train, stations: &[f64]) -> Self {
+        let nothing = [[f64::INFINITY; 7], [f64::NEG_INFINITY; 7]];
+        let mut table = Table { bounds: vec![nothing; 2 * stations.len()], all: nothing };
+        for position in found {
+            for (bounds, values) in table.bounds.iter_mut().zip(&position.samples) {
+                widen(bounds, values);
+            }
+            for (field, range) in position.ranges.iter().flatten().enumerate() {
+                let [min, max] = &mut table.all;
+                min[field] = min[field].min(range.min.value);
+                max[field] = max[field].max(range.max.value);
+            }
+        }
+        for (i, &x) in stations.iter().enumerate() {
+            for (axle, _) in train.axles.iter().enumerate() {
+                for values in passing(found, train, axle, x).iter().flat_map(|(_, both)| both) {
+                    widen(&mut table.bounds[2 * i], values);
+                    widen(&mut table.bounds[2 * i + 1], values);
+                }
+            }
+        }
+        table
+    }
+}
+
+fn widen([min, max]: &mut [[f64; 7]; 2], values: &[f64; 7]) {
+    for (field, value) in values.iter().enumerate() {
+        min[field] = min[field].min(*value);
+        max[field] = max[field].max(*value);
+    }
+}
+
+/// The fields beside an axle as it passes x, and the position of the first axle then.
+pub(super) fn passing(
+    found: &[Position],
+    train: &Train,
+    axle: usize,
+    x: f64,
+) -> Option<(f64, Beside)> {
+    let at = x + train.axles[axle].behind;
+    let next = found.partition_point(|position| position.first_axle <= at);
+    let [left, right] = [found.get(next.checked_sub(1)?)?, found.get(next)?];
+    let t = (at - left.first_axle) / (right.first_axle - left.first_axle);
+    Some((at, beside_axle([left, right], train, axle, t)?))
+}
+
+/// How far the middle of an interval sticks out of the envelope, or is predicted to within the interval, relative to each
+/// field's scale.
+pub(super) fn sticks_out(
+    middle: &Position,
+    ends: [&Position; 2],
+    train: &Train,
+    stations: &[f64],
+    table: &Table,
+    scale: &[f64; 7],
+) -> [f64; 7] {
+    let mut most = [0.0_f64; 7];
+    let mut note = |field: usize, by: f64| most[field] = most[field].max(by);
+    for (i, (values, bounds)) in middle.samples.iter().zip(&table.bounds).enumerate() {
+        let [start, end] = ends.map(|end| &end.samples[i]);
+        let is_smooth = !is_passed(stations[i / 2], ends, train);
+        for field in 0..7 {
+            let [min, max] = [bounds[0][field], bounds[1][field]];
+            let [a, value, b] = [start[field], values[field], end[field]];
+            // Where the beam begins to touch or to lift off, pressure and gap turn from zero to something.
+            let is_one_curve = (a == 0.0) == (value == 0.0) && (b == 0.0) == (value == 0.0);
+            let crest = if is_smooth && is_one_curve { crest(a, value, b) } else { value };
+            note(field, crest.max(value) - max);
+            note(field, min - crest.min(value));
+        }
+    }
+    for (axle, _) in train.axles.iter().enumerate() {
+        let here = middle.under.get(axle).copied().flatten();
+        if let (Some(here), Some(between)) = (here, beside_axle(ends, train, axle, 0.5)) {
+            for (here, between) in here.iter().zip(&between) {
+                (0..7).for_each(|field| note(field, (here[field] - between[field]).abs()));
+            }
+        }
+    }
+    for (field, range) in middle.ranges.iter().flatten().enumerate() {
+        note(field, range.max.value - table.all[1][field]);
+        note(field, table.all[0][field] - range.min.value);
+    }
+    let relative = |field: usize| if most[field] > 0.0 { most[field] / scale[field] } else { 0.0 };
+    std::array::from_fn(relative)
+}
+
+/// Whether an axle passes a section somewhere between two positions, or stands there in one of them.
+fn is_passed(x: f64, [start, end]: [&Position; 2], train: &Train) -> bool {
+    let [from, to] = [start.first_axle, end.first_axle];
+    // An axle that stands there does so to rounding.
+    let rounding = SAME_PLACE * (from.abs() + to.abs());
+    let passing = from - rounding..=to + rounding;
+    train.axles.iter().any(|axle| passing.contains(&(x + axle.behind)))
+}
+
+/// The crest or trough of the parabola through three values at equal distances, if it lies between them; else the middle
+/// value.
+fn crest(a: f64, middle: f64, b: f64) -> f64 {
+    let (slope, bend) = (0.5 * (b - a), a - 2.0 * middle + b);
+    if slope.abs() < bend.abs() { middle - 0.5 * slope * slope / bend } else { middle }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solution::Field;
+
+    #[test]
+    fn the_shear_force_stands_where_it_is_looked_for() {
+        assert_eq!(Field::ALL[SHEAR], Field::ShearForce);
+    }
+
+    #[test]
+    fn crests_of_parabolas() {
+        let parabola = |s: f64| 3.0 - (s - 0.5) * (s - 0.5);
+        assert_eq!(crest(parabola(-1.0), parabola(0.0), parabola(1.0)), 3.0);
+        assert_eq!(crest(1.0, 2.0, 3.0), 2.0);
+    }
+}

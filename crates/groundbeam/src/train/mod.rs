@@ -1,0 +1,184 @@
+//! Axle trains: loads that move along the beam together, and the envelope of all their positions.
+
+mod bounds;
+mod edges;
+mod interval;
+mod sweep;
+
+pub use bounds::{Located, Passage, Reach, Uplift};
+pub use sweep::{Answer, Position, Sweep};
+
+use crate::model::{Load, Model};
+
+/// Positions closer than this part of the beam's length are one: an axle that comes so close to a load, a support
+/// or an end stands there.
+const SAME_PLACE: f64 = 1e-9;
+
+/// Axles and spread loads at fixed distances, which move along the beam together.
+///
+/// It is placed by its first axle, the one farthest to the right; everything is measured backward from there.
+///
+/// ```
+/// use groundbeam::train::{Axle, Train};
+/// use groundbeam::{Beam, Foundation, Load, Model};
+///
+/// let axle = |behind| Axle { behind, force: 250e3 };
+/// let bogie = Train { axles: vec![axle(0.0), axle(1.8)], uniform: Vec::new() };
+/// let rail = Model::new(Beam::uniform(12.0, 6.4e6), Foundation::winkler(40e6));
+/// // The second axle has not come onto the beam yet.
+/// assert_eq!(bogie.on(&rail, 1.5).loads, [Load::point(250e3, 1.5)]);
+/// assert_eq!(bogie.passage(12.0), [0.0, 13.8]);
+/// ```
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Train {
+    /// Single forces.
+    pub axles: Vec<Axle>,
+    /// Spread loads.
+    pub uniform: Vec<UniformPart>,
+}
+
+/// One axle of a train.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Axle {
+    /// Distance behind the first axle \[m\].
+    pub behind: f64,
+    /// Force, down \[N\].
+    pub force: f64,
+}
+
+/// A stretch of a train that carries an even load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UniformPart {
+    /// Where it begins, behind the first axle \[m\]; negative ahead of it, −∞ without end.
+    pub from: f64,
+    /// Where it ends, behind the first axle \[m\]; ∞ without end.
+    pub to: f64,
+    /// Intensity, down \[N/m\].
+    pub intensity: f64,
+}
+
+impl Train {
+    /// From the first axle to the last \[m\].
+    pub fn length(&self) -> f64 {
+        self.axles.iter().fold(0.0, |length, axle| length.max(axle.behind))
+    }
+
+    /// From the first axle's arrival at the left end to the last's departure at the right one, and that of spread
+    /// loads that end: positions of the first axle \[m\].
+    pub fn passage(&self, beam_length: f64) -> [f64; 2] {
+        let ends = self.uniform.iter().map(|part| part.to).filter(|to| to.is_finite());
+        [0.0, beam_length + ends.fold(self.length(), f64::max)]
+    }
+
+    /// The same train with every load multiplied by `factor`.
+    pub fn scaled(mut self, factor: f64) -> Self {
+        for axle in &mut self.axles {
+            axle.force *= factor;
+        }
+        for part in &mut self.uniform {
+            part.intensity *= factor;
+        }
+        self
+    }
+
+    /// The train seen in a mirror: its last axle is the first.
+    pub fn mirrored(&self) -> Self {
+        let length = self.length();
+        let axle = |axle: &Axle| Axle { behind: length - axle.behind, ..*axle };
+        let part = |part: &UniformPart| UniformPart {
+            from: length - part.to,
+            to: length - part.from,
+            ..*part
+        };
+        Train {
+            axles: self.axles.iter().rev().map(axle).collect(),
+            uniform: self.uniform.iter().rev().map(part).collect(),
+        }
+    }
+
+    /// A model with the train on it, its first axle at a position; what is off the beam carries nothing.
+    pub fn on(&self, model: &Model, position: f64) -> Model {
+        let l = model.beam.length;
+        let marks = marks(model);
+        let mut loaded = model.clone();
+        for axle in &self.axles {
+            let at = snapped(position - axle.behind, &marks, l);
+            if (0.0..=l).contains(&at) {
+                loaded.loads.push(Load::point(axle.force, at));
+            }
+        }
+        for part in &self.uniform {
+            let [from, to] = [part.to, part.from]
+                .map(|behind| snapped((position - behind).clamp(0.0, l), &marks, l));
+            if to > from {
+                loaded.loads.push(Load::uniform(part.intensity, from, to));
+            }
+        }
+        loaded
+    }
+
+    /// Where an axle stands if the first one is at a position; none off the beam.
+    pub(crate) fn axle_at(&self, axle: usize, position: f64, model: &Model) -> Option<f64> {
+        let l = model.beam.length;
+        let at = snapped(position - self.axles.get(axle)?.behind, &marks(model), l);
+        (0.0..=l).contains(&at).then_some(at)
+    }
+}
+
+/// Where the fields of a model have corners or jump: its ends, loads, supports, gap and segments.
+pub(crate) fn marks(model: &Model) -> Vec<f64> {
+    let l = model.beam.length;
+    let mut x = vec![0.0, l];
+    for load in &model.loads {
+        match *load {
+            Load::PointForce { at, .. } | Load::PointMoment { at, .. } => x.push(at),
+            Load::Distributed { from, to, .. } | Load::DistributedMoment { from, to, .. } => {
+                x.extend([from, to]);
+            }
+        }
+    }
+    x.extend(model.supports.iter().map(|support| support.at));
+    x.extend(model.gap.iter().map(|corner| corner.at));
+    x.extend(model.beam.segments.iter().flat_map(|segment| [segment.from, segment.to]));
+    x.extend(model.foundation.segments.iter().flat_map(|segment| [segment.from, segment.to]));
+    x.retain(|x| (0.0..=l).contains(x));
+    x.sort_by(f64::total_cmp);
+    x.dedup();
+    x
+}
+
+/// The mark that a position means, or the position itself.
+fn snapped(x: f64, marks: &[f64], beam_length: f64) -> f64 {
+    let near = marks.iter().find(|mark| (x - **mark).abs() <= SAME_PLACE * beam_length);
+    near.copied().unwrap_or(x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Beam, Foundation};
+
+    #[test]
+    fn what_is_off_the_beam_carries_nothing() {
+        let beam = Model::new(Beam::uniform(10.0, 1.0), Foundation::winkler(1.0));
+        let train = Train {
+            axles: vec![Axle { behind: 0.0, force: 2.0 }, Axle { behind: 3.0, force: 4.0 }],
+            uniform: vec![UniformPart { from: 4.0, to: f64::INFINITY, intensity: 1.0 }],
+        };
+        assert_eq!(train.on(&beam, 3.0).loads, [Load::point(2.0, 3.0), Load::point(4.0, 0.0)]);
+        let leaving = train.on(&beam, 11.0).loads;
+        assert_eq!(leaving, [Load::point(4.0, 8.0), Load::uniform(1.0, 0.0, 7.0)]);
+        assert_eq!(train.on(&beam, 20.0).loads, [Load::uniform(1.0, 0.0, 10.0)]);
+        assert_eq!(train.passage(10.0), [0.0, 13.0]);
+    }
+
+    #[test]
+    fn an_axle_at_a_mark_stands_exactly_there() {
+        let third = 1.0 / 3.0;
+        let beam = Model::new(Beam::uniform(1.0, 1.0), Foundation::winkler(1.0))
+            .with_load(Load::point(1.0, third));
+        let train = Train { axles: vec![Axle { behind: 0.1, force: 1.0 }], uniform: Vec::new() };
+        assert_eq!(train.axle_at(0, third + 0.1, &beam), Some(third));
+        assert_eq!(train.axle_at(0, 0.1 - 1e-8, &beam), None);
+    }
+}

@@ -1,0 +1,171 @@
+//! Passages of trains against closed forms, brute force and the mirror.
+
+use groundbeam::train::{Axle, Passage, Sweep, Train};
+use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, Side, solve};
+use groundbeam_verification::random::{Family, model};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+const EI: f64 = 6.4e6;
+const K: f64 = 40e6;
+
+fn axle(behind: f64, force: f64) -> Axle {
+    Axle { behind, force }
+}
+
+fn single(force: f64) -> Train {
+    Train { axles: vec![axle(0.0, force)], uniform: Vec::new() }
+}
+
+/// A heavy rail on springs.
+fn rail(length: f64, weight: f64) -> Model {
+    Model::new(Beam::uniform(length, EI), Foundation::winkler(K))
+        .with_load(Load::uniform(weight, 0.0, length))
+}
+
+fn beta() -> f64 {
+    (K / (4.0 * EI)).powf(0.25)
+}
+
+fn passage(model: &Model, train: &Train, range: [f64; 2]) -> Passage {
+    Sweep::new(model, train, range, 1e-3).run(solve).unwrap()
+}
+
+/// Zimmermann, Die Berechnung des Eisenbahnoberbaues (1888), and Hetényi, Beams on Elastic Foundation (1946), § 3: under
+/// a wheel F on an endless rail M = F/(4β), w = Fβ/(2k) and V = ±F/2; at a quarter wave, βx = π/2, M = −e^(−π/2) F/(4β).
+#[test]
+fn a_wheel_on_a_long_rail_that_its_weight_holds_down() {
+    let (force, weight) = (100e3, 40e3);
+    let passage = passage(&rail(20.0, weight), &single(force), [0.0, 20.0]);
+    assert!(passage.reach().largest() <= 1e-3, "{:?}", passage.reach());
+    assert_eq!(passage.uplift().ahead, None);
+    let moment = force / (4.0 * beta());
+    for x in [9.0, 9.77, 10.0, 10.3] {
+        let [deflection, _, bending, shear, ..] = passage.at(x).unwrap();
+        assert!((bending[1].value / moment - 1.0).abs() < 1e-3);
+        assert!((bending[1].first_axle - x).abs() < 1e-12);
+        assert!((bending[0].value / moment + (-FRAC_PI_2).exp()).abs() < 1e-3);
+        let under = force * beta() / (2.0 * K) + weight / K;
+        assert!((deflection[1].value / under - 1.0).abs() < 1e-3);
+        for [bound, sign] in [[shear[0].value, -1.0], [shear[1].value, 1.0]] {
+            assert!((bound / (0.5 * force) - sign).abs() < 1e-3);
+        }
+    }
+}
+
+/// The same closed form with the weight q: the rail first lifts at βx = π on both sides of the wheel, under
+/// F = 2 q e^π/β.
+#[test]
+fn a_rail_lifts_ahead_of_the_wheel_and_behind_it() {
+    let weight = 3e3;
+    let limit = 2.0 * weight * PI.exp() / beta();
+    let uplift = |force: f64| passage(&rail(30.0, weight), &single(force), [12.0, 18.0]).uplift();
+    let before = uplift(0.999 * limit);
+    assert_eq!((before.ahead, before.between, before.behind), (None, None, None));
+    let after = uplift(1.01 * limit);
+    let (ahead, behind) = (after.ahead.unwrap(), after.behind.unwrap());
+    assert!((ahead.value / behind.value - 1.0).abs() < 1e-3);
+    for gap in [ahead, behind] {
+        assert!((beta() * (gap.x - gap.first_axle).abs() / PI - 1.0).abs() < 0.05);
+    }
+}
+
+/// A wheel down and one up 9 m behind it: a slab tips about its right end where the moments about it vanish,
+/// q l²/2 + F (l − s) = ¾F (l − s + 9).
+#[test]
+fn a_slab_tips_where_the_statics_say() {
+    let (l, q, force) = (10.0, 2.65e3, 20e3);
+    let slab = Model::new(Beam::uniform(l, 1e9), Foundation::pasternak(40e6, 4e6))
+        .with_load(Load::uniform(q, 0.0, l));
+    let train = Train { axles: vec![axle(0.0, force), axle(9.0, -0.75 * force)], uniform: vec![] };
+    let passage = passage(&slab, &train, [9.0, 10.0]);
+    let edge = l - (0.75 * 9.0 * force - 0.5 * q * l * l) / (0.25 * force);
+    let [[from, to]] = passage.without_equilibrium() else {
+        panic!("{edge}: {:?}", passage.without_equilibrium())
+    };
+    assert!((from - edge).abs() < 1e-7 && *to == 10.0, "{edge}: {from} to {to}");
+    assert!(passage.solved().count() > 10);
+}
+
+fn random() -> impl Iterator<Item = (String, Model)> {
+    [Family::Plain, Family::Winkler, Family::Segments, Family::Supported]
+        .into_iter()
+        .flat_map(|family| (0..2).map(move |i| (format!("{family:?} {i}"), model(family, i))))
+}
+
+/// A train as heavy as what the model carries.
+fn suited(model: &Model) -> Train {
+    let force = model.loads.iter().fold(0.0_f64, |most, load| match load {
+        Load::PointForce { force, .. } => most.max(force.abs()),
+        Load::Distributed { start, from, to, .. } => most.max((start * (to - from)).abs()),
+        _ => most,
+    });
+    let behind = 0.13 * model.beam.length;
+    Train { axles: vec![axle(0.0, force), axle(behind, 0.5 * force)], uniform: vec![] }
+}
+
+/// Twenty times as many positions do not stick out of the envelope.
+#[test]
+fn brute_force_stays_within_the_envelope() {
+    let mut faults = Vec::new();
+    for (name, model) in random() {
+        let (train, l) = (single(suited(&model).axles[0].force), model.beam.length);
+        let passage = passage(&model, &train, [0.2 * l, 0.8 * l]);
+        let scale = Field::ALL.map(|field| {
+            let [min, max] =
+                passage.range(field).map_or([0.0; 2], |r| r.map(|end| end.value.abs()));
+            min.max(max)
+        });
+        let count = (20 * passage.positions().len()).min(1500);
+        let sections: Vec<f64> = (0..=24).map(|i| l * f64::from(i) / 24.0).collect();
+        let bounds: Vec<_> = sections.iter().map(|&x| passage.at(x)).collect();
+        let mut worst = (0.0_f64, Field::Deflection, 0.0, 0.0);
+        for i in 0..=count {
+            let s = l * (0.2 + 0.6 * i as f64 / count as f64);
+            let Ok(Outcome::Equilibrium(solution)) = solve(&train.on(&model, s)) else { continue };
+            for (&x, bounds) in sections.iter().zip(&bounds) {
+                let Some(bounds) = bounds else { continue };
+                for side in [Side::Left, Side::Right] {
+                    let here = solution.at(x, side);
+                    for ((field, [min, max]), scale) in Field::ALL.iter().zip(bounds).zip(scale) {
+                        let value = here.get(*field);
+                        let out = (value - max.value).max(min.value - value) / scale;
+                        if out > worst.0 {
+                            worst = (out, *field, x, s);
+                        }
+                    }
+                }
+            }
+        }
+        let reach = passage.reach();
+        println!("{name}: {} positions, {reach:?}, {worst:?}", passage.positions().len());
+        if worst.0 > reach.asked.max(reach.of(worst.1)) {
+            faults.push(format!("{name}: {worst:?} {reach:?}"));
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// A train that comes from the other side does the same in the mirror.
+#[test]
+fn a_mirror_changes_nothing() {
+    for (name, model) in random() {
+        let (train, l) = (suited(&model), model.beam.length);
+        let [from, to] = [0.2 * l, 0.8 * l];
+        let seen = passage(&model, &train, [from, to]);
+        // The last axle is the first.
+        let mirrored = [to, from].map(|s| l - s + train.length());
+        let image = passage(&model.mirrored(), &train.mirrored(), mirrored);
+        for field in [Field::Deflection, Field::Moment, Field::Settlement] {
+            let (Some(a), Some(b)) = (seen.range(field), image.range(field)) else {
+                assert!(seen.range(field).is_none() && image.range(field).is_none(), "{name}");
+                continue;
+            };
+            let error = 2.0 * seen.reach().of(field).max(image.reach().of(field)).max(1e-3);
+            let scale = a[0].value.abs().max(a[1].value.abs());
+            for (a, b) in a.iter().zip(&b) {
+                let out = (a.value - b.value).abs() / scale;
+                assert!(out <= error, "{name} {field:?}: {out} {:?}", seen.reach());
+            }
+        }
+    }
+}
