@@ -3,6 +3,7 @@
 use super::active_set::{Found, Stalled};
 use super::exact::{ENOUGH, Proof, solve, unsettled};
 use super::glue::Glue;
+use super::stretches::Stretch;
 use crate::model::{Load, Model};
 use crate::polynomial::jet;
 
@@ -22,6 +23,20 @@ impl Held {
         let [_, slope, ..] = jet(found.deflection().cell(0), -1.0);
         Held { left: true, slope: 2.0 * slope / found.mesh.cells[0].length() }
     }
+}
+
+/// A zone shorter than this, as a part of the length, beside a corner of the gap may be the corner alone.
+const NARROW: f64 = 1e-6;
+
+/// The beam on the corner of the gap at which its only, narrow zone begins or ends, held at the slope it has.
+pub(super) fn on_a_corner(glue: &mut Glue, found: &Found, zones: &[Stretch]) -> Option<Found> {
+    let [[from, to]] = *zones else { return None };
+    let model = glue.model;
+    if to - from > NARROW * model.beam.length {
+        return None;
+    }
+    let corner = model.gap.iter().map(|corner| corner.at).find(|at| *at == from || *at == to)?;
+    glue.on(&[[corner, corner]], Some(Held::as_in(found))).ok()
 }
 
 /// Solves a free beam whose resultant stands exactly over one of its ends. That end alone carries it, and

@@ -14,7 +14,7 @@
 //! error as well. If the steps do not settle, the mesh that began them is refined.
 
 use super::active_set::{Found, Pressure, Stalled, Step};
-use super::balanced::Held;
+use super::balanced::{self, Held};
 use super::descent::shorten;
 use super::edges;
 use super::glue::Glue;
@@ -63,7 +63,8 @@ const PATIENCE: usize = 4;
 /// How often that, whatever the steps do, before the certificate's answer is good enough.
 const ROUNDS: usize = 12;
 
-/// Steps in a row that did not halve the move, after which the beam is tried without its weakest zones.
+/// Steps in a row that did not halve the move, after which the beam is tried without its weakest zones; and steps
+/// after which it is tried on a corner alone.
 const WALKING: usize = 8;
 /// The weakest zone that is kept in that, relative to the strongest, and the most that the others may move,
 /// relative to the beam's length.
@@ -333,7 +334,15 @@ fn refine(
             // Where edges by themselves come to rest at no answer, the scan goes on.
             alone &= by_scan;
         }
-        if most_steps > NEAR_STEPS
+        let patient = most_steps > NEAR_STEPS && step > 0;
+        if patient
+            && step.is_multiple_of(WALKING)
+            && let Some(found) = balanced::on_a_corner(glue, &found, &next)
+            && judge(&found).is_within(LAST)
+        {
+            return Ok(Found { history, ..found });
+        }
+        if patient
             && idle > 0
             && idle.is_multiple_of(WALKING)
             && let Some(start) = without_the_weakest(glue, &found, &next)
