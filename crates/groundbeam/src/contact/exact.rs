@@ -352,7 +352,9 @@ fn refine(
         }
         // Steps that shrink end by themselves. Once one has not, the energy decides how far each goes, but
         // for those that square the error.
-        if !(halved && (before.is_finite() || step < 2)) {
+        // A zone or two that nodes alone had told do not make the first step a stray.
+        let first_of_near = step == 0 && most_steps == NEAR_STEPS;
+        if !(first_of_near || halved && (before.is_finite() || step < 2)) {
             strays += 1;
         }
         whole = strays == 0 || (strays <= MOST_STRAYS && squaring);
