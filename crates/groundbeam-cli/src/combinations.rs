@@ -3,8 +3,8 @@
 use crate::Status;
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::output::{print, standard_output_has_colour, write};
-use crate::request::{Check, Format, Plot, Solve};
+use crate::output::{draw, print, standard_output_has_colour, write};
+use crate::request::{Check, Solve};
 use crate::solve::{positions, solved};
 use crate::waiting::while_counting;
 use groundbeam::{Error, Existence, Outcome, Verdict};
@@ -17,13 +17,9 @@ use std::time::Instant;
 
 /// Solves every combination and reports them together.
 pub fn solve(input: &Input, request: &Solve) -> Result<Status, Failure> {
-    for (option, is_given) in
-        [("--history", request.history.is_some()), ("--factors", request.factors.is_some())]
-    {
-        if is_given {
-            let rule = "of a file with combinations it is about one of them";
-            return Err(Failure::usage(format!("{option}: {rule}; add --combination NAME")));
-        }
+    if let Some(option) = request.about_one_answer() {
+        let rule = "of a file with combinations it is about one of them";
+        return Err(Failure::usage(format!("{option}: {rule}; add --combination NAME")));
     }
     let stations = request.at.as_deref().map(|list| positions(input, list)).transpose()?;
     let combinations = input.document.combinations();
@@ -135,13 +131,6 @@ fn write_files(
         let stations = stations.map_or_else(|| json::envelope_stations(all), <[f64]>::to_vec);
         write(path, csv::envelope(all, &stations, context.units).as_bytes())?;
     }
-    if let Some(Plot { path, format }) = &request.plot {
-        let bytes = match format {
-            Format::Svg => svg::combinations(all, context).into_bytes(),
-            Format::Png => png::combinations(all, context)
-                .map_err(|error| Failure::usage(error.to_string()))?,
-        };
-        write(path, &bytes)?;
-    }
-    Ok(())
+    let plot = request.plot.as_ref();
+    draw(plot, || svg::combinations(all, context), || png::combinations(all, context))
 }

@@ -1,6 +1,8 @@
 //! Where results go: standard output, and files that are never half-written.
 
 use crate::failure::Failure;
+use crate::request::{Format, Plot};
+use std::fmt::Display;
 use std::fs;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::path::{Path, PathBuf};
@@ -31,6 +33,20 @@ pub fn print(text: &str) -> Result<(), Failure> {
         }
         _ => Ok(()),
     }
+}
+
+/// Draws a picture, if one is asked for, in the format that its name asks for.
+pub fn draw<E: Display>(
+    plot: Option<&Plot>,
+    svg: impl FnOnce() -> String,
+    png: impl FnOnce() -> Result<Vec<u8>, E>,
+) -> Result<(), Failure> {
+    let Some(Plot { path, format }) = plot else { return Ok(()) };
+    let bytes = match format {
+        Format::Svg => svg().into_bytes(),
+        Format::Png => png().map_err(|error| Failure::usage(error.to_string()))?,
+    };
+    write(path, &bytes)
 }
 
 /// Writes a file at once: beside it first, then in its place.

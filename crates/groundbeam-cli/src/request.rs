@@ -29,6 +29,14 @@ pub struct Solve {
     pub options: Options,
 }
 
+impl Solve {
+    /// The first option given that is about a single answer.
+    pub fn about_one_answer(&self) -> Option<&'static str> {
+        let history = self.history.as_ref().map(|_| "--history");
+        history.or(self.factors.as_ref().map(|_| "--factors"))
+    }
+}
+
 /// Whose load factors are asked for.
 pub enum Grow {
     /// All loads grow.

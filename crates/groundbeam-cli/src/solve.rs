@@ -4,8 +4,8 @@ use crate::Status;
 use crate::combinations;
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::output::{print, standard_error_has_colour, standard_output_has_colour, write};
-use crate::request::{Format, Grow, Plot, Solve};
+use crate::output::{draw, print, standard_error_has_colour, standard_output_has_colour, write};
+use crate::request::{Grow, Solve};
 use crate::trains;
 use crate::waiting::while_working;
 use groundbeam::{Error, LoadFactors, Model, Options, Outcome, Solution};
@@ -17,22 +17,22 @@ use std::time::Instant;
 
 pub fn run(request: &Solve) -> Result<Status, Failure> {
     let input = Input::read(&request.file)?;
-    if let Some(train) = &input.document.train {
-        let model = match &request.combination {
-            None if input.document.has_combinations() => {
-                let message = "the file has combinations and a train: add --combination NAME for \
-                               the one under which it passes";
-                return Err(Failure::usage(message.to_owned()));
-            }
-            None => Loaded::as_written(&input),
-            Some(name) => Loaded::combined(&input, name)?,
-        };
-        return trains::solve(&input, request, train, &model.model, model.title.as_deref());
-    }
-    match &request.combination {
-        None if input.document.has_combinations() => combinations::solve(&input, request),
-        None => one(&input, request, &Loaded::as_written(&input)),
-        Some(name) => one(&input, request, &Loaded::combined(&input, name)?),
+    let train = input.document.train.as_ref();
+    let loaded = match &request.combination {
+        Some(name) => Loaded::combined(&input, name)?,
+        None if !input.document.has_combinations() => Loaded::as_written(&input),
+        None if train.is_some() => {
+            let message = "the file has combinations and a train: add --combination NAME for the \
+                           one under which it passes";
+            return Err(Failure::usage(message.to_owned()));
+        }
+        None => return combinations::solve(&input, request),
+    };
+    match train {
+        Some(train) => {
+            trains::solve(&input, request, train, &loaded.model, loaded.title.as_deref())
+        }
+        None => one(&input, request, &loaded),
     }
 }
 
@@ -196,15 +196,8 @@ fn write_files(
     if let Some(path) = &request.history {
         write(path, csv::history(solution).as_bytes())?;
     }
-    if let Some(Plot { path, format }) = &request.plot {
-        let bytes = match format {
-            Format::Svg => svg::picture(solution, context).into_bytes(),
-            Format::Png => png::picture(solution, context)
-                .map_err(|error| Failure::usage(error.to_string()))?,
-        };
-        write(path, &bytes)?;
-    }
-    Ok(())
+    let plot = request.plot.as_ref();
+    draw(plot, || svg::picture(solution, context), || png::picture(solution, context))
 }
 
 /// The positions of `--at`, each on the beam.

@@ -3,8 +3,8 @@
 use crate::Status;
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::output::{print, standard_output_has_colour, write};
-use crate::request::{Format, Plot, Solve};
+use crate::output::{draw, print, standard_output_has_colour, write};
+use crate::request::Solve;
 use crate::solve::positions;
 use crate::waiting::while_working;
 use groundbeam::train::{Answer, Passage, Sweep};
@@ -25,13 +25,9 @@ pub fn solve(
     model: &Model,
     title: Option<&str>,
 ) -> Result<Status, Failure> {
-    for (option, is_given) in
-        [("--history", request.history.is_some()), ("--factors", request.factors.is_some())]
-    {
-        if is_given {
-            let rule = "it is about one position, and the file has a train";
-            return Err(Failure::usage(format!("{option}: {rule}")));
-        }
+    if let Some(option) = request.about_one_answer() {
+        let rule = "it is about one position, and the file has a train";
+        return Err(Failure::usage(format!("{option}: {rule}")));
     }
     let stations = request.at.as_deref().map(|list| positions(input, list)).transpose()?;
     let started = Instant::now();
@@ -98,14 +94,5 @@ fn write_files(
         let stations = stations.map_or_else(|| moving.default_stations(), <[f64]>::to_vec);
         write(path, csv::train(moving, &stations, context.units).as_bytes())?;
     }
-    if let Some(Plot { path, format }) = &request.plot {
-        let bytes = match format {
-            Format::Svg => svg::train(moving, context).into_bytes(),
-            Format::Png => {
-                png::train(moving, context).map_err(|error| Failure::usage(error.to_string()))?
-            }
-        };
-        write(path, &bytes)?;
-    }
-    Ok(())
+    draw(request.plot.as_ref(), || svg::train(moving, context), || png::train(moving, context))
 }

@@ -21,7 +21,8 @@ pub use combinations::{checked_combinations, combinations, envelope_stations};
 use factors::Grown;
 use ground::Ground;
 use groundbeam::{
-    Existence, Extreme, Field, Method, Model, NotConverged, RigidMotion, Side, Solution, Verdict,
+    Certificate, Existence, Extreme, Field, Method, Model, NotConverged, RigidMotion, Side,
+    Solution, Verdict,
 };
 use serde::Serialize;
 pub use train::train;
@@ -93,7 +94,8 @@ struct Solved {
     extremes: Extremes,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     checks: Vec<checks::Checked>,
-    certificate: Proof,
+    #[serde(with = "Proof")]
+    certificate: Certificate,
     #[serde(skip_serializing_if = "Option::is_none")]
     load_factors: Option<Grown>,
     iterations: usize,
@@ -137,7 +139,7 @@ impl Solved {
             stations: Stations::of(solution, stations),
             extremes: Extremes::of(solution),
             checks: checks::of(context.limits, solution),
-            certificate: solution.certificate().into(),
+            certificate: *solution.certificate(),
             load_factors: context.factors.map(Grown::of),
             iterations: solution.iterations(),
             seconds: context.seconds,

@@ -1,7 +1,7 @@
 //! A stretch of beam and ground within which everything given is a polynomial.
 
 use crate::model::{Course, Foundation, Profile};
-use crate::polynomial::{is_free_of_zeros, jet, rescale, value};
+use crate::polynomial::{Coefficients, is_free_of_zeros, jet, rescale, value};
 
 /// A stretch of beam and ground with EI, k, μ of one kind and linear f, g, g₀.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,6 +46,15 @@ pub(crate) const GROUND: usize = Foundation::MOST_CONTROL_VALUES;
 const FREE: f64 = 10.0;
 
 impl Cell {
+    /// The coefficients of ψ = w − g₀, from those of w.
+    pub fn obstacle(&self, deflection: &[f64]) -> Coefficients {
+        let mut c = Coefficients::from(deflection);
+        let [left, right] = self.gap;
+        c[0] -= 0.5 * (left + right);
+        c[1] -= 0.5 * (right - left);
+        c
+    }
+
     /// Whether EI varies.
     pub fn beam_varies(&self) -> bool {
         self.varies.stiffness.iter().any(|c| *c != 0.0)

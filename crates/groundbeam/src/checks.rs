@@ -1,6 +1,6 @@
 //! What a design must keep to, beside what was found.
 
-use crate::existence::existence;
+use crate::existence::static_reactions;
 use crate::model::Model;
 use crate::solution::{Field, Solution};
 
@@ -111,8 +111,7 @@ impl Limits {
             add(Checked::Settlement, limit, largest.value, Some(largest.x));
         }
         if let Some(limit) = self.lifted_share {
-            let lifted: f64 = solution.lift_off().iter().map(|open| open.to - open.from).sum();
-            add(Checked::LiftedShare, limit, lifted / l, None);
+            add(Checked::LiftedShare, limit, solution.lifted_share(), None);
         }
         if let Some(limit) = self.eccentricity
             && let Some(x) = solution.existence().resultant_position(l)
@@ -136,9 +135,9 @@ const ROUNDED: f64 = 8.0 * f64::EPSILON;
 pub fn overturning(model: &Model) -> f64 {
     let mut sums = [[0.0; 2]; 2];
     for load in &model.loads {
-        let alone = Model { loads: vec![*load], ..model.clone() };
-        for (sum, reaction) in sums.iter_mut().zip(existence(&alone).static_reactions) {
-            sum[usize::from(reaction < 0.0)] += reaction.abs();
+        let reactions = static_reactions(&[*load], model.beam.length);
+        for (sums, reaction) in sums.iter_mut().zip(reactions.map(|reaction| reaction.sum)) {
+            sums[usize::from(reaction < 0.0)] += reaction.abs();
         }
     }
     let margin = |[holding, lifting]: [f64; 2]| {

@@ -77,7 +77,7 @@ impl Existence {
 
 /// The verdict for a valid model with P ≥ 0, or with supports that leave no free motion.
 pub fn existence(model: &Model) -> Existence {
-    let reactions = static_reactions(model);
+    let reactions = static_reactions(&model.loads, model.beam.length);
     let free = free_motions(model);
     let verdict = judge(&rays_of(free, reactions));
     let static_reactions = reactions.map(|reaction| reaction.sum);
@@ -92,7 +92,7 @@ pub fn existence(model: &Model) -> Existence {
 /// The extreme rays of the cone of free motions, each with the work −F(r) it costs: linear in the loads.
 /// Which rays there are does not depend on the loads.
 pub(crate) fn rays(model: &Model) -> Vec<(Sum, RigidMotion)> {
-    rays_of(free_motions(model), static_reactions(model))
+    rays_of(free_motions(model), static_reactions(&model.loads, model.beam.length))
 }
 
 fn rays_of(free: Free, [left, right]: [Sum; 2]) -> Vec<(Sum, RigidMotion)> {
@@ -237,15 +237,14 @@ impl Sum {
 }
 
 /// R₀ = F(1 − x/l) and R_l = F(x/l).
-fn static_reactions(model: &Model) -> [Sum; 2] {
-    let l = model.beam.length;
+pub(crate) fn static_reactions(loads: &[Load], l: f64) -> [Sum; 2] {
     let (mut left, mut right) = (Sum::default(), Sum::default());
     let mut force_at = |force: f64, x: f64| {
         left.add(force * ((l - x) / l));
         right.add(force * (x / l));
     };
     let mut moments = Vec::new();
-    for load in &model.loads {
+    for load in loads {
         match *load {
             Load::PointForce { at, force } => force_at(force, at),
             Load::PointMoment { moment, .. } => moments.push(moment),

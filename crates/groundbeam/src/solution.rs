@@ -106,6 +106,11 @@ impl Field {
         Field::Pressure,
     ];
 
+    /// Its place in [`Field::ALL`].
+    pub fn index(self) -> usize {
+        self as usize
+    }
+
     /// The name that results use: `deflection`, `shear_force`, …
     pub fn name(self) -> &'static str {
         match self {
@@ -488,6 +493,12 @@ impl Solution {
             }
         }
         found
+    }
+
+    /// The part of the beam that does not touch, of its length.
+    pub fn lifted_share(&self) -> f64 {
+        let lifted: f64 = self.lift_off().iter().map(|open| open.to - open.from).sum();
+        lifted / self.model.beam.length
     }
 
     /// Positions at which the fields are worth listing: `even` equal steps, every load, support, joint and

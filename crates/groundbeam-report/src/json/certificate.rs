@@ -3,7 +3,9 @@
 use groundbeam::Certificate;
 use serde::Serialize;
 
+/// Its fields, by their names and in their order.
 #[derive(Serialize)]
+#[serde(remote = "Certificate")]
 pub(super) struct Proof {
     primal_energy: f64,
     dual_energy: f64,
@@ -18,39 +20,4 @@ pub(super) struct Proof {
     settlement_bound: f64,
     moment_bound: f64,
     moment_rms_bound: f64,
-}
-
-impl From<&Certificate> for Proof {
-    fn from(certificate: &Certificate) -> Self {
-        let Certificate {
-            primal_energy,
-            dual_energy,
-            gap,
-            relative_gap,
-            force_balance,
-            moment_balance,
-            smallest_pressure,
-            deepest_penetration,
-            continuity,
-            complementarity,
-            settlement_bound,
-            moment_bound,
-            moment_rms_bound,
-        } = *certificate;
-        Proof {
-            primal_energy,
-            dual_energy,
-            gap,
-            relative_gap,
-            force_balance,
-            moment_balance,
-            smallest_pressure,
-            deepest_penetration,
-            continuity,
-            complementarity,
-            settlement_bound,
-            moment_bound,
-            moment_rms_bound,
-        }
-    }
 }

@@ -226,9 +226,8 @@ impl<'a> Named<'_, 'a> {
 
     fn table(&self, stations: &[f64]) -> Table<'a> {
         let all: Vec<_> = stations.iter().map(|&x| self.envelope.all_at(x)).collect();
-        let lines = |field| {
-            let number = Field::ALL.iter().position(|other| *other == field).unwrap_or(0);
-            let bounds = || all.iter().map(|bounds| &bounds[number]);
+        let lines = |field: Field| {
+            let bounds = || all.iter().map(|bounds| &bounds[field.index()]);
             Lines {
                 min: bounds().map(|bounds| bounds.min.extreme.value).collect(),
                 max: bounds().map(|bounds| bounds.max.extreme.value).collect(),

@@ -144,9 +144,8 @@ impl Table {
         let bounds: Vec<[[Located; 2]; 7]> =
             x.iter().filter_map(|&x| moving.passage.at(x)).collect();
         let lines = |field: Field| {
-            let index = Field::ALL.iter().position(|other| *other == field).unwrap_or(0);
             let list = |of: fn(&[Located; 2]) -> f64| {
-                bounds.iter().map(|bounds| of(&bounds[index])).collect()
+                bounds.iter().map(|bounds| of(&bounds[field.index()])).collect()
             };
             Lines {
                 min: list(|[min, _]| min.value),

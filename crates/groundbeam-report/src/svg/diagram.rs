@@ -5,10 +5,12 @@ use super::canvas::{Anchor, Canvas, number, printed};
 use super::frame::{Frame, LEFT, RIGHT, WIDTH};
 use super::labels::{Labels, Rect};
 use super::samples::simplified;
-use super::style::{FORCE, INK, NOTE, PANEL_TITLE, RIMMED, RULE, TICK};
+use super::style::{
+    BEAM, FORCE, INK, MOMENT, NOTE, PANEL_TITLE, PRESSURE, RIMMED, RULE, SHEAR, TICK,
+};
 use crate::font::Metrics;
 use crate::quantity::{Kind, Unit, Units};
-use groundbeam::Extreme;
+use groundbeam::{Extreme, Field};
 
 /// Where it begins, below the baseline of its title.
 const TOP: f64 = 9.0;
@@ -41,6 +43,44 @@ pub(super) struct Diagram<'a> {
     /// Positions at which contact begins or ends.
     pub edges: &'a [f64],
 }
+
+impl Diagram<'static> {
+    /// The empty diagram of a field.
+    pub fn of(field: Field, units: Units) -> Self {
+        let (title, note, colour, downward) = match field {
+            Field::Pressure => ("Contact pressure", "pushes the beam up", PRESSURE, true),
+            Field::Moment => ("Bending moment", "drawn on the tension side", MOMENT, true),
+            Field::ShearForce => ("Shear force", "", SHEAR, false),
+            _ => ("Deflection", "down", BEAM, true),
+        };
+        Diagram {
+            title,
+            note,
+            kind: Kind::of(field),
+            units,
+            colour,
+            downward,
+            values: Vec::new(),
+            lower: Vec::new(),
+            thin: Vec::new(),
+            extremes: Vec::new(),
+            forces: Vec::new(),
+            edges: &[],
+        }
+    }
+}
+
+/// Of the contact pressure only the largest: the smallest is zero, or of no interest.
+pub(super) fn worth_naming(field: Field, mut extremes: Vec<Extreme>) -> Vec<Extreme> {
+    if field == Field::Pressure {
+        extremes.truncate(1);
+    }
+    extremes
+}
+
+/// The fields whose envelopes are drawn, from above.
+pub(super) const OF_ENVELOPES: [Field; 4] =
+    [Field::Deflection, Field::Pressure, Field::Moment, Field::ShearForce];
 
 impl Diagram<'_> {
     pub fn draw(&self, frame: &Frame, metrics: &Metrics) -> Canvas {

@@ -1,15 +1,14 @@
 //! One picture of all combinations: the envelopes of deflection, pressure, moment and shear.
 
 use super::canvas::Canvas;
-use super::diagram::Diagram;
+use super::diagram::{Diagram, OF_ENVELOPES, worth_naming};
 use super::frame::{Frame, WIDTH};
 use super::samples::Samples;
-use super::style::{BEAM, MOMENT, PRESSURE, SHEAR};
 use super::{PANEL_SPACE, axis_of_x, header, numbers, stacked};
 use crate::combinations::Combinations;
 use crate::context::Context;
 use crate::font::Metrics;
-use crate::quantity::{Kind, Units};
+use crate::quantity::Units;
 use groundbeam::{Envelope, Field, Side, Solution};
 
 /// Even steps along the beam: finer than a screen.
@@ -44,40 +43,21 @@ pub fn combinations(combinations: &Combinations, context: &Context) -> String {
 fn diagrams(envelope: &Envelope, units: Units) -> [Diagram<'static>; 4] {
     let samples: Vec<Samples> = envelope.solutions().iter().map(|s| Samples::of(s)).collect();
     let mut lines = lines(envelope, &envelope.stations(EVEN_STEPS));
-    let mut diagram = |field: Field, title, note, colour, downward| {
+    OF_ENVELOPES.map(|field| {
         let range = envelope.range(field);
         let extremes = [range.max, range.min].map(|governing| {
             let sizes = samples.get(governing.by).map(|samples| samples.sizes);
             sizes.map_or(governing.extreme, |sizes| sizes.extreme(field, governing.extreme))
         });
-        let number = Field::ALL.iter().position(|other| *other == field).unwrap_or(0);
-        let [lower, values] = std::mem::take(&mut lines[number]);
+        let [lower, values] = std::mem::take(&mut lines[field.index()]);
         Diagram {
-            title,
-            note,
-            kind: Kind::of(field),
-            units,
-            colour,
-            downward,
             values,
             lower,
             thin: samples.iter().map(|samples| samples.field(field)).collect(),
-            extremes: extremes.to_vec(),
-            forces: Vec::new(),
-            edges: &[],
+            extremes: worth_naming(field, extremes.to_vec()),
+            ..Diagram::of(field, units)
         }
-    };
-    let tension = "drawn on the tension side";
-    let mut pressure =
-        diagram(Field::Pressure, "Contact pressure", "pushes the beam up", PRESSURE, true);
-    // The smallest pressure is zero, or of no interest.
-    pressure.extremes.truncate(1);
-    [
-        diagram(Field::Deflection, "Deflection", "down", BEAM, true),
-        pressure,
-        diagram(Field::Moment, "Bending moment", tension, MOMENT, true),
-        diagram(Field::ShearForce, "Shear force", "", SHEAR, false),
-    ]
+    })
 }
 
 /// The lines of smallest and largest values of all fields, with both sides of every jump.

@@ -22,12 +22,12 @@ use crate::font::Metrics;
 use crate::number::significant;
 use crate::quantity::{Kind, Units};
 use canvas::{Anchor, Canvas, printed};
-use diagram::Diagram;
+use diagram::{Diagram, worth_naming};
 pub use envelope::combinations;
 use frame::{Frame, LEFT, RIGHT, WIDTH};
 use groundbeam::{Field, Solution};
 use samples::Samples;
-use style::{FAINT_INK, MOMENT, NOTE, PRESSURE, SHEAR, TICK, TITLE};
+use style::{FAINT_INK, NOTE, TICK, TITLE};
 pub use train::train;
 
 /// Edges of contact beyond this many are not marked in the diagrams.
@@ -119,36 +119,22 @@ fn diagrams<'a>(
     samples: &Samples,
     edges: &'a [f64],
 ) -> [Diagram<'a>; 3] {
-    let range = |field| {
+    let diagram = |field: Field| {
         let range = solution.range(field);
-        [range.max, range.min].map(|extreme| samples.sizes.extreme(field, extreme))
+        let extremes = [range.max, range.min].map(|extreme| samples.sizes.extreme(field, extreme));
+        Diagram {
+            values: samples.field(field),
+            extremes: worth_naming(field, extremes.to_vec()),
+            edges,
+            ..Diagram::of(field, units)
+        }
     };
-    let diagram = |field: Field, title, note, colour, downward| Diagram {
-        title,
-        note,
-        kind: Kind::of(field),
-        units,
-        colour,
-        downward,
-        values: samples.field(field),
-        lower: Vec::new(),
-        thin: Vec::new(),
-        extremes: range(field).to_vec(),
-        forces: Vec::new(),
-        edges,
-    };
-    let mut pressure =
-        diagram(Field::Pressure, "Contact pressure", "pushes the beam up", PRESSURE, true);
-    // The smallest pressure is zero, or of no interest.
-    pressure.extremes.truncate(1);
+    let mut pressure = diagram(Field::Pressure);
     pressure.forces = concentrated(solution, units, samples);
     if !pressure.forces.is_empty() {
         pressure.note = "pushes the beam up; arrows are concentrated forces";
     }
-    let note = "drawn on the tension side";
-    let moment = diagram(Field::Moment, "Bending moment", note, MOMENT, true);
-    let shear = diagram(Field::ShearForce, "Shear force", "", SHEAR, false);
-    [pressure, moment, shear]
+    [pressure, diagram(Field::Moment), diagram(Field::ShearForce)]
 }
 
 /// Concentrated contact forces with their labels.

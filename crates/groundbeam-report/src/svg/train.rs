@@ -1,18 +1,17 @@
 //! One picture of a train's passage: the train where it bends the beam most, and the envelopes of all its positions.
 
 use super::canvas::Canvas;
-use super::diagram::Diagram;
+use super::diagram::{Diagram, OF_ENVELOPES, worth_naming};
 use super::frame::{Frame, WIDTH};
 use super::samples::Samples;
-use super::style::{BEAM, MOMENT, PRESSURE, SHEAR};
 use super::{PANEL_SPACE, axis_of_x, header, numbers, stacked, system};
 use crate::context::Context;
 use crate::font::Metrics;
-use crate::quantity::{Kind, Units};
+use crate::quantity::Units;
 use crate::size::Sizes;
 use crate::trains::Moving;
+use groundbeam::Extreme;
 use groundbeam::train::{Located, Passage};
-use groundbeam::{Extreme, Field};
 
 /// Even steps along the beam.
 const EVEN_STEPS: usize = 400;
@@ -48,10 +47,9 @@ fn diagrams(passage: &Passage, units: Units, sizes: Sizes) -> [Diagram<'static>;
     let stations = passage.stations(EVEN_STEPS);
     let bounds: Vec<(f64, [[Located; 2]; 7])> =
         stations.into_iter().filter_map(|x| Some((x, passage.at(x)?))).collect();
-    let diagram = |field: Field, title, note, colour, downward| {
-        let index = Field::ALL.iter().position(|other| *other == field).unwrap_or(0);
+    OF_ENVELOPES.map(|field| {
         let line = |bound: usize| -> Vec<(f64, f64)> {
-            let value = |x: &f64, all: &[[Located; 2]; 7]| (*x, all[index][bound].value);
+            let value = |x: &f64, all: &[[Located; 2]; 7]| (*x, all[field.index()][bound].value);
             bounds.iter().map(|(x, all)| value(x, all)).collect()
         };
         let extremes = passage.range(field).into_iter().flatten().rev().map(|located| {
@@ -59,29 +57,10 @@ fn diagrams(passage: &Passage, units: Units, sizes: Sizes) -> [Diagram<'static>;
             sizes.extreme(field, extreme)
         });
         Diagram {
-            title,
-            note,
-            kind: Kind::of(field),
-            units,
-            colour,
-            downward,
             values: line(1),
             lower: line(0),
-            thin: Vec::new(),
-            extremes: extremes.collect(),
-            forces: Vec::new(),
-            edges: &[],
+            extremes: worth_naming(field, extremes.collect()),
+            ..Diagram::of(field, units)
         }
-    };
-    let mut pressure =
-        diagram(Field::Pressure, "Contact pressure", "pushes the beam up", PRESSURE, true);
-    // The smallest pressure is zero, or of no interest.
-    pressure.extremes.truncate(1);
-    let tension = "drawn on the tension side";
-    [
-        diagram(Field::Deflection, "Deflection", "down", BEAM, true),
-        pressure,
-        diagram(Field::Moment, "Bending moment", tension, MOMENT, true),
-        diagram(Field::ShearForce, "Shear force", "", SHEAR, false),
-    ]
+    })
 }

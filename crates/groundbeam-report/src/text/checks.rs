@@ -27,10 +27,10 @@ pub(super) fn worst_rows(sheet: &mut Sheet, solved: &[(&str, &Solution)], contex
         let of_kind = |(name, checks): &(_, Vec<Check>)| {
             Some((*name, *checks.iter().find(|other| other.what == check.what)?))
         };
-        let worse = |a: &(&str, Check), b: &(&str, Check)| used(&a.1).total_cmp(&used(&b.1));
-        if let Some((name, worst)) =
-            all.iter().filter_map(of_kind).reduce(|a, b| if worse(&a, &b).is_lt() { b } else { a })
-        {
+        // Of equals the first.
+        let found = all.iter().rev().filter_map(of_kind);
+        let worst = found.max_by(|a, b| used(&a.1).total_cmp(&used(&b.1)));
+        if let Some((name, worst)) = worst {
             row(sheet, i == 0, &worst, Some(name), context.units);
         }
     }
@@ -43,6 +43,8 @@ pub(super) fn worst_rows(sheet: &mut Sheet, solved: &[(&str, &Solution)], contex
 fn used(check: &Check) -> f64 {
     match check.what {
         Checked::Overturning => check.limit / check.found,
+        // Also where the limit is zero.
+        _ if check.found == 0.0 => 0.0,
         _ => check.found / check.limit,
     }
 }
@@ -80,4 +82,16 @@ fn row(sheet: &mut Sheet, first: bool, check: &Check, of: Option<&str>, units: U
     }
     let tone = if check.passes() { Tone::Good } else { Tone::Bad };
     sheet.toned_row(if first { "Checks" } else { "" }, &words, tone);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_of_a_limit_of_nothing_is_the_least_used() {
+        let lifted = |found| Check { what: Checked::LiftedShare, found, limit: 0.0, at: None };
+        assert!(used(&lifted(0.0)) < used(&lifted(1e-9)));
+        assert!(!lifted(1e-9).passes());
+    }
 }

@@ -130,9 +130,7 @@ fn table(sheet: &mut Sheet, combinations: &Combinations, solved: &[Numbered], un
             continue;
         };
         let zones = row.solution.contact().len();
-        let l = row.solution.model().beam.length;
-        let open: f64 = row.solution.lift_off().iter().map(|open| open.to - open.from).sum();
-        let share = format!("{} %", significant(100.0 * (open / l), 3));
+        let share = format!("{} %", significant(100.0 * row.solution.lifted_share(), 3));
         let first = format!("{:>4}  {words:<11}{zones:>10}{share:>8}", i + 1);
         let cells = [0, 1, 2, 3].map(|i| units_of_columns[i].number(values[i], 5));
         sheet.line(&line(&first, cells));

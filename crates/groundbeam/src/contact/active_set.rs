@@ -19,6 +19,7 @@ use super::majorant;
 use super::surface::Surface;
 use crate::chain::{Chain, Loose};
 use crate::elements::Element;
+use crate::elements::exact;
 use crate::elements::hermite::{self, TERMS};
 use crate::mesh::Mesh;
 
@@ -62,6 +63,20 @@ pub(crate) struct Found {
 }
 
 impl Found {
+    /// A deflection of exact elements, with the ground's pressure spread.
+    pub fn exact(mesh: Mesh, coefficients: Vec<f64>, zones: Vec<Zone>) -> Self {
+        Found {
+            mesh,
+            terms: exact::TERMS,
+            shapes: Vec::new(),
+            coefficients,
+            zones,
+            history: Vec::new(),
+            pressure: Pressure::Distributed,
+            surface: None,
+        }
+    }
+
     pub fn deflection(&self) -> Deflection<'_> {
         Deflection { mesh: &self.mesh, terms: self.terms, coefficients: &self.coefficients }
     }

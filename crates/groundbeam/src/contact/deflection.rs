@@ -34,11 +34,7 @@ impl Deflection<'_> {
 
     /// The coefficients of ψ = w − g₀ in cell i.
     pub fn obstacle(&self, i: usize) -> Coefficients {
-        let mut c = Coefficients::from(self.cell(i));
-        let [left, right] = self.mesh.cells[i].gap;
-        c[0] -= 0.5 * (left + right);
-        c[1] -= 0.5 * (right - left);
-        c
+        self.mesh.cells[i].obstacle(self.cell(i))
     }
 
     /// ψ at a spot.

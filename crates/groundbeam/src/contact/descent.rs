@@ -5,7 +5,7 @@
 //! has nearly vanished: both deflections are polynomials on the cells of both, and on a line between two
 //! deflections the slope of Φ is known exactly.
 
-use super::active_set::{Found, Pressure};
+use super::active_set::Found;
 use super::deflection::{Deflection, Spot, Zone};
 use super::forms::{beam_form, ground_work};
 use super::line::settle;
@@ -63,17 +63,7 @@ pub(crate) fn shorten(model: &Model, now: &Found, glued: &Found) -> Shortened {
     let coefficients = at(t);
     let w = Deflection { mesh: &mesh, terms: TERMS, coefficients: &coefficients };
     let zones = majorant::contact(&w);
-    let found = Found {
-        mesh,
-        terms: TERMS,
-        shapes: Vec::new(),
-        coefficients,
-        zones,
-        history: Vec::new(),
-        pressure: Pressure::Distributed,
-        surface: None,
-    };
-    Shortened { part: t, decrement, between: Some(found) }
+    Shortened { part: t, decrement, between: Some(Found::exact(mesh, coefficients, zones)) }
 }
 
 /// The coefficients of a deflection on a finer mesh.

@@ -10,7 +10,7 @@ use super::deflection::{Deflection, Spot, Zone};
 use super::narrow;
 use super::pieces::{Piece, pieces};
 use super::stretches::Stretch;
-use super::surface::{can_carry, open_links};
+use super::surface::{can_carry, open_link};
 use crate::ground::Link;
 
 /// An edge may move by this part of the zone and of the open ground beside it.
@@ -25,8 +25,7 @@ struct Joint {
 
 impl Joint {
     fn of(w: &Deflection, piece: &Piece, ends: [Option<Spot>; 2]) -> Self {
-        let links = open_links(w.mesh, piece, ends[0], ends[1]).into_iter().map(|(_, link)| link);
-        let link = links.reduce(Link::then).unwrap_or_default();
+        let link = open_link(w.mesh, piece, ends[0], ends[1]).unwrap_or_default();
         let l = w.mesh.cells[w.mesh.cells.len() - 1].x[1];
         let [from, to] =
             [ends[0].map_or(0.0, |a| w.position(a)), ends[1].map_or(l, |b| w.position(b))];

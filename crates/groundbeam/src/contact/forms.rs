@@ -2,9 +2,8 @@
 
 use super::deflection::{Spot, Zone};
 use super::pieces::pieces;
-use super::surface::open_links;
+use super::surface::open_link;
 use super::varying;
-use crate::ground::Link;
 use crate::mesh::{Cell, Mesh};
 use crate::polynomial::{Coefficients, MOST, derivative, jet, rescale, value};
 
@@ -52,8 +51,7 @@ pub(crate) fn ground_work(
         let own = zones.iter().filter(|z| piece.cells.contains(&z.from.cell));
         let mut any = false;
         let mut across = |from: Option<Spot>, to: Option<Spot>| {
-            let links = open_links(mesh, &piece, from, to);
-            if let Some(link) = links.into_iter().map(|(_, link)| link).reduce(Link::then) {
+            if let Some(link) = open_link(mesh, &piece, from, to) {
                 let [a, b] = [from, to].map(|spot| spot.map_or(0.0, |spot| of(psi, spot)));
                 let [da, db] = [from, to].map(|spot| spot.map_or(0.0, |spot| of(delta, spot)));
                 work += link.force_left(a, b) * da + link.force_right(a, b) * db;

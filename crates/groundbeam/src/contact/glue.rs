@@ -1,6 +1,6 @@
 //! The beam glued to the ground on given stretches, solved exactly.
 
-use super::active_set::{Found, Pressure};
+use super::active_set::Found;
 use super::balanced::Held;
 use super::layout::Layout;
 use super::stretches::{Stretch, zones_of};
@@ -74,16 +74,7 @@ impl<'a> Glue<'a> {
         if !coefficients.iter().all(|c| c.is_finite()) {
             return Err(Loose);
         }
-        Ok(Found {
-            mesh,
-            terms: TERMS,
-            shapes: Vec::new(),
-            coefficients,
-            zones,
-            history: Vec::new(),
-            pressure: Pressure::Distributed,
-            surface: None,
-        })
+        Ok(Found::exact(mesh, coefficients, zones))
     }
 
     /// The elements of a mesh, of which those that were known are kept.

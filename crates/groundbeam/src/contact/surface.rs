@@ -79,10 +79,7 @@ impl Surface {
             let before = self.open(w, piece, left, Some(zone.from));
             let last = i + 1 == zones.len();
             let next = if last { None } else { Some(zones[i + 1].from) };
-            let after = open_links(w.mesh, piece, Some(zone.to), next)
-                .into_iter()
-                .map(|(_, link)| link)
-                .reduce(Link::then);
+            let after = open_link(w.mesh, piece, Some(zone.to), next);
             let fluxes = |ends: [Option<Spot>; 2], link: Option<Link>| {
                 narrow::fluxes(w, ends, &link.unwrap_or_default())
             };
@@ -239,8 +236,19 @@ pub(crate) fn can_carry(mesh: &Mesh, spot: Spot) -> bool {
     left.shear_ends()[1] != right.shear_ends()[0] || left.gap_slope != right.gap_slope
 }
 
+/// All of the open ground between two spots as one link; none between spots that meet.
+pub(crate) fn open_link(
+    mesh: &Mesh,
+    piece: &Piece,
+    from: Option<Spot>,
+    to: Option<Spot>,
+) -> Option<Link> {
+    let links = open_links(mesh, piece, from, to);
+    links.into_iter().map(|(_, link)| link).reduce(Link::then)
+}
+
 /// The links of open ground between two spots, cell by cell; a missing spot is the ground beyond.
-pub(crate) fn open_links(
+fn open_links(
     mesh: &Mesh,
     piece: &Piece,
     from: Option<Spot>,

@@ -122,7 +122,7 @@ impl<'a> Envelope<'a> {
 
     /// The smallest and largest value of a field at a position; where it jumps, of both sides.
     pub fn at(&self, field: Field, x: f64) -> Bounds {
-        self.all_at(x)[index(field)]
+        self.all_at(x)[field.index()]
     }
 
     /// Those of all fields, in the order of [`Field::ALL`].
@@ -153,7 +153,7 @@ impl<'a> Envelope<'a> {
     /// The smallest and largest value of a field on the whole beam, located by the roots of its derivative.
     pub fn range(&self, field: Field) -> Bounds {
         let each = self.ranges.iter().map(|ranges| {
-            let range = ranges[index(field)];
+            let range = ranges[field.index()];
             [range.min, range.max]
         });
         governing(each, self.rounding(field))
@@ -228,12 +228,8 @@ impl<'a> Envelope<'a> {
 
     /// What is rounding in a field.
     fn rounding(&self, field: Field) -> f64 {
-        self.rounding[index(field)]
+        self.rounding[field.index()]
     }
-}
-
-fn index(field: Field) -> usize {
-    Field::ALL.iter().position(|other| *other == field).unwrap_or(0)
 }
 
 /// The least of the first and the largest of the second values.
@@ -309,7 +305,7 @@ mod tests {
         let solutions = [footing(&[(900e3, 6.0)])];
         let envelope = Envelope::of(&solutions);
         let here = envelope.at(Field::ShearForce, 6.0);
-        let shear = index(Field::ShearForce);
+        let shear = Field::ShearForce.index();
         let side = |side| envelope.all_beside(6.0, side)[shear].max.extreme.value;
         assert_eq!(here.min.extreme.value, side(Side::Right));
         assert_eq!(here.max.extreme.value, side(Side::Left));

@@ -92,17 +92,35 @@ impl NodalSolver {
         elements: usize,
         into: &mut NodalSolution,
     ) -> Result<Existence, Error> {
+        self.where_it_stands(model, |solver| solver.search(model, elements, into))
+    }
+
+    /// Solves if there is an equilibrium.
+    fn where_it_stands(
+        &mut self,
+        model: &Model,
+        solve: impl FnOnce(&mut Self) -> Result<(), Error>,
+    ) -> Result<Existence, Error> {
         let existence = checked(model)?;
-        if matches!(existence.verdict, Verdict::None(_)) {
-            return Ok(existence);
+        if !matches!(existence.verdict, Verdict::None(_)) {
+            solve(self)?;
         }
+        Ok(existence)
+    }
+
+    /// From coarse grids to the one that is wanted.
+    fn search(
+        &mut self,
+        model: &Model,
+        elements: usize,
+        into: &mut NodalSolution,
+    ) -> Result<(), Error> {
         levels::grids(model, elements.max(1), Ground::Nodal, &mut self.grids);
         let (workspace, grids) = (&mut self.workspace, &self.grids);
         // Coarse grids in memory of their own: that of the answer keeps its length.
         let found = workspace.approach(grids, newton::ANSWER);
         found.map_err(|Loose| stalled(workspace.work.solves))?;
-        self.finish(model, into)?;
-        Ok(existence)
+        self.finish(model, into)
     }
 
     /// The same from a neighbour: `into` holds the answer for a model not far from this one. On as many nodes,
@@ -117,22 +135,25 @@ impl NodalSolver {
         elements: usize,
         into: &mut NodalSolution,
     ) -> Result<Existence, Error> {
-        let existence = checked(model)?;
-        if matches!(existence.verdict, Verdict::None(_)) {
-            return Ok(existence);
-        }
+        self.where_it_stands(model, |solver| solver.search_near(model, elements, into))
+    }
+
+    /// From the contact of the answer that `into` holds, or else from coarse grids.
+    fn search_near(
+        &mut self,
+        model: &Model,
+        elements: usize,
+        into: &mut NodalSolution,
+    ) -> Result<(), Error> {
         let grid = Grid::new(model, elements.max(1), Ground::Nodal);
         if into.contact.is_empty() || into.deflection.len() != grid.last() + 1 {
-            return self.solve_into(model, elements, into);
+            return self.search(model, elements, into);
         }
         self.grids.clear();
         self.grids.push(grid);
         self.workspace.work = Work::default();
         self.workspace.zones.clone_from(&into.contact);
-        match self.finish(model, into) {
-            Ok(()) => Ok(existence),
-            Err(_) => self.solve_into(model, elements, into),
-        }
+        self.finish(model, into).or_else(|_| self.search(model, elements, into))
     }
 
     /// The answer on the last grid, from a guess at its contact.

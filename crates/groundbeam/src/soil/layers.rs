@@ -108,18 +108,13 @@ impl LayeredSoil {
 fn passed(layer: &SoilLayer, decay: f64, below: f64) -> (f64, f64) {
     let stiffness = layer.constrained_modulus() / layer.thickness;
     if below == f64::INFINITY {
-        return (0.0, stiffness * coth_times(decay));
+        return (0.0, stiffness / tanh_over(decay));
     }
-    // sinh(c)/c and cosh(c), both over cosh(c).
-    let [sinh, cosh] = [tanh_over(decay), 1.0];
-    let whole = stiffness * cosh + below * sinh;
-    let above = stiffness * (below * cosh + stiffness * decay * decay * sinh) / whole;
+    // sinh(c)/c over cosh(c).
+    let sinh = tanh_over(decay);
+    let whole = stiffness + below * sinh;
+    let above = stiffness * (below + stiffness * decay * decay * sinh) / whole;
     (stiffness / (whole * decay.cosh()), above)
-}
-
-/// c coth c.
-fn coth_times(c: f64) -> f64 {
-    1.0 / tanh_over(c)
 }
 
 /// tanh(c)/c.

@@ -6,8 +6,8 @@
 
 use super::OnSoil;
 use super::layers::{LayeredSoil, squares};
+use crate::contact::forms::inner;
 use crate::model::Model;
-use crate::polynomial::derivative;
 use crate::solution::{Solution, Stretch};
 use crate::solve::{Error, NotConverged, Options, Outcome, solve_with};
 
@@ -81,15 +81,9 @@ fn rate_of(solution: &Solution) -> Option<f64> {
 /// ∫u² and ∫u'² on a stretch.
 fn on(stretch: &Stretch) -> [f64; 2] {
     let half = stretch.half;
-    let of = |u: &[f64]| [half * square(u), square(&derivative(u)) / half];
+    let of = |u: &[f64]| [half * inner(u, u, 0), inner(u, u, 1) / half];
     match stretch.open {
-        None => {
-            let mut u = stretch.deflection;
-            let [left, right] = stretch.cell.gap;
-            u[0] -= 0.5 * (left + right);
-            u[1] -= 0.5 * (right - left);
-            of(&u)
-        }
+        None => of(&stretch.cell.obstacle(&stretch.deflection)),
         Some(_) if !stretch.settlement.is_empty() => of(&stretch.settlement),
         Some([left, right]) => {
             let length = 2.0 * half;
@@ -98,17 +92,6 @@ fn on(stretch: &Stretch) -> [f64; 2] {
             [u * length, slope / length]
         }
     }
-}
-
-/// ∫₋₁¹ of a polynomial's square.
-fn square(c: &[f64]) -> f64 {
-    let mut sum = 0.0;
-    for (i, a) in c.iter().enumerate() {
-        for (j, b) in c.iter().enumerate().skip(i % 2).step_by(2) {
-            sum += a * b * 2.0 / (i + j + 1) as f64;
-        }
-    }
-    sum
 }
 
 #[cfg(test)]

@@ -36,8 +36,7 @@ impl Reach {
 
     /// The one of a field.
     pub fn of(&self, field: Field) -> f64 {
-        let index = Field::ALL.iter().position(|other| *other == field);
-        index.map_or(0.0, |index| self.reached[index])
+        self.reached[field.index()]
     }
 }
 
@@ -134,15 +133,11 @@ impl Passage {
     /// solved.
     pub fn range(&self, field: Field) -> Option<[Located; 2]> {
         let mut bounds: Option<[Located; 2]> = None;
-        let index = Field::ALL.iter().position(|other| *other == field)?;
         for position in &self.positions {
             let Some(ranges) = &position.ranges else { continue };
             let first_axle = position.first_axle;
-            let new = [ranges[index].min, ranges[index].max].map(|extreme| Located {
-                x: extreme.x,
-                value: extreme.value,
-                first_axle,
-            });
+            let new = [ranges[field.index()].min, ranges[field.index()].max]
+                .map(|extreme| Located { x: extreme.x, value: extreme.value, first_axle });
             widen(bounds.get_or_insert(new), new);
         }
         bounds
