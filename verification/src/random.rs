@@ -1,8 +1,8 @@
 //! Random models that have an equilibrium, from both ends of every parameter.
 
 use groundbeam::{
-    Beam, FirstLiftOff, Foundation, Load, LoadFactors, Model, Profile, Support, Verdict, exists,
-    load_factors,
+    Beam, FirstLiftOff, Foundation, Hinge, Load, LoadFactors, Model, Profile, Support, Verdict,
+    exists, load_factors,
 };
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -30,13 +30,15 @@ pub enum Family {
     Mixed,
     /// Stiffness and ground that run from one value to another, with some of all the rest.
     Varying,
+    /// Hinges, free and elastic, with some of all the rest.
+    Hinged,
     /// All of it at its worst: λl up to 10⁴, up to a hundred loads, some pulling, resultants near an end.
     Extreme = 20,
 }
 
 impl Family {
     /// Every family that takes milliseconds a model; `Extreme` takes seconds at times.
-    pub const ALL: [Family; 10] = [
+    pub const ALL: [Family; 11] = [
         Family::Plain,
         Family::Tension,
         Family::Segments,
@@ -47,6 +49,7 @@ impl Family {
         Family::Long,
         Family::Mixed,
         Family::Varying,
+        Family::Hinged,
     ];
 }
 
@@ -105,6 +108,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     let mixed = extreme || family == Family::Mixed;
     let hard = extreme || family == Family::Hard;
     let varying = family == Family::Varying;
+    let hinged = family == Family::Hinged;
     let length = dice.decades(-1.0, 2.0);
     let k = dice.decades(-2.0, 2.0);
     // Stiffness by the number that matters, l (k/4EI)^(1/4).
@@ -124,7 +128,10 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     };
     let mut beam = Beam::uniform(length, stiffness);
     let mut ground = Foundation::pasternak(k, shear);
-    if family == Family::Tension || (mixed && dice.happens(0.5)) || dice.now_and_then(varying) {
+    if family == Family::Tension
+        || (mixed && dice.happens(0.5))
+        || dice.now_and_then(varying || hinged)
+    {
         let own = stiffness / (length * length);
         beam.axial_force = own * dice.decades(-2.0, 3.0);
     }
@@ -150,7 +157,13 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         ground = vary_ground(ground, length, dice);
     }
     let mut model = Model::new(beam, ground);
-    if family == Family::Supported || (mixed && dice.happens(0.3)) || dice.now_and_then(varying) {
+    if hinged {
+        model = hinge(model, dice);
+    }
+    if family == Family::Supported
+        || (mixed && dice.happens(0.3))
+        || dice.now_and_then(varying || hinged)
+    {
         let mut places: Vec<f64> = (0..=dice.up_to(2)).map(|_| dice.place()).collect();
         places.sort_by(f64::total_cmp);
         places.dedup();
@@ -176,7 +189,8 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         }
     }
     load(&mut model, family, lambda_l, dice);
-    if family == Family::Gap || (mixed && dice.happens(0.5)) || dice.now_and_then(varying) {
+    if family == Family::Gap || (mixed && dice.happens(0.5)) || dice.now_and_then(varying || hinged)
+    {
         let corners = 1 + dice.up_to(4);
         let mut places: Vec<f64> = (0..corners).map(|_| dice.place()).collect();
         places.sort_by(f64::total_cmp);
@@ -222,6 +236,23 @@ fn vary_beam<R: Rng>(mut beam: Beam, stiffness: f64, dice: &mut Dice<R>) -> Beam
         beam = beam.with_varying_segment(from, to, profile.scaled(stiffness));
     }
     beam
+}
+
+/// One to four hinges, one in three of them elastic; now and then ground without a shear layer.
+fn hinge<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
+    let (length, stiffness) = (model.beam.length, model.beam.bending_stiffness);
+    if dice.happens(0.25) {
+        model.foundation.shear = 0.0;
+    }
+    for _ in 0..=dice.up_to(3) {
+        let at = dice.even(0.02, 0.98) * length;
+        model = model.with_hinge(if dice.up_to(2) == 0 {
+            Hinge::elastic(at, stiffness / length * dice.decades(-2.0, 2.0))
+        } else {
+            Hinge::free(at)
+        });
+    }
+    model
 }
 
 /// The same for the ground, one time in ten without a shear layer.

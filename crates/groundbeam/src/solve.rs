@@ -5,7 +5,8 @@ use crate::contact::active_set::{Found, Pressure, Stalled};
 use crate::contact::exact::Proof;
 use crate::contact::uzawa::{self, Relaxation};
 use crate::contact::{balanced, exact, nested};
-use crate::existence::{Existence, Verdict, existence, held_rigidly};
+use crate::existence::{Existence, Verdict, existence};
+use crate::mechanism::held_rigidly;
 use crate::mesh::Mesh;
 use crate::model::{Model, Part, Problem};
 use crate::solution::{ContactRegion, Solution};
@@ -163,7 +164,8 @@ pub fn solve(model: &Model) -> Result<Outcome, Error> {
 ///
 /// # Errors
 ///
-/// As [`solve`]; and [`Error::Unsupported`] for the paper's pressures (5.5) on ground without a shear layer.
+/// As [`solve`]; and [`Error::Unsupported`] for the paper's pressures (5.5) on ground without a shear layer,
+/// and for its iteration on a beam with hinges.
 pub fn solve_with(model: &Model, options: &Options) -> Result<Outcome, Error> {
     let mut kept = None;
     let existence = solve_in(model, options, None, &mut kept)?;
@@ -280,6 +282,9 @@ fn find(
             let mesh = Mesh::uniform(model, elements);
             nested::solve_on(model, mesh, options.pressure).map_err(stalled)
         }
+        Method::Psor | Method::Uzawa if !model.hinges.is_empty() => {
+            Err(Error::Unsupported(Problem::iteration_with_hinges()))
+        }
         Method::Psor | Method::Uzawa => {
             let relaxation = match method {
                 Method::Psor => Relaxation::Diagonal,
@@ -295,7 +300,8 @@ fn find(
 /// Whether a free beam's resultant is exactly over one end and pushes down.
 fn stands_on_an_end(model: &Model, existence: Existence) -> bool {
     let free = model.supports.is_empty() && model.beam.axial_force == 0.0;
-    free && existence.resultant() > 0.0
+    let one_piece = model.hinges.iter().all(|hinge| !hinge.is_free());
+    free && one_piece && existence.resultant() > 0.0
 }
 
 /// The part of the model that gives ground without a shear layer under the beam.

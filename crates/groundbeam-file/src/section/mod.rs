@@ -5,6 +5,7 @@ mod checks;
 mod combination;
 mod foundation;
 mod gap;
+mod hinge;
 mod load;
 mod shape;
 mod soil;
@@ -25,6 +26,7 @@ const TABLES: &[&str] = &[
     "foundation",
     "load",
     "support",
+    "hinge",
     "gap",
     "case",
     "combination",
@@ -56,10 +58,11 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
         cases.push(case);
     }
     let supports = support::read(reader, root);
+    let hinges = hinge::read(reader, root);
     let gap = gap::read(reader, root);
     let limits = checks::read(reader, root);
     let recipes = combination::read(reader, root, &loads, &cases);
     let train = train::read(reader, root, beam.length);
-    let model = Model { beam, foundation, loads, supports, gap };
+    let model = Model { beam, foundation, loads, supports, hinges, gap };
     Contents { title, model, bed, limits, cases, recipes, train }
 }

@@ -1,4 +1,4 @@
-//! What holds the beam: triangles, walls, springs.
+//! What holds the beam, triangles, walls, springs; and its hinges.
 
 use super::canvas::{Canvas, number};
 use super::style::SUPPORT;
@@ -33,6 +33,12 @@ pub(super) fn draw(canvas: &mut Canvas, [x, y]: [f64; 2], kind: SupportKind, out
         }
     }
     canvas.reserve(y + HEIGHT);
+}
+
+/// A hinge inside the beam.
+pub(super) fn hinge(canvas: &mut Canvas, at: [f64; 2], free: bool) {
+    let fill = if free { "#ffffff" } else { SUPPORT };
+    canvas.dot(at, 4.0, &format!(r##"fill="{fill}" stroke="{SUPPORT}" stroke-width="1.4""##));
 }
 
 fn stroke(width: f64) -> String {

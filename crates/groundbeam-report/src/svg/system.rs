@@ -51,6 +51,7 @@ pub(super) fn draw(
     picture.beam();
     picture.contact();
     picture.supports();
+    picture.hinges();
     picture.loads();
     picture.words();
     picture.with_title()
@@ -216,6 +217,14 @@ impl Picture<'_> {
             words += &format!(", {}", self.units.write(Kind::Moment, moment, 4));
         }
         printed(&words)
+    }
+
+    /// The usual small circles; a filled one where a spring resists.
+    fn hinges(&mut self) {
+        for hinge in &self.solution.model().hinges {
+            let at = [self.frame.x(hinge.at), self.underside(hinge.at) - 0.5 * THICKNESS];
+            supports::hinge(&mut self.canvas, at, hinge.is_free());
+        }
     }
 
     fn loads(&mut self) {

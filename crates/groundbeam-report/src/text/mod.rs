@@ -169,7 +169,7 @@ fn verdict_row(sheet: &mut Sheet, model: &Model, existence: &Existence, units: U
         }
         Verdict::None(motion) => {
             sheet.toned_row("Equilibrium", &format!("none: {sentence}"), Tone::Bad);
-            sheet.row("Motion", &verdict::motion(motion, units));
+            sheet.row("Motion", &verdict::motion(model, motion, units));
             if let Some(remedy) = verdict::remedy(motion, units) {
                 sheet.row("Remedy", &remedy);
             }
@@ -246,6 +246,15 @@ fn forces(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) {
         };
         if turns {
             let moment = units.write(Kind::Moment, sizes.moment(moment), 6);
+            words += &format!(", moment {moment}");
+        }
+        words
+    });
+    listed(sheet, "Hinges", &solution.hinges(), |hinge| {
+        let angle = units.write(Kind::Slope, sizes.value(Field::Slope, hinge.rotation), 6);
+        let mut words = format!("at x = {} turns by {angle}", units.position(hinge.at));
+        if hinge.moment != 0.0 {
+            let moment = units.write(Kind::Moment, sizes.moment(hinge.moment), 6);
             words += &format!(", moment {moment}");
         }
         words

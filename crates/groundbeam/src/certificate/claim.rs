@@ -42,7 +42,7 @@ impl Claim<'_> {
 mod tests {
     use super::super::{Certificate, certify};
     use super::{Claim, ClaimedPiece};
-    use crate::model::{Beam, Foundation, Load, Model, Profile, Support};
+    use crate::model::{Beam, Foundation, Hinge, Load, Model, Profile, Support};
     use crate::solution::Solution;
     use crate::{Outcome, solve};
 
@@ -75,6 +75,31 @@ mod tests {
                     .with_support(Support::spring(2.0, 4.0, 0.7))
                     .with_load(Load::uniform(1.0, 0.5, 3.0))
                     .with_load(Load::moment(-0.2, 1.3)),
+            ),
+            (
+                "hinged",
+                kikuchi()
+                    .with_hinge(Hinge::free(0.4))
+                    .with_hinge(Hinge::elastic(0.7, 0.8))
+                    .with_load(Load::uniform(0.3, 0.0, 1.0)),
+            ),
+            (
+                "a hinge that opens upward",
+                Model::new(Beam::uniform(2.0, 1.0), Foundation::pasternak(1.0, 2.0))
+                    .with_hinge(Hinge::free(1.0))
+                    .with_load(Load::point(1.0, 0.4))
+                    .with_load(Load::point(1.0, 1.5)),
+            ),
+            (
+                "hung between hinges",
+                Model::new(Beam::uniform(5.0, 1.0), Foundation::winkler(2.0))
+                    .with_hinge(Hinge::free(2.0))
+                    .with_hinge(Hinge::free(3.0))
+                    .with_support(Support::fixed(0.0))
+                    .with_gap(0.0, 5.0)
+                    .with_gap(3.0, 5.0)
+                    .with_gap(3.2, 0.0)
+                    .with_load(Load::uniform(1.0, 2.0, 5.0)),
             ),
             ("varying", {
                 let beam = Beam::uniform(2.0, 1.0).with_varying_segment(

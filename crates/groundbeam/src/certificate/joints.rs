@@ -1,7 +1,8 @@
 //! Where pieces meet: jumps of w and w', and what it costs to close them.
 //!
 //! A jump is closed by a smooth deflection on one side of it, which dies out before it meets a rigid
-//! support, or, where there is none, moves that side of the beam rigidly up to its end.
+//! support, or, where there is none, moves that side of the beam rigidly up to its end. At a hinge w' may jump:
+//! what that costs is its own.
 
 use super::curve::rounding;
 use super::{Claim, ClaimedPiece};
@@ -28,6 +29,8 @@ pub(super) struct Joints {
     near: f64,
     /// Rigid supports: position, whether it holds the slope.
     rigid: Vec<(f64, bool)>,
+    /// Hinges, where w' may jump.
+    hinges: Vec<f64>,
     seen: usize,
     /// w, w' at the right end of the last piece, and their rounding.
     last: Option<[f64; 4]>,
@@ -76,6 +79,7 @@ impl Joints {
             length,
             near,
             rigid,
+            hinges: model.hinges.iter().map(|hinge| hinge.at).collect(),
             seen: 0,
             last: None,
             at: 0.0,
@@ -122,7 +126,9 @@ impl Joints {
         let next = self.rigid.get(self.seen);
         let room_right = (next.map_or(self.length, |r| r.0) - x, next.is_none());
         let slope_jump = match (left, right) {
-            (Some(a), Some(b)) if !clamped => [(a[1] - b[1]).abs(), a[3] + b[3]],
+            (Some(a), Some(b)) if !(clamped || self.is_hinge(x)) => {
+                [(a[1] - b[1]).abs(), a[3] + b[3]]
+            }
             _ => [0.0; 2],
         };
         if held {
@@ -147,6 +153,10 @@ impl Joints {
             let rooms = [room_left, room_right];
             self.close(jump + a[2] + b[2], slope_jump[0] + slope_jump[1], &rooms);
         }
+    }
+
+    fn is_hinge(&self, x: f64) -> bool {
+        self.hinges.iter().any(|at| (at - x).abs() <= self.near)
     }
 
     /// A deflection that is `a` and has the slope `b` at one end: the cheapest that fits into one of the

@@ -261,7 +261,10 @@ mod tests {
         let LossOfEquilibrium::At { factor, motion } = last(&model).loss_of_equilibrium else {
             panic!()
         };
-        assert_eq!((factor, motion), (0.5, RigidMotion { left: -1.0, right: 0.0, work: 0.0 }));
+        assert_eq!(
+            (factor, motion),
+            (0.5, RigidMotion { left: -1.0, right: 0.0, work: 0.0, lifted: None })
+        );
         // The other way round it tips over the other end.
         let (factor, x) = lift_off(last(&model.mirrored()));
         near(factor, 0.1 + 0.2 * p1 / (p1 - p3), 1e-14);
@@ -316,7 +319,7 @@ mod tests {
         // A weightless beam under a moment alone never stands.
         let tips = all(&unit().with_load(Load::moment(1.0, 0.2)));
         assert_eq!(tips.first_lift_off, FirstLiftOff::AtOnce);
-        let motion = RigidMotion { left: -1.0, right: 0.0, work: 1.0 };
+        let motion = RigidMotion { left: -1.0, right: 0.0, work: 1.0, lifted: None };
         assert_eq!(tips.loss_of_equilibrium, LossOfEquilibrium::AtOnce(motion));
     }
 
