@@ -1,8 +1,8 @@
 //! Random models that have an equilibrium, from both ends of every parameter.
 
 use groundbeam::{
-    Beam, FirstLiftOff, Foundation, Hinge, Load, LoadFactors, Model, Profile, Support, Verdict,
-    exists, load_factors,
+    Acts, Beam, FirstLiftOff, Foundation, Hinge, Load, LoadFactors, Model, Profile, Support,
+    Verdict, exists, load_factors,
 };
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -32,13 +32,15 @@ pub enum Family {
     Varying,
     /// Hinges, free and elastic, with some of all the rest.
     Hinged,
+    /// Supports that act in one direction alone, with some of all the rest.
+    OneWay,
     /// All of it at its worst: λl up to 10⁴, up to a hundred loads, some pulling, resultants near an end.
     Extreme = 20,
 }
 
 impl Family {
     /// Every family that takes milliseconds a model; `Extreme` takes seconds at times.
-    pub const ALL: [Family; 11] = [
+    pub const ALL: [Family; 12] = [
         Family::Plain,
         Family::Tension,
         Family::Segments,
@@ -50,6 +52,7 @@ impl Family {
         Family::Mixed,
         Family::Varying,
         Family::Hinged,
+        Family::OneWay,
     ];
 }
 
@@ -109,6 +112,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     let hard = extreme || family == Family::Hard;
     let varying = family == Family::Varying;
     let hinged = family == Family::Hinged;
+    let one_way = family == Family::OneWay;
     let length = dice.decades(-1.0, 2.0);
     let k = dice.decades(-2.0, 2.0);
     // Stiffness by the number that matters, l (k/4EI)^(1/4).
@@ -130,7 +134,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     let mut ground = Foundation::pasternak(k, shear);
     if family == Family::Tension
         || (mixed && dice.happens(0.5))
-        || dice.now_and_then(varying || hinged)
+        || dice.now_and_then(varying || hinged || one_way)
     {
         let own = stiffness / (length * length);
         beam.axial_force = own * dice.decades(-2.0, 3.0);
@@ -157,12 +161,15 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         ground = vary_ground(ground, length, dice);
     }
     let mut model = Model::new(beam, ground);
-    if hinged {
+    if hinged || dice.now_and_then(one_way) {
         model = hinge(model, dice);
+    }
+    if one_way {
+        model = bearings(model, dice);
     }
     if family == Family::Supported
         || (mixed && dice.happens(0.3))
-        || dice.now_and_then(varying || hinged)
+        || dice.now_and_then(varying || hinged || one_way)
     {
         let mut places: Vec<f64> = (0..=dice.up_to(2)).map(|_| dice.place()).collect();
         places.sort_by(f64::total_cmp);
@@ -189,7 +196,9 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         }
     }
     load(&mut model, family, lambda_l, dice);
-    if family == Family::Gap || (mixed && dice.happens(0.5)) || dice.now_and_then(varying || hinged)
+    if family == Family::Gap
+        || (mixed && dice.happens(0.5))
+        || dice.now_and_then(varying || hinged || one_way)
     {
         let corners = 1 + dice.up_to(4);
         let mut places: Vec<f64> = (0..corners).map(|_| dice.place()).collect();
@@ -236,6 +245,29 @@ fn vary_beam<R: Rng>(mut beam: Beam, stiffness: f64, dice: &mut Dice<R>) -> Beam
         beam = beam.with_varying_segment(from, to, profile.scaled(stiffness));
     }
     beam
+}
+
+/// One to five supports that only push up or only hold down, rigid or elastic; loads that lift the beam off some.
+fn bearings<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
+    let (length, k) = (model.beam.length, model.foundation.spring);
+    // A weight, so that no piece lies where it likes.
+    model = model.with_load(Load::uniform(dice.even(0.1, 0.5) / length, 0.0, length));
+    for _ in 0..=dice.up_to(4) {
+        let at = dice.place() * length;
+        let support = if dice.happens(0.5) {
+            Support::pinned(at)
+        } else {
+            Support::spring(at, k * length * dice.decades(-2.0, 2.0), 0.0)
+        };
+        let acts = if dice.happens(0.6) { Acts::Up } else { Acts::Down };
+        if model.supports.iter().all(|other| other.at != at) {
+            model = model.with_support(support.acting(acts));
+        }
+        if dice.happens(0.3) {
+            model = model.with_load(Load::point(-dice.even(0.1, 1.0), dice.place() * length));
+        }
+    }
+    model
 }
 
 /// One to four hinges, one in three of them elastic; now and then ground without a shear layer.

@@ -86,6 +86,7 @@ pub const CODES: &[Code] = &[
     row("GB405", "a hinge's spring constant must be zero or positive", "hinge-spring.toml"),
     row("GB406", "two hinges must not share one position", "two-hinges.toml"),
     row("GB407", "nothing at a hinge may act on the slope", "hinge-and-moment.toml"),
+    row("GB408", "only a force can act in one direction alone", "one-way-clamp.toml"),
     row("GB501", "the gap's corners must go from left to right", "gap-order.toml"),
     while_solving("GB601", "compression on a beam that its supports leave free"),
     while_solving("GB602", "the compression exceeds the beam's own buckling load"),
@@ -94,5 +95,6 @@ pub const CODES: &[Code] = &[
     while_solving("GB605", "answers at nodes alone are for segments along which nothing varies"),
     while_solving("GB606", "answers at nodes alone are for beams without hinges"),
     while_solving("GB607", "the paper's iteration is for beams without hinges"),
+    while_solving("GB608", "load factors are not known for supports that act one way"),
     row(FIRST_AXLE, "a train is measured backward from its first axle", "first-axle.toml"),
 ];

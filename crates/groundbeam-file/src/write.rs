@@ -1,7 +1,7 @@
 //! Model → text: the inverse of [`parse`](crate::parse), bit for bit.
 
 use crate::units::UnitSystem;
-use groundbeam::{Load, Model, Profile, SupportKind};
+use groundbeam::{Acts, Load, Model, Profile, SupportKind};
 use std::fmt::Write;
 
 /// The model as a model file, every number written so that reading it gives the same bits.
@@ -123,6 +123,11 @@ impl Writer {
                     self.quantity("spring", spring, "N/m");
                     self.quantity("rotational_spring", rotational_spring, "N m/rad");
                 }
+            }
+            match support.acts {
+                Acts::Both => {}
+                Acts::Up => self.line("acts", "\"up\""),
+                Acts::Down => self.line("acts", "\"down\""),
             }
         }
         for hinge in &model.hinges {

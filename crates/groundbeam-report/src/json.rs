@@ -21,8 +21,8 @@ pub use combinations::{checked_combinations, combinations, envelope_stations};
 use factors::Grown;
 use ground::Ground;
 use groundbeam::{
-    Certificate, Existence, Extreme, Field, Method, Model, NotConverged, RigidMotion, Side,
-    Solution, Verdict,
+    Acts, Certificate, Existence, Extreme, Field, Method, Model, NotConverged, RigidMotion, Side,
+    Solution, Support, Verdict,
 };
 use serde::Serialize;
 pub use train::train;
@@ -136,7 +136,13 @@ impl Solved {
             reactions: solution
                 .reactions()
                 .iter()
-                .map(|r| Held { at: r.at, force: r.force, moment: r.moment })
+                .zip(&model.supports)
+                .map(|(r, support)| Held {
+                    at: r.at,
+                    force: r.force,
+                    moment: r.moment,
+                    state: state(support, r.force),
+                })
                 .collect(),
             hinges: solution
                 .hinges()
@@ -325,6 +331,19 @@ struct Held {
     at: f64,
     force: f64,
     moment: f64,
+    /// Of a support that acts in one direction alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    state: Option<&'static str>,
+}
+
+/// Whether a support that acts in one direction alone does.
+fn state(support: &Support, force: f64) -> Option<&'static str> {
+    match support.acts {
+        Acts::Both => None,
+        _ if force != 0.0 => Some("acting"),
+        Acts::Up => Some("lifted"),
+        Acts::Down => Some("slack"),
+    }
 }
 
 /// A hinge: the jump of the slope, and the moment it hands on.

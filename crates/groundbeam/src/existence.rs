@@ -8,7 +8,7 @@
 //! both shrink the set of free motions. Free hinges enlarge it: r may have a kink at each.
 
 use crate::mechanism::{Mechanism, Sum, static_reactions};
-use crate::model::Model;
+use crate::model::{Model, Support};
 use crate::solution::ContactRegion;
 use std::ops::Range;
 
@@ -172,8 +172,8 @@ fn judge(rays: &[(Sum, RigidMotion)]) -> Verdict {
 }
 
 /// Nothing can press on a piece that lifts at no cost but under a node at rest. What that node carries, if no
-/// other piece beside it can press, must be a concentrated force there. Only a shear layer has one; on separate
-/// springs the beam would sink and turn without end.
+/// other piece beside it can press, must be a concentrated force there. Only a shear layer has one, or a bearing
+/// that only pushes up; on separate springs the beam would sink and turn without end.
 fn balanced_without_a_layer(model: &Model, motion: RigidMotion) -> Verdict {
     let mechanism = Mechanism::of(model);
     let (nodes, groups) = (&mechanism.nodes, mechanism.free_groups());
@@ -192,7 +192,9 @@ fn balanced_without_a_layer(model: &Model, motion: RigidMotion) -> Verdict {
         let x = nodes[node];
         let sides = [x - f64::EPSILON * l, x + f64::EPSILON * l];
         let inside = sides.map(|x| x.clamp(f64::MIN_POSITIVE, l * (1.0 - f64::EPSILON)));
-        inside.iter().any(|x| model.foundation.constants_at(*x).1 > 0.0)
+        let bearing = |support: &Support| (support.at - x).abs() <= 4.0 * f64::EPSILON * l;
+        model.supports.iter().any(bearing)
+            || inside.iter().any(|x| model.foundation.constants_at(*x).1 > 0.0)
     };
     let sinks = |group: &Range<usize>| {
         !cost(group).is_zero()

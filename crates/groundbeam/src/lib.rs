@@ -40,6 +40,7 @@ mod ground;
 mod mechanism;
 mod mesh;
 mod nodal;
+mod one_way;
 mod polynomial;
 mod solution;
 mod solve;
@@ -57,7 +58,7 @@ pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
 pub use existence::{Existence, RigidMotion, Verdict, static_reactions_of as static_reactions};
 pub use factors::{FirstLiftOff, LoadFactors, LossOfEquilibrium, load_factors};
 pub use model::{
-    Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, Hinge, Load, Model, Profile,
+    Acts, Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, Hinge, Load, Model, Profile,
     Support, SupportKind,
 };
 pub use nodal::{NodalCheck, NodalSolution, NodalSolver, Work};

@@ -4,7 +4,7 @@
 //! elastic hinge resists a kink, and is no node. Since r is straight in between, r ≤ 0 all along exactly if
 //! r ≤ 0 at every node.
 
-use crate::model::{Load, Model, SupportKind};
+use crate::model::{Acts, Load, Model, SupportKind};
 use std::ops::Range;
 
 /// Positions closer than this part of the beam's length are one position.
@@ -22,24 +22,25 @@ pub(crate) struct Mechanism {
 }
 
 impl Mechanism {
-    /// The beam with what holds it besides the ground; tension keeps all of it from turning.
+    /// The beam with what keeps it from lifting besides the ground; tension keeps all of it from turning. A
+    /// support that only pushes up does not.
     pub fn of(model: &Model) -> Self {
-        let mut mechanism = Self::on_supports(model);
+        let mut mechanism = Self::on_supports(model, |acts| acts != Acts::Up);
         if model.beam.axial_force != 0.0 {
             mechanism.straight.fill(true);
         }
         mechanism
     }
 
-    /// The same by its supports alone.
-    fn on_supports(model: &Model) -> Self {
+    /// The same by some of its supports alone.
+    fn on_supports(model: &Model, counts: impl Fn(Acts) -> bool) -> Self {
         let l = model.beam.length;
         let free = model.hinges.iter().filter(|hinge| hinge.is_free());
         let mut nodes: Vec<f64> = free.map(|hinge| hinge.at).chain([0.0, l]).collect();
         nodes.sort_by(f64::total_cmp);
         let straight = vec![false; nodes.len() - 1];
         let mut mechanism = Mechanism { nodes, held: Vec::new(), straight };
-        for support in &model.supports {
+        for support in model.supports.iter().filter(|support| counts(support.acts)) {
             let (holds, stops_turning) = match support.kind {
                 SupportKind::Pinned => (true, false),
                 SupportKind::Fixed => (true, true),
@@ -146,9 +147,9 @@ impl Mechanism {
 }
 
 /// Whether supports leave no rigid motion at all, pressing on the ground or not: what a beam in
-/// compression needs.
+/// compression needs. Supports that it may leave do not count.
 pub(crate) fn held_rigidly(model: &Model) -> bool {
-    Mechanism::on_supports(model).first_loose(&[]).is_none()
+    Mechanism::on_supports(model, |acts| acts == Acts::Both).first_loose(&[]).is_none()
 }
 
 /// A sum with the size of what was added, so that zero can be told from rounding.

@@ -9,6 +9,7 @@ use crate::existence::{Existence, Verdict, existence};
 use crate::mechanism::held_rigidly;
 use crate::mesh::Mesh;
 use crate::model::{Model, Part, Problem};
+use crate::one_way;
 use crate::solution::{ContactRegion, Solution};
 use crate::stability::own_buckling_load;
 use std::fmt;
@@ -188,6 +189,21 @@ pub(crate) fn solve_in(
         *kept = None;
         return Ok(existence);
     }
+    if model.has_one_way_supports() {
+        let solve = |model: &Model, kept: &mut _| solve_in(model, options, None, kept);
+        let steps = one_way::solve(model, existence, stability, kept, solve)?;
+        if let Some(solution) = kept {
+            certified(solution, options)?;
+            return Ok(existence);
+        }
+        return Err(Error::NotConverged(NotConverged {
+            method: options.method,
+            iterations: steps,
+            tolerance: 0.0,
+            reached: f64::NAN,
+            what: "which supports act",
+        }));
+    }
     let mut assembled = |found: &Found| {
         let memory = kept.take();
         let solution = assemble(model, options.method, existence, stability, found, memory);
@@ -234,7 +250,9 @@ pub(crate) fn check(model: &Model) -> Result<Checked, Error> {
         if !held_rigidly(model) {
             return Err(Error::Unsupported(Problem::unheld_compression()));
         }
-        let critical = own_buckling_load(model);
+        // What the beam may leave does not hold it.
+        let held = model.with_supports_that(|_, support| !support.is_one_way());
+        let critical = own_buckling_load(&held);
         if -axial >= critical {
             return Err(Error::Unsupported(Problem::beyond_buckling(-axial / critical)));
         }

@@ -2,15 +2,25 @@
 
 use super::canvas::{Canvas, number};
 use super::style::SUPPORT;
-use groundbeam::SupportKind;
+use groundbeam::{Acts, Support, SupportKind};
 
 /// The height of a support below the beam.
 pub(super) const HEIGHT: f64 = 20.0;
 
 /// Draws a support under the point (x, y) of the beam's underside; `outward` is −1 at the left end, 1 at
 /// the right end and 0 between them.
-pub(super) fn draw(canvas: &mut Canvas, [x, y]: [f64; 2], kind: SupportKind, outward: f64) {
-    match kind {
+pub(super) fn draw(canvas: &mut Canvas, [x, y]: [f64; 2], support: &Support, outward: f64) {
+    match support.acts {
+        Acts::Both => {}
+        // A seat on which the beam lies, or a loop around it.
+        Acts::Up => canvas.line([x - 7.0, y], [x + 7.0, y], &stroke(2.2)),
+        Acts::Down => {
+            let strap =
+                [[x - 5.0, y + 7.0], [x - 5.0, y - 9.0], [x + 5.0, y - 9.0], [x + 5.0, y + 7.0]];
+            canvas.polyline(&strap, false, &stroke(1.4));
+        }
+    }
+    match support.kind {
         SupportKind::Pinned => {
             let triangle = [[x, y], [x - 8.0, y + 14.0], [x + 8.0, y + 14.0]];
             let look = format!(r##"fill="#ffffff" stroke="{SUPPORT}" stroke-width="1.4""##);

@@ -16,8 +16,8 @@ use crate::size::Sizes;
 use crate::verdict;
 pub use combinations::combinations;
 use groundbeam::{
-    ContactRegion, Existence, Extreme, Field, Model, NotConverged, Profile, Reaction, Solution,
-    SupportKind, Verdict,
+    Acts, ContactRegion, Existence, Extreme, Field, Model, NotConverged, Profile, Reaction,
+    Solution, SupportKind, Verdict,
 };
 use sheet::{Sheet, Tone};
 pub use train::train;
@@ -235,10 +235,23 @@ fn forces(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) {
             SupportKind::Fixed => "fixed",
             SupportKind::Spring { .. } => "spring",
         };
+        let one_way = match support.acts {
+            Acts::Both => "",
+            Acts::Up => ", acting up alone,",
+            Acts::Down => ", holding down alone,",
+        };
+        if support.is_one_way() && force == 0.0 {
+            let left = if support.acts == Acts::Up {
+                "the beam has lifted from it"
+            } else {
+                "it is slack"
+            };
+            return format!("{kind}{one_way} at x = {}: {left}", units.position(at));
+        }
         let force = sizes.force(force);
         let sense = if force < 0.0 { "holds down with" } else { "carries" };
         let size = units.write(Kind::Force, force.abs(), 6);
-        let mut words = format!("{kind} at x = {} {sense} {size}", units.position(at));
+        let mut words = format!("{kind}{one_way} at x = {} {sense} {size}", units.position(at));
         let turns = match support.kind {
             SupportKind::Pinned => false,
             SupportKind::Fixed => true,

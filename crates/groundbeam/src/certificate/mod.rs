@@ -206,7 +206,7 @@ impl<'a> Walk<'a> {
             claim,
             sums: Sums::default(),
             ground: GroundSums::new(model, claim),
-            joints: Joints::new(model),
+            joints: Joints::new(model, claim),
             events: Events::of(model, claim),
             supports: Supports::new(model, claim),
             hinges: Hinges::new(model),

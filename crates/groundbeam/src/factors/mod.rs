@@ -16,7 +16,7 @@ mod bonded;
 use crate::assemble::assemble;
 use crate::certificate::Certificate;
 use crate::existence::{RigidMotion, Verdict, existence, rays};
-use crate::model::{Load, Model};
+use crate::model::{Load, Model, Problem};
 use crate::solve::{Checked, Error, Method, NotConverged, check};
 use bonded::{Watched, glued_all_along, watched};
 
@@ -89,6 +89,9 @@ pub enum LossOfEquilibrium {
 /// fields at that factor holds.
 pub fn load_factors(model: &Model, grows: impl Fn(usize) -> bool) -> Result<LoadFactors, Error> {
     let Checked { stability, .. } = check(model)?;
+    if model.has_one_way_supports() {
+        return Err(Error::Unsupported(Problem::factors_with_one_way_supports(&model.supports)));
+    }
     let parts = Parts::of(model, grows);
     let loss_of_equilibrium = parts.loss_of_equilibrium();
     let first_lift_off = match loss_of_equilibrium {

@@ -1,7 +1,7 @@
-//! Rules for hinges.
+//! Rules for hinges and for supports that act in one direction alone.
 
 use super::validate::{Part, Problem, describe, in_range, remedy};
-use super::{Load, Model, SupportKind};
+use super::{Load, Model, Support, SupportKind};
 
 impl Model {
     pub(super) fn check_hinges(&self, found: &mut Vec<Problem>) {
@@ -37,6 +37,23 @@ impl Model {
         }
     }
 
+    /// Only a force can act in one direction alone.
+    pub(super) fn check_one_way(&self, found: &mut Vec<Problem>) {
+        for (i, support) in self.supports.iter().enumerate().filter(|(_, s)| s.is_one_way()) {
+            let what = match support.kind {
+                SupportKind::Fixed => "a fixed support",
+                SupportKind::Spring { rotational_spring, .. } if rotational_spring != 0.0 => {
+                    "a support with a rotational spring"
+                }
+                SupportKind::Pinned | SupportKind::Spring { .. } => continue,
+            };
+            let message = format!("{what} holds the slope, and that has no one direction");
+            let hint = "only a pinned support or a spring against deflection can act up or down alone; \
+                        give the rest in a support of its own beside it";
+            found.push(Problem::new("GB408", Part::Support(i), "acts", message, hint));
+        }
+    }
+
     /// What acts on or holds the slope at a position.
     fn turning_at(&self, x: f64) -> Option<String> {
         let near = SAME_PLACE * self.beam.length;
@@ -59,6 +76,18 @@ impl Model {
 const SAME_PLACE: f64 = 16.0 * f64::EPSILON;
 
 impl Problem {
+    /// The first lift-off of a beam that may also leave its supports.
+    pub(crate) fn factors_with_one_way_supports(supports: &[Support]) -> Self {
+        let first = supports.iter().position(Support::is_one_way).unwrap_or(0);
+        Problem::new(
+            "GB608",
+            Part::Support(first),
+            "acts",
+            "load factors are not known for supports that act in one direction alone",
+            "let the support act in both directions, or solve at one factor after another",
+        )
+    }
+
     /// Values at nodes are for beams that bend all along.
     pub(crate) fn nodal_with_hinges() -> Self {
         Problem::new(

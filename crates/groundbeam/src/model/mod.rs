@@ -20,7 +20,7 @@ pub use hinge::Hinge;
 pub use load::Load;
 pub(crate) use profile::Course;
 pub use profile::Profile;
-pub use support::{Support, SupportKind};
+pub use support::{Acts, Support, SupportKind};
 pub use validate::{Part, Problem};
 
 /// A beam, the ground under it, and what acts on them.
@@ -94,6 +94,18 @@ impl Model {
         let beam = self.beam.segments.iter().position(|s| !s.bending_stiffness.is_constant());
         let below = ground.iter().position(|s| !(s.spring.is_constant() && s.shear.is_constant()));
         beam.map(Part::BeamSegment).or(below.map(Part::FoundationSegment))
+    }
+
+    /// Whether a support acts in one direction alone.
+    pub(crate) fn has_one_way_supports(&self) -> bool {
+        self.supports.iter().any(Support::is_one_way)
+    }
+
+    /// The same model on the supports for which `keeps` says so, each of which then acts in both directions.
+    pub(crate) fn with_supports_that(&self, keeps: impl Fn(usize, &Support) -> bool) -> Self {
+        let kept = self.supports.iter().enumerate().filter(|(i, support)| keeps(*i, support));
+        let supports = kept.map(|(_, support)| support.acting(Acts::Both)).collect();
+        Model { supports, ..self.clone() }
     }
 
     /// Becomes another model in the memory of this one.

@@ -158,6 +158,7 @@ impl Model {
         self.check_loads(&mut found);
         self.check_supports(&mut found);
         self.check_hinges(&mut found);
+        self.check_one_way(&mut found);
         self.check_gap(&mut found);
         found
     }
