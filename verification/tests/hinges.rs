@@ -79,6 +79,8 @@ fn what_stands_at_a_hinge() {
     for number in 0..400 {
         let model = model(Family::Hinged, number);
         let answer = solved(&model);
+        // Of several pieces each is held, most often by more than a point.
+        assert_eq!(answer.existence().verdict, Verdict::Unique, "{number}: {model:?}");
         let range = answer.range(Field::Moment);
         let size = range.min.value.abs().max(range.max.value.abs());
         for (hinge, turn) in model.hinges.iter().zip(answer.hinges()) {

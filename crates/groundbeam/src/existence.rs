@@ -94,7 +94,14 @@ impl Existence {
     /// tension nor a support keeps from turning there, has more than one equilibrium.
     pub(crate) fn with_contact(self, model: &Model, contact: &[ContactRegion]) -> Existence {
         let mechanism = Mechanism::of(model);
-        let points: Vec<f64> = contact.iter().flat_map(|region| [region.from, region.to]).collect();
+        // Contact that goes on over a hinge holds both pieces.
+        let within = |region: &ContactRegion| {
+            let ContactRegion { from, to } = *region;
+            let nodes = mechanism.nodes.iter().copied();
+            let inside: Vec<f64> = nodes.filter(|node| from < *node && *node < to).collect();
+            [from, to].into_iter().chain(inside)
+        };
+        let points: Vec<f64> = contact.iter().flat_map(within).collect();
         let loose = mechanism.first_loose(&points);
         let verdict = match (self.verdict, loose, mechanism.point_held(&points)) {
             (Verdict::Unique, Some(_), Some(x)) if mechanism.nodes.len() == 2 => {
