@@ -209,6 +209,21 @@ fn transform(h: f64, basis: Basis, by_left: [bool; 2]) -> [[f64; 4]; 4] {
     if w_known { [own, theta, other, d2] } else { [other, theta, own, d2] }
 }
 
+/// Where the beam's four and the two surfaces stand among (w_r, θ_r, u_r | v₁, v₂, u_l).
+const ORDER: [usize; 6] = [0, 1, 3, 4, 5, 2];
+
+/// What multiplies those six, from what multiplies the element's own v and the surfaces.
+fn in_order(row: &[f64; 6], c: &[[f64; 4]; 4]) -> [f64; 6] {
+    let mut ordered = [0.0; 6];
+    for j in 0..4 {
+        ordered[ORDER[j]] = (0..4).map(|n| row[n] * c[n][j]).sum();
+    }
+    for j in [4, 5] {
+        ordered[ORDER[j]] = row[j];
+    }
+    ordered
+}
+
 fn cross(
     element: &Element,
     links: &[TiedLink],
@@ -253,9 +268,6 @@ fn cross(
             k[i][j] += state.s[U][U] * surface_left[i] * surface_left[j];
         }
     }
-    for tied in links {
-        add_link(tied, &surfaces, &mut k, &mut q);
-    }
 
     back.by_left = [
         node.pinned || state.s[W][W] > element.stiffness[2][2],
@@ -269,7 +281,6 @@ fn cross(
             half[i][j] = (0..4).map(|m| k[i][m] * c[m][j]).sum();
         }
     }
-    const ORDER: [usize; 6] = [0, 1, 3, 4, 2, 5];
     let mut m = [[0.0; 6]; 6];
     let mut f = [0.0; 6];
     for i in 0..4 {
@@ -278,16 +289,22 @@ fn cross(
         for j in 0..4 {
             m[a][ORDER[j]] = (0..4).map(|n| c[n][i] * half[n][j]).sum();
         }
-        for (surface, at) in [(4, 5), (5, 2)] {
+        for surface in [4, 5] {
+            let at = ORDER[surface];
             m[a][at] = half[surface][i];
             m[at][a] = half[surface][i];
         }
     }
-    for (i, a) in [(4, 5), (5, 2)] {
-        f[a] = q[i];
-        for (j, b) in [(4, 5), (5, 2)] {
-            m[a][b] = k[i][j];
+    for i in [4, 5] {
+        f[ORDER[i]] = q[i];
+        for j in [4, 5] {
+            m[ORDER[i]][ORDER[j]] = k[i][j];
         }
+    }
+    // What ties the surface to the right end sees w_r alone: added before the congruence, its rounding would hold
+    // a free beam's slope.
+    for tied in links {
+        add_link(tied, &surfaces, |row| in_order(row, &c), &mut m, &mut f);
     }
     let free = [!node.pinned, !node.clamped, node.surface[0] || node.surface[1]];
     condense(&m, &f, free, back)
@@ -394,5 +411,39 @@ impl Return {
             y[U] = constant - by_w * y[W] - by_theta * y[THETA];
         }
         y
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::elements::exact::ExactElement;
+    use crate::elements::{Operator, Touch};
+    use crate::mesh::Mesh;
+    use crate::model::{Beam, Foundation, Load, Model};
+
+    /// Nothing holds the slope of a beam that leaves the ground and ends free, to the last bit: it may rise to a
+    /// million times what the ground settles.
+    #[test]
+    fn a_free_beam_offers_no_stiffness() {
+        for i in 1..200 {
+            let length = 0.614 + 1e-3 * f64::from(i);
+            let model = Model::new(Beam::uniform(length, 1e-10), Foundation::pasternak(7.0, 0.02))
+                .with_load(Load::uniform(1.0, 0.0, length));
+            let cell = Mesh::build(&model, &[], |_| 1).cells[0];
+            let element = ExactElement::new(&Operator::of(&cell, 0.0, Touch::Open), length).element;
+            let tied = TiedLink {
+                link: crate::ground::Link::uniform(cell.spring, cell.shear, length),
+                left: Tie::SurfaceLeft,
+                right: Tie::Beam { row: element.end_row(true), gap: 0.0 },
+            };
+            let free = ChainNode { surface: [true; 2], surface_spring: 0.3, ..Default::default() };
+            let mut behind = Behind::default();
+            apply(&free, &mut behind, 1.0);
+            let nodes = [&free, &ChainNode::default()];
+            let ahead = cross(&element, &[tied], nodes, &behind, &mut Return::default());
+            let s = ahead.expect("a free end").s;
+            assert!(s[W][W] > 0.3 && s[W][THETA] == 0.0 && s[THETA][THETA] == 0.0, "{s:?}");
+        }
     }
 }
