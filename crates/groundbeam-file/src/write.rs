@@ -108,6 +108,10 @@ impl Writer {
                 self.intensity("distributed_moment", start, end, "N m/m");
                 self.stretch(from, to);
             }
+            Load::Curvature { from, to, start, end } => {
+                self.intensity("curvature", start, end, "1/m");
+                self.stretch(from, to);
+            }
         }
     }
 

@@ -3,6 +3,7 @@
 mod beam;
 mod checks;
 mod combination;
+mod curl;
 mod foundation;
 mod gap;
 mod load;
@@ -48,10 +49,10 @@ pub(crate) struct Contents {
 pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     reader.refuse_unknown(root, TABLES);
     let title = reader.words(root, "title", "Strip footing").map(|(title, _)| title.to_owned());
-    let (beam, weight) = beam::read(reader, root);
+    let beam::Read { beam, loads: own, depths } = beam::read(reader, root);
     let (foundation, bed) = foundation::read(reader, root, &beam);
-    let (mut loads, mut cases) = load::read(reader, root, beam.length);
-    for (load, case) in weight {
+    let (mut loads, mut cases) = load::read(reader, root, beam.length, &depths);
+    for (load, case) in own {
         loads.push(load);
         cases.push(case);
     }

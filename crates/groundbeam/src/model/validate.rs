@@ -234,7 +234,8 @@ impl Model {
                     finite(found, part, "moment", moment);
                 }
                 Load::Distributed { from, to, start, end }
-                | Load::DistributedMoment { from, to, start, end } => {
+                | Load::DistributedMoment { from, to, start, end }
+                | Load::Curvature { from, to, start, end } => {
                     self.check_stretch(found, part, from, to);
                     finite(found, part, "start", start);
                     finite(found, part, "end", end);
