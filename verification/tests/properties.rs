@@ -107,6 +107,7 @@ fn scaling_by_a_power_of_two_is_bit_identical() {
         Family::Winkler,
         Family::Supported,
         Family::Varying,
+        Family::Curled,
     ];
     let mut faults = Vec::new();
     for family in families {
@@ -153,6 +154,7 @@ fn mirror_images_mirror() {
         Family::Supported,
         Family::Gap,
         Family::Varying,
+        Family::Curled,
     ] {
         for number in 0..200 {
             let model = model(family, number);

@@ -103,7 +103,10 @@ pub(crate) const CURVATURE: Kind = kind(
     Dimension { angle: 1, ..Dimension::new(0, -1) },
     "1e-4 1/m",
     "1/m",
-    &[(Dimension::LENGTH, "a radius is the inverse of a curvature: write for example \"1e-4 1/m\"")],
+    &[(
+        Dimension::LENGTH,
+        "a radius is the inverse of a curvature: write for example \"1e-4 1/m\"",
+    )],
 );
 pub(crate) const TEMPERATURE: Kind =
     kind("a temperature difference", Dimension::TEMPERATURE, "15 K", "K", &[]);

@@ -13,8 +13,18 @@ use crate::table::Section;
 use groundbeam::model::Part;
 use groundbeam::{Beam, BeamSegment, Load, Profile};
 
-const KEYS: &[&str] =
-    &["length", "EI", "E", "I", "section", "unit_weight", "weight_case", "axial_force", "camber", "segment"];
+const KEYS: &[&str] = &[
+    "length",
+    "EI",
+    "E",
+    "I",
+    "section",
+    "unit_weight",
+    "weight_case",
+    "axial_force",
+    "camber",
+    "segment",
+];
 const SEGMENT_KEYS: &[&str] = &["from", "to", "EI", "E", "I", "section"];
 const STIFFNESS: Keys = Keys {
     product: ("EI", &BENDING_STIFFNESS),

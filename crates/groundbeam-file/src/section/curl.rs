@@ -77,7 +77,8 @@ fn depth(reader: &mut Reader, table: &Section, [from, to]: [f64; 2], depths: &[D
     if !first.is_constant() || known.iter().any(|depth| depth.profile != first) {
         if known.iter().all(|depth| depth.is_readable()) {
             let message = "the depth of the beam's section varies along this load";
-            let hint = "give a [[load]] for each part of the beam, with its `depth`, or a `curvature`";
+            let hint =
+                "give a [[load]] for each part of the beam, with its `depth`, or a `curvature`";
             reader.report(Fault::new(code::INCOMPLETE, table.span.clone(), message, "", hint));
         }
         return f64::NAN;

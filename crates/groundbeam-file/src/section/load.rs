@@ -1,11 +1,12 @@
 //! `[[load]]`.
 
+use super::curl;
 use super::curl::Depth;
 use crate::code;
 use crate::fault::Fault;
-use super::curl;
 use crate::quantity::{
-    CURVATURE, FORCE, Kind, LOAD_PER_LENGTH, MOMENT, MOMENT_PER_LENGTH, POSITION, STRAIN, TEMPERATURE,
+    CURVATURE, FORCE, Kind, LOAD_PER_LENGTH, MOMENT, MOMENT_PER_LENGTH, POSITION, STRAIN,
+    TEMPERATURE,
 };
 use crate::reader::{Field, Reader};
 use crate::table::Section;
