@@ -119,8 +119,11 @@ fn read_one(
                 _ => &STRAIN,
             };
             let (start, end) = intensity(reader, part, kind, value, wanted);
+            // What is missing has been reported.
             let per = curl::curvature_per(reader, table, kind, [from, to], depths);
-            Load::Curvature { from, to, start: per * start, end: per * end }
+            let [start, end] =
+                [start, end].map(|value| if per.is_nan() { 0.0 } else { per * value });
+            Load::Curvature { from, to, start, end }
         }
     }
 }
