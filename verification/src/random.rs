@@ -32,13 +32,15 @@ pub enum Family {
     Varying,
     /// Imposed curvatures beside the loads, with some of all the rest.
     Curled = 12,
+    /// Supports that have settled, with some of all the rest.
+    Settled = 13,
     /// All of it at its worst: λl up to 10⁴, up to a hundred loads, some pulling, resultants near an end.
     Extreme = 20,
 }
 
 impl Family {
     /// Every family that takes milliseconds a model; `Extreme` takes seconds at times.
-    pub const ALL: [Family; 11] = [
+    pub const ALL: [Family; 12] = [
         Family::Plain,
         Family::Tension,
         Family::Segments,
@@ -50,6 +52,7 @@ impl Family {
         Family::Mixed,
         Family::Varying,
         Family::Curled,
+        Family::Settled,
     ];
 }
 
@@ -109,8 +112,9 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     let hard = extreme || family == Family::Hard;
     let curled = family == Family::Curled;
     // With some of all the rest.
-    let various = curled || family == Family::Varying;
-    let varying = family == Family::Varying || dice.now_and_then(curled);
+    let settles = family == Family::Settled;
+    let various = curled || settles || family == Family::Varying;
+    let varying = family == Family::Varying || dice.now_and_then(curled || settles);
     let length = dice.decades(-1.0, 2.0);
     let k = dice.decades(-2.0, 2.0);
     // Stiffness by the number that matters, l (k/4EI)^(1/4).
@@ -124,7 +128,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     // The shear layer by √(μ/k) against √(EI/k)^(1/2).
     let shear = match family {
         Family::Winkler => 0.0,
-        _ if (mixed || curled) && dice.happens(0.2) => 0.0,
+        _ if (mixed || curled || settles) && dice.happens(0.2) => 0.0,
         Family::Hard | Family::Extreme => (k * stiffness).sqrt() * dice.decades(-4.0, 3.0),
         _ => (k * stiffness).sqrt() * dice.decades(-2.0, 1.5),
     };
@@ -134,7 +138,10 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         let own = stiffness / (length * length);
         beam.axial_force = own * dice.decades(-2.0, 3.0);
     }
-    if family == Family::Segments || (mixed && dice.happens(0.5)) || dice.now_and_then(curled) {
+    if family == Family::Segments
+        || (mixed && dice.happens(0.5))
+        || dice.now_and_then(curled || settles)
+    {
         let mut ends: Vec<f64> = (0..2 + 2 * dice.up_to(2)).map(|_| dice.place()).collect();
         ends.sort_by(f64::total_cmp);
         for pair in ends.chunks_exact(2).filter(|pair| pair[0] < pair[1]) {
@@ -156,7 +163,11 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         ground = vary_ground(ground, length, dice);
     }
     let mut model = Model::new(beam, ground);
-    if family == Family::Supported || (mixed && dice.happens(0.3)) || dice.now_and_then(various) {
+    if family == Family::Supported
+        || settles
+        || (mixed && dice.happens(0.3))
+        || dice.now_and_then(various)
+    {
         let mut places: Vec<f64> = (0..=dice.up_to(2)).map(|_| dice.place()).collect();
         places.sort_by(f64::total_cmp);
         places.dedup();
@@ -172,7 +183,9 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
                     stiffness / length * dice.decades(-2.0, 2.0),
                 ),
             };
-            model = model.with_support(support);
+            let settled = settles && dice.happens(0.7);
+            let settlement = if settled { dice.even(-1.0, 2.0) / (k * length) } else { 0.0 };
+            model = model.with_support(support.settled(settlement));
         }
         if dice.happens(0.3) {
             let critical = groundbeam::own_buckling_load(&model);

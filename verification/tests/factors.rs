@@ -145,6 +145,9 @@ fn weightless_beams_lift_off_at_once_or_never() {
         for number in 0..60 {
             let mut model = model(family, number);
             model.gap.clear();
+            for support in &mut model.supports {
+                support.settlement = 0.0;
+            }
             let found = load_factors(&model, |_| true);
             let Ok(found) = found else {
                 faults.push(format!("{family:?} {number}: {found:?}"));

@@ -127,6 +127,9 @@ impl Writer {
                     self.quantity("rotational_spring", rotational_spring, "N m/rad");
                 }
             }
+            if support.settlement != 0.0 {
+                self.quantity("settlement", support.settlement, "m");
+            }
         }
         for corner in &model.gap {
             self.heading("[[gap]]");

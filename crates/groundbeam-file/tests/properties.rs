@@ -95,7 +95,7 @@ fn model() -> impl Strategy<Value = Model> {
                 model = model.with_support(match kind {
                     0 => Support::pinned(at),
                     1 => Support::fixed(at),
-                    _ => Support::spring(at, spring, rotational),
+                    _ => Support::spring(at, spring, rotational).settled(0.01 * spring.sin()),
                 });
             }
             for (at, value) in gap.0.into_iter().zip(gap.1) {

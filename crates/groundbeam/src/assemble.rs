@@ -185,7 +185,8 @@ fn reactions(solution: &Solution) -> Vec<Reaction> {
             SupportKind::Fixed => (lift(solution, x), turn(solution, x)),
             SupportKind::Spring { spring, rotational_spring } => {
                 let here = solution.at(x, Side::Right);
-                (spring * here.deflection, -rotational_spring * here.slope)
+                let pressed = here.deflection - support.settlement;
+                (spring * pressed, -rotational_spring * here.slope)
             }
         };
         Reaction { at: x, force, moment }

@@ -17,11 +17,13 @@ pub(crate) struct Node {
     pub force: f64,
     /// Point moment \[N·m\].
     pub moment: f64,
-    /// w = 0.
+    /// w is the settlement.
     pub pinned: bool,
+    /// How far what holds it has settled \[m\].
+    pub settlement: f64,
     /// w' = 0.
     pub clamped: bool,
-    /// Spring against w \[N/m\].
+    /// Spring against w less the settlement \[N/m\].
     pub spring: f64,
     /// Spring against w' \[N·m/rad\].
     pub rotational_spring: f64,
@@ -149,6 +151,7 @@ impl Mesh {
         for support in &model.supports {
             let i = self.node_at(support.at);
             let node = &mut self.nodes[i];
+            node.settlement = support.settlement;
             match support.kind {
                 SupportKind::Pinned => node.pinned = true,
                 SupportKind::Fixed => (node.pinned, node.clamped) = (true, true),

@@ -38,7 +38,7 @@ use surface::Under;
 pub struct Certificate {
     /// ½∫(EI (w″ − κ₀)² + P w'²) + ½b(u, u) − F(w): (3.8) and the ground's own energy \[N·m\].
     pub primal_energy: f64,
-    /// The reciprocal energy ∫m κ₀ − ½∫m²/EI − ½∫P w'² − ½⟨p, Gp⟩ − ⟨p, g₀⟩ \[N·m\].
+    /// The reciprocal energy ∫m κ₀ − ½∫m²/EI − ½∫P w'² − ½⟨p, Gp⟩ − ⟨p, g₀⟩ − Σ R δ \[N·m\].
     pub dual_energy: f64,
     /// Primal less dual energy, summed from parts none of which can be negative \[N·m\].
     pub gap: f64,
@@ -131,8 +131,8 @@ pub(crate) fn certify(model: &Model, claim: &Claim) -> Certificate {
     let stability = claim.stability;
     let gap = 0.5 * norm * norm / stability + walk.work();
 
-    // Loads that supports take without any strain leave rounding alone, to be judged by the energy that
-    // they would put into the ground and the beam.
+    // Loads that supports take without any strain, and supports that settle together, leave rounding alone, to
+    // be judged by the energy that they would put into the ground and the beam.
     let (length, k, ei) =
         (model.beam.length, model.foundation.spring, model.beam.bending_stiffness);
     let wave = (4.0 * ei / k).sqrt().sqrt().min(length);
@@ -140,12 +140,17 @@ pub(crate) fn certify(model: &Model, claim: &Claim) -> Certificate {
     let turned = events.moments / length * (events.moments / (k * length * length));
     let moments = events.moments + events.forces * wave;
     let bent = moments * wave * (moments / ei);
-    let strain = strain + f64::EPSILON * (sunk + turned + bent);
+    let settled = model.supports.iter().map(|s| s.settlement.abs()).fold(0.0, f64::max) / wave;
+    let pushed = ei / wave * (settled * settled);
+    let strain = strain + f64::EPSILON * (sunk + turned + bent + pushed);
     let moment_bound = (2.0 * gap / stability).sqrt() + joints.norm + ROUNDED * sums.moment.sqrt();
     let stiffest = model.beam.stiffest();
     Certificate {
         primal_energy: 0.5 * (sums.bending + inner) - sums.work,
-        dual_energy: sums.curled - 0.5 * (sums.moment + inner) - ground.work_on_gap,
+        dual_energy: sums.curled
+            - 0.5 * (sums.moment + inner)
+            - ground.work_on_gap
+            - walk.supports.settled,
         gap,
         relative_gap: relative(gap, strain),
         force_balance,

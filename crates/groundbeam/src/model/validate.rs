@@ -248,6 +248,7 @@ impl Model {
         for (i, support) in self.supports.iter().enumerate() {
             let part = Part::Support(i);
             self.check_position(found, part, support.at);
+            finite(found, part, "settlement", support.settlement);
             if let SupportKind::Spring { spring, rotational_spring } = support.kind {
                 let mut constant = |field, value: f64| {
                     if !(in_range(value) && value >= 0.0) {
