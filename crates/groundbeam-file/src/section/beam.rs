@@ -1,6 +1,7 @@
 //! `[beam]` and `[[beam.segment]]`.
 
 use super::curl::{self, Depth};
+use super::material;
 use super::shape::{self, Shape};
 use super::weight::{self, Area};
 use crate::profile::{Along, Values, left_out};
@@ -17,6 +18,7 @@ const KEYS: &[&str] = &[
     "length",
     "EI",
     "E",
+    "material",
     "I",
     "section",
     "unit_weight",
@@ -25,7 +27,7 @@ const KEYS: &[&str] = &[
     "camber",
     "segment",
 ];
-const SEGMENT_KEYS: &[&str] = &["from", "to", "EI", "E", "I", "section"];
+const SEGMENT_KEYS: &[&str] = &["from", "to", "EI", "E", "material", "I", "section"];
 const STIFFNESS: Keys = Keys {
     product: ("EI", &BENDING_STIFFNESS),
     factors: [("E", &ELASTIC_MODULUS), ("I", &SECOND_MOMENT_OF_AREA)],
@@ -38,11 +40,13 @@ pub(super) struct Read {
     /// Its own weight and its camber, if the file gives them, each with its load case.
     pub loads: Vec<(Load, Option<String>)>,
     pub depths: Vec<Depth>,
+    /// The expansion of its material, if that is one all along.
+    pub expansion: Option<f64>,
 }
 
 pub(super) fn read(reader: &mut Reader, root: &Section) -> Read {
     let beam = Beam::uniform(f64::NAN, f64::NAN);
-    let unknown = Read { beam, loads: Vec::new(), depths: Vec::new() };
+    let unknown = Read { beam, loads: Vec::new(), depths: Vec::new(), expansion: None };
     let Some(table) = reader.table(root, "beam", "[beam]") else {
         if root.value("beam").is_none() {
             reader.missing(root, &["beam"], "`[beam]`", "[beam] with `length` and `EI`");
@@ -61,6 +65,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Read {
     let (given, shape) = given(reader, &table);
     let mut areas = Vec::new();
     let mut depths = Vec::new();
+    let mut one_material = true;
     let mut segments = Vec::new();
     for (i, segment) in reader.tables(&table, "segment", "[[beam.segment]]").iter().enumerate() {
         let part = Part::BeamSegment(i);
@@ -71,11 +76,13 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Read {
         let (area, depth) = shape.map_or((None, None), |shape| (Some(shape.area), shape.depth));
         areas.push(Area { from: read.from, to: read.to, area });
         depths.push(Depth { from: read.from, to: read.to, depth });
+        one_material &= ["material", "E"].iter().all(|key| segment.value(key).is_none());
         segments.push(read);
     }
+    let material = material::of(&table).filter(|_| one_material);
     let base = shape.filter(|_| !gives_stiffness(&table));
     let (area, depth) = base.map_or((None, None), |shape| (Some(shape.area), shape.depth));
-    let mut loads = weight::read(reader, &table, length.value, area, areas);
+    let mut loads = weight::read(reader, &table, length.value, material, area, areas);
     loads.extend(curl::camber(reader, &table, length.value).map(|camber| (camber, None)));
     let depths = curl::all(length.value, depth, depths);
 
@@ -97,7 +104,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Read {
     };
     let axial_force = axial_force.value;
     let beam = Beam { length: length.value, bending_stiffness, segments, axial_force };
-    Read { beam, loads, depths }
+    Read { beam, loads, depths, expansion: material.map(|material| material.expansion) }
 }
 
 /// Whether a table gives EI or I by themselves: then no section of a parent's is that of the beam there.
@@ -152,6 +159,7 @@ fn given(reader: &mut Reader, table: &Section) -> (Given, Option<Shape>) {
     let product = reader.along(table, "EI", &BENDING_STIFFNESS, curve);
     let modulus = reader.along(table, "E", &ELASTIC_MODULUS, Values::Linear);
     let modulus = modulus.map(|modulus| reader.positive_along("E", modulus));
+    let modulus = material::modulus(reader, table, modulus);
     let inertia = reader.along(table, "I", &SECOND_MOMENT_OF_AREA, Values::Linear);
     let inertia = inertia.map(|inertia| reader.positive_along("I", inertia));
     let shape = shape::read(reader, table);

@@ -15,6 +15,13 @@ pub(super) struct Depth {
     pub depth: Option<Along>,
 }
 
+/// What the beam says of how temperature and shrinkage curl it.
+pub(super) struct Curls {
+    pub depths: Vec<Depth>,
+    /// The expansion of its material, if that is one all along.
+    pub expansion: Option<f64>,
+}
+
 /// The depths of the whole beam: of its segments, and of its own section where there are none.
 pub(super) fn all(length: f64, base: Option<Along>, mut segments: Vec<Depth>) -> Vec<Depth> {
     for [from, to] in left_out(length, segments.iter().map(|s| (s.from, s.to))) {
@@ -32,7 +39,7 @@ pub(super) fn curvature_per(
     table: &Section,
     kind: &str,
     stretch: [f64; 2],
-    depths: &[Depth],
+    curls: &Curls,
 ) -> f64 {
     let mut refuse = |key: &str, advice: &str| {
         if let Some((name, _)) = table.table.get_key_value(key) {
@@ -47,9 +54,12 @@ pub(super) fn curvature_per(
         refuse("depth", "a curvature needs no depth");
         return 1.0;
     }
-    let depth = depth(reader, table, stretch, depths);
+    let depth = depth(reader, table, stretch, &curls.depths);
     if kind == "shrinkage_difference" {
         return -1.0 / depth;
+    }
+    if let (None, Some(expansion)) = (table.value("expansion"), curls.expansion) {
+        return expansion / depth;
     }
     let expansion = reader.required(table, "expansion", &EXPANSION);
     reader.positive("expansion", expansion).value / depth

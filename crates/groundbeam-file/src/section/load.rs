@@ -1,7 +1,7 @@
 //! `[[load]]`.
 
 use super::curl;
-use super::curl::Depth;
+use super::curl::Curls;
 use crate::code;
 use crate::fault::Fault;
 use crate::quantity::{
@@ -45,13 +45,13 @@ pub(super) fn read(
     reader: &mut Reader,
     root: &Section,
     beam_length: f64,
-    depths: &[Depth],
+    curls: &Curls,
 ) -> (Vec<Load>, Vec<Option<String>>) {
     let tables = reader.tables(root, "load", "[[load]]");
     let mut loads = Vec::new();
     let mut cases = Vec::new();
     for (i, table) in tables.iter().enumerate() {
-        loads.push(read_one(reader, table, Part::Load(i), beam_length, depths));
+        loads.push(read_one(reader, table, Part::Load(i), beam_length, curls));
         cases.push(case(reader, table));
     }
     (loads, cases)
@@ -74,7 +74,7 @@ fn read_one(
     table: &Section,
     part: Part,
     beam_length: f64,
-    depths: &[Depth],
+    curls: &Curls,
 ) -> Load {
     reader.refuse_unknown(table, KEYS);
     reader.places.part(part, &table.span);
@@ -120,7 +120,7 @@ fn read_one(
             };
             let (start, end) = intensity(reader, part, kind, value, wanted);
             // What is missing has been reported.
-            let per = curl::curvature_per(reader, table, kind, [from, to], depths);
+            let per = curl::curvature_per(reader, table, kind, [from, to], curls);
             let [start, end] =
                 [start, end].map(|value| if per.is_nan() { 0.0 } else { per * value });
             Load::Curvature { from, to, start, end }

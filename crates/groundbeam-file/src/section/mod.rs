@@ -7,6 +7,7 @@ mod curl;
 mod foundation;
 mod gap;
 mod load;
+mod material;
 mod shape;
 mod soil;
 mod support;
@@ -17,6 +18,7 @@ use crate::combination::Recipe;
 use crate::document::MovingTrain;
 use crate::reader::Reader;
 use crate::table::Section;
+use curl::Curls;
 use groundbeam::soil::Bed;
 use groundbeam::{Limits, Model};
 
@@ -49,9 +51,10 @@ pub(crate) struct Contents {
 pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     reader.refuse_unknown(root, TABLES);
     let title = reader.words(root, "title", "Strip footing").map(|(title, _)| title.to_owned());
-    let beam::Read { beam, loads: own, depths } = beam::read(reader, root);
+    let beam::Read { beam, loads: own, depths, expansion } = beam::read(reader, root);
     let (foundation, bed) = foundation::read(reader, root, &beam);
-    let (mut loads, mut cases) = load::read(reader, root, beam.length, &depths);
+    let (mut loads, mut cases) =
+        load::read(reader, root, beam.length, &Curls { depths, expansion });
     for (load, case) in own {
         loads.push(load);
         cases.push(case);
