@@ -29,27 +29,22 @@ pub fn run(request: &Solve) -> Result<Status, Failure> {
         None => return combinations::solve(&input, request),
     };
     match train {
-        Some(train) => {
-            trains::solve(&input, request, train, &loaded.model, loaded.title.as_deref())
-        }
+        Some(train) => trains::solve(&input, request, train, &loaded),
         None => one(&input, request, &loaded),
     }
 }
 
-/// The model under the loads that are asked for.
-struct Loaded {
-    title: Option<String>,
-    model: Model,
-    /// Which of the document's loads these are.
-    loads: Vec<usize>,
+/// What is to be solved, and what it is called.
+pub struct Loaded {
+    pub title: Option<String>,
+    pub combination: Combination,
 }
 
 impl Loaded {
     /// Every load of the file as it is written.
     fn as_written(input: &Input) -> Self {
-        let model = input.document.model.clone();
-        let loads = (0..model.loads.len()).collect();
-        Loaded { title: input.document.title.clone(), model, loads }
+        let document = &input.document;
+        Loaded { title: document.title.clone(), combination: document.as_written() }
     }
 
     /// One of the file's combinations.
@@ -58,24 +53,23 @@ impl Loaded {
             .document
             .combination(name)
             .map_err(|found| Failure::diagnostics(&found, "--combination", name))?;
-        let Combination { name, model, loads, .. } = combination;
         let title = match &input.document.title {
-            Some(title) => format!("{title}: {name}"),
-            None => name,
+            Some(title) => format!("{title}: {}", combination.name),
+            None => combination.name.clone(),
         };
-        Ok(Loaded { title: Some(title), model, loads })
+        Ok(Loaded { title: Some(title), combination })
     }
 }
 
 fn one(input: &Input, request: &Solve, loaded: &Loaded) -> Result<Status, Failure> {
-    let model = &loaded.model;
+    let model = &loaded.combination.model;
     let stations = request.at.as_deref().map(|list| positions(input, list)).transpose()?;
     let growing =
         request.factors.as_ref().map(|grow| Growing::of(input, grow, loaded)).transpose()?;
 
     let started = Instant::now();
     let words = format!("solving with the method {}", request.options.method.name());
-    let outcome = while_working(words, || solved(input, model, &request.options));
+    let outcome = while_working(words, || solved(input, &loaded.combination, &request.options));
     let context = Context { title: loaded.title.as_deref(), ..input.context() };
     let context = context.with_seconds(started.elapsed().as_secs_f64());
     let (outcome, context) = match outcome {
@@ -125,14 +119,16 @@ fn one(input: &Input, request: &Solve, loaded: &Loaded) -> Result<Status, Failur
     }
 }
 
-/// What mechanics says of a model of the file, and the ground that was made of its soil if it has one.
+/// What mechanics says of a combination of the file, and where its ground comes from.
 pub fn solved<'a>(
-    input: &'a Input,
-    model: &Model,
+    input: &Input,
+    combination: &'a Combination,
     options: &Options,
 ) -> Result<(Outcome, Option<Ground<'a>>), Error> {
-    let Some(bed) = &input.document.bed else {
-        return Ok((groundbeam::solve_with(model, options)?, None));
+    let model = &combination.model;
+    let Some(bed) = &combination.bed else {
+        let ground = input.document.width.and_then(|b| Ground::of_area(&model.foundation, b));
+        return Ok((groundbeam::solve_with(model, options)?, ground));
     };
     let found = bed.solve(model, options)?;
     let ground = Ground::of(bed, &found);
@@ -150,12 +146,12 @@ struct Growing {
 impl Growing {
     fn of(input: &Input, grow: &Grow, loaded: &Loaded) -> Result<Self, Failure> {
         let Grow::Cases(list) = grow else {
-            let grows = vec![true; loaded.loads.len()];
+            let grows = vec![true; loaded.combination.loads.len()];
             return Ok(Growing { cases: Vec::new(), grows });
         };
         let of_file = parse_cases(list, &input.document)
             .map_err(|found| Failure::diagnostics(&found, "--factors", list))?;
-        let grows = loaded.loads.iter().map(|&load| of_file[load]).collect();
+        let grows = loaded.combination.loads.iter().map(|&load| of_file[load]).collect();
         let mut cases: Vec<String> = Vec::new();
         for name in list.split(',').map(str::trim) {
             if !cases.iter().any(|case| case == name) {
@@ -172,7 +168,8 @@ impl Growing {
         model: &Model,
         context: &Context,
     ) -> Result<LoadFactors, Failure> {
-        let model = context.ground.map_or_else(|| model.clone(), |g| g.subgrade.under(model));
+        let on_soil = context.ground.filter(|ground| ground.bed.is_some());
+        let model = on_soil.map_or_else(|| model.clone(), |g| g.subgrade.under(model));
         // Without a case named, forces grow: a temperature or a camber stays what it is.
         let stays = |load: usize| {
             let curls = matches!(model.loads.get(load), Some(Load::Curvature { .. }));

@@ -5,11 +5,11 @@ use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{draw, print, standard_output_has_colour, write};
 use crate::request::Solve;
-use crate::solve::positions;
+use crate::solve::{Loaded, positions};
 use crate::waiting::while_working;
+use groundbeam::Error;
 use groundbeam::train::{Answer, Passage, Sweep};
-use groundbeam::{Error, Model};
-use groundbeam_file::MovingTrain;
+use groundbeam_file::{Combination, MovingTrain};
 use groundbeam_report::{Context, Moving, csv, json, png, svg, text};
 use rayon::prelude::*;
 use std::time::Instant;
@@ -22,8 +22,7 @@ pub fn solve(
     input: &Input,
     request: &Solve,
     train: &MovingTrain,
-    model: &Model,
-    title: Option<&str>,
+    loaded: &Loaded,
 ) -> Result<Status, Failure> {
     if let Some(option) = request.about_one_answer() {
         let rule = "it is about one position, and the file has a train";
@@ -32,7 +31,7 @@ pub fn solve(
     let stations = request.at.as_deref().map(|list| positions(input, list)).transpose()?;
     let started = Instant::now();
     let words = format!("moving the train with the method {}", request.options.method.name());
-    let passage = while_working(words, || swept(input, request, train, model));
+    let passage = while_working(words, || swept(request, train, &loaded.combination));
     let passage = passage.map_err(|error| input.refused(&error))?;
     let moving = Moving {
         name: &train.name,
@@ -41,7 +40,7 @@ pub fn solve(
         range: train.range,
         passage: &passage,
     };
-    let context = Context { title, ..input.context() };
+    let context = Context { title: loaded.title.as_deref(), ..input.context() };
     let context = context.with_seconds(started.elapsed().as_secs_f64());
     write_files(request, &moving, stations.as_deref(), &context)?;
     print(&if request.json {
@@ -53,17 +52,16 @@ pub fn solve(
 }
 
 fn swept(
-    input: &Input,
     request: &Solve,
     train: &MovingTrain,
-    model: &Model,
+    combination: &Combination,
 ) -> Result<Passage, Error> {
-    let mut sweep = Sweep::new(model, &train.train, train.range, ERROR);
+    let mut sweep = Sweep::new(&combination.model, &train.train, train.range, ERROR);
     while !sweep.wanted().is_empty() {
         // Each is solved by itself and kept in its place: the same bits on any number of processors.
         let solved = sweep.wanted().par_iter().map(|&first_axle| {
-            let loaded = train.train.on(model, first_axle);
-            Answer::of(input.document.solve_model(&loaded, &request.options))
+            let there = train.train.on(&combination.model, first_axle);
+            Answer::of(combination.solve_model(&there, &request.options))
         });
         let solved: Vec<Result<Answer, Error>> = solved.collect();
         sweep.give(solved.into_iter().collect::<Result<Vec<Answer>, Error>>()?);

@@ -30,6 +30,7 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
+mod band;
 mod characteristics;
 mod combinations;
 mod context;
@@ -47,6 +48,7 @@ pub mod png;
 pub mod svg;
 pub mod text;
 
+pub use band::Banded;
 pub use characteristics::{Characteristics, Resultant};
 pub use combinations::{Alone, Answer, Combinations, Combined, Overall};
 pub use context::{Context, Factors, Ground};

@@ -20,10 +20,8 @@ impl Answers {
         let options = Options::default();
         let mut outcomes = Vec::new();
         for combination in document.combinations() {
-            outcomes.push((
-                Some(combination.name),
-                document.solve_model(&combination.model, &options)?,
-            ));
+            let outcome = combination.solve(&options)?;
+            outcomes.push((Some(combination.name), outcome));
         }
         if !document.has_combinations() {
             outcomes.push((None, document.solve(&options)?));

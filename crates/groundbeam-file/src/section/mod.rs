@@ -1,5 +1,6 @@
 //! The tables of a model file, one file each, in the order of [`groundbeam::Model`].
 
+mod band;
 mod beam;
 mod checks;
 mod combination;
@@ -19,7 +20,6 @@ use crate::document::MovingTrain;
 use crate::reader::Reader;
 use crate::table::Section;
 use curl::Curls;
-use groundbeam::soil::Bed;
 use groundbeam::{Limits, Model};
 
 const TABLES: &[&str] = &[
@@ -39,7 +39,7 @@ const TABLES: &[&str] = &[
 pub(crate) struct Contents {
     pub title: Option<String>,
     pub model: Model,
-    pub bed: Option<Bed>,
+    pub ground: Ground,
     pub limits: Limits,
     /// The load case of each of the model's loads.
     pub cases: Vec<Option<String>>,
@@ -47,23 +47,27 @@ pub(crate) struct Contents {
     pub train: Option<MovingTrain>,
 }
 
+pub(crate) use foundation::Ground;
+
 /// Reads the whole file.
 pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     reader.refuse_unknown(root, TABLES);
     let title = reader.words(root, "title", "Strip footing").map(|(title, _)| title.to_owned());
     let beam::Read { beam, loads: own, depths, expansion } = beam::read(reader, root);
-    let (foundation, bed) = foundation::read(reader, root, &beam);
-    let (mut loads, mut cases) =
-        load::read(reader, root, beam.length, &Curls { depths, expansion });
+    let ground = foundation::read(reader, root, &beam);
+    let curls = Curls { depths, expansion };
+    let (mut loads, mut cases) = load::read(reader, root, beam.length, &curls);
     for (load, case) in own {
         loads.push(load);
         cases.push(case);
     }
     let supports = support::read(reader, root);
     let gap = gap::read(reader, root);
-    let limits = checks::read(reader, root);
-    let recipes = combination::read(reader, root, &loads, &cases);
+    let limits = checks::read(reader, root, ground.width);
+    let grounds = ground.band.map_or(1, |band| band.grounds().len());
+    let recipes = combination::read(reader, root, &loads, &cases, grounds);
     let train = train::read(reader, root, beam.length);
+    let foundation = ground.foundation.clone();
     let model = Model { beam, foundation, loads, supports, gap };
-    Contents { title, model, bed, limits, cases, recipes, train }
+    Contents { title, model, ground, limits, cases, recipes, train }
 }

@@ -421,6 +421,7 @@ mod tests {
             spring: k,
             load: [0.0; 2],
             moment_load: [0.0; 2],
+            curling_moments: [0.0; 2],
             courses: None,
         }
     }
