@@ -60,9 +60,11 @@ fn load(length: f64) -> impl Strategy<Value = Load> {
         (value(), place).prop_map(|(moment, at)| Load::PointMoment { at, moment }),
         (value(), value(), stretch.clone())
             .prop_map(|(start, end, (from, to))| { Load::Distributed { from, to, start, end } }),
-        (value(), value(), stretch).prop_map(|(start, end, (from, to))| {
+        (value(), value(), stretch.clone()).prop_map(|(start, end, (from, to))| {
             Load::DistributedMoment { from, to, start, end }
         }),
+        (value(), value(), stretch)
+            .prop_map(|(start, end, (from, to))| { Load::Curvature { from, to, start, end } }),
     ]
 }
 
