@@ -17,34 +17,35 @@ use std::time::Instant;
 
 pub fn run(request: &Solve) -> Result<Status, Failure> {
     let input = Input::read(&request.file)?;
-    let train = input.document.train.as_ref();
     let loaded = match &request.combination {
         Some(name) => Loaded::combined(&input, name)?,
-        None if !input.document.has_combinations() => Loaded::as_written(&input),
-        None if train.is_some() => {
-            let message = "the file has combinations and a train: add --combination NAME for the \
-                           one under which it passes";
-            return Err(Failure::usage(message.to_owned()));
-        }
-        None => return combinations::solve(&input, request),
+        None => Loaded::all(&input),
     };
-    match train {
-        Some(train) => trains::solve(&input, request, train, &loaded),
-        None => one(&input, request, &loaded),
+    if !input.document.trains.is_empty() {
+        return trains::solve(&input, request, &loaded);
+    }
+    let of_several = request.combination.is_none() && input.document.has_combinations();
+    match &loaded.combinations[..] {
+        [alone] if !of_several => one(&input, request, alone, loaded.title.as_deref()),
+        _ => combinations::solve(&input, request),
     }
 }
 
 /// What is to be solved, and what it is called.
 pub struct Loaded {
     pub title: Option<String>,
-    pub combination: Combination,
+    pub combinations: Vec<Combination>,
 }
 
 impl Loaded {
-    /// Every load of the file as it is written.
-    fn as_written(input: &Input) -> Self {
+    /// All combinations of the file; one that has none is itself one.
+    pub fn all(input: &Input) -> Self {
         let document = &input.document;
-        Loaded { title: document.title.clone(), combination: document.as_written() }
+        let combinations = match document.has_combinations() {
+            true => document.combinations(),
+            false => vec![document.as_written()],
+        };
+        Loaded { title: document.title.clone(), combinations }
     }
 
     /// One of the file's combinations.
@@ -57,20 +58,25 @@ impl Loaded {
             Some(title) => format!("{title}: {}", combination.name),
             None => combination.name.clone(),
         };
-        Ok(Loaded { title: Some(title), combination })
+        Ok(Loaded { title: Some(title), combinations: vec![combination] })
     }
 }
 
-fn one(input: &Input, request: &Solve, loaded: &Loaded) -> Result<Status, Failure> {
-    let model = &loaded.combination.model;
+fn one(
+    input: &Input,
+    request: &Solve,
+    combination: &Combination,
+    title: Option<&str>,
+) -> Result<Status, Failure> {
+    let model = &combination.model;
     let stations = request.at.as_deref().map(|list| positions(input, list)).transpose()?;
     let growing =
-        request.factors.as_ref().map(|grow| Growing::of(input, grow, loaded)).transpose()?;
+        request.factors.as_ref().map(|grow| Growing::of(input, grow, combination)).transpose()?;
 
     let started = Instant::now();
     let words = format!("solving with the method {}", request.options.method.name());
-    let outcome = while_working(words, || solved(input, &loaded.combination, &request.options));
-    let context = Context { title: loaded.title.as_deref(), ..input.context() };
+    let outcome = while_working(words, || solved(input, combination, &request.options));
+    let context = Context { title, ..input.context() };
     let context = context.with_seconds(started.elapsed().as_secs_f64());
     let (outcome, context) = match outcome {
         Ok((outcome, Some(ground))) => (Ok(outcome), context.with_ground(ground)),
@@ -144,14 +150,14 @@ struct Growing {
 }
 
 impl Growing {
-    fn of(input: &Input, grow: &Grow, loaded: &Loaded) -> Result<Self, Failure> {
+    fn of(input: &Input, grow: &Grow, combination: &Combination) -> Result<Self, Failure> {
         let Grow::Cases(list) = grow else {
-            let grows = vec![true; loaded.combination.loads.len()];
+            let grows = vec![true; combination.loads.len()];
             return Ok(Growing { cases: Vec::new(), grows });
         };
         let of_file = parse_cases(list, &input.document)
             .map_err(|found| Failure::diagnostics(&found, "--factors", list))?;
-        let grows = loaded.combination.loads.iter().map(|&load| of_file[load]).collect();
+        let grows = combination.loads.iter().map(|&load| of_file[load]).collect();
         let mut cases: Vec<String> = Vec::new();
         for name in list.split(',').map(str::trim) {
             if !cases.iter().any(|case| case == name) {

@@ -8,7 +8,7 @@ use crate::fault::Fault;
 use crate::source::Source;
 use crate::suggest::nearest;
 use groundbeam::soil::Bed;
-use groundbeam::{Error, Model, Options, Outcome, solve_with};
+use groundbeam::{Error, Model, Options, Outcome, Solution, solve_near};
 
 /// More combinations than this a file may not have.
 pub(crate) const MOST: usize = 1000;
@@ -45,18 +45,23 @@ impl Combination {
     ///
     /// As [`groundbeam::solve_with`].
     pub fn solve(&self, options: &Options) -> Result<Outcome, Error> {
-        self.solve_model(&self.model, options)
+        self.solve_near(&self.model, options, None)
     }
 
-    /// Solves another model on the same soil.
+    /// Solves another model on the same soil, of which a near one's solution may be known.
     ///
     /// # Errors
     ///
-    /// As [`groundbeam::solve_with`].
-    pub fn solve_model(&self, model: &Model, options: &Options) -> Result<Outcome, Error> {
+    /// As [`groundbeam::solve_near`].
+    pub fn solve_near(
+        &self,
+        model: &Model,
+        options: &Options,
+        near: Option<&Solution>,
+    ) -> Result<Outcome, Error> {
         match &self.bed {
             Some(bed) => Ok(bed.solve(model, options)?.outcome),
-            None => solve_with(model, options),
+            None => solve_near(model, options, near),
         }
     }
 }

@@ -35,8 +35,8 @@ pub struct Document {
     /// The load case to which each of the model's loads belongs, in the order of the loads; none for a
     /// load to which the file gives none.
     pub cases: Vec<Option<String>>,
-    /// The train that passes over the beam, if the file has one.
-    pub train: Option<MovingTrain>,
+    /// The trains that pass over the beam, each alone.
+    pub trains: Vec<MovingTrain>,
     pub(crate) recipes: Vec<Recipe>,
     pub(crate) source: Source,
     pub(crate) places: Places,

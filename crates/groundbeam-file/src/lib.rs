@@ -98,7 +98,7 @@ pub fn parse(text: &str) -> Result<Document, Diagnostics> {
     let mut reader = Reader::new(&source, &root);
     reader.found = syntax.found;
     let contents = section::read(&mut reader, &root);
-    let Contents { title, model, ground, limits, cases, recipes, train } = contents;
+    let Contents { title, model, ground, limits, cases, recipes, trains } = contents;
     let before = reader.found.len();
     let units = reader.unit_system();
     let is_mixed = reader.found.len() > before;
@@ -122,7 +122,7 @@ pub fn parse(text: &str) -> Result<Document, Diagnostics> {
             limits,
             cases,
             recipes,
-            train,
+            trains,
             units,
             source,
             places,

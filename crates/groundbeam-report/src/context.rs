@@ -2,7 +2,7 @@
 
 use crate::quantity::Units;
 use groundbeam::soil::{Bed, OnSoil, Subgrade};
-use groundbeam::{Foundation, Limits, LoadFactors};
+use groundbeam::{Beam, Foundation, Limits, LoadFactors};
 
 /// What a report says besides the result itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,6 +39,11 @@ impl<'a> Ground<'a> {
     pub fn of(bed: &'a Bed, found: &OnSoil) -> Self {
         let gamma = found.gamma.map(|gamma| (gamma, found.rounds));
         Ground { width: bed.width, subgrade: found.subgrade, bed: Some(bed), gamma }
+    }
+
+    /// The ground that a soil makes before anything is solved.
+    pub fn before(bed: &'a Bed, beam: &Beam) -> Self {
+        Ground { width: bed.width, subgrade: bed.subgrade(beam), bed: Some(bed), gamma: None }
     }
 
     /// A ground that is the same everywhere, under a beam of a known width.

@@ -23,7 +23,7 @@
 //!
 //! Of the combinations of load cases, [`Combinations`], the functions named `combinations` make reports, documents and
 //! pictures that show the envelope.
-//! Of a train that passes, [`Moving`], those named `train` do.
+//! Of a train that passes, [`Moving`], those named `train` do; of several passages, [`Passages`], those named `trains`.
 //!
 //! Nothing here reads a clock, a file or the environment, and equal results give equal bytes.
 
@@ -53,5 +53,5 @@ pub use characteristics::{Characteristics, Resultant};
 pub use combinations::{Alone, Answer, Combinations, Combined, Overall};
 pub use context::{Context, Factors, Ground};
 pub use quantity::Units;
-pub use trains::Moving;
+pub use trains::{CheckedTrain, InPassage, Moving, Passages};
 pub use verdict::sentence;

@@ -44,7 +44,7 @@ pub(crate) struct Contents {
     /// The load case of each of the model's loads.
     pub cases: Vec<Option<String>>,
     pub recipes: Vec<Recipe>,
-    pub train: Option<MovingTrain>,
+    pub trains: Vec<MovingTrain>,
 }
 
 pub(crate) use foundation::Ground;
@@ -66,8 +66,8 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     let limits = checks::read(reader, root, ground.width);
     let grounds = ground.band.map_or(1, |band| band.grounds().len());
     let recipes = combination::read(reader, root, &loads, &cases, grounds);
-    let train = train::read(reader, root, beam.length);
+    let trains = train::read(reader, root, beam.length);
     let foundation = ground.foundation.clone();
     let model = Model { beam, foundation, loads, supports, gap };
-    Contents { title, model, ground, limits, cases, recipes, train }
+    Contents { title, model, ground, limits, cases, recipes, trains }
 }
