@@ -34,6 +34,9 @@ fn model(rng: &mut ChaCha8Rng, elements: usize) -> Model {
         if rng.random_bool(0.3) {
             model.loads.push(Load::uniform(rng.random_range(0.0..1.0) / l, 0.0, l));
         }
+        if rng.random_bool(0.3) {
+            model.loads.push(Load::curvature(rng.random_range(-0.5..0.5) * l / ei, 0.0, l));
+        }
         if exists(&model).is_ok_and(|e| e.verdict == Verdict::Unique) {
             return model;
         }
@@ -134,6 +137,10 @@ fn dimensionless(model: &Model, elements: usize) -> Model {
             Load::PointMoment { at, moment } => Load::moment(moment / h, at / h),
             Load::Distributed { from, to, start, end } => {
                 Load::Distributed { from: from / h, to: to / h, start: start * h, end: end * h }
+            }
+            Load::Curvature { from, to, start, end } => {
+                let [start, end] = [start, end].map(|curvature| curvature * ei / h);
+                Load::Curvature { from: from / h, to: to / h, start, end }
             }
             other => other,
         };

@@ -86,7 +86,11 @@ fn a_whole_file() {
     ];
     assert_eq!(model.loads, loads);
     let spring = SupportKind::Spring { spring: 0.0, rotational_spring: 5e6 };
-    let supports = [Support::pinned(0.0), Support::fixed(6.0), Support { at: 12.0, kind: spring }];
+    let supports = [
+        Support::pinned(0.0),
+        Support::fixed(6.0),
+        Support { at: 12.0, kind: spring, settlement: 0.0 },
+    ];
     assert_eq!(model.supports, supports);
     assert_eq!((model.gap[0].at, model.gap[0].value), (0.0, 0.002));
 }

@@ -257,6 +257,8 @@ pub(crate) fn static_reactions(loads: &[Load], l: f64) -> [Sum; 2] {
             Load::DistributedMoment { from, to, start, end } => {
                 moments.push(0.5 * (start + end) * (to - from));
             }
+            // A rigid motion has no curvature.
+            Load::Curvature { .. } => {}
         }
     }
     for moment in moments {

@@ -236,10 +236,15 @@ fn forces(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) {
             SupportKind::Fixed => "fixed",
             SupportKind::Spring { .. } => "spring",
         };
+        let settled = match support.settlement {
+            0.0 => String::new(),
+            by => format!(", settled by {},", units.write(Kind::Deflection, by, 6)),
+        };
         let force = sizes.force(force);
         let sense = if force < 0.0 { "holds down with" } else { "carries" };
         let size = units.write(Kind::Force, force.abs(), 6);
-        let mut words = format!("{kind} at x = {} {sense} {size}", units.position(at));
+        let place = units.position(at);
+        let mut words = format!("{kind} at x = {place}{settled} {sense} {size}");
         let turns = match support.kind {
             SupportKind::Pinned => false,
             SupportKind::Fixed => true,

@@ -26,8 +26,8 @@ pub(super) struct Joints {
     stiffest: Stiffest,
     length: f64,
     near: f64,
-    /// Rigid supports: position, whether it holds the slope.
-    rigid: Vec<(f64, bool)>,
+    /// Rigid supports: position, whether it holds the slope, how far it has settled.
+    rigid: Vec<(f64, bool, f64)>,
     seen: usize,
     /// w, w' at the right end of the last piece, and their rounding.
     last: Option<[f64; 4]>,
@@ -60,8 +60,8 @@ impl Joints {
         let mut rigid = Vec::new();
         for support in &model.supports {
             match support.kind {
-                SupportKind::Pinned => rigid.push((support.at, false)),
-                SupportKind::Fixed => rigid.push((support.at, true)),
+                SupportKind::Pinned => rigid.push((support.at, false, support.settlement)),
+                SupportKind::Fixed => rigid.push((support.at, true, support.settlement)),
                 SupportKind::Spring { spring, rotational_spring } => {
                     stiffest.springs += spring;
                     stiffest.rotational += rotational_spring;
@@ -106,13 +106,13 @@ impl Joints {
     }
 
     fn meet(&mut self, x: f64, left: Option<[f64; 4]>, right: Option<[f64; 4]>) {
-        let (mut held, mut clamped) = (false, false);
-        while let Some(&(at, fixed)) = self.rigid.get(self.seen)
+        let (mut held, mut clamped, mut settled) = (false, false, 0.0);
+        while let Some(&(at, fixed, settlement)) = self.rigid.get(self.seen)
             && at <= x + self.near
         {
             self.seen += 1;
             if at >= x - self.near {
-                (held, clamped) = (true, clamped || fixed);
+                (held, clamped, settled) = (true, clamped || fixed, settlement);
             } else {
                 self.misplaced = f64::INFINITY;
             }
@@ -134,12 +134,13 @@ impl Joints {
             }
             for (side, room) in sides {
                 let Some([w, dw, noise, tilt]) = side else { continue };
+                let off = (w - settled).abs();
                 let slope = if clamped { [dw.abs(), tilt] } else { [0.0; 2] };
                 let [b, b_noise] = slope_jump
                     .take()
                     .map_or(slope, |jump| [jump[0] + slope[0], jump[1] + slope[1]]);
-                self.jump = [self.jump[0].max(w.abs()), self.jump[1].max(b)];
-                self.close(w.abs() + noise, b + b_noise, &[room]);
+                self.jump = [self.jump[0].max(off), self.jump[1].max(b)];
+                self.close(off + noise, b + b_noise, &[room]);
             }
         } else if let (Some(a), Some(b)) = (left, right) {
             let jump = (a[0] - b[0]).abs();

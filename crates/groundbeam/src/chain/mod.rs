@@ -30,7 +30,9 @@ pub(crate) struct ChainCell {
 pub(crate) struct ChainNode {
     pub force: f64,
     pub moment: f64,
+    /// w is the settlement.
     pub pinned: bool,
+    pub settlement: f64,
     pub clamped: bool,
     pub spring: f64,
     pub rotational_spring: f64,
@@ -159,7 +161,7 @@ fn apply(node: &ChainNode, state: &mut Behind, sign: f64) {
     state.s[W][W] += node.spring + node.ground_spring;
     state.s[THETA][THETA] += node.rotational_spring;
     state.s[U][U] += node.surface_spring;
-    state.r[W] += node.force + node.ground_spring * node.gap;
+    state.r[W] += node.force + node.ground_spring * node.gap + node.spring * node.settlement;
     state.r[THETA] += sign * node.moment;
     if node.from_beam {
         // The surface's own spring under u = w − g₀ + r.
@@ -307,14 +309,16 @@ fn cross(
         add_link(tied, &surfaces, |row| in_order(row, &c), &mut m, &mut f);
     }
     let free = [!node.pinned, !node.clamped, node.surface[0] || node.surface[1]];
-    condense(&m, &f, free, back)
+    condense(&m, &f, free, node.settlement, back)
 }
 
-/// Eliminates the last three of (w_r, θ_r, u_r | v₁, v₂, u_l), those of them that are `free`.
+/// Eliminates the last three of (w_r, θ_r, u_r | v₁, v₂, u_l), those of them that are `free`; the others are
+/// zero, but for the first, which is the support's settlement then.
 fn condense(
     m: &[[f64; 6]; 6],
     f: &[f64; 6],
     free: [bool; 3],
+    settlement: f64,
     back: &mut Return,
 ) -> Result<Behind, Loose> {
     // LDLᵀ of the eliminated block with the six right-hand sides: three columns and the load.
@@ -327,6 +331,12 @@ fn condense(
         }
         b[i][3] = f[3 + i];
     }
+    let given = if free[0] { 0.0 } else { settlement };
+    if given != 0.0 {
+        for i in 1..3 {
+            b[i][3] -= a[i][0] * given;
+        }
+    }
     for i in 0..3 {
         if !free[i] || (i == 2 && a[2][2] == 0.0 && m[5].iter().all(|&x| x == 0.0)) {
             a[i] = [0.0; 3];
@@ -337,6 +347,7 @@ fn condense(
             b[i] = [0.0; 4];
         }
     }
+    b[0][3] += given;
     let size = [0, 1, 2].map(|i| a[i][i].abs());
     for p in 0..3 {
         let pivot = a[p][p];
@@ -387,7 +398,7 @@ fn solve_node(node: &ChainNode, both: &Behind) -> Result<[f64; 3], Loose> {
     }
     let free = [!node.pinned, !node.clamped, node.surface[0] || node.surface[1]];
     let mut back = Return::default();
-    condense(&m, &f, free, &mut back)?;
+    condense(&m, &f, free, node.settlement, &mut back)?;
     Ok(back.constant)
 }
 
