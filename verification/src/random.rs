@@ -1,8 +1,8 @@
 //! Random models that have an equilibrium, from both ends of every parameter.
 
 use groundbeam::{
-    Beam, FirstLiftOff, Foundation, Load, LoadFactors, Model, Profile, Support, Verdict, exists,
-    load_factors,
+    Acts, Beam, FirstLiftOff, Foundation, Hinge, Load, LoadFactors, Model, Profile, Support,
+    Verdict, exists, load_factors,
 };
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -34,13 +34,17 @@ pub enum Family {
     Curled = 12,
     /// Supports that have settled, with some of all the rest.
     Settled = 13,
+    /// Hinges, free and elastic, with some of all the rest.
+    Hinged = 10,
+    /// Supports that act in one direction alone, with some of all the rest.
+    OneWay = 11,
     /// All of it at its worst: λl up to 10⁴, up to a hundred loads, some pulling, resultants near an end.
     Extreme = 20,
 }
 
 impl Family {
     /// Every family that takes milliseconds a model; `Extreme` takes seconds at times.
-    pub const ALL: [Family; 12] = [
+    pub const ALL: [Family; 14] = [
         Family::Plain,
         Family::Tension,
         Family::Segments,
@@ -53,6 +57,8 @@ impl Family {
         Family::Varying,
         Family::Curled,
         Family::Settled,
+        Family::Hinged,
+        Family::OneWay,
     ];
 }
 
@@ -113,7 +119,9 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     let curled = family == Family::Curled;
     // With some of all the rest.
     let settles = family == Family::Settled;
-    let various = curled || settles || family == Family::Varying;
+    let hinged = family == Family::Hinged;
+    let one_way = family == Family::OneWay;
+    let various = curled || settles || hinged || one_way || family == Family::Varying;
     let varying = family == Family::Varying || dice.now_and_then(curled || settles);
     let length = dice.decades(-1.0, 2.0);
     let k = dice.decades(-2.0, 2.0);
@@ -163,6 +171,12 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         ground = vary_ground(ground, length, dice);
     }
     let mut model = Model::new(beam, ground);
+    if hinged || dice.now_and_then(one_way) {
+        model = hinge(model, dice);
+    }
+    if one_way {
+        model = bearings(model, dice);
+    }
     if family == Family::Supported
         || settles
         || (mixed && dice.happens(0.3))
@@ -244,6 +258,46 @@ fn vary_beam<R: Rng>(mut beam: Beam, stiffness: f64, dice: &mut Dice<R>) -> Beam
         beam = beam.with_varying_segment(from, to, profile.scaled(stiffness));
     }
     beam
+}
+
+/// One to five supports that only push up or only hold down, rigid or elastic; loads that lift the beam off some.
+fn bearings<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
+    let (length, k) = (model.beam.length, model.foundation.spring);
+    // A weight, so that no piece lies where it likes.
+    model = model.with_load(Load::uniform(dice.even(0.1, 0.5) / length, 0.0, length));
+    for _ in 0..=dice.up_to(4) {
+        let at = dice.place() * length;
+        let support = if dice.happens(0.5) {
+            Support::pinned(at)
+        } else {
+            Support::spring(at, k * length * dice.decades(-2.0, 2.0), 0.0)
+        };
+        let acts = if dice.happens(0.6) { Acts::Up } else { Acts::Down };
+        if model.supports.iter().all(|other| other.at != at) {
+            model = model.with_support(support.acting(acts));
+        }
+        if dice.happens(0.3) {
+            model = model.with_load(Load::point(-dice.even(0.1, 1.0), dice.place() * length));
+        }
+    }
+    model
+}
+
+/// One to four hinges, one in three of them elastic; now and then ground without a shear layer.
+fn hinge<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
+    let (length, stiffness) = (model.beam.length, model.beam.bending_stiffness);
+    if dice.happens(0.25) {
+        model.foundation.shear = 0.0;
+    }
+    for _ in 0..=dice.up_to(3) {
+        let at = dice.even(0.02, 0.98) * length;
+        model = model.with_hinge(if dice.up_to(2) == 0 {
+            Hinge::elastic(at, stiffness / length * dice.decades(-2.0, 2.0))
+        } else {
+            Hinge::free(at)
+        });
+    }
+    model
 }
 
 /// The same for the ground, one time in ten without a shear layer.

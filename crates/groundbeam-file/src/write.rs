@@ -1,7 +1,7 @@
 //! Model → text: the inverse of [`parse`](crate::parse), bit for bit.
 
 use crate::units::UnitSystem;
-use groundbeam::{Load, Model, Profile, SupportKind};
+use groundbeam::{Acts, Load, Model, Profile, SupportKind};
 use std::fmt::Write;
 
 /// The model as a model file, every number written so that reading it gives the same bits.
@@ -29,7 +29,8 @@ pub fn write_toml(model: &Model, title: Option<&str>, units: UnitSystem) -> Stri
     for load in &model.loads {
         out.load(load);
     }
-    out.supports_and_gap(model);
+    out.held_and_joined(model);
+    out.gap(model);
     out.text.trim_start().to_owned()
 }
 
@@ -115,7 +116,7 @@ impl Writer {
         }
     }
 
-    fn supports_and_gap(&mut self, model: &Model) {
+    fn held_and_joined(&mut self, model: &Model) {
         for support in &model.supports {
             self.heading("[[support]]");
             self.quantity("at", support.at, "m");
@@ -130,7 +131,22 @@ impl Writer {
             if support.settlement != 0.0 {
                 self.quantity("settlement", support.settlement, "m");
             }
+            match support.acts {
+                Acts::Both => {}
+                Acts::Up => self.line("acts", "\"up\""),
+                Acts::Down => self.line("acts", "\"down\""),
+            }
         }
+        for hinge in &model.hinges {
+            self.heading("[[hinge]]");
+            self.quantity("at", hinge.at, "m");
+            if hinge.rotational_spring != 0.0 {
+                self.quantity("rotational_spring", hinge.rotational_spring, "N m/rad");
+            }
+        }
+    }
+
+    fn gap(&mut self, model: &Model) {
         for corner in &model.gap {
             self.heading("[[gap]]");
             self.quantity("at", corner.at, "m");

@@ -57,6 +57,32 @@ pub(crate) fn assemble(
     solution
 }
 
+/// From the solution on the supports that act to the one of the whole model, whose others do not.
+pub(crate) fn on_one_way_supports(
+    solution: &mut Solution,
+    model: &Model,
+    acts: &[bool],
+    existence: Existence,
+    stability: f64,
+) {
+    let mut acting = std::mem::take(&mut solution.reactions).into_iter();
+    let reaction = |(support, acts): (&Support, &bool)| {
+        let none = Reaction { at: support.at, force: 0.0, moment: 0.0 };
+        let mut reaction = if *acts { acting.next().unwrap_or(none) } else { none };
+        // What rounding alone makes act the wrong way.
+        if support.acts.sign() * reaction.force < 0.0 {
+            reaction.force = 0.0;
+        }
+        reaction
+    };
+    solution.reactions = model.supports.iter().zip(acts).map(reaction).collect();
+    let carries = |i: usize| solution.reactions[i].force != 0.0;
+    let holding = model.with_supports_that(|i, support| !support.is_one_way() || carries(i));
+    solution.existence = existence.with_contact(&holding, &solution.contact);
+    solution.model.become_like(model);
+    solution.certificate = certify(model, &claim(solution, stability));
+}
+
 /// What the certificate is asked to prove.
 fn claim(solution: &Solution, stability: f64) -> Claim<'_> {
     let EndForces { left, right } = solution.end_forces;

@@ -37,8 +37,10 @@ mod envelope;
 mod existence;
 mod factors;
 mod ground;
+mod mechanism;
 mod mesh;
 mod nodal;
+mod one_way;
 mod polynomial;
 mod solution;
 mod solve;
@@ -53,16 +55,16 @@ pub use certificate::Certificate;
 pub use checks::{Check, Checked, Limits, overturning};
 pub use contact::active_set::{Pressure, Step};
 pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
-pub use existence::{Existence, RigidMotion, Verdict};
+pub use existence::{Existence, RigidMotion, Verdict, static_reactions_of as static_reactions};
 pub use factors::{FirstLiftOff, LoadFactors, LossOfEquilibrium, load_factors};
 pub use model::{
-    Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, Load, Model, Profile, Support,
-    SupportKind,
+    Acts, Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, Hinge, Load, Model, Profile,
+    Support, SupportKind,
 };
 pub use nodal::{NodalCheck, NodalSolution, NodalSolver, Work};
 pub use solution::{
-    ConcentratedForce, ContactRegion, EndForces, Extreme, Field, Fields, LiftOff, Range, Reaction,
-    Side, Solution,
+    ConcentratedForce, ContactRegion, EndForces, Extreme, Field, Fields, HingeTurn, LiftOff, Range,
+    Reaction, Side, Solution,
 };
 pub use solve::{
     Error, Method, NotConverged, Options, Outcome, Start, exists, solve, solve_near, solve_with,

@@ -1,7 +1,7 @@
 //! The model cut into cells within which everything given is a polynomial, most of it constant or linear.
 //!
-//! Nodes stand where the physics needs them: at loads, supports, the ends of segments and of spread
-//! loads, the corners of the initial gap. A method adds its own.
+//! Nodes stand where the physics needs them: at loads, supports, hinges, the ends of segments and of
+//! spread loads, the corners of the initial gap. A method adds its own.
 
 use crate::cell::Varies;
 pub(crate) use crate::cell::{Cell, GROUND};
@@ -27,6 +27,8 @@ pub(crate) struct Node {
     pub spring: f64,
     /// Spring against w' \[N·m/rad\].
     pub rotational_spring: f64,
+    /// w' may jump, against this spring \[N·m/rad\].
+    pub hinge: Option<f64>,
 }
 
 /// Nodes from left to right and the cells between them.
@@ -148,6 +150,10 @@ impl Mesh {
                 | Load::Curvature { .. } => {}
             }
         }
+        for hinge in &model.hinges {
+            let i = self.node_at(hinge.at);
+            self.nodes[i].hinge = Some(hinge.rotational_spring);
+        }
         for support in &model.supports {
             let i = self.node_at(support.at);
             let node = &mut self.nodes[i];
@@ -186,6 +192,7 @@ fn positions(model: &Model, more: &[f64]) -> Vec<f64> {
     let most = 2 * (1 + model.beam.segments.len() + model.foundation.segments.len())
         + 2 * model.loads.len()
         + model.supports.len()
+        + model.hinges.len()
         + model.gap.len()
         + more.len();
     // With whether it is the model's own.
@@ -203,6 +210,7 @@ fn positions(model: &Model, more: &[f64]) -> Vec<f64> {
         }
     }
     model.supports.iter().map(|s| s.at).for_each(&mut own);
+    model.hinges.iter().map(|h| h.at).for_each(&mut own);
     model.gap.iter().map(|g| g.at).for_each(&mut own);
     places.extend(more.iter().map(|&x| (x, false)));
     places.retain(|&(x, _)| x >= 0.0 && x <= l);

@@ -7,6 +7,7 @@ mod combination;
 mod curl;
 mod foundation;
 mod gap;
+mod hinge;
 mod load;
 mod material;
 mod shape;
@@ -28,6 +29,7 @@ const TABLES: &[&str] = &[
     "foundation",
     "load",
     "support",
+    "hinge",
     "gap",
     "case",
     "combination",
@@ -62,12 +64,13 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
         cases.push(case);
     }
     let supports = support::read(reader, root);
+    let hinges = hinge::read(reader, root);
     let gap = gap::read(reader, root);
     let limits = checks::read(reader, root, ground.width);
     let grounds = ground.band.map_or(1, |band| band.grounds().len());
     let recipes = combination::read(reader, root, &loads, &cases, grounds);
     let trains = train::read(reader, root, beam.length);
     let foundation = ground.foundation.clone();
-    let model = Model { beam, foundation, loads, supports, gap };
+    let model = Model { beam, foundation, loads, supports, hinges, gap };
     Contents { title, model, ground, limits, cases, recipes, trains }
 }

@@ -14,6 +14,7 @@ mod balance;
 mod claim;
 mod curve;
 mod ground;
+mod hinges;
 mod joints;
 mod lift;
 mod quadrature;
@@ -22,11 +23,12 @@ mod supports;
 mod surface;
 mod unclaimed;
 
-use crate::model::{Load, Model};
+use crate::model::{Hinge, Load, Model};
 use crate::polynomial::{is_free_of_zeros, jet};
 use balance::{GivenBack, Remains, Segment};
 pub(crate) use claim::{Claim, ClaimedPiece};
 use ground::GroundSums;
+use hinges::Hinges;
 use joints::Joints;
 use quadrature::{Seen, at_points, gauss, larger};
 use statics::{Events, SpreadLoad};
@@ -196,6 +198,7 @@ struct Walk<'a> {
     joints: Joints,
     events: Events,
     supports: Supports<'a>,
+    hinges: Hinges<'a>,
     /// The loads that are spread.
     spread: Vec<Load>,
     segment: Segment,
@@ -213,9 +216,10 @@ impl<'a> Walk<'a> {
             claim,
             sums: Sums::default(),
             ground: GroundSums::new(model, claim),
-            joints: Joints::new(model),
+            joints: Joints::new(model, claim),
             events: Events::of(model, claim),
             supports: Supports::new(model, claim),
+            hinges: Hinges::new(model),
             spread: statics::spread(model),
             segment: Segment::default(),
             given_back: GivenBack::new(unclaimed::flexibility(model)),
@@ -242,9 +246,38 @@ impl<'a> Walk<'a> {
         self.ground.add(under, &seen, &mut self.segment.carriers);
         self.joints.add(piece, seen.ends);
         self.stop(piece.x[1]);
-        if let Some(next) = next {
+        let Some(next) = next else { return };
+        if let Some(hinge) = self.hinges.at(piece.x[1]) {
+            // Nothing is known of w' at a hinge within a piece.
+            if hinge.at < piece.x[1] - NEAR * self.model.beam.length {
+                self.joints.misplaced = f64::INFINITY;
+            }
+            self.turn(hinge, seen.ends[1][1] / piece.half, next);
+        }
+        if self.hinges.none_is_free() {
             self.may_cut(&under, next);
         }
+    }
+
+    /// Over a hinge, with the slope before it. A spring in it is a flexibility of the beam in one point; at a free
+    /// one no moment may be left, and what is left of it is given back.
+    fn turn(&mut self, hinge: &Hinge, before: f64, next: &ClaimedPiece) {
+        let [shear, moment] = self.events.inner();
+        if hinge.is_free() {
+            let remains = self.remains([shear, 0.0]);
+            self.events.restart(hinge.at, &remains);
+            let ended = self.end_segment(remains);
+            self.hinges.pieces.push(ended);
+            return;
+        }
+        let spring = hinge.rotational_spring;
+        let [_, after, ..] = jet(next.deflection, -1.0);
+        let bend = spring * (after / next.half - before);
+        let misfit = bend + moment;
+        self.sums.bending += bend * bend / spring;
+        self.sums.moment += moment * moment / spring;
+        self.sums.misfit += misfit * misfit / spring;
+        self.sums.flexibility += 1.0 / spring;
     }
 
     /// Where w tells shear and moment as well as equilibrium from the left does, they are taken from it.
@@ -302,7 +335,12 @@ impl<'a> Walk<'a> {
         work_at_points(self.model, self.claim, &mut self.sums);
         let remains = self.remains([0.0; 2]);
         let last = self.end_segment(remains);
-        self.given_back.finish(last);
+        if self.hinges.none_is_free() {
+            self.given_back.finish(last);
+        } else {
+            self.hinges.pieces.push(last);
+            hinges::give(&self.hinges.pieces, &mut self.given_back);
+        }
     }
 
     /// The norm of everything that is an error in the energies.

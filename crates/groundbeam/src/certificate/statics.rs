@@ -121,6 +121,11 @@ impl Events {
         moment
     }
 
+    /// T and m just right of the position reached.
+    pub fn inner(&self) -> [f64; 2] {
+        [self.shear, self.moment]
+    }
+
     /// What remains of T and m where a beam that has these of its own goes on, and its rounding.
     pub fn remains(&self, own: [f64; 2], length: f64, axial: f64) -> Remains {
         let [forces, moments] = self.since;

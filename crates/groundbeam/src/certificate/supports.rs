@@ -1,4 +1,7 @@
 //! What holds the beam besides the ground, from left to right.
+//!
+//! A support that acts in one direction alone is in equilibrium with a reaction R ≥ 0 that way only, and admits a
+//! deflection that keeps clear of it or presses its spring.
 
 use super::Claim;
 use super::balance::{Carriers, Weights};
@@ -48,6 +51,10 @@ impl<'a> Supports<'a> {
             self.ahead.pop_if(|(support, ..)| support.at <= x + near)
         {
             self.settled += force * support.settlement;
+            if support.is_one_way() {
+                self.one_way(support, force, claim, carriers);
+                continue;
+            }
             match support.kind {
                 SupportKind::Spring { spring, rotational_spring } => {
                     let [w, slope] = claim.deflection(support.at);
@@ -72,5 +79,27 @@ impl<'a> Supports<'a> {
                 }
             }
         }
+    }
+
+    /// Rigid, it must touch where it acts (`joints.rs` closes what it misses), and then does no work. Elastic, it costs
+    /// no more than a spring that acts both ways, which is what is taken where it acts.
+    fn one_way(&mut self, support: &Support, force: f64, claim: &Claim, carriers: &mut Carriers) {
+        let w = claim.deflection(support.at)[0] - support.settlement;
+        let sign = support.acts.sign();
+        let reaction = sign * force;
+        if reaction < 0.0 {
+            self.misfit = f64::INFINITY;
+        }
+        if let SupportKind::Spring { spring, .. } = support.kind
+            && spring > 0.0
+        {
+            let pressed = if reaction > 0.0 { sign * w } else { (sign * w).max(0.0) };
+            let missed = spring * pressed - reaction;
+            self.energy += spring * pressed * pressed;
+            self.misfit += missed * missed / spring;
+            carriers.stored += reaction * reaction / spring;
+        }
+        // It can carry more or less only as long as it acts.
+        carriers.supports.add(Weights::point(support.at, reaction));
     }
 }

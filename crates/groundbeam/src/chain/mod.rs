@@ -10,10 +10,12 @@
 //! beam. There the third of x is not u but r = u − ψ: in differences of neighbouring r the sinking of beam
 //! and ground has no part, and μ/h never stands beside the stiffness that holds them.
 
+mod hinge;
 mod links;
 mod mirror;
 
 use crate::elements::{Basis, Element};
+use hinge::Turned;
 use links::{Surfaces, add_link, counted};
 pub(crate) use links::{Tie, TiedLink};
 use mirror::{mirror_cell, mirror_shape};
@@ -36,6 +38,8 @@ pub(crate) struct ChainNode {
     pub clamped: bool,
     pub spring: f64,
     pub rotational_spring: f64,
+    /// θ may jump, against this spring. Nothing else at the node then acts on or holds θ.
+    pub hinge: Option<f64>,
     /// A spring of the ground under the beam at this node, and the initial gap there.
     pub ground_spring: f64,
     pub gap: f64,
@@ -83,6 +87,8 @@ struct Return {
     rise: bool,
     /// u of the left node where it ends there: u = constant − gain·(w, θ).
     ended: [f64; 3],
+    /// θ behind a hinge at the left node, from what is ahead of it.
+    turned: Option<Turned>,
 }
 
 impl Chain {
@@ -93,6 +99,7 @@ impl Chain {
         let (left, back_left) = self.sweep::<false>(0, meet)?;
         let (right, back_right) = self.sweep::<true>(last, meet)?;
         let mut both = left;
+        let turned = Turned::across(&self.nodes[meet], &mut both)?;
         // The right sweep sees slopes with the other sign.
         let sign = [1.0, -1.0, 1.0];
         for i in 0..3 {
@@ -105,11 +112,11 @@ impl Chain {
         apply(node, &mut both, 1.0);
         let at_meeting = solve_node(node, &both)?;
         let mut shapes = vec![[0.0; 4]; self.cells.len()];
-        let mut y = at_meeting;
+        let mut y = Turned::behind(turned, at_meeting);
         for (i, back) in (0..meet).zip(&back_left).rev() {
             let Element { length, basis, .. } = self.cells[i].element;
             y = back.cross(length, basis, y, &mut shapes[i]);
-            y = back.end(&self.nodes[i], y, true);
+            y = Turned::behind(back.turned, back.end(&self.nodes[i], y, true));
         }
         let mut y = at_meeting;
         y[THETA] = -y[THETA];
@@ -118,7 +125,7 @@ impl Chain {
             let mut v = [0.0; 4];
             y = back.cross(length, basis, y, &mut v);
             shapes[i] = mirror_shape(&v, length, basis);
-            y = back.end(&self.nodes[i + 1], y, false);
+            y = Turned::behind(back.turned, back.end(&self.nodes[i + 1], y, false));
         }
         Ok(shapes)
     }
@@ -137,7 +144,8 @@ impl Chain {
                 if MIRRORED { [start - step, start - step - 1] } else { [step, step + 1] };
             let [node, next] = [&self.nodes[here], &self.nodes[ahead]];
             apply(node, &mut state, if MIRRORED { -1.0 } else { 1.0 });
-            let mut back = Return::default();
+            let turned = Turned::across(node, &mut state)?;
+            let mut back = Return { turned, ..Return::default() };
             let sides = if MIRRORED { [1, 0] } else { [0, 1] };
             if node.surface[sides[0]] && !node.surface[sides[1]] {
                 back.ended = end_surface(&mut state)?;

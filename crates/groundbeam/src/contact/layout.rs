@@ -108,6 +108,7 @@ impl Layout {
                 clamped: n.clamped,
                 spring: n.spring,
                 rotational_spring: n.rotational_spring,
+                hinge: n.hinge,
                 ..ChainNode::default()
             })
             .collect();
