@@ -179,6 +179,16 @@ fn mirror_images_mirror() {
                 Field::ShearForce => largest(f).max(largest(Field::Moment) / l),
                 _ => largest(f),
             };
+            // A stiff beam that a settled pin holds deep in the ground bends by the last digits of its deflection:
+            // what it bends by is known as well as its certificate says.
+            let bound = [&a, &b].map(|s| s.certificate().moment_rms_bound).iter().sum::<f64>();
+            let uncertain = |f: Field| match f {
+                _ if family != Family::Settled => 0.0,
+                Field::Slope => 1e-11 * largest(Field::Deflection) / l,
+                Field::Moment => bound,
+                Field::ShearForce => bound / l,
+                _ => 0.0,
+            };
             for i in 1..50 {
                 // Off the places where fields jump.
                 let x = l * (f64::from(i) + 0.123_456_7) / 51.0;
@@ -190,7 +200,7 @@ fn mirror_images_mirror() {
                     (Field::Slope, -1.0),
                 ] {
                     let error = (here.get(field) - sign * there.get(field)).abs();
-                    if error > 1e-9 * scale(field) {
+                    if error > 1e-9 * scale(field) + uncertain(field) {
                         faults.push(format!(
                             "{family:?} {number}: {} at {x}: {error:e}",
                             field.name()

@@ -90,11 +90,15 @@ fn the_papers_iteration() {
     for number in 0..200 {
         let elements = rng.random_range(2..12);
         let model = model(&mut rng, elements);
-        let (w, p) = nodal(&solved(&model, Method::ActiveSet, elements), elements);
+        let found = solved(&model, Method::ActiveSet, elements);
+        // A beam that curls up from the one node it stands on may turn there: its forces alone are the same.
+        let turns = found.existence().verdict != Verdict::Unique;
+        let (w, p) = nodal(&found, elements);
         for method in [Method::Uzawa, Method::Psor] {
             let (found_w, found_p) = nodal(&solved(&model, method, elements), elements);
             let (dw, dp) = (distance(&found_w, &w), distance(&found_p, &p));
-            assert!(dw < 1e-6 && dp < 1e-6, "{number} {method:?}: {dw:e} {dp:e} {model:?}");
+            let same = (turns || dw < 1e-6) && dp < 1e-6;
+            assert!(same, "{number} {method:?}: {dw:e} {dp:e} {model:?}");
         }
     }
 }
