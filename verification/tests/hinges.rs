@@ -128,7 +128,7 @@ fn between_free_and_closed() {
         };
         let Ok(Outcome::Equilibrium(stiff)) = with(1e9) else { panic!("{number}: {model:?}") };
         let ends = match with(0.0) {
-            Ok(Outcome::Equilibrium(free)) => Some((free, with(1e-11))),
+            Ok(Outcome::Equilibrium(free)) => Some((free, [1e-7, 1e-9].map(&mut with))),
             _ => None,
         };
         model.hinges.clear();
@@ -142,10 +142,12 @@ fn between_free_and_closed() {
         };
         assert!(distance(&stiff, &closed) < 1e-5, "{number}: {:e}", distance(&stiff, &closed));
         if let Some((free, soft)) = ends {
-            let Ok(Outcome::Equilibrium(soft)) = soft else { panic!("{number}: {soft:?}") };
-            // A piece hardly held needs much of a soft spring.
-            let apart = distance(&soft, &free);
-            assert!(apart < 1e-3, "{number}: {apart:e}");
+            let [before, apart] = soft.map(|soft| match soft {
+                Ok(Outcome::Equilibrium(soft)) => distance(&soft, &free),
+                other => panic!("{number}: {other:?}"),
+            });
+            // A piece that is hardly held is moved by little: in proportion to the spring.
+            assert!(apart < (0.1 * before).max(1e-7), "{number}: {apart:e} after {before:e}");
         }
     }
 }

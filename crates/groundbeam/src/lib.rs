@@ -46,6 +46,7 @@ mod solution;
 mod solve;
 mod solver;
 mod stability;
+mod turns;
 
 pub mod model;
 pub mod soil;
@@ -63,11 +64,12 @@ pub use model::{
 };
 pub use nodal::{NodalCheck, NodalSolution, NodalSolver, Work};
 pub use solution::{
-    ConcentratedForce, ContactRegion, EndForces, Extreme, Field, Fields, HingeTurn, LiftOff, Range,
-    Reaction, Side, Solution,
+    ConcentratedForce, ContactRegion, EndForces, Extreme, Field, Fields, LiftOff, Range, Reaction,
+    Side, Solution,
 };
 pub use solve::{
     Error, Method, NotConverged, Options, Outcome, Start, exists, solve, solve_near, solve_with,
 };
 pub use solver::{Answer, Solver};
 pub use stability::own_buckling_load;
+pub use turns::HingeTurn;

@@ -5,7 +5,7 @@ use crate::certificate::Certificate;
 use crate::existence::Existence;
 use crate::ground;
 use crate::mesh::Cell;
-use crate::model::{Hinge, Model};
+use crate::model::Model;
 use crate::polynomial::{Coefficients, derivative, jet, sign_changes, value};
 use crate::solve::Method;
 
@@ -44,17 +44,6 @@ pub struct Reaction {
     /// Force, positive where it pushes the beam up \[N\].
     pub force: f64,
     /// Moment, positive where it turns the right side down \[N·m\].
-    pub moment: f64,
-}
-
-/// What a hinge of the beam does.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct HingeTurn {
-    /// Position \[m\].
-    pub at: f64,
-    /// The jump of the slope, right less left: positive where the beam opens downward \[rad\].
-    pub rotation: f64,
-    /// The moment it hands on, M = −k_φ·rotation, sagging positive; none at a free hinge \[N·m\].
     pub moment: f64,
 }
 
@@ -393,18 +382,6 @@ impl Solution {
     /// What the supports do, in the order of the model's supports.
     pub fn reactions(&self) -> &[Reaction] {
         &self.reactions
-    }
-
-    /// What the hinges do, in the order of the model's hinges.
-    pub fn hinges(&self) -> Vec<HingeTurn> {
-        let turn = |hinge: &Hinge| {
-            let [left, right] = [Side::Left, Side::Right].map(|side| self.at(hinge.at, side).slope);
-            let rotation = right - left;
-            // Adding zero turns −0 into 0.
-            let moment = 0.0 - hinge.rotational_spring * rotation + 0.0;
-            HingeTurn { at: hinge.at, rotation, moment }
-        };
-        self.model.hinges.iter().map(turn).collect()
     }
 
     /// The proof.
