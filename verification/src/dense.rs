@@ -71,6 +71,13 @@ impl Dense {
                         load[2 * e + 3] -= start * h * h / 12.0;
                     }
                 }
+                // The moments EI κ₀ at both ends of each element, which turn them apart.
+                Load::Curvature { start, .. } => {
+                    for e in 0..elements {
+                        load[2 * e + 1] -= ei * start;
+                        load[2 * e + 3] += ei * start;
+                    }
+                }
                 Load::DistributedMoment { .. } => unreachable!("not drawn for this problem"),
             }
         }

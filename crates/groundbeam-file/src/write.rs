@@ -109,6 +109,10 @@ impl Writer {
                 self.intensity("distributed_moment", start, end, "N m/m");
                 self.stretch(from, to);
             }
+            Load::Curvature { from, to, start, end } => {
+                self.intensity("curvature", start, end, "1/m");
+                self.stretch(from, to);
+            }
         }
     }
 
@@ -123,6 +127,9 @@ impl Writer {
                     self.quantity("spring", spring, "N/m");
                     self.quantity("rotational_spring", rotational_spring, "N m/rad");
                 }
+            }
+            if support.settlement != 0.0 {
+                self.quantity("settlement", support.settlement, "m");
             }
             match support.acts {
                 Acts::Both => {}

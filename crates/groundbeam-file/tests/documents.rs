@@ -89,7 +89,7 @@ fn a_whole_file() {
     let supports = [
         Support::pinned(0.0),
         Support::fixed(6.0),
-        Support { at: 12.0, kind: spring, acts: Acts::Both },
+        Support { at: 12.0, kind: spring, settlement: 0.0, acts: Acts::Both },
     ];
     assert_eq!(model.supports, supports);
     assert_eq!((model.gap[0].at, model.gap[0].value), (0.0, 0.002));

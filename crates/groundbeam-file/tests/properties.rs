@@ -60,9 +60,11 @@ fn load(length: f64) -> impl Strategy<Value = Load> {
         (value(), place).prop_map(|(moment, at)| Load::PointMoment { at, moment }),
         (value(), value(), stretch.clone())
             .prop_map(|(start, end, (from, to))| { Load::Distributed { from, to, start, end } }),
-        (value(), value(), stretch).prop_map(|(start, end, (from, to))| {
+        (value(), value(), stretch.clone()).prop_map(|(start, end, (from, to))| {
             Load::DistributedMoment { from, to, start, end }
         }),
+        (value(), value(), stretch)
+            .prop_map(|(start, end, (from, to))| { Load::Curvature { from, to, start, end } }),
     ]
 }
 
@@ -96,7 +98,7 @@ fn model() -> impl Strategy<Value = Model> {
                     model = model.with_support(match kind {
                         0 => Support::pinned(at),
                         1 => Support::fixed(at),
-                        _ => Support::spring(at, spring, rotational),
+                        _ => Support::spring(at, spring, rotational).settled(0.01 * spring.sin()),
                     });
                 }
                 for (i, support) in model.supports.iter_mut().enumerate() {

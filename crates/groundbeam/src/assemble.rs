@@ -161,7 +161,7 @@ fn stretches(found: &Found, surface: &Surface, stretches: &mut Vec<Stretch>) {
     }
 }
 
-/// The coefficients of −EI w″.
+/// The coefficients of M = −EI (w″ − κ₀).
 fn bent(cell: &Cell, half: f64, deflection: &[f64]) -> Coefficients {
     let times = if cell.beam_varies() { 1.0 } else { cell.stiffness };
     let factor = -times / (half * half);
@@ -169,7 +169,16 @@ fn bent(cell: &Cell, half: f64, deflection: &[f64]) -> Coefficients {
     for c in bend.iter_mut() {
         *c *= factor;
     }
-    if cell.beam_varies() { product(&cell.stiffness_course(), &bend) } else { bend }
+    let bent = if cell.beam_varies() { product(&cell.stiffness_course(), &bend) } else { bend };
+    if !cell.is_curled() {
+        return bent;
+    }
+    let curling = cell.curling_moment();
+    let mut moment = bent.at_least(curling.len());
+    for (moment, curling) in moment.iter_mut().zip(curling.iter()) {
+        *moment += curling;
+    }
+    moment
 }
 
 /// Stretches and points of contact, those that meet joined.
@@ -202,7 +211,8 @@ fn reactions(solution: &Solution) -> Vec<Reaction> {
             SupportKind::Fixed => (lift(solution, x), turn(solution, x)),
             SupportKind::Spring { spring, rotational_spring } => {
                 let here = solution.at(x, Side::Right);
-                (spring * here.deflection, -rotational_spring * here.slope)
+                let pressed = here.deflection - support.settlement;
+                (spring * pressed, -rotational_spring * here.slope)
             }
         };
         Reaction { at: x, force, moment }

@@ -226,6 +226,8 @@ pub(crate) fn static_reactions(loads: &[Load], nodes: &[f64]) -> Vec<Sum> {
                     moments.push((piece, 0.5 * (start + end) * (b - a)));
                 }
             }
+            // A rigid motion has no curvature.
+            Load::Curvature { .. } => {}
         }
     }
     for (piece, moment) in moments {

@@ -54,7 +54,8 @@ pub(crate) fn solve<E>(
             (_, Some(solution)) => {
                 let size = largest_deflection(solution);
                 let clearance = |i: usize| {
-                    let w = solution.at(supports[i].at, Side::Right).deflection;
+                    let support = &supports[i];
+                    let w = solution.at(support.at, Side::Right).deflection - support.settlement;
                     let clearance = -supports[i].acts.sign() * w;
                     if clearance.abs() <= ROUNDING * size { 0.0 } else { clearance }
                 };

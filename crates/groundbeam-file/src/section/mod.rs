@@ -4,10 +4,12 @@ mod band;
 mod beam;
 mod checks;
 mod combination;
+mod curl;
 mod foundation;
 mod gap;
 mod hinge;
 mod load;
+mod material;
 mod shape;
 mod soil;
 mod support;
@@ -18,6 +20,7 @@ use crate::combination::Recipe;
 use crate::document::MovingTrain;
 use crate::reader::Reader;
 use crate::table::Section;
+use curl::Curls;
 use groundbeam::{Limits, Model};
 
 const TABLES: &[&str] = &[
@@ -52,10 +55,11 @@ pub(crate) use foundation::Ground;
 pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     reader.refuse_unknown(root, TABLES);
     let title = reader.words(root, "title", "Strip footing").map(|(title, _)| title.to_owned());
-    let (beam, weight) = beam::read(reader, root);
+    let beam::Read { beam, loads: own, depths, expansion } = beam::read(reader, root);
     let ground = foundation::read(reader, root, &beam);
-    let (mut loads, mut cases) = load::read(reader, root, beam.length);
-    for (load, case) in weight {
+    let curls = Curls { depths, expansion };
+    let (mut loads, mut cases) = load::read(reader, root, beam.length, &curls);
+    for (load, case) in own {
         loads.push(load);
         cases.push(case);
     }

@@ -2,14 +2,14 @@
 
 use crate::code;
 use crate::fault::Fault;
-use crate::quantity::{POSITION, ROTATIONAL_SPRING, SPRING};
+use crate::quantity::{CLEARANCE, POSITION, ROTATIONAL_SPRING, SPRING};
 use crate::reader::{Field, Reader};
 use crate::suggest::nearest;
 use crate::table::Section;
 use groundbeam::model::Part;
 use groundbeam::{Acts, Support, SupportKind};
 
-const KEYS: &[&str] = &["at", "type", "spring", "rotational_spring", "acts"];
+const KEYS: &[&str] = &["at", "type", "spring", "rotational_spring", "settlement", "acts"];
 
 pub(super) fn read(reader: &mut Reader, root: &Section) -> Vec<Support> {
     let tables = reader.tables(root, "support", "[[support]]");
@@ -28,6 +28,10 @@ fn read_one(reader: &mut Reader, table: &Section, part: Part) -> Support {
     let acts = acts(reader, table, part);
     let spring = reader.quantity(table, "spring", &SPRING);
     let rotational_spring = reader.quantity(table, "rotational_spring", &ROTATIONAL_SPRING);
+    let settlement = reader.quantity(table, "settlement", &CLEARANCE);
+    let settlement = settlement.unwrap_or_else(|| Field::new(0.0, table.span.clone()));
+    reader.places.field(part, "settlement", &settlement);
+    let settlement = settlement.value;
 
     if let Some(word) = table.value("type") {
         let springs = [("spring", &spring), ("rotational_spring", &rotational_spring)];
@@ -37,7 +41,7 @@ fn read_one(reader: &mut Reader, table: &Section, part: Part) -> Support {
                 reader.exclusive(("type", &word.span()), (key, &field.span), hint);
             }
         }
-        return Support { at: at.value, kind: rigid(reader, table), acts };
+        return Support { at: at.value, kind: rigid(reader, table), settlement, acts };
     }
     if spring.is_none() && rotational_spring.is_none() {
         let spring = reader.line("spring", &SPRING);
@@ -52,7 +56,8 @@ fn read_one(reader: &mut Reader, table: &Section, part: Part) -> Support {
     };
     let spring = constant("spring", spring);
     let rotational_spring = constant("rotational_spring", rotational_spring);
-    Support { at: at.value, kind: SupportKind::Spring { spring, rotational_spring }, acts }
+    let kind = SupportKind::Spring { spring, rotational_spring };
+    Support { at: at.value, kind, settlement, acts }
 }
 
 /// In which directions it acts: both, if nothing is said.

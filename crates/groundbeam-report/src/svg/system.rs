@@ -202,11 +202,15 @@ impl Picture<'_> {
             supports::draw(&mut self.canvas, at, support, outward);
             let [x, y] = at;
             self.labels.avoid(Rect::around([x - 12.0, y], [x + 12.0, y + supports::HEIGHT], 0.0));
-            let words = match support.acts {
+            let mut words = match support.acts {
                 Acts::Up if left => "lifted".to_owned(),
                 Acts::Down if left => "slack".to_owned(),
                 _ => self.reaction(support.kind, reaction.force, reaction.moment),
             };
+            if support.settlement != 0.0 {
+                let by = self.units.write(Kind::Deflection, support.settlement, 4);
+                words += &printed(&format!(", settled {by}"));
+            }
             let below = [x, y + supports::HEIGHT - 2.0];
             if let Some(place) = self.labels.around(below, &words, LABEL.size) {
                 self.canvas.text([place.x, place.baseline], Anchor::Start, LABEL, &words);

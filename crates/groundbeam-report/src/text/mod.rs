@@ -236,6 +236,10 @@ fn forces(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) {
             SupportKind::Fixed => "fixed",
             SupportKind::Spring { .. } => "spring",
         };
+        let settled = match support.settlement {
+            0.0 => String::new(),
+            by => format!(", settled by {},", units.write(Kind::Deflection, by, 6)),
+        };
         let one_way = match support.acts {
             Acts::Both => "",
             Acts::Up => ", acting up alone,",
@@ -247,12 +251,13 @@ fn forces(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) {
             } else {
                 "it is slack"
             };
-            return format!("{kind}{one_way} at x = {}: {left}", units.position(at));
+            return format!("{kind}{one_way} at x = {}{settled}: {left}", units.position(at));
         }
         let force = sizes.force(force);
         let sense = if force < 0.0 { "holds down with" } else { "carries" };
         let size = units.write(Kind::Force, force.abs(), 6);
-        let mut words = format!("{kind}{one_way} at x = {} {sense} {size}", units.position(at));
+        let place = units.position(at);
+        let mut words = format!("{kind}{one_way} at x = {place}{settled} {sense} {size}");
         let turns = match support.kind {
             SupportKind::Pinned => false,
             SupportKind::Fixed => true,

@@ -36,8 +36,8 @@ pub(super) struct Joints {
     stiffest: Stiffest,
     length: f64,
     near: f64,
-    /// Rigid supports: position, and what each holds.
-    rigid: Vec<(f64, Hold)>,
+    /// Rigid supports: position, what each holds, how far it has settled.
+    rigid: Vec<(f64, Hold, f64)>,
     /// Hinges, where w' may jump.
     hinges: Vec<f64>,
     seen: usize,
@@ -75,14 +75,17 @@ impl Joints {
             let acts = claim.reactions.get(i).is_some_and(|reaction| reaction.1 != 0.0);
             match support.kind {
                 SupportKind::Pinned if support.is_one_way() && !acts => {
-                    rigid.push((support.at, Hold::Clear));
-                    let beyond = support.acts.sign() * claim.deflection(support.at)[0];
+                    rigid.push((support.at, Hold::Clear, support.settlement));
+                    let w = claim.deflection(support.at)[0] - support.settlement;
+                    let beyond = support.acts.sign() * w;
                     if beyond > 0.0 {
                         pierced.push((support.at, beyond));
                     }
                 }
-                SupportKind::Pinned => rigid.push((support.at, Hold::Deflection)),
-                SupportKind::Fixed => rigid.push((support.at, Hold::Slope)),
+                SupportKind::Pinned => {
+                    rigid.push((support.at, Hold::Deflection, support.settlement))
+                }
+                SupportKind::Fixed => rigid.push((support.at, Hold::Slope, support.settlement)),
                 SupportKind::Spring { spring, rotational_spring } => {
                     stiffest.springs += spring;
                     stiffest.rotational += rotational_spring;
@@ -145,8 +148,8 @@ impl Joints {
     }
 
     fn meet(&mut self, x: f64, left: Option<[f64; 4]>, right: Option<[f64; 4]>) {
-        let (mut held, mut clamped) = (false, false);
-        while let Some(&(at, hold)) = self.rigid.get(self.seen)
+        let (mut held, mut clamped, mut settled) = (false, false, 0.0);
+        while let Some(&(at, hold, settlement)) = self.rigid.get(self.seen)
             && at <= x + self.near
         {
             self.seen += 1;
@@ -154,7 +157,7 @@ impl Joints {
                 continue;
             }
             if at >= x - self.near {
-                (held, clamped) = (true, clamped || hold == Hold::Slope);
+                (held, clamped, settled) = (true, clamped || hold == Hold::Slope, settlement);
             } else {
                 self.misplaced = f64::INFINITY;
             }
@@ -175,12 +178,13 @@ impl Joints {
             }
             for (side, room) in sides {
                 let Some([w, dw, noise, tilt]) = side else { continue };
+                let off = (w - settled).abs();
                 let slope = if clamped { [dw.abs(), tilt] } else { [0.0; 2] };
                 let [b, b_noise] = slope_jump
                     .take()
                     .map_or(slope, |jump| [jump[0] + slope[0], jump[1] + slope[1]]);
-                self.jump = [self.jump[0].max(w.abs()), self.jump[1].max(b)];
-                self.close(w.abs() + noise, b + b_noise, &[room]);
+                self.jump = [self.jump[0].max(off), self.jump[1].max(b)];
+                self.close(off + noise, b + b_noise, &[room]);
             }
         } else if let (Some(a), Some(b)) = (left, right) {
             let jump = (a[0] - b[0]).abs();

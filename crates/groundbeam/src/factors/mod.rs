@@ -103,7 +103,7 @@ pub fn load_factors(model: &Model, grows: impl Fn(usize) -> bool) -> Result<Load
 }
 
 /// A model under the loads that stay, and under those that grow. Both have all positions of the whole model,
-/// and so the same cells; the gap acts with the loads that stay.
+/// and so the same cells; the gap and the supports' settlements act with the loads that stay.
 struct Parts<'a> {
     model: &'a Model,
     grows: Vec<bool>,
@@ -132,6 +132,9 @@ impl<'a> Parts<'a> {
         model.loads = self.loads(|grows| if grows { 1.0 } else { 0.0 });
         for corner in &mut model.gap {
             corner.value = 0.0;
+        }
+        for support in &mut model.supports {
+            support.settlement = 0.0;
         }
         model
     }

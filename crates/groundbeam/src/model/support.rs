@@ -7,6 +7,9 @@ pub struct Support {
     pub at: f64,
     /// What it holds.
     pub kind: SupportKind,
+    /// How far it has settled \[m\], down positive: it holds the beam there, w = δ, or pushes back with
+    /// `spring`·(w − δ).
+    pub settlement: f64,
     /// In which directions it does.
     pub acts: Acts,
 }
@@ -37,11 +40,11 @@ impl Acts {
 /// What a support holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SupportKind {
-    /// w = 0; the beam may turn.
+    /// w = δ, the support's settlement; the beam may turn.
     Pinned,
-    /// w = 0 and w' = 0.
+    /// w = δ and w' = 0.
     Fixed,
-    /// Elastic: pushes back with `spring`·w and `rotational_spring`·w'.
+    /// Elastic: pushes back with `spring`·(w − δ) and `rotational_spring`·w'.
     Spring {
         /// Spring constant \[N/m\], not negative.
         spring: f64,
@@ -53,24 +56,28 @@ pub enum SupportKind {
 impl Support {
     /// w = 0 at `at` \[m\].
     pub fn pinned(at: f64) -> Self {
-        Support { at, kind: SupportKind::Pinned, acts: Acts::Both }
+        Support { at, kind: SupportKind::Pinned, settlement: 0.0, acts: Acts::Both }
     }
 
     /// w = w' = 0 at `at` \[m\].
     pub fn fixed(at: f64) -> Self {
-        Support { at, kind: SupportKind::Fixed, acts: Acts::Both }
+        Support { at, kind: SupportKind::Fixed, settlement: 0.0, acts: Acts::Both }
     }
 
     /// Springs at `at` \[m\] against deflection \[N/m\] and rotation \[N·m/rad\].
     pub fn spring(at: f64, spring: f64, rotational_spring: f64) -> Self {
         let kind = SupportKind::Spring { spring, rotational_spring };
-        Support { at, kind, acts: Acts::Both }
+        Support { at, kind, settlement: 0.0, acts: Acts::Both }
+    }
+
+    /// The same support, settled by \[m\], down positive.
+    pub fn settled(self, settlement: f64) -> Self {
+        Support { settlement, ..self }
     }
 
     /// The same support in one direction alone.
-    pub fn acting(mut self, acts: Acts) -> Self {
-        self.acts = acts;
-        self
+    pub fn acting(self, acts: Acts) -> Self {
+        Support { acts, ..self }
     }
 
     /// Whether it acts in one direction alone.

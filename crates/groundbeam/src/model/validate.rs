@@ -238,7 +238,8 @@ impl Model {
                     finite(found, part, "moment", moment);
                 }
                 Load::Distributed { from, to, start, end }
-                | Load::DistributedMoment { from, to, start, end } => {
+                | Load::DistributedMoment { from, to, start, end }
+                | Load::Curvature { from, to, start, end } => {
                     self.check_stretch(found, part, from, to);
                     finite(found, part, "start", start);
                     finite(found, part, "end", end);
@@ -251,6 +252,7 @@ impl Model {
         for (i, support) in self.supports.iter().enumerate() {
             let part = Part::Support(i);
             self.check_position(found, part, support.at);
+            finite(found, part, "settlement", support.settlement);
             if let SupportKind::Spring { spring, rotational_spring } = support.kind {
                 let mut constant = |field, value: f64| {
                     if !(in_range(value) && value >= 0.0) {

@@ -132,7 +132,9 @@ pub(crate) fn marks(model: &Model) -> Vec<f64> {
     for load in &model.loads {
         match *load {
             Load::PointForce { at, .. } | Load::PointMoment { at, .. } => x.push(at),
-            Load::Distributed { from, to, .. } | Load::DistributedMoment { from, to, .. } => {
+            Load::Distributed { from, to, .. }
+            | Load::DistributedMoment { from, to, .. }
+            | Load::Curvature { from, to, .. } => {
                 x.extend([from, to]);
             }
         }
