@@ -158,7 +158,7 @@ pub struct Range {
     pub max: Extreme,
 }
 
-/// A stretch of the beam that does not touch.
+/// A stretch of the beam that does not touch: a free span, or an end that is in the air.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LiftOff {
     /// Left end \[m\].
@@ -167,6 +167,15 @@ pub struct LiftOff {
     pub to: f64,
     /// Where beam and ground are farthest apart, and how far.
     pub largest_gap: Extreme,
+    /// Whether it reaches the beam's left end, and the right one.
+    pub reaches: [bool; 2],
+}
+
+impl LiftOff {
+    /// Its length \[m\].
+    pub fn length(&self) -> f64 {
+        self.to - self.from
+    }
 }
 
 /// A part of the beam on which every field is one closed form.
@@ -489,15 +498,20 @@ impl Solution {
                         last.largest_gap = largest;
                     }
                 }
-                _ => found.push(LiftOff { from, to, largest_gap: largest }),
+                _ => {
+                    found.push(LiftOff { from, to, largest_gap: largest, reaches: [false; 2] });
+                }
             }
+        }
+        for open in &mut found {
+            open.reaches = [open.from <= 0.0, open.to >= self.model.beam.length];
         }
         found
     }
 
     /// The part of the beam that does not touch, of its length.
     pub fn lifted_share(&self) -> f64 {
-        let lifted: f64 = self.lift_off().iter().map(|open| open.to - open.from).sum();
+        let lifted: f64 = self.lift_off().iter().map(LiftOff::length).sum();
         lifted / self.model.beam.length
     }
 

@@ -243,7 +243,12 @@ impl Picture<'_> {
                 let fields = self.solution.at(gap.x, Side::Right);
                 let at = [self.frame.x(gap.x), self.scale * surface(&fields)];
                 let words = self.units.write(Kind::Deflection, gap.value, 4);
-                self.word(at, &format!("gap {words}"));
+                // How long a span is that both ends of the beam leave to themselves.
+                let over = match stretch.reaches {
+                    [false, false] => format!(" over {}", self.position(stretch.length())),
+                    _ => String::new(),
+                };
+                self.word(at, &format!("gap {words}{over}"));
             }
         }
     }

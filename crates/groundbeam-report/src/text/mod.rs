@@ -16,8 +16,8 @@ use crate::size::Sizes;
 use crate::verdict;
 pub use combinations::combinations;
 use groundbeam::{
-    ContactRegion, Existence, Extreme, Field, Model, NotConverged, Profile, Reaction, Solution,
-    SupportKind, Verdict,
+    ContactRegion, Existence, Extreme, Field, LiftOff, Model, NotConverged, Profile, Reaction,
+    Solution, SupportKind, Verdict,
 };
 use sheet::{Sheet, Tone};
 pub use train::train;
@@ -194,12 +194,58 @@ fn contact(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) 
     if lifted.is_empty() {
         sheet.row("Lift-off", "none");
     }
+    if lifted.len() > 1 {
+        return free_spans(sheet, &lifted, units, sizes);
+    }
     listed(sheet, "Lift-off", &lifted, |stretch| {
         let largest = sizes.extreme(Field::Gap, stretch.largest_gap);
         let gap = units.write(Kind::Deflection, largest.value, 6);
         let place = between(units, sizes.position(stretch.from), stretch.to);
         format!("{place}, up to {gap} at x = {}", units.position(largest.x))
     });
+}
+
+/// A table of the free spans; of very many the longest.
+fn free_spans(sheet: &mut Sheet, lifted: &[LiftOff], units: Units, sizes: &Sizes) {
+    let count = lifted.len();
+    let by_length = |a: &&LiftOff, b: &&LiftOff| b.length().total_cmp(&a.length());
+    let mut shown: Vec<&LiftOff> = lifted.iter().collect();
+    shown.sort_by(by_length);
+    shown.truncate(MOST_ROWS);
+    shown.sort_by(|a, b| a.from.total_cmp(&b.from));
+    let longest = shown.iter().fold(0.0_f64, |most, open| most.max(open.length()));
+    let longest = units.position(longest);
+    sheet.row("Lift-off", &format!("{count} free spans, the longest {longest} long"));
+    let place = units.unit(Kind::Position, shown.iter().fold(0.0, |far, open| open.to.max(far)));
+    let largest = |open: &LiftOff| sizes.extreme(Field::Gap, open.largest_gap);
+    let most = shown.iter().fold(0.0_f64, |most, open| most.max(largest(open).value));
+    let height = units.unit(Kind::Deflection, most);
+    sheet.heading(&format!(
+        "{:<13}{:>11}{:>11}{:>11}{:>13} {:<11} reaches",
+        "", "from", "to", "length", "largest gap", "at"
+    ));
+    for open in &shown {
+        let largest = largest(open);
+        let x = |x: f64| place.write(sizes.position(x), 5);
+        let ends = match open.reaches {
+            [true, true] => "both ends",
+            [true, false] => "left end",
+            [false, true] => "right end",
+            [false, false] => "",
+        };
+        sheet.line(&format!(
+            "{:<13}{:>11}{:>11}{:>11}{:>13} {:<11} {ends}",
+            "",
+            x(open.from),
+            x(open.to),
+            x(open.length()),
+            height.write(largest.value, 5),
+            x(largest.x)
+        ));
+    }
+    if count > MOST_ROWS {
+        sheet.row("", &format!("and {} shorter ones", count - MOST_ROWS));
+    }
 }
 
 /// `from 0 to 10.2 m`
