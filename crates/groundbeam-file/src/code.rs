@@ -21,6 +21,8 @@ pub(crate) const EMPTY: &str = "GB018";
 pub(crate) const NOT_UTF8: &str = "GB019";
 pub(crate) const EMPTY_NAME: &str = "GB020";
 pub(crate) const REPEATED: &str = "GB021";
+pub(crate) const FILE: &str = "GB022";
+pub(crate) const COLUMN: &str = "GB023";
 pub(crate) const POISSON: &str = "GB206";
 pub(crate) const STRETCH: &str = "GB303";
 pub(crate) const FIRST_AXLE: &str = "GB701";
@@ -67,6 +69,8 @@ pub const CODES: &[Code] = &[
     row(NOT_UTF8, "the file is not UTF-8 text", "not-utf8.toml"),
     row(EMPTY_NAME, "a name is empty", "empty-name.toml"),
     row(REPEATED, "two of a kind have the same name", "repeated-name.toml"),
+    row(FILE, "a file that the model names cannot be read", "survey-missing.toml"),
+    row(COLUMN, "a column of a table is missing", "survey-column.toml"),
     row("GB101", "the beam's length must be positive", "beam-length.toml"),
     row("GB102", "the bending stiffness EI must be positive", "bending-stiffness.toml"),
     row("GB103", "the axial force must be a finite number", "axial-force.toml"),

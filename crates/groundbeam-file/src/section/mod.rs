@@ -9,6 +9,7 @@ mod load;
 mod shape;
 mod soil;
 mod support;
+mod survey;
 mod train;
 mod weight;
 
@@ -26,6 +27,8 @@ const TABLES: &[&str] = &[
     "load",
     "support",
     "gap",
+    "gap_survey",
+    "gap_trough",
     "case",
     "combination",
     "train",
@@ -56,7 +59,7 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
         cases.push(case);
     }
     let supports = support::read(reader, root);
-    let gap = gap::read(reader, root);
+    let gap = gap::read(reader, root, beam.length);
     let limits = checks::read(reader, root);
     let recipes = combination::read(reader, root, &loads, &cases);
     let train = train::read(reader, root, beam.length);

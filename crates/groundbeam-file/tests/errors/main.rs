@@ -9,6 +9,7 @@ mod page;
 
 use cases::{ErrorCase, error_cases, same_as_file};
 use groundbeam_file::CODES;
+use std::path::Path;
 
 #[test]
 fn every_error_is_found_at_its_place() {
@@ -19,7 +20,11 @@ fn every_error_is_found_at_its_place() {
         let found: Vec<String> = case
             .diagnostics
             .iter()
-            .map(|d| format!("# error: {} at {}:{}", d.code, d.line, d.column))
+            .map(|d| {
+                let file = d.file.as_ref().and_then(|file| Path::new(&file.name).file_name());
+                let within = file.map_or(String::new(), |name| format!(" in {}", name.display()));
+                format!("# error: {} at {}:{}{within}", d.code, d.line, d.column)
+            })
             .collect();
         if case.announced != found {
             wrong.push(format!("{}\n{}\n", case.name, found.join("\n")));
