@@ -1,7 +1,7 @@
 //! Model → text: the inverse of [`parse`](crate::parse), bit for bit.
 
 use crate::units::UnitSystem;
-use groundbeam::{Load, Model, Profile, SupportKind};
+use groundbeam::{GroundEnd, Load, Model, Profile, SupportKind};
 use std::fmt::Write;
 
 /// The model as a model file, every number written so that reading it gives the same bits.
@@ -81,6 +81,15 @@ impl Writer {
         self.heading("[foundation]");
         self.quantity("k", ground.spring, "N/m^2");
         self.quantity("mu", ground.shear, "N");
+        for (key, end) in ["left", "right"].into_iter().zip(ground.ends) {
+            let (at, kind) = match end {
+                GroundEnd::Endless => continue,
+                GroundEnd::Free { at } => (at, "free"),
+                GroundEnd::Held { at } => (at, "held"),
+            };
+            let at = self.number(at, "m");
+            self.line(key, &format!("{{ ends = {at}, as = \"{kind}\" }}"));
+        }
         for segment in &ground.segments {
             self.heading("[[foundation.segment]]");
             self.stretch(segment.from, segment.to);

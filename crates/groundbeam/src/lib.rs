@@ -56,8 +56,8 @@ pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
 pub use existence::{Existence, RigidMotion, Verdict};
 pub use factors::{FirstLiftOff, LoadFactors, LossOfEquilibrium, load_factors};
 pub use model::{
-    Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, Load, Model, Profile, Support,
-    SupportKind,
+    Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, GroundEnd, Load, Model, Profile,
+    Support, SupportKind,
 };
 pub use nodal::{NodalCheck, NodalSolution, NodalSolver, Work};
 pub use solution::{

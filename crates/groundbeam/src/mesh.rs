@@ -34,7 +34,8 @@ pub(crate) struct Mesh {
     pub cells: Vec<Cell>,
     /// P \[N\].
     pub axial_force: f64,
-    /// √(kμ) of the endless ground beyond the left and the right end \[N/m\].
+    /// The spring that the ground beyond the left and the right end is \[N/m\]; √(kμ) where it is even and
+    /// endless.
     pub outside: [f64; 2],
 }
 
@@ -68,8 +69,13 @@ impl Mesh {
         let cells = if x.len() == coarse.len() + 1 { coarse } else { cells_between(model, &x) };
         let first = cells[0];
         let last = cells[cells.len() - 1];
-        let outside = [first.ground_at(-1.0), last.ground_at(1.0)];
-        let outside = outside.map(|[spring, shear]| ground::outside(spring, shear));
+        let ground = &model.foundation;
+        let l = model.beam.length;
+        let outside = [
+            ground.beyond(false, l, first.ground_at(-1.0)),
+            ground.beyond(true, l, last.ground_at(1.0)),
+        ];
+        let outside = outside.map(|beyond| ground::outside(&beyond));
         let mut mesh =
             Mesh { nodes: nodes_of(&cells), cells, axial_force: model.beam.axial_force, outside };
         mesh.place_loads_and_supports(model);

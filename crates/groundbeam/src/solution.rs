@@ -5,7 +5,7 @@ use crate::certificate::Certificate;
 use crate::existence::Existence;
 use crate::ground;
 use crate::mesh::Cell;
-use crate::model::Model;
+use crate::model::{Beyond, Model};
 use crate::polynomial::{Coefficients, derivative, jet, sign_changes, value};
 use crate::solve::Method;
 
@@ -433,25 +433,26 @@ impl Solution {
         self.at(x, Side::Right).get(field)
     }
 
-    /// u at any position on the whole line, also beyond the beam \[m\].
+    /// u at any position on the whole line, also beyond the beam \[m\]; 0 where there is no shear layer.
     pub fn settlement(&self, x: f64) -> f64 {
         let l = self.model.beam.length;
-        let (end, beyond) = if x < 0.0 {
-            (self.at(0.0, Side::Right), -x)
-        } else if x > l {
-            (self.at(l, Side::Left), x - l)
-        } else {
+        let right = x > l;
+        if !right && x >= 0.0 {
             return self.value(Field::Settlement, x);
-        };
-        let [spring, shear] = if x < 0.0 {
-            self.stretches[0].cell.ground_at(-1.0)
-        } else {
-            self.stretches[self.stretches.len() - 1].cell.ground_at(1.0)
-        };
-        if shear == 0.0 {
-            return 0.0;
         }
-        end.settlement * (-(spring / shear).sqrt() * beyond).exp()
+        let (end, distance) =
+            if right { (self.at(l, Side::Left), x - l) } else { (self.at(0.0, Side::Right), -x) };
+        ground::beside(&self.beyond(right), end.settlement, distance)
+    }
+
+    /// The ground beyond an end of the beam.
+    pub(crate) fn beyond(&self, right: bool) -> Beyond {
+        let at_end = if right {
+            self.stretches[self.stretches.len() - 1].cell.ground_at(1.0)
+        } else {
+            self.stretches[0].cell.ground_at(-1.0)
+        };
+        self.model.foundation.beyond(right, self.model.beam.length, at_end)
     }
 
     /// The smallest and largest value of a field, located by the roots of its derivative.

@@ -1,6 +1,8 @@
 //! `[foundation]` and `[[foundation.segment]]`.
 
 use super::soil;
+use crate::code;
+use crate::fault::Fault;
 use crate::profile::{Along, Values, left_out};
 use crate::quantity::{POSITION, SHEAR_CONSTANT, SPRING_PER_LENGTH, SUBGRADE_MODULUS, WIDTH};
 use crate::reader::{Field, Reader};
@@ -8,9 +10,10 @@ use crate::stiffness::{Given, Keys, Stiffness, cover};
 use crate::table::Section;
 use groundbeam::model::Part;
 use groundbeam::soil::{Bed, Subgrade};
-use groundbeam::{Beam, Foundation, FoundationSegment, Profile};
+use groundbeam::{Beam, Foundation, FoundationSegment, GroundEnd, Profile};
 
-const KEYS: &[&str] = &["k", "subgrade_modulus", "width", "mu", "segment", "soil"];
+const KEYS: &[&str] = &["k", "subgrade_modulus", "width", "mu", "segment", "soil", "left", "right"];
+const END_KEYS: &[&str] = &["ends", "as"];
 const SEGMENT_KEYS: &[&str] = &["from", "to", "k", "subgrade_modulus", "width", "mu"];
 const STIFFNESS: Keys = Keys {
     product: ("k", &SPRING_PER_LENGTH),
@@ -50,7 +53,7 @@ fn on_soil(
     soil: &Section,
     beam: &Beam,
 ) -> (Foundation, Option<Bed>) {
-    for key in ["k", "subgrade_modulus", "mu", "segment"] {
+    for key in ["k", "subgrade_modulus", "mu", "segment", "left", "right"] {
         if let Some((name, _)) = table.table.get_key_value(key) {
             let hint = "give the ground's constants, or the soil from which they follow";
             reader.exclusive((key, &name.span()), ("soil", &soil.span), hint);
@@ -69,6 +72,8 @@ fn on_soil(
 
 /// A ground given by its constants.
 fn constants(reader: &mut Reader, table: &Section, beam_length: f64) -> Foundation {
+    let ends = [("left", "[foundation] left"), ("right", "[foundation] right")]
+        .map(|(key, name)| ground_end(reader, table, key, name));
     let shear = reader.along(table, "mu", &SHEAR_CONSTANT, CURVE);
     let nothing = || Along { profile: Profile::constant(0.0), span: table.span.clone() };
     let shear = shear.unwrap_or_else(nothing);
@@ -95,14 +100,44 @@ fn constants(reader: &mut Reader, table: &Section, beam_length: f64) -> Foundati
         (Stiffness::NotGiven | Stiffness::Half(..), Some(segment)) if covered => {
             reader.places.field(Part::Foundation, "spring", &Field::unreadable(0..0));
             let (spring, shear) = (segment.spring.end(), segment.shear.end());
-            Foundation { spring, shear, segments }
+            Foundation { spring, shear, segments, ends }
         }
         _ => {
             let spring = reader.settle(stiffness, table, &STIFFNESS);
             reader.places.field(Part::Foundation, "spring", &spring.field());
             add_where_it_varies(reader, &spring, &parent.shear, beam_length, &mut segments);
             let [spring, shear] = [&spring, &parent.shear].map(|along| along.profile.start());
-            Foundation { spring, shear, segments }
+            Foundation { spring, shear, segments, ends }
+        }
+    }
+}
+
+/// `left = { ends = "-2 m", as = "free" }`
+fn ground_end(
+    reader: &mut Reader,
+    table: &Section,
+    key: &'static str,
+    name: &'static str,
+) -> GroundEnd {
+    let Some(end) = reader.table(table, key, name) else { return GroundEnd::Endless };
+    reader.refuse_unknown(&end, END_KEYS);
+    let at = reader.required(&end, "ends", &POSITION);
+    reader.places.field(Part::Foundation, key, &at);
+    let at = at.value;
+    match reader.words(&end, "as", "free") {
+        Some(("free", _)) => GroundEnd::Free { at },
+        Some(("held", _)) => GroundEnd::Held { at },
+        Some((other, span)) => {
+            let message = format!("`{other}` is no way in which ground ends");
+            let hint = "\"free\", as beside a trench, or \"held\", as by a wall";
+            reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
+            GroundEnd::Endless
+        }
+        None => {
+            if end.value("as").is_none() {
+                reader.missing(&end, &["as"], "`as`", "as = \"free\", or as = \"held\"");
+            }
+            GroundEnd::Endless
         }
     }
 }

@@ -4,6 +4,7 @@ use super::Claim;
 use super::balance::{Carriers, Weights};
 use super::curve::Polynomial;
 use super::lift::{End, Lifting};
+use super::outside::Outside;
 use super::quadrature::{Seen, at_points, gauss, larger, seen_bounds};
 use super::surface::Under;
 use super::unclaimed::Unclaimed;
@@ -45,6 +46,8 @@ pub(super) struct GroundSums<'a> {
     /// A force where nothing can carry it.
     lost: bool,
     length: f64,
+    /// The stiffness of the ground beyond the ends.
+    outside: [f64; 2],
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -55,7 +58,7 @@ struct Before<'a> {
 }
 
 impl<'a> GroundSums<'a> {
-    pub fn new(model: &Model, claim: &'a Claim) -> Self {
+    pub fn new(model: &Model, claim: &'a Claim, outside: &Outside) -> Self {
         GroundSums {
             forces: &claim.forces,
             used: 0,
@@ -68,7 +71,8 @@ impl<'a> GroundSums<'a> {
             worst_product: 0.0,
             largest_force: claim.forces.iter().map(|f| f.1.abs()).fold(0.0, f64::max),
             lifting: Lifting::default(),
-            unclaimed: Unclaimed::new(model),
+            unclaimed: Unclaimed::new(model, outside),
+            outside: outside.stiffness,
             spread: 0.0,
             pull: 0.0,
             pulled: 0.0,
@@ -115,17 +119,17 @@ impl<'a> GroundSums<'a> {
             let left = before.as_ref().map_or(0.0, |before| before.under.end(1.0)[0]);
             carriers.press(Weights::point(x, force), [x, x], force * u.max(left));
         }
-        // The endless ground goes on with the value it has at the end.
+        // The ground beyond begins with the value it has at the end.
         let (flux_left, flux_right) = match (&before, &next) {
             (Some(before), Some(next)) => (before.flux, next.flux(-1.0, du)),
             (None, Some(next)) => {
-                let outside = next.outside(-1.0);
+                let outside = self.outside[0];
                 self.energy += outside * u * u;
                 (outside * u, next.flux(-1.0, du))
             }
             (Some(before), None) => {
                 let [u, ..] = before.under.end(1.0);
-                let outside = before.under.outside(1.0);
+                let outside = self.outside[1];
                 self.energy += outside * u * u;
                 (before.flux, -outside * u)
             }
@@ -190,11 +194,13 @@ impl<'a> GroundSums<'a> {
                 let jump = (clearances[1] - clearances[0]).abs();
                 [End::Open { jump, force }, End::Open { jump, force: 0.0 }]
             }
-            [left, right] => [(left, 1.0), (right, -1.0)].map(|(side, end)| match side {
-                Some(one) if at_end => End::Free { stiffness: one.outside(end), force },
-                Some(_) => End::Free { stiffness: 0.0, force },
-                None => none,
-            }),
+            [left, right] => {
+                [(left, self.outside[1]), (right, self.outside[0])].map(|side| match side {
+                    (Some(_), stiffness) if at_end => End::Free { stiffness, force },
+                    (Some(_), _) => End::Free { stiffness: 0.0, force },
+                    (None, _) => none,
+                })
+            }
         }
     }
 

@@ -4,6 +4,7 @@
 //! support, or, where there is none, moves that side of the beam rigidly up to its end.
 
 use super::curve::rounding;
+use super::outside::Outside;
 use super::{Claim, ClaimedPiece};
 use crate::model::{Model, SupportKind};
 
@@ -41,7 +42,7 @@ pub(super) struct Joints {
 }
 
 impl Joints {
-    pub fn new(model: &Model) -> Self {
+    pub fn new(model: &Model, outside: &Outside) -> Self {
         let beam = &model.beam;
         let ground = &model.foundation;
         let segments = ground.segments.iter().map(|s| (s.spring.largest(), s.shear.largest()));
@@ -53,7 +54,7 @@ impl Joints {
             bending: beam.stiffest(),
             spring,
             tension: shear + beam.axial_force.max(0.0),
-            springs: 2.0 * (spring * shear).sqrt(),
+            springs: outside.stiffness[0] + outside.stiffness[1],
             rotational: 0.0,
             compression: (-beam.axial_force).max(0.0),
         };

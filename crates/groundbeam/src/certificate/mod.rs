@@ -16,6 +16,7 @@ mod curve;
 mod ground;
 mod joints;
 mod lift;
+mod outside;
 mod quadrature;
 mod statics;
 mod supports;
@@ -28,6 +29,7 @@ use balance::{GivenBack, Remains, Segment};
 pub(crate) use claim::{Claim, ClaimedPiece};
 use ground::GroundSums;
 use joints::Joints;
+use outside::Outside;
 use quadrature::{Seen, at_points, gauss, larger};
 use statics::{Events, SpreadLoad};
 use supports::Supports;
@@ -152,7 +154,7 @@ pub(crate) fn certify(model: &Model, claim: &Claim) -> Certificate {
             ground.worst_product,
             ground.largest_force * sums.largest_deflection,
         ),
-        settlement_bound: settlement_bound(model, gap / stability, ground, joints),
+        settlement_bound: settlement_bound(model, claim, gap / stability, ground, joints),
         moment_bound,
         moment_rms_bound: moment_bound * (stiffest / model.beam.length).sqrt(),
     }
@@ -166,8 +168,14 @@ fn relative(x: f64, scale: f64) -> f64 {
 }
 
 /// |u − u*|: of the surface that was moved, by how much it was moved, and rounding of u and of positions.
-fn settlement_bound(model: &Model, gap: f64, ground: &GroundSums, joints: &Joints) -> f64 {
-    let flexibility = unclaimed::flexibility(model);
+fn settlement_bound(
+    model: &Model,
+    claim: &Claim,
+    gap: f64,
+    ground: &GroundSums,
+    joints: &Joints,
+) -> f64 {
+    let flexibility = outside::flexibility(model, &Outside::of(model, claim));
     if flexibility == f64::INFINITY {
         return flexibility;
     }
@@ -198,17 +206,18 @@ struct Walk<'a> {
 
 impl<'a> Walk<'a> {
     fn new(model: &'a Model, claim: &'a Claim<'a>) -> Self {
+        let outside = Outside::of(model, claim);
         let mut walk = Walk {
             model,
             claim,
             sums: Sums::default(),
-            ground: GroundSums::new(model, claim),
-            joints: Joints::new(model),
+            ground: GroundSums::new(model, claim, &outside),
+            joints: Joints::new(model, &outside),
             events: Events::of(model, claim),
             supports: Supports::new(model, claim),
             spread: statics::spread(model),
             segment: Segment::default(),
-            given_back: GivenBack::new(unclaimed::flexibility(model)),
+            given_back: GivenBack::new(outside::flexibility(model, &outside)),
             loads: statics::size(model),
             began: [0.0; 4],
         };

@@ -128,12 +128,6 @@ impl<'a> Under<'a> {
         self.ends(s)[1] * slope
     }
 
-    /// What endless ground that goes on as it is at an end adds there: √(kμ).
-    pub fn outside(&self, s: f64) -> f64 {
-        let [spring, shear] = self.ends(s);
-        (spring * shear).sqrt()
-    }
-
     /// u and u' where the beam has w and dw/ds.
     pub fn surface(&self, s: f64, w: f64, dw: f64) -> [f64; 2] {
         match &self.open {

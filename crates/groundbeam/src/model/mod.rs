@@ -4,6 +4,7 @@
 //! which force = stiffness × length holds). Nothing here knows how a unit is spelled.
 
 mod beam;
+mod beyond;
 mod foundation;
 mod gap;
 mod load;
@@ -12,6 +13,8 @@ mod support;
 mod validate;
 
 pub use beam::{Beam, BeamSegment};
+pub use beyond::GroundEnd;
+pub(crate) use beyond::{Beyond, Layer};
 pub use foundation::{Foundation, FoundationSegment};
 pub use gap::GapPoint;
 pub use load::Load;

@@ -1,6 +1,6 @@
 //! Every rule a model must obey, each with what would be right.
 
-use super::{Foundation, Load, Model, Profile, SupportKind};
+use super::{Foundation, GroundEnd, Load, Model, Profile, SupportKind};
 use std::fmt;
 
 /// Which part of the model a [`Problem`] is about; numbers count from 0 in the order given.
@@ -209,16 +209,37 @@ impl Model {
         for (i, s) in ground.segments.iter().enumerate() {
             let part = Part::FoundationSegment(i);
             check_order(found, part, s.from, s.to);
-            if s.to <= 0.0 || s.from >= self.beam.length {
-                let nothing = "this ground does not reach under the beam";
-                let hint = "the ground beyond the beam's ends goes on as it is at the ends; \
-                            the beam is {0} long";
-                let problem = Problem::new("GB203", part, "from", nothing, hint);
+            let beside = s.to <= 0.0 || s.from >= self.beam.length;
+            if beside && !(s.spring.is_constant() && s.shear.is_constant()) {
+                let message = "ground beside the beam cannot vary along a segment";
+                let hint = "give it in segments with a constant each; the beam is {0} long";
+                let problem = Problem::new("GB203", part, "from", message, hint);
                 found.push(problem.with_numbers(&[self.beam.length]));
             }
         }
+        self.check_ground_ends(found);
         let spans: Vec<_> = ground.segments.iter().map(|s| (s.from, s.to)).collect();
         overlaps(found, &spans, Part::FoundationSegment);
+    }
+
+    fn check_ground_ends(&self, found: &mut Vec<Problem>) {
+        let l = self.beam.length;
+        let sides = [("left", -1.0, 0.0), ("right", 1.0, l)];
+        for ((field, outward, end), ground) in sides.into_iter().zip(self.foundation.ends) {
+            let Some(at) = ground.at() else { continue };
+            let beyond = outward * (at - end);
+            let (right, hint) = match ground {
+                GroundEnd::Held { .. } => {
+                    (beyond > 0.0, "a wall stands beyond the beam's end, which is at {1}")
+                }
+                _ => (beyond >= 0.0, "the ground ends at the beam's end or beyond it, at {1}"),
+            };
+            if !(right && in_range(at) && in_range(beyond)) {
+                let message = "the ground cannot end at {0}";
+                let problem = Problem::new("GB207", Part::Foundation, field, message, hint);
+                found.push(problem.with_numbers(&[at, end]));
+            }
+        }
     }
 
     fn check_loads(&self, found: &mut Vec<Problem>) {
