@@ -1,8 +1,8 @@
 //! Random models that have an equilibrium, from both ends of every parameter.
 
 use groundbeam::{
-    Beam, FirstLiftOff, Foundation, Load, LoadFactors, Model, Profile, Support, Verdict, exists,
-    load_factors,
+    Beam, FirstLiftOff, Foundation, GroundEnd, Load, LoadFactors, Model, Profile, Support, Verdict,
+    exists, load_factors,
 };
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -30,13 +30,15 @@ pub enum Family {
     Mixed,
     /// Stiffness and ground that run from one value to another, with some of all the rest.
     Varying,
+    /// Ground that ends or changes beside the beam.
+    Beside,
     /// All of it at its worst: λl up to 10⁴, up to a hundred loads, some pulling, resultants near an end.
     Extreme = 20,
 }
 
 impl Family {
     /// Every family that takes milliseconds a model; `Extreme` takes seconds at times.
-    pub const ALL: [Family; 10] = [
+    pub const ALL: [Family; 11] = [
         Family::Plain,
         Family::Tension,
         Family::Segments,
@@ -47,6 +49,7 @@ impl Family {
         Family::Long,
         Family::Mixed,
         Family::Varying,
+        Family::Beside,
     ];
 }
 
@@ -145,6 +148,9 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
             ground = ground.with_segment(pair[0] * length, pair[1] * length, k, shear);
         }
     }
+    if family == Family::Beside {
+        ground = change_beside(ground, length, dice);
+    }
     if varying {
         beam = vary_beam(beam, stiffness, dice);
         ground = vary_ground(ground, length, dice);
@@ -239,6 +245,35 @@ fn vary_ground<R: Rng>(mut ground: Foundation, length: f64, dice: &mut Dice<R>) 
         let spring = curve(dice, k);
         let shear = if dice.happens(0.1) { Profile::constant(0.0) } else { curve(dice, mu) };
         ground = ground.with_varying_segment(from, to, spring, shear);
+    }
+    ground
+}
+
+/// Other ground beside the beam, ends of it that are free or held, near and far.
+fn change_beside<R: Rng>(mut ground: Foundation, length: f64, dice: &mut Dice<R>) -> Foundation {
+    let (k, mu) = (ground.spring, ground.shear);
+    // Lengths by that in which the ground fades.
+    let fade = (mu / k).sqrt();
+    for right in [false, true] {
+        let at = |distance: f64| if right { length + distance } else { -distance };
+        let mut near = if dice.happens(0.3) { 0.0 } else { fade * dice.decades(-2.0, 1.0) };
+        for _ in 0..dice.up_to(2) {
+            let far = near + fade * dice.decades(-2.0, 1.0);
+            let (k, mut mu) = (k * dice.decades(-1.0, 1.0), mu * dice.decades(-1.0, 1.0));
+            if dice.happens(0.1) {
+                mu = 0.0;
+            }
+            let [from, to] = if right { [at(near), at(far)] } else { [at(far), at(near)] };
+            ground = ground.with_segment(from, to, k, mu);
+            near = far * if dice.happens(0.5) { 1.0 } else { 1.5 };
+        }
+        let distance = fade * dice.decades(-2.0, 1.0);
+        ground.ends[usize::from(right)] = match dice.up_to(3) {
+            0 => GroundEnd::Free { at: at(0.0) },
+            1 => GroundEnd::Free { at: at(distance) },
+            2 => GroundEnd::Held { at: at(distance) },
+            _ => GroundEnd::Endless,
+        };
     }
     ground
 }

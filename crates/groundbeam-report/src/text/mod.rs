@@ -16,8 +16,8 @@ use crate::size::Sizes;
 use crate::verdict;
 pub use combinations::combinations;
 use groundbeam::{
-    ContactRegion, Existence, Extreme, Field, LiftOff, Model, NotConverged, Profile, Reaction,
-    Solution, SupportKind, Verdict,
+    ContactRegion, Existence, Extreme, Field, GroundEnd, LiftOff, Model, NotConverged, Profile,
+    Reaction, Solution, SupportKind, Verdict,
 };
 use sheet::{Sheet, Tone};
 pub use train::train;
@@ -127,6 +127,14 @@ fn structure(sheet: &mut Sheet, model: &Model, found: &Characteristics, context:
     };
     sheet.row("Ground", &constants);
     ground::rows(sheet, model, context);
+    for (side, end) in ["on the left", "on the right"].into_iter().zip(model.foundation.ends) {
+        let words = match end {
+            GroundEnd::Endless => continue,
+            GroundEnd::Free { at } => format!("free at x = {}", units.position(at)),
+            GroundEnd::Held { at } => format!("held at x = {}", units.position(at)),
+        };
+        sheet.row("", &format!("{side} it ends, {words}"));
+    }
 
     let beta = range(units, Kind::PerLength, found.beta);
     let beta_length = significant(found.beta_length, 4);
@@ -269,7 +277,9 @@ fn forces(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) {
     let ends = solution.end_forces();
     let words = format!("left {}, right {}", write(ends.left), write(ends.right));
     sheet.row("End forces", &words);
-    listed(sheet, "Forces", solution.concentrated_forces(), |force| {
+    let inside = solution.concentrated_forces().iter();
+    let inside: Vec<_> = inside.filter(|force| sizes.force(force.force) != 0.0).collect();
+    listed(sheet, "Forces", &inside, |force| {
         format!("{} at x = {}, from the ground", write(force.force), units.position(force.at))
     });
     let supports = solution.model().supports.iter();
