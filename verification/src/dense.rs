@@ -59,7 +59,7 @@ impl Dense {
                         load[2 * e + 3] -= start * h * h / 12.0;
                     }
                 }
-                Load::DistributedMoment { .. } => unreachable!("not drawn for this problem"),
+                _ => unreachable!("not drawn for this problem"),
             }
         }
         let (k, mu) = (model.foundation.spring, model.foundation.shear);

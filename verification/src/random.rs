@@ -32,13 +32,15 @@ pub enum Family {
     Varying,
     /// Ground that ends or changes beside the beam.
     Beside,
+    /// The same, and loads on the ground, under the beam and beside it.
+    Neighbours,
     /// All of it at its worst: λl up to 10⁴, up to a hundred loads, some pulling, resultants near an end.
     Extreme = 20,
 }
 
 impl Family {
     /// Every family that takes milliseconds a model; `Extreme` takes seconds at times.
-    pub const ALL: [Family; 11] = [
+    pub const ALL: [Family; 12] = [
         Family::Plain,
         Family::Tension,
         Family::Segments,
@@ -50,6 +52,7 @@ impl Family {
         Family::Mixed,
         Family::Varying,
         Family::Beside,
+        Family::Neighbours,
     ];
 }
 
@@ -148,7 +151,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
             ground = ground.with_segment(pair[0] * length, pair[1] * length, k, shear);
         }
     }
-    if family == Family::Beside {
+    if matches!(family, Family::Beside | Family::Neighbours) {
         ground = change_beside(ground, length, dice);
     }
     if varying {
@@ -193,6 +196,9 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
             let clearance = size * dice.even(-0.3, 1.0);
             model = model.with_gap(place * length, clearance);
         }
+    }
+    if family == Family::Neighbours {
+        add_neighbours(&mut model, dice);
     }
     // A moment on a beam a hundred waves long would lift it by 10⁶ times its settlement and more.
     if hard && lambda_l < 30.0 {
@@ -278,6 +284,33 @@ fn change_beside<R: Rng>(mut ground: Foundation, length: f64, dice: &mut Dice<R>
     ground
 }
 
+/// Forces on the ground of the order of the beam's loads, as far out as the ground reaches.
+fn add_neighbours<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
+    let (l, ground) = (model.beam.length, model.foundation.clone());
+    let size: f64 = model.loads.iter().map(|load| size_of(load, l)).sum();
+    let reach = (4.0 * (ground.shear / ground.spring).sqrt()).min(l);
+    let [left, right] = ground.ends;
+    let from = left.at().unwrap_or(-reach).max(-reach);
+    let to = right.at().unwrap_or(l + reach).min(l + reach);
+    for _ in 0..=dice.up_to(2) {
+        let force = size * dice.decades(-2.0, 0.3);
+        let mut ends = [0, 1].map(|_| dice.even(from, to));
+        ends.sort_by(f64::total_cmp);
+        let [from, to] = ends;
+        model.loads.push(match dice.up_to(2) {
+            0 => Load::GroundForce { at: from, force },
+            1 => Load::GroundForce {
+                at: if dice.happens(0.5) { from.min(0.0) } else { to.max(l) },
+                force,
+            },
+            _ => {
+                let start = force / (to - from) * dice.even(0.0, 1.0);
+                Load::GroundDistributed { from, to, start, end: force / (to - from) }
+            }
+        });
+    }
+}
+
 /// One to three stretches of a beam, one time in three the whole of it.
 fn stretches<R: Rng>(length: f64, dice: &mut Dice<R>) -> Vec<[f64; 2]> {
     if dice.up_to(2) == 0 {
@@ -296,6 +329,7 @@ fn size_of(load: &Load, length: f64) -> f64 {
         Load::DistributedMoment { from, to, start, end } => {
             0.5 * (start.abs() + end.abs()) * (to - from) / length
         }
+        Load::GroundForce { .. } | Load::GroundDistributed { .. } => 0.0,
     }
 }
 

@@ -81,6 +81,14 @@ pub const CODES: &[Code] = &[
     row("GB205", "where the shear constant mu varies it must not fall to zero", "shear-fades.toml"),
     row(POISSON, "Poisson's ratio of a soil lies between 0 and 0.5", "poisson.toml"),
     row("GB207", "the ground ends beyond the beam's ends", "ground-end.toml"),
+    row("GB208", "a load on the ground must stand where there is ground", "ground-load.toml"),
+    row("GB209", "a force at a point of the ground needs a shear layer", "ground-load.toml"),
+    row(
+        "GB210",
+        "loads on the ground need ground even along each segment",
+        "ground-load-varying.toml",
+    ),
+    row("GB211", "a load on the ground presses down", "ground-load.toml"),
     row("GB301", "a position must lie on the beam", "off-the-beam.toml"),
     row("GB302", "a value must be a finite number", "out-of-range.toml"),
     row(STRETCH, "a stretch must have a length", "stretch-without-length.toml"),
@@ -93,5 +101,6 @@ pub const CODES: &[Code] = &[
     while_solving("GB603", "concentrated pressures need a shear layer"),
     while_solving("GB604", "answers at nodes alone are for beams without supports"),
     while_solving("GB605", "answers at nodes alone are for segments along which nothing varies"),
+    while_solving("GB606", "loads on the ground are solved by the exact method alone"),
     row(FIRST_AXLE, "a train is measured backward from its first axle", "first-axle.toml"),
 ];

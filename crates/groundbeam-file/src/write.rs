@@ -26,8 +26,11 @@ pub fn write_toml(model: &Model, title: Option<&str>, units: UnitSystem) -> Stri
     }
     out.beam(model);
     out.foundation(model);
-    for load in &model.loads {
-        out.load(load);
+    // Loads on the ground are read after all others.
+    for on_ground in [false, true] {
+        for load in model.loads.iter().filter(|load| load.is_on_ground() == on_ground) {
+            out.load(load);
+        }
     }
     out.supports_and_gap(model);
     out.text.trim_start().to_owned()
@@ -99,9 +102,9 @@ impl Writer {
     }
 
     fn load(&mut self, load: &Load) {
-        self.heading("[[load]]");
+        self.heading(if load.is_on_ground() { "[[ground_load]]" } else { "[[load]]" });
         match *load {
-            Load::PointForce { at, force } => {
+            Load::PointForce { at, force } | Load::GroundForce { at, force } => {
                 self.quantity("point", force, "N");
                 self.quantity("at", at, "m");
             }
@@ -109,7 +112,8 @@ impl Writer {
                 self.quantity("moment", moment, "N m");
                 self.quantity("at", at, "m");
             }
-            Load::Distributed { from, to, start, end } => {
+            Load::Distributed { from, to, start, end }
+            | Load::GroundDistributed { from, to, start, end } => {
                 self.intensity("distributed", start, end, "N/m");
                 self.stretch(from, to);
             }

@@ -69,6 +69,10 @@ fn load_size(model: &Model) -> f64 {
         Load::DistributedMoment { from, to, start, end } => {
             0.5 * (start.abs() + end.abs()) * (to - from) / l
         }
+        Load::GroundForce { force, .. } => force.abs(),
+        Load::GroundDistributed { from, to, start, end } => {
+            0.5 * (start.abs() + end.abs()) * (to - from)
+        }
     };
     model.loads.iter().map(size).sum()
 }

@@ -257,6 +257,8 @@ pub(crate) fn static_reactions(loads: &[Load], l: f64) -> [Sum; 2] {
             Load::DistributedMoment { from, to, start, end } => {
                 moments.push(0.5 * (start + end) * (to - from));
             }
+            // What acts on the ground does no work on the beam's motions.
+            Load::GroundForce { .. } | Load::GroundDistributed { .. } => {}
         }
     }
     for moment in moments {

@@ -36,6 +36,7 @@ mod elements;
 mod envelope;
 mod existence;
 mod factors;
+mod free;
 mod ground;
 mod mesh;
 mod nodal;

@@ -3,6 +3,7 @@
 use crate::Step;
 use crate::certificate::Certificate;
 use crate::existence::Existence;
+use crate::free;
 use crate::ground;
 use crate::mesh::Cell;
 use crate::model::{Beyond, Model};
@@ -214,19 +215,27 @@ impl Stretch {
     fn settlement(&self, s: f64, w: f64, slope: f64) -> [f64; 2] {
         match self.open {
             None => [w - self.gap_at(s), slope - self.cell.gap_slope],
-            Some([0.0, 0.0]) => [0.0, 0.0],
-            Some(_) if !self.settlement.is_empty() => {
-                let [u, du, ..] = jet(&self.settlement, s);
-                [u, du / self.half]
-            }
-            Some([left, right]) => {
-                let t = 0.5 * (1.0 + s);
-                let bh = self.decay();
-                let b = bh / (2.0 * self.half);
-                let slope = ground::slope_between(left, right, bh, t);
-                [ground::between(left, right, bh, t), b * slope]
+            Some(ends) => {
+                let ([u, du], [own, sinks]) = (self.pressed(s, ends), self.cell.settled_at(s));
+                [u + own, du + sinks]
             }
         }
+    }
+
+    /// What the beam's pressure elsewhere adds to u and u' of open ground.
+    pub(crate) fn pressed(&self, s: f64, [left, right]: [f64; 2]) -> [f64; 2] {
+        if [left, right] == [0.0; 2] {
+            return [0.0; 2];
+        }
+        if !self.settlement.is_empty() {
+            let [u, du, ..] = jet(&self.settlement, s);
+            return [u, du / self.half];
+        }
+        let t = 0.5 * (1.0 + s);
+        let bh = self.decay();
+        let b = bh / (2.0 * self.half);
+        let slope = ground::slope_between(left, right, bh, t);
+        [ground::between(left, right, bh, t), b * slope]
     }
 
     pub(crate) fn fields(&self, s: f64) -> Fields {
@@ -442,7 +451,13 @@ impl Solution {
         }
         let (end, distance) =
             if right { (self.at(l, Side::Left), x - l) } else { (self.at(0.0, Side::Right), -x) };
-        ground::beside(&self.beyond(right), end.settlement, distance)
+        let beyond = self.beyond(right);
+        if !self.model.has_ground_loads() {
+            return ground::beside(&beyond, end.settlement, distance);
+        }
+        let cells: Vec<Cell> = self.stretches.iter().map(|stretch| stretch.cell).collect();
+        let own = |distance: f64| free::at(&self.model, &beyond, right, &cells, distance);
+        ground::beside(&beyond, end.settlement - own(0.0), distance) + own(distance)
     }
 
     /// The ground beyond an end of the beam.

@@ -321,8 +321,9 @@ fn is_finite(load: &Load) -> bool {
         Load::PointForce { force: size, .. } | Load::PointMoment { moment: size, .. } => {
             size.is_finite()
         }
-        Load::Distributed { start, end, .. } | Load::DistributedMoment { start, end, .. } => {
-            start.is_finite() && end.is_finite()
-        }
+        Load::GroundForce { force, .. } => force.is_finite(),
+        Load::Distributed { start, end, .. }
+        | Load::DistributedMoment { start, end, .. }
+        | Load::GroundDistributed { start, end, .. } => start.is_finite() && end.is_finite(),
     }
 }

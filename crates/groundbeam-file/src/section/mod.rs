@@ -25,6 +25,7 @@ const TABLES: &[&str] = &[
     "beam",
     "foundation",
     "load",
+    "ground_load",
     "support",
     "gap",
     "gap_survey",
@@ -55,6 +56,10 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     let (foundation, bed) = foundation::read(reader, root, &beam);
     let (mut loads, mut cases) = load::read(reader, root, beam.length);
     for (load, case) in weight {
+        loads.push(load);
+        cases.push(case);
+    }
+    for (load, case) in load::read_on_ground(reader, root, loads.len()) {
         loads.push(load);
         cases.push(case);
     }

@@ -16,8 +16,8 @@ use crate::size::Sizes;
 use crate::verdict;
 pub use combinations::combinations;
 use groundbeam::{
-    ContactRegion, Existence, Extreme, Field, GroundEnd, LiftOff, Model, NotConverged, Profile,
-    Reaction, Solution, SupportKind, Verdict,
+    ContactRegion, Existence, Extreme, Field, GroundEnd, LiftOff, Load, Model, NotConverged,
+    Profile, Reaction, Solution, SupportKind, Verdict,
 };
 use sheet::{Sheet, Tone};
 pub use train::train;
@@ -85,10 +85,21 @@ fn problem(sheet: &mut Sheet, model: &Model, existence: &Existence, context: &Co
             let size = units.write(Kind::Force, force.abs(), 6);
             format!("resultant {size} {sense} at x = {} ({share} l)", units.position(x))
         }
-        None if model.loads.is_empty() => "none".to_owned(),
+        None if model.loads.iter().all(Load::is_on_ground) => "none".to_owned(),
         None => "resultant zero".to_owned(),
     };
     sheet.row("Loads", &loads);
+    let neighbours: Vec<&Load> = model.loads.iter().filter(|load| load.is_on_ground()).collect();
+    listed(sheet, "On ground", &neighbours, |load| match **load {
+        Load::GroundDistributed { from, to, start, end } => {
+            let size = range(units, Kind::Pressure, [start, end]);
+            format!("{size} {}", between(units, from, to))
+        }
+        Load::GroundForce { at, force } => {
+            format!("{} at x = {}", units.write(Kind::Force, force, 6), units.position(at))
+        }
+        _ => String::new(),
+    });
     sheet.blank();
 }
 

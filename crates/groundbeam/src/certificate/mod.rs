@@ -16,6 +16,7 @@ mod curve;
 mod ground;
 mod joints;
 mod lift;
+mod neighbours;
 mod outside;
 mod quadrature;
 mod statics;
@@ -141,7 +142,7 @@ pub(crate) fn certify(model: &Model, claim: &Claim) -> Certificate {
     let moment_bound = (2.0 * gap / stability).sqrt() + joints.norm + ROUNDED * sums.moment.sqrt();
     let stiffest = model.beam.stiffest();
     Certificate {
-        primal_energy: 0.5 * (sums.bending + inner) - sums.work,
+        primal_energy: 0.5 * (sums.bending + inner) - sums.work - ground.work,
         dual_energy: -0.5 * (sums.moment + inner) - ground.work_on_gap,
         gap,
         relative_gap: relative(gap, strain),
@@ -380,7 +381,10 @@ fn work_at_points(model: &Model, claim: &Claim, sums: &mut Sums) {
         match *load {
             Load::PointForce { at, force } => sums.work += force * claim.deflection(at)[0],
             Load::PointMoment { at, moment } => sums.work += moment * claim.deflection(at)[1],
-            Load::Distributed { .. } | Load::DistributedMoment { .. } => {}
+            Load::Distributed { .. }
+            | Load::DistributedMoment { .. }
+            | Load::GroundForce { .. }
+            | Load::GroundDistributed { .. } => {}
         }
     }
 }

@@ -6,7 +6,7 @@ use crate::model::{Beyond, Layer, Model};
 /// The ground beyond the left and the right end.
 #[derive(Debug)]
 pub(super) struct Outside {
-    beyond: [Beyond; 2],
+    pub beyond: [Beyond; 2],
     /// The force that it takes for one unit of settlement at the beam's end \[N/m\].
     pub stiffness: [f64; 2],
 }

@@ -41,7 +41,10 @@ impl Events {
             match *load {
                 Load::PointForce { at: x, force } => ahead.push(Event { x, force, moment: 0.0 }),
                 Load::PointMoment { at: x, moment } => ahead.push(Event { x, force: 0.0, moment }),
-                Load::Distributed { .. } | Load::DistributedMoment { .. } => {}
+                Load::Distributed { .. }
+                | Load::DistributedMoment { .. }
+                | Load::GroundForce { .. }
+                | Load::GroundDistributed { .. } => {}
             }
         }
         let up = |&(x, force): &(f64, f64)| Event { x, force: -force, moment: 0.0 };
@@ -154,6 +157,7 @@ pub(super) fn size(model: &Model) -> f64 {
         Load::DistributedMoment { from, to, start, end } => {
             0.5 * (start.abs() + end.abs()) * ((to - from) / l)
         }
+        Load::GroundForce { .. } | Load::GroundDistributed { .. } => 0.0,
     });
     sizes.sum()
 }

@@ -233,7 +233,9 @@ pub(crate) fn can_carry(mesh: &Mesh, spot: Spot) -> bool {
         return true;
     }
     let [left, right] = [&mesh.cells[node - 1], &mesh.cells[node]];
-    left.shear_ends()[1] != right.shear_ends()[0] || left.gap_slope != right.gap_slope
+    left.shear_ends()[1] != right.shear_ends()[0]
+        || left.gap_slope != right.gap_slope
+        || right.ground_force != 0.0
 }
 
 /// All of the open ground between two spots as one link; none between spots that meet.

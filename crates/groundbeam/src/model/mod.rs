@@ -73,6 +73,11 @@ impl Model {
         self
     }
 
+    /// Whether anything acts on the ground besides the beam.
+    pub(crate) fn has_ground_loads(&self) -> bool {
+        self.loads.iter().any(Load::is_on_ground)
+    }
+
     /// The first segment along which stiffness or ground varies.
     pub(crate) fn varying_part(&self) -> Option<Part> {
         let ground = &self.foundation.segments;

@@ -99,6 +99,17 @@ impl Problem {
         )
     }
 
+    /// Loads on the ground bend its surface between nodes.
+    pub(crate) fn only_exactly(load: usize) -> Self {
+        Problem::new(
+            "GB606",
+            Part::Load(load),
+            "at",
+            "loads on the ground are solved by the exact method alone",
+            "use the method `exact`",
+        )
+    }
+
     /// Rows of equal elements need one stiffness and one ground each.
     pub(crate) fn nodal_where_it_varies(part: Part) -> Self {
         let field = match part {
@@ -260,7 +271,60 @@ impl Model {
                     finite(found, part, "start", start);
                     finite(found, part, "end", end);
                 }
+                Load::GroundForce { at, force } => {
+                    finite(found, part, "at", at);
+                    self.check_on_ground(found, part, "at", [at, at]);
+                    down(found, part, "force", force);
+                    if self.ground_has_no_layer(at) {
+                        let message = "a force at a point of the ground needs a shear layer";
+                        let hint = "spread it: distributed with from and to";
+                        found.push(Problem::new("GB209", part, "at", message, hint));
+                    }
+                }
+                Load::GroundDistributed { from, to, start, end } => {
+                    check_order(found, part, from, to);
+                    self.check_on_ground(found, part, "from", [from, to]);
+                    down(found, part, "start", start);
+                    down(found, part, "end", end);
+                }
             }
+        }
+        if let (Some(load), Some(Part::FoundationSegment(i))) =
+            (self.loads.iter().position(Load::is_on_ground), self.varying_ground())
+        {
+            let message = "loads on the ground need ground that is even along each segment";
+            let hint = format!("segment {} varies: give it in several with a constant each", i + 1);
+            found.push(Problem::new("GB210", Part::Load(load), "at", message, hint));
+        }
+    }
+
+    fn varying_ground(&self) -> Option<Part> {
+        let varies =
+            |s: &super::FoundationSegment| !(s.spring.is_constant() && s.shear.is_constant());
+        self.foundation.segments.iter().position(varies).map(Part::FoundationSegment)
+    }
+
+    fn ground_has_no_layer(&self, at: f64) -> bool {
+        let on_beam = at >= 0.0 && at <= self.beam.length;
+        let [(_, left), (_, right)] =
+            [at, at - f64::EPSILON * self.beam.length].map(|x| self.foundation.constants_at(x));
+        on_beam && left == 0.0 && right == 0.0
+    }
+
+    /// A load on the ground must stand where there is ground.
+    fn check_on_ground(
+        &self,
+        found: &mut Vec<Problem>,
+        part: Part,
+        field: &'static str,
+        [from, to]: [f64; 2],
+    ) {
+        let [left, right] = self.foundation.ends;
+        let off = left.at().is_some_and(|end| from < end) || right.at().is_some_and(|end| to > end);
+        if off {
+            let message = "the ground does not reach as far as this load";
+            let hint = "it ends where `left` and `right` say";
+            found.push(Problem::new("GB208", part, field, message, hint));
         }
     }
 
@@ -410,6 +474,16 @@ fn finite(found: &mut Vec<Problem>, part: Part, field: &'static str, value: f64)
         let message = format!("the value is {}", describe(value));
         let hint = remedy(value, "give a finite number");
         found.push(Problem::new("GB302", part, field, message, hint));
+    }
+}
+
+/// A load on the ground presses.
+fn down(found: &mut Vec<Problem>, part: Part, field: &'static str, value: f64) {
+    finite(found, part, field, value);
+    if value < 0.0 {
+        let message = "a load on the ground pulls it up";
+        let hint = "it must press down";
+        found.push(Problem::new("GB211", part, field, message, hint));
     }
 }
 
