@@ -102,5 +102,6 @@ pub const CODES: &[Code] = &[
     while_solving("GB604", "answers at nodes alone are for beams without supports"),
     while_solving("GB605", "answers at nodes alone are for segments along which nothing varies"),
     while_solving("GB606", "loads on the ground are solved by the exact method alone"),
+    while_solving("GB607", "load factors are for loads on the beam alone"),
     row(FIRST_AXLE, "a train is measured backward from its first axle", "first-axle.toml"),
 ];

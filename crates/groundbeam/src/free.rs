@@ -80,6 +80,10 @@ pub(crate) fn at(
     let strip = strips[i];
     if x > strip.x[0] && x < strip.x[1] {
         let value = |at: f64| {
+            // Endless ground bears nothing out there.
+            if strip.load == [0.0; 2] {
+                return 0.0;
+            }
             let t = (at - strip.x[0]) / (strip.x[1] - strip.x[0]);
             strip.load[0] * (1.0 - t) + strip.load[1] * t
         };

@@ -16,7 +16,7 @@ mod bonded;
 use crate::assemble::assemble;
 use crate::certificate::Certificate;
 use crate::existence::{RigidMotion, Verdict, existence, rays};
-use crate::model::{Load, Model};
+use crate::model::{Load, Model, Problem};
 use crate::solve::{Checked, Error, Method, NotConverged, check};
 use bonded::{Watched, glued_all_along, watched};
 
@@ -89,6 +89,9 @@ pub enum LossOfEquilibrium {
 /// fields at that factor holds.
 pub fn load_factors(model: &Model, grows: impl Fn(usize) -> bool) -> Result<LoadFactors, Error> {
     let Checked { stability, .. } = check(model)?;
+    if let Some(load) = model.loads.iter().position(Load::is_on_ground) {
+        return Err(Error::Unsupported(Problem::no_factors(load)));
+    }
     let parts = Parts::of(model, grows);
     let loss_of_equilibrium = parts.loss_of_equilibrium();
     let first_lift_off = match loss_of_equilibrium {

@@ -110,6 +110,17 @@ impl Problem {
         )
     }
 
+    /// Load factors of loads on the ground.
+    pub(crate) fn no_factors(load: usize) -> Self {
+        Problem::new(
+            "GB607",
+            Part::Load(load),
+            "at",
+            "load factors are for loads on the beam alone",
+            "leave the loads on the ground out, or solve combinations with factors of your own",
+        )
+    }
+
     /// Rows of equal elements need one stiffness and one ground each.
     pub(crate) fn nodal_where_it_varies(part: Part) -> Self {
         let field = match part {
