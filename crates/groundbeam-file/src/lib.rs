@@ -32,6 +32,7 @@
 //!
 //! This is the only crate that knows how a model is spelled.
 
+mod band;
 mod beside;
 mod cases;
 mod code;
@@ -57,6 +58,7 @@ mod unit;
 mod units;
 mod write;
 
+pub use band::Band;
 pub use beside::OtherFile;
 pub use cases::parse_cases;
 pub use code::{CODES, Code};
@@ -71,7 +73,7 @@ pub use write::write_toml;
 
 use fault::Fault;
 use reader::Reader;
-use section::Contents;
+use section::{Contents, Ground};
 use source::Source;
 use std::path::Path;
 use table::Section;
@@ -110,7 +112,7 @@ fn parse_in(text: &str, folder: Option<&Path>) -> Result<Document, Diagnostics> 
     let mut reader = Reader::new(&source, &root, folder);
     reader.found = syntax.found;
     let contents = section::read(&mut reader, &root);
-    let Contents { title, model, bed, limits, cases, recipes, train } = contents;
+    let Contents { title, model, ground, limits, cases, recipes, trains } = contents;
     let before = reader.found.len();
     let units = reader.unit_system();
     let is_mixed = reader.found.len() > before;
@@ -124,7 +126,21 @@ fn parse_in(text: &str, folder: Option<&Path>) -> Result<Document, Diagnostics> 
     }
     let Reader { found, places, .. } = reader;
     if found.is_empty() {
-        Ok(Document { title, model, bed, limits, cases, recipes, train, units, source, places })
+        let Ground { bed, width, band, .. } = ground;
+        Ok(Document {
+            title,
+            model,
+            bed,
+            width,
+            band,
+            limits,
+            cases,
+            recipes,
+            trains,
+            units,
+            source,
+            places,
+        })
     } else {
         Err(Diagnostics::new(found))
     }

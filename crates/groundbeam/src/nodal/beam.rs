@@ -139,6 +139,9 @@ mod tests {
             moment_load: [0.5, 0.1],
             gap: [0.0; 2],
             gap_slope: 0.0,
+            ground_load: [0.0; 2],
+            faded: [0.0; 2],
+            ground_force: 0.0,
         };
         let given = Given { load: cell.load, moment_load: cell.moment_load, gap: [0.0; 2] };
         for tension in [0.0, 1e-3, 3.9] {
