@@ -37,6 +37,7 @@ mod envelope;
 mod existence;
 mod factors;
 mod free;
+mod free_spans;
 mod ground;
 mod mesh;
 mod nodal;
@@ -56,14 +57,15 @@ pub use contact::active_set::{Pressure, Step};
 pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
 pub use existence::{Existence, RigidMotion, Verdict};
 pub use factors::{FirstLiftOff, LoadFactors, LossOfEquilibrium, load_factors};
+pub use free_spans::LiftOff;
 pub use model::{
     Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, GroundEnd, Load, Model, Profile,
     Support, SupportKind,
 };
 pub use nodal::{NodalCheck, NodalSolution, NodalSolver, Work};
 pub use solution::{
-    ConcentratedForce, ContactRegion, EndForces, Extreme, Field, Fields, LiftOff, Range, Reaction,
-    Side, Solution,
+    ConcentratedForce, ContactRegion, EndForces, Extreme, Field, Fields, Range, Reaction, Side,
+    Solution,
 };
 pub use solve::{
     Error, Method, NotConverged, Options, Outcome, Start, exists, solve, solve_near, solve_with,

@@ -110,7 +110,13 @@ fn sunk(gap: &[GapPoint], troughs: &[Trough], length: f64) -> Vec<GapPoint> {
     places.retain(|x| (0.0..=length).contains(x));
     places.sort_by(f64::total_cmp);
     // Corners closer than rounding would be slopes of nothing.
-    places.dedup_by(|next, last| *next - *last <= 1e-9 * length && *next != length);
+    places.dedup_by(|next, last| {
+        let same = *next - *last <= 1e-9 * length;
+        if same && *next == length {
+            *last = length;
+        }
+        same
+    });
     let depth = |x: f64| troughs.iter().map(|trough| trough.depth(x)).sum::<f64>();
     places.into_iter().map(|at| GapPoint { at, value: base(at) + depth(at) }).collect()
 }

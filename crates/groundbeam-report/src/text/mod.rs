@@ -241,7 +241,7 @@ fn free_spans(sheet: &mut Sheet, lifted: &[LiftOff], units: Units, sizes: &Sizes
     let most = shown.iter().fold(0.0_f64, |most, open| most.max(largest(open).value));
     let height = units.unit(Kind::Deflection, most);
     sheet.heading(&format!(
-        "{:<13}{:>11}{:>11}{:>11}{:>13} {:<11} reaches",
+        "{:<13}{:>10}{:>10}{:>10}{:>13} {:<10} reaches",
         "", "from", "to", "length", "largest gap", "at"
     ));
     for open in &shown {
@@ -254,7 +254,7 @@ fn free_spans(sheet: &mut Sheet, lifted: &[LiftOff], units: Units, sizes: &Sizes
             [false, false] => "",
         };
         sheet.line(&format!(
-            "{:<13}{:>11}{:>11}{:>11}{:>13} {:<11} {ends}",
+            "{:<13}{:>10}{:>10}{:>10}{:>13} {:<10} {ends}",
             "",
             x(open.from),
             x(open.to),

@@ -4,11 +4,13 @@
 //! which force = stiffness × length holds). Nothing here knows how a unit is spelled.
 
 mod beam;
+mod beside;
 mod beyond;
 mod foundation;
 mod gap;
 mod load;
 mod profile;
+mod refused;
 mod support;
 mod validate;
 

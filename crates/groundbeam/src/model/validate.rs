@@ -1,6 +1,7 @@
 //! Every rule a model must obey, each with what would be right.
 
-use super::{Foundation, GroundEnd, Load, Model, Profile, SupportKind};
+use super::beside::down;
+use super::{Foundation, Load, Model, Profile, SupportKind};
 use std::fmt;
 
 /// Which part of the model a [`Problem`] is about; numbers count from 0 in the order given.
@@ -43,7 +44,7 @@ pub struct Problem {
 }
 
 impl Problem {
-    fn new(
+    pub(super) fn new(
         code: &'static str,
         part: Part,
         field: &'static str,
@@ -53,90 +54,7 @@ impl Problem {
         Problem { code, part, field, message: message.into(), hint: hint.into(), numbers: vec![] }
     }
 
-    /// Compression on a beam whose supports leave it free to move as a rigid body.
-    pub(crate) fn unheld_compression() -> Self {
-        Problem::new(
-            "GB601",
-            Part::Beam,
-            "axial_force",
-            "compression on a beam that its supports leave free to turn or to rise",
-            "existence is not assured then, however small the force: fix one end or hold the beam \
-             at two places (Kikuchi 1980, the end of section 4)",
-        )
-    }
-
-    /// Compression beyond the beam's own buckling load.
-    pub(crate) fn beyond_buckling(times: f64) -> Self {
-        Problem::new(
-            "GB602",
-            Part::Beam,
-            "axial_force",
-            format!("the compression is {times:.4} times the beam's own buckling load"),
-            "below that load there is exactly one equilibrium, whether the ground is lost or not; \
-             beyond it the problem is not convex",
-        )
-    }
-
-    /// Nodal pressures where nothing spreads them.
-    pub(crate) fn nodal_forces_on_springs(part: Part) -> Self {
-        Problem::new(
-            "GB603",
-            part,
-            "shear",
-            "the paper's concentrated pressures (5.5) need a shear layer (4.9), and mu is zero here",
-            "use the method `exact`, or `active-set` with its own pressure",
-        )
-    }
-
-    /// Values at nodes are for beams that the ground alone holds.
-    pub(crate) fn nodal_with_supports() -> Self {
-        Problem::new(
-            "GB604",
-            Part::Support(0),
-            "at",
-            "a beam solved for its nodes alone cannot have supports",
-            "use the method `exact` or `active-set`",
-        )
-    }
-
-    /// Loads on the ground bend its surface between nodes.
-    pub(crate) fn only_exactly(load: usize) -> Self {
-        Problem::new(
-            "GB606",
-            Part::Load(load),
-            "at",
-            "loads on the ground are solved by the exact method alone",
-            "use the method `exact`",
-        )
-    }
-
-    /// Load factors of loads on the ground.
-    pub(crate) fn no_factors(load: usize) -> Self {
-        Problem::new(
-            "GB607",
-            Part::Load(load),
-            "at",
-            "load factors are for loads on the beam alone",
-            "leave the loads on the ground out, or solve combinations with factors of your own",
-        )
-    }
-
-    /// Rows of equal elements need one stiffness and one ground each.
-    pub(crate) fn nodal_where_it_varies(part: Part) -> Self {
-        let field = match part {
-            Part::BeamSegment(_) => "bending_stiffness",
-            _ => "spring",
-        };
-        Problem::new(
-            "GB605",
-            part,
-            field,
-            "a beam solved for its nodes alone cannot vary along a segment",
-            "use the method `exact` or `active-set`, or many segments with a constant each",
-        )
-    }
-
-    fn with_numbers(mut self, numbers: &[f64]) -> Self {
+    pub(super) fn with_numbers(mut self, numbers: &[f64]) -> Self {
         self.numbers = numbers.to_vec();
         self
     }
@@ -244,26 +162,6 @@ impl Model {
         overlaps(found, &spans, Part::FoundationSegment);
     }
 
-    fn check_ground_ends(&self, found: &mut Vec<Problem>) {
-        let l = self.beam.length;
-        let sides = [("left", -1.0, 0.0), ("right", 1.0, l)];
-        for ((field, outward, end), ground) in sides.into_iter().zip(self.foundation.ends) {
-            let Some(at) = ground.at() else { continue };
-            let beyond = outward * (at - end);
-            let (right, hint) = match ground {
-                GroundEnd::Held { .. } => {
-                    (beyond > 0.0, "a wall stands beyond the beam's end, which is at {1}")
-                }
-                _ => (beyond >= 0.0, "the ground ends at the beam's end or beyond it, at {1}"),
-            };
-            if !(right && in_range(at) && in_range(beyond)) {
-                let message = "the ground cannot end at {0}";
-                let problem = Problem::new("GB207", Part::Foundation, field, message, hint);
-                found.push(problem.with_numbers(&[at, end]));
-            }
-        }
-    }
-
     fn check_loads(&self, found: &mut Vec<Problem>) {
         for (i, load) in self.loads.iter().enumerate() {
             let part = Part::Load(i);
@@ -306,36 +204,6 @@ impl Model {
             let message = "loads on the ground need ground that is even along each segment";
             let hint = format!("segment {} varies: give it in several with a constant each", i + 1);
             found.push(Problem::new("GB210", Part::Load(load), "at", message, hint));
-        }
-    }
-
-    fn varying_ground(&self) -> Option<Part> {
-        let varies =
-            |s: &super::FoundationSegment| !(s.spring.is_constant() && s.shear.is_constant());
-        self.foundation.segments.iter().position(varies).map(Part::FoundationSegment)
-    }
-
-    fn ground_has_no_layer(&self, at: f64) -> bool {
-        let on_beam = at >= 0.0 && at <= self.beam.length;
-        let [(_, left), (_, right)] =
-            [at, at - f64::EPSILON * self.beam.length].map(|x| self.foundation.constants_at(x));
-        on_beam && left == 0.0 && right == 0.0
-    }
-
-    /// A load on the ground must stand where there is ground.
-    fn check_on_ground(
-        &self,
-        found: &mut Vec<Problem>,
-        part: Part,
-        field: &'static str,
-        [from, to]: [f64; 2],
-    ) {
-        let [left, right] = self.foundation.ends;
-        let off = left.at().is_some_and(|end| from < end) || right.at().is_some_and(|end| to > end);
-        if off {
-            let message = "the ground does not reach as far as this load";
-            let hint = "it ends where `left` and `right` say";
-            found.push(Problem::new("GB208", part, field, message, hint));
         }
     }
 
@@ -407,7 +275,7 @@ impl Model {
 }
 
 /// Numbers whose squares and cubes still fit are the ones mechanics can be done with.
-fn in_range(value: f64) -> bool {
+pub(super) fn in_range(value: f64) -> bool {
     value == 0.0 || (value.is_finite() && (1e-60..=1e60).contains(&value.abs()))
 }
 
@@ -480,7 +348,7 @@ fn check_shear(found: &mut Vec<Problem>, part: Part, shear: &Profile) {
     }
 }
 
-fn finite(found: &mut Vec<Problem>, part: Part, field: &'static str, value: f64) {
+pub(super) fn finite(found: &mut Vec<Problem>, part: Part, field: &'static str, value: f64) {
     if !in_range(value) {
         let message = format!("the value is {}", describe(value));
         let hint = remedy(value, "give a finite number");
@@ -488,17 +356,7 @@ fn finite(found: &mut Vec<Problem>, part: Part, field: &'static str, value: f64)
     }
 }
 
-/// A load on the ground presses.
-fn down(found: &mut Vec<Problem>, part: Part, field: &'static str, value: f64) {
-    finite(found, part, field, value);
-    if value < 0.0 {
-        let message = "a load on the ground pulls it up";
-        let hint = "it must press down";
-        found.push(Problem::new("GB211", part, field, message, hint));
-    }
-}
-
-fn check_order(found: &mut Vec<Problem>, part: Part, from: f64, to: f64) {
+pub(super) fn check_order(found: &mut Vec<Problem>, part: Part, from: f64, to: f64) {
     if from >= to {
         let message = "the stretch from {0} to {1} has no length";
         let hint = "`to` must lie to the right of `from`";
