@@ -169,8 +169,9 @@ pub(crate) fn beside(beyond: &Beyond, mut u: f64, mut distance: f64) -> f64 {
         }
         let link = Link::uniform(layer.spring, layer.shear, layer.length);
         let next = u * follows(&link, spring);
-        if distance <= layer.length {
-            return between(u, next, b * layer.length, distance / layer.length);
+        // A layer's far end is there but for rounding.
+        if distance <= layer.length * (1.0 + 8.0 * f64::EPSILON) {
+            return between(u, next, b * layer.length, (distance / layer.length).min(1.0));
         }
         (u, distance) = (next, distance - layer.length);
     }
