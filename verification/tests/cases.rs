@@ -49,7 +49,9 @@ fn a_mesh_is_no_farther_off_than_its_certificate_says() {
         // thousands of waves, nor the ground under a beam 1e12 times as stiff.
         let ei = model.beam.bending_stiffness;
         let waves = (model.foundation.spring / (4.0 * ei)).powf(0.25) * model.beam.length;
-        if !(0.01..1000.0).contains(&waves) {
+        // Loads on the ground are the exact method's alone.
+        let on_ground = model.loads.iter().any(groundbeam::Load::is_on_ground);
+        if on_ground || !(0.01..1000.0).contains(&waves) {
             continue;
         }
         let elements = (8.0 * waves).max(100.0) as usize;

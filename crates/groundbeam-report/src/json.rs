@@ -21,8 +21,8 @@ pub use combinations::{checked_combinations, combinations, envelope_stations};
 use factors::Grown;
 use ground::Ground;
 use groundbeam::{
-    Acts, Certificate, Existence, Extreme, Field, Method, Model, NotConverged, RigidMotion, Side,
-    Solution, Support, Verdict,
+    Acts, Certificate, Existence, Extreme, Field, LiftOff, Method, Model, NotConverged,
+    RigidMotion, Side, Solution, Support, Verdict,
 };
 use serde::Serialize;
 pub use train::{checked_trains, trains};
@@ -87,6 +87,7 @@ struct Solved {
     ground: Option<Ground>,
     contact: Vec<Stretch>,
     lift_off: Vec<Lifted>,
+    free_spans: Vec<FreeSpan>,
     end_forces: Ends,
     concentrated_forces: Vec<Force>,
     reactions: Vec<Held>,
@@ -124,6 +125,7 @@ impl Solved {
                 .iter()
                 .map(|l| Lifted { from: l.from, to: l.to, largest_gap: l.largest_gap.into() })
                 .collect(),
+            free_spans: solution.lift_off().iter().map(FreeSpan::of).collect(),
             end_forces: Ends {
                 left: solution.end_forces().left,
                 right: solution.end_forces().right,
@@ -312,6 +314,29 @@ struct Lifted {
     from: f64,
     to: f64,
     largest_gap: Point,
+}
+
+#[derive(Serialize)]
+struct FreeSpan {
+    from: f64,
+    to: f64,
+    length: f64,
+    largest_gap: Point,
+    /// `left`, `right`, `both` or `null`.
+    reaches_end: Option<&'static str>,
+}
+
+impl FreeSpan {
+    fn of(open: &LiftOff) -> Self {
+        let reaches_end = match open.reaches {
+            [true, true] => Some("both"),
+            [true, false] => Some("left"),
+            [false, true] => Some("right"),
+            [false, false] => None,
+        };
+        let LiftOff { from, to, largest_gap, .. } = *open;
+        FreeSpan { from, to, length: open.length(), largest_gap: largest_gap.into(), reaches_end }
+    }
 }
 
 #[derive(Serialize)]

@@ -8,7 +8,7 @@ use crate::contact::{balanced, exact, nested};
 use crate::existence::{Existence, Verdict, existence};
 use crate::mechanism::held_rigidly;
 use crate::mesh::Mesh;
-use crate::model::{Model, Part, Problem};
+use crate::model::{Load, Model, Part, Problem};
 use crate::one_way;
 use crate::solution::{ContactRegion, Solution};
 use crate::stability::own_buckling_load;
@@ -302,6 +302,11 @@ fn find(
             what: stalled.what,
         })
     };
+    if method != Method::Exact
+        && let Some(load) = model.loads.iter().position(Load::is_on_ground)
+    {
+        return Err(Error::Unsupported(Problem::only_exactly(load)));
+    }
     match method {
         Method::Exact => match existence.verdict {
             Verdict::NotUnique(motion) if stands_on_an_end(model, existence) => {

@@ -92,6 +92,9 @@ pub fn load_factors(model: &Model, grows: impl Fn(usize) -> bool) -> Result<Load
     if model.has_one_way_supports() {
         return Err(Error::Unsupported(Problem::factors_with_one_way_supports(&model.supports)));
     }
+    if let Some(load) = model.loads.iter().position(Load::is_on_ground) {
+        return Err(Error::Unsupported(Problem::no_factors(load)));
+    }
     let parts = Parts::of(model, grows);
     let loss_of_equilibrium = parts.loss_of_equilibrium();
     let first_lift_off = match loss_of_equilibrium {

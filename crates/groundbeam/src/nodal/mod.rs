@@ -25,7 +25,7 @@ pub use check::NodalCheck;
 pub use newton::Work;
 
 use crate::existence::{Existence, Verdict};
-use crate::model::{Model, Problem};
+use crate::model::{Load, Model, Problem};
 use crate::solve::{Error, Method, NotConverged, exists};
 use grid::{Grid, Ground};
 use hull::Hull;
@@ -250,6 +250,9 @@ fn checked(model: &Model) -> Result<Existence, Error> {
     }
     if !model.hinges.is_empty() {
         return Err(Error::Unsupported(Problem::nodal_with_hinges()));
+    }
+    if let Some(load) = model.loads.iter().position(Load::is_on_ground) {
+        return Err(Error::Unsupported(Problem::only_exactly(load)));
     }
     if let Some(part) = model.varying_part() {
         return Err(Error::Unsupported(Problem::nodal_where_it_varies(part)));
