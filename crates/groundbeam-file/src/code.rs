@@ -83,10 +83,10 @@ pub const CODES: &[Code] = &[
     row("GB402", "a support's spring constant must be zero or positive", "support-spring.toml"),
     row("GB403", "two supports must not share one position", "two-supports.toml"),
     row("GB501", "the gap's corners must go from left to right", "gap-order.toml"),
-    while_solving("GB601", "compression on a beam that its supports leave free"),
-    while_solving("GB602", "the compression exceeds the beam's own buckling load"),
     while_solving("GB603", "concentrated pressures need a shear layer"),
     while_solving("GB604", "answers at nodes alone are for beams without supports"),
     while_solving("GB605", "answers at nodes alone are for segments along which nothing varies"),
+    while_solving("GB606", "a local equilibrium is found by the method `exact` alone"),
+    while_solving("GB607", "load factors of a local equilibrium"),
     row(FIRST_AXLE, "a train is measured backward from its first axle", "first-axle.toml"),
 ];

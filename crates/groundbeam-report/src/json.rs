@@ -21,8 +21,8 @@ pub use combinations::{checked_combinations, combinations, envelope_stations};
 use factors::Grown;
 use ground::Ground;
 use groundbeam::{
-    Certificate, Existence, Extreme, Field, Method, Model, NotConverged, RigidMotion, Side,
-    Solution, Verdict,
+    Buckling, Certificate, Existence, Extreme, Field, Method, Model, NotConverged, RigidMotion,
+    Side, Solution, Verdict,
 };
 use serde::Serialize;
 pub use train::train;
@@ -49,10 +49,8 @@ pub fn no_equilibrium(model: &Model, existence: &Existence, context: &Context) -
 /// The document of a model that was checked but not solved: its `status` is `equilibrium-exists` or
 /// `no-equilibrium`.
 pub fn existence(model: &Model, existence: &Existence, context: &Context) -> String {
-    let status = match existence.verdict {
-        Verdict::None(_) => "no-equilibrium",
-        Verdict::Unique | Verdict::NotUnique(_) => "equilibrium-exists",
-    };
+    let stands = existence.verdict.stands();
+    let status = if stands { "equilibrium-exists" } else { "no-equilibrium" };
     verdict(status, model, existence, context)
 }
 
@@ -221,23 +219,51 @@ struct Proven {
     failing_motion: Option<Motion>,
     #[serde(skip_serializing_if = "Option::is_none")]
     undetermined_motion: Option<Motion>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stability_margin: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    critical_compression: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    buckles_at: Option<f64>,
     sentence: String,
 }
 
 impl Proven {
     fn new(model: &Model, existence: &Existence, context: &Context) -> Self {
-        let (verdict, failing_motion, undetermined_motion) = match existence.verdict {
-            Verdict::Unique => ("unique", None, None),
-            Verdict::NotUnique(motion) => ("not-unique", None, Some(motion.into())),
-            Verdict::None(motion) => ("none", Some(motion.into()), None),
-        };
-        Proven {
-            verdict,
+        let mut proven = Proven {
+            verdict: "unique",
             static_reactions: existence.static_reactions,
-            failing_motion,
-            undetermined_motion,
+            failing_motion: None,
+            undetermined_motion: None,
+            stability_margin: None,
+            critical_compression: None,
+            buckles_at: None,
             sentence: sentence(model, existence, context.units),
+        };
+        match existence.verdict {
+            Verdict::Unique => {}
+            Verdict::NotUnique(motion) => {
+                proven.verdict = "not-unique";
+                proven.undetermined_motion = Some(motion.into());
+            }
+            Verdict::None(motion) => {
+                proven.verdict = "none";
+                proven.failing_motion = Some(motion.into());
+            }
+            Verdict::Local(local) => {
+                proven.verdict = "local";
+                proven.stability_margin = Some(local.stability_margin);
+                proven.critical_compression = Some(local.critical_compression);
+            }
+            Verdict::Buckles(mode) => {
+                proven.verdict = "none";
+                let Buckling { critical_compression, at, left, right, work } = mode;
+                proven.failing_motion = Some(Motion { left, right, work });
+                proven.critical_compression = Some(critical_compression);
+                proven.buckles_at = Some(at);
+            }
         }
+        proven
     }
 }
 

@@ -37,6 +37,7 @@ mod envelope;
 mod existence;
 mod factors;
 mod ground;
+mod local;
 mod mesh;
 mod nodal;
 mod polynomial;
@@ -53,7 +54,7 @@ pub use certificate::Certificate;
 pub use checks::{Check, Checked, Limits, overturning};
 pub use contact::active_set::{Pressure, Step};
 pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
-pub use existence::{Existence, RigidMotion, Verdict};
+pub use existence::{Buckling, Existence, Local, RigidMotion, Verdict};
 pub use factors::{FirstLiftOff, LoadFactors, LossOfEquilibrium, load_factors};
 pub use model::{
     Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, Load, Model, Profile, Support,

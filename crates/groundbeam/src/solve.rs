@@ -3,13 +3,15 @@
 use crate::assemble::assemble;
 use crate::contact::active_set::{Found, Pressure, Stalled};
 use crate::contact::exact::Proof;
+use crate::contact::stretches::Stretch;
 use crate::contact::uzawa::{self, Relaxation};
 use crate::contact::{balanced, exact, nested};
-use crate::existence::{Existence, Verdict, existence, held_rigidly};
+use crate::existence::{Existence, Verdict, existence};
+use crate::local;
 use crate::mesh::Mesh;
 use crate::model::{Model, Part, Problem};
 use crate::solution::{ContactRegion, Solution};
-use crate::stability::own_buckling_load;
+use crate::stability::convexity;
 use std::fmt;
 
 /// How the contact problem is solved.
@@ -84,7 +86,8 @@ pub enum Start {
 pub enum Outcome {
     /// An equilibrium, certified.
     Equilibrium(Box<Solution>),
-    /// There is none. The verdict holds the rigid motion that proves it.
+    /// There is none, or in compression none next to the unloaded state. The verdict holds the motion that
+    /// shows it.
     NoEquilibrium(Existence),
 }
 
@@ -153,8 +156,8 @@ impl std::error::Error for Error {}
 ///
 /// # Errors
 ///
-/// [`Error::Invalid`] for a model that breaks a rule, [`Error::Unsupported`] for compression that no
-/// support resists, [`Error::NotConverged`] if no certified answer was reached.
+/// [`Error::Invalid`] for a model that breaks a rule, [`Error::NotConverged`] if no certified answer was
+/// reached.
 pub fn solve(model: &Model) -> Result<Outcome, Error> {
     solve_with(model, &Options::default())
 }
@@ -163,7 +166,8 @@ pub fn solve(model: &Model) -> Result<Outcome, Error> {
 ///
 /// # Errors
 ///
-/// As [`solve`]; and [`Error::Unsupported`] for the paper's pressures (5.5) on ground without a shear layer.
+/// As [`solve`]; and [`Error::Unsupported`] for the paper's pressures (5.5) on ground without a shear layer,
+/// and where the equilibrium is a local one for any method but [`Method::Exact`].
 pub fn solve_with(model: &Model, options: &Options) -> Result<Outcome, Error> {
     let mut kept = None;
     let existence = solve_in(model, options, None, &mut kept)?;
@@ -181,10 +185,13 @@ pub(crate) fn solve_in(
     likely: Option<&[ContactRegion]>,
     kept: &mut Option<Box<Solution>>,
 ) -> Result<Existence, Error> {
-    let Checked { existence, stability } = check(model)?;
-    if let Verdict::None(_) = existence.verdict {
+    let Checked { existence, stability, contact } = check(model)?;
+    if !existence.verdict.stands() {
         *kept = None;
         return Ok(existence);
+    }
+    if contact.is_some() && options.method != Method::Exact {
+        return Err(Error::Unsupported(Problem::local_by_another_method()));
     }
     let mut assembled = |found: &Found| {
         let memory = kept.take();
@@ -192,7 +199,11 @@ pub(crate) fn solve_in(
         let certificate = kept.insert(solution).certificate();
         Proof { gap: certificate.relative_gap, violation: certificate.violation() }
     };
-    let found = find(model, options, existence, likely, &mut assembled)?;
+    let found = match contact {
+        Some(contact) => exact::from_stable(model, &contact, &mut assembled)
+            .map_err(|stalled| not_converged(options.method, stalled))?,
+        None => find(model, options, existence, likely, &mut assembled)?,
+    };
     // The exact method has had its answer judged.
     if options.method != Method::Exact {
         assembled(&found);
@@ -204,11 +215,11 @@ pub(crate) fn solve_in(
     Ok(existence)
 }
 
-/// Tells whether an equilibrium exists, without solving.
+/// Tells whether an equilibrium exists, without solving but where compression makes it a local one.
 ///
 /// # Errors
 ///
-/// As [`solve`], but never [`Error::NotConverged`].
+/// As [`solve`], but [`Error::NotConverged`] only for compression that the ground must help to bear.
 pub fn exists(model: &Model) -> Result<Existence, Error> {
     Ok(check(model)?.existence)
 }
@@ -216,29 +227,23 @@ pub fn exists(model: &Model) -> Result<Existence, Error> {
 /// What is known of a model before it is solved.
 pub(crate) struct Checked {
     pub existence: Existence,
-    /// 1 + P/P_cr in compression, 1 otherwise.
+    /// How much of the energy's convexity compression leaves, where it touches if that is local: 1 + P/P_cr;
+    /// 1 without compression.
     pub stability: f64,
+    /// Where a local equilibrium touches the ground.
+    pub contact: Option<Vec<Stretch>>,
 }
 
-/// Refuses a model that is wrong or lies outside what is solved.
+/// Refuses a model that is wrong, and tells what its equilibrium is like.
 pub(crate) fn check(model: &Model) -> Result<Checked, Error> {
     let problems = model.problems();
     if !problems.is_empty() {
         return Err(Error::Invalid(problems));
     }
-    let mut stability = 1.0;
-    let axial = model.beam.axial_force;
-    if axial < 0.0 {
-        if !held_rigidly(model) {
-            return Err(Error::Unsupported(Problem::unheld_compression()));
-        }
-        let critical = own_buckling_load(model);
-        if -axial >= critical {
-            return Err(Error::Unsupported(Problem::beyond_buckling(-axial / critical)));
-        }
-        stability = 1.0 + axial / critical;
+    match convexity(model) {
+        Some(stability) => Ok(Checked { existence: existence(model), stability, contact: None }),
+        None => local::check(model),
     }
-    Ok(Checked { existence: existence(model), stability })
 }
 
 fn find(
@@ -258,15 +263,7 @@ fn find(
         return Err(Error::Unsupported(Problem::nodal_forces_on_springs(part)));
     }
     let elements = options.elements.max(1);
-    let stalled = |stalled: Stalled| {
-        Error::NotConverged(NotConverged {
-            method,
-            iterations: stalled.iterations,
-            tolerance: stalled.tolerance,
-            reached: stalled.reached,
-            what: stalled.what,
-        })
-    };
+    let stalled = |stalled: Stalled| not_converged(method, stalled);
     match method {
         Method::Exact => match existence.verdict {
             Verdict::NotUnique(motion) if stands_on_an_end(model, existence) => {
@@ -290,6 +287,11 @@ fn find(
             uzawa::solve(mesh, relaxation, from_bilateral, options.most_sweeps).map_err(stalled)
         }
     }
+}
+
+fn not_converged(method: Method, stalled: Stalled) -> Error {
+    let Stalled { iterations, tolerance, reached, what } = stalled;
+    Error::NotConverged(NotConverged { method, iterations, tolerance, reached, what })
 }
 
 /// Whether a free beam's resultant is exactly over one end and pushes down.

@@ -79,6 +79,8 @@ enum Quantity {
     StaticReaction(Side),
     FailingMotion,
     FailingWork,
+    CriticalCompression,
+    StabilityMargin,
     Growth(Growth),
     Governs { field: Field, largest: bool },
 }
@@ -137,7 +139,7 @@ impl Expectation {
         let wide = match (&self.wanted, self.tolerance) {
             (Wanted::Word(word), Tolerance::Same) => {
                 let known = matches!(self.quantity, Quantity::Governs { .. })
-                    || ["unique", "not-unique", "none"].contains(&word.as_str());
+                    || ["unique", "not-unique", "none", "local"].contains(&word.as_str());
                 return if known { Ok(()) } else { Err(format!("`{word}` is no verdict")) };
             }
             (Wanted::Word(_), _) => return Err("a verdict has no tolerance".into()),
@@ -180,9 +182,22 @@ impl Expectation {
                             vec![motion.left, motion.right]
                         }
                     }
-                    Verdict::Unique => return Err("no motion fails".into()),
+                    Verdict::Buckles(mode) if self.quantity == Quantity::FailingWork => {
+                        vec![mode.work]
+                    }
+                    Verdict::Buckles(mode) => vec![mode.left, mode.right],
+                    Verdict::Unique | Verdict::Local(_) => return Err("no motion fails".into()),
                 }
             }
+            (Quantity::CriticalCompression, _) => match existence(outcome).verdict {
+                Verdict::Local(local) => vec![local.critical_compression],
+                Verdict::Buckles(mode) => vec![mode.critical_compression],
+                _ => return Err("the ground need not help to bear the compression".into()),
+            },
+            (Quantity::StabilityMargin, _) => match existence(outcome).verdict {
+                Verdict::Local(local) => vec![local.stability_margin],
+                _ => return Err("the equilibrium is no local one".into()),
+            },
             (quantity, Outcome::Equilibrium(solution)) => quantity.of(solution)?,
             (_, Outcome::NoEquilibrium(_)) => return Err("there is no equilibrium".into()),
         };
@@ -282,7 +297,8 @@ fn word(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Unique => "unique",
         Verdict::NotUnique(_) => "not-unique",
-        Verdict::None(_) => "none",
+        Verdict::None(_) | Verdict::Buckles(_) => "none",
+        Verdict::Local(_) => "local",
     }
 }
 
@@ -317,6 +333,8 @@ impl Quantity {
             "verdict" => return Ok(Quantity::Verdict),
             "failing_motion" => return Ok(Quantity::FailingMotion),
             "failing_work" => return Ok(Quantity::FailingWork),
+            "critical_compression" => return Ok(Quantity::CriticalCompression),
+            "stability_margin" => return Ok(Quantity::StabilityMargin),
             _ => {}
         }
         let (what, inside) =
@@ -382,11 +400,14 @@ impl Quantity {
             Quantity::Settlement(_) | Quantity::Extreme { .. } | Quantity::Contact => Kind::Length,
             Quantity::EndForce(_)
             | Quantity::StaticReaction(_)
+            | Quantity::CriticalCompression
             | Quantity::Force(_)
             | Quantity::Reaction(_) => Kind::Force,
             Quantity::ReactionMoment(_) | Quantity::Energy => Kind::Moment,
             Quantity::Growth(Growth::PositionOfLiftOff) => Kind::Length,
-            Quantity::FailingMotion | Quantity::Growth(_) => Kind::Number,
+            Quantity::FailingMotion | Quantity::StabilityMargin | Quantity::Growth(_) => {
+                Kind::Number
+            }
             // Work per length of lift.
             Quantity::FailingWork => Kind::Force,
             Quantity::Verdict | Quantity::Governs { .. } => return None,
@@ -425,6 +446,8 @@ impl Quantity {
             | Quantity::FailingWork
             | Quantity::Growth(_)
             | Quantity::Governs { .. }
+            | Quantity::CriticalCompression
+            | Quantity::StabilityMargin
             | Quantity::Verdict => Vec::new(),
         })
     }

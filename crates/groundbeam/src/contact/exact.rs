@@ -145,6 +145,17 @@ pub(crate) fn solve(
     Err(Stalled { iterations, ..last })
 }
 
+/// From the contact of a stable equilibrium, known but for its last digits. An equilibrium elsewhere is none.
+pub(crate) fn from_stable(
+    model: &Model,
+    contact: &[Stretch],
+    mut judge: impl FnMut(&Found) -> Proof,
+) -> Result<Found, Stalled> {
+    let found = from_edges(&mut Glue::new(model), contact, &mut judge)?;
+    let moved = distance(contact, &positions(&found.mesh, &found.zones, &[]));
+    if moved <= LOCAL * model.beam.length { Ok(found) } else { Err(unsettled(0, moved)) }
+}
+
 /// The contact of another beam, as far as this one reaches.
 fn on_the_beam(contact: &[ContactRegion], l: f64) -> Vec<Stretch> {
     let within = contact.iter().filter(|region| region.from <= l);

@@ -2,6 +2,7 @@
 
 pub(crate) mod active_set;
 pub(crate) mod balanced;
+pub(crate) mod branch;
 pub(crate) mod deflection;
 mod descent;
 mod edges;
@@ -16,7 +17,7 @@ mod near;
 pub(crate) mod nested;
 pub(crate) mod pieces;
 pub(crate) mod recover;
-mod stretches;
+pub(crate) mod stretches;
 pub(crate) mod surface;
 pub(crate) mod uzawa;
 mod varying;

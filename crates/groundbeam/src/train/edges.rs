@@ -2,7 +2,6 @@
 
 use super::Train;
 use super::sweep::{Answer, Position};
-use crate::existence::Verdict;
 use crate::model::Model;
 use crate::solve::exists;
 
@@ -47,8 +46,8 @@ fn edge(model: &Model, train: &Train, mut stands: f64, mut falls: f64) -> f64 {
     for _ in 0..HALVINGS {
         let middle = 0.5 * (stands + falls);
         let found = exists(&train.on(model, middle));
-        match found.map(|existence| existence.verdict) {
-            Ok(Verdict::None(_)) => falls = middle,
+        match found {
+            Ok(existence) if !existence.verdict.stands() => falls = middle,
             _ => stands = middle,
         }
     }

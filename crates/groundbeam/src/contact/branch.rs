@@ -1,0 +1,119 @@
+//! The branch of equilibria that begins at the beam without compression, followed as the compression grows.
+//!
+//! The energy Φ of a deflection, the ground lying under it as it will, has a continuous derivative, and
+//! its second variation at an equilibrium is that of the beam *glued* to the ground where it touches: an
+//! edge of contact is where the ground leaves the beam tangentially, so that a move of the edge changes
+//! the energy in the third order only. A [glued solve](super::glue) is therefore a step of Newton's method
+//! on Φ, and its elimination tells whether the second variation is positive. As long as it is, the
+//! equilibria under growing compression are one curve, which ends where it no longer is: at a limit
+//! point, where the curve turns back, or at a bifurcation.
+
+use super::glue::Glue;
+use super::majorant;
+use super::stretches::{Stretch, distance, positions};
+use crate::mesh::Mesh;
+use crate::model::Model;
+use crate::stability::MOST;
+
+/// The first step, as a part of the compression that is wanted.
+const FIRST: f64 = 0.25;
+/// The last step, as a part of the compression reached: the accuracy of the branch's end.
+const LAST: f64 = 1e-11;
+/// Newton's steps that a step in compression may take.
+const MOST_STEPS: usize = 10;
+/// A move of the edges, relative to the beam's length, that is rounding; one that may be, if the steps make
+/// it no smaller; and how near the way back must come to where the way began.
+const STILL: f64 = 1e-13;
+const ROUNDING: f64 = 1e-9;
+const SAME: f64 = 1e-7;
+
+/// A stable equilibrium on the branch.
+#[derive(Debug, Clone)]
+pub(crate) struct State {
+    /// −P \[N\].
+    pub compression: f64,
+    pub contact: Vec<Stretch>,
+}
+
+/// What was found on the way.
+#[derive(Debug, Clone)]
+pub(crate) struct Branch {
+    /// The equilibrium under the model's own compression, if the branch goes so far.
+    pub wanted: Option<State>,
+    /// The last stable one; infinite compression if there is no last.
+    pub last: State,
+}
+
+/// A model under a compression \[N\] that may not be its own.
+pub(crate) fn compressed(model: &Model, compression: f64) -> Model {
+    let mut model = model.clone();
+    model.beam.axial_force = -compression;
+    model
+}
+
+/// From the contact of the beam without compression through the wanted compression to the branch's end.
+pub(crate) fn follow(model: &Model, contact: Vec<Stretch>) -> Branch {
+    let wanted = -model.beam.axial_force;
+    let l = model.beam.length;
+    let most = MOST * model.beam.stiffest() / (l * l);
+    let places: Vec<f64> = Mesh::build(model, &[], |_| 1).nodes.iter().map(|n| n.x).collect();
+    let mut found = None;
+    let mut last = State { compression: 0.0, contact };
+    let mut step = FIRST * wanted;
+    let mut failed = false;
+    while step > LAST * if found.is_none() { wanted } else { last.compression } {
+        let mut target = last.compression + step;
+        if found.is_none() {
+            target = target.min(wanted);
+        }
+        if target > most {
+            return Branch { wanted: found, last: State { compression: f64::INFINITY, ..last } };
+        }
+        match next(model, &places, &last, target) {
+            Some(state) => {
+                if target == wanted {
+                    found = Some(state.clone());
+                }
+                last = state;
+                if !failed {
+                    step *= 2.0;
+                }
+                failed = false;
+            }
+            None => {
+                step = 0.5 * (target - last.compression);
+                failed = true;
+            }
+        }
+    }
+    Branch { wanted: found, last }
+}
+
+/// The next equilibrium on the branch. Of two that are on one branch each is found from the other.
+fn next(model: &Model, places: &[f64], last: &State, compression: f64) -> Option<State> {
+    let next = settled(model, places, compression, &last.contact)?;
+    let back = settled(model, places, last.compression, &next.contact)?;
+    let same = distance(&back.contact, &last.contact) <= SAME * model.beam.length;
+    (same || last.compression == 0.0).then_some(next)
+}
+
+/// The equilibrium that Newton's steps find from the contact of a neighbour, all of them where the second
+/// variation is positive.
+fn settled(model: &Model, places: &[f64], compression: f64, near: &[Stretch]) -> Option<State> {
+    let model = compressed(model, compression);
+    let mut glue = Glue::new(&model);
+    let mut contact = near.to_vec();
+    let mut before = f64::INFINITY;
+    for _ in 0..MOST_STEPS {
+        let found = glue.on(&contact, None).ok()?;
+        let zones = majorant::contact(&found.deflection());
+        let next = positions(&found.mesh, &zones, places);
+        let moved = distance(&contact, &next) / model.beam.length;
+        contact = next;
+        if moved <= STILL || (moved <= ROUNDING && moved >= 0.25 * before) {
+            return Some(State { compression, contact });
+        }
+        before = moved;
+    }
+    None
+}
