@@ -130,6 +130,15 @@ impl Meshed {
         (0..self.load.len()).map(|i| if i % 2 == 0 { deepest + 1.0 } else { 0.0 }).collect()
     }
 
+    /// w and θ under a compression, reached in so many steps.
+    pub fn branch(&self, compression: f64, steps: usize) -> Option<Vec<f64>> {
+        let mut w = self.settle(0.0, &self.at_rest())?;
+        for step in 1..=steps {
+            w = self.settle(compression * step as f64 / steps as f64, &w)?;
+        }
+        Some(w)
+    }
+
     /// The compression at which the branch that begins without any ends, in steps that shrink to a part of it.
     pub fn critical_compression(&self, first: f64) -> Option<f64> {
         let mut w = self.settle(0.0, &self.at_rest())?;

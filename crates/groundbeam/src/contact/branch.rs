@@ -8,6 +8,7 @@
 //! equilibria under growing compression are one curve, which ends where it no longer is: at a limit
 //! point, where the curve turns back, or at a bifurcation.
 
+use super::edges;
 use super::glue::Glue;
 use super::majorant;
 use super::stretches::{Stretch, distance, positions};
@@ -18,14 +19,19 @@ use crate::stability::MOST;
 /// The first step, as a part of the compression that is wanted.
 const FIRST: f64 = 0.25;
 /// The last step, as a part of the compression reached: the accuracy of the branch's end.
-const LAST: f64 = 1e-11;
+const LAST: f64 = 1e-10;
 /// Newton's steps that a step in compression may take.
 const MOST_STEPS: usize = 10;
-/// A move of the edges, relative to the beam's length, that is rounding; one that may be, if the steps make
-/// it no smaller; and how near the way back must come to where the way began.
+/// A move of the edges, relative to the beam's length, that is rounding, and one that may be, if the steps make it
+/// no smaller.
 const STILL: f64 = 1e-13;
 const ROUNDING: f64 = 1e-9;
+/// Moves of the edges, relative to the beam's length, between which they are moved by themselves.
+const CLOSE: f64 = 1e-9;
+const NEAR: f64 = 0.03;
+/// How near the way back must come to where the way began, and which equilibria are next to each other.
 const SAME: f64 = 1e-7;
+const NEXT: f64 = 1e-3;
 
 /// A stable equilibrium on the branch.
 #[derive(Debug, Clone)]
@@ -89,12 +95,16 @@ pub(crate) fn follow(model: &Model, contact: Vec<Stretch>) -> Branch {
     Branch { wanted: found, last }
 }
 
-/// The next equilibrium on the branch. Of two that are on one branch each is found from the other.
+/// The next equilibrium on the branch. Of two that are on one branch each is found from the other; of two next to
+/// each other that need not be seen.
 fn next(model: &Model, places: &[f64], last: &State, compression: f64) -> Option<State> {
     let next = settled(model, places, compression, &last.contact)?;
+    if last.compression == 0.0 || distance(&next.contact, &last.contact) <= NEXT * model.beam.length
+    {
+        return Some(next);
+    }
     let back = settled(model, places, last.compression, &next.contact)?;
-    let same = distance(&back.contact, &last.contact) <= SAME * model.beam.length;
-    (same || last.compression == 0.0).then_some(next)
+    (distance(&back.contact, &last.contact) <= SAME * model.beam.length).then_some(next)
 }
 
 /// The equilibrium that Newton's steps find from the contact of a neighbour, all of them where the second
@@ -106,8 +116,12 @@ fn settled(model: &Model, places: &[f64], compression: f64, near: &[Stretch]) ->
     let mut before = f64::INFINITY;
     for _ in 0..MOST_STEPS {
         let found = glue.on(&contact, None).ok()?;
-        let zones = majorant::contact(&found.deflection());
-        let next = positions(&found.mesh, &zones, places);
+        // Each edge by itself, until the scan of the whole beam agrees.
+        let alone = edges::moved(&found.deflection(), &found.zones);
+        let by_edges = alone
+            .filter(|next| (CLOSE..NEAR).contains(&(distance(&contact, next) / model.beam.length)));
+        let scan = || positions(&found.mesh, &majorant::contact(&found.deflection()), places);
+        let next = by_edges.unwrap_or_else(scan);
         let moved = distance(&contact, &next) / model.beam.length;
         contact = next;
         if moved <= STILL || (moved <= ROUNDING && moved >= 0.25 * before) {
