@@ -277,7 +277,7 @@ fn apart(a: &Solution, b: &Solution, place: impl Fn(f64) -> f64) -> f64 {
 /// that of a little more compression, and with an end of the branch that is found from beyond as well.
 #[test]
 fn random_models() {
-    for number in 0..1000 {
+    for number in 0..1000_u64 {
         let model = random::model(Family::Compressed, number);
         let compression = -model.beam.axial_force;
         let (solution, found) = local(&model);

@@ -57,6 +57,10 @@ impl Input {
         match error {
             Error::Invalid(problems) => self.wrong(problems),
             Error::Unsupported(problem) => self.wrong(std::slice::from_ref(problem)),
+            Error::NotConverged(reached) => {
+                let shown = text::not_converged(reached, crate::output::standard_error_has_colour());
+                Failure::reported(shown, crate::Status::NotConverged)
+            }
             other => Failure::usage(other.to_string()),
         }
     }

@@ -5,7 +5,7 @@
 //! equilibrium that grows out of that without compression ([`branch`]), and whether the branch goes as
 //! far as the compression that is wanted.
 
-use crate::contact::branch::{Branch, State, compressed, follow};
+use crate::contact::branch::{Branch, End, State, compressed, follow};
 use crate::contact::forms::work_of_loads;
 use crate::contact::glue::Glue;
 use crate::contact::stretches::Stretch;
@@ -13,11 +13,13 @@ use crate::existence::{Buckling, Existence, Local, RigidMotion, Verdict, existen
 use crate::mesh::Mesh;
 use crate::model::{Load, Model};
 use crate::polynomial::{jet, value};
-use crate::solve::{Checked, Error, Outcome, solve};
+use crate::solve::{Checked, Error, Method, NotConverged, Outcome, solve};
 use crate::stability::glued_buckling_load;
 
 /// How near its buckling load a beam is taken that is to show its buckling mode.
 const NEARLY: f64 = 1e-12;
+/// What is left of the stability margin at a limit point that is known to ten digits, and more.
+const SPENT: f64 = 1e-3;
 /// Points at which a mode is looked at, in each cell.
 const POINTS: usize = 16;
 
@@ -44,7 +46,20 @@ pub(crate) fn check(model: &Model) -> Result<Checked, Error> {
         return Ok(known(loose(motion)));
     }
     let contact = solution.contact().iter().map(|region| [region.from, region.to]).collect();
-    let Branch { wanted, last } = follow(model, contact);
+    let Branch { wanted, last, end } = follow(model, contact);
+    // Towards its end the branch is ever less stable, or it ends where a point lets go.
+    if end == End::Unsettled {
+        let margin = 1.0 - last.compression / glued_buckling_load(model, &last.contact);
+        if margin > SPENT {
+            return Err(Error::NotConverged(NotConverged {
+                method: Method::Exact,
+                iterations: 0,
+                tolerance: SPENT,
+                reached: margin,
+                what: "the stability margin where the branch of equilibria in compression breaks off",
+            }));
+        }
+    }
     let Some(State { compression, contact }) = wanted else {
         return Ok(known(Verdict::Buckles(buckling(model, &last))));
     };

@@ -11,7 +11,8 @@
 use super::edges;
 use super::glue::Glue;
 use super::majorant;
-use super::stretches::{Stretch, distance, positions};
+use super::stretches::{Stretch, distance, joined, positions};
+use crate::chain::Loose;
 use crate::mesh::Mesh;
 use crate::model::Model;
 use crate::stability::MOST;
@@ -48,6 +49,17 @@ pub(crate) struct Branch {
     pub wanted: Option<State>,
     /// The last stable one; infinite compression if there is no last.
     pub last: State,
+    /// Why there is no next one.
+    pub end: End,
+}
+
+/// What ends a step in compression, however small.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum End {
+    /// The second variation is not positive there.
+    Loose,
+    /// Newton's steps do not come to rest: beyond a limit point, or not knowing which zones touch.
+    Unsettled,
 }
 
 /// A model under a compression \[N\] that may not be its own.
@@ -64,19 +76,21 @@ pub(crate) fn follow(model: &Model, contact: Vec<Stretch>) -> Branch {
     let most = MOST * model.beam.stiffest() / (l * l);
     let places: Vec<f64> = Mesh::build(model, &[], |_| 1).nodes.iter().map(|n| n.x).collect();
     let mut found = None;
-    let mut last = State { compression: 0.0, contact };
+    let mut last = State { compression: 0.0, contact: joined(contact, l) };
     let mut step = FIRST * wanted;
     let mut failed = false;
+    let mut end = End::Loose;
     while step > LAST * if found.is_none() { wanted } else { last.compression } {
         let mut target = last.compression + step;
         if found.is_none() {
             target = target.min(wanted);
         }
         if target > most {
-            return Branch { wanted: found, last: State { compression: f64::INFINITY, ..last } };
+            let last = State { compression: f64::INFINITY, ..last };
+            return Branch { wanted: found, last, end };
         }
         match next(model, &places, &last, target) {
-            Some(state) => {
+            Ok(state) => {
                 if target == wanted {
                     found = Some(state.clone());
                 }
@@ -86,48 +100,55 @@ pub(crate) fn follow(model: &Model, contact: Vec<Stretch>) -> Branch {
                 }
                 failed = false;
             }
-            None => {
+            Err(why) => {
+                end = why;
                 step = 0.5 * (target - last.compression);
                 failed = true;
             }
         }
     }
-    Branch { wanted: found, last }
+    Branch { wanted: found, last, end }
 }
 
 /// The next equilibrium on the branch. Of two that are on one branch each is found from the other; of two next to
 /// each other that need not be seen.
-fn next(model: &Model, places: &[f64], last: &State, compression: f64) -> Option<State> {
+fn next(model: &Model, places: &[f64], last: &State, compression: f64) -> Result<State, End> {
     let next = settled(model, places, compression, &last.contact)?;
     if last.compression == 0.0 || distance(&next.contact, &last.contact) <= NEXT * model.beam.length
     {
-        return Some(next);
+        return Ok(next);
     }
     let back = settled(model, places, last.compression, &next.contact)?;
-    (distance(&back.contact, &last.contact) <= SAME * model.beam.length).then_some(next)
+    let same = distance(&back.contact, &last.contact) <= SAME * model.beam.length;
+    if same { Ok(next) } else { Err(End::Unsettled) }
 }
 
 /// The equilibrium that Newton's steps find from the contact of a neighbour, all of them where the second
 /// variation is positive.
-fn settled(model: &Model, places: &[f64], compression: f64, near: &[Stretch]) -> Option<State> {
+fn settled(model: &Model, places: &[f64], compression: f64, near: &[Stretch]) -> Result<State, End> {
     let model = compressed(model, compression);
     let mut glue = Glue::new(&model);
     let mut contact = near.to_vec();
     let mut before = f64::INFINITY;
     for _ in 0..MOST_STEPS {
-        let found = glue.on(&contact, None).ok()?;
+        let found = glue.on(&contact, None).map_err(|Loose| End::Loose)?;
         // Each edge by itself, until the scan of the whole beam agrees.
         let alone = edges::moved(&found.deflection(), &found.zones);
         let by_edges = alone
             .filter(|next| (CLOSE..NEAR).contains(&(distance(&contact, next) / model.beam.length)));
-        let scan = || positions(&found.mesh, &majorant::contact(&found.deflection()), places);
+        let scan = || {
+            joined(
+                positions(&found.mesh, &majorant::contact(&found.deflection()), places),
+                model.beam.length,
+            )
+        };
         let next = by_edges.unwrap_or_else(scan);
         let moved = distance(&contact, &next) / model.beam.length;
         contact = next;
         if moved <= STILL || (moved <= ROUNDING && moved >= 0.25 * before) {
-            return Some(State { compression, contact });
+            return Ok(State { compression, contact });
         }
         before = moved;
     }
-    None
+    Err(End::Unsettled)
 }

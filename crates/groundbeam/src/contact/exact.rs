@@ -21,7 +21,7 @@ use super::glue::Glue;
 use super::majorant;
 use super::near;
 use super::nested;
-use super::stretches::{Stretch, at_place, distance, positions};
+use super::stretches::{Stretch, at_place, distance, joined, positions};
 use crate::chain::Loose;
 use crate::elements::{Operator, Touch};
 use crate::mesh::{Cell, Mesh};
@@ -152,8 +152,9 @@ pub(crate) fn from_stable(
     mut judge: impl FnMut(&Found) -> Proof,
 ) -> Result<Found, Stalled> {
     let found = from_edges(&mut Glue::new(model), contact, &mut judge)?;
-    let moved = distance(contact, &positions(&found.mesh, &found.zones, &[]));
-    if moved <= LOCAL * model.beam.length { Ok(found) } else { Err(unsettled(0, moved)) }
+    let l = model.beam.length;
+    let moved = distance(contact, &joined(positions(&found.mesh, &found.zones, &[]), l));
+    if moved <= LOCAL * l { Ok(found) } else { Err(unsettled(0, moved)) }
 }
 
 /// The contact of another beam, as far as this one reaches.
