@@ -35,7 +35,7 @@ fn models_in_documents_are_models() {
             let mut model = block.clone();
             for (table, text) in [
                 ("[beam]", "[beam]\nlength = \"12 m\"\nEI = \"1 GN m^2\"\n"),
-                ("[foundation]", "[foundation]\nk = \"40 MN/m^2\"\n"),
+                ("[foundation]", "[foundation]\nk = \"40 MN/m^2\"\nmu = \"9 MN\"\n"),
                 ("[[load]]", "[[load]]\npoint = \"600 kN\"\nat = \"1 m\"\n"),
             ] {
                 if !block.contains(table) {

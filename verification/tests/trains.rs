@@ -1,7 +1,7 @@
 //! Passages of trains against closed forms, brute force and the mirror.
 
 use groundbeam::train::{Axle, Passage, Sweep, Train};
-use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, Side, solve};
+use groundbeam::{Beam, Field, Foundation, Load, Model, Options, Outcome, Side, solve, solve_near};
 use groundbeam_verification::random::{Family, model};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -27,7 +27,9 @@ fn beta() -> f64 {
 }
 
 fn passage(model: &Model, train: &Train, range: [f64; 2]) -> Passage {
-    Sweep::new(model, train, range, 1e-3).run(solve).unwrap()
+    Sweep::new(model, train, range, 1e-3)
+        .run(|model, near| solve_near(model, &Options::default(), near))
+        .unwrap()
 }
 
 /// Zimmermann, Die Berechnung des Eisenbahnoberbaues (1888), and Hetényi, Beams on Elastic Foundation (1946), § 3: under

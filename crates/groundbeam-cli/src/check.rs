@@ -6,14 +6,14 @@ use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{print, standard_output_has_colour};
 use crate::request::Check;
+use crate::trains;
 use groundbeam_report::{json, text};
 use std::time::Instant;
 
 pub fn run(request: &Check) -> Result<Status, Failure> {
     let input = Input::read(&request.file)?;
-    if input.document.train.is_some() {
-        let rule = "whether it can pass is told by `groundbeam solve`";
-        return Err(Failure::usage(format!("the file has a train: {rule}")));
+    if !input.document.trains.is_empty() {
+        return trains::check(&input, request);
     }
     if input.document.has_combinations() {
         return combinations::check(&input, request);

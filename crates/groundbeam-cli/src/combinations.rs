@@ -29,7 +29,7 @@ pub fn solve(input: &Input, request: &Solve) -> Result<Status, Failure> {
     let outcomes: Vec<Result<(Outcome, Option<Ground>), Error>> =
         while_counting(words, combinations.len(), |another| {
             let solved = combinations.par_iter().map(|combination| {
-                let outcome = solved(input, &combination.model, &request.options);
+                let outcome = solved(input, combination, &request.options);
                 another();
                 outcome
             });
@@ -110,8 +110,8 @@ fn alone(input: &Input) -> Result<Vec<Case>, Failure> {
 }
 
 fn together<'a>(combination: &'a Combination, answer: Answer<'a>) -> Combined<'a> {
-    let Combination { name, factors, model, .. } = combination;
-    Combined { name, factors, model, ground: None, answer }
+    let Combination { name, factors, model, ground: band, .. } = combination;
+    Combined { name, factors, model, band: *band, ground: None, answer }
 }
 
 fn status(all: &Combinations) -> Status {

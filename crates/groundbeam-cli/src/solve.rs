@@ -17,39 +17,35 @@ use std::time::Instant;
 
 pub fn run(request: &Solve) -> Result<Status, Failure> {
     let input = Input::read(&request.file)?;
-    let train = input.document.train.as_ref();
     let loaded = match &request.combination {
         Some(name) => Loaded::combined(&input, name)?,
-        None if !input.document.has_combinations() => Loaded::as_written(&input),
-        None if train.is_some() => {
-            let message = "the file has combinations and a train: add --combination NAME for the \
-                           one under which it passes";
-            return Err(Failure::usage(message.to_owned()));
-        }
-        None => return combinations::solve(&input, request),
+        None => Loaded::all(&input),
     };
-    match train {
-        Some(train) => {
-            trains::solve(&input, request, train, &loaded.model, loaded.title.as_deref())
-        }
-        None => one(&input, request, &loaded),
+    if !input.document.trains.is_empty() {
+        return trains::solve(&input, request, &loaded);
+    }
+    let of_several = request.combination.is_none() && input.document.has_combinations();
+    match &loaded.combinations[..] {
+        [alone] if !of_several => one(&input, request, alone, loaded.title.as_deref()),
+        _ => combinations::solve(&input, request),
     }
 }
 
-/// The model under the loads that are asked for.
-struct Loaded {
-    title: Option<String>,
-    model: Model,
-    /// Which of the document's loads these are.
-    loads: Vec<usize>,
+/// What is to be solved, and what it is called.
+pub struct Loaded {
+    pub title: Option<String>,
+    pub combinations: Vec<Combination>,
 }
 
 impl Loaded {
-    /// Every load of the file as it is written.
-    fn as_written(input: &Input) -> Self {
-        let model = input.document.model.clone();
-        let loads = (0..model.loads.len()).collect();
-        Loaded { title: input.document.title.clone(), model, loads }
+    /// All combinations of the file; one that has none is itself one.
+    pub fn all(input: &Input) -> Self {
+        let document = &input.document;
+        let combinations = match document.has_combinations() {
+            true => document.combinations(),
+            false => vec![document.as_written()],
+        };
+        Loaded { title: document.title.clone(), combinations }
     }
 
     /// One of the file's combinations.
@@ -58,25 +54,29 @@ impl Loaded {
             .document
             .combination(name)
             .map_err(|found| Failure::diagnostics(&found, "--combination", name))?;
-        let Combination { name, model, loads, .. } = combination;
         let title = match &input.document.title {
-            Some(title) => format!("{title}: {name}"),
-            None => name,
+            Some(title) => format!("{title}: {}", combination.name),
+            None => combination.name.clone(),
         };
-        Ok(Loaded { title: Some(title), model, loads })
+        Ok(Loaded { title: Some(title), combinations: vec![combination] })
     }
 }
 
-fn one(input: &Input, request: &Solve, loaded: &Loaded) -> Result<Status, Failure> {
-    let model = &loaded.model;
+fn one(
+    input: &Input,
+    request: &Solve,
+    combination: &Combination,
+    title: Option<&str>,
+) -> Result<Status, Failure> {
+    let model = &combination.model;
     let stations = request.at.as_deref().map(|list| positions(input, list)).transpose()?;
     let growing =
-        request.factors.as_ref().map(|grow| Growing::of(input, grow, loaded)).transpose()?;
+        request.factors.as_ref().map(|grow| Growing::of(input, grow, combination)).transpose()?;
 
     let started = Instant::now();
     let words = format!("solving with the method {}", request.options.method.name());
-    let outcome = while_working(words, || solved(input, model, &request.options));
-    let context = Context { title: loaded.title.as_deref(), ..input.context() };
+    let outcome = while_working(words, || solved(input, combination, &request.options));
+    let context = Context { title, ..input.context() };
     let context = context.with_seconds(started.elapsed().as_secs_f64());
     let (outcome, context) = match outcome {
         Ok((outcome, Some(ground))) => (Ok(outcome), context.with_ground(ground)),
@@ -125,14 +125,16 @@ fn one(input: &Input, request: &Solve, loaded: &Loaded) -> Result<Status, Failur
     }
 }
 
-/// What mechanics says of a model of the file, and the ground that was made of its soil if it has one.
+/// What mechanics says of a combination of the file, and where its ground comes from.
 pub fn solved<'a>(
-    input: &'a Input,
-    model: &Model,
+    input: &Input,
+    combination: &'a Combination,
     options: &Options,
 ) -> Result<(Outcome, Option<Ground<'a>>), Error> {
-    let Some(bed) = &input.document.bed else {
-        return Ok((groundbeam::solve_with(model, options)?, None));
+    let model = &combination.model;
+    let Some(bed) = &combination.bed else {
+        let ground = input.document.width.and_then(|b| Ground::of_area(&model.foundation, b));
+        return Ok((groundbeam::solve_with(model, options)?, ground));
     };
     let found = bed.solve(model, options)?;
     let ground = Ground::of(bed, &found);
@@ -148,14 +150,14 @@ struct Growing {
 }
 
 impl Growing {
-    fn of(input: &Input, grow: &Grow, loaded: &Loaded) -> Result<Self, Failure> {
+    fn of(input: &Input, grow: &Grow, combination: &Combination) -> Result<Self, Failure> {
         let Grow::Cases(list) = grow else {
-            let grows = vec![true; loaded.loads.len()];
+            let grows = vec![true; combination.loads.len()];
             return Ok(Growing { cases: Vec::new(), grows });
         };
         let of_file = parse_cases(list, &input.document)
             .map_err(|found| Failure::diagnostics(&found, "--factors", list))?;
-        let grows = loaded.loads.iter().map(|&load| of_file[load]).collect();
+        let grows = combination.loads.iter().map(|&load| of_file[load]).collect();
         let mut cases: Vec<String> = Vec::new();
         for name in list.split(',').map(str::trim) {
             if !cases.iter().any(|case| case == name) {
@@ -172,7 +174,8 @@ impl Growing {
         model: &Model,
         context: &Context,
     ) -> Result<LoadFactors, Failure> {
-        let model = context.ground.map_or_else(|| model.clone(), |g| g.subgrade.under(model));
+        let on_soil = context.ground.filter(|ground| ground.bed.is_some());
+        let model = on_soil.map_or_else(|| model.clone(), |g| g.subgrade.under(model));
         let grows = |load: usize| self.grows.get(load).is_some_and(|&grows| grows);
         groundbeam::load_factors(&model, grows).map_err(|error| match error {
             Error::NotConverged(reached) => {

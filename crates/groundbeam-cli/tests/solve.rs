@@ -296,7 +296,9 @@ fn a_train_gives_the_envelope_of_its_positions() {
             .starts_with("x_m,deflection_min_m,deflection_max_m,deflection_governs_min_m,")
     );
     folder.run(&["solve", "model.toml", "--factors"]).fails(2, "the file has a train");
-    folder.run(&["check", "model.toml"]).fails(2, "the file has a train");
+    let checked = folder.run(&["check", "model.toml", "--json"]);
+    checked.is_clean(0);
+    assert_eq!(checked.json()["trains"][0]["without_equilibrium"], json!([]));
 }
 
 #[test]
@@ -308,6 +310,16 @@ fn a_train_under_which_the_beam_tips() {
     assert_eq!(found["status"], "no-equilibrium");
     let ranges = found["train"]["without_equilibrium"].as_array().unwrap();
     assert!(!ranges.is_empty() && found["envelope"]["x"].is_array());
+    let checked = Folder::with(&lifts).run(&["check", "model.toml", "--json"]);
+    checked.is_clean(3);
+    let told = checked.json()["trains"][0]["without_equilibrium"].clone();
+    for (told, found) in told.as_array().unwrap().iter().zip(ranges) {
+        for end in ["from", "to"] {
+            let [a, b] = [told, found].map(|range| range[end].as_f64().unwrap());
+            assert!((a - b).abs() < 1e-9, "{told} {found}");
+        }
+    }
+    assert_eq!(told.as_array().unwrap().len(), ranges.len());
 }
 
 #[test]
@@ -315,6 +327,31 @@ fn a_train_under_a_combination() {
     let both = TRAIN.replace("'3 kN/m'\n", "'3 kN/m'\ncase = 'G'\n")
         + "[[combination]]\nname = 'ULS'\nfactors = { G = 1.35 }\n";
     let folder = Folder::with(&both);
-    folder.run(&["solve", "model.toml"]).fails(2, "add --combination NAME");
     folder.run(&["solve", "model.toml", "--combination", "ULS"]).is_clean(0);
+    let more = both
+        + "[[combination]]\nname = 'SLS'\nfactors = { G = 1 }\n\
+        [[train]]\nname = 'axle'\naxles = [{ at = '0 m', force = '100 kN' }]\n";
+    let folder = Folder::with(&more);
+    let done = folder.run(&["solve", "model.toml", "--json", "--at", "6 m"]);
+    done.is_clean(0);
+    let found = done.json();
+    let passages = found["passages"].as_array().unwrap();
+    let named = |i: usize| (&passages[i]["combination"], &passages[i]["train"]["name"]);
+    assert_eq!(passages.len(), 4);
+    assert_eq!(
+        (named(1), named(2)),
+        ((&json!("ULS"), &json!("axle")), (&json!("SLS"), &json!("bogie")))
+    );
+    // The envelope of all is the largest of each one's own.
+    let largest =
+        |document: &serde_json::Value| document["envelope"]["moment"]["max"][0].as_f64().unwrap();
+    let most = passages.iter().map(largest).fold(f64::MIN, f64::max);
+    assert_eq!(largest(&found), most);
+    let by = found["envelope"]["moment"]["passage_max"][0].as_u64().unwrap() as usize;
+    assert_eq!(largest(&passages[by]), most);
+    let report = folder.run(&["solve", "model.toml", "--plot", "p.svg", "--csv", "t.csv"]);
+    report.is_clean(0);
+    assert!(report.stdout.lines().all(|line| line.chars().count() <= 80), "{}", report.stdout);
+    assert!(report.stdout.contains("   4  SLS; axle\n"), "{}", report.stdout);
+    assert!(folder.read("t.csv").contains("deflection_in_min,"));
 }

@@ -55,7 +55,7 @@ pub const CODES: &[Code] = &[
     row(INCOMPLETE, "one of two keys that belong together is missing", "incomplete.toml"),
     row(MISPLACED, "a key belongs to another kind of load", "misplaced.toml"),
     row(UNKNOWN_WORD, "a word is none of those that can stand here", "unknown-word.toml"),
-    row(TOO_MANY, "more combinations or trains than are solved", "too-many-combinations.toml"),
+    row(TOO_MANY, "more combinations than are solved", "too-many-combinations.toml"),
     row(NUMBER, "a number cannot be read", "number.toml"),
     row(NOT_FINITE, "a number is not finite, or too large or small to hold", "not-finite.toml"),
     row(UNIT_SYNTAX, "a unit cannot be read", "unit-syntax.toml"),

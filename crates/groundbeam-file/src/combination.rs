@@ -1,12 +1,14 @@
 //! Combinations of load cases: names, factors, and the models they make.
 
+use crate::band::Band;
 use crate::code;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::document::Document;
 use crate::fault::Fault;
 use crate::source::Source;
 use crate::suggest::nearest;
-use groundbeam::Model;
+use groundbeam::soil::Bed;
+use groundbeam::{Error, Model, Options, Outcome, Solution, solve_near};
 
 /// More combinations than this a file may not have.
 pub(crate) const MOST: usize = 1000;
@@ -29,6 +31,39 @@ pub struct Combination {
     pub model: Model,
     /// Which of the document's loads these are.
     pub loads: Vec<usize>,
+    /// What k and μ are multiplied by where the file has a [`Band`](crate::Band); the model's ground is multiplied
+    /// already.
+    pub ground: Option<[f64; 2]>,
+    /// The soil from which the ground was made, with the same factors.
+    pub bed: Option<Bed>,
+}
+
+impl Combination {
+    /// Solves it, on the ground that the solution itself makes of the soil where the file gives one.
+    ///
+    /// # Errors
+    ///
+    /// As [`groundbeam::solve_with`].
+    pub fn solve(&self, options: &Options) -> Result<Outcome, Error> {
+        self.solve_near(&self.model, options, None)
+    }
+
+    /// Solves another model on the same soil, of which a near one's solution may be known.
+    ///
+    /// # Errors
+    ///
+    /// As [`groundbeam::solve_near`].
+    pub fn solve_near(
+        &self,
+        model: &Model,
+        options: &Options,
+        near: Option<&Solution>,
+    ) -> Result<Outcome, Error> {
+        match &self.bed {
+            Some(bed) => Ok(bed.solve(model, options)?.outcome),
+            None => solve_near(model, options, near),
+        }
+    }
 }
 
 /// A load case all by itself.
@@ -40,13 +75,34 @@ pub struct LoadCase {
     pub model: Model,
 }
 
+impl Combination {
+    /// The same on ground with k and μ multiplied.
+    fn on(mut self, band: &Band, ground: [f64; 2]) -> Self {
+        let [spring, shear] = ground;
+        self.model.foundation = self.model.foundation.scaled(spring, shear);
+        if let Some(bed) = &mut self.bed {
+            bed.factors = ground;
+        }
+        self.ground = Some(ground);
+        let place = band.name(ground);
+        self.name = match &*self.name {
+            "" => place,
+            name => format!("{name}; {place}"),
+        };
+        self
+    }
+}
+
 impl Document {
-    /// Whether the file asks for combinations.
+    /// Whether the file asks for more than one answer: combinations of load cases, or a band of grounds.
     pub fn has_combinations(&self) -> bool {
-        !self.recipes.is_empty()
+        !self.recipes.is_empty() || self.band.is_some()
     }
 
     /// The file's combinations, each with its own model; none if it asks for none.
+    ///
+    /// With a band of grounds every combination is there once for each ground; a file that has a band but no
+    /// combinations of load cases has all its loads on each ground.
     ///
     /// ```
     /// let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n
@@ -70,9 +126,29 @@ impl Document {
                 }
             };
             let (model, loads) = self.under(factor);
-            Combination { name: recipe.name.clone(), factors: recipe.factors.clone(), model, loads }
+            let (name, factors) = (recipe.name.clone(), recipe.factors.clone());
+            Combination { name, factors, model, loads, ground: None, bed: self.bed.clone() }
         };
-        self.recipes.iter().map(combined).collect()
+        let Some(band) = &self.band else { return self.recipes.iter().map(combined).collect() };
+        let alone = self.recipes.is_empty().then(|| self.as_written());
+        let all = alone.into_iter().chain(self.recipes.iter().map(combined));
+        let on_each = |combination: Combination| {
+            let on = move |ground| combination.clone().on(band, ground);
+            band.grounds().into_iter().map(on)
+        };
+        all.flat_map(on_each).collect()
+    }
+
+    /// Every load as it is written, on the ground as it is written: a combination without a name.
+    pub fn as_written(&self) -> Combination {
+        Combination {
+            name: String::new(),
+            factors: Vec::new(),
+            model: self.model.clone(),
+            loads: (0..self.model.loads.len()).collect(),
+            ground: None,
+            bed: self.bed.clone(),
+        }
     }
 
     /// The combination of a name.
@@ -98,8 +174,11 @@ impl Document {
         Err(Diagnostic::new(&Source::new(name), fault).into())
     }
 
-    /// Every load case of the file by itself, in the order in which the loads name them.
+    /// Every load case that combinations may name, by itself, in the order in which the loads name them.
     pub fn load_cases(&self) -> Vec<LoadCase> {
+        if self.recipes.is_empty() {
+            return Vec::new();
+        }
         let mut names: Vec<&String> = Vec::new();
         for case in self.cases.iter().flatten() {
             if !names.contains(&case) {

@@ -1,5 +1,6 @@
 //! A model file that was read: the model, and where in the file each part of it stands.
 
+use crate::band::Band;
 use crate::combination::Recipe;
 use crate::diagnostic::Diagnostic;
 use crate::fault::Fault;
@@ -9,7 +10,7 @@ use crate::units::UnitSystem;
 use groundbeam::model::{Part, Problem};
 use groundbeam::soil::Bed;
 use groundbeam::train::Train;
-use groundbeam::{Error, Limits, Model, Options, Outcome, solve_with};
+use groundbeam::{Error, Limits, Model, Options, Outcome};
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -23,6 +24,10 @@ pub struct Document {
     /// The soil from which the model's ground was made, if the file gives one; a ground that depends on the
     /// solution is in the model as it is before anything is solved.
     pub bed: Option<Bed>,
+    /// The width on which the beam bears \[m\], if the file gives one for the whole beam.
+    pub width: Option<f64>,
+    /// Between which multiples of their values the ground's constants lie, if the file says so.
+    pub band: Option<Band>,
     /// What the file asks a design to keep to.
     pub limits: Limits,
     /// Whether all is in SI units or in the file's own consistent system.
@@ -30,8 +35,8 @@ pub struct Document {
     /// The load case to which each of the model's loads belongs, in the order of the loads; none for a
     /// load to which the file gives none.
     pub cases: Vec<Option<String>>,
-    /// The train that passes over the beam, if the file has one.
-    pub train: Option<MovingTrain>,
+    /// The trains that pass over the beam, each alone.
+    pub trains: Vec<MovingTrain>,
     pub(crate) recipes: Vec<Recipe>,
     pub(crate) source: Source,
     pub(crate) places: Places,
@@ -65,19 +70,7 @@ impl Document {
     ///
     /// As [`groundbeam::solve_with`].
     pub fn solve(&self, options: &Options) -> Result<Outcome, Error> {
-        self.solve_model(&self.model, options)
-    }
-
-    /// Solves another model on the same soil: that of one of its [`combinations`](Self::combinations).
-    ///
-    /// # Errors
-    ///
-    /// As [`groundbeam::solve_with`].
-    pub fn solve_model(&self, model: &Model, options: &Options) -> Result<Outcome, Error> {
-        match &self.bed {
-            Some(bed) => Ok(bed.solve(model, options)?.outcome),
-            None => solve_with(model, options),
-        }
+        self.as_written().solve(options)
     }
 
     /// Where the table of a part begins: the bytes of its heading.

@@ -32,6 +32,7 @@
 //!
 //! This is the only crate that knows how a model is spelled.
 
+mod band;
 mod cases;
 mod code;
 mod combination;
@@ -56,6 +57,7 @@ mod unit;
 mod units;
 mod write;
 
+pub use band::Band;
 pub use cases::parse_cases;
 pub use code::{CODES, Code};
 pub use combination::{Combination, LoadCase};
@@ -69,7 +71,7 @@ pub use write::write_toml;
 
 use fault::Fault;
 use reader::Reader;
-use section::Contents;
+use section::{Contents, Ground};
 use source::Source;
 use table::Section;
 use toml::de::DeTable;
@@ -94,7 +96,7 @@ pub fn parse(text: &str) -> Result<Document, Diagnostics> {
     let mut reader = Reader::new(&source, &root);
     reader.found = syntax.found;
     let contents = section::read(&mut reader, &root);
-    let Contents { title, model, bed, limits, cases, recipes, train } = contents;
+    let Contents { title, model, ground, limits, cases, recipes, trains } = contents;
     let before = reader.found.len();
     let units = reader.unit_system();
     let is_mixed = reader.found.len() > before;
@@ -108,7 +110,21 @@ pub fn parse(text: &str) -> Result<Document, Diagnostics> {
     }
     let Reader { found, places, .. } = reader;
     if found.is_empty() {
-        Ok(Document { title, model, bed, limits, cases, recipes, train, units, source, places })
+        let Ground { bed, width, band, .. } = ground;
+        Ok(Document {
+            title,
+            model,
+            bed,
+            width,
+            band,
+            limits,
+            cases,
+            recipes,
+            trains,
+            units,
+            source,
+            places,
+        })
     } else {
         Err(Diagnostics::new(found))
     }

@@ -85,6 +85,13 @@ pub(crate) const SUBGRADE_MODULUS: Kind = kind(
 );
 pub(crate) const SHEAR_CONSTANT: Kind =
     kind("a force (the ground's shear constant)", Dimension::FORCE, "9 MN", "MN", &[]);
+pub(crate) const AREA_SHEAR: Kind = kind(
+    "a force per length (the shear constant of an area)",
+    LINE_LOAD,
+    "9 MN/m",
+    "MN/m",
+    &[(Dimension::FORCE, "the shear constant per length of beam is `mu`; then leave `C2` out")],
+);
 pub(crate) const UNIT_WEIGHT: Kind =
     kind("a force per volume", MODULUS, "25 kN/m^3", "kN/m^3", &[]);
 pub(crate) const STRESS_LIMIT: Kind = kind("a pressure", STRESS, "200 kPa", "kPa", &[]);

@@ -21,7 +21,9 @@ pub struct Combined<'a> {
     pub factors: &'a [(String, f64)],
     /// The model under its loads.
     pub model: &'a Model,
-    /// The soil from which its ground was made; none where the constants were given.
+    /// What the ground's k and μ are multiplied by, where a band of grounds is solved.
+    pub band: Option<[f64; 2]>,
+    /// Where its ground comes from; none where the constants were given.
     pub ground: Option<Ground<'a>>,
     /// What came out.
     pub answer: Answer<'a>,
@@ -81,6 +83,16 @@ impl Alone<'_> {
 }
 
 impl<'a> Combinations<'a> {
+    /// What a list of them is headed by: a band of grounds need not have combinations of loads.
+    pub(crate) fn noun(&self) -> &'static str {
+        let loads = self.combined.iter().any(|combined| !combined.factors.is_empty());
+        if self.combined.iter().any(|c| c.band.is_some()) && !loads {
+            "Grounds"
+        } else {
+            "Combinations"
+        }
+    }
+
     /// The combinations that were solved.
     pub fn solved(&self) -> impl Iterator<Item = (&Combined<'a>, &'a Solution)> {
         self.combined.iter().filter_map(|combined| match combined.answer {

@@ -2,7 +2,7 @@
 
 use crate::quantity::Units;
 use groundbeam::soil::{Bed, OnSoil, Subgrade};
-use groundbeam::{Limits, LoadFactors};
+use groundbeam::{Beam, Foundation, Limits, LoadFactors};
 
 /// What a report says besides the result itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,28 +15,42 @@ pub struct Context<'a> {
     pub seconds: Option<f64>,
     /// What becomes of the model as its loads grow; left out where nobody asked.
     pub factors: Option<Factors<'a>>,
-    /// The soil from which the model's ground was made; left out where its constants were given.
+    /// Where the model's ground comes from; left out where its constants were given per length of beam.
     pub ground: Option<Ground<'a>>,
     /// What the design must keep to; left out where nobody asked.
     pub limits: Option<&'a Limits>,
 }
 
-/// A ground that was made of soil.
+/// A ground whose constants are those of an area times a width, or were made of soil.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ground<'a> {
-    /// The soil, and the method.
-    pub bed: &'a Bed,
+    /// The width on which the beam bears \[m\].
+    pub width: f64,
     /// k and μ.
     pub subgrade: Subgrade,
+    /// The soil, and the method.
+    pub bed: Option<&'a Bed>,
     /// γ of layers, and how many solutions it took where it is taken from the solution.
     pub gamma: Option<(f64, usize)>,
 }
 
 impl<'a> Ground<'a> {
-    /// The ground of an answer.
+    /// The ground of an answer on soil.
     pub fn of(bed: &'a Bed, found: &OnSoil) -> Self {
         let gamma = found.gamma.map(|gamma| (gamma, found.rounds));
-        Ground { bed, subgrade: found.subgrade, gamma }
+        Ground { width: bed.width, subgrade: found.subgrade, bed: Some(bed), gamma }
+    }
+
+    /// The ground that a soil makes before anything is solved.
+    pub fn before(bed: &'a Bed, beam: &Beam) -> Self {
+        Ground { width: bed.width, subgrade: bed.subgrade(beam), bed: Some(bed), gamma: None }
+    }
+
+    /// A ground that is the same everywhere, under a beam of a known width.
+    pub fn of_area(foundation: &Foundation, width: f64) -> Option<Self> {
+        let subgrade = Subgrade { spring: foundation.spring, shear: foundation.shear };
+        let ground = Ground { width, subgrade, bed: None, gamma: None };
+        foundation.segments.is_empty().then_some(ground)
     }
 }
 
@@ -70,7 +84,7 @@ impl<'a> Context<'a> {
         Context { factors: Some(factors), ..self }
     }
 
-    /// The same with the soil from which the ground was made.
+    /// The same with where the ground comes from.
     pub fn with_ground(self, ground: Ground<'a>) -> Self {
         Context { ground: Some(ground), ..self }
     }

@@ -3,7 +3,7 @@
 use crate::combinations::Combinations;
 use crate::curve::Jumps;
 use crate::quantity::Units;
-use crate::trains::Moving;
+use crate::trains::{InPassage, Moving, Passages};
 use ::csv::{Writer, WriterBuilder};
 use groundbeam::{Bounds, Field, Fields, Solution};
 
@@ -51,20 +51,27 @@ pub fn envelope(combinations: &Combinations, positions: &[f64], units: Units) ->
     rows.finish()
 }
 
-/// The envelope of a train's passage at the given sections: as [`envelope`], and what governs is the position of the
-/// first axle.
-pub fn train(moving: &Moving, sections: &[f64], units: Units) -> String {
+/// The envelope of passages at the given sections: as [`envelope`], and what governs is the position of the first axle;
+/// of several passages also which of them, `deflection_in_min, deflection_in_max`.
+pub fn trains(passages: &Passages, sections: &[f64], units: Units) -> String {
     let mut rows = Rows::new();
+    let labels: Vec<String> = passages.all.iter().map(Moving::label).collect();
+    let several = labels.len() > 1;
     let names = Field::ALL.into_iter().flat_map(|field| {
         let bound = |bound| column(&format!("{}_{bound}", field.name()), unit(field), units);
         let governs = |bound| column(&format!("{}_governs_{bound}", field.name()), "m", units);
-        [bound("min"), bound("max"), governs("min"), governs("max")]
+        let which = ["min", "max"].map(|bound| format!("{}_in_{bound}", field.name()));
+        let which = which.into_iter().filter(move |_| several);
+        [bound("min"), bound("max"), governs("min"), governs("max")].into_iter().chain(which)
     });
     rows.push(std::iter::once(column("x", "m", units)).chain(names));
     for &x in sections {
-        let bounds = moving.passage.at(x).into_iter().flatten();
+        let bounds = passages.at(x).into_iter().flatten();
         let cells = bounds.flat_map(|[min, max]| {
-            [min.value, max.value, min.first_axle, max.first_axle].map(number)
+            let [a, b] = [min.located, max.located];
+            let numbers = [a.value, b.value, a.first_axle, b.first_axle].map(number);
+            let which = [min, max].map(|InPassage { passage, .. }| labels[passage].clone());
+            numbers.into_iter().chain(which.into_iter().filter(|_| several))
         });
         rows.push(std::iter::once(number(x)).chain(cells));
     }

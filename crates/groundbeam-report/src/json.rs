@@ -25,7 +25,7 @@ use groundbeam::{
     Side, Solution, Verdict,
 };
 use serde::Serialize;
-pub use train::train;
+pub use train::{checked_trains, trains};
 
 /// Equal steps of the grid that [`default_stations`] is made of.
 const EVEN_STEPS: usize = 100;

@@ -23,13 +23,14 @@
 //!
 //! Of the combinations of load cases, [`Combinations`], the functions named `combinations` make reports, documents and
 //! pictures that show the envelope.
-//! Of a train that passes, [`Moving`], those named `train` do.
+//! Of a train that passes, [`Moving`], those named `train` do; of several passages, [`Passages`], those named `trains`.
 //!
 //! Nothing here reads a clock, a file or the environment, and equal results give equal bytes.
 
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
+mod band;
 mod characteristics;
 mod combinations;
 mod context;
@@ -47,9 +48,10 @@ pub mod png;
 pub mod svg;
 pub mod text;
 
+pub use band::Banded;
 pub use characteristics::{Characteristics, Resultant};
 pub use combinations::{Alone, Answer, Combinations, Combined, Overall};
 pub use context::{Context, Factors, Ground};
 pub use quantity::Units;
-pub use trains::Moving;
+pub use trains::{CheckedTrain, InPassage, Moving, Passages};
 pub use verdict::sentence;

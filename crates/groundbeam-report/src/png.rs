@@ -2,7 +2,7 @@
 
 use crate::combinations::Combinations;
 use crate::context::Context;
-use crate::trains::Moving;
+use crate::trains::Passages;
 use crate::{font, svg};
 use groundbeam::Solution;
 use resvg::tiny_skia::{Pixmap, Transform};
@@ -42,13 +42,13 @@ pub fn combinations(all: &Combinations, context: &Context) -> Result<Vec<u8>, Er
     drawn(&svg::combinations(all, context))
 }
 
-/// The picture of [`svg::train`] in the same way.
+/// The picture of [`svg::trains`] in the same way.
 ///
 /// # Errors
 ///
 /// If memory for the pixels is lacking.
-pub fn train(moving: &Moving, context: &Context) -> Result<Vec<u8>, Error> {
-    drawn(&svg::train(moving, context))
+pub fn trains(passages: &Passages, context: &Context) -> Result<Vec<u8>, Error> {
+    drawn(&svg::trains(passages, context))
 }
 
 fn drawn(picture: &str) -> Result<Vec<u8>, Error> {

@@ -4,7 +4,7 @@
 mod common;
 
 use common::{context, document};
-use groundbeam::{Error, Existence, Field, NotConverged, Outcome};
+use groundbeam::{Error, Existence, Field, NotConverged, Options, Outcome};
 use groundbeam_file::{Combination, Document, LoadCase};
 use groundbeam_report::{Alone, Answer, Combinations, Combined, csv, json, png, svg, text};
 use serde_json::{Value, json};
@@ -20,7 +20,7 @@ struct Solved {
 fn solved(name: &str) -> Solved {
     let document = document(name);
     let combinations = document.combinations();
-    let outcomes = combinations.iter().map(|c| groundbeam::solve(&c.model)).collect();
+    let outcomes = combinations.iter().map(|c| c.solve(&Options::default())).collect();
     let alone = |case: LoadCase| {
         let existence = groundbeam::exists(&case.model).unwrap();
         (case, existence)
@@ -35,6 +35,7 @@ impl Solved {
             name: &c.name,
             factors: &c.factors,
             model: &c.model,
+            band: c.ground,
             ground: None,
             answer: match outcome {
                 Ok(Outcome::Equilibrium(solution)) => Answer::Equilibrium(solution),
@@ -159,4 +160,19 @@ fn the_table_and_the_picture() {
     let nothing = Combinations { combined: vec![found.all().combined[16]], alone: Vec::new() };
     assert!(svg::combinations(&nothing, &context).contains("0 of 1 combinations"));
     assert!(!json::combinations(&nothing, None, &context).contains("\"envelope\""));
+}
+
+#[test]
+fn a_band_of_grounds_is_that_of_the_grounds_solved() {
+    let solved = solved("band");
+    let bands = solved.all().bands().unwrap();
+    let [_, moment] = bands[Field::Moment.index()];
+    // P/(4β) with β = (k/4EI)^(1/4): on half and on twice the ground.
+    let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-9, "{a} {b}");
+    close(moment.best, 25e3);
+    close(moment.high, 25e3 * 2_f64.powf(0.25));
+    close(moment.low, 25e3 * 0.5_f64.powf(0.25));
+    let document = solved.json(None);
+    assert_eq!(document["band"]["moment"]["max"]["best"], json!(moment.best));
+    assert_eq!(document["combinations"][1]["ground_factors"], json!({"k": 0.5, "mu": 1.0}));
 }

@@ -65,6 +65,8 @@ pub use solution::{
     ConcentratedForce, ContactRegion, EndForces, Extreme, Field, Fields, LiftOff, Range, Reaction,
     Side, Solution,
 };
-pub use solve::{Error, Method, NotConverged, Options, Outcome, Start, exists, solve, solve_with};
+pub use solve::{
+    Error, Method, NotConverged, Options, Outcome, Start, exists, solve, solve_near, solve_with,
+};
 pub use solver::{Answer, Solver};
 pub use stability::own_buckling_load;

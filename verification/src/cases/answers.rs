@@ -1,6 +1,7 @@
 //! The answers to a file: one, or one for each of its combinations with their envelope.
 
 use super::expectation::{Expectation, Of, Value};
+use groundbeam::train::{Passage, Sweep};
 use groundbeam::{Envelope, Error, Options, Outcome, Solution};
 use groundbeam_file::Document;
 
@@ -8,7 +9,12 @@ use groundbeam_file::Document;
 pub struct Answers {
     /// With the names of combinations; a file without has one answer, without a name.
     outcomes: Vec<(Option<String>, Outcome)>,
+    /// Of each train under each combination.
+    passages: Vec<Passage>,
 }
+
+/// The error of envelopes of trains, relative to each field's largest value.
+const ERROR: f64 = 1e-3;
 
 impl Answers {
     /// Solves all there is to solve.
@@ -19,21 +25,37 @@ impl Answers {
     pub fn of(document: &Document) -> Result<Answers, Error> {
         let options = Options::default();
         let mut outcomes = Vec::new();
+        let mut passages = Vec::new();
+        if !document.trains.is_empty() {
+            let combinations = match document.has_combinations() {
+                true => document.combinations(),
+                false => vec![document.as_written()],
+            };
+            for combination in &combinations {
+                for train in &document.trains {
+                    let sweep = Sweep::new(&combination.model, &train.train, train.range, ERROR);
+                    passages.push(
+                        sweep.run(|model, near| combination.solve_near(model, &options, near))?,
+                    );
+                }
+            }
+            return Ok(Answers { outcomes, passages });
+        }
         for combination in document.combinations() {
-            outcomes.push((
-                Some(combination.name),
-                document.solve_model(&combination.model, &options)?,
-            ));
+            let outcome = combination.solve(&options)?;
+            outcomes.push((Some(combination.name), outcome));
         }
         if !document.has_combinations() {
             outcomes.push((None, document.solve(&options)?));
         }
-        Ok(Answers { outcomes })
+        Ok(Answers { outcomes, passages })
     }
 
     /// The equilibria there are.
     pub fn solutions(&self) -> Vec<&Solution> {
-        self.named().into_iter().map(|(_, solution)| solution).collect()
+        let single = self.named().into_iter().map(|(_, solution)| solution);
+        let moving = self.passages.iter().flat_map(Passage::solved).map(|(_, solution)| solution);
+        single.chain(moving).collect()
     }
 
     fn named(&self) -> Vec<(&str, &Solution)> {
@@ -53,6 +75,9 @@ impl Answers {
     /// If the answer has no such quantity, or the file no such combination.
     pub fn found(&self, expectation: &Expectation, document: &Document) -> Result<Value, String> {
         let name = match &expectation.of {
+            Of::Envelope if !self.passages.is_empty() => {
+                return expectation.found_in_passages(&self.passages);
+            }
             Of::Envelope => {
                 let (names, solutions): (Vec<&str>, Vec<&Solution>) =
                     self.named().into_iter().unzip();

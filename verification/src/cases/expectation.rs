@@ -1,9 +1,10 @@
 //! One line `#: quantity = value tolerance`, read and judged.
 
-use super::growth::Growth;
+use super::quantity::Quantity;
 use super::scale::{Kind, scale};
-use groundbeam::{Envelope, Existence, Field, Outcome, Side, Solution, Verdict};
-use groundbeam_file::{Document, UnitSystem, parse_positions};
+use groundbeam::train::Passage;
+use groundbeam::{Envelope, Existence, Outcome, Side, Verdict};
+use groundbeam_file::{Document, UnitSystem};
 
 /// What a line expects.
 #[derive(Debug, Clone)]
@@ -62,27 +63,6 @@ pub enum Value {
 enum Wanted {
     Word(String),
     Numbers(Vec<f64>),
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Quantity {
-    At(Field, f64, Side),
-    Settlement(f64),
-    Extreme { field: Field, largest: bool, position: bool },
-    Contact,
-    EndForce(Side),
-    Force(f64),
-    Reaction(f64),
-    ReactionMoment(f64),
-    Energy,
-    Verdict,
-    StaticReaction(Side),
-    FailingMotion,
-    FailingWork,
-    CriticalCompression,
-    StabilityMargin,
-    Growth(Growth),
-    Governs { field: Field, largest: bool },
 }
 
 /// A tolerance up to this leaves only rounding, and needs no reason.
@@ -229,6 +209,24 @@ impl Expectation {
         }
     }
 
+    /// What the envelope of passages has.
+    ///
+    /// # Errors
+    ///
+    /// If such an envelope has no such quantity.
+    pub fn found_in_passages(&self, passages: &[Passage]) -> Result<Value, String> {
+        let Quantity::Extreme { field, largest, position } = self.quantity else {
+            return Err("the envelope of a train has extremes".to_owned());
+        };
+        let all = passages.iter().filter_map(|passage| passage.range(field));
+        let sign = if largest { 1.0 } else { -1.0 };
+        let found = all.map(|range| range[usize::from(largest)]);
+        let most = found.max_by(|a, b| (sign * a.value).total_cmp(&(sign * b.value)));
+        let most = most.ok_or("nothing was solved")?;
+        let number = if position { most.x } else { most.value };
+        Ok(Value::Numbers(vec![number / self.scale]))
+    }
+
     /// How far a value is from the one expected: absolute in its unit, and relative to the largest.
     ///
     /// # Errors
@@ -322,135 +320,6 @@ fn numbers(text: &str, kind: Kind, units: UnitSystem) -> Result<(Wanted, f64), S
     };
     let list = list.split(',').map(number).collect::<Result<_, _>>()?;
     Ok((Wanted::Numbers(list), scale))
-}
-
-impl Quantity {
-    fn read(name: &str, units: UnitSystem) -> Result<Quantity, String> {
-        let unknown = || format!("`{name}` is no quantity that can be expected");
-        match name {
-            "contact" => return Ok(Quantity::Contact),
-            "energy" => return Ok(Quantity::Energy),
-            "verdict" => return Ok(Quantity::Verdict),
-            "failing_motion" => return Ok(Quantity::FailingMotion),
-            "failing_work" => return Ok(Quantity::FailingWork),
-            "critical_compression" => return Ok(Quantity::CriticalCompression),
-            "stability_margin" => return Ok(Quantity::StabilityMargin),
-            _ => {}
-        }
-        let (what, inside) =
-            name.strip_suffix(')').and_then(|n| n.split_once('(')).ok_or_else(unknown)?;
-        if let Some(growth) = Growth::read(what) {
-            return Ok(Quantity::Growth(growth));
-        }
-        let side = || match inside {
-            "left" => Ok(Side::Left),
-            "right" => Ok(Side::Right),
-            _ => Err(format!("`{inside}` is neither `left` nor `right`")),
-        };
-        let field = |name: &str| Field::ALL.into_iter().find(|field| field.name() == name);
-        let position = |text: &str| match parse_positions(text, units) {
-            Ok(list) if list.len() == 1 => Ok(list[0]),
-            _ => Err(format!("`{text}` is no position")),
-        };
-        let extreme = |largest, position| {
-            let field = field(inside).ok_or_else(|| format!("`{inside}` is no field"))?;
-            Ok(Quantity::Extreme { field, largest, position })
-        };
-        match what {
-            "end_force" => Ok(Quantity::EndForce(side()?)),
-            "static_reaction" => Ok(Quantity::StaticReaction(side()?)),
-            "max" => extreme(true, false),
-            "min" => extreme(false, false),
-            "position_of_max" => extreme(true, true),
-            "position_of_min" => extreme(false, true),
-            "governs_max" | "governs_min" => {
-                let field = field(inside).ok_or_else(|| format!("`{inside}` is no field"))?;
-                Ok(Quantity::Governs { field, largest: what == "governs_max" })
-            }
-            "force" => Ok(Quantity::Force(position(inside)?)),
-            "reaction" => Ok(Quantity::Reaction(position(inside)?)),
-            "reaction_moment" => Ok(Quantity::ReactionMoment(position(inside)?)),
-            _ => {
-                let field = field(what).ok_or_else(unknown)?;
-                let (side, text) = match (inside.strip_prefix("left of "), field) {
-                    (Some(text), _) => (Side::Left, text),
-                    // The ground goes on beyond the beam.
-                    (None, Field::Settlement) => {
-                        return Ok(Quantity::Settlement(position(inside)?));
-                    }
-                    (None, _) => (Side::Right, inside.strip_prefix("right of ").unwrap_or(inside)),
-                };
-                Ok(Quantity::At(field, position(text)?, side))
-            }
-        }
-    }
-
-    /// What it measures; none for a verdict.
-    fn kind(self) -> Option<Kind> {
-        let of = |field| match field {
-            Field::Deflection | Field::Settlement | Field::Gap => Kind::Length,
-            Field::Slope => Kind::Angle,
-            Field::Moment => Kind::Moment,
-            Field::ShearForce => Kind::Force,
-            Field::Pressure => Kind::LineLoad,
-        };
-        Some(match self {
-            Quantity::At(field, ..) => of(field),
-            Quantity::Extreme { field, position: false, .. } => of(field),
-            Quantity::Settlement(_) | Quantity::Extreme { .. } | Quantity::Contact => Kind::Length,
-            Quantity::EndForce(_)
-            | Quantity::StaticReaction(_)
-            | Quantity::CriticalCompression
-            | Quantity::Force(_)
-            | Quantity::Reaction(_) => Kind::Force,
-            Quantity::ReactionMoment(_) | Quantity::Energy => Kind::Moment,
-            Quantity::Growth(Growth::PositionOfLiftOff) => Kind::Length,
-            Quantity::FailingMotion | Quantity::StabilityMargin | Quantity::Growth(_) => {
-                Kind::Number
-            }
-            // Work per length of lift.
-            Quantity::FailingWork => Kind::Force,
-            Quantity::Verdict | Quantity::Governs { .. } => return None,
-        })
-    }
-
-    fn of(self, solution: &Solution) -> Result<Vec<f64>, String> {
-        let support = |at: f64| {
-            let found = solution.reactions().iter().find(|reaction| reaction.at == at);
-            found.ok_or_else(|| "there is no support".to_owned())
-        };
-        Ok(match self {
-            Quantity::At(field, x, side) => vec![solution.at(x, side).get(field)],
-            Quantity::Settlement(x) => vec![solution.settlement(x)],
-            Quantity::Extreme { field, largest, position } => {
-                let range = solution.range(field);
-                let extreme = if largest { range.max } else { range.min };
-                vec![if position { extreme.x } else { extreme.value }]
-            }
-            Quantity::Contact => {
-                solution.contact().iter().flat_map(|region| [region.from, region.to]).collect()
-            }
-            Quantity::EndForce(Side::Left) => vec![solution.end_forces().left],
-            Quantity::EndForce(Side::Right) => vec![solution.end_forces().right],
-            Quantity::Force(x) => {
-                let near = 1e-9 * solution.model().beam.length;
-                let forces = solution.concentrated_forces();
-                let here = forces.iter().filter(|force| (force.at - x).abs() <= near);
-                vec![here.map(|force| force.force).sum()]
-            }
-            Quantity::Reaction(x) => vec![support(x)?.force],
-            Quantity::ReactionMoment(x) => vec![support(x)?.moment],
-            Quantity::Energy => vec![solution.certificate().primal_energy],
-            Quantity::StaticReaction(_)
-            | Quantity::FailingMotion
-            | Quantity::FailingWork
-            | Quantity::Growth(_)
-            | Quantity::Governs { .. }
-            | Quantity::CriticalCompression
-            | Quantity::StabilityMargin
-            | Quantity::Verdict => Vec::new(),
-        })
-    }
 }
 
 #[cfg(test)]

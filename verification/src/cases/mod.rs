@@ -7,6 +7,7 @@ pub mod answers;
 pub mod expectation;
 mod growth;
 pub mod manual;
+mod quantity;
 mod scale;
 
 use expectation::Expectation;

@@ -12,7 +12,8 @@ const KEYS: &[&str] =
     &["bearing_pressure", "width", "settlement", "lifted_share", "eccentricity", "overturning"];
 
 /// The limits of the file.
-pub(super) fn read(reader: &mut Reader, root: &Section) -> Limits {
+/// What the beam bears on is `width`, unless the table says otherwise.
+pub(super) fn read(reader: &mut Reader, root: &Section, width: Option<f64>) -> Limits {
     let Some(table) = reader.table(root, "checks", "[checks]") else { return Limits::default() };
     reader.refuse_unknown(&table, KEYS);
     let mut limit = |key: &'static str, kind| {
@@ -26,7 +27,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Limits {
     let lifted_share = lifted_share(reader, &table);
     let eccentricity = eccentricity(reader, &table);
     let bearing_pressure = pressure.and_then(|pressure| {
-        let width = own_width.or_else(|| width_of_the_ground(root));
+        let width = own_width.or(width);
         if width.is_none() {
             let example = "`width` here or in [foundation]: what the beam bears on";
             reader.missing(&table, &["width"], "`width`", example);
@@ -45,19 +46,6 @@ fn lifted_share(reader: &mut Reader, table: &Section) -> Option<f64> {
         reader.report(Fault::new(code::FACTOR, share.span, message, "", hint));
     }
     Some(share.value)
-}
-
-/// The width in `[foundation]`, if it is one number; what is wrong with it has been reported there.
-fn width_of_the_ground(root: &Section) -> Option<f64> {
-    let DeValue::Table(ground) = root.value("foundation")?.get_ref() else { return None };
-    let text = match ground.get("width")?.get_ref() {
-        DeValue::String(text) => text.as_ref(),
-        DeValue::Float(float) => float.as_str(),
-        DeValue::Integer(integer) => integer.as_str(),
-        _ => return None,
-    };
-    let width = WIDTH.read("width", text, false).ok()?.value;
-    (width > 0.0).then_some(width)
 }
 
 /// A part of the length, `0.25`, or as engineers write it, `"l/6"`.

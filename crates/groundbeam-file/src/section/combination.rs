@@ -23,12 +23,14 @@ struct Described<'a> {
     group: Option<&'a str>,
 }
 
-/// The combinations of a file, in its order, those of sets in the place of the set.
+/// The combinations of a file, in its order, those of sets in the place of the set; each will be solved on so many
+/// `grounds`.
 pub(super) fn read(
     reader: &mut Reader,
     root: &Section,
     loads: &[Load],
     cases: &[Option<String>],
+    grounds: usize,
 ) -> Vec<Recipe> {
     let mut names: Vec<&str> = Vec::new();
     for case in cases.iter().flatten() {
@@ -37,7 +39,9 @@ pub(super) fn read(
         }
     }
     let described = describe(reader, root, &names);
-    let mut file = File { loads, cases, names, described, wanting: Vec::new(), made: Vec::new() };
+    let most = MOST / grounds;
+    let mut file =
+        File { loads, cases, names, described, most, wanting: Vec::new(), made: Vec::new() };
     let mut recipes: Vec<Recipe> = Vec::new();
     let mut taken: Vec<(String, Range<usize>)> = Vec::new();
     for table in reader.tables(root, "combination", "[[combination]]") {
@@ -160,6 +164,8 @@ struct File<'a> {
     /// Each case once, in the order of the loads.
     names: Vec<&'a str>,
     described: Vec<Described<'a>>,
+    /// More combinations than this the file may not have.
+    most: usize,
     /// Cases of which it has been said that an action is missing or of another code.
     wanting: Vec<&'a str>,
     /// The names of the combinations that sets made.
@@ -212,7 +218,7 @@ impl<'a> File<'a> {
             return;
         };
         let Some(acting) = self.acting(reader, practice, set, &span) else { return };
-        match sets::expand(practice, set, &acting, MOST.saturating_sub(recipes.len())) {
+        match sets::expand(practice, set, &acting, self.most.saturating_sub(recipes.len())) {
             Ok(made) => {
                 if let Some(again) = made.iter().find(|made| self.made.contains(&made.name)) {
                     let message = format!("this set makes `{}` a second time", again.name);
@@ -226,7 +232,7 @@ impl<'a> File<'a> {
                 }
             }
             Err(sets::TooMany) => {
-                let message = format!("the file's combinations are more than {MOST}");
+                let message = format!("the file's combinations are more than {}", self.most);
                 let hint = "give cases that never act together, as winds from two sides, one \
                             `group`, or write the combinations that matter with `factors`";
                 reader.report(Fault::new(code::TOO_MANY, span, message, "", hint));

@@ -1,8 +1,13 @@
 //! `[foundation]` and `[[foundation.segment]]`.
 
-use super::soil;
+use super::{band, soil};
+use crate::band::Band;
+use crate::code;
+use crate::fault::Fault;
 use crate::profile::{Along, Values, left_out};
-use crate::quantity::{POSITION, SHEAR_CONSTANT, SPRING_PER_LENGTH, SUBGRADE_MODULUS, WIDTH};
+use crate::quantity::{
+    AREA_SHEAR, POSITION, SHEAR_CONSTANT, SPRING_PER_LENGTH, SUBGRADE_MODULUS, WIDTH,
+};
 use crate::reader::{Field, Reader};
 use crate::stiffness::{Given, Keys, Stiffness, cover};
 use crate::table::Section;
@@ -10,16 +15,33 @@ use groundbeam::model::Part;
 use groundbeam::soil::{Bed, Subgrade};
 use groundbeam::{Beam, Foundation, FoundationSegment, Profile};
 
-const KEYS: &[&str] = &["k", "subgrade_modulus", "width", "mu", "segment", "soil"];
-const SEGMENT_KEYS: &[&str] = &["from", "to", "k", "subgrade_modulus", "width", "mu"];
+const KEYS: &[&str] =
+    &["k", "subgrade_modulus", "C1", "width", "mu", "C2", "segment", "soil", "band"];
+const SEGMENT_KEYS: &[&str] = &["from", "to", "k", "subgrade_modulus", "C1", "width", "mu", "C2"];
 const STIFFNESS: Keys = Keys {
     product: ("k", &SPRING_PER_LENGTH),
     factors: [("subgrade_modulus", &SUBGRADE_MODULUS), ("width", &WIDTH)],
     instead: "",
 };
 
-/// The ground, and the soil it was made from if the file gives that.
-pub(super) fn read(reader: &mut Reader, root: &Section, beam: &Beam) -> (Foundation, Option<Bed>) {
+/// All that the file says of the ground.
+#[derive(Debug)]
+pub(crate) struct Ground {
+    pub foundation: Foundation,
+    /// The soil from which it was made.
+    pub bed: Option<Bed>,
+    /// The width on which the whole beam bears.
+    pub width: Option<f64>,
+    pub band: Option<Band>,
+}
+
+impl Ground {
+    fn unreadable() -> Self {
+        Ground { foundation: Foundation::winkler(f64::NAN), bed: None, width: None, band: None }
+    }
+}
+
+pub(super) fn read(reader: &mut Reader, root: &Section, beam: &Beam) -> Ground {
     let Some(table) = reader.table(root, "foundation", "[foundation]") else {
         if root.value("foundation").is_none() {
             reader.missing(
@@ -29,28 +51,29 @@ pub(super) fn read(reader: &mut Reader, root: &Section, beam: &Beam) -> (Foundat
                 "[foundation] with `k`, and `mu` if it shears",
             );
         }
-        return (Foundation::winkler(f64::NAN), None);
+        return Ground::unreadable();
     };
     reader.refuse_unknown(&table, KEYS);
     reader.places.part(Part::Foundation, &table.span);
-    if let Some(soil) = reader.table(&table, "soil", "[foundation.soil]") {
-        return on_soil(reader, &table, &soil, beam);
-    }
-    if table.value("soil").is_some() {
-        reader.places.field(Part::Foundation, "spring", &Field::unreadable(0..0));
-        return (Foundation::winkler(f64::NAN), None);
-    }
-    (constants(reader, &table, beam.length), None)
+    let mut ground = match reader.table(&table, "soil", "[foundation.soil]") {
+        Some(soil) => on_soil(reader, &table, &soil, beam),
+        None if table.value("soil").is_some() => {
+            reader.places.field(Part::Foundation, "spring", &Field::unreadable(0..0));
+            return Ground::unreadable();
+        }
+        None => constants(reader, &table, beam.length),
+    };
+    let shears = |ground: &Foundation| {
+        let somewhere = ground.segments.iter().any(|segment| segment.shear.largest() != 0.0);
+        ground.shear != 0.0 || somewhere
+    };
+    ground.band = band::read(reader, &table, shears(&ground.foundation));
+    ground
 }
 
 /// A ground made of soil: nothing else may say what it is.
-fn on_soil(
-    reader: &mut Reader,
-    table: &Section,
-    soil: &Section,
-    beam: &Beam,
-) -> (Foundation, Option<Bed>) {
-    for key in ["k", "subgrade_modulus", "mu", "segment"] {
+fn on_soil(reader: &mut Reader, table: &Section, soil: &Section, beam: &Beam) -> Ground {
+    for key in ["k", "subgrade_modulus", "C1", "mu", "C2", "segment"] {
         if let Some((name, _)) = table.table.get_key_value(key) {
             let hint = "give the ground's constants, or the soil from which they follow";
             reader.exclusive((key, &name.span()), ("soil", &soil.span), hint);
@@ -64,22 +87,26 @@ fn on_soil(
     }
     let unknown = Subgrade { spring: f64::NAN, shear: 0.0 };
     let ground = bed.as_ref().map_or(unknown, |bed| bed.subgrade(beam));
-    (Foundation::pasternak(ground.spring, ground.shear), bed)
+    let foundation = Foundation::pasternak(ground.spring, ground.shear);
+    Ground { foundation, bed, width: Some(width.value), band: None }
 }
 
 /// A ground given by its constants.
-fn constants(reader: &mut Reader, table: &Section, beam_length: f64) -> Foundation {
-    let shear = reader.along(table, "mu", &SHEAR_CONSTANT, CURVE);
+fn constants(reader: &mut Reader, table: &Section, beam_length: f64) -> Ground {
+    let given = given(reader, table);
+    let of_area = reader.along(table, "C2", &AREA_SHEAR, Values::Linear);
+    let shear = shear(reader, table, of_area.as_ref(), given.factors[1].as_ref());
     let nothing = || Along { profile: Profile::constant(0.0), span: table.span.clone() };
     let shear = shear.unwrap_or_else(nothing);
     reader.places.field(Part::Foundation, "shear", &shear.field());
-    let given = given(reader, table);
+    let width = given.factors[1].as_ref().filter(|width| width.profile.is_constant());
+    let width = width.map(|width| width.profile.start()).filter(|width| width.is_finite());
     let stiffness = given.resolve(reader, &Given::default(), &STIFFNESS);
     let known = match &stiffness {
         Stiffness::Known(spring) => Some(spring.clone()),
         _ => None,
     };
-    let parent = Parent { given, spring: known, shear, length: beam_length };
+    let parent = Parent { given, spring: known, shear, of_area, length: beam_length };
 
     let mut segments = Vec::new();
     for (i, segment) in reader.tables(table, "segment", "[[foundation.segment]]").iter().enumerate()
@@ -90,7 +117,7 @@ fn constants(reader: &mut Reader, table: &Section, beam_length: f64) -> Foundati
 
     let covered = cover(beam_length, segments.iter().map(|s| (s.from, s.to)));
     let rightmost = segments.iter().max_by(|a, b| a.to.total_cmp(&b.to));
-    match (&stiffness, rightmost) {
+    let foundation = match (&stiffness, rightmost) {
         // Nothing is left for it to hold for; it must only be possible values.
         (Stiffness::NotGiven | Stiffness::Half(..), Some(segment)) if covered => {
             reader.places.field(Part::Foundation, "spring", &Field::unreadable(0..0));
@@ -104,7 +131,30 @@ fn constants(reader: &mut Reader, table: &Section, beam_length: f64) -> Foundati
             let [spring, shear] = [&spring, &parent.shear].map(|along| along.profile.start());
             Foundation { spring, shear, segments }
         }
+    };
+    Ground { foundation, bed: None, width, band: None }
+}
+
+/// μ as it is given, or as C2 times a width; none if the table says nothing of it.
+fn shear(
+    reader: &mut Reader,
+    table: &Section,
+    of_area: Option<&Along>,
+    width: Option<&Along>,
+) -> Option<Along> {
+    let given = reader.along(table, "mu", &SHEAR_CONSTANT, CURVE);
+    let Some(of_area) = of_area else { return given };
+    if let Some(given) = &given {
+        let hint = "C2 times the width is `mu`; give one of the two";
+        reader.exclusive(("mu", &given.span), ("C2", &of_area.span), hint);
     }
+    let Some(width) = width else {
+        let hint = format!("add {}", reader.line("width", &WIDTH));
+        let message = "`C2` is given without `width`";
+        reader.report(Fault::new(code::INCOMPLETE, of_area.span.clone(), message, "", hint));
+        return Some(Along::unreadable(of_area.span.clone()));
+    };
+    Some(of_area.times(width, &of_area.span))
 }
 
 /// What `[foundation]` says, along the whole beam.
@@ -112,6 +162,8 @@ struct Parent {
     given: Given,
     spring: Option<Along>,
     shear: Along,
+    /// C2, where μ is given by it.
+    of_area: Option<Along>,
     length: f64,
 }
 
@@ -148,9 +200,9 @@ fn read_segment(
     reader.places.part(part, &table.span);
     let from = reader.required(table, "from", &POSITION);
     let to = reader.required(table, "to", &POSITION);
-    let own_shear = reader.along(table, "mu", &SHEAR_CONSTANT, CURVE);
     let way = [from.value, to.value].map(|x| (x / parent.length).clamp(0.0, 1.0));
     let own = given(reader, table);
+    let own_shear = segment_shear(reader, table, &own, parent, way);
     let takes_over = |along: &Along| !along.profile.is_constant();
     let parts = [&parent.given.product, &parent.given.factors[0], &parent.given.factors[1]];
     let varies = parts.into_iter().flatten().any(takes_over) || takes_over(&parent.shear);
@@ -181,13 +233,38 @@ fn read_segment(
     FoundationSegment { from, to, spring: spring.profile, shear }
 }
 
+/// μ of a segment that gives it, or a C2 or a width of its own.
+fn segment_shear(
+    reader: &mut Reader,
+    table: &Section,
+    own: &Given,
+    parent: &Parent,
+    way: [f64; 2],
+) -> Option<Along> {
+    let of_area = reader.along(table, "C2", &AREA_SHEAR, Values::Linear);
+    let [own_width, width] = [&own.factors[1], &parent.given.factors[1]];
+    let inherits = own_width.is_some() && table.value("mu").is_none();
+    let inherited = parent.of_area.as_ref().filter(|_| inherits).map(|along| along.between(way));
+    let width = own_width.clone().or_else(|| width.as_ref().map(|width| width.between(way)));
+    shear(reader, table, of_area.or(inherited).as_ref(), width.as_ref())
+}
+
 /// Two values for ground that varies linearly, more for a curve; how many a ground may have the model knows.
 const CURVE: Values = Values::Curve(Profile::MOST);
 
 fn given(reader: &mut Reader, table: &Section) -> Given {
     let product = reader.along(table, "k", &SPRING_PER_LENGTH, CURVE);
-    let modulus = reader.along(table, "subgrade_modulus", &SUBGRADE_MODULUS, Values::Linear);
-    let modulus = modulus.map(|modulus| reader.positive_along("subgrade_modulus", modulus));
+    let mut modulus = |key| {
+        let modulus = reader.along(table, key, &SUBGRADE_MODULUS, Values::Linear)?;
+        Some(reader.positive_along(key, modulus))
+    };
+    let (modulus, again) = (modulus("subgrade_modulus"), modulus("C1"));
+    if let (Some(modulus), Some(again)) = (&modulus, &again) {
+        let hint = "C1 is another name of the subgrade modulus; give it once";
+        let keys = ["subgrade_modulus", "C1"];
+        reader.exclusive((keys[0], &modulus.span), (keys[1], &again.span), hint);
+    }
+    let modulus = modulus.or(again);
     let width = reader.along(table, "width", &WIDTH, Values::Linear);
     let width = width.map(|width| reader.positive_along("width", width));
     Given { product, factors: [modulus, width] }

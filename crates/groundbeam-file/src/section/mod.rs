@@ -1,5 +1,6 @@
 //! The tables of a model file, one file each, in the order of [`groundbeam::Model`].
 
+mod band;
 mod beam;
 mod checks;
 mod combination;
@@ -16,7 +17,6 @@ use crate::combination::Recipe;
 use crate::document::MovingTrain;
 use crate::reader::Reader;
 use crate::table::Section;
-use groundbeam::soil::Bed;
 use groundbeam::{Limits, Model};
 
 const TABLES: &[&str] = &[
@@ -36,20 +36,22 @@ const TABLES: &[&str] = &[
 pub(crate) struct Contents {
     pub title: Option<String>,
     pub model: Model,
-    pub bed: Option<Bed>,
+    pub ground: Ground,
     pub limits: Limits,
     /// The load case of each of the model's loads.
     pub cases: Vec<Option<String>>,
     pub recipes: Vec<Recipe>,
-    pub train: Option<MovingTrain>,
+    pub trains: Vec<MovingTrain>,
 }
+
+pub(crate) use foundation::Ground;
 
 /// Reads the whole file.
 pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     reader.refuse_unknown(root, TABLES);
     let title = reader.words(root, "title", "Strip footing").map(|(title, _)| title.to_owned());
     let (beam, weight) = beam::read(reader, root);
-    let (foundation, bed) = foundation::read(reader, root, &beam);
+    let ground = foundation::read(reader, root, &beam);
     let (mut loads, mut cases) = load::read(reader, root, beam.length);
     for (load, case) in weight {
         loads.push(load);
@@ -57,9 +59,11 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     }
     let supports = support::read(reader, root);
     let gap = gap::read(reader, root);
-    let limits = checks::read(reader, root);
-    let recipes = combination::read(reader, root, &loads, &cases);
-    let train = train::read(reader, root, beam.length);
+    let limits = checks::read(reader, root, ground.width);
+    let grounds = ground.band.map_or(1, |band| band.grounds().len());
+    let recipes = combination::read(reader, root, &loads, &cases, grounds);
+    let trains = train::read(reader, root, beam.length);
+    let foundation = ground.foundation.clone();
     let model = Model { beam, foundation, loads, supports, gap };
-    Contents { title, model, bed, limits, cases, recipes, train }
+    Contents { title, model, ground, limits, cases, recipes, trains }
 }

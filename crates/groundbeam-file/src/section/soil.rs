@@ -48,7 +48,7 @@ const METHODS: [Method; 8] = [
 pub(super) fn read(reader: &mut Reader, table: &Section, width: f64) -> Option<Bed> {
     let method = method(reader, table)?;
     reader.refuse_unknown(table, method.keys);
-    Some(Bed { soil: (method.make)(reader, table), width })
+    Some(Bed::new((method.make)(reader, table), width))
 }
 
 fn method(reader: &mut Reader, table: &Section) -> Option<&'static Method> {

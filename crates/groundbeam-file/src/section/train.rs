@@ -14,16 +14,27 @@ use std::ops::Range;
 
 const KEYS: &[&str] = &["name", "set", "axles", "uniform", "from", "to", "factor"];
 
-/// The train of a file, of which there is at most one.
-pub(super) fn read(reader: &mut Reader, root: &Section, beam_length: f64) -> Option<MovingTrain> {
+/// The trains of a file, each of which passes alone.
+pub(super) fn read(reader: &mut Reader, root: &Section, beam_length: f64) -> Vec<MovingTrain> {
     let tables = reader.tables(root, "train", "[[train]]");
-    for table in tables.iter().skip(1) {
-        let message = "a second train is not solved";
-        let hint = "write one [[train]] in a file, and another file for another train";
-        let fault = Fault::new(code::TOO_MANY, table.span.clone(), message, "", hint);
-        reader.report_with(fault, tables[0].span.clone(), "the first of them");
+    let mut trains: Vec<MovingTrain> = Vec::new();
+    for (i, table) in tables.iter().enumerate() {
+        let train = read_one(reader, table, beam_length);
+        let is_read = train.train != Train::default();
+        let first = trains.iter().position(|other| other.name == train.name);
+        if let Some(first) = first.filter(|_| is_read) {
+            let place = |table: &Section| {
+                let key = table.value("name").or(table.value("set"));
+                key.map_or(table.span.clone(), |key| key.span())
+            };
+            let message = format!("two trains are called `{}`", train.name);
+            let hint = "give each a `name` of its own";
+            let fault = Fault::new(code::REPEATED, place(&tables[i]), message, "", hint);
+            reader.report_with(fault, place(&tables[first]), "the first of them");
+        }
+        trains.push(train);
     }
-    tables.first().map(|table| read_one(reader, table, beam_length))
+    trains
 }
 
 fn read_one(reader: &mut Reader, table: &Section, beam_length: f64) -> MovingTrain {

@@ -1,6 +1,7 @@
 //! The document of a file with combinations: each with its own result, and the envelope of all.
 
 use super::{Checked, EVEN_STEPS, Point, Proven, Solved, Stopped, default_stations, text};
+use crate::band::Banded;
 use crate::combinations::{Alone, Answer, Combinations, Combined, Overall};
 use crate::context::Context;
 use groundbeam::{Bound, Bounds, Change, Envelope, Field, Governing};
@@ -31,6 +32,7 @@ pub fn combinations(
         combinations: each(combinations, stations, context),
         envelope: any.then(|| of.table(&stations_of_all())),
         extremes: any.then(|| ByField::of(|field| of.extremes(field))),
+        band: combinations.bands().map(|bands| ByField::of(|field| Band::of(bands[field.index()]))),
         changes: any.then(|| ByField::of(|field| of.changes(field))),
         ..All::head(status, combinations, context)
     })
@@ -65,6 +67,8 @@ struct All<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     extremes: Option<ByField<Extremes<'a>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    band: Option<ByField<Band>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     changes: Option<ByField<Vec<Changed<'a>>>>,
     seconds: Option<f64>,
 }
@@ -79,6 +83,7 @@ impl<'a> All<'a> {
             cases: combinations.alone.iter().map(|case| Case::of(case, context)).collect(),
             envelope: None,
             extremes: None,
+            band: None,
             changes: None,
             seconds: context.seconds,
         }
@@ -89,8 +94,38 @@ impl<'a> All<'a> {
 struct One<'a> {
     name: &'a str,
     factors: BTreeMap<&'a str, f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ground_factors: Option<GroundFactors>,
     #[serde(flatten)]
     result: Result,
+}
+
+/// What k and μ are multiplied by.
+#[derive(Serialize)]
+struct GroundFactors {
+    k: f64,
+    mu: f64,
+}
+
+/// The smallest and the largest value over all combinations on a ground, with their bands over the grounds.
+#[derive(Serialize)]
+struct Band {
+    min: Spread,
+    max: Spread,
+}
+
+#[derive(Serialize)]
+struct Spread {
+    best: f64,
+    low: f64,
+    high: f64,
+}
+
+impl Band {
+    fn of(bands: [Banded; 2]) -> Self {
+        let [min, max] = bands.map(|Banded { best, low, high }| Spread { best, low, high });
+        Band { min, max }
+    }
 }
 
 #[derive(Serialize)]
@@ -108,7 +143,7 @@ fn each<'a>(
 ) -> Vec<One<'a>> {
     let context = Context::new(context.units);
     let one = |combined: &'a Combined| {
-        let Combined { name, factors, model, ground, answer } = combined;
+        let Combined { name, factors, model, band, ground, answer } = combined;
         let context = Context { ground: *ground, ..context };
         let result = match answer {
             Answer::Equilibrium(solution) => {
@@ -124,7 +159,8 @@ fn each<'a>(
             Answer::NotConverged(reached) => Result::Stopped(Stopped::of(reached, &context)),
         };
         let factors = factors.iter().map(|(case, factor)| (case.as_str(), *factor)).collect();
-        One { name, factors, result }
+        let ground_factors = band.map(|[k, mu]| GroundFactors { k, mu });
+        One { name, factors, ground_factors, result }
     };
     combinations.combined.iter().map(one).collect()
 }

@@ -1,12 +1,14 @@
-//! The soil from which the ground was made, in the result document.
+//! Where the ground's constants come from, in the result document.
 
 use crate::context;
 use groundbeam::Model;
+use groundbeam::soil::Bed;
 use serde::Serialize;
 
 #[derive(Serialize)]
 pub(super) struct Ground {
-    source: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    source: Option<&'static str>,
     width: f64,
     k: f64,
     mu: f64,
@@ -24,9 +26,9 @@ pub(super) struct Ground {
 
 impl Ground {
     pub fn of(ground: context::Ground, model: &Model) -> Self {
-        let (width, subgrade) = (ground.bed.width, ground.subgrade);
+        let (width, subgrade) = (ground.width, ground.subgrade);
         Ground {
-            source: ground.bed.source(),
+            source: ground.bed.map(Bed::source),
             width,
             k: subgrade.spring,
             mu: subgrade.shear,
@@ -34,7 +36,7 @@ impl Ground {
             area_shear: subgrade.shear / width,
             gamma: ground.gamma.map(|(gamma, _)| gamma),
             rounds: ground.gamma.map(|(_, rounds)| rounds),
-            warnings: ground.bed.doubts(&model.beam),
+            warnings: ground.bed.map(|bed| bed.doubts(&model.beam)).unwrap_or_default(),
         }
     }
 }

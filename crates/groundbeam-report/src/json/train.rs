@@ -1,41 +1,103 @@
-//! The document of a train's passage: the train, the positions that were solved, and the envelope.
+//! The document of passages: each train, the positions that were solved, and the envelope.
 
 use super::combinations::ByField;
 use super::text;
 use crate::context::Context;
-use crate::trains::Moving;
+use crate::trains::{CheckedTrain, InPassage, Moving, Passages};
 use groundbeam::Field;
 use groundbeam::train::Located;
 use serde::Serialize;
 
-/// The document of a train's passage, with the envelope at the given sections; left out, at those that suit it.
-pub fn train(moving: &Moving, stations: Option<&[f64]>, context: &Context) -> String {
-    let passage = moving.passage;
-    let any = passage.solved().next().is_some();
-    let stations = || stations.map_or_else(|| moving.default_stations(), <[f64]>::to_vec);
-    let uplift = passage.uplift();
-    text(&Document {
-        status: moving.status(),
+/// The document of passages, with the envelopes at the given sections; left out, at those that suit them. Of a single
+/// passage it is that one's own.
+pub fn trains(passages: &Passages, stations: Option<&[f64]>, context: &Context) -> String {
+    let head = (context.title, context.units.name());
+    if let [moving] = &passages.all[..] {
+        let (title, units) = head;
+        let one = One::of(moving, stations);
+        return text(&Document { title, units, one, seconds: context.seconds });
+    }
+    let any = passages.all.iter().any(|moving| moving.passage.solved().next().is_some());
+    let sections = || stations.map_or_else(|| passages.default_stations(), <[f64]>::to_vec);
+    let (title, units) = head;
+    text(&Several {
+        status: passages.status(),
+        title,
+        units,
+        passages: passages.all.iter().map(|moving| One::of(moving, stations)).collect(),
+        envelope: any.then(|| Table::of_all(passages, sections())),
+        extremes: any.then(|| ByField::of(|field| passages.range(field).map(Extremes::of_all))),
+        seconds: context.seconds,
+    })
+}
+
+/// The document of trains that were not solved for: where along their ways there is no equilibrium.
+pub fn checked_trains(checked: &[CheckedTrain], context: &Context) -> String {
+    let falls = checked.iter().any(|train| !train.without_equilibrium.is_empty());
+    let of = |train: &CheckedTrain| CheckedOne {
+        combination: train.combination.map(str::to_owned),
+        name: train.name.to_owned(),
+        range: Stretch::of(train.range),
+        without_equilibrium: train.without_equilibrium.iter().copied().map(Stretch::of).collect(),
+    };
+    text(&CheckedAll {
+        status: if falls { "no-equilibrium" } else { "equilibrium-exists" },
         title: context.title,
         units: context.units.name(),
-        train: Head::of(moving),
-        envelope: any.then(|| Table::of(moving, stations())),
-        extremes: any.then(|| ByField::of(|field| passage.range(field).map(Extremes::of))),
-        uplift: any.then(|| Uplift {
-            ahead: uplift.ahead.map(Place::of),
-            between: uplift.between.map(Place::of),
-            behind: uplift.behind.map(Place::of),
-        }),
+        trains: checked.iter().map(of).collect(),
         seconds: context.seconds,
     })
 }
 
 #[derive(Serialize)]
-struct Document<'a> {
+struct CheckedAll<'a> {
     status: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     title: Option<&'a str>,
     units: &'static str,
+    trains: Vec<CheckedOne>,
+    seconds: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct CheckedOne {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    combination: Option<String>,
+    name: String,
+    range: Stretch,
+    without_equilibrium: Vec<Stretch>,
+}
+
+#[derive(Serialize)]
+struct Several<'a> {
+    status: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    title: Option<&'a str>,
+    units: &'static str,
+    passages: Vec<One<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    envelope: Option<Table>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    extremes: Option<ByField<Option<Extremes>>>,
+    seconds: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Document<'a> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    title: Option<&'a str>,
+    units: &'static str,
+    #[serde(flatten)]
+    one: One<'a>,
+    seconds: Option<f64>,
+}
+
+/// One passage.
+#[derive(Serialize)]
+struct One<'a> {
+    status: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    combination: Option<&'a str>,
     train: Head<'a>,
     #[serde(skip_serializing_if = "Option::is_none")]
     envelope: Option<Table>,
@@ -43,7 +105,27 @@ struct Document<'a> {
     extremes: Option<ByField<Option<Extremes>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     uplift: Option<Uplift>,
-    seconds: Option<f64>,
+}
+
+impl<'a> One<'a> {
+    fn of(moving: &Moving<'a>, stations: Option<&[f64]>) -> Self {
+        let passage = moving.passage;
+        let any = passage.solved().next().is_some();
+        let stations = || stations.map_or_else(|| moving.default_stations(), <[f64]>::to_vec);
+        let uplift = passage.uplift();
+        One {
+            status: moving.status(),
+            combination: moving.combination,
+            train: Head::of(moving),
+            envelope: any.then(|| Table::of(moving, stations())),
+            extremes: any.then(|| ByField::of(|field| passage.range(field).map(Extremes::of))),
+            uplift: any.then(|| Uplift {
+                ahead: uplift.ahead.map(Place::of),
+                between: uplift.between.map(Place::of),
+                behind: uplift.behind.map(Place::of),
+            }),
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -82,6 +164,12 @@ struct Stretch {
     to: f64,
 }
 
+impl Stretch {
+    fn of([from, to]: [f64; 2]) -> Self {
+        Stretch { from, to }
+    }
+}
+
 /// Relative to each field's largest value.
 #[derive(Serialize)]
 struct Error {
@@ -92,8 +180,7 @@ struct Error {
 
 impl<'a> Head<'a> {
     fn of(moving: &Moving<'a>) -> Self {
-        let Moving { name, set, factor, range, passage } = *moving;
-        let stretch = |[from, to]: [f64; 2]| Stretch { from, to };
+        let Moving { name, set, factor, range, passage, .. } = *moving;
         let (train, reach) = (passage.train(), passage.reach());
         Head {
             name,
@@ -105,7 +192,7 @@ impl<'a> Head<'a> {
                 .iter()
                 .map(|part| Part { from: part.from, to: part.to, load: part.intensity })
                 .collect(),
-            range: stretch(range),
+            range: Stretch::of(range),
             positions: passage.solved().count(),
             error: Error {
                 stated: reach.asked,
@@ -116,7 +203,7 @@ impl<'a> Head<'a> {
                 .without_equilibrium()
                 .iter()
                 .copied()
-                .map(stretch)
+                .map(Stretch::of)
                 .collect(),
             not_converged: passage.not_converged().collect(),
         }
@@ -137,21 +224,41 @@ struct Lines {
     /// Positions of the first axle.
     governs_min: Vec<f64>,
     governs_max: Vec<f64>,
+    /// Of several passages which ones, counted from 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    passage_min: Option<Vec<usize>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    passage_max: Option<Vec<usize>>,
 }
 
 impl Table {
     fn of(moving: &Moving, x: Vec<f64>) -> Self {
-        let bounds: Vec<[[Located; 2]; 7]> =
-            x.iter().filter_map(|&x| moving.passage.at(x)).collect();
+        let in_it = |located| InPassage { located, passage: 0 };
+        let at = |x| Some(moving.passage.at(x)?.map(|both| both.map(in_it)));
+        Table::by(x, at, false)
+    }
+
+    fn of_all(passages: &Passages, x: Vec<f64>) -> Self {
+        Table::by(x, |x| passages.at(x), true)
+    }
+
+    fn by(x: Vec<f64>, at: impl Fn(f64) -> Option<[[InPassage; 2]; 7]>, several: bool) -> Self {
+        let bounds: Vec<[[InPassage; 2]; 7]> = x.iter().filter_map(|&x| at(x)).collect();
         let lines = |field: Field| {
-            let list = |of: fn(&[Located; 2]) -> f64| {
-                bounds.iter().map(|bounds| of(&bounds[field.index()])).collect()
-            };
+            let [min, max] = [0, 1].map(|bound| {
+                bounds.iter().map(move |bounds| bounds[field.index()][bound]).collect::<Vec<_>>()
+            });
+            let value = |all: &[InPassage]| all.iter().map(|g| g.located.value).collect();
+            let axle = |all: &[InPassage]| all.iter().map(|g| g.located.first_axle).collect();
+            let which =
+                |all: &[InPassage]| several.then(|| all.iter().map(|g| g.passage).collect());
             Lines {
-                min: list(|[min, _]| min.value),
-                max: list(|[_, max]| max.value),
-                governs_min: list(|[min, _]| min.first_axle),
-                governs_max: list(|[_, max]| max.first_axle),
+                min: value(&min),
+                max: value(&max),
+                governs_min: axle(&min),
+                governs_max: axle(&max),
+                passage_min: which(&min),
+                passage_max: which(&max),
             }
         };
         Table { fields: ByField::of(lines), x }
@@ -168,6 +275,14 @@ impl Extremes {
     fn of([min, max]: [Located; 2]) -> Self {
         Extremes { min: Place::of(min), max: Place::of(max) }
     }
+
+    fn of_all(both: [InPassage; 2]) -> Self {
+        let [min, max] = both.map(|governing| Place {
+            passage: Some(governing.passage),
+            ..Place::of(governing.located)
+        });
+        Extremes { min, max }
+    }
 }
 
 #[derive(Serialize)]
@@ -176,11 +291,14 @@ struct Place {
     value: f64,
     /// Position of the first axle.
     first_axle: f64,
+    /// Of several passages which one, counted from 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    passage: Option<usize>,
 }
 
 impl Place {
     fn of(Located { x, value, first_axle }: Located) -> Self {
-        Place { x, value, first_axle }
+        Place { x, value, first_axle, passage: None }
     }
 }
 

@@ -28,7 +28,7 @@ use frame::{Frame, LEFT, RIGHT, WIDTH};
 use groundbeam::{Field, Solution};
 use samples::Samples;
 use style::{FAINT_INK, NOTE, TICK, TITLE};
-pub use train::train;
+pub use train::trains;
 
 /// Edges of contact beyond this many are not marked in the diagrams.
 const MOST_EDGES: usize = 40;

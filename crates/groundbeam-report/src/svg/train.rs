@@ -1,41 +1,51 @@
-//! One picture of a train's passage: the train where it bends the beam most, and the envelopes of all its positions.
+//! One picture of the passages of trains: the train that bends the beam most where it does, and the envelopes of all
+//! positions of all trains.
 
 use super::canvas::Canvas;
 use super::diagram::{Diagram, OF_ENVELOPES, worth_naming};
 use super::frame::{Frame, WIDTH};
 use super::samples::Samples;
 use super::{PANEL_SPACE, axis_of_x, header, numbers, stacked, system};
-use crate::context::Context;
+use crate::context::{Context, clean};
 use crate::font::Metrics;
 use crate::quantity::Units;
 use crate::size::Sizes;
-use crate::trains::Moving;
+use crate::trains::{InPassage, Passages};
 use groundbeam::Extreme;
-use groundbeam::train::{Located, Passage};
 
 /// Even steps along the beam.
 const EVEN_STEPS: usize = 400;
 
-/// The train where the moment is largest, and the envelopes of its passage, as an SVG file.
-pub fn train(moving: &Moving, context: &Context) -> String {
-    let (passage, units) = (moving.passage, context.units);
+/// The train where the moment is largest, and the envelopes of all passages, as an SVG file.
+pub fn trains(passages: &Passages, context: &Context) -> String {
+    let units = context.units;
     let title = context.clean_title();
     let mut page = Canvas::new();
-    let governing = moving.largest_moment().and_then(|most| passage.nearest(most.first_axle));
-    let Some((first_axle, solution)) = governing else {
+    let governing = passages.largest_moment().and_then(|most| {
+        let moving = passages.all.get(most.passage)?;
+        Some((moving, moving.passage.nearest(most.located.first_axle)?))
+    });
+    let Some((moving, (first_axle, solution))) = governing else {
         let y = header(&mut page, title.as_deref(), &["no position was solved"]);
         return page.finish(WIDTH, y, title.as_deref().unwrap_or("No position was solved"));
     };
     let metrics = Metrics::new();
-    let frame = Frame::of(passage.model());
-    let count = passage.solved().count();
+    let frame = Frame::of(moving.passage.model());
+    let count: usize = passages.all.iter().map(|moving| moving.passage.solved().count()).sum();
     let at = units.position(first_axle);
-    let note = format!("{count} positions; drawn where the moment is largest, first axle at {at}");
+    let whose = match passages.all.len() {
+        1 => String::new(),
+        passages => format!(" in {passages} passages"),
+    };
+    let of = if passages.all.len() == 1 { String::new() } else { clean(&moving.label()) + ", " };
+    let note = format!(
+        "{count} positions{whose}; drawn where the moment is largest, {of}first axle at {at}"
+    );
     let mut y = header(&mut page, title.as_deref(), &[&numbers(solution, units), &note]);
     let samples = Samples::of(solution);
     let drawn = system::draw(solution, units, &frame, &samples, &metrics);
     y = stacked(&mut page, &drawn, y);
-    for diagram in diagrams(passage, units, samples.sizes) {
+    for diagram in diagrams(passages, units, samples.sizes) {
         y = stacked(&mut page, &diagram.draw(&frame, &metrics), y);
     }
     axis_of_x(&mut page, &frame, units, y - PANEL_SPACE + 2.0);
@@ -43,16 +53,18 @@ pub fn train(moving: &Moving, context: &Context) -> String {
     page.finish(WIDTH, height, title.as_deref().unwrap_or("A train passes"))
 }
 
-fn diagrams(passage: &Passage, units: Units, sizes: Sizes) -> [Diagram<'static>; 4] {
-    let stations = passage.stations(EVEN_STEPS);
-    let bounds: Vec<(f64, [[Located; 2]; 7])> =
-        stations.into_iter().filter_map(|x| Some((x, passage.at(x)?))).collect();
+fn diagrams(passages: &Passages, units: Units, sizes: Sizes) -> [Diagram<'static>; 4] {
+    let stations = passages.stations(EVEN_STEPS);
+    let bounds: Vec<(f64, [[InPassage; 2]; 7])> =
+        stations.into_iter().filter_map(|x| Some((x, passages.at(x)?))).collect();
     OF_ENVELOPES.map(|field| {
         let line = |bound: usize| -> Vec<(f64, f64)> {
-            let value = |x: &f64, all: &[[Located; 2]; 7]| (*x, all[field.index()][bound].value);
+            let value =
+                |x: &f64, all: &[[InPassage; 2]; 7]| (*x, all[field.index()][bound].located.value);
             bounds.iter().map(|(x, all)| value(x, all)).collect()
         };
-        let extremes = passage.range(field).into_iter().flatten().rev().map(|located| {
+        let extremes = passages.range(field).into_iter().flatten().rev().map(|governing| {
+            let located = governing.located;
             let extreme = Extreme { x: located.x, value: located.value };
             sizes.extreme(field, extreme)
         });

@@ -3,6 +3,7 @@
 use super::factors::falls;
 use super::sheet::{Sheet, Tone};
 use super::{checks, duration, label, structure, title};
+use crate::band::Banded;
 use crate::characteristics::Characteristics;
 use crate::combinations::{Answer, Combinations, Combined};
 use crate::context::{Context, clean};
@@ -45,6 +46,7 @@ pub fn combinations(combinations: &Combinations, context: &Context, colour: bool
         sheet.blank();
         envelope(&mut sheet, &combinations.envelope(), &solved, context.units);
         sheet.blank();
+        band(&mut sheet, combinations, context.units);
         let named = |row: &Numbered<'_>| combinations.combined[row.number - 1].name;
         let all: Vec<_> = solved.iter().map(|row| (named(row), row.solution)).collect();
         checks::worst_rows(&mut sheet, &all, context);
@@ -82,8 +84,26 @@ const COLUMNS: [(Field, bool); 4] = [
 fn names(sheet: &mut Sheet, combinations: &Combinations) {
     for (i, combined) in combinations.combined.iter().enumerate() {
         let name = format!("{:>4}  {}", i + 1, clean(combined.name));
-        sheet.row(if i == 0 { "Combinations" } else { "" }, &name);
+        sheet.row(if i == 0 { combinations.noun() } else { "" }, &name);
     }
+}
+
+/// What the engineer judges by, on the best ground and between which bounds on all of them.
+fn band(sheet: &mut Sheet, combinations: &Combinations, units: Units) {
+    let Some(bands) = combinations.bands() else { return };
+    let heading = format!("{:<31}{:>14}{:>18}", "Band of grounds", "best ground", "all of them");
+    sheet.heading(&heading);
+    for (field, largest) in COLUMNS {
+        let Banded { best, low, high } = bands[field.index()][usize::from(largest)];
+        let unit = units.unit(Kind::of(field), low.abs().max(high.abs()));
+        let words = if largest { "largest" } else { "smallest" };
+        let name = format!("{} {}", words, label(field).to_lowercase());
+        let best = unit.write(best, 6);
+        let range = format!("{} to {}", unit.number(low, 6), unit.write(high, 6));
+        sheet.line(&format!("{name:<31}{best:>14}    {range}"));
+    }
+    sheet.row("", "of the grounds that were solved; nothing is proven of those between them");
+    sheet.blank();
 }
 
 /// Numbers, verdicts and names, where there is nothing else to tell.

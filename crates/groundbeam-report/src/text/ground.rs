@@ -1,4 +1,4 @@
-//! The soil from which the ground was made.
+//! Where the ground's constants come from.
 
 use super::sheet::{Sheet, Tone};
 use crate::context::Context;
@@ -10,15 +10,17 @@ use groundbeam::Model;
 pub fn rows(sheet: &mut Sheet, model: &Model, context: &Context) {
     let Some(ground) = &context.ground else { return };
     let units = context.units;
-    let (width, subgrade) = (ground.bed.width, ground.subgrade);
-    let mut words = format!("by {}", ground.bed.source());
-    if let Some((gamma, rounds)) = ground.gamma {
-        words += &format!(", γ = {}", significant(gamma, 6));
-        if rounds > 1 {
-            words += &format!(", the solution's own after {rounds} of them");
+    let (width, subgrade) = (ground.width, ground.subgrade);
+    if let Some(bed) = ground.bed {
+        let mut words = format!("by {}", bed.source());
+        if let Some((gamma, rounds)) = ground.gamma {
+            words += &format!(", γ = {}", significant(gamma, 6));
+            if rounds > 1 {
+                words += &format!(", the solution's own after {rounds} of them");
+            }
         }
+        sheet.row("Soil", &words);
     }
-    sheet.row("Soil", &words);
     let area = units.write(Kind::AreaSpring, subgrade.spring / width, 6);
     let mut values = format!("on a width of {}: C1 = k/b = {area}", units.position(width));
     if subgrade.shear > 0.0 {
@@ -26,7 +28,7 @@ pub fn rows(sheet: &mut Sheet, model: &Model, context: &Context) {
         values += &format!(", C2 = mu/b = {shear}");
     }
     sheet.row("", &values);
-    for doubt in ground.bed.doubts(&model.beam) {
+    for doubt in ground.bed.map(|bed| bed.doubts(&model.beam)).unwrap_or_default() {
         sheet.toned_row("Caution", &doubt, Tone::Doubtful);
     }
 }

@@ -5,6 +5,7 @@ mod checks;
 mod combinations;
 mod factors;
 mod ground;
+mod passages;
 mod sheet;
 mod train;
 
@@ -19,8 +20,8 @@ use groundbeam::{
     ContactRegion, Existence, Extreme, Field, Model, NotConverged, Profile, Reaction, Solution,
     SupportKind, Verdict,
 };
+pub use passages::{checked_trains, trains};
 use sheet::{Sheet, Tone};
-pub use train::train;
 
 /// More rows of one kind than this are counted, not listed.
 const MOST_ROWS: usize = 20;

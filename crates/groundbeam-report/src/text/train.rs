@@ -1,44 +1,54 @@
-//! The report of a train's passage: the train, the envelope, uplift ahead of and behind the axles.
+//! The report of one train's passage: the train, the envelope, uplift ahead of and behind the axles.
 
 use super::sheet::{Sheet, Tone};
-use super::{duration, label, structure, title};
-use crate::characteristics::Characteristics;
+use super::{checks, duration, label};
 use crate::context::{Context, clean};
 use crate::number::{order, significant};
 use crate::quantity::{Kind, Units};
 use crate::size::Sizes;
 use crate::trains::Moving;
-use groundbeam::Field;
 use groundbeam::train::{Located, Passage};
+use groundbeam::{Field, Solution};
 
 /// More ranges of one kind than this are counted, not listed.
 const MOST_RANGES: usize = 8;
 
-/// The report of a train's passage; with `colour`, with escape codes for a terminal.
-pub fn train(moving: &Moving, context: &Context, colour: bool) -> String {
-    let mut sheet = Sheet::new(colour);
+/// The report of one passage, below the beam and the ground.
+pub(super) fn train(sheet: &mut Sheet, moving: &Moving, context: &Context) {
     let passage = moving.passage;
-    title(&mut sheet, context);
-    if let Some((_, solution)) = passage.solved().next() {
-        let found = Characteristics::of(passage.model(), solution.existence());
-        structure(&mut sheet, passage.model(), &found, context);
+    head(sheet, moving, context.units);
+    if let Some(combination) = moving.combination {
+        sheet.row("", &format!("under the combination {}", clean(combination)));
     }
-    head(&mut sheet, moving, context.units);
-    positions(&mut sheet, passage);
-    failures(&mut sheet, passage, context.units);
+    positions(sheet, passage);
+    failures(sheet, passage, "", context.units);
     if passage.solved().next().is_some() {
         sheet.blank();
-        envelope(&mut sheet, passage, context.units);
+        envelope(sheet, passage, context.units);
         sheet.blank();
-        uplift(&mut sheet, passage, context.units);
+        uplift(sheet, passage, context.units);
         sheet.blank();
-        proof(&mut sheet, passage, context);
+        limits(sheet, &[moving], context);
+        proof(sheet, &[moving], context);
     }
-    sheet.finish()
+}
+
+/// Of every check the position that comes nearest to its limit, or passes it farthest.
+pub(super) fn limits(sheet: &mut Sheet, all: &[&Moving], context: &Context) {
+    let named = all.iter().flat_map(|moving| {
+        moving.passage.solved().map(|(first_axle, solution)| {
+            let at = format!("first axle at {}", context.units.position(first_axle));
+            let name = if all.len() > 1 { moving.label() + ", " + &at } else { at };
+            (name, solution)
+        })
+    });
+    let named: Vec<(String, &Solution)> = named.collect();
+    let solved: Vec<_> = named.iter().map(|(name, solution)| (&**name, *solution)).collect();
+    checks::worst_rows(sheet, &solved, context);
 }
 
 /// Name, axles, and where it goes.
-fn head(sheet: &mut Sheet, moving: &Moving, units: Units) {
+pub(super) fn head(sheet: &mut Sheet, moving: &Moving, units: Units) {
     let train = moving.passage.train();
     let name = clean(moving.name);
     let mut words = match moving.set {
@@ -89,21 +99,25 @@ fn positions(sheet: &mut Sheet, passage: &Passage) {
     sheet.row("Positions", &words);
 }
 
-/// Where the train cannot stand, and where nothing was certified.
-fn failures(sheet: &mut Sheet, passage: &Passage, units: Units) {
-    let none = passage.without_equilibrium();
+/// Where a train cannot stand.
+pub(super) fn ranges(sheet: &mut Sheet, none: &[[f64; 2]], whose: &str, units: Units) {
     for (i, [from, to]) in none.iter().take(MOST_RANGES).enumerate() {
         let [from, to] = [from, to].map(|x| units.position(*x));
-        let words = format!("no equilibrium: first axle from {from} to {to}");
+        let words = format!("{whose}no equilibrium: first axle from {from} to {to}");
         sheet.toned_row(if i == 0 { "Tips" } else { "" }, &words, Tone::Bad);
     }
     if let Some(more @ 1..) = none.len().checked_sub(MOST_RANGES) {
-        sheet.row("", &format!("and {more} ranges more"));
+        sheet.row("", &format!("{whose}and {more} ranges more"));
     }
+}
+
+/// Where the train cannot stand, and where nothing was certified.
+pub(super) fn failures(sheet: &mut Sheet, passage: &Passage, whose: &str, units: Units) {
+    ranges(sheet, passage.without_equilibrium(), whose, units);
     let failed: Vec<f64> = passage.not_converged().collect();
     if let Some(first) = failed.first() {
         let first = units.position(*first);
-        let words = format!("not solved: {} positions, the first at {first}", failed.len());
+        let words = format!("{whose}not solved: {} positions, the first at {first}", failed.len());
         sheet.toned_row("Not solved", &words, Tone::Bad);
     }
 }
@@ -139,7 +153,7 @@ fn envelope(sheet: &mut Sheet, passage: &Passage, units: Units) {
 }
 
 /// What is nothing but rounding is zero in print.
-fn cleaned(passage: &Passage, field: Field, located: Located) -> Located {
+pub(super) fn cleaned(passage: &Passage, field: Field, located: Located) -> Located {
     let Some((_, solution)) = passage.nearest(located.first_axle) else { return located };
     let sizes = Sizes::of(solution);
     let (x, value) = (sizes.position(located.x), sizes.value(field, located.value));
@@ -166,12 +180,13 @@ fn uplift(sheet: &mut Sheet, passage: &Passage, units: Units) {
     }
 }
 
-fn proof(sheet: &mut Sheet, passage: &Passage, context: &Context) {
-    let gaps = passage.solved().map(|(_, solution)| solution.certificate().relative_gap);
+pub(super) fn proof(sheet: &mut Sheet, all: &[&Moving], context: &Context) {
+    let solved = || all.iter().flat_map(|moving| moving.passage.solved());
+    let gaps = solved().map(|(_, solution)| solution.certificate().relative_gap);
     let gap = order(gaps.fold(0.0, f64::max));
     let words = format!("for each position; energy gap at most {gap} of the strain energy");
     sheet.row("Certificate", &words);
-    let method = passage.solved().next().map_or("", |(_, solution)| solution.method().name());
+    let method = solved().next().map_or("", |(_, solution)| solution.method().name());
     let mut words = method.to_owned();
     if let Some(seconds) = context.seconds {
         words += &format!(", {}", duration(seconds));

@@ -125,7 +125,12 @@ fn next(model: &Model, places: &[f64], last: &State, compression: f64) -> Result
 
 /// The equilibrium that Newton's steps find from the contact of a neighbour, all of them where the second
 /// variation is positive.
-fn settled(model: &Model, places: &[f64], compression: f64, near: &[Stretch]) -> Result<State, End> {
+fn settled(
+    model: &Model,
+    places: &[f64],
+    compression: f64,
+    near: &[Stretch],
+) -> Result<State, End> {
     let model = compressed(model, compression);
     let mut glue = Glue::new(&model);
     let mut contact = near.to_vec();

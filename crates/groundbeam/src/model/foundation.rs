@@ -43,6 +43,17 @@ impl Foundation {
         Self::pasternak(spring, 0.0)
     }
 
+    /// The same ground with k and μ multiplied everywhere.
+    pub fn scaled(mut self, spring: f64, shear: f64) -> Self {
+        self.spring *= spring;
+        self.shear *= shear;
+        for segment in &mut self.segments {
+            segment.spring = segment.spring.scaled(spring);
+            segment.shear = segment.shear.scaled(shear);
+        }
+        self
+    }
+
     /// The same ground with other constants between two positions.
     pub fn with_segment(self, from: f64, to: f64, spring: f64, shear: f64) -> Self {
         self.with_varying_segment(from, to, Profile::constant(spring), Profile::constant(shear))

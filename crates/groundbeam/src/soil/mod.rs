@@ -16,7 +16,7 @@
 //! let loam = SoilLayer { modulus: 15e6, poisson: 0.3, thickness: 2.0 };
 //! let gravel = SoilLayer { modulus: 60e6, poisson: 0.25, thickness: 4.0 };
 //! let soil = Soil::ModifiedVlasov(LayeredSoil { layers: vec![loam, gravel] });
-//! let bed = Bed { soil, width: 1.2 };
+//! let bed = Bed::new(soil, 1.2);
 //!
 //! let model = Model::new(Beam::uniform(12.0, 1.2e9), Foundation::winkler(1.0))
 //!     .with_load(Load::point(600e3, 1.0));
@@ -80,6 +80,9 @@ pub struct Bed {
     pub soil: Soil,
     /// The width on which the beam bears \[m\].
     pub width: f64,
+    /// What k and μ are multiplied by: `[1, 1]` as the method gives them, other numbers for soil that is not
+    /// well known.
+    pub factors: [f64; 2],
 }
 
 /// An answer on soil.
@@ -101,11 +104,16 @@ const LONG: f64 = 2.25;
 const NEARLY_INCOMPRESSIBLE: f64 = 0.45;
 
 impl Bed {
+    /// Soil under a beam that bears on a `width` \[m\] of it.
+    pub fn new(soil: Soil, width: f64) -> Self {
+        Bed { soil, width, factors: [1.0; 2] }
+    }
+
     /// k and μ under a beam, before anything is solved: for [`Soil::ModifiedVlasov`] those of γ = 1.
     pub fn subgrade(&self, beam: &Beam) -> Subgrade {
         let (width, length, stiffness) = (self.width, beam.length, beam.bending_stiffness);
         let springs = |spring: f64| Subgrade { spring, shear: 0.0 };
-        match &self.soil {
+        let ground = match &self.soil {
             Soil::Vlasov(layers, gamma) => layers.subgrade(layers.rate(*gamma), width),
             Soil::ModifiedVlasov(layers) => layers.subgrade(layers.rate(1.0), width),
             Soil::Vesic(soil) => springs(winkler::vesic(soil, width, stiffness)),
@@ -114,7 +122,8 @@ impl Bed {
             Soil::Selvadurai(soil) => springs(winkler::selvadurai(soil)),
             Soil::TerzaghiClay(plate) => springs(winkler::terzaghi_clay(plate, width, length)),
             Soil::TerzaghiSand(plate) => springs(winkler::terzaghi_sand(plate, width)),
-        }
+        };
+        ground.times(self.factors)
     }
 
     /// Solves a beam on this soil; the model's own foundation is replaced. Without an equilibrium, or where
@@ -125,7 +134,7 @@ impl Bed {
     /// As [`solve_with`]; [`Error::NotConverged`] also if γ does not settle.
     pub fn solve(&self, model: &Model, options: &Options) -> Result<OnSoil, Error> {
         if let Soil::ModifiedVlasov(layers) = &self.soil {
-            return modified::solve(model, layers, self.width, options);
+            return modified::solve(model, layers, self, options);
         }
         let subgrade = self.subgrade(&model.beam);
         let gamma = match self.soil {
@@ -183,6 +192,11 @@ impl Bed {
 }
 
 impl Subgrade {
+    /// The same with k and μ multiplied.
+    pub fn times(self, [spring, shear]: [f64; 2]) -> Self {
+        Subgrade { spring: self.spring * spring, shear: self.shear * shear }
+    }
+
     /// The model on this ground.
     pub fn under(&self, model: &Model) -> Model {
         let mut model = model.clone();
@@ -199,7 +213,7 @@ mod tests {
     #[test]
     fn short_beams_and_wide_plates_are_doubted() {
         let beam = |stiffness| Beam::uniform(5.0, stiffness);
-        let bed = |soil| Bed { soil, width: 1.0 };
+        let bed = |soil| Bed::new(soil, 1.0);
         let vesic = || bed(Soil::Vesic(Elastic { modulus: 20e6, poisson: 0.3 }));
         assert!(vesic().doubts(&beam(1e6)).is_empty());
         assert!(vesic().doubts(&beam(1e9))[0].contains("βl = 1.1"));
@@ -216,7 +230,7 @@ mod tests {
         };
         let model = Model::new(Beam::uniform(12.0, 1.2e9), Foundation::winkler(1.0))
             .with_load(Load::point(600e3, 5.0));
-        let solved = |soil| Bed { soil, width: 1.2 }.solve(&model, &Options::default()).unwrap();
+        let solved = |soil| Bed::new(soil, 1.2).solve(&model, &Options::default()).unwrap();
         let modified = solved(Soil::ModifiedVlasov(layers()));
         let gamma = modified.gamma.unwrap();
         let given = solved(Soil::Vlasov(layers(), gamma));

@@ -4,8 +4,8 @@
 //! (*Modified Vlasov model for beams on elastic foundations*, J. Geotech. Eng. 117(6), 1991) iterate
 //! between the two; here every u is exact, on the whole line, beyond the beam and where it has lifted off.
 
-use super::OnSoil;
 use super::layers::{LayeredSoil, squares};
+use super::{Bed, OnSoil};
 use crate::contact::forms::inner;
 use crate::model::Model;
 use crate::solution::{Solution, Stretch};
@@ -15,17 +15,17 @@ use crate::solve::{Error, NotConverged, Options, Outcome, solve_with};
 const SETTLED: f64 = 1e-12;
 const MOST_ROUNDS: usize = 100;
 
-/// Solves a beam of a given width on layered soil, with k and μ from the solution itself.
+/// Solves a beam on a bed of layered soil, with k and μ from the solution itself.
 pub(super) fn solve(
     model: &Model,
     layers: &LayeredSoil,
-    width: f64,
+    bed: &Bed,
     options: &Options,
 ) -> Result<OnSoil, Error> {
     let mut rate = layers.rate(1.0);
     let mut before: Option<[f64; 2]> = None;
     for rounds in 1..=MOST_ROUNDS {
-        let subgrade = layers.subgrade(rate, width);
+        let subgrade = layers.subgrade(rate, bed.width).times(bed.factors);
         let outcome = solve_with(&subgrade.under(model), options)?;
         let found = match &outcome {
             Outcome::Equilibrium(solution) => rate_of(solution),
@@ -98,7 +98,7 @@ fn on(stretch: &Stretch) -> [f64; 2] {
 mod tests {
     use super::*;
     use crate::model::{Beam, Foundation, Load};
-    use crate::soil::SoilLayer;
+    use crate::soil::{Soil, SoilLayer};
 
     /// Vallabhan and Das (1991), feet and kips, a beam of 100 on soil 25 deep under an even load: γ = 0.395.
     /// (Their force at the middle, 0.507, holds for ground that pulls: here the ends lift off.)
@@ -106,10 +106,11 @@ mod tests {
     fn vallabhan_and_das() {
         let layer = SoilLayer { modulus: 144.0, poisson: 0.2, thickness: 25.0 };
         let soil = LayeredSoil { layers: vec![layer] };
+        let bed = Bed::new(Soil::ModifiedVlasov(soil.clone()), 1.0);
         let beam = || Model::new(Beam::uniform(100.0, 432_000.0 * 2.25), Foundation::winkler(1.0));
         let solved = |load: Load| {
             let model = beam().with_load(load);
-            let found = solve(&model, &soil, 1.0, &Options::default()).unwrap();
+            let found = solve(&model, &soil, &bed, &Options::default()).unwrap();
             assert!(found.rounds < 8, "{}", found.rounds);
             let Outcome::Equilibrium(solution) = found.outcome else { panic!("it stands") };
             (found.gamma.unwrap(), solution.contact()[0].from)

@@ -1,44 +1,64 @@
 //! Where along its way a train leaves the beam without an equilibrium.
 
 use super::Train;
-use super::sweep::{Answer, Position};
+use super::sweep::first_positions;
 use crate::model::Model;
-use crate::solve::exists;
+use crate::solve::{Error, exists};
 
 /// Halvings of an interval: as many as a number has digits.
 const HALVINGS: usize = 52;
 
-/// Ranges of the first axle's position at which there is no equilibrium, from left to right.
+/// Ranges of the first axle's position at which there is no equilibrium, from left to right, from positions of which it
+/// is known whether there is one.
 pub(super) fn without_equilibrium(
     model: &Model,
     train: &Train,
-    found: &[Position],
+    found: impl Iterator<Item = (f64, bool)>,
 ) -> Vec<[f64; 2]> {
     let mut ranges: Vec<[f64; 2]> = Vec::new();
-    let mut before: Option<&Position> = None;
-    for position in found {
-        let is_none = matches!(position.answer, Answer::NoEquilibrium(_));
-        let was_none = before.is_some_and(|p| matches!(p.answer, Answer::NoEquilibrium(_)));
-        let at = position.first_axle;
+    let mut before: Option<(f64, bool)> = None;
+    for (at, stands) in found {
+        let stood = before.is_none_or(|(_, stood)| stood);
         let edge = |stands: f64, falls: f64| edge(model, train, stands, falls);
-        match (was_none, is_none, before) {
-            (false, true, None) => ranges.push([at, at]),
-            (false, true, Some(before)) => ranges.push([edge(before.first_axle, at), at]),
-            (true, false, Some(before)) => {
-                if let Some(last) = ranges.last_mut() {
-                    last[1] = edge(at, before.first_axle);
-                }
-            }
-            (true, true, _) => {
-                if let Some(last) = ranges.last_mut() {
-                    last[1] = at;
-                }
-            }
+        match (stood, stands, before, ranges.last_mut()) {
+            (true, false, None, _) => ranges.push([at, at]),
+            (true, false, Some((before, _)), _) => ranges.push([edge(before, at), at]),
+            (false, true, Some((before, _)), Some(last)) => last[1] = edge(at, before),
+            (false, false, _, Some(last)) => last[1] = at,
             _ => {}
         }
-        before = Some(position);
+        before = Some((at, stands));
     }
     ranges
+}
+
+/// Each interval between first positions is looked at in so many places.
+const PARTS: usize = 8;
+
+impl Train {
+    /// Ranges of the first axle's position in which there is no equilibrium, without solving: told from statics at the
+    /// places where axles meet what the model has, on an even grid, and in between.
+    ///
+    /// # Errors
+    ///
+    /// As [`exists`].
+    pub fn without_equilibrium(
+        &self,
+        model: &Model,
+        range: [f64; 2],
+    ) -> Result<Vec<[f64; 2]>, Error> {
+        let first = first_positions(model, self, range);
+        let parts = first.windows(2).flat_map(|ends| {
+            let step = (ends[1] - ends[0]) / PARTS as f64;
+            (0..PARTS).map(move |i| ends[0] + step * i as f64)
+        });
+        let mut found = Vec::new();
+        for at in parts.chain(first.last().copied()) {
+            let existence = exists(&self.on(model, at))?;
+            found.push((at, existence.verdict.stands()));
+        }
+        Ok(without_equilibrium(model, self, found.into_iter()))
+    }
 }
 
 /// The edge between a position with and one without an equilibrium.

@@ -125,18 +125,31 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// Solves all that is wanted, one position after the other.
+    /// The solution of a given position next to one that is wanted, of two the one on the left: where to begin there.
+    pub fn near(&self, wanted: f64) -> Option<&Solution> {
+        let next = self.found.partition_point(|position| position.first_axle <= wanted);
+        let sides = [next.checked_sub(1), Some(next)];
+        sides.into_iter().flatten().find_map(|i| match &self.found.get(i)?.answer {
+            Answer::Equilibrium(solution) => Some(&**solution),
+            _ => None,
+        })
+    }
+
+    /// Solves all that is wanted, one position after the other; `solve` is given the loaded model and the solution of a
+    /// position near by, as [`solve_near`](crate::solve_near) wants them.
     ///
     /// # Errors
     ///
     /// The first that is not about one position alone.
     pub fn run(
         mut self,
-        solve: impl Fn(&Model) -> Result<Outcome, Error>,
+        solve: impl Fn(&Model, Option<&Solution>) -> Result<Outcome, Error>,
     ) -> Result<Passage, Error> {
         while !self.wanted.is_empty() {
-            let solved =
-                self.wanted.iter().map(|&at| Answer::of(solve(&self.train.on(self.model, at))));
+            let solved = self
+                .wanted
+                .iter()
+                .map(|&at| Answer::of(solve(&self.train.on(self.model, at), self.near(at))));
             let answers: Result<Vec<Answer>, Error> = solved.collect();
             self.give(answers?);
         }
@@ -149,7 +162,11 @@ impl<'a> Sweep<'a> {
         let reached = each.fold([0.0_f64; 7], |most, error| {
             std::array::from_fn(|field| most[field].max(error[field]))
         });
-        let none = edges::without_equilibrium(self.model, self.train, &self.found);
+        let stands = |position: &Position| {
+            (position.first_axle, !matches!(position.answer, Answer::NoEquilibrium(_)))
+        };
+        let found = self.found.iter().map(stands);
+        let none = edges::without_equilibrium(self.model, self.train, found);
         Passage {
             model: self.model.clone(),
             train: self.train.clone(),
@@ -237,7 +254,7 @@ fn values(fields: Fields) -> [f64; 7] {
 
 /// Even steps, and where an axle or the end of a spread load meets a mark of the model; at the ends of the beam also
 /// just off them.
-fn first_positions(model: &Model, train: &Train, [from, to]: [f64; 2]) -> Vec<f64> {
+pub(super) fn first_positions(model: &Model, train: &Train, [from, to]: [f64; 2]) -> Vec<f64> {
     let l = model.beam.length;
     let step = |i: usize| from + (to - from) * (i as f64 / EVEN_STEPS as f64);
     let mut at: Vec<f64> = (0..EVEN_STEPS).map(step).collect();

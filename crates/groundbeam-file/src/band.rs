@@ -1,0 +1,58 @@
+//! Ground that is not well known: the multiples of its constants that are solved together.
+
+/// Between which multiples of their best values k and μ are known to lie.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Band {
+    /// The smallest and the largest multiple of k.
+    pub spring: [f64; 2],
+    /// The smallest and the largest multiple of μ.
+    pub shear: [f64; 2],
+}
+
+impl Band {
+    /// Multiples of k and μ: the best values first, then every pair of low, best and high.
+    pub fn grounds(&self) -> Vec<[f64; 2]> {
+        let mut grounds = vec![[1.0, 1.0]];
+        for spring in steps(self.spring) {
+            for shear in steps(self.shear) {
+                if !grounds.contains(&[spring, shear]) {
+                    grounds.push([spring, shear]);
+                }
+            }
+        }
+        grounds
+    }
+
+    /// What a ground is called: `best ground`, or `0.5 k, 2 mu`.
+    pub fn name(&self, ground: [f64; 2]) -> String {
+        if ground == [1.0, 1.0] {
+            return "best ground".to_owned();
+        }
+        let of = |name: &str, range: [f64; 2], factor: f64| {
+            (range != [1.0, 1.0]).then(|| format!("{factor} {name}"))
+        };
+        let [spring, shear] = ground;
+        let parts = [of("k", self.spring, spring), of("mu", self.shear, shear)];
+        parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+    }
+}
+
+fn steps([low, high]: [f64; 2]) -> [f64; 3] {
+    [low, 1.0, high]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nine_grounds_or_fewer() {
+        let band = Band { spring: [0.5, 2.0], shear: [0.0, 3.0] };
+        let grounds = band.grounds();
+        assert_eq!((grounds.len(), grounds[0]), (9, [1.0, 1.0]));
+        assert_eq!(band.name([0.5, 3.0]), "0.5 k, 3 mu");
+        let springs = Band { shear: [1.0, 1.0], ..band };
+        assert_eq!(springs.grounds(), [[1.0, 1.0], [0.5, 1.0], [2.0, 1.0]]);
+        assert_eq!(springs.name([2.0, 1.0]), "2 k");
+    }
+}

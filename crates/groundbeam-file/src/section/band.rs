@@ -1,0 +1,53 @@
+//! `[foundation.band]`: between which multiples of their best values k and μ lie.
+
+use crate::band::Band;
+use crate::code;
+use crate::fault::Fault;
+use crate::quantity::RATIO;
+use crate::reader::Reader;
+use crate::table::Section;
+use toml::de::DeValue;
+
+const KEYS: &[&str] = &["k", "mu"];
+
+/// The band of a ground, if the file gives one; one that `shears` has a band of μ, too.
+pub(super) fn read(reader: &mut Reader, foundation: &Section, shears: bool) -> Option<Band> {
+    let table = reader.table(foundation, "band", "[foundation.band]")?;
+    reader.refuse_unknown(&table, KEYS);
+    if KEYS.iter().all(|key| table.value(key).is_none()) {
+        reader.missing(&table, KEYS, "`k` and no `mu`", "k = [0.5, 2]: low and high multiples");
+    }
+    if let (Some(value), false) = (table.value("mu"), shears) {
+        let message = "a band of `mu` on ground without a shear layer";
+        let hint = "give the ground its `mu`, or leave the band of it out";
+        reader.report(Fault::new(code::FACTOR, value.span(), message, "", hint));
+    }
+    let [spring, shear] = ["k", "mu"].map(|key| multiples(reader, &table, key));
+    Some(Band { spring: spring?, shear: shear? })
+}
+
+/// Two multiples, the first not above 1 and the second not below it; [1, 1] where nothing is said.
+fn multiples(reader: &mut Reader, table: &Section, key: &'static str) -> Option<[f64; 2]> {
+    let Some(value) = table.value(key) else { return Some([1.0, 1.0]) };
+    let values = match value.get_ref() {
+        DeValue::Array(values) if values.len() == 2 => values,
+        _ => {
+            let message = format!("the band of `{key}` is a list of two multiples");
+            reader.wrong_type(value, message, format!("write for example {key} = [0.5, 2]"));
+            return None;
+        }
+    };
+    let read: Vec<f64> = values.iter().map(|v| reader.field(key, v, &RATIO).value).collect();
+    let [low, high] = read[..] else { return None };
+    if low.is_nan() || high.is_nan() {
+        return None;
+    }
+    let least = if key == "mu" { low >= 0.0 } else { low > 0.0 };
+    if !(least && low <= 1.0 && high >= 1.0) {
+        let message = format!("the band of `{key}` must hold the best value");
+        let hint = "give a positive multiple not above 1 and one not below it, as in [0.5, 2]";
+        reader.report(Fault::new(code::FACTOR, value.span(), message, "", hint));
+        return None;
+    }
+    Some([low, high])
+}

@@ -1,0 +1,187 @@
+//! The report of trains that pass, each alone: of one its own, of several a table of them and the envelope of all.
+
+use super::sheet::Sheet;
+use super::train::{cleaned, failures, limits, proof, ranges, train};
+use super::{label, structure, title};
+use crate::characteristics::Characteristics;
+use crate::context::{Context, Ground, clean};
+use crate::quantity::{Kind, Unit, Units};
+use crate::trains::{CheckedTrain, InPassage, Moving, Passages};
+use groundbeam::Field;
+use groundbeam::soil::{Bed, Soil};
+
+/// The report of passages; with `colour`, with escape codes for a terminal.
+pub fn trains(passages: &Passages, context: &Context, colour: bool) -> String {
+    let mut sheet = Sheet::new(colour);
+    title(&mut sheet, context);
+    let first = passages.all.iter().find_map(|moving| {
+        let (_, solution) = moving.passage.solved().next()?;
+        Some((moving.passage.model(), solution))
+    });
+    if let Some((model, solution)) = first {
+        structure(&mut sheet, model, &Characteristics::of(model, solution.existence()), context);
+        if let Some(Ground { bed: Some(Bed { soil: Soil::ModifiedVlasov(_), .. }), .. }) =
+            context.ground
+        {
+            let words = "k and mu of each position are those that its own solution makes of it; \
+                         above stands the ground before anything is solved";
+            sheet.row("Soil", words);
+        }
+    }
+    if let [moving] = &passages.all[..] {
+        train(&mut sheet, moving, context);
+        return sheet.finish();
+    }
+    sheet.blank();
+    let all: Vec<&Moving> = passages.all.iter().collect();
+    for (i, moving) in all.iter().enumerate() {
+        let name = format!("{:>4}  {}", i + 1, clean(&moving.label()));
+        sheet.row(if i == 0 { "Passages" } else { "" }, &name);
+    }
+    sheet.blank();
+    table(&mut sheet, &all, context.units);
+    if passages.status() != "solved" {
+        sheet.blank();
+    }
+    for (i, moving) in all.iter().enumerate() {
+        failures(&mut sheet, moving.passage, &format!("#{}, ", i + 1), context.units);
+    }
+    if first.is_some() {
+        sheet.blank();
+        envelope(&mut sheet, passages, context.units);
+        sheet.blank();
+        uplift(&mut sheet, &all, context.units);
+        sheet.blank();
+        limits(&mut sheet, &all, context);
+        proof(&mut sheet, &all, context);
+    }
+    sheet.finish()
+}
+
+/// What statics says of the ways of trains; with `colour`, with escape codes for a terminal.
+pub fn checked_trains(checked: &[CheckedTrain], context: &Context, colour: bool) -> String {
+    let mut sheet = Sheet::new(colour);
+    title(&mut sheet, context);
+    for train in checked {
+        let mut words = clean(train.name);
+        if let Some(combination) = train.combination {
+            words = format!("{words} under the combination {}", clean(combination));
+        }
+        let [from, to] = train.range.map(|x| context.units.position(x));
+        words += &format!(": first axle from {from} to {to}");
+        if train.without_equilibrium.is_empty() {
+            words += ", an equilibrium in every position that was looked at";
+        }
+        sheet.row("Train", &words);
+        ranges(&mut sheet, &train.without_equilibrium, "", context.units);
+    }
+    sheet.finish()
+}
+
+/// The columns of numbers: which field, and whether its largest value.
+const COLUMNS: [(Field, bool); 4] = [
+    (Field::Deflection, true),
+    (Field::Moment, false),
+    (Field::Moment, true),
+    (Field::Pressure, true),
+];
+
+/// Extremes of each passage, a line each.
+fn table(sheet: &mut Sheet, all: &[&Moving], units: Units) {
+    let extremes = |moving: &&Moving| {
+        let of = |(field, largest): (Field, bool)| {
+            let range = moving.passage.range(field)?;
+            Some(cleaned(moving.passage, field, range[usize::from(largest)]).value)
+        };
+        COLUMNS.map(of)
+    };
+    let values: Vec<[Option<f64>; 4]> = all.iter().map(extremes).collect();
+    // Both columns of a field are in one unit.
+    let units_of_columns: [Unit; 4] = COLUMNS.map(|(field, _)| {
+        let same = (0..4).filter(|&column| COLUMNS[column].0 == field);
+        let sizes = same.flat_map(|column| values.iter().filter_map(move |row| row[column]));
+        units.unit(Kind::of(field), sizes.fold(0.0, |most, size| most.max(size.abs())))
+    });
+    let line = |first: &str, cells: [String; 4]| {
+        let cells: String = cells.iter().map(|cell| format!("{cell:>13}")).collect();
+        format!("{first:<24}{cells}")
+    };
+    let fields = COLUMNS.map(|(field, _)| label(field).to_lowercase());
+    sheet.heading(&line("   #   positions", fields));
+    let words = COLUMNS.map(|(_, largest)| if largest { "largest" } else { "smallest" }.to_owned());
+    sheet.heading(&line("", words));
+    if units == Units::Si {
+        sheet.heading(&line("", units_of_columns.map(|unit| unit.name.to_owned())));
+    }
+    for (i, (moving, values)) in all.iter().zip(&values).enumerate() {
+        let count = moving.passage.solved().count();
+        let first = format!("{:>4}{count:>12}", i + 1);
+        let cells = [0, 1, 2, 3].map(|column| match values[column] {
+            Some(value) => units_of_columns[column].number(value, 5),
+            None => "none".to_owned(),
+        });
+        sheet.line(&line(&first, cells));
+    }
+}
+
+/// Extremes of all, each with the number of the passage, the section, and the position of the first axle.
+fn envelope(sheet: &mut Sheet, passages: &Passages, units: Units) {
+    let columns = |first: &str, a: [&str; 4], b: [&str; 4]| {
+        let cell =
+            |[value, x, train, which]: [&str; 4]| format!("{value:>13}{x:>8}{train:>8}{which:>4}");
+        format!("{first:<13}{}{}", cell(a), cell(b))
+    };
+    let words = |largest| [largest, "at", "train", "#"];
+    sheet.heading(&columns("Envelope", words("smallest"), words("largest")));
+    for field in Field::ALL {
+        let Some(range) = passages.range(field) else { continue };
+        let known = range.map(|InPassage { located, passage }| {
+            let located = cleaned(passages.all[passage].passage, field, located);
+            InPassage { located, passage }
+        });
+        let [min, max] = known.map(|governing| governing.located.value);
+        let unit = units.unit(Kind::of(field), min.abs().max(max.abs()));
+        if min == max {
+            let value = unit.write(min, 5);
+            sheet.row(label(field), &format!("{value:>13} everywhere, always"));
+            continue;
+        }
+        let [a, b] = known.map(|InPassage { located, passage }| {
+            let place = |x: f64| units.write(Kind::Position, x, 3);
+            let which = (passage + 1).to_string();
+            [unit.write(located.value, 5), place(located.x), place(located.first_axle), which]
+        });
+        let cells = |cells: &[String; 4]| -> String {
+            let [value, x, train, which] = cells;
+            format!("{value:>13}{x:>8}{train:>8}{which:>4}")
+        };
+        sheet.line(&format!("{:<13}{}{}", label(field), cells(&a), cells(&b)));
+    }
+}
+
+/// The largest gaps ahead of, between and behind the axles of any.
+fn uplift(sheet: &mut Sheet, all: &[&Moving], units: Units) {
+    let places = ["ahead of the axles", "between them", "behind them"];
+    for (i, place) in places.into_iter().enumerate() {
+        let each = all.iter().enumerate().filter_map(|(number, moving)| {
+            let uplift = moving.passage.uplift();
+            let gap = [uplift.ahead, uplift.between, uplift.behind][i]?;
+            Some((number, cleaned(moving.passage, Field::Gap, gap)))
+        });
+        // Of equals the first.
+        let most =
+            each.reduce(|most, other| if other.1.value > most.1.value { other } else { most });
+        let words = match most {
+            Some((number, gap)) if gap.value != 0.0 => {
+                let [x, at] = [gap.x, gap.first_axle].map(|x| units.write(Kind::Position, x, 4));
+                let value = units.write(Kind::Deflection, gap.value, 4);
+                format!(
+                    "{place} up to {value}, at {x} with the first axle at {at}, #{}",
+                    number + 1
+                )
+            }
+            _ => format!("{place} none"),
+        };
+        sheet.row(if i == 0 { "Uplift" } else { "" }, &words);
+    }
+}
