@@ -280,7 +280,8 @@ fn random_models() {
     for number in 0..1000_u64 {
         let model = random::model(Family::Compressed, number);
         let compression = -model.beam.axial_force;
-        let (solution, found) = local(&model);
+        let Ok(Outcome::Equilibrium(solution)) = solve(&model) else { panic!("{number}") };
+        let Verdict::Local(found) = solution.existence().verdict else { panic!("{number}") };
         let Local { stability_margin: margin, critical_compression: end } = found;
         assert!(margin > 0.0 && margin <= 1.0 && end > compression, "{number}: {found:?}");
         assert!(solution.certificate().violation() <= 1e-7, "{number}");

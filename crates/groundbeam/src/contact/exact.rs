@@ -151,10 +151,18 @@ pub(crate) fn from_stable(
     contact: &[Stretch],
     mut judge: impl FnMut(&Found) -> Proof,
 ) -> Result<Found, Stalled> {
-    let found = from_edges(&mut Glue::new(model), contact, &mut judge)?;
     let l = model.beam.length;
-    let moved = distance(contact, &joined(positions(&found.mesh, &found.zones, &[]), l));
-    if moved <= LOCAL * l { Ok(found) } else { Err(unsettled(0, moved)) }
+    let glue = &mut Glue::new(model);
+    let moved =
+        |found: &Found| distance(contact, &joined(positions(&found.mesh, &found.zones, &[]), l));
+    let moved = match from_edges(glue, contact, &mut judge) {
+        Ok(found) if moved(&found) <= LOCAL * l => return Ok(found),
+        Ok(found) => moved(&found),
+        Err(stalled) => stalled.reached,
+    };
+    // Next to a limit point a step for the last digits leads away.
+    let found = glue.on(contact, None).map_err(|Loose| unsettled(0, moved))?;
+    if judge(&found).is_within(LAST) { Ok(found) } else { Err(unsettled(0, moved)) }
 }
 
 /// The contact of another beam, as far as this one reaches.
