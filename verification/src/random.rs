@@ -42,12 +42,15 @@ pub enum Family {
     Beside = 16,
     /// The same, and loads on the ground, under the beam and beside it.
     Neighbours = 17,
+    /// All of it but tension, under compression that the ground must help to bear.
+    Compressed = 21,
     /// All of it at its worst: λl up to 10⁴, up to a hundred loads, some pulling, resultants near an end.
     Extreme = 20,
 }
 
 impl Family {
-    /// Every family that takes milliseconds a model; `Extreme` takes seconds at times.
+    /// Every family that takes milliseconds a model and that every method solves; `Extreme` takes seconds at times, and
+    /// `Compressed` is followed by the exact method alone.
     pub const ALL: [Family; 16] = [
         Family::Plain,
         Family::Tension,
@@ -74,7 +77,11 @@ pub fn model(family: Family, number: u64) -> Model {
     rng.set_stream(family as u64);
     for _ in 0..1000 {
         let model = draw(family, &mut rng);
-        if exists(&model).is_ok_and(|existence| existence.verdict == Verdict::Unique) {
+        let Ok(existence) = exists(&model) else { continue };
+        if match family {
+            Family::Compressed => matches!(existence.verdict, Verdict::Local(_)),
+            _ => existence.verdict == Verdict::Unique,
+        } {
             return model;
         }
     }
@@ -120,7 +127,8 @@ impl<R: Rng> Dice<'_, R> {
 fn draw(family: Family, rng: &mut impl Rng) -> Model {
     let dice = &mut Dice(rng);
     let extreme = family == Family::Extreme;
-    let mixed = extreme || family == Family::Mixed;
+    let compressed = family == Family::Compressed;
+    let mixed = extreme || compressed || family == Family::Mixed;
     let hard = extreme || family == Family::Hard;
     let curled = family == Family::Curled;
     // With some of all the rest.
@@ -148,7 +156,8 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     };
     let mut beam = Beam::uniform(length, stiffness);
     let mut ground = Foundation::pasternak(k, shear);
-    if family == Family::Tension || (mixed && dice.happens(0.5)) || dice.now_and_then(various) {
+    let tension = family == Family::Tension || (mixed && !compressed && dice.happens(0.5));
+    if tension || dice.now_and_then(various) {
         let own = stiffness / (length * length);
         beam.axial_force = own * dice.decades(-2.0, 3.0);
     }
@@ -175,7 +184,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     if matches!(family, Family::Beside | Family::Neighbours) {
         ground = change_beside(ground, length, dice);
     }
-    if varying {
+    if varying || dice.now_and_then(compressed) {
         beam = vary_beam(beam, stiffness, dice);
         ground = vary_ground(ground, length, dice);
     }
@@ -243,7 +252,24 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     if extreme && dice.happens(0.2) {
         bring_to_lift_off(&mut model, dice);
     }
+    if compressed {
+        compress(&mut model, dice);
+    }
     model
+}
+
+/// A compression between the beam's own buckling load, 0 where nothing holds it, and the one at which the ground
+/// no longer helps.
+fn compress<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
+    let own = groundbeam::own_buckling_load(model);
+    let unit = model.beam.bending_stiffness / (model.beam.length * model.beam.length);
+    model.beam.axial_force = -(1.0001 * own).max(1e-3 * unit);
+    if let Ok(Verdict::Local(local)) = exists(model).map(|existence| existence.verdict) {
+        let least = -model.beam.axial_force;
+        let part =
+            if dice.happens(0.2) { 1.0 - dice.decades(-6.0, -2.0) } else { dice.even(0.0, 1.0) };
+        model.beam.axial_force = -(least + part * (local.critical_compression - least));
+    }
 }
 
 /// One to three stretches of the beam along which EI runs linearly, with the cube or the fourth power of a

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use groundbeam::model::Problem;
 use groundbeam::{Error, Existence, Model};
 use groundbeam_file::{Diagnostics, Document, UnitSystem};
-use groundbeam_report::{Context, Units};
+use groundbeam_report::{Context, Units, text};
 use std::io::Read;
 use std::path::Path;
 
@@ -58,6 +58,11 @@ impl Input {
         match error {
             Error::Invalid(problems) => self.wrong(problems),
             Error::Unsupported(problem) => self.wrong(std::slice::from_ref(problem)),
+            Error::NotConverged(reached) => {
+                let shown =
+                    text::not_converged(reached, crate::output::standard_error_has_colour());
+                Failure::reported(shown, crate::Status::NotConverged)
+            }
             other => Failure::usage(other.to_string()),
         }
     }

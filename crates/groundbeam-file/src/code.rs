@@ -101,8 +101,6 @@ pub const CODES: &[Code] = &[
     row("GB407", "nothing at a hinge may act on the slope", "hinge-and-moment.toml"),
     row("GB408", "only a force can act in one direction alone", "one-way-clamp.toml"),
     row("GB501", "the gap's corners must go from left to right", "gap-order.toml"),
-    while_solving("GB601", "compression on a beam that its supports leave free"),
-    while_solving("GB602", "the compression exceeds the beam's own buckling load"),
     while_solving("GB603", "concentrated pressures need a shear layer"),
     while_solving("GB604", "answers at nodes alone are for beams without supports"),
     while_solving("GB605", "answers at nodes alone are for segments along which nothing varies"),
@@ -111,5 +109,8 @@ pub const CODES: &[Code] = &[
     while_solving("GB608", "load factors are not known for supports that act one way"),
     while_solving("GB609", "loads on the ground are solved by the exact method alone"),
     while_solving("GB610", "load factors are for loads on the beam alone"),
+    while_solving("GB611", "a local equilibrium is found by the method `exact` alone"),
+    while_solving("GB612", "load factors of a local equilibrium"),
+    while_solving("GB613", "a local equilibrium with supports that act one way"),
     row(FIRST_AXLE, "a train is measured backward from its first axle", "first-axle.toml"),
 ];

@@ -39,6 +39,7 @@ mod factors;
 mod free;
 mod free_spans;
 mod ground;
+mod local;
 mod mechanism;
 mod mesh;
 mod nodal;
@@ -58,7 +59,9 @@ pub use certificate::Certificate;
 pub use checks::{Check, Checked, Limits, overturning};
 pub use contact::active_set::{Pressure, Step};
 pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
-pub use existence::{Existence, RigidMotion, Verdict, static_reactions_of as static_reactions};
+pub use existence::{
+    Buckling, Existence, Local, RigidMotion, Verdict, static_reactions_of as static_reactions,
+};
 pub use factors::{FirstLiftOff, LoadFactors, LossOfEquilibrium, load_factors};
 pub use free_spans::LiftOff;
 pub use model::{

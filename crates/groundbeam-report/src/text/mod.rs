@@ -41,7 +41,8 @@ pub fn solved(solution: &Solution, context: &Context, colour: bool) -> String {
     extremes(&mut sheet, solution, units, &sizes);
     sheet.blank();
     checks::rows(&mut sheet, solution, context);
-    certificate::rows(&mut sheet, solution.certificate(), units);
+    let verdict = solution.existence().verdict;
+    certificate::rows(&mut sheet, solution.certificate(), verdict, units);
     sheet.blank();
     method(&mut sheet, solution, context);
     sheet.finish()
@@ -182,6 +183,12 @@ fn verdict_row(sheet: &mut Sheet, model: &Model, existence: &Existence, units: U
     match existence.verdict {
         Verdict::Unique => {
             sheet.toned_row("Equilibrium", &format!("exactly one: {sentence}"), Tone::Good);
+        }
+        Verdict::Local(_) => {
+            sheet.toned_row("Equilibrium", &format!("local: {sentence}"), Tone::Doubtful);
+        }
+        Verdict::Buckles(_) => {
+            sheet.toned_row("Equilibrium", &format!("none: {sentence}"), Tone::Bad);
         }
         Verdict::NotUnique(_) => {
             let words = format!("not unique: {sentence}");

@@ -22,7 +22,7 @@ use super::layout::gap_at;
 use super::majorant;
 use super::near;
 use super::softened;
-use super::stretches::{Stretch, at_place, distance, positions};
+use super::stretches::{Stretch, at_place, distance, joined, positions};
 use crate::chain::Loose;
 use crate::mesh::Mesh;
 use crate::model::{GapPoint, Model};
@@ -153,6 +153,26 @@ fn sunk(model: &Model) -> Cow<'_, Model> {
     let last = &cells[cells.len() - 1];
     nearly.gap.push(GapPoint { at: last.x[1], value: gap_at(last, 1.0) });
     Cow::Owned(nearly)
+}
+
+/// From the contact of a stable equilibrium, known but for its last digits. An equilibrium elsewhere is none.
+pub(crate) fn from_stable(
+    model: &Model,
+    contact: &[Stretch],
+    mut judge: impl FnMut(&Found) -> Proof,
+) -> Result<Found, Stalled> {
+    let l = model.beam.length;
+    let glue = &mut Glue::new(model);
+    let moved =
+        |found: &Found| distance(contact, &joined(positions(&found.mesh, &found.zones, &[]), l));
+    let moved = match from_edges(glue, contact, &mut judge) {
+        Ok(found) if moved(&found) <= LOCAL * l => return Ok(found),
+        Ok(found) => moved(&found),
+        Err(stalled) => stalled.reached,
+    };
+    // Next to a limit point a step for the last digits leads away.
+    let found = glue.on(contact, None).map_err(|Loose| unsettled(0, moved))?;
+    if judge(&found).is_within(LAST) { Ok(found) } else { Err(unsettled(0, moved)) }
 }
 
 /// The contact of another beam, as far as this one reaches.

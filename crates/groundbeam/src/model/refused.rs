@@ -1,32 +1,8 @@
 //! What is right but not solved, or not by every method.
 
-use super::{Part, Problem};
+use super::{Part, Problem, Support};
 
 impl Problem {
-    /// Compression on a beam whose supports leave it free to move as a rigid body.
-    pub(crate) fn unheld_compression() -> Self {
-        Problem::new(
-            "GB601",
-            Part::Beam,
-            "axial_force",
-            "compression on a beam that its supports leave free to turn or to rise",
-            "existence is not assured then, however small the force: fix one end or hold the beam \
-             at two places (Kikuchi 1980, the end of section 4)",
-        )
-    }
-
-    /// Compression beyond the beam's own buckling load.
-    pub(crate) fn beyond_buckling(times: f64) -> Self {
-        Problem::new(
-            "GB602",
-            Part::Beam,
-            "axial_force",
-            format!("the compression is {times:.4} times the beam's own buckling load"),
-            "below that load there is exactly one equilibrium, whether the ground is lost or not; \
-             beyond it the problem is not convex",
-        )
-    }
-
     /// Nodal pressures where nothing spreads them.
     pub(crate) fn nodal_forces_on_springs(part: Part) -> Self {
         Problem::new(
@@ -68,6 +44,43 @@ impl Problem {
             "at",
             "load factors are for loads on the beam alone",
             "leave the loads on the ground out, or solve combinations with factors of your own",
+        )
+    }
+
+    /// A local equilibrium is followed from edge to edge.
+    pub(crate) fn local_by_another_method() -> Self {
+        Problem::new(
+            "GB611",
+            Part::Beam,
+            "axial_force",
+            "the ground must help to bear this compression: the equilibrium is a local one, which a mesh \
+             does not follow",
+            "use the method `exact`",
+        )
+    }
+
+    /// Load factors rest on statics or on a convex energy.
+    pub(crate) fn factors_of_a_local_equilibrium() -> Self {
+        Problem::new(
+            "GB612",
+            Part::Beam,
+            "axial_force",
+            "the ground must help to bear this compression: how far loads may grow is not known from \
+             statics",
+            "without load factors the result tells the critical compression, as far as which the axial force \
+             may grow",
+        )
+    }
+
+    /// A branch is followed on supports that act all the way.
+    pub(crate) fn local_on_one_way_supports(supports: &[Support]) -> Self {
+        let first = supports.iter().position(Support::is_one_way).unwrap_or(0);
+        Problem::new(
+            "GB613",
+            Part::Support(first),
+            "acts",
+            "the ground must help to bear this compression, and a support acts in one direction alone",
+            "let the support act in both directions, or leave it out where the beam lifts from it",
         )
     }
 

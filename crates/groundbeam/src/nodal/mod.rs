@@ -102,7 +102,7 @@ impl NodalSolver {
         solve: impl FnOnce(&mut Self) -> Result<(), Error>,
     ) -> Result<Existence, Error> {
         let existence = checked(model)?;
-        if !matches!(existence.verdict, Verdict::None(_)) {
+        if existence.verdict.stands() {
             solve(self)?;
         }
         Ok(existence)
@@ -245,6 +245,9 @@ fn stalled(iterations: usize) -> Error {
 
 fn checked(model: &Model) -> Result<Existence, Error> {
     let existence = exists(model)?;
+    if let Verdict::Local(_) = existence.verdict {
+        return Err(Error::Unsupported(Problem::local_by_another_method()));
+    }
     if !model.supports.is_empty() {
         return Err(Error::Unsupported(Problem::nodal_with_supports()));
     }
