@@ -73,7 +73,8 @@ impl Foundation {
     /// The ground to the left of a beam of length `l`, or to the right of it, with k and μ of the beam's end: it
     /// goes on as it is, outward, until a segment says otherwise.
     pub(crate) fn beyond(&self, right: bool, l: f64, [spring, shear]: [f64; 2]) -> Beyond {
-        let outward = |x: f64| if right { x - l } else { -x };
+        // Not −x, which would be −0 at the beam's end.
+        let outward = |x: f64| if right { x - l } else { 0.0 - x };
         let mut stretches = vec![(0.0, spring, shear)];
         for segment in &self.segments {
             let (near, far) =
@@ -129,5 +130,12 @@ mod tests {
         let left = ground.beyond(false, 10.0, [5.0, 6.0]);
         assert!(left.held && lengths(&left) == [3.0]);
         assert!(ground.beyond(true, 10.0, [1.0, 2.0]).layers.is_empty());
+        let at_both_ends = Foundation::pasternak(1.0, 2.0)
+            .with_segment(-1.0, 0.0, 3.0, 4.0)
+            .with_segment(10.0, 11.0, 3.0, 4.0);
+        for right in [false, true] {
+            let beyond = at_both_ends.beyond(right, 10.0, [1.0, 2.0]);
+            assert_eq!(beyond.layers.iter().map(|layer| layer.spring).collect::<Vec<_>>(), [3.0]);
+        }
     }
 }
