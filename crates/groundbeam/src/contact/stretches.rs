@@ -24,12 +24,19 @@ pub(super) fn positions(mesh: &Mesh, zones: &[Zone], places: &[f64]) -> Vec<Stre
     all.filter(kept).map(|(_, stretch)| stretch).collect()
 }
 
-/// Stretches without the slits that rounding leaves between them, on a beam of length l.
+/// Stretches without the slits that rounding leaves between them, on a beam of length l. A point stays: it may be
+/// the end of a shear layer beside separate springs.
 pub(super) fn joined(stretches: Vec<Stretch>, l: f64) -> Vec<Stretch> {
     let mut joined: Vec<Stretch> = Vec::with_capacity(stretches.len());
     for stretch in stretches {
         match joined.last_mut() {
-            Some(last) if stretch[0] - last[1] <= SLIT * l => last[1] = stretch[1],
+            Some(last)
+                if last[0] < last[1]
+                    && stretch[0] < stretch[1]
+                    && stretch[0] - last[1] <= SLIT * l =>
+            {
+                last[1] = stretch[1];
+            }
             _ => joined.push(stretch),
         }
     }
