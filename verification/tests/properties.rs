@@ -126,6 +126,10 @@ fn scaling_by_a_power_of_two_is_bit_identical() {
                 support.settlement *= factor;
             }
             for method in [Method::Exact, Method::ActiveSet] {
+                // Loads on the ground are the exact method's alone.
+                if family == Family::Neighbours && method != Method::Exact {
+                    continue;
+                }
                 let options = Options { method, elements: 37, ..Options::default() };
                 let (Ok(Outcome::Equilibrium(a)), Ok(Outcome::Equilibrium(b))) =
                     (solve_with(&model, &options), solve_with(&scaled, &options))
