@@ -72,8 +72,9 @@ pub(crate) fn check(model: &Model) -> Result<Checked, Error> {
 impl Buckling {
     /// A beam that a rigid motion takes away however small the compression.
     fn at_once(model: &Model, motion: RigidMotion) -> Self {
-        let RigidMotion { left, right, work, .. } = motion;
-        let at = if right.abs() > left.abs() { model.beam.length } else { 0.0 };
+        let RigidMotion { left, right, work, lifted } = motion;
+        let end = if right.abs() > left.abs() { model.beam.length } else { 0.0 };
+        let at = lifted.map_or(end, |[first, _]| first);
         Buckling { critical_compression: 0.0, at, left, right, work }
     }
 }
