@@ -119,6 +119,10 @@ fn scaling_by_a_power_of_two_is_bit_identical() {
             let factor = 2_f64.powi([-20, -3, 1, 11, 40][number as usize % 5]);
             let scaled = model.clone().with_loads_scaled(factor);
             for method in [Method::Exact, Method::ActiveSet] {
+                // Loads on the ground are the exact method's alone.
+                if family == Family::Neighbours && method != Method::Exact {
+                    continue;
+                }
                 let options = Options { method, elements: 37, ..Options::default() };
                 let (Ok(Outcome::Equilibrium(a)), Ok(Outcome::Equilibrium(b))) =
                     (solve_with(&model, &options), solve_with(&scaled, &options))
