@@ -73,6 +73,9 @@ fn load_size(model: &Model) -> f64 {
         Load::GroundDistributed { from, to, start, end } => {
             0.5 * (start.abs() + end.abs()) * (to - from)
         }
+        Load::Curvature { start, end, .. } => {
+            start.abs().max(end.abs()) * model.beam.bending_stiffness / l
+        }
     };
     model.loads.iter().map(size).sum()
 }

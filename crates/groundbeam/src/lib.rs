@@ -39,13 +39,16 @@ mod factors;
 mod free;
 mod free_spans;
 mod ground;
+mod mechanism;
 mod mesh;
 mod nodal;
+mod one_way;
 mod polynomial;
 mod solution;
 mod solve;
 mod solver;
 mod stability;
+mod turns;
 
 pub mod model;
 pub mod soil;
@@ -55,12 +58,12 @@ pub use certificate::Certificate;
 pub use checks::{Check, Checked, Limits, overturning};
 pub use contact::active_set::{Pressure, Step};
 pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
-pub use existence::{Existence, RigidMotion, Verdict};
+pub use existence::{Existence, RigidMotion, Verdict, static_reactions_of as static_reactions};
 pub use factors::{FirstLiftOff, LoadFactors, LossOfEquilibrium, load_factors};
 pub use free_spans::LiftOff;
 pub use model::{
-    Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, GroundEnd, Load, Model, Profile,
-    Support, SupportKind,
+    Acts, Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, GroundEnd, Hinge, Load,
+    Model, Profile, Support, SupportKind,
 };
 pub use nodal::{NodalCheck, NodalSolution, NodalSolver, Work};
 pub use solution::{
@@ -72,3 +75,4 @@ pub use solve::{
 };
 pub use solver::{Answer, Solver};
 pub use stability::own_buckling_load;
+pub use turns::HingeTurn;

@@ -330,6 +330,7 @@ fn is_finite(load: &Load) -> bool {
         Load::GroundForce { force, .. } => force.is_finite(),
         Load::Distributed { start, end, .. }
         | Load::DistributedMoment { start, end, .. }
+        | Load::Curvature { start, end, .. }
         | Load::GroundDistributed { start, end, .. } => start.is_finite() && end.is_finite(),
     }
 }

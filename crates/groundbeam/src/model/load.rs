@@ -58,6 +58,19 @@ pub enum Load {
         /// Intensity at the right end \[N/m\].
         end: f64,
     },
+    /// A curvature that the beam takes by itself over a stretch, linear between its ends: of a temperature
+    /// gradient, of shrinkage, of a camber. M = −EI (w″ − κ₀); positive as w″ is, where it bends the beam's
+    /// ends down. It does no work on rigid motions.
+    Curvature {
+        /// Left end \[m\].
+        from: f64,
+        /// Right end \[m\].
+        to: f64,
+        /// κ₀ at the left end \[1/m\].
+        start: f64,
+        /// κ₀ at the right end \[1/m\].
+        end: f64,
+    },
 }
 
 impl Load {
@@ -81,6 +94,11 @@ impl Load {
         matches!(self, Load::GroundForce { .. } | Load::GroundDistributed { .. })
     }
 
+    /// An even imposed curvature κ₀ \[1/m\] between two positions \[m\].
+    pub fn curvature(curvature: f64, from: f64, to: f64) -> Self {
+        Load::Curvature { from, to, start: curvature, end: curvature }
+    }
+
     /// The same load, `factor` times as large.
     pub fn scaled(self, factor: f64) -> Self {
         match self {
@@ -95,6 +113,9 @@ impl Load {
             Load::GroundForce { at, force } => Load::GroundForce { at, force: force * factor },
             Load::GroundDistributed { from, to, start, end } => {
                 Load::GroundDistributed { from, to, start: start * factor, end: end * factor }
+            }
+            Load::Curvature { from, to, start, end } => {
+                Load::Curvature { from, to, start: start * factor, end: end * factor }
             }
         }
     }
@@ -112,6 +133,9 @@ impl Load {
             Load::GroundForce { at, force } => Load::GroundForce { at: l - at, force },
             Load::GroundDistributed { from, to, start, end } => {
                 Load::GroundDistributed { from: l - to, to: l - from, start: end, end: start }
+            }
+            Load::Curvature { from, to, start, end } => {
+                Load::Curvature { from: l - to, to: l - from, start: end, end: start }
             }
         }
     }

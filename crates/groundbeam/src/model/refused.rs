@@ -52,7 +52,7 @@ impl Problem {
     /// Loads on the ground bend its surface between nodes.
     pub(crate) fn only_exactly(load: usize) -> Self {
         Problem::new(
-            "GB606",
+            "GB609",
             Part::Load(load),
             "at",
             "loads on the ground are solved by the exact method alone",
@@ -63,7 +63,7 @@ impl Problem {
     /// Load factors of loads on the ground.
     pub(crate) fn no_factors(load: usize) -> Self {
         Problem::new(
-            "GB607",
+            "GB610",
             Part::Load(load),
             "at",
             "load factors are for loads on the beam alone",

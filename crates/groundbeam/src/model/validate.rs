@@ -19,6 +19,8 @@ pub enum Part {
     Load(usize),
     /// One of the supports.
     Support(usize),
+    /// One of the hinges.
+    Hinge(usize),
     /// One corner of the initial gap.
     Gap(usize),
 }
@@ -95,6 +97,8 @@ impl Model {
         self.check_foundation(&mut found);
         self.check_loads(&mut found);
         self.check_supports(&mut found);
+        self.check_hinges(&mut found);
+        self.check_one_way(&mut found);
         self.check_gap(&mut found);
         found
     }
@@ -175,7 +179,8 @@ impl Model {
                     finite(found, part, "moment", moment);
                 }
                 Load::Distributed { from, to, start, end }
-                | Load::DistributedMoment { from, to, start, end } => {
+                | Load::DistributedMoment { from, to, start, end }
+                | Load::Curvature { from, to, start, end } => {
                     self.check_stretch(found, part, from, to);
                     finite(found, part, "start", start);
                     finite(found, part, "end", end);
@@ -211,6 +216,7 @@ impl Model {
         for (i, support) in self.supports.iter().enumerate() {
             let part = Part::Support(i);
             self.check_position(found, part, support.at);
+            finite(found, part, "settlement", support.settlement);
             if let SupportKind::Spring { spring, rotational_spring } = support.kind {
                 let mut constant = |field, value: f64| {
                     if !(in_range(value) && value >= 0.0) {
@@ -249,7 +255,7 @@ impl Model {
     }
 
     /// A position must be a number on the beam.
-    fn check_position(&self, found: &mut Vec<Problem>, part: Part, at: f64) {
+    pub(super) fn check_position(&self, found: &mut Vec<Problem>, part: Part, at: f64) {
         self.check_on_beam(found, part, "at", at);
     }
 
@@ -279,7 +285,7 @@ pub(super) fn in_range(value: f64) -> bool {
     value == 0.0 || (value.is_finite() && (1e-60..=1e60).contains(&value.abs()))
 }
 
-fn describe(value: f64) -> String {
+pub(super) fn describe(value: f64) -> String {
     if value.is_nan() {
         "not a number".into()
     } else if value.is_infinite() {
@@ -294,7 +300,7 @@ fn describe(value: f64) -> String {
 }
 
 /// What would be right: the rule, or the range of numbers where only that is broken.
-fn remedy(value: f64, rule: &str) -> String {
+pub(super) fn remedy(value: f64, rule: &str) -> String {
     if value.is_finite() && !in_range(value) {
         "numbers between 1e-60 and 1e60, their negatives and 0 can be computed with".into()
     } else {
