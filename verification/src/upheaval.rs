@@ -68,7 +68,9 @@ impl Meshed {
                         load[2 * e + 3] -= start * h * h / 12.0;
                     }
                 }
-                Load::DistributedMoment { .. } => unreachable!("not drawn for this problem"),
+                Load::DistributedMoment { .. } | Load::Curvature { .. } => {
+                    unreachable!("not drawn for this problem")
+                }
             }
         }
         let spring = |i: usize| {

@@ -113,9 +113,9 @@ fn a_model_that_is_wrong() {
 fn a_model_that_is_not_solved_is_shown_at_its_line() {
     let folder = Folder::with(PRESSED);
     let done = folder.run(&["solve", "model.toml", "--method", "active-set"]);
-    done.fails(2, "error[GB606]");
+    done.fails(2, "error[GB609]");
     done.fails(2, "--> model.toml:4:15");
-    folder.run(&["solve", "model.toml", "--factors"]).fails(2, "error[GB607]");
+    folder.run(&["solve", "model.toml", "--factors"]).fails(2, "error[GB610]");
     let folder = Folder::with(FOOTING);
     let arguments = ["solve", "model.toml", "--method", "active-set", "--pressure", "dirac"];
     folder.run(&arguments).fails(2, "error[GB603]");

@@ -21,8 +21,8 @@ pub use combinations::{checked_combinations, combinations, envelope_stations};
 use factors::Grown;
 use ground::Ground;
 use groundbeam::{
-    Buckling, Certificate, Existence, Extreme, Field, Method, Model, NotConverged, RigidMotion,
-    Side, Solution, Verdict,
+    Acts, Buckling, Certificate, Existence, Extreme, Field, Method, Model, NotConverged,
+    RigidMotion, Side, Solution, Support, Verdict,
 };
 use serde::Serialize;
 pub use train::{checked_trains, trains};
@@ -88,6 +88,8 @@ struct Solved {
     end_forces: Ends,
     concentrated_forces: Vec<Force>,
     reactions: Vec<Held>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    hinges: Vec<Turned>,
     stations: Stations,
     extremes: Extremes,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -132,13 +134,24 @@ impl Solved {
             reactions: solution
                 .reactions()
                 .iter()
-                .map(|r| Held { at: r.at, force: r.force, moment: r.moment })
+                .zip(&model.supports)
+                .map(|(r, support)| Held {
+                    at: r.at,
+                    force: r.force,
+                    moment: r.moment,
+                    state: state(support, r.force),
+                })
+                .collect(),
+            hinges: solution
+                .hinges()
+                .iter()
+                .map(|h| Turned { at: h.at, rotation: h.rotation, moment: h.moment })
                 .collect(),
             stations: Stations::of(solution, stations),
             extremes: Extremes::of(solution),
             checks: checks::of(context.limits, solution),
             certificate: *solution.certificate(),
-            load_factors: context.factors.map(Grown::of),
+            load_factors: context.factors.map(|factors| Grown::of(factors, Some(model))),
             iterations: solution.iterations(),
             seconds: context.seconds,
         }
@@ -162,7 +175,7 @@ impl Checked {
             head: Head::new(status, context),
             existence: Proven::new(model, existence, context),
             characteristics: Judged::new(model, existence),
-            load_factors: context.factors.map(Grown::of),
+            load_factors: context.factors.map(|factors| Grown::of(factors, Some(model))),
             seconds: context.seconds,
         }
     }
@@ -191,7 +204,7 @@ impl Stopped {
             tolerance: reached.tolerance,
             reached: reached.reached,
             iterations: reached.iterations,
-            load_factors: context.factors.map(Grown::of),
+            load_factors: context.factors.map(|factors| Grown::of(factors, None)),
             seconds: context.seconds,
         }
     }
@@ -214,7 +227,8 @@ impl Head {
 #[derive(Serialize)]
 struct Proven {
     verdict: &'static str,
-    static_reactions: [f64; 2],
+    /// Under the ends, and under each free hinge between them.
+    static_reactions: Vec<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     failing_motion: Option<Motion>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -232,7 +246,7 @@ impl Proven {
     fn new(model: &Model, existence: &Existence, context: &Context) -> Self {
         let mut proven = Proven {
             verdict: "unique",
-            static_reactions: existence.static_reactions,
+            static_reactions: groundbeam::static_reactions(model).iter().map(|r| r.1).collect(),
             failing_motion: None,
             undetermined_motion: None,
             stability_margin: None,
@@ -244,11 +258,11 @@ impl Proven {
             Verdict::Unique => {}
             Verdict::NotUnique(motion) => {
                 proven.verdict = "not-unique";
-                proven.undetermined_motion = Some(motion.into());
+                proven.undetermined_motion = Some(Motion::of(Some(model), motion));
             }
             Verdict::None(motion) => {
                 proven.verdict = "none";
-                proven.failing_motion = Some(motion.into());
+                proven.failing_motion = Some(Motion::of(Some(model), motion));
             }
             Verdict::Local(local) => {
                 proven.verdict = "local";
@@ -258,7 +272,7 @@ impl Proven {
             Verdict::Buckles(mode) => {
                 proven.verdict = "none";
                 let Buckling { critical_compression, at, left, right, work } = mode;
-                proven.failing_motion = Some(Motion { left, right, work });
+                proven.failing_motion = Some(Motion { left, right, work, hinges: Vec::new() });
                 proven.critical_compression = Some(critical_compression);
                 proven.buckles_at = Some(at);
             }
@@ -272,11 +286,17 @@ struct Motion {
     left: f64,
     right: f64,
     work: f64,
+    /// r at each hinge, in the order of the model's hinges.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    hinges: Vec<f64>,
 }
 
-impl From<RigidMotion> for Motion {
-    fn from(motion: RigidMotion) -> Self {
-        Motion { left: motion.left, right: motion.right, work: motion.work }
+impl Motion {
+    fn of(model: Option<&Model>, motion: RigidMotion) -> Self {
+        let at = |model: &Model, x: f64| motion.at(model, x);
+        let all = |model: &Model| model.hinges.iter().map(|hinge| at(model, hinge.at)).collect();
+        let hinges = model.map_or(Vec::new(), all);
+        Motion { left: motion.left, right: motion.right, work: motion.work, hinges }
     }
 }
 
@@ -334,6 +354,27 @@ struct Force {
 struct Held {
     at: f64,
     force: f64,
+    moment: f64,
+    /// Of a support that acts in one direction alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    state: Option<&'static str>,
+}
+
+/// Whether a support that acts in one direction alone does.
+fn state(support: &Support, force: f64) -> Option<&'static str> {
+    match support.acts {
+        Acts::Both => None,
+        _ if force != 0.0 => Some("acting"),
+        Acts::Up => Some("lifted"),
+        Acts::Down => Some("slack"),
+    }
+}
+
+/// A hinge: the jump of the slope, and the moment it hands on.
+#[derive(Serialize)]
+struct Turned {
+    at: f64,
+    rotation: f64,
     moment: f64,
 }
 

@@ -38,13 +38,16 @@ mod existence;
 mod factors;
 mod ground;
 mod local;
+mod mechanism;
 mod mesh;
 mod nodal;
+mod one_way;
 mod polynomial;
 mod solution;
 mod solve;
 mod solver;
 mod stability;
+mod turns;
 
 pub mod model;
 pub mod soil;
@@ -54,11 +57,13 @@ pub use certificate::Certificate;
 pub use checks::{Check, Checked, Limits, overturning};
 pub use contact::active_set::{Pressure, Step};
 pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
-pub use existence::{Buckling, Existence, Local, RigidMotion, Verdict};
+pub use existence::{
+    Buckling, Existence, Local, RigidMotion, Verdict, static_reactions_of as static_reactions,
+};
 pub use factors::{FirstLiftOff, LoadFactors, LossOfEquilibrium, load_factors};
 pub use model::{
-    Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, Load, Model, Profile, Support,
-    SupportKind,
+    Acts, Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, Hinge, Load, Model, Profile,
+    Support, SupportKind,
 };
 pub use nodal::{NodalCheck, NodalSolution, NodalSolver, Work};
 pub use solution::{
@@ -70,3 +75,4 @@ pub use solve::{
 };
 pub use solver::{Answer, Solver};
 pub use stability::own_buckling_load;
+pub use turns::HingeTurn;

@@ -11,7 +11,7 @@ use crate::contact::glue::Glue;
 use crate::contact::stretches::Stretch;
 use crate::existence::{Buckling, Existence, Local, RigidMotion, Verdict, existence};
 use crate::mesh::Mesh;
-use crate::model::{Load, Model};
+use crate::model::{Load, Model, Problem};
 use crate::polynomial::{jet, value};
 use crate::solve::{Checked, Error, Method, NotConverged, Outcome, solve};
 use crate::stability::glued_buckling_load;
@@ -25,6 +25,9 @@ const POINTS: usize = 16;
 
 /// What is known of a model in compression whose energy is not convex.
 pub(crate) fn check(model: &Model) -> Result<Checked, Error> {
+    if model.has_one_way_supports() {
+        return Err(Error::Unsupported(Problem::local_with_one_way_supports()));
+    }
     let without = compressed(model, 0.0);
     let statics = existence(&without);
     let known = |verdict| Checked {
@@ -72,8 +75,9 @@ pub(crate) fn check(model: &Model) -> Result<Checked, Error> {
 impl Buckling {
     /// A beam that a rigid motion takes away however small the compression.
     fn at_once(model: &Model, motion: RigidMotion) -> Self {
-        let RigidMotion { left, right, work } = motion;
-        let at = if right.abs() > left.abs() { model.beam.length } else { 0.0 };
+        let RigidMotion { left, right, work, lifted } = motion;
+        let end = if right.abs() > left.abs() { model.beam.length } else { 0.0 };
+        let at = lifted.map_or(end, |[first, _]| first);
         Buckling { critical_compression: 0.0, at, left, right, work }
     }
 }

@@ -10,6 +10,7 @@ use crate::existence::{Existence, Verdict, existence};
 use crate::local;
 use crate::mesh::Mesh;
 use crate::model::{Model, Part, Problem};
+use crate::one_way;
 use crate::solution::{ContactRegion, Solution};
 use crate::stability::convexity;
 use std::fmt;
@@ -167,7 +168,8 @@ pub fn solve(model: &Model) -> Result<Outcome, Error> {
 /// # Errors
 ///
 /// As [`solve`]; and [`Error::Unsupported`] for the paper's pressures (5.5) on ground without a shear layer,
-/// and where the equilibrium is a local one for any method but [`Method::Exact`].
+/// and where the equilibrium is a local one for any method but [`Method::Exact`]; and for the paper's iteration on a
+/// beam with hinges.
 pub fn solve_with(model: &Model, options: &Options) -> Result<Outcome, Error> {
     solve_near(model, options, None)
 }
@@ -207,6 +209,21 @@ pub(crate) fn solve_in(
     }
     if contact.is_some() && options.method != Method::Exact {
         return Err(Error::Unsupported(Problem::local_by_another_method()));
+    }
+    if model.has_one_way_supports() {
+        let solve = |model: &Model, kept: &mut _| solve_in(model, options, None, kept);
+        let steps = one_way::solve(model, existence, stability, kept, solve)?;
+        if let Some(solution) = kept {
+            certified(solution, options)?;
+            return Ok(existence);
+        }
+        return Err(Error::NotConverged(NotConverged {
+            method: options.method,
+            iterations: steps,
+            tolerance: 0.0,
+            reached: f64::NAN,
+            what: "which supports act",
+        }));
     }
     let mut assembled = |found: &Found| {
         let memory = kept.take();
@@ -292,6 +309,9 @@ fn find(
             let mesh = Mesh::uniform(model, elements);
             nested::solve_on(model, mesh, options.pressure).map_err(stalled)
         }
+        Method::Psor | Method::Uzawa if !model.hinges.is_empty() => {
+            Err(Error::Unsupported(Problem::iteration_with_hinges()))
+        }
         Method::Psor | Method::Uzawa => {
             let relaxation = match method {
                 Method::Psor => Relaxation::Diagonal,
@@ -312,7 +332,8 @@ fn not_converged(method: Method, stalled: Stalled) -> Error {
 /// Whether a free beam's resultant is exactly over one end and pushes down.
 fn stands_on_an_end(model: &Model, existence: Existence) -> bool {
     let free = model.supports.is_empty() && model.beam.axial_force == 0.0;
-    free && existence.resultant() > 0.0
+    let one_piece = model.hinges.iter().all(|hinge| !hinge.is_free());
+    free && one_piece && existence.resultant() > 0.0
 }
 
 /// The part of the model that gives ground without a shear layer under the beam.

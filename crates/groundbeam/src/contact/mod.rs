@@ -17,6 +17,7 @@ mod near;
 pub(crate) mod nested;
 pub(crate) mod pieces;
 pub(crate) mod recover;
+mod softened;
 pub(crate) mod stretches;
 pub(crate) mod surface;
 pub(crate) mod uzawa;
