@@ -7,7 +7,7 @@ use crate::quantity::Units;
 use groundbeam::{FirstLiftOff, LossOfEquilibrium, RigidMotion};
 
 /// The rows about load factors, if they were asked for.
-pub(super) fn rows(sheet: &mut Sheet, context: &Context) {
+pub(crate) fn rows(sheet: &mut Sheet, context: &Context) {
     let Some(factors) = context.factors else { return };
     let loads = Grows::of(&factors);
     sheet.row("Load factors", &lift_off(factors.found.first_lift_off, &loads, context.units));
@@ -62,7 +62,7 @@ fn loss(found: LossOfEquilibrium, loads: &Grows) -> String {
     }
 }
 
-pub(super) fn falls(motion: RigidMotion) -> &'static str {
+pub(crate) fn falls(motion: RigidMotion) -> &'static str {
     match (motion.left < 0.0, motion.right < 0.0) {
         (true, false) => "it tips about its right end",
         (false, true) => "it tips about its left end",
