@@ -32,8 +32,10 @@ fn explained() -> Vec<Block> {
                  shares nothing with the method integrates loads and pressure to shear and moment, closes force and moment \
                  balance, checks that the ground nowhere pulls and is nowhere pierced, and forms the energy gap";
     let after = "which no error can escape: it is at least half the squared distance of the deflections from the exact \
-                 solution (w*, u*) in the energy norm, whatever method or mesh found them (Prager and Synge). An answer \
-                 whose certificate does not hold is not printed.";
+                 solution (w*, u*) in the energy norm, whatever method or mesh found them (Prager and Synge). To recompute it, \
+                 take w, u, p and the concentrated forces at the stations of the result document, integrate loads and \
+                 pressure from the left end to s and m, and evaluate the formula. An answer whose certificate does not \
+                 hold is not printed.";
     let text = |words: &str| Block::Text { words: words.to_owned() };
     vec![text(words), equations::energy_gap(), text(after)]
 }

@@ -44,6 +44,11 @@ impl Frame {
         self.width - BESIDE
     }
 
+    /// Where the name of the axis ends: on a narrow page beside the last number.
+    pub fn end_of_axis(&self) -> f64 {
+        if self.width < WIDTH { self.width - 4.0 } else { self.right() }
+    }
+
     /// Page units for one unit of length.
     pub fn scale(&self) -> f64 {
         (self.right() - LEFT) / (self.length + 2.0 * self.margin)

@@ -161,5 +161,5 @@ fn axis_of_x(page: &mut Canvas, frame: &Frame, units: Units, y: f64) {
         page.text([at, y + 18.0], Anchor::Middle, TICK, &printed(&unit.number(x, 6)));
     }
     let words = format!("x{}", unit.bracketed());
-    page.text([frame.right(), y + 18.0], Anchor::End, TICK, &words);
+    page.text([frame.end_of_axis(), y + 18.0], Anchor::End, TICK, &words);
 }

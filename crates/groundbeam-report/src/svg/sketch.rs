@@ -4,7 +4,7 @@ use super::canvas::{Anchor, Canvas, number, printed};
 use super::frame::Frame;
 use super::labels::{Labels, Rect};
 use super::loads::Loads;
-use super::style::{BEAM, FAINT_INK, GROUND, GROUND_LINE, LABEL, MOMENT, NOTE};
+use super::style::{BEAM, FAINT_INK, GROUND, GROUND_LINE, LABEL, NOTE, SHEAR};
 use super::supports;
 use crate::font::Metrics;
 use crate::quantity::{Kind, Units};
@@ -17,7 +17,7 @@ const DEEPEST: f64 = 22.0;
 /// Ground drawn below its lowest point.
 const BELOW: f64 = 30.0;
 /// How far a tipping end is drawn to rise.
-const RISE: f64 = 34.0;
+const RISE: f64 = 52.0;
 
 /// The drawing, with the beam's underside at y = 0; where there is no equilibrium, with the motion that proves it.
 pub(super) fn draw(
@@ -50,7 +50,7 @@ pub(super) fn draw(
     }
     let loads = Loads { units, frame, top: &|_| -THICKNESS };
     loads.draw(&mut canvas, &model.loads, &mut labels);
-    dimension(&mut canvas, [left, right], floor + BELOW + 16.0, &units.position(frame.length));
+    dimension(&mut canvas, [left, right], floor + BELOW + 22.0, &units.position(frame.length));
     canvas
 }
 
@@ -90,11 +90,8 @@ fn ground(
 /// The beam as it would go, in dashes.
 fn tipping(canvas: &mut Canvas, motion: RigidMotion, [left, right]: [f64; 2]) {
     let [a, b] = [motion.left, motion.right].map(|rise| RISE * rise - 0.5 * THICKNESS);
-    let colour = MOMENT;
-    let dashes = number(0.6 * THICKNESS);
-    let look = format!(
-        r#"stroke="{colour}" stroke-opacity="0.55" stroke-width="{dashes}" stroke-dasharray="9 5""#
-    );
+    let (colour, width) = (SHEAR, number(0.3 * THICKNESS));
+    let look = format!(r#"stroke="{colour}" stroke-width="{width}" stroke-dasharray="9 5""#);
     canvas.line([left, a], [right, b], &look);
 }
 

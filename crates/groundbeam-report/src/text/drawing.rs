@@ -111,13 +111,21 @@ impl Picture<'_> {
             (share * (DEPTH - 1) as f64).round() as usize
         };
         let mut rows = vec![vec![' '; WIDTH]; DEPTH + BELOW];
+        let mut before = None;
         for column in 0..WIDTH {
             let ground = row_of(surface[column]);
             for row in rows.iter_mut().skip(ground + usize::from(beam[column].is_some())) {
                 row[column] = '░';
             }
             if let Some(deflection) = beam[column] {
-                rows[row_of(deflection)][column] = '━';
+                let row = row_of(deflection);
+                rows[row][column] = '━';
+                // A steep beam has no holes.
+                let last = before.replace(row).unwrap_or(row);
+                let sign = if last < row { '╲' } else { '╱' };
+                for between in rows.iter_mut().take(last.max(row)).skip(last.min(row) + 1) {
+                    between[column] = sign;
+                }
             }
         }
         rows.into_iter().map(|row| row.into_iter().collect()).collect()
