@@ -9,7 +9,7 @@ use crate::number::significant;
 use crate::quantity::{Kind, Units};
 use crate::svg::figures;
 use crate::text;
-use groundbeam::{Existence, Load, Method, Model, Profile, RigidMotion, SupportKind};
+use groundbeam::{Acts, Existence, Hinge, Load, Method, Model, Profile, RigidMotion, SupportKind};
 
 /// The input, on the model of a file or of its first combination.
 pub(super) fn section(
@@ -30,6 +30,7 @@ pub(super) fn section(
     blocks.extend(facts(|sheet| text::structure(sheet, model, &found, context)));
     blocks.extend(segments(model, units));
     blocks.extend(supports(model, units));
+    blocks.extend(hinges(model, units));
     blocks.extend(gap(model, units));
     blocks.extend(loads(source, units));
     Section::new("Input", blocks)
@@ -93,7 +94,30 @@ fn supports(model: &Model, units: Units) -> Option<Block> {
                 format!("spring {linear}, turning {turning}{per}")
             }
         };
-        table.push([unit.number(support.at, 6), kind]);
+        let mut words = kind;
+        words += match support.acts {
+            Acts::Both => "",
+            Acts::Up => ", acting up alone",
+            Acts::Down => ", holding down alone",
+        };
+        if support.settlement != 0.0 {
+            words +=
+                &format!(", settled by {}", units.write(Kind::Deflection, support.settlement, 6));
+        }
+        table.push([unit.number(support.at, 6), print::words(&words)]);
+    }
+    (!table.rows.is_empty()).then_some(Block::Table(table))
+}
+
+fn hinges(model: &Model, units: Units) -> Option<Block> {
+    let (unit, name) = unit_name(units, Kind::Position, model.beam.length);
+    let mut table = Table::new("Hinges", vec![numbers("x", name), wording("kind")]);
+    for hinge in &model.hinges {
+        let per = if units == Units::Si { "/rad" } else { "" };
+        let spring = units.write(Kind::Moment, hinge.rotational_spring, 6);
+        let kind =
+            if hinge.is_free() { "free".to_owned() } else { format!("spring {spring}{per}") };
+        table.push([unit.number(hinge.at, 6), kind]);
     }
     (!table.rows.is_empty()).then_some(Block::Table(table))
 }
@@ -166,6 +190,9 @@ fn written(load: &Load, units: Units) -> (&'static str, [f64; 2], String) {
             let per = if units == Units::Si { " (moment per length)" } else { "" };
             ("spread moment", [from, to], ends(Kind::Force, start, end) + per)
         }
+        Load::Curvature { from, to, start, end } => {
+            ("imposed curvature", [from, to], ends(Kind::PerLength, start, end))
+        }
     }
 }
 
@@ -218,6 +245,7 @@ pub(super) fn statics(model: &Model, existence: &Existence, context: &Context) -
     let mut blocks: Vec<Block> =
         facts(|sheet| text::verdict_row(sheet, model, existence, units)).into_iter().collect();
     let free = model.supports.is_empty() && model.beam.axial_force == 0.0;
+    let free = free && !model.hinges.iter().any(Hinge::is_free);
     let [left, right] =
         existence.static_reactions.map(|force| print::words(&units.write(Kind::Force, force, 6)));
     if free {
@@ -240,6 +268,18 @@ pub(super) fn statics(model: &Model, existence: &Existence, context: &Context) -
         print::words(&place)
     );
     blocks.push(Block::Text { words });
+    if model.hinges.iter().any(Hinge::is_free) {
+        let each: Vec<String> = groundbeam::static_reactions(model)
+            .into_iter()
+            .map(|(x, force)| {
+                let words =
+                    format!("{} at {}", units.write(Kind::Force, force, 6), units.position(x));
+                print::words(&words)
+            })
+            .collect();
+        let words = "Of the pieces between free hinges, each standing on its own ends:";
+        blocks.push(Block::Text { words: format!("{words} {}.", each.join(", ")) });
+    }
     blocks.extend(facts(|sheet| text::factors::rows(sheet, context)));
     Section::new("Equilibrium", blocks)
 }

@@ -42,11 +42,14 @@ pub(super) fn draw(
             _ => 0.0,
         };
         let x = frame.x(support.at);
-        supports::draw(&mut canvas, [x, 0.0], support.kind, outward);
+        supports::draw(&mut canvas, [x, 0.0], support, outward);
         labels.avoid(Rect::around([x - 12.0, 0.0], [x + 12.0, supports::HEIGHT], 0.0));
     }
+    for hinge in &model.hinges {
+        supports::hinge(&mut canvas, [frame.x(hinge.at), -0.5 * THICKNESS], hinge.is_free());
+    }
     if let Some(motion) = motion {
-        tipping(&mut canvas, motion, [left, right]);
+        tipping(&mut canvas, model, motion, frame);
     }
     let loads = Loads { units, frame, top: &|_| -THICKNESS };
     loads.draw(&mut canvas, &model.loads, &mut labels);
@@ -88,11 +91,16 @@ fn ground(
 }
 
 /// The beam as it would go, in dashes.
-fn tipping(canvas: &mut Canvas, motion: RigidMotion, [left, right]: [f64; 2]) {
-    let [a, b] = [motion.left, motion.right].map(|rise| RISE * rise - 0.5 * THICKNESS);
+fn tipping(canvas: &mut Canvas, model: &Model, motion: RigidMotion, frame: &Frame) {
+    let mut corners: Vec<f64> = model.hinges.iter().map(|hinge| hinge.at).collect();
+    corners.extend([0.0, model.beam.length]);
+    corners.sort_by(f64::total_cmp);
+    let point = |x: &f64| [frame.x(*x), RISE * motion.at(model, *x) - 0.5 * THICKNESS];
+    let line: Vec<[f64; 2]> = corners.iter().map(point).collect();
     let (colour, width) = (SHEAR, number(0.3 * THICKNESS));
-    let look = format!(r#"stroke="{colour}" stroke-width="{width}" stroke-dasharray="9 5""#);
-    canvas.line([left, a], [right, b], &look);
+    let look =
+        format!(r#"fill="none" stroke="{colour}" stroke-width="{width}" stroke-dasharray="9 5""#);
+    canvas.polyline(&line, false, &look);
 }
 
 /// The beam's length below the ground.

@@ -64,8 +64,9 @@ impl Picture<'_> {
         let mut row = vec![' '; WIDTH];
         let loads = &self.solution.model().loads;
         for load in loads {
-            if let Load::Distributed { from, to, .. } | Load::DistributedMoment { from, to, .. } =
-                *load
+            if let Load::Distributed { from, to, .. }
+            | Load::DistributedMoment { from, to, .. }
+            | Load::Curvature { from, to, .. } = *load
             {
                 row[self.column(from)..=self.column(to)].fill('┬');
             }
