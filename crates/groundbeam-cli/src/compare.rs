@@ -7,7 +7,7 @@ use crate::output::{print, standard_error_has_colour, standard_output_has_colour
 use crate::request::Compare;
 use crate::solve::solved;
 use crate::waiting::while_working;
-use groundbeam::{Error, Method, NotConverged, Options, Outcome, Pressure, Solution};
+use groundbeam::{Error, Method, Options, Outcome, Pressure, Solution};
 use groundbeam_report::{Compared, Comparison, Context, json, text};
 use std::time::Instant;
 
@@ -44,7 +44,7 @@ pub fn run(request: &Compare) -> Result<Status, Failure> {
         }
         Err(error) => return Err(refused(&input, &error)),
     };
-    let mut answers: Vec<(&str, Result<Box<Solution>, NotConverged>, f64)> = Vec::new();
+    let mut answers: Vec<(&str, Result<Box<Solution>, Error>, f64)> = Vec::new();
     for (name, method, pressure) in OTHERS {
         let (elements, most_sweeps) = (request.elements, request.most_sweeps);
         let options = Options { method, pressure, elements, most_sweeps, ..Options::default() };
@@ -52,8 +52,8 @@ pub fn run(request: &Compare) -> Result<Status, Failure> {
             (Ok(Outcome::Equilibrium(solution)), seconds) => {
                 answers.push((name, Ok(solution), seconds));
             }
-            (Err(Error::NotConverged(reached)), seconds) => {
-                answers.push((name, Err(reached), seconds));
+            (Err(error @ (Error::NotConverged(_) | Error::Unsupported(_))), seconds) => {
+                answers.push((name, Err(error), seconds));
             }
             (Err(error), _) => return Err(refused(&input, &error)),
             // Existence is decided before any method.
@@ -74,8 +74,9 @@ fn shown(found: &Comparison, context: &Context, request: &Compare) -> Result<Sta
     } else {
         text::comparison(found, context, standard_output_has_colour())
     })?;
-    let all_solved = found.others.iter().all(|other| other.answer.is_ok());
-    Ok(if all_solved { Status::Done } else { Status::NotConverged })
+    let stopped = |other: &Compared| matches!(other.answer, Err(Error::NotConverged(_)));
+    let stopped = found.others.iter().any(stopped);
+    Ok(if stopped { Status::NotConverged } else { Status::Done })
 }
 
 fn refused(input: &Input, error: &Error) -> Failure {

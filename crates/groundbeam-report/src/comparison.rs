@@ -1,6 +1,6 @@
 //! Answers of several methods to one model, side by side.
 
-use groundbeam::{Field, NotConverged, Side, Solution};
+use groundbeam::{Error, Field, Side, Solution};
 
 /// Answers of several methods to one model; errors are those against `exact`.
 #[derive(Debug, Clone)]
@@ -18,8 +18,8 @@ pub struct Comparison<'a> {
 pub struct Compared<'a> {
     /// The method, and the form of pressure where it has several: `active-set, dirac`.
     pub name: &'a str,
-    /// What came out.
-    pub answer: Result<&'a Solution, &'a NotConverged>,
+    /// What came out; or that the method stopped early, or that it is not for this model.
+    pub answer: Result<&'a Solution, &'a Error>,
     /// How long it took \[s\].
     pub seconds: f64,
 }

@@ -121,5 +121,5 @@ fn set(report: &Report, context: &Context, source: &Source) -> Result<String, Er
         version => env!("CARGO_PKG_VERSION"),
         digest => proof::digest(source.text),
     };
-    Ok(environment.get_template("report.html")?.render(page)?)
+    Ok(environment.get_template("report.html")?.render(page)? + "\n")
 }

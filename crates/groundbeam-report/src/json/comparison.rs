@@ -2,7 +2,7 @@
 
 use crate::comparison::{Compared, Comparison, Errors};
 use crate::context::Context;
-use groundbeam::Solution;
+use groundbeam::{Error, Solution};
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -23,7 +23,8 @@ struct Row<'a> {
     relative_gap: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     elements: Option<usize>,
-    iterations: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    iterations: Option<usize>,
     seconds: f64,
 }
 
@@ -42,18 +43,18 @@ pub fn comparison(comparison: &Comparison, context: &Context) -> String {
     methods.extend(comparison.others.iter().map(
         |&Compared { name, answer, seconds }| match answer {
             Ok(solution) => solved(name, solution, Some(Errors::of(solution, exact)), seconds),
-            Err(reached) => Row {
-                method: name,
-                status: "not-converged",
-                errors: None,
-                relative_gap: None,
-                elements: None,
-                iterations: reached.iterations,
-                seconds,
-            },
+            Err(error) => refused(name, error, seconds),
         },
     ));
     super::text(&Document { title: context.clean_title(), units: context.units.name(), methods })
+}
+
+fn refused<'a>(method: &'a str, error: &Error, seconds: f64) -> Row<'a> {
+    let (status, iterations) = match error {
+        Error::NotConverged(reached) => ("not-converged", Some(reached.iterations)),
+        _ => ("not-for-this-model", None),
+    };
+    Row { method, status, errors: None, relative_gap: None, elements: None, iterations, seconds }
 }
 
 fn solved<'a>(
@@ -74,7 +75,7 @@ fn solved<'a>(
         errors,
         relative_gap: Some(solution.certificate().relative_gap),
         elements: Some(solution.elements()),
-        iterations: solution.iterations(),
+        iterations: Some(solution.iterations()),
         seconds,
     }
 }

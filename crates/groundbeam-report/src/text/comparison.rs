@@ -5,7 +5,7 @@ use super::{duration, title};
 use crate::comparison::{Compared, Comparison, Errors};
 use crate::context::Context;
 use crate::number::order;
-use groundbeam::Solution;
+use groundbeam::{Error, Solution};
 
 /// The report of a comparison; with `colour`, with escape codes for a terminal.
 pub fn comparison(comparison: &Comparison, context: &Context, colour: bool) -> String {
@@ -23,9 +23,13 @@ pub fn comparison(comparison: &Comparison, context: &Context, colour: bool) -> S
                 let errors = Errors::of(solution, exact);
                 sheet.line(&of(name, solution, Some(errors), *seconds));
             }
-            Err(reached) => {
+            Err(Error::Unsupported(problem)) => {
+                sheet.line(&line(name, ["none", "", "", "", "", "", ""]));
+                failures.push(format!("{name}: {}", problem.message));
+            }
+            Err(error) => {
                 sheet.line(&line(name, ["none", "", "", "", "", "", &duration(*seconds)]));
-                failures.push(format!("{name}: {reached}"));
+                failures.push(format!("{name}: {error}"));
             }
         }
     }
@@ -54,5 +58,5 @@ fn of(name: &str, solution: &Solution, errors: Option<Errors>, seconds: f64) -> 
 
 fn line(name: &str, cells: [&str; 7]) -> String {
     let cells: String = cells.iter().map(|cell| format!("{cell:>8}")).collect();
-    format!("{name:<21}{cells}")
+    format!("{name:<21}{cells}").trim_end().to_owned()
 }
