@@ -190,6 +190,12 @@ fn written(load: &Load, units: Units) -> (&'static str, [f64; 2], String) {
             let per = if units == Units::Si { " (moment per length)" } else { "" };
             ("spread moment", [from, to], ends(Kind::Force, start, end) + per)
         }
+        Load::GroundForce { at, force } => {
+            ("force on the ground", [at, at], units.write(Kind::Force, force, 6))
+        }
+        Load::GroundDistributed { from, to, start, end } => {
+            ("spread force on the ground", [from, to], ends(Kind::Pressure, start, end))
+        }
         Load::Curvature { from, to, start, end } => {
             ("imposed curvature", [from, to], ends(Kind::PerLength, start, end))
         }

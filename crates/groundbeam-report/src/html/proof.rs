@@ -5,7 +5,7 @@ use super::{Source, equations};
 use crate::context::{Context, clean};
 use crate::quantity::Units;
 use crate::text;
-use groundbeam::Certificate;
+use groundbeam::Solution;
 use sha2::{Digest, Sha256};
 
 /// The SHA-256 digest of a text, in hexadecimal digits.
@@ -14,9 +14,10 @@ pub(super) fn digest(text: &str) -> String {
 }
 
 /// What was proven of one solution.
-pub(super) fn certificate(proof: &Certificate, units: Units) -> Section {
+pub(super) fn certificate(solution: &Solution, units: Units) -> Section {
+    let (proof, verdict) = (solution.certificate(), solution.existence().verdict);
     let mut blocks = explained();
-    blocks.extend(facts(|sheet| text::certificate::rows(sheet, proof, units)));
+    blocks.extend(facts(|sheet| text::certificate::rows(sheet, proof, verdict, units)));
     Section::new("Certificate", blocks)
 }
 

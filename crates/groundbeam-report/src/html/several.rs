@@ -132,7 +132,9 @@ fn statics(all: &Combinations, units: Units) -> Section {
         let head = match existence.verdict {
             Stands::Unique => "exactly one",
             Stands::NotUnique(_) => "not unique",
+            Stands::Local(_) => "local",
             Stands::None(_) => "none",
+            Stands::Buckles(_) => "buckles",
         };
         let sentence = verdict::sentence(model, existence, units);
         let said = match existence.verdict {

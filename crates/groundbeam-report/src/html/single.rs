@@ -30,7 +30,7 @@ pub(super) fn solved(solution: &Solution, context: &Context, source: &Source) ->
     if let Some(block) = facts(|sheet| text::checks::rows(sheet, solution, context)) {
         sections.push(Section::new("Checks", vec![block]));
     }
-    sections.push(proof::certificate(solution.certificate(), context.units));
+    sections.push(proof::certificate(solution, context.units));
     sections.extend(proof::provenance(context, source));
     let key = key(solution, context.units);
     Report { subject: "Beam on ground that pushes and does not pull", verdicts, key, sections }
@@ -81,7 +81,9 @@ pub(super) fn stands(model: &Model, existence: &Existence, units: Units) -> Verd
     let (tone, head) = match existence.verdict {
         Stands::Unique => ("good", "In equilibrium"),
         Stands::NotUnique(_) => ("doubtful", "Equilibrium not unique"),
+        Stands::Local(_) => ("doubtful", "Local equilibrium"),
         Stands::None(_) => ("bad", "No equilibrium"),
+        Stands::Buckles(_) => ("bad", "It buckles"),
     };
     let words = print::words(&verdict::sentence(model, existence, units));
     Verdict { tone, head: head.to_owned(), words }
