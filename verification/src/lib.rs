@@ -3,6 +3,7 @@
 pub mod architecture;
 pub mod cases;
 pub mod convergence;
+pub mod crossing;
 pub mod dense;
 pub mod documents;
 pub mod random;

@@ -1,6 +1,7 @@
 //! The documents agree with each other and with the code.
 
 use groundbeam_verification::architecture::sources;
+use groundbeam_verification::crossing;
 use groundbeam_verification::documents::{expect, read, repository};
 
 #[test]
@@ -24,6 +25,21 @@ fn the_example_in_the_readme_is_the_example() {
 fn the_readme_tests_with_the_command_that_is_run_before_a_merge() {
     let command = "\ncargo test --workspace\n";
     assert!(read("README.md").contains(command) && read(".ci/run").contains(command));
+}
+
+/// What `cargo run --example crossing` draws.
+#[test]
+fn the_moving_picture_is_made_here() {
+    let made = crossing::picture().expect("every position has an equilibrium");
+    let path = repository().join("docs/pictures/crossing.svg");
+    if std::env::var_os("UPDATE_EXPECTED").is_some() {
+        std::fs::write(&path, &made).expect("the picture can be written");
+    }
+    assert!(
+        read("docs/pictures/crossing.svg") == made,
+        "docs/pictures/crossing.svg is another one"
+    );
+    assert!(made.len() < 500_000, "small enough for a README: {} bytes", made.len());
 }
 
 /// Every model in the documents is read; a part of a model is completed by what it lacks.

@@ -3,14 +3,15 @@
 use crate::Status;
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::output::{draw, print, standard_output_has_colour, write};
+use crate::output::{draw, print, report, standard_output_has_colour, write};
 use crate::request::{Check, Solve};
 use crate::solve::{positions, solved};
 use crate::waiting::while_counting;
 use groundbeam::{Error, Existence, Outcome};
 use groundbeam_file::{Combination, LoadCase};
 use groundbeam_report::{
-    Alone, Answer, Combinations, Combined, Context, Ground, Overall, csv, json, png, svg, text,
+    Alone, Answer, Combinations, Combined, Context, Ground, Overall, csv, html, json, png, svg,
+    text,
 };
 use rayon::prelude::*;
 use std::time::Instant;
@@ -50,6 +51,7 @@ pub fn solve(input: &Input, request: &Solve) -> Result<Status, Failure> {
     let all = Combinations { combined, alone: alone.iter().map(Case::of).collect() };
     let context = input.context().with_seconds(started.elapsed().as_secs_f64());
     write_files(request, &all, stations.as_deref(), &context)?;
+    report(request.report.as_ref(), html::Contents::Combinations(&all), &context, input)?;
     print(&if request.json {
         json::combinations(&all, stations.as_deref(), &context)
     } else {

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use groundbeam::model::Problem;
 use groundbeam::{Error, Existence, Model};
 use groundbeam_file::{Diagnostics, Document, UnitSystem};
-use groundbeam_report::{Context, Units, text};
+use groundbeam_report::{Context, Units, html, text};
 use std::io::Read;
 use std::path::Path;
 
@@ -12,6 +12,8 @@ use std::path::Path;
 pub struct Input {
     pub document: Document,
     name: String,
+    /// As it was read.
+    text: String,
 }
 
 impl Input {
@@ -29,7 +31,14 @@ impl Input {
         let folder = path.parent().unwrap_or(Path::new(""));
         let text = groundbeam_file::text_of(&bytes).map_err(wrong)?;
         let document = groundbeam_file::parse_beside(text, folder).map_err(wrong)?;
-        Ok(Input { document, name })
+        Ok(Input { document, name, text: text.to_owned() })
+    }
+
+    /// The model as it is written, and the file it stands in.
+    pub fn source(&self) -> html::Source<'_> {
+        let Document { model, cases, .. } = &self.document;
+        let name = Path::new(&self.name).file_name().and_then(|name| name.to_str());
+        html::Source { name: name.unwrap_or(&self.name), text: &self.text, model, cases }
     }
 
     /// Title and units, as reports want them.

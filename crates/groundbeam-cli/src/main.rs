@@ -3,12 +3,14 @@
 
 mod check;
 mod combinations;
+mod compare;
 mod failure;
 mod input;
 mod output;
 mod pages;
 mod request;
 mod solve;
+mod starter;
 mod trains;
 mod typed;
 mod waiting;
@@ -52,6 +54,8 @@ fn run(request: Request) -> Result<Status, Failure> {
     match request {
         Request::Solve(solve) => solve::run(&solve),
         Request::Check(check) => check::run(&check),
+        Request::Compare(compare) => compare::run(&compare),
+        Request::New(new) => starter::run(&new),
         Request::Completions(shell) => pages::completions(shell),
         Request::Manual => pages::manual(),
     }

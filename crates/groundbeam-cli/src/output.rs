@@ -1,11 +1,18 @@
 //! Where results go: standard output, and files that are never half-written.
 
 use crate::failure::Failure;
+use crate::input::Input;
 use crate::request::{Format, Plot};
+use groundbeam_report::{Context, html};
 use std::fmt::Display;
 use std::fs;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::path::{Path, PathBuf};
+
+/// Whether a person reads standard output.
+pub fn standard_output_is_a_terminal() -> bool {
+    io::stdout().is_terminal()
+}
 
 /// Whether standard output shows colour.
 pub fn standard_output_has_colour() -> bool {
@@ -47,6 +54,18 @@ pub fn draw<E: Display>(
         Format::Png => png().map_err(|error| Failure::usage(error.to_string()))?,
     };
     write(path, &bytes)
+}
+
+/// Writes the calculation report, if one is asked for.
+pub fn report(
+    path: Option<&PathBuf>,
+    contents: html::Contents,
+    context: &Context,
+    input: &Input,
+) -> Result<(), Failure> {
+    let Some(path) = path else { return Ok(()) };
+    let page = html::report(contents, context, &input.source());
+    write(path, page.map_err(|error| Failure::usage(error.to_string()))?.as_bytes())
 }
 
 /// Writes a file at once: beside it first, then in its place.

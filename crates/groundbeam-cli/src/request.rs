@@ -10,6 +10,8 @@ use std::path::{Path, PathBuf};
 pub enum Request {
     Solve(Solve),
     Check(Check),
+    Compare(Compare),
+    New(New),
     Completions(Shell),
     Manual,
 }
@@ -20,12 +22,15 @@ pub struct Solve {
     pub json: bool,
     pub csv: Option<PathBuf>,
     pub plot: Option<Plot>,
+    pub report: Option<PathBuf>,
     pub history: Option<PathBuf>,
     /// As typed: it is read under the rule of the file.
     pub at: Option<String>,
     pub factors: Option<Grow>,
     /// The name of one of the file's combinations.
     pub combination: Option<String>,
+    /// Whether a terminal shows the beam below the report.
+    pub drawing: bool,
     pub options: Options,
 }
 
@@ -64,11 +69,32 @@ pub struct Check {
     pub json: bool,
 }
 
+/// Solve a model with every method.
+pub struct Compare {
+    pub file: PathBuf,
+    pub json: bool,
+    pub elements: usize,
+    pub most_sweeps: usize,
+}
+
+/// Write a model file to begin with.
+pub struct New {
+    pub file: PathBuf,
+    pub kind: typed::Starter,
+}
+
 impl Request {
     pub fn of(typed: Typed) -> Result<Self, Failure> {
         Ok(match typed.command {
             Command::Solve(solve) => Request::Solve(Solve::of(solve)?),
             Command::Check(check) => Request::Check(Check { file: check.file, json: check.json }),
+            Command::Compare(compare) => Request::Compare(Compare {
+                file: compare.file,
+                json: compare.json,
+                elements: compare.elements as usize,
+                most_sweeps: usize::try_from(compare.most_sweeps).unwrap_or(usize::MAX),
+            }),
+            Command::New(new) => Request::New(New { file: new.file, kind: new.kind }),
             Command::Completions { shell } => Request::Completions(shell),
             Command::Man => Request::Manual,
         })
@@ -96,15 +122,20 @@ impl Solve {
             most_sweeps: usize::try_from(typed.most_sweeps).unwrap_or(usize::MAX),
         };
         let plot = typed.plot.map(Plot::of).transpose()?;
+        if let Some(report) = &typed.report {
+            check_report(report)?;
+        }
         let solve = Solve {
             file: typed.file,
             json: typed.json,
             csv: typed.csv,
             plot,
+            report: typed.report,
             history: typed.history,
             at: typed.at,
             combination: typed.combination,
             factors: typed.factors.map(|cases| cases.map_or(Grow::All, Grow::Cases)),
+            drawing: !typed.no_drawing,
             options,
         };
         solve.check_outputs()?;
@@ -113,7 +144,8 @@ impl Solve {
 
     fn outputs(&self) -> impl Iterator<Item = &Path> {
         let plot = self.plot.as_ref().map(|plot| &plot.path);
-        [self.csv.as_ref(), plot, self.history.as_ref()].into_iter().flatten().map(PathBuf::as_path)
+        let all = [self.csv.as_ref(), plot, self.report.as_ref(), self.history.as_ref()];
+        all.into_iter().flatten().map(PathBuf::as_path)
     }
 
     /// No output may replace the model or another output.
@@ -135,6 +167,19 @@ impl Solve {
 
 fn is_same_file(a: &Path, b: &Path) -> bool {
     matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b && a.is_file())
+}
+
+/// The name of a report tells its format.
+fn check_report(path: &Path) -> Result<(), Failure> {
+    let extension = path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase);
+    let rule = match extension.as_deref() {
+        Some("html" | "htm") => return Ok(()),
+        Some("pdf") => {
+            "reports are written as HTML; use a name that ends in .html, open it in a browser and print it to PDF"
+        }
+        _ => "the name of a report ends in .html",
+    };
+    Err(Failure::usage(format!("--report {}: {rule}", path.display())))
 }
 
 impl Plot {

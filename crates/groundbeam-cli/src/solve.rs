@@ -4,7 +4,10 @@ use crate::Status;
 use crate::combinations;
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::output::{draw, print, standard_error_has_colour, standard_output_has_colour, write};
+use crate::output::{
+    draw, print, report, standard_error_has_colour, standard_output_has_colour,
+    standard_output_is_a_terminal, write,
+};
 use crate::request::{Grow, Solve};
 use crate::trains;
 use crate::waiting::while_working;
@@ -12,7 +15,7 @@ use groundbeam::{Error, Load, LoadFactors, Model, Options, Outcome, Solution};
 use groundbeam_file::{
     Combination, Diagnostic, Diagnostics, Severity, parse_cases, parse_positions,
 };
-use groundbeam_report::{Context, Factors, Ground, csv, json, png, svg, text};
+use groundbeam_report::{Context, Factors, Ground, csv, html, json, png, svg, text};
 use std::time::Instant;
 
 pub fn run(request: &Solve) -> Result<Status, Failure> {
@@ -96,14 +99,21 @@ fn one(
         Ok(Outcome::Equilibrium(solution)) => {
             let stations = stations.unwrap_or_else(|| json::default_stations(&solution));
             write_files(request, &solution, &stations, &context)?;
+            report(request.report.as_ref(), html::Contents::Solved(&solution), &context, input)?;
             print(&if request.json {
                 json::solved(&solution, &stations, &context)
             } else {
                 text::solved(&solution, &context, standard_output_has_colour())
             })?;
+            if request.drawing && !request.json && standard_output_is_a_terminal() {
+                let colour = standard_output_has_colour();
+                print(&format!("\n{}", text::drawing(&solution, context.units, colour)))?;
+            }
             Ok(Status::Done)
         }
         Ok(Outcome::NoEquilibrium(existence)) => {
+            let contents = html::Contents::NoEquilibrium(model, &existence);
+            report(request.report.as_ref(), contents, &context, input)?;
             if request.json {
                 print(&json::no_equilibrium(model, &existence, &context))?;
                 return Ok(Status::NoEquilibrium);
@@ -112,6 +122,8 @@ fn one(
             Err(Failure::reported(shown, Status::NoEquilibrium))
         }
         Err(Error::NotConverged(reached)) => {
+            let contents = html::Contents::NotConverged(model, &reached);
+            report(request.report.as_ref(), contents, &context, input)?;
             if request.json {
                 print(&json::not_converged(&reached, &context))?;
                 return Ok(Status::NotConverged);

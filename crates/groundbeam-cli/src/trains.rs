@@ -3,7 +3,7 @@
 use crate::Status;
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::output::{draw, print, standard_output_has_colour, write};
+use crate::output::{draw, print, report, standard_output_has_colour, write};
 use crate::request::{Check, Solve};
 use crate::solve::{Loaded, positions};
 use crate::waiting::while_counting;
@@ -11,7 +11,7 @@ use groundbeam::train::{Answer, Passage, Sweep};
 use groundbeam::{Error, Field};
 use groundbeam_file::{Combination, MovingTrain};
 use groundbeam_report::{
-    CheckedTrain, Context, Ground, Moving, Passages, csv, json, png, svg, text,
+    CheckedTrain, Context, Ground, Moving, Passages, csv, html, json, png, svg, text,
 };
 use rayon::prelude::*;
 use std::time::Instant;
@@ -47,6 +47,7 @@ pub fn solve(input: &Input, request: &Solve, all: &Loaded) -> Result<Status, Fai
     });
     let context = Context { ground, ..context };
     write_files(request, &passages, stations.as_deref(), &context)?;
+    report(request.report.as_ref(), html::Contents::Trains(&passages), &context, input)?;
     print(&if request.json {
         json::trains(&passages, stations.as_deref(), &context)
     } else {

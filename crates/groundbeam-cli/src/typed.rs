@@ -33,6 +33,10 @@ pub enum Command {
     Solve(Solve),
     /// Read a model and tell whether an equilibrium exists, without solving
     Check(Check),
+    /// Write a commented model file to begin with
+    New(New),
+    /// Solve a model with every method and show their errors against `exact`
+    Compare(Compare),
     /// Print a completion script for a shell
     Completions {
         /// The shell
@@ -61,6 +65,10 @@ pub struct Solve {
     #[arg(long, value_name = "OUT")]
     pub plot: Option<PathBuf>,
 
+    /// Write a calculation report that prints well: input, assumptions, results, certificate; a name that ends in .html
+    #[arg(long, value_name = "OUT")]
+    pub report: Option<PathBuf>,
+
     /// Write every step of the iteration as a table
     #[arg(long, value_name = "OUT")]
     pub history: Option<PathBuf>,
@@ -83,6 +91,10 @@ pub struct Solve {
     /// Left out, a file with combinations gives the results of all of them and their envelope.
     #[arg(long, value_name = "NAME")]
     pub combination: Option<String>,
+
+    /// Leave out the small drawing that a terminal shows below the report
+    #[arg(long)]
+    pub no_drawing: bool,
 
     /// How to solve
     #[arg(long, value_enum, default_value = "exact")]
@@ -113,6 +125,48 @@ pub struct Check {
     /// Print the verdict as one JSON document, and nothing else, on standard output
     #[arg(long)]
     pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct New {
+    /// The file to write; one that is there is not replaced
+    #[arg(default_value = "model.toml")]
+    pub file: PathBuf,
+
+    /// What it is about
+    #[arg(long, value_enum, default_value = "footing")]
+    pub kind: Starter,
+}
+
+#[derive(Debug, Args)]
+pub struct Compare {
+    /// Model file (TOML) without combinations and trains; `-` for standard input
+    pub file: PathBuf,
+
+    /// Print the comparison as one JSON document, and nothing else, on standard output
+    #[arg(long)]
+    pub json: bool,
+
+    /// Elements of the meshes
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub elements: u32,
+
+    /// Sweeps after which `psor` and `uzawa` give up
+    #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = clap::value_parser!(u64).range(1..))]
+    pub most_sweeps: u64,
+}
+
+/// What a model file to begin with is about.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub enum Starter {
+    /// A strip footing under columns
+    Footing,
+    /// A rail under wheels
+    Rail,
+    /// A strip of a ground slab
+    Slab,
+    /// A pipeline over a trough in the seabed
+    Pipeline,
 }
 
 #[derive(Debug, Clone, Copy, ValueEnum)]

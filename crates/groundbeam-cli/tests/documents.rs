@@ -105,7 +105,18 @@ fn alike(a: &str, b: &str) -> bool {
 
 /// A line without the numbers that another machine may print otherwise.
 fn steady(line: &str) -> String {
-    let rounding = ["energy gap", "balance ", "the beam enters", "right to ±", "Method "];
+    let rounding = [
+        "energy gap",
+        "balance ",
+        "the beam enters",
+        "right to ±",
+        "Method ",
+        // The lines of `groundbeam compare`, but for the methods' names.
+        "exact   ",
+        "active-set",
+        "psor   ",
+        "uzawa   ",
+    ];
     if !rounding.iter().any(|word| line.contains(word)) {
         return line.to_owned();
     }

@@ -355,3 +355,29 @@ fn a_train_under_a_combination() {
     assert!(report.stdout.contains("   4  SLS; axle\n"), "{}", report.stdout);
     assert!(folder.read("t.csv").contains("deflection_in_min,"));
 }
+
+#[test]
+fn a_calculation_report() {
+    let folder = Folder::with(LIFTS);
+    folder.run(&["solve", "model.toml", "--report", "out.html"]).is_clean(0);
+    let page = folder.read("out.html");
+    assert!(page.starts_with("<!DOCTYPE html>") && page.ends_with("</html>\n"));
+    assert!(page.contains("0.811326"), "where contact begins");
+    // The file itself is in it, line by line.
+    assert!(page.contains("<li>[beam]</li>"));
+    folder.run(&["solve", "model.toml", "--report", "out.pdf"]).fails(2, "print it to PDF");
+    folder.run(&["solve", "model.toml", "--report", "out.doc"]).fails(2, "ends in .html");
+    folder.run(&["solve", "model.toml", "--report", "model.toml"]).fails(2, "ends in .html");
+    folder.run(&["solve", "model.toml", "--report", "no/out.html"]).fails(2, "no/out.html");
+
+    let folder = Folder::with(&tips());
+    folder.run(&["solve", "model.toml", "--report", "out.html"]).fails(3, "none: ");
+    let page = folder.read("out.html");
+    assert!(page.contains("No equilibrium"));
+}
+
+#[test]
+fn no_drawing_in_pipes() {
+    let done = Folder::with(LIFTS).run(&["solve", "model.toml"]);
+    assert!(!done.stdout.contains('░') && !done.stdout.contains('━'));
+}

@@ -9,6 +9,7 @@
 mod certificate;
 mod checks;
 mod combinations;
+mod comparison;
 mod factors;
 mod ground;
 mod train;
@@ -18,6 +19,7 @@ use crate::context::Context;
 use crate::verdict::sentence;
 use certificate::Proof;
 pub use combinations::{checked_combinations, combinations, envelope_stations};
+pub use comparison::comparison;
 use factors::Grown;
 use ground::Ground;
 use groundbeam::{

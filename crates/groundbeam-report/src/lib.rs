@@ -5,6 +5,7 @@
 //! | [`text`] | a report for the terminal, at most 80 columns wide |
 //! | [`json`] | the result document |
 //! | [`csv`] | a table of all fields along the beam, and the history of the iteration |
+//! | [`html`] | the calculation report: one file that prints well |
 //! | [`svg`], [`png`] | one picture: the beam on its ground, pressure, moment, shear |
 //!
 //! ```
@@ -33,6 +34,7 @@
 mod band;
 mod characteristics;
 mod combinations;
+mod comparison;
 mod context;
 mod curve;
 mod font;
@@ -43,6 +45,7 @@ mod trains;
 mod verdict;
 
 pub mod csv;
+pub mod html;
 pub mod json;
 pub mod png;
 pub mod svg;
@@ -51,6 +54,7 @@ pub mod text;
 pub use band::Banded;
 pub use characteristics::{Characteristics, Resultant};
 pub use combinations::{Alone, Answer, Combinations, Combined, Overall};
+pub use comparison::{Compared, Comparison, Errors};
 pub use context::{Context, Factors, Ground};
 pub use quantity::Units;
 pub use trains::{CheckedTrain, InPassage, Moving, Passages};

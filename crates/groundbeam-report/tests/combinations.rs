@@ -6,7 +6,7 @@ mod common;
 use common::{context, document};
 use groundbeam::{Error, Existence, Field, NotConverged, Options, Outcome};
 use groundbeam_file::{Combination, Document, LoadCase};
-use groundbeam_report::{Alone, Answer, Combinations, Combined, csv, json, png, svg, text};
+use groundbeam_report::{Alone, Answer, Combinations, Combined, csv, html, json, png, svg, text};
 use serde_json::{Value, json};
 
 /// A file, solved.
@@ -175,4 +175,25 @@ fn a_band_of_grounds_is_that_of_the_grounds_solved() {
     let document = solved.json(None);
     assert_eq!(document["band"]["moment"]["max"]["best"], json!(moment.best));
     assert_eq!(document["combinations"][1]["ground_factors"], json!({"k": 0.5, "mu": 1.0}));
+}
+
+#[test]
+fn the_calculation_report_shows_all_of_them() {
+    for name in ["combinations", "band"] {
+        let solved = solved(name);
+        let all = solved.all();
+        let Document { model, cases, .. } = &solved.document;
+        let source =
+            html::Source { name: "model.toml", text: solved.document.text(), model, cases };
+        let contents = html::Contents::Combinations(&all);
+        let page = html::report(contents, &context(&solved.document), &source).unwrap();
+        for combined in &all.combined {
+            let named = combined.name.replace('&', "&amp;").replace('/', "&#x2f;");
+            assert!(page.contains(&named), "{name}: {}", combined.name);
+        }
+        // The model, the governing combination, and four envelopes.
+        assert_eq!(page.matches("<figure>").count(), 6, "{name}");
+        let body = page.split_once("</style>").unwrap().1;
+        assert!(!body.contains("NaN") && !body.contains("inf "), "{name}");
+    }
 }

@@ -65,3 +65,18 @@ fn colour_adds_escape_codes_and_nothing_else() {
     }
     assert_eq!(stripped, plain);
 }
+
+#[test]
+fn drawings_for_a_terminal() {
+    for name in SOLVABLE {
+        let document = document(name);
+        let solution = solved(&document);
+        let drawn = text::drawing(&solution, context(&document).units, false);
+        assert!(drawn.lines().all(|line| line.chars().count() <= 80), "{drawn}");
+        insta::assert_snapshot!(format!("drawing-{name}"), drawn);
+        let painted = text::drawing(&solution, context(&document).units, true);
+        let codes = ["\u{1b}[0m", "\u{1b}[2m", "\u{1b}[33m", "\u{1b}[34m"];
+        let plain = codes.iter().fold(painted, |text, code| text.replace(code, ""));
+        assert_eq!(plain, drawn, "colour adds colour alone");
+    }
+}

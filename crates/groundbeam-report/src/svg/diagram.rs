@@ -2,11 +2,11 @@
 
 use super::axis;
 use super::canvas::{Anchor, Canvas, number, printed};
-use super::frame::{Frame, LEFT, RIGHT, WIDTH};
+use super::frame::{Frame, LEFT};
 use super::labels::{Labels, Rect};
 use super::samples::simplified;
 use super::style::{
-    BEAM, FORCE, INK, MOMENT, NOTE, PANEL_TITLE, PRESSURE, RIMMED, RULE, SHEAR, TICK,
+    BEAM, FORCE, GROUND_LINE, INK, MOMENT, NOTE, PANEL_TITLE, PRESSURE, RIMMED, RULE, SHEAR, TICK,
 };
 use crate::font::Metrics;
 use crate::quantity::{Kind, Unit, Units};
@@ -35,7 +35,7 @@ pub(super) struct Diagram<'a> {
     pub values: Vec<(f64, f64)>,
     /// The lower line of an envelope, of which `values` is the upper one; empty if there is one line only.
     pub lower: Vec<(f64, f64)>,
-    /// The lines that make an envelope.
+    /// Thin lines: those that make an envelope, or another one beside the values.
     pub thin: Vec<Vec<(f64, f64)>>,
     pub extremes: Vec<Extreme>,
     /// Concentrated forces that push the beam up, with what to call them.
@@ -51,6 +51,7 @@ impl Diagram<'static> {
             Field::Pressure => ("Contact pressure", "pushes the beam up", PRESSURE, true),
             Field::Moment => ("Bending moment", "drawn on the tension side", MOMENT, true),
             Field::ShearForce => ("Shear force", "", SHEAR, false),
+            Field::Gap => ("Gap", "between beam and ground", GROUND_LINE, false),
             _ => ("Deflection", "down", BEAM, true),
         };
         Diagram {
@@ -90,7 +91,8 @@ impl Diagram<'_> {
         self.title(&mut canvas, unit, metrics);
         let is_empty = low == high && self.forces.is_empty();
         let height = if is_empty { EMPTY } else { HEIGHT };
-        let page = Rect { left: LEFT + 2.0, top: TOP, right: WIDTH - 4.0, bottom: TOP + height };
+        let page =
+            Rect { left: LEFT + 2.0, top: TOP, right: frame.width - 4.0, bottom: TOP + height };
         let mut labels = Labels::new(metrics, page);
 
         let scale = Scale::new([low, high], self.downward, height);
@@ -105,7 +107,7 @@ impl Diagram<'_> {
     }
 
     fn range(&self) -> [f64; 2] {
-        let all = self.values.iter().chain(&self.lower);
+        let all = self.values.iter().chain(&self.lower).chain(self.thin.iter().flatten());
         all.fold([0.0, 0.0], |[low, high], &(_, v)| [low.min(v), high.max(v)])
     }
 
@@ -134,7 +136,7 @@ impl Diagram<'_> {
             let y = scale.y(value);
             if value != 0.0 {
                 let faint = r##"stroke="#eceef1" stroke-width="1""##;
-                canvas.line([LEFT, y], [RIGHT, y], faint);
+                canvas.line([LEFT, y], [frame.right(), y], faint);
             }
             let words = printed(&unit.number(value, 6));
             canvas.text([LEFT - 8.0, y + 3.7], Anchor::End, TICK, &words);
@@ -155,6 +157,7 @@ impl Diagram<'_> {
         if !self.lower.is_empty() {
             return self.band(canvas, frame, scale, labels);
         }
+        self.thin(canvas, frame, scale);
         let points = on_page(&self.values, frame, scale);
         let zero = scale.y(0.0);
         // The ends close the area, and the curve meets the zero line there as the jump it is.
@@ -176,16 +179,20 @@ impl Diagram<'_> {
         let mut area = upper.clone();
         area.extend(lower.iter().rev());
         canvas.polyline(&area, true, &format!(r#"fill="{}" fill-opacity="0.14""#, self.colour));
+        self.thin(canvas, frame, scale);
+        let stroke = format!(r#"fill="none" stroke="{}" stroke-width="1.7""#, self.colour);
+        for line in [upper, lower] {
+            canvas.polyline(&line, false, &stroke);
+            labels.avoid_line(&line);
+        }
+    }
+
+    fn thin(&self, canvas: &mut Canvas, frame: &Frame, scale: &Scale) {
         for line in &self.thin {
             let line = simplified(&on_page(line, frame, scale));
             let stroke = r#"stroke-width="0.7" stroke-opacity="0.55""#;
             let stroke = format!(r#"fill="none" stroke="{}" {stroke}"#, self.colour);
             canvas.polyline(&line, false, &stroke);
-        }
-        let stroke = format!(r#"fill="none" stroke="{}" stroke-width="1.7""#, self.colour);
-        for line in [upper, lower] {
-            canvas.polyline(&line, false, &stroke);
-            labels.avoid_line(&line);
         }
     }
 

@@ -40,7 +40,7 @@ pub fn combinations(combinations: &Combinations, context: &Context) -> String {
     page.finish(WIDTH, height, title.as_deref().unwrap_or("Combinations of loads"))
 }
 
-fn diagrams(envelope: &Envelope, units: Units) -> [Diagram<'static>; 4] {
+pub(super) fn diagrams(envelope: &Envelope, units: Units) -> [Diagram<'static>; 4] {
     let samples: Vec<Samples> = envelope.solutions().iter().map(|s| Samples::of(s)).collect();
     let mut lines = lines(envelope, &envelope.stations(EVEN_STEPS));
     OF_ENVELOPES.map(|field| {

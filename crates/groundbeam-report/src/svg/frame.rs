@@ -2,12 +2,14 @@
 
 use groundbeam::Model;
 
-/// The width of the picture.
+/// The width of a picture.
 pub(super) const WIDTH: f64 = 960.0;
+/// The width of a figure on paper, where the same words stand larger.
+const NARROW: f64 = 720.0;
 /// Left of this stand the numbers of the axes.
 pub(super) const LEFT: f64 = 86.0;
-/// Where panels end.
-pub(super) const RIGHT: f64 = 936.0;
+/// Kept free beside where panels end.
+const BESIDE: f64 = 24.0;
 
 /// The scale of x.
 #[derive(Debug, Clone, Copy)]
@@ -16,6 +18,8 @@ pub(super) struct Frame {
     pub length: f64,
     /// How much ground is shown beyond each end.
     pub margin: f64,
+    /// The width of the page.
+    pub width: f64,
 }
 
 impl Frame {
@@ -27,12 +31,27 @@ impl Frame {
             3.0 * (shear / spring).sqrt()
         });
         let margin = reach[0].max(reach[1]).clamp(0.05 * length, 0.15 * length);
-        Frame { length, margin }
+        Frame { length, margin, width: WIDTH }
+    }
+
+    /// The same for a figure on paper.
+    pub fn narrow(model: &Model) -> Self {
+        Frame { width: NARROW, ..Frame::of(model) }
+    }
+
+    /// Where panels end.
+    pub fn right(&self) -> f64 {
+        self.width - BESIDE
+    }
+
+    /// Where the name of the axis ends: on a narrow page beside the last number.
+    pub fn end_of_axis(&self) -> f64 {
+        if self.width < WIDTH { self.width - 4.0 } else { self.right() }
     }
 
     /// Page units for one unit of length.
     pub fn scale(&self) -> f64 {
-        (RIGHT - LEFT) / (self.length + 2.0 * self.margin)
+        (self.right() - LEFT) / (self.length + 2.0 * self.margin)
     }
 
     /// The position on the page.

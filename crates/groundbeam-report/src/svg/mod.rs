@@ -7,10 +7,12 @@ mod axis;
 mod canvas;
 mod diagram;
 mod envelope;
+pub(crate) mod figures;
 mod frame;
 mod labels;
 mod loads;
 mod samples;
+mod sketch;
 mod style;
 mod supports;
 mod system;
@@ -24,7 +26,7 @@ use crate::quantity::{Kind, Units};
 use canvas::{Anchor, Canvas, printed};
 use diagram::{Diagram, worth_naming};
 pub use envelope::combinations;
-use frame::{Frame, LEFT, RIGHT, WIDTH};
+use frame::{Frame, LEFT, WIDTH};
 use groundbeam::{Field, Solution};
 use samples::Samples;
 use style::{FAINT_INK, NOTE, TICK, TITLE};
@@ -159,5 +161,5 @@ fn axis_of_x(page: &mut Canvas, frame: &Frame, units: Units, y: f64) {
         page.text([at, y + 18.0], Anchor::Middle, TICK, &printed(&unit.number(x, 6)));
     }
     let words = format!("x{}", unit.bracketed());
-    page.text([RIGHT, y + 18.0], Anchor::End, TICK, &words);
+    page.text([frame.end_of_axis(), y + 18.0], Anchor::End, TICK, &words);
 }

@@ -2,7 +2,7 @@
 
 use super::axis;
 use super::canvas::{Anchor, Canvas, printed};
-use super::frame::{Frame, LEFT, WIDTH};
+use super::frame::{Frame, LEFT};
 use super::labels::{Labels, Rect};
 use super::loads::Loads;
 use super::samples::{Samples, simplified};
@@ -42,7 +42,12 @@ pub(super) fn draw(
         canvas: Canvas::new(),
         labels: Labels::new(
             metrics,
-            Rect { left: 8.0, top: f64::NEG_INFINITY, right: WIDTH - 4.0, bottom: f64::INFINITY },
+            Rect {
+                left: 8.0,
+                top: f64::NEG_INFINITY,
+                right: frame.width - 4.0,
+                bottom: f64::INFINITY,
+            },
         ),
         floor: 0.0,
     };
@@ -154,7 +159,7 @@ impl Picture<'_> {
                 self.canvas.line([x, top], [x, bottom], &wall);
             }
         }
-        self.labels.avoid(Rect::around([0.0, bottom], [WIDTH, bottom + 1e3], 0.0));
+        self.labels.avoid(Rect::around([0.0, bottom], [self.frame.width, bottom + 1e3], 0.0));
         // Where the beam's underside was before loading.
         let dashes = format!(r#"stroke="{FAINT_INK}" stroke-width="0.8" stroke-dasharray="5 4""#);
         self.canvas.line([left, 0.0], [right, 0.0], &dashes);

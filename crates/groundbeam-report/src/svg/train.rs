@@ -53,7 +53,7 @@ pub fn trains(passages: &Passages, context: &Context) -> String {
     page.finish(WIDTH, height, title.as_deref().unwrap_or("A train passes"))
 }
 
-fn diagrams(passages: &Passages, units: Units, sizes: Sizes) -> [Diagram<'static>; 4] {
+pub(super) fn diagrams(passages: &Passages, units: Units, sizes: Sizes) -> [Diagram<'static>; 4] {
     let stations = passages.stations(EVEN_STEPS);
     let bounds: Vec<(f64, [[InPassage; 2]; 7])> =
         stations.into_iter().filter_map(|x| Some((x, passages.at(x)?))).collect();

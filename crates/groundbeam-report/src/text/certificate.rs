@@ -6,7 +6,7 @@ use crate::quantity::{Kind, Units};
 use groundbeam::{Certificate, Verdict};
 
 /// What was recomputed from the model, by code that shares nothing with the method.
-pub(super) fn rows(sheet: &mut Sheet, proof: &Certificate, verdict: Verdict, units: Units) {
+pub(crate) fn rows(sheet: &mut Sheet, proof: &Certificate, verdict: Verdict, units: Units) {
     let words = "recomputed from the model alone, by other code than the method's";
     sheet.row("Certificate", words);
     sheet.item("energy gap", &format!("{} of the strain energy", order(proof.relative_gap)));

@@ -7,7 +7,7 @@ use crate::quantity::{Kind, Units};
 use groundbeam::{Check, Checked, Solution};
 
 /// The checks of one solution, and a blank line if there are any.
-pub(super) fn rows(sheet: &mut Sheet, solution: &Solution, context: &Context) {
+pub(crate) fn rows(sheet: &mut Sheet, solution: &Solution, context: &Context) {
     let checks = context.limits.map(|limits| limits.check(solution)).unwrap_or_default();
     for (i, check) in checks.iter().enumerate() {
         row(sheet, i == 0, check, None, context.units);
@@ -18,7 +18,7 @@ pub(super) fn rows(sheet: &mut Sheet, solution: &Solution, context: &Context) {
 }
 
 /// Of every check the solution that comes nearest to its limit, or passes it farthest.
-pub(super) fn worst_rows(sheet: &mut Sheet, solved: &[(&str, &Solution)], context: &Context) {
+pub(crate) fn worst_rows(sheet: &mut Sheet, solved: &[(&str, &Solution)], context: &Context) {
     let Some(limits) = context.limits else { return };
     let all: Vec<_> =
         solved.iter().map(|(name, solution)| (*name, limits.check(solution))).collect();

@@ -8,7 +8,7 @@ use crate::verdict::falls;
 use groundbeam::{FirstLiftOff, LossOfEquilibrium};
 
 /// The rows about load factors, if they were asked for.
-pub(super) fn rows(sheet: &mut Sheet, context: &Context) {
+pub(crate) fn rows(sheet: &mut Sheet, context: &Context) {
     let Some(factors) = context.factors else { return };
     let loads = Grows::of(&factors);
     sheet.row("Load factors", &lift_off(factors.found.first_lift_off, &loads, context.units));

@@ -1,13 +1,15 @@
 //! The report for a terminal, at most 80 columns wide.
 
-mod certificate;
-mod checks;
+pub(crate) mod certificate;
+pub(crate) mod checks;
 mod combinations;
-mod factors;
+mod comparison;
+mod drawing;
+pub(crate) mod factors;
 mod ground;
 mod passages;
-mod sheet;
-mod train;
+pub(crate) mod sheet;
+pub(crate) mod train;
 
 use crate::characteristics::Characteristics;
 use crate::context::Context;
@@ -16,6 +18,8 @@ use crate::quantity::{Kind, Units};
 use crate::size::Sizes;
 use crate::verdict;
 pub use combinations::combinations;
+pub use comparison::comparison;
+pub use drawing::drawing;
 use groundbeam::{
     Acts, ContactRegion, Existence, Extreme, Field, GroundEnd, LiftOff, Load, Model, NotConverged,
     Profile, Reaction, Solution, SupportKind, Verdict,
@@ -113,7 +117,12 @@ fn title(sheet: &mut Sheet, context: &Context) {
 }
 
 /// Beam and ground.
-fn structure(sheet: &mut Sheet, model: &Model, found: &Characteristics, context: &Context) {
+pub(crate) fn structure(
+    sheet: &mut Sheet,
+    model: &Model,
+    found: &Characteristics,
+    context: &Context,
+) {
     let units = context.units;
     let write = |kind, value| units.write(kind, value, 6);
     let stiffnesses = ends(model.beam.segments.iter().map(|s| s.bending_stiffness));
@@ -178,7 +187,7 @@ fn range(units: Units, kind: Kind, [low, high]: [f64; 2]) -> String {
     }
 }
 
-fn verdict_row(sheet: &mut Sheet, model: &Model, existence: &Existence, units: Units) {
+pub(crate) fn verdict_row(sheet: &mut Sheet, model: &Model, existence: &Existence, units: Units) {
     let sentence = verdict::sentence(model, existence, units);
     match existence.verdict {
         Verdict::Unique => {
@@ -204,7 +213,7 @@ fn verdict_row(sheet: &mut Sheet, model: &Model, existence: &Existence, units: U
     }
 }
 
-fn contact(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) {
+pub(crate) fn contact(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) {
     let regions = solution.contact();
     let l = solution.model().beam.length;
     if regions.is_empty() {
@@ -291,7 +300,7 @@ fn listed<T>(sheet: &mut Sheet, label: &str, items: &[T], write: impl Fn(&T) -> 
     }
 }
 
-fn forces(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) {
+pub(crate) fn forces(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) {
     let write = |force: f64| units.write(Kind::Force, sizes.force(force), 6);
     let ends = solution.end_forces();
     let words = format!("left {}, right {}", write(ends.left), write(ends.right));
@@ -372,7 +381,7 @@ fn extremes(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes)
     }
 }
 
-fn label(field: Field) -> &'static str {
+pub(crate) fn label(field: Field) -> &'static str {
     match field {
         Field::Deflection => "Deflection",
         Field::Slope => "Slope",
@@ -400,7 +409,7 @@ fn method(sheet: &mut Sheet, solution: &Solution, context: &Context) {
     sheet.row("Method", &words);
 }
 
-fn duration(seconds: f64) -> String {
+pub(crate) fn duration(seconds: f64) -> String {
     if seconds < 1e-3 {
         format!("{:.0} µs", seconds * 1e6)
     } else if seconds < 1.0 {

@@ -1,13 +1,13 @@
 //! A page of labelled rows, at most 80 columns wide.
 
 /// The width no line exceeds, as far as words allow.
-pub(super) const WIDTH: usize = 80;
+const WIDTH: usize = 80;
 /// Where the text of a row begins.
 const COLUMN: usize = 13;
 
-/// How words are marked on a terminal.
+/// How words are marked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Tone {
+pub(crate) enum Tone {
     Plain,
     Heading,
     Good,
@@ -27,38 +27,62 @@ impl Tone {
     }
 }
 
-/// The page so far.
-pub(super) struct Sheet {
-    text: String,
+/// What a page is made of.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Entry {
+    Blank,
+    /// A paragraph that begins at the left edge.
+    Heading(String),
+    /// A line of a table, as it is.
+    Line(String),
+    /// A labelled row; an empty label continues the row above. The tone is that of its first part, up to a colon.
+    Row {
+        label: String,
+        words: String,
+        tone: Tone,
+    },
+    /// A row within a row.
+    Item {
+        label: String,
+        words: String,
+    },
+}
+
+/// The page so far: what it says, for whoever sets it in type.
+pub(crate) struct Sheet {
+    entries: Vec<Entry>,
     colour: bool,
 }
 
 impl Sheet {
     pub fn new(colour: bool) -> Self {
-        Sheet { text: String::new(), colour }
+        Sheet { entries: Vec::new(), colour }
     }
 
+    /// What it says.
+    pub fn entries(self) -> Vec<Entry> {
+        self.entries
+    }
+
+    /// As text.
     pub fn finish(self) -> String {
-        self.text
+        let mut text = String::new();
+        self.entries.iter().for_each(|entry| self.print(entry, &mut text));
+        text
     }
 
     pub fn blank(&mut self) {
-        self.text.push('\n');
+        self.entries.push(Entry::Blank);
     }
 
     /// A paragraph that begins at the left edge.
     pub fn heading(&mut self, words: &str) {
-        for line in wrapped(words, WIDTH) {
-            let line = self.painted(&line, Tone::Heading);
-            self.text.push_str(&line);
-            self.text.push('\n');
-        }
+        self.entries.push(Entry::Heading(words.to_owned()));
     }
 
     /// A line of a table, as it is.
     pub fn line(&mut self, words: &str) {
-        self.text.push_str(words.trim_end());
-        self.text.push('\n');
+        self.entries.push(Entry::Line(words.to_owned()));
     }
 
     /// `label        words`, wrapped under themselves. An empty label continues the row above.
@@ -68,6 +92,41 @@ impl Sheet {
 
     /// The same with the first part of the words, up to a colon, in a tone.
     pub fn toned_row(&mut self, label: &str, words: &str, tone: Tone) {
+        let [label, words] = [label, words].map(str::to_owned);
+        self.entries.push(Entry::Row { label, words, tone });
+    }
+
+    /// `             label       words`: a row within a row.
+    pub fn item(&mut self, label: &str, words: &str) {
+        let [label, words] = [label, words].map(str::to_owned);
+        self.entries.push(Entry::Item { label, words });
+    }
+
+    fn print(&self, entry: &Entry, text: &mut String) {
+        match entry {
+            Entry::Blank => text.push('\n'),
+            Entry::Heading(words) => {
+                for line in wrapped(words, WIDTH) {
+                    *text += &self.painted(&line, Tone::Heading);
+                    text.push('\n');
+                }
+            }
+            Entry::Line(words) => {
+                *text += words.trim_end();
+                text.push('\n');
+            }
+            Entry::Row { label, words, tone } => self.print_row(label, words, *tone, text),
+            Entry::Item { label, words } => {
+                const INNER: usize = 12;
+                for (i, line) in wrapped(words, WIDTH - COLUMN - INNER).iter().enumerate() {
+                    let label = if i == 0 { label } else { "" };
+                    *text += &format!("{:COLUMN$}{label:<INNER$}{line}\n", "");
+                }
+            }
+        }
+    }
+
+    fn print_row(&self, label: &str, words: &str, tone: Tone, text: &mut String) {
         let gap = " ".repeat(COLUMN.saturating_sub(label.chars().count()).max(1));
         let head = self.painted(label, Tone::Heading) + &gap;
         for (i, line) in wrapped(words, WIDTH - COLUMN).iter().enumerate() {
@@ -79,18 +138,8 @@ impl Sheet {
                 None if i == 0 => self.painted(line, tone),
                 _ => line.clone(),
             };
-            let line = format!("{lead}{line}");
-            self.text.push_str(line.trim_end());
-            self.text.push('\n');
-        }
-    }
-
-    /// `             label       words`: a row within a row.
-    pub fn item(&mut self, label: &str, words: &str) {
-        const INNER: usize = 12;
-        for (i, line) in wrapped(words, WIDTH - COLUMN - INNER).iter().enumerate() {
-            let label = if i == 0 { label } else { "" };
-            self.text.push_str(&format!("{:COLUMN$}{label:<INNER$}{line}\n", ""));
+            *text += format!("{lead}{line}").trim_end();
+            text.push('\n');
         }
     }
 

@@ -14,7 +14,7 @@ use groundbeam::{Field, Solution};
 const MOST_RANGES: usize = 8;
 
 /// The report of one passage, below the beam and the ground.
-pub(super) fn train(sheet: &mut Sheet, moving: &Moving, context: &Context) {
+pub(crate) fn train(sheet: &mut Sheet, moving: &Moving, context: &Context) {
     let passage = moving.passage;
     head(sheet, moving, context.units);
     if let Some(combination) = moving.combination {
@@ -34,7 +34,7 @@ pub(super) fn train(sheet: &mut Sheet, moving: &Moving, context: &Context) {
 }
 
 /// Of every check the position that comes nearest to its limit, or passes it farthest.
-pub(super) fn limits(sheet: &mut Sheet, all: &[&Moving], context: &Context) {
+pub(crate) fn limits(sheet: &mut Sheet, all: &[&Moving], context: &Context) {
     let named = all.iter().flat_map(|moving| {
         moving.passage.solved().map(|(first_axle, solution)| {
             let at = format!("first axle at {}", context.units.position(first_axle));
@@ -48,7 +48,7 @@ pub(super) fn limits(sheet: &mut Sheet, all: &[&Moving], context: &Context) {
 }
 
 /// Name, axles, and where it goes.
-pub(super) fn head(sheet: &mut Sheet, moving: &Moving, units: Units) {
+pub(crate) fn head(sheet: &mut Sheet, moving: &Moving, units: Units) {
     let train = moving.passage.train();
     let name = clean(moving.name);
     let mut words = match moving.set {
@@ -81,7 +81,7 @@ pub(super) fn head(sheet: &mut Sheet, moving: &Moving, units: Units) {
     sheet.row("", &format!("the first axle goes from {from} to {to}"));
 }
 
-fn positions(sheet: &mut Sheet, passage: &Passage) {
+pub(crate) fn positions(sheet: &mut Sheet, passage: &Passage) {
     let reach = passage.reach();
     let count = passage.solved().count();
     let (met, missed): (Vec<Field>, Vec<Field>) =
@@ -100,7 +100,7 @@ fn positions(sheet: &mut Sheet, passage: &Passage) {
 }
 
 /// Where a train cannot stand.
-pub(super) fn ranges(sheet: &mut Sheet, none: &[[f64; 2]], whose: &str, units: Units) {
+pub(crate) fn ranges(sheet: &mut Sheet, none: &[[f64; 2]], whose: &str, units: Units) {
     for (i, [from, to]) in none.iter().take(MOST_RANGES).enumerate() {
         let [from, to] = [from, to].map(|x| units.position(*x));
         let words = format!("{whose}no equilibrium: first axle from {from} to {to}");
@@ -112,7 +112,7 @@ pub(super) fn ranges(sheet: &mut Sheet, none: &[[f64; 2]], whose: &str, units: U
 }
 
 /// Where the train cannot stand, and where nothing was certified.
-pub(super) fn failures(sheet: &mut Sheet, passage: &Passage, whose: &str, units: Units) {
+pub(crate) fn failures(sheet: &mut Sheet, passage: &Passage, whose: &str, units: Units) {
     ranges(sheet, passage.without_equilibrium(), whose, units);
     let failed: Vec<f64> = passage.not_converged().collect();
     if let Some(first) = failed.first() {
@@ -153,14 +153,14 @@ fn envelope(sheet: &mut Sheet, passage: &Passage, units: Units) {
 }
 
 /// What is nothing but rounding is zero in print.
-pub(super) fn cleaned(passage: &Passage, field: Field, located: Located) -> Located {
+pub(crate) fn cleaned(passage: &Passage, field: Field, located: Located) -> Located {
     let Some((_, solution)) = passage.nearest(located.first_axle) else { return located };
     let sizes = Sizes::of(solution);
     let (x, value) = (sizes.position(located.x), sizes.value(field, located.value));
     Located { x, value, ..located }
 }
 
-fn uplift(sheet: &mut Sheet, passage: &Passage, units: Units) {
+pub(crate) fn uplift(sheet: &mut Sheet, passage: &Passage, units: Units) {
     let uplift = passage.uplift();
     let rows = [
         ("ahead of the axles", uplift.ahead),
@@ -180,7 +180,7 @@ fn uplift(sheet: &mut Sheet, passage: &Passage, units: Units) {
     }
 }
 
-pub(super) fn proof(sheet: &mut Sheet, all: &[&Moving], context: &Context) {
+pub(crate) fn proof(sheet: &mut Sheet, all: &[&Moving], context: &Context) {
     let solved = || all.iter().flat_map(|moving| moving.passage.solved());
     let gaps = solved().map(|(_, solution)| solution.certificate().relative_gap);
     let gap = order(gaps.fold(0.0, f64::max));

@@ -1,0 +1,36 @@
+//! `groundbeam new`: model files to begin with.
+
+use crate::Status;
+use crate::failure::Failure;
+use crate::output::print;
+use crate::request::New;
+use crate::typed::Starter;
+use std::fs::OpenOptions;
+use std::io::{ErrorKind, Write};
+
+/// Writes a commented model file where none stands.
+pub fn run(request: &New) -> Result<Status, Failure> {
+    let path = &request.file;
+    let opened = OpenOptions::new().write(true).create_new(true).open(path);
+    let written = opened.and_then(|mut file| file.write_all(text(request.kind).as_bytes()));
+    let shown = path.display();
+    match written {
+        Ok(()) => {
+            print(&format!("wrote {shown}; next: groundbeam solve {shown}\n"))?;
+            Ok(Status::Done)
+        }
+        Err(error) if error.kind() == ErrorKind::AlreadyExists => {
+            Err(Failure::usage(format!("`{shown}` is there already and is not replaced")))
+        }
+        Err(error) => Err(Failure::file(path, &error)),
+    }
+}
+
+fn text(kind: Starter) -> &'static str {
+    match kind {
+        Starter::Footing => include_str!("../starters/footing.toml"),
+        Starter::Rail => include_str!("../starters/rail.toml"),
+        Starter::Slab => include_str!("../starters/slab.toml"),
+        Starter::Pipeline => include_str!("../starters/pipeline.toml"),
+    }
+}

@@ -1,0 +1,75 @@
+//! `groundbeam new` and `groundbeam compare`.
+
+#[allow(dead_code)]
+mod common;
+
+use common::{FOOTING, Folder, LIFTS, tips};
+
+#[test]
+fn every_starter_is_solved_as_it_is() {
+    for kind in ["footing", "rail", "slab", "pipeline"] {
+        let folder = Folder::new();
+        let done = folder.run(&["new", "own.toml", "--kind", kind]);
+        done.is_clean(0);
+        assert_eq!(done.stdout, "wrote own.toml; next: groundbeam solve own.toml\n");
+        let solved = folder.run(&["solve", "own.toml"]);
+        solved.is_clean(0);
+        assert!(!solved.stdout.contains("FAILS"), "{kind}");
+        // All but the slab show what the program is for.
+        let lifts = !solved.stdout.contains("Lift-off     none");
+        assert_eq!(lifts, kind != "slab", "{kind}: {}", solved.stdout);
+    }
+}
+
+#[test]
+fn nothing_is_replaced() {
+    let folder = Folder::with(LIFTS);
+    folder.run(&["new", "model.toml"]).fails(2, "`model.toml` is there already");
+    // Nor where nobody named a file.
+    folder.run(&["new"]).fails(2, "`model.toml` is there already");
+    let kept = folder.read("model.toml");
+    assert_eq!(kept, LIFTS);
+}
+
+#[test]
+fn methods_side_by_side() {
+    let folder = Folder::with(LIFTS);
+    let coarse = folder.run(&["compare", "model.toml", "--elements", "10", "--json"]);
+    coarse.is_clean(0);
+    let fine = folder.run(&["compare", "model.toml", "--elements", "40", "--json"]);
+    let (coarse, fine) = (coarse.json(), fine.json());
+    let names: Vec<&str> = coarse["methods"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|row| row["method"].as_str().unwrap())
+        .collect();
+    assert_eq!(names, ["exact", "active-set", "active-set, dirac", "psor", "uzawa"]);
+    for i in 1..5 {
+        let error = |document: &serde_json::Value| {
+            document["methods"][i]["errors"]["deflection"].as_f64().unwrap()
+        };
+        // Finer meshes are nearer, and the bound of each is one: squared errors are below the gap, all relative.
+        assert!(error(&fine) < error(&coarse), "{}", names[i]);
+        assert!(error(&coarse) < 0.05, "{}", names[i]);
+    }
+    let table = folder.run(&["compare", "model.toml"]);
+    table.is_clean(0);
+    assert!(table.stdout.lines().all(|line| line.chars().count() <= 80));
+}
+
+#[test]
+fn comparisons_that_cannot_be_made() {
+    let few = Folder::with(LIFTS).run(&["compare", "model.toml", "--most-sweeps", "3"]);
+    few.is_clean(4);
+    assert!(few.stdout.contains("Not solved   psor: the method `psor` stopped after 3"));
+    // Separate springs have no concentrated pressures: those methods are not for such ground, and that is no failure.
+    let springs = Folder::with(FOOTING).run(&["compare", "model.toml"]);
+    springs.is_clean(0);
+    assert!(springs.stdout.contains("Not solved   active-set, dirac: the paper's concentrated"));
+    Folder::with(&tips()).run(&["compare", "model.toml"]).fails(3, "none: ");
+    let one = "case = \"G\"\n[[combination]]\nname = \"one\"\nfactors = { G = 1.35 }\n";
+    let combined = FOOTING.to_owned() + one;
+    let folder = Folder::with(&combined);
+    folder.run(&["compare", "model.toml"]).fails(2, "this file has combinations or a train");
+}

@@ -1,0 +1,291 @@
+//! What was given: drawing, beam, ground, supports, loads; and what is assumed.
+
+use super::equations;
+use super::page::{Block, Section, Table, facts, numbers, wording};
+use super::{Source, print};
+use crate::characteristics::Characteristics;
+use crate::context::{Context, clean};
+use crate::number::significant;
+use crate::quantity::{Kind, Units};
+use crate::svg::figures;
+use crate::text;
+use groundbeam::{Acts, Existence, Hinge, Load, Method, Model, Profile, RigidMotion, SupportKind};
+
+/// The input, on the model of a file or of its first combination.
+pub(super) fn section(
+    model: &Model,
+    existence: &Existence,
+    motion: Option<RigidMotion>,
+    context: &Context,
+    source: &Source,
+) -> Section {
+    let units = context.units;
+    let found = Characteristics::of(model, existence);
+    let caption = match motion {
+        Some(_) => "The model as it is given; in dashes, the motion in which the loads do work",
+        None => "The model as it is given",
+    };
+    let drawing = figures::model(source.model, motion, units);
+    let mut blocks = vec![Block::Figure { svg: drawing, caption: caption.to_owned() }];
+    blocks.extend(facts(|sheet| text::structure(sheet, model, &found, context)));
+    blocks.extend(segments(model, units));
+    blocks.extend(supports(model, units));
+    blocks.extend(hinges(model, units));
+    blocks.extend(gap(model, units));
+    blocks.extend(loads(source, units));
+    Section::new("Input", blocks)
+}
+
+fn unit_name(units: Units, kind: Kind, largest: f64) -> (crate::quantity::Unit, &'static str) {
+    let unit = units.unit(kind, largest);
+    (unit, unit.name)
+}
+
+/// The values of a profile, from end to end.
+fn profile(units: Units, kind: Kind, profile: &Profile) -> String {
+    let unit = units.unit(kind, profile.largest());
+    if profile.is_constant() {
+        return unit.write(profile.start(), 6);
+    }
+    let words = format!("{} to {}", unit.number(profile.start(), 6), unit.write(profile.end(), 6));
+    if profile.control_values().len() > 2 { words + ", curved" } else { words }
+}
+
+fn segments(model: &Model, units: Units) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    let (unit, name) = unit_name(units, Kind::Position, model.beam.length);
+    if !model.beam.segments.is_empty() {
+        let columns = vec![numbers("from", name), numbers("to", name), wording("EI")];
+        let mut table = Table::new("Stretches of the beam", columns);
+        for segment in &model.beam.segments {
+            let stiffness = profile(units, Kind::BendingStiffness, &segment.bending_stiffness);
+            table.push([unit.number(segment.from, 6), unit.number(segment.to, 6), stiffness]);
+        }
+        blocks.push(Block::Table(table));
+    }
+    if !model.foundation.segments.is_empty() {
+        let columns = vec![numbers("from", name), numbers("to", name), wording("k"), wording("μ")];
+        let mut table = Table::new("Stretches of the ground", columns);
+        for segment in &model.foundation.segments {
+            table.push([
+                unit.number(segment.from, 6),
+                unit.number(segment.to, 6),
+                profile(units, Kind::Spring, &segment.spring),
+                profile(units, Kind::Constant, &segment.shear),
+            ]);
+        }
+        blocks.push(Block::Table(table));
+    }
+    blocks
+}
+
+fn supports(model: &Model, units: Units) -> Option<Block> {
+    let (unit, name) = unit_name(units, Kind::Position, model.beam.length);
+    let mut table = Table::new("Supports", vec![numbers("x", name), wording("kind")]);
+    for support in &model.supports {
+        let kind = match support.kind {
+            SupportKind::Pinned => "pinned".to_owned(),
+            SupportKind::Fixed => "fixed".to_owned(),
+            SupportKind::Spring { spring, rotational_spring } => {
+                // k is a force per length of beam and deflection, a spring's one a force per deflection: as k times m.
+                let linear = units.write(Kind::Pressure, spring, 6);
+                let turning = units.write(Kind::Moment, rotational_spring, 6);
+                let per = if units == Units::Si { "/rad" } else { "" };
+                format!("spring {linear}, turning {turning}{per}")
+            }
+        };
+        let mut words = kind;
+        words += match support.acts {
+            Acts::Both => "",
+            Acts::Up => ", acting up alone",
+            Acts::Down => ", holding down alone",
+        };
+        if support.settlement != 0.0 {
+            words +=
+                &format!(", settled by {}", units.write(Kind::Deflection, support.settlement, 6));
+        }
+        table.push([unit.number(support.at, 6), print::words(&words)]);
+    }
+    (!table.rows.is_empty()).then_some(Block::Table(table))
+}
+
+fn hinges(model: &Model, units: Units) -> Option<Block> {
+    let (unit, name) = unit_name(units, Kind::Position, model.beam.length);
+    let mut table = Table::new("Hinges", vec![numbers("x", name), wording("kind")]);
+    for hinge in &model.hinges {
+        let per = if units == Units::Si { "/rad" } else { "" };
+        let spring = units.write(Kind::Moment, hinge.rotational_spring, 6);
+        let kind =
+            if hinge.is_free() { "free".to_owned() } else { format!("spring {spring}{per}") };
+        table.push([unit.number(hinge.at, 6), kind]);
+    }
+    (!table.rows.is_empty()).then_some(Block::Table(table))
+}
+
+fn gap(model: &Model, units: Units) -> Option<Block> {
+    let deepest = model.gap.iter().fold(0.0_f64, |most, corner| most.max(corner.value.abs()));
+    let (position, x) = unit_name(units, Kind::Position, model.beam.length);
+    let (depth, clearance) = unit_name(units, Kind::Deflection, deepest);
+    let columns = vec![numbers("x", x), numbers("clearance", clearance)];
+    let mut table = Table::new("Initial gap, straight between these points", columns);
+    for corner in &model.gap {
+        table.push([position.number(corner.at, 6), depth.number(corner.value, 6)]);
+    }
+    (!table.rows.is_empty()).then_some(Block::Table(table))
+}
+
+fn loads(source: &Source, units: Units) -> Option<Block> {
+    let model = source.model;
+    let (unit, name) = unit_name(units, Kind::Position, model.beam.length);
+    let has_cases = source.cases.iter().any(Option::is_some);
+    let mut columns = vec![
+        numbers("#", ""),
+        wording("load"),
+        numbers("from", name),
+        numbers("to", name),
+        wording("size"),
+    ];
+    if has_cases {
+        columns.push(wording("case"));
+    }
+    let mut table = Table::new("Loads as they are written", columns);
+    table.note = "Forces act downward; moments turn the right side down.".to_owned();
+    for (i, load) in model.loads.iter().enumerate() {
+        let (kind, [from, to], size) = written(load, units);
+        let to = if from == to { String::new() } else { unit.number(to, 6) };
+        let mut row = vec![
+            (i + 1).to_string(),
+            kind.to_owned(),
+            unit.number(from, 6),
+            to,
+            print::words(&size),
+        ];
+        if has_cases {
+            let case = source.cases.get(i).and_then(Option::as_deref);
+            row.push(case.map_or_else(|| "always".to_owned(), clean));
+        }
+        table.push(row);
+    }
+    (!table.rows.is_empty()).then_some(Block::Table(table))
+}
+
+fn written(load: &Load, units: Units) -> (&'static str, [f64; 2], String) {
+    let ends = |kind, start: f64, end: f64| {
+        let unit = units.unit(kind, start.abs().max(end.abs()));
+        match start == end {
+            true => unit.write(start, 6),
+            false => format!("{} to {}", unit.number(start, 6), unit.write(end, 6)),
+        }
+    };
+    match *load {
+        Load::PointForce { at, force } => ("force", [at, at], units.write(Kind::Force, force, 6)),
+        Load::PointMoment { at, moment } => {
+            ("moment", [at, at], units.write(Kind::Moment, moment, 6))
+        }
+        Load::Distributed { from, to, start, end } => {
+            ("spread force", [from, to], ends(Kind::Pressure, start, end))
+        }
+        Load::DistributedMoment { from, to, start, end } => {
+            // A moment per length has the unit of a force.
+            let per = if units == Units::Si { " (moment per length)" } else { "" };
+            ("spread moment", [from, to], ends(Kind::Force, start, end) + per)
+        }
+        Load::GroundForce { at, force } => {
+            ("force on the ground", [at, at], units.write(Kind::Force, force, 6))
+        }
+        Load::GroundDistributed { from, to, start, end } => {
+            ("spread force on the ground", [from, to], ends(Kind::Pressure, start, end))
+        }
+        Load::Curvature { from, to, start, end } => {
+            ("imposed curvature", [from, to], ends(Kind::PerLength, start, end))
+        }
+    }
+}
+
+/// What is taken for granted, the equations, and how they were solved.
+pub(super) fn assumptions(model: &Model, method: Method) -> Section {
+    let layer = model.foundation.shear > 0.0
+        || model.foundation.segments.iter().any(|segment| segment.shear.largest() > 0.0);
+    let ground = if layer {
+        "The ground is a bed of springs k under a layer that carries shear alone, μ (Pasternak), on both sides of the \
+         beam too."
+    } else {
+        "The ground is a bed of separate springs k (Winkler)."
+    };
+    let mut items = vec![
+        "The beam bends (Euler–Bernoulli): plane sections stay plane, no deformation by shear, small slopes, linearly \
+         elastic."
+            .to_owned(),
+        ground.to_owned(),
+        "The ground pushes and never pulls: where the beam lifts off there is no contact pressure, and where it touches \
+         is part of what was sought. There is no friction."
+            .to_owned(),
+        "Loads are static. Superposition does not hold: every combination is solved by itself.".to_owned(),
+    ];
+    if model.beam.axial_force != 0.0 {
+        items.push(
+            "The axial force is constant and acts on the deflected beam (second order).".to_owned(),
+        );
+    }
+    let how = match method {
+        Method::Exact => {
+            "Between the edges of contact the equations have closed forms; the edges themselves are unknowns, found by \
+             u′ = w′ there (w = u + g₀ where μ = 0). No mesh was chosen."
+        }
+        _ => {
+            "The equations were solved on a mesh of elements; how far the mesh leaves the exact answer is bounded in \
+             the certificate."
+        }
+    };
+    let source = "Numbers are those of N. Kikuchi, Beam bending problems on a Pasternak foundation using reciprocal \
+                  variational inequalities (1980). Deflections w, u and forces are positive downward, pressures p and \
+                  the end forces p₀, p_l push the beam up, M = −EI w″ is positive sagging, V = M′.";
+    let text = |words: &str| Block::Text { words: words.to_owned() };
+    let blocks = vec![Block::List { items }, equations::problem(), text(how), text(source)];
+    Section::new("Assumptions and method", blocks)
+}
+
+/// What statics says before anything is solved.
+pub(super) fn statics(model: &Model, existence: &Existence, context: &Context) -> Section {
+    let units = context.units;
+    let mut blocks: Vec<Block> =
+        facts(|sheet| text::verdict_row(sheet, model, existence, units)).into_iter().collect();
+    let free = model.supports.is_empty() && model.beam.axial_force == 0.0;
+    let free = free && !model.hinges.iter().any(Hinge::is_free);
+    let [left, right] =
+        existence.static_reactions.map(|force| print::words(&units.write(Kind::Force, force, 6)));
+    if free {
+        let words = "A beam that nothing but the ground holds has exactly one equilibrium if, and only if, both static \
+                     reactions of its loads are positive, that is, if their resultant acts down and inside the beam:";
+        blocks.push(Block::Text { words: words.to_owned() });
+        blocks.push(equations::static_reactions());
+    }
+    let sum = print::words(&units.write(Kind::Force, existence.resultant(), 6));
+    let place = existence.resultant_position(model.beam.length);
+    let place = place.map_or_else(
+        || "nowhere".to_owned(),
+        |x| {
+            let share = significant(x / model.beam.length, 4);
+            format!("x = {} = {share} l", units.position(x))
+        },
+    );
+    let words = format!(
+        "Here R₀ = {left} and R_l = {right}; resultant {sum}, acting at {}.",
+        print::words(&place)
+    );
+    blocks.push(Block::Text { words });
+    if model.hinges.iter().any(Hinge::is_free) {
+        let each: Vec<String> = groundbeam::static_reactions(model)
+            .into_iter()
+            .map(|(x, force)| {
+                let words =
+                    format!("{} at {}", units.write(Kind::Force, force, 6), units.position(x));
+                print::words(&words)
+            })
+            .collect();
+        let words = "Of the pieces between free hinges, each standing on its own ends:";
+        blocks.push(Block::Text { words: format!("{words} {}.", each.join(", ")) });
+    }
+    blocks.extend(facts(|sheet| text::factors::rows(sheet, context)));
+    Section::new("Equilibrium", blocks)
+}

@@ -1,0 +1,166 @@
+//! The report of trains that pass: the envelope of all positions.
+
+use super::page::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
+use super::single::{certified, checked, place};
+use super::{Source, given, print, proof};
+use crate::context::{Context, clean};
+use crate::quantity::{Kind, Units};
+use crate::svg::figures;
+use crate::text::{self, train};
+use crate::trains::{InPassage, Moving, Passages};
+use groundbeam::train::Located;
+use groundbeam::{Check, Field, Method};
+
+/// The report of passages.
+pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) -> Report {
+    let all: Vec<&Moving> = passages.all.iter().collect();
+    let first = all.iter().find_map(|moving| moving.passage.solved().next());
+    let model = first.map_or(source.model, |(_, solution)| solution.model());
+    let existence = first.map(|(_, solution)| *solution.existence());
+    let existence = existence.or_else(|| groundbeam::exists(source.model).ok()).unwrap_or_default();
+    let mut given = given::section(model, &existence, None, context, source);
+    given.blocks.extend(facts(|sheet| {
+        all.iter().for_each(|moving| train::head(sheet, moving, context.units));
+    }));
+    let method = first.map_or(Method::Exact, |(_, solution)| solution.method());
+    let mut sections = vec![given, given::assumptions(model, method), ways(&all, context)];
+    let mut verdicts = vec![overall(passages)];
+    let mut key = Vec::new();
+    if first.is_some() {
+        let solved = || all.iter().flat_map(|moving| moving.passage.solved());
+        let of = |solution| context.limits.map(|limits| limits.check(solution)).unwrap_or_default();
+        let checks: Vec<Check> = solved().flat_map(|(_, solution)| of(solution)).collect();
+        verdicts.extend(checked(&checks));
+        let gaps = solved().map(|(_, solution)| solution.certificate().relative_gap);
+        verdicts.push(certified(gaps.fold(0.0, f64::max)));
+        key = keys(passages, context.units);
+        sections.push(envelope(passages, context.units));
+        sections.push(diagrams(passages, context.units));
+        if let Some(block) = facts(|sheet| train::limits(sheet, &all, context)) {
+            sections.push(Section::new("Checks", vec![block]));
+        }
+        let untimed = Context { seconds: None, ..*context };
+        sections.push(proof::certificates(|sheet| train::proof(sheet, &all, &untimed)));
+    }
+    sections.extend(proof::provenance(context, source));
+    Report { subject: "Beam on ground under trains that pass", verdicts, key, sections }
+}
+
+fn overall(passages: &Passages) -> Verdict {
+    let count: usize = passages.all.iter().map(|moving| moving.passage.solved().count()).sum();
+    let solved = format!("in all {count} positions that were solved");
+    let (tone, head, words) = match passages.status() {
+        "no-equilibrium" => ("bad", "No equilibrium", "in some positions of a train".to_owned()),
+        "not-converged" => {
+            ("bad", "Not solved", "some positions have no certified answer".to_owned())
+        }
+        _ => ("good", "In equilibrium", solved),
+    };
+    Verdict { tone, head: head.to_owned(), words }
+}
+
+/// Which positions were solved, and where there is no equilibrium.
+fn ways(all: &[&Moving], context: &Context) -> Section {
+    let blocks = facts(|sheet| {
+        for (i, moving) in all.iter().enumerate() {
+            if all.len() > 1 {
+                sheet.row("Passage", &format!("#{}, {}", i + 1, clean(&moving.label())));
+            }
+            train::positions(sheet, moving.passage);
+            train::failures(sheet, moving.passage, "", context.units);
+        }
+    });
+    Section::new("Positions and equilibrium", blocks.into_iter().collect())
+}
+
+/// The extremes of all, with the section, the position of the first axle, and the passage.
+fn envelope(passages: &Passages, units: Units) -> Section {
+    let length = passages.all.first().map_or(1.0, |moving| moving.passage.model().beam.length);
+    let x = units.unit(Kind::Position, length);
+    let several = passages.all.len() > 1;
+    let bound = |head: &str| {
+        let mut columns =
+            vec![numbers(head, ""), numbers("at x", x.name), numbers("axle at", x.name)];
+        columns.extend(several.then(|| numbers("#", "")));
+        columns
+    };
+    let (smallest, largest) = (bound("smallest"), bound("largest"));
+    let mut columns = vec![wording("quantity")];
+    columns.extend(smallest.into_iter().chain(largest));
+    columns.push(wording("unit"));
+    let mut table =
+        Table::new("Envelope of all positions; where the first axle then stands", columns);
+    for field in Field::ALL {
+        let Some(range) = passages.range(field) else { continue };
+        let known = range.map(|governing| cleaned(passages, field, governing));
+        let most = known.iter().fold(0.0_f64, |most, (located, _)| most.max(located.value.abs()));
+        let unit = units.unit(Kind::of(field), most);
+        let [min, max] = known.map(|(Located { x: at, value, first_axle }, number)| {
+            let mut cells = vec![unit.number(value, 5), x.number(at, 5), x.number(first_axle, 5)];
+            cells.extend(several.then(|| number.to_string()));
+            cells
+        });
+        let name = [text::label(field).to_owned()];
+        table.push(name.into_iter().chain(min).chain(max).chain([unit.name.to_owned()]));
+    }
+    let mut blocks = vec![Block::Table(table)];
+    blocks.extend(facts(|sheet| {
+        for (i, moving) in passages.all.iter().enumerate() {
+            if several {
+                sheet.row("Passage", &format!("#{}", i + 1));
+            }
+            train::uplift(sheet, moving.passage, units);
+        }
+    }));
+    Section::new("Envelope", blocks)
+}
+
+/// A governing value without what is rounding, and the number of its passage.
+fn cleaned(passages: &Passages, field: Field, governing: InPassage) -> (Located, usize) {
+    let InPassage { located, passage } = governing;
+    (train::cleaned(passages.all[passage].passage, field, located), passage + 1)
+}
+
+fn keys(passages: &Passages, units: Units) -> Vec<Key> {
+    let largest = |label, field: Field| {
+        let [min, max] = passages.range(field)?.map(|found| cleaned(passages, field, found).0);
+        let most = if -min.value > max.value { min } else { max };
+        let note = format!(
+            "at x = {}, first axle at {}",
+            place(units, most.x),
+            place(units, most.first_axle)
+        );
+        let value = print::words(&units.write(Kind::of(field), most.value, 4));
+        Some(Key { label, value, note: print::words(&note) })
+    };
+    let all = [
+        largest("Largest deflection", Field::Deflection),
+        largest("Largest moment", Field::Moment),
+        largest("Largest pressure", Field::Pressure),
+        largest("Largest gap", Field::Gap),
+    ];
+    all.into_iter().flatten().collect()
+}
+
+/// The train where it bends the beam most, and the envelopes.
+fn diagrams(passages: &Passages, units: Units) -> Section {
+    let governing = passages.largest_moment().and_then(|most| {
+        let moving = passages.all.get(most.passage)?;
+        let (first_axle, solution) = moving.passage.nearest(most.located.first_axle)?;
+        let at = units.position(first_axle);
+        let caption = format!(
+            "{} where it bends the beam most, first axle at {}",
+            clean(&moving.label()),
+            print::words(&at)
+        );
+        Some(Block::Figure { svg: figures::bent(solution, units), caption })
+    });
+    let captions = ["Deflection", "Contact pressure", "Bending moment", "Shear force"];
+    let envelopes = figures::trains(passages, units).into_iter().zip(captions);
+    let envelopes = envelopes.map(|(svg, field)| Block::Figure {
+        svg,
+        caption: format!("{field}: envelope of all positions"),
+    });
+    let blocks = governing.into_iter().chain(envelopes).collect();
+    Section::new("Diagrams", blocks)
+}

@@ -1,0 +1,95 @@
+//! Words and numbers as print has them.
+
+/// Beside a number, a unit is not parted from it.
+const UNITS: [&str; 18] = [
+    "m", "mm", "mrad", "rad", "N", "kN", "MN", "GN", "N/m", "kN/m", "MN/m", "Pa", "kPa", "MPa",
+    "GPa", "%", "l", "µs",
+];
+
+/// A sentence: true minus signs, powers of ten as powers, units beside their numbers, μ for mu.
+pub(super) fn words(said: &str) -> String {
+    let mut printed = String::with_capacity(said.len());
+    for (i, word) in said.split(' ').enumerate() {
+        let follows_number = printed.ends_with(|c: char| c.is_ascii_digit() || is_raised(c));
+        if i > 0 {
+            let bare = word.trim_end_matches([',', '.', ';', ':', ')']);
+            let joined =
+                follows_number && (UNITS.contains(&bare) || bare.contains(['²', '³', '/']));
+            // A unit of two parts, as in kN m.
+            let second = matches!(bare, "m" | "m²") && printed.ends_with('N');
+            printed.push(if joined || second { '\u{a0}' } else { ' ' });
+        }
+        printed += &cell(&greek(word));
+    }
+    printed
+}
+
+/// μ, spelled as a keyboard has it, alone or in a quotient.
+fn greek(word: &str) -> String {
+    match word {
+        "mu" => "μ".to_owned(),
+        "mu/b" => "μ/b".to_owned(),
+        _ => word.replace("√(mu/k)", "√(μ/k)"),
+    }
+}
+
+/// A word: its minus sign, and its power of ten.
+pub(super) fn cell(word: &str) -> String {
+    let mut printed = String::with_capacity(word.len());
+    let letters: Vec<char> = word.chars().collect();
+    let mut i = 0;
+    while i < letters.len() {
+        let before = if i > 0 { letters[i - 1] } else { ' ' };
+        let after = letters.get(i + 1).copied().unwrap_or(' ');
+        let power = power_of_ten(&letters[i..]);
+        if letters[i] == '-' && after.is_ascii_digit() && !before.is_alphanumeric() {
+            printed.push('\u{2212}');
+            i += 1;
+        } else if let (true, Some((power, length))) = (before.is_ascii_digit(), power) {
+            printed += "·10";
+            printed += &power;
+            i += length;
+        } else {
+            printed.push(letters[i]);
+            i += 1;
+        }
+    }
+    printed
+}
+
+/// `e-13` at the beginning, raised, with its length; followed by no further letter.
+fn power_of_ten(letters: &[char]) -> Option<(String, usize)> {
+    let ['e', rest @ ..] = letters else { return None };
+    let sign = usize::from(rest.first() == Some(&'-'));
+    let digits = rest[sign..].iter().take_while(|c| c.is_ascii_digit()).count();
+    let next = rest.get(sign + digits);
+    if digits == 0 || next.is_some_and(|c| c.is_alphanumeric()) {
+        return None;
+    }
+    let raised = rest[..sign + digits].iter().map(|&c| raised(c)).collect();
+    Some((raised, 1 + sign + digits))
+}
+
+const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+
+fn raised(c: char) -> char {
+    c.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize])
+}
+
+fn is_raised(c: char) -> bool {
+    RAISED.contains(&c)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_as_print_has_them() {
+        assert_eq!(cell("-1.5e-13"), "−1.5·10⁻¹³");
+        assert_eq!(words("right to ± 7e-16 m everywhere"), "right to ± 7·10⁻¹⁶\u{a0}m everywhere");
+        assert_eq!(words("mu = 9 MN, 65 kN m of"), "μ = 9\u{a0}MN, 65\u{a0}kN\u{a0}m of");
+        // No number: a name and a word.
+        assert_eq!(words("pile-7 type e4, active-set"), "pile-7 type e4, active-set");
+    }
+}

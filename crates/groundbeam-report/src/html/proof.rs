@@ -1,0 +1,70 @@
+//! The certificate in plain words, and where everything comes from.
+
+use super::page::{Block, Section, facts};
+use super::{Source, equations};
+use crate::context::{Context, clean};
+use crate::quantity::Units;
+use crate::text;
+use groundbeam::Solution;
+use sha2::{Digest, Sha256};
+
+/// The SHA-256 digest of a text, in hexadecimal digits.
+pub(super) fn digest(text: &str) -> String {
+    Sha256::digest(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// What was proven of one solution.
+pub(super) fn certificate(solution: &Solution, units: Units) -> Section {
+    let (proof, verdict) = (solution.certificate(), solution.existence().verdict);
+    let mut blocks = explained();
+    blocks.extend(facts(|sheet| text::certificate::rows(sheet, proof, verdict, units)));
+    Section::new("Certificate", blocks)
+}
+
+/// What was proven of several, in the words that the report for a terminal has for them.
+pub(super) fn certificates(say: impl FnOnce(&mut text::sheet::Sheet)) -> Section {
+    let mut blocks = explained();
+    blocks.extend(facts(say));
+    Section::new("Certificate", blocks)
+}
+
+fn explained() -> Vec<Block> {
+    let words = "This answer carries a proof of its own accuracy. From the model and the fields that are claimed, code that \
+                 shares nothing with the method integrates loads and pressure to shear and moment, closes force and moment \
+                 balance, checks that the ground nowhere pulls and is nowhere pierced, and forms the energy gap";
+    let after = "which no error can escape: it is at least half the squared distance of the deflections from the exact \
+                 solution (w*, u*) in the energy norm, whatever method or mesh found them (Prager and Synge). To recompute it, \
+                 take w, u, p and the concentrated forces at the stations of the result document, integrate loads and \
+                 pressure from the left end to s and m, and evaluate the formula. An answer whose certificate does not \
+                 hold is not printed.";
+    let text = |words: &str| Block::Text { words: words.to_owned() };
+    vec![text(words), equations::energy_gap(), text(after)]
+}
+
+/// Program, input and its digest, and how to make the report again.
+pub(super) fn provenance(context: &Context, source: &Source) -> [Section; 2] {
+    let name = clean(source.name);
+    let units = match context.units {
+        Units::Si => "the file gives every quantity a unit; calculated in m, N and rad",
+        Units::Plain => "the file gives no units: all numbers are in its own consistent system",
+    };
+    let program = format!("groundbeam {}", env!("CARGO_PKG_VERSION"));
+    let rows = [
+        ("Program", program),
+        ("Input", format!("{name}, {} bytes", source.text.len())),
+        ("SHA-256", digest(source.text)),
+        ("Units", units.to_owned()),
+        ("Recompute", format!("groundbeam solve {name} --report report.html")),
+    ];
+    let list = facts(|sheet| rows.iter().for_each(|(label, words)| sheet.row(label, words)));
+    let words = "The input below is all that the answer depends on: saved as a file it has the digest above, and the same \
+                 version of the program gives the same bits. Results of every section for other programs: \
+                 groundbeam solve FILE --json.";
+    let mut blocks: Vec<Block> = list.into_iter().collect();
+    blocks.push(Block::Text { words: words.to_owned() });
+    let lines = source.text.lines().map(str::to_owned).collect();
+    [
+        Section::new("Where this comes from", blocks),
+        Section::new("Input file", vec![Block::Code { lines }]),
+    ]
+}

@@ -1,0 +1,316 @@
+//! The report of all combinations: each by itself, and the envelope with who governs.
+
+use super::page::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
+use super::single::{certified, checked, place};
+use super::{Source, given, print, proof};
+use crate::combinations::{Answer, Combinations, Combined, Overall};
+use crate::context::{Context, clean};
+use crate::number::significant;
+use crate::quantity::{Kind, Units};
+use crate::size::Sizes;
+use crate::svg::figures;
+use crate::text;
+use crate::verdict;
+use groundbeam::{
+    Check, Existence, Extreme, Field, Governing, Method, Solution, Verdict as Stands,
+};
+
+/// The report of all combinations.
+pub(super) fn combinations(all: &Combinations, context: &Context, source: &Source) -> Report {
+    let Some(first) = all.combined.first() else { return Report::default() };
+    let existence = first.answer.existence().copied().unwrap_or_default();
+    let ground = first.ground.filter(|ground| ground.gamma.is_none());
+    let of_first = Context { ground, ..*context };
+    let mut given = given::section(first.model, &existence, None, &of_first, source);
+    given.blocks.push(list(all));
+    let solved: Vec<Numbered> = numbered(all).collect();
+    let method = solved.first().map_or(Method::Exact, |row| row.solution.method());
+    let mut sections =
+        vec![given, given::assumptions(first.model, method), statics(all, context.units)];
+    let mut verdicts = vec![overall(all)];
+    let mut key = Vec::new();
+    if !solved.is_empty() {
+        let checks: Vec<Check> = solved
+            .iter()
+            .flat_map(|row| {
+                context.limits.map(|limits| limits.check(row.solution)).unwrap_or_default()
+            })
+            .collect();
+        verdicts.extend(checked(&checks));
+        let gaps = solved.iter().map(|row| row.solution.certificate().relative_gap);
+        let gap = gaps.fold(0.0, f64::max);
+        verdicts.push(certified(gap));
+        key = keys(all, &solved, context.units);
+        sections.push(each(all, &solved, context.units));
+        sections.push(envelope(all, &solved, context.units));
+        sections.push(diagrams(all, context.units));
+        let named: Vec<(&str, &Solution)> =
+            solved.iter().map(|row| (all.combined[row.number - 1].name, row.solution)).collect();
+        if let Some(block) = facts(|sheet| text::checks::worst_rows(sheet, &named, context)) {
+            sections.push(Section::new("Checks", vec![block]));
+        }
+        let gap = crate::number::order(gap);
+        sections.push(proof::certificates(|sheet| {
+            let words = format!(
+                "for each of the {} solved; energy gap at most {gap} of the strain energy",
+                solved.len()
+            );
+            sheet.row("Certificate", &words);
+        }));
+    }
+    sections.extend(proof::provenance(context, source));
+    Report { subject: "Beam on ground: combinations of load cases", verdicts, key, sections }
+}
+
+/// A solution with the number its combination has in the report.
+struct Numbered<'a> {
+    number: usize,
+    solution: &'a Solution,
+    sizes: Sizes,
+}
+
+fn numbered<'a>(all: &Combinations<'a>) -> impl Iterator<Item = Numbered<'a>> {
+    all.combined.iter().enumerate().filter_map(|(i, combined)| match combined.answer {
+        Answer::Equilibrium(solution) => {
+            Some(Numbered { number: i + 1, solution, sizes: Sizes::of(solution) })
+        }
+        _ => None,
+    })
+}
+
+fn overall(all: &Combinations) -> Verdict {
+    let count = all.combined.len();
+    let (tone, head, words) = match all.overall() {
+        Overall::Solved => ("good", "In equilibrium", format!("all {count} combinations")),
+        Overall::NoEquilibrium => {
+            let none = all.combined.iter().filter(|c| matches!(c.answer, Answer::NoEquilibrium(_)));
+            ("bad", "No equilibrium", format!("in {} of {count} combinations", none.count()))
+        }
+        Overall::NotConverged => {
+            let none = all.combined.iter().filter(|c| matches!(c.answer, Answer::NotConverged(_)));
+            ("bad", "Not solved", format!("{} of {count} combinations", none.count()))
+        }
+    };
+    Verdict { tone, head: head.to_owned(), words }
+}
+
+/// Names and factors.
+fn list(all: &Combinations) -> Block {
+    let columns = vec![numbers("#", ""), wording("combination"), wording("load cases")];
+    let mut table = Table::new(all.noun(), columns);
+    for (i, Combined { name, factors, band, .. }) in all.combined.iter().enumerate() {
+        let terms = factors.iter().filter(|(_, factor)| *factor != 0.0);
+        let terms: Vec<String> = terms
+            .map(|(case, factor)| format!("{} {}", significant(*factor, 6), clean(case)))
+            .collect();
+        let mut words = terms.join(" + ").replace("+ -", "− ");
+        if let Some([spring, shear]) = band {
+            let [spring, shear] = [spring, shear].map(|factor| significant(*factor, 6));
+            let ground = format!("ground {spring} k, {shear} μ");
+            words = if words.is_empty() { ground } else { format!("{words}; {ground}") };
+        }
+        table.push([(i + 1).to_string(), clean(name), words]);
+    }
+    Block::Table(table)
+}
+
+/// What statics says of every combination, and of every load case by itself.
+fn statics(all: &Combinations, units: Units) -> Section {
+    let heads = |what: &str| {
+        vec![
+            numbers("#", ""),
+            wording(what),
+            numbers("R₀", force_unit(all, units)),
+            numbers("R_l", force_unit(all, units)),
+            wording("equilibrium"),
+        ]
+    };
+    let mut table =
+        Table::new("Every combination, before anything is solved", heads("combination"));
+    let unit = units.unit(Kind::Force, largest_reaction(all));
+    let row = |number: usize, name: &str, model, existence: &Existence| {
+        let head = match existence.verdict {
+            Stands::Unique => "exactly one",
+            Stands::NotUnique(_) => "not unique",
+            Stands::Local(_) => "local",
+            Stands::None(_) => "none",
+            Stands::Buckles(_) => "buckles",
+        };
+        let sentence = verdict::sentence(model, existence, units);
+        let said = match existence.verdict {
+            Stands::Unique => head.to_owned(),
+            _ => format!("{head}: {}", print::words(&sentence)),
+        };
+        let [left, right] = existence.static_reactions.map(|force| unit.number(force, 5));
+        [number.to_string(), clean(name), left, right, said]
+    };
+    for (i, combined) in all.combined.iter().enumerate() {
+        match combined.answer.existence() {
+            Some(existence) => table.push(row(i + 1, combined.name, combined.model, existence)),
+            None => table.push([
+                (i + 1).to_string(),
+                clean(combined.name),
+                String::new(),
+                String::new(),
+                "not solved".to_owned(),
+            ]),
+        }
+    }
+    let mut blocks = vec![Block::Table(table)];
+    if !all.alone.is_empty() {
+        let mut alone = Table::new("Every load case by itself", heads("case"));
+        alone.note = "A case that could not stand by itself is no physical state; combinations with it may be.".into();
+        for (i, case) in all.alone.iter().enumerate() {
+            alone.push(row(i + 1, case.name, case.model, case.existence));
+        }
+        blocks.push(Block::Table(alone));
+    }
+    Section::new("Equilibrium", blocks)
+}
+
+fn largest_reaction(all: &Combinations) -> f64 {
+    let each = all.combined.iter().filter_map(|combined| combined.answer.existence());
+    each.flat_map(|existence| existence.static_reactions)
+        .fold(0.0, |most, force| most.max(force.abs()))
+}
+
+fn force_unit(all: &Combinations, units: Units) -> &'static str {
+    units.unit(Kind::Force, largest_reaction(all)).name
+}
+
+/// The columns of numbers: which field, and whether its largest value.
+const COLUMNS: [(Field, bool, &str); 5] = [
+    (Field::Deflection, true, "largest deflection"),
+    (Field::Moment, false, "smallest moment"),
+    (Field::Moment, true, "largest moment"),
+    (Field::Pressure, true, "largest pressure"),
+    (Field::Gap, true, "largest gap"),
+];
+
+/// Contact and extremes, a line each.
+fn each(all: &Combinations, solved: &[Numbered], units: Units) -> Section {
+    let value = |row: &Numbered, (field, largest): (Field, bool)| {
+        let range = row.solution.range(field);
+        row.sizes.extreme(field, if largest { range.max } else { range.min }).value
+    };
+    let most = |of: Field| {
+        let same = COLUMNS.iter().filter(move |column| column.0 == of);
+        let sizes = same.flat_map(|&(field, largest, _)| {
+            solved.iter().map(move |row| value(row, (field, largest)).abs())
+        });
+        sizes.fold(0.0, f64::max)
+    };
+    let in_units = COLUMNS.map(|(field, _, _)| units.unit(Kind::of(field), most(field)));
+    let forces = solved.iter().map(|row| row.solution.end_forces());
+    let force = forces.fold(0.0_f64, |most, ends| most.max(ends.left).max(ends.right));
+    let force = units.unit(Kind::Force, force);
+    let mut columns = vec![numbers("#", ""), wording("touches"), numbers("lifted", "%")];
+    columns
+        .extend(COLUMNS.iter().zip(in_units).map(|((_, _, head), unit)| numbers(head, unit.name)));
+    columns.extend([numbers("p₀", force.name), numbers("p_l", force.name)]);
+    let mut table = Table::new("Contact and extremes of every combination", columns);
+    let x = units.unit(Kind::Position, all.combined.first().map_or(1.0, |c| c.model.beam.length));
+    for row in solved {
+        let zones: Vec<String> = row
+            .solution
+            .contact()
+            .iter()
+            .map(|zone| {
+                let [from, to] = [zone.from, zone.to].map(|at| x.number(row.sizes.position(at), 4));
+                if from == to { from } else { format!("{from} to {to}") }
+            })
+            .collect();
+        let zones = match zones.len() {
+            0..=3 => zones.join(", "),
+            many => format!("{many} zones"),
+        };
+        let share = significant(100.0 * row.solution.lifted_share(), 3);
+        let cells = COLUMNS.iter().zip(in_units);
+        let cells =
+            cells.map(|(&(field, largest, _), unit)| unit.number(value(row, (field, largest)), 5));
+        let ends = row.solution.end_forces();
+        let ends = [ends.left, ends.right].map(|end| force.number(row.sizes.force(end), 5));
+        table.push([row.number.to_string(), zones, share].into_iter().chain(cells).chain(ends));
+    }
+    Section::new("Every combination", vec![Block::Table(table)])
+}
+
+/// The extremes of all, each with the combination that has it.
+fn envelope(all: &Combinations, solved: &[Numbered], units: Units) -> Section {
+    let envelope = all.envelope();
+    let x = units.unit(Kind::Position, all.combined.first().map_or(1.0, |c| c.model.beam.length));
+    let columns = vec![
+        wording("quantity"),
+        numbers("smallest", ""),
+        numbers("at x", x.name),
+        numbers("#", ""),
+        numbers("largest", ""),
+        numbers("at x", x.name),
+        numbers("#", ""),
+        wording("unit"),
+    ];
+    let mut table = Table::new(
+        "Envelope: the smallest and largest values, and the combination that governs",
+        columns,
+    );
+    for field in Field::ALL {
+        let range = envelope.range(field);
+        let both = [range.min, range.max].map(|governing| known(governing, field, solved));
+        let most = both.iter().fold(0.0_f64, |most, (extreme, _)| most.max(extreme.value.abs()));
+        let unit = units.unit(Kind::of(field), most);
+        let [min, max] = both.map(|(Extreme { x: at, value }, number)| {
+            [unit.number(value, 6), x.number(at, 6), number.to_string()]
+        });
+        let name = [text::label(field).to_owned()];
+        table.push(name.into_iter().chain(min).chain(max).chain([unit.name.to_owned()]));
+    }
+    Section::new("Envelope", vec![Block::Table(table)])
+}
+
+/// An extreme without what is rounding, and the number of its combination.
+fn known(governing: Governing, field: Field, solved: &[Numbered]) -> (Extreme, usize) {
+    let Governing { extreme, by } = governing;
+    match solved.get(by) {
+        Some(row) => (row.sizes.extreme(field, extreme), row.number),
+        None => (extreme, 0),
+    }
+}
+
+fn keys(all: &Combinations, solved: &[Numbered], units: Units) -> Vec<Key> {
+    let envelope = all.envelope();
+    let largest = |label, field: Field| {
+        let range = envelope.range(field);
+        let [min, max] = [range.min, range.max].map(|governing| known(governing, field, solved));
+        let (extreme, number) = if -min.0.value > max.0.value { min } else { max };
+        let value = print::words(&units.write(Kind::of(field), extreme.value, 4));
+        let note = print::words(&format!("at x = {}, #{number}", place(units, extreme.x)));
+        Key { label, value, note }
+    };
+    vec![
+        largest("Largest deflection", Field::Deflection),
+        largest("Largest moment", Field::Moment),
+        largest("Largest pressure", Field::Pressure),
+        largest("Largest gap", Field::Gap),
+    ]
+}
+
+/// The envelopes, and the combination with the largest moment.
+fn diagrams(all: &Combinations, units: Units) -> Section {
+    let captions = ["Deflection", "Contact pressure", "Bending moment", "Shear force"];
+    let figures =
+        figures::combinations(all, units).into_iter().zip(captions).map(|(svg, field)| {
+            Block::Figure {
+                svg,
+                caption: format!("{field}: envelope, and every combination as a thin line"),
+            }
+        });
+    let range = all.envelope().range(Field::Moment);
+    let most =
+        if -range.min.extreme.value > range.max.extreme.value { range.min } else { range.max };
+    let governing = all.solved().nth(most.by).map(|(combined, solution)| Block::Figure {
+        svg: figures::bent(solution, units),
+        caption: format!("The beam under {}, which bends it most", clean(combined.name)),
+    });
+    let blocks = governing.into_iter().chain(figures).collect();
+    Section::new("Diagrams", blocks)
+}

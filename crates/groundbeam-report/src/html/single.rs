@@ -1,0 +1,229 @@
+//! The report of one model: its equilibrium, or why there is none.
+
+use super::page::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
+use super::{Source, given, print, proof};
+use crate::context::Context;
+use crate::quantity::{Kind, Units};
+use crate::size::Sizes;
+use crate::svg::figures;
+use crate::text;
+use crate::verdict;
+use groundbeam::{
+    Check, Existence, Extreme, Field, Model, NotConverged, Solution, Verdict as Stands,
+};
+
+/// The report of an equilibrium.
+pub(super) fn solved(solution: &Solution, context: &Context, source: &Source) -> Report {
+    let (model, existence) = (solution.model(), solution.existence());
+    let checks = context.limits.map(|limits| limits.check(solution)).unwrap_or_default();
+    let mut verdicts = vec![stands(model, existence, context.units)];
+    verdicts.extend(checked(&checks));
+    verdicts.push(certified(solution.certificate().relative_gap));
+    let mut sections = vec![
+        given::section(model, existence, None, context, source),
+        given::assumptions(model, solution.method()),
+        given::statics(model, existence, context),
+        contact(solution, context.units),
+        diagrams(solution, context.units),
+        extremes(solution, context.units),
+    ];
+    if let Some(block) = facts(|sheet| text::checks::rows(sheet, solution, context)) {
+        sections.push(Section::new("Checks", vec![block]));
+    }
+    sections.push(proof::certificate(solution, context.units));
+    sections.extend(proof::provenance(context, source));
+    let key = key(solution, context.units);
+    Report { subject: "Beam on ground that pushes and does not pull", verdicts, key, sections }
+}
+
+/// The report of a model that has no equilibrium.
+pub(super) fn no_equilibrium(
+    model: &Model,
+    existence: &Existence,
+    context: &Context,
+    source: &Source,
+) -> Report {
+    let motion = match existence.verdict {
+        Stands::None(motion) => Some(motion),
+        _ => None,
+    };
+    let mut sections = vec![
+        given::section(model, existence, motion, context, source),
+        given::assumptions(model, groundbeam::Method::Exact),
+        given::statics(model, existence, context),
+    ];
+    sections.extend(proof::provenance(context, source));
+    let verdicts = vec![stands(model, existence, context.units)];
+    Report { subject: "Beam without an equilibrium", verdicts, key: Vec::new(), sections }
+}
+
+/// The report of a model that has no certified answer.
+pub(super) fn not_converged(
+    model: &Model,
+    reached: &NotConverged,
+    context: &Context,
+    source: &Source,
+) -> Report {
+    let existence = groundbeam::exists(model).unwrap_or_default();
+    let mut sections = vec![
+        given::section(model, &existence, None, context, source),
+        given::assumptions(model, reached.method),
+        given::statics(model, &existence, context),
+    ];
+    sections.extend(proof::provenance(context, source));
+    let words = format!("{reached}; no result is given, since none could be certified");
+    let refused = Verdict { tone: "bad", head: "Not solved".into(), words: print::words(&words) };
+    Report { subject: "Beam without an answer", verdicts: vec![refused], key: Vec::new(), sections }
+}
+
+/// What the statics say.
+pub(super) fn stands(model: &Model, existence: &Existence, units: Units) -> Verdict {
+    let (tone, head) = match existence.verdict {
+        Stands::Unique => ("good", "In equilibrium"),
+        Stands::NotUnique(_) => ("doubtful", "Equilibrium not unique"),
+        Stands::Local(_) => ("doubtful", "Local equilibrium"),
+        Stands::None(_) => ("bad", "No equilibrium"),
+        Stands::Buckles(_) => ("bad", "It buckles"),
+    };
+    let words = print::words(&verdict::sentence(model, existence, units));
+    Verdict { tone, head: head.to_owned(), words }
+}
+
+/// How many checks pass; nothing if none was asked for.
+pub(super) fn checked(checks: &[Check]) -> Option<Verdict> {
+    let failed = checks.iter().filter(|check| !check.passes()).count();
+    let words = match (checks.len(), failed) {
+        (0, _) => return None,
+        (1, 0) => "the check asked for is kept".to_owned(),
+        (all, 0) => format!("all {all} are kept"),
+        (all, failed) => format!("{failed} of {all} not kept"),
+    };
+    let tone = if failed == 0 { "good" } else { "bad" };
+    Some(Verdict { tone, head: "Checks".to_owned(), words })
+}
+
+pub(super) fn certified(gap: f64) -> Verdict {
+    let gap = print::cell(&crate::number::order(gap));
+    let words = format!("proven error: energy gap {gap} of the strain energy at most");
+    Verdict { tone: "good", head: "Certified".to_owned(), words }
+}
+
+fn key(solution: &Solution, units: Units) -> Vec<Key> {
+    let sizes = Sizes::of(solution);
+    let size_of = |field: Field| {
+        let range = solution.range(field);
+        let [min, max] = [range.min, range.max].map(|extreme| sizes.extreme(field, extreme));
+        if -min.value > max.value { min } else { max }
+    };
+    let largest = |label, field: Field| {
+        let Extreme { x, value } = size_of(field);
+        let value = print::words(&units.write(Kind::of(field), value, 4));
+        Key { label, value, note: print::words(&format!("at x = {}", place(units, x))) }
+    };
+    let share = 100.0 * solution.lifted_share();
+    let lifted = Key {
+        label: "Lifted off",
+        value: format!("{} %", crate::number::significant(share, 3)),
+        note: "of the beam's length".to_owned(),
+    };
+    let ends = solution.end_forces();
+    let [left, right] =
+        [ends.left, ends.right].map(|force| units.write(Kind::Force, sizes.force(force), 4));
+    let end = Key {
+        label: "End forces",
+        value: print::words(&left),
+        note: print::words(&format!("left; right {right}")),
+    };
+    vec![
+        largest("Largest deflection", Field::Deflection),
+        largest("Largest moment", Field::Moment),
+        largest("Largest pressure", Field::Pressure),
+        largest("Largest gap", Field::Gap),
+        lifted,
+        end,
+    ]
+}
+
+pub(super) fn place(units: Units, x: f64) -> String {
+    units.write(Kind::Position, x, 4)
+}
+
+/// Where the beam touches and where not, and every concentrated force.
+fn contact(solution: &Solution, units: Units) -> Section {
+    let sizes = Sizes::of(solution);
+    let mut zones: Vec<(f64, f64, Option<Extreme>)> =
+        solution.contact().iter().map(|region| (region.from, region.to, None)).collect();
+    zones.extend(solution.lift_off().iter().map(|stretch| {
+        (stretch.from, stretch.to, Some(sizes.extreme(Field::Gap, stretch.largest_gap)))
+    }));
+    zones.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let gaps =
+        zones.iter().filter_map(|zone| zone.2).fold(0.0, |most: f64, gap| most.max(gap.value));
+    let x = units.unit(Kind::Position, solution.model().beam.length);
+    let depth = units.unit(Kind::Deflection, gaps);
+    let columns = vec![
+        wording("zone"),
+        numbers("from", x.name),
+        numbers("to", x.name),
+        numbers("length", x.name),
+        numbers("largest gap", depth.name),
+        numbers("at x", x.name),
+    ];
+    let mut table = Table::new("Contact from the left end to the right", columns);
+    for (from, to, gap) in zones {
+        let kind = match gap {
+            Some(_) => "lifted off",
+            None if from == to => "touches at a point",
+            None => "touches",
+        };
+        let gap = gap.map_or([String::new(), String::new()], |gap| {
+            [depth.number(gap.value, 6), x.number(gap.x, 6)]
+        });
+        let [from, to] = [from, to].map(|at| sizes.position(at));
+        let ends = [from, to, to - from].map(|at| x.number(at, 6));
+        table.push([kind.to_owned()].into_iter().chain(ends).chain(gap));
+    }
+    let mut blocks = vec![Block::Table(table)];
+    blocks.extend(facts(|sheet| text::forces(sheet, solution, units, &sizes)));
+    Section::new("Contact and forces", blocks)
+}
+
+fn diagrams(solution: &Solution, units: Units) -> Section {
+    let figure =
+        |(svg, caption): (String, &str)| Block::Figure { svg, caption: caption.to_owned() };
+    let captions = [
+        "Deflection of the beam and of the ground's surface under it",
+        "Gap between beam and ground",
+        "Contact pressure, and concentrated contact forces as arrows",
+        "Bending moment, drawn on the tension side",
+        "Shear force",
+    ];
+    let bent = (figures::bent(solution, units), "The bent beam on its ground");
+    let fields = figures::fields(solution, units).into_iter().zip(captions);
+    let all = [bent].into_iter().chain(fields);
+    Section::new("Diagrams", all.map(figure).collect())
+}
+
+fn extremes(solution: &Solution, units: Units) -> Section {
+    let sizes = Sizes::of(solution);
+    let x = units.unit(Kind::Position, solution.model().beam.length);
+    let columns = vec![
+        wording("quantity"),
+        numbers("smallest", ""),
+        numbers("at x", x.name),
+        numbers("largest", ""),
+        numbers("at x", x.name),
+        wording("unit"),
+    ];
+    let mut table = Table::new("Smallest and largest values along the beam", columns);
+    for field in Field::ALL {
+        let range = solution.range(field);
+        let both = [range.min, range.max].map(|extreme| sizes.extreme(field, extreme));
+        let unit = units.unit(Kind::of(field), both[0].value.abs().max(both[1].value.abs()));
+        let [min, max] =
+            both.map(|extreme| [unit.number(extreme.value, 6), x.number(extreme.x, 6)]);
+        let name = [text::label(field).to_owned()];
+        table.push(name.into_iter().chain(min).chain(max).chain([unit.name.to_owned()]));
+    }
+    Section::new("Extremes", vec![Block::Table(table)])
+}

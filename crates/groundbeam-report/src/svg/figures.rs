@@ -1,0 +1,86 @@
+//! Figures for paper: one drawing or diagram each, so that a page may end between any two.
+
+use super::canvas::Canvas;
+use super::diagram::{Diagram, worth_naming};
+use super::frame::Frame;
+use super::samples::Samples;
+use super::{PANEL_SPACE, axis_of_x, diagrams, edges, envelope, sketch, system, train};
+use crate::combinations::Combinations;
+use crate::font::Metrics;
+use crate::quantity::Units;
+use crate::trains::Passages;
+use groundbeam::{Field, Model, RigidMotion, Solution};
+
+/// The model as it is given; where there is no equilibrium, with the motion that proves it.
+pub(crate) fn model(model: &Model, motion: Option<RigidMotion>, units: Units) -> String {
+    let (frame, metrics) = (Frame::narrow(model), Metrics::new());
+    let drawing = sketch::draw(model, motion, units, &frame, &metrics);
+    alone(&drawing, &frame, None, "The model")
+}
+
+/// The bent beam on its ground.
+pub(crate) fn bent(solution: &Solution, units: Units) -> String {
+    let (frame, metrics) = (Frame::narrow(solution.model()), Metrics::new());
+    let drawing = system::draw(solution, units, &frame, &Samples::of(solution), &metrics);
+    alone(&drawing, &frame, Some(units), "Beam and ground")
+}
+
+/// Deflection and ground, gap, pressure with end forces, moment and shear of a solution.
+pub(crate) fn fields(solution: &Solution, units: Units) -> Vec<String> {
+    let (samples, edges) = (Samples::of(solution), edges(solution));
+    let of = |field: Field| {
+        let range = solution.range(field);
+        let extremes = [range.max, range.min].map(|extreme| samples.sizes.extreme(field, extreme));
+        Diagram {
+            values: samples.field(field),
+            extremes: worth_naming(field, extremes.to_vec()),
+            edges: &edges,
+            ..Diagram::of(field, units)
+        }
+    };
+    let mut deflection = of(Field::Deflection);
+    deflection.thin = vec![samples.field(Field::Settlement)];
+    deflection.note = "down; the thin line is the ground's surface";
+    let all = [deflection, of(Field::Gap)].into_iter();
+    let all = all.chain(diagrams(solution, units, &samples, &edges));
+    drawn(all, solution.model(), units)
+}
+
+/// The envelopes of combinations; none if nothing was solved.
+pub(crate) fn combinations(all: &Combinations, units: Units) -> Vec<String> {
+    let Some((_, first)) = all.solved().next() else { return Vec::new() };
+    drawn(envelope::diagrams(&all.envelope(), units).into_iter(), first.model(), units)
+}
+
+/// The envelopes of passages; none if nothing was solved.
+pub(crate) fn trains(passages: &Passages, units: Units) -> Vec<String> {
+    let solved = |m: &crate::Moving| m.passage.solved().next().is_some();
+    let Some(moving) = passages.all.iter().find(|moving| solved(moving)) else {
+        return Vec::new();
+    };
+    let sizes = moving.passage.solved().next().map(|(_, solution)| Samples::of(solution).sizes);
+    let Some(sizes) = sizes else { return Vec::new() };
+    drawn(train::diagrams(passages, units, sizes).into_iter(), moving.passage.model(), units)
+}
+
+fn drawn<'a>(all: impl Iterator<Item = Diagram<'a>>, model: &Model, units: Units) -> Vec<String> {
+    let (frame, metrics) = (Frame::narrow(model), Metrics::new());
+    let figure = |diagram: Diagram| {
+        alone(&diagram.draw(&frame, &metrics), &frame, Some(units), diagram.title)
+    };
+    all.map(figure).collect()
+}
+
+/// One panel as a file of its own, over the positions along the beam where they are asked for.
+fn alone(panel: &Canvas, frame: &Frame, axis: Option<Units>, title: &str) -> String {
+    const EDGE: f64 = 4.0;
+    let [top, bottom] = panel.reach();
+    let mut page = Canvas::new();
+    page.place(panel, EDGE - top);
+    let mut height = EDGE - top + bottom;
+    if let Some(units) = axis {
+        axis_of_x(&mut page, frame, units, height + 0.2 * PANEL_SPACE);
+        height = page.reach()[1];
+    }
+    page.finish(frame.width, height + EDGE, title)
+}

@@ -1,0 +1,120 @@
+//! The model as it is given: beam, ground, supports and loads before anything moves.
+
+use super::canvas::{Anchor, Canvas, number, printed};
+use super::frame::Frame;
+use super::labels::{Labels, Rect};
+use super::loads::Loads;
+use super::style::{BEAM, FAINT_INK, GROUND, GROUND_LINE, LABEL, NOTE, SHEAR};
+use super::supports;
+use crate::font::Metrics;
+use crate::quantity::{Kind, Units};
+use groundbeam::{Model, RigidMotion};
+
+/// The beam's drawn thickness.
+const THICKNESS: f64 = 9.0;
+/// How deep the deepest initial gap is drawn.
+const DEEPEST: f64 = 22.0;
+/// Ground drawn below its lowest point.
+const BELOW: f64 = 30.0;
+/// How far a tipping end is drawn to rise.
+const RISE: f64 = 52.0;
+
+/// The drawing, with the beam's underside at y = 0; where there is no equilibrium, with the motion that proves it.
+pub(super) fn draw(
+    model: &Model,
+    motion: Option<RigidMotion>,
+    units: Units,
+    frame: &Frame,
+    metrics: &Metrics,
+) -> Canvas {
+    let mut canvas = Canvas::new();
+    let page =
+        Rect { left: 8.0, top: f64::NEG_INFINITY, right: frame.width - 4.0, bottom: f64::INFINITY };
+    let mut labels = Labels::new(metrics, page);
+    let [left, right] = [frame.x(0.0), frame.x(frame.length)];
+    let floor = ground(&mut canvas, model, units, frame, &mut labels);
+    canvas.rect([left, -THICKNESS], [right - left, THICKNESS], &format!(r#"fill="{BEAM}""#));
+    labels.avoid(Rect::around([left, -THICKNESS], [right, 0.0], 0.0));
+    for support in &model.supports {
+        let outward = match support.at {
+            0.0 => -1.0,
+            x if x == model.beam.length => 1.0,
+            _ => 0.0,
+        };
+        let x = frame.x(support.at);
+        supports::draw(&mut canvas, [x, 0.0], support, outward);
+        labels.avoid(Rect::around([x - 12.0, 0.0], [x + 12.0, supports::HEIGHT], 0.0));
+    }
+    for hinge in &model.hinges {
+        supports::hinge(&mut canvas, [frame.x(hinge.at), -0.5 * THICKNESS], hinge.is_free());
+    }
+    if let Some(motion) = motion {
+        tipping(&mut canvas, model, motion, frame);
+    }
+    let loads = Loads { units, frame, top: &|_| -THICKNESS };
+    loads.draw(&mut canvas, &model.loads, &mut labels);
+    dimension(&mut canvas, [left, right], floor + BELOW + 22.0, &units.position(frame.length));
+    canvas
+}
+
+/// The ground and its clearance from the beam. Gives its lowest point.
+fn ground(
+    canvas: &mut Canvas,
+    model: &Model,
+    units: Units,
+    frame: &Frame,
+    labels: &mut Labels,
+) -> f64 {
+    let deepest = model.gap.iter().fold(0.0_f64, |most, corner| most.max(corner.value.abs()));
+    let scale = if deepest > 0.0 { DEEPEST / deepest } else { 0.0 };
+    let [left, right] = [-frame.margin, frame.length + frame.margin].map(|x| frame.x(x));
+    let corner = |at: f64, value: f64| [frame.x(at), scale * value];
+    let mut line: Vec<[f64; 2]> = model.gap.iter().map(|c| corner(c.at, c.value)).collect();
+    let [first, last] = [line.first(), line.last()].map(|point| point.map_or(0.0, |p| p[1]));
+    line.insert(0, [left, first]);
+    line.push([right, last]);
+    let floor = line.iter().fold(0.0_f64, |floor, point| floor.max(point[1]));
+    let bottom = floor + BELOW;
+    let mut area = vec![[left, bottom]];
+    area.extend(&line);
+    area.push([right, bottom]);
+    canvas.polyline(&area, true, &format!(r#"fill="{GROUND}""#));
+    let stroke = format!(r#"fill="none" stroke="{GROUND_LINE}" stroke-width="1.4""#);
+    canvas.polyline(&line, false, &stroke);
+    labels.avoid_line(&line);
+    if deepest > 0.0 {
+        let words = printed(&units.write(Kind::Deflection, deepest, 4));
+        let words = format!("initial gap, up to {words}, not to scale");
+        canvas.text([left + 6.0, bottom - 8.0], Anchor::Start, NOTE, &words);
+    }
+    floor
+}
+
+/// The beam as it would go, in dashes.
+fn tipping(canvas: &mut Canvas, model: &Model, motion: RigidMotion, frame: &Frame) {
+    let mut corners: Vec<f64> = model.hinges.iter().map(|hinge| hinge.at).collect();
+    corners.extend([0.0, model.beam.length]);
+    corners.sort_by(f64::total_cmp);
+    let point = |x: &f64| [frame.x(*x), RISE * motion.at(model, *x) - 0.5 * THICKNESS];
+    let line: Vec<[f64; 2]> = corners.iter().map(point).collect();
+    let (colour, width) = (SHEAR, number(0.3 * THICKNESS));
+    let look =
+        format!(r#"fill="none" stroke="{colour}" stroke-width="{width}" stroke-dasharray="9 5""#);
+    canvas.polyline(&line, false, &look);
+}
+
+/// The beam's length below the ground.
+fn dimension(canvas: &mut Canvas, [left, right]: [f64; 2], y: f64, length: &str) {
+    let thin = format!(r#"stroke="{FAINT_INK}" stroke-width="0.8""#);
+    canvas.line([left - 6.0, y], [right + 6.0, y], &thin);
+    for x in [left, right] {
+        canvas.line([x, y - 9.0], [x, y + 5.0], &thin);
+        canvas.line(
+            [x - 3.5, y + 3.5],
+            [x + 3.5, y - 3.5],
+            &format!(r#"stroke="{FAINT_INK}" stroke-width="1.6""#),
+        );
+    }
+    let words = printed(&format!("l = {length}"));
+    canvas.text([0.5 * (left + right), y - 5.0], Anchor::Middle, LABEL, &words);
+}

@@ -1,0 +1,62 @@
+//! The answers of several methods to one model, a line each.
+
+use super::sheet::Sheet;
+use super::{duration, title};
+use crate::comparison::{Compared, Comparison, Errors};
+use crate::context::Context;
+use crate::number::order;
+use groundbeam::{Error, Solution};
+
+/// The report of a comparison; with `colour`, with escape codes for a terminal.
+pub fn comparison(comparison: &Comparison, context: &Context, colour: bool) -> String {
+    let mut sheet = Sheet::new(colour);
+    title(&mut sheet, context);
+    sheet.heading(&line("", ["error of", "", "", "", "energy", "", ""]));
+    let heads = ["w", "M", "u", "ends", "gap", "steps", "time"];
+    sheet.heading(&line("method", heads));
+    let exact = comparison.exact;
+    sheet.line(&of("exact", exact, None, comparison.seconds));
+    let mut failures = Vec::new();
+    for Compared { name, answer, seconds } in &comparison.others {
+        match answer {
+            Ok(solution) => {
+                let errors = Errors::of(solution, exact);
+                sheet.line(&of(name, solution, Some(errors), *seconds));
+            }
+            Err(Error::Unsupported(problem)) => {
+                sheet.line(&line(name, ["none", "", "", "", "", "", ""]));
+                failures.push(format!("{name}: {}", problem.message));
+            }
+            Err(error) => {
+                sheet.line(&line(name, ["none", "", "", "", "", "", &duration(*seconds)]));
+                failures.push(format!("{name}: {error}"));
+            }
+        }
+    }
+    sheet.blank();
+    for (i, failure) in failures.iter().enumerate() {
+        sheet.row(if i == 0 { "Not solved" } else { "" }, failure);
+    }
+    let words = "largest difference from exact along the beam over the largest value; of the end forces, \
+                 over the resultant of the loads";
+    sheet.row("Errors", words);
+    let words = "the bound that each answer carries with it: no answer is farther from the truth than its \
+                 gap allows";
+    sheet.row("Energy gap", words);
+    sheet.finish()
+}
+
+fn of(name: &str, solution: &Solution, errors: Option<Errors>, seconds: f64) -> String {
+    let gap = order(solution.certificate().relative_gap);
+    let steps = solution.iterations().to_string();
+    let errors = errors.map_or([const { String::new() }; 4], |errors| {
+        [errors.deflection, errors.moment, errors.settlement, errors.end_forces].map(order)
+    });
+    let [w, m, u, ends] = &errors;
+    line(name, [w, m, u, ends, &gap, &steps, &duration(seconds)])
+}
+
+fn line(name: &str, cells: [&str; 7]) -> String {
+    let cells: String = cells.iter().map(|cell| format!("{cell:>8}")).collect();
+    format!("{name:<21}{cells}").trim_end().to_owned()
+}

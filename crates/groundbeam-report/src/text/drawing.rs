@@ -1,0 +1,168 @@
+//! Beam, ground and contact as a few lines of signs on a terminal, 80 columns wide.
+
+use crate::quantity::{Kind, Units};
+use crate::size::Sizes;
+use groundbeam::{Load, Side, Solution};
+
+/// Columns of the drawing.
+const WIDTH: usize = 78;
+/// Of them, ground beyond each end.
+const BEYOND: usize = 5;
+/// Rows over which beam and ground move.
+const DEPTH: usize = 7;
+/// Rows of ground below its lowest point.
+const BELOW: usize = 1;
+
+const LOAD: &str = "33";
+const CONTACT: &str = "34";
+const GROUND: &str = "2";
+
+/// The bent beam on its ground, not to scale, with where it touches; with `colour`, with escape codes for a terminal.
+pub fn drawing(solution: &Solution, units: Units, colour: bool) -> String {
+    let picture = Picture { solution, length: solution.model().beam.length };
+    let mut rows = vec![painted(&picture.loads(), LOAD, colour)];
+    rows.extend(picture.bent().iter().map(|row| {
+        // Ground is faint, so that the beam stands out.
+        match row.find('░') {
+            Some(_) if colour => row.replace('░', &format!("\u{1b}[{GROUND}m░\u{1b}[0m")),
+            _ => row.clone(),
+        }
+    }));
+    rows.push(painted(&picture.contact(), CONTACT, colour));
+    rows.push(picture.positions(units));
+    rows.iter().map(|row| row.trim_end().to_owned() + "\n").collect()
+}
+
+fn painted(words: &str, code: &str, colour: bool) -> String {
+    if colour { format!("\u{1b}[{code}m{}\u{1b}[0m", words.trim_end()) } else { words.to_owned() }
+}
+
+struct Picture<'a> {
+    solution: &'a Solution,
+    length: f64,
+}
+
+impl Picture<'_> {
+    /// The column of a position.
+    fn column(&self, x: f64) -> usize {
+        let last = (WIDTH - 2 * BEYOND - 1) as f64;
+        BEYOND + (last * (x / self.length).clamp(0.0, 1.0)).round() as usize
+    }
+
+    /// The position of a column; beyond the ends too.
+    fn position(&self, column: usize) -> f64 {
+        let last = (WIDTH - 2 * BEYOND - 1) as f64;
+        self.length * ((column as f64 - BEYOND as f64) / last)
+    }
+
+    fn is_on_beam(column: usize) -> bool {
+        (BEYOND..WIDTH - BEYOND).contains(&column)
+    }
+
+    /// Forces as arrows, moments as turning arrows, spread loads as what they rain from.
+    fn loads(&self) -> String {
+        let mut row = vec![' '; WIDTH];
+        let loads = &self.solution.model().loads;
+        for load in loads {
+            if let Load::Distributed { from, to, .. }
+            | Load::DistributedMoment { from, to, .. }
+            | Load::Curvature { from, to, .. } = *load
+            {
+                row[self.column(from)..=self.column(to)].fill('┬');
+            }
+        }
+        for load in loads {
+            match *load {
+                Load::PointForce { at, force } => {
+                    row[self.column(at)] = if force < 0.0 { '↑' } else { '↓' };
+                }
+                Load::PointMoment { at, moment } => {
+                    row[self.column(at)] = if moment < 0.0 { '↺' } else { '↻' };
+                }
+                _ => {}
+            }
+        }
+        row.into_iter().collect()
+    }
+
+    /// Beam and ground, row below row.
+    fn bent(&self) -> Vec<String> {
+        let solution = self.solution;
+        let beam: Vec<Option<f64>> = (0..WIDTH)
+            .map(|column| {
+                let x = self.position(column);
+                Self::is_on_beam(column).then(|| solution.at(x, Side::Right).deflection)
+            })
+            .collect();
+        let surface: Vec<f64> = (0..WIDTH)
+            .map(|column| {
+                let x = self.position(column);
+                let inside = x.clamp(0.0, self.length);
+                let fields = solution.at(inside, Side::Right);
+                // The clearance goes on beyond the ends as it is there.
+                let initial = fields.deflection + fields.gap - fields.settlement;
+                solution.settlement(x) + initial
+            })
+            .collect();
+        let all = || beam.iter().flatten().chain(&surface);
+        let low = all().fold(0.0_f64, |low, &value| low.min(value));
+        let high = all().fold(0.0_f64, |high, &value| high.max(value));
+        let row_of = |value: f64| {
+            let share = if high > low { (value - low) / (high - low) } else { 0.5 };
+            (share * (DEPTH - 1) as f64).round() as usize
+        };
+        let mut rows = vec![vec![' '; WIDTH]; DEPTH + BELOW];
+        let mut before = None;
+        for column in 0..WIDTH {
+            let ground = row_of(surface[column]);
+            for row in rows.iter_mut().skip(ground + usize::from(beam[column].is_some())) {
+                row[column] = '░';
+            }
+            if let Some(deflection) = beam[column] {
+                let row = row_of(deflection);
+                rows[row][column] = '━';
+                // A steep beam has no holes.
+                let last = before.replace(row).unwrap_or(row);
+                let sign = if last < row { '╲' } else { '╱' };
+                for between in rows.iter_mut().take(last.max(row)).skip(last.min(row) + 1) {
+                    between[column] = sign;
+                }
+            }
+        }
+        rows.into_iter().map(|row| row.into_iter().collect()).collect()
+    }
+
+    /// A bar wherever beam and ground touch.
+    fn contact(&self) -> String {
+        let mut row = vec![' '; WIDTH];
+        for region in self.solution.contact() {
+            let (from, to) = (self.column(region.from), self.column(region.to));
+            row[from..=to].fill('▔');
+            if from == to {
+                row[from] = '▲';
+            }
+        }
+        row.into_iter().collect()
+    }
+
+    /// Where contact begins and ends, as far as there is room.
+    fn positions(&self, units: Units) -> String {
+        let sizes = Sizes::of(self.solution);
+        let mut row = vec![' '; WIDTH];
+        let edges = self.solution.contact().iter().flat_map(|region| [region.from, region.to]);
+        // The ends first: they are always named.
+        for x in [0.0, self.length].into_iter().chain(edges) {
+            let words = units.write(Kind::Position, sizes.position(x), 4);
+            let count = words.chars().count();
+            let from = self.column(x).saturating_sub(count / 2).min(WIDTH - count.min(WIDTH));
+            let room = from.saturating_sub(1)..(from + count + 1).min(WIDTH);
+            if row[room].iter().all(|&sign| sign == ' ') {
+                row.iter_mut()
+                    .skip(from)
+                    .zip(words.chars())
+                    .for_each(|(place, sign)| *place = sign);
+            }
+        }
+        row.into_iter().collect()
+    }
+}

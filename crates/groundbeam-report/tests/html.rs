@@ -1,0 +1,134 @@
+//! The calculation report.
+
+#[allow(dead_code)]
+mod common;
+
+use common::{SOLVABLE, context, document, solved};
+use groundbeam::{Method, NotConverged};
+use groundbeam_file::Document;
+use groundbeam_report::html::{Contents, Source, report};
+use groundbeam_report::{Context, Units};
+
+fn source(document: &Document) -> Source<'_> {
+    let Document { model, cases, .. } = document;
+    Source { name: "model.toml", text: document.text(), model, cases }
+}
+
+fn made(name: &str) -> String {
+    let document = document(name);
+    let contents = solved(&document);
+    let context = context(&document).with_limits(&document.limits);
+    report(Contents::Solved(&contents), &context, &source(&document)).unwrap()
+}
+
+/// The words of a page without its style and its figures, one block a line.
+fn words(page: &str) -> String {
+    let mut text = String::new();
+    let mut rest = page.split_once("<body>").unwrap().1;
+    while let Some(at) = rest.find('<') {
+        text += &rest[..at];
+        let skip = ["svg", "math"].into_iter().find(|name| rest[at + 1..].starts_with(name));
+        let end = match skip {
+            Some(name) => rest.find(&format!("</{name}>")).unwrap() + name.len() + 2,
+            None => at + rest[at..].find('>').unwrap(),
+        };
+        let breaks = ["</tr", "</p", "</h", "</li", "</figc", "</dt", "</dd", "</capt"];
+        text += if breaks.iter().any(|tag| rest[at..].starts_with(tag)) { "\n" } else { " " };
+        rest = &rest[end + 1..];
+    }
+    let lines =
+        text.lines().map(|line| line.split(' ').filter(|w| !w.is_empty()).collect::<Vec<_>>());
+    lines.map(|line| line.join(" ")).filter(|line| !line.is_empty()).collect::<Vec<_>>().join("\n")
+}
+
+/// Every element that is opened is closed in its turn.
+fn is_well_formed(page: &str) {
+    let mut open: Vec<&str> = Vec::new();
+    // What stands within quotes or in the style sheet is no tag.
+    let (head, rest) = page.split_once("<style>").unwrap();
+    let (_, rest) = rest.split_once("</style>").unwrap();
+    for tag in (head.to_owned() + rest).split('<').skip(1) {
+        let inner = &tag[..tag.find('>').unwrap()];
+        let name = inner.split([' ', '\n', '/']).find(|part| !part.is_empty()).unwrap();
+        if inner.starts_with('/') {
+            let last = open.pop().unwrap_or_default();
+            assert_eq!(last, name);
+        } else if !inner.ends_with('/') && !matches!(name, "!DOCTYPE" | "meta") {
+            open.push(Box::leak(name.to_owned().into_boxed_str()));
+        }
+    }
+    assert_eq!(open, Vec::<&str>::new());
+}
+
+#[test]
+fn what_a_report_says() {
+    insta::assert_snapshot!("html-footing", words(&made("footing")));
+    insta::assert_snapshot!("html-supports", words(&made("supports")));
+}
+
+#[test]
+fn every_report_is_one_whole_file() {
+    for name in SOLVABLE {
+        let page = made(name);
+        is_well_formed(&page);
+        // Nothing is loaded from anywhere and nothing runs; the names of XML are no addresses.
+        let plain = page.split_once("</style>").unwrap().1.replace("http://www.w3.org/", "");
+        for never in ["http", "<script", "<link", "<img", "src=", "NaN"] {
+            assert!(!plain.contains(never), "{name}: {never}");
+        }
+        assert_eq!(page.matches("url(").count(), page.matches("url(data:").count());
+        assert_eq!(page, made(name), "equal results give equal bytes");
+    }
+}
+
+#[test]
+fn the_digest_is_that_of_the_file() {
+    // printf 'abc' | sha256sum
+    let expected = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+    let document = document("footing");
+    let source = Source { text: "abc", ..source(&document) };
+    let page = report(Contents::Solved(&solved(&document)), &context(&document), &source).unwrap();
+    assert!(page.contains(expected));
+}
+
+#[test]
+fn what_a_file_says_is_no_markup() {
+    let document = document("footing");
+    let evil = "</title><script>alert('&amp;')</script> -1e3 \\\"";
+    let source = Source { name: evil, text: evil, ..source(&document) };
+    let context = Context::new(Units::Si).with_title(evil);
+    let page = report(Contents::Solved(&solved(&document)), &context, &source).unwrap();
+    is_well_formed(&page);
+    assert!(!page.contains("<script"), "markup of the file is in the page");
+    assert!(page.contains("&lt;script&gt;"));
+}
+
+#[test]
+fn without_an_equilibrium_the_report_says_why() {
+    let document = document("tips");
+    let existence = groundbeam::exists(&document.model).unwrap();
+    let contents = Contents::NoEquilibrium(&document.model, &existence);
+    let page = report(contents, &context(&document), &source(&document)).unwrap();
+    is_well_formed(&page);
+    insta::assert_snapshot!("html-tips", words(&page));
+    // The motion in which it tips is drawn.
+    assert_eq!(page.matches("stroke-dasharray=\"9 5\"").count(), 1);
+}
+
+#[test]
+fn without_a_certified_answer_there_are_no_results() {
+    let document = document("footing");
+    let reached = NotConverged {
+        method: Method::Uzawa,
+        iterations: 10,
+        tolerance: 1e-9,
+        reached: 0.5,
+        what: "the change of the pressure",
+    };
+    let contents = Contents::NotConverged(&document.model, &reached);
+    let page = report(contents, &context(&document), &source(&document)).unwrap();
+    is_well_formed(&page);
+    let words = words(&page);
+    assert!(words.contains("Not solved the method `uzawa` stopped after 10 iterations"), "{words}");
+    assert!(!words.contains("Certificate") && !words.contains("Largest"), "{words}");
+}

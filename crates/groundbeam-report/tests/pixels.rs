@@ -1,0 +1,158 @@
+//! Every kind of picture against the pixels it once had, drawn small. `UPDATE_EXPECTED=1` keeps new ones.
+
+#[allow(dead_code)]
+mod common;
+
+use common::{SOLVABLE, context, document, solved};
+use groundbeam::train::{Answer, Passage, Sweep};
+use groundbeam_file::{Document, MovingTrain};
+use groundbeam_report::{Combinations, Combined, Moving, Passages, html, svg};
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::{Options, Tree};
+use std::path::PathBuf;
+
+/// Pixels for one unit of a picture.
+const SCALE: f32 = 0.25;
+/// The mean difference of all channels that other rounding may make, of 255.
+const MEAN: f64 = 0.5;
+/// A pixel that differs by more than this in a channel is another one.
+const OTHER: u8 = 64;
+/// The share of other pixels that is let pass.
+const FEW: f64 = 0.002;
+
+fn folder() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn drawn(picture: &str) -> Pixmap {
+    let mut options = Options { font_family: "Inter".to_owned(), ..Options::default() };
+    for font in ["Inter-Regular.ttf", "Inter-SemiBold.ttf"] {
+        let bytes = std::fs::read(folder().join("fonts").join(font)).unwrap();
+        options.fontdb_mut().load_font_data(bytes);
+    }
+    let tree = Tree::from_str(picture, &options).unwrap();
+    let [width, height] =
+        [tree.size().width(), tree.size().height()].map(|side| (side * SCALE).ceil() as u32);
+    let mut pixels = Pixmap::new(width, height).unwrap();
+    resvg::render(&tree, Transform::from_scale(SCALE, SCALE), &mut pixels.as_mut());
+    pixels
+}
+
+fn differs(a: &Pixmap, b: &Pixmap) -> Option<String> {
+    if (a.width(), a.height()) != (b.width(), b.height()) {
+        return Some(format!("{} × {} pixels", a.width(), a.height()));
+    }
+    let apart = |(a, b): (&u8, &u8)| a.abs_diff(*b);
+    let all: Vec<u8> = a.data().iter().zip(b.data()).map(apart).collect();
+    let mean = all.iter().map(|d| f64::from(*d)).sum::<f64>() / all.len() as f64;
+    let other = all.chunks(4).filter(|pixel| pixel.iter().any(|d| *d > OTHER)).count();
+    let share = other as f64 / (all.len() / 4) as f64;
+    (mean > MEAN || share > FEW).then(|| format!("mean {mean:.2}, {:.2} % other", 100.0 * share))
+}
+
+/// Holds a picture against the one that is kept.
+fn looks_as_kept(name: &str, picture: &str) {
+    let pixels = drawn(picture);
+    let path = folder().join("tests/pictures").join(format!("{name}.png"));
+    if std::env::var_os("UPDATE_EXPECTED").is_some() {
+        let kept = std::fs::read(&path).ok().and_then(|bytes| Pixmap::decode_png(&bytes).ok());
+        if kept.is_none_or(|kept| differs(&pixels, &kept).is_some()) {
+            std::fs::write(&path, pixels.encode_png().unwrap()).unwrap();
+        }
+    }
+    let bytes = std::fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    if let Some(how) = differs(&pixels, &Pixmap::decode_png(&bytes).unwrap()) {
+        let new = std::env::temp_dir().join(format!("groundbeam-{name}.png"));
+        std::fs::write(&new, pixels.encode_png().unwrap()).unwrap();
+        panic!("{name} looks otherwise ({how}): {} is new", new.display());
+    }
+}
+
+/// The figures of a calculation report.
+fn figures(page: &str) -> Vec<String> {
+    let parts = page.split("<svg ").skip(1);
+    parts.map(|part| format!("<svg {}</svg>", part.split_once("</svg>").unwrap().0)).collect()
+}
+
+fn source(document: &Document) -> html::Source<'_> {
+    let Document { model, cases, .. } = document;
+    html::Source { name: "model.toml", text: document.text(), model, cases }
+}
+
+#[test]
+fn single_models() {
+    for name in SOLVABLE {
+        let document = document(name);
+        looks_as_kept(name, &svg::picture(&solved(&document), &context(&document)));
+    }
+}
+
+#[test]
+fn figures_of_reports() {
+    let document_of = document;
+    let (document, tips) = (document_of("footing"), document_of("tips"));
+    let contents = solved(&document);
+    let contents = html::Contents::Solved(&contents);
+    let page = html::report(contents, &context(&document), &source(&document)).unwrap();
+    let found = figures(&page);
+    assert_eq!(found.len(), 7);
+    for (i, figure) in found.iter().enumerate() {
+        looks_as_kept(&format!("report-footing-{}", i + 1), figure);
+    }
+    let existence = groundbeam::exists(&tips.model).unwrap();
+    let contents = html::Contents::NoEquilibrium(&tips.model, &existence);
+    let page = html::report(contents, &context(&tips), &source(&tips)).unwrap();
+    let [figure] = &figures(&page)[..] else { panic!("one figure") };
+    looks_as_kept("report-tips", figure);
+}
+
+#[test]
+fn combinations() {
+    let document = document("combinations");
+    let combinations = document.combinations();
+    let outcomes: Vec<_> =
+        combinations.iter().map(|c| c.solve(&groundbeam::Options::default()).unwrap()).collect();
+    let together = combinations.iter().zip(&outcomes);
+    let combined = together.filter_map(|(combination, outcome)| match outcome {
+        groundbeam::Outcome::Equilibrium(solution) => Some(Combined {
+            name: &combination.name,
+            factors: &combination.factors,
+            model: &combination.model,
+            band: None,
+            ground: None,
+            answer: groundbeam_report::Answer::Equilibrium(solution),
+        }),
+        groundbeam::Outcome::NoEquilibrium(_) => None,
+    });
+    let all = Combinations { combined: combined.collect(), alone: Vec::new() };
+    looks_as_kept("combinations", &svg::combinations(&all, &context(&document)));
+}
+
+#[test]
+fn trains() {
+    let document = document("train");
+    let MovingTrain { name, train, range, .. } = &document.trains[0];
+    let mut sweep = Sweep::new(&document.model, train, *range, 1e-2);
+    while !sweep.wanted().is_empty() {
+        let place = |&at: &f64| Answer::of(groundbeam::solve(&train.on(&document.model, at)));
+        let solved: Result<Vec<Answer>, _> = sweep.wanted().iter().map(place).collect();
+        sweep.give(solved.unwrap());
+    }
+    let passage: Passage = sweep.finish();
+    let moving = Moving {
+        combination: None,
+        name,
+        set: None,
+        factor: 1.0,
+        range: *range,
+        passage: &passage,
+    };
+    let passages = Passages { all: vec![moving] };
+    looks_as_kept("train", &svg::trains(&passages, &context(&document)));
+    let contents = html::Contents::Trains(&passages);
+    let page = html::report(contents, &context(&document), &source(&document)).unwrap();
+    let found = figures(&page);
+    // The model, the train where it bends the beam most, four envelopes.
+    assert_eq!(found.len(), 6);
+    looks_as_kept("report-train-moment", &found[4]);
+}
