@@ -43,6 +43,7 @@ mod trains;
 mod verdict;
 
 pub mod csv;
+pub mod fonts;
 pub mod json;
 pub mod png;
 pub mod svg;

@@ -6,8 +6,8 @@ use groundbeam::Model;
 pub(super) const WIDTH: f64 = 960.0;
 /// Left of this stand the numbers of the axes.
 pub(super) const LEFT: f64 = 86.0;
-/// Where panels end.
-pub(super) const RIGHT: f64 = 936.0;
+/// What is kept free right of the panels.
+const BESIDE: f64 = 24.0;
 
 /// The scale of x.
 #[derive(Debug, Clone, Copy)]
@@ -16,6 +16,8 @@ pub(super) struct Frame {
     pub length: f64,
     /// How much ground is shown beyond each end.
     pub margin: f64,
+    /// The width of the page.
+    pub width: f64,
 }
 
 impl Frame {
@@ -27,12 +29,22 @@ impl Frame {
             3.0 * (shear / spring).sqrt()
         });
         let margin = reach[0].max(reach[1]).clamp(0.05 * length, 0.15 * length);
-        Frame { length, margin }
+        Frame { length, margin, width: WIDTH }
+    }
+
+    /// The same on a page of another width.
+    pub fn on_page(self, width: f64) -> Self {
+        Frame { width, ..self }
+    }
+
+    /// Where panels end.
+    pub fn right(&self) -> f64 {
+        self.width - BESIDE
     }
 
     /// Page units for one unit of length.
     pub fn scale(&self) -> f64 {
-        (RIGHT - LEFT) / (self.length + 2.0 * self.margin)
+        (self.right() - LEFT) / (self.length + 2.0 * self.margin)
     }
 
     /// The position on the page.

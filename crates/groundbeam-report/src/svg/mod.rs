@@ -14,7 +14,9 @@ mod samples;
 mod style;
 mod supports;
 mod system;
+mod tipping;
 mod train;
+mod view;
 
 use crate::characteristics::Characteristics;
 use crate::context::Context;
@@ -24,11 +26,13 @@ use crate::quantity::{Kind, Units};
 use canvas::{Anchor, Canvas, printed};
 use diagram::{Diagram, worth_naming};
 pub use envelope::combinations;
-use frame::{Frame, LEFT, RIGHT, WIDTH};
+use frame::{Frame, LEFT, WIDTH};
 use groundbeam::{Field, Solution};
 use samples::Samples;
 use style::{FAINT_INK, NOTE, TICK, TITLE};
+pub use tipping::tipping;
 pub use train::trains;
+pub use view::{Grip, Handle, View, view};
 
 /// Edges of contact beyond this many are not marked in the diagrams.
 const MOST_EDGES: usize = 40;
@@ -159,5 +163,5 @@ fn axis_of_x(page: &mut Canvas, frame: &Frame, units: Units, y: f64) {
         page.text([at, y + 18.0], Anchor::Middle, TICK, &printed(&unit.number(x, 6)));
     }
     let words = format!("x{}", unit.bracketed());
-    page.text([RIGHT, y + 18.0], Anchor::End, TICK, &words);
+    page.text([frame.right(), y + 18.0], Anchor::End, TICK, &words);
 }

@@ -31,15 +31,22 @@ impl Tone {
 pub(super) struct Sheet {
     text: String,
     colour: bool,
+    /// Labels and words of the rows, as long as they are.
+    rows: Vec<(String, String)>,
 }
 
 impl Sheet {
     pub fn new(colour: bool) -> Self {
-        Sheet { text: String::new(), colour }
+        Sheet { text: String::new(), colour, rows: Vec::new() }
     }
 
     pub fn finish(self) -> String {
         self.text
+    }
+
+    /// The rows alone, for a page that has a layout of its own.
+    pub fn into_rows(self) -> Vec<(String, String)> {
+        self.rows
     }
 
     pub fn blank(&mut self) {
@@ -68,6 +75,7 @@ impl Sheet {
 
     /// The same with the first part of the words, up to a colon, in a tone.
     pub fn toned_row(&mut self, label: &str, words: &str, tone: Tone) {
+        self.rows.push((label.to_owned(), words.to_owned()));
         let gap = " ".repeat(COLUMN.saturating_sub(label.chars().count()).max(1));
         let head = self.painted(label, Tone::Heading) + &gap;
         for (i, line) in wrapped(words, WIDTH - COLUMN).iter().enumerate() {
