@@ -23,10 +23,15 @@ impl Input {
             (path.display().to_string(), std::fs::read(path))
         };
         let bytes = bytes.map_err(|error| Failure::file(Path::new(&name), &error))?;
+        Input::of(&bytes, name)
+    }
+
+    /// Parses the bytes of a file.
+    pub fn of(bytes: &[u8], name: String) -> Result<Self, Failure> {
         let wrong = |found: Diagnostics| {
-            Failure::diagnostics(&found, &name, &String::from_utf8_lossy(&bytes))
+            Failure::diagnostics(&found, &name, &String::from_utf8_lossy(bytes))
         };
-        let text = groundbeam_file::text_of(&bytes).map_err(wrong)?;
+        let text = groundbeam_file::text_of(bytes).map_err(wrong)?;
         let document = groundbeam_file::parse(text).map_err(wrong)?;
         Ok(Input { document, name })
     }
@@ -43,8 +48,7 @@ impl Input {
 
     /// Problems found while solving, at their places in the file.
     pub fn wrong(&self, problems: &[Problem]) -> Failure {
-        let shown = problems.iter().map(|problem| self.located(problem)).collect::<Vec<_>>();
-        Failure::reported(shown.join("\n"), crate::Status::Wrong)
+        Failure::together(problems.iter().map(|problem| self.located(problem)).collect())
     }
 
     /// Whether a model made of the file has an equilibrium.
@@ -61,10 +65,9 @@ impl Input {
         }
     }
 
-    fn located(&self, problem: &Problem) -> String {
+    fn located(&self, problem: &Problem) -> Failure {
         let found = Diagnostics::from(self.document.diagnostic_for(problem));
-        let colour = crate::output::standard_error_has_colour();
-        found.render(&self.name, self.document.text(), colour)
+        Failure::diagnostics(&found, &self.name, self.document.text())
     }
 }
 

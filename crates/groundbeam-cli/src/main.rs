@@ -4,10 +4,12 @@
 mod check;
 mod combinations;
 mod failure;
+mod found;
 mod input;
 mod output;
 mod pages;
 mod request;
+mod serve;
 mod solve;
 mod trains;
 mod typed;
@@ -52,6 +54,7 @@ fn run(request: Request) -> Result<Status, Failure> {
     match request {
         Request::Solve(solve) => solve::run(&solve),
         Request::Check(check) => check::run(&check),
+        Request::Serve(serve) => serve::run(&serve),
         Request::Completions(shell) => pages::completions(shell),
         Request::Manual => pages::manual(),
     }

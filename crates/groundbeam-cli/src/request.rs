@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::typed::{self, Command, Typed};
+use crate::waiting::Audience;
 use clap_complete::Shell;
 use groundbeam::Options;
 use std::path::{Path, PathBuf};
@@ -10,6 +11,7 @@ use std::path::{Path, PathBuf};
 pub enum Request {
     Solve(Solve),
     Check(Check),
+    Serve(Serve),
     Completions(Shell),
     Manual,
 }
@@ -27,9 +29,26 @@ pub struct Solve {
     /// The name of one of the file's combinations.
     pub combination: Option<String>,
     pub options: Options,
+    pub audience: Audience,
 }
 
 impl Solve {
+    /// What a page asks for: the answer itself, by the default method.
+    pub fn for_page(combination: Option<String>) -> Self {
+        Solve {
+            file: PathBuf::new(),
+            json: true,
+            csv: None,
+            plot: None,
+            history: None,
+            at: None,
+            factors: None,
+            combination,
+            options: Options::default(),
+            audience: Audience::Page,
+        }
+    }
+
     /// The first option given that is about a single answer.
     pub fn about_one_answer(&self) -> Option<&'static str> {
         let history = self.history.as_ref().map(|_| "--history");
@@ -64,11 +83,23 @@ pub struct Check {
     pub json: bool,
 }
 
+/// Show a page on this machine.
+pub struct Serve {
+    /// The model to begin with.
+    pub file: Option<PathBuf>,
+    /// 0 takes a free one.
+    pub port: u16,
+    pub opens_browser: bool,
+}
+
 impl Request {
     pub fn of(typed: Typed) -> Result<Self, Failure> {
         Ok(match typed.command {
             Command::Solve(solve) => Request::Solve(Solve::of(solve)?),
             Command::Check(check) => Request::Check(Check { file: check.file, json: check.json }),
+            Command::Serve(typed::Serve { file, port, no_open }) => {
+                Request::Serve(Serve { file, port, opens_browser: !no_open })
+            }
             Command::Completions { shell } => Request::Completions(shell),
             Command::Man => Request::Manual,
         })
@@ -106,6 +137,7 @@ impl Solve {
             combination: typed.combination,
             factors: typed.factors.map(|cases| cases.map_or(Grow::All, Grow::Cases)),
             options,
+            audience: Audience::Caller,
         };
         solve.check_outputs()?;
         Ok(solve)

@@ -33,6 +33,8 @@ pub enum Command {
     Solve(Solve),
     /// Read a model and tell whether an equilibrium exists, without solving
     Check(Check),
+    /// Show the model on a page in the browser, where it can be changed and follows at once
+    Serve(Serve),
     /// Print a completion script for a shell
     Completions {
         /// The shell
@@ -113,6 +115,20 @@ pub struct Check {
     /// Print the verdict as one JSON document, and nothing else, on standard output
     #[arg(long)]
     pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct Serve {
+    /// Model file (TOML) to begin with; left out, an example. The file itself is never changed
+    pub file: Option<PathBuf>,
+
+    /// Port of this machine to listen on; 0 takes a free one
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub port: u16,
+
+    /// Do not open the browser
+    #[arg(long)]
+    pub no_open: bool,
 }
 
 #[derive(Debug, Clone, Copy, ValueEnum)]
