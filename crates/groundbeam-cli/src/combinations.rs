@@ -8,7 +8,7 @@ use crate::output::{print, standard_output_has_colour};
 use crate::request::{Check, Solve};
 use crate::solve::solved_one;
 use crate::waiting::while_counting;
-use groundbeam::{Error, Existence, Outcome, Verdict};
+use groundbeam::{Error, Existence, Outcome};
 use groundbeam_file::{Combination, LoadCase};
 use groundbeam_report::{Alone, Answer, Combinations, Combined, Context, Ground, json, text};
 use rayon::prelude::*;
@@ -62,13 +62,9 @@ pub fn check(input: &Input, request: &Check) -> Result<Status, Failure> {
         combinations.iter().map(|combination| input.existence(&combination.model)).collect();
     let checked = checked?;
     let alone = alone(input)?;
-    let answer = |existence| match existence {
-        &Existence { verdict: Verdict::None(_), .. } => Answer::NoEquilibrium(existence),
-        _ => Answer::Exists(existence),
-    };
     let combined = combinations.iter().zip(&checked);
     let all = Combinations {
-        combined: combined.map(|(c, existence)| together(c, answer(existence))).collect(),
+        combined: combined.map(|(c, existence)| together(c, answered(existence))).collect(),
         alone: alone.iter().map(Case::of).collect(),
     };
     let context = input.context().with_seconds(started.elapsed().as_secs_f64());
@@ -78,6 +74,14 @@ pub fn check(input: &Input, request: &Check) -> Result<Status, Failure> {
         text::combinations(&all, &context, standard_output_has_colour())
     })?;
     Ok(Found::Combinations(&all).status())
+}
+
+fn answered(existence: &Existence) -> Answer<'_> {
+    if existence.verdict.stands() {
+        Answer::Exists(existence)
+    } else {
+        Answer::NoEquilibrium(existence)
+    }
 }
 
 /// A load case by itself, and whether it could stand.

@@ -46,11 +46,6 @@ fn a_wrong_model_comes_back_with_its_diagnostics() {
         assert_eq!(reply.status, 422, "{body:?}: {}", reply.text());
         assert!(!reply.json()["diagnostics"].as_array().unwrap().is_empty());
     }
-    // Found wrong only while it is solved: the beam buckles.
-    let buckles = LIFTS.replace("EI = 1", "EI = 1\naxial_force = -100");
-    let reply = server.post("/api/solve", &buckles);
-    assert_eq!(reply.status, 422, "{}", reply.text());
-    assert_eq!(reply.json()["diagnostics"][0]["line"], 5);
 }
 
 #[test]

@@ -33,6 +33,7 @@
 //! This is the only crate that knows how a model is spelled.
 
 mod band;
+mod beside;
 mod cases;
 mod code;
 mod combination;
@@ -59,6 +60,7 @@ mod units;
 mod write;
 
 pub use band::Band;
+pub use beside::OtherFile;
 pub use cases::parse_cases;
 pub use code::{CODES, Code};
 pub use combination::{Combination, LoadCase};
@@ -75,6 +77,7 @@ use fault::Fault;
 use reader::Reader;
 use section::{Contents, Ground};
 use source::Source;
+use std::path::Path;
 use table::Section;
 use toml::de::DeTable;
 
@@ -83,8 +86,21 @@ use toml::de::DeTable;
 /// # Errors
 ///
 /// Everything that is wrong with the file, [`Model::problems`](groundbeam::Model::problems)
-/// included. If it is not even TOML, only that is told.
+/// included. If it is not even TOML, only that is told. A text alone can name no other file.
 pub fn parse(text: &str) -> Result<Document, Diagnostics> {
+    parse_in(text, None)
+}
+
+/// Reads a model file that stands in a folder, and what it names beside itself.
+///
+/// # Errors
+///
+/// As [`parse`]; what is wrong with a file that it names is told at its place in that file.
+pub fn parse_beside(text: &str, folder: &Path) -> Result<Document, Diagnostics> {
+    parse_in(text, Some(folder))
+}
+
+fn parse_in(text: &str, folder: Option<&Path>) -> Result<Document, Diagnostics> {
     let source = Source::new(text);
     let (table, errors) = DeTable::parse_recoverable(text);
     let syntax = syntax::explain(&source, table.get_ref(), &errors);
@@ -95,7 +111,7 @@ pub fn parse(text: &str) -> Result<Document, Diagnostics> {
     if root.table.is_empty() {
         return Err(Diagnostic::new(&source, no_model()).into());
     }
-    let mut reader = Reader::new(&source, &root);
+    let mut reader = Reader::new(&source, &root, folder);
     reader.found = syntax.found;
     let contents = section::read(&mut reader, &root);
     let Contents { title, model, ground, limits, cases, recipes, trains } = contents;

@@ -46,7 +46,7 @@ pub(crate) struct Seen {
 impl Seen {
     /// Where its number stands and what it counts; none if it is written in a way that hides it.
     fn located(&self, text: &str) -> Option<Quantity> {
-        let written = &text[self.span.clone()];
+        let written = text.get(self.span.clone())?;
         let inner = written.trim_matches(['"', '\'']);
         let start = self.span.start + written.find(inner)? + inner.len() - inner.trim_start().len();
         let (_, length) = Decimal::read(inner.trim())?;

@@ -89,7 +89,7 @@ pub fn file(model: &[u8], asked: &Asked, form: Form) -> Response {
 
 /// What the page shows.
 pub fn view(model: &[u8], asked: &Asked) -> Response {
-    let read = Input::of(model, "model".to_owned());
+    let read = Input::of(model, "model".to_owned(), None);
     reply(read.and_then(|input| {
         let view = seen(&input, asked, |found, scene, context| {
             Ok(View::of(&input, found, scene, asked, context))
@@ -107,7 +107,7 @@ fn found(
     asked: &Asked,
     deliver: impl FnOnce(&Found, &Context) -> Result<Response, Failure>,
 ) -> Result<Response, Failure> {
-    let input = Input::of(model, "model".to_owned())?;
+    let input = Input::of(model, "model".to_owned(), None)?;
     seen(&input, asked, |found, _, context| deliver(found, context))
 }
 

@@ -189,6 +189,7 @@ fn held(input: &Input, scene: &Combination, handle: &Handle) -> Option<Held> {
                 Load::Distributed { .. } => ("spread load", "start"),
                 Load::DistributedMoment { .. } => ("spread moment", "start"),
                 Load::Curvature { .. } => ("curvature", "start"),
+                Load::GroundForce { .. } | Load::GroundDistributed { .. } => return None,
             };
             let (field, end) = match handle.grip {
                 Grip::From(_) => ("from", ", its beginning"),

@@ -106,6 +106,8 @@ pub(super) fn handles(model: &Model, underside: impl Fn(f64) -> [f64; 2]) -> Vec
                 all.push(handle(Grip::From(i), from, above - 9.0));
                 all.push(handle(Grip::To(i), to, above - 9.0));
             }
+            // They stand on the ground, and may stand beside the beam.
+            Load::GroundForce { .. } | Load::GroundDistributed { .. } => {}
         }
     }
     for (i, hinge) in model.hinges.iter().enumerate() {
