@@ -2,35 +2,36 @@
 
 use crate::Status;
 use crate::failure::Failure;
+use crate::found::Found;
 use crate::input::Input;
-use crate::output::{draw, print, report, standard_output_has_colour, write};
+use crate::output::{print, standard_output_has_colour};
 use crate::request::{Check, Solve};
-use crate::solve::{positions, solved};
+use crate::solve::solved_one;
 use crate::waiting::while_counting;
 use groundbeam::{Error, Existence, Outcome};
 use groundbeam_file::{Combination, LoadCase};
-use groundbeam_report::{
-    Alone, Answer, Combinations, Combined, Context, Ground, Overall, csv, html, json, png, svg,
-    text,
-};
+use groundbeam_report::{Alone, Answer, Combinations, Combined, Context, Ground, json, text};
 use rayon::prelude::*;
 use std::time::Instant;
 
-/// Solves every combination and reports them together.
-pub fn solve(input: &Input, request: &Solve) -> Result<Status, Failure> {
+/// Solves every combination and hands on what was found of all together.
+pub fn solved<T>(
+    input: &Input,
+    request: &Solve,
+    deliver: impl FnOnce(&Found, &Context) -> Result<T, Failure>,
+) -> Result<T, Failure> {
     if let Some(option) = request.about_one_answer() {
         let rule = "of a file with combinations it is about one of them";
         return Err(Failure::usage(format!("{option}: {rule}; add --combination NAME")));
     }
-    let stations = request.at.as_deref().map(|list| positions(input, list)).transpose()?;
     let combinations = input.document.combinations();
     let started = Instant::now();
     let words = format!("solving combinations with the method {}", request.options.method.name());
     // Each is solved by itself and kept in its place: the same bits on any number of processors.
     let outcomes: Vec<Result<(Outcome, Option<Ground>), Error>> =
-        while_counting(words, combinations.len(), |another| {
+        while_counting(words, combinations.len(), request.audience, |another| {
             let solved = combinations.par_iter().map(|combination| {
-                let outcome = solved(input, combination, &request.options);
+                let outcome = solved_one(input, combination, &request.options);
                 another();
                 outcome
             });
@@ -50,14 +51,7 @@ pub fn solve(input: &Input, request: &Solve) -> Result<Status, Failure> {
     }
     let all = Combinations { combined, alone: alone.iter().map(Case::of).collect() };
     let context = input.context().with_seconds(started.elapsed().as_secs_f64());
-    write_files(request, &all, stations.as_deref(), &context)?;
-    report(request.report.as_ref(), html::Contents::Combinations(&all), &context, input)?;
-    print(&if request.json {
-        json::combinations(&all, stations.as_deref(), &context)
-    } else {
-        text::combinations(&all, &context, standard_output_has_colour())
-    })?;
-    Ok(status(&all))
+    deliver(&Found::Combinations(&all), &context)
 }
 
 /// Tells of every combination whether it has an equilibrium.
@@ -79,7 +73,7 @@ pub fn check(input: &Input, request: &Check) -> Result<Status, Failure> {
     } else {
         text::combinations(&all, &context, standard_output_has_colour())
     })?;
-    Ok(status(&all))
+    Ok(Found::Combinations(&all).status())
 }
 
 fn answered(existence: &Existence) -> Answer<'_> {
@@ -114,29 +108,4 @@ fn alone(input: &Input) -> Result<Vec<Case>, Failure> {
 fn together<'a>(combination: &'a Combination, answer: Answer<'a>) -> Combined<'a> {
     let Combination { name, factors, model, ground: band, .. } = combination;
     Combined { name, factors, model, band: *band, ground: None, answer }
-}
-
-fn status(all: &Combinations) -> Status {
-    match all.overall() {
-        Overall::Solved => Status::Done,
-        Overall::NoEquilibrium => Status::NoEquilibrium,
-        Overall::NotConverged => Status::NotConverged,
-    }
-}
-
-fn write_files(
-    request: &Solve,
-    all: &Combinations,
-    stations: Option<&[f64]>,
-    context: &Context,
-) -> Result<(), Failure> {
-    if all.solved().next().is_none() {
-        return Ok(());
-    }
-    if let Some(path) = &request.csv {
-        let stations = stations.map_or_else(|| json::envelope_stations(all), <[f64]>::to_vec);
-        write(path, csv::envelope(all, &stations, context.units).as_bytes())?;
-    }
-    let plot = request.plot.as_ref();
-    draw(plot, || svg::combinations(all, context), || png::combinations(all, context))
 }

@@ -5,8 +5,8 @@ use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{print, standard_error_has_colour, standard_output_has_colour};
 use crate::request::Compare;
-use crate::solve::solved;
-use crate::waiting::while_working;
+use crate::solve::solved_one;
+use crate::waiting::{Audience, while_working};
 use groundbeam::{Error, Method, Options, Outcome, Pressure, Solution};
 use groundbeam_report::{Compared, Comparison, Context, json, text};
 use std::time::Instant;
@@ -30,7 +30,8 @@ pub fn run(request: &Compare) -> Result<Status, Failure> {
     let timed = |name: &str, options: Options| {
         let started = Instant::now();
         let words = format!("solving with the method {name}");
-        let outcome = while_working(words, || solved(&input, &as_written, &options));
+        let outcome =
+            while_working(words, Audience::Caller, || solved_one(&input, &as_written, &options));
         (outcome.map(|(outcome, _)| outcome), started.elapsed().as_secs_f64())
     };
     let (outcome, seconds) = timed("exact", Options::default());

@@ -25,12 +25,20 @@ impl Input {
             (path.display().to_string(), std::fs::read(path))
         };
         let bytes = bytes.map_err(|error| Failure::file(Path::new(&name), &error))?;
+        Input::of(&bytes, name, Some(path.parent().unwrap_or(Path::new(""))))
+    }
+
+    /// Parses the bytes of a file; without a folder it cannot name other files.
+    pub fn of(bytes: &[u8], name: String, folder: Option<&Path>) -> Result<Self, Failure> {
         let wrong = |found: Diagnostics| {
-            Failure::diagnostics(&found, &name, &String::from_utf8_lossy(&bytes))
+            Failure::diagnostics(&found, &name, &String::from_utf8_lossy(bytes))
         };
-        let folder = path.parent().unwrap_or(Path::new(""));
-        let text = groundbeam_file::text_of(&bytes).map_err(wrong)?;
-        let document = groundbeam_file::parse_beside(text, folder).map_err(wrong)?;
+        let text = groundbeam_file::text_of(bytes).map_err(wrong)?;
+        let document = match folder {
+            Some(folder) => groundbeam_file::parse_beside(text, folder),
+            None => groundbeam_file::parse(text),
+        };
+        let document = document.map_err(wrong)?;
         Ok(Input { document, name, text: text.to_owned() })
     }
 
@@ -53,8 +61,7 @@ impl Input {
 
     /// Problems found while solving, at their places in the file.
     pub fn wrong(&self, problems: &[Problem]) -> Failure {
-        let shown = problems.iter().map(|problem| self.located(problem)).collect::<Vec<_>>();
-        Failure::reported(shown.join("\n"), crate::Status::Wrong)
+        Failure::together(problems.iter().map(|problem| self.located(problem)).collect())
     }
 
     /// Whether a model made of the file has an equilibrium.
@@ -76,10 +83,9 @@ impl Input {
         }
     }
 
-    fn located(&self, problem: &Problem) -> String {
+    fn located(&self, problem: &Problem) -> Failure {
         let found = Diagnostics::from(self.document.diagnostic_for(problem));
-        let colour = crate::output::standard_error_has_colour();
-        found.render(&self.name, self.document.text(), colour)
+        Failure::diagnostics(&found, &self.name, self.document.text())
     }
 }
 

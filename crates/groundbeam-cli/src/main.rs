@@ -5,10 +5,12 @@ mod check;
 mod combinations;
 mod compare;
 mod failure;
+mod found;
 mod input;
 mod output;
 mod pages;
 mod request;
+mod serve;
 mod solve;
 mod starter;
 mod trains;
@@ -56,6 +58,7 @@ fn run(request: Request) -> Result<Status, Failure> {
         Request::Check(check) => check::run(&check),
         Request::Compare(compare) => compare::run(&compare),
         Request::New(new) => starter::run(&new),
+        Request::Serve(serve) => serve::run(&serve),
         Request::Completions(shell) => pages::completions(shell),
         Request::Manual => pages::manual(),
     }

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::typed::{self, Command, Typed};
+use crate::waiting::Audience;
 use clap_complete::Shell;
 use groundbeam::Options;
 use std::path::{Path, PathBuf};
@@ -12,6 +13,7 @@ pub enum Request {
     Check(Check),
     Compare(Compare),
     New(New),
+    Serve(Serve),
     Completions(Shell),
     Manual,
 }
@@ -32,9 +34,28 @@ pub struct Solve {
     /// Whether a terminal shows the beam below the report.
     pub drawing: bool,
     pub options: Options,
+    pub audience: Audience,
 }
 
 impl Solve {
+    /// What a page asks for: the answer itself, by the default method.
+    pub fn for_page(combination: Option<String>) -> Self {
+        Solve {
+            file: PathBuf::new(),
+            json: true,
+            csv: None,
+            plot: None,
+            report: None,
+            history: None,
+            at: None,
+            factors: None,
+            combination,
+            drawing: false,
+            options: Options::default(),
+            audience: Audience::Page,
+        }
+    }
+
     /// The first option given that is about a single answer.
     pub fn about_one_answer(&self) -> Option<&'static str> {
         let history = self.history.as_ref().map(|_| "--history");
@@ -83,6 +104,15 @@ pub struct New {
     pub kind: typed::Starter,
 }
 
+/// Show a page on this machine.
+pub struct Serve {
+    /// The model to begin with.
+    pub file: Option<PathBuf>,
+    /// 0 takes a free one.
+    pub port: u16,
+    pub opens_browser: bool,
+}
+
 impl Request {
     pub fn of(typed: Typed) -> Result<Self, Failure> {
         Ok(match typed.command {
@@ -95,6 +125,9 @@ impl Request {
                 most_sweeps: usize::try_from(compare.most_sweeps).unwrap_or(usize::MAX),
             }),
             Command::New(new) => Request::New(New { file: new.file, kind: new.kind }),
+            Command::Serve(typed::Serve { file, port, no_open }) => {
+                Request::Serve(Serve { file, port, opens_browser: !no_open })
+            }
             Command::Completions { shell } => Request::Completions(shell),
             Command::Man => Request::Manual,
         })
@@ -137,6 +170,7 @@ impl Solve {
             factors: typed.factors.map(|cases| cases.map_or(Grow::All, Grow::Cases)),
             drawing: !typed.no_drawing,
             options,
+            audience: Audience::Caller,
         };
         solve.check_outputs()?;
         Ok(solve)

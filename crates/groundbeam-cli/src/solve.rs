@@ -3,6 +3,7 @@
 use crate::Status;
 use crate::combinations;
 use crate::failure::Failure;
+use crate::found::Found;
 use crate::input::Input;
 use crate::output::{
     draw, print, report, standard_error_has_colour, standard_output_has_colour,
@@ -11,27 +12,75 @@ use crate::output::{
 use crate::request::{Grow, Solve};
 use crate::trains;
 use crate::waiting::while_working;
-use groundbeam::{Error, Load, LoadFactors, Model, Options, Outcome, Solution};
+use groundbeam::{Error, Load, LoadFactors, Model, Options, Outcome};
 use groundbeam_file::{
     Combination, Diagnostic, Diagnostics, Severity, parse_cases, parse_positions,
 };
-use groundbeam_report::{Context, Factors, Ground, csv, html, json, png, svg, text};
+use groundbeam_report::{Context, Factors, Ground, csv, text};
 use std::time::Instant;
 
 pub fn run(request: &Solve) -> Result<Status, Failure> {
     let input = Input::read(&request.file)?;
+    let stations = request.at.as_deref().map(|list| positions(&input, list)).transpose()?;
+    let stations = stations.as_deref();
+    answered(&input, request, |found, context| deliver(found, &input, request, stations, context))
+}
+
+/// Solves what the file asks for, and hands on what was found.
+pub fn answered<T>(
+    input: &Input,
+    request: &Solve,
+    deliver: impl FnOnce(&Found, &Context) -> Result<T, Failure>,
+) -> Result<T, Failure> {
     let loaded = match &request.combination {
-        Some(name) => Loaded::combined(&input, name)?,
-        None => Loaded::all(&input),
+        Some(name) => Loaded::combined(input, name)?,
+        None => Loaded::all(input),
     };
     if !input.document.trains.is_empty() {
-        return trains::solve(&input, request, &loaded);
+        return trains::solved(input, request, &loaded, deliver);
     }
     let of_several = request.combination.is_none() && input.document.has_combinations();
     match &loaded.combinations[..] {
-        [alone] if !of_several => one(&input, request, alone, loaded.title.as_deref()),
-        _ => combinations::solve(&input, request),
+        [alone] if !of_several => one(input, request, alone, loaded.title.as_deref(), deliver),
+        _ => combinations::solved(input, request, deliver),
     }
+}
+
+/// Writes what was found where it was asked for.
+fn deliver(
+    found: &Found,
+    input: &Input,
+    request: &Solve,
+    stations: Option<&[f64]>,
+    context: &Context,
+) -> Result<Status, Failure> {
+    if found.has_fields() {
+        if let Some(path) = &request.csv {
+            write(path, found.csv(stations, context).as_bytes())?;
+        }
+        if let (Some(path), Found::Equilibrium(solution)) = (&request.history, found) {
+            write(path, csv::history(solution).as_bytes())?;
+        }
+        draw(request.plot.as_ref(), || found.svg(context), || found.png(context))?;
+    }
+    report(request.report.as_ref(), found.contents(), context, input)?;
+    if request.json {
+        print(&found.json(stations, context))?;
+        return Ok(found.status());
+    }
+    if matches!(found, Found::NoEquilibrium(..) | Found::NotConverged(..)) {
+        let shown = found.text(context, standard_error_has_colour());
+        return Err(Failure::reported(shown, found.status()));
+    }
+    let colour = standard_output_has_colour();
+    print(&found.text(context, colour))?;
+    if let Found::Equilibrium(solution) = found
+        && request.drawing
+        && standard_output_is_a_terminal()
+    {
+        print(&format!("\n{}", text::drawing(solution, context.units, colour)))?;
+    }
+    Ok(found.status())
 }
 
 /// What is to be solved, and what it is called.
@@ -65,20 +114,21 @@ impl Loaded {
     }
 }
 
-fn one(
+fn one<T>(
     input: &Input,
     request: &Solve,
     combination: &Combination,
     title: Option<&str>,
-) -> Result<Status, Failure> {
+    deliver: impl FnOnce(&Found, &Context) -> Result<T, Failure>,
+) -> Result<T, Failure> {
     let model = &combination.model;
-    let stations = request.at.as_deref().map(|list| positions(input, list)).transpose()?;
     let growing =
         request.factors.as_ref().map(|grow| Growing::of(input, grow, combination)).transpose()?;
 
     let started = Instant::now();
     let words = format!("solving with the method {}", request.options.method.name());
-    let outcome = while_working(words, || solved(input, combination, &request.options));
+    let outcome =
+        while_working(words, request.audience, || solved_one(input, combination, &request.options));
     let context = Context { title, ..input.context() };
     let context = context.with_seconds(started.elapsed().as_secs_f64());
     let (outcome, context) = match outcome {
@@ -96,49 +146,19 @@ fn one(
     };
 
     match outcome {
-        Ok(Outcome::Equilibrium(solution)) => {
-            let stations = stations.unwrap_or_else(|| json::default_stations(&solution));
-            write_files(request, &solution, &stations, &context)?;
-            report(request.report.as_ref(), html::Contents::Solved(&solution), &context, input)?;
-            print(&if request.json {
-                json::solved(&solution, &stations, &context)
-            } else {
-                text::solved(&solution, &context, standard_output_has_colour())
-            })?;
-            if request.drawing && !request.json && standard_output_is_a_terminal() {
-                let colour = standard_output_has_colour();
-                print(&format!("\n{}", text::drawing(&solution, context.units, colour)))?;
-            }
-            Ok(Status::Done)
-        }
+        Ok(Outcome::Equilibrium(solution)) => deliver(&Found::Equilibrium(&solution), &context),
         Ok(Outcome::NoEquilibrium(existence)) => {
-            let contents = html::Contents::NoEquilibrium(model, &existence);
-            report(request.report.as_ref(), contents, &context, input)?;
-            if request.json {
-                print(&json::no_equilibrium(model, &existence, &context))?;
-                return Ok(Status::NoEquilibrium);
-            }
-            let shown = text::existence(model, &existence, &context, standard_error_has_colour());
-            Err(Failure::reported(shown, Status::NoEquilibrium))
+            deliver(&Found::NoEquilibrium(model, &existence), &context)
         }
         Err(Error::NotConverged(reached)) => {
-            let contents = html::Contents::NotConverged(model, &reached);
-            report(request.report.as_ref(), contents, &context, input)?;
-            if request.json {
-                print(&json::not_converged(&reached, &context))?;
-                return Ok(Status::NotConverged);
-            }
-            let colour = standard_error_has_colour();
-            let shown =
-                text::not_converged(&reached, colour) + &text::load_factors(&context, colour);
-            Err(Failure::reported(shown, Status::NotConverged))
+            deliver(&Found::NotConverged(model, &reached), &context)
         }
         Err(other) => Err(input.refused(&other)),
     }
 }
 
 /// What mechanics says of a combination of the file, and where its ground comes from.
-pub fn solved<'a>(
+pub fn solved_one<'a>(
     input: &Input,
     combination: &'a Combination,
     options: &Options,
@@ -202,22 +222,6 @@ impl Growing {
             other => input.refused(&other),
         })
     }
-}
-
-fn write_files(
-    request: &Solve,
-    solution: &Solution,
-    stations: &[f64],
-    context: &Context,
-) -> Result<(), Failure> {
-    if let Some(path) = &request.csv {
-        write(path, csv::table(solution, stations, context.units).as_bytes())?;
-    }
-    if let Some(path) = &request.history {
-        write(path, csv::history(solution).as_bytes())?;
-    }
-    let plot = request.plot.as_ref();
-    draw(plot, || svg::picture(solution, context), || png::picture(solution, context))
 }
 
 /// The positions of `--at`, each on the beam.

@@ -2,41 +2,45 @@
 
 use crate::Status;
 use crate::failure::Failure;
+use crate::found::Found;
 use crate::input::Input;
-use crate::output::{draw, print, report, standard_output_has_colour, write};
+use crate::output::{print, standard_output_has_colour};
 use crate::request::{Check, Solve};
-use crate::solve::{Loaded, positions};
+use crate::solve::Loaded;
 use crate::waiting::while_counting;
+use groundbeam::Error;
 use groundbeam::train::{Answer, Passage, Sweep};
-use groundbeam::{Error, Field};
 use groundbeam_file::{Combination, MovingTrain};
-use groundbeam_report::{
-    CheckedTrain, Context, Ground, Moving, Passages, csv, html, json, png, svg, text,
-};
+use groundbeam_report::{CheckedTrain, Context, Ground, Moving, Passages, json, text};
 use rayon::prelude::*;
 use std::time::Instant;
 
 /// The error of the envelope, relative to each field's largest value.
 const ERROR: f64 = 1e-3;
 
-/// Moves every train over every combination and reports the envelopes.
-pub fn solve(input: &Input, request: &Solve, all: &Loaded) -> Result<Status, Failure> {
+/// Moves every train over every combination and hands on what was found.
+pub fn solved<T>(
+    input: &Input,
+    request: &Solve,
+    all: &Loaded,
+    deliver: impl FnOnce(&Found, &Context) -> Result<T, Failure>,
+) -> Result<T, Failure> {
     if let Some(option) = request.about_one_answer() {
         let rule = "it is about one position, and the file has a train";
         return Err(Failure::usage(format!("{option}: {rule}")));
     }
-    let stations = request.at.as_deref().map(|list| positions(input, list)).transpose()?;
     let started = Instant::now();
     let ways = ways(input, all);
     let words = format!("moving trains with the method {}", request.options.method.name());
-    let swept: Result<Vec<Passage>, Error> = while_counting(words, ways.len(), |another| {
-        let passages = ways.iter().map(|way| {
-            let passage = way.swept(request)?;
-            another();
-            Ok(passage)
+    let swept: Result<Vec<Passage>, Error> =
+        while_counting(words, ways.len(), request.audience, |another| {
+            let passages = ways.iter().map(|way| {
+                let passage = way.swept(request)?;
+                another();
+                Ok(passage)
+            });
+            passages.collect()
         });
-        passages.collect()
-    });
     let swept = swept.map_err(|error| input.refused(&error))?;
     let passages = Passages { all: ways.iter().zip(&swept).map(Way::moving).collect() };
     let context = Context { title: all.title.as_deref(), ..input.context() };
@@ -46,18 +50,7 @@ pub fn solve(input: &Input, request: &Solve, all: &Loaded) -> Result<Status, Fai
         None => Ground::of_area(&first.model.foundation, input.document.width?),
     });
     let context = Context { ground, ..context };
-    write_files(request, &passages, stations.as_deref(), &context)?;
-    report(request.report.as_ref(), html::Contents::Trains(&passages), &context, input)?;
-    print(&if request.json {
-        json::trains(&passages, stations.as_deref(), &context)
-    } else {
-        text::trains(&passages, &context, standard_output_has_colour())
-    })?;
-    Ok(match passages.status() {
-        "no-equilibrium" => Status::NoEquilibrium,
-        "not-converged" => Status::NotConverged,
-        _ => Status::Done,
-    })
+    deliver(&Found::Trains(&passages), &context)
 }
 
 /// Tells of every train and combination where on its way there is no equilibrium.
@@ -129,21 +122,4 @@ impl<'a> Way<'a> {
             passage,
         }
     }
-}
-
-fn write_files(
-    request: &Solve,
-    passages: &Passages,
-    stations: Option<&[f64]>,
-    context: &Context,
-) -> Result<(), Failure> {
-    if passages.range(Field::Deflection).is_none() {
-        return Ok(());
-    }
-    if let Some(path) = &request.csv {
-        let stations = stations.map_or_else(|| passages.default_stations(), <[f64]>::to_vec);
-        write(path, csv::trains(passages, &stations, context.units).as_bytes())?;
-    }
-    let plot = request.plot.as_ref();
-    draw(plot, || svg::trains(passages, context), || png::trains(passages, context))
 }

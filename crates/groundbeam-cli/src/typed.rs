@@ -37,6 +37,8 @@ pub enum Command {
     New(New),
     /// Solve a model with every method and show their errors against `exact`
     Compare(Compare),
+    /// Show the model on a page in the browser, where it can be changed and follows at once
+    Serve(Serve),
     /// Print a completion script for a shell
     Completions {
         /// The shell
@@ -167,6 +169,20 @@ pub enum Starter {
     Slab,
     /// A pipeline over a trough in the seabed
     Pipeline,
+}
+
+#[derive(Debug, Args)]
+pub struct Serve {
+    /// Model file (TOML) to begin with; left out, an example. The file itself is never changed
+    pub file: Option<PathBuf>,
+
+    /// Port of this machine to listen on; 0 takes a free one
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub port: u16,
+
+    /// Do not open the browser
+    #[arg(long)]
+    pub no_open: bool,
 }
 
 #[derive(Debug, Clone, Copy, ValueEnum)]

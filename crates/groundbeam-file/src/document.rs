@@ -37,6 +37,8 @@ pub struct Document {
     pub cases: Vec<Option<String>>,
     /// The trains that pass over the beam, each alone.
     pub trains: Vec<MovingTrain>,
+    /// Every quantity of the file, in the order of the text: what a program changes to change the model.
+    pub quantities: Vec<Quantity>,
     pub(crate) recipes: Vec<Recipe>,
     pub(crate) source: Source,
     pub(crate) places: Places,
@@ -55,6 +57,19 @@ pub struct MovingTrain {
     pub train: Train,
     /// From where to where its first axle goes \[m\].
     pub range: [f64; 2],
+}
+
+/// A number of the file, perhaps with its unit, where it stands.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Quantity {
+    /// What it stands under: `k`, `at`, `E`, …
+    pub key: String,
+    /// Its bytes, with the quotes around a number that has a unit.
+    pub span: Range<usize>,
+    /// The bytes of the number alone.
+    pub number: Range<usize>,
+    /// What the number counts, in SI units; 1 where it has no unit.
+    pub unit: f64,
 }
 
 impl Document {

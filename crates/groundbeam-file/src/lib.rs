@@ -65,7 +65,7 @@ pub use cases::parse_cases;
 pub use code::{CODES, Code};
 pub use combination::{Combination, LoadCase};
 pub use diagnostic::{Diagnostic, Diagnostics, Related, Severity};
-pub use document::{Document, MovingTrain};
+pub use document::{Document, MovingTrain, Quantity};
 pub use materials::{Material, materials};
 pub use positions::parse_positions;
 pub use sets::{CombinationSet, combination_sets};
@@ -126,6 +126,7 @@ fn parse_in(text: &str, folder: Option<&Path>) -> Result<Document, Diagnostics> 
             }
         }
     }
+    let quantities = reader.located();
     let Reader { found, places, .. } = reader;
     if found.is_empty() {
         let Ground { bed, width, band, .. } = ground;
@@ -139,6 +140,7 @@ fn parse_in(text: &str, folder: Option<&Path>) -> Result<Document, Diagnostics> 
             cases,
             recipes,
             trains,
+            quantities,
             units,
             source,
             places,

@@ -1,9 +1,12 @@
 //! A file gives every quantity a unit, or none.
 
 use crate::code;
+use crate::document::Quantity;
 use crate::fault::Fault;
+use crate::number::Decimal;
 use crate::quantity::Kind;
 use crate::reader::Reader;
+use crate::unit::Unit;
 use std::ops::Range;
 
 /// How a file writes its quantities, and so how results are to be written.
@@ -40,7 +43,30 @@ pub(crate) struct Seen {
     pub span: Range<usize>,
 }
 
+impl Seen {
+    /// Where its number stands and what it counts; none if it is written in a way that hides it.
+    fn located(&self, text: &str) -> Option<Quantity> {
+        let written = text.get(self.span.clone())?;
+        let inner = written.trim_matches(['"', '\'']);
+        let start = self.span.start + written.find(inner)? + inner.len() - inner.trim_start().len();
+        let (_, length) = Decimal::read(inner.trim())?;
+        let unit = inner.trim()[length..].trim();
+        let one = if unit.is_empty() { 1.0 } else { Unit::read(unit).ok()?.scale.to_f64() };
+        let (key, span) = (self.key.clone(), self.span.clone());
+        Some(Quantity { key, span, number: start..start + length, unit: one })
+    }
+}
+
 impl Reader<'_> {
+    /// Every quantity that was read, in the order of the text.
+    pub fn located(&self) -> Vec<Quantity> {
+        let all = self.quantities.iter().filter_map(|seen| seen.located(&self.source.text));
+        let mut all: Vec<Quantity> = all.collect();
+        all.sort_by_key(|quantity| quantity.span.start);
+        all.dedup_by_key(|quantity| quantity.span.start);
+        all
+    }
+
     /// Which of the two the file is; a mixture is reported at the first of the fewer.
     pub fn unit_system(&mut self) -> UnitSystem {
         let mut seen = std::mem::take(&mut self.quantities);
@@ -74,6 +100,7 @@ impl Reader<'_> {
             let fault = Fault::new(code::MIXED, odd.span.clone(), message, label, hint);
             self.report_with(fault, usual.span.clone(), other);
         }
+        self.quantities = seen;
         if with > 0 { UnitSystem::Si } else { UnitSystem::Plain }
     }
 }

@@ -2,10 +2,10 @@
 
 use ttf_parser::Face;
 
-/// Inter, SIL Open Font License 1.1; see `fonts/README.md`.
-pub(crate) const REGULAR: &[u8] = include_bytes!("../fonts/Inter-Regular.ttf");
-/// The same, semi-bold.
-pub(crate) const SEMI_BOLD: &[u8] = include_bytes!("../fonts/Inter-SemiBold.ttf");
+/// Inter in its regular weight, a TrueType file; SIL Open Font License 1.1, see `fonts/README.md`.
+pub const REGULAR: &[u8] = include_bytes!("../fonts/Inter-Regular.ttf");
+/// The same in semi-bold, for headings.
+pub const SEMI_BOLD: &[u8] = include_bytes!("../fonts/Inter-SemiBold.ttf");
 /// What an SVG asks for; all but the first are for viewers that lack it.
 pub(crate) const FAMILY: &str = "Inter, 'Helvetica Neue', Arial, sans-serif";
 

@@ -45,6 +45,7 @@ mod trains;
 mod verdict;
 
 pub mod csv;
+pub mod fonts;
 pub mod html;
 pub mod json;
 pub mod png;

@@ -121,6 +121,16 @@ impl Canvas {
         self.body.push_str("</g>\n");
     }
 
+    /// Another drawing as one group that has attributes of its own.
+    pub fn group(&mut self, other: &Canvas, attributes: &str) {
+        let [top, bottom] = other.reach();
+        self.reserve(top);
+        self.reserve(bottom);
+        let _ = writeln!(self.body, "<g {attributes}>");
+        self.body.push_str(&other.body);
+        self.body.push_str("</g>\n");
+    }
+
     /// The whole file, from y = 0.
     pub fn finish(self, width: f64, height: f64, title: &str) -> String {
         let [width, height] = [width, height].map(number);

@@ -88,11 +88,11 @@ impl Diagram<'_> {
         let mut canvas = Canvas::new();
         let [low, high] = self.range();
         let unit = self.units.unit(self.kind, low.abs().max(high.abs()));
-        self.title(&mut canvas, unit, metrics);
+        self.title(&mut canvas, frame, unit, metrics);
         let is_empty = low == high && self.forces.is_empty();
         let height = if is_empty { EMPTY } else { HEIGHT };
-        let page =
-            Rect { left: LEFT + 2.0, top: TOP, right: frame.width - 4.0, bottom: TOP + height };
+        let (left, right) = (LEFT + 2.0, frame.width - 4.0);
+        let page = Rect { left, top: TOP, right, bottom: TOP + height };
         let mut labels = Labels::new(metrics, page);
 
         let scale = Scale::new([low, high], self.downward, height);
@@ -111,13 +111,17 @@ impl Diagram<'_> {
         all.fold([0.0, 0.0], |[low, high], &(_, v)| [low.min(v), high.max(v)])
     }
 
-    fn title(&self, canvas: &mut Canvas, unit: Unit, metrics: &Metrics) {
+    fn title(&self, canvas: &mut Canvas, frame: &Frame, unit: Unit, metrics: &Metrics) {
         let title = format!("{}{}", self.title, unit.bracketed());
         canvas.text([LEFT, 0.0], Anchor::Start, PANEL_TITLE, &title);
         // The title is semi-bold, a little wider than it is measured.
         let x = LEFT + 1.06 * metrics.width(&title, PANEL_TITLE.size) + 12.0;
         let is_empty = self.range() == [0.0, 0.0] && self.forces.is_empty();
         let note = if is_empty { "zero everywhere" } else { self.note };
+        // On a narrow page only as much of it as there is room for.
+        let first = note.split(';').next().unwrap_or_default();
+        let fits = |words: &&str| x + metrics.width(words, NOTE.size) <= frame.width - 4.0;
+        let note = [note, first].into_iter().find(fits).unwrap_or_default();
         canvas.text([x, 0.0], Anchor::Start, NOTE, note);
     }
 

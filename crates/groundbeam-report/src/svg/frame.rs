@@ -39,6 +39,11 @@ impl Frame {
         Frame { width: NARROW, ..Frame::of(model) }
     }
 
+    /// The same on a page of another width.
+    pub fn on_page(self, width: f64) -> Self {
+        Frame { width, ..self }
+    }
+
     /// Where panels end.
     pub fn right(&self) -> f64 {
         self.width - BESIDE

@@ -16,7 +16,9 @@ mod sketch;
 mod style;
 mod supports;
 mod system;
+mod tipping;
 mod train;
+mod view;
 
 use crate::characteristics::Characteristics;
 use crate::context::Context;
@@ -30,7 +32,9 @@ use frame::{Frame, LEFT, WIDTH};
 use groundbeam::{Field, Solution};
 use samples::Samples;
 use style::{FAINT_INK, NOTE, TICK, TITLE};
+pub use tipping::tipping;
 pub use train::trains;
+pub use view::{Grip, Handle, View, view};
 
 /// Edges of contact beyond this many are not marked in the diagrams.
 const MOST_EDGES: usize = 40;

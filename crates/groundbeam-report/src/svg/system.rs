@@ -16,9 +16,9 @@ use groundbeam::{Acts, Field, Fields, GroundEnd, Model, Side, Solution, SupportK
 /// How far apart the highest and the lowest point of beam and ground are drawn.
 const DEPTH: f64 = 92.0;
 /// The beam's drawn thickness.
-const THICKNESS: f64 = 8.0;
+pub(super) const THICKNESS: f64 = 8.0;
 /// Ground drawn below its lowest point.
-const BELOW: f64 = 40.0;
+pub(super) const BELOW: f64 = 40.0;
 /// Lift-off stretches whose gap is written out.
 const MOST_GAPS: usize = 8;
 /// Leading digits of a round exaggeration.
@@ -63,7 +63,7 @@ pub(super) fn draw(
 }
 
 /// Page units for one unit of deflection, so that the exaggeration is a round number; 0 if nothing moves.
-fn vertical_scale(solution: &Solution, frame: &Frame, samples: &Samples) -> f64 {
+pub(super) fn vertical_scale(solution: &Solution, frame: &Frame, samples: &Samples) -> f64 {
     let largest = |field| {
         let range = solution.range(field);
         [range.min, range.max].map(|extreme| samples.sizes.extreme(field, extreme).value)
@@ -159,7 +159,7 @@ impl Picture<'_> {
                 self.canvas.line([x, top], [x, bottom], &wall);
             }
         }
-        self.labels.avoid(Rect::around([0.0, bottom], [self.frame.width, bottom + 1e3], 0.0));
+        self.labels.avoid(Rect::around([0.0, bottom], [frame.width, bottom + 1e3], 0.0));
         // Where the beam's underside was before loading.
         let dashes = format!(r#"stroke="{FAINT_INK}" stroke-width="0.8" stroke-dasharray="5 4""#);
         self.canvas.line([left, 0.0], [right, 0.0], &dashes);
@@ -307,8 +307,6 @@ impl Picture<'_> {
 
     fn with_title(mut self) -> Canvas {
         let [top, _] = self.canvas.reach();
-        let y = top - 16.0;
-        self.canvas.text([LEFT, y], Anchor::Start, PANEL_TITLE, "Beam and ground");
         let mut notes = Vec::new();
         if self.scale > 0.0 {
             let times = printed(&significant(self.scale / self.frame.scale(), 2));
@@ -321,23 +319,36 @@ impl Picture<'_> {
         }
         let x = LEFT + 1.06 * self.labels.width("Beam and ground", PANEL_TITLE.size) + 12.0;
         let note = notes.join("; ");
+        let end = x + self.labels.width(&note, NOTE.size) + 24.0;
+        let legend = self.legend();
+        let width: f64 = legend.iter().map(|(_, _, words)| self.entry_width(words)).sum();
+        // On a narrow page the legend has a line of its own.
+        let has_room = end + width <= self.frame.right() + 18.0;
+        let (y, place) = if has_room {
+            (top - 16.0, [end, top - 16.0])
+        } else {
+            (top - 34.0, [LEFT, top - 16.0])
+        };
+        self.canvas.text([LEFT, y], Anchor::Start, PANEL_TITLE, "Beam and ground");
         self.canvas.text([x, y], Anchor::Start, NOTE, &note);
-        self.legend([x + self.labels.width(&note, NOTE.size) + 24.0, y]);
-        self.canvas
-    }
-
-    fn legend(&mut self, [mut x, y]: [f64; 2]) {
-        let mut entry = |colour: &str, height: f64, words: &str| {
+        let [mut x, y] = place;
+        for (colour, height, words) in legend {
             let look = format!(r#"fill="{colour}""#);
             self.canvas.rect([x, y - 4.0 - 0.5 * height], [18.0, height], &look);
             self.canvas.text([x + 23.0, y], Anchor::Start, NOTE, words);
-            x += 23.0 + self.labels.width(words, NOTE.size) + 18.0;
-        };
-        if !self.solution.contact().is_empty() {
-            entry(PRESSURE, 3.0, "contact");
+            x += self.entry_width(words);
         }
-        if !self.solution.lift_off().is_empty() {
-            entry(GAP, 9.0, "lift-off");
-        }
+        self.canvas
+    }
+
+    fn entry_width(&self, words: &str) -> f64 {
+        23.0 + self.labels.width(words, NOTE.size) + 18.0
+    }
+
+    /// Colours, how high they are shown, and what they mean.
+    fn legend(&self) -> Vec<(&'static str, f64, &'static str)> {
+        let contact = (!self.solution.contact().is_empty()).then_some((PRESSURE, 3.0, "contact"));
+        let lift_off = (!self.solution.lift_off().is_empty()).then_some((GAP, 9.0, "lift-off"));
+        contact.into_iter().chain(lift_off).collect()
     }
 }

@@ -52,6 +52,40 @@ pub fn solved(solution: &Solution, context: &Context, colour: bool) -> String {
     sheet.finish()
 }
 
+/// Labels and words of what a page shows beside the picture: contact, forces, extremes, checks. An empty label goes
+/// on with the one above.
+pub fn summary(solution: &Solution, context: &Context) -> Vec<(String, String)> {
+    let mut sheet = Sheet::new(false);
+    let (units, sizes) = (context.units, Sizes::of(solution));
+    contact(&mut sheet, solution, units, &sizes);
+    forces(&mut sheet, solution, units, &sizes);
+    for field in Field::ALL {
+        let range = solution.range(field);
+        let (min, max) = (sizes.extreme(field, range.min), sizes.extreme(field, range.max));
+        let unit = units.unit(Kind::of(field), min.value.abs().max(max.value.abs()));
+        let [low, high] = [min, max].map(|extreme| {
+            format!("{} at {}", unit.write(extreme.value, 6), units.position(extreme.x))
+        });
+        let words = if min.value == max.value {
+            format!("{} everywhere", unit.write(max.value, 6))
+        } else {
+            format!("from {low} to {high}")
+        };
+        sheet.row(label(field), &words);
+    }
+    checks::rows(&mut sheet, solution, context);
+    sheet.into_rows()
+}
+
+/// Motion and remedy of a model without an equilibrium, as labels and words.
+pub fn failing(model: &Model, existence: &Existence, context: &Context) -> Vec<(String, String)> {
+    let Verdict::None(motion) = existence.verdict else { return Vec::new() };
+    let row = |label: &str, words: String| (label.to_owned(), words);
+    let remedy = verdict::remedy(motion, context.units).map(|words| row("Remedy", words));
+    let motion = row("Motion", verdict::motion(model, motion, context.units));
+    [motion].into_iter().chain(remedy).collect()
+}
+
 /// What the statics say of a model: the verdict alone, for an equilibrium that was not asked for or that
 /// does not exist.
 pub fn existence(model: &Model, existence: &Existence, context: &Context, colour: bool) -> String {

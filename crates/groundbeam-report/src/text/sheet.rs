@@ -71,6 +71,15 @@ impl Sheet {
         text
     }
 
+    /// The rows alone, for a page that has a layout of its own.
+    pub fn into_rows(self) -> Vec<(String, String)> {
+        let row = |entry: Entry| match entry {
+            Entry::Row { label, words, .. } => Some((label, words)),
+            _ => None,
+        };
+        self.entries.into_iter().filter_map(row).collect()
+    }
+
     pub fn blank(&mut self) {
         self.entries.push(Entry::Blank);
     }

@@ -1,0 +1,267 @@
+// The page: one text, one picture of it, and controls that change the text. The program behind it solves and draws.
+
+import { Picture } from "./picture.js";
+import { keep, packed, unpacked } from "./share.js";
+import { sliders } from "./sliders.js";
+import { Text } from "./text.js";
+
+const the = (id) => document.getElementById(id);
+const note = (words) => {
+  the("note").textContent = words;
+};
+
+let name = "model";
+/// What of the file is looked at.
+const choice = { combination: null, train: 0, firstAxle: null };
+/// The last answer, and the text it belongs to.
+let shown = null;
+let wanted = false;
+let asking = false;
+
+const text = new Text(() => {
+  the("undo").disabled = !text.canUndo;
+  the("redo").disabled = !text.canRedo;
+  look();
+});
+const picture = new Picture({ begin, position, move, grow });
+
+function query(more = {}) {
+  const asked = new URLSearchParams(more);
+  if (choice.combination) asked.set("combination", choice.combination);
+  if (choice.train !== null) {
+    asked.set("train", choice.train);
+    if (choice.firstAxle !== null) asked.set("first_axle", choice.firstAxle);
+  }
+  return asked;
+}
+
+const post = (address, body) =>
+  fetch(address, { method: "POST", headers: { "Content-Type": "application/toml" }, body });
+
+/// One question at a time; of those that come up meanwhile only the last one is asked.
+async function look() {
+  wanted = true;
+  document.body.dataset.state = "waiting";
+  if (asking) return;
+  asking = true;
+  while (wanted) {
+    wanted = false;
+    const asked = text.value;
+    try {
+      const answer = await (await post(`/api/view?${query({ width: picture.width })}`, asked)).json();
+      show(answer, asked);
+    } catch {
+      verdict("Nobody answers", "the program behind this page has ended; start `groundbeam serve` again", "wrong");
+    }
+  }
+  asking = false;
+  document.body.dataset.state = "settled";
+}
+
+function verdict(head, words, state) {
+  const bold = document.createElement("b");
+  bold.textContent = `${head}: `;
+  the("verdict").replaceChildren(bold, words);
+  document.body.classList.toggle("wrong", state === "wrong");
+  document.body.classList.toggle("lost", state === "lost");
+}
+
+function show(answer, asked) {
+  if (answer.status === "refused" || answer.status === "wrong-model") {
+    if (choice.combination && answer.message?.includes("no combination is called")) {
+      choice.combination = null;
+      wanted = true;
+      return;
+    }
+    const faults = answer.diagnostics ?? [];
+    const first = faults[0];
+    const words = first ? `line ${first.line}: ${first.message}` : answer.message;
+    verdict("The model file is wrong", words, "wrong");
+    text.show(faults);
+    return;
+  }
+  const wasLost = document.body.classList.contains("lost");
+  shown = { ...answer, text: asked, document: JSON.parse(answer.document) };
+  text.show([]);
+  const heads = { solved: "In equilibrium", "no-equilibrium": "No equilibrium", "not-converged": "No answer" };
+  const states = { solved: "right", "no-equilibrium": "lost", "not-converged": "wrong" };
+  verdict(heads[answer.status], answer.sentence, states[answer.status]);
+  if (answer.picture?.svg) picture.show(answer.picture, answer.length, answer.has_units);
+  if (answer.status === "no-equilibrium" && !wasLost) picture.tip();
+  the("hint").hidden = !answer.picture?.handles.length;
+  results(answer.rows);
+  the("report").textContent = answer.report;
+  document.title = answer.title ? `${answer.title}: groundbeam` : "groundbeam";
+  choices(answer);
+  sliders(shown, { begin, set: setNumber, replace });
+}
+
+function results(rows) {
+  const cell = (kind, words) => Object.assign(document.createElement(kind), { textContent: words });
+  the("results").tBodies[0].replaceChildren(
+    ...rows.map(([label, words]) => {
+      const row = document.createElement("tr");
+      row.append(cell("th", label), cell("td", words));
+      return row;
+    }),
+  );
+}
+
+/// Combinations and trains, where the file has some.
+function choices({ combinations, trains, has_units: hasUnits }) {
+  const fill = (select, entries, chosen) => {
+    const made = entries.map(([value, words]) => new Option(words, value, false, value === chosen));
+    if (JSON.stringify(entries) !== select.dataset.entries) {
+      select.replaceChildren(...made);
+      select.dataset.entries = JSON.stringify(entries);
+    }
+    select.value = chosen;
+  };
+  if (choice.combination && !combinations.includes(choice.combination)) choice.combination = null;
+  if (combinations.length > 0 && choice.combination === null) {
+    choice.combination = combinations[0];
+    wanted = true;
+  }
+  fill(
+    the("combination"),
+    [["", `all ${combinations.length}: the envelope`], ...combinations.map((name) => [name, name])],
+    choice.combination ?? "",
+  );
+  const onWay = trains.map((train, i) => [`${i}`, `${train.name}, at one position`]);
+  fill(the("train"), [...onWay, ["", "all positions: the envelope"]], choice.train === null ? "" : `${choice.train}`);
+  const train = trains[choice.train];
+  the("combination-choice").hidden = combinations.length === 0;
+  the("train-choice").hidden = trains.length === 0;
+  the("axle-choice").hidden = !train;
+  the("choices").hidden = combinations.length + trains.length === 0;
+  if (!train) return;
+  const at = Math.min(train.to, Math.max(train.from, choice.firstAxle ?? 0.5 * (train.from + train.to)));
+  const axle = the("axle");
+  axle.value = Math.round((1000 * (at - train.from)) / (train.to - train.from));
+  const words = `${Number(at.toPrecision(4))}${hasUnits ? " m" : ""}`;
+  axle.setAttribute("aria-valuetext", words);
+  the("axle-at").textContent = words;
+}
+
+let latest = null;
+
+/// A gesture changes some numbers of the text as it was when it began; none while the answer to a text that was typed
+/// is waited for. One that follows before the last one is answered goes on with it.
+function begin() {
+  if (shown?.text === text.value) {
+    latest = { text: shown.text, numbers: shown.numbers, edits: new Map() };
+  } else if (latest?.now !== text.value) {
+    return null;
+  }
+  return latest;
+}
+
+/// Other words between two places of the text that the gesture began with.
+function replace(gesture, from, to, words) {
+  gesture.edits.set(from, { from, to, words });
+  const backward = [...gesture.edits.values()].sort((a, b) => b.from - a.from);
+  gesture.now = backward.reduce((made, edit) => made.slice(0, edit.from) + edit.words + made.slice(edit.to), gesture.text);
+  text.set(gesture.now, gesture);
+}
+
+function setNumber(gesture, index, value) {
+  const { from, to } = gesture.numbers[index];
+  replace(gesture, from, to, `${value}`);
+}
+
+function valueOf(gesture, index) {
+  const { from, to } = gesture.numbers[index];
+  const words = gesture.edits.get(from)?.words ?? gesture.text.slice(from, to);
+  return Number(words.replaceAll("_", "").replace("\u2212", "-"));
+}
+
+function position(gesture, handle) {
+  return valueOf(gesture, handle.position) * gesture.numbers[handle.position].size;
+}
+
+function move(gesture, handle, x) {
+  setNumber(gesture, handle.position, Number((x / gesture.numbers[handle.position].size).toPrecision(10)));
+}
+
+function grow(gesture, handle, factor) {
+  if (handle.size === null) return;
+  setNumber(gesture, handle.size, Number((valueOf(gesture, handle.size) * factor).toPrecision(4)));
+}
+
+function open(model) {
+  Object.assign(choice, { combination: null, train: 0, firstAxle: null });
+  name = model.name.replace(/\.toml$/, "").replace(/[^\w.-]+/g, "-") || "model";
+  text.set(model.text);
+}
+
+async function download(form) {
+  note("");
+  if (form === "toml") return keep(new Blob([text.value], { type: "application/toml" }), `${name}.toml`);
+  const answer = await post(`/api/file/${form}?${query()}`, text.value);
+  if (!answer.ok) return note((await answer.json()).message);
+  keep(await answer.blob(), `${name}.${form}`);
+}
+
+async function share() {
+  history.replaceState(null, "", await packed(text.value));
+  try {
+    await navigator.clipboard.writeText(location.href);
+    note("address copied");
+  } catch {
+    note("the address above holds the model now");
+  }
+}
+
+async function fromAddress() {
+  try {
+    const model = await unpacked(location.hash);
+    if (model !== null) open({ name: "model", text: model });
+    return model !== null;
+  } catch (error) {
+    note(`the model in this address cannot be read: ${error.message}`);
+    return false;
+  }
+}
+
+async function start() {
+  const { start, examples } = await (await fetch("/api/start")).json();
+  the("examples").append(new Option("…", ""), ...examples.map(({ name }, i) => new Option(name, i)));
+  the("examples").addEventListener("change", ({ target }) => {
+    if (target.value !== "") open(examples[target.value]);
+    target.value = "";
+  });
+  if (!(await fromAddress())) open(start ?? examples[0]);
+}
+
+the("undo").addEventListener("click", () => text.undo());
+the("redo").addEventListener("click", () => text.redo());
+the("share").addEventListener("click", share);
+the("downloads").addEventListener("click", ({ target }) => target.dataset.form && download(target.dataset.form));
+the("combination").addEventListener("change", ({ target }) => {
+  choice.combination = target.value;
+  look();
+});
+the("train").addEventListener("change", ({ target }) => {
+  choice.train = target.value === "" ? null : Number(target.value);
+  look();
+});
+the("axle").addEventListener("input", ({ target }) => {
+  const { from, to } = shown.trains[choice.train];
+  choice.firstAxle = from + ((to - from) * target.value) / 1000;
+  look();
+});
+document.addEventListener("keydown", (event) => {
+  if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
+  const key = event.key.toLowerCase();
+  if (key !== "z" && key !== "y") return;
+  event.preventDefault();
+  if (key === "y" || event.shiftKey) text.redo();
+  else text.undo();
+});
+window.addEventListener("hashchange", fromAddress);
+let resized = 0;
+window.addEventListener("resize", () => {
+  clearTimeout(resized);
+  resized = setTimeout(look, 150);
+});
+start();

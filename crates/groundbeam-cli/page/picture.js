@@ -1,0 +1,137 @@
+// The picture, drawn by the program, and the handles that lie over it.
+
+const SVG = "http://www.w3.org/2000/svg";
+
+const element = (name, attributes = {}) => {
+  const made = document.createElementNS(SVG, name);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+  return made;
+};
+
+export class Picture {
+  #drawing = document.getElementById("drawing");
+  #grips = element("svg", { class: "grips" });
+  #shown = null;
+  #held = null;
+  #edits;
+
+  /// `edits` changes the text: it begins a gesture, tells the position of a handle in it, moves it, makes it larger.
+  constructor(edits) {
+    this.#edits = edits;
+    this.#drawing.append(this.#grips);
+    this.#grips.addEventListener("pointermove", (event) => this.#drag(event));
+    for (const end of ["pointerup", "pointercancel"]) {
+      this.#grips.addEventListener(end, (event) => this.#release(event));
+    }
+  }
+
+  get width() {
+    return this.#drawing.clientWidth;
+  }
+
+  show(picture, length, hasUnits) {
+    this.#shown = { ...picture, length, hasUnits };
+    const parsed = new DOMParser().parseFromString(picture.svg, "image/svg+xml").documentElement;
+    const drawn = document.importNode(parsed, true);
+    drawn.removeAttribute("width");
+    drawn.removeAttribute("height");
+    // The handles stay where they are: taken out and put back they would lose focus and hold.
+    const before = this.#drawing.querySelector("svg:not(.grips)");
+    if (before) before.replaceWith(drawn);
+    else this.#drawing.prepend(drawn);
+    this.#grips.setAttribute("viewBox", drawn.getAttribute("viewBox"));
+    picture.handles.forEach((handle, i) => this.#place(handle, i));
+    while (this.#grips.children.length > picture.handles.length) this.#grips.lastChild.remove();
+  }
+
+  /// The beam begins where it lay, and goes where it is drawn.
+  tip() {
+    const moves = this.#drawing.querySelector(".moves[data-still]");
+    if (!moves || matchMedia("(prefers-reduced-motion: reduce)").matches) return;
+    const lying = { transform: moves.dataset.still, transformOrigin: "0 0" };
+    moves.animate([lying, { transform: "matrix(1, 0, 0, 1, 0, 0)", transformOrigin: "0 0" }], {
+      duration: 900,
+      easing: "cubic-bezier(.45, 0, .9, .6)",
+    });
+  }
+
+  /// Elements stay where they are while pictures change, or a drag would lose its hold.
+  #place(handle, i) {
+    let grip = this.#grips.children[i];
+    if (!grip) {
+      grip = element("g", { class: "grip", tabindex: "0", role: "slider" });
+      grip.append(element("circle", { r: "15" }));
+      grip.addEventListener("pointerdown", (event) => this.#take(event, i));
+      grip.addEventListener("keydown", (event) => this.#key(event, i));
+      this.#grips.append(grip);
+    }
+    const unit = this.#shown.hasUnits ? " m" : "";
+    const attributes = {
+      transform: `translate(${handle.x} ${handle.y})`,
+      "aria-label": handle.name,
+      "aria-valuemin": 0,
+      "aria-valuemax": this.#shown.length,
+      "aria-valuenow": handle.at,
+      "aria-valuetext": `at ${Number(handle.at.toPrecision(5))}${unit}`,
+    };
+    for (const [key, value] of Object.entries(attributes)) grip.setAttribute(key, value);
+  }
+
+  #at(event) {
+    const box = this.#grips.getBoundingClientRect();
+    return ((event.clientX - box.left) * this.#shown.width) / box.width;
+  }
+
+  #take(event, i) {
+    const handle = this.#shown.handles[i];
+    const gesture = this.#edits.begin();
+    if (!gesture) return;
+    // Where it is taken, relative to where it stands.
+    this.#held = { i, gesture, handle, off: this.#at(event) - handle.x };
+    this.#grips.setPointerCapture(event.pointerId);
+    this.#grips.children[i].classList.add("held");
+    this.#grips.children[i].focus();
+    event.preventDefault();
+  }
+
+  #drag(event) {
+    if (!this.#held) return;
+    const { gesture, handle, off } = this.#held;
+    const { left, scale } = this.#shown;
+    this.#edits.move(gesture, handle, this.#rounded((this.#at(event) - off - left) / scale));
+  }
+
+  #release() {
+    if (!this.#held) return;
+    this.#grips.children[this.#held.i]?.classList.remove("held");
+    this.#held = null;
+  }
+
+  /// A round number near x, as fine as the screen.
+  #rounded(x) {
+    const { length, width, scale } = this.#shown;
+    const pixel = width / (this.#grips.getBoundingClientRect().width || width) / scale;
+    const power = 10 ** Math.floor(Math.log10(pixel));
+    const step = [1, 2, 5, 10].map((lead) => lead * power).find((s) => s >= pixel);
+    return Math.min(length, Math.max(0, Number((Math.round(x / step) * step).toPrecision(12))));
+  }
+
+  #key(event, i) {
+    const { length } = this.#shown;
+    const fine = event.shiftKey ? 0.001 : 0.01;
+    const moves = { ArrowLeft: -fine, ArrowRight: fine, Home: -1, End: 1 };
+    const grows = { ArrowUp: 1.05, ArrowDown: 1 / 1.05 };
+    const handle = this.#shown.handles[i];
+    if (!(event.key in moves) && !(event.key in grows)) return;
+    event.preventDefault();
+    const gesture = this.#edits.begin();
+    if (!gesture) return;
+    if (event.key in moves) {
+      const at = this.#edits.position(gesture, handle);
+      const x = Math.min(length, Math.max(0, at + moves[event.key] * length));
+      this.#edits.move(gesture, handle, Number(x.toPrecision(8)));
+    } else {
+      this.#edits.grow(gesture, handle, grows[event.key]);
+    }
+  }
+}

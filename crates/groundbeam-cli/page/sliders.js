@@ -1,0 +1,153 @@
+// A slider and a field for every number of the model file.
+
+const MOST = 60;
+const STEPS = 1000;
+const NAMES = {
+  mu: "μ",
+  axial_force: "P, axial force",
+  subgrade_modulus: "subgrade modulus",
+  rotational_spring: "rotational spring",
+  distributed_moment: "spread moment",
+  distributed: "spread load",
+  point: "force",
+  unit_weight: "unit weight",
+};
+const POSITIONS = ["at", "from", "to"];
+/// May not be negative or zero.
+const POSITIVE = ["length", "E", "I", "EI", "k", "subgrade_modulus", "C1", "width", "height"];
+
+/// Ranges stay as they are while a slider moves, or it would run away from the pointer.
+const ranges = new Map();
+let signature = "";
+let rows = [];
+let edits = null;
+let shown = null;
+
+export function sliders(answer, made) {
+  shown = answer;
+  edits = made;
+  const numbers = answer.numbers.slice(0, MOST);
+  const now = numbers.map((n) => `${n.table}${n.which}${n.key}`).join("|") + addable().join("|");
+  if (now !== signature) {
+    signature = now;
+    build(numbers);
+  }
+  rows.forEach((row, i) => update(row, numbers[i]));
+}
+
+const valueOf = ({ from, to }) => Number(shown.text.slice(from, to).replaceAll("_", "").replace("\u2212", "-"));
+
+/// What the file leaves out and often wants.
+function addable() {
+  const has = (table, key) => shown.numbers.some((n) => n.table === table && n.key === key);
+  const wants = [];
+  if (!has("[beam]", "axial_force")) wants.push("axial_force");
+  const soil = shown.numbers.some((n) => n.table === "[foundation.soil]");
+  if (!has("[foundation]", "mu") && !has("[foundation]", "C2") && !soil) wants.push("mu");
+  return wants;
+}
+
+function build(numbers) {
+  const groups = new Map();
+  rows = numbers.map((number, i) => {
+    const group = `${number.table}${number.which > 0 ? ` ${number.which}` : ""}`;
+    if (!groups.has(group)) {
+      const set = document.createElement("fieldset");
+      const legend = document.createElement("legend");
+      legend.textContent = group;
+      set.append(legend);
+      groups.set(group, set);
+    }
+    const row = document.createElement("div");
+    row.className = "number";
+    const label = document.createElement("span");
+    label.textContent = NAMES[number.key] ?? number.key;
+    const slider = Object.assign(document.createElement("input"), { type: "range", min: 0, max: STEPS, step: "any" });
+    const field = Object.assign(document.createElement("input"), { type: "text", spellcheck: false });
+    for (const input of [slider, field]) input.setAttribute("aria-label", `${group} ${label.textContent}`);
+    slider.dataset.key = `${number.table}${number.which || ""}.${number.key}`;
+    let gesture = null;
+    slider.addEventListener("input", () => {
+      gesture ??= edits.begin();
+      if (gesture) edits.set(gesture, i, from(slider.value / STEPS, ranges.get(slider.dataset.key)));
+    });
+    for (const end of ["change", "blur"]) {
+      slider.addEventListener(end, () => {
+        gesture = null;
+      });
+    }
+    field.addEventListener("change", () => typed(field, i));
+    row.append(label, slider, field);
+    groups.get(group).append(row);
+    return { slider, field, isHeld: () => gesture !== null };
+  });
+  for (const key of addable()) {
+    const group = groups.get(key === "mu" ? "[foundation]" : "[beam]");
+    if (group) group.append(adder(key));
+  }
+  document.getElementById("sliders").replaceChildren(...groups.values());
+}
+
+/// Writes a quantity that was left out, as zero, below the heading of its table.
+function adder(key) {
+  const button = document.createElement("button");
+  button.textContent = key === "mu" ? "add μ, a shear layer" : "add P, an axial force";
+  button.addEventListener("click", () => {
+    const gesture = edits.begin();
+    const heading = key === "mu" ? /^\[foundation\][^\n]*\n/m : /^\[beam\][^\n]*\n/m;
+    const found = gesture && heading.exec(gesture.text);
+    if (!found) return;
+    const at = found.index + found[0].length;
+    edits.replace(gesture, at, at, `${key} = ${shown.has_units ? '"0 kN"' : "0"}\n`);
+  });
+  return button;
+}
+
+/// What was typed takes the place of number and unit, right or wrong.
+function typed(field, i) {
+  const gesture = edits.begin();
+  if (!gesture) return;
+  const { from, to, unit } = gesture.numbers[i];
+  const end = unit === "" ? to : gesture.text.indexOf(unit, to) + unit.length;
+  edits.replace(gesture, from, end, field.value.trim());
+}
+
+function update({ slider, field, isHeld }, number) {
+  const value = valueOf(number);
+  const key = slider.dataset.key;
+  let range = ranges.get(key);
+  if (!range || range.unit !== number.unit || value < range.low || value > range.high) {
+    range = rangeOf(number, value);
+    ranges.set(key, range);
+  }
+  if (!isHeld()) slider.value = STEPS * to(value, range);
+  const words = [shown.text.slice(number.from, number.to), number.unit].filter(Boolean).join(" ");
+  slider.setAttribute("aria-valuetext", words);
+  if (document.activeElement !== field) field.value = words;
+}
+
+function rangeOf({ key, unit, size, table }, value) {
+  if (POSITIONS.includes(key) && !table.startsWith("[[train")) {
+    return { unit, low: 0, high: Math.max(shown.length / size, value) };
+  }
+  if (POSITIVE.includes(key) && value > 0) return { unit, low: value / 10, high: value * 10, log: true };
+  if (value === 0) {
+    const force = Math.abs(shown.document.characteristics?.resultant?.force ?? 0) / size;
+    const high = key === "at" ? shown.length / size : 5 * force || 100;
+    return { unit, low: key === "mu" ? 0 : -high, high };
+  }
+  const high = 3 * Math.abs(value);
+  const signed = ["point", "moment", "axial_force", "distributed", "distributed_moment"].includes(key);
+  return { unit, low: signed ? -high : 0, high };
+}
+
+const to = (value, { low, high, log }) =>
+  log ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low || 1);
+
+/// As many digits as a slider has steps.
+function from(share, { low, high, log }) {
+  if (log) return Number((low * (high / low) ** share).toPrecision(3));
+  const value = low + share * (high - low);
+  const step = 10 ** Math.floor(Math.log10((high - low) / 200));
+  return Number((Math.round(value / step) * step).toPrecision(8));
+}

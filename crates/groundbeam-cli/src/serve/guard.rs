@@ -1,0 +1,81 @@
+//! Who may ask: programs on this machine, and the page that came from here.
+//!
+//! A browser sends requests of foreign pages too, and a foreign name may be made to mean this machine (DNS
+//! rebinding). Both give themselves away: by `Origin`, and by `Host`.
+
+use super::routes::LONGEST;
+use super::wrong::refusal;
+use axum::extract::{Request, State};
+use axum::http::header::{
+    CACHE_CONTROL, CONTENT_LENGTH, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HOST, HeaderName, ORIGIN,
+    REFERRER_POLICY, X_CONTENT_TYPE_OPTIONS,
+};
+use axum::http::{HeaderValue, Method, StatusCode};
+use axum::middleware::Next;
+use axum::response::Response;
+
+/// Nothing from elsewhere, nothing into elsewhere.
+const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; font-src 'self'; \
+    connect-src 'self'; img-src 'self' data: blob:; base-uri 'none'; form-action 'none'; \
+    frame-ancestors 'none'";
+
+/// What a model file may be sent as; the last two are what programs say of bytes they know nothing about.
+const TYPES: [&str; 4] = [
+    "application/toml",
+    "text/plain",
+    "application/octet-stream",
+    "application/x-www-form-urlencoded",
+];
+
+/// Lets pass what is asked under a name of this machine, by no page of another.
+pub async fn guard(State(port): State<u16>, request: Request, next: Next) -> Response {
+    let mut response = match fault(&request, port) {
+        Some((status, message)) => refusal(status, &message),
+        None => next.run(request).await,
+    };
+    let headers = response.headers_mut();
+    for (name, value) in [
+        (CONTENT_SECURITY_POLICY, POLICY),
+        (X_CONTENT_TYPE_OPTIONS, "nosniff"),
+        (REFERRER_POLICY, "no-referrer"),
+        (CACHE_CONTROL, "no-store"),
+        (HeaderName::from_static("cross-origin-resource-policy"), "same-origin"),
+    ] {
+        headers.insert(name, HeaderValue::from_static(value));
+    }
+    response
+}
+
+fn fault(request: &Request, port: u16) -> Option<(StatusCode, String)> {
+    let header = |name| request.headers().get(name).and_then(|value| value.to_str().ok());
+    let names = [format!("127.0.0.1:{port}"), format!("localhost:{port}")];
+    let is_here = |host: &str| names.iter().any(|name| name.eq_ignore_ascii_case(host));
+    let host = request.uri().authority().map(|a| a.as_str()).or(header(HOST)).unwrap_or_default();
+    // Both, where a request line names a host as well.
+    if !is_here(host) || header(HOST).is_some_and(|host| !is_here(host)) {
+        let message = format!("this is {}, not `{host}`", names[0]);
+        return Some((StatusCode::MISDIRECTED_REQUEST, message));
+    }
+    let origin = request.headers().get(ORIGIN).map(|value| value.to_str().unwrap_or_default());
+    if let Some(origin) = origin
+        && !origin.strip_prefix("http://").is_some_and(is_here)
+    {
+        let message = format!("pages of `{origin}` have no business here");
+        return Some((StatusCode::FORBIDDEN, message));
+    }
+    // Not even waited for.
+    let announced = header(CONTENT_LENGTH).and_then(|length| length.parse::<u64>().ok());
+    if announced.is_some_and(|length| length > LONGEST as u64) {
+        let message = format!("a model file has at most {LONGEST} bytes");
+        return Some((StatusCode::PAYLOAD_TOO_LARGE, message));
+    }
+    let sent = header(CONTENT_TYPE).map(|value| value.split(';').next().unwrap_or_default().trim());
+    if request.method() == Method::POST
+        && let Some(sent) = sent
+        && !TYPES.iter().any(|known| known.eq_ignore_ascii_case(sent))
+    {
+        let message = format!("a model file is sent as application/toml, not as `{sent}`");
+        return Some((StatusCode::UNSUPPORTED_MEDIA_TYPE, message));
+    }
+    None
+}

@@ -1,0 +1,61 @@
+//! `groundbeam serve`: a page on this machine, and the answers behind it.
+
+mod answer;
+mod assets;
+mod browser;
+mod guard;
+mod routes;
+mod view;
+mod written;
+mod wrong;
+
+use crate::Status;
+use crate::failure::Failure;
+use crate::output::print;
+use crate::request::Serve;
+use std::net::Ipv4Addr;
+use std::path::Path;
+use tokio::net::TcpListener;
+
+/// The model that the page begins with.
+#[derive(Debug, Clone)]
+pub struct Start {
+    /// The file's name without its folder.
+    pub name: String,
+    /// Its text, right or wrong.
+    pub text: String,
+}
+
+impl Start {
+    fn read(path: &Path) -> Result<Self, Failure> {
+        let bytes = std::fs::read(path).map_err(|error| Failure::file(path, &error))?;
+        let name = path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
+        Ok(Start { name, text: String::from_utf8_lossy(&bytes).into_owned() })
+    }
+}
+
+/// Listens on the loopback interface alone, until the program is ended.
+pub fn run(request: &Serve) -> Result<Status, Failure> {
+    let start = request.file.as_deref().map(Start::read).transpose()?;
+    let broken = |error: std::io::Error| {
+        let port = request.port;
+        Failure::usage(format!("port {port} of this machine: {error}"))
+    };
+    let runtime = tokio::runtime::Builder::new_multi_thread()
+        .worker_threads(2)
+        .enable_io()
+        .build()
+        .map_err(broken)?;
+    runtime.block_on(async {
+        let listener =
+            TcpListener::bind((Ipv4Addr::LOCALHOST, request.port)).await.map_err(broken)?;
+        let port = listener.local_addr().map_err(broken)?.port();
+        let url = format!("http://127.0.0.1:{port}/");
+        print(&format!("listening on {url}\n"))?;
+        if request.opens_browser {
+            browser::open(&url);
+        }
+        axum::serve(listener, routes::all(start, port)).await.map_err(broken)?;
+        Ok(Status::Done)
+    })
+}

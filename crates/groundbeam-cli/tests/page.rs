@@ -1,0 +1,306 @@
+//! The page of `groundbeam serve` in a real browser.
+
+#[allow(dead_code)]
+mod common;
+#[allow(dead_code)]
+mod served;
+
+use common::Folder;
+use served::Server;
+use served::browser::{Browser, Pointer};
+use std::path::{Path, PathBuf};
+
+/// A footing that presses everywhere, its column in the middle.
+const MIDDLE: &str = "\
+title = \"Footing under one column\"
+
+[beam]
+length = \"12 m\"
+EI = \"1.2e6 kN m^2\"
+
+[foundation]
+k = \"40 MN/m^2\"
+mu = \"9 MN\"
+
+[[load]]
+point = \"600 kN\"          # the column
+at = \"6 m\"
+
+[[load]]
+distributed = \"26 kN/m\"
+";
+
+const HOME: char = '\u{e011}';
+const RIGHT: char = '\u{e014}';
+const UP: char = '\u{e013}';
+const CONTROL: char = '\u{e009}';
+const BACKSPACE: &str = "\u{e003}";
+
+/// The page shows exactly what the program prints of the text in its pane.
+#[track_caller]
+fn agrees(browser: &Browser) {
+    let report = browser.text("#report");
+    let text = browser.eval("document.getElementById('text').value");
+    let printed = Folder::with(text.as_str().unwrap()).run(&["solve", "model.toml"]);
+    let untimed = |text: &str| text.split("\nMethod ").next().unwrap().trim_end().to_owned();
+    assert_eq!(untimed(&report), untimed(&(printed.stdout + &printed.stderr)));
+    // The rows beside the picture are the report's own words.
+    for label in ["Contact", "Lift-off", "End forces"] {
+        let words = row(browser, label);
+        let flat = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(flat(&report).contains(&flat(&format!("{label} {words}"))), "{label} {words}");
+    }
+}
+
+fn row(browser: &Browser, label: &str) -> String {
+    let found = browser.eval(&format!(
+        "[...document.querySelectorAll('#results tr')]
+            .find((row) => row.cells[0].textContent === {label:?})?.cells[1].textContent ?? ''"
+    ));
+    found.as_str().unwrap().to_owned()
+}
+
+fn opened(browser: &Browser, server: &Server) {
+    browser.window(1280, 1000, "light");
+    browser.go(&server.url);
+    settled(browser, "document.querySelectorAll('#results tr').length > 3");
+}
+
+/// Waits until something is so and the answer to the last change is shown.
+#[track_caller]
+fn settled(browser: &Browser, so: &str) {
+    browser.until(&format!("document.body.dataset.state === 'settled' && ({so})"));
+}
+
+#[test]
+fn the_beam_lifts_off_under_the_finger() {
+    let Some(browser) = Browser::start() else { return };
+    let folder = Folder::with(MIDDLE);
+    let server = Server::start(Some(&folder.path("model.toml")));
+    opened(&browser, &server);
+    assert_eq!(row(&browser, "Lift-off"), "none");
+    assert!(browser.text("#verdict").starts_with("In equilibrium: the resultant, 912 kN at x = 6"));
+    agrees(&browser);
+
+    // Drag the column to the left until the right end lifts.
+    let [x, y] = browser.middle(".grip");
+    let scale =
+        browser.eval("document.querySelector('#drawing svg').getBoundingClientRect().width");
+    let step = scale.as_f64().unwrap() / 60.0;
+    browser.pointer(&[Pointer::To([x, y]), Pointer::Down]);
+    let mut steps = 0.0;
+    while row(&browser, "Lift-off") == "none" {
+        steps += 1.0;
+        assert!(steps < 40.0, "the right end does not lift");
+        browser.pointer(&[Pointer::To([x - steps * step, y])]);
+        settled(&browser, "true");
+    }
+    browser.pointer(&[Pointer::Up]);
+    assert!(row(&browser, "Lift-off").contains("to 12 m, up to"), "{}", row(&browser, "Lift-off"));
+    agrees(&browser);
+    let text = browser.eval("document.getElementById('text').value");
+    let text = text.as_str().unwrap();
+    // Only the number has changed: comment and unit are where they were.
+    let at = text.lines().find_map(|line| line.strip_prefix("at = \"")?.strip_suffix(" m\""));
+    let at: f64 = at.unwrap().parse().unwrap();
+    assert!(at > 0.0 && at < 6.0, "{at}");
+    assert_eq!(text.replace(&format!("{at} m"), "6 m"), MIDDLE);
+    // The whole drag is undone at once, and done again.
+    browser.keys(&[CONTROL], "z");
+    settled(&browser, "document.getElementById('text').value.includes('at = \"6 m\"')");
+    assert_eq!(row(&browser, "Lift-off"), "none");
+    browser.keys(&[CONTROL], "y");
+    settled(&browser, "!document.getElementById('text').value.includes('at = \"6 m\"')");
+    agrees(&browser);
+
+    // By keyboard: to the right by a hundredth of the beam, and larger.
+    browser.eval("document.querySelector('.grip').focus()");
+    browser.keys(&[], &format!("{HOME}{RIGHT}"));
+    settled(&browser, "document.getElementById('text').value.includes('at = \"0.12 m\"')");
+    browser.keys(&[], &UP.to_string());
+    settled(&browser, "document.getElementById('text').value.includes('point = \"630 kN\"')");
+    agrees(&browser);
+    // Nothing came from elsewhere.
+    let foreign = format!(
+        "performance.getEntriesByType('resource').map((r) => r.name)
+            .filter((name) => !name.startsWith({:?}) && !name.startsWith('data:'))",
+        server.url
+    );
+    assert_eq!(browser.eval(&foreign), serde_json::json!([]));
+}
+
+#[test]
+fn sliders_and_text_are_in_step() {
+    let Some(browser) = Browser::start() else { return };
+    let folder = Folder::with(MIDDLE);
+    let server = Server::start(Some(&folder.path("model.toml")));
+    opened(&browser, &server);
+
+    // A slider writes into the text.
+    browser.eval("document.querySelector('[data-key=\"[foundation].k\"]').focus()");
+    browser.keys(&[], &HOME.to_string());
+    settled(&browser, "document.getElementById('text').value.includes('k = \"4 MN/m^2\"')");
+    agrees(&browser);
+    // A value is typed, unit and all.
+    let field = "document.querySelector('[data-key=\"[foundation].k\"] + input')";
+    browser.eval(&format!(
+        "({field}.value = '55 N/mm^2', {field}.dispatchEvent(new Event('change')))"
+    ));
+    settled(&browser, "document.getElementById('text').value.includes('k = \"55 N/mm^2\"')");
+    agrees(&browser);
+    // What was left out is added.
+    let add = "[...document.querySelectorAll('#sliders button')]
+        .find((button) => button.textContent.startsWith('add P'))";
+    browser.eval(&format!("{add}.click()"));
+    settled(&browser, "document.querySelector('[data-key=\"[beam].axial_force\"]')");
+    agrees(&browser);
+
+    // Break the text: the fault is shown at its line, and the picture stays.
+    browser.eval("(document.getElementById('text').focus(), document.getElementById('text').setSelectionRange(0, 0))");
+    browser.keys(&[], "x");
+    settled(&browser, "document.body.classList.contains('wrong')");
+    assert_eq!(browser.text("#gutter .fault"), "1");
+    assert!(
+        browser.text("#faults").contains("`xtitle` means nothing"),
+        "{}",
+        browser.text("#faults")
+    );
+    assert!(browser.text("#verdict").starts_with("The model file is wrong: line 1: "));
+    assert!(browser.text("#behind .says").contains("xtitle"));
+    assert_ne!(browser.text("#drawing"), "");
+    // Mend it.
+    browser.keys(&[], BACKSPACE);
+    settled(&browser, "!document.body.classList.contains('wrong')");
+    assert_eq!(browser.text("#faults"), "");
+    agrees(&browser);
+}
+
+#[test]
+fn it_tips_and_is_shared_and_kept() {
+    let Some(browser) = Browser::start() else { return };
+    let folder = Folder::with(MIDDLE);
+    let server = Server::start(Some(&folder.path("model.toml")));
+    opened(&browser, &server);
+    // A moment that turns the right side up, more than the loads can hold.
+    let area = "document.getElementById('text')";
+    browser.eval(&format!(
+        "({area}.value += '[[load]]\\nmoment = \"-6 MN m\"\\nat = \"1 m\"\\n', {area}.dispatchEvent(new Event('input')))"
+    ));
+    settled(&browser, "document.body.classList.contains('lost')");
+    let said = browser.text("#verdict");
+    assert!(
+        said.starts_with("No equilibrium: ") && said.contains("tips about its left end"),
+        "{said}"
+    );
+    assert!(browser.eval("document.querySelector('#drawing .moves') !== null") == true);
+    assert!(row(&browser, "Motion").starts_with("its right end lifts"));
+    let printed = browser.text("#report");
+    assert!(printed.contains("none: "), "{printed}");
+
+    // The address holds the model.
+    browser.click("#share");
+    browser.until("location.hash.startsWith('#model=')");
+    let address = browser.eval("location.href").as_str().unwrap().to_owned();
+    let text = browser.eval(&format!("{area}.value"));
+    browser.go("about:blank");
+    browser.go(&address);
+    settled(&browser, "document.body.classList.contains('lost')");
+    assert_eq!(browser.eval(&format!("{area}.value")), text);
+
+    // The report is kept, of a beam that stands.
+    browser.eval(&format!("({area}.value = {MIDDLE:?}, {area}.dispatchEvent(new Event('input')))"));
+    settled(&browser, "!document.body.classList.contains('lost')");
+    let kept = tempfile::tempdir().unwrap();
+    let behaviour = serde_json::json!({ "behavior": "allow", "downloadPath": kept.path() });
+    browser.devtools("Browser.setDownloadBehavior", &behaviour);
+    for form in ["toml", "svg", "png", "csv", "txt"] {
+        browser.click(&format!("[data-form={form}]"));
+        let file = arrived(kept.path(), form);
+        let bytes = std::fs::read(&file).unwrap();
+        match form {
+            "toml" => assert_eq!(bytes, MIDDLE.as_bytes()),
+            "png" => assert!(bytes.starts_with(b"\x89PNG")),
+            "txt" => assert!(String::from_utf8(bytes).unwrap().contains("Certificate  ")),
+            "csv" => assert!(bytes.starts_with(b"x_m,deflection_m,")),
+            _ => assert!(bytes.starts_with(b"<svg ")),
+        }
+    }
+}
+
+/// Waits for a file that a browser saves.
+fn arrived(folder: &Path, extension: &str) -> PathBuf {
+    for _ in 0..1500 {
+        let mut entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+        if let Some(file) = entries.find(|p| p.extension().is_some_and(|e| e == extension)) {
+            return file;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    panic!("no .{extension} was saved");
+}
+
+#[test]
+fn combinations_and_trains_are_chosen() {
+    let Some(browser) = Browser::start() else { return };
+    let server = Server::start(None);
+    opened(&browser, &server);
+    let example = |words: &str| {
+        browser.eval(&format!(
+            "(() => {{ const s = document.getElementById('examples');
+                s.value = [...s.options].find((o) => o.text.includes({words:?})).value;
+                s.dispatchEvent(new Event('change')); }})()"
+        ));
+    };
+    example("combinations");
+    settled(&browser, "!document.getElementById('combination-choice').hidden");
+    let first = browser.eval("document.getElementById('combination').value");
+    assert!(first.as_str().unwrap().starts_with("6.10: 1.35 G"), "{first}");
+    assert!(browser.eval("document.querySelectorAll('.grip').length").as_u64() > Some(2));
+    browser.eval("(document.getElementById('combination').value = '', document.getElementById('combination').dispatchEvent(new Event('change')))");
+    settled(&browser, "document.getElementById('drawing').textContent.includes('envelope of 1')");
+
+    example("Locomotive");
+    settled(&browser, "!document.getElementById('axle-choice').hidden");
+    let lifted = |axle: u32| {
+        browser.eval(&format!(
+            "(document.getElementById('axle').value = {axle}, document.getElementById('axle').dispatchEvent(new Event('input')))"
+        ));
+        settled(&browser, "true");
+        (row(&browser, "Lift-off"), browser.text("#axle-at"))
+    };
+    let (early, late) = (lifted(200), lifted(600));
+    assert_eq!((early.1.as_str(), late.1.as_str()), ("7.2 m", "21.6 m"));
+    assert_ne!(early.0, late.0);
+}
+
+#[test]
+fn it_is_readable_on_a_phone_and_in_the_dark() {
+    let Some(browser) = Browser::start() else { return };
+    let server = Server::start(None);
+    opened(&browser, &server);
+    for (width, height) in [(390, 844), (1280, 1000)] {
+        for scheme in ["light", "dark"] {
+            browser.window(width, height, scheme);
+            browser.go(&server.url);
+            settled(&browser, "document.querySelectorAll('#results tr').length > 3");
+            let wide = browser.eval("document.documentElement.scrollWidth");
+            assert!(wide.as_u64() <= Some(width.into()), "{wide} in {width}");
+            let paper =
+                browser.eval("getComputedStyle(document.querySelector('#drawing svg rect')).fill");
+            let expected = if scheme == "dark" { "rgb(23, 27, 32)" } else { "rgb(255, 255, 255)" };
+            assert_eq!(paper, expected);
+            // Every colour that a picture uses has another one in the dark.
+            let ink = browser.eval(
+                "[...document.querySelectorAll('#drawing [fill^=\"#\"]')]
+                    .filter((e) => getComputedStyle(e).fill === e.getAttribute('fill').replace(
+                        /#(..)(..)(..)/, (_, r, g, b) => `rgb(${[r, g, b].map((h) => parseInt(h, 16)).join(', ')})`))
+                    .map((e) => e.getAttribute('fill'))",
+            );
+            assert_eq!(ink.as_array().unwrap().is_empty(), scheme == "dark", "{ink}");
+            if let Some(folder) = std::env::var_os("GROUNDBEAM_PHOTOGRAPHS") {
+                let name = format!("page-{width}-{scheme}.png");
+                browser.photograph(&Path::new(&folder).join(name));
+            }
+        }
+    }
+}

@@ -1,0 +1,201 @@
+//! `groundbeam serve`: answers, and everything that must be refused.
+
+#[allow(dead_code)]
+mod common;
+#[allow(dead_code)]
+mod served;
+
+use common::{FOOTING, Folder, LIFTS, tips};
+use serde_json::{Value, json};
+use served::{Server, talk};
+
+/// A document without the time it took.
+fn timeless(mut document: Value) -> Value {
+    document.as_object_mut().unwrap().remove("seconds");
+    document
+}
+
+#[test]
+fn solve_answers_with_the_result_document() {
+    let server = Server::start(None);
+    let combined = format!(
+        "{LIFTS}case = 'Q'\n[[combination]]\nname = 'one'\nfactors = {{ Q = 1.0 }}\n\
+         [[combination]]\nname = 'two'\nfactors = {{ Q = 0.5 }}\n"
+    );
+    let train = format!("{FOOTING}[[train]]\naxles = [{{ at = '0 m', force = '90 kN' }}]\n");
+    for (model, status) in [(LIFTS, 0), (FOOTING, 0), (&tips(), 3), (&combined, 0), (&train, 0)] {
+        let printed = Folder::with(model).run(&["solve", "model.toml", "--json"]);
+        assert_eq!(printed.status, status);
+        let reply = server.post("/api/solve", model);
+        assert_eq!(reply.status, 200, "{}", reply.text());
+        assert!(reply.head.contains("content-type: application/json"), "{}", reply.head);
+        assert_eq!(timeless(reply.json()), timeless(printed.json()));
+    }
+}
+
+#[test]
+fn a_wrong_model_comes_back_with_its_diagnostics() {
+    let server = Server::start(None);
+    let reply = server.post("/api/solve", &LIFTS.replace("length", "lenght"));
+    assert_eq!((reply.status, &reply.json()["status"]), (422, &json!("wrong-model")));
+    let fault = &reply.json()["diagnostics"][0];
+    let seen = ["code", "line", "column", "hint"].map(|key| fault[key].clone());
+    assert_eq!(seen, [json!("GB003"), json!(3), json!(1), json!("did you mean `length`?")]);
+    for body in [&b""[..], b"\xff\xfe\x00", b"{}", b"[beam", b"\x00\x01\x02", b"--boundary\r\n"] {
+        let reply = server.ask("POST", "/api/solve", &[], body);
+        assert_eq!(reply.status, 422, "{body:?}: {}", reply.text());
+        assert!(!reply.json()["diagnostics"].as_array().unwrap().is_empty());
+    }
+}
+
+#[test]
+fn what_is_no_model_file_is_refused() {
+    let server = Server::start(None);
+    let typed = |kind: &str| {
+        let header = format!("Content-Type: {kind}");
+        server.ask("POST", "/api/solve", &[&header], LIFTS.as_bytes()).status
+    };
+    for right in ["application/toml", "text/plain; charset=utf-8", "Application/Octet-Stream"] {
+        assert_eq!(typed(right), 200, "{right}");
+    }
+    for wrong in ["application/json", "multipart/form-data; boundary=x", "image/png", "", "x"] {
+        assert_eq!(typed(wrong), 415, "{wrong}");
+    }
+    let huge = vec![b'#'; 5 << 20];
+    assert_eq!(server.ask("POST", "/api/solve", &[], &huge).status, 413);
+    // A length that is announced and never sent does not stop others.
+    let host = format!("Host: 127.0.0.1:{}", server.port);
+    let endless = format!("POST /api/solve HTTP/1.1\r\n{host}\r\nContent-Length: 99999999\r\n\r\n");
+    assert_eq!(server.say(&endless, b"[beam]").status, 413);
+    assert_eq!(server.get("/api/solve").status, 405);
+    assert_eq!(server.get("/nowhere").status, 404);
+    assert_eq!(server.get("/../Cargo.toml").status, 404);
+    assert_eq!(server.post("/api/file/exe", LIFTS).status, 404);
+    assert_eq!(server.post("/api/view?width=wide", LIFTS).status, 400);
+    assert_eq!(server.say("nonsense\r\n\r\n", b"").status, 400);
+    assert_eq!(server.post("/api/solve", LIFTS).status, 200);
+}
+
+#[test]
+fn other_pages_and_other_names_are_refused() {
+    let server = Server::start(None);
+    let port = server.port;
+    let from = |origin: &str| {
+        server.ask("POST", "/api/solve", &[&format!("Origin: {origin}")], LIFTS.as_bytes()).status
+    };
+    assert_eq!(from(&format!("http://127.0.0.1:{port}")), 200);
+    assert_eq!(from(&format!("http://localhost:{port}")), 200);
+    let strangers = [
+        "http://example.org".to_owned(),
+        "null".to_owned(),
+        format!("https://127.0.0.1:{port}"),
+        "http://127.0.0.1".to_owned(),
+        format!("http://127.0.0.1:{port}.example.org"),
+        format!("http://127.0.0.1:{}", port.wrapping_add(1)),
+    ];
+    for origin in strangers {
+        assert_eq!(from(&origin), 403, "{origin}");
+    }
+    let under = |host: &str| server.say(&format!("GET / HTTP/1.1\r\n{host}\r\n\r\n"), b"").status;
+    assert_eq!(under(&format!("Host: 127.0.0.1:{port}")), 200);
+    assert_eq!(under(&format!("Host: LOCALHOST:{port}")), 200);
+    let rebound = [format!("Host: example.org:{port}"), "Host: 127.0.0.1".to_owned()];
+    for host in rebound.iter().chain(&[format!("Host: 0.0.0.0:{port}"), "X: y".to_owned()]) {
+        assert!([400, 421].contains(&under(host)), "{host}");
+    }
+    let elsewhere = format!("GET http://example.org/ HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\n\r\n");
+    assert_eq!(server.say(&elsewhere, b"").status, 421);
+}
+
+#[test]
+fn two_hundred_at_once() {
+    let server = Server::start(None);
+    let port = server.port;
+    let one = |i: usize| {
+        let model = LIFTS.replace("0.49", &format!("{}", 0.001 * i as f64));
+        let head = format!(
+            "POST /api/solve HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nContent-Length: {}\r\n\r\n",
+            model.len()
+        );
+        (model.clone(), talk(port, &head, model.as_bytes()))
+    };
+    let replies: Vec<_> = std::thread::scope(|scope| {
+        let all: Vec<_> = (0..200).map(|i| scope.spawn(move || one(i))).collect();
+        all.into_iter().map(|thread| thread.join().unwrap()).collect()
+    });
+    for (i, (_, reply)) in replies.iter().enumerate() {
+        assert_eq!((reply.status, &reply.json()["status"]), (200, &json!("solved")), "{i}");
+    }
+    // Each got the answer to its own question.
+    for (model, reply) in replies.iter().step_by(50) {
+        let printed = Folder::with(model).run(&["solve", "model.toml", "--json"]);
+        assert_eq!(timeless(reply.json()), timeless(printed.json()));
+    }
+}
+
+#[test]
+fn a_view_tells_where_every_number_stands() {
+    let server = Server::start(None);
+    let view = server.post("/api/view?width=700", FOOTING).json();
+    assert_eq!(view["status"], "solved");
+    let handle = &view["picture"]["handles"][0];
+    let number = &view["numbers"][handle["position"].as_u64().unwrap() as usize];
+    let [from, to] = ["from", "to"].map(|end| number[end].as_u64().unwrap() as usize);
+    assert_eq!((&FOOTING[from..to], &number["unit"]), ("5", &json!("m")));
+    // The handle stands where the picture has the position.
+    let [left, scale] = ["left", "scale"].map(|key| view["picture"][key].as_f64().unwrap());
+    assert!((handle["x"].as_f64().unwrap() - (left + 5.0 * scale)).abs() < 1e-9);
+    let lost = server.post("/api/view", &tips()).json();
+    assert_eq!(lost["status"], "no-equilibrium");
+    assert!(lost["sentence"].as_str().unwrap().contains("it tips about its right end"));
+    assert!(
+        lost["picture"]["svg"].as_str().unwrap().contains(r#"class="moves" data-still="matrix("#)
+    );
+}
+
+#[test]
+fn files_to_keep_are_those_of_the_command_line() {
+    let server = Server::start(None);
+    let folder = Folder::with(LIFTS);
+    let arguments = ["solve", "model.toml", "--csv", "t.csv", "--plot", "p.svg"];
+    let printed = folder.run(&arguments);
+    assert_eq!(server.post("/api/file/csv", LIFTS).text(), folder.read("t.csv"));
+    assert_eq!(server.post("/api/file/svg", LIFTS).text(), folder.read("p.svg"));
+    assert!(server.post("/api/file/png", LIFTS).body.starts_with(b"\x89PNG"));
+    let untimed = |text: &str| text.split("\nMethod ").next().unwrap().to_owned();
+    let report = server.post("/api/file/txt", LIFTS);
+    assert_eq!(untimed(report.text()), untimed(&printed.stdout));
+    assert_eq!(server.post("/api/file/svg", &tips()).status, 409);
+    assert_eq!(server.post("/api/file/json", &tips()).json()["status"], "no-equilibrium");
+}
+
+#[test]
+fn the_page_asks_nobody_else() {
+    let folder = Folder::with(FOOTING);
+    let server = Server::start(Some(&folder.path("model.toml")));
+    let start = server.get("/api/start").json();
+    assert_eq!(start["start"], json!({ "name": "model.toml", "text": FOOTING }));
+    let page = server.get("/");
+    assert!(page.head.contains("content-security-policy: default-src 'none'"), "{}", page.head);
+    let files = ["/page.css", "/page.js", "/picture.js", "/share.js", "/sliders.js", "/text.js"];
+    for path in ["/"].iter().chain(&files) {
+        let file = server.get(path);
+        assert_eq!(file.status, 200, "{path}");
+        let foreign = file.text().replace("http://www.w3.org/2000/svg", "");
+        assert!(!foreign.contains("//www.") && !foreign.contains("https:"), "{path}");
+        assert!(!foreign.contains("http:"), "{path}");
+    }
+    for path in ["/inter.ttf", "/inter-semi-bold.ttf"] {
+        assert!(server.get(path).body.starts_with(b"\x00\x01\x00\x00"), "{path}");
+    }
+}
+
+#[test]
+fn what_cannot_be_served_is_said() {
+    let folder = Folder::new();
+    folder.run(&["serve", "missing.toml", "--no-open"]).fails(2, "missing.toml: ");
+    folder.run(&["serve", "--port", "70000", "--no-open"]).fails(2, "70000");
+    let server = Server::start(None);
+    let taken = server.port.to_string();
+    folder.run(&["serve", "--port", &taken, "--no-open"]).fails(2, &format!("port {taken}"));
+}

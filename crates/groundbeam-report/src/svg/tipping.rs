@@ -1,0 +1,161 @@
+//! A beam that no ground holds: how it begins to move.
+
+use super::canvas::{Anchor, Canvas, number};
+use super::frame::{Frame, LEFT};
+use super::labels::{Labels, Rect};
+use super::loads::Loads;
+use super::style::{BEAM, FAINT_INK, GROUND, GROUND_LINE, NOTE, PANEL_TITLE};
+use super::system::{BELOW, THICKNESS};
+use super::view::{View, handles, sensible};
+use super::{axis_of_x, supports};
+use crate::context::Context;
+use crate::font::Metrics;
+use groundbeam::{Existence, Model, Verdict};
+
+/// How far what lifts most is drawn above the ground.
+const RISE: f64 = 46.0;
+/// Above the panel.
+const TOP: f64 = 8.0;
+
+/// The beam as it tips, about an end or a hinge, or rises as a whole; loads, which move with it, stay upright.
+///
+/// What moves is a group of the class `moves`. Where the beam moves as one piece its `data-still` is the transform
+/// that would lay it back onto the ground. Of a model that has an equilibrium, the beam lies as it does before it bends.
+pub fn tipping(model: &Model, existence: &Existence, context: &Context, width: f64) -> View {
+    let metrics = Metrics::new();
+    let frame = Frame::of(model).on_page(sensible(width));
+    let rises = |x: f64| match existence.verdict {
+        Verdict::None(motion) => RISE * motion.at(model, x),
+        _ => 0.0,
+    };
+    let ground = lying(model, &frame);
+    let mut beam = Canvas::new();
+    let nodes = nodes(model);
+    let under: Vec<_> = nodes.iter().map(|&x| [frame.x(x), rises(x)]).collect();
+    let over: Vec<_> = under.iter().rev().map(|&[x, y]| [x, y - THICKNESS]).collect();
+    let outline = [under.clone(), over].concat();
+    beam.polyline(&outline, true, &format!(r#"fill="{BEAM}""#));
+    for hinge in &model.hinges {
+        let at = [frame.x(hinge.at), rises(hinge.at) - 0.5 * THICKNESS];
+        supports::hinge(&mut beam, at, hinge.is_free());
+    }
+    let (left, right) = (8.0, frame.width - 4.0);
+    let room = Rect { left, top: f64::NEG_INFINITY, right, bottom: f64::INFINITY };
+    let mut labels = Labels::new(&metrics, room);
+    labels.avoid_line(&under);
+    let top = |x: f64| rises(x) - THICKNESS;
+    let loads = Loads { units: context.units, frame: &frame, top: &top };
+    loads.draw(&mut beam, &model.loads, &mut labels);
+
+    let mut panel = Canvas::new();
+    panel.group(&ground, r#"class="ground""#);
+    let still = match model.hinges.is_empty() {
+        true => format!(r#" data-still="{}""#, laid_back(&frame, rises)),
+        false => String::new(),
+    };
+    panel.group(&beam, &format!(r#"class="moves"{still}"#));
+    let y = panel.reach()[0] - 16.0;
+    panel.text([LEFT, y], Anchor::Start, PANEL_TITLE, "Beam and ground");
+    let x = LEFT + 1.06 * metrics.width("Beam and ground", PANEL_TITLE.size) + 12.0;
+    let note = match existence.verdict {
+        Verdict::None(_) => "how the beam begins to move; sizes are not to scale",
+        _ => "the beam before it moves",
+    };
+    panel.text([x, y], Anchor::Start, NOTE, note);
+    let down = TOP - panel.reach()[0];
+    let mut page = Canvas::new();
+    page.place(&panel, down);
+    axis_of_x(&mut page, &frame, context.units, panel.reach()[1] + down + 10.0);
+    let height = page.reach()[1] + 14.0;
+    let handles = handles(model, |x| [frame.x(x), rises(x) + down]);
+    let svg = page.finish(frame.width, height, "The beam moves");
+    let size = [frame.width, height];
+    View { svg, size, left: frame.x(0.0), scale: frame.scale(), handles }
+}
+
+/// The ground with what stands on it, and the place where the beam lay.
+fn lying(model: &Model, frame: &Frame) -> Canvas {
+    let mut ground = Canvas::new();
+    let [left, right] = [frame.x(-frame.margin), frame.x(frame.length + frame.margin)];
+    let area = [[left, 0.0], [right, 0.0], [right, BELOW], [left, BELOW]];
+    ground.polyline(&area, true, &format!(r#"fill="{GROUND}""#));
+    let stroke = format!(r#"stroke="{GROUND_LINE}" stroke-width="1.4""#);
+    ground.line([left, 0.0], [right, 0.0], &stroke);
+    let [start, end] = [frame.x(0.0), frame.x(frame.length)];
+    let outline = [[start, 0.0], [end, 0.0], [end, -THICKNESS], [start, -THICKNESS]];
+    let dashes = format!(r#"fill="none" stroke="{FAINT_INK}" stroke-dasharray="5 4""#);
+    ground.polyline(&outline, true, &dashes);
+    for support in &model.supports {
+        let outward = match support.at {
+            0.0 => -1.0,
+            x if x == frame.length => 1.0,
+            _ => 0.0,
+        };
+        supports::draw(&mut ground, [frame.x(support.at), 0.0], support, outward);
+    }
+    ground
+}
+
+/// The beam's ends and hinges, between which it stays straight.
+fn nodes(model: &Model) -> Vec<f64> {
+    let mut nodes: Vec<f64> = model.hinges.iter().map(|hinge| hinge.at).collect();
+    nodes.extend([0.0, model.beam.length]);
+    nodes.sort_by(f64::total_cmp);
+    nodes
+}
+
+/// The shear that takes a straight motion back.
+fn laid_back(frame: &Frame, rises: impl Fn(f64) -> f64) -> String {
+    let [start, end] = [frame.x(0.0), frame.x(frame.length)];
+    let slope = (rises(frame.length) - rises(0.0)) / (end - start);
+    let shift = rises(0.0) - slope * start;
+    format!("matrix(1, {:.6}, 0, 1, 0, {})", -slope, number(-shift))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantity::Units;
+    use crate::svg::Grip;
+    use groundbeam::{Beam, Foundation, Hinge, Load};
+
+    fn drawn(model: &Model) -> View {
+        let existence = groundbeam::exists(model).unwrap();
+        tipping(model, &existence, &Context::new(Units::Plain), 800.0)
+    }
+
+    /// Heights of the handles of all loads.
+    fn heights(view: &View) -> Vec<f64> {
+        let loads = view.handles.iter().filter(|h| matches!(h.grip, Grip::Load(_)));
+        loads.map(|handle| handle.place[1]).collect()
+    }
+
+    #[test]
+    fn what_lifts_is_drawn_above_what_stays() {
+        let beam = || Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0));
+        let at = |model: Model, x: f64| model.with_load(Load::point(1.0, x));
+        let left = at(at(beam(), 0.0), 4.0).with_load(Load::moment(-9.0, 2.0));
+        let view = drawn(&left);
+        assert!((heights(&view)[0] - heights(&view)[1] - RISE).abs() < 1e-9);
+        // Halfway between them.
+        let middle = heights(&view)[2];
+        assert!((2.0 * middle - heights(&view)[0] - heights(&view)[1]).abs() < 1e-9);
+        let right = at(at(beam(), 0.0), 4.0).with_load(Load::moment(9.0, 2.0));
+        assert!(heights(&drawn(&right))[1] > heights(&drawn(&right))[0]);
+        // What lays it back takes as much from the one end as it has risen over the other.
+        assert!(view.svg.contains(r#"data-still="matrix(1, "#), "{}", view.svg);
+    }
+
+    #[test]
+    fn a_part_beyond_a_hinge_lifts_alone() {
+        let model = Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0))
+            .with_hinge(Hinge::free(2.0))
+            .with_load(Load::point(3.0, 1.0))
+            .with_load(Load::point(1.0, 2.0))
+            .with_load(Load::point(-0.5, 4.0));
+        let view = drawn(&model);
+        let heights = heights(&view);
+        assert!((heights[0] - heights[1]).abs() < 1e-9 && heights[2] < heights[0] - 40.0);
+        assert!(!view.svg.contains("data-still"), "it does not move as one piece");
+    }
+}

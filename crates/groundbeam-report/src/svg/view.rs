@@ -1,0 +1,120 @@
+//! The picture for a page: without its heading, of any width, and with the places where it may be taken hold of.
+
+use super::canvas::Canvas;
+use super::frame::Frame;
+use super::samples::Samples;
+use super::{PANEL_SPACE, axis_of_x, diagrams, edges, stacked, supports, system};
+use crate::context::Context;
+use crate::font::Metrics;
+use groundbeam::{Load, Model, Side, Solution};
+
+/// A picture that can be taken hold of. Places are in units of the picture, from its upper left corner.
+#[derive(Debug, Clone, PartialEq)]
+pub struct View {
+    /// The picture as an SVG file.
+    pub svg: String,
+    /// Its size.
+    pub size: [f64; 2],
+    /// Where x = 0 is drawn.
+    pub left: f64,
+    /// How long a unit of length is drawn \[1/m\].
+    pub scale: f64,
+    /// Where it may be taken hold of.
+    pub handles: Vec<Handle>,
+}
+
+/// A place of the picture that stands for a position in the model.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Handle {
+    /// What is taken hold of there.
+    pub grip: Grip,
+    /// The position along the beam \[m\].
+    pub at: f64,
+    /// The place in the picture.
+    pub place: [f64; 2],
+}
+
+/// What of a model is taken hold of, by its number in the model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Grip {
+    /// The point at which a load acts.
+    Load(usize),
+    /// Where a spread load begins.
+    From(usize),
+    /// Where a spread load ends.
+    To(usize),
+    /// A support.
+    Support(usize),
+    /// A hinge.
+    Hinge(usize),
+}
+
+/// The narrowest page on which words find their places.
+const NARROWEST: f64 = 520.0;
+/// Wider than this a picture only grows.
+const WIDEST: f64 = 1400.0;
+/// Above the first panel.
+const TOP: f64 = 8.0;
+/// How far above the beam a load is taken hold of.
+const GRIP: f64 = 24.0;
+
+/// The width a page asks for, as far as it makes sense.
+pub(super) fn sensible(width: f64) -> f64 {
+    if width.is_finite() { width.clamp(NARROWEST, WIDEST) } else { WIDEST }
+}
+
+/// The picture of [`picture`](super::picture) without its heading, as wide as the page.
+pub fn view(solution: &Solution, context: &Context, width: f64) -> View {
+    let metrics = Metrics::new();
+    let frame = Frame::of(solution.model()).on_page(sensible(width));
+    let samples = Samples::of(solution);
+    let edges = edges(solution);
+
+    let mut page = Canvas::new();
+    let system = system::draw(solution, context.units, &frame, &samples, &metrics);
+    let down = TOP - system.reach()[0];
+    let mut y = stacked(&mut page, &system, TOP);
+    for diagram in diagrams(solution, context.units, &samples, &edges) {
+        y = stacked(&mut page, &diagram.draw(&frame, &metrics), y);
+    }
+    axis_of_x(&mut page, &frame, context.units, y - PANEL_SPACE + 2.0);
+    let height = page.reach()[1].max(y) + 14.0;
+    let scale = system::vertical_scale(solution, &frame, &samples);
+    let underside = |x: f64| scale * solution.at(x, Side::Right).deflection + down;
+    let handles = handles(solution.model(), |x| [frame.x(x), underside(x)]);
+    let svg = page.finish(frame.width, height, "The beam on its ground and its diagrams");
+    let size = [frame.width, height];
+    View { svg, size, left: frame.x(0.0), scale: frame.scale(), handles }
+}
+
+/// Loads above the beam, hinges in it, supports below it; `underside` is where the beam is drawn.
+pub(super) fn handles(model: &Model, underside: impl Fn(f64) -> [f64; 2]) -> Vec<Handle> {
+    let handle = |grip, at: f64, rise: f64| {
+        let [x, y] = underside(at);
+        Handle { grip, at, place: [x, y - rise] }
+    };
+    let above = system::THICKNESS + GRIP;
+    let mut all = Vec::new();
+    for (i, load) in model.loads.iter().enumerate() {
+        match *load {
+            Load::PointForce { at, .. } | Load::PointMoment { at, .. } => {
+                all.push(handle(Grip::Load(i), at, above));
+            }
+            Load::Distributed { from, to, .. }
+            | Load::DistributedMoment { from, to, .. }
+            | Load::Curvature { from, to, .. } => {
+                all.push(handle(Grip::From(i), from, above - 9.0));
+                all.push(handle(Grip::To(i), to, above - 9.0));
+            }
+            // They stand on the ground, and may stand beside the beam.
+            Load::GroundForce { .. } | Load::GroundDistributed { .. } => {}
+        }
+    }
+    for (i, hinge) in model.hinges.iter().enumerate() {
+        all.push(handle(Grip::Hinge(i), hinge.at, 0.5 * system::THICKNESS));
+    }
+    for (i, support) in model.supports.iter().enumerate() {
+        all.push(handle(Grip::Support(i), support.at, -0.5 * supports::HEIGHT));
+    }
+    all
+}
