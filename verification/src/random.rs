@@ -1,8 +1,13 @@
 //! Random models that have an equilibrium, from both ends of every parameter.
 
+mod features;
+
+use features::{
+    add_neighbours, bearings, change_beside, compress, curl, hinge, vary_beam, vary_ground,
+};
 use groundbeam::{
-    Acts, Beam, FirstLiftOff, Foundation, GroundEnd, Hinge, Load, LoadFactors, Model, Profile,
-    Support, Verdict, exists, load_factors,
+    Beam, FirstLiftOff, Foundation, Load, LoadFactors, Model, Support, Verdict, exists,
+    load_factors,
 };
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -256,191 +261,6 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         compress(&mut model, dice);
     }
     model
-}
-
-/// A compression between the beam's own buckling load, 0 where nothing holds it, and the one at which the ground
-/// no longer helps.
-fn compress<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
-    let own = groundbeam::own_buckling_load(model);
-    let unit = model.beam.bending_stiffness / (model.beam.length * model.beam.length);
-    model.beam.axial_force = -(1.0001 * own).max(1e-3 * unit);
-    if let Ok(Verdict::Local(local)) = exists(model).map(|existence| existence.verdict) {
-        let least = -model.beam.axial_force;
-        let part =
-            if dice.happens(0.2) { 1.0 - dice.decades(-6.0, -2.0) } else { dice.even(0.0, 1.0) };
-        model.beam.axial_force = -(least + part * (local.critical_compression - least));
-    }
-}
-
-/// One to three stretches of the beam along which EI runs linearly, with the cube or the fourth power of a
-/// depth, or along a curve.
-fn vary_beam<R: Rng>(mut beam: Beam, stiffness: f64, dice: &mut Dice<R>) -> Beam {
-    let length = beam.length;
-    for [from, to] in stretches(length, dice) {
-        let (start, end) = (dice.decades(-1.0, 1.0), dice.decades(-1.0, 1.0));
-        let profile = match dice.up_to(3) {
-            0 | 1 => Profile::linear(start, end),
-            2 => {
-                let power = if dice.happens(0.5) { 3 } else { 4 };
-                let depth = Profile::linear(start.sqrt(), end.sqrt());
-                let first = Some(Profile::constant(1.0));
-                let product = (0..power).fold(first, |all, _| all?.times(&depth));
-                product.unwrap_or(depth)
-            }
-            _ => {
-                let values: Vec<f64> =
-                    (0..3 + dice.up_to(3)).map(|_| dice.decades(-1.0, 1.0)).collect();
-                Profile::by_control_values(&values).unwrap_or(Profile::linear(start, end))
-            }
-        };
-        beam = beam.with_varying_segment(from, to, profile.scaled(stiffness));
-    }
-    beam
-}
-
-/// One to five supports that only push up or only hold down, rigid or elastic; loads that lift the beam off some.
-fn bearings<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
-    let (length, k) = (model.beam.length, model.foundation.spring);
-    // A weight, so that no piece lies where it likes.
-    model = model.with_load(Load::uniform(dice.even(0.1, 0.5) / length, 0.0, length));
-    for _ in 0..=dice.up_to(4) {
-        let at = dice.place() * length;
-        let support = if dice.happens(0.5) {
-            Support::pinned(at)
-        } else {
-            Support::spring(at, k * length * dice.decades(-2.0, 2.0), 0.0)
-        };
-        let acts = if dice.happens(0.6) { Acts::Up } else { Acts::Down };
-        if model.supports.iter().all(|other| other.at != at) {
-            model = model.with_support(support.acting(acts));
-        }
-        if dice.happens(0.3) {
-            model = model.with_load(Load::point(-dice.even(0.1, 1.0), dice.place() * length));
-        }
-    }
-    model
-}
-
-/// One to four hinges, one in three of them elastic; now and then ground without a shear layer.
-fn hinge<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
-    let (length, stiffness) = (model.beam.length, model.beam.bending_stiffness);
-    if dice.happens(0.25) {
-        model.foundation.shear = 0.0;
-    }
-    for _ in 0..=dice.up_to(3) {
-        let at = dice.even(0.02, 0.98) * length;
-        model = model.with_hinge(if dice.up_to(2) == 0 {
-            Hinge::elastic(at, stiffness / length * dice.decades(-2.0, 2.0))
-        } else {
-            Hinge::free(at)
-        });
-    }
-    model
-}
-
-/// The same for the ground, one time in ten without a shear layer.
-fn vary_ground<R: Rng>(mut ground: Foundation, length: f64, dice: &mut Dice<R>) -> Foundation {
-    let curve = |dice: &mut Dice<R>, value: f64| {
-        let values = [0, 1, 2].map(|_| value * dice.decades(-0.7, 0.7));
-        match dice.up_to(2) {
-            0 => Profile::constant(values[0]),
-            1 => Profile::linear(values[0], values[1]),
-            _ => Profile::by_control_values(&values).unwrap_or(Profile::constant(value)),
-        }
-    };
-    let (k, mu) = (ground.spring, ground.shear);
-    for [from, to] in stretches(length, dice) {
-        let spring = curve(dice, k);
-        let shear = if dice.happens(0.1) { Profile::constant(0.0) } else { curve(dice, mu) };
-        ground = ground.with_varying_segment(from, to, spring, shear);
-    }
-    ground
-}
-
-/// Other ground beside the beam, ends of it that are free or held, near and far.
-fn change_beside<R: Rng>(mut ground: Foundation, length: f64, dice: &mut Dice<R>) -> Foundation {
-    let (k, mu) = (ground.spring, ground.shear);
-    // Lengths by that in which the ground fades.
-    let fade = (mu / k).sqrt();
-    for right in [false, true] {
-        let at = |distance: f64| if right { length + distance } else { -distance };
-        let mut near = if dice.happens(0.3) { 0.0 } else { fade * dice.decades(-2.0, 1.0) };
-        for _ in 0..dice.up_to(2) {
-            let far = near + fade * dice.decades(-2.0, 1.0);
-            let (k, mut mu) = (k * dice.decades(-1.0, 1.0), mu * dice.decades(-1.0, 1.0));
-            if dice.happens(0.1) {
-                mu = 0.0;
-            }
-            let [from, to] = if right { [at(near), at(far)] } else { [at(far), at(near)] };
-            ground = ground.with_segment(from, to, k, mu);
-            near = far * if dice.happens(0.5) { 1.0 } else { 1.5 };
-        }
-        let distance = fade * dice.decades(-2.0, 1.0);
-        ground.ends[usize::from(right)] = match dice.up_to(3) {
-            0 => GroundEnd::Free { at: at(0.0) },
-            1 => GroundEnd::Free { at: at(distance) },
-            2 => GroundEnd::Held { at: at(distance) },
-            _ => GroundEnd::Endless,
-        };
-    }
-    ground
-}
-
-/// Forces on the ground of the order of the beam's loads, as far out as the ground reaches.
-fn add_neighbours<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
-    let (l, ground) = (model.beam.length, model.foundation.clone());
-    let size: f64 = model.loads.iter().map(|load| size_of(load, l)).sum();
-    let reach = (4.0 * (ground.shear / ground.spring).sqrt()).min(l);
-    let [left, right] = ground.ends;
-    let from = left.at().unwrap_or(-reach).max(-reach);
-    let to = right.at().unwrap_or(l + reach).min(l + reach);
-    for _ in 0..=dice.up_to(2) {
-        let force = size * dice.decades(-2.0, 0.3);
-        let mut ends = [0, 1].map(|_| dice.even(from, to));
-        ends.sort_by(f64::total_cmp);
-        let [from, to] = ends;
-        model.loads.push(match dice.up_to(2) {
-            0 => Load::GroundForce { at: from, force },
-            1 => Load::GroundForce {
-                at: if dice.happens(0.5) { from.min(0.0) } else { to.max(l) },
-                force,
-            },
-            _ => {
-                let start = force / (to - from) * dice.even(0.0, 1.0);
-                Load::GroundDistributed { from, to, start, end: force / (to - from) }
-            }
-        });
-    }
-}
-
-/// One to three stretches of a beam, one time in three the whole of it.
-fn stretches<R: Rng>(length: f64, dice: &mut Dice<R>) -> Vec<[f64; 2]> {
-    if dice.up_to(2) == 0 {
-        return vec![[0.0, length]];
-    }
-    let mut ends: Vec<f64> = (0..2 + 2 * dice.up_to(2)).map(|_| dice.place() * length).collect();
-    ends.sort_by(f64::total_cmp);
-    ends.chunks_exact(2).filter(|pair| pair[0] < pair[1]).map(|pair| [pair[0], pair[1]]).collect()
-}
-
-/// One to three imposed curvatures, of moments beside which those of the loads are small, alike or large.
-fn curl<R: Rng>(model: &mut Model, lambda_l: f64, dice: &mut Dice<R>) {
-    let l = model.beam.length;
-    let loads: f64 = model.loads.iter().map(|load| size_of(load, l)).sum();
-    let size = loads * l / lambda_l.max(1.0) / model.beam.bending_stiffness;
-    for _ in 0..=dice.up_to(2) {
-        let (mut from, mut to) = (dice.place() * l, dice.place() * l);
-        if from > to {
-            (from, to) = (to, from);
-        }
-        if from == to {
-            (from, to) = (0.0, l);
-        }
-        let size = size * dice.decades(-1.5, 1.0);
-        let start = dice.even(-1.0, 1.0) * size;
-        let end = if dice.happens(0.5) { start } else { dice.even(-1.0, 1.0) * size };
-        model.loads.push(Load::Curvature { from, to, start, end });
-    }
 }
 
 fn size_of(load: &Load, length: f64) -> f64 {

@@ -10,21 +10,22 @@ mod certificate;
 mod checks;
 mod combinations;
 mod comparison;
+mod existence;
 mod factors;
 mod ground;
 mod train;
 
 use crate::characteristics::Characteristics;
 use crate::context::Context;
-use crate::verdict::sentence;
 use certificate::Proof;
 pub use combinations::{checked_combinations, combinations, envelope_stations};
 pub use comparison::comparison;
+use existence::Proven;
 use factors::Grown;
 use ground::Ground;
 use groundbeam::{
-    Acts, Buckling, Certificate, Existence, Extreme, Field, LiftOff, Method, Model, NotConverged,
-    RigidMotion, Side, Solution, Support, Verdict,
+    Acts, Certificate, Existence, Extreme, Field, LiftOff, Method, Model, NotConverged, Side,
+    Solution, Support,
 };
 use serde::Serialize;
 pub use train::{checked_trains, trains};
@@ -225,82 +226,6 @@ struct Head {
 impl Head {
     fn new(status: &'static str, context: &Context) -> Self {
         Head { status, title: context.title.map(str::to_owned), units: context.units.name() }
-    }
-}
-
-#[derive(Serialize)]
-struct Proven {
-    verdict: &'static str,
-    /// Under the ends, and under each free hinge between them.
-    static_reactions: Vec<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    failing_motion: Option<Motion>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    undetermined_motion: Option<Motion>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    stability_margin: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    critical_compression: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    buckles_at: Option<f64>,
-    sentence: String,
-}
-
-impl Proven {
-    fn new(model: &Model, existence: &Existence, context: &Context) -> Self {
-        let mut proven = Proven {
-            verdict: "unique",
-            static_reactions: groundbeam::static_reactions(model).iter().map(|r| r.1).collect(),
-            failing_motion: None,
-            undetermined_motion: None,
-            stability_margin: None,
-            critical_compression: None,
-            buckles_at: None,
-            sentence: sentence(model, existence, context.units),
-        };
-        match existence.verdict {
-            Verdict::Unique => {}
-            Verdict::NotUnique(motion) => {
-                proven.verdict = "not-unique";
-                proven.undetermined_motion = Some(Motion::of(Some(model), motion));
-            }
-            Verdict::None(motion) => {
-                proven.verdict = "none";
-                proven.failing_motion = Some(Motion::of(Some(model), motion));
-            }
-            Verdict::Local(local) => {
-                proven.verdict = "local";
-                proven.stability_margin = Some(local.stability_margin);
-                proven.critical_compression = Some(local.critical_compression);
-            }
-            Verdict::Buckles(mode) => {
-                proven.verdict = "none";
-                let Buckling { critical_compression, at, left, right, work } = mode;
-                proven.failing_motion = Some(Motion { left, right, work, hinges: Vec::new() });
-                proven.critical_compression = Some(critical_compression);
-                proven.buckles_at = Some(at);
-            }
-        }
-        proven
-    }
-}
-
-#[derive(Serialize)]
-struct Motion {
-    left: f64,
-    right: f64,
-    work: f64,
-    /// r at each hinge, in the order of the model's hinges.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    hinges: Vec<f64>,
-}
-
-impl Motion {
-    fn of(model: Option<&Model>, motion: RigidMotion) -> Self {
-        let at = |model: &Model, x: f64| motion.at(model, x);
-        let all = |model: &Model| model.hinges.iter().map(|hinge| at(model, hinge.at)).collect();
-        let hinges = model.map_or(Vec::new(), all);
-        Motion { left: motion.left, right: motion.right, work: motion.work, hinges }
     }
 }
 

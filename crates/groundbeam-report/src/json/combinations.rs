@@ -1,6 +1,7 @@
 //! The document of a file with combinations: each with its own result, and the envelope of all.
 
-use super::{Checked, EVEN_STEPS, Point, Proven, Solved, Stopped, default_stations, text};
+use super::existence::Proven;
+use super::{Checked, EVEN_STEPS, Point, Solved, Stopped, default_stations, text};
 use crate::band::Banded;
 use crate::combinations::{Alone, Answer, Combinations, Combined, Overall};
 use crate::context::Context;

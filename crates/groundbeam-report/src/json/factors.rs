@@ -1,6 +1,6 @@
 //! Load factors in the result document.
 
-use super::Motion;
+use super::existence::Motion;
 use crate::context::Factors;
 use groundbeam::{FirstLiftOff, LossOfEquilibrium, Model, RigidMotion};
 use serde::Serialize;
