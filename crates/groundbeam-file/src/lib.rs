@@ -83,6 +83,28 @@ use toml::de::DeTable;
 /// Everything that is wrong with the file, [`Model::problems`](groundbeam::Model::problems)
 /// included. If it is not even TOML, only that is told.
 pub fn parse(text: &str) -> Result<Document, Diagnostics> {
+    read(text, false)
+}
+
+/// Reads a model that a program wrote: a number without a unit is in SI units, and may stand beside quantities with
+/// one.
+///
+/// ```
+/// let text = "[beam]\nlength = '12 m'\nEI = 1.28e9\n[foundation]\nk = '40 MN/m^2'\nmu = 9e6\n";
+/// let model = groundbeam_file::parse_si(text)?.model;
+/// assert_eq!((model.beam.bending_stiffness, model.foundation.spring), (1.28e9, 40e6));
+/// assert!(groundbeam_file::parse(text).is_err(), "a file that a person wrote does not mix them");
+/// # Ok::<(), groundbeam_file::Diagnostics>(())
+/// ```
+///
+/// # Errors
+///
+/// As [`parse`].
+pub fn parse_si(text: &str) -> Result<Document, Diagnostics> {
+    read(text, true)
+}
+
+fn read(text: &str, bare_is_si: bool) -> Result<Document, Diagnostics> {
     let source = Source::new(text);
     let (table, errors) = DeTable::parse_recoverable(text);
     let syntax = syntax::explain(&source, table.get_ref(), &errors);
@@ -93,7 +115,7 @@ pub fn parse(text: &str) -> Result<Document, Diagnostics> {
     if root.table.is_empty() {
         return Err(Diagnostic::new(&source, no_model()).into());
     }
-    let mut reader = Reader::new(&source, &root);
+    let mut reader = Reader::new(&source, &root, bare_is_si);
     reader.found = syntax.found;
     let contents = section::read(&mut reader, &root);
     let Contents { title, model, ground, limits, cases, recipes, trains } = contents;

@@ -40,6 +40,8 @@ pub(crate) struct Reader<'s> {
     pub found: Vec<Diagnostic>,
     pub quantities: Vec<Seen>,
     pub places: Places,
+    /// Whether numbers without a unit are in SI units and may stand beside others.
+    pub bare_is_si: bool,
     /// Whether the file seems to give no units, so that advice fits it.
     plain: bool,
     /// Keys that unknown ones are probably meant to be, each with the start of its table.
@@ -47,13 +49,14 @@ pub(crate) struct Reader<'s> {
 }
 
 impl<'s> Reader<'s> {
-    pub fn new(source: &'s Source, root: &Section) -> Self {
+    pub fn new(source: &'s Source, root: &Section, bare_is_si: bool) -> Self {
         Reader {
             source,
             found: vec![],
             quantities: vec![],
             places: Places::default(),
-            plain: root.has_bare_numbers_only(),
+            bare_is_si,
+            plain: !bare_is_si && root.has_bare_numbers_only(),
             meant: vec![],
         }
     }
