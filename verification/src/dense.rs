@@ -10,9 +10,9 @@ use groundbeam::{Load, Model};
 pub struct Dense {
     /// Nodes.
     pub nodes: usize,
-    /// K, 2N × 2N: w₁, θ₁, w₂, θ₂, …
+    /// K: w₁, θ₁, w₂, θ₂, …, and behind them a slope more for each hinge, that of the element to its right.
     pub stiffness: Vec<Vec<f64>>,
-    /// F, 2N.
+    /// F, of the same length.
     pub load: Vec<f64>,
     /// G, N × N.
     pub flexibility: Vec<Vec<f64>>,
@@ -36,17 +36,29 @@ impl Dense {
             [-36.0, -3.0 * h, 36.0, -3.0 * h],
             [3.0 * h, -h * h, -3.0 * h, 4.0 * h * h],
         ];
-        let mut stiffness = vec![vec![0.0; 2 * nodes]; 2 * nodes];
+        let node = |x: f64| (x / h).round() as usize;
+        let size = 2 * nodes + model.hinges.len();
+        let mut stiffness = vec![vec![0.0; size]; size];
+        for (i, hinge) in model.hinges.iter().enumerate() {
+            let [left, right] = [2 * node(hinge.at) + 1, 2 * nodes + i];
+            for (a, b, sign) in
+                [(left, left, 1.0), (right, right, 1.0), (left, right, -1.0), (right, left, -1.0)]
+            {
+                stiffness[a][b] += sign * hinge.rotational_spring;
+            }
+        }
         for e in 0..elements {
+            let hinge = model.hinges.iter().position(|hinge| node(hinge.at) == e);
+            let slope = hinge.map_or(2 * e + 1, |i| 2 * nodes + i);
+            let own = [2 * e, slope, 2 * e + 2, 2 * e + 3];
             for i in 0..4 {
                 for j in 0..4 {
-                    stiffness[2 * e + i][2 * e + j] +=
+                    stiffness[own[i]][own[j]] +=
                         ei / h.powi(3) * bend[i][j] + p / (30.0 * h) * pull[i][j];
                 }
             }
         }
-        let mut load = vec![0.0; 2 * nodes];
-        let node = |x: f64| (x / h).round() as usize;
+        let mut load = vec![0.0; size];
         for l in &model.loads {
             match *l {
                 Load::PointForce { at, force } => load[2 * node(at)] += force,
@@ -57,6 +69,13 @@ impl Dense {
                         load[2 * e + 1] += start * h * h / 12.0;
                         load[2 * e + 2] += 0.5 * start * h;
                         load[2 * e + 3] -= start * h * h / 12.0;
+                    }
+                }
+                // The moments EI κ₀ at both ends of each element, which turn them apart.
+                Load::Curvature { start, .. } => {
+                    for e in 0..elements {
+                        load[2 * e + 1] -= ei * start;
+                        load[2 * e + 3] += ei * start;
                     }
                 }
                 Load::DistributedMoment { .. } => unreachable!("not drawn for this problem"),
@@ -79,7 +98,7 @@ impl Dense {
 
     /// K W + p = F with (G p − w)ᵢ = 0 on the set and p = 0 off it; none if a sign fails.
     fn with_contact(&self, touching: &[usize]) -> Option<(Vec<f64>, Vec<f64>)> {
-        let (n, m) = (2 * self.nodes, touching.len());
+        let (n, m) = (self.load.len(), touching.len());
         let mut a = vec![vec![0.0; n + m + 1]; n + m];
         for i in 0..n {
             a[i][..n].copy_from_slice(&self.stiffness[i]);

@@ -1,8 +1,8 @@
 //! Random models that have an equilibrium, from both ends of every parameter.
 
 use groundbeam::{
-    Beam, FirstLiftOff, Foundation, Load, LoadFactors, Model, Profile, Support, Verdict, exists,
-    load_factors,
+    Acts, Beam, FirstLiftOff, Foundation, Hinge, Load, LoadFactors, Model, Profile, Support,
+    Verdict, exists, load_factors,
 };
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -30,13 +30,21 @@ pub enum Family {
     Mixed,
     /// Stiffness and ground that run from one value to another, with some of all the rest.
     Varying,
+    /// Imposed curvatures beside the loads, with some of all the rest.
+    Curled = 12,
+    /// Supports that have settled, with some of all the rest.
+    Settled = 13,
+    /// Hinges, free and elastic, with some of all the rest.
+    Hinged = 10,
+    /// Supports that act in one direction alone, with some of all the rest.
+    OneWay = 11,
     /// All of it at its worst: λl up to 10⁴, up to a hundred loads, some pulling, resultants near an end.
     Extreme = 20,
 }
 
 impl Family {
     /// Every family that takes milliseconds a model; `Extreme` takes seconds at times.
-    pub const ALL: [Family; 10] = [
+    pub const ALL: [Family; 14] = [
         Family::Plain,
         Family::Tension,
         Family::Segments,
@@ -47,6 +55,10 @@ impl Family {
         Family::Long,
         Family::Mixed,
         Family::Varying,
+        Family::Curled,
+        Family::Settled,
+        Family::Hinged,
+        Family::OneWay,
     ];
 }
 
@@ -104,7 +116,13 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     let extreme = family == Family::Extreme;
     let mixed = extreme || family == Family::Mixed;
     let hard = extreme || family == Family::Hard;
-    let varying = family == Family::Varying;
+    let curled = family == Family::Curled;
+    // With some of all the rest.
+    let settles = family == Family::Settled;
+    let hinged = family == Family::Hinged;
+    let one_way = family == Family::OneWay;
+    let various = curled || settles || hinged || one_way || family == Family::Varying;
+    let varying = family == Family::Varying || dice.now_and_then(curled || settles);
     let length = dice.decades(-1.0, 2.0);
     let k = dice.decades(-2.0, 2.0);
     // Stiffness by the number that matters, l (k/4EI)^(1/4).
@@ -118,17 +136,20 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     // The shear layer by √(μ/k) against √(EI/k)^(1/2).
     let shear = match family {
         Family::Winkler => 0.0,
-        _ if mixed && dice.happens(0.2) => 0.0,
+        _ if (mixed || curled || settles) && dice.happens(0.2) => 0.0,
         Family::Hard | Family::Extreme => (k * stiffness).sqrt() * dice.decades(-4.0, 3.0),
         _ => (k * stiffness).sqrt() * dice.decades(-2.0, 1.5),
     };
     let mut beam = Beam::uniform(length, stiffness);
     let mut ground = Foundation::pasternak(k, shear);
-    if family == Family::Tension || (mixed && dice.happens(0.5)) || dice.now_and_then(varying) {
+    if family == Family::Tension || (mixed && dice.happens(0.5)) || dice.now_and_then(various) {
         let own = stiffness / (length * length);
         beam.axial_force = own * dice.decades(-2.0, 3.0);
     }
-    if family == Family::Segments || (mixed && dice.happens(0.5)) {
+    if family == Family::Segments
+        || (mixed && dice.happens(0.5))
+        || dice.now_and_then(curled || settles)
+    {
         let mut ends: Vec<f64> = (0..2 + 2 * dice.up_to(2)).map(|_| dice.place()).collect();
         ends.sort_by(f64::total_cmp);
         for pair in ends.chunks_exact(2).filter(|pair| pair[0] < pair[1]) {
@@ -150,7 +171,17 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         ground = vary_ground(ground, length, dice);
     }
     let mut model = Model::new(beam, ground);
-    if family == Family::Supported || (mixed && dice.happens(0.3)) || dice.now_and_then(varying) {
+    if hinged || dice.now_and_then(one_way) {
+        model = hinge(model, dice);
+    }
+    if one_way {
+        model = bearings(model, dice);
+    }
+    if family == Family::Supported
+        || settles
+        || (mixed && dice.happens(0.3))
+        || dice.now_and_then(various)
+    {
         let mut places: Vec<f64> = (0..=dice.up_to(2)).map(|_| dice.place()).collect();
         places.sort_by(f64::total_cmp);
         places.dedup();
@@ -166,7 +197,9 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
                     stiffness / length * dice.decades(-2.0, 2.0),
                 ),
             };
-            model = model.with_support(support);
+            let settled = settles && dice.happens(0.7);
+            let settlement = if settled { dice.even(-1.0, 2.0) / (k * length) } else { 0.0 };
+            model = model.with_support(support.settled(settlement));
         }
         if dice.happens(0.3) {
             let critical = groundbeam::own_buckling_load(&model);
@@ -176,7 +209,10 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         }
     }
     load(&mut model, family, lambda_l, dice);
-    if family == Family::Gap || (mixed && dice.happens(0.5)) || dice.now_and_then(varying) {
+    if curled {
+        curl(&mut model, lambda_l, dice);
+    }
+    if family == Family::Gap || (mixed && dice.happens(0.5)) || dice.now_and_then(various) {
         let corners = 1 + dice.up_to(4);
         let mut places: Vec<f64> = (0..corners).map(|_| dice.place()).collect();
         places.sort_by(f64::total_cmp);
@@ -224,6 +260,46 @@ fn vary_beam<R: Rng>(mut beam: Beam, stiffness: f64, dice: &mut Dice<R>) -> Beam
     beam
 }
 
+/// One to five supports that only push up or only hold down, rigid or elastic; loads that lift the beam off some.
+fn bearings<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
+    let (length, k) = (model.beam.length, model.foundation.spring);
+    // A weight, so that no piece lies where it likes.
+    model = model.with_load(Load::uniform(dice.even(0.1, 0.5) / length, 0.0, length));
+    for _ in 0..=dice.up_to(4) {
+        let at = dice.place() * length;
+        let support = if dice.happens(0.5) {
+            Support::pinned(at)
+        } else {
+            Support::spring(at, k * length * dice.decades(-2.0, 2.0), 0.0)
+        };
+        let acts = if dice.happens(0.6) { Acts::Up } else { Acts::Down };
+        if model.supports.iter().all(|other| other.at != at) {
+            model = model.with_support(support.acting(acts));
+        }
+        if dice.happens(0.3) {
+            model = model.with_load(Load::point(-dice.even(0.1, 1.0), dice.place() * length));
+        }
+    }
+    model
+}
+
+/// One to four hinges, one in three of them elastic; now and then ground without a shear layer.
+fn hinge<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
+    let (length, stiffness) = (model.beam.length, model.beam.bending_stiffness);
+    if dice.happens(0.25) {
+        model.foundation.shear = 0.0;
+    }
+    for _ in 0..=dice.up_to(3) {
+        let at = dice.even(0.02, 0.98) * length;
+        model = model.with_hinge(if dice.up_to(2) == 0 {
+            Hinge::elastic(at, stiffness / length * dice.decades(-2.0, 2.0))
+        } else {
+            Hinge::free(at)
+        });
+    }
+    model
+}
+
 /// The same for the ground, one time in ten without a shear layer.
 fn vary_ground<R: Rng>(mut ground: Foundation, length: f64, dice: &mut Dice<R>) -> Foundation {
     let curve = |dice: &mut Dice<R>, value: f64| {
@@ -253,6 +329,26 @@ fn stretches<R: Rng>(length: f64, dice: &mut Dice<R>) -> Vec<[f64; 2]> {
     ends.chunks_exact(2).filter(|pair| pair[0] < pair[1]).map(|pair| [pair[0], pair[1]]).collect()
 }
 
+/// One to three imposed curvatures, of moments beside which those of the loads are small, alike or large.
+fn curl<R: Rng>(model: &mut Model, lambda_l: f64, dice: &mut Dice<R>) {
+    let l = model.beam.length;
+    let loads: f64 = model.loads.iter().map(|load| size_of(load, l)).sum();
+    let size = loads * l / lambda_l.max(1.0) / model.beam.bending_stiffness;
+    for _ in 0..=dice.up_to(2) {
+        let (mut from, mut to) = (dice.place() * l, dice.place() * l);
+        if from > to {
+            (from, to) = (to, from);
+        }
+        if from == to {
+            (from, to) = (0.0, l);
+        }
+        let size = size * dice.decades(-1.5, 1.0);
+        let start = dice.even(-1.0, 1.0) * size;
+        let end = if dice.happens(0.5) { start } else { dice.even(-1.0, 1.0) * size };
+        model.loads.push(Load::Curvature { from, to, start, end });
+    }
+}
+
 fn size_of(load: &Load, length: f64) -> f64 {
     match *load {
         Load::PointForce { force, .. } => force.abs(),
@@ -261,6 +357,7 @@ fn size_of(load: &Load, length: f64) -> f64 {
         Load::DistributedMoment { from, to, start, end } => {
             0.5 * (start.abs() + end.abs()) * (to - from) / length
         }
+        Load::Curvature { .. } => 0.0,
     }
 }
 

@@ -85,7 +85,7 @@ impl Answer {
     fn loaded_near(&self, x: f64, near: f64) -> bool {
         self.parsed().loads.iter().any(|load| match *load {
             Load::PointForce { at, .. } | Load::PointMoment { at, .. } => (at - x).abs() <= near,
-            Load::Distributed { .. } | Load::DistributedMoment { .. } => false,
+            _ => false,
         })
     }
 

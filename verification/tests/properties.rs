@@ -28,7 +28,9 @@ fn exact_is_certified() {
             Family::Extreme => 5..18,
             _ => 0..500,
         };
-        for number in numbers {
+        // Loops a million times higher than the ground settles; an edge that runs over hundreds of waves.
+        let hardest: &[u64] = if family == Family::Hard { &[1617, 4179, 6195, 7814] } else { &[] };
+        for number in numbers.chain(hardest.iter().copied()) {
             match exact(&model(family, number)) {
                 Ok(solution) => {
                     let certificate = solution.certificate();
@@ -107,6 +109,8 @@ fn scaling_by_a_power_of_two_is_bit_identical() {
         Family::Winkler,
         Family::Supported,
         Family::Varying,
+        Family::Curled,
+        Family::Settled,
     ];
     let mut faults = Vec::new();
     for family in families {
@@ -114,7 +118,10 @@ fn scaling_by_a_power_of_two_is_bit_identical() {
             let mut model = model(family, number);
             model.gap.clear();
             let factor = 2_f64.powi([-20, -3, 1, 11, 40][number as usize % 5]);
-            let scaled = model.clone().with_loads_scaled(factor);
+            let mut scaled = model.clone().with_loads_scaled(factor);
+            for support in &mut scaled.supports {
+                support.settlement *= factor;
+            }
             for method in [Method::Exact, Method::ActiveSet] {
                 let options = Options { method, elements: 37, ..Options::default() };
                 let (Ok(Outcome::Equilibrium(a)), Ok(Outcome::Equilibrium(b))) =
@@ -153,6 +160,8 @@ fn mirror_images_mirror() {
         Family::Supported,
         Family::Gap,
         Family::Varying,
+        Family::Curled,
+        Family::Settled,
     ] {
         for number in 0..200 {
             let model = model(family, number);
@@ -170,6 +179,16 @@ fn mirror_images_mirror() {
                 Field::ShearForce => largest(f).max(largest(Field::Moment) / l),
                 _ => largest(f),
             };
+            // A stiff beam that a settled pin holds deep in the ground bends by the last digits of its deflection:
+            // what it bends by is known as well as its certificate says.
+            let bound = [&a, &b].map(|s| s.certificate().moment_rms_bound).iter().sum::<f64>();
+            let uncertain = |f: Field| match f {
+                _ if family != Family::Settled => 0.0,
+                Field::Slope => 1e-11 * largest(Field::Deflection) / l,
+                Field::Moment => bound,
+                Field::ShearForce => bound / l,
+                _ => 0.0,
+            };
             for i in 1..50 {
                 // Off the places where fields jump.
                 let x = l * (f64::from(i) + 0.123_456_7) / 51.0;
@@ -181,7 +200,7 @@ fn mirror_images_mirror() {
                     (Field::Slope, -1.0),
                 ] {
                     let error = (here.get(field) - sign * there.get(field)).abs();
-                    if error > 1e-9 * scale(field) {
+                    if error > 1e-9 * scale(field) + uncertain(field) {
                         faults.push(format!(
                             "{family:?} {number}: {} at {x}: {error:e}",
                             field.name()

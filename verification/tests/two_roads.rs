@@ -34,6 +34,9 @@ fn model(rng: &mut ChaCha8Rng, elements: usize) -> Model {
         if rng.random_bool(0.3) {
             model.loads.push(Load::uniform(rng.random_range(0.0..1.0) / l, 0.0, l));
         }
+        if rng.random_bool(0.3) {
+            model.loads.push(Load::curvature(rng.random_range(-0.5..0.5) * l / ei, 0.0, l));
+        }
         if exists(&model).is_ok_and(|e| e.verdict == Verdict::Unique) {
             return model;
         }
@@ -87,11 +90,15 @@ fn the_papers_iteration() {
     for number in 0..200 {
         let elements = rng.random_range(2..12);
         let model = model(&mut rng, elements);
-        let (w, p) = nodal(&solved(&model, Method::ActiveSet, elements), elements);
+        let found = solved(&model, Method::ActiveSet, elements);
+        // A beam that curls up from the one node it stands on may turn there: its forces alone are the same.
+        let turns = found.existence().verdict != Verdict::Unique;
+        let (w, p) = nodal(&found, elements);
         for method in [Method::Uzawa, Method::Psor] {
             let (found_w, found_p) = nodal(&solved(&model, method, elements), elements);
             let (dw, dp) = (distance(&found_w, &w), distance(&found_p, &p));
-            assert!(dw < 1e-6 && dp < 1e-6, "{number} {method:?}: {dw:e} {dp:e} {model:?}");
+            let same = (turns || dw < 1e-6) && dp < 1e-6;
+            assert!(same, "{number} {method:?}: {dw:e} {dp:e} {model:?}");
         }
     }
 }
@@ -134,6 +141,10 @@ fn dimensionless(model: &Model, elements: usize) -> Model {
             Load::PointMoment { at, moment } => Load::moment(moment / h, at / h),
             Load::Distributed { from, to, start, end } => {
                 Load::Distributed { from: from / h, to: to / h, start: start * h, end: end * h }
+            }
+            Load::Curvature { from, to, start, end } => {
+                let [start, end] = [start, end].map(|curvature| curvature * ei / h);
+                Load::Curvature { from: from / h, to: to / h, start, end }
             }
             other => other,
         };

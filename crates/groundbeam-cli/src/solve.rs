@@ -8,7 +8,7 @@ use crate::output::{draw, print, standard_error_has_colour, standard_output_has_
 use crate::request::{Grow, Solve};
 use crate::trains;
 use crate::waiting::while_working;
-use groundbeam::{Error, LoadFactors, Model, Options, Outcome, Solution};
+use groundbeam::{Error, Load, LoadFactors, Model, Options, Outcome, Solution};
 use groundbeam_file::{
     Combination, Diagnostic, Diagnostics, Severity, parse_cases, parse_positions,
 };
@@ -176,7 +176,12 @@ impl Growing {
     ) -> Result<LoadFactors, Failure> {
         let on_soil = context.ground.filter(|ground| ground.bed.is_some());
         let model = on_soil.map_or_else(|| model.clone(), |g| g.subgrade.under(model));
-        let grows = |load: usize| self.grows.get(load).is_some_and(|&grows| grows);
+        // Without a case named, forces grow: a temperature or a camber stays what it is.
+        let stays = |load: usize| {
+            let curls = matches!(model.loads.get(load), Some(Load::Curvature { .. }));
+            self.cases.is_empty() && curls
+        };
+        let grows = |load: usize| self.grows.get(load).is_some_and(|&grows| grows && !stays(load));
         groundbeam::load_factors(&model, grows).map_err(|error| match error {
             Error::NotConverged(reached) => {
                 let shown = text::not_converged(&reached, standard_error_has_colour());

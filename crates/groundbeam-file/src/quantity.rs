@@ -99,11 +99,34 @@ pub(crate) const RATIO: Kind = kind("a plain number", Dimension::NONE, "0.3", ""
 pub(crate) const SPRING: Kind = kind("a force per deflection", LINE_LOAD, "10 MN/m", "MN/m", &[]);
 pub(crate) const ROTATIONAL_SPRING: Kind = kind(
     "a moment per angle",
-    Dimension { force: 1, length: 1, angle: -1 },
+    Dimension { angle: -1, ..Dimension::new(1, 1) },
     "5 MN m/rad",
     "MN m/rad",
     &[],
 );
+
+pub(crate) const CURVATURE: Kind = kind(
+    "a curvature",
+    Dimension { angle: 1, ..Dimension::new(0, -1) },
+    "1e-4 1/m",
+    "1/m",
+    &[(
+        Dimension::LENGTH,
+        "a radius is the inverse of a curvature: write for example \"1e-4 1/m\"",
+    )],
+);
+pub(crate) const TEMPERATURE: Kind =
+    kind("a temperature difference", Dimension::TEMPERATURE, "15 K", "K", &[]);
+pub(crate) const EXPANSION: Kind = kind(
+    "a strain per temperature",
+    Dimension { temperature: -1, ..Dimension::NONE },
+    "1e-5 1/K",
+    "1/K",
+    &[],
+);
+pub(crate) const STRAIN: Kind = kind("a strain", Dimension::NONE, "300e-6", "", &[]);
+pub(crate) const DEPTH: Kind = kind("a length", Dimension::LENGTH, "0.2 m", "m", &[]);
+pub(crate) const CAMBER: Kind = kind("a length", Dimension::LENGTH, "20 mm", "mm", &[]);
 
 impl Kind {
     /// A radian is a plain number, so what is per angle may be given without it.
@@ -202,6 +225,11 @@ impl Kind {
 
     /// A number that goes on after a comma or a space: not guessed at.
     fn interrupted(&self, number: &str, rest: &str, length: usize) -> Option<Fault> {
+        // A unit may be one over another.
+        let over = rest.strip_prefix('1').and_then(|rest| rest.trim_start().strip_prefix('/'));
+        if over.is_some_and(|unit| !unit.trim_start().starts_with(|c: char| c.is_ascii_digit())) {
+            return None;
+        }
         let digits_after =
             |text: &str| -> String { text.chars().take_while(char::is_ascii_digit).collect() };
         let (more, hint) = if let Some(after_comma) = rest.strip_prefix(',') {
@@ -265,6 +293,11 @@ mod tests {
         assert_eq!(si(&MOMENT_PER_LENGTH, "5 kN m/m"), 5000.0);
         assert_eq!(si(&ROTATIONAL_SPRING, "5 MN m/rad"), 5e6);
         assert_eq!(si(&ROTATIONAL_SPRING, "5 MN m"), 5e6);
+        assert_eq!(si(&CURVATURE, "1e-4 1/m"), 1e-4);
+        assert_eq!(si(&CURVATURE, "0.1 mrad/m"), 1e-4);
+        assert_eq!(si(&CURVATURE, "0.1 1 / km"), 1e-4);
+        assert_eq!(si(&EXPANSION, "10e-6 1/°C"), 1e-5);
+        assert_eq!(si(&TEMPERATURE, "27 degF"), 15.0);
     }
 
     #[test]
@@ -282,7 +315,7 @@ mod tests {
         assert_eq!(si(&LENGTH, "  12m\t"), 12.0);
         assert_eq!(si(&LENGTH, "1_000 mm"), 1.0);
         let code_of = |text| LENGTH.read("length", text, false).unwrap_err().code;
-        for text in ["3,5 m", "1 000 m", "12,5", "twelve m", "", "  ", "m", "-", "$3"] {
+        for text in ["3 1/2 in", "3,5 m", "1 000 m", "12,5", "twelve m", "", "  ", "m", "-", "$3"] {
             assert_eq!(code_of(text), code::NUMBER, "{text:?}");
         }
         for text in ["nan", "-inf m", "1e400", "1e-400 m", "1e-330", "1e308 km"] {
@@ -312,6 +345,11 @@ mod tests {
             SHEAR_CONSTANT,
             SPRING,
             ROTATIONAL_SPRING,
+            CURVATURE,
+            TEMPERATURE,
+            EXPANSION,
+            DEPTH,
+            CAMBER,
         ];
         for kind in kinds {
             assert!(kind.read("key", kind.example, false).unwrap().has_unit);

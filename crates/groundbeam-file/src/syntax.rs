@@ -8,7 +8,7 @@ use std::ops::Range;
 use toml::de::{DeTable, DeValue, Error};
 
 /// Tables of which there can be several; the last names of `[[beam.segment]]` and the like.
-const LISTS: [&str; 6] = ["load", "support", "gap", "segment", "case", "combination"];
+const LISTS: [&str; 7] = ["load", "support", "hinge", "gap", "segment", "case", "combination"];
 
 /// What is wrong with the file as TOML.
 pub(crate) struct SyntaxFaults {

@@ -48,6 +48,7 @@ const MEANT: &[(&str, &[&str])] = &[
     ("foundation", &["ground", "soil", "subgrade", "bed"]),
     ("load", &["force", "forces", "action"]),
     ("support", &["bearing", "constraint"]),
+    ("hinge", &["joint", "internal_hinge", "release"]),
     ("gap", &["clearance", "initial_gap"]),
     ("case", &["load_case"]),
     ("combination", &["load_combination", "combinations", "combo"]),
@@ -77,6 +78,7 @@ const MEANT: &[(&str, &[&str])] = &[
     ("spring", &["k", "stiffness", "spring_constant"]),
     ("rotational_spring", &["k_r", "kr", "rotation", "rotational"]),
     ("type", &["kind"]),
+    ("acts", &["direction", "one_way", "only"]),
     ("value", &["gap", "clearance", "size"]),
 ];
 

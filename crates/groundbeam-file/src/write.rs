@@ -1,7 +1,7 @@
 //! Model → text: the inverse of [`parse`](crate::parse), bit for bit.
 
 use crate::units::UnitSystem;
-use groundbeam::{Load, Model, Profile, SupportKind};
+use groundbeam::{Acts, Load, Model, Profile, SupportKind};
 use std::fmt::Write;
 
 /// The model as a model file, every number written so that reading it gives the same bits.
@@ -29,7 +29,8 @@ pub fn write_toml(model: &Model, title: Option<&str>, units: UnitSystem) -> Stri
     for load in &model.loads {
         out.load(load);
     }
-    out.supports_and_gap(model);
+    out.held_and_joined(model);
+    out.gap(model);
     out.text.trim_start().to_owned()
 }
 
@@ -108,10 +109,14 @@ impl Writer {
                 self.intensity("distributed_moment", start, end, "N m/m");
                 self.stretch(from, to);
             }
+            Load::Curvature { from, to, start, end } => {
+                self.intensity("curvature", start, end, "1/m");
+                self.stretch(from, to);
+            }
         }
     }
 
-    fn supports_and_gap(&mut self, model: &Model) {
+    fn held_and_joined(&mut self, model: &Model) {
         for support in &model.supports {
             self.heading("[[support]]");
             self.quantity("at", support.at, "m");
@@ -123,7 +128,25 @@ impl Writer {
                     self.quantity("rotational_spring", rotational_spring, "N m/rad");
                 }
             }
+            if support.settlement != 0.0 {
+                self.quantity("settlement", support.settlement, "m");
+            }
+            match support.acts {
+                Acts::Both => {}
+                Acts::Up => self.line("acts", "\"up\""),
+                Acts::Down => self.line("acts", "\"down\""),
+            }
         }
+        for hinge in &model.hinges {
+            self.heading("[[hinge]]");
+            self.quantity("at", hinge.at, "m");
+            if hinge.rotational_spring != 0.0 {
+                self.quantity("rotational_spring", hinge.rotational_spring, "N m/rad");
+            }
+        }
+    }
+
+    fn gap(&mut self, model: &Model) {
         for corner in &model.gap {
             self.heading("[[gap]]");
             self.quantity("at", corner.at, "m");

@@ -1,7 +1,7 @@
 //! What a right file says, in every way it can be said.
 
 use groundbeam::model::{Part, Problem};
-use groundbeam::{Load, Support, SupportKind};
+use groundbeam::{Acts, Load, Support, SupportKind};
 use groundbeam_file::{Document, UnitSystem, parse};
 
 #[track_caller]
@@ -86,7 +86,11 @@ fn a_whole_file() {
     ];
     assert_eq!(model.loads, loads);
     let spring = SupportKind::Spring { spring: 0.0, rotational_spring: 5e6 };
-    let supports = [Support::pinned(0.0), Support::fixed(6.0), Support { at: 12.0, kind: spring }];
+    let supports = [
+        Support::pinned(0.0),
+        Support::fixed(6.0),
+        Support { at: 12.0, kind: spring, settlement: 0.0, acts: Acts::Both },
+    ];
     assert_eq!(model.supports, supports);
     assert_eq!((model.gap[0].at, model.gap[0].value), (0.0, 0.002));
 }

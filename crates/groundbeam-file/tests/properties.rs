@@ -1,7 +1,7 @@
 //! What holds for every text and every model.
 
 use groundbeam::model::{Part, Problem};
-use groundbeam::{Beam, Foundation, Load, Model, Profile, Support};
+use groundbeam::{Acts, Beam, Foundation, Hinge, Load, Model, Profile, Support, SupportKind};
 use groundbeam_file::{Diagnostics, UnitSystem, parse, parse_positions, text_of, write_toml};
 use proptest::prelude::*;
 
@@ -60,9 +60,11 @@ fn load(length: f64) -> impl Strategy<Value = Load> {
         (value(), place).prop_map(|(moment, at)| Load::PointMoment { at, moment }),
         (value(), value(), stretch.clone())
             .prop_map(|(start, end, (from, to))| { Load::Distributed { from, to, start, end } }),
-        (value(), value(), stretch).prop_map(|(start, end, (from, to))| {
+        (value(), value(), stretch.clone()).prop_map(|(start, end, (from, to))| {
             Load::DistributedMoment { from, to, start, end }
         }),
+        (value(), value(), stretch)
+            .prop_map(|(start, end, (from, to))| { Load::Curvature { from, to, start, end } }),
     ]
 }
 
@@ -79,30 +81,52 @@ fn model() -> impl Strategy<Value = Model> {
         let loads = prop::collection::vec(load(length), 0..5);
         let supports = (joints(length), prop::collection::vec((0..3, size(), size()), 0..3));
         let gap = (joints(length), prop::collection::vec(value(), 0..5));
-        (beam, ground, loads, supports, gap).prop_map(move |(beam, ground, loads, held, gap)| {
-            let (joints, stiffness, ei, axial_force) = beam;
-            let mut beam = Beam::uniform(length, ei).with_axial_force(axial_force);
-            for (ends, ei) in joints.windows(2).skip(1).zip(stiffness) {
-                beam = beam.with_varying_segment(ends[0], ends[1], ei);
-            }
-            let (joints, constants, k) = ground;
-            let mut foundation = Foundation::winkler(k);
-            for (ends, (k, mu)) in joints.windows(2).skip(1).zip(constants) {
-                foundation = foundation.with_varying_segment(ends[0], ends[1], k, mu);
-            }
-            let mut model = Model { loads, ..Model::new(beam, foundation) };
-            for (at, (kind, spring, rotational)) in held.0.into_iter().zip(held.1) {
-                model = model.with_support(match kind {
-                    0 => Support::pinned(at),
-                    1 => Support::fixed(at),
-                    _ => Support::spring(at, spring, rotational),
-                });
-            }
-            for (at, value) in gap.0.into_iter().zip(gap.1) {
-                model = model.with_gap(at, value);
-            }
-            model
-        })
+        (beam, ground, loads, supports, gap, joints(length)).prop_map(
+            move |(beam, ground, loads, held, gap, hinges)| {
+                let (joints, stiffness, ei, axial_force) = beam;
+                let mut beam = Beam::uniform(length, ei).with_axial_force(axial_force);
+                for (ends, ei) in joints.windows(2).skip(1).zip(stiffness) {
+                    beam = beam.with_varying_segment(ends[0], ends[1], ei);
+                }
+                let (joints, constants, k) = ground;
+                let mut foundation = Foundation::winkler(k);
+                for (ends, (k, mu)) in joints.windows(2).skip(1).zip(constants) {
+                    foundation = foundation.with_varying_segment(ends[0], ends[1], k, mu);
+                }
+                let mut model = Model { loads, ..Model::new(beam, foundation) };
+                for (at, (kind, spring, rotational)) in held.0.into_iter().zip(held.1) {
+                    model = model.with_support(match kind {
+                        0 => Support::pinned(at),
+                        1 => Support::fixed(at),
+                        _ => Support::spring(at, spring, rotational).settled(0.01 * spring.sin()),
+                    });
+                }
+                for (i, support) in model.supports.iter_mut().enumerate() {
+                    if support.kind == SupportKind::Pinned {
+                        support.acts = [Acts::Both, Acts::Up, Acts::Down][i % 3];
+                    }
+                }
+                for (i, at) in hinges.into_iter().enumerate() {
+                    let turns = |s: &Support| s.at == at && s.kind != SupportKind::Pinned;
+                    let free = model
+                        .loads
+                        .iter()
+                        .all(|load| !matches!(load, Load::PointMoment { at: x, .. } if *x == at));
+                    if at > 0.0
+                        && at < model.beam.length
+                        && free
+                        && !model.supports.iter().any(turns)
+                    {
+                        let spring = if i == 0 { 0.0 } else { model.beam.bending_stiffness };
+                        model = model.with_hinge(Hinge::elastic(at, spring));
+                    }
+                }
+                for (at, value) in gap.0.into_iter().zip(gap.1) {
+                    model = model.with_gap(at, value);
+                }
+                model
+            },
+        )
     })
 }
 
@@ -116,6 +140,7 @@ const PIECES: &[&str] = &[
     "[foundation]",
     "[[load]]",
     "[[support]]",
+    "[[hinge]]",
     "[[gap]]",
     "[[beam.segment]]",
     "[[foundation.segment]]",
@@ -298,7 +323,7 @@ proptest! {
         let document = parse(&text).unwrap();
         let parts = [
             Part::Beam, Part::BeamSegment(i), Part::Foundation, Part::FoundationSegment(i),
-            Part::Load(i), Part::Support(i), Part::Gap(i),
+            Part::Load(i), Part::Support(i), Part::Hinge(i), Part::Gap(i),
         ];
         for part in parts {
             let problem = Problem {

@@ -21,8 +21,8 @@ pub use combinations::{checked_combinations, combinations, envelope_stations};
 use factors::Grown;
 use ground::Ground;
 use groundbeam::{
-    Certificate, Existence, Extreme, Field, Method, Model, NotConverged, RigidMotion, Side,
-    Solution, Verdict,
+    Acts, Certificate, Existence, Extreme, Field, Method, Model, NotConverged, RigidMotion, Side,
+    Solution, Support, Verdict,
 };
 use serde::Serialize;
 pub use train::{checked_trains, trains};
@@ -90,6 +90,8 @@ struct Solved {
     end_forces: Ends,
     concentrated_forces: Vec<Force>,
     reactions: Vec<Held>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    hinges: Vec<Turned>,
     stations: Stations,
     extremes: Extremes,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -134,13 +136,24 @@ impl Solved {
             reactions: solution
                 .reactions()
                 .iter()
-                .map(|r| Held { at: r.at, force: r.force, moment: r.moment })
+                .zip(&model.supports)
+                .map(|(r, support)| Held {
+                    at: r.at,
+                    force: r.force,
+                    moment: r.moment,
+                    state: state(support, r.force),
+                })
+                .collect(),
+            hinges: solution
+                .hinges()
+                .iter()
+                .map(|h| Turned { at: h.at, rotation: h.rotation, moment: h.moment })
                 .collect(),
             stations: Stations::of(solution, stations),
             extremes: Extremes::of(solution),
             checks: checks::of(context.limits, solution),
             certificate: *solution.certificate(),
-            load_factors: context.factors.map(Grown::of),
+            load_factors: context.factors.map(|factors| Grown::of(factors, Some(model))),
             iterations: solution.iterations(),
             seconds: context.seconds,
         }
@@ -164,7 +177,7 @@ impl Checked {
             head: Head::new(status, context),
             existence: Proven::new(model, existence, context),
             characteristics: Judged::new(model, existence),
-            load_factors: context.factors.map(Grown::of),
+            load_factors: context.factors.map(|factors| Grown::of(factors, Some(model))),
             seconds: context.seconds,
         }
     }
@@ -193,7 +206,7 @@ impl Stopped {
             tolerance: reached.tolerance,
             reached: reached.reached,
             iterations: reached.iterations,
-            load_factors: context.factors.map(Grown::of),
+            load_factors: context.factors.map(|factors| Grown::of(factors, None)),
             seconds: context.seconds,
         }
     }
@@ -216,7 +229,8 @@ impl Head {
 #[derive(Serialize)]
 struct Proven {
     verdict: &'static str,
-    static_reactions: [f64; 2],
+    /// Under the ends, and under each free hinge between them.
+    static_reactions: Vec<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     failing_motion: Option<Motion>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -228,12 +242,14 @@ impl Proven {
     fn new(model: &Model, existence: &Existence, context: &Context) -> Self {
         let (verdict, failing_motion, undetermined_motion) = match existence.verdict {
             Verdict::Unique => ("unique", None, None),
-            Verdict::NotUnique(motion) => ("not-unique", None, Some(motion.into())),
-            Verdict::None(motion) => ("none", Some(motion.into()), None),
+            Verdict::NotUnique(motion) => {
+                ("not-unique", None, Some(Motion::of(Some(model), motion)))
+            }
+            Verdict::None(motion) => ("none", Some(Motion::of(Some(model), motion)), None),
         };
         Proven {
             verdict,
-            static_reactions: existence.static_reactions,
+            static_reactions: groundbeam::static_reactions(model).iter().map(|r| r.1).collect(),
             failing_motion,
             undetermined_motion,
             sentence: sentence(model, existence, context.units),
@@ -246,11 +262,17 @@ struct Motion {
     left: f64,
     right: f64,
     work: f64,
+    /// r at each hinge, in the order of the model's hinges.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    hinges: Vec<f64>,
 }
 
-impl From<RigidMotion> for Motion {
-    fn from(motion: RigidMotion) -> Self {
-        Motion { left: motion.left, right: motion.right, work: motion.work }
+impl Motion {
+    fn of(model: Option<&Model>, motion: RigidMotion) -> Self {
+        let at = |model: &Model, x: f64| motion.at(model, x);
+        let all = |model: &Model| model.hinges.iter().map(|hinge| at(model, hinge.at)).collect();
+        let hinges = model.map_or(Vec::new(), all);
+        Motion { left: motion.left, right: motion.right, work: motion.work, hinges }
     }
 }
 
@@ -308,6 +330,27 @@ struct Force {
 struct Held {
     at: f64,
     force: f64,
+    moment: f64,
+    /// Of a support that acts in one direction alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    state: Option<&'static str>,
+}
+
+/// Whether a support that acts in one direction alone does.
+fn state(support: &Support, force: f64) -> Option<&'static str> {
+    match support.acts {
+        Acts::Both => None,
+        _ if force != 0.0 => Some("acting"),
+        Acts::Up => Some("lifted"),
+        Acts::Down => Some("slack"),
+    }
+}
+
+/// A hinge: the jump of the slope, and the moment it hands on.
+#[derive(Serialize)]
+struct Turned {
+    at: f64,
+    rotation: f64,
     moment: f64,
 }
 

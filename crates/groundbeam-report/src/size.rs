@@ -69,6 +69,9 @@ fn load_size(model: &Model) -> f64 {
         Load::DistributedMoment { from, to, start, end } => {
             0.5 * (start.abs() + end.abs()) * (to - from) / l
         }
+        Load::Curvature { start, end, .. } => {
+            start.abs().max(end.abs()) * model.beam.bending_stiffness / l
+        }
     };
     model.loads.iter().map(size).sum()
 }

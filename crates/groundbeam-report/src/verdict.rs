@@ -1,7 +1,10 @@
 //! What the statics say, in sentences an engineer can check.
 
+mod hinged;
+
 use crate::quantity::{Kind, Units};
-use groundbeam::{Existence, Model, RigidMotion, Verdict};
+use groundbeam::{Existence, Hinge, Model, RigidMotion, Verdict};
+pub(crate) use hinged::falls;
 
 /// Why there is one equilibrium, more than one, or none: one sentence without a full stop.
 ///
@@ -21,6 +24,9 @@ use groundbeam::{Existence, Model, RigidMotion, Verdict};
 /// # Ok::<(), groundbeam::Error>(())
 /// ```
 pub fn sentence(model: &Model, existence: &Existence, units: Units) -> String {
+    if model.hinges.iter().any(Hinge::is_free) {
+        return hinged::sentence(model, existence, units);
+    }
     let say = Say { model, existence, units };
     match existence.verdict {
         Verdict::Unique => say.unique(),
@@ -34,20 +40,24 @@ pub(crate) fn remedy(motion: RigidMotion, units: Units) -> Option<String> {
     (motion.work > 0.0).then(|| {
         let force = units.write(Kind::Force, motion.work, 6);
         let place = match (motion.left < 0.0, motion.right < 0.0) {
-            (true, false) => " at its left end",
-            (false, true) => " at its right end",
-            _ => "",
+            (true, false) => " at its left end".to_owned(),
+            (false, true) => " at its right end".to_owned(),
+            _ => match motion.lifted {
+                Some([x, _]) => format!(" at x = {}", units.position(x)),
+                None => String::new(),
+            },
         };
         format!("it takes more than {force}, pushing the beam down{place}, to hold it")
     })
 }
 
 /// A rigid motion as a formula: `r(0) = -1, r(l) = 0`, and what the loads do in it.
-pub(crate) fn motion(motion: RigidMotion, units: Units) -> String {
+pub(crate) fn motion(model: &Model, motion: RigidMotion, units: Units) -> String {
     let moves = match (motion.left < 0.0, motion.right < 0.0) {
-        (true, false) => "its left end lifts, its right end stays",
-        (false, true) => "its right end lifts, its left end stays",
-        _ => "it lifts as a whole",
+        _ if motion.lifted.is_some() => hinged::moves(model, motion, units),
+        (true, false) => "its left end lifts, its right end stays".to_owned(),
+        (false, true) => "its right end lifts, its left end stays".to_owned(),
+        _ => "it lifts as a whole".to_owned(),
     };
     let work = units.write(Kind::Moment, motion.work, 6);
     let per = if units == Units::Si { "per metre of lift" } else { "per unit of lift" };

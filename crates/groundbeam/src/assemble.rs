@@ -57,6 +57,32 @@ pub(crate) fn assemble(
     solution
 }
 
+/// From the solution on the supports that act to the one of the whole model, whose others do not.
+pub(crate) fn on_one_way_supports(
+    solution: &mut Solution,
+    model: &Model,
+    acts: &[bool],
+    existence: Existence,
+    stability: f64,
+) {
+    let mut acting = std::mem::take(&mut solution.reactions).into_iter();
+    let reaction = |(support, acts): (&Support, &bool)| {
+        let none = Reaction { at: support.at, force: 0.0, moment: 0.0 };
+        let mut reaction = if *acts { acting.next().unwrap_or(none) } else { none };
+        // What rounding alone makes act the wrong way.
+        if support.acts.sign() * reaction.force < 0.0 {
+            reaction.force = 0.0;
+        }
+        reaction
+    };
+    solution.reactions = model.supports.iter().zip(acts).map(reaction).collect();
+    let carries = |i: usize| solution.reactions[i].force != 0.0;
+    let holding = model.with_supports_that(|i, support| !support.is_one_way() || carries(i));
+    solution.existence = existence.with_contact(&holding, &solution.contact);
+    solution.model.become_like(model);
+    solution.certificate = certify(model, &claim(solution, stability));
+}
+
 /// What the certificate is asked to prove.
 fn claim(solution: &Solution, stability: f64) -> Claim<'_> {
     let EndForces { left, right } = solution.end_forces;
@@ -135,7 +161,7 @@ fn stretches(found: &Found, surface: &Surface, stretches: &mut Vec<Stretch>) {
     }
 }
 
-/// The coefficients of −EI w″.
+/// The coefficients of M = −EI (w″ − κ₀).
 fn bent(cell: &Cell, half: f64, deflection: &[f64]) -> Coefficients {
     let times = if cell.beam_varies() { 1.0 } else { cell.stiffness };
     let factor = -times / (half * half);
@@ -143,7 +169,16 @@ fn bent(cell: &Cell, half: f64, deflection: &[f64]) -> Coefficients {
     for c in bend.iter_mut() {
         *c *= factor;
     }
-    if cell.beam_varies() { product(&cell.stiffness_course(), &bend) } else { bend }
+    let bent = if cell.beam_varies() { product(&cell.stiffness_course(), &bend) } else { bend };
+    if !cell.is_curled() {
+        return bent;
+    }
+    let curling = cell.curling_moment();
+    let mut moment = bent.at_least(curling.len());
+    for (moment, curling) in moment.iter_mut().zip(curling.iter()) {
+        *moment += curling;
+    }
+    moment
 }
 
 /// Stretches and points of contact, those that meet joined.
@@ -176,7 +211,8 @@ fn reactions(solution: &Solution) -> Vec<Reaction> {
             SupportKind::Fixed => (lift(solution, x), turn(solution, x)),
             SupportKind::Spring { spring, rotational_spring } => {
                 let here = solution.at(x, Side::Right);
-                (spring * here.deflection, -rotational_spring * here.slope)
+                let pressed = here.deflection - support.settlement;
+                (spring * pressed, -rotational_spring * here.slope)
             }
         };
         Reaction { at: x, force, moment }

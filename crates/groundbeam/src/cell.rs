@@ -1,9 +1,11 @@
 //! A stretch of beam and ground within which everything given is a polynomial.
 
 use crate::model::{Course, Foundation, Profile};
-use crate::polynomial::{Coefficients, is_free_of_zeros, jet, rescale, value};
+use crate::polynomial::{
+    Coefficients, derivative, ends, is_free_of_zeros, jet, product, rescale, value,
+};
 
-/// A stretch of beam and ground with EI, k, μ of one kind and linear f, g, g₀.
+/// A stretch of beam and ground with EI, k, μ of one kind and linear f, g, κ₀, g₀.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Cell {
     /// Left and right end \[m\].
@@ -20,6 +22,8 @@ pub(crate) struct Cell {
     pub load: [f64; 2],
     /// g at both ends \[N·m/m\].
     pub moment_load: [f64; 2],
+    /// κ₀ at both ends \[1/m\].
+    pub curvature: [f64; 2],
     /// g₀ at both ends \[m\].
     pub gap: [f64; 2],
     /// g₀', the same to the last bit in all cells between two corners.
@@ -72,6 +76,44 @@ impl Cell {
             && self.shear == other.shear
             && !self.ground_varies()
             && !other.ground_varies()
+    }
+
+    /// Whether a curvature is imposed.
+    pub fn is_curled(&self) -> bool {
+        self.curvature != [0.0; 2]
+    }
+
+    /// The coefficients of EI κ₀, the moment that bends the beam straight again.
+    pub fn curling_moment(&self) -> Coefficients {
+        let [left, right] = self.curvature;
+        let curvature = [0.5 * (left + right), 0.5 * (right - left)];
+        if self.beam_varies() {
+            return product(&self.stiffness_course(), &curvature);
+        }
+        Coefficients::from(&curvature.map(|c| self.stiffness * c)[..])
+    }
+
+    /// EI κ₀ at both ends.
+    pub fn curling_moments(&self) -> [f64; 2] {
+        if !self.beam_varies() {
+            return self.curvature.map(|curvature| self.stiffness * curvature);
+        }
+        ends(&self.curling_moment())
+    }
+
+    /// The coefficients of a spread moment that does the work of EI κ₀ on w″, but for the part of EI κ₀ that
+    /// is linear between the cell's ends: there is more than that where EI varies alone.
+    pub fn curling_moment_load(&self) -> [f64; Profile::MOST] {
+        let mut load = [0.0; Profile::MOST];
+        if self.is_curled() && self.beam_varies() {
+            let half = 0.5 * self.length();
+            let [left, right] = self.curling_moments();
+            load[0] = 0.5 * (right - left) / half;
+            for (load, rise) in load.iter_mut().zip(derivative(&self.curling_moment()).iter()) {
+                *load -= rise / half;
+            }
+        }
+        load
     }
 
     /// The coefficients of EI(s).
@@ -138,6 +180,7 @@ impl Cell {
             x: s.map(|s| self.global(s)),
             load: linear(self.load),
             moment_load: linear(self.moment_load),
+            curvature: linear(self.curvature),
             gap: linear(self.gap),
             ..*self
         };

@@ -1,6 +1,6 @@
 //! What a design must keep to, beside what was found.
 
-use crate::existence::static_reactions;
+use crate::mechanism::{Mechanism, static_reactions};
 use crate::model::Model;
 use crate::solution::{Field, Solution};
 
@@ -130,20 +130,20 @@ impl Limits {
 
 const ROUNDED: f64 = 8.0 * f64::EPSILON;
 
-/// The factor on all loads that overturn a beam at which it tips: about each end, what the loads that hold it down
-/// carry over what the others lift at the far end. Infinite where none lifts.
+/// The factor on all loads that overturn a beam at which it tips: at each end, and at each free hinge, what the loads
+/// that hold it down carry over what the others lift there. Infinite where none lifts.
 pub fn overturning(model: &Model) -> f64 {
-    let mut sums = [[0.0; 2]; 2];
+    let nodes = Mechanism::of(model).nodes;
+    let mut sums = vec![[0.0; 2]; nodes.len()];
     for load in &model.loads {
-        let reactions = static_reactions(&[*load], model.beam.length);
-        for (sums, reaction) in sums.iter_mut().zip(reactions.map(|reaction| reaction.sum)) {
-            sums[usize::from(reaction < 0.0)] += reaction.abs();
+        for (sums, reaction) in sums.iter_mut().zip(static_reactions(&[*load], &nodes)) {
+            sums[usize::from(reaction.sum < 0.0)] += reaction.sum.abs();
         }
     }
     let margin = |[holding, lifting]: [f64; 2]| {
         if lifting == 0.0 { f64::INFINITY } else { holding / lifting }
     };
-    margin(sums[0]).min(margin(sums[1]))
+    sums.into_iter().map(margin).fold(f64::INFINITY, f64::min)
 }
 
 #[cfg(test)]

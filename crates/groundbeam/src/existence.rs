@@ -5,10 +5,12 @@
 //! work: F(r) < 0. For a free beam without tension these are all r with r(0) ≤ 0 and r(l) ≤ 0, and since
 //! F(r) = R₀ r(0) + R_l r(l) with the *static reactions* R₀ and R_l of the loads, both must be positive:
 //! that is (4.24)/(4.25), necessary as well as sufficient. Tension resists rotation, supports resist more;
-//! both shrink the set of free motions.
+//! both shrink the set of free motions. Free hinges enlarge it: r may have a kink at each.
 
-use crate::model::{Load, Model, SupportKind};
+use crate::mechanism::{Mechanism, Sum, static_reactions};
+use crate::model::{Model, Support};
 use crate::solution::ContactRegion;
+use std::ops::Range;
 
 /// What the statics say about equilibrium.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -23,7 +25,7 @@ pub enum Verdict {
     None(RigidMotion),
 }
 
-/// A rigid motion of the beam, r(x) = a x + b, scaled to a largest size of 1. It presses nowhere: r ≤ 0,
+/// A rigid motion of the beam, r(x) = a x + b between its free hinges, scaled to a largest size of 1. It presses nowhere: r ≤ 0,
 /// unless the beam stands on one point inside and turns about it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RigidMotion {
@@ -33,6 +35,37 @@ pub struct RigidMotion {
     pub right: f64,
     /// F(r), the work of the loads in it \[N·m per m of lift\].
     pub work: f64,
+    /// Of a beam with free hinges the first and the last of its ends and free hinges at which r = −1 \[m\]; it
+    /// is 0 at all others, and straight in between. None for a beam without.
+    pub lifted: Option<[f64; 2]>,
+}
+
+impl RigidMotion {
+    /// r at a position of a beam of this model.
+    ///
+    /// ```
+    /// use groundbeam::{Beam, Foundation, Hinge, Load, Model, Verdict, exists};
+    ///
+    /// let model = Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(1.0))
+    ///     .with_hinge(Hinge::free(2.0))
+    ///     .with_load(Load::point(1.0, 1.0))
+    ///     .with_load(Load::point(-0.25, 3.0))
+    ///     .with_load(Load::point(0.2, 2.0));
+    /// let Verdict::None(motion) = exists(&model)?.verdict else { panic!("it stands") };
+    /// assert_eq!([0.0, 2.0, 3.0, 4.0].map(|x| motion.at(&model, x)), [0.0, 0.0, -0.5, -1.0]);
+    /// # Ok::<(), groundbeam::Error>(())
+    /// ```
+    pub fn at(&self, model: &Model, x: f64) -> f64 {
+        let nodes = Mechanism::of(model).nodes;
+        let l = model.beam.length;
+        let Some([from, to]) = self.lifted else {
+            return (self.left * (l - x) + self.right * x) / l;
+        };
+        let value = |node: f64| if from <= node && node <= to { -1.0 } else { 0.0 };
+        let after = nodes.partition_point(|node| *node <= x).clamp(1, nodes.len() - 1);
+        let [a, b] = [nodes[after - 1], nodes[after]];
+        (value(a) * (b - x) + value(b) * (x - a)) / (b - a)
+    }
 }
 
 /// The verdict and the statics it rests on.
@@ -60,16 +93,28 @@ impl Existence {
     /// The same once the contact is known: a beam that stands on a single point inside, and that neither
     /// tension nor a support keeps from turning there, has more than one equilibrium.
     pub(crate) fn with_contact(self, model: &Model, contact: &[ContactRegion]) -> Existence {
-        let (mut points, turning) = hold(model);
-        points.extend(contact.iter().flat_map(|region| [region.from, region.to]));
-        let l = model.beam.length;
-        let verdict = match (self.verdict, points.first()) {
-            (Verdict::Unique, Some(&x)) if turning && points.iter().all(|point| *point == x) => {
+        let mechanism = Mechanism::of(model);
+        // Contact that goes on over a hinge holds both pieces.
+        let within = |region: &ContactRegion| {
+            let ContactRegion { from, to } = *region;
+            let nodes = mechanism.nodes.iter().copied();
+            let inside: Vec<f64> = nodes.filter(|node| from < *node && *node < to).collect();
+            [from, to].into_iter().chain(inside)
+        };
+        let points: Vec<f64> = contact.iter().flat_map(within).collect();
+        let loose = mechanism.first_loose(&points);
+        let verdict = match (self.verdict, loose, mechanism.point_held(&points)) {
+            (Verdict::Unique, Some(_), Some(x)) if mechanism.nodes.len() == 2 => {
+                let l = model.beam.length;
                 let largest = x.max(l - x);
                 let (left, right) = (-x / largest, (l - x) / largest);
-                Verdict::NotUnique(RigidMotion { left, right, work: 0.0 })
+                Verdict::NotUnique(RigidMotion { left, right, work: 0.0, lifted: None })
             }
-            (verdict, _) => verdict,
+            (Verdict::Unique, Some(piece), _) if mechanism.nodes.len() > 2 => {
+                let lifted = Some(piece);
+                Verdict::NotUnique(RigidMotion { left: 0.0, right: 0.0, work: 0.0, lifted })
+            }
+            (verdict, ..) => verdict,
         };
         Existence { verdict, ..self }
     }
@@ -77,34 +122,48 @@ impl Existence {
 
 /// The verdict for a valid model with P ≥ 0, or with supports that leave no free motion.
 pub fn existence(model: &Model) -> Existence {
-    let reactions = static_reactions(&model.loads, model.beam.length);
-    let free = free_motions(model);
-    let verdict = judge(&rays_of(free, reactions));
-    let static_reactions = reactions.map(|reaction| reaction.sum);
-    let resultant = static_reactions[0] + static_reactions[1];
-    let verdict = match free {
-        Free::RisingAndTurning => balanced_on_an_end(model, verdict, resultant),
-        _ => verdict,
+    let l = model.beam.length;
+    let whole = static_reactions(&model.loads, &[0.0, l]);
+    let verdict = match judge(&rays(model)) {
+        Verdict::NotUnique(motion) => balanced_without_a_layer(model, motion),
+        verdict => verdict,
     };
-    Existence { verdict, static_reactions }
+    Existence { verdict, static_reactions: [whole[0].sum, whole[1].sum] }
+}
+
+/// What supports under the ends and the free hinges of a beam would carry if it were rigid between them
+/// and stood on them alone: position \[m\] and force, up positive \[N\].
+///
+/// ```
+/// use groundbeam::{Beam, Foundation, Hinge, Load, Model, static_reactions};
+///
+/// let model = Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(1.0))
+///     .with_hinge(Hinge::free(2.0))
+///     .with_load(Load::point(1.0, 3.0));
+/// assert_eq!(static_reactions(&model), [(0.0, 0.0), (2.0, 0.5), (4.0, 0.5)]);
+/// ```
+pub fn static_reactions_of(model: &Model) -> Vec<(f64, f64)> {
+    let nodes = Mechanism::of(model).nodes;
+    let reactions = static_reactions(&model.loads, &nodes);
+    nodes.into_iter().zip(reactions).map(|(x, reaction)| (x, reaction.sum)).collect()
 }
 
 /// The extreme rays of the cone of free motions, each with the work −F(r) it costs: linear in the loads.
 /// Which rays there are does not depend on the loads.
 pub(crate) fn rays(model: &Model) -> Vec<(Sum, RigidMotion)> {
-    rays_of(free_motions(model), static_reactions(&model.loads, model.beam.length))
-}
-
-fn rays_of(free: Free, [left, right]: [Sum; 2]) -> Vec<(Sum, RigidMotion)> {
-    let ray =
-        |l: f64, r: f64, cost: Sum| (cost, RigidMotion { left: l, right: r, work: -cost.sum });
-    match free {
-        Free::Nothing => Vec::new(),
-        Free::Turning(About::LeftEnd) => vec![ray(0.0, -1.0, right)],
-        Free::Turning(About::RightEnd) => vec![ray(-1.0, 0.0, left)],
-        Free::Rising => vec![ray(-1.0, -1.0, left.plus(right))],
-        Free::RisingAndTurning => vec![ray(-1.0, 0.0, left), ray(0.0, -1.0, right)],
-    }
+    let mechanism = Mechanism::of(model);
+    let nodes = &mechanism.nodes;
+    let reactions = static_reactions(&model.loads, nodes);
+    let last = nodes.len() - 1;
+    let hinged = last > 1;
+    let ray = |group: Range<usize>| {
+        let own = reactions[group.clone()].iter().copied();
+        let cost = own.reduce(Sum::plus).unwrap_or_default();
+        let lifts = |node: usize| if group.contains(&node) { -1.0 } else { 0.0 };
+        let lifted = hinged.then(|| [nodes[group.start], nodes[group.end - 1]]);
+        (cost, RigidMotion { left: lifts(0), right: lifts(last), work: -cost.sum, lifted })
+    };
+    mechanism.free_groups().into_iter().map(ray).collect()
 }
 
 /// What the cost of the extreme rays says.
@@ -119,157 +178,43 @@ fn judge(rays: &[(Sum, RigidMotion)]) -> Verdict {
     }
 }
 
-/// A resultant exactly over an end must be carried by a concentrated force there. Only a shear layer has
-/// one; on separate springs the beam would sink and turn without end.
-fn balanced_on_an_end(model: &Model, verdict: Verdict, resultant: f64) -> Verdict {
-    let Verdict::NotUnique(motion) = verdict else { return verdict };
+/// Nothing can press on a piece that lifts at no cost but under a node at rest. What that node carries, if no
+/// other piece beside it can press, must be a concentrated force there. Only a shear layer has one, or a bearing
+/// that only pushes up; on separate springs the beam would sink and turn without end.
+fn balanced_without_a_layer(model: &Model, motion: RigidMotion) -> Verdict {
+    let mechanism = Mechanism::of(model);
+    let (nodes, groups) = (&mechanism.nodes, mechanism.free_groups());
+    let reactions = static_reactions(&model.loads, nodes);
+    let cost = |group: &Range<usize>| {
+        reactions[group.clone()].iter().copied().reduce(Sum::plus).unwrap_or_default()
+    };
+    let pieces = nodes.len() - 1;
+    let beside = |group: &Range<usize>| group.start.saturating_sub(1)..group.end.min(pieces);
+    let mut bare = vec![false; pieces];
+    for group in groups.iter().filter(|group| cost(group).is_zero()) {
+        bare[beside(group)].fill(true);
+    }
     let l = model.beam.length;
-    let end = if motion.left == 0.0 { f64::MIN_POSITIVE } else { l * (1.0 - f64::EPSILON) };
-    if resultant != 0.0 && model.foundation.constants_at(end).1 == 0.0 {
-        return Verdict::None(motion);
-    }
-    verdict
-}
-
-/// The rigid motions r ≤ 0 that neither supports nor tension resist.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Free {
-    Nothing,
-    Turning(About),
-    Rising,
-    RisingAndTurning,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum About {
-    LeftEnd,
-    RightEnd,
-}
-
-fn free_motions(model: &Model) -> Free {
-    let (held, turning) = hold(model);
-    match (held.as_slice(), turning) {
-        ([], true) => Free::RisingAndTurning,
-        ([], false) => Free::Rising,
-        ([x], true) if *x == 0.0 => Free::Turning(About::LeftEnd),
-        ([x], true) if *x == model.beam.length => Free::Turning(About::RightEnd),
-        // Turning about a point inside the beam presses one side into the ground.
-        _ => Free::Nothing,
-    }
-}
-
-/// Where supports hold the beam, and whether it may turn.
-fn hold(model: &Model) -> (Vec<f64>, bool) {
-    let mut held: Vec<f64> = Vec::new();
-    let mut turning = model.beam.axial_force == 0.0;
-    for support in &model.supports {
-        let (holds, stops_turning) = match support.kind {
-            SupportKind::Pinned => (true, false),
-            SupportKind::Fixed => (true, true),
-            SupportKind::Spring { spring, rotational_spring } => {
-                (spring > 0.0, rotational_spring > 0.0)
-            }
-        };
-        if holds && !held.contains(&support.at) {
-            held.push(support.at);
-        }
-        turning &= !stops_turning;
-    }
-    (held, turning)
-}
-
-/// Whether supports leave no rigid motion at all, pressing on the ground or not: what a beam in
-/// compression needs.
-pub(crate) fn held_rigidly(model: &Model) -> bool {
-    let holds = |kind: SupportKind| match kind {
-        SupportKind::Pinned => [true, false],
-        SupportKind::Fixed => [true, true],
-        SupportKind::Spring { spring, rotational_spring } => {
-            [spring > 0.0, rotational_spring > 0.0]
-        }
+    let layered = |node: usize| {
+        let x = nodes[node];
+        let sides = [x - f64::EPSILON * l, x + f64::EPSILON * l];
+        let inside = sides.map(|x| x.clamp(f64::MIN_POSITIVE, l * (1.0 - f64::EPSILON)));
+        let bearing = |support: &Support| (support.at - x).abs() <= 4.0 * f64::EPSILON * l;
+        model.supports.iter().any(bearing)
+            || inside.iter().any(|x| model.foundation.constants_at(*x).1 > 0.0)
     };
-    let places = model.supports.iter().filter(|s| holds(s.kind)[0]).count();
-    let turns = model.supports.iter().any(|s| holds(s.kind)[1]);
-    places >= 2 || (places == 1 && turns)
-}
-
-/// A sum with the size of what was added, so that zero can be told from rounding.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Sum {
-    pub sum: f64,
-    compensation: f64,
-    size: f64,
-}
-
-impl Sum {
-    fn add(&mut self, term: f64) {
-        // Neumaier's summation: the sum of the given numbers is right to the last bit or two.
-        let sum = self.sum + term;
-        self.compensation += if self.sum.abs() >= term.abs() {
-            (self.sum - sum) + term
-        } else {
-            (term - sum) + self.sum
-        };
-        self.sum = sum;
-        self.size += term.abs();
-    }
-
-    fn finished(mut self) -> Self {
-        self.sum += self.compensation;
-        self.compensation = 0.0;
-        if self.is_zero() {
-            self.sum = 0.0;
-        }
-        self
-    }
-
-    fn plus(self, other: Sum) -> Sum {
-        Sum { sum: self.sum + other.sum, compensation: 0.0, size: self.size + other.size }
-    }
-
-    pub fn is_zero(&self) -> bool {
-        self.sum.abs() <= 8.0 * f64::EPSILON * self.size
-    }
-
-    pub fn is_negative(&self) -> bool {
-        self.sum < 0.0 && !self.is_zero()
-    }
-}
-
-/// R₀ = F(1 − x/l) and R_l = F(x/l).
-pub(crate) fn static_reactions(loads: &[Load], l: f64) -> [Sum; 2] {
-    let (mut left, mut right) = (Sum::default(), Sum::default());
-    let mut force_at = |force: f64, x: f64| {
-        left.add(force * ((l - x) / l));
-        right.add(force * (x / l));
+    let sinks = |group: &Range<usize>| {
+        !cost(group).is_zero()
+            && bare[beside(group)].iter().all(|bare| *bare)
+            && !group.clone().any(layered)
     };
-    let mut moments = Vec::new();
-    for load in loads {
-        match *load {
-            Load::PointForce { at, force } => force_at(force, at),
-            Load::PointMoment { moment, .. } => moments.push(moment),
-            Load::Distributed { from, to, start, end } => {
-                // Two triangles, each at its own third.
-                let length = to - from;
-                force_at(0.5 * start * length, from + length / 3.0);
-                force_at(0.5 * end * length, to - length / 3.0);
-            }
-            Load::DistributedMoment { from, to, start, end } => {
-                moments.push(0.5 * (start + end) * (to - from));
-            }
-        }
-    }
-    for moment in moments {
-        left.add(-moment / l);
-        right.add(moment / l);
-    }
-    [left.finished(), right.finished()]
+    if groups.iter().any(sinks) { Verdict::None(motion) } else { Verdict::NotUnique(motion) }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Beam, Foundation, Support};
+    use crate::model::{Beam, Foundation, Hinge, Load, Support};
 
     fn beam() -> Model {
         Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0))
@@ -335,6 +280,118 @@ mod tests {
         assert!(!exists(&outside.clone().with_support(Support::pinned(4.0))));
         assert!(exists(&outside.clone().with_support(Support::fixed(4.0))));
         assert!(exists(&outside.with_support(Support::spring(4.0, 1.0, 1.0))));
+    }
+
+    /// A motion r ≤ 0 through random values at the ends and hinges costs work, or the verdict is right that some
+    /// lift of a group of them does not.
+    #[test]
+    fn random_motions_of_hinged_beams() {
+        // A small generator of its own: x' = 16807 x mod 2³¹ − 1.
+        let mut seed = 1980_u64;
+        let mut dice = move || {
+            seed = seed * 16807 % 2_147_483_647;
+            seed as f64 / 2_147_483_647.0
+        };
+        let mut verdicts = [0; 2];
+        for _ in 0..2000 {
+            let mut model = beam();
+            for _ in 0..3 {
+                model = model.with_hinge(Hinge::free(4.0 * dice()));
+            }
+            for _ in 0..4 {
+                model = model.with_load(Load::point(dice() - 0.1, 4.0 * dice()));
+                let from = 3.0 * dice();
+                model = model.with_load(Load::uniform(dice() - 0.1, from, from + dice()));
+                model = model.with_load(Load::moment(0.2 * (dice() - 0.5), 4.0 * dice()));
+            }
+            let work = |r: &dyn Fn(f64) -> f64| -> f64 {
+                let each = model.loads.iter().map(|load| match *load {
+                    Load::PointForce { at, force } => force * r(at),
+                    Load::PointMoment { at, moment } => {
+                        moment * (r(at + 1e-7) - r(at - 1e-7)) / 2e-7
+                    }
+                    Load::Distributed { from, to, start, .. } => {
+                        let n = 2000;
+                        let step = (to - from) / f64::from(n);
+                        let x = |i: i32| from + (f64::from(i) + 0.5) * step;
+                        (0..n).map(|i| start * r(x(i)) * step).sum()
+                    }
+                    Load::DistributedMoment { .. } | Load::Curvature { .. } => 0.0,
+                });
+                each.sum()
+            };
+            let found = existence(&model).verdict;
+            verdicts[usize::from(matches!(found, Verdict::None(_)))] += 1;
+            if let Verdict::None(motion) = found {
+                let gained = work(&|x| motion.at(&model, x));
+                assert!(
+                    (gained - motion.work).abs() < 1e-5 && motion.work > 0.0,
+                    "{motion:?} {gained}"
+                );
+                continue;
+            }
+            let mut nodes: Vec<f64> = model.hinges.iter().map(|h| h.at).chain([0.0, 4.0]).collect();
+            nodes.sort_by(f64::total_cmp);
+            let values: Vec<f64> = nodes.iter().map(|_| -dice()).collect();
+            let r = |x: f64| {
+                let i = nodes.partition_point(|node| *node <= x).clamp(1, 4);
+                let t = (x - nodes[i - 1]) / (nodes[i] - nodes[i - 1]);
+                values[i - 1] + t * (values[i] - values[i - 1])
+            };
+            assert!(work(&r) < 1e-5, "{values:?} {model:?}");
+        }
+        assert!(verdicts.iter().all(|count| *count > 300), "{verdicts:?}");
+    }
+
+    #[test]
+    fn what_holds_a_hinged_beam() {
+        let slab = || {
+            beam()
+                .with_hinge(Hinge::free(1.0))
+                .with_hinge(Hinge::free(3.0))
+                .with_load(Load::uniform(1.0, 0.0, 4.0))
+        };
+        let pulled = |model: Model, x: f64| model.with_load(Load::point(-2.0, x));
+        assert!(exists(&slab()));
+        // A hinge lifts alone, an end does; a spring in the hinge keeps the beam straight.
+        for x in [0.0, 1.0, 4.0] {
+            assert!(!exists(&pulled(slab(), x)), "{x}");
+            assert!(!exists(&pulled(slab().with_hinge(Hinge::elastic(2.0, 1.0)), x)));
+        }
+        let mut stiff = slab();
+        stiff.hinges.iter_mut().for_each(|hinge| hinge.rotational_spring = 1.0);
+        assert!(exists(&pulled(stiff, 1.0)));
+        // A support within a piece holds both of its nodes, one at a hinge that hinge alone.
+        assert!(exists(&pulled(slab().with_support(Support::pinned(0.5)), 1.0)));
+        assert!(!exists(&pulled(slab().with_support(Support::pinned(0.5)), 3.0)));
+        assert!(exists(&pulled(slab().with_support(Support::pinned(1.0)), 1.0)));
+        assert!(!exists(&pulled(slab().with_support(Support::pinned(1.0)), 0.0)));
+        // What may not turn lifts as one: 4 of load against 2; tension keeps all of it straight.
+        let turned = |at: f64| slab().with_support(Support::spring(at, 0.0, 1.0));
+        assert!(exists(&pulled(turned(0.5), 1.0)) && !exists(&pulled(turned(3.5), 1.0)));
+        let mut tied = slab();
+        tied.beam.axial_force = 1.0;
+        assert!(exists(&pulled(tied.clone(), 4.0)));
+        assert!(!exists(&pulled(pulled(tied, 4.0), 0.0).with_load(Load::point(-0.1, 2.0))));
+    }
+
+    #[test]
+    fn an_unloaded_piece_may_lie_as_it_likes() {
+        let half = |ground| {
+            Model::new(Beam::uniform(4.0, 1.0), ground)
+                .with_hinge(Hinge::free(2.0))
+                .with_load(Load::uniform(1.0, 0.0, 2.0))
+        };
+        let springs = existence(&half(Foundation::winkler(1.0))).verdict;
+        assert!(matches!(springs, Verdict::NotUnique(m) if m.lifted == Some([4.0, 4.0])));
+        // All of the load over the hinge: only a shear layer carries it on a point.
+        let over = |ground| {
+            let mut model = half(ground);
+            model.loads = vec![Load::point(1.0, 2.0)];
+            existence(&model).verdict
+        };
+        assert!(matches!(over(Foundation::pasternak(1.0, 1.0)), Verdict::NotUnique(_)));
+        assert!(matches!(over(Foundation::winkler(1.0)), Verdict::None(m) if m.work == 0.0));
     }
 
     #[test]

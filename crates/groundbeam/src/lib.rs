@@ -37,13 +37,16 @@ mod envelope;
 mod existence;
 mod factors;
 mod ground;
+mod mechanism;
 mod mesh;
 mod nodal;
+mod one_way;
 mod polynomial;
 mod solution;
 mod solve;
 mod solver;
 mod stability;
+mod turns;
 
 pub mod model;
 pub mod soil;
@@ -53,11 +56,11 @@ pub use certificate::Certificate;
 pub use checks::{Check, Checked, Limits, overturning};
 pub use contact::active_set::{Pressure, Step};
 pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
-pub use existence::{Existence, RigidMotion, Verdict};
+pub use existence::{Existence, RigidMotion, Verdict, static_reactions_of as static_reactions};
 pub use factors::{FirstLiftOff, LoadFactors, LossOfEquilibrium, load_factors};
 pub use model::{
-    Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, Load, Model, Profile, Support,
-    SupportKind,
+    Acts, Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, Hinge, Load, Model, Profile,
+    Support, SupportKind,
 };
 pub use nodal::{NodalCheck, NodalSolution, NodalSolver, Work};
 pub use solution::{
@@ -69,3 +72,4 @@ pub use solve::{
 };
 pub use solver::{Answer, Solver};
 pub use stability::own_buckling_load;
+pub use turns::HingeTurn;

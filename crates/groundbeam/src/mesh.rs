@@ -1,7 +1,7 @@
 //! The model cut into cells within which everything given is a polynomial, most of it constant or linear.
 //!
-//! Nodes stand where the physics needs them: at loads, supports, the ends of segments and of spread
-//! loads, the corners of the initial gap. A method adds its own.
+//! Nodes stand where the physics needs them: at loads, supports, hinges, the ends of segments and of
+//! spread loads, the corners of the initial gap. A method adds its own.
 
 use crate::cell::Varies;
 pub(crate) use crate::cell::{Cell, GROUND};
@@ -17,14 +17,18 @@ pub(crate) struct Node {
     pub force: f64,
     /// Point moment \[N·m\].
     pub moment: f64,
-    /// w = 0.
+    /// w is the settlement.
     pub pinned: bool,
+    /// How far what holds it has settled \[m\].
+    pub settlement: f64,
     /// w' = 0.
     pub clamped: bool,
-    /// Spring against w \[N/m\].
+    /// Spring against w less the settlement \[N/m\].
     pub spring: f64,
     /// Spring against w' \[N·m/rad\].
     pub rotational_spring: f64,
+    /// w' may jump, against this spring \[N·m/rad\].
+    pub hinge: Option<f64>,
 }
 
 /// Nodes from left to right and the cells between them.
@@ -141,12 +145,19 @@ impl Mesh {
                     let i = self.node_at(at);
                     self.nodes[i].moment += moment;
                 }
-                Load::Distributed { .. } | Load::DistributedMoment { .. } => {}
+                Load::Distributed { .. }
+                | Load::DistributedMoment { .. }
+                | Load::Curvature { .. } => {}
             }
+        }
+        for hinge in &model.hinges {
+            let i = self.node_at(hinge.at);
+            self.nodes[i].hinge = Some(hinge.rotational_spring);
         }
         for support in &model.supports {
             let i = self.node_at(support.at);
             let node = &mut self.nodes[i];
+            node.settlement = support.settlement;
             match support.kind {
                 SupportKind::Pinned => node.pinned = true,
                 SupportKind::Fixed => (node.pinned, node.clamped) = (true, true),
@@ -181,6 +192,7 @@ fn positions(model: &Model, more: &[f64]) -> Vec<f64> {
     let most = 2 * (1 + model.beam.segments.len() + model.foundation.segments.len())
         + 2 * model.loads.len()
         + model.supports.len()
+        + model.hinges.len()
         + model.gap.len()
         + more.len();
     // With whether it is the model's own.
@@ -192,12 +204,13 @@ fn positions(model: &Model, more: &[f64]) -> Vec<f64> {
     for load in &model.loads {
         match *load {
             Load::PointForce { at, .. } | Load::PointMoment { at, .. } => own(at),
-            Load::Distributed { from, to, .. } | Load::DistributedMoment { from, to, .. } => {
-                [from, to].into_iter().for_each(&mut own);
-            }
+            Load::Distributed { from, to, .. }
+            | Load::DistributedMoment { from, to, .. }
+            | Load::Curvature { from, to, .. } => [from, to].into_iter().for_each(&mut own),
         }
     }
     model.supports.iter().map(|s| s.at).for_each(&mut own);
+    model.hinges.iter().map(|h| h.at).for_each(&mut own);
     model.gap.iter().map(|g| g.at).for_each(&mut own);
     places.extend(more.iter().map(|&x| (x, false)));
     places.retain(|&(x, _)| x >= 0.0 && x <= l);
@@ -235,6 +248,7 @@ fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
             varies: Varies::default(),
             load: [0.0; 2],
             moment_load: [0.0; 2],
+            curvature: [0.0; 2],
             gap: [0.0; 2],
             gap_slope: 0.0,
         })
@@ -251,7 +265,9 @@ fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
     }
     for load in &model.loads {
         match *load {
-            Load::Distributed { from, to, .. } | Load::DistributedMoment { from, to, .. } => {
+            Load::Distributed { from, to, .. }
+            | Load::DistributedMoment { from, to, .. }
+            | Load::Curvature { from, to, .. } => {
                 within(&mut cells, from, to).iter_mut().for_each(|cell| add_spread(cell, load));
             }
             Load::PointForce { .. } | Load::PointMoment { .. } => {}
@@ -276,7 +292,8 @@ fn within(cells: &mut [Cell], from: f64, to: f64) -> &mut [Cell] {
 
 fn add_spread(cell: &mut Cell, load: &Load) {
     if let Load::Distributed { from, to, start, end }
-    | Load::DistributedMoment { from, to, start, end } = *load
+    | Load::DistributedMoment { from, to, start, end }
+    | Load::Curvature { from, to, start, end } = *load
     {
         let at = |x: f64| {
             // Two sums of one kind of term each: a mirrored load is mirrored to the last bit.
@@ -285,6 +302,7 @@ fn add_spread(cell: &mut Cell, load: &Load) {
         let values = if start == end { [start; 2] } else { cell.x.map(at) };
         let into = match load {
             Load::Distributed { .. } => &mut cell.load,
+            Load::Curvature { .. } => &mut cell.curvature,
             _ => &mut cell.moment_load,
         };
         for (sum, value) in into.iter_mut().zip(values) {

@@ -63,7 +63,7 @@ pub struct Fields {
     pub deflection: f64,
     /// w' \[rad\].
     pub slope: f64,
-    /// M = −EI w″, sagging positive \[N·m\].
+    /// M = −EI (w″ − κ₀), sagging positive, κ₀ the imposed curvature \[N·m\].
     pub moment: f64,
     /// V = M' \[N\].
     pub shear_force: f64,

@@ -5,9 +5,11 @@ use crate::contact::active_set::{Found, Pressure, Stalled};
 use crate::contact::exact::Proof;
 use crate::contact::uzawa::{self, Relaxation};
 use crate::contact::{balanced, exact, nested};
-use crate::existence::{Existence, Verdict, existence, held_rigidly};
+use crate::existence::{Existence, Verdict, existence};
+use crate::mechanism::held_rigidly;
 use crate::mesh::Mesh;
 use crate::model::{Model, Part, Problem};
+use crate::one_way;
 use crate::solution::{ContactRegion, Solution};
 use crate::stability::own_buckling_load;
 use std::fmt;
@@ -163,7 +165,8 @@ pub fn solve(model: &Model) -> Result<Outcome, Error> {
 ///
 /// # Errors
 ///
-/// As [`solve`]; and [`Error::Unsupported`] for the paper's pressures (5.5) on ground without a shear layer.
+/// As [`solve`]; and [`Error::Unsupported`] for the paper's pressures (5.5) on ground without a shear layer,
+/// and for its iteration on a beam with hinges.
 pub fn solve_with(model: &Model, options: &Options) -> Result<Outcome, Error> {
     solve_near(model, options, None)
 }
@@ -200,6 +203,21 @@ pub(crate) fn solve_in(
     if let Verdict::None(_) = existence.verdict {
         *kept = None;
         return Ok(existence);
+    }
+    if model.has_one_way_supports() {
+        let solve = |model: &Model, kept: &mut _| solve_in(model, options, None, kept);
+        let steps = one_way::solve(model, existence, stability, kept, solve)?;
+        if let Some(solution) = kept {
+            certified(solution, options)?;
+            return Ok(existence);
+        }
+        return Err(Error::NotConverged(NotConverged {
+            method: options.method,
+            iterations: steps,
+            tolerance: 0.0,
+            reached: f64::NAN,
+            what: "which supports act",
+        }));
     }
     let mut assembled = |found: &Found| {
         let memory = kept.take();
@@ -247,7 +265,9 @@ pub(crate) fn check(model: &Model) -> Result<Checked, Error> {
         if !held_rigidly(model) {
             return Err(Error::Unsupported(Problem::unheld_compression()));
         }
-        let critical = own_buckling_load(model);
+        // What the beam may leave does not hold it.
+        let held = model.with_supports_that(|_, support| !support.is_one_way());
+        let critical = own_buckling_load(&held);
         if -axial >= critical {
             return Err(Error::Unsupported(Problem::beyond_buckling(-axial / critical)));
         }
@@ -295,6 +315,9 @@ fn find(
             let mesh = Mesh::uniform(model, elements);
             nested::solve_on(model, mesh, options.pressure).map_err(stalled)
         }
+        Method::Psor | Method::Uzawa if !model.hinges.is_empty() => {
+            Err(Error::Unsupported(Problem::iteration_with_hinges()))
+        }
         Method::Psor | Method::Uzawa => {
             let relaxation = match method {
                 Method::Psor => Relaxation::Diagonal,
@@ -310,7 +333,8 @@ fn find(
 /// Whether a free beam's resultant is exactly over one end and pushes down.
 fn stands_on_an_end(model: &Model, existence: Existence) -> bool {
     let free = model.supports.is_empty() && model.beam.axial_force == 0.0;
-    free && existence.resultant() > 0.0
+    let one_piece = model.hinges.iter().all(|hinge| !hinge.is_free());
+    free && one_piece && existence.resultant() > 0.0
 }
 
 /// The part of the model that gives ground without a shear layer under the beam.

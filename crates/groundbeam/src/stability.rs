@@ -45,6 +45,7 @@ fn is_stable(model: &Model, compression: f64) -> bool {
         clamped: n.clamped,
         spring: n.spring,
         rotational_spring: n.rotational_spring,
+        hinge: n.hinge,
         ..ChainNode::default()
     });
     let cells: Vec<ChainCell> = mesh.cells.iter().map(cell).collect();
@@ -56,7 +57,7 @@ fn is_stable(model: &Model, compression: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Beam, Foundation, Support};
+    use crate::model::{Beam, Foundation, Hinge, Support};
     use std::f64::consts::PI;
 
     fn load(supports: &[Support]) -> f64 {
@@ -74,6 +75,36 @@ mod tests {
         close(load(&[Support::pinned(0.0), Support::pinned(2.0)]), PI * PI);
         close(load(&[Support::fixed(0.0), Support::pinned(2.0)]), 20.190_728_556_426_63);
         close(load(&[Support::fixed(0.0), Support::fixed(2.0)]), 4.0 * PI * PI);
+    }
+
+    /// A column with a spring C in a hinge at its middle: z tan z = C l/EI with z = l/2 √(P/EI).
+    #[test]
+    fn a_spring_in_the_middle() {
+        for z in [0.1, 0.5, PI / 4.0, 1.2, 1.5] {
+            let spring = 3.0 * z * f64::tan(z) / 2.0;
+            let model = Model::new(Beam::uniform(2.0, 3.0), Foundation::winkler(1.0))
+                .with_support(Support::pinned(0.0))
+                .with_support(Support::pinned(2.0))
+                .with_hinge(Hinge::elastic(1.0, spring));
+            let found = own_buckling_load(&model);
+            assert!((found / (3.0 * z * z) - 1.0).abs() < 1e-11, "{z}: {found}");
+        }
+    }
+
+    /// A cantilever that holds a bar on a pin: the bar is rigid against it, and pulls its tip off with P/b.
+    #[test]
+    fn a_cantilever_under_a_pinned_bar() {
+        // sin-cos solution of the cantilever with a lateral P w/b at its tip: tan z = z (1 + b/a).
+        let (a, b) = (1.0, 0.5);
+        let model = Model::new(
+            Beam::uniform(a + b, 2.0).with_segment(a, a + b, 2e9),
+            Foundation::winkler(1.0),
+        )
+        .with_support(Support::fixed(0.0))
+        .with_support(Support::pinned(a + b))
+        .with_hinge(Hinge::free(a));
+        let z = (own_buckling_load(&model) / 2.0).sqrt() * a;
+        assert!((f64::tan(z) - z * (1.0 + b / a)).abs() < 1e-6, "{z}");
     }
 
     #[test]

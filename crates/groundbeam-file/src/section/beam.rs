@@ -1,5 +1,7 @@
 //! `[beam]` and `[[beam.segment]]`.
 
+use super::curl::{self, Depth};
+use super::material;
 use super::shape::{self, Shape};
 use super::weight::{self, Area};
 use crate::profile::{Along, Values, left_out};
@@ -12,18 +14,39 @@ use crate::table::Section;
 use groundbeam::model::Part;
 use groundbeam::{Beam, BeamSegment, Load, Profile};
 
-const KEYS: &[&str] =
-    &["length", "EI", "E", "I", "section", "unit_weight", "weight_case", "axial_force", "segment"];
-const SEGMENT_KEYS: &[&str] = &["from", "to", "EI", "E", "I", "section"];
+const KEYS: &[&str] = &[
+    "length",
+    "EI",
+    "E",
+    "material",
+    "I",
+    "section",
+    "unit_weight",
+    "weight_case",
+    "axial_force",
+    "camber",
+    "segment",
+];
+const SEGMENT_KEYS: &[&str] = &["from", "to", "EI", "E", "material", "I", "section"];
 const STIFFNESS: Keys = Keys {
     product: ("EI", &BENDING_STIFFNESS),
     factors: [("E", &ELASTIC_MODULUS), ("I", &SECOND_MOMENT_OF_AREA)],
     instead: " or a `section`",
 };
 
-/// The beam, and its own weight if the file asks for that, each load with its load case.
-pub(super) fn read(reader: &mut Reader, root: &Section) -> (Beam, Vec<(Load, Option<String>)>) {
-    let unknown = (Beam::uniform(f64::NAN, f64::NAN), Vec::new());
+/// What `[beam]` says.
+pub(super) struct Read {
+    pub beam: Beam,
+    /// Its own weight and its camber, if the file gives them, each with its load case.
+    pub loads: Vec<(Load, Option<String>)>,
+    pub depths: Vec<Depth>,
+    /// The expansion of its material, if that is one all along.
+    pub expansion: Option<f64>,
+}
+
+pub(super) fn read(reader: &mut Reader, root: &Section) -> Read {
+    let beam = Beam::uniform(f64::NAN, f64::NAN);
+    let unknown = Read { beam, loads: Vec::new(), depths: Vec::new(), expansion: None };
     let Some(table) = reader.table(root, "beam", "[beam]") else {
         if root.value("beam").is_none() {
             reader.missing(root, &["beam"], "`[beam]`", "[beam] with `length` and `EI`");
@@ -39,20 +62,29 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> (Beam, Vec<(Load, Opt
     let axial_force = axial_force.unwrap_or_else(|| Field::new(0.0, table.span.clone()));
     reader.places.field(Part::Beam, "axial_force", &axial_force);
 
-    let (given, area) = given(reader, &table);
+    let (given, shape) = given(reader, &table);
     let mut areas = Vec::new();
+    let mut depths = Vec::new();
+    let mut one_material = true;
     let mut segments = Vec::new();
     for (i, segment) in reader.tables(&table, "segment", "[[beam.segment]]").iter().enumerate() {
         let part = Part::BeamSegment(i);
         let (read, own) = read_segment(reader, segment, part, &given, length.value);
         let way = [read.from / length.value, read.to / length.value];
-        let area = own.map_or_else(|| area.as_ref().map(|area| area.between(way)), Some);
-        let area = area.filter(|_| !gives_stiffness(segment));
+        let shape = own.or_else(|| shape.as_ref().map(|shape| shape.between(way)));
+        let shape = shape.filter(|_| !gives_stiffness(segment));
+        let (area, depth) = shape.map_or((None, None), |shape| (Some(shape.area), shape.depth));
         areas.push(Area { from: read.from, to: read.to, area });
+        depths.push(Depth { from: read.from, to: read.to, depth });
+        one_material &= ["material", "E"].iter().all(|key| segment.value(key).is_none());
         segments.push(read);
     }
-    let base = area.filter(|_| !gives_stiffness(&table));
-    let weight = weight::read(reader, &table, length.value, base, areas);
+    let material = material::of(&table).filter(|_| one_material);
+    let base = shape.filter(|_| !gives_stiffness(&table));
+    let (area, depth) = base.map_or((None, None), |shape| (Some(shape.area), shape.depth));
+    let mut loads = weight::read(reader, &table, length.value, material, area, areas);
+    loads.extend(curl::camber(reader, &table, length.value).map(|camber| (camber, None)));
+    let depths = curl::all(length.value, depth, depths);
 
     let stiffness = given.resolve(reader, &Given::default(), &STIFFNESS);
     let covered = cover(length.value, segments.iter().map(|s| (s.from, s.to)));
@@ -71,7 +103,8 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> (Beam, Vec<(Load, Opt
         }
     };
     let axial_force = axial_force.value;
-    (Beam { length: length.value, bending_stiffness, segments, axial_force }, weight)
+    let beam = Beam { length: length.value, bending_stiffness, segments, axial_force };
+    Read { beam, loads, depths, expansion: material.map(|material| material.expansion) }
 }
 
 /// Whether a table gives EI or I by themselves: then no section of a parent's is that of the beam there.
@@ -104,35 +137,36 @@ fn read_segment(
     part: Part,
     parent: &Given,
     length: f64,
-) -> (BeamSegment, Option<Along>) {
+) -> (BeamSegment, Option<Shape>) {
     reader.refuse_unknown(table, SEGMENT_KEYS);
     reader.places.part(part, &table.span);
     let from = reader.required(table, "from", &POSITION);
     let to = reader.required(table, "to", &POSITION);
     let parent = parent.between([from.value / length, to.value / length]);
-    let (own, area) = given(reader, table);
+    let (own, shape) = given(reader, table);
     let stiffness = own.resolve(reader, &parent, &STIFFNESS);
     let stiffness = reader.settle(stiffness, table, &STIFFNESS);
     reader.places.field(part, "from", &from);
     reader.places.field(part, "to", &to);
     reader.places.field(part, "bending_stiffness", &stiffness.field());
     let bending_stiffness = stiffness.profile;
-    (BeamSegment { from: from.value, to: to.value, bending_stiffness }, area)
+    (BeamSegment { from: from.value, to: to.value, bending_stiffness }, shape)
 }
 
-/// What a table says of EI, and the area of its section.
-fn given(reader: &mut Reader, table: &Section) -> (Given, Option<Along>) {
+/// What a table says of EI, and its section.
+fn given(reader: &mut Reader, table: &Section) -> (Given, Option<Shape>) {
     let curve = Values::Curve(Profile::MOST);
     let product = reader.along(table, "EI", &BENDING_STIFFNESS, curve);
     let modulus = reader.along(table, "E", &ELASTIC_MODULUS, Values::Linear);
     let modulus = modulus.map(|modulus| reader.positive_along("E", modulus));
+    let modulus = material::modulus(reader, table, modulus);
     let inertia = reader.along(table, "I", &SECOND_MOMENT_OF_AREA, Values::Linear);
     let inertia = inertia.map(|inertia| reader.positive_along("I", inertia));
     let shape = shape::read(reader, table);
-    let (section, area) = shape.map(|Shape { inertia, area }| (inertia, area)).unzip();
+    let section = shape.as_ref().map(|shape| shape.inertia.clone());
     if let (Some(inertia), Some(section)) = (&inertia, &section) {
         let hint = "the section gives I; keep one of the two";
         reader.exclusive(("I", &inertia.span), ("section", &section.span), hint);
     }
-    (Given { product, factors: [modulus, inertia.or(section)] }, area)
+    (Given { product, factors: [modulus, inertia.or(section)] }, shape)
 }

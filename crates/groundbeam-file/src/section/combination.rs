@@ -327,8 +327,8 @@ fn is_finite(load: &Load) -> bool {
         Load::PointForce { force: size, .. } | Load::PointMoment { moment: size, .. } => {
             size.is_finite()
         }
-        Load::Distributed { start, end, .. } | Load::DistributedMoment { start, end, .. } => {
-            start.is_finite() && end.is_finite()
-        }
+        Load::Distributed { start, end, .. }
+        | Load::DistributedMoment { start, end, .. }
+        | Load::Curvature { start, end, .. } => start.is_finite() && end.is_finite(),
     }
 }

@@ -1,8 +1,13 @@
 //! `[[load]]`.
 
+use super::curl;
+use super::curl::Curls;
 use crate::code;
 use crate::fault::Fault;
-use crate::quantity::{FORCE, Kind, LOAD_PER_LENGTH, MOMENT, MOMENT_PER_LENGTH, POSITION};
+use crate::quantity::{
+    CURVATURE, FORCE, Kind, LOAD_PER_LENGTH, MOMENT, MOMENT_PER_LENGTH, POSITION, STRAIN,
+    TEMPERATURE,
+};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 use groundbeam::Load;
@@ -10,21 +15,43 @@ use groundbeam::model::Part;
 use toml::Spanned;
 use toml::de::DeValue;
 
-const KEYS: &[&str] =
-    &["point", "moment", "distributed", "distributed_moment", "at", "from", "to", "case"];
-const KINDS: [&str; 4] = ["point", "moment", "distributed", "distributed_moment"];
+const KEYS: &[&str] = &[
+    "point",
+    "moment",
+    "distributed",
+    "distributed_moment",
+    "curvature",
+    "temperature_difference",
+    "shrinkage_difference",
+    "expansion",
+    "depth",
+    "at",
+    "from",
+    "to",
+    "case",
+];
+const KINDS: [&str; 7] = [
+    "point",
+    "moment",
+    "distributed",
+    "distributed_moment",
+    "curvature",
+    "temperature_difference",
+    "shrinkage_difference",
+];
 
 /// The loads, and beside each the load case it belongs to.
 pub(super) fn read(
     reader: &mut Reader,
     root: &Section,
     beam_length: f64,
+    curls: &Curls,
 ) -> (Vec<Load>, Vec<Option<String>>) {
     let tables = reader.tables(root, "load", "[[load]]");
     let mut loads = Vec::new();
     let mut cases = Vec::new();
     for (i, table) in tables.iter().enumerate() {
-        loads.push(read_one(reader, table, Part::Load(i), beam_length));
+        loads.push(read_one(reader, table, Part::Load(i), beam_length, curls));
         cases.push(case(reader, table));
     }
     (loads, cases)
@@ -42,15 +69,21 @@ fn case(reader: &mut Reader, table: &Section) -> Option<String> {
     Some(name.to_owned())
 }
 
-fn read_one(reader: &mut Reader, table: &Section, part: Part, beam_length: f64) -> Load {
+fn read_one(
+    reader: &mut Reader,
+    table: &Section,
+    part: Part,
+    beam_length: f64,
+    curls: &Curls,
+) -> Load {
     reader.refuse_unknown(table, KEYS);
     reader.places.part(part, &table.span);
     let mut kinds: Vec<(&str, &Spanned<DeValue>)> =
         KINDS.iter().filter_map(|&kind| Some((kind, table.value(kind)?))).collect();
     kinds.sort_by_key(|(_, value)| value.span().start);
     let Some(&(kind, value)) = kinds.first() else {
-        let example = "one of point, moment, distributed, distributed_moment";
-        reader.missing(table, &KINDS, "force or moment", example);
+        let example = format!("one of {}", KINDS.join(", "));
+        reader.missing(table, &KINDS, "force, moment or curvature", &example);
         return nothing(reader, part, table);
     };
     for (other, other_value) in &kinds[1..] {
@@ -73,10 +106,24 @@ fn read_one(reader: &mut Reader, table: &Section, part: Part, beam_length: f64) 
             let (start, end) = intensity(reader, part, kind, value, &LOAD_PER_LENGTH);
             Load::Distributed { from, to, start, end }
         }
-        _ => {
+        "distributed_moment" => {
             let (from, to) = stretch(reader, table, part, kind, beam_length);
             let (start, end) = intensity(reader, part, kind, value, &MOMENT_PER_LENGTH);
             Load::DistributedMoment { from, to, start, end }
+        }
+        _ => {
+            let (from, to) = stretch(reader, table, part, kind, beam_length);
+            let wanted = match kind {
+                "curvature" => &CURVATURE,
+                "temperature_difference" => &TEMPERATURE,
+                _ => &STRAIN,
+            };
+            let (start, end) = intensity(reader, part, kind, value, wanted);
+            // What is missing has been reported.
+            let per = curl::curvature_per(reader, table, kind, [from, to], curls);
+            let [start, end] =
+                [start, end].map(|value| if per.is_nan() { 0.0 } else { per * value });
+            Load::Curvature { from, to, start, end }
         }
     }
 }

@@ -4,9 +4,12 @@ mod band;
 mod beam;
 mod checks;
 mod combination;
+mod curl;
 mod foundation;
 mod gap;
+mod hinge;
 mod load;
+mod material;
 mod shape;
 mod soil;
 mod support;
@@ -17,6 +20,7 @@ use crate::combination::Recipe;
 use crate::document::MovingTrain;
 use crate::reader::Reader;
 use crate::table::Section;
+use curl::Curls;
 use groundbeam::{Limits, Model};
 
 const TABLES: &[&str] = &[
@@ -25,6 +29,7 @@ const TABLES: &[&str] = &[
     "foundation",
     "load",
     "support",
+    "hinge",
     "gap",
     "case",
     "combination",
@@ -50,20 +55,22 @@ pub(crate) use foundation::Ground;
 pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     reader.refuse_unknown(root, TABLES);
     let title = reader.words(root, "title", "Strip footing").map(|(title, _)| title.to_owned());
-    let (beam, weight) = beam::read(reader, root);
+    let beam::Read { beam, loads: own, depths, expansion } = beam::read(reader, root);
     let ground = foundation::read(reader, root, &beam);
-    let (mut loads, mut cases) = load::read(reader, root, beam.length);
-    for (load, case) in weight {
+    let curls = Curls { depths, expansion };
+    let (mut loads, mut cases) = load::read(reader, root, beam.length, &curls);
+    for (load, case) in own {
         loads.push(load);
         cases.push(case);
     }
     let supports = support::read(reader, root);
+    let hinges = hinge::read(reader, root);
     let gap = gap::read(reader, root);
     let limits = checks::read(reader, root, ground.width);
     let grounds = ground.band.map_or(1, |band| band.grounds().len());
     let recipes = combination::read(reader, root, &loads, &cases, grounds);
     let trains = train::read(reader, root, beam.length);
     let foundation = ground.foundation.clone();
-    let model = Model { beam, foundation, loads, supports, gap };
+    let model = Model { beam, foundation, loads, supports, hinges, gap };
     Contents { title, model, ground, limits, cases, recipes, trains }
 }

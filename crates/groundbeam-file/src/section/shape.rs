@@ -16,16 +16,28 @@ use std::ops::Range;
 pub(super) struct Shape {
     pub inertia: Along,
     pub area: Along,
+    /// From the lower to the upper face, if it is known.
+    pub depth: Option<Along>,
 }
 
 impl Shape {
     fn constant([area, inertia]: [f64; 2], span: Range<usize>) -> Self {
         let along = |value| Along { profile: Profile::constant(value), span: span.clone() };
-        Shape { inertia: along(inertia), area: along(area) }
+        Shape { inertia: along(inertia), area: along(area), depth: None }
     }
 
     fn unreadable(span: Range<usize>) -> Self {
-        Shape::constant([f64::NAN; 2], span)
+        let unknown = Some(Along::unreadable(span.clone()));
+        Shape { depth: unknown, ..Shape::constant([f64::NAN; 2], span) }
+    }
+
+    /// What it is between two parts of the way.
+    pub fn between(&self, way: [f64; 2]) -> Self {
+        Shape {
+            inertia: self.inertia.between(way),
+            area: self.area.between(way),
+            depth: self.depth.as_ref().map(|depth| depth.between(way)),
+        }
     }
 }
 
@@ -34,6 +46,8 @@ struct Kind {
     name: &'static str,
     sides: &'static [&'static str],
     measure: fn(&[f64]) -> Result<[f64; 2], &'static str>,
+    /// Whether A and I are polynomials of the sides, of degree 2 and 4.
+    is_polynomial: bool,
 }
 
 const KINDS: [Kind; 5] = [
@@ -41,6 +55,7 @@ const KINDS: [Kind; 5] = [
         name: "circle",
         sides: &["diameter"],
         measure: |d| Ok([PI * d[0].powi(2) / 4.0, PI * d[0].powi(4) / 64.0]),
+        is_polynomial: true,
     },
     Kind {
         name: "tube",
@@ -50,6 +65,7 @@ const KINDS: [Kind; 5] = [
             let ring = |power| outer.powi(power) - inner.powi(power);
             fits(inner, "wall").map(|()| [PI * ring(2) / 4.0, PI * ring(4) / 64.0])
         },
+        is_polynomial: true,
     },
     Kind {
         name: "box",
@@ -59,6 +75,7 @@ const KINDS: [Kind; 5] = [
             let inertia = (s[0] * s[1].powi(3) - b * h.powi(3)) / 12.0;
             fits(b.min(h), "wall").map(|()| [s[0] * s[1] - b * h, inertia])
         },
+        is_polynomial: true,
     },
     Kind {
         name: "I",
@@ -72,6 +89,7 @@ const KINDS: [Kind; 5] = [
             let inertia = (width * height.powi(3) - (width - web) * between.powi(3)) / 12.0;
             Ok([area, inertia])
         },
+        is_polynomial: true,
     },
     Kind {
         name: "T",
@@ -87,6 +105,7 @@ const KINDS: [Kind; 5] = [
             let own = (width * flange.powi(3) + web * stem.powi(3)) / 12.0;
             Ok([plate + leg, own + plate * leg / (plate + leg) * apart * apart])
         },
+        is_polynomial: false,
     },
 ];
 
@@ -94,7 +113,7 @@ fn fits(room: f64, side: &'static str) -> Result<(), &'static str> {
     if room <= 0.0 { Err(side) } else { Ok(()) }
 }
 
-/// A rolled rail: area \[m²\] and second moment about the horizontal axis \[m⁴\].
+/// A rolled rail: area \[m²\], second moment about the horizontal axis \[m⁴\].
 struct Rail {
     names: &'static [&'static str],
     area: f64,
@@ -145,48 +164,89 @@ pub(super) fn read(reader: &mut Reader, table: &Section) -> Option<Shape> {
 /// A = b h and I = b h³ / 12; both sides may run from one value to another.
 fn rectangle(reader: &mut Reader, section: &Section) -> Shape {
     reader.refuse_unknown(section, &["shape", "width", "height"]);
-    let mut side = |key: &'static str| {
-        let given = reader.along(section, key, &WIDTH, Values::Linear);
-        let given = given.map(|given| reader.positive_along(key, given));
-        given.unwrap_or_else(|| {
-            let missing = reader.required(section, key, &WIDTH);
-            Along::unreadable(missing.span)
-        })
-    };
-    let [width, height] = ["width", "height"].map(&mut side);
+    let [width, height] = ["width", "height"].map(|key| side(reader, section, key));
     let span = section.span.clone();
     if width.profile.is_constant() && height.profile.is_constant() {
         let [b, h] = [width.profile.start(), height.profile.start()];
-        return Shape::constant([b * h, b * h.powi(3) / 12.0], span);
+        let shape = Shape::constant([b * h, b * h.powi(3) / 12.0], span);
+        return Shape { depth: Some(height), ..shape };
     }
     let area = width.times(&height, &span);
-    let cubed = [&height, &height, &height].into_iter().fold(width, |a, b| a.times(b, &span));
+    let cubed = [&height; 3].into_iter().fold(width, |a, b| a.times(b, &span));
     let inertia = Along { profile: cubed.profile.scaled(1.0 / 12.0), span };
-    Shape { inertia, area }
+    Shape { inertia, area, depth: Some(height) }
 }
 
+/// A shape by its sides, each of which may run from one value to another.
 fn by_sides(reader: &mut Reader, section: &Section, kind: &Kind) -> Shape {
     let keys: Vec<&str> = ["shape"].into_iter().chain(kind.sides.iter().copied()).collect();
     reader.refuse_unknown(section, &keys);
-    let sides: Vec<f64> = kind
-        .sides
-        .iter()
-        .map(|key| {
-            let side = reader.required(section, key, &WIDTH);
-            reader.positive(key, side).value
-        })
-        .collect();
+    let side = |key: &&'static str| side(reader, section, key);
+    let sides: Vec<Along> = kind.sides.iter().map(side).collect();
     let span = section.span.clone();
-    match (kind.measure)(&sides) {
-        Ok(measures) => Shape::constant(measures, span),
+    if let Some(varies) = sides.iter().find(|side| !side.profile.is_constant())
+        && !kind.is_polynomial
+    {
+        let message = format!("the sides of a {} cannot vary along a segment", kind.name);
+        let hint = "its I is no polynomial of them: give a [[beam.segment]] for each of several parts, \
+                    or the control values of `EI`";
+        reader.report(Fault::new(code::MISPLACED, varies.span.clone(), message, "", hint));
+        return Shape::unreadable(span);
+    }
+    let at = |t: f64| {
+        let sides: Vec<f64> = sides.iter().map(|side| side.profile.at(t)).collect();
+        (kind.measure)(&sides)
+    };
+    let measures: Result<Vec<[f64; 2]>, &str> = QUARTERS.into_iter().map(at).collect();
+    let measures = match measures {
+        Ok(measures) => measures,
         Err(side) => {
             let at = section.value(side).map_or(span.clone(), |value| value.span());
             let message = format!("`{side}` is thicker than the section has room for");
             let hint = format!("the sides of a {} are those around it", kind.name);
             reader.report(Fault::new(code::FACTOR, at, message, "", hint));
-            Shape::unreadable(span)
+            return Shape::unreadable(span);
         }
+    };
+    let high = kind.sides.iter().position(|key| ["height", "diameter"].contains(key));
+    let depth = high.map(|i| sides[i].clone());
+    if sides.iter().all(|side| side.profile.is_constant()) {
+        return Shape { depth, ..Shape::constant(measures[0], span) };
     }
+    let [area, inertia] = [0, 1].map(|i| [0, 1, 2, 3, 4].map(|t| measures[t][i]));
+    let along = |profile| Along { profile, span: span.clone() };
+    Shape { inertia: along(quartic(inertia)), area: along(square(area)), depth }
+}
+
+/// A side that must be given, positive, as one value or a list of two.
+fn side(reader: &mut Reader, section: &Section, key: &'static str) -> Along {
+    let given = reader.along(section, key, &WIDTH, Values::Linear);
+    let given = given.map(|given| reader.positive_along(key, given));
+    given.unwrap_or_else(|| {
+        let missing = reader.required(section, key, &WIDTH);
+        Along::unreadable(missing.span)
+    })
+}
+
+/// Where a polynomial of degree 4 is looked at to be known.
+const QUARTERS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+
+/// A polynomial of degree 4 by its values at the quarters of its way.
+fn quartic([a, b, c, d, e]: [f64; 5]) -> Profile {
+    let beside = |a, b, c, d, e| (-13.0 * a + 48.0 * b - 36.0 * c + 16.0 * d - 3.0 * e) / 12.0;
+    let middle = (13.0 * (a + e) - 64.0 * (b + d) + 120.0 * c) / 18.0;
+    let values = [a, beside(a, b, c, d, e), middle, beside(e, d, c, b, a), e];
+    Profile::by_control_values(&values).unwrap_or(Profile::constant(f64::NAN))
+}
+
+/// The same of degree 2, or 1 where rounding alone bends it.
+fn square([a, _, c, _, e]: [f64; 5]) -> Profile {
+    let bend = 2.0 * c - (a + e);
+    if bend.abs() <= 16.0 * f64::EPSILON * (a + e) {
+        return Profile::linear(a, e);
+    }
+    let values = [a, 0.5 * (a + e) + bend, e];
+    Profile::by_control_values(&values).unwrap_or(Profile::constant(f64::NAN))
 }
 
 fn rail(reader: &mut Reader, section: &Section) -> Shape {
@@ -244,6 +304,22 @@ mod tests {
         // IPE 300 without its fillets: A = 5188 mm² of sharp corners, I of 7999 cm⁴.
         let [area, inertia] = measured("I", &[150.0, 300.0, 10.7, 7.1]).unwrap();
         assert!((area - 5188.0).abs() < 1.0 && (inertia / 1e4 - 7999.0).abs() < 1.0);
+    }
+
+    /// Against the formulas at places where nothing was looked at.
+    #[test]
+    fn measures_that_run_along() {
+        let powers = |t: f64| (3.0 - 2.0 * t, (3.0 - 2.0 * t).powi(4), (3.0 - 2.0 * t).powi(2));
+        let [fourth, second] =
+            [0, 1].map(|i| QUARTERS.map(|t| if i == 0 { powers(t).1 } else { powers(t).2 }));
+        let (inertia, area) = (quartic(fourth), square(second));
+        let linear = square(QUARTERS.map(|t| powers(t).0));
+        assert_eq!((area.control_values().len(), linear.control_values()), (3, &[3.0, 1.0][..]));
+        for t in [0.1, 0.3, 0.6, 0.9] {
+            let (_, fourth, second) = powers(t);
+            assert!((inertia.at(t) / fourth - 1.0).abs() < 1e-14);
+            assert!((area.at(t) / second - 1.0).abs() < 1e-14);
+        }
     }
 
     #[test]

@@ -2,14 +2,14 @@
 
 use crate::code;
 use crate::fault::Fault;
-use crate::quantity::{POSITION, ROTATIONAL_SPRING, SPRING};
+use crate::quantity::{CLEARANCE, POSITION, ROTATIONAL_SPRING, SPRING};
 use crate::reader::{Field, Reader};
 use crate::suggest::nearest;
 use crate::table::Section;
 use groundbeam::model::Part;
-use groundbeam::{Support, SupportKind};
+use groundbeam::{Acts, Support, SupportKind};
 
-const KEYS: &[&str] = &["at", "type", "spring", "rotational_spring"];
+const KEYS: &[&str] = &["at", "type", "spring", "rotational_spring", "settlement", "acts"];
 
 pub(super) fn read(reader: &mut Reader, root: &Section) -> Vec<Support> {
     let tables = reader.tables(root, "support", "[[support]]");
@@ -25,8 +25,13 @@ fn read_one(reader: &mut Reader, table: &Section, part: Part) -> Support {
     reader.places.part(part, &table.span);
     let at = reader.required(table, "at", &POSITION);
     reader.places.field(part, "at", &at);
+    let acts = acts(reader, table, part);
     let spring = reader.quantity(table, "spring", &SPRING);
     let rotational_spring = reader.quantity(table, "rotational_spring", &ROTATIONAL_SPRING);
+    let settlement = reader.quantity(table, "settlement", &CLEARANCE);
+    let settlement = settlement.unwrap_or_else(|| Field::new(0.0, table.span.clone()));
+    reader.places.field(part, "settlement", &settlement);
+    let settlement = settlement.value;
 
     if let Some(word) = table.value("type") {
         let springs = [("spring", &spring), ("rotational_spring", &rotational_spring)];
@@ -36,7 +41,7 @@ fn read_one(reader: &mut Reader, table: &Section, part: Part) -> Support {
                 reader.exclusive(("type", &word.span()), (key, &field.span), hint);
             }
         }
-        return Support { at: at.value, kind: rigid(reader, table) };
+        return Support { at: at.value, kind: rigid(reader, table), settlement, acts };
     }
     if spring.is_none() && rotational_spring.is_none() {
         let spring = reader.line("spring", &SPRING);
@@ -51,7 +56,35 @@ fn read_one(reader: &mut Reader, table: &Section, part: Part) -> Support {
     };
     let spring = constant("spring", spring);
     let rotational_spring = constant("rotational_spring", rotational_spring);
-    Support { at: at.value, kind: SupportKind::Spring { spring, rotational_spring } }
+    let kind = SupportKind::Spring { spring, rotational_spring };
+    Support { at: at.value, kind, settlement, acts }
+}
+
+/// In which directions it acts: both, if nothing is said.
+fn acts(reader: &mut Reader, table: &Section, part: Part) -> Acts {
+    let Some((word, span)) = reader.words(table, "acts", "up") else { return Acts::Both };
+    reader.places.field(part, "acts", &Field::new(0.0, span.clone()));
+    match word {
+        "up" => Acts::Up,
+        "down" => Acts::Down,
+        "both" => Acts::Both,
+        other => {
+            let meant = match other.to_lowercase().as_str() {
+                "compression" | "press" | "push" | "upward" | "upwards" => Some("up"),
+                "tension" | "pull" | "hold-down" | "downward" | "downwards" => Some("down"),
+                _ => nearest(other, ["up", "down", "both"]),
+            };
+            let choice =
+                "`up` only pushes the beam up, `down` only holds it down, `both` does either";
+            let hint = match meant {
+                Some(word) => format!("did you mean \"{word}\"? {choice}"),
+                None => choice.to_owned(),
+            };
+            let message = format!("`{other}` is no direction in which a support acts");
+            reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
+            Acts::Both
+        }
+    }
 }
 
 fn rigid(reader: &mut Reader, table: &Section) -> SupportKind {

@@ -2,9 +2,10 @@
 
 use crate::code;
 use crate::fault::Fault;
+use crate::materials::Material;
 use crate::profile::{Along, left_out};
 use crate::quantity::UNIT_WEIGHT;
-use crate::reader::Reader;
+use crate::reader::{Field, Reader};
 use crate::table::Section;
 use groundbeam::Load;
 
@@ -15,16 +16,35 @@ pub(super) struct Area {
     pub area: Option<Along>,
 }
 
+/// `unit_weight`: a quantity, or "material" for that of the beam's material.
+fn unit_weight(reader: &mut Reader, table: &Section, material: Option<&Material>) -> Option<Field> {
+    let value = table.value("unit_weight")?;
+    if value.get_ref().as_str().is_none_or(|text| text.trim() != "material") {
+        return reader.quantity(table, "unit_weight", &UNIT_WEIGHT);
+    }
+    if let Some(weight) = material.and_then(|material| material.unit_weight) {
+        return Some(Field::new(weight, value.span()));
+    }
+    let message = match material {
+        Some(material) => format!("no unit weight of {} is listed", material.name),
+        None => "the beam is not all of one material that has a name".to_owned(),
+    };
+    let hint = format!("give {}", reader.line("unit_weight", &UNIT_WEIGHT));
+    reader.report(Fault::new(code::INCOMPLETE, value.span(), message, "", hint));
+    Some(Field::unreadable(value.span()))
+}
+
 /// The loads of the beam's own weight, each with its load case; none if `table` gives no unit weight.
 pub(super) fn read(
     reader: &mut Reader,
     table: &Section,
     length: f64,
+    material: Option<&Material>,
     base: Option<Along>,
     mut areas: Vec<Area>,
 ) -> Vec<(Load, Option<String>)> {
     let case = reader.words(table, "weight_case", "G").map(|(name, _)| name.trim().to_owned());
-    let Some(weight) = reader.quantity(table, "unit_weight", &UNIT_WEIGHT) else {
+    let Some(weight) = unit_weight(reader, table, material) else {
         if let Some((key, _)) = table.table.get_key_value("weight_case") {
             let message = "`weight_case` is given without `unit_weight`";
             let hint = "unit_weight = \"25 kN/m^3\" makes the beam's own weight a load";

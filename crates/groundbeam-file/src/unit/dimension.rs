@@ -1,22 +1,24 @@
-//! What a unit measures: powers of force, length and angle.
+//! What a unit measures: powers of force, length, angle and temperature.
 
-/// Powers of force, length and angle. Mass and time occur nowhere in a model.
+/// Powers of force, length, angle and temperature difference. Mass and time occur nowhere in a model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Dimension {
     pub force: i32,
     pub length: i32,
     pub angle: i32,
+    pub temperature: i32,
 }
 
 impl Dimension {
     pub const NONE: Dimension = Dimension::new(0, 0);
     pub const FORCE: Dimension = Dimension::new(1, 0);
     pub const LENGTH: Dimension = Dimension::new(0, 1);
-    pub const ANGLE: Dimension = Dimension { force: 0, length: 0, angle: 1 };
+    pub const ANGLE: Dimension = Dimension { angle: 1, ..Dimension::NONE };
+    pub const TEMPERATURE: Dimension = Dimension { temperature: 1, ..Dimension::NONE };
 
     /// force^`force` × length^`length`
     pub const fn new(force: i32, length: i32) -> Self {
-        Dimension { force, length, angle: 0 }
+        Dimension { force, length, angle: 0, temperature: 0 }
     }
 
     /// This dimension times `other` to a power. Powers stop at the limits of their type, which
@@ -27,14 +29,20 @@ impl Dimension {
             force: add(self.force, other.force),
             length: add(self.length, other.length),
             angle: add(self.angle, other.angle),
+            temperature: add(self.temperature, other.temperature),
         }
     }
 
     /// In words, with an article: "a force per length".
     pub fn describe(self) -> String {
+        if self == Dimension::TEMPERATURE {
+            return "a temperature".to_owned();
+        }
         let known = match (self.force, self.length, self.angle) {
+            _ if self.temperature != 0 => "",
             (0, 0, 0) => "a plain number",
             (0, 0, 1) => "an angle",
+            (0, -1, 0 | 1) => "a curvature",
             (0, 1, 0) => "a length",
             (0, 2, 0) => "an area",
             (0, 3, 0) => "a volume",
@@ -51,7 +59,12 @@ impl Dimension {
         if !known.is_empty() {
             return known.to_owned();
         }
-        let factors = [("force", self.force), ("length", self.length), ("angle", self.angle)];
+        let factors = [
+            ("force", self.force),
+            ("length", self.length),
+            ("angle", self.angle),
+            ("temperature", self.temperature),
+        ];
         let written: Vec<String> = factors
             .into_iter()
             .filter(|&(_, power)| power != 0)

@@ -1,6 +1,6 @@
 //! Products, quotients and powers of unit symbols, as engineers write them:
 //! `kN/m^2`, `kN/m²`, `kN m`, `kNm`, `kN·m`, `kN*m`, `kN.m`, `kip-ft`, `kN/m/m`, `kN/(m rad)`,
-//! `kN m-2`, `mm4`.
+//! `kN m-2`, `mm4`, `1/m`.
 
 use super::{Dimension, Scale, symbol};
 use crate::code;
@@ -78,6 +78,11 @@ impl Reader<'_> {
     /// A symbol or a parenthesis, with its power.
     fn factor(&mut self, depth: usize) -> Result<Unit, Fault> {
         self.skip_spaces();
+        if self.at == 0 && self.text.starts_with('1') {
+            // 1/m
+            self.advance();
+            return Ok(Unit::ONE);
+        }
         if self.peek() == Some('(') {
             if depth == DEEPEST {
                 return Err(self.unexpected("too many parentheses within each other"));

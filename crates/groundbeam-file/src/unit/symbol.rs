@@ -37,6 +37,12 @@ pub(super) const SYMBOLS: &[Symbol] = &[
     metric("N", Dimension::FORCE),
     metric("Pa", STRESS),
     metric("rad", Dimension::ANGLE),
+    // Differences of temperature.
+    other("K", Dimension::TEMPERATURE, (1, 1, 0)),
+    other("°C", Dimension::TEMPERATURE, (1, 1, 0)),
+    other("degC", Dimension::TEMPERATURE, (1, 1, 0)),
+    other("°F", Dimension::TEMPERATURE, (5, 9, 0)),
+    other("degF", Dimension::TEMPERATURE, (5, 9, 0)),
     // π/180 to 19 figures.
     other("deg", Dimension::ANGLE, (1_745_329_251_994_329_577, 1, -20)),
     other("°", Dimension::ANGLE, (1_745_329_251_994_329_577, 1, -20)),
@@ -85,7 +91,7 @@ const PREFIXES: &[(&str, i32)] = &[
 pub(super) const COMMON: &[&str] = &[
     "m", "mm", "cm", "km", "kN", "N", "MN", "GN", "MPa", "kPa", "GPa", "Pa", "rad", "mrad", "deg",
     "in", "ft", "yd", "lbf", "kip", "kgf", "tf", "daN", "psi", "ksi", "psf", "ksf", "pci", "pcf",
-    "kcf", "plf", "klf",
+    "kcf", "plf", "klf", "K", "°C", "°F",
 ];
 
 /// Names and other symbols people write, with the symbol that is understood.
@@ -166,6 +172,9 @@ mod tests {
             ("N", 1.0),
             ("Pa", 1.0),
             ("rad", 1.0),
+            ("K", 1.0),
+            ("°C", 1.0), // B.8: degree Celsius, differences
+            ("degC", 1.0),
             ("in", 0.0254), // B.8: inch, 2.54 E-02, exact
             ("ft", 0.3048), // B.8: foot, 3.048 E-01, exact
             ("yd", 0.9144), // B.8: yard, 9.144 E-01, exact
@@ -180,6 +189,8 @@ mod tests {
         let quotients = [
             ("deg", std::f64::consts::PI / 180.0, 1.745_329e-2), // B.8: degree (angle)
             ("°", std::f64::consts::PI / 180.0, 1.745_329e-2),
+            ("°F", 5.0 / 9.0, 5.555_556e-1), // B.8: degree Fahrenheit (interval)
+            ("degF", 5.0 / 9.0, 5.555_556e-1),
             ("plf", pound / 0.3048, 1.459_390e1), // B.8: pound-force per foot
             ("klf", 1e3 * pound / 0.3048, 1.459_390e4),
             ("psi", pound / 0.0254_f64.powi(2), 6.894_757e3), // B.8: psi

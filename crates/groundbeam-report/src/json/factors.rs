@@ -2,7 +2,7 @@
 
 use super::Motion;
 use crate::context::Factors;
-use groundbeam::{FirstLiftOff, LossOfEquilibrium};
+use groundbeam::{FirstLiftOff, LossOfEquilibrium, Model, RigidMotion};
 use serde::Serialize;
 
 const AT_ONCE: &str = "at-once";
@@ -37,7 +37,9 @@ struct Loss {
 }
 
 impl Grown {
-    pub fn of(factors: Factors) -> Self {
+    /// Without a model, as for one that was not solved, motions say nothing of hinges.
+    pub fn of(factors: Factors, model: Option<&Model>) -> Self {
+        let moving = |motion: RigidMotion| Motion::of(model, motion);
         let first_lift_off = match factors.found.first_lift_off {
             FirstLiftOff::AtOnce => LiftOff { when: AT_ONCE, factor: None, x: None },
             FirstLiftOff::At { factor, x } => {
@@ -47,10 +49,10 @@ impl Grown {
         };
         let loss_of_equilibrium = match factors.found.loss_of_equilibrium {
             LossOfEquilibrium::AtOnce(motion) => {
-                Loss { when: AT_ONCE, factor: None, motion: Some(motion.into()) }
+                Loss { when: AT_ONCE, factor: None, motion: Some(moving(motion)) }
             }
             LossOfEquilibrium::At { factor, motion } => {
-                Loss { when: AT_FACTOR, factor: Some(factor), motion: Some(motion.into()) }
+                Loss { when: AT_FACTOR, factor: Some(factor), motion: Some(moving(motion)) }
             }
             LossOfEquilibrium::Never => Loss { when: NEVER, factor: None, motion: None },
         };

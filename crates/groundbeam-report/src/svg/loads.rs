@@ -1,4 +1,4 @@
-//! What acts on the beam: arrows, areas of arrows, and turning arrows, with their sizes.
+//! What acts on the beam: arrows, areas of arrows, turning arrows and bent lines, with their sizes.
 
 use super::canvas::{Anchor, Canvas, number, printed};
 use super::diagram::arrow;
@@ -64,9 +64,9 @@ impl Loads<'_> {
         });
         for load in loads {
             let (from, to) = match *load {
-                Load::Distributed { from, to, .. } | Load::DistributedMoment { from, to, .. } => {
-                    (from, to)
-                }
+                Load::Distributed { from, to, .. }
+                | Load::DistributedMoment { from, to, .. }
+                | Load::Curvature { from, to, .. } => (from, to),
                 _ => continue,
             };
             let is_free = |lane: &Vec<[f64; 2]>| lane.iter().all(|o| to <= o[0] || o[1] <= from);
@@ -91,6 +91,12 @@ impl Loads<'_> {
                     self.turning_row(canvas, [from, to], [start, end], base);
                     let words = self.per_length(start, end);
                     wanted.push(self.beside_area([from, to], [0.5, 0.5], base, words, labels));
+                }
+                Load::Curvature { start, end, .. } => {
+                    self.bent_line(canvas, [from, to], [start, end], base + 0.4 * LANE);
+                    let words = self.two_ended(Kind::PerLength, start, end);
+                    let words = format!("curvature {words}");
+                    wanted.push(self.beside_area([from, to], [0.8, 0.8], base, words, labels));
                 }
                 _ => {}
             }
@@ -126,6 +132,26 @@ impl Loads<'_> {
                 arrow(canvas, [x, low], [x, high], LOAD, 0.9);
             }
         }
+    }
+
+    /// An imposed curvature: the line into which it bends a straight one, both ends held.
+    fn bent_line(&self, canvas: &mut Canvas, [from, to]: [f64; 2], ends: [f64; 2], base: f64) {
+        let [a, b] = [ends[0], ends[1] - ends[0]];
+        let bend = |t: f64| 0.5 * a * t * (t - 1.0) + b / 6.0 * t * (t * t - 1.0);
+        let t = |i: usize| i as f64 / 40.0;
+        let largest = (0..=40).map(|i| bend(t(i)).abs()).fold(0.0, f64::max);
+        if largest == 0.0 {
+            return;
+        }
+        let point = |i: usize| {
+            let x = from + (to - from) * t(i);
+            let bent = 0.35 * LANE * bend(t(i)) / largest;
+            [self.frame.x(x), (self.top)(x) - base + bent]
+        };
+        let line: Vec<_> = (0..=40).map(point).collect();
+        let look =
+            format!(r#"fill="none" stroke="{LOAD}" stroke-width="1.6" stroke-dasharray="9 3""#);
+        canvas.polyline(&line, false, &look);
     }
 
     fn turning_row(&self, canvas: &mut Canvas, [from, to]: [f64; 2], ends: [f64; 2], base: f64) {

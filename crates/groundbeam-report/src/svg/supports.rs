@@ -1,16 +1,26 @@
-//! What holds the beam: triangles, walls, springs.
+//! What holds the beam, triangles, walls, springs; and its hinges.
 
 use super::canvas::{Canvas, number};
 use super::style::SUPPORT;
-use groundbeam::SupportKind;
+use groundbeam::{Acts, Support, SupportKind};
 
 /// The height of a support below the beam.
 pub(super) const HEIGHT: f64 = 20.0;
 
 /// Draws a support under the point (x, y) of the beam's underside; `outward` is −1 at the left end, 1 at
 /// the right end and 0 between them.
-pub(super) fn draw(canvas: &mut Canvas, [x, y]: [f64; 2], kind: SupportKind, outward: f64) {
-    match kind {
+pub(super) fn draw(canvas: &mut Canvas, [x, y]: [f64; 2], support: &Support, outward: f64) {
+    match support.acts {
+        Acts::Both => {}
+        // A seat on which the beam lies, or a loop around it.
+        Acts::Up => canvas.line([x - 7.0, y], [x + 7.0, y], &stroke(2.2)),
+        Acts::Down => {
+            let strap =
+                [[x - 5.0, y + 7.0], [x - 5.0, y - 9.0], [x + 5.0, y - 9.0], [x + 5.0, y + 7.0]];
+            canvas.polyline(&strap, false, &stroke(1.4));
+        }
+    }
+    match support.kind {
         SupportKind::Pinned => {
             let triangle = [[x, y], [x - 8.0, y + 14.0], [x + 8.0, y + 14.0]];
             let look = format!(r##"fill="#ffffff" stroke="{SUPPORT}" stroke-width="1.4""##);
@@ -33,6 +43,12 @@ pub(super) fn draw(canvas: &mut Canvas, [x, y]: [f64; 2], kind: SupportKind, out
         }
     }
     canvas.reserve(y + HEIGHT);
+}
+
+/// A hinge inside the beam.
+pub(super) fn hinge(canvas: &mut Canvas, at: [f64; 2], free: bool) {
+    let fill = if free { "#ffffff" } else { SUPPORT };
+    canvas.dot(at, 4.0, &format!(r##"fill="{fill}" stroke="{SUPPORT}" stroke-width="1.4""##));
 }
 
 fn stroke(width: f64) -> String {

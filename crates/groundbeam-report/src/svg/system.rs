@@ -11,7 +11,7 @@ use super::supports;
 use crate::font::Metrics;
 use crate::number::significant;
 use crate::quantity::{Kind, Units};
-use groundbeam::{Field, Fields, Model, Side, Solution, SupportKind};
+use groundbeam::{Acts, Field, Fields, Model, Side, Solution, SupportKind};
 
 /// How far apart the highest and the lowest point of beam and ground are drawn.
 const DEPTH: f64 = 92.0;
@@ -51,6 +51,7 @@ pub(super) fn draw(
     picture.beam();
     picture.contact();
     picture.supports();
+    picture.hinges();
     picture.loads();
     picture.words();
     picture.with_title()
@@ -189,16 +190,27 @@ impl Picture<'_> {
     fn supports(&mut self) {
         let model = self.solution.model();
         for (support, reaction) in model.supports.iter().zip(self.solution.reactions()) {
-            let at = [self.frame.x(support.at), self.underside(support.at)];
+            // Where it does not act it stays where it was.
+            let left = support.is_one_way() && reaction.force == 0.0;
+            let y = if left { 0.0 } else { self.underside(support.at) };
+            let at = [self.frame.x(support.at), y];
             let outward = match support.at {
                 0.0 => -1.0,
                 x if x == model.beam.length => 1.0,
                 _ => 0.0,
             };
-            supports::draw(&mut self.canvas, at, support.kind, outward);
+            supports::draw(&mut self.canvas, at, support, outward);
             let [x, y] = at;
             self.labels.avoid(Rect::around([x - 12.0, y], [x + 12.0, y + supports::HEIGHT], 0.0));
-            let words = self.reaction(support.kind, reaction.force, reaction.moment);
+            let mut words = match support.acts {
+                Acts::Up if left => "lifted".to_owned(),
+                Acts::Down if left => "slack".to_owned(),
+                _ => self.reaction(support.kind, reaction.force, reaction.moment),
+            };
+            if support.settlement != 0.0 {
+                let by = self.units.write(Kind::Deflection, support.settlement, 4);
+                words += &printed(&format!(", settled {by}"));
+            }
             let below = [x, y + supports::HEIGHT - 2.0];
             if let Some(place) = self.labels.around(below, &words, LABEL.size) {
                 self.canvas.text([place.x, place.baseline], Anchor::Start, LABEL, &words);
@@ -216,6 +228,14 @@ impl Picture<'_> {
             words += &format!(", {}", self.units.write(Kind::Moment, moment, 4));
         }
         printed(&words)
+    }
+
+    /// The usual small circles; a filled one where a spring resists.
+    fn hinges(&mut self) {
+        for hinge in &self.solution.model().hinges {
+            let at = [self.frame.x(hinge.at), self.underside(hinge.at) - 0.5 * THICKNESS];
+            supports::hinge(&mut self.canvas, at, hinge.is_free());
+        }
     }
 
     fn loads(&mut self) {

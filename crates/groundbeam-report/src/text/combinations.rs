@@ -1,6 +1,5 @@
 //! The report of all combinations: a table of them, the envelope, and every load case by itself.
 
-use super::factors::falls;
 use super::sheet::{Sheet, Tone};
 use super::{checks, duration, label, structure, title};
 use crate::band::Banded;
@@ -11,6 +10,7 @@ use crate::number::{order, significant};
 use crate::quantity::{Kind, Unit, Units};
 use crate::size::Sizes;
 use crate::verdict;
+use crate::verdict::falls;
 use groundbeam::{Envelope, Extreme, Field, Governing, Solution, Verdict};
 
 /// The report of all combinations, solved or only checked; with `colour`, with escape codes for a terminal.
@@ -34,7 +34,7 @@ pub fn combinations(combinations: &Combinations, context: &Context, colour: bool
     }
     let solved: Vec<Numbered> = numbered(combinations).collect();
     if solved.is_empty() {
-        verdicts(&mut sheet, combinations);
+        verdicts(&mut sheet, combinations, context.units);
     } else {
         names(&mut sheet, combinations);
         sheet.blank();
@@ -107,10 +107,10 @@ fn band(sheet: &mut Sheet, combinations: &Combinations, units: Units) {
 }
 
 /// Numbers, verdicts and names, where there is nothing else to tell.
-fn verdicts(sheet: &mut Sheet, combinations: &Combinations) {
+fn verdicts(sheet: &mut Sheet, combinations: &Combinations, units: Units) {
     sheet.heading("   #  equilibrium  combination");
     for (i, combined) in combinations.combined.iter().enumerate() {
-        let outcome = outcome(combined);
+        let outcome = outcome(combined, units);
         let verdict = outcome.split(':').next().unwrap_or_default();
         sheet.line(&format!("{:>4}  {verdict:<13}{}", i + 1, clean(combined.name)));
     }
@@ -144,7 +144,7 @@ fn table(sheet: &mut Sheet, combinations: &Combinations, solved: &[Numbered], un
     }
     let mut rows = solved.iter().zip(&values).peekable();
     for (i, combined) in combinations.combined.iter().enumerate() {
-        let words = outcome(combined);
+        let words = outcome(combined, units);
         let Some((row, values)) = rows.next_if(|(row, _)| row.number == i + 1) else {
             sheet.line(&format!("{:>4}  {words}", i + 1));
             continue;
@@ -158,11 +158,11 @@ fn table(sheet: &mut Sheet, combinations: &Combinations, solved: &[Numbered], un
 }
 
 /// `one`, `many`, `none: it tips about its left end`.
-fn outcome(combined: &Combined) -> String {
+fn outcome(combined: &Combined, units: Units) -> String {
     match combined.answer.existence().map(|existence| existence.verdict) {
         Some(Verdict::Unique) => "one".to_owned(),
         Some(Verdict::NotUnique(_)) => "not unique".to_owned(),
-        Some(Verdict::None(motion)) => format!("none: {}", falls(motion)),
+        Some(Verdict::None(motion)) => format!("none: {}", falls(motion, units)),
         None => "not solved".to_owned(),
     }
 }

@@ -4,14 +4,15 @@ use super::sheet::Sheet;
 use crate::context::{Context, Factors, clean};
 use crate::number::significant;
 use crate::quantity::Units;
-use groundbeam::{FirstLiftOff, LossOfEquilibrium, RigidMotion};
+use crate::verdict::falls;
+use groundbeam::{FirstLiftOff, LossOfEquilibrium};
 
 /// The rows about load factors, if they were asked for.
 pub(super) fn rows(sheet: &mut Sheet, context: &Context) {
     let Some(factors) = context.factors else { return };
     let loads = Grows::of(&factors);
     sheet.row("Load factors", &lift_off(factors.found.first_lift_off, &loads, context.units));
-    sheet.row("", &loss(factors.found.loss_of_equilibrium, &loads));
+    sheet.row("", &loss(factors.found.loss_of_equilibrium, &loads, context.units));
 }
 
 /// The loads that grow: `all loads`, and `they` where `however small they are` follows.
@@ -48,32 +49,24 @@ fn lift_off(found: FirstLiftOff, loads: &Grows, units: Units) -> String {
     }
 }
 
-fn loss(found: LossOfEquilibrium, loads: &Grows) -> String {
+fn loss(found: LossOfEquilibrium, loads: &Grows, units: Units) -> String {
     let Grows { times, are } = loads;
     match found {
         LossOfEquilibrium::AtOnce(motion) => {
-            format!("no equilibrium at factors near zero of {times}: {}", falls(motion))
+            format!("no equilibrium at factors near zero of {times}: {}", falls(motion, units))
         }
         LossOfEquilibrium::At { factor, motion } => {
             let factor = significant(factor, 6);
-            format!("no equilibrium beyond {factor} times {times}: {}", falls(motion))
+            format!("no equilibrium beyond {factor} times {times}: {}", falls(motion, units))
         }
         LossOfEquilibrium::Never => format!("in equilibrium, however large {are}"),
-    }
-}
-
-pub(super) fn falls(motion: RigidMotion) -> &'static str {
-    match (motion.left < 0.0, motion.right < 0.0) {
-        (true, false) => "it tips about its right end",
-        (false, true) => "it tips about its left end",
-        _ => "it lifts off as a whole",
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use groundbeam::LoadFactors;
+    use groundbeam::{LoadFactors, RigidMotion};
 
     fn said(first_lift_off: FirstLiftOff, loss: LossOfEquilibrium, cases: &[&str]) -> String {
         let found = LoadFactors { first_lift_off, loss_of_equilibrium: loss };
@@ -86,7 +79,7 @@ mod tests {
 
     #[test]
     fn every_answer_has_its_sentence() {
-        let tips = RigidMotion { left: -1.0, right: 0.0, work: 0.0 };
+        let tips = RigidMotion { left: -1.0, right: 0.0, work: 0.0, lifted: None };
         let lift_off = FirstLiftOff::At { factor: 0.25, x: 1.5 };
         let loss = LossOfEquilibrium::At { factor: 2.0 / 3.0, motion: tips };
         assert_eq!(

@@ -17,8 +17,8 @@ use crate::size::Sizes;
 use crate::verdict;
 pub use combinations::combinations;
 use groundbeam::{
-    ContactRegion, Existence, Extreme, Field, Model, NotConverged, Profile, Reaction, Solution,
-    SupportKind, Verdict,
+    Acts, ContactRegion, Existence, Extreme, Field, Model, NotConverged, Profile, Reaction,
+    Solution, SupportKind, Verdict,
 };
 pub use passages::{checked_trains, trains};
 use sheet::{Sheet, Tone};
@@ -170,7 +170,7 @@ fn verdict_row(sheet: &mut Sheet, model: &Model, existence: &Existence, units: U
         }
         Verdict::None(motion) => {
             sheet.toned_row("Equilibrium", &format!("none: {sentence}"), Tone::Bad);
-            sheet.row("Motion", &verdict::motion(motion, units));
+            sheet.row("Motion", &verdict::motion(model, motion, units));
             if let Some(remedy) = verdict::remedy(motion, units) {
                 sheet.row("Remedy", &remedy);
             }
@@ -236,10 +236,28 @@ fn forces(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) {
             SupportKind::Fixed => "fixed",
             SupportKind::Spring { .. } => "spring",
         };
+        let settled = match support.settlement {
+            0.0 => String::new(),
+            by => format!(", settled by {},", units.write(Kind::Deflection, by, 6)),
+        };
+        let one_way = match support.acts {
+            Acts::Both => "",
+            Acts::Up => ", acting up alone,",
+            Acts::Down => ", holding down alone,",
+        };
+        if support.is_one_way() && force == 0.0 {
+            let left = if support.acts == Acts::Up {
+                "the beam has lifted from it"
+            } else {
+                "it is slack"
+            };
+            return format!("{kind}{one_way} at x = {}{settled}: {left}", units.position(at));
+        }
         let force = sizes.force(force);
         let sense = if force < 0.0 { "holds down with" } else { "carries" };
         let size = units.write(Kind::Force, force.abs(), 6);
-        let mut words = format!("{kind} at x = {} {sense} {size}", units.position(at));
+        let place = units.position(at);
+        let mut words = format!("{kind}{one_way} at x = {place}{settled} {sense} {size}");
         let turns = match support.kind {
             SupportKind::Pinned => false,
             SupportKind::Fixed => true,
@@ -247,6 +265,15 @@ fn forces(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) {
         };
         if turns {
             let moment = units.write(Kind::Moment, sizes.moment(moment), 6);
+            words += &format!(", moment {moment}");
+        }
+        words
+    });
+    listed(sheet, "Hinges", &solution.hinges(), |hinge| {
+        let angle = units.write(Kind::Slope, sizes.value(Field::Slope, hinge.rotation), 6);
+        let mut words = format!("at x = {} turns by {angle}", units.position(hinge.at));
+        if hinge.moment != 0.0 {
+            let moment = units.write(Kind::Moment, sizes.moment(hinge.moment), 6);
             words += &format!(", moment {moment}");
         }
         words

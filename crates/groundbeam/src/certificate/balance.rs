@@ -125,6 +125,18 @@ impl Segment {
         (force.abs() + force_noise) * length + moment.abs() + moment_noise
     }
 
+    /// What supports and the tension can turn, as weights times a length squared.
+    pub fn turning(&self) -> f64 {
+        let length = self.to - self.from;
+        let tension = (self.tension * self.axial / length).sqrt() * length * length;
+        self.carriers.turning + if self.axial > 0.0 { tension } else { 0.0 }
+    }
+
+    /// The moment that remains, with what it may be wrong by.
+    pub fn unbalanced(&self) -> f64 {
+        self.remains.moment.abs() + self.remains.moment_noise
+    }
+
     /// One that carries no force gives what remains of it to its neighbour.
     fn lean(&self, bare: &Segment, lever: f64) -> Segment {
         let (a, b) = (&self.remains, &bare.remains);
@@ -179,10 +191,7 @@ impl Segment {
         let (carriers, remains, length) = (&self.carriers, &self.remains, self.to - self.from);
         let mut all = carriers.pressure;
         all.add(carriers.supports);
-        let mut turning = carriers.turning;
-        if self.axial > 0.0 {
-            turning += (self.tension * self.axial / length).sqrt() * length * length;
-        }
+        let turning = self.turning();
         let about = self.to - all.centre;
         let force = remains.force.abs() + remains.force_noise;
         let turn = (remains.moment - about * remains.force).abs()
@@ -223,9 +232,9 @@ pub(super) struct GivenBack {
     pending: Option<Segment>,
     /// Squares: of pressures that change by a part of themselves, of supports, of moments; and the norm of
     /// what is rather bounded as forces anywhere.
-    sunk: f64,
-    supports: f64,
-    bent: f64,
+    pub(super) sunk: f64,
+    pub(super) supports: f64,
+    pub(super) bent: f64,
     pressed: f64,
     /// The largest part by which a pressure changes.
     pub pressure: f64,
@@ -300,7 +309,7 @@ impl GivenBack {
 }
 
 /// A pressure may not change by more than this part of itself.
-const LARGEST: f64 = 0.5;
+pub(super) const LARGEST: f64 = 0.5;
 
 #[cfg(test)]
 mod tests {

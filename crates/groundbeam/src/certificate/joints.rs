@@ -1,7 +1,8 @@
 //! Where pieces meet: jumps of w and w', and what it costs to close them.
 //!
 //! A jump is closed by a smooth deflection on one side of it, which dies out before it meets a rigid
-//! support, or, where there is none, moves that side of the beam rigidly up to its end.
+//! support, or, where there is none, moves that side of the beam rigidly up to its end. At a hinge w' may jump:
+//! what that costs is its own.
 
 use super::curve::rounding;
 use super::{Claim, ClaimedPiece};
@@ -21,13 +22,24 @@ struct Stiffest {
     compression: f64,
 }
 
+/// What a rigid support holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Hold {
+    /// Nothing: the beam is clear of it, and what closes a jump must not reach it.
+    Clear,
+    Deflection,
+    Slope,
+}
+
 #[derive(Debug)]
 pub(super) struct Joints {
     stiffest: Stiffest,
     length: f64,
     near: f64,
-    /// Rigid supports: position, whether it holds the slope.
-    rigid: Vec<(f64, bool)>,
+    /// Rigid supports: position, what each holds, how far it has settled.
+    rigid: Vec<(f64, Hold, f64)>,
+    /// Hinges, where w' may jump.
+    hinges: Vec<f64>,
     seen: usize,
     /// w, w' at the right end of the last piece, and their rounding.
     last: Option<[f64; 4]>,
@@ -41,7 +53,7 @@ pub(super) struct Joints {
 }
 
 impl Joints {
-    pub fn new(model: &Model) -> Self {
+    pub fn new(model: &Model, claim: &Claim) -> Self {
         let beam = &model.beam;
         let ground = &model.foundation;
         let segments = ground.segments.iter().map(|s| (s.spring.largest(), s.shear.largest()));
@@ -58,10 +70,22 @@ impl Joints {
             compression: (-beam.axial_force).max(0.0),
         };
         let mut rigid = Vec::new();
-        for support in &model.supports {
+        let mut pierced = Vec::new();
+        for (i, support) in model.supports.iter().enumerate() {
+            let acts = claim.reactions.get(i).is_some_and(|reaction| reaction.1 != 0.0);
             match support.kind {
-                SupportKind::Pinned => rigid.push((support.at, false)),
-                SupportKind::Fixed => rigid.push((support.at, true)),
+                SupportKind::Pinned if support.is_one_way() && !acts => {
+                    rigid.push((support.at, Hold::Clear, support.settlement));
+                    let w = claim.deflection(support.at)[0] - support.settlement;
+                    let beyond = support.acts.sign() * w;
+                    if beyond > 0.0 {
+                        pierced.push((support.at, beyond));
+                    }
+                }
+                SupportKind::Pinned => {
+                    rigid.push((support.at, Hold::Deflection, support.settlement))
+                }
+                SupportKind::Fixed => rigid.push((support.at, Hold::Slope, support.settlement)),
                 SupportKind::Spring { spring, rotational_spring } => {
                     stiffest.springs += spring;
                     stiffest.rotational += rotational_spring;
@@ -71,11 +95,12 @@ impl Joints {
         rigid.sort_by(|a, b| a.0.total_cmp(&b.0));
         let length = beam.length;
         let near = super::NEAR * length;
-        Joints {
+        let mut joints = Joints {
             stiffest,
             length,
             near,
             rigid,
+            hinges: model.hinges.iter().map(|hinge| hinge.at).collect(),
             seen: 0,
             last: None,
             at: 0.0,
@@ -83,7 +108,24 @@ impl Joints {
             moved: 0.0,
             jump: [0.0; 2],
             misplaced: 0.0,
+        };
+        for (x, beyond) in pierced {
+            joints.jump[0] = joints.jump[0].max(beyond);
+            for room in joints.rooms(x) {
+                joints.close(beyond, 0.0, &[room]);
+            }
         }
+        joints
+    }
+
+    /// How far it is to the next rigid support on either side, or to the end of the beam, which is free.
+    fn rooms(&self, x: f64) -> [(f64, bool); 2] {
+        let before = self.rigid.iter().rev().find(|r| r.0 < x - self.near);
+        let next = self.rigid.iter().find(|r| r.0 > x + self.near);
+        [
+            (x - before.map_or(0.0, |r| r.0), before.is_none()),
+            (next.map_or(self.length, |r| r.0) - x, next.is_none()),
+        ]
     }
 
     /// One piece more, with w and dw/ds at its ends.
@@ -106,23 +148,25 @@ impl Joints {
     }
 
     fn meet(&mut self, x: f64, left: Option<[f64; 4]>, right: Option<[f64; 4]>) {
-        let (mut held, mut clamped) = (false, false);
-        while let Some(&(at, fixed)) = self.rigid.get(self.seen)
+        let (mut held, mut clamped, mut settled) = (false, false, 0.0);
+        while let Some(&(at, hold, settlement)) = self.rigid.get(self.seen)
             && at <= x + self.near
         {
             self.seen += 1;
+            if hold == Hold::Clear {
+                continue;
+            }
             if at >= x - self.near {
-                (held, clamped) = (true, clamped || fixed);
+                (held, clamped, settled) = (true, clamped || hold == Hold::Slope, settlement);
             } else {
                 self.misplaced = f64::INFINITY;
             }
         }
-        let before = self.rigid[..self.seen].iter().rev().find(|r| r.0 < x - self.near);
-        let room_left = (x - before.map_or(0.0, |r| r.0), before.is_none());
-        let next = self.rigid.get(self.seen);
-        let room_right = (next.map_or(self.length, |r| r.0) - x, next.is_none());
+        let [room_left, room_right] = self.rooms(x);
         let slope_jump = match (left, right) {
-            (Some(a), Some(b)) if !clamped => [(a[1] - b[1]).abs(), a[3] + b[3]],
+            (Some(a), Some(b)) if !(clamped || self.is_hinge(x)) => {
+                [(a[1] - b[1]).abs(), a[3] + b[3]]
+            }
             _ => [0.0; 2],
         };
         if held {
@@ -134,12 +178,13 @@ impl Joints {
             }
             for (side, room) in sides {
                 let Some([w, dw, noise, tilt]) = side else { continue };
+                let off = (w - settled).abs();
                 let slope = if clamped { [dw.abs(), tilt] } else { [0.0; 2] };
                 let [b, b_noise] = slope_jump
                     .take()
                     .map_or(slope, |jump| [jump[0] + slope[0], jump[1] + slope[1]]);
-                self.jump = [self.jump[0].max(w.abs()), self.jump[1].max(b)];
-                self.close(w.abs() + noise, b + b_noise, &[room]);
+                self.jump = [self.jump[0].max(off), self.jump[1].max(b)];
+                self.close(off + noise, b + b_noise, &[room]);
             }
         } else if let (Some(a), Some(b)) = (left, right) {
             let jump = (a[0] - b[0]).abs();
@@ -147,6 +192,10 @@ impl Joints {
             let rooms = [room_left, room_right];
             self.close(jump + a[2] + b[2], slope_jump[0] + slope_jump[1], &rooms);
         }
+    }
+
+    fn is_hinge(&self, x: f64) -> bool {
+        self.hinges.iter().any(|at| (at - x).abs() <= self.near)
     }
 
     /// A deflection that is `a` and has the slope `b` at one end: the cheapest that fits into one of the

@@ -5,7 +5,7 @@
 //! pressure from the left end, so that (m, s, p) is in equilibrium; the ground's forces from its equation
 //! (2.2); the clearance from w and u. With these (Prager and Synge)
 //!
-//! gap = ½∫(EI w″ + m)²/EI + ½ b(u − Gp, u − Gp) + ⟨p, u + g₀ − w⟩
+//! gap = ½∫(EI (w″ − κ₀) + m)²/EI + ½ b(u − Gp, u − Gp) + ⟨p, u + g₀ − w⟩
 //!
 //! is the primal energy less the reciprocal energy, and half the squared error of (w, u) in the energy
 //! norm, against the continuous problem, is at most this number. `docs/certificate.md` has the proof.
@@ -14,6 +14,7 @@ mod balance;
 mod claim;
 mod curve;
 mod ground;
+mod hinges;
 mod joints;
 mod lift;
 mod quadrature;
@@ -22,11 +23,12 @@ mod supports;
 mod surface;
 mod unclaimed;
 
-use crate::model::{Load, Model};
+use crate::model::{Hinge, Load, Model};
 use crate::polynomial::{is_free_of_zeros, jet};
 use balance::{GivenBack, Remains, Segment};
 pub(crate) use claim::{Claim, ClaimedPiece};
 use ground::GroundSums;
+use hinges::Hinges;
 use joints::Joints;
 use quadrature::{Seen, at_points, gauss, larger};
 use statics::{Events, SpreadLoad};
@@ -36,13 +38,14 @@ use surface::Under;
 /// The proof of a solution.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Certificate {
-    /// ½∫(EI w″² + P w'²) + ½b(u, u) − F(w): (3.8) and the ground's own energy \[N·m\].
+    /// ½∫(EI (w″ − κ₀)² + P w'²) + ½b(u, u) − F(w): (3.8) and the ground's own energy \[N·m\].
     pub primal_energy: f64,
-    /// The reciprocal energy −½∫m²/EI − ½∫P w'² − ½⟨p, Gp⟩ − ⟨p, g₀⟩ \[N·m\].
+    /// The reciprocal energy ∫m κ₀ − ½∫m²/EI − ½∫P w'² − ½⟨p, Gp⟩ − ⟨p, g₀⟩ − Σ R δ \[N·m\].
     pub dual_energy: f64,
     /// Primal less dual energy, summed from parts none of which can be negative \[N·m\].
     pub gap: f64,
-    /// `gap` relative to the strain energy of beam, ground and springs.
+    /// `gap` relative to the strain energy of beam, ground and springs, and of bending straight what an imposed
+    /// curvature has bent, ½∫EI κ₀².
     pub relative_gap: f64,
     /// |ΣF| relative to the sum of all forces' sizes.
     pub force_balance: f64,
@@ -97,13 +100,16 @@ const NEAR: f64 = 16.0 * f64::EPSILON;
 /// Energies and their parts, summed piece by piece.
 #[derive(Debug, Default)]
 struct Sums {
-    /// ∫EI w″², ∫P w'², ∫m²/EI, ∫(EI w″ + m)²/EI, F(w), ∫1/EI.
+    /// ∫EI (w″ − κ₀)², ∫P w'², ∫m²/EI, ∫(EI (w″ − κ₀) + m)²/EI, F(w), ∫1/EI.
     bending: f64,
     axial: f64,
     moment: f64,
     misfit: f64,
     work: f64,
     flexibility: f64,
+    /// ∫EI κ₀² and ∫m κ₀.
+    curling: f64,
+    curled: f64,
     /// A piece is so long that 1/EI is no series on it that quadrature sees.
     too_long: bool,
     largest_deflection: f64,
@@ -121,13 +127,14 @@ pub(crate) fn certify(model: &Model, claim: &Claim) -> Certificate {
     let (sums, ground, joints, events) = (&walk.sums, &walk.ground, &walk.joints, &walk.events);
 
     let inner = sums.axial + ground.energy + walk.supports.energy;
-    let strain = 0.5 * (sums.bending + sums.axial.abs() + ground.energy + walk.supports.energy);
+    let held = sums.axial.abs() + ground.energy + walk.supports.energy;
+    let strain = 0.5 * (sums.bending + sums.curling + held);
     let norm = walk.norm(strain);
     let stability = claim.stability;
     let gap = 0.5 * norm * norm / stability + walk.work();
 
-    // Loads that supports take without any strain leave rounding alone, to be judged by the energy that
-    // they would put into the ground and the beam.
+    // Loads that supports take without any strain, and supports that settle together, leave rounding alone, to
+    // be judged by the energy that they would put into the ground and the beam.
     let (length, k, ei) =
         (model.beam.length, model.foundation.spring, model.beam.bending_stiffness);
     let wave = (4.0 * ei / k).sqrt().sqrt().min(length);
@@ -135,12 +142,17 @@ pub(crate) fn certify(model: &Model, claim: &Claim) -> Certificate {
     let turned = events.moments / length * (events.moments / (k * length * length));
     let moments = events.moments + events.forces * wave;
     let bent = moments * wave * (moments / ei);
-    let strain = strain + f64::EPSILON * (sunk + turned + bent);
+    let settled = model.supports.iter().map(|s| s.settlement.abs()).fold(0.0, f64::max) / wave;
+    let pushed = ei / wave * (settled * settled);
+    let strain = strain + f64::EPSILON * (sunk + turned + bent + pushed);
     let moment_bound = (2.0 * gap / stability).sqrt() + joints.norm + ROUNDED * sums.moment.sqrt();
     let stiffest = model.beam.stiffest();
     Certificate {
         primal_energy: 0.5 * (sums.bending + inner) - sums.work,
-        dual_energy: -0.5 * (sums.moment + inner) - ground.work_on_gap,
+        dual_energy: sums.curled
+            - 0.5 * (sums.moment + inner)
+            - ground.work_on_gap
+            - walk.supports.settled,
         gap,
         relative_gap: relative(gap, strain),
         force_balance,
@@ -186,6 +198,7 @@ struct Walk<'a> {
     joints: Joints,
     events: Events,
     supports: Supports<'a>,
+    hinges: Hinges<'a>,
     /// The loads that are spread.
     spread: Vec<Load>,
     segment: Segment,
@@ -203,9 +216,10 @@ impl<'a> Walk<'a> {
             claim,
             sums: Sums::default(),
             ground: GroundSums::new(model, claim),
-            joints: Joints::new(model),
+            joints: Joints::new(model, claim),
             events: Events::of(model, claim),
             supports: Supports::new(model, claim),
+            hinges: Hinges::new(model),
             spread: statics::spread(model),
             segment: Segment::default(),
             given_back: GivenBack::new(unclaimed::flexibility(model)),
@@ -232,9 +246,38 @@ impl<'a> Walk<'a> {
         self.ground.add(under, &seen, &mut self.segment.carriers);
         self.joints.add(piece, seen.ends);
         self.stop(piece.x[1]);
-        if let Some(next) = next {
+        let Some(next) = next else { return };
+        if let Some(hinge) = self.hinges.at(piece.x[1]) {
+            // Nothing is known of w' at a hinge within a piece.
+            if hinge.at < piece.x[1] - NEAR * self.model.beam.length {
+                self.joints.misplaced = f64::INFINITY;
+            }
+            self.turn(hinge, seen.ends[1][1] / piece.half, next);
+        }
+        if self.hinges.none_is_free() {
             self.may_cut(&under, next);
         }
+    }
+
+    /// Over a hinge, with the slope before it. A spring in it is a flexibility of the beam in one point; at a free
+    /// one no moment may be left, and what is left of it is given back.
+    fn turn(&mut self, hinge: &Hinge, before: f64, next: &ClaimedPiece) {
+        let [shear, moment] = self.events.inner();
+        if hinge.is_free() {
+            let remains = self.remains([shear, 0.0]);
+            self.events.restart(hinge.at, &remains);
+            let ended = self.end_segment(remains);
+            self.hinges.pieces.push(ended);
+            return;
+        }
+        let spring = hinge.rotational_spring;
+        let [_, after, ..] = jet(next.deflection, -1.0);
+        let bend = spring * (after / next.half - before);
+        let misfit = bend + moment;
+        self.sums.bending += bend * bend / spring;
+        self.sums.moment += moment * moment / spring;
+        self.sums.misfit += misfit * misfit / spring;
+        self.sums.flexibility += 1.0 / spring;
     }
 
     /// Where w tells shear and moment as well as equilibrium from the left does, they are taken from it.
@@ -249,8 +292,10 @@ impl<'a> Walk<'a> {
             return;
         }
         let half = next.half;
-        let [_, dw, ddw, third] = jet(next.deflection, -1.0);
+        let [_, dw, mut ddw, mut third] = jet(next.deflection, -1.0);
         let load = SpreadLoad::on(&self.spread, next.x);
+        ddw -= load.curvature(-1.0) * half * half;
+        third -= load.curvature[1] * half * half;
         let bend = stiffness * third + rise * ddw;
         let shear = (beam.axial_force * dw - bend / (half * half)) / half;
         let own = [shear - load.moment(-1.0), -stiffness * ddw / (half * half)];
@@ -290,7 +335,12 @@ impl<'a> Walk<'a> {
         work_at_points(self.model, self.claim, &mut self.sums);
         let remains = self.remains([0.0; 2]);
         let last = self.end_segment(remains);
-        self.given_back.finish(last);
+        if self.hinges.none_is_free() {
+            self.given_back.finish(last);
+        } else {
+            self.hinges.pieces.push(last);
+            hinges::give(&self.hinges.pieces, &mut self.given_back);
+        }
     }
 
     /// The norm of everything that is an error in the energies.
@@ -350,12 +400,15 @@ fn beam_piece(
     for (i, (s, weight)) in gauss().enumerate() {
         let dx = weight * half;
         let slope = seen.slope[i] * per_length;
-        let bend = stiffness[i] * (seen.bend[i] * per_length * per_length);
+        let curvature = load.curvature(s);
+        let bend = stiffness[i] * (seen.bend[i] * per_length * per_length - curvature);
         let misfit = bend + moment[i];
         let soft = dx / stiffness[i];
         sums.bending += soft * bend * bend;
         sums.moment += soft * moment[i] * moment[i];
         sums.misfit += soft * misfit * misfit;
+        sums.curling += dx * stiffness[i] * curvature * curvature;
+        sums.curled += dx * moment[i] * curvature;
         sums.axial += dx * axial * slope * slope;
         sums.work += dx * (load.force(s) * seen.deflection[i] + load.moment(s) * slope);
         sums.largest_slope = larger(sums.largest_slope, slope.abs());
@@ -371,7 +424,7 @@ fn work_at_points(model: &Model, claim: &Claim, sums: &mut Sums) {
         match *load {
             Load::PointForce { at, force } => sums.work += force * claim.deflection(at)[0],
             Load::PointMoment { at, moment } => sums.work += moment * claim.deflection(at)[1],
-            Load::Distributed { .. } | Load::DistributedMoment { .. } => {}
+            Load::Distributed { .. } | Load::DistributedMoment { .. } | Load::Curvature { .. } => {}
         }
     }
 }

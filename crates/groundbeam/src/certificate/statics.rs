@@ -11,6 +11,14 @@ struct Event {
     x: f64,
     force: f64,
     moment: f64,
+    /// The moment EI κ₀ with which an imposed curvature begins or ends: no force, but felt as one.
+    felt: f64,
+}
+
+impl Event {
+    fn of(x: f64, force: f64, moment: f64) -> Self {
+        Event { x, force, moment, felt: 0.0 }
+    }
 }
 
 /// The internal forces just right of the position reached, and the events still ahead.
@@ -39,14 +47,18 @@ impl Events {
         let mut ahead = Vec::with_capacity(most);
         for load in &model.loads {
             match *load {
-                Load::PointForce { at: x, force } => ahead.push(Event { x, force, moment: 0.0 }),
-                Load::PointMoment { at: x, moment } => ahead.push(Event { x, force: 0.0, moment }),
+                Load::PointForce { at, force } => ahead.push(Event::of(at, force, 0.0)),
+                Load::PointMoment { at, moment } => ahead.push(Event::of(at, 0.0, moment)),
+                Load::Curvature { from, to, .. } => {
+                    let felt = curling(model, load);
+                    ahead.extend([from, to].map(|at| Event { felt, ..Event::of(at, 0.0, 0.0) }));
+                }
                 Load::Distributed { .. } | Load::DistributedMoment { .. } => {}
             }
         }
-        let up = |&(x, force): &(f64, f64)| Event { x, force: -force, moment: 0.0 };
+        let up = |&(x, force): &(f64, f64)| Event::of(x, -force, 0.0);
         ahead.extend(claim.forces.iter().map(up));
-        let held = |&(x, force, moment): &(f64, f64, f64)| Event { x, force: -force, moment };
+        let held = |&(x, force, moment): &(f64, f64, f64)| Event::of(x, -force, moment);
         ahead.extend(claim.reactions.iter().map(held));
         ahead.sort_by(|a, b| b.x.total_cmp(&a.x));
         let near = super::NEAR * model.beam.length;
@@ -69,7 +81,7 @@ impl Events {
         while let Some(event) = self.ahead.pop_if(|event| event.x <= x + self.near) {
             self.shear -= event.force;
             self.moment += event.moment;
-            self.count(event.force.abs(), event.moment.abs());
+            self.count(event.force.abs(), event.moment.abs() + event.felt);
         }
     }
 
@@ -107,6 +119,11 @@ impl Events {
         self.shear = total.iter().sum();
         self.moment = moment.iter().sum();
         moment
+    }
+
+    /// T and m just right of the position reached.
+    pub fn inner(&self) -> [f64; 2] {
+        [self.shear, self.moment]
     }
 
     /// What remains of T and m where a beam that has these of its own goes on, and its rounding.
@@ -154,22 +171,31 @@ pub(super) fn size(model: &Model) -> f64 {
         Load::DistributedMoment { from, to, start, end } => {
             0.5 * (start.abs() + end.abs()) * ((to - from) / l)
         }
+        Load::Curvature { .. } => 2.0 * curling(model, load) / l,
     });
     sizes.sum()
 }
 
-/// The loads that are spread.
-pub(super) fn spread(model: &Model) -> Vec<Load> {
-    let is_spread =
-        |load: &&Load| matches!(load, Load::Distributed { .. } | Load::DistributedMoment { .. });
-    model.loads.iter().filter(is_spread).copied().collect()
+/// A bound of the moment EI κ₀ of an imposed curvature.
+fn curling(model: &Model, load: &Load) -> f64 {
+    match load {
+        Load::Curvature { start, end, .. } => start.abs().max(end.abs()) * model.beam.stiffest(),
+        _ => 0.0,
+    }
 }
 
-/// f and g on a piece: value at the middle and half the rise.
+/// The loads that are spread.
+pub(super) fn spread(model: &Model) -> Vec<Load> {
+    let at_point = |load: &Load| matches!(load, Load::PointForce { .. } | Load::PointMoment { .. });
+    model.loads.iter().filter(|load| !at_point(load)).copied().collect()
+}
+
+/// f, g and κ₀ on a piece: value at the middle and half the rise.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct SpreadLoad {
     pub force: [f64; 2],
     pub moment: [f64; 2],
+    pub curvature: [f64; 2],
 }
 
 impl SpreadLoad {
@@ -178,7 +204,8 @@ impl SpreadLoad {
         let mut sum = SpreadLoad::default();
         for load in loads {
             let (Load::Distributed { from, to, start, end }
-            | Load::DistributedMoment { from, to, start, end }) = *load
+            | Load::DistributedMoment { from, to, start, end }
+            | Load::Curvature { from, to, start, end }) = *load
             else {
                 continue;
             };
@@ -189,6 +216,7 @@ impl SpreadLoad {
             let terms = [start + rate * (middle - from), rate * 0.5 * (x[1] - x[0])];
             let into = match load {
                 Load::Distributed { .. } => &mut sum.force,
+                Load::Curvature { .. } => &mut sum.curvature,
                 _ => &mut sum.moment,
             };
             for (sum, term) in into.iter_mut().zip(terms) {
@@ -204,5 +232,9 @@ impl SpreadLoad {
 
     pub fn moment(&self, s: f64) -> f64 {
         self.moment[0] + self.moment[1] * s
+    }
+
+    pub fn curvature(&self, s: f64) -> f64 {
+        self.curvature[0] + self.curvature[1] * s
     }
 }

@@ -1,4 +1,7 @@
 //! What holds the beam besides the ground, from left to right.
+//!
+//! A support that acts in one direction alone is in equilibrium with a reaction R ≥ 0 that way only, and admits a
+//! deflection that keeps clear of it or presses its spring.
 
 use super::Claim;
 use super::balance::{Carriers, Weights};
@@ -14,6 +17,8 @@ pub(super) struct Supports<'a> {
     length: f64,
     /// The sum of all concentrated forces: no rigid support weighs less.
     all: f64,
+    /// Σ R δ: the work of the reactions on the settlements.
+    pub settled: f64,
     /// The springs' energies, twice, and those of what they miss of their own laws.
     pub energy: f64,
     pub misfit: f64,
@@ -35,7 +40,7 @@ impl<'a> Supports<'a> {
         let reactions = claim.reactions.iter().map(|r| r.1.abs() + r.2.abs() / length);
         let all = forces.chain(reactions).sum();
         let near = super::NEAR * length;
-        Supports { ahead, near, length, all, energy: 0.0, misfit: 0.0 }
+        Supports { ahead, near, length, all, settled: 0.0, energy: 0.0, misfit: 0.0 }
     }
 
     /// Those up to and at x.
@@ -45,9 +50,15 @@ impl<'a> Supports<'a> {
         while let Some((support, force, moment)) =
             self.ahead.pop_if(|(support, ..)| support.at <= x + near)
         {
+            self.settled += force * support.settlement;
+            if support.is_one_way() {
+                self.one_way(support, force, claim, carriers);
+                continue;
+            }
             match support.kind {
                 SupportKind::Spring { spring, rotational_spring } => {
                     let [w, slope] = claim.deflection(support.at);
+                    let w = w - support.settlement;
                     self.energy += spring * w * w + rotational_spring * slope * slope;
                     self.misfit += missed(spring * w - force, spring)
                         + missed(rotational_spring * slope + moment, rotational_spring);
@@ -68,5 +79,27 @@ impl<'a> Supports<'a> {
                 }
             }
         }
+    }
+
+    /// Rigid, it must touch where it acts (`joints.rs` closes what it misses), and then does no work. Elastic, it costs
+    /// no more than a spring that acts both ways, which is what is taken where it acts.
+    fn one_way(&mut self, support: &Support, force: f64, claim: &Claim, carriers: &mut Carriers) {
+        let w = claim.deflection(support.at)[0] - support.settlement;
+        let sign = support.acts.sign();
+        let reaction = sign * force;
+        if reaction < 0.0 {
+            self.misfit = f64::INFINITY;
+        }
+        if let SupportKind::Spring { spring, .. } = support.kind
+            && spring > 0.0
+        {
+            let pressed = if reaction > 0.0 { sign * w } else { (sign * w).max(0.0) };
+            let missed = spring * pressed - reaction;
+            self.energy += spring * pressed * pressed;
+            self.misfit += missed * missed / spring;
+            carriers.stored += reaction * reaction / spring;
+        }
+        // It can carry more or less only as long as it acts.
+        carriers.supports.add(Weights::point(support.at, reaction));
     }
 }

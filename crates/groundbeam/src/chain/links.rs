@@ -42,9 +42,11 @@ pub(super) fn counted(mut row: [f64; 6], node: &ChainNode, beam: [f64; 4]) -> ([
     (row, node.gap)
 }
 
+/// Adds a link to the stiffness and the force of six unknowns, to which `turned` brings a cell's own.
 pub(super) fn add_link(
     tied: &TiedLink,
     surfaces: &Surfaces,
+    turned: impl Fn(&[f64; 6]) -> [f64; 6],
     k: &mut [[f64; 6]; 6],
     q: &mut [f64; 6],
 ) {
@@ -53,8 +55,10 @@ pub(super) fn add_link(
         Tie::SurfaceRight => surfaces.right,
         Tie::Beam { row, gap } => ([row[0], row[1], row[2], row[3], 0.0, 0.0], gap),
     };
-    let (left, left_gap) = functional(tied.left);
-    let (right, right_gap) = functional(tied.right);
+    let [(left, left_gap), (right, right_gap)] = [tied.left, tied.right].map(|tie| {
+        let (row, gap) = functional(tie);
+        (turned(&row), gap)
+    });
     let difference: [f64; 6] = std::array::from_fn(|i| left[i] - right[i]);
     for (spring, row, gap) in [
         (tied.link.leak_left, left, left_gap),

@@ -10,10 +10,12 @@
 //! beam. There the third of x is not u but r = u − ψ: in differences of neighbouring r the sinking of beam
 //! and ground has no part, and μ/h never stands beside the stiffness that holds them.
 
+mod hinge;
 mod links;
 mod mirror;
 
 use crate::elements::{Basis, Element};
+use hinge::Turned;
 use links::{Surfaces, add_link, counted};
 pub(crate) use links::{Tie, TiedLink};
 use mirror::{mirror_cell, mirror_shape};
@@ -30,10 +32,14 @@ pub(crate) struct ChainCell {
 pub(crate) struct ChainNode {
     pub force: f64,
     pub moment: f64,
+    /// w is the settlement.
     pub pinned: bool,
+    pub settlement: f64,
     pub clamped: bool,
     pub spring: f64,
     pub rotational_spring: f64,
+    /// θ may jump, against this spring. Nothing else at the node then acts on or holds θ.
+    pub hinge: Option<f64>,
     /// A spring of the ground under the beam at this node, and the initial gap there.
     pub ground_spring: f64,
     pub gap: f64,
@@ -81,6 +87,8 @@ struct Return {
     rise: bool,
     /// u of the left node where it ends there: u = constant − gain·(w, θ).
     ended: [f64; 3],
+    /// θ behind a hinge at the left node, from what is ahead of it.
+    turned: Option<Turned>,
 }
 
 impl Chain {
@@ -91,6 +99,7 @@ impl Chain {
         let (left, back_left) = self.sweep::<false>(0, meet)?;
         let (right, back_right) = self.sweep::<true>(last, meet)?;
         let mut both = left;
+        let turned = Turned::across(&self.nodes[meet], &mut both)?;
         // The right sweep sees slopes with the other sign.
         let sign = [1.0, -1.0, 1.0];
         for i in 0..3 {
@@ -103,11 +112,11 @@ impl Chain {
         apply(node, &mut both, 1.0);
         let at_meeting = solve_node(node, &both)?;
         let mut shapes = vec![[0.0; 4]; self.cells.len()];
-        let mut y = at_meeting;
+        let mut y = Turned::behind(turned, at_meeting);
         for (i, back) in (0..meet).zip(&back_left).rev() {
             let Element { length, basis, .. } = self.cells[i].element;
             y = back.cross(length, basis, y, &mut shapes[i]);
-            y = back.end(&self.nodes[i], y, true);
+            y = Turned::behind(back.turned, back.end(&self.nodes[i], y, true));
         }
         let mut y = at_meeting;
         y[THETA] = -y[THETA];
@@ -116,7 +125,7 @@ impl Chain {
             let mut v = [0.0; 4];
             y = back.cross(length, basis, y, &mut v);
             shapes[i] = mirror_shape(&v, length, basis);
-            y = back.end(&self.nodes[i + 1], y, false);
+            y = Turned::behind(back.turned, back.end(&self.nodes[i + 1], y, false));
         }
         Ok(shapes)
     }
@@ -135,7 +144,8 @@ impl Chain {
                 if MIRRORED { [start - step, start - step - 1] } else { [step, step + 1] };
             let [node, next] = [&self.nodes[here], &self.nodes[ahead]];
             apply(node, &mut state, if MIRRORED { -1.0 } else { 1.0 });
-            let mut back = Return::default();
+            let turned = Turned::across(node, &mut state)?;
+            let mut back = Return { turned, ..Return::default() };
             let sides = if MIRRORED { [1, 0] } else { [0, 1] };
             if node.surface[sides[0]] && !node.surface[sides[1]] {
                 back.ended = end_surface(&mut state)?;
@@ -159,7 +169,7 @@ fn apply(node: &ChainNode, state: &mut Behind, sign: f64) {
     state.s[W][W] += node.spring + node.ground_spring;
     state.s[THETA][THETA] += node.rotational_spring;
     state.s[U][U] += node.surface_spring;
-    state.r[W] += node.force + node.ground_spring * node.gap;
+    state.r[W] += node.force + node.ground_spring * node.gap + node.spring * node.settlement;
     state.r[THETA] += sign * node.moment;
     if node.from_beam {
         // The surface's own spring under u = w − g₀ + r.
@@ -209,6 +219,21 @@ fn transform(h: f64, basis: Basis, by_left: [bool; 2]) -> [[f64; 4]; 4] {
     if w_known { [own, theta, other, d2] } else { [other, theta, own, d2] }
 }
 
+/// Where the beam's four and the two surfaces stand among (w_r, θ_r, u_r | v₁, v₂, u_l).
+const ORDER: [usize; 6] = [0, 1, 3, 4, 5, 2];
+
+/// What multiplies those six, from what multiplies the element's own v and the surfaces.
+fn in_order(row: &[f64; 6], c: &[[f64; 4]; 4]) -> [f64; 6] {
+    let mut ordered = [0.0; 6];
+    for j in 0..4 {
+        ordered[ORDER[j]] = (0..4).map(|n| row[n] * c[n][j]).sum();
+    }
+    for j in [4, 5] {
+        ordered[ORDER[j]] = row[j];
+    }
+    ordered
+}
+
 fn cross(
     element: &Element,
     links: &[TiedLink],
@@ -253,9 +278,6 @@ fn cross(
             k[i][j] += state.s[U][U] * surface_left[i] * surface_left[j];
         }
     }
-    for tied in links {
-        add_link(tied, &surfaces, &mut k, &mut q);
-    }
 
     back.by_left = [
         node.pinned || state.s[W][W] > element.stiffness[2][2],
@@ -269,7 +291,6 @@ fn cross(
             half[i][j] = (0..4).map(|m| k[i][m] * c[m][j]).sum();
         }
     }
-    const ORDER: [usize; 6] = [0, 1, 3, 4, 2, 5];
     let mut m = [[0.0; 6]; 6];
     let mut f = [0.0; 6];
     for i in 0..4 {
@@ -278,26 +299,34 @@ fn cross(
         for j in 0..4 {
             m[a][ORDER[j]] = (0..4).map(|n| c[n][i] * half[n][j]).sum();
         }
-        for (surface, at) in [(4, 5), (5, 2)] {
+        for surface in [4, 5] {
+            let at = ORDER[surface];
             m[a][at] = half[surface][i];
             m[at][a] = half[surface][i];
         }
     }
-    for (i, a) in [(4, 5), (5, 2)] {
-        f[a] = q[i];
-        for (j, b) in [(4, 5), (5, 2)] {
-            m[a][b] = k[i][j];
+    for i in [4, 5] {
+        f[ORDER[i]] = q[i];
+        for j in [4, 5] {
+            m[ORDER[i]][ORDER[j]] = k[i][j];
         }
     }
+    // What ties the surface to the right end sees w_r alone: added before the congruence, its rounding would hold
+    // a free beam's slope.
+    for tied in links {
+        add_link(tied, &surfaces, |row| in_order(row, &c), &mut m, &mut f);
+    }
     let free = [!node.pinned, !node.clamped, node.surface[0] || node.surface[1]];
-    condense(&m, &f, free, back)
+    condense(&m, &f, free, node.settlement, back)
 }
 
-/// Eliminates the last three of (w_r, θ_r, u_r | v₁, v₂, u_l), those of them that are `free`.
+/// Eliminates the last three of (w_r, θ_r, u_r | v₁, v₂, u_l), those of them that are `free`; the others are
+/// zero, but for the first, which is the support's settlement then.
 fn condense(
     m: &[[f64; 6]; 6],
     f: &[f64; 6],
     free: [bool; 3],
+    settlement: f64,
     back: &mut Return,
 ) -> Result<Behind, Loose> {
     // LDLᵀ of the eliminated block with the six right-hand sides: three columns and the load.
@@ -310,6 +339,12 @@ fn condense(
         }
         b[i][3] = f[3 + i];
     }
+    let given = if free[0] { 0.0 } else { settlement };
+    if given != 0.0 {
+        for i in 1..3 {
+            b[i][3] -= a[i][0] * given;
+        }
+    }
     for i in 0..3 {
         if !free[i] || (i == 2 && a[2][2] == 0.0 && m[5].iter().all(|&x| x == 0.0)) {
             a[i] = [0.0; 3];
@@ -320,6 +355,7 @@ fn condense(
             b[i] = [0.0; 4];
         }
     }
+    b[0][3] += given;
     let size = [0, 1, 2].map(|i| a[i][i].abs());
     for p in 0..3 {
         let pivot = a[p][p];
@@ -370,7 +406,7 @@ fn solve_node(node: &ChainNode, both: &Behind) -> Result<[f64; 3], Loose> {
     }
     let free = [!node.pinned, !node.clamped, node.surface[0] || node.surface[1]];
     let mut back = Return::default();
-    condense(&m, &f, free, &mut back)?;
+    condense(&m, &f, free, node.settlement, &mut back)?;
     Ok(back.constant)
 }
 
@@ -394,5 +430,39 @@ impl Return {
             y[U] = constant - by_w * y[W] - by_theta * y[THETA];
         }
         y
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::elements::exact::ExactElement;
+    use crate::elements::{Operator, Touch};
+    use crate::mesh::Mesh;
+    use crate::model::{Beam, Foundation, Load, Model};
+
+    /// Nothing holds the slope of a beam that leaves the ground and ends free, to the last bit: it may rise to a
+    /// million times what the ground settles.
+    #[test]
+    fn a_free_beam_offers_no_stiffness() {
+        for i in 1..200 {
+            let length = 0.614 + 1e-3 * f64::from(i);
+            let model = Model::new(Beam::uniform(length, 1e-10), Foundation::pasternak(7.0, 0.02))
+                .with_load(Load::uniform(1.0, 0.0, length));
+            let cell = Mesh::build(&model, &[], |_| 1).cells[0];
+            let element = ExactElement::new(&Operator::of(&cell, 0.0, Touch::Open), length).element;
+            let tied = TiedLink {
+                link: crate::ground::Link::uniform(cell.spring, cell.shear, length),
+                left: Tie::SurfaceLeft,
+                right: Tie::Beam { row: element.end_row(true), gap: 0.0 },
+            };
+            let free = ChainNode { surface: [true; 2], surface_spring: 0.3, ..Default::default() };
+            let mut behind = Behind::default();
+            apply(&free, &mut behind, 1.0);
+            let nodes = [&free, &ChainNode::default()];
+            let ahead = cross(&element, &[tied], nodes, &behind, &mut Return::default());
+            let s = ahead.expect("a free end").s;
+            assert!(s[W][W] > 0.3 && s[W][THETA] == 0.0 && s[THETA][THETA] == 0.0, "{s:?}");
+        }
     }
 }

@@ -25,8 +25,6 @@ const LEAST_PART: f64 = 1e-9;
 pub(crate) struct Shortened {
     /// The part of the way taken.
     pub part: f64,
-    /// Newton's estimate of what the energy has left to fall, relative to twice the strain energy.
-    pub decrement: f64,
     /// The deflection there unless it is the whole way.
     pub between: Option<Found>,
 }
@@ -42,8 +40,9 @@ pub(crate) fn shorten(model: &Model, now: &Found, glued: &Found) -> Shortened {
     let fall = beam + ground_work(&mesh, TERMS, &zones, &delta, &delta);
     let psi = obstacle(&mesh, &to);
     let energy = beam_form(&mesh, TERMS, &to, &to) + ground_work(&mesh, TERMS, &zones, &psi, &psi);
+    // Newton's estimate of what the energy has left to fall, relative to twice the strain energy.
     let decrement = if fall == 0.0 { 0.0 } else { fall / energy.abs() };
-    let whole = Shortened { part: 1.0, decrement, between: None };
+    let whole = Shortened { part: 1.0, between: None };
     // A fall that rounding made has no direction.
     if decrement.is_nan() || decrement <= LEAST {
         return whole;
@@ -63,7 +62,7 @@ pub(crate) fn shorten(model: &Model, now: &Found, glued: &Found) -> Shortened {
     let coefficients = at(t);
     let w = Deflection { mesh: &mesh, terms: TERMS, coefficients: &coefficients };
     let zones = majorant::contact(&w);
-    Shortened { part: t, decrement, between: Some(Found::exact(mesh, coefficients, zones)) }
+    Shortened { part: t, between: Some(Found::exact(mesh, coefficients, zones)) }
 }
 
 /// The coefficients of a deflection on a finer mesh.

@@ -13,38 +13,30 @@
 //! every step. Near the answer [each edge](super::edges) is moved by itself instead, which squares the
 //! error as well. If the steps do not settle, the mesh that began them is refined.
 
-use super::active_set::{Found, Pressure, Stalled, Step};
+use super::active_set::{Found, Stalled, Step};
 use super::balanced::{self, Held};
 use super::descent::shorten;
 use super::edges;
 use super::glue::Glue;
 use super::majorant;
 use super::near;
-use super::nested;
+use super::softened;
 use super::stretches::{Stretch, at_place, distance, positions};
 use crate::chain::Loose;
-use crate::elements::{Operator, Touch};
-use crate::mesh::{Cell, Mesh};
+use crate::mesh::Mesh;
 use crate::model::Model;
 use crate::polynomial::jet;
 use crate::solution::ContactRegion;
 use std::rc::Rc;
 
-/// Cells of the first coarse mesh per wave length of the beam on its ground.
-const COARSE: f64 = 1.0;
 /// How often the coarse mesh is refined threefold before the model is given up.
 const REFINEMENTS: u32 = 5;
-/// Newton steps from one start, and for a beam that only gives the next one its start.
+/// Newton steps from one start.
 const MOST_STEPS: usize = 200;
-const STAGE_STEPS: usize = 100;
 /// The same from edges that are known to be near: if it takes more, they are not.
 const NEAR_STEPS: usize = 24;
-/// The most wave lengths of the beam between two nodes of the model on the first coarse mesh.
-const MOST_WAVES: f64 = 32.0;
 /// The last move of an edge, relative to the beam's length, of a beam that only gives the next its start.
 const ROUGH: f64 = 1e-6;
-/// What may be left of its energy to fall, relative to twice the strain energy.
-const ROUGH_DECREMENT: f64 = 1e-12;
 /// A move of the edges, relative to the beam's length, after which no step is shortened.
 const LOCAL: f64 = 1e-8;
 /// The same, after which the next step moves each edge by itself,
@@ -55,8 +47,6 @@ const CLOSE: f64 = 1e-13;
 const SQUARING: f64 = 0.1;
 /// How many steps may stray from that before squaring the error is no excuse.
 const MOST_STRAYS: usize = 4;
-/// How much less stiff (as a power of two) one beam is than the one it starts from.
-const STIFFER: f64 = 2.0;
 
 /// Steps after which the certificate is asked whether the edges' last digits matter.
 const PATIENCE: usize = 4;
@@ -92,7 +82,7 @@ impl Proof {
 
 /// What a row of Newton steps is for.
 #[derive(Debug, Clone, Copy)]
-enum Goal {
+pub(super) enum Goal {
     /// The answer, in so many steps at most.
     Answer(usize),
     /// A start for the next, softer beam.
@@ -130,7 +120,7 @@ pub(crate) fn solve(
     let mut last = Stalled::default();
     let mut iterations = 0;
     for level in 0..=REFINEMENTS {
-        let start = coarse(model, level);
+        let start = softened::start(model, level);
         let found = start.and_then(|start| {
             refine(glue, Start::asked_by(start), Goal::Answer(MOST_STEPS), judge)
         });
@@ -189,57 +179,22 @@ fn from_likely(
 }
 
 /// A deflection, and the contact that it asks for.
-struct Start {
-    found: Found,
-    stretches: Vec<Stretch>,
+pub(super) struct Start {
+    pub found: Found,
+    pub stretches: Vec<Stretch>,
     /// Whether that is near the contact on which it was glued.
-    near: bool,
+    pub near: bool,
 }
 
 impl Start {
-    fn asked_by(found: Found) -> Self {
+    pub fn asked_by(found: Found) -> Self {
         let stretches = positions(&found.mesh, &found.zones, &[]);
         Start { found, stretches, near: false }
     }
 }
 
-/// A deflection to start from: on a coarse mesh, for a beam so stiff that the mesh sees its waves, and
-/// from there to the beam itself by beams ever less stiff.
-fn coarse(model: &Model, level: u32) -> Result<Found, Stalled> {
-    let axial = model.beam.axial_force;
-    let waves = |cell: &Cell| {
-        Operator::of(cell, axial, Touch::Contact).wave_number() * cell.length() / MOST_WAVES
-    };
-    let cells = Mesh::build(model, &[], |_| 1).cells;
-    // |r| falls at least like EI^(−1/4).
-    let most = cells.iter().map(waves).fold(1.0, f64::max);
-    let times = most.powi(4).log2();
-    // Where that fails, a fine mesh may not.
-    let stages =
-        if level % 2 == 1 { 0 } else { (times * f64::from(level + 1) / STIFFER).ceil() as u32 };
-    let stiffer = |stage: u32| {
-        let mut model = model.clone();
-        let factor = (times * f64::from(stage) / f64::from(stages.max(1))).exp2();
-        model.beam = model.beam.stiffened(factor);
-        model
-    };
-    let per_wave = COARSE * 3_f64.powi(level as i32);
-    let stiffest = stiffer(stages);
-    let meshes = nested::coarse_meshes(&stiffest, per_wave);
-    let mut found = nested::solve(meshes, Pressure::Distributed)?;
-    for stage in (1..=stages).rev() {
-        found = refine(
-            &mut Glue::new(&stiffer(stage)),
-            Start::asked_by(found),
-            Goal::Start,
-            &mut |_| Proof::NONE,
-        )?;
-    }
-    Ok(found)
-}
-
 /// Newton's steps on the edges, from the deflection of a coarser problem.
-fn refine(
+pub(super) fn refine(
     glue: &mut Glue,
     start: Start,
     goal: Goal,
@@ -247,7 +202,7 @@ fn refine(
 ) -> Result<Found, Stalled> {
     let (rough, most_steps) = match goal {
         Goal::Answer(most_steps) => (false, most_steps),
-        Goal::Start => (true, STAGE_STEPS),
+        Goal::Start => (true, NEAR_STEPS),
     };
     let model = glue.model;
     let places: Vec<f64> = Mesh::build(model, &[], |_| 1).nodes.iter().map(|n| n.x).collect();
@@ -280,7 +235,6 @@ fn refine(
             };
             return match found {
                 Some(found) => Ok(Found { history, ..found }),
-                None if rough => Ok(Found { history, ..Rc::unwrap_or_clone(now) }),
                 None => Err(unsettled(step, moved)),
             };
         };
@@ -361,9 +315,6 @@ fn refine(
         let mut between = None;
         if !whole && moved > LOCAL {
             let shortened = shorten(model, &now, &found);
-            if rough && shortened.decrement <= ROUGH_DECREMENT {
-                return Ok(Found { history, zones, ..found });
-            }
             if let Some(step) = history.last_mut() {
                 step.step = shortened.part;
             }
@@ -382,7 +333,6 @@ fn refine(
     }
     match last.filter(|found| judge(found).is_within(ENOUGH)) {
         Some(found) => Ok(Found { history, ..Rc::unwrap_or_clone(found) }),
-        None if rough => Ok(Found { history, ..Rc::unwrap_or_clone(now) }),
         None => Err(unsettled(most_steps, moved)),
     }
 }

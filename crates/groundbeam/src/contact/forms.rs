@@ -7,7 +7,7 @@ use super::varying;
 use crate::mesh::{Cell, Mesh};
 use crate::polynomial::{Coefficients, MOST, derivative, jet, rescale, value};
 
-/// ∫(EI a″b″ + P a'b') and the springs at supports.
+/// ∫(EI a″b″ + P a'b') and the springs at supports and in hinges.
 pub(crate) fn beam_form(mesh: &Mesh, terms: usize, a: &[f64], b: &[f64]) -> f64 {
     let mut sum = 0.0;
     for (i, cell) in mesh.cells.iter().enumerate() {
@@ -28,6 +28,16 @@ pub(crate) fn beam_form(mesh: &Mesh, terms: usize, a: &[f64], b: &[f64]) -> f64 
             };
             let ([w, d], [z, e]) = (end(a), end(b));
             sum += node.spring * w * z + node.rotational_spring * d * e;
+        }
+        if let Some(spring) = node.hinge.filter(|spring| *spring > 0.0) {
+            let turned = |c: &[f64]| {
+                let slope = |cell: usize, s: f64| {
+                    let [_, d, ..] = jet(&c[cell * terms..(cell + 1) * terms], s);
+                    d * 2.0 / mesh.cells[cell].length()
+                };
+                slope(i, -1.0) - slope(i - 1, 1.0)
+            };
+            sum += spring * turned(a) * turned(b);
         }
     }
     sum

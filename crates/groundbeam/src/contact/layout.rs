@@ -104,9 +104,11 @@ impl Layout {
                 force: n.force,
                 moment: n.moment,
                 pinned: n.pinned,
+                settlement: n.settlement,
                 clamped: n.clamped,
                 spring: n.spring,
                 rotational_spring: n.rotational_spring,
+                hinge: n.hinge,
                 ..ChainNode::default()
             })
             .collect();

@@ -16,6 +16,7 @@ mod near;
 pub(crate) mod nested;
 pub(crate) mod pieces;
 pub(crate) mod recover;
+mod softened;
 mod stretches;
 pub(crate) mod surface;
 pub(crate) mod uzawa;

@@ -85,7 +85,10 @@ pub(crate) fn interpolated(mesh: &Mesh, found: &Found) -> Vec<[f64; 4]> {
             let c = rescale(w.cell(parent), 0.5 * (a + b), 0.5 * (b - a));
             return hermite::fold(&c, cell.length());
         }
-        let [[w, slope], [next, next_slope]] = cell.x.map(|x| end(x, found.mesh.cell_at(x)));
+        // At a hinge each side has a slope of its own.
+        let before = found.mesh.cells.partition_point(|parent| parent.x[1] < cell.x[1]);
+        let [w, slope] = end(cell.x[0], found.mesh.cell_at(cell.x[0]));
+        let [next, next_slope] = end(cell.x[1], before.min(found.mesh.cells.len() - 1));
         [w, slope, next - w - slope * cell.length(), next_slope - slope]
     };
     mesh.cells.iter().map(within).collect()

@@ -2,7 +2,8 @@
 //!
 //! −EI w″ of a cubic is linear in each element and jumps between them. The forces the element demands of
 //! its ends are far better (they are in equilibrium with loads and pressure to rounding), and between
-//! the ends equilibrium itself gives shear and moment: T' = p − f, M' = T − P w' + g.
+//! the ends equilibrium itself gives shear and moment: T' = p − f, M' = T − P w' + g. An imposed curvature is in
+//! what the element demands already.
 
 use super::active_set::Found;
 use super::deflection::pressure_of;

@@ -222,7 +222,7 @@ fn heights(links: &[Link], [start, end]: [f64; 2]) -> (Vec<f64>, Option<Link>) {
 }
 
 /// Whether mechanics allows a concentrated force at the end of a stretch of contact: at the ends of the
-/// beam and of the shear layer, and at corners. Elsewhere the ground leaves the beam tangentially.
+/// beam and of the shear layer, at corners and at hinges. Elsewhere the ground leaves the beam tangentially.
 pub(crate) fn can_carry(mesh: &Mesh, spot: Spot) -> bool {
     let node = match spot.s {
         -1.0 => spot.cell,
@@ -233,7 +233,9 @@ pub(crate) fn can_carry(mesh: &Mesh, spot: Spot) -> bool {
         return true;
     }
     let [left, right] = [&mesh.cells[node - 1], &mesh.cells[node]];
-    left.shear_ends()[1] != right.shear_ends()[0] || left.gap_slope != right.gap_slope
+    left.shear_ends()[1] != right.shear_ends()[0]
+        || left.gap_slope != right.gap_slope
+        || mesh.nodes[node].hinge.is_some()
 }
 
 /// All of the open ground between two spots as one link; none between spots that meet.

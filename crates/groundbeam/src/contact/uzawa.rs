@@ -288,6 +288,7 @@ impl<'a> FreeBeam<'a> {
             force: n.force,
             moment: n.moment,
             pinned: n.pinned || pins.contains(&i),
+            settlement: n.settlement,
             clamped: n.clamped,
             spring: n.spring,
             rotational_spring: n.rotational_spring,
@@ -329,7 +330,7 @@ impl<'a> FreeBeam<'a> {
     fn largest_flexibility(&self) -> f64 {
         let mut unloaded = self.chain.clone();
         for node in &mut unloaded.nodes {
-            (node.force, node.moment) = (0.0, 0.0);
+            (node.force, node.moment, node.settlement) = (0.0, 0.0, 0.0);
         }
         for cell in &mut unloaded.cells {
             cell.element.load = [0.0; 4];

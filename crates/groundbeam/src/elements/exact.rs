@@ -90,7 +90,8 @@ struct Half {
 impl ExactElement {
     pub fn new(operator: &Operator, length: f64) -> Self {
         if let Some(courses) = &operator.courses {
-            let (element, series) = Series::new(courses, length);
+            let (mut element, series) = Series::new(courses, length);
+            element.curl(operator.curling_moments);
             return ExactElement { element, layers: None, shapes: Shapes::Whole(series) };
         }
         let a = 0.5 * length;
@@ -161,7 +162,8 @@ impl ExactElement {
             }
         };
         let basis = if layers.is_some() { Basis::Ends } else { Basis::Deformation };
-        let element = assemble(length, basis, &even.condensed(), &odd.condensed());
+        let mut element = assemble(length, basis, &even.condensed(), &odd.condensed());
+        element.curl(operator.curling_moments);
         ExactElement { element, layers, shapes: Shapes::Halves([even, odd]) }
     }
 
@@ -419,6 +421,7 @@ mod tests {
             spring: k,
             load: [0.0; 2],
             moment_load: [0.0; 2],
+            curling_moments: [0.0; 2],
             courses: None,
         }
     }

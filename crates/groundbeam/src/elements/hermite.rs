@@ -5,6 +5,7 @@
 
 use super::Element;
 use crate::mesh::Cell;
+use crate::model::Profile;
 use crate::polynomial::value;
 
 /// Coefficients of a cubic.
@@ -61,6 +62,16 @@ pub(crate) fn element(cell: &Cell, axial_force: f64) -> Element {
     let mut element = Element { length: h, ..Element::default() };
     if cell.beam_varies() {
         add_bending(&mut element, cell);
+        let curling = cell.curling_moment_load();
+        if curling != [0.0; Profile::MOST] {
+            let all = Spread {
+                spring: |_| 0.0,
+                tension: |_| 0.0,
+                load: |_| 0.0,
+                moment_load: |s| value(&curling, s),
+            };
+            add(&mut element, &GAUSS, cell, [-1.0, 1.0], &all);
+        }
     } else {
         element.stiffness[2][2] = 12.0 * e / (h * h);
         element.stiffness[2][3] = -6.0 * e / h;
@@ -74,6 +85,7 @@ pub(crate) fn element(cell: &Cell, axial_force: f64) -> Element {
         moment_load: |s| between(cell.moment_load, s),
     };
     add(&mut element, &GAUSS, cell, [-1.0, 1.0], &all);
+    element.curl(cell.curling_moments());
     element
 }
 
@@ -231,6 +243,7 @@ mod tests {
             varies: Varies::default(),
             load: [6.0; 2],
             moment_load: [0.0; 2],
+            curvature: [0.0; 2],
             gap: [0.0; 2],
             gap_slope: 0.0,
         };

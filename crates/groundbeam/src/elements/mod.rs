@@ -48,6 +48,23 @@ impl Element {
         }
     }
 
+    /// An element that an imposed curvature bends: q gets the work of EI κ₀, linear between its values
+    /// `moments` at both ends, on w″. Rigid motions have no part in it.
+    pub fn curl(&mut self, moments: [f64; 2]) {
+        if moments == [0.0; 2] {
+            return;
+        }
+        let [left, right] = moments;
+        let rise = (right - left) / self.length;
+        let work = match self.basis {
+            Basis::Deformation => [0.0, 0.0, -rise, right],
+            Basis::Ends => [rise, -left, -rise, right],
+        };
+        for (load, work) in self.load.iter_mut().zip(work) {
+            *load += work;
+        }
+    }
+
     /// K v − q: what the element demands of its left end and of its deformation.
     pub fn forces(&self, v: &[f64; 4]) -> [f64; 4] {
         std::array::from_fn(|i| {
@@ -78,6 +95,8 @@ pub(crate) struct Operator {
     pub load: [f64; 2],
     /// G at both ends: g, and μ g₀' in contact.
     pub moment_load: [f64; 2],
+    /// EI κ₀ at both ends, of an imposed curvature κ₀.
+    pub curling_moments: [f64; 2],
     /// Where any of them varies otherwise than this says: all of them by s, the above being their values at
     /// the middle and at the ends.
     pub courses: Option<Courses>,
@@ -90,7 +109,8 @@ pub(crate) struct Courses {
     pub tension: [f64; GROUND],
     pub spring: [f64; GROUND],
     pub load: [f64; GROUND + 1],
-    pub moment_load: [f64; GROUND],
+    /// With what of EI κ₀ is not linear between the ends.
+    pub moment_load: [f64; Profile::MOST],
 }
 
 impl Courses {
@@ -105,11 +125,13 @@ impl Courses {
             tension: [0.0; GROUND],
             spring: [0.0; GROUND],
             load: [0.0; GROUND + 1],
-            moment_load: [0.0; GROUND],
+            moment_load: cell.curling_moment_load(),
         };
         courses.tension[0] = axial_force;
         courses.load[..2].copy_from_slice(&linear(cell.load));
-        courses.moment_load[..2].copy_from_slice(&linear(cell.moment_load));
+        for (i, g) in linear(cell.moment_load).into_iter().enumerate() {
+            courses.moment_load[i] += g;
+        }
         if touch == Touch::Contact {
             courses.spring = cell.spring_course();
             let gap = linear(cell.gap);
@@ -142,6 +164,7 @@ impl Operator {
             spring: 0.0,
             load: cell.load,
             moment_load: cell.moment_load,
+            curling_moments: cell.curling_moments(),
             courses: Courses::of(cell, axial_force, touch),
         };
         if touch == Touch::Open {

@@ -201,6 +201,7 @@ mod tests {
                 spring: k,
                 load: [1.0, -2.0],
                 moment_load: [0.5, 0.1],
+                curling_moments: [0.0; 2],
                 courses: None,
             };
             let uniform = ExactElement::new(&operator, 1.3);
@@ -209,7 +210,7 @@ mod tests {
                 tension: [n, 0.0, 0.0],
                 spring: [k, 0.0, 0.0],
                 load: [-0.5, -1.5, 0.0, 0.0],
-                moment_load: [0.3, -0.2, 0.0],
+                moment_load: [0.3, -0.2, 0.0, 0.0, 0.0, 0.0],
             };
             let (element, series) = Series::new(&courses, 1.3);
             for i in 0..4 {
@@ -234,7 +235,7 @@ mod tests {
             tension: [0.7, 0.3, 0.1],
             spring: [0.9, -0.4, 0.05],
             load: [1.0, -2.0, 0.3, 0.1],
-            moment_load: [0.5, 0.1, 0.2],
+            moment_load: [0.5, 0.1, 0.2, 0.0, 0.0, 0.0],
         };
         let (h, a) = (1.4, 0.7);
         let (element, series) = Series::new(&courses, h);

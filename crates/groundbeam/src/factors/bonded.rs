@@ -167,7 +167,7 @@ fn known_roots(found: &Found, x: [f64; 2], cell: &Cell) -> Vec<(f64, usize)> {
         let Some(node) = nodes.get(at).filter(|node| node.x == x[i] && node.pinned) else {
             continue;
         };
-        if x[i] == cell.x[i] && cell.gap[i] == 0.0 {
+        if x[i] == cell.x[i] && cell.gap[i] == node.settlement {
             let flat = node.clamped && cell.gap_slope == 0.0;
             roots.push((end, if flat { 2 } else { 1 }));
         }

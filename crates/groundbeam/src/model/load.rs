@@ -40,6 +40,19 @@ pub enum Load {
         /// Intensity at the right end \[N·m/m\].
         end: f64,
     },
+    /// A curvature that the beam takes by itself over a stretch, linear between its ends: of a temperature
+    /// gradient, of shrinkage, of a camber. M = −EI (w″ − κ₀); positive as w″ is, where it bends the beam's
+    /// ends down. It does no work on rigid motions.
+    Curvature {
+        /// Left end \[m\].
+        from: f64,
+        /// Right end \[m\].
+        to: f64,
+        /// κ₀ at the left end \[1/m\].
+        start: f64,
+        /// κ₀ at the right end \[1/m\].
+        end: f64,
+    },
 }
 
 impl Load {
@@ -58,6 +71,11 @@ impl Load {
         Load::Distributed { from, to, start: intensity, end: intensity }
     }
 
+    /// An even imposed curvature κ₀ \[1/m\] between two positions \[m\].
+    pub fn curvature(curvature: f64, from: f64, to: f64) -> Self {
+        Load::Curvature { from, to, start: curvature, end: curvature }
+    }
+
     /// The same load, `factor` times as large.
     pub fn scaled(self, factor: f64) -> Self {
         match self {
@@ -68,6 +86,9 @@ impl Load {
             }
             Load::DistributedMoment { from, to, start, end } => {
                 Load::DistributedMoment { from, to, start: start * factor, end: end * factor }
+            }
+            Load::Curvature { from, to, start, end } => {
+                Load::Curvature { from, to, start: start * factor, end: end * factor }
             }
         }
     }
@@ -81,6 +102,9 @@ impl Load {
             }
             Load::DistributedMoment { from, to, start, end } => {
                 Load::DistributedMoment { from: l - to, to: l - from, start: -end, end: -start }
+            }
+            Load::Curvature { from, to, start, end } => {
+                Load::Curvature { from: l - to, to: l - from, start: end, end: start }
             }
         }
     }

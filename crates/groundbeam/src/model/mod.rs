@@ -1,4 +1,4 @@
-//! What is given: beam, foundation, loads, supports, initial gap. Section 2, Remark 1 and Remark 2.
+//! What is given: beam, foundation, loads, supports, hinges, initial gap. Section 2, Remark 1 and Remark 2.
 //!
 //! Every number is in one coherent system of units (m, N, rad and their products; or any other in
 //! which force = stiffness × length holds). Nothing here knows how a unit is spelled.
@@ -6,6 +6,8 @@
 mod beam;
 mod foundation;
 mod gap;
+mod hinge;
+mod joints;
 mod load;
 mod profile;
 mod support;
@@ -14,10 +16,11 @@ mod validate;
 pub use beam::{Beam, BeamSegment};
 pub use foundation::{Foundation, FoundationSegment};
 pub use gap::GapPoint;
+pub use hinge::Hinge;
 pub use load::Load;
 pub(crate) use profile::Course;
 pub use profile::Profile;
-pub use support::{Support, SupportKind};
+pub use support::{Acts, Support, SupportKind};
 pub use validate::{Part, Problem};
 
 /// A beam, the ground under it, and what acts on them.
@@ -34,6 +37,8 @@ pub struct Model {
     pub loads: Vec<Load>,
     /// What holds the beam besides the ground. Empty: the beam is free.
     pub supports: Vec<Support>,
+    /// Hinges inside the beam. Empty: none.
+    pub hinges: Vec<Hinge>,
     /// Initial clearance between beam and ground, piecewise linear. Empty: none.
     pub gap: Vec<GapPoint>,
 }
@@ -41,7 +46,14 @@ pub struct Model {
 impl Model {
     /// A beam without loads, supports or gap on a foundation.
     pub fn new(beam: Beam, foundation: Foundation) -> Self {
-        Model { beam, foundation, loads: Vec::new(), supports: Vec::new(), gap: Vec::new() }
+        Model {
+            beam,
+            foundation,
+            loads: Vec::new(),
+            supports: Vec::new(),
+            hinges: Vec::new(),
+            gap: Vec::new(),
+        }
     }
 
     /// The same model with one load more.
@@ -53,6 +65,12 @@ impl Model {
     /// The same model with one support more.
     pub fn with_support(mut self, support: Support) -> Self {
         self.supports.push(support);
+        self
+    }
+
+    /// The same model with one hinge more.
+    pub fn with_hinge(mut self, hinge: Hinge) -> Self {
+        self.hinges.push(hinge);
         self
     }
 
@@ -78,6 +96,18 @@ impl Model {
         beam.map(Part::BeamSegment).or(below.map(Part::FoundationSegment))
     }
 
+    /// Whether a support acts in one direction alone.
+    pub(crate) fn has_one_way_supports(&self) -> bool {
+        self.supports.iter().any(Support::is_one_way)
+    }
+
+    /// The same model on the supports for which `keeps` says so, each of which then acts in both directions.
+    pub(crate) fn with_supports_that(&self, keeps: impl Fn(usize, &Support) -> bool) -> Self {
+        let kept = self.supports.iter().enumerate().filter(|(i, support)| keeps(*i, support));
+        let supports = kept.map(|(_, support)| support.acting(Acts::Both)).collect();
+        Model { supports, ..self.clone() }
+    }
+
     /// Becomes another model in the memory of this one.
     pub(crate) fn become_like(&mut self, other: &Model) {
         let mut segments = std::mem::take(&mut self.beam.segments);
@@ -88,6 +118,7 @@ impl Model {
         self.foundation = Foundation { segments, ..other.foundation };
         self.loads.clone_from(&other.loads);
         self.supports.clone_from(&other.supports);
+        self.hinges.clone_from(&other.hinges);
         self.gap.clone_from(&other.gap);
     }
 
@@ -102,6 +133,7 @@ impl Model {
             foundation: self.foundation.mirrored(l),
             loads: self.loads.iter().map(|load| load.mirrored(l)).collect(),
             supports: self.supports.iter().map(|s| Support { at: l - s.at, ..*s }).collect(),
+            hinges: self.hinges.iter().map(|h| Hinge { at: l - h.at, ..*h }).collect(),
             gap,
         }
     }

@@ -18,6 +18,8 @@ pub enum Part {
     Load(usize),
     /// One of the supports.
     Support(usize),
+    /// One of the hinges.
+    Hinge(usize),
     /// One corner of the initial gap.
     Gap(usize),
 }
@@ -43,7 +45,7 @@ pub struct Problem {
 }
 
 impl Problem {
-    fn new(
+    pub(super) fn new(
         code: &'static str,
         part: Part,
         field: &'static str,
@@ -114,7 +116,7 @@ impl Problem {
         )
     }
 
-    fn with_numbers(mut self, numbers: &[f64]) -> Self {
+    pub(super) fn with_numbers(mut self, numbers: &[f64]) -> Self {
         self.numbers = numbers.to_vec();
         self
     }
@@ -155,6 +157,8 @@ impl Model {
         self.check_foundation(&mut found);
         self.check_loads(&mut found);
         self.check_supports(&mut found);
+        self.check_hinges(&mut found);
+        self.check_one_way(&mut found);
         self.check_gap(&mut found);
         found
     }
@@ -234,7 +238,8 @@ impl Model {
                     finite(found, part, "moment", moment);
                 }
                 Load::Distributed { from, to, start, end }
-                | Load::DistributedMoment { from, to, start, end } => {
+                | Load::DistributedMoment { from, to, start, end }
+                | Load::Curvature { from, to, start, end } => {
                     self.check_stretch(found, part, from, to);
                     finite(found, part, "start", start);
                     finite(found, part, "end", end);
@@ -247,6 +252,7 @@ impl Model {
         for (i, support) in self.supports.iter().enumerate() {
             let part = Part::Support(i);
             self.check_position(found, part, support.at);
+            finite(found, part, "settlement", support.settlement);
             if let SupportKind::Spring { spring, rotational_spring } = support.kind {
                 let mut constant = |field, value: f64| {
                     if !(in_range(value) && value >= 0.0) {
@@ -285,7 +291,7 @@ impl Model {
     }
 
     /// A position must be a number on the beam.
-    fn check_position(&self, found: &mut Vec<Problem>, part: Part, at: f64) {
+    pub(super) fn check_position(&self, found: &mut Vec<Problem>, part: Part, at: f64) {
         self.check_on_beam(found, part, "at", at);
     }
 
@@ -311,11 +317,11 @@ impl Model {
 }
 
 /// Numbers whose squares and cubes still fit are the ones mechanics can be done with.
-fn in_range(value: f64) -> bool {
+pub(super) fn in_range(value: f64) -> bool {
     value == 0.0 || (value.is_finite() && (1e-60..=1e60).contains(&value.abs()))
 }
 
-fn describe(value: f64) -> String {
+pub(super) fn describe(value: f64) -> String {
     if value.is_nan() {
         "not a number".into()
     } else if value.is_infinite() {
@@ -330,7 +336,7 @@ fn describe(value: f64) -> String {
 }
 
 /// What would be right: the rule, or the range of numbers where only that is broken.
-fn remedy(value: f64, rule: &str) -> String {
+pub(super) fn remedy(value: f64, rule: &str) -> String {
     if value.is_finite() && !in_range(value) {
         "numbers between 1e-60 and 1e60, their negatives and 0 can be computed with".into()
     } else {

@@ -36,6 +36,8 @@ pub(super) struct Beam {
     force: f64,
     turn: f64,
     moment_right: f64,
+    /// What EI κ₀ of an imposed curvature does to d₁ and to h d₂.
+    curling: [f64; 2],
 }
 
 impl Beam {
@@ -55,6 +57,7 @@ impl Beam {
         let (c2, c3) = (0.5 + t * c4, 1.0 / 6.0 + t * c5);
         let (c0, c1) = (1.0 + t * c2, 1.0 + t * c3);
         let ([f, f_right], [g, g_right]) = (given.load, given.moment_load);
+        let [left, right] = given.curvature;
         Beam {
             length: h,
             stiffness,
@@ -66,6 +69,7 @@ impl Beam {
             force: 0.5 * h * (f + f_right),
             turn: h * (f / 6.0 + f_right / 3.0) + 0.5 * (g + g_right),
             moment_right: g_right,
+            curling: [left - right, right].map(|curvature| bending * curvature / h),
         }
     }
 
@@ -84,7 +88,9 @@ impl Beam {
         let bend = a * c0 + b * c1 + f0 * c2 + f1 * c3;
         let third = self.t * a * c1 + b * c0 + f0 * c1 + f1 * c2;
         let e = self.stiffness;
-        [self.force, self.turn, e * third + self.moment_right, -e * bend]
+        let [first, second] = self.curling;
+        let shear = e * third + self.moment_right + first;
+        [self.force, self.turn, shear, -e * bend + second]
     }
 
     /// A and B of A c₂ + B c₃ = x, A c₁ + B c₂ = y.
@@ -137,10 +143,12 @@ mod tests {
             varies: Varies::default(),
             load: [0.3, -0.8],
             moment_load: [0.5, 0.1],
+            curvature: [0.2, -0.3],
             gap: [0.0; 2],
             gap_slope: 0.0,
         };
-        let given = Given { load: cell.load, moment_load: cell.moment_load, gap: [0.0; 2] };
+        let Cell { load, moment_load, curvature, gap, .. } = cell;
+        let given = Given { load, moment_load, curvature, gap };
         for tension in [0.0, 1e-3, 3.9] {
             let beam = Beam::new(2.0, &given, tension, h);
             let exact = ExactElement::new(&Operator::of(&cell, tension, Touch::Open), h);

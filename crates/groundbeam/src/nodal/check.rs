@@ -76,6 +76,7 @@ pub(super) fn check(model: &Model, solution: &NodalSolution) -> NodalCheck {
                 act(0.5 * start * (to - from), from + (to - from) / 3.0);
                 act(0.5 * end * (to - from), to - (to - from) / 3.0);
             }
+            Load::Curvature { .. } => {}
             Load::DistributedMoment { from, to, start, end } => {
                 turns += 0.5 * (start + end) * (to - from);
             }

@@ -14,19 +14,26 @@ const STIFF: f64 = 0.5;
 /// What is given along a stretch, linear between its two ends.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Given {
-    /// f, g and g₀.
+    /// f, g, κ₀ and g₀.
     pub load: [f64; 2],
     pub moment_load: [f64; 2],
+    pub curvature: [f64; 2],
     pub gap: [f64; 2],
 }
 
 impl Given {
     fn of(cell: &Cell) -> Self {
-        Given { load: cell.load, moment_load: cell.moment_load, gap: cell.gap }
+        Given {
+            load: cell.load,
+            moment_load: cell.moment_load,
+            curvature: cell.curvature,
+            gap: cell.gap,
+        }
     }
 
     fn is_even(&self) -> bool {
-        [self.load, self.moment_load, self.gap].iter().all(|v| v[0] == v[1])
+        let all = [self.load, self.moment_load, self.curvature, self.gap];
+        all.iter().all(|v| v[0] == v[1])
     }
 
     /// From one fraction of the length to another.
@@ -35,6 +42,7 @@ impl Given {
         Given {
             load: linear(self.load),
             moment_load: linear(self.moment_load),
+            curvature: linear(self.curvature),
             gap: linear(self.gap),
         }
     }
@@ -45,6 +53,7 @@ impl Given {
         Given {
             load: turned(self.load),
             moment_load: turned(self.moment_load).map(|g| -g),
+            curvature: turned(self.curvature),
             gap: turned(self.gap),
         }
     }

@@ -84,7 +84,7 @@ impl NodalSolver {
     ///
     /// # Errors
     ///
-    /// As [`solve`](crate::solve()); and [`Error::Unsupported`] for supports, for ground without a shear
+    /// As [`solve`](crate::solve()); and [`Error::Unsupported`] for supports and hinges, for ground without a shear
     /// layer, and where stiffness or ground varies along a segment.
     pub fn solve_into(
         &mut self,
@@ -211,9 +211,10 @@ impl NodalSolver {
 }
 
 /// Where a free beam touches, to the accuracy of a mesh fine enough for its waves; none if it has supports or
-/// is too long and soft for a mesh, or anything varies along a segment.
+/// hinges, is too long and soft for a mesh, or anything varies along a segment.
 pub(crate) fn edges(model: &Model) -> Option<Vec<[f64; 2]>> {
-    if !model.supports.is_empty() || model.varying_part().is_some() {
+    let held = !(model.supports.is_empty() && model.hinges.is_empty());
+    if held || model.varying_part().is_some() {
         return None;
     }
     let waves = Grid::new(model, 1, Ground::Spread).wave_number() * model.beam.length;
@@ -246,6 +247,9 @@ fn checked(model: &Model) -> Result<Existence, Error> {
     let existence = exists(model)?;
     if !model.supports.is_empty() {
         return Err(Error::Unsupported(Problem::nodal_with_supports()));
+    }
+    if !model.hinges.is_empty() {
+        return Err(Error::Unsupported(Problem::nodal_with_hinges()));
     }
     if let Some(part) = model.varying_part() {
         return Err(Error::Unsupported(Problem::nodal_where_it_varies(part)));

@@ -125,19 +125,22 @@ impl Train {
     }
 }
 
-/// Where the fields of a model have corners or jump: its ends, loads, supports, gap and segments.
+/// Where the fields of a model have corners or jump: its ends, loads, supports, hinges, gap and segments.
 pub(crate) fn marks(model: &Model) -> Vec<f64> {
     let l = model.beam.length;
     let mut x = vec![0.0, l];
     for load in &model.loads {
         match *load {
             Load::PointForce { at, .. } | Load::PointMoment { at, .. } => x.push(at),
-            Load::Distributed { from, to, .. } | Load::DistributedMoment { from, to, .. } => {
+            Load::Distributed { from, to, .. }
+            | Load::DistributedMoment { from, to, .. }
+            | Load::Curvature { from, to, .. } => {
                 x.extend([from, to]);
             }
         }
     }
     x.extend(model.supports.iter().map(|support| support.at));
+    x.extend(model.hinges.iter().map(|hinge| hinge.at));
     x.extend(model.gap.iter().map(|corner| corner.at));
     x.extend(model.beam.segments.iter().flat_map(|segment| [segment.from, segment.to]));
     x.extend(model.foundation.segments.iter().flat_map(|segment| [segment.from, segment.to]));

@@ -1,0 +1,135 @@
+//! Materials by name: the data files in `materials/`.
+
+use crate::quantity::{ELASTIC_MODULUS, EXPANSION, Kind, UNIT_WEIGHT};
+use serde::Deserialize;
+use std::sync::LazyLock;
+
+/// Materials whose numbers have common sources.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Family {
+    #[serde(rename = "E")]
+    elastic_modulus: String,
+    unit_weight: String,
+    expansion: String,
+    #[serde(rename = "material")]
+    materials: Vec<Listed>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Listed {
+    name: String,
+    #[serde(default)]
+    also: Vec<String>,
+    #[serde(rename = "E")]
+    elastic_modulus: String,
+    unit_weight: Option<String>,
+    expansion: String,
+}
+
+/// A material that a model file can ask for, with `[beam] material = "…"`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Material {
+    /// Its name.
+    pub name: String,
+    /// Other names by which it can be asked for.
+    pub also: Vec<String>,
+    /// E \[N/m²\].
+    pub elastic_modulus: f64,
+    /// Weight per volume \[N/m³\]; none if the standard does not list it.
+    pub unit_weight: Option<f64>,
+    /// Strain per temperature \[1/K\].
+    pub expansion: f64,
+    /// Where these three are from.
+    pub sources: [String; 3],
+}
+
+static MATERIALS: LazyLock<Vec<Material>> = LazyLock::new(|| {
+    let files = [
+        include_str!("../materials/concrete.toml"),
+        include_str!("../materials/steel.toml"),
+        include_str!("../materials/rails.toml"),
+        include_str!("../materials/timber.toml"),
+        include_str!("../materials/glulam.toml"),
+    ];
+    let read = |text| -> Family { toml::from_str(text).expect("a list that a test has read") };
+    files.into_iter().map(read).flat_map(materials_of).collect()
+});
+
+/// Every material that a model file can ask for.
+///
+/// ```
+/// let materials = groundbeam_file::materials();
+/// let concrete = materials.iter().find(|material| material.name == "C30/37").unwrap();
+/// assert_eq!((concrete.elastic_modulus, concrete.unit_weight), (33e9, Some(25e3)));
+/// ```
+pub fn materials() -> &'static [Material] {
+    &MATERIALS
+}
+
+/// The material of a name.
+pub(crate) fn find(name: &str) -> Option<&'static Material> {
+    MATERIALS.iter().find(|m| m.name == name || m.also.iter().any(|also| also == name))
+}
+
+/// The names in which a word occurs: what someone who writes `C30` may mean.
+pub(crate) fn holding(word: &str) -> Vec<&'static str> {
+    let parts = |name: &str| name.split([' ', '/']).any(|part| part.eq_ignore_ascii_case(word));
+    MATERIALS.iter().map(|m| &*m.name).filter(|name| parts(name)).collect()
+}
+
+fn materials_of(family: Family) -> impl Iterator<Item = Material> {
+    let sources = [family.elastic_modulus, family.unit_weight, family.expansion];
+    family.materials.into_iter().map(move |listed| Material {
+        elastic_modulus: number(&listed.elastic_modulus, &ELASTIC_MODULUS),
+        unit_weight: listed.unit_weight.map(|weight| number(&weight, &UNIT_WEIGHT)),
+        expansion: number(&listed.expansion, &EXPANSION),
+        name: listed.name,
+        also: listed.also,
+        sources: sources.clone(),
+    })
+}
+
+/// A quantity of a list, in N, m and K.
+fn number(text: &str, kind: &Kind) -> f64 {
+    kind.read("", text, false).map_or(f64::NAN, |written| written.value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// EN 1992-1-1, Table 3.1: E_cm = 22 (f_cm/10)^0.3 GPa with f_cm = f_ck + 8 MPa, printed as whole numbers.
+    #[test]
+    fn concrete_follows_its_formula() {
+        let concrete = materials().iter().filter(|m| m.name.contains('/'));
+        let mut count = 0;
+        for material in concrete {
+            let strength: f64 = material.name[1..].split('/').next().unwrap().parse().unwrap();
+            let formula = 22.0 * (0.1 * (strength + 8.0)).powf(0.3);
+            assert!((material.elastic_modulus / 1e9 - formula).abs() < 0.52, "{}", material.name);
+            count += 1;
+        }
+        assert_eq!(count, 14);
+    }
+
+    #[test]
+    fn every_number_is_one_and_every_name_is_given_once() {
+        let mut names: Vec<&str> = Vec::new();
+        for material in materials() {
+            let Material { name, also, elastic_modulus, unit_weight, expansion, sources } =
+                material;
+            assert!((7e9..=210e9).contains(elastic_modulus), "{name}");
+            assert!(unit_weight.is_none_or(|weight| (3e3..80e3).contains(&weight)), "{name}");
+            assert!((5e-6..=12e-6).contains(expansion), "{name}");
+            assert!(sources.iter().all(|source| !source.is_empty()));
+            names.extend(also.iter().chain([name]).map(|name| &**name));
+        }
+        let count = names.len();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), count);
+        assert_eq!(holding("C30"), ["C30/37", "timber C30"]);
+    }
+}

@@ -1,0 +1,104 @@
+//! Imposed curvature from temperature, shrinkage and camber, by the depth of the beam's section.
+
+use crate::code;
+use crate::fault::Fault;
+use crate::profile::{Along, left_out};
+use crate::quantity::{CAMBER, DEPTH, EXPANSION};
+use crate::reader::Reader;
+use crate::table::Section;
+use groundbeam::Load;
+
+/// The depth of the beam's section on a stretch, if it is known there.
+pub(super) struct Depth {
+    pub from: f64,
+    pub to: f64,
+    pub depth: Option<Along>,
+}
+
+/// What the beam says of how temperature and shrinkage curl it.
+pub(super) struct Curls {
+    pub depths: Vec<Depth>,
+    /// The expansion of its material, if that is one all along.
+    pub expansion: Option<f64>,
+}
+
+/// The depths of the whole beam: of its segments, and of its own section where there are none.
+pub(super) fn all(length: f64, base: Option<Along>, mut segments: Vec<Depth>) -> Vec<Depth> {
+    for [from, to] in left_out(length, segments.iter().map(|s| (s.from, s.to))) {
+        let depth = base.as_ref().map(|base| base.between([from / length, to / length]));
+        segments.push(Depth { from, to, depth });
+    }
+    segments
+}
+
+/// What one of a difference between top and bottom is as a curvature: 1 for a curvature itself, α/h for the
+/// temperature of the top above that of the bottom, −1/h for the shrinkage of the top beyond that of the
+/// bottom. A warmer top is longer, and bends the ends down, as a positive curvature does.
+pub(super) fn curvature_per(
+    reader: &mut Reader,
+    table: &Section,
+    kind: &str,
+    stretch: [f64; 2],
+    curls: &Curls,
+) -> f64 {
+    let mut refuse = |key: &str, advice: &str| {
+        if let Some((name, _)) = table.table.get_key_value(key) {
+            let message = format!("`{key}` does not go with `{kind}`");
+            reader.report(Fault::new(code::MISPLACED, name.span(), message, "", advice));
+        }
+    };
+    if kind != "temperature_difference" {
+        refuse("expansion", "`expansion` belongs to a `temperature_difference`");
+    }
+    if kind == "curvature" {
+        refuse("depth", "a curvature needs no depth");
+        return 1.0;
+    }
+    let depth = depth(reader, table, stretch, &curls.depths);
+    if kind == "shrinkage_difference" {
+        return -1.0 / depth;
+    }
+    if let (None, Some(expansion)) = (table.value("expansion"), curls.expansion) {
+        return expansion / depth;
+    }
+    let expansion = reader.required(table, "expansion", &EXPANSION);
+    reader.positive("expansion", expansion).value / depth
+}
+
+/// The depth given beside the difference, or that of the section all along the stretch.
+fn depth(reader: &mut Reader, table: &Section, [from, to]: [f64; 2], depths: &[Depth]) -> f64 {
+    if let Some(depth) = reader.quantity(table, "depth", &DEPTH) {
+        return reader.positive("depth", depth).value;
+    }
+    let under = depths.iter().filter(|d| d.from < to && from < d.to);
+    let known: Option<Vec<&Along>> = under.map(|d| d.depth.as_ref()).collect();
+    let Some(known) = known.filter(|known| !known.is_empty()) else {
+        let depth = reader.line("depth", &DEPTH);
+        let message = "the depth of the beam's section is not known all along this load";
+        let hint = format!("add {depth} here, or give the beam a `section`");
+        let fault = Fault::new(code::INCOMPLETE, table.span.clone(), message, "", hint);
+        // A stretch that cannot be read has been reported.
+        if from < to {
+            reader.report(fault);
+        }
+        return f64::NAN;
+    };
+    let first = known[0].profile;
+    if !first.is_constant() || known.iter().any(|depth| depth.profile != first) {
+        if known.iter().all(|depth| depth.is_readable()) {
+            let message = "the depth of the beam's section varies along this load";
+            let hint =
+                "give a [[load]] for each part of the beam, with its `depth`, or a `curvature`";
+            reader.report(Fault::new(code::INCOMPLETE, table.span.clone(), message, "", hint));
+        }
+        return f64::NAN;
+    }
+    first.start()
+}
+
+/// The curvature of a camber: a parabola that rises by it at mid-length, w = −4 c x (l − x)/l².
+pub(super) fn camber(reader: &mut Reader, table: &Section, length: f64) -> Option<Load> {
+    let camber = reader.quantity(table, "camber", &CAMBER)?.value;
+    let known = !camber.is_nan() && length > 0.0;
+    known.then(|| Load::curvature(8.0 * camber / (length * length), 0.0, length))
+}

@@ -1,0 +1,64 @@
+//! `material = "…"`: E by a name, and its weight and expansion where they are asked for.
+
+use crate::code;
+use crate::fault::Fault;
+use crate::materials::{self, Material};
+use crate::profile::Along;
+use crate::quantity::ELASTIC_MODULUS;
+use crate::reader::Reader;
+use crate::suggest::nearest;
+use crate::table::Section;
+use crate::units::Seen;
+use groundbeam::Profile;
+
+/// E of the material that `table` names, or else the one given.
+pub(super) fn modulus(reader: &mut Reader, table: &Section, given: Option<Along>) -> Option<Along> {
+    let Some(value) = table.value("material") else { return given };
+    let value = value.span();
+    if let Some(given) = &given {
+        let hint = "the material gives E; keep one of the two";
+        reader.exclusive(("material", &value), ("E", &given.span), hint);
+    }
+    // Its numbers have units, so that the rest of the file must have them.
+    let key = "material".to_owned();
+    reader.quantities.push(Seen {
+        key,
+        kind: &ELASTIC_MODULUS,
+        has_unit: true,
+        span: value.clone(),
+    });
+    Some(match named(reader, table) {
+        Some(known) => Along { profile: Profile::constant(known.elastic_modulus), span: value },
+        None => Along::unreadable(value),
+    })
+}
+
+/// The material that `table` names; a name that is not known is reported.
+fn named(reader: &mut Reader, table: &Section) -> Option<&'static Material> {
+    let (written, span) = reader.words(table, "material", "C30/37")?;
+    let name = written.trim();
+    let found = materials::find(name);
+    if found.is_none() {
+        let all = materials::materials();
+        let hint = match (
+            materials::holding(name).as_slice(),
+            nearest(name, all.iter().map(|m| &*m.name)),
+        ) {
+            ([], Some(meant)) => format!("did you mean `{meant}`?"),
+            ([], None) => {
+                "materials: C12/15 to C90/105, S235 to S460, R200 to R350LHT, timber C14 to C50, \
+                           GL20h to GL32c; for others give `E`"
+                    .to_owned()
+            }
+            (several, _) => format!("did you mean `{}`?", several.join("` or `")),
+        };
+        let message = format!("the material `{written}` is not known");
+        reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
+    }
+    found
+}
+
+/// The material of a table that was read before.
+pub(super) fn of(table: &Section) -> Option<&'static Material> {
+    materials::find(table.value("material")?.get_ref().as_str()?.trim())
+}

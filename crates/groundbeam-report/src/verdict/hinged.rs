@@ -1,0 +1,133 @@
+//! The same for beams with free hinges, of which a part may tip and the rest stand.
+
+use crate::quantity::Units;
+use groundbeam::{Existence, Model, RigidMotion, Verdict, static_reactions};
+
+/// Why there is one equilibrium, more than one, or none.
+pub(super) fn sentence(model: &Model, existence: &Existence, units: Units) -> String {
+    let moves = |motion| moves(model, motion, units);
+    match existence.verdict {
+        Verdict::Unique => {
+            let held = if model.supports.is_empty() { "hinges" } else { "hinges and supports" };
+            format!(
+                "no motion that its {held} allow lifts a part of the beam without work against the loads"
+            )
+        }
+        Verdict::NotUnique(motion)
+            if motion.left == 0.0 && motion.right == 0.0 && is_at_rest(motion) =>
+        {
+            let [from, to] = motion.lifted.unwrap_or_default().map(|x| units.position(x));
+            format!(
+                "the part of the beam from x = {from} to {to} stands on too few points: how far it turns is \
+                 not determined, any equilibrium shown is one of many"
+            )
+        }
+        Verdict::NotUnique(motion) => format!(
+            "the loads neither hold the beam down there nor lift it: {}, how far is not determined, any \
+             equilibrium shown is one of many",
+            moves(motion)
+        ),
+        Verdict::None(motion) if motion.work == 0.0 => format!(
+            "the loads neither hold the beam down there nor lift it: {}, and separate springs (mu = 0) cannot \
+             carry the rest on one point",
+            moves(motion)
+        ),
+        Verdict::None(motion) => format!("the loads lift a part of the beam: {}", moves(motion)),
+    }
+}
+
+/// A motion about a single point, of which only the part that moves is known.
+fn is_at_rest(motion: RigidMotion) -> bool {
+    motion.lifted.is_some_and(|[from, to]| from < to) && motion.work == 0.0
+}
+
+/// `its part from x = 4 m to its right end turns up about the hinge at x = 4 m`.
+pub(super) fn moves(model: &Model, motion: RigidMotion, units: Units) -> String {
+    let l = model.beam.length;
+    let [from, to] = motion.lifted.unwrap_or([0.0, l]);
+    let nodes: Vec<f64> = static_reactions(model).into_iter().map(|(x, _)| x).collect();
+    let before = nodes.iter().rev().find(|x| **x < from).copied();
+    let after = nodes.iter().find(|x| **x > to).copied();
+    let at = |x: f64| {
+        if x == 0.0 {
+            "its left end".to_owned()
+        } else if x == l {
+            "its right end".to_owned()
+        } else {
+            format!("its hinge at x = {}", units.position(x))
+        }
+    };
+    let lifted = if from == to { at(from) } else { format!("all from {} to {}", at(from), at(to)) };
+    match (before, after) {
+        (None, None) => "it lifts as a whole".to_owned(),
+        (Some(rest), None) | (None, Some(rest)) => {
+            format!("{lifted} lifts, {} stays", at(rest))
+        }
+        (Some(left), Some(right)) => {
+            format!("{lifted} lifts, {} and {} stay", at(left), at(right))
+        }
+    }
+}
+
+/// What falls, in a few words.
+pub(crate) fn falls(motion: RigidMotion, units: Units) -> String {
+    match (motion.lifted, motion.left < 0.0, motion.right < 0.0) {
+        (None, true, false) => "it tips about its right end".to_owned(),
+        (None, false, true) => "it tips about its left end".to_owned(),
+        (Some(_), true, false) => "its left end lifts".to_owned(),
+        (Some(_), false, true) => "its right end lifts".to_owned(),
+        (Some([x, _]), false, false) => {
+            format!("its hinge at x = {} lifts", units.position(x))
+        }
+        _ => "it lifts off as a whole".to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{motion as written, remedy, sentence};
+    use super::*;
+    use groundbeam::{Beam, Foundation, Hinge, Load};
+
+    #[test]
+    fn every_verdict_has_its_sentence() {
+        let slab = || {
+            Model::new(Beam::uniform(6.0, 1.0), Foundation::pasternak(1.0, 1.0))
+                .with_hinge(Hinge::free(2.0))
+                .with_hinge(Hinge::free(4.0))
+                .with_load(Load::uniform(1.0, 0.0, 6.0))
+        };
+        let cases = [
+            (slab(), "no motion that its hinges allow lifts", "", ""),
+            (
+                slab().with_load(Load::point(-3.0, 6.0)),
+                "lift a part of the beam: its right end lifts, its hinge at x = 4 stays",
+                "its right end lifts, its hinge at x = 4 stays; nothing of it presses",
+                "down at its right end",
+            ),
+            (
+                slab().with_load(Load::point(-3.0, 2.0)),
+                "its hinge at x = 2 lifts, its left end and its hinge at x = 4 stay",
+                "its hinge at x = 2 lifts",
+                "down at x = 2",
+            ),
+            (
+                slab().with_load(Load::point(-1.0, 6.0)),
+                "neither hold the beam down there nor lift it: its right end lifts",
+                "",
+                "",
+            ),
+        ];
+        for (model, said, moving, mended) in cases {
+            let existence = groundbeam::exists(&model).unwrap();
+            let found = sentence(&model, &existence, Units::Plain);
+            assert!(found.contains(said), "{found}");
+            if let Verdict::None(motion) = existence.verdict {
+                let found = written(&model, motion, Units::Plain);
+                assert!(found.contains(moving), "{found}");
+                let found = remedy(motion, Units::Plain).unwrap();
+                assert!(found.contains(mended), "{found}");
+            }
+        }
+    }
+}

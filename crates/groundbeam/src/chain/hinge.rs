@@ -1,0 +1,50 @@
+//! Hinges: nodes at which θ jumps.
+//!
+//! A hinge is an element of no length, x' = x + (0, δ), whose deformation δ costs ½ k_φ δ². Eliminating
+//! θ behind it, S' = S − S e (eᵀS e + k_φ)⁻¹ eᵀS with e along θ: nothing is left of the row and the column
+//! of θ at a free hinge.
+
+use super::{Behind, ChainNode, Loose, THETA};
+
+/// How to come back across a hinge: θ_behind = constant − gain·(w, θ_ahead, u).
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Turned {
+    gain: [f64; 3],
+    constant: f64,
+}
+
+impl Turned {
+    /// Counts in the hinge of a node, if there is one. Nothing else may act on θ there.
+    pub fn across(node: &ChainNode, state: &mut Behind) -> Result<Option<Self>, Loose> {
+        let Some(spring) = node.hinge else { return Ok(None) };
+        let Behind { s, r } = *state;
+        let held = s[THETA][THETA] + spring;
+        // Behind a free hinge nothing but the ground and the supports there keep the beam from turning.
+        if held.is_nan() || held <= 0.0 {
+            return Err(Loose);
+        }
+        let share = spring / held;
+        for i in 0..3 {
+            for j in 0..3 {
+                state.s[i][j] = if i == THETA || j == THETA {
+                    s[i][j] * share
+                } else {
+                    s[i][j] - s[i][THETA] * (s[THETA][j] / held)
+                };
+            }
+            state.r[i] =
+                if i == THETA { r[i] * share } else { r[i] - s[i][THETA] * (r[THETA] / held) };
+        }
+        let mut gain = s[THETA].map(|s| s / held);
+        gain[THETA] = -share;
+        Ok(Some(Turned { gain, constant: r[THETA] / held }))
+    }
+
+    /// (w, θ, u) behind the hinge, if there was one.
+    pub fn behind(turned: Option<Self>, mut y: [f64; 3]) -> [f64; 3] {
+        if let Some(Turned { gain, constant }) = turned {
+            y[THETA] = constant - gain.iter().zip(y).map(|(gain, y)| gain * y).sum::<f64>();
+        }
+        y
+    }
+}

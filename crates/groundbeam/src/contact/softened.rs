@@ -1,0 +1,112 @@
+//! A start for the exact method: from a beam so stiff that a coarse mesh sees its waves, by beams ever less
+//! stiff, to the beam itself.
+//!
+//! Newton's method on edges is good for moves of a wave length or so; where a stretch hardly presses, an edge
+//! runs hundreds of them while the stiffness falls by one per cent. So the edges are *followed*: each beam
+//! begins where the two before it point, and where it does not settle the step is halved.
+
+use super::active_set::{Found, Pressure, Stalled};
+use super::exact::{Goal, Proof, Start, refine};
+use super::glue::Glue;
+use super::nested;
+use super::stretches::Stretch;
+use crate::elements::{Operator, Touch};
+use crate::mesh::{Cell, Mesh};
+use crate::model::Model;
+
+/// Cells of the first coarse mesh per wave length of the beam on its ground.
+const COARSE: f64 = 1.0;
+/// The most wave lengths of the beam between two nodes of the model on the first coarse mesh.
+const MOST_WAVES: f64 = 32.0;
+/// How much less stiff (as a power of two) one beam is at most than the one it starts from.
+const STEP: f64 = 2.0;
+/// The same at least: edges that cannot be followed in steps like this are lost.
+const LEAST_STEP: f64 = 2e-4;
+/// Beams that are tried.
+const MOST_BEAMS: usize = 400;
+
+/// A deflection of the beam itself or nearly so, its contact to be refined.
+pub(super) fn start(model: &Model, level: u32) -> Result<Found, Stalled> {
+    let axial = model.beam.axial_force;
+    let waves = |cell: &Cell| {
+        Operator::of(cell, axial, Touch::Contact).wave_number() * cell.length() / MOST_WAVES
+    };
+    let cells = Mesh::build(model, &[], |_| 1).cells;
+    // |r| falls at least like EI^(−1/4).
+    let most = cells.iter().map(waves).fold(1.0, f64::max);
+    // Where following the edges fails, a fine mesh may not.
+    let stiffest = if level % 2 == 1 { 0.0 } else { most.powi(4).log2() };
+    let per_wave = COARSE * 3_f64.powi(level as i32);
+    let model_of = |doublings: f64| {
+        let mut model = model.clone();
+        model.beam = model.beam.stiffened(doublings.exp2());
+        model
+    };
+    let stiff = model_of(stiffest);
+    let meshes = nested::coarse_meshes(&stiff, per_wave);
+    let found = nested::solve(meshes, Pressure::Distributed)?;
+    let steps = (stiffest * f64::from(level + 1) / STEP).ceil();
+    follow(found, stiffest, stiffest / steps.max(1.0), model_of)
+}
+
+/// From the deflection of a beam that is 2^`doublings` times as stiff to that of the beam itself, in steps of
+/// no more than `longest`.
+fn follow(
+    mut found: Found,
+    mut doublings: f64,
+    longest: f64,
+    model_of: impl Fn(f64) -> Model,
+) -> Result<Found, Stalled> {
+    let mut step = longest;
+    // The beam before, and its contact.
+    let mut before: Option<(f64, Vec<Stretch>)> = None;
+    for _ in 0..MOST_BEAMS {
+        if doublings == 0.0 {
+            return Ok(found);
+        }
+        // The last step is not followed by what rounding leaves.
+        let next = if doublings > 1.001 * step { doublings - step } else { 0.0 };
+        let softer = model_of(next);
+        let mut start = Start::asked_by(found.clone());
+        let here = start.stretches.clone();
+        if let Some((stiffer, stretches)) = &before {
+            let part = (doublings - next) / (stiffer - doublings);
+            let l = softer.beam.length;
+            start.stretches = ahead(stretches, &here, part, l).unwrap_or(start.stretches);
+        }
+        match refine(&mut Glue::new(&softer), start, Goal::Start, &mut |_| Proof::NONE) {
+            Ok(settled) => {
+                before = Some((doublings, here));
+                (found, doublings) = (settled, next);
+                step = longest.min(2.0 * step);
+            }
+            Err(stalled) if step < LEAST_STEP => return Err(stalled),
+            Err(_) => step *= 0.5,
+        }
+    }
+    Err(Stalled::default())
+}
+
+/// Where edges on a beam of length l go on to that went from `before` to `here`, by so large a `part` of that
+/// way; none where zones came or went, or would meet.
+fn ahead(before: &[Stretch], here: &[Stretch], part: f64, l: f64) -> Option<Vec<Stretch>> {
+    let further = |a: f64, b: f64| (b + part * (b - a)).clamp(0.0, l);
+    let pairs = before.iter().zip(here);
+    let ahead: Vec<Stretch> = pairs.map(|(a, b)| [0, 1].map(|i| further(a[i], b[i]))).collect();
+    (before.len() == here.len() && ahead.as_flattened().is_sorted()).then_some(ahead)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn edges_go_on_as_they_went() {
+        let (before, here) = ([[0.0, 0.3], [0.6, 0.9]], [[0.0, 0.34], [0.6, 1.0]]);
+        let next = ahead(&before, &here, 0.5, 1.0).expect("as many zones");
+        assert!((next[0][1] - 0.36).abs() < 1e-15);
+        assert_eq!([next[0][0], next[1][0], next[1][1]], [0.0, 0.6, 1.0]);
+        assert_eq!(ahead(&before[..1], &here, 0.5, 1.0), None);
+        assert_eq!(ahead(&before, &here, 10.0, 1.0), None);
+    }
+}

@@ -1,0 +1,112 @@
+//! Rules for hinges and for supports that act in one direction alone.
+
+use super::validate::{Part, Problem, describe, in_range, remedy};
+use super::{Load, Model, Support, SupportKind};
+
+impl Model {
+    pub(super) fn check_hinges(&self, found: &mut Vec<Problem>) {
+        for (i, hinge) in self.hinges.iter().enumerate() {
+            let part = Part::Hinge(i);
+            self.check_position(found, part, hinge.at);
+            let mut report = |code, field, message: String, hint: String| {
+                let problem = Problem::new(code, part, field, message, hint);
+                found.push(problem.with_numbers(&[hinge.at, self.beam.length]));
+            };
+            if hinge.at == 0.0 || hinge.at == self.beam.length {
+                let message = "the hinge at {0} stands at an end of the beam, where nothing hinges";
+                let hint = "a hinge joins two parts: place it between 0 and {1}, or leave it out";
+                report("GB404", "at", message.into(), hint.into());
+            }
+            let spring = hinge.rotational_spring;
+            if !(in_range(spring) && spring >= 0.0) {
+                let message = format!("the hinge's spring constant is {}", describe(spring));
+                let hint = remedy(spring, "it must be zero, for a free hinge, or positive");
+                report("GB405", "rotational_spring", message, hint);
+            }
+            if let Some(other) = self.hinges[..i].iter().position(|h| h.at == hinge.at) {
+                let message = format!("there is a hinge at {{0}} already (number {})", other + 1);
+                let hint = "two hinges at one place are one: leave one of them out";
+                report("GB406", "at", message, hint.into());
+            }
+            if let Some(what) = self.turning_at(hinge.at) {
+                let message =
+                    format!("{what} at {{0}} acts on the slope, which jumps at the hinge");
+                let hint = "place one of the two a little to the side on which it is meant";
+                report("GB407", "at", message, hint.into());
+            }
+        }
+    }
+
+    /// Only a force can act in one direction alone.
+    pub(super) fn check_one_way(&self, found: &mut Vec<Problem>) {
+        for (i, support) in self.supports.iter().enumerate().filter(|(_, s)| s.is_one_way()) {
+            let what = match support.kind {
+                SupportKind::Fixed => "a fixed support",
+                SupportKind::Spring { rotational_spring, .. } if rotational_spring != 0.0 => {
+                    "a support with a rotational spring"
+                }
+                SupportKind::Pinned | SupportKind::Spring { .. } => continue,
+            };
+            let message = format!("{what} holds the slope, and that has no one direction");
+            let hint = "only a pinned support or a spring against deflection can act up or down alone; \
+                        give the rest in a support of its own beside it";
+            found.push(Problem::new("GB408", Part::Support(i), "acts", message, hint));
+        }
+    }
+
+    /// What acts on or holds the slope at a position.
+    fn turning_at(&self, x: f64) -> Option<String> {
+        let near = SAME_PLACE * self.beam.length;
+        let here = |at: f64| (at - x).abs() <= near;
+        let moment = self.loads.iter().position(
+            |load| matches!(load, Load::PointMoment { at, moment } if here(*at) && *moment != 0.0),
+        );
+        let turns = |kind: SupportKind| match kind {
+            SupportKind::Pinned => false,
+            SupportKind::Fixed => true,
+            SupportKind::Spring { rotational_spring, .. } => rotational_spring != 0.0,
+        };
+        let support = self.supports.iter().position(|s| here(s.at) && turns(s.kind));
+        let moment = moment.map(|i| format!("the moment of load {}", i + 1));
+        moment.or(support.map(|i| format!("support {}", i + 1)))
+    }
+}
+
+/// Positions closer than this part of the beam's length are one node.
+const SAME_PLACE: f64 = 16.0 * f64::EPSILON;
+
+impl Problem {
+    /// The first lift-off of a beam that may also leave its supports.
+    pub(crate) fn factors_with_one_way_supports(supports: &[Support]) -> Self {
+        let first = supports.iter().position(Support::is_one_way).unwrap_or(0);
+        Problem::new(
+            "GB608",
+            Part::Support(first),
+            "acts",
+            "load factors are not known for supports that act in one direction alone",
+            "let the support act in both directions, or solve at one factor after another",
+        )
+    }
+
+    /// Values at nodes are for beams that bend all along.
+    pub(crate) fn nodal_with_hinges() -> Self {
+        Problem::new(
+            "GB606",
+            Part::Hinge(0),
+            "at",
+            "a beam solved for its nodes alone cannot have hinges",
+            "use the method `exact` or `active-set`",
+        )
+    }
+
+    /// The paper's iteration knows two rigid motions.
+    pub(crate) fn iteration_with_hinges() -> Self {
+        Problem::new(
+            "GB607",
+            Part::Hinge(0),
+            "at",
+            "the paper's iteration (5.14)–(5.18) is for beams without hinges",
+            "use the method `exact` or `active-set`",
+        )
+    }
+}

@@ -1,0 +1,130 @@
+//! Supports that have settled, against closed forms.
+
+use groundbeam::{
+    Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Pressure, Side, Solution,
+    Support, solve_with,
+};
+
+const METHODS: [Method; 2] = [Method::Exact, Method::ActiveSet];
+
+fn solved(model: &Model, method: Method) -> Solution {
+    let options = Options { method, elements: 400, ..Options::default() };
+    match solve_with(model, &options) {
+        Ok(Outcome::Equilibrium(solution)) => *solution,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[track_caller]
+fn close(a: f64, b: f64, tolerance: f64) {
+    assert!((a - b).abs() <= tolerance, "{a} {b}: off by {:e}", (a - b).abs());
+}
+
+/// Two spans over a middle support that has settled by δ, the ground far below: M = 3 EI δ/L² over it.
+#[test]
+fn the_middle_support_of_two_spans() {
+    let (span, ei, delta) = (3.0, 2.0, 0.01);
+    for method in METHODS {
+        let model = Model::new(Beam::uniform(2.0 * span, ei), Foundation::pasternak(1.0, 0.5))
+            .with_gap(0.0, 1.0)
+            .with_support(Support::pinned(0.0))
+            .with_support(Support::pinned(span).settled(delta))
+            .with_support(Support::pinned(2.0 * span));
+        let found = solved(&model, method);
+        let moment = 3.0 * ei * delta / (span * span);
+        assert!(found.contact().is_empty());
+        close(found.value(Field::Moment, span), moment, 1e-13);
+        close(found.value(Field::Deflection, span), delta, 1e-15);
+        let forces: Vec<f64> = found.reactions().iter().map(|r| r.force).collect();
+        for (force, expected) in forces.iter().zip([1.0, -2.0, 1.0]) {
+            close(*force, expected * moment / span, 1e-13);
+        }
+        let energy = found.certificate();
+        // ½ Σ R δ turned round: the work that pulled the support down.
+        close(energy.primal_energy, 0.5 * 2.0 * moment / span * delta, 1e-14);
+        close(energy.dual_energy, energy.primal_energy, 1e-14);
+    }
+}
+
+/// A long weightless beam that a support presses down by δ into springs: w = δ e^(−λx) (cos λx + sin λx) where it
+/// touches, held by a force of about 8 EI λ³ δ; clamped at the end of a half beam, w = δ, w′ = 0, the same curve.
+#[test]
+fn a_support_presses_a_beam_into_the_ground() {
+    let (l, k, lambda, delta) = (30.0, 4.0, 1.0_f64, 0.01);
+    let ei = k / (4.0 * lambda.powi(4));
+    let weight = 0.1;
+    for method in METHODS {
+        let model = Model::new(Beam::uniform(l, ei), Foundation::winkler(k))
+            .with_load(Load::uniform(weight, 0.0, l))
+            .with_support(Support::fixed(0.0).settled(delta + weight / k));
+        let found = solved(&model, method);
+        let tolerance = if method == Method::Exact { 1e-13 } else { 1e-6 };
+        for i in 0..=50 {
+            let x = 0.3 * f64::from(i);
+            let (sin, cos) = (lambda * x).sin_cos();
+            let decay = (-lambda * x).exp();
+            let w = weight / k + delta * decay * (cos + sin);
+            close(found.value(Field::Deflection, x), w, tolerance);
+            let moment = 2.0 * ei * lambda * lambda * delta * decay * (cos - sin);
+            close(found.value(Field::Moment, x), moment, 10.0 * tolerance);
+        }
+        let [clamp] = found.reactions() else { panic!() };
+        close(clamp.force, -4.0 * ei * lambda.powi(3) * delta, 10.0 * tolerance);
+        close(clamp.moment, 2.0 * ei * lambda * lambda * delta, 10.0 * tolerance);
+    }
+}
+
+/// A spring that has settled is a spring with the force k δ down beside it.
+#[test]
+fn a_settled_spring_is_a_spring_and_a_force() {
+    let (spring, delta) = (3.0, 0.2);
+    let plain = Model::new(Beam::uniform(5.0, 1.0), Foundation::pasternak(1.0, 0.4))
+        .with_load(Load::uniform(0.3, 0.0, 5.0));
+    let held = Support::spring(1.0, spring, 0.5);
+    let settled = plain.clone().with_support(held.settled(delta));
+    let pressed = plain.with_support(held).with_load(Load::point(spring * delta, 1.0));
+    for method in METHODS {
+        let [a, b] = [&settled, &pressed].map(|model| solved(model, method));
+        for i in 0..=50 {
+            let x = 0.1 * f64::from(i);
+            let [a, b] = [&a, &b].map(|s| s.at(x, Side::Left));
+            for field in Field::ALL {
+                close(a.get(field), b.get(field), 1e-12);
+            }
+        }
+        close(a.reactions()[0].force, b.reactions()[0].force - spring * delta, 1e-12);
+        assert!(a.certificate().relative_gap < 1e-3 && a.certificate().holds());
+    }
+}
+
+/// Nodal pressures: the active set and both of the paper's iterations on the same mesh.
+#[test]
+fn all_methods_on_one_mesh() {
+    let base = Model::new(Beam::uniform(4.0, 2.0), Foundation::pasternak(1.0, 0.8))
+        .with_load(Load::uniform(0.2, 0.0, 4.0))
+        .with_load(Load::curvature(-0.05, 0.0, 3.0));
+    let supports = [
+        vec![Support::pinned(1.0).settled(0.1)],
+        vec![Support::pinned(0.0).settled(-0.05), Support::spring(3.0, 2.0, 0.0).settled(0.1)],
+        vec![Support::fixed(4.0).settled(0.07)],
+    ];
+    for supports in supports {
+        let model = Model { supports, ..base.clone() };
+        let by = |method| {
+            let pressure = Pressure::Dirac;
+            let options = Options { method, elements: 8, pressure, ..Options::default() };
+            match solve_with(&model, &options) {
+                Ok(Outcome::Equilibrium(solution)) => *solution,
+                other => panic!("{method:?}: {other:?}"),
+            }
+        };
+        let [a, b, c] = [Method::ActiveSet, Method::Uzawa, Method::Psor].map(by);
+        for i in 0..=8 {
+            let x = 0.5 * f64::from(i);
+            for other in [&b, &c] {
+                close(a.value(Field::Deflection, x), other.value(Field::Deflection, x), 1e-8);
+                close(a.value(Field::Settlement, x), other.value(Field::Settlement, x), 1e-8);
+            }
+        }
+    }
+}
