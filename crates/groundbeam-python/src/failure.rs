@@ -1,6 +1,6 @@
 //! Why there is no answer, as an exception of `groundbeam._errors`.
 
-use groundbeam::{Error, Existence, Model, NotConverged, Verdict};
+use groundbeam::{Error, Existence, Model, NotConverged, Verdict, static_reactions};
 use groundbeam_file::{Diagnostic, Diagnostics, Document};
 use groundbeam_report::{Units, sentence};
 use pyo3::prelude::*;
@@ -23,8 +23,10 @@ pub enum Failure {
 pub struct Tipping {
     /// r(0), r(l) and F(r).
     pub motion: [f64; 3],
-    /// R₀ and R_l.
-    pub static_reactions: [f64; 2],
+    /// r at the hinges.
+    pub hinges: Vec<f64>,
+    /// Under the ends, and under each free hinge between them.
+    pub static_reactions: Vec<f64>,
     /// In words.
     pub sentence: String,
 }
@@ -32,14 +34,20 @@ pub struct Tipping {
 impl Tipping {
     /// Of a model without equilibrium.
     pub fn of(model: &Model, existence: &Existence, units: Units) -> Self {
-        let motion = match existence.verdict {
+        let (motion, hinges) = match existence.verdict {
             Verdict::None(motion) | Verdict::NotUnique(motion) => {
-                [motion.left, motion.right, motion.work]
+                let hinges = model.hinges.iter().map(|hinge| motion.at(model, hinge.at));
+                ([motion.left, motion.right, motion.work], hinges.collect())
             }
-            Verdict::Unique => [f64::NAN; 3],
+            Verdict::Unique => ([f64::NAN; 3], Vec::new()),
         };
-        let static_reactions = existence.static_reactions;
-        Tipping { motion, static_reactions, sentence: sentence(model, existence, units) }
+        let static_reactions = static_reactions(model).into_iter().map(|(_, reaction)| reaction);
+        Tipping {
+            motion,
+            hinges,
+            static_reactions: static_reactions.collect(),
+            sentence: sentence(model, existence, units),
+        }
     }
 }
 
@@ -78,10 +86,9 @@ impl Failure {
                 let each: Vec<_> = each.collect();
                 raise("ModelError", (shown, each).into_pyobject(py)?)
             }
-            Failure::NoEquilibrium(Tipping { motion, static_reactions, sentence }) => {
+            Failure::NoEquilibrium(Tipping { motion, hinges, static_reactions, sentence }) => {
                 let [left, right, work] = *motion;
-                let [first, last] = *static_reactions;
-                let arguments = (sentence, left, right, work, (first, last));
+                let arguments = (sentence, left, right, work, static_reactions, hinges);
                 raise("NoEquilibrium", arguments.into_pyobject(py)?)
             }
             Failure::NotConverged(reached) => {

@@ -192,8 +192,8 @@ impl Model {
         };
         let motion = motion.map(|motion| (motion.left, motion.right, motion.work));
         let sentence = sentence(model, &existence, self.read.units());
-        let [left, right] = existence.static_reactions;
-        Ok((verdict, (left, right), motion, sentence))
+        let reactions = groundbeam::static_reactions(model).iter().map(|(_, r)| *r).collect();
+        Ok((verdict, reactions, motion, sentence))
     }
 
     /// Positions with units, separated by commas.
@@ -204,4 +204,4 @@ impl Model {
 }
 
 /// Verdict, static reactions, motion, sentence.
-type Statics = (&'static str, (f64, f64), Option<(f64, f64, f64)>, String);
+type Statics = (&'static str, Vec<f64>, Option<(f64, f64, f64)>, String);

@@ -174,6 +174,12 @@ impl Solution {
         self.found.reactions().iter().map(|r| (r.at, r.force, r.moment)).collect()
     }
 
+    /// Where, how far the slope jumps, and the moment handed on.
+    #[getter]
+    fn hinges(&self) -> Vec<(f64, f64, f64)> {
+        self.found.hinges().iter().map(|h| (h.at, h.rotation, h.moment)).collect()
+    }
+
     /// The numbers of the certificate, in the order of its fields.
     #[getter]
     fn certificate(&self) -> [f64; 13] {

@@ -59,6 +59,37 @@ def test_every_kind_of_part() -> None:
     assert pushed == pytest.approx(loads, rel=1e-9)
 
 
+def test_hinges_and_supports_that_act_one_way() -> None:
+    model = gb.Model(
+        gb.Beam(10.0, 1e8),
+        gb.Foundation(1e7, 1e6),
+        loads=[
+            gb.Load.point("100 kN", 2.0),
+            gb.Load.point("100 kN", 8.0),
+            gb.Load.curvature("1e-4 1/m", 7.0, 10.0),
+        ],
+        supports=[gb.Support.pinned("10 m", acts="up"), gb.Support.pinned(0, settlement="1 mm")],
+        hinges=[gb.Hinge(4.0), gb.Hinge("6 m", "5 MN m/rad")],
+    )
+    solution = model.solve()
+    free, spring = solution.hinges
+    assert (free.at, spring.at) == (4.0, 6.0)
+    assert free.moment == pytest.approx(0.0, abs=1e-6)
+    assert spring.moment == pytest.approx(-5e6 * spring.rotation, rel=1e-9)
+    jump = solution.slope(4.0) - solution.slope(4.0, "left")
+    assert free.rotation == pytest.approx(jump, rel=1e-9)
+    assert solution.deflection(0.0) == pytest.approx(1e-3, rel=1e-9)
+    assert solution.reactions[0].force >= 0.0
+    loose = gb.Model(
+        gb.Beam(10.0, 1e8),
+        gb.Foundation(1e7, 1e6),
+        loads=[gb.Load.point(1e5, 2.0), gb.Load.point(1e5, 8.0), gb.Load.point(-2e4, 5.0)],
+    ).with_hinge(gb.Hinge(5.0))
+    with pytest.raises(gb.NoEquilibrium) as caught:
+        loose.with_load(gb.Load.point(-2e5, 5.0)).solve()
+    assert caught.value.hinges == (-1.0,) and len(caught.value.static_reactions) == 3
+
+
 def test_a_model_of_a_dictionary_is_that_of_the_file() -> None:
     tables: Tables = {
         "title": 'A "quoted" title',
@@ -92,8 +123,11 @@ def test_what_is_added_makes_another_model(footing: gb.Model) -> None:
     plain = gb.Model.from_toml("[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n")
     assert plain.units == "none"
     assert plain.with_load(gb.Load.point(1.0, 0.5)).solve().units == "none"
-    gap = footing.with_gap(0, 0).with_gap("12 m", "1 mm").solve()
-    assert gap.gap(12.0) > footing.solve().gap(12.0)
+    # Ground that falls away under the lifted part alone makes the gap larger, and changes nothing else.
+    fallen = footing.with_gap(0, 0).with_gap("9 m", 0).with_gap("12 m", "1 mm").solve()
+    before = footing.solve()
+    assert fallen.gap(12.0) - before.gap(12.0) == pytest.approx(1e-3, rel=1e-6)
+    assert fallen.contact[0][1] == pytest.approx(before.contact[0][1], rel=1e-9)
 
 
 def test_a_wrong_file_is_shown_at_its_line() -> None:

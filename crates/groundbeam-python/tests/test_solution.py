@@ -36,7 +36,9 @@ def test_the_multiprecision_answers(answer: dict[str, Any]) -> None:
     for name in FIELDS:
         field = getattr(solution, name)
         found = np.where(sides == "-", field(x, "left"), field(x, "right"))
-        size = max(largest[name], largest["deflection"] if name == "gap" else 0.0)
+        # What is zero beside a deflection is so but for the deflection's rounding.
+        floor = {"gap": 1.0, "settlement": 1e-6}.get(name, 0.0)
+        size = max(largest[name], floor * largest["deflection"])
         wanted = np.array(expected[name])
         np.testing.assert_allclose(found[apart], wanted[apart], 0.0, 1e-8 * size, err_msg=name)
     np.testing.assert_allclose(solution.contact, answer["contact"], atol=1e-7 * solution.length)
@@ -52,7 +54,8 @@ def test_kikuchis_last_case() -> None:
         loads=[gb.Load.point(1.0, 0.5), gb.Load.moment(0.49, 0.5)],
     )
     solution = model.solve()
-    assert solution.contact == [(pytest.approx(0.811326256449155, abs=1e-14), 1.0)]
+    [(edge, end)] = solution.contact
+    assert edge == pytest.approx(0.811326256449155, abs=1e-14) and end == 1.0
     assert solution.deflection(0.0) == pytest.approx(0.013217803941407, abs=1e-14)
     certificate = solution.certificate
     between = certificate.primal_energy - certificate.dual_energy
@@ -166,7 +169,7 @@ def test_other_threads_go_on_while_one_solves() -> None:
 
     def solve() -> None:
         began.set()
-        model.solve("active-set", elements=200_000)
+        model.solve("active-set", elements=50_000)
         done.set()
 
     thread = threading.Thread(target=solve)

@@ -19,13 +19,14 @@ from ._combinations import Bound, Combinations, Envelope
 from ._errors import Diagnostic, GroundbeamError, ModelError, NoEquilibrium, NotConverged
 from ._model import Existence, Model, load
 from ._native import __version__
-from ._parts import Beam, Combination, Foundation, Load, Support
+from ._parts import Beam, Combination, Foundation, Hinge, Load, Support
 from ._solution import (
     Certificate,
     EndForces,
     Extreme,
     Fields,
     Force,
+    HingeTurn,
     LiftOff,
     Range,
     Reaction,
@@ -48,6 +49,8 @@ __all__ = [
     "Force",
     "Foundation",
     "GroundbeamError",
+    "Hinge",
+    "HingeTurn",
     "LiftOff",
     "Load",
     "Model",

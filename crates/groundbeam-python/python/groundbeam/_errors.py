@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Iterable, NamedTuple, Tuple
+from typing import Iterable, NamedTuple, Sequence, Tuple
 
 
 class Diagnostic(NamedTuple):
@@ -66,7 +66,7 @@ class ModelError(GroundbeamError, ValueError):
 class NoEquilibrium(GroundbeamError):
     """The loads tip or lift the beam: there is no equilibrium, and this is the motion that proves it.
 
-    The motion is a line from ``left`` at x = 0 to ``right`` at x = l, zero or negative (upward) everywhere, so that it
+    The motion goes from ``left`` at x = 0 to ``right`` at x = l, straight but for hinges, zero or negative (upward) everywhere, so that it
     presses nowhere on the ground; the loads do ``work`` in it that nothing resists.
     """
 
@@ -78,8 +78,11 @@ class NoEquilibrium(GroundbeamError):
     """r(l): 0 or -1."""
     work: float
     """F(r), the work of the loads [N m per m of lift]."""
-    static_reactions: Tuple[float, float]
-    """What supports under both ends would carry if the beam were rigid and stood on them alone [N]."""
+    static_reactions: Tuple[float, ...]
+    """What supports under both ends, and under each free hinge between them, would carry if the beam were rigid and
+    stood on them alone [N]."""
+    hinges: Tuple[float, ...]
+    """r at the hinges, where the motion may have corners."""
 
     def __init__(
         self,
@@ -87,14 +90,16 @@ class NoEquilibrium(GroundbeamError):
         left: float,
         right: float,
         work: float,
-        static_reactions: Tuple[float, float],
+        static_reactions: Sequence[float],
+        hinges: Sequence[float],
     ) -> None:
-        super().__init__(sentence, left, right, work, static_reactions)
+        super().__init__(sentence, left, right, work, static_reactions, hinges)
         self.sentence = sentence
         self.left = left
         self.right = right
         self.work = work
-        self.static_reactions = static_reactions
+        self.static_reactions = tuple(static_reactions)
+        self.hinges = tuple(hinges)
 
     def __str__(self) -> str:
         return self.sentence

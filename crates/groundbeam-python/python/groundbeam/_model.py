@@ -17,8 +17,9 @@ class Existence(NamedTuple):
     """``unique``, ``not-unique`` or ``none``."""
     sentence: str
     """Why, in words."""
-    static_reactions: Tuple[float, float]
-    """What supports under both ends would carry if the beam were rigid and stood on them alone [N]."""
+    static_reactions: Tuple[float, ...]
+    """What supports under both ends, and under each free hinge between them, would carry if the beam were rigid and
+    stood on them alone [N]."""
     motion: Optional[Tuple[float, float, float]]
     """r(0), r(l) and the loads' work of the motion that is free (``not-unique``) or that gains work (``none``)."""
 
@@ -43,12 +44,14 @@ class Model:
         *,
         loads: Sequence[_parts.Load] = (),
         supports: Sequence[_parts.Support] = (),
+        hinges: Sequence[_parts.Hinge] = (),
         gap: _parts.Gap = (),
         combinations: Sequence[_parts.Combination] = (),
         title: Optional[str] = None,
     ) -> None:
         """Raises ``ModelError`` if anything is wrong, all faults at once."""
-        made = _parts.tables(beam, foundation, loads, supports, gap, combinations, title)
+        several = {"load": loads, "support": supports, "hinge": hinges, "combination": combinations}
+        made = _parts.tables(beam, foundation, several, gap, title)
         self._read(_tables.write(made), "model", True)
 
     def _read(self, text: str, name: str, bare_is_si: bool) -> None:
@@ -82,6 +85,10 @@ class Model:
     def with_support(self, support: _parts.Support) -> Model:
         """The same model with one support more."""
         return self._with("support", support)
+
+    def with_hinge(self, hinge: _parts.Hinge) -> Model:
+        """The same model with one hinge more."""
+        return self._with("hinge", hinge)
 
     def with_gap(self, at: _parts.Quantity, value: _parts.Quantity) -> Model:
         """The same model with one more corner of the initial clearance, right of those it has."""
@@ -137,7 +144,7 @@ class Model:
     def check(self, *, combination: Optional[str] = None) -> Existence:
         """Whether an equilibrium exists, without solving."""
         verdict, reactions, motion, sentence = self._inner.check(combination)
-        return Existence(verdict, sentence, reactions, motion)
+        return Existence(verdict, sentence, tuple(reactions), motion)
 
     def combinations(self) -> list[_parts.Combination]:
         """Every combination of load cases, and every ground of a band, each with the factors of its cases."""

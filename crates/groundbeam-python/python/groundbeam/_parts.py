@@ -157,22 +157,40 @@ class Load(Part):
         return cls(distributed_moment=intensity, **_between(start, end), case=case)
 
 
+    @classmethod
+    def curvature(
+        cls,
+        curvature: Course,
+        start: Optional[Quantity] = None,
+        end: Optional[Quantity] = None,
+        *,
+        case: Optional[str] = None,
+    ) -> Load:
+        """A curvature that no moment makes [1/m], positive where it bends the ends down; of a temperature gradient
+        it is ``Load(temperature_difference="15 K", ...)``."""
+        return cls(curvature=curvature, **_between(start, end), case=case)
+
+
 def _between(start: Optional[Quantity], end: Optional[Quantity]) -> dict[str, Optional[Value]]:
     return {"from": start, "to": end}
 
 
 class Support(Part):
-    """What holds the beam besides the ground."""
+    """What holds the beam besides the ground.
+
+    ``acts="up"`` is a bearing that the beam may lift from, ``acts="down"`` a strap; a support that has settled holds the
+    beam at its ``settlement``.
+    """
 
     @classmethod
-    def pinned(cls, at: Quantity) -> Support:
+    def pinned(cls, at: Quantity, **more: Value) -> Support:
         """No deflection; the beam may turn."""
-        return cls(at=at, type="pinned")
+        return cls(at=at, type="pinned", **more)
 
     @classmethod
-    def fixed(cls, at: Quantity) -> Support:
+    def fixed(cls, at: Quantity, **more: Value) -> Support:
         """Neither deflection nor slope."""
-        return cls(at=at, type="fixed")
+        return cls(at=at, type="fixed", **more)
 
     @classmethod
     def spring(
@@ -180,9 +198,18 @@ class Support(Part):
         at: Quantity,
         spring: Optional[Quantity] = None,
         rotational_spring: Optional[Quantity] = None,
+        **more: Value,
     ) -> Support:
         """Springs against deflection [N/m] and rotation [N m/rad]."""
-        return cls(at=at, spring=spring, rotational_spring=rotational_spring)
+        return cls(at=at, spring=spring, rotational_spring=rotational_spring, **more)
+
+
+class Hinge(Part):
+    """A joint inside the beam that hands on shear, and a moment only as far as its spring does."""
+
+    def __init__(self, at: Quantity, rotational_spring: Optional[Quantity] = None) -> None:
+        """Without a spring [N m/rad] it turns freely."""
+        super().__init__(at=at, rotational_spring=rotational_spring)
 
 
 class Combination(Part):
@@ -200,20 +227,14 @@ Gap = Sequence[Tuple[Quantity, Quantity]]
 def tables(
     beam: Beam,
     foundation: Foundation,
-    loads: Sequence[Load],
-    supports: Sequence[Support],
+    several: Mapping[str, Sequence[Part]],
     gap: Gap,
-    combinations: Sequence[Combination],
     title: Optional[str],
 ) -> Tables:
     """The model file that the parts make."""
     made: dict[str, Value] = {} if title is None else {"title": title}
     made |= {"beam": beam.table, "foundation": foundation.table}
-    several: dict[str, list[Value]] = {
-        "load": [load.table for load in loads],
-        "support": [support.table for support in supports],
-        "gap": [{"at": at, "value": value} for at, value in gap],
-        "combination": [combination.table for combination in combinations],
-    }
-    made |= {name: each for name, each in several.items() if each}
-    return made
+    for name, parts in several.items():
+        made[name] = [part.table for part in parts]
+    made["gap"] = [{"at": at, "value": value} for at, value in gap]
+    return {name: each for name, each in made.items() if each != []}

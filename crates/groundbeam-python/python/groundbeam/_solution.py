@@ -47,6 +47,14 @@ class Reaction(NamedTuple):
     moment: float
 
 
+class HingeTurn(NamedTuple):
+    """A hinge: how far the slope jumps, right less left [rad], and the moment it hands on [N m]."""
+
+    at: float
+    rotation: float
+    moment: float
+
+
 class LiftOff(NamedTuple):
     """A stretch that does not touch, and where the gap is largest and how large [m]."""
 
@@ -266,6 +274,11 @@ class Solution:
     def reactions(self) -> list[Reaction]:
         """What the supports do, in the order of the model."""
         return [Reaction(*each) for each in self._inner.reactions]
+
+    @property
+    def hinges(self) -> list[HingeTurn]:
+        """What the hinges do, in the order of the model."""
+        return [HingeTurn(*each) for each in self._inner.hinges]
 
     @property
     def certificate(self) -> Certificate:

@@ -240,7 +240,8 @@ fn changed(load: Load, part: OfLoad, value: f64) -> Option<Load> {
         (Load::PointForce { at, .. } | Load::PointMoment { at, .. }, OfLoad::At) => *at = value,
         (
             Load::Distributed { from, to, start, end }
-            | Load::DistributedMoment { from, to, start, end },
+            | Load::DistributedMoment { from, to, start, end }
+            | Load::Curvature { from, to, start, end },
             part,
         ) => match part {
             OfLoad::Size => [*start, *end] = [value; 2],
