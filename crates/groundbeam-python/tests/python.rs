@@ -95,7 +95,7 @@ fn install(python: &Path) {
     let wheels = workplace().join("wheels");
     let _ = std::fs::remove_dir_all(&wheels);
     let mut build = Command::new(python);
-    build.current_dir(folder()).args(["-m", "maturin", "build", "--quiet", "--offline"]);
+    build.current_dir(folder()).args(["-m", "maturin", "build", "--quiet", "--locked"]);
     build.args(["--auditwheel", "skip", "--interpreter"]).arg(python).arg("--out").arg(&wheels);
     build.env("CARGO_TARGET_DIR", target()).env("PIP_DISABLE_PIP_VERSION_CHECK", "1");
     if cfg!(debug_assertions) {
