@@ -234,7 +234,7 @@ fn loads(model: &Model, rows: &[Row], last: usize) -> (Vec<[Quad; 2]>, f64) {
                 at_nodes[node(at)][1] = at_nodes[node(at)][1] + Quad::from(moment);
             }
             Load::Distributed { start, .. } => even += start,
-            Load::DistributedMoment { .. } | Load::Curvature { .. } => {}
+            _ => {}
         }
     }
     (at_nodes, even)

@@ -78,7 +78,7 @@ impl Dense {
                         load[2 * e + 3] += ei * start;
                     }
                 }
-                Load::DistributedMoment { .. } => unreachable!("not drawn for this problem"),
+                _ => unreachable!("not drawn for this problem"),
             }
         }
         let (k, mu) = (model.foundation.spring, model.foundation.shear);

@@ -7,3 +7,4 @@ pub mod dense;
 pub mod documents;
 pub mod random;
 pub mod reference;
+pub mod upheaval;

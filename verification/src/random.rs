@@ -1,8 +1,8 @@
 //! Random models that have an equilibrium, from both ends of every parameter.
 
 use groundbeam::{
-    Acts, Beam, FirstLiftOff, Foundation, Hinge, Load, LoadFactors, Model, Profile, Support,
-    Verdict, exists, load_factors,
+    Acts, Beam, FirstLiftOff, Foundation, GroundEnd, Hinge, Load, LoadFactors, Model, Profile,
+    Support, Verdict, exists, load_factors,
 };
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -38,13 +38,20 @@ pub enum Family {
     Hinged = 10,
     /// Supports that act in one direction alone, with some of all the rest.
     OneWay = 11,
+    /// Ground that ends or changes beside the beam.
+    Beside = 16,
+    /// The same, and loads on the ground, under the beam and beside it.
+    Neighbours = 17,
+    /// All of it but tension, under compression that the ground must help to bear.
+    Compressed = 21,
     /// All of it at its worst: λl up to 10⁴, up to a hundred loads, some pulling, resultants near an end.
     Extreme = 20,
 }
 
 impl Family {
-    /// Every family that takes milliseconds a model; `Extreme` takes seconds at times.
-    pub const ALL: [Family; 14] = [
+    /// Every family that takes milliseconds a model and that every method solves; `Extreme` takes seconds at times, and
+    /// `Compressed` is followed by the exact method alone.
+    pub const ALL: [Family; 16] = [
         Family::Plain,
         Family::Tension,
         Family::Segments,
@@ -59,6 +66,8 @@ impl Family {
         Family::Settled,
         Family::Hinged,
         Family::OneWay,
+        Family::Beside,
+        Family::Neighbours,
     ];
 }
 
@@ -68,7 +77,11 @@ pub fn model(family: Family, number: u64) -> Model {
     rng.set_stream(family as u64);
     for _ in 0..1000 {
         let model = draw(family, &mut rng);
-        if exists(&model).is_ok_and(|existence| existence.verdict == Verdict::Unique) {
+        let Ok(existence) = exists(&model) else { continue };
+        if match family {
+            Family::Compressed => matches!(existence.verdict, Verdict::Local(_)),
+            _ => existence.verdict == Verdict::Unique,
+        } {
             return model;
         }
     }
@@ -114,7 +127,8 @@ impl<R: Rng> Dice<'_, R> {
 fn draw(family: Family, rng: &mut impl Rng) -> Model {
     let dice = &mut Dice(rng);
     let extreme = family == Family::Extreme;
-    let mixed = extreme || family == Family::Mixed;
+    let compressed = family == Family::Compressed;
+    let mixed = extreme || compressed || family == Family::Mixed;
     let hard = extreme || family == Family::Hard;
     let curled = family == Family::Curled;
     // With some of all the rest.
@@ -142,7 +156,8 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     };
     let mut beam = Beam::uniform(length, stiffness);
     let mut ground = Foundation::pasternak(k, shear);
-    if family == Family::Tension || (mixed && dice.happens(0.5)) || dice.now_and_then(various) {
+    let tension = family == Family::Tension || (mixed && !compressed && dice.happens(0.5));
+    if tension || dice.now_and_then(various) {
         let own = stiffness / (length * length);
         beam.axial_force = own * dice.decades(-2.0, 3.0);
     }
@@ -166,7 +181,10 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
             ground = ground.with_segment(pair[0] * length, pair[1] * length, k, shear);
         }
     }
-    if varying {
+    if matches!(family, Family::Beside | Family::Neighbours) {
+        ground = change_beside(ground, length, dice);
+    }
+    if varying || dice.now_and_then(compressed) {
         beam = vary_beam(beam, stiffness, dice);
         ground = vary_ground(ground, length, dice);
     }
@@ -224,6 +242,9 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
             model = model.with_gap(place * length, clearance);
         }
     }
+    if family == Family::Neighbours {
+        add_neighbours(&mut model, dice);
+    }
     // A moment on a beam a hundred waves long would lift it by 10⁶ times its settlement and more.
     if hard && lambda_l < 30.0 {
         bring_to_the_edge(&mut model, dice);
@@ -231,7 +252,24 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     if extreme && dice.happens(0.2) {
         bring_to_lift_off(&mut model, dice);
     }
+    if compressed {
+        compress(&mut model, dice);
+    }
     model
+}
+
+/// A compression between the beam's own buckling load, 0 where nothing holds it, and the one at which the ground
+/// no longer helps.
+fn compress<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
+    let own = groundbeam::own_buckling_load(model);
+    let unit = model.beam.bending_stiffness / (model.beam.length * model.beam.length);
+    model.beam.axial_force = -(1.0001 * own).max(1e-3 * unit);
+    if let Ok(Verdict::Local(local)) = exists(model).map(|existence| existence.verdict) {
+        let least = -model.beam.axial_force;
+        let part =
+            if dice.happens(0.2) { 1.0 - dice.decades(-6.0, -2.0) } else { dice.even(0.0, 1.0) };
+        model.beam.axial_force = -(least + part * (local.critical_compression - least));
+    }
 }
 
 /// One to three stretches of the beam along which EI runs linearly, with the cube or the fourth power of a
@@ -319,6 +357,62 @@ fn vary_ground<R: Rng>(mut ground: Foundation, length: f64, dice: &mut Dice<R>) 
     ground
 }
 
+/// Other ground beside the beam, ends of it that are free or held, near and far.
+fn change_beside<R: Rng>(mut ground: Foundation, length: f64, dice: &mut Dice<R>) -> Foundation {
+    let (k, mu) = (ground.spring, ground.shear);
+    // Lengths by that in which the ground fades.
+    let fade = (mu / k).sqrt();
+    for right in [false, true] {
+        let at = |distance: f64| if right { length + distance } else { -distance };
+        let mut near = if dice.happens(0.3) { 0.0 } else { fade * dice.decades(-2.0, 1.0) };
+        for _ in 0..dice.up_to(2) {
+            let far = near + fade * dice.decades(-2.0, 1.0);
+            let (k, mut mu) = (k * dice.decades(-1.0, 1.0), mu * dice.decades(-1.0, 1.0));
+            if dice.happens(0.1) {
+                mu = 0.0;
+            }
+            let [from, to] = if right { [at(near), at(far)] } else { [at(far), at(near)] };
+            ground = ground.with_segment(from, to, k, mu);
+            near = far * if dice.happens(0.5) { 1.0 } else { 1.5 };
+        }
+        let distance = fade * dice.decades(-2.0, 1.0);
+        ground.ends[usize::from(right)] = match dice.up_to(3) {
+            0 => GroundEnd::Free { at: at(0.0) },
+            1 => GroundEnd::Free { at: at(distance) },
+            2 => GroundEnd::Held { at: at(distance) },
+            _ => GroundEnd::Endless,
+        };
+    }
+    ground
+}
+
+/// Forces on the ground of the order of the beam's loads, as far out as the ground reaches.
+fn add_neighbours<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
+    let (l, ground) = (model.beam.length, model.foundation.clone());
+    let size: f64 = model.loads.iter().map(|load| size_of(load, l)).sum();
+    let reach = (4.0 * (ground.shear / ground.spring).sqrt()).min(l);
+    let [left, right] = ground.ends;
+    let from = left.at().unwrap_or(-reach).max(-reach);
+    let to = right.at().unwrap_or(l + reach).min(l + reach);
+    for _ in 0..=dice.up_to(2) {
+        let force = size * dice.decades(-2.0, 0.3);
+        let mut ends = [0, 1].map(|_| dice.even(from, to));
+        ends.sort_by(f64::total_cmp);
+        let [from, to] = ends;
+        model.loads.push(match dice.up_to(2) {
+            0 => Load::GroundForce { at: from, force },
+            1 => Load::GroundForce {
+                at: if dice.happens(0.5) { from.min(0.0) } else { to.max(l) },
+                force,
+            },
+            _ => {
+                let start = force / (to - from) * dice.even(0.0, 1.0);
+                Load::GroundDistributed { from, to, start, end: force / (to - from) }
+            }
+        });
+    }
+}
+
 /// One to three stretches of a beam, one time in three the whole of it.
 fn stretches<R: Rng>(length: f64, dice: &mut Dice<R>) -> Vec<[f64; 2]> {
     if dice.up_to(2) == 0 {
@@ -357,7 +451,7 @@ fn size_of(load: &Load, length: f64) -> f64 {
         Load::DistributedMoment { from, to, start, end } => {
             0.5 * (start.abs() + end.abs()) * (to - from) / length
         }
-        Load::Curvature { .. } => 0.0,
+        Load::Curvature { .. } | Load::GroundForce { .. } | Load::GroundDistributed { .. } => 0.0,
     }
 }
 

@@ -122,13 +122,21 @@ fn between_free_and_closed() {
             continue;
         }
         let unit = model.beam.bending_stiffness / model.beam.length;
+        // What the ground under the shortest piece does against turning.
+        let places: Vec<f64> = groundbeam::static_reactions(&model).iter().map(|r| r.0).collect();
+        let shortest = places.windows(2).map(|x| x[1] - x[0]).fold(f64::INFINITY, f64::min);
+        let soft = unit.min(model.foundation.spring * shortest.powi(3));
         let mut with = |spring: f64| {
-            model.hinges.iter_mut().for_each(|hinge| hinge.rotational_spring = spring * unit);
+            model.hinges.iter_mut().for_each(|hinge| hinge.rotational_spring = spring);
             solve(&model)
         };
-        let Ok(Outcome::Equilibrium(stiff)) = with(1e9) else { panic!("{number}: {model:?}") };
+        let Ok(Outcome::Equilibrium(stiff)) = with(1e9 * unit) else {
+            panic!("{number}: {model:?}")
+        };
         let ends = match with(0.0) {
-            Ok(Outcome::Equilibrium(free)) => Some((free, [1e-7, 1e-9].map(&mut with))),
+            Ok(Outcome::Equilibrium(free)) => {
+                Some((free, [1e-2 * soft, 1e-4 * soft].map(&mut with)))
+            }
             _ => None,
         };
         model.hinges.clear();
@@ -147,7 +155,7 @@ fn between_free_and_closed() {
                 other => panic!("{number}: {other:?}"),
             });
             // A piece that is hardly held is moved by little: in proportion to the spring.
-            assert!(apart < (0.1 * before).max(1e-7), "{number}: {apart:e} after {before:e}");
+            assert!(apart < (0.2 * before).max(1e-7), "{number}: {apart:e} after {before:e}");
         }
     }
 }

@@ -91,9 +91,10 @@ fn the_papers_iteration() {
         let elements = rng.random_range(2..12);
         let model = model(&mut rng, elements);
         let found = solved(&model, Method::ActiveSet, elements);
-        // A beam that curls up from the one node it stands on may turn there: its forces alone are the same.
-        let turns = found.existence().verdict != Verdict::Unique;
         let (w, p) = nodal(&found, elements);
+        // A beam that curls up from the one node that carries it may turn there: its forces alone are the same.
+        let most = p.iter().copied().fold(0.0, f64::max);
+        let turns = p.iter().filter(|force| **force > 1e-9 * most).count() < 2;
         for method in [Method::Uzawa, Method::Psor] {
             let (found_w, found_p) = nodal(&solved(&model, method, elements), elements);
             let (dw, dp) = (distance(&found_w, &w), distance(&found_p, &p));

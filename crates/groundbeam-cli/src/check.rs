@@ -7,7 +7,6 @@ use crate::input::Input;
 use crate::output::{print, standard_output_has_colour};
 use crate::request::Check;
 use crate::trains;
-use groundbeam::Verdict;
 use groundbeam_report::{json, text};
 use std::time::Instant;
 
@@ -29,8 +28,5 @@ pub fn run(request: &Check) -> Result<Status, Failure> {
     } else {
         text::existence(model, &existence, &context, standard_output_has_colour())
     })?;
-    Ok(match existence.verdict {
-        Verdict::None(_) => Status::NoEquilibrium,
-        Verdict::Unique | Verdict::NotUnique(_) => Status::Done,
-    })
+    Ok(if existence.verdict.stands() { Status::Done } else { Status::NoEquilibrium })
 }

@@ -7,7 +7,7 @@ use crate::output::{draw, print, standard_output_has_colour, write};
 use crate::request::{Check, Solve};
 use crate::solve::{positions, solved};
 use crate::waiting::while_counting;
-use groundbeam::{Error, Existence, Outcome, Verdict};
+use groundbeam::{Error, Existence, Outcome};
 use groundbeam_file::{Combination, LoadCase};
 use groundbeam_report::{
     Alone, Answer, Combinations, Combined, Context, Ground, Overall, csv, json, png, svg, text,
@@ -66,13 +66,9 @@ pub fn check(input: &Input, request: &Check) -> Result<Status, Failure> {
         combinations.iter().map(|combination| input.existence(&combination.model)).collect();
     let checked = checked?;
     let alone = alone(input)?;
-    let answer = |existence| match existence {
-        &Existence { verdict: Verdict::None(_), .. } => Answer::NoEquilibrium(existence),
-        _ => Answer::Exists(existence),
-    };
     let combined = combinations.iter().zip(&checked);
     let all = Combinations {
-        combined: combined.map(|(c, existence)| together(c, answer(existence))).collect(),
+        combined: combined.map(|(c, existence)| together(c, answered(existence))).collect(),
         alone: alone.iter().map(Case::of).collect(),
     };
     let context = input.context().with_seconds(started.elapsed().as_secs_f64());
@@ -82,6 +78,14 @@ pub fn check(input: &Input, request: &Check) -> Result<Status, Failure> {
         text::combinations(&all, &context, standard_output_has_colour())
     })?;
     Ok(status(&all))
+}
+
+fn answered(existence: &Existence) -> Answer<'_> {
+    if existence.verdict.stands() {
+        Answer::Exists(existence)
+    } else {
+        Answer::NoEquilibrium(existence)
+    }
 }
 
 /// A load case by itself, and whether it could stand.

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use groundbeam::model::Problem;
 use groundbeam::{Error, Existence, Model};
 use groundbeam_file::{Diagnostics, Document, UnitSystem};
-use groundbeam_report::{Context, Units};
+use groundbeam_report::{Context, Units, text};
 use std::io::Read;
 use std::path::Path;
 
@@ -15,7 +15,7 @@ pub struct Input {
 }
 
 impl Input {
-    /// Reads and parses a file; `-` is standard input.
+    /// Reads and parses a file; `-` is standard input, beside which stands what is in the current folder.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let (name, bytes) = if path.as_os_str() == "-" {
             ("<stdin>".to_owned(), read_standard_input())
@@ -26,8 +26,9 @@ impl Input {
         let wrong = |found: Diagnostics| {
             Failure::diagnostics(&found, &name, &String::from_utf8_lossy(&bytes))
         };
+        let folder = path.parent().unwrap_or(Path::new(""));
         let text = groundbeam_file::text_of(&bytes).map_err(wrong)?;
-        let document = groundbeam_file::parse(text).map_err(wrong)?;
+        let document = groundbeam_file::parse_beside(text, folder).map_err(wrong)?;
         Ok(Input { document, name })
     }
 
@@ -57,6 +58,11 @@ impl Input {
         match error {
             Error::Invalid(problems) => self.wrong(problems),
             Error::Unsupported(problem) => self.wrong(std::slice::from_ref(problem)),
+            Error::NotConverged(reached) => {
+                let shown =
+                    text::not_converged(reached, crate::output::standard_error_has_colour());
+                Failure::reported(shown, crate::Status::NotConverged)
+            }
             other => Failure::usage(other.to_string()),
         }
     }

@@ -229,6 +229,7 @@ pub fn positions(input: &Input, list: &str) -> Result<Vec<f64>, Failure> {
             let off = Diagnostic {
                 code: "GB301",
                 severity: Severity::Error,
+                file: None,
                 message,
                 label: String::new(),
                 hint,

@@ -111,13 +111,68 @@ fn a_model_that_is_wrong() {
 
 #[test]
 fn a_model_that_is_not_solved_is_shown_at_its_line() {
-    let folder = Folder::with(&LIFTS.replace("EI = 1", "EI = 1\naxial_force = -0.1"));
-    let done = folder.run(&["solve", "model.toml"]);
-    done.fails(2, "error[GB601]");
-    done.fails(2, "--> model.toml:5:15");
+    let folder = Folder::with(PRESSED);
+    let done = folder.run(&["solve", "model.toml", "--method", "active-set"]);
+    done.fails(2, "error[GB611]");
+    done.fails(2, "--> model.toml:4:15");
+    folder.run(&["solve", "model.toml", "--factors"]).fails(2, "error[GB612]");
     let folder = Folder::with(FOOTING);
     let arguments = ["solve", "model.toml", "--method", "active-set", "--pressure", "dirac"];
     folder.run(&arguments).fails(2, "error[GB603]");
+}
+
+/// A heavy beam in compression that the springs under it must help to bear.
+const PRESSED: &str = "\
+[beam]
+length = 5
+EI = 1
+axial_force = -0.5
+[foundation]
+k = 1
+[[load]]
+distributed = 1
+";
+
+#[test]
+fn compression_that_the_ground_helps_to_bear() {
+    let folder = Folder::with(PRESSED);
+    let done = folder.run(&["solve", "model.toml"]);
+    done.is_clean(0);
+    assert!(
+        done.stdout.contains("Equilibrium  local: next to the unloaded state"),
+        "{}",
+        done.stdout
+    );
+    assert!(done.stdout.contains("others, far from it, are not ruled out"), "{}", done.stdout);
+    let existence = &folder.run(&["solve", "model.toml", "--json"]).json()["existence"];
+    assert_eq!(existence["verdict"], "local");
+    // As a mesh of 400 elements finds it (verification/tests/compression.rs has it to nine digits).
+    assert!((existence["critical_compression"].as_f64().unwrap() - 0.85611).abs() < 1e-4);
+    assert!((existence["stability_margin"].as_f64().unwrap() - 0.416).abs() < 1e-3);
+
+    let folder = Folder::with(&PRESSED.replace("-0.5", "-2"));
+    folder.run(&["solve", "model.toml"]).fails(3, "the beam buckles upward at x =");
+    let checked = folder.run(&["check", "model.toml", "--json"]);
+    assert_eq!(checked.status, 3);
+    let existence = &checked.json()["existence"];
+    assert_eq!(existence["verdict"], "none");
+    assert!((existence["critical_compression"].as_f64().unwrap() - 0.85611).abs() < 1e-4);
+    assert!(existence["failing_motion"]["left"].as_f64().is_some());
+}
+
+#[test]
+fn combinations_in_compression_each_by_itself() {
+    let cases = PRESSED.to_owned()
+        + "case = \"G\"\n[[load]]\npoint = -2\nat = 2.5\ncase = \"Q\"\n\
+           [[combination]]\nname = \"lies\"\nfactors = { G = 1 }\n\
+           [[combination]]\nname = \"lifted\"\nfactors = { G = 1, Q = 1 }\n";
+    let folder = Folder::with(&cases.replace("-0.5", "-0.75"));
+    let done = folder.run(&["solve", "model.toml", "--json"]);
+    assert_eq!(done.status, 3);
+    let verdict = |i: usize| done.json()["combinations"][i]["existence"]["verdict"].clone();
+    assert_eq!((verdict(0), verdict(1)), (json!("local"), json!("none")));
+    let said = folder.run(&["solve", "model.toml"]).stdout;
+    assert!(said.contains("none: it buckles"), "{said}");
 }
 
 #[test]

@@ -21,6 +21,8 @@ pub(crate) const EMPTY: &str = "GB018";
 pub(crate) const NOT_UTF8: &str = "GB019";
 pub(crate) const EMPTY_NAME: &str = "GB020";
 pub(crate) const REPEATED: &str = "GB021";
+pub(crate) const FILE: &str = "GB022";
+pub(crate) const COLUMN: &str = "GB023";
 pub(crate) const POISSON: &str = "GB206";
 pub(crate) const STRETCH: &str = "GB303";
 pub(crate) const FIRST_AXLE: &str = "GB701";
@@ -67,15 +69,26 @@ pub const CODES: &[Code] = &[
     row(NOT_UTF8, "the file is not UTF-8 text", "not-utf8.toml"),
     row(EMPTY_NAME, "a name is empty", "empty-name.toml"),
     row(REPEATED, "two of a kind have the same name", "repeated-name.toml"),
+    row(FILE, "a file that the model names cannot be read", "survey-missing.toml"),
+    row(COLUMN, "a column of a table is missing", "survey-column.toml"),
     row("GB101", "the beam's length must be positive", "beam-length.toml"),
     row("GB102", "the bending stiffness EI must be positive", "bending-stiffness.toml"),
     row("GB103", "the axial force must be a finite number", "axial-force.toml"),
     row("GB201", "the spring constant k must be positive", "foundation-spring.toml"),
     row("GB202", "the shear constant mu must be zero or positive", "foundation-shear.toml"),
-    row("GB203", "a foundation segment must reach under the beam", "foundation-off-beam.toml"),
+    row("GB203", "ground beside the beam cannot vary along a segment", "foundation-off-beam.toml"),
     row("GB204", "a curve of k or mu has at most three control values", "ground-curve.toml"),
     row("GB205", "where the shear constant mu varies it must not fall to zero", "shear-fades.toml"),
     row(POISSON, "Poisson's ratio of a soil lies between 0 and 0.5", "poisson.toml"),
+    row("GB207", "the ground ends beyond the beam's ends", "ground-end.toml"),
+    row("GB208", "a load on the ground must stand where there is ground", "ground-load.toml"),
+    row("GB209", "a force at a point of the ground needs a shear layer", "ground-load.toml"),
+    row(
+        "GB210",
+        "loads on the ground need ground even along each segment",
+        "ground-load-varying.toml",
+    ),
+    row("GB211", "a load on the ground presses down", "ground-load.toml"),
     row("GB301", "a position must lie on the beam", "off-the-beam.toml"),
     row("GB302", "a value must be a finite number", "out-of-range.toml"),
     row(STRETCH, "a stretch must have a length", "stretch-without-length.toml"),
@@ -88,13 +101,16 @@ pub const CODES: &[Code] = &[
     row("GB407", "nothing at a hinge may act on the slope", "hinge-and-moment.toml"),
     row("GB408", "only a force can act in one direction alone", "one-way-clamp.toml"),
     row("GB501", "the gap's corners must go from left to right", "gap-order.toml"),
-    while_solving("GB601", "compression on a beam that its supports leave free"),
-    while_solving("GB602", "the compression exceeds the beam's own buckling load"),
     while_solving("GB603", "concentrated pressures need a shear layer"),
     while_solving("GB604", "answers at nodes alone are for beams without supports"),
     while_solving("GB605", "answers at nodes alone are for segments along which nothing varies"),
     while_solving("GB606", "answers at nodes alone are for beams without hinges"),
     while_solving("GB607", "the paper's iteration is for beams without hinges"),
     while_solving("GB608", "load factors are not known for supports that act one way"),
+    while_solving("GB609", "loads on the ground are solved by the exact method alone"),
+    while_solving("GB610", "load factors are for loads on the beam alone"),
+    while_solving("GB611", "a local equilibrium is found by the method `exact` alone"),
+    while_solving("GB612", "load factors of a local equilibrium"),
+    while_solving("GB613", "a local equilibrium with supports that act one way"),
     row(FIRST_AXLE, "a train is measured backward from its first axle", "first-axle.toml"),
 ];

@@ -1,9 +1,11 @@
 //! What is wrong with a file, where, and what would be right.
 
+use crate::beside::OtherFile;
 use crate::fault::Fault;
 use crate::source::Source;
 use std::fmt;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// How bad it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -34,6 +36,8 @@ pub struct Diagnostic {
     pub code: &'static str,
     /// How bad it is.
     pub severity: Severity,
+    /// The other file in which it is wrong; none for the model file itself.
+    pub file: Option<Arc<OtherFile>>,
     /// What is wrong, in one sentence.
     pub message: String,
     /// A few words to stand under the place. May be empty.
@@ -58,6 +62,7 @@ impl Diagnostic {
         Diagnostic {
             code: fault.code,
             severity: Severity::Error,
+            file: None,
             message: fault.message,
             label: fault.label,
             hint: fault.hint,
@@ -79,6 +84,9 @@ impl Diagnostic {
 impl fmt::Display for Diagnostic {
     /// `14:6: [GB015] message (hint)`
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(file) = &self.file {
+            write!(f, "{}:", file.name)?;
+        }
         write!(f, "{}:{}: [{}] {}", self.line, self.column, self.code, self.message)?;
         if self.hint.is_empty() { Ok(()) } else { write!(f, " ({})", self.hint) }
     }
@@ -89,9 +97,9 @@ impl fmt::Display for Diagnostic {
 pub struct Diagnostics(Vec<Diagnostic>);
 
 impl Diagnostics {
-    /// Sorts by place, and keeps one of two that say the same of the same place.
+    /// Sorts by place, those in other files last, and keeps one of two that say the same of the same place.
     pub(crate) fn new(mut found: Vec<Diagnostic>) -> Self {
-        found.sort_by_key(|d| d.span.start);
+        found.sort_by_key(|d| (d.file.is_some(), d.span.start));
         found.dedup();
         Diagnostics(found)
     }

@@ -33,6 +33,7 @@
 //! This is the only crate that knows how a model is spelled.
 
 mod band;
+mod beside;
 mod cases;
 mod code;
 mod combination;
@@ -59,6 +60,7 @@ mod units;
 mod write;
 
 pub use band::Band;
+pub use beside::OtherFile;
 pub use cases::parse_cases;
 pub use code::{CODES, Code};
 pub use combination::{Combination, LoadCase};
@@ -75,6 +77,7 @@ use fault::Fault;
 use reader::Reader;
 use section::{Contents, Ground};
 use source::Source;
+use std::path::Path;
 use table::Section;
 use toml::de::DeTable;
 
@@ -83,17 +86,26 @@ use toml::de::DeTable;
 /// # Errors
 ///
 /// Everything that is wrong with the file, [`Model::problems`](groundbeam::Model::problems)
-/// included. If it is not even TOML, only that is told.
+/// included. If it is not even TOML, only that is told. A text alone can name no other file.
 pub fn parse(text: &str) -> Result<Document, Diagnostics> {
-    read(text, false)
+    read(text, None, false)
 }
 
-/// Reads a model that a program wrote: a number without a unit is in SI units, and may stand beside quantities with
-/// one.
+/// Reads a model file that stands in a folder, and what it names beside itself.
+///
+/// # Errors
+///
+/// As [`parse`]; what is wrong with a file that it names is told at its place in that file.
+pub fn parse_beside(text: &str, folder: &Path) -> Result<Document, Diagnostics> {
+    read(text, Some(folder), false)
+}
+
+/// Reads a model that a program wrote, in a folder if it names files beside itself: a number without a unit is in SI
+/// units, and may stand beside quantities with one.
 ///
 /// ```
 /// let text = "[beam]\nlength = '12 m'\nEI = 1.28e9\n[foundation]\nk = '40 MN/m^2'\nmu = 9e6\n";
-/// let model = groundbeam_file::parse_si(text)?.model;
+/// let model = groundbeam_file::parse_si(text, None)?.model;
 /// assert_eq!((model.beam.bending_stiffness, model.foundation.spring), (1.28e9, 40e6));
 /// assert!(groundbeam_file::parse(text).is_err(), "a file that a person wrote does not mix them");
 /// # Ok::<(), groundbeam_file::Diagnostics>(())
@@ -101,12 +113,12 @@ pub fn parse(text: &str) -> Result<Document, Diagnostics> {
 ///
 /// # Errors
 ///
-/// As [`parse`].
-pub fn parse_si(text: &str) -> Result<Document, Diagnostics> {
-    read(text, true)
+/// As [`parse_beside`].
+pub fn parse_si(text: &str, folder: Option<&Path>) -> Result<Document, Diagnostics> {
+    read(text, folder, true)
 }
 
-fn read(text: &str, bare_is_si: bool) -> Result<Document, Diagnostics> {
+fn read(text: &str, folder: Option<&Path>, bare_is_si: bool) -> Result<Document, Diagnostics> {
     let source = Source::new(text);
     let (table, errors) = DeTable::parse_recoverable(text);
     let syntax = syntax::explain(&source, table.get_ref(), &errors);
@@ -117,7 +129,7 @@ fn read(text: &str, bare_is_si: bool) -> Result<Document, Diagnostics> {
     if root.table.is_empty() {
         return Err(Diagnostic::new(&source, no_model()).into());
     }
-    let mut reader = Reader::new(&source, &root, bare_is_si);
+    let mut reader = Reader::new(&source, &root, folder, bare_is_si);
     reader.found = syntax.found;
     let contents = section::read(&mut reader, &root);
     let Contents { title, model, ground, limits, cases, recipes, trains } = contents;

@@ -3,6 +3,7 @@
 //! Nothing stops at the first fault. A value that cannot be read is NaN from then on, which no
 //! value in a file can be; whatever depends on it is then NaN too and is not reported again.
 
+use crate::beside::OtherFile;
 use crate::code;
 use crate::diagnostic::Diagnostic;
 use crate::document::Places;
@@ -13,6 +14,8 @@ use crate::table::{Section, suggestion};
 use crate::unit::Dimension;
 use crate::units::Seen;
 use std::ops::Range;
+use std::path::Path;
+use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeInteger, DeValue};
 
@@ -37,6 +40,8 @@ impl Field {
 
 pub(crate) struct Reader<'s> {
     pub source: &'s Source,
+    /// Where files that the model names stand; none if it can name none.
+    pub folder: Option<&'s Path>,
     pub found: Vec<Diagnostic>,
     pub quantities: Vec<Seen>,
     pub places: Places,
@@ -49,9 +54,15 @@ pub(crate) struct Reader<'s> {
 }
 
 impl<'s> Reader<'s> {
-    pub fn new(source: &'s Source, root: &Section, bare_is_si: bool) -> Self {
+    pub fn new(
+        source: &'s Source,
+        root: &Section,
+        folder: Option<&'s Path>,
+        bare_is_si: bool,
+    ) -> Self {
         Reader {
             source,
+            folder,
             found: vec![],
             quantities: vec![],
             places: Places::default(),
@@ -63,6 +74,17 @@ impl<'s> Reader<'s> {
 
     pub fn report(&mut self, fault: Fault) {
         self.found.push(Diagnostic::new(self.source, fault));
+    }
+
+    /// Reports what is wrong in another file.
+    pub fn report_in(&mut self, source: &Source, file: &Arc<OtherFile>, fault: Fault) {
+        let file = Some(Arc::clone(file));
+        self.found.push(Diagnostic { file, ..Diagnostic::new(source, fault) });
+    }
+
+    /// Whether the file seems to give no units.
+    pub fn is_plain(&self) -> bool {
+        self.plain
     }
 
     pub fn report_with(&mut self, fault: Fault, related: Range<usize>, label: &str) {

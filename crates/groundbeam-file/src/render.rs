@@ -38,7 +38,11 @@ impl Diagnostics {
             if i > 0 {
                 rendered.push('\n');
             }
-            let group = group(diagnostic, file_name, text);
+            let (name, text) = match &diagnostic.file {
+                Some(file) => (file.name.as_str(), file.text.as_str()),
+                None => (file_name, text),
+            };
+            let group = group(diagnostic, name, text);
             rendered.push_str(&renderer.render(&[group]));
             rendered.push('\n');
         }

@@ -1,7 +1,7 @@
 //! Model → text: the inverse of [`parse`](crate::parse), bit for bit.
 
 use crate::units::UnitSystem;
-use groundbeam::{Acts, Load, Model, Profile, SupportKind};
+use groundbeam::{Acts, GroundEnd, Load, Model, Profile, SupportKind};
 use std::fmt::Write;
 
 /// The model as a model file, every number written so that reading it gives the same bits.
@@ -26,8 +26,11 @@ pub fn write_toml(model: &Model, title: Option<&str>, units: UnitSystem) -> Stri
     }
     out.beam(model);
     out.foundation(model);
-    for load in &model.loads {
-        out.load(load);
+    // Loads on the ground are read after all others.
+    for on_ground in [false, true] {
+        for load in model.loads.iter().filter(|load| load.is_on_ground() == on_ground) {
+            out.load(load);
+        }
     }
     out.held_and_joined(model);
     out.gap(model);
@@ -82,6 +85,15 @@ impl Writer {
         self.heading("[foundation]");
         self.quantity("k", ground.spring, "N/m^2");
         self.quantity("mu", ground.shear, "N");
+        for (key, end) in ["left", "right"].into_iter().zip(ground.ends) {
+            let (at, kind) = match end {
+                GroundEnd::Endless => continue,
+                GroundEnd::Free { at } => (at, "free"),
+                GroundEnd::Held { at } => (at, "held"),
+            };
+            let at = self.number(at, "m");
+            self.line(key, &format!("{{ ends = {at}, as = \"{kind}\" }}"));
+        }
         for segment in &ground.segments {
             self.heading("[[foundation.segment]]");
             self.stretch(segment.from, segment.to);
@@ -91,9 +103,9 @@ impl Writer {
     }
 
     fn load(&mut self, load: &Load) {
-        self.heading("[[load]]");
+        self.heading(if load.is_on_ground() { "[[ground_load]]" } else { "[[load]]" });
         match *load {
-            Load::PointForce { at, force } => {
+            Load::PointForce { at, force } | Load::GroundForce { at, force } => {
                 self.quantity("point", force, "N");
                 self.quantity("at", at, "m");
             }
@@ -101,7 +113,8 @@ impl Writer {
                 self.quantity("moment", moment, "N m");
                 self.quantity("at", at, "m");
             }
-            Load::Distributed { from, to, start, end } => {
+            Load::Distributed { from, to, start, end }
+            | Load::GroundDistributed { from, to, start, end } => {
                 self.intensity("distributed", start, end, "N/m");
                 self.stretch(from, to);
             }

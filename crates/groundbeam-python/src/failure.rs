@@ -39,7 +39,8 @@ impl Tipping {
                 let hinges = model.hinges.iter().map(|hinge| motion.at(model, hinge.at));
                 ([motion.left, motion.right, motion.work], hinges.collect())
             }
-            Verdict::Unique => ([f64::NAN; 3], Vec::new()),
+            Verdict::Buckles(mode) => ([mode.left, mode.right, mode.work], Vec::new()),
+            Verdict::Unique | Verdict::Local(_) => ([f64::NAN; 3], Vec::new()),
         };
         let static_reactions = static_reactions(model).into_iter().map(|(_, reaction)| reaction);
         Tipping {

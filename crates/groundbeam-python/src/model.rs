@@ -8,6 +8,7 @@ use groundbeam_file::{Combination, Document, UnitSystem};
 use groundbeam_report::{Context, Units, sentence};
 use pyo3::prelude::*;
 use rayon::prelude::*;
+use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -99,6 +100,16 @@ pub fn options(method: &str, elements: usize) -> Result<Options, Failure> {
     Ok(Options { method, elements, ..Options::default() })
 }
 
+/// What the statics say, by the name that results use.
+pub fn verdict(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Unique => "unique",
+        Verdict::NotUnique(_) => "not-unique",
+        Verdict::Local(_) => "local",
+        Verdict::None(_) | Verdict::Buckles(_) => "none",
+    }
+}
+
 /// A model file's text, which must be UTF-8.
 #[pyfunction]
 pub fn text_of(bytes: &[u8], name: &str) -> Result<String, Failure> {
@@ -109,9 +120,19 @@ pub fn text_of(bytes: &[u8], name: &str) -> Result<String, Failure> {
 #[pymethods]
 impl Model {
     #[new]
-    fn new(py: Python<'_>, text: &str, name: &str, bare_is_si: bool) -> Result<Self, Failure> {
-        let read = if bare_is_si { groundbeam_file::parse_si } else { groundbeam_file::parse };
-        let document = py.detach(|| read(text));
+    fn new(
+        py: Python<'_>,
+        text: &str,
+        name: &str,
+        bare_is_si: bool,
+        folder: Option<&str>,
+    ) -> Result<Self, Failure> {
+        let folder = folder.map(Path::new);
+        let document = py.detach(|| match folder {
+            folder if bare_is_si => groundbeam_file::parse_si(text, folder),
+            Some(folder) => groundbeam_file::parse_beside(text, folder),
+            None => groundbeam_file::parse(text),
+        });
         let document = document.map_err(|found| Failure::wrong(found, name, text))?;
         Ok(Model { read: Arc::new(Read { document, name: name.to_owned() }) })
     }
@@ -185,12 +206,14 @@ impl Model {
         let combination = self.read.combination(combination)?;
         let model = &combination.model;
         let existence = groundbeam::exists(model).map_err(|error| self.read.refused(error))?;
-        let (verdict, motion) = match existence.verdict {
-            Verdict::Unique => ("unique", None),
-            Verdict::NotUnique(motion) => ("not-unique", Some(motion)),
-            Verdict::None(motion) => ("none", Some(motion)),
+        let motion = match existence.verdict {
+            Verdict::Unique | Verdict::Local(_) => None,
+            Verdict::NotUnique(motion) | Verdict::None(motion) => {
+                Some((motion.left, motion.right, motion.work))
+            }
+            Verdict::Buckles(mode) => Some((mode.left, mode.right, mode.work)),
         };
-        let motion = motion.map(|motion| (motion.left, motion.right, motion.work));
+        let verdict = verdict(existence.verdict);
         let sentence = sentence(model, &existence, self.read.units());
         let reactions = groundbeam::static_reactions(model).iter().map(|(_, r)| *r).collect();
         Ok((verdict, reactions, motion, sentence))

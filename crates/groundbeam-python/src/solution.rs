@@ -1,9 +1,9 @@
 //! An equilibrium: its fields at any positions, its contact, its proof, and its reports.
 
 use crate::failure::Failure;
-use crate::model::Read;
+use crate::model::{Read, verdict};
 use groundbeam::soil::{OnSoil, Subgrade};
-use groundbeam::{Certificate, Field, Side, Verdict};
+use groundbeam::{Certificate, Field, Side};
 use groundbeam_file::Combination;
 use groundbeam_report::{Context, Ground, csv, json, png, sentence, svg, text};
 use numpy::{PyArray1, PyReadonlyArray1, PyUntypedArrayMethods};
@@ -134,11 +134,7 @@ impl Solution {
 
     #[getter]
     fn verdict(&self) -> &'static str {
-        match self.found.existence().verdict {
-            Verdict::Unique => "unique",
-            Verdict::NotUnique(_) => "not-unique",
-            Verdict::None(_) => "none",
-        }
+        verdict(self.found.existence().verdict)
     }
 
     #[getter]

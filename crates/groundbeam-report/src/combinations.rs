@@ -1,7 +1,7 @@
 //! The answers to all combinations of a file, seen together.
 
 use crate::context::Ground;
-use groundbeam::{Envelope, Existence, Model, NotConverged, Solution, Verdict};
+use groundbeam::{Envelope, Existence, Model, NotConverged, Solution};
 
 /// All combinations of a file with their answers, and every load case by itself.
 #[derive(Debug, Clone, Default)]
@@ -78,7 +78,7 @@ impl Answer<'_> {
 impl Alone<'_> {
     /// Whether the loads of the case can be in equilibrium without those of others.
     pub fn stands(&self) -> bool {
-        !matches!(self.existence.verdict, Verdict::None(_))
+        self.existence.verdict.stands()
     }
 }
 

@@ -21,8 +21,8 @@ pub use combinations::{checked_combinations, combinations, envelope_stations};
 use factors::Grown;
 use ground::Ground;
 use groundbeam::{
-    Acts, Certificate, Existence, Extreme, Field, Method, Model, NotConverged, RigidMotion, Side,
-    Solution, Support, Verdict,
+    Acts, Buckling, Certificate, Existence, Extreme, Field, LiftOff, Method, Model, NotConverged,
+    RigidMotion, Side, Solution, Support, Verdict,
 };
 use serde::Serialize;
 pub use train::{checked_trains, trains};
@@ -49,10 +49,8 @@ pub fn no_equilibrium(model: &Model, existence: &Existence, context: &Context) -
 /// The document of a model that was checked but not solved: its `status` is `equilibrium-exists` or
 /// `no-equilibrium`.
 pub fn existence(model: &Model, existence: &Existence, context: &Context) -> String {
-    let status = match existence.verdict {
-        Verdict::None(_) => "no-equilibrium",
-        Verdict::Unique | Verdict::NotUnique(_) => "equilibrium-exists",
-    };
+    let stands = existence.verdict.stands();
+    let status = if stands { "equilibrium-exists" } else { "no-equilibrium" };
     verdict(status, model, existence, context)
 }
 
@@ -87,6 +85,7 @@ struct Solved {
     ground: Option<Ground>,
     contact: Vec<Stretch>,
     lift_off: Vec<Lifted>,
+    free_spans: Vec<FreeSpan>,
     end_forces: Ends,
     concentrated_forces: Vec<Force>,
     reactions: Vec<Held>,
@@ -124,6 +123,7 @@ impl Solved {
                 .iter()
                 .map(|l| Lifted { from: l.from, to: l.to, largest_gap: l.largest_gap.into() })
                 .collect(),
+            free_spans: solution.lift_off().iter().map(FreeSpan::of).collect(),
             end_forces: Ends {
                 left: solution.end_forces().left,
                 right: solution.end_forces().right,
@@ -235,25 +235,51 @@ struct Proven {
     failing_motion: Option<Motion>,
     #[serde(skip_serializing_if = "Option::is_none")]
     undetermined_motion: Option<Motion>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stability_margin: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    critical_compression: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    buckles_at: Option<f64>,
     sentence: String,
 }
 
 impl Proven {
     fn new(model: &Model, existence: &Existence, context: &Context) -> Self {
-        let (verdict, failing_motion, undetermined_motion) = match existence.verdict {
-            Verdict::Unique => ("unique", None, None),
-            Verdict::NotUnique(motion) => {
-                ("not-unique", None, Some(Motion::of(Some(model), motion)))
-            }
-            Verdict::None(motion) => ("none", Some(Motion::of(Some(model), motion)), None),
-        };
-        Proven {
-            verdict,
+        let mut proven = Proven {
+            verdict: "unique",
             static_reactions: groundbeam::static_reactions(model).iter().map(|r| r.1).collect(),
-            failing_motion,
-            undetermined_motion,
+            failing_motion: None,
+            undetermined_motion: None,
+            stability_margin: None,
+            critical_compression: None,
+            buckles_at: None,
             sentence: sentence(model, existence, context.units),
+        };
+        match existence.verdict {
+            Verdict::Unique => {}
+            Verdict::NotUnique(motion) => {
+                proven.verdict = "not-unique";
+                proven.undetermined_motion = Some(Motion::of(Some(model), motion));
+            }
+            Verdict::None(motion) => {
+                proven.verdict = "none";
+                proven.failing_motion = Some(Motion::of(Some(model), motion));
+            }
+            Verdict::Local(local) => {
+                proven.verdict = "local";
+                proven.stability_margin = Some(local.stability_margin);
+                proven.critical_compression = Some(local.critical_compression);
+            }
+            Verdict::Buckles(mode) => {
+                proven.verdict = "none";
+                let Buckling { critical_compression, at, left, right, work } = mode;
+                proven.failing_motion = Some(Motion { left, right, work, hinges: Vec::new() });
+                proven.critical_compression = Some(critical_compression);
+                proven.buckles_at = Some(at);
+            }
         }
+        proven
     }
 }
 
@@ -312,6 +338,29 @@ struct Lifted {
     from: f64,
     to: f64,
     largest_gap: Point,
+}
+
+#[derive(Serialize)]
+struct FreeSpan {
+    from: f64,
+    to: f64,
+    length: f64,
+    largest_gap: Point,
+    /// `left`, `right`, `both` or `null`.
+    reaches_end: Option<&'static str>,
+}
+
+impl FreeSpan {
+    fn of(open: &LiftOff) -> Self {
+        let reaches_end = match open.reaches {
+            [true, true] => Some("both"),
+            [true, false] => Some("left"),
+            [false, true] => Some("right"),
+            [false, false] => None,
+        };
+        let LiftOff { from, to, largest_gap, .. } = *open;
+        FreeSpan { from, to, length: open.length(), largest_gap: largest_gap.into(), reaches_end }
+    }
 }
 
 #[derive(Serialize)]

@@ -72,6 +72,10 @@ fn load_size(model: &Model) -> f64 {
         Load::Curvature { start, end, .. } => {
             start.abs().max(end.abs()) * model.beam.bending_stiffness / l
         }
+        Load::GroundForce { force, .. } => force.abs(),
+        Load::GroundDistributed { from, to, start, end } => {
+            0.5 * (start.abs() + end.abs()) * (to - from)
+        }
     };
     model.loads.iter().map(size).sum()
 }

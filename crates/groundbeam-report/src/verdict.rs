@@ -2,8 +2,9 @@
 
 mod hinged;
 
+use crate::number::significant;
 use crate::quantity::{Kind, Units};
-use groundbeam::{Existence, Hinge, Model, RigidMotion, Verdict};
+use groundbeam::{Buckling, Existence, Hinge, Local, Model, RigidMotion, Verdict};
 pub(crate) use hinged::falls;
 
 /// Why there is one equilibrium, more than one, or none: one sentence without a full stop.
@@ -24,11 +25,11 @@ pub(crate) use hinged::falls;
 /// # Ok::<(), groundbeam::Error>(())
 /// ```
 pub fn sentence(model: &Model, existence: &Existence, units: Units) -> String {
-    if model.hinges.iter().any(Hinge::is_free) {
-        return hinged::sentence(model, existence, units);
-    }
     let say = Say { model, existence, units };
     match existence.verdict {
+        Verdict::Local(local) => say.local(local),
+        Verdict::Buckles(mode) => say.buckles(mode),
+        _ if model.hinges.iter().any(Hinge::is_free) => hinged::sentence(model, existence, units),
         Verdict::Unique => say.unique(),
         Verdict::NotUnique(motion) => say.not_unique(motion),
         Verdict::None(motion) => say.none(motion),
@@ -170,6 +171,42 @@ impl Say<'_> {
             ),
             None => format!("{} lifts the beam off the ground", self.resultant()),
         }
+    }
+}
+
+impl Say<'_> {
+    fn local(&self, local: Local) -> String {
+        let Local { stability_margin, critical_compression } = local;
+        let compression = -self.model.beam.axial_force;
+        let margin = significant(stability_margin, 4);
+        let bound = if critical_compression.is_finite() {
+            let times = significant(critical_compression / compression, 4);
+            let critical = self.force(critical_compression);
+            format!("it is lost where the compression grows to {critical}, {times} times this one")
+        } else {
+            "it is not lost however the compression grows".to_owned()
+        };
+        format!(
+            "next to the unloaded state the ground keeps the beam from buckling under {}; stability margin \
+             {margin}; {bound}",
+            self.force(compression)
+        )
+    }
+
+    fn buckles(&self, mode: Buckling) -> String {
+        let Buckling { critical_compression, at, .. } = mode;
+        let (place, compression) =
+            (self.units.position(at), self.force(-self.model.beam.axial_force));
+        if critical_compression == 0.0 {
+            return format!(
+                "nothing keeps the beam from turning or rising at x = {place} under the least compression"
+            );
+        }
+        let critical = self.force(critical_compression);
+        format!(
+            "the beam buckles upward at x = {place} under a compression of {critical}, before {compression} \
+             is reached"
+        )
     }
 }
 

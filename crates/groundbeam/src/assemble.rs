@@ -95,7 +95,10 @@ fn claim(solution: &Solution, stability: f64) -> Claim<'_> {
         half: stretch.half,
         deflection: &stretch.deflection,
         pressure: &stretch.pressure,
-        open: stretch.open,
+        open: stretch.open.map(|ends| {
+            let own = [-1.0, 1.0].map(|s| stretch.cell.settled_at(s)[0]);
+            [ends[0] + own[0], ends[1] + own[1]]
+        }),
     });
     Claim {
         pieces: pieces.collect(),
@@ -137,7 +140,11 @@ fn stretches(found: &Found, surface: &Surface, stretches: &mut Vec<Stretch>) {
             let mut obstacle = deflection;
             obstacle[0] -= 0.5 * (cell.gap[0] + cell.gap[1]);
             obstacle[1] -= cell.gap_slope * half;
-            pressure_of(&cell, half, &obstacle)
+            let mut pressure = pressure_of(&cell, half, &obstacle);
+            let [left, right] = cell.ground_load;
+            pressure[0] -= 0.5 * (left + right);
+            pressure[1] -= 0.5 * (right - left);
+            pressure
         } else {
             Coefficients::default()
         };

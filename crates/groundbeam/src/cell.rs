@@ -1,5 +1,6 @@
 //! A stretch of beam and ground within which everything given is a polynomial.
 
+use crate::ground::{between, settled, slope_between};
 use crate::model::{Course, Foundation, Profile};
 use crate::polynomial::{
     Coefficients, derivative, ends, is_free_of_zeros, jet, product, rescale, value,
@@ -28,6 +29,12 @@ pub(crate) struct Cell {
     pub gap: [f64; 2],
     /// g₀', the same to the last bit in all cells between two corners.
     pub gap_slope: f64,
+    /// A load on the ground: q at both ends \[N/m\].
+    pub ground_load: [f64; 2],
+    /// u₀ − q/k at both ends \[m\], where [u₀](crate::free) is how far the ground settles without the beam.
+    pub faded: [f64; 2],
+    /// A force on the ground at the cell's left end \[N\].
+    pub ground_force: f64,
 }
 
 /// What EI, k and μ are beyond their values at the middle of a cell: nothing where they are constant.
@@ -50,12 +57,57 @@ pub(crate) const GROUND: usize = Foundation::MOST_CONTROL_VALUES;
 const FREE: f64 = 10.0;
 
 impl Cell {
-    /// The coefficients of ψ = w − g₀, from those of w.
+    /// The coefficients of ψ = w − g₀ − u₀, from those of w.
     pub fn obstacle(&self, deflection: &[f64]) -> Coefficients {
         let mut c = Coefficients::from(deflection);
         let [left, right] = self.gap;
         c[0] -= 0.5 * (left + right);
         c[1] -= 0.5 * (right - left);
+        if self.is_sunk() {
+            let settled = self.settled();
+            c = c.at_least(settled.len());
+            for (c, u) in c.iter_mut().zip(settled.iter()) {
+                *c -= u;
+            }
+        }
+        c
+    }
+
+    /// Whether loads on the ground act here, or reach it.
+    pub fn is_sunk(&self) -> bool {
+        self.ground_load != [0.0; 2] || self.faded != [0.0; 2]
+    }
+
+    /// b·length of the ground.
+    fn fading(&self) -> f64 {
+        (self.spring / self.shear).sqrt() * self.length()
+    }
+
+    /// u₀ and u₀′ at s.
+    pub fn settled_at(&self, s: f64) -> [f64; 2] {
+        if !self.is_sunk() {
+            return [0.0; 2];
+        }
+        let [a, b] = self.ground_load.map(|q| q / self.spring);
+        let mut u = [0.5 * (a + b) + 0.5 * (b - a) * s, (b - a) / self.length()];
+        if self.shear > 0.0 {
+            let ([left, right], bh, t) = (self.faded, self.fading(), 0.5 * (1.0 + s));
+            u[0] += between(left, right, bh, t);
+            u[1] += bh / self.length() * slope_between(left, right, bh, t);
+        }
+        u
+    }
+
+    /// The coefficients of u₀(s): cells where the ground settles by itself are short.
+    pub fn settled(&self) -> Coefficients {
+        let mut c = if self.shear > 0.0 {
+            settled(&[self.spring], &[self.shear], 0.5 * self.length(), self.faded)
+        } else {
+            Coefficients::zeros(2)
+        };
+        let [a, b] = self.ground_load.map(|q| q / self.spring);
+        c[0] += 0.5 * (a + b);
+        c[1] += 0.5 * (b - a);
         c
     }
 
@@ -182,8 +234,14 @@ impl Cell {
             moment_load: linear(self.moment_load),
             curvature: linear(self.curvature),
             gap: linear(self.gap),
+            ground_load: linear(self.ground_load),
+            ground_force: if s[0] == -1.0 { self.ground_force } else { 0.0 },
             ..*self
         };
+        if self.faded != [0.0; 2] {
+            let [left, right] = self.faded;
+            part.faded = s.map(|s| between(left, right, self.fading(), 0.5 * (1.0 + s)));
+        }
         let (middle, half) = (0.5 * (s[0] + s[1]), 0.5 * (s[1] - s[0]));
         let course = |c: &[f64]| {
             let mut coefficients = [0.0; Profile::MOST];

@@ -23,6 +23,49 @@ pub enum Verdict {
     NotUnique(RigidMotion),
     /// There is none: the motion never presses on the ground and the loads gain work in it.
     None(RigidMotion),
+    /// Compression that the ground helps to bear: there is a stable equilibrium next to the unloaded state, on
+    /// the branch that begins without compression. It is a local one: others, far from it, are not ruled out.
+    Local(Local),
+    /// The branch of stable equilibria that begins without compression ends before the compression is
+    /// reached: the beam buckles.
+    Buckles(Buckling),
+}
+
+/// How firmly a local equilibrium stands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Local {
+    /// The smallest eigenvalue of the second variation ∫(EI z″² + P z'²) + springs + ground where it touches,
+    /// measured by the same without P: between 0, where the beam buckles, and 1, without compression.
+    /// It is 1 + P/P_b with the buckling load P_b of the beam glued to the ground where it touches.
+    pub stability_margin: f64,
+    /// The compression at which the branch of stable equilibria ends as it grows, the loads staying as they
+    /// are \[N\].
+    pub critical_compression: f64,
+}
+
+/// Where the branch of stable equilibria ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Buckling {
+    /// The compression at which it ends, from below \[N\].
+    pub critical_compression: f64,
+    /// Where the buckling mode r is largest \[m\].
+    pub at: f64,
+    /// r(0), for r(`at`) = −1: up.
+    pub left: f64,
+    /// r(l).
+    pub right: f64,
+    /// F(r), the work of the loads in it \[N·m per m\].
+    pub work: f64,
+}
+
+impl Verdict {
+    /// Whether there is an equilibrium to be found: the only one, one of many, or a local one.
+    pub fn stands(&self) -> bool {
+        match self {
+            Verdict::Unique | Verdict::NotUnique(_) | Verdict::Local(_) => true,
+            Verdict::None(_) | Verdict::Buckles(_) => false,
+        }
+    }
 }
 
 /// A rigid motion of the beam, r(x) = a x + b between its free hinges, scaled to a largest size of 1. It presses nowhere: r ≤ 0,
@@ -120,7 +163,7 @@ impl Existence {
     }
 }
 
-/// The verdict for a valid model with P ≥ 0, or with supports that leave no free motion.
+/// The verdict for a valid model with P ≥ 0, or whose energy is convex in spite of compression.
 pub fn existence(model: &Model) -> Existence {
     let l = model.beam.length;
     let whole = static_reactions(&model.loads, &[0.0, l]);
@@ -316,7 +359,7 @@ mod tests {
                         let x = |i: i32| from + (f64::from(i) + 0.5) * step;
                         (0..n).map(|i| start * r(x(i)) * step).sum()
                     }
-                    Load::DistributedMoment { .. } | Load::Curvature { .. } => 0.0,
+                    _ => 0.0,
                 });
                 each.sum()
             };

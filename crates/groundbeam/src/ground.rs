@@ -6,6 +6,7 @@
 //! three are positive, two links in a row make another by sums and products of positive numbers,
 //! and so no digit is ever lost, however short or long or uneven the ground.
 
+use crate::model::Beyond;
 use crate::polynomial::{Coefficients, jet, value};
 
 /// A stretch of unloaded ground between two points of its surface.
@@ -129,9 +130,52 @@ impl Pair {
     }
 }
 
-/// What the endless ground beyond a beam's end adds under that end: one spring √(kμ).
-pub(crate) fn outside(k: f64, mu: f64) -> f64 {
-    (k * mu).sqrt()
+/// What the ground beyond a beam's end adds under that end: one spring, √(kμ) where it is even and endless.
+pub(crate) fn outside(beyond: &Beyond) -> f64 {
+    stiffnesses(beyond)[0]
+}
+
+/// The spring that the ground from each of the layers on is, and at the end what holds the last one.
+fn stiffnesses(beyond: &Beyond) -> Vec<f64> {
+    let mut springs = vec![if beyond.held { f64::INFINITY } else { 0.0 }];
+    for layer in beyond.layers.iter().rev() {
+        let behind = springs[springs.len() - 1];
+        springs.push(if layer.length == f64::INFINITY {
+            (layer.spring * layer.shear).sqrt()
+        } else {
+            let link = Link::uniform(layer.spring, layer.shear, layer.length);
+            link.leak_left + link.coupling * (1.0 - follows(&link, behind))
+        });
+    }
+    springs.reverse();
+    springs
+}
+
+/// u at the right end of a link that a spring holds there, for u = 1 at its left end.
+fn follows(link: &Link, spring: f64) -> f64 {
+    if spring == f64::INFINITY {
+        return 0.0;
+    }
+    link.coupling / (link.coupling + (link.leak_right + spring))
+}
+
+/// u at a distance from the beam's end, where it is `u`.
+pub(crate) fn beside(beyond: &Beyond, mut u: f64, mut distance: f64) -> f64 {
+    let springs = stiffnesses(beyond);
+    for (layer, &spring) in beyond.layers.iter().zip(&springs[1..]) {
+        let b = (layer.spring / layer.shear).sqrt();
+        if layer.length == f64::INFINITY {
+            return u * (-b * distance).exp();
+        }
+        let link = Link::uniform(layer.spring, layer.shear, layer.length);
+        let next = u * follows(&link, spring);
+        // A layer's far end is there but for rounding.
+        if distance <= layer.length * (1.0 + 8.0 * f64::EPSILON) {
+            return between(u, next, b * layer.length, (distance / layer.length).min(1.0));
+        }
+        (u, distance) = (next, distance - layer.length);
+    }
+    0.0
 }
 
 /// u at a fraction `t` of an unloaded uniform stretch with bh = `length`, from its end values.
@@ -164,6 +208,7 @@ fn sinh_ratio(z: f64, r: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::Layer;
 
     #[test]
     fn two_halves_make_a_whole() {
@@ -208,6 +253,30 @@ mod tests {
         let link = Link::varying(&[6.0], &shear, half);
         assert!((link.force_left(held[0], held[1]) + flux(4.5)).abs() < 1e-12);
         assert!((link.force_right(held[0], held[1]) - flux(5.5)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn ground_beside_the_beam_is_one_spring() {
+        let layer = |length: f64, spring: f64, shear: f64| Layer { length, spring, shear };
+        let spring =
+            |layers: &[Layer], held: bool| outside(&Beyond { layers: layers.to_vec(), held });
+        let (k, mu, h) = (3.0_f64, 0.7_f64, 0.9);
+        let (stiffness, bh) = ((k * mu).sqrt(), (k / mu).sqrt() * h);
+        let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-15, "{a} {b}");
+        near(spring(&[layer(h, k, mu)], false), stiffness * bh.tanh());
+        near(spring(&[layer(h, k, mu)], true), stiffness / bh.tanh());
+        // Cut in two it is the same ground.
+        let cut = [layer(0.3, k, mu), layer(f64::INFINITY, k, mu)];
+        near(spring(&cut, false), stiffness);
+        let cut = [layer(0.3, k, mu), layer(0.6, k, mu)];
+        near(spring(&cut, false), stiffness * bh.tanh());
+        assert_eq!(spring(&[], false), 0.0);
+        let free = Beyond { layers: cut.to_vec(), held: false };
+        for x in [0.0, 0.2, 0.3, 0.7, 0.9] {
+            let exact = 2.0 * (bh * (1.0 - x / h)).cosh() / bh.cosh();
+            near(beside(&free, 2.0, x), exact);
+        }
+        assert_eq!(beside(&free, 2.0, 0.91), 0.0);
     }
 
     #[test]

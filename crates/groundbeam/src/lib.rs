@@ -36,7 +36,10 @@ mod elements;
 mod envelope;
 mod existence;
 mod factors;
+mod free;
+mod free_spans;
 mod ground;
+mod local;
 mod mechanism;
 mod mesh;
 mod nodal;
@@ -56,16 +59,19 @@ pub use certificate::Certificate;
 pub use checks::{Check, Checked, Limits, overturning};
 pub use contact::active_set::{Pressure, Step};
 pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
-pub use existence::{Existence, RigidMotion, Verdict, static_reactions_of as static_reactions};
+pub use existence::{
+    Buckling, Existence, Local, RigidMotion, Verdict, static_reactions_of as static_reactions,
+};
 pub use factors::{FirstLiftOff, LoadFactors, LossOfEquilibrium, load_factors};
+pub use free_spans::LiftOff;
 pub use model::{
-    Acts, Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, Hinge, Load, Model, Profile,
-    Support, SupportKind,
+    Acts, Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, GroundEnd, Hinge, Load,
+    Model, Profile, Support, SupportKind,
 };
 pub use nodal::{NodalCheck, NodalSolution, NodalSolver, Work};
 pub use solution::{
-    ConcentratedForce, ContactRegion, EndForces, Extreme, Field, Fields, LiftOff, Range, Reaction,
-    Side, Solution,
+    ConcentratedForce, ContactRegion, EndForces, Extreme, Field, Fields, Range, Reaction, Side,
+    Solution,
 };
 pub use solve::{
     Error, Method, NotConverged, Options, Outcome, Start, exists, solve, solve_near, solve_with,

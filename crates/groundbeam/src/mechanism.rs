@@ -226,8 +226,8 @@ pub(crate) fn static_reactions(loads: &[Load], nodes: &[f64]) -> Vec<Sum> {
                     moments.push((piece, 0.5 * (start + end) * (b - a)));
                 }
             }
-            // A rigid motion has no curvature.
-            Load::Curvature { .. } => {}
+            // A rigid motion has no curvature, and what acts on the ground does no work on it.
+            Load::Curvature { .. } | Load::GroundForce { .. } | Load::GroundDistributed { .. } => {}
         }
     }
     for (piece, moment) in moments {

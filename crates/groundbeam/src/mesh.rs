@@ -5,6 +5,7 @@
 
 use crate::cell::Varies;
 pub(crate) use crate::cell::{Cell, GROUND};
+use crate::free;
 use crate::ground;
 use crate::model::{Load, Model, SupportKind};
 
@@ -38,7 +39,8 @@ pub(crate) struct Mesh {
     pub cells: Vec<Cell>,
     /// P \[N\].
     pub axial_force: f64,
-    /// √(kμ) of the endless ground beyond the left and the right end \[N/m\].
+    /// The spring that the ground beyond the left and the right end is \[N/m\]; √(kμ) where it is even and
+    /// endless.
     pub outside: [f64; 2],
 }
 
@@ -66,14 +68,27 @@ impl Mesh {
         let mut x = Vec::with_capacity(2 * coarse.len());
         x.push(0.0);
         for cell in &coarse {
-            cut(cell, &mut x);
-            x.push(cell.x[1]);
+            // Where the ground settles by itself, its surface is a short power series in each cell.
+            let fades = (cell.spring / cell.shear).sqrt() * cell.length();
+            let pieces =
+                if cell.is_sunk() && cell.shear > 0.0 { fades.ceil().max(1.0) as usize } else { 1 };
+            for i in 0..pieces {
+                let s = [i, i + 1].map(|i| 2.0 * i as f64 / pieces as f64 - 1.0);
+                let part = if pieces == 1 { *cell } else { cell.part(s) };
+                cut(&part, &mut x);
+                x.push(part.x[1]);
+            }
         }
         let cells = if x.len() == coarse.len() + 1 { coarse } else { cells_between(model, &x) };
         let first = cells[0];
         let last = cells[cells.len() - 1];
-        let outside = [first.ground_at(-1.0), last.ground_at(1.0)];
-        let outside = outside.map(|[spring, shear]| ground::outside(spring, shear));
+        let ground = &model.foundation;
+        let l = model.beam.length;
+        let outside = [
+            ground.beyond(false, l, first.ground_at(-1.0)),
+            ground.beyond(true, l, last.ground_at(1.0)),
+        ];
+        let outside = outside.map(|beyond| ground::outside(&beyond));
         let mut mesh =
             Mesh { nodes: nodes_of(&cells), cells, axial_force: model.beam.axial_force, outside };
         mesh.place_loads_and_supports(model);
@@ -147,7 +162,9 @@ impl Mesh {
                 }
                 Load::Distributed { .. }
                 | Load::DistributedMoment { .. }
-                | Load::Curvature { .. } => {}
+                | Load::Curvature { .. }
+                | Load::GroundForce { .. }
+                | Load::GroundDistributed { .. } => {}
             }
         }
         for hinge in &model.hinges {
@@ -203,10 +220,15 @@ fn positions(model: &Model, more: &[f64]) -> Vec<f64> {
     model.foundation.segments.iter().flat_map(|s| [s.from, s.to]).for_each(&mut own);
     for load in &model.loads {
         match *load {
-            Load::PointForce { at, .. } | Load::PointMoment { at, .. } => own(at),
+            Load::PointForce { at, .. }
+            | Load::PointMoment { at, .. }
+            | Load::GroundForce { at, .. } => own(at),
             Load::Distributed { from, to, .. }
             | Load::DistributedMoment { from, to, .. }
-            | Load::Curvature { from, to, .. } => [from, to].into_iter().for_each(&mut own),
+            | Load::Curvature { from, to, .. }
+            | Load::GroundDistributed { from, to, .. } => {
+                [from, to].into_iter().for_each(&mut own);
+            }
         }
     }
     model.supports.iter().map(|s| s.at).for_each(&mut own);
@@ -251,6 +273,9 @@ fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
             curvature: [0.0; 2],
             gap: [0.0; 2],
             gap_slope: 0.0,
+            ground_load: [0.0; 2],
+            faded: [0.0; 2],
+            ground_force: 0.0,
         })
         .collect();
     for segment in &model.beam.segments {
@@ -270,8 +295,12 @@ fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
             | Load::Curvature { from, to, .. } => {
                 within(&mut cells, from, to).iter_mut().for_each(|cell| add_spread(cell, load));
             }
-            Load::PointForce { .. } | Load::PointMoment { .. } => {}
+            Load::GroundDistributed { .. } => {}
+            Load::PointForce { .. } | Load::PointMoment { .. } | Load::GroundForce { .. } => {}
         }
+    }
+    if model.has_ground_loads() {
+        load_ground(model, &mut cells);
     }
     if !model.gap.is_empty() {
         for cell in &mut cells {
@@ -280,6 +309,25 @@ fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
         }
     }
     cells
+}
+
+/// What acts on the ground, and how far it settles under it without the beam.
+fn load_ground(model: &Model, cells: &mut [Cell]) {
+    for cell in cells.iter_mut() {
+        cell.ground_load = free::spread(model, cell.x);
+    }
+    for load in &model.loads {
+        if let Load::GroundForce { at, force } = *load
+            && let Some(cell) = cells
+                .iter_mut()
+                .skip(1)
+                .min_by(|a, b| (a.x[0] - at).abs().total_cmp(&(b.x[0] - at).abs()))
+            && (cell.x[0] - at).abs() <= SAME_PLACE * model.beam.length
+        {
+            cell.ground_force += force;
+        }
+    }
+    free::settle(model, cells);
 }
 
 /// The cells between two positions.

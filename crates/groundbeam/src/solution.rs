@@ -3,9 +3,10 @@
 use crate::Step;
 use crate::certificate::Certificate;
 use crate::existence::Existence;
+use crate::free;
 use crate::ground;
 use crate::mesh::Cell;
-use crate::model::Model;
+use crate::model::{Beyond, Model};
 use crate::polynomial::{Coefficients, derivative, jet, sign_changes, value};
 use crate::solve::Method;
 
@@ -158,17 +159,6 @@ pub struct Range {
     pub max: Extreme,
 }
 
-/// A stretch of the beam that does not touch.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LiftOff {
-    /// Left end \[m\].
-    pub from: f64,
-    /// Right end \[m\].
-    pub to: f64,
-    /// Where beam and ground are farthest apart, and how far.
-    pub largest_gap: Extreme,
-}
-
 /// A part of the beam on which every field is one closed form.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Stretch {
@@ -205,19 +195,27 @@ impl Stretch {
     fn settlement(&self, s: f64, w: f64, slope: f64) -> [f64; 2] {
         match self.open {
             None => [w - self.gap_at(s), slope - self.cell.gap_slope],
-            Some([0.0, 0.0]) => [0.0, 0.0],
-            Some(_) if !self.settlement.is_empty() => {
-                let [u, du, ..] = jet(&self.settlement, s);
-                [u, du / self.half]
-            }
-            Some([left, right]) => {
-                let t = 0.5 * (1.0 + s);
-                let bh = self.decay();
-                let b = bh / (2.0 * self.half);
-                let slope = ground::slope_between(left, right, bh, t);
-                [ground::between(left, right, bh, t), b * slope]
+            Some(ends) => {
+                let ([u, du], [own, sinks]) = (self.pressed(s, ends), self.cell.settled_at(s));
+                [u + own, du + sinks]
             }
         }
+    }
+
+    /// What the beam's pressure elsewhere adds to u and u' of open ground.
+    pub(crate) fn pressed(&self, s: f64, [left, right]: [f64; 2]) -> [f64; 2] {
+        if [left, right] == [0.0; 2] {
+            return [0.0; 2];
+        }
+        if !self.settlement.is_empty() {
+            let [u, du, ..] = jet(&self.settlement, s);
+            return [u, du / self.half];
+        }
+        let t = 0.5 * (1.0 + s);
+        let bh = self.decay();
+        let b = bh / (2.0 * self.half);
+        let slope = ground::slope_between(left, right, bh, t);
+        [ground::between(left, right, bh, t), b * slope]
     }
 
     pub(crate) fn fields(&self, s: f64) -> Fields {
@@ -242,7 +240,7 @@ impl Stretch {
     }
 
     /// Where a field may be largest or smallest: its ends and where its derivative vanishes.
-    fn candidates(&self, field: Field) -> Vec<f64> {
+    pub(crate) fn candidates(&self, field: Field) -> Vec<f64> {
         let mut s = vec![-1.0];
         let differentiated =
             |c: &[f64], times: usize| (0..times).fold(Coefficients::from(c), |c, _| derivative(&c));
@@ -306,7 +304,7 @@ impl Stretch {
         s.clamp(-1.0, 1.0)
     }
 
-    fn global(&self, s: f64) -> f64 {
+    pub(crate) fn global(&self, s: f64) -> f64 {
         let [from, to] = self.x;
         if s <= 0.0 { from + self.half * (1.0 + s) } else { to - self.half * (1.0 - s) }
     }
@@ -424,25 +422,32 @@ impl Solution {
         self.at(x, Side::Right).get(field)
     }
 
-    /// u at any position on the whole line, also beyond the beam \[m\].
+    /// u at any position on the whole line, also beyond the beam \[m\]; 0 where there is no shear layer.
     pub fn settlement(&self, x: f64) -> f64 {
         let l = self.model.beam.length;
-        let (end, beyond) = if x < 0.0 {
-            (self.at(0.0, Side::Right), -x)
-        } else if x > l {
-            (self.at(l, Side::Left), x - l)
-        } else {
+        let right = x > l;
+        if !right && x >= 0.0 {
             return self.value(Field::Settlement, x);
-        };
-        let [spring, shear] = if x < 0.0 {
-            self.stretches[0].cell.ground_at(-1.0)
-        } else {
-            self.stretches[self.stretches.len() - 1].cell.ground_at(1.0)
-        };
-        if shear == 0.0 {
-            return 0.0;
         }
-        end.settlement * (-(spring / shear).sqrt() * beyond).exp()
+        let (end, distance) =
+            if right { (self.at(l, Side::Left), x - l) } else { (self.at(0.0, Side::Right), -x) };
+        let beyond = self.beyond(right);
+        if !self.model.has_ground_loads() {
+            return ground::beside(&beyond, end.settlement, distance);
+        }
+        let cells: Vec<Cell> = self.stretches.iter().map(|stretch| stretch.cell).collect();
+        let own = |distance: f64| free::at(&self.model, &beyond, right, &cells, distance);
+        ground::beside(&beyond, end.settlement - own(0.0), distance) + own(distance)
+    }
+
+    /// The ground beyond an end of the beam.
+    pub(crate) fn beyond(&self, right: bool) -> Beyond {
+        let at_end = if right {
+            self.stretches[self.stretches.len() - 1].cell.ground_at(1.0)
+        } else {
+            self.stretches[0].cell.ground_at(-1.0)
+        };
+        self.model.foundation.beyond(right, self.model.beam.length, at_end)
     }
 
     /// The smallest and largest value of a field, located by the roots of its derivative.
@@ -462,43 +467,6 @@ impl Solution {
         }
         let nothing = Extreme { x: 0.0, value: 0.0 };
         range.unwrap_or(Range { min: nothing, max: nothing })
-    }
-
-    /// The stretches that do not touch, each with its largest gap.
-    pub fn lift_off(&self) -> Vec<LiftOff> {
-        let mut found: Vec<LiftOff> = Vec::new();
-        // Nodal contact leaves slivers between touching nodes: within a region they are no lift-off.
-        let inside = |x: [f64; 2]| self.contact.iter().any(|c| c.from <= x[0] && x[1] <= c.to);
-        for stretch in &self.stretches {
-            if stretch.open.is_none() || inside(stretch.x) {
-                continue;
-            }
-            let mut largest = Extreme { x: stretch.x[0], value: f64::NEG_INFINITY };
-            for s in stretch.candidates(Field::Gap) {
-                let here = stretch.fields(s).gap;
-                if here > largest.value {
-                    largest = Extreme { x: stretch.global(s), value: here };
-                }
-            }
-            let [from, to] = stretch.x;
-            let parted = self.contact.iter().any(|c| c.from == c.to && c.from == from);
-            match found.last_mut() {
-                Some(last) if last.to == from && !parted => {
-                    last.to = to;
-                    if largest.value > last.largest_gap.value {
-                        last.largest_gap = largest;
-                    }
-                }
-                _ => found.push(LiftOff { from, to, largest_gap: largest }),
-            }
-        }
-        found
-    }
-
-    /// The part of the beam that does not touch, of its length.
-    pub fn lifted_share(&self) -> f64 {
-        let lifted: f64 = self.lift_off().iter().map(|open| open.to - open.from).sum();
-        lifted / self.model.beam.length
     }
 
     /// Positions at which the fields are worth listing: `even` equal steps, every load, support, joint and

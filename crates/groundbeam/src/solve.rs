@@ -3,15 +3,16 @@
 use crate::assemble::assemble;
 use crate::contact::active_set::{Found, Pressure, Stalled};
 use crate::contact::exact::Proof;
+use crate::contact::stretches::Stretch;
 use crate::contact::uzawa::{self, Relaxation};
 use crate::contact::{balanced, exact, nested};
 use crate::existence::{Existence, Verdict, existence};
-use crate::mechanism::held_rigidly;
+use crate::local;
 use crate::mesh::Mesh;
-use crate::model::{Model, Part, Problem};
+use crate::model::{Load, Model, Part, Problem};
 use crate::one_way;
 use crate::solution::{ContactRegion, Solution};
-use crate::stability::own_buckling_load;
+use crate::stability::convexity;
 use std::fmt;
 
 /// How the contact problem is solved.
@@ -86,7 +87,8 @@ pub enum Start {
 pub enum Outcome {
     /// An equilibrium, certified.
     Equilibrium(Box<Solution>),
-    /// There is none. The verdict holds the rigid motion that proves it.
+    /// There is none, or in compression none next to the unloaded state. The verdict holds the motion that
+    /// shows it.
     NoEquilibrium(Existence),
 }
 
@@ -155,8 +157,8 @@ impl std::error::Error for Error {}
 ///
 /// # Errors
 ///
-/// [`Error::Invalid`] for a model that breaks a rule, [`Error::Unsupported`] for compression that no
-/// support resists, [`Error::NotConverged`] if no certified answer was reached.
+/// [`Error::Invalid`] for a model that breaks a rule, [`Error::NotConverged`] if no certified answer was
+/// reached.
 pub fn solve(model: &Model) -> Result<Outcome, Error> {
     solve_with(model, &Options::default())
 }
@@ -166,7 +168,8 @@ pub fn solve(model: &Model) -> Result<Outcome, Error> {
 /// # Errors
 ///
 /// As [`solve`]; and [`Error::Unsupported`] for the paper's pressures (5.5) on ground without a shear layer,
-/// and for its iteration on a beam with hinges.
+/// and for its iteration on a beam with hinges; where the equilibrium is a local one, for any method but
+/// [`Method::Exact`].
 pub fn solve_with(model: &Model, options: &Options) -> Result<Outcome, Error> {
     solve_near(model, options, None)
 }
@@ -199,8 +202,8 @@ pub(crate) fn solve_in(
     likely: Option<&[ContactRegion]>,
     kept: &mut Option<Box<Solution>>,
 ) -> Result<Existence, Error> {
-    let Checked { existence, stability } = check(model)?;
-    if let Verdict::None(_) = existence.verdict {
+    let Checked { existence, stability, contact } = check(model)?;
+    if !existence.verdict.stands() {
         *kept = None;
         return Ok(existence);
     }
@@ -219,13 +222,20 @@ pub(crate) fn solve_in(
             what: "which supports act",
         }));
     }
+    if contact.is_some() && options.method != Method::Exact {
+        return Err(Error::Unsupported(Problem::local_by_another_method()));
+    }
     let mut assembled = |found: &Found| {
         let memory = kept.take();
         let solution = assemble(model, options.method, existence, stability, found, memory);
         let certificate = kept.insert(solution).certificate();
         Proof { gap: certificate.relative_gap, violation: certificate.violation() }
     };
-    let found = find(model, options, existence, likely, &mut assembled)?;
+    let found = match contact {
+        Some(contact) => exact::from_stable(model, &contact, &mut assembled)
+            .map_err(|stalled| not_converged(options.method, stalled))?,
+        None => find(model, options, existence, likely, &mut assembled)?,
+    };
     // The exact method has had its answer judged.
     if options.method != Method::Exact {
         assembled(&found);
@@ -237,11 +247,11 @@ pub(crate) fn solve_in(
     Ok(existence)
 }
 
-/// Tells whether an equilibrium exists, without solving.
+/// Tells whether an equilibrium exists, without solving but where compression makes it a local one.
 ///
 /// # Errors
 ///
-/// As [`solve`], but never [`Error::NotConverged`].
+/// As [`solve`], but [`Error::NotConverged`] only for compression that the ground must help to bear.
 pub fn exists(model: &Model) -> Result<Existence, Error> {
     Ok(check(model)?.existence)
 }
@@ -249,31 +259,26 @@ pub fn exists(model: &Model) -> Result<Existence, Error> {
 /// What is known of a model before it is solved.
 pub(crate) struct Checked {
     pub existence: Existence,
-    /// 1 + P/P_cr in compression, 1 otherwise.
+    /// How much of the energy's convexity compression leaves, where it touches if that is local: 1 + P/P_cr;
+    /// 1 without compression.
     pub stability: f64,
+    /// Where a local equilibrium touches the ground.
+    pub contact: Option<Vec<Stretch>>,
 }
 
-/// Refuses a model that is wrong or lies outside what is solved.
+/// Refuses a model that is wrong, and tells what its equilibrium is like.
 pub(crate) fn check(model: &Model) -> Result<Checked, Error> {
     let problems = model.problems();
     if !problems.is_empty() {
         return Err(Error::Invalid(problems));
     }
-    let mut stability = 1.0;
-    let axial = model.beam.axial_force;
-    if axial < 0.0 {
-        if !held_rigidly(model) {
-            return Err(Error::Unsupported(Problem::unheld_compression()));
+    match convexity(model) {
+        Some(stability) => Ok(Checked { existence: existence(model), stability, contact: None }),
+        None if model.has_one_way_supports() => {
+            Err(Error::Unsupported(Problem::local_on_one_way_supports(&model.supports)))
         }
-        // What the beam may leave does not hold it.
-        let held = model.with_supports_that(|_, support| !support.is_one_way());
-        let critical = own_buckling_load(&held);
-        if -axial >= critical {
-            return Err(Error::Unsupported(Problem::beyond_buckling(-axial / critical)));
-        }
-        stability = 1.0 + axial / critical;
+        None => local::check(model),
     }
-    Ok(Checked { existence: existence(model), stability })
 }
 
 fn find(
@@ -293,15 +298,12 @@ fn find(
         return Err(Error::Unsupported(Problem::nodal_forces_on_springs(part)));
     }
     let elements = options.elements.max(1);
-    let stalled = |stalled: Stalled| {
-        Error::NotConverged(NotConverged {
-            method,
-            iterations: stalled.iterations,
-            tolerance: stalled.tolerance,
-            reached: stalled.reached,
-            what: stalled.what,
-        })
-    };
+    let stalled = |stalled: Stalled| not_converged(method, stalled);
+    if method != Method::Exact
+        && let Some(load) = model.loads.iter().position(Load::is_on_ground)
+    {
+        return Err(Error::Unsupported(Problem::only_exactly(load)));
+    }
     match method {
         Method::Exact => match existence.verdict {
             Verdict::NotUnique(motion) if stands_on_an_end(model, existence) => {
@@ -328,6 +330,11 @@ fn find(
             uzawa::solve(mesh, relaxation, from_bilateral, options.most_sweeps).map_err(stalled)
         }
     }
+}
+
+fn not_converged(method: Method, stalled: Stalled) -> Error {
+    let Stalled { iterations, tolerance, reached, what } = stalled;
+    Error::NotConverged(NotConverged { method, iterations, tolerance, reached, what })
 }
 
 /// Whether a free beam's resultant is exactly over one end and pushes down.

@@ -1,6 +1,6 @@
 //! One model after another, in the same memory.
 
-use crate::existence::{Existence, Verdict};
+use crate::existence::Existence;
 use crate::model::Model;
 use crate::solution::Solution;
 use crate::solve::{Error, Options, solve_in};
@@ -39,7 +39,7 @@ pub struct Solver {
 pub enum Answer<'a> {
     /// An equilibrium, certified.
     Equilibrium(&'a Solution),
-    /// There is none. The verdict holds the rigid motion that proves it.
+    /// There is none. The verdict holds the motion that shows it.
     NoEquilibrium(Existence),
 }
 
@@ -80,7 +80,7 @@ impl Solver {
         let likely = likely.map(|solution| solution.contact().to_vec());
         self.holds = false;
         let existence = solve_in(model, &Options::default(), likely.as_deref(), &mut self.kept)?;
-        if let Verdict::None(_) = existence.verdict {
+        if !existence.verdict.stands() {
             return Ok(Answer::NoEquilibrium(existence));
         }
         self.holds = true;

@@ -1,8 +1,13 @@
-//! The beam's own buckling load, which bounds the compression it may carry while the ground can be lost.
+//! Buckling loads: of the beam alone, which bounds the compression under which its energy is convex, and of
+//! the beam that the ground holds where it touches.
 
 use crate::chain::{Chain, ChainCell, ChainNode};
+use crate::contact::branch::compressed;
+use crate::contact::glue::Glue;
+use crate::contact::stretches::Stretch;
 use crate::elements::exact::{ExactElement, parts};
 use crate::elements::{Operator, Touch};
+use crate::mechanism::held_rigidly;
 use crate::mesh::Mesh;
 use crate::model::Model;
 
@@ -12,14 +17,43 @@ use crate::model::Model;
 /// Below it the energy of bending, springs and compression is positive definite, which is what the
 /// elimination of a chain finds out: all its pivots are positive.
 pub fn own_buckling_load(model: &Model) -> f64 {
+    least_unstable(model, |compression| is_stable(model, compression))
+}
+
+/// What compression leaves of the convexity of the energy, whatever touches: 1 + P/P_cr with the beam's own
+/// buckling load, 1 without compression. None where the energy is not convex.
+pub(crate) fn convexity(model: &Model) -> Option<f64> {
+    let axial = model.beam.axial_force;
+    if axial >= 0.0 {
+        return Some(1.0);
+    }
+    if !held_rigidly(model) {
+        return None;
+    }
+    // What the beam may leave does not hold it.
+    let held = model.with_supports_that(|_, support| !support.is_one_way());
+    let left = 1.0 + axial / own_buckling_load(&held);
+    (left > 0.0).then_some(left)
+}
+
+/// The smallest compression \[N\] at which the beam glued to the ground on given stretches has a deflected
+/// state of no stiffness, from below and to twelve digits.
+pub(crate) fn glued_buckling_load(model: &Model, contact: &[Stretch]) -> f64 {
+    least_unstable(model, |compression| {
+        Glue::new(&compressed(model, compression)).on(contact, None).is_ok()
+    })
+}
+
+/// The end of the compressions from zero on that are stable, from below.
+fn least_unstable(model: &Model, is_stable: impl Fn(f64) -> bool) -> f64 {
     let l = model.beam.length;
     let unit = model.beam.stiffest() / (l * l);
     let mut low = 0.0;
     let mut high = unit;
-    while is_stable(model, high) {
+    while is_stable(high) {
         low = high;
         high *= 2.0;
-        if high > 1e9 * unit {
+        if high > MOST * unit {
             return f64::INFINITY;
         }
     }
@@ -28,10 +62,13 @@ pub fn own_buckling_load(model: &Model) -> f64 {
         if middle <= low || middle >= high {
             break;
         }
-        if is_stable(model, middle) { low = middle } else { high = middle }
+        if is_stable(middle) { low = middle } else { high = middle }
     }
     low
 }
+
+/// Compression is not looked at beyond so many times EI/l²: its waves would be 10⁵ in a beam.
+pub(crate) const MOST: f64 = 1e11;
 
 fn is_stable(model: &Model, compression: f64) -> bool {
     let operator = |cell: &_| Operator::of(cell, -compression, Touch::Open);

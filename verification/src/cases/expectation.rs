@@ -119,7 +119,7 @@ impl Expectation {
         let wide = match (&self.wanted, self.tolerance) {
             (Wanted::Word(word), Tolerance::Same) => {
                 let known = matches!(self.quantity, Quantity::Governs { .. })
-                    || ["unique", "not-unique", "none"].contains(&word.as_str());
+                    || ["unique", "not-unique", "none", "local"].contains(&word.as_str());
                 return if known { Ok(()) } else { Err(format!("`{word}` is no verdict")) };
             }
             (Wanted::Word(_), _) => return Err("a verdict has no tolerance".into()),
@@ -162,9 +162,22 @@ impl Expectation {
                             vec![motion.left, motion.right]
                         }
                     }
-                    Verdict::Unique => return Err("no motion fails".into()),
+                    Verdict::Buckles(mode) if self.quantity == Quantity::FailingWork => {
+                        vec![mode.work]
+                    }
+                    Verdict::Buckles(mode) => vec![mode.left, mode.right],
+                    Verdict::Unique | Verdict::Local(_) => return Err("no motion fails".into()),
                 }
             }
+            (Quantity::CriticalCompression, _) => match existence(outcome).verdict {
+                Verdict::Local(local) => vec![local.critical_compression],
+                Verdict::Buckles(mode) => vec![mode.critical_compression],
+                _ => return Err("the ground need not help to bear the compression".into()),
+            },
+            (Quantity::StabilityMargin, _) => match existence(outcome).verdict {
+                Verdict::Local(local) => vec![local.stability_margin],
+                _ => return Err("the equilibrium is no local one".into()),
+            },
             (quantity, Outcome::Equilibrium(solution)) => quantity.of(solution)?,
             (_, Outcome::NoEquilibrium(_)) => return Err("there is no equilibrium".into()),
         };
@@ -282,7 +295,8 @@ fn word(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Unique => "unique",
         Verdict::NotUnique(_) => "not-unique",
-        Verdict::None(_) => "none",
+        Verdict::None(_) | Verdict::Buckles(_) => "none",
+        Verdict::Local(_) => "local",
     }
 }
 

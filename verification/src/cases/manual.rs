@@ -7,11 +7,16 @@ use groundbeam_file::Document;
 use std::fmt::Write;
 
 /// The folders in the order of the manual, each with what it holds.
-const CHAPTERS: [(&str, &str, &str); 6] = [
+const CHAPTERS: [(&str, &str, &str); 7] = [
     ("kikuchi-1980/", "The paper's own examples", "Kikuchi's sections 4 and 5."),
     ("textbook/", "Textbooks, manuals and closed forms", "Published numbers and exact solutions."),
     ("footings/", "Structures with units", "What an engineer would try first."),
     ("combinations/", "Combinations of load cases", "Each solved by itself, and their envelope."),
+    (
+        "ground/",
+        "Ground that is not flat and not endless",
+        "Surveys, troughs, trenches, neighbours.",
+    ),
     ("limits/", "Limits", "Degenerate and extreme models."),
     ("", "Benchmark", "A model that other solvers were measured with."),
 ];

@@ -71,7 +71,7 @@ impl Case {
     /// source or an expectation.
     pub fn read(path: &str, text: &str) -> Result<Case, Misread> {
         let whole = |what: String| Misread { line: 0, what };
-        let document = groundbeam_file::parse(text)
+        let document = groundbeam_file::parse_beside(text, &folder().join(path).with_file_name(""))
             .map_err(|faults| whole(faults.render(path, text, false)))?;
         let mut source = None;
         let mut expectations = Vec::new();

@@ -20,6 +20,8 @@ pub(super) enum Quantity {
     StaticReaction(Side),
     FailingMotion,
     FailingWork,
+    CriticalCompression,
+    StabilityMargin,
     Growth(Growth),
     Governs { field: Field, largest: bool },
 }
@@ -33,6 +35,8 @@ impl Quantity {
             "verdict" => return Ok(Quantity::Verdict),
             "failing_motion" => return Ok(Quantity::FailingMotion),
             "failing_work" => return Ok(Quantity::FailingWork),
+            "critical_compression" => return Ok(Quantity::CriticalCompression),
+            "stability_margin" => return Ok(Quantity::StabilityMargin),
             _ => {}
         }
         let (what, inside) =
@@ -102,9 +106,11 @@ impl Quantity {
             | Quantity::Reaction(_) => Kind::Force,
             Quantity::ReactionMoment(_) | Quantity::Energy => Kind::Moment,
             Quantity::Growth(Growth::PositionOfLiftOff) => Kind::Length,
-            Quantity::FailingMotion | Quantity::Growth(_) => Kind::Number,
+            Quantity::FailingMotion | Quantity::StabilityMargin | Quantity::Growth(_) => {
+                Kind::Number
+            }
             // Work per length of lift.
-            Quantity::FailingWork => Kind::Force,
+            Quantity::FailingWork | Quantity::CriticalCompression => Kind::Force,
             Quantity::Verdict | Quantity::Governs { .. } => return None,
         })
     }
@@ -139,6 +145,8 @@ impl Quantity {
             Quantity::StaticReaction(_)
             | Quantity::FailingMotion
             | Quantity::FailingWork
+            | Quantity::CriticalCompression
+            | Quantity::StabilityMargin
             | Quantity::Growth(_)
             | Quantity::Governs { .. }
             | Quantity::Verdict => Vec::new(),

@@ -50,7 +50,7 @@ pub fn scale(kind: Kind, unit: &str, units: UnitSystem) -> Result<f64, String> {
         Load::PointForce { force, .. } => Ok(force),
         Load::PointMoment { moment, .. } => Ok(moment),
         Load::Distributed { start, .. } => Ok(start),
-        Load::DistributedMoment { .. } | Load::Curvature { .. } => Err("no value".to_owned()),
+        _ => Err("no value".to_owned()),
     }
 }
 

@@ -327,8 +327,10 @@ fn is_finite(load: &Load) -> bool {
         Load::PointForce { force: size, .. } | Load::PointMoment { moment: size, .. } => {
             size.is_finite()
         }
+        Load::GroundForce { force, .. } => force.is_finite(),
         Load::Distributed { start, end, .. }
         | Load::DistributedMoment { start, end, .. }
-        | Load::Curvature { start, end, .. } => start.is_finite() && end.is_finite(),
+        | Load::Curvature { start, end, .. }
+        | Load::GroundDistributed { start, end, .. } => start.is_finite() && end.is_finite(),
     }
 }

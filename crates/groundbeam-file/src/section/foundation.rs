@@ -13,10 +13,22 @@ use crate::stiffness::{Given, Keys, Stiffness, cover};
 use crate::table::Section;
 use groundbeam::model::Part;
 use groundbeam::soil::{Bed, Subgrade};
-use groundbeam::{Beam, Foundation, FoundationSegment, Profile};
+use groundbeam::{Beam, Foundation, FoundationSegment, GroundEnd, Profile};
 
-const KEYS: &[&str] =
-    &["k", "subgrade_modulus", "C1", "width", "mu", "C2", "segment", "soil", "band"];
+const KEYS: &[&str] = &[
+    "k",
+    "subgrade_modulus",
+    "C1",
+    "width",
+    "mu",
+    "C2",
+    "segment",
+    "soil",
+    "band",
+    "left",
+    "right",
+];
+const END_KEYS: &[&str] = &["ends", "as"];
 const SEGMENT_KEYS: &[&str] = &["from", "to", "k", "subgrade_modulus", "C1", "width", "mu", "C2"];
 const STIFFNESS: Keys = Keys {
     product: ("k", &SPRING_PER_LENGTH),
@@ -73,7 +85,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section, beam: &Beam) -> Ground {
 
 /// A ground made of soil: nothing else may say what it is.
 fn on_soil(reader: &mut Reader, table: &Section, soil: &Section, beam: &Beam) -> Ground {
-    for key in ["k", "subgrade_modulus", "C1", "mu", "C2", "segment"] {
+    for key in ["k", "subgrade_modulus", "C1", "mu", "C2", "segment", "left", "right"] {
         if let Some((name, _)) = table.table.get_key_value(key) {
             let hint = "give the ground's constants, or the soil from which they follow";
             reader.exclusive((key, &name.span()), ("soil", &soil.span), hint);
@@ -93,6 +105,8 @@ fn on_soil(reader: &mut Reader, table: &Section, soil: &Section, beam: &Beam) ->
 
 /// A ground given by its constants.
 fn constants(reader: &mut Reader, table: &Section, beam_length: f64) -> Ground {
+    let ends = [("left", "[foundation] left"), ("right", "[foundation] right")]
+        .map(|(key, name)| ground_end(reader, table, key, name));
     let given = given(reader, table);
     let of_area = reader.along(table, "C2", &AREA_SHEAR, Values::Linear);
     let shear = shear(reader, table, of_area.as_ref(), given.factors[1].as_ref());
@@ -122,17 +136,47 @@ fn constants(reader: &mut Reader, table: &Section, beam_length: f64) -> Ground {
         (Stiffness::NotGiven | Stiffness::Half(..), Some(segment)) if covered => {
             reader.places.field(Part::Foundation, "spring", &Field::unreadable(0..0));
             let (spring, shear) = (segment.spring.end(), segment.shear.end());
-            Foundation { spring, shear, segments }
+            Foundation { spring, shear, segments, ends }
         }
         _ => {
             let spring = reader.settle(stiffness, table, &STIFFNESS);
             reader.places.field(Part::Foundation, "spring", &spring.field());
             add_where_it_varies(reader, &spring, &parent.shear, beam_length, &mut segments);
             let [spring, shear] = [&spring, &parent.shear].map(|along| along.profile.start());
-            Foundation { spring, shear, segments }
+            Foundation { spring, shear, segments, ends }
         }
     };
     Ground { foundation, bed: None, width, band: None }
+}
+
+/// `left = { ends = "-2 m", as = "free" }`
+fn ground_end(
+    reader: &mut Reader,
+    table: &Section,
+    key: &'static str,
+    name: &'static str,
+) -> GroundEnd {
+    let Some(end) = reader.table(table, key, name) else { return GroundEnd::Endless };
+    reader.refuse_unknown(&end, END_KEYS);
+    let at = reader.required(&end, "ends", &POSITION);
+    reader.places.field(Part::Foundation, key, &at);
+    let at = at.value;
+    match reader.words(&end, "as", "free") {
+        Some(("free", _)) => GroundEnd::Free { at },
+        Some(("held", _)) => GroundEnd::Held { at },
+        Some((other, span)) => {
+            let message = format!("`{other}` is no way in which ground ends");
+            let hint = "\"free\", as beside a trench, or \"held\", as by a wall";
+            reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
+            GroundEnd::Endless
+        }
+        None => {
+            if end.value("as").is_none() {
+                reader.missing(&end, &["as"], "`as`", "as = \"free\", or as = \"held\"");
+            }
+            GroundEnd::Endless
+        }
+    }
 }
 
 /// μ as it is given, or as C2 times a width; none if the table says nothing of it.

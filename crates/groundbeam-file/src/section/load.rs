@@ -39,6 +39,7 @@ const KINDS: [&str; 7] = [
     "temperature_difference",
     "shrinkage_difference",
 ];
+const GROUND_KEYS: &[&str] = &["point", "distributed", "at", "from", "to", "case"];
 
 /// The loads, and beside each the load case it belongs to.
 pub(super) fn read(
@@ -67,6 +68,58 @@ fn case(reader: &mut Reader, table: &Section) -> Option<String> {
         reader.report(Fault::new(code::EMPTY_NAME, span, message, "", hint));
     }
     Some(name.to_owned())
+}
+
+/// The loads on the ground, and beside each its load case; `first` loads stand before them.
+pub(super) fn read_on_ground(
+    reader: &mut Reader,
+    root: &Section,
+    first: usize,
+) -> Vec<(Load, Option<String>)> {
+    let tables = reader.tables(root, "ground_load", "[[ground_load]]");
+    let mut loads = Vec::new();
+    for (i, table) in tables.iter().enumerate() {
+        let load = on_ground(reader, table, Part::Load(first + i));
+        loads.push((load, case(reader, table)));
+    }
+    loads
+}
+
+fn on_ground(reader: &mut Reader, table: &Section, part: Part) -> Load {
+    reader.refuse_unknown(table, GROUND_KEYS);
+    reader.places.part(part, &table.span);
+    let (point_force, spread) = (table.value("point"), table.value("distributed"));
+    match (point_force, spread) {
+        (Some(value), other) => {
+            if let Some(other) = other {
+                let hint = "give each load a [[ground_load]] of its own";
+                reader.exclusive(("point", &value.span()), ("distributed", &other.span()), hint);
+            }
+            let (at, force) = point(reader, table, part, "point", value, &FORCE);
+            reader.places.field(part, "force", &force);
+            Load::GroundForce { at: at.value, force: force.value }
+        }
+        (None, Some(value)) => {
+            misplaced(
+                reader,
+                table,
+                "distributed",
+                &["at"],
+                "a distributed load has `from` and `to`",
+            );
+            let ends = ["from", "to"].map(|key| {
+                let end = reader.required(table, key, &POSITION);
+                reader.places.field(part, key, &end);
+                end.value
+            });
+            let (start, end) = intensity(reader, part, "distributed", value, &LOAD_PER_LENGTH);
+            Load::GroundDistributed { from: ends[0], to: ends[1], start, end }
+        }
+        (None, None) => {
+            reader.missing(table, &["point", "distributed"], "force", "point or distributed");
+            nothing(reader, part, table)
+        }
+    }
 }
 
 fn read_one(

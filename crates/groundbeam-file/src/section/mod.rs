@@ -13,6 +13,7 @@ mod material;
 mod shape;
 mod soil;
 mod support;
+mod survey;
 mod train;
 mod weight;
 
@@ -28,9 +29,12 @@ const TABLES: &[&str] = &[
     "beam",
     "foundation",
     "load",
+    "ground_load",
     "support",
     "hinge",
     "gap",
+    "gap_survey",
+    "gap_trough",
     "case",
     "combination",
     "train",
@@ -63,9 +67,13 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
         loads.push(load);
         cases.push(case);
     }
+    for (load, case) in load::read_on_ground(reader, root, loads.len()) {
+        loads.push(load);
+        cases.push(case);
+    }
     let supports = support::read(reader, root);
     let hinges = hinge::read(reader, root);
-    let gap = gap::read(reader, root);
+    let gap = gap::read(reader, root, beam.length);
     let limits = checks::read(reader, root, ground.width);
     let grounds = ground.band.map_or(1, |band| band.grounds().len());
     let recipes = combination::read(reader, root, &loads, &cases, grounds);

@@ -1,6 +1,6 @@
 //! The files of `cases/errors/`, read.
 
-use groundbeam_file::{Diagnostics, parse, text_of};
+use groundbeam_file::{Diagnostics, parse_beside, text_of};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -33,6 +33,7 @@ pub fn error_cases() -> Vec<ErrorCase> {
 }
 
 fn read(path: PathBuf) -> ErrorCase {
+    let folder = path.parent().unwrap();
     let name = path.file_name().unwrap().to_str().unwrap().to_owned();
     let bytes = fs::read(&path).unwrap();
     let text = String::from_utf8_lossy(&bytes).into_owned();
@@ -42,11 +43,12 @@ fn read(path: PathBuf) -> ErrorCase {
         .take_while(|line| line.starts_with("# error: "))
         .map(str::to_owned)
         .collect();
-    let diagnostics = match text_of(&bytes).and_then(parse) {
+    let diagnostics = match text_of(&bytes).and_then(|text| parse_beside(text, folder)) {
         Ok(_) => panic!("{name} is not wrong"),
         Err(diagnostics) => diagnostics,
     };
     let rendered = diagnostics.render(&name, &text, false);
+    let rendered = rendered.replace(&format!("{}/", folder.display()), "");
     ErrorCase { path, name, text, announced, diagnostics, rendered }
 }
 

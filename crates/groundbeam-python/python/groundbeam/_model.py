@@ -14,7 +14,7 @@ class Existence(NamedTuple):
     """What the statics say about equilibrium, before anything is solved."""
 
     verdict: str
-    """``unique``, ``not-unique`` or ``none``."""
+    """``unique``, ``not-unique``, ``none``, or ``local`` under compression that the ground helps to bear."""
     sentence: str
     """Why, in words."""
     static_reactions: Tuple[float, ...]
@@ -35,6 +35,7 @@ class Model:
     _text: str
     _name: str
     _bare_is_si: bool
+    _folder: Optional[str]
     _inner: _native.Model
 
     def __init__(
@@ -52,16 +53,16 @@ class Model:
         """Raises ``ModelError`` if anything is wrong, all faults at once."""
         several = {"load": loads, "support": supports, "hinge": hinges, "combination": combinations}
         made = _parts.tables(beam, foundation, several, gap, title)
-        self._read(_tables.write(made), "model", True)
+        self._read(_tables.write(made), "model", True, None)
 
-    def _read(self, text: str, name: str, bare_is_si: bool) -> None:
-        self._text, self._name, self._bare_is_si = text, name, bare_is_si
-        self._inner = _native.Model(text, name, bare_is_si)
+    def _read(self, text: str, name: str, bare_is_si: bool, folder: Optional[str]) -> None:
+        self._text, self._name, self._bare_is_si, self._folder = text, name, bare_is_si, folder
+        self._inner = _native.Model(text, name, bare_is_si, folder)
 
     @classmethod
-    def _of(cls, text: str, name: str, bare_is_si: bool) -> Model:
+    def _of(cls, text: str, name: str, bare_is_si: bool, folder: Optional[str] = None) -> Model:
         model = cls.__new__(cls)
-        model._read(text, name, bare_is_si)
+        model._read(text, name, bare_is_si, folder)
         return model
 
     @classmethod
@@ -76,7 +77,7 @@ class Model:
 
     def _with(self, heading: str, part: _parts.Part) -> Model:
         text = self._text.rstrip("\n") + "\n\n" + _tables.write({heading: [part.table]})
-        return Model._of(text, self._name, self.units == "SI")
+        return Model._of(text, self._name, self.units == "SI", self._folder)
 
     def with_load(self, load: _parts.Load) -> Model:
         """The same model with one load more."""
@@ -173,8 +174,8 @@ class Model:
     def __hash__(self) -> int:
         return hash((self._text, self._bare_is_si))
 
-    def __reduce__(self) -> Tuple[object, Tuple[str, str, bool]]:
-        return Model._of, (self._text, self._name, self._bare_is_si)
+    def __reduce__(self) -> Tuple[object, Tuple[str, str, bool, Optional[str]]]:
+        return Model._of, (self._text, self._name, self._bare_is_si, self._folder)
 
 
 def load(path: Union[str, "os.PathLike[str]"]) -> Model:
@@ -182,4 +183,4 @@ def load(path: Union[str, "os.PathLike[str]"]) -> Model:
     with open(path, "rb") as file:
         data = file.read()
     name = os.fspath(path)
-    return Model.from_toml(_native.text_of(data, name), name=name)
+    return Model._of(_native.text_of(data, name), name, False, os.path.dirname(name))

@@ -15,7 +15,9 @@ __version__: str
 
 @final
 class Model:
-    def __new__(cls, text: str, name: str, bare_is_si: bool) -> Model: ...
+    def __new__(
+        cls, text: str, name: str, bare_is_si: bool, folder: Optional[str]
+    ) -> Model: ...
     @property
     def title(self) -> Optional[str]: ...
     @property

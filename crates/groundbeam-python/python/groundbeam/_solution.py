@@ -135,7 +135,7 @@ def positions_of(native: Union[_native.Model, None], x: Union[Position, Position
 
 
 def _read(native: Union[_native.Model, None], text: str) -> float:
-    reader = native or _native.Model("[beam]\nlength=1\nEI=1\n[foundation]\nk=1\n", "x", True)
+    reader = native or _native.Model("[beam]\nlength=1\nEI=1\n[foundation]\nk=1\n", "x", True, None)
     [number] = reader.positions(text)
     return number
 
@@ -287,7 +287,8 @@ class Solution:
 
     @property
     def verdict(self) -> str:
-        """``unique``, or ``not-unique`` where this is one equilibrium of many."""
+        """``unique``, ``not-unique`` where this is one equilibrium of many, or ``local`` where the ground helps to bear
+        compression."""
         return self._inner.verdict
 
     @property

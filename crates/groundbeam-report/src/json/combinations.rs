@@ -132,8 +132,8 @@ impl Band {
 #[serde(untagged)]
 enum Result {
     Solved(Box<Solved>),
-    Checked(Checked),
-    Stopped(Stopped),
+    Checked(Box<Checked>),
+    Stopped(Box<Stopped>),
 }
 
 fn each<'a>(
@@ -150,13 +150,18 @@ fn each<'a>(
                 let own = stations.map_or_else(|| default_stations(solution), <[f64]>::to_vec);
                 Result::Solved(Box::new(Solved::of(solution, &own, &context)))
             }
-            Answer::Exists(existence) => {
-                Result::Checked(Checked::of("equilibrium-exists", model, existence, &context))
-            }
+            Answer::Exists(existence) => Result::Checked(Box::new(Checked::of(
+                "equilibrium-exists",
+                model,
+                existence,
+                &context,
+            ))),
             Answer::NoEquilibrium(existence) => {
-                Result::Checked(Checked::of("no-equilibrium", model, existence, &context))
+                Result::Checked(Box::new(Checked::of("no-equilibrium", model, existence, &context)))
             }
-            Answer::NotConverged(reached) => Result::Stopped(Stopped::of(reached, &context)),
+            Answer::NotConverged(reached) => {
+                Result::Stopped(Box::new(Stopped::of(reached, &context)))
+            }
         };
         let factors = factors.iter().map(|(case, factor)| (case.as_str(), *factor)).collect();
         let ground_factors = band.map(|[k, mu]| GroundFactors { k, mu });

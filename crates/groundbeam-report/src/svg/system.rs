@@ -11,7 +11,7 @@ use super::supports;
 use crate::font::Metrics;
 use crate::number::significant;
 use crate::quantity::{Kind, Units};
-use groundbeam::{Acts, Field, Fields, Model, Side, Solution, SupportKind};
+use groundbeam::{Acts, Field, Fields, GroundEnd, Model, Side, Solution, SupportKind};
 
 /// How far apart the highest and the lowest point of beam and ground are drawn.
 const DEPTH: f64 = 92.0;
@@ -110,8 +110,14 @@ impl Picture<'_> {
 
     fn ground(&mut self) {
         let (model, frame) = (self.solution.model(), self.frame);
+        // Where the ground ends beside the beam it is drawn no farther.
+        let margins = [false, true].map(|right| {
+            let outward = |x: f64| if right { x - frame.length } else { -x };
+            let end = model.foundation.ends[usize::from(right)].at();
+            end.map_or(frame.margin, |at| outward(at).clamp(0.0, frame.margin))
+        });
         let beyond = |t: f64, right: bool| {
-            let away = frame.margin * t;
+            let away = margins[usize::from(right)] * t;
             let x = if right { frame.length + away } else { -away };
             (x, self.solution.settlement(x) + initial_gap_at_end(model, right))
         };
@@ -131,7 +137,7 @@ impl Picture<'_> {
         let line = self.points(&values);
         self.floor = line.iter().fold(0.0_f64, |floor, point| floor.max(point[1]));
         let bottom = self.floor + BELOW;
-        let [left, right] = [frame.x(-frame.margin), frame.x(frame.length + frame.margin)];
+        let [left, right] = [frame.x(-margins[0]), frame.x(frame.length + margins[1])];
         let mut area = vec![[left, bottom]];
         area.extend(&line);
         area.push([right, bottom]);
@@ -139,6 +145,15 @@ impl Picture<'_> {
         let stroke = format!(r#"fill="none" stroke="{GROUND_LINE}" stroke-width="1.4""#);
         self.canvas.polyline(&line, false, &stroke);
         self.labels.avoid_line(&line);
+        for (x, end) in [left, right].into_iter().zip(model.foundation.ends) {
+            if let GroundEnd::Held { .. } = end
+                && end.at().is_some_and(|at| (frame.x(at) - x).abs() < 1e-9)
+            {
+                let wall = format!(r#"stroke="{BEAM}" stroke-width="3""#);
+                let top = line.iter().fold(0.0_f64, |top, point| top.min(point[1])) - BELOW;
+                self.canvas.line([x, top], [x, bottom], &wall);
+            }
+        }
         self.labels.avoid(Rect::around([0.0, bottom], [WIDTH, bottom + 1e3], 0.0));
         // Where the beam's underside was before loading.
         let dashes = format!(r#"stroke="{FAINT_INK}" stroke-width="0.8" stroke-dasharray="5 4""#);
@@ -263,7 +278,12 @@ impl Picture<'_> {
                 let fields = self.solution.at(gap.x, Side::Right);
                 let at = [self.frame.x(gap.x), self.scale * surface(&fields)];
                 let words = self.units.write(Kind::Deflection, gap.value, 4);
-                self.word(at, &format!("gap {words}"));
+                // How long a span is that both ends of the beam leave to themselves.
+                let over = match stretch.reaches {
+                    [false, false] => format!(" over {}", self.position(stretch.length())),
+                    _ => String::new(),
+                };
+                self.word(at, &format!("gap {words}{over}"));
             }
         }
     }

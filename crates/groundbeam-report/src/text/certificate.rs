@@ -3,10 +3,10 @@
 use super::sheet::Sheet;
 use crate::number::order;
 use crate::quantity::{Kind, Units};
-use groundbeam::Certificate;
+use groundbeam::{Certificate, Verdict};
 
 /// What was recomputed from the model, by code that shares nothing with the method.
-pub(super) fn rows(sheet: &mut Sheet, proof: &Certificate, units: Units) {
+pub(super) fn rows(sheet: &mut Sheet, proof: &Certificate, verdict: Verdict, units: Units) {
     let words = "recomputed from the model alone, by other code than the method's";
     sheet.row("Certificate", words);
     sheet.item("energy gap", &format!("{} of the strain energy", order(proof.relative_gap)));
@@ -40,6 +40,10 @@ pub(super) fn rows(sheet: &mut Sheet, proof: &Certificate, units: Units) {
         let moment = bound(Kind::Moment, proof.moment_rms_bound);
         sheet.item("moment", &format!("right to ± {moment}, root mean square along the beam"));
     }
+    if let Verdict::Local(_) = verdict {
+        let words = "the bounds are for the equilibrium with this contact; others, far from it, are not ruled out";
+        sheet.item("reach", words);
+    }
 }
 
 #[cfg(test)]
@@ -48,7 +52,7 @@ mod tests {
 
     fn written(proof: &Certificate) -> String {
         let mut sheet = Sheet::new(false);
-        rows(&mut sheet, proof, Units::Si);
+        rows(&mut sheet, proof, Verdict::Unique, Units::Si);
         sheet.finish()
     }
 

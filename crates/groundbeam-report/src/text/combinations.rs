@@ -163,6 +163,8 @@ fn outcome(combined: &Combined, units: Units) -> String {
         Some(Verdict::Unique) => "one".to_owned(),
         Some(Verdict::NotUnique(_)) => "not unique".to_owned(),
         Some(Verdict::None(motion)) => format!("none: {}", falls(motion, units)),
+        Some(Verdict::Local(_)) => "local".to_owned(),
+        Some(Verdict::Buckles(_)) => "none: it buckles".to_owned(),
         None => "not solved".to_owned(),
     }
 }
@@ -178,6 +180,8 @@ fn failures(sheet: &mut Sheet, combinations: &Combinations, units: Units) {
                 let sentence = verdict::sentence(combined.model, existence, units);
                 match existence.verdict {
                     Verdict::Unique => None,
+                    Verdict::Local(_) => Some((format!("local: {sentence}"), Tone::Doubtful)),
+                    Verdict::Buckles(_) => Some((format!("none: {sentence}"), Tone::Bad)),
                     Verdict::NotUnique(_) => {
                         Some((format!("not unique: {sentence}"), Tone::Doubtful))
                     }

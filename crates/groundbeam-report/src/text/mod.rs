@@ -17,8 +17,8 @@ use crate::size::Sizes;
 use crate::verdict;
 pub use combinations::combinations;
 use groundbeam::{
-    Acts, ContactRegion, Existence, Extreme, Field, Model, NotConverged, Profile, Reaction,
-    Solution, SupportKind, Verdict,
+    Acts, ContactRegion, Existence, Extreme, Field, GroundEnd, LiftOff, Load, Model, NotConverged,
+    Profile, Reaction, Solution, SupportKind, Verdict,
 };
 pub use passages::{checked_trains, trains};
 use sheet::{Sheet, Tone};
@@ -41,7 +41,8 @@ pub fn solved(solution: &Solution, context: &Context, colour: bool) -> String {
     extremes(&mut sheet, solution, units, &sizes);
     sheet.blank();
     checks::rows(&mut sheet, solution, context);
-    certificate::rows(&mut sheet, solution.certificate(), units);
+    let verdict = solution.existence().verdict;
+    certificate::rows(&mut sheet, solution.certificate(), verdict, units);
     sheet.blank();
     method(&mut sheet, solution, context);
     sheet.finish()
@@ -86,10 +87,21 @@ fn problem(sheet: &mut Sheet, model: &Model, existence: &Existence, context: &Co
             let size = units.write(Kind::Force, force.abs(), 6);
             format!("resultant {size} {sense} at x = {} ({share} l)", units.position(x))
         }
-        None if model.loads.is_empty() => "none".to_owned(),
+        None if model.loads.iter().all(Load::is_on_ground) => "none".to_owned(),
         None => "resultant zero".to_owned(),
     };
     sheet.row("Loads", &loads);
+    let neighbours: Vec<&Load> = model.loads.iter().filter(|load| load.is_on_ground()).collect();
+    listed(sheet, "On ground", &neighbours, |load| match **load {
+        Load::GroundDistributed { from, to, start, end } => {
+            let size = range(units, Kind::Pressure, [start, end]);
+            format!("{size} {}", between(units, from, to))
+        }
+        Load::GroundForce { at, force } => {
+            format!("{} at x = {}", units.write(Kind::Force, force, 6), units.position(at))
+        }
+        _ => String::new(),
+    });
     sheet.blank();
 }
 
@@ -128,6 +140,14 @@ fn structure(sheet: &mut Sheet, model: &Model, found: &Characteristics, context:
     };
     sheet.row("Ground", &constants);
     ground::rows(sheet, model, context);
+    for (side, end) in ["on the left", "on the right"].into_iter().zip(model.foundation.ends) {
+        let words = match end {
+            GroundEnd::Endless => continue,
+            GroundEnd::Free { at } => format!("free at x = {}", units.position(at)),
+            GroundEnd::Held { at } => format!("held at x = {}", units.position(at)),
+        };
+        sheet.row("", &format!("{side} it ends, {words}"));
+    }
 
     let beta = range(units, Kind::PerLength, found.beta);
     let beta_length = significant(found.beta_length, 4);
@@ -164,6 +184,12 @@ fn verdict_row(sheet: &mut Sheet, model: &Model, existence: &Existence, units: U
         Verdict::Unique => {
             sheet.toned_row("Equilibrium", &format!("exactly one: {sentence}"), Tone::Good);
         }
+        Verdict::Local(_) => {
+            sheet.toned_row("Equilibrium", &format!("local: {sentence}"), Tone::Doubtful);
+        }
+        Verdict::Buckles(_) => {
+            sheet.toned_row("Equilibrium", &format!("none: {sentence}"), Tone::Bad);
+        }
         Verdict::NotUnique(_) => {
             let words = format!("not unique: {sentence}");
             sheet.toned_row("Equilibrium", &words, Tone::Doubtful);
@@ -195,12 +221,58 @@ fn contact(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) 
     if lifted.is_empty() {
         sheet.row("Lift-off", "none");
     }
+    if lifted.len() > 1 {
+        return free_spans(sheet, &lifted, units, sizes);
+    }
     listed(sheet, "Lift-off", &lifted, |stretch| {
         let largest = sizes.extreme(Field::Gap, stretch.largest_gap);
         let gap = units.write(Kind::Deflection, largest.value, 6);
         let place = between(units, sizes.position(stretch.from), stretch.to);
         format!("{place}, up to {gap} at x = {}", units.position(largest.x))
     });
+}
+
+/// A table of the free spans; of very many the longest.
+fn free_spans(sheet: &mut Sheet, lifted: &[LiftOff], units: Units, sizes: &Sizes) {
+    let count = lifted.len();
+    let by_length = |a: &&LiftOff, b: &&LiftOff| b.length().total_cmp(&a.length());
+    let mut shown: Vec<&LiftOff> = lifted.iter().collect();
+    shown.sort_by(by_length);
+    shown.truncate(MOST_ROWS);
+    shown.sort_by(|a, b| a.from.total_cmp(&b.from));
+    let longest = shown.iter().fold(0.0_f64, |most, open| most.max(open.length()));
+    let longest = units.position(longest);
+    sheet.row("Lift-off", &format!("{count} free spans, the longest {longest} long"));
+    let place = units.unit(Kind::Position, shown.iter().fold(0.0, |far, open| open.to.max(far)));
+    let largest = |open: &LiftOff| sizes.extreme(Field::Gap, open.largest_gap);
+    let most = shown.iter().fold(0.0_f64, |most, open| most.max(largest(open).value));
+    let height = units.unit(Kind::Deflection, most);
+    sheet.heading(&format!(
+        "{:<13}{:>10}{:>10}{:>10}{:>13} {:<10} reaches",
+        "", "from", "to", "length", "largest gap", "at"
+    ));
+    for open in &shown {
+        let largest = largest(open);
+        let x = |x: f64| place.write(sizes.position(x), 5);
+        let ends = match open.reaches {
+            [true, true] => "both ends",
+            [true, false] => "left end",
+            [false, true] => "right end",
+            [false, false] => "",
+        };
+        sheet.line(&format!(
+            "{:<13}{:>10}{:>10}{:>10}{:>13} {:<10} {ends}",
+            "",
+            x(open.from),
+            x(open.to),
+            x(open.length()),
+            height.write(largest.value, 5),
+            x(largest.x)
+        ));
+    }
+    if count > MOST_ROWS {
+        sheet.row("", &format!("and {} shorter ones", count - MOST_ROWS));
+    }
 }
 
 /// `from 0 to 10.2 m`
@@ -224,7 +296,9 @@ fn forces(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) {
     let ends = solution.end_forces();
     let words = format!("left {}, right {}", write(ends.left), write(ends.right));
     sheet.row("End forces", &words);
-    listed(sheet, "Forces", solution.concentrated_forces(), |force| {
+    let inside = solution.concentrated_forces().iter();
+    let inside: Vec<_> = inside.filter(|force| sizes.force(force.force) != 0.0).collect();
+    listed(sheet, "Forces", &inside, |force| {
         format!("{} at x = {}, from the ground", write(force.force), units.position(force.at))
     });
     let supports = solution.model().supports.iter();

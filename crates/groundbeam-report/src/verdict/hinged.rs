@@ -3,7 +3,7 @@
 use crate::quantity::Units;
 use groundbeam::{Existence, Model, RigidMotion, Verdict, static_reactions};
 
-/// Why there is one equilibrium, more than one, or none.
+/// Why there is one equilibrium, more than one, or none; nothing of compression.
 pub(super) fn sentence(model: &Model, existence: &Existence, units: Units) -> String {
     let moves = |motion| moves(model, motion, units);
     match existence.verdict {
@@ -33,6 +33,7 @@ pub(super) fn sentence(model: &Model, existence: &Existence, units: Units) -> St
             moves(motion)
         ),
         Verdict::None(motion) => format!("the loads lift a part of the beam: {}", moves(motion)),
+        Verdict::Local(_) | Verdict::Buckles(_) => String::new(),
     }
 }
 

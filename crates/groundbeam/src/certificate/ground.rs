@@ -4,6 +4,8 @@ use super::Claim;
 use super::balance::{Carriers, Weights};
 use super::curve::Polynomial;
 use super::lift::{End, Lifting};
+use super::neighbours::Neighbours;
+use super::outside::Outside;
 use super::quadrature::{Seen, at_points, gauss, larger, seen_bounds};
 use super::surface::Under;
 use super::unclaimed::Unclaimed;
@@ -45,6 +47,11 @@ pub(super) struct GroundSums<'a> {
     /// A force where nothing can carry it.
     lost: bool,
     length: f64,
+    /// The stiffness of the ground beyond the ends.
+    outside: [f64; 2],
+    /// What acts on the ground besides the beam, and its work.
+    neighbours: Neighbours,
+    pub work: f64,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -55,7 +62,7 @@ struct Before<'a> {
 }
 
 impl<'a> GroundSums<'a> {
-    pub fn new(model: &Model, claim: &'a Claim) -> Self {
+    pub fn new(model: &Model, claim: &'a Claim, outside: &Outside) -> Self {
         GroundSums {
             forces: &claim.forces,
             used: 0,
@@ -68,7 +75,10 @@ impl<'a> GroundSums<'a> {
             worst_product: 0.0,
             largest_force: claim.forces.iter().map(|f| f.1.abs()).fold(0.0, f64::max),
             lifting: Lifting::default(),
-            unclaimed: Unclaimed::new(model),
+            unclaimed: Unclaimed::new(model, outside),
+            outside: outside.stiffness,
+            neighbours: Neighbours::of(model, outside),
+            work: 0.0,
             spread: 0.0,
             pull: 0.0,
             pulled: 0.0,
@@ -115,19 +125,24 @@ impl<'a> GroundSums<'a> {
             let left = before.as_ref().map_or(0.0, |before| before.under.end(1.0)[0]);
             carriers.press(Weights::point(x, force), [x, x], force * u.max(left));
         }
-        // The endless ground goes on with the value it has at the end.
+        let left_end = before.as_ref().map_or(0.0, |before| before.under.end(1.0)[0]);
+        // The ground beyond begins with the value it has at the end.
         let (flux_left, flux_right) = match (&before, &next) {
             (Some(before), Some(next)) => (before.flux, next.flux(-1.0, du)),
             (None, Some(next)) => {
-                let outside = next.outside(-1.0);
+                let outside = self.outside[0];
                 self.energy += outside * u * u;
-                (outside * u, next.flux(-1.0, du))
+                let push = self.neighbours.beside[0];
+                self.work += push * u;
+                (outside * u - push, next.flux(-1.0, du))
             }
             (Some(before), None) => {
                 let [u, ..] = before.under.end(1.0);
-                let outside = before.under.outside(1.0);
+                let outside = self.outside[1];
                 self.energy += outside * u * u;
-                (before.flux, -outside * u)
+                let push = self.neighbours.beside[1];
+                self.work += push * u;
+                (before.flux, push - outside * u)
             }
             (None, None) => return,
         };
@@ -135,7 +150,9 @@ impl<'a> GroundSums<'a> {
         let left = before.as_ref().map(|before| &before.under).filter(layer);
         let right = next.as_ref().filter(layer);
         // A force where a layer ends belongs to it.
-        let rest = flux_left - flux_right - force.max(0.0);
+        let neighbour = self.neighbours.force_at(x);
+        self.work += neighbour * if next.is_some() { u } else { left_end };
+        let rest = flux_left - flux_right - force.max(0.0) - neighbour;
         if left.is_some() {
             self.unclaimed.add(x, rest);
         }
@@ -190,11 +207,13 @@ impl<'a> GroundSums<'a> {
                 let jump = (clearances[1] - clearances[0]).abs();
                 [End::Open { jump, force }, End::Open { jump, force: 0.0 }]
             }
-            [left, right] => [(left, 1.0), (right, -1.0)].map(|(side, end)| match side {
-                Some(one) if at_end => End::Free { stiffness: one.outside(end), force },
-                Some(_) => End::Free { stiffness: 0.0, force },
-                None => none,
-            }),
+            [left, right] => {
+                [(left, self.outside[1]), (right, self.outside[0])].map(|side| match side {
+                    (Some(_), stiffness) if at_end => End::Free { stiffness, force },
+                    (Some(_), _) => End::Free { stiffness: 0.0, force },
+                    (None, _) => none,
+                })
+            }
         }
     }
 
@@ -221,7 +240,7 @@ impl<'a> GroundSums<'a> {
         let open = under.is_open();
         let energy = under.energy();
         self.energy += energy.unwrap_or(0.0);
-        if energy.is_some() && piece.pressure.is_empty() {
+        if energy.is_some() && piece.pressure.is_empty() && !under.is_loaded() {
             return;
         }
         let bend = 1.0 / (half * half);
@@ -240,8 +259,9 @@ impl<'a> GroundSums<'a> {
                 self.clear += dx * (p * (u + under.gap(s) - w)).abs();
                 under.residual(s) - p
             } else {
-                k * u - mu * (seen.bend[i] * bend) - rise * du - p
+                k * u - mu * (seen.bend[i] * bend) - rise * du - p - under.load(s)
             };
+            self.work += dx * under.load(s) * u;
             self.spread += dx * rest * rest / k;
             self.work_on_gap += dx * p * under.gap(s);
             self.total_pressure += dx * larger(0.0, p);

@@ -5,6 +5,7 @@
 //! what that costs is its own.
 
 use super::curve::rounding;
+use super::outside::Outside;
 use super::{Claim, ClaimedPiece};
 use crate::model::{Model, SupportKind};
 
@@ -53,7 +54,7 @@ pub(super) struct Joints {
 }
 
 impl Joints {
-    pub fn new(model: &Model, claim: &Claim) -> Self {
+    pub fn new(model: &Model, claim: &Claim, outside: &Outside) -> Self {
         let beam = &model.beam;
         let ground = &model.foundation;
         let segments = ground.segments.iter().map(|s| (s.spring.largest(), s.shear.largest()));
@@ -65,7 +66,7 @@ impl Joints {
             bending: beam.stiffest(),
             spring,
             tension: shear + beam.axial_force.max(0.0),
-            springs: 2.0 * (spring * shear).sqrt(),
+            springs: outside.stiffness[0] + outside.stiffness[1],
             rotational: 0.0,
             compression: (-beam.axial_force).max(0.0),
         };

@@ -38,7 +38,7 @@ pub(super) enum End {
     Edge,
     /// Open ground goes on, with what the clearance jumps by.
     Open { jump: f64, force: f64 },
-    /// The layer stops, or there is none; at an end of the beam it goes on endlessly, as stiff as √(kμ).
+    /// The layer stops, or there is none; at an end of the beam it may go on, as stiff as it is there.
     Free { stiffness: f64, force: f64 },
 }
 

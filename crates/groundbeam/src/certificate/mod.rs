@@ -17,6 +17,8 @@ mod ground;
 mod hinges;
 mod joints;
 mod lift;
+mod neighbours;
+mod outside;
 mod quadrature;
 mod statics;
 mod supports;
@@ -30,6 +32,7 @@ pub(crate) use claim::{Claim, ClaimedPiece};
 use ground::GroundSums;
 use hinges::Hinges;
 use joints::Joints;
+use outside::Outside;
 use quadrature::{Seen, at_points, gauss, larger};
 use statics::{Events, SpreadLoad};
 use supports::Supports;
@@ -148,7 +151,7 @@ pub(crate) fn certify(model: &Model, claim: &Claim) -> Certificate {
     let moment_bound = (2.0 * gap / stability).sqrt() + joints.norm + ROUNDED * sums.moment.sqrt();
     let stiffest = model.beam.stiffest();
     Certificate {
-        primal_energy: 0.5 * (sums.bending + inner) - sums.work,
+        primal_energy: 0.5 * (sums.bending + inner) - sums.work - ground.work,
         dual_energy: sums.curled
             - 0.5 * (sums.moment + inner)
             - ground.work_on_gap
@@ -164,7 +167,7 @@ pub(crate) fn certify(model: &Model, claim: &Claim) -> Certificate {
             ground.worst_product,
             ground.largest_force * sums.largest_deflection,
         ),
-        settlement_bound: settlement_bound(model, gap / stability, ground, joints),
+        settlement_bound: settlement_bound(model, claim, gap / stability, ground, joints),
         moment_bound,
         moment_rms_bound: moment_bound * (stiffest / model.beam.length).sqrt(),
     }
@@ -178,8 +181,14 @@ fn relative(x: f64, scale: f64) -> f64 {
 }
 
 /// |u − u*|: of the surface that was moved, by how much it was moved, and rounding of u and of positions.
-fn settlement_bound(model: &Model, gap: f64, ground: &GroundSums, joints: &Joints) -> f64 {
-    let flexibility = unclaimed::flexibility(model);
+fn settlement_bound(
+    model: &Model,
+    claim: &Claim,
+    gap: f64,
+    ground: &GroundSums,
+    joints: &Joints,
+) -> f64 {
+    let flexibility = outside::flexibility(model, &Outside::of(model, claim));
     if flexibility == f64::INFINITY {
         return flexibility;
     }
@@ -211,18 +220,19 @@ struct Walk<'a> {
 
 impl<'a> Walk<'a> {
     fn new(model: &'a Model, claim: &'a Claim<'a>) -> Self {
+        let outside = Outside::of(model, claim);
         let mut walk = Walk {
             model,
             claim,
             sums: Sums::default(),
-            ground: GroundSums::new(model, claim),
-            joints: Joints::new(model, claim),
+            ground: GroundSums::new(model, claim, &outside),
+            joints: Joints::new(model, claim, &outside),
             events: Events::of(model, claim),
             supports: Supports::new(model, claim),
             hinges: Hinges::new(model),
             spread: statics::spread(model),
             segment: Segment::default(),
-            given_back: GivenBack::new(unclaimed::flexibility(model)),
+            given_back: GivenBack::new(outside::flexibility(model, &outside)),
             loads: statics::size(model),
             began: [0.0; 4],
         };
@@ -424,7 +434,11 @@ fn work_at_points(model: &Model, claim: &Claim, sums: &mut Sums) {
         match *load {
             Load::PointForce { at, force } => sums.work += force * claim.deflection(at)[0],
             Load::PointMoment { at, moment } => sums.work += moment * claim.deflection(at)[1],
-            Load::Distributed { .. } | Load::DistributedMoment { .. } | Load::Curvature { .. } => {}
+            Load::Distributed { .. }
+            | Load::DistributedMoment { .. }
+            | Load::Curvature { .. }
+            | Load::GroundForce { .. }
+            | Load::GroundDistributed { .. } => {}
         }
     }
 }

@@ -53,7 +53,10 @@ impl Events {
                     let felt = curling(model, load);
                     ahead.extend([from, to].map(|at| Event { felt, ..Event::of(at, 0.0, 0.0) }));
                 }
-                Load::Distributed { .. } | Load::DistributedMoment { .. } => {}
+                Load::Distributed { .. }
+                | Load::DistributedMoment { .. }
+                | Load::GroundForce { .. }
+                | Load::GroundDistributed { .. } => {}
             }
         }
         let up = |&(x, force): &(f64, f64)| Event::of(x, -force, 0.0);
@@ -172,6 +175,7 @@ pub(super) fn size(model: &Model) -> f64 {
             0.5 * (start.abs() + end.abs()) * ((to - from) / l)
         }
         Load::Curvature { .. } => 2.0 * curling(model, load) / l,
+        Load::GroundForce { .. } | Load::GroundDistributed { .. } => 0.0,
     });
     sizes.sum()
 }

@@ -2,6 +2,7 @@
 
 use super::ClaimedPiece;
 use super::curve::{Curve, Point, ROUNDING, fourth, rounding};
+use super::neighbours;
 use crate::model::{Course, Model};
 use crate::polynomial::{Coefficients, jet};
 
@@ -16,6 +17,8 @@ pub(super) struct Under<'a> {
     pub shear: f64,
     ground: [Course; 2],
     gap: [f64; 2],
+    /// A load on the ground, q at both ends.
+    load: [f64; 2],
     /// Half of what g₀ rises by.
     rise: f64,
     open: Option<Open>,
@@ -59,7 +62,10 @@ impl<'a> Under<'a> {
             let slope = initial_slope(model, 0.5 * (from + to));
             (piece.x.map(|x| initial_gap(model, x)), slope * piece.half)
         };
+        let load = neighbours::spread(model, piece.x);
         let open = piece.open.map(|[left, right]| {
+            // What q alone does to even ground, u = q/k, is taken off.
+            let [left, right] = [left - load[0] / spring, right - load[1] / spring];
             if shear == 0.0 {
                 return Open::Even(Even {
                     mean: 0.0,
@@ -86,7 +92,7 @@ impl<'a> Under<'a> {
                 floor: left.min(right).min(0.0),
             })
         });
-        Under { piece, half: piece.half, deflection, spring, shear, ground, gap, rise, open }
+        Under { piece, half: piece.half, deflection, spring, shear, ground, gap, load, rise, open }
     }
 
     /// Whether the ground is free here.
@@ -128,17 +134,14 @@ impl<'a> Under<'a> {
         self.ends(s)[1] * slope
     }
 
-    /// What endless ground that goes on as it is at an end adds there: √(kμ).
-    pub fn outside(&self, s: f64) -> f64 {
-        let [spring, shear] = self.ends(s);
-        (spring * shear).sqrt()
-    }
-
     /// u and u' where the beam has w and dw/ds.
     pub fn surface(&self, s: f64, w: f64, dw: f64) -> [f64; 2] {
         match &self.open {
             None => [w - self.gap(s), (dw - self.rise) / self.half],
-            Some(Open::Even(even)) => even.surface(s),
+            Some(Open::Even(even)) => {
+                let ([e, de], [m, dm]) = (even.surface(s), self.own(s));
+                [e + m, de + dm]
+            }
             Some(Open::Varying(c)) => {
                 let [u, du, ..] = jet(c, s);
                 [u, du / self.half]
@@ -146,12 +149,37 @@ impl<'a> Under<'a> {
         }
     }
 
+    /// q/k and its slope.
+    fn own(&self, s: f64) -> [f64; 2] {
+        if self.load == [0.0; 2] {
+            return [0.0; 2];
+        }
+        let [a, b] = self.load.map(|q| q / self.spring);
+        [0.5 * ((1.0 - s) * a + (1.0 + s) * b), (b - a) / (2.0 * self.half)]
+    }
+
+    /// Whether anything acts on the ground here besides the beam.
+    pub fn is_loaded(&self) -> bool {
+        self.load != [0.0; 2]
+    }
+
+    /// q at s.
+    pub fn load(&self, s: f64) -> f64 {
+        0.5 * ((1.0 - s) * self.load[0] + (1.0 + s) * self.load[1])
+    }
+
     /// ∫(k u² + μ u'²) of open even ground: what its ends do, u μu' at the right less the same at the left.
     /// None for ground that touches or varies.
     pub fn energy(&self) -> Option<f64> {
         let Some(Open::Even(even)) = &self.open else { return None };
-        let [left, right] = [-1.0, 1.0].map(|s| even.surface(s));
-        Some(self.shear * (right[0] * right[1] - left[0] * left[1]))
+        // u = e + m: e is the ground without load, m = q/k, and ∫(k e m + μ e'm') is what e does on m.
+        let ends = [-1.0, 1.0].map(|s| (even.surface(s), self.own(s)));
+        let [left, right] = ends.map(|([e, de], [m, _])| de * (e + 2.0 * m));
+        let [(_, [a, rise]), (_, [b, _])] = ends;
+        let length = 2.0 * self.half;
+        let own = self.spring * length / 3.0 * (a * a + a * b + b * b)
+            + self.shear * length * rise * rise;
+        Some(self.shear * (right - left) + own)
     }
 
     /// ku − (μu')' of open ground.
@@ -265,7 +293,8 @@ impl<'a> Clearance<'a> {
 
     fn over_even_ground(under: &'a Under<'a>, open: Even) -> Self {
         let [value, slope] = rounding(under.piece.deflection);
-        let ground = open.mean.abs() + open.rise.abs();
+        let own = under.load[0].abs().max(under.load[1].abs()) / under.spring;
+        let ground = open.mean.abs() + open.rise.abs() + own;
         let gap = under.gap[0].abs().max(under.gap[1].abs());
         let steep = if open.z > 0.0 {
             open.z * open.mean.abs() + open.rise.abs() * (1.0 + open.z)
@@ -279,7 +308,7 @@ impl<'a> Clearance<'a> {
             rest: 0.5 * fourth(under.piece.deflection),
             noise: [
                 value + ROUNDING * (ground + gap),
-                slope + ROUNDING * (steep + under.rise.abs()),
+                slope + ROUNDING * (steep + own + under.rise.abs()),
             ],
         }
     }
@@ -298,12 +327,14 @@ impl Curve for Clearance<'_> {
         let [w, dw, bend, third] = jet(under.piece.deflection, s);
         let [u, du] = open.surface(s);
         let du = du * under.half;
+        let [own, sinks] = under.own(s);
+        let sinks = sinks * under.half;
         // The ground is convex where it is not negative: it lies above its tangent.
         let (least, turn) = if open.floor < 0.0 { (open.floor, 0.0) } else { (u, du.abs()) };
         Point {
             s,
-            value: u + under.gap(s) - w,
-            slope: du + under.rise - dw,
+            value: u + own + under.gap(s) - w,
+            slope: du + sinks + under.rise - dw,
             bend: self.curvature * least - bend,
             turn: self.curvature * turn + third.abs(),
         }

@@ -1,11 +1,12 @@
 //! How far the ground gives under forces that nobody claims.
 
+use super::outside::Outside;
 use crate::model::Model;
 
 /// ⟨r, Gr⟩ for concentrated forces r that stand on the ground unclaimed: b(u − Gp, u − Gp).
 ///
 /// Softer ground gives more, so it is bounded on ground with the smallest k and the smallest μ > 0 of the
-/// model, where G is the exponential (2.4). A shear layer of length L that stops under the beam gives at
+/// model, where G is the exponential (2.4). A shear layer of length L with a free end gives at
 /// most coth(bL)/√(kμ) to a unit force, which bounds it by (Σ|r|)².
 #[derive(Debug)]
 pub(super) struct Unclaimed {
@@ -22,10 +23,12 @@ pub(super) struct Unclaimed {
     start: f64,
     endless: bool,
     inside: bool,
+    /// Whether the layer goes on beyond the beam's ends without a free end of its own.
+    goes_on: [bool; 2],
 }
 
 impl Unclaimed {
-    pub fn new(model: &Model) -> Self {
+    pub fn new(model: &Model, outside: &Outside) -> Self {
         let ground = &model.foundation;
         let segments = ground.segments.iter().map(|s| (s.spring.smallest(), s.shear.smallest()));
         let (mut spring, mut shear) = (ground.spring, f64::INFINITY);
@@ -35,6 +38,7 @@ impl Unclaimed {
                 shear = shear.min(mu);
             }
         }
+        let goes_on = outside.is_free().map(|free| !free);
         Unclaimed {
             spring,
             shear,
@@ -45,8 +49,9 @@ impl Unclaimed {
             square: 0.0,
             x: 0.0,
             start: 0.0,
-            endless: true,
+            endless: goes_on[0],
             inside: true,
+            goes_on,
         }
     }
 
@@ -54,7 +59,7 @@ impl Unclaimed {
     pub fn enter(&mut self, layer: bool, x: f64) {
         if layer != self.inside {
             self.close(x, false);
-            (self.start, self.endless, self.inside) = (x, x == 0.0, layer);
+            (self.start, self.endless, self.inside) = (x, x == 0.0 && self.goes_on[0], layer);
         }
     }
 
@@ -86,20 +91,7 @@ impl Unclaimed {
     /// ‖Gr‖ in the norm of b.
     pub fn norm(&self) -> f64 {
         let mut all = Unclaimed { ..*self };
-        all.close(self.length, true);
+        all.close(self.length, self.goes_on[1]);
         (2.0 * all.finished).sqrt()
     }
-}
-
-/// A bound of g(x, x) for the whole ground; infinite where there is no shear layer.
-///
-/// Less stiff ground gives more (the energy is monotone in k and μ), so the softest constants bound it. A
-/// shear layer that stops under the beam is held from one side only.
-pub(super) fn flexibility(model: &Model) -> f64 {
-    let ground = &model.foundation;
-    let all = ground.segments.iter().map(|s| (s.spring.smallest(), s.shear.smallest()));
-    let (k, mu) = all.fold((ground.spring, ground.shear), |(k, mu), (other_k, other_mu)| {
-        (k.min(other_k), mu.min(other_mu))
-    });
-    if mu > 0.0 { 0.5 / (k * mu).sqrt() } else { f64::INFINITY }
 }

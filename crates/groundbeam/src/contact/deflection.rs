@@ -1,6 +1,6 @@
-//! A deflection in pieces, points of the beam, and what ψ = w − g₀ asks of the ground.
+//! A deflection in pieces, points of the beam, and what ψ = w − g₀ − u₀ asks of the ground.
 
-use super::layout::gap_at;
+use super::layout::{gap_at, initial, initial_gap_at};
 use super::varying;
 use crate::mesh::{Cell, Mesh};
 use crate::polynomial::{Coefficients, jet, value};
@@ -46,11 +46,16 @@ impl Deflection<'_> {
     pub fn pressing(&self, spot: Spot) -> [f64; 3] {
         let cell = &self.mesh.cells[spot.cell];
         let [f, d1, d2, _] = jet(self.cell(spot.cell), spot.s);
-        let psi = f - gap_at(cell, spot.s);
+        let [settled, sinks] = cell.settled_at(spot.s);
+        // w − g₀, of which the ground's own settlement is −(μu₀′)′ + ku₀ = q less.
+        let psi = f - initial_gap_at(cell, spot.s);
         let per_length = 2.0 / cell.length();
         let slope = d1 * per_length - cell.gap_slope;
         let [k, mu, rise] = cell.ground_rising_at(spot.s);
-        [psi, slope, k * psi - mu * d2 * per_length * per_length - rise * per_length * slope]
+        let load = initial(cell.ground_load, spot.s);
+        let pressure =
+            k * psi - mu * d2 * per_length * per_length - rise * per_length * slope - load;
+        [psi - settled, slope - sinks, pressure]
     }
 
     /// The position of a spot.
@@ -62,7 +67,7 @@ impl Deflection<'_> {
     pub fn flux(&self, spot: Spot) -> f64 {
         let cell = &self.mesh.cells[spot.cell];
         let slope = jet(self.cell(spot.cell), spot.s)[1] * 2.0 / cell.length() - cell.gap_slope;
-        cell.ground_at(spot.s)[1] * slope
+        cell.ground_at(spot.s)[1] * (slope - cell.settled_at(spot.s)[1])
     }
 
     /// −\[μψ'\] at the node to the left of cell i: positive where a corner presses into the ground.
@@ -74,10 +79,10 @@ impl Deflection<'_> {
             return self.flux(left) - self.flux(right);
         }
         if before == after && a.gap_slope == b.gap_slope {
-            return 0.0;
+            return -b.ground_force;
         }
         let slope = jet(self.cell(i), -1.0)[1] * 2.0 / b.length();
-        (before - after) * slope - (before * a.gap_slope - after * b.gap_slope)
+        (before - after) * slope - (before * a.gap_slope - after * b.gap_slope) - b.ground_force
     }
 
     /// The coefficients of π = kψ − (μψ')' in cell i.

@@ -18,15 +18,17 @@ use super::balanced::{self, Held};
 use super::descent::shorten;
 use super::edges;
 use super::glue::Glue;
+use super::layout::gap_at;
 use super::majorant;
 use super::near;
 use super::softened;
-use super::stretches::{Stretch, at_place, distance, positions};
+use super::stretches::{Stretch, at_place, distance, joined, positions};
 use crate::chain::Loose;
 use crate::mesh::Mesh;
-use crate::model::Model;
+use crate::model::{GapPoint, Model};
 use crate::polynomial::jet;
 use crate::solution::ContactRegion;
+use std::borrow::Cow;
 use std::rc::Rc;
 
 /// How often the coarse mesh is refined threefold before the model is given up.
@@ -112,7 +114,8 @@ pub(crate) fn solve(
     {
         return Ok(found);
     }
-    if let Some(stretches) = near::edges(model)
+    let nearly = sunk(model);
+    if let Some(stretches) = near::edges(&nearly)
         && let Ok(found) = from_edges(glue, &stretches, judge)
     {
         return Ok(found);
@@ -120,7 +123,7 @@ pub(crate) fn solve(
     let mut last = Stalled::default();
     let mut iterations = 0;
     for level in 0..=REFINEMENTS {
-        let start = softened::start(model, level);
+        let start = softened::start(&nearly, level);
         let found = start.and_then(|start| {
             refine(glue, Start::asked_by(start), Goal::Answer(MOST_STEPS), judge)
         });
@@ -133,6 +136,43 @@ pub(crate) fn solve(
         }
     }
     Err(Stalled { iterations, ..last })
+}
+
+/// A model to start from: what the ground settles by itself as an initial gap, linear between nodes.
+fn sunk(model: &Model) -> Cow<'_, Model> {
+    if !model.has_ground_loads() {
+        return Cow::Borrowed(model);
+    }
+    let cells = Mesh::build(model, &[], |_| 1).cells;
+    let mut nearly = model.clone();
+    nearly.loads.retain(|load| !load.is_on_ground());
+    nearly.gap.clear();
+    for cell in &cells {
+        nearly.gap.push(GapPoint { at: cell.x[0], value: gap_at(cell, -1.0) });
+    }
+    let last = &cells[cells.len() - 1];
+    nearly.gap.push(GapPoint { at: last.x[1], value: gap_at(last, 1.0) });
+    Cow::Owned(nearly)
+}
+
+/// From the contact of a stable equilibrium, known but for its last digits. An equilibrium elsewhere is none.
+pub(crate) fn from_stable(
+    model: &Model,
+    contact: &[Stretch],
+    mut judge: impl FnMut(&Found) -> Proof,
+) -> Result<Found, Stalled> {
+    let l = model.beam.length;
+    let glue = &mut Glue::new(model);
+    let moved =
+        |found: &Found| distance(contact, &joined(positions(&found.mesh, &found.zones, &[]), l));
+    let moved = match from_edges(glue, contact, &mut judge) {
+        Ok(found) if moved(&found) <= LOCAL * l => return Ok(found),
+        Ok(found) => moved(&found),
+        Err(stalled) => stalled.reached,
+    };
+    // Next to a limit point a step for the last digits leads away.
+    let found = glue.on(contact, None).map_err(|Loose| unsettled(0, moved))?;
+    if judge(&found).is_within(LAST) { Ok(found) } else { Err(unsettled(0, moved)) }
 }
 
 /// The contact of another beam, as far as this one reaches.

@@ -43,6 +43,23 @@ pub(crate) fn beam_form(mesh: &Mesh, terms: usize, a: &[f64], b: &[f64]) -> f64 
     sum
 }
 
+/// F(w): the work of the loads of a mesh.
+pub(crate) fn work_of_loads(mesh: &Mesh, terms: usize, w: &[f64]) -> f64 {
+    let mut work = 0.0;
+    for (i, cell) in mesh.cells.iter().enumerate() {
+        let c = &w[i * terms..(i + 1) * terms];
+        let line = |[left, right]: [f64; 2]| [0.5 * (left + right), 0.5 * (right - left)];
+        work += 0.5 * cell.length() * inner(&line(cell.load), c, 0);
+        work += inner(&line(cell.moment_load), &derivative(c), 0);
+    }
+    for (i, node) in mesh.nodes.iter().enumerate() {
+        let (cell, s) = if i == 0 { (0, -1.0) } else { (i - 1, 1.0) };
+        let [w, d, ..] = jet(&w[cell * terms..(cell + 1) * terms], s);
+        work += node.force * w + node.moment * d * 2.0 / mesh.cells[cell].length();
+    }
+    work
+}
+
 /// The work of the ground's forces under ψ (contact on `zones`) on a second field δ: the first variation
 /// of ½ min_{u ≥ ψ} b(u, u), where `zones` is the contact of ψ; the bilinear form of the glued ground
 /// otherwise. Both fields are polynomials on the same mesh; ψ already without the gap.

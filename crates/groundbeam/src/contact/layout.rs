@@ -112,6 +112,13 @@ impl Layout {
                 ..ChainNode::default()
             })
             .collect();
+        // ∫(k u₀z + μu₀′z′) over a cell that touches is ∫q z, and μu₀′z at its ends.
+        for &(i, part) in self.parts.iter().filter(|(i, _)| mesh.cells[*i].is_sunk()) {
+            let cell = &mesh.cells[i];
+            let [from, to] = part.map(|s| cell.shear * cell.settled_at(s)[1]);
+            nodes[i].force -= from;
+            nodes[i + 1].force += to;
+        }
         for Piece { cells, pasternak, beyond } in pieces(mesh) {
             if !pasternak {
                 continue;
@@ -130,7 +137,7 @@ impl Layout {
                 let spring = beyond[end];
                 if self.touched[node][side] {
                     nodes[node].ground_spring += spring;
-                    nodes[node].gap = mesh.cells[cell].gap[end];
+                    nodes[node].gap = gap_at(&mesh.cells[cell], [-1.0, 1.0][end]);
                 } else {
                     nodes[node].surface_spring += spring;
                 }
@@ -148,7 +155,7 @@ impl Layout {
                 if nodes[node].surface.contains(&true) && waves() <= NEAR {
                     nodes[node].from_beam = true;
                     let right = node.min(mesh.cells.len() - 1);
-                    nodes[node].gap = mesh.cells[right].gap[node - right];
+                    nodes[node].gap = gap_at(&mesh.cells[right], [-1.0, 1.0][node - right]);
                 }
             }
         }
@@ -221,8 +228,17 @@ impl Layout {
     }
 }
 
-/// g₀ at s of a cell.
+/// g₀ + u₀ at s of a cell.
 pub(crate) fn gap_at(cell: &Cell, s: f64) -> f64 {
-    let [left, right] = cell.gap;
+    initial_gap_at(cell, s) + cell.settled_at(s)[0]
+}
+
+/// g₀ at s of a cell.
+pub(crate) fn initial_gap_at(cell: &Cell, s: f64) -> f64 {
+    initial(cell.gap, s)
+}
+
+/// Linear between the values at both ends.
+pub(crate) fn initial([left, right]: [f64; 2], s: f64) -> f64 {
     0.5 * (left + right) + 0.5 * (right - left) * s
 }

@@ -2,6 +2,7 @@
 
 pub(crate) mod active_set;
 pub(crate) mod balanced;
+pub(crate) mod branch;
 pub(crate) mod deflection;
 mod descent;
 mod edges;
@@ -17,7 +18,7 @@ pub(crate) mod nested;
 pub(crate) mod pieces;
 pub(crate) mod recover;
 mod softened;
-mod stretches;
+pub(crate) mod stretches;
 pub(crate) mod surface;
 pub(crate) mod uzawa;
 mod varying;

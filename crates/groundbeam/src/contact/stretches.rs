@@ -7,6 +7,9 @@ use crate::mesh::{Cell, Mesh};
 /// Edges this close to a place of the model's own, as a part of the length, are there.
 const SAME_PLACE: f64 = 64.0 * f64::EPSILON;
 
+/// Open ground this short, as a part of the length, is hardly more than rounding.
+const SLIT: f64 = 1e-10;
+
 /// Stretches of contact as positions; a point has both equal.
 pub(crate) type Stretch = [f64; 2];
 
@@ -19,6 +22,25 @@ pub(super) fn positions(mesh: &Mesh, zones: &[Zone], places: &[f64]) -> Vec<Stre
     let kept = |(zone, [from, to]): &(&Zone, Stretch)| from < to || carries(zone);
     let all = zones.iter().map(|zone| (zone, [at(zone.from), at(zone.to)]));
     all.filter(kept).map(|(_, stretch)| stretch).collect()
+}
+
+/// Stretches without the slits that rounding leaves between them, on a beam of length l. A point stays: it may be
+/// the end of a shear layer beside separate springs.
+pub(super) fn joined(stretches: Vec<Stretch>, l: f64) -> Vec<Stretch> {
+    let mut joined: Vec<Stretch> = Vec::with_capacity(stretches.len());
+    for stretch in stretches {
+        match joined.last_mut() {
+            Some(last)
+                if last[0] < last[1]
+                    && stretch[0] < stretch[1]
+                    && stretch[0] - last[1] <= SLIT * l =>
+            {
+                last[1] = stretch[1];
+            }
+            _ => joined.push(stretch),
+        }
+    }
+    joined
 }
 
 /// A position on a beam of length l; within rounding of a place of the model's own that place.

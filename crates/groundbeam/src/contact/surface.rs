@@ -236,6 +236,7 @@ pub(crate) fn can_carry(mesh: &Mesh, spot: Spot) -> bool {
     left.shear_ends()[1] != right.shear_ends()[0]
         || left.gap_slope != right.gap_slope
         || mesh.nodes[node].hinge.is_some()
+        || right.ground_force != 0.0
 }
 
 /// All of the open ground between two spots as one link; none between spots that meet.

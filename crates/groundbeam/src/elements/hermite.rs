@@ -246,6 +246,9 @@ mod tests {
             curvature: [0.0; 2],
             gap: [0.0; 2],
             gap_slope: 0.0,
+            ground_load: [0.0; 2],
+            faded: [0.0; 2],
+            ground_force: 0.0,
         };
         let q = element(&cell, 0.0).load;
         // d₁, d₂ carry the right end's force and moment; the left ones are the rest.

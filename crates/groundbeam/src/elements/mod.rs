@@ -135,6 +135,9 @@ impl Courses {
         if touch == Touch::Contact {
             courses.spring = cell.spring_course();
             let gap = linear(cell.gap);
+            for (load, q) in courses.load.iter_mut().zip(linear(cell.ground_load)) {
+                *load += q;
+            }
             for (i, mu) in cell.shear_course().into_iter().enumerate() {
                 courses.tension[i] += mu;
                 courses.moment_load[i] += mu * cell.gap_slope;
@@ -173,7 +176,7 @@ impl Operator {
         Operator {
             tension: axial_force + cell.shear,
             spring: cell.spring,
-            load: [0, 1].map(|i| cell.load[i] + cell.spring * cell.gap[i]),
+            load: [0, 1].map(|i| cell.load[i] + cell.spring * cell.gap[i] + cell.ground_load[i]),
             moment_load: cell.moment_load.map(|g| g + cell.shear * cell.gap_slope),
             ..off
         }

@@ -106,7 +106,17 @@ fn form(stretch: &Stretch, field: Field, [from, to]: [f64; 2]) -> Coefficients {
 }
 
 /// u between two points of a stretch off the ground.
-fn open_ground(stretch: &Stretch, [a, b]: [f64; 2]) -> Coefficients {
+fn open_ground(stretch: &Stretch, ends: [f64; 2]) -> Coefficients {
+    let pressed = pressed_ground(stretch, ends);
+    if !stretch.cell.is_sunk() {
+        return pressed;
+    }
+    let [a, b] = ends;
+    sum(&pressed, &rescale(&stretch.cell.settled(), 0.5 * (a + b), 0.5 * (b - a)), 1.0)
+}
+
+/// What the beam's pressure elsewhere adds to it.
+fn pressed_ground(stretch: &Stretch, [a, b]: [f64; 2]) -> Coefficients {
     if !stretch.settlement.is_empty() {
         return rescale(&stretch.settlement, 0.5 * (a + b), 0.5 * (b - a));
     }
@@ -119,7 +129,8 @@ fn open_ground(stretch: &Stretch, [a, b]: [f64; 2]) -> Coefficients {
     if 2.0 * half > 1.5 * PIECE * (mu / k).sqrt() {
         return Coefficients::zeros(1);
     }
-    settled(&[k], &[mu], half, [a, b].map(|s| stretch.fields(s).settlement))
+    let ends = stretch.open.unwrap_or_default();
+    settled(&[k], &[mu], half, [a, b].map(|s| stretch.pressed(s, ends)[0]))
 }
 
 /// f + factor·g.

@@ -17,7 +17,8 @@ use crate::assemble::assemble;
 use crate::certificate::Certificate;
 use crate::existence::{RigidMotion, Verdict, existence, rays};
 use crate::model::{Load, Model, Problem};
-use crate::solve::{Checked, Error, Method, NotConverged, check};
+use crate::solve::{Error, Method, NotConverged};
+use crate::stability::convexity;
 use bonded::{Watched, glued_all_along, watched};
 
 /// What becomes of a model whose loads grow. See [`load_factors`].
@@ -85,13 +86,22 @@ pub enum LossOfEquilibrium {
 ///
 /// # Errors
 ///
-/// As [`solve`](crate::solve()). The factor of first lift-off is returned only if the certificate of the
+/// As [`solve`](crate::solve()); and [`Error::Unsupported`] for compression that the ground must help to bear. The factor of first lift-off is returned only if the certificate of the
 /// fields at that factor holds.
 pub fn load_factors(model: &Model, grows: impl Fn(usize) -> bool) -> Result<LoadFactors, Error> {
-    let Checked { stability, .. } = check(model)?;
+    let problems = model.problems();
+    if !problems.is_empty() {
+        return Err(Error::Invalid(problems));
+    }
     if model.has_one_way_supports() {
         return Err(Error::Unsupported(Problem::factors_with_one_way_supports(&model.supports)));
     }
+    if let Some(load) = model.loads.iter().position(Load::is_on_ground) {
+        return Err(Error::Unsupported(Problem::no_factors(load)));
+    }
+    let Some(stability) = convexity(model) else {
+        return Err(Error::Unsupported(Problem::factors_of_a_local_equilibrium()));
+    };
     let parts = Parts::of(model, grows);
     let loss_of_equilibrium = parts.loss_of_equilibrium();
     let first_lift_off = match loss_of_equilibrium {

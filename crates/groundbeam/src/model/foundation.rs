@@ -1,19 +1,23 @@
 //! The ground: k(x) and μ(x) by segments on the whole line, (2.2) and Remark 2.
 
+use super::beyond::GroundEnd;
 use super::profile::{Course, Profile};
 
 /// A Pasternak foundation; with `shear` = 0 a Winkler foundation.
 ///
-/// The ground goes on to infinity on both sides with the constants it has at the beam's ends.
+/// Beside the beam the ground goes on as it is at the beam's ends, outward, until a segment says otherwise or it
+/// [ends](GroundEnd).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Foundation {
     /// Spring constant k \[N/m²\], force per length of beam and deflection, positive.
     pub spring: f64,
     /// Shear constant μ \[N\], not negative.
     pub shear: f64,
-    /// Stretches with other constants. They may touch, not overlap. One that begins at or before
-    /// the beam's left end holds for all the ground to the left of it, and the same on the right.
+    /// Stretches with other constants, under the beam and beside it. They may touch, not overlap. Beside the
+    /// beam each holds outward until another one begins.
     pub segments: Vec<FoundationSegment>,
+    /// How the ground ends on the left and on the right.
+    pub ends: [GroundEnd; 2],
 }
 
 /// A stretch of ground with constants of its own.
@@ -35,7 +39,7 @@ impl Foundation {
 
     /// Uniform ground with a shear layer.
     pub fn pasternak(spring: f64, shear: f64) -> Self {
-        Foundation { spring, shear, segments: Vec::new() }
+        Foundation { spring, shear, segments: Vec::new(), ends: [GroundEnd::Endless; 2] }
     }
 
     /// Uniform ground of independent springs, μ = 0.
@@ -71,6 +75,11 @@ impl Foundation {
         self
     }
 
+    /// The same ground with other ends on the left and on the right.
+    pub fn with_ends(self, left: GroundEnd, right: GroundEnd) -> Self {
+        Foundation { ends: [left, right], ..self }
+    }
+
     /// (k \[N/m²\], μ \[N\]) at `x` on the beam; at a joint of two segments those of the right one.
     pub fn constants_at(&self, x: f64) -> (f64, f64) {
         let segment = self.segments.iter().find(|s| s.from <= x && x < s.to);
@@ -98,6 +107,7 @@ impl Foundation {
                     shear: s.shear.mirrored(),
                 })
                 .collect(),
+            ends: [self.ends[1].mirrored(l), self.ends[0].mirrored(l)],
             ..*self
         }
     }

@@ -53,6 +53,24 @@ pub enum Load {
         /// κ₀ at the right end \[1/m\].
         end: f64,
     },
+    /// A force on the ground's surface, not on the beam: a neighbour. It needs a shear layer.
+    GroundForce {
+        /// Position \[m\], under the beam or beside it.
+        at: f64,
+        /// Force \[N\], down.
+        force: f64,
+    },
+    /// A force spread on the ground's surface, linear between its ends: q in −(μu′)′ + ku = p + q.
+    GroundDistributed {
+        /// Left end \[m\].
+        from: f64,
+        /// Right end \[m\].
+        to: f64,
+        /// Intensity at the left end \[N/m\].
+        start: f64,
+        /// Intensity at the right end \[N/m\].
+        end: f64,
+    },
 }
 
 impl Load {
@@ -76,6 +94,11 @@ impl Load {
         Load::Curvature { from, to, start: curvature, end: curvature }
     }
 
+    /// Whether it acts on the ground and not on the beam.
+    pub fn is_on_ground(&self) -> bool {
+        matches!(self, Load::GroundForce { .. } | Load::GroundDistributed { .. })
+    }
+
     /// The same load, `factor` times as large.
     pub fn scaled(self, factor: f64) -> Self {
         match self {
@@ -89,6 +112,10 @@ impl Load {
             }
             Load::Curvature { from, to, start, end } => {
                 Load::Curvature { from, to, start: start * factor, end: end * factor }
+            }
+            Load::GroundForce { at, force } => Load::GroundForce { at, force: force * factor },
+            Load::GroundDistributed { from, to, start, end } => {
+                Load::GroundDistributed { from, to, start: start * factor, end: end * factor }
             }
         }
     }
@@ -105,6 +132,10 @@ impl Load {
             }
             Load::Curvature { from, to, start, end } => {
                 Load::Curvature { from: l - to, to: l - from, start: end, end: start }
+            }
+            Load::GroundForce { at, force } => Load::GroundForce { at: l - at, force },
+            Load::GroundDistributed { from, to, start, end } => {
+                Load::GroundDistributed { from: l - to, to: l - from, start: end, end: start }
             }
         }
     }

@@ -4,16 +4,21 @@
 //! which force = stiffness × length holds). Nothing here knows how a unit is spelled.
 
 mod beam;
+mod beside;
+mod beyond;
 mod foundation;
 mod gap;
 mod hinge;
 mod joints;
 mod load;
 mod profile;
+mod refused;
 mod support;
 mod validate;
 
 pub use beam::{Beam, BeamSegment};
+pub use beyond::GroundEnd;
+pub(crate) use beyond::{Beyond, Layer};
 pub use foundation::{Foundation, FoundationSegment};
 pub use gap::GapPoint;
 pub use hinge::Hinge;
@@ -86,6 +91,11 @@ impl Model {
             *load = load.scaled(factor);
         }
         self
+    }
+
+    /// Whether anything acts on the ground besides the beam.
+    pub(crate) fn has_ground_loads(&self) -> bool {
+        self.loads.iter().any(Load::is_on_ground)
     }
 
     /// The first segment along which stiffness or ground varies.

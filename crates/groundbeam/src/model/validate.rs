@@ -1,5 +1,6 @@
 //! Every rule a model must obey, each with what would be right.
 
+use super::beside::down;
 use super::{Foundation, Load, Model, Profile, SupportKind};
 use std::fmt;
 
@@ -53,67 +54,6 @@ impl Problem {
         hint: impl Into<String>,
     ) -> Self {
         Problem { code, part, field, message: message.into(), hint: hint.into(), numbers: vec![] }
-    }
-
-    /// Compression on a beam whose supports leave it free to move as a rigid body.
-    pub(crate) fn unheld_compression() -> Self {
-        Problem::new(
-            "GB601",
-            Part::Beam,
-            "axial_force",
-            "compression on a beam that its supports leave free to turn or to rise",
-            "existence is not assured then, however small the force: fix one end or hold the beam \
-             at two places (Kikuchi 1980, the end of section 4)",
-        )
-    }
-
-    /// Compression beyond the beam's own buckling load.
-    pub(crate) fn beyond_buckling(times: f64) -> Self {
-        Problem::new(
-            "GB602",
-            Part::Beam,
-            "axial_force",
-            format!("the compression is {times:.4} times the beam's own buckling load"),
-            "below that load there is exactly one equilibrium, whether the ground is lost or not; \
-             beyond it the problem is not convex",
-        )
-    }
-
-    /// Nodal pressures where nothing spreads them.
-    pub(crate) fn nodal_forces_on_springs(part: Part) -> Self {
-        Problem::new(
-            "GB603",
-            part,
-            "shear",
-            "the paper's concentrated pressures (5.5) need a shear layer (4.9), and mu is zero here",
-            "use the method `exact`, or `active-set` with its own pressure",
-        )
-    }
-
-    /// Values at nodes are for beams that the ground alone holds.
-    pub(crate) fn nodal_with_supports() -> Self {
-        Problem::new(
-            "GB604",
-            Part::Support(0),
-            "at",
-            "a beam solved for its nodes alone cannot have supports",
-            "use the method `exact` or `active-set`",
-        )
-    }
-
-    /// Rows of equal elements need one stiffness and one ground each.
-    pub(crate) fn nodal_where_it_varies(part: Part) -> Self {
-        let field = match part {
-            Part::BeamSegment(_) => "bending_stiffness",
-            _ => "spring",
-        };
-        Problem::new(
-            "GB605",
-            part,
-            field,
-            "a beam solved for its nodes alone cannot vary along a segment",
-            "use the method `exact` or `active-set`, or many segments with a constant each",
-        )
     }
 
     pub(super) fn with_numbers(mut self, numbers: &[f64]) -> Self {
@@ -213,14 +153,15 @@ impl Model {
         for (i, s) in ground.segments.iter().enumerate() {
             let part = Part::FoundationSegment(i);
             check_order(found, part, s.from, s.to);
-            if s.to <= 0.0 || s.from >= self.beam.length {
-                let nothing = "this ground does not reach under the beam";
-                let hint = "the ground beyond the beam's ends goes on as it is at the ends; \
-                            the beam is {0} long";
-                let problem = Problem::new("GB203", part, "from", nothing, hint);
+            let beside = s.to <= 0.0 || s.from >= self.beam.length;
+            if beside && !(s.spring.is_constant() && s.shear.is_constant()) {
+                let message = "ground beside the beam cannot vary along a segment";
+                let hint = "give it in segments with a constant each; the beam is {0} long";
+                let problem = Problem::new("GB203", part, "from", message, hint);
                 found.push(problem.with_numbers(&[self.beam.length]));
             }
         }
+        self.check_ground_ends(found);
         let spans: Vec<_> = ground.segments.iter().map(|s| (s.from, s.to)).collect();
         overlaps(found, &spans, Part::FoundationSegment);
     }
@@ -244,7 +185,30 @@ impl Model {
                     finite(found, part, "start", start);
                     finite(found, part, "end", end);
                 }
+                Load::GroundForce { at, force } => {
+                    finite(found, part, "at", at);
+                    self.check_on_ground(found, part, "at", [at, at]);
+                    down(found, part, "force", force);
+                    if self.ground_has_no_layer(at) {
+                        let message = "a force at a point of the ground needs a shear layer";
+                        let hint = "spread it: distributed with from and to";
+                        found.push(Problem::new("GB209", part, "at", message, hint));
+                    }
+                }
+                Load::GroundDistributed { from, to, start, end } => {
+                    check_order(found, part, from, to);
+                    self.check_on_ground(found, part, "from", [from, to]);
+                    down(found, part, "start", start);
+                    down(found, part, "end", end);
+                }
             }
+        }
+        if let (Some(load), Some(Part::FoundationSegment(i))) =
+            (self.loads.iter().position(Load::is_on_ground), self.varying_ground())
+        {
+            let message = "loads on the ground need ground that is even along each segment";
+            let hint = format!("segment {} varies: give it in several with a constant each", i + 1);
+            found.push(Problem::new("GB210", Part::Load(load), "at", message, hint));
         }
     }
 
@@ -390,7 +354,7 @@ fn check_shear(found: &mut Vec<Problem>, part: Part, shear: &Profile) {
     }
 }
 
-fn finite(found: &mut Vec<Problem>, part: Part, field: &'static str, value: f64) {
+pub(super) fn finite(found: &mut Vec<Problem>, part: Part, field: &'static str, value: f64) {
     if !in_range(value) {
         let message = format!("the value is {}", describe(value));
         let hint = remedy(value, "give a finite number");
@@ -398,7 +362,7 @@ fn finite(found: &mut Vec<Problem>, part: Part, field: &'static str, value: f64)
     }
 }
 
-fn check_order(found: &mut Vec<Problem>, part: Part, from: f64, to: f64) {
+pub(super) fn check_order(found: &mut Vec<Problem>, part: Part, from: f64, to: f64) {
     if from >= to {
         let message = "the stretch from {0} to {1} has no length";
         let hint = "`to` must lie to the right of `from`";

@@ -146,6 +146,9 @@ mod tests {
             curvature: [0.2, -0.3],
             gap: [0.0; 2],
             gap_slope: 0.0,
+            ground_load: [0.0; 2],
+            faded: [0.0; 2],
+            ground_force: 0.0,
         };
         let Cell { load, moment_load, curvature, gap, .. } = cell;
         let given = Given { load, moment_load, curvature, gap };

@@ -25,7 +25,7 @@ pub use check::NodalCheck;
 pub use newton::Work;
 
 use crate::existence::{Existence, Verdict};
-use crate::model::{Model, Problem};
+use crate::model::{Load, Model, Problem};
 use crate::solve::{Error, Method, NotConverged, exists};
 use grid::{Grid, Ground};
 use hull::Hull;
@@ -102,7 +102,7 @@ impl NodalSolver {
         solve: impl FnOnce(&mut Self) -> Result<(), Error>,
     ) -> Result<Existence, Error> {
         let existence = checked(model)?;
-        if !matches!(existence.verdict, Verdict::None(_)) {
+        if existence.verdict.stands() {
             solve(self)?;
         }
         Ok(existence)
@@ -245,11 +245,17 @@ fn stalled(iterations: usize) -> Error {
 
 fn checked(model: &Model) -> Result<Existence, Error> {
     let existence = exists(model)?;
+    if let Verdict::Local(_) = existence.verdict {
+        return Err(Error::Unsupported(Problem::local_by_another_method()));
+    }
     if !model.supports.is_empty() {
         return Err(Error::Unsupported(Problem::nodal_with_supports()));
     }
     if !model.hinges.is_empty() {
         return Err(Error::Unsupported(Problem::nodal_with_hinges()));
+    }
+    if let Some(load) = model.loads.iter().position(Load::is_on_ground) {
+        return Err(Error::Unsupported(Problem::only_exactly(load)));
     }
     if let Some(part) = model.varying_part() {
         return Err(Error::Unsupported(Problem::nodal_where_it_varies(part)));

@@ -69,6 +69,7 @@ fn rate_of(solution: &Solution) -> Option<f64> {
     let ends = [(solution.stretches.first(), -1.0), (solution.stretches.last(), 1.0)];
     for (stretch, s) in ends {
         let Some(stretch) = stretch else { continue };
+        // A ground made of soil is endless.
         let [spring, shear] = stretch.cell.ground_at(s);
         let u = stretch.fields(s).settlement;
         // u falls like e^(−bx).

@@ -2,7 +2,6 @@
 
 use super::Train;
 use super::sweep::first_positions;
-use crate::existence::Verdict;
 use crate::model::Model;
 use crate::solve::{Error, exists};
 
@@ -56,7 +55,7 @@ impl Train {
         let mut found = Vec::new();
         for at in parts.chain(first.last().copied()) {
             let existence = exists(&self.on(model, at))?;
-            found.push((at, !matches!(existence.verdict, Verdict::None(_))));
+            found.push((at, existence.verdict.stands()));
         }
         Ok(without_equilibrium(model, self, found.into_iter()))
     }
@@ -67,8 +66,8 @@ fn edge(model: &Model, train: &Train, mut stands: f64, mut falls: f64) -> f64 {
     for _ in 0..HALVINGS {
         let middle = 0.5 * (stands + falls);
         let found = exists(&train.on(model, middle));
-        match found.map(|existence| existence.verdict) {
-            Ok(Verdict::None(_)) => falls = middle,
+        match found {
+            Ok(existence) if !existence.verdict.stands() => falls = middle,
             _ => stands = middle,
         }
     }

@@ -131,10 +131,13 @@ pub(crate) fn marks(model: &Model) -> Vec<f64> {
     let mut x = vec![0.0, l];
     for load in &model.loads {
         match *load {
-            Load::PointForce { at, .. } | Load::PointMoment { at, .. } => x.push(at),
+            Load::PointForce { at, .. }
+            | Load::PointMoment { at, .. }
+            | Load::GroundForce { at, .. } => x.push(at),
             Load::Distributed { from, to, .. }
             | Load::DistributedMoment { from, to, .. }
-            | Load::Curvature { from, to, .. } => {
+            | Load::Curvature { from, to, .. }
+            | Load::GroundDistributed { from, to, .. } => {
                 x.extend([from, to]);
             }
         }

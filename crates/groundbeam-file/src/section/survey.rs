@@ -1,0 +1,255 @@
+//! `[gap_survey]`: the initial gap from a table of levels or clearances in a file beside the model file.
+
+use crate::beside::{Row, Table};
+use crate::code;
+use crate::fault::Fault;
+use crate::number::Decimal;
+use crate::profile::Values;
+use crate::quantity::{self, POSITION};
+use crate::reader::Reader;
+use crate::table::{Section, suggestion};
+use crate::unit::{Dimension, Scale, Unit};
+use groundbeam::{GapPoint, Profile};
+use std::ops::Range;
+
+const KEYS: &[&str] = &["file", "x", "level", "clearance", "datum", "start"];
+
+/// Reads the survey's corners, cut to the beam.
+pub(super) fn read(reader: &mut Reader, table: &Section, length: f64) -> Vec<GapPoint> {
+    reader.refuse_unknown(table, KEYS);
+    let start = reader.quantity(table, "start", &POSITION).map_or(0.0, |start| start.value);
+    let datum = reader.along(table, "datum", &POSITION, Values::Linear);
+    let [x, level, clearance] = [("x", "KP"), ("level", "z"), ("clearance", "gap")]
+        .map(|(key, example)| reader.words(table, key, example));
+    let Some((file, span)) = reader.words(table, "file", "seabed.csv") else {
+        if table.value("file").is_none() {
+            reader.missing(table, &["file"], "`file`", "file = \"seabed.csv\"");
+        }
+        return Vec::new();
+    };
+    if let (Some((_, level)), Some((_, clearance))) = (&level, &clearance) {
+        let hint = "the column holds levels, positive up, or clearances, positive open";
+        reader.exclusive(("level", level), ("clearance", clearance), hint);
+    }
+    if let (Some((_, clearance)), Some(datum)) = (&clearance, &datum) {
+        let hint = "clearances are measured from the beam; only levels have a datum";
+        reader.exclusive(("clearance", clearance), ("datum", &datum.span), hint);
+    }
+    let Some(folder) = reader.folder else {
+        let message = "this model stands by itself: no file can be read beside it";
+        let hint = "write the corners in the model, as [[gap]], or solve it from a file";
+        reader.report(Fault::new(code::FILE, span, message, "", hint));
+        return Vec::new();
+    };
+    let survey = match Table::read(folder, file) {
+        Ok(survey) => survey,
+        Err(error) => {
+            let message = format!("`{file}` cannot be read: {error}");
+            let hint = "the name is taken from the folder of the model file";
+            reader.report(Fault::new(code::FILE, span, message, "", hint));
+            return Vec::new();
+        }
+    };
+    let is_level = clearance.is_none();
+    let heights = level.or(clearance);
+    let mut columns = Columns { reader, survey: &survey, wrong: false };
+    let x = columns.find(x, 0, "the positions");
+    let heights = columns.find(heights, 1, "the levels or clearances");
+    let ([Some(x), Some(heights)], false) = ([x, heights], columns.wrong) else {
+        return Vec::new();
+    };
+    let points = columns.points(&x, &heights);
+    if columns.wrong {
+        return Vec::new();
+    }
+    let mut corners = on_the_beam(&points, start, length);
+    if is_level {
+        let highest = corners.iter().map(|c| c.value).fold(f64::NEG_INFINITY, f64::max);
+        let datum = datum.map_or(Profile::constant(highest), |datum| datum.profile);
+        for corner in &mut corners {
+            corner.value = datum.at(corner.at / length) - corner.value;
+        }
+    }
+    corners
+}
+
+/// A column, and the factor of its unit.
+struct Column {
+    index: usize,
+    scale: Option<Scale>,
+}
+
+struct Columns<'r, 's, 't> {
+    reader: &'r mut Reader<'s>,
+    survey: &'t Table,
+    wrong: bool,
+}
+
+impl Columns<'_, '_, '_> {
+    fn report(&mut self, fault: Fault) {
+        self.wrong = true;
+        self.reader.report_in(&self.survey.source, &self.survey.file, fault);
+    }
+
+    /// The column of a name, or the one that stands at a place.
+    fn find(
+        &mut self,
+        named: Option<(&str, Range<usize>)>,
+        place: usize,
+        what: &str,
+    ) -> Option<Column> {
+        let header = &self.survey.header;
+        let names: Vec<&str> = header.cells.iter().map(|cell| split(cell).0).collect();
+        let index = match named {
+            None => place,
+            Some((name, span)) => {
+                let same = |other: &&str| other.eq_ignore_ascii_case(name.trim());
+                let Some(index) = names.iter().position(same) else {
+                    let message = format!("{} has no column `{name}`", self.survey.file.name);
+                    let hint = match suggestion(name, &names) {
+                        Some(meant) => format!("did you mean `{meant}`?"),
+                        None => format!("its columns: {}", names.join(", ")),
+                    };
+                    self.wrong = true;
+                    self.reader.report(Fault::new(code::COLUMN, span, message, "", hint));
+                    return None;
+                };
+                index
+            }
+        };
+        let Some(cell) = header.cells.get(index) else {
+            let message = format!("the table has no column {} for {what}", index + 1);
+            let hint = "cells are separated by `;`, tabs or commas, as in the first row";
+            self.report(Fault::new(code::COLUMN, header.span.clone(), message, "", hint));
+            return None;
+        };
+        let at = header.cell(index);
+        if Decimal::read(cell).is_some_and(|(_, length)| length == cell.len()) {
+            let message = "the first row must name the columns";
+            let hint = "write a header, as in `x [m]; level [m]`";
+            self.report(Fault::new(code::COLUMN, at, message, "a number", hint));
+            return None;
+        }
+        let scale = match split(cell) {
+            (_, None) if self.reader.is_plain() => None,
+            (name, None) => {
+                let message = format!("the column `{name}` has no unit");
+                let hint = format!("write it behind the name, as in `{name} [m]`");
+                self.report(Fault::new(code::MIXED, at, message, "", hint));
+                return None;
+            }
+            (_, Some(_)) if self.reader.is_plain() => {
+                let message = "this column has a unit, but the model gives none";
+                let hint = "a file gives every quantity a unit, zeros too, or none at all";
+                self.report(Fault::new(code::MIXED, at, message, "a unit here", hint));
+                return None;
+            }
+            (_, Some(unit)) => match Unit::read(unit) {
+                Ok(found) if found.dimension == Dimension::LENGTH => Some(found.scale),
+                Ok(_) => {
+                    let message = format!("`{unit}` is no unit of length");
+                    self.report(Fault::new(code::WRONG_UNIT, at, message, "", "as in [m], [mm]"));
+                    return None;
+                }
+                Err(fault) => {
+                    self.report(Fault { at, ..fault });
+                    return None;
+                }
+            },
+        };
+        Some(Column { index, scale })
+    }
+
+    /// Every row as position and height, in ascending order of position.
+    fn points(&mut self, x: &Column, heights: &Column) -> Vec<[f64; 2]> {
+        let survey = self.survey;
+        let mut points: Vec<[f64; 2]> = Vec::with_capacity(survey.rows.len());
+        for row in &survey.rows {
+            let [at, height] = [x, heights].map(|column| self.number(row, column));
+            let (Some(at), Some(height)) = (at, height) else { continue };
+            if let Some([before, _]) = points.last()
+                && at <= *before
+            {
+                let message = "this row does not lie to the right of the one before";
+                let hint = "sort the rows by position, each at a place of its own";
+                self.report(Fault::new("GB501", row.cell(x.index), message, "", hint));
+                continue;
+            }
+            points.push([at, height]);
+        }
+        if points.is_empty() && !self.wrong {
+            let message = "the table has no rows";
+            let at = survey.header.span.clone();
+            self.report(Fault::new(code::FILE, at, message, "", "one row for each point"));
+        }
+        points
+    }
+
+    fn number(&mut self, row: &Row, column: &Column) -> Option<f64> {
+        let at = row.cell(column.index);
+        let text = row.cells.get(column.index).map_or("", |cell| cell.trim());
+        let lower = text.trim_start_matches(['+', '-']).to_lowercase();
+        if ["nan", "inf", "infinity"].contains(&&*lower) {
+            self.report(Fault {
+                hint: "leave out rows without a value".into(),
+                ..quantity::not_finite(&lower, at)
+            });
+            return None;
+        }
+        match Decimal::read(text) {
+            Some((number, length)) if length == text.len() => {
+                let value = column.scale.map_or(number.to_f64(), |scale| number.times(&scale));
+                if value.is_finite() && (value == 0.0 || (1e-60..=1e60).contains(&value.abs())) {
+                    return Some(value);
+                }
+                let size = if value.abs() < 1.0 { "small" } else { "large" };
+                self.report(quantity::out_of_reach(size, at));
+            }
+            found => {
+                let message = if text.is_empty() {
+                    "there is no number here".to_owned()
+                } else {
+                    format!("`{text}` is not a number")
+                };
+                let comma = found.is_some_and(|(_, length)| text[length..].starts_with(','));
+                let hint = if comma {
+                    format!("decimals stand after a point: {}", text.replacen(',', ".", 1))
+                } else {
+                    "one number in each cell, without a unit; units stand in the header".to_owned()
+                };
+                self.report(Fault::new(code::NUMBER, at, message, "", hint));
+            }
+        }
+        None
+    }
+}
+
+/// `KP [km]` or `KP (km)`: the name and the unit.
+fn split(cell: &str) -> (&str, Option<&str>) {
+    for (open, close) in [('[', ']'), ('(', ')')] {
+        if let Some(rest) = cell.strip_suffix(close)
+            && let Some((name, unit)) = rest.rsplit_once(open)
+        {
+            return (name.trim(), Some(unit.trim()));
+        }
+    }
+    (cell.trim(), None)
+}
+
+/// The corners along a beam that begins at `start`; where the survey goes on beyond an end of the beam, a corner
+/// stands there.
+fn on_the_beam(points: &[[f64; 2]], start: f64, length: f64) -> Vec<GapPoint> {
+    let at = |x: f64| {
+        let right = points.partition_point(|point| point[0] < x);
+        match (right.checked_sub(1).map(|i| points[i]), points.get(right)) {
+            (Some([a, low]), Some([b, high])) => (low * (b - x) + high * (x - a)) / (b - a),
+            (Some([_, only]), None) | (None, Some(&[_, only])) => only,
+            (None, None) => 0.0,
+        }
+    };
+    let first = [GapPoint { at: 0.0, value: at(start) }];
+    let last = [GapPoint { at: length, value: at(start + length) }];
+    let inside = points.iter().map(|[x, value]| GapPoint { at: x - start, value: *value });
+    let inside = inside.filter(|corner| corner.at > 0.0 && corner.at < length);
+    first.into_iter().chain(inside).chain(last).collect()
+}

@@ -1,0 +1,65 @@
+//! The rules for ground beside the beam, and for what acts on the ground.
+
+use super::validate::{finite, in_range};
+use super::{FoundationSegment, GroundEnd, Model, Part, Problem};
+
+impl Model {
+    pub(super) fn check_ground_ends(&self, found: &mut Vec<Problem>) {
+        let l = self.beam.length;
+        let sides = [("left", -1.0, 0.0), ("right", 1.0, l)];
+        for ((field, outward, end), ground) in sides.into_iter().zip(self.foundation.ends) {
+            let Some(at) = ground.at() else { continue };
+            let beyond = outward * (at - end);
+            let (right, hint) = match ground {
+                GroundEnd::Held { .. } => {
+                    (beyond > 0.0, "a wall stands beyond the beam's end, which is at {1}")
+                }
+                _ => (beyond >= 0.0, "the ground ends at the beam's end or beyond it, at {1}"),
+            };
+            if !(right && in_range(at) && in_range(beyond)) {
+                let message = "the ground cannot end at {0}";
+                let problem = Problem::new("GB207", Part::Foundation, field, message, hint);
+                found.push(problem.with_numbers(&[at, end]));
+            }
+        }
+    }
+
+    pub(super) fn varying_ground(&self) -> Option<Part> {
+        let varies = |s: &FoundationSegment| !(s.spring.is_constant() && s.shear.is_constant());
+        self.foundation.segments.iter().position(varies).map(Part::FoundationSegment)
+    }
+
+    pub(super) fn ground_has_no_layer(&self, at: f64) -> bool {
+        let on_beam = at >= 0.0 && at <= self.beam.length;
+        let [(_, left), (_, right)] =
+            [at, at - f64::EPSILON * self.beam.length].map(|x| self.foundation.constants_at(x));
+        on_beam && left == 0.0 && right == 0.0
+    }
+
+    /// A load on the ground must stand where there is ground.
+    pub(super) fn check_on_ground(
+        &self,
+        found: &mut Vec<Problem>,
+        part: Part,
+        field: &'static str,
+        [from, to]: [f64; 2],
+    ) {
+        let [left, right] = self.foundation.ends;
+        let off = left.at().is_some_and(|end| from < end) || right.at().is_some_and(|end| to > end);
+        if off {
+            let message = "the ground does not reach as far as this load";
+            let hint = "it ends where `left` and `right` say";
+            found.push(Problem::new("GB208", part, field, message, hint));
+        }
+    }
+}
+
+/// A load on the ground presses.
+pub(super) fn down(found: &mut Vec<Problem>, part: Part, field: &'static str, value: f64) {
+    finite(found, part, field, value);
+    if value < 0.0 {
+        let message = "a load on the ground pulls it up";
+        let hint = "it must press down";
+        found.push(Problem::new("GB211", part, field, message, hint));
+    }
+}

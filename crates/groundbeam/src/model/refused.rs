@@ -1,0 +1,101 @@
+//! What is right but not solved, or not by every method.
+
+use super::{Part, Problem, Support};
+
+impl Problem {
+    /// Nodal pressures where nothing spreads them.
+    pub(crate) fn nodal_forces_on_springs(part: Part) -> Self {
+        Problem::new(
+            "GB603",
+            part,
+            "shear",
+            "the paper's concentrated pressures (5.5) need a shear layer (4.9), and mu is zero here",
+            "use the method `exact`, or `active-set` with its own pressure",
+        )
+    }
+
+    /// Values at nodes are for beams that the ground alone holds.
+    pub(crate) fn nodal_with_supports() -> Self {
+        Problem::new(
+            "GB604",
+            Part::Support(0),
+            "at",
+            "a beam solved for its nodes alone cannot have supports",
+            "use the method `exact` or `active-set`",
+        )
+    }
+
+    /// Loads on the ground bend its surface between nodes.
+    pub(crate) fn only_exactly(load: usize) -> Self {
+        Problem::new(
+            "GB609",
+            Part::Load(load),
+            "at",
+            "loads on the ground are solved by the exact method alone",
+            "use the method `exact`",
+        )
+    }
+
+    /// Load factors of loads on the ground.
+    pub(crate) fn no_factors(load: usize) -> Self {
+        Problem::new(
+            "GB610",
+            Part::Load(load),
+            "at",
+            "load factors are for loads on the beam alone",
+            "leave the loads on the ground out, or solve combinations with factors of your own",
+        )
+    }
+
+    /// A local equilibrium is followed from edge to edge.
+    pub(crate) fn local_by_another_method() -> Self {
+        Problem::new(
+            "GB611",
+            Part::Beam,
+            "axial_force",
+            "the ground must help to bear this compression: the equilibrium is a local one, which a mesh \
+             does not follow",
+            "use the method `exact`",
+        )
+    }
+
+    /// Load factors rest on statics or on a convex energy.
+    pub(crate) fn factors_of_a_local_equilibrium() -> Self {
+        Problem::new(
+            "GB612",
+            Part::Beam,
+            "axial_force",
+            "the ground must help to bear this compression: how far loads may grow is not known from \
+             statics",
+            "without load factors the result tells the critical compression, as far as which the axial force \
+             may grow",
+        )
+    }
+
+    /// A branch is followed on supports that act all the way.
+    pub(crate) fn local_on_one_way_supports(supports: &[Support]) -> Self {
+        let first = supports.iter().position(Support::is_one_way).unwrap_or(0);
+        Problem::new(
+            "GB613",
+            Part::Support(first),
+            "acts",
+            "the ground must help to bear this compression, and a support acts in one direction alone",
+            "let the support act in both directions, or leave it out where the beam lifts from it",
+        )
+    }
+
+    /// Rows of equal elements need one stiffness and one ground each.
+    pub(crate) fn nodal_where_it_varies(part: Part) -> Self {
+        let field = match part {
+            Part::BeamSegment(_) => "bending_stiffness",
+            _ => "spring",
+        };
+        Problem::new(
+            "GB605",
+            part,
+            field,
+            "a beam solved for its nodes alone cannot vary along a segment",
+            "use the method `exact` or `active-set`, or many segments with a constant each",
+        )
+    }
+}
