@@ -88,7 +88,7 @@ use toml::de::DeTable;
 /// Everything that is wrong with the file, [`Model::problems`](groundbeam::Model::problems)
 /// included. If it is not even TOML, only that is told. A text alone can name no other file.
 pub fn parse(text: &str) -> Result<Document, Diagnostics> {
-    parse_in(text, None)
+    read(text, None, false)
 }
 
 /// Reads a model file that stands in a folder, and what it names beside itself.
@@ -97,10 +97,28 @@ pub fn parse(text: &str) -> Result<Document, Diagnostics> {
 ///
 /// As [`parse`]; what is wrong with a file that it names is told at its place in that file.
 pub fn parse_beside(text: &str, folder: &Path) -> Result<Document, Diagnostics> {
-    parse_in(text, Some(folder))
+    read(text, Some(folder), false)
 }
 
-fn parse_in(text: &str, folder: Option<&Path>) -> Result<Document, Diagnostics> {
+/// Reads a model that a program wrote, in a folder if it names files beside itself: a number without a unit is in SI
+/// units, and may stand beside quantities with one.
+///
+/// ```
+/// let text = "[beam]\nlength = '12 m'\nEI = 1.28e9\n[foundation]\nk = '40 MN/m^2'\nmu = 9e6\n";
+/// let model = groundbeam_file::parse_si(text, None)?.model;
+/// assert_eq!((model.beam.bending_stiffness, model.foundation.spring), (1.28e9, 40e6));
+/// assert!(groundbeam_file::parse(text).is_err(), "a file that a person wrote does not mix them");
+/// # Ok::<(), groundbeam_file::Diagnostics>(())
+/// ```
+///
+/// # Errors
+///
+/// As [`parse_beside`].
+pub fn parse_si(text: &str, folder: Option<&Path>) -> Result<Document, Diagnostics> {
+    read(text, folder, true)
+}
+
+fn read(text: &str, folder: Option<&Path>, bare_is_si: bool) -> Result<Document, Diagnostics> {
     let source = Source::new(text);
     let (table, errors) = DeTable::parse_recoverable(text);
     let syntax = syntax::explain(&source, table.get_ref(), &errors);
@@ -111,7 +129,7 @@ fn parse_in(text: &str, folder: Option<&Path>) -> Result<Document, Diagnostics> 
     if root.table.is_empty() {
         return Err(Diagnostic::new(&source, no_model()).into());
     }
-    let mut reader = Reader::new(&source, &root, folder);
+    let mut reader = Reader::new(&source, &root, folder, bare_is_si);
     reader.found = syntax.found;
     let contents = section::read(&mut reader, &root);
     let Contents { title, model, ground, limits, cases, recipes, trains } = contents;

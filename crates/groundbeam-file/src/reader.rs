@@ -45,6 +45,8 @@ pub(crate) struct Reader<'s> {
     pub found: Vec<Diagnostic>,
     pub quantities: Vec<Seen>,
     pub places: Places,
+    /// Whether numbers without a unit are in SI units and may stand beside others.
+    pub bare_is_si: bool,
     /// Whether the file seems to give no units, so that advice fits it.
     plain: bool,
     /// Keys that unknown ones are probably meant to be, each with the start of its table.
@@ -52,14 +54,20 @@ pub(crate) struct Reader<'s> {
 }
 
 impl<'s> Reader<'s> {
-    pub fn new(source: &'s Source, root: &Section, folder: Option<&'s Path>) -> Self {
+    pub fn new(
+        source: &'s Source,
+        root: &Section,
+        folder: Option<&'s Path>,
+        bare_is_si: bool,
+    ) -> Self {
         Reader {
             source,
             folder,
             found: vec![],
             quantities: vec![],
             places: Places::default(),
-            plain: root.has_bare_numbers_only(),
+            bare_is_si,
+            plain: !bare_is_si && root.has_bare_numbers_only(),
             meant: vec![],
         }
     }

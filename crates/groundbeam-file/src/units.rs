@@ -69,6 +69,9 @@ impl Reader<'_> {
 
     /// Which of the two the file is; a mixture is reported at the first of the fewer.
     pub fn unit_system(&mut self) -> UnitSystem {
+        if self.bare_is_si {
+            return UnitSystem::Si;
+        }
         let mut seen = std::mem::take(&mut self.quantities);
         seen.sort_by_key(|quantity| quantity.span.start);
         let with = seen.iter().filter(|quantity| quantity.has_unit).count();

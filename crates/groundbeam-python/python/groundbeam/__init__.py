@@ -1,0 +1,67 @@
+"""Beams on ground that can only push back: contact, lift-off and end forces, with proof.
+
+>>> import groundbeam as gb
+>>> model = gb.Model(
+...     gb.Beam("12 m", E="30 GPa", section={"width": "1 m", "height": "0.8 m"}),
+...     gb.Foundation(subgrade_modulus="40 MN/m^3", width="1 m", mu="9 MN"),
+...     loads=[gb.Load.point("900 kN", at="1.5 m"), gb.Load.distributed("10 kN/m")],
+... )
+>>> solution = model.solve()
+>>> [(start, end)] = solution.contact
+>>> f"touches from {start:.3f} m to {end:.3f} m"
+'touches from 0.000 m to 6.983 m'
+
+Deflections, forces and settlements are positive down, positions are measured from the left end, moments are sagging.
+"""
+
+from ._batch import Batch, solve_many
+from ._combinations import Bound, Combinations, Envelope
+from ._errors import Diagnostic, GroundbeamError, ModelError, NoEquilibrium, NotConverged
+from ._model import Existence, Model, load
+from ._native import __version__
+from ._parts import Beam, Combination, Foundation, Hinge, Load, Support
+from ._solution import (
+    Certificate,
+    EndForces,
+    Extreme,
+    Fields,
+    Force,
+    HingeTurn,
+    LiftOff,
+    Range,
+    Reaction,
+    Solution,
+)
+
+__all__ = [
+    "Batch",
+    "Beam",
+    "Bound",
+    "Certificate",
+    "Combination",
+    "Combinations",
+    "Diagnostic",
+    "EndForces",
+    "Envelope",
+    "Existence",
+    "Extreme",
+    "Fields",
+    "Force",
+    "Foundation",
+    "GroundbeamError",
+    "Hinge",
+    "HingeTurn",
+    "LiftOff",
+    "Load",
+    "Model",
+    "ModelError",
+    "NoEquilibrium",
+    "NotConverged",
+    "Range",
+    "Reaction",
+    "Solution",
+    "Support",
+    "__version__",
+    "load",
+    "solve_many",
+]

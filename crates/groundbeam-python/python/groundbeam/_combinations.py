@@ -1,0 +1,107 @@
+"""The answers to all combinations of a model, and their envelope."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Iterator, Mapping, NamedTuple, Union
+
+import numpy as np
+
+from . import _native
+from ._errors import NoEquilibrium, NotConverged
+from ._frames import frame
+from ._solution import Array, Position, Positions, Solution, positions_of
+
+if TYPE_CHECKING:
+    import pandas
+
+Answer = Union[Solution, NoEquilibrium, NotConverged]
+"""What came out for one combination."""
+
+
+class Bound(NamedTuple):
+    """One line of an envelope: its values, and the names of the combinations that govern."""
+
+    values: Array
+    governs: list[str]
+
+
+class Envelope(NamedTuple):
+    """The smallest and the largest values of a field over all combinations."""
+
+    min: Bound
+    max: Bound
+
+
+class Combinations(Mapping[str, Answer]):
+    """The answer to each combination by its name; those that failed are there as what ``solve`` would raise."""
+
+    _inner: _native.Combinations
+    _answers: dict[str, Answer]
+
+    def __init__(self, native: _native.Combinations) -> None:
+        self._inner = native
+        self._answers = {
+            name: Solution(answer) if isinstance(answer, _native.Solution) else answer
+            for name, answer in native.answers()
+        }
+
+    def __getitem__(self, name: str) -> Answer:
+        return self._answers[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._answers)
+
+    def __len__(self) -> int:
+        return len(self._answers)
+
+    @property
+    def solutions(self) -> dict[str, Solution]:
+        """Those that were solved."""
+        return {name: each for name, each in self.items() if isinstance(each, Solution)}
+
+    @property
+    def load_cases(self) -> dict[str, bool]:
+        """Every load case, and whether it could stand by itself."""
+        return dict(self._inner.load_cases())
+
+    def envelope(self, field: str, x: Union[Position, Positions]) -> Envelope:
+        """The envelope of a field at positions; where it jumps, both sides count."""
+        at = np.atleast_1d(positions_of(None, x))
+        if not self.solutions:
+            raise ValueError("no combination has an equilibrium: there is no envelope")
+        names = list(self.solutions)
+        length = self.solutions[names[0]].length
+        if not ((at >= 0.0) & (at <= length)).all():
+            raise ValueError(f"a position lies off the beam, which goes from 0 to {length:g}")
+        bounds = self._inner.envelope(field, at.ravel())
+        low, high = (
+            Bound(values.reshape(at.shape), [names[i] for i in by]) for values, by in bounds
+        )
+        return Envelope(low, high)
+
+    def stations(self) -> Array:
+        """Positions at which the envelope is worth listing, the changes of what governs among them."""
+        return self._inner.stations()
+
+    def to_json(self) -> str:
+        """The document, as ``groundbeam solve --json`` prints it."""
+        return self._inner.to_json(None)
+
+    def to_csv(self) -> str:
+        """The envelope as a table."""
+        return self._inner.to_csv(None)
+
+    def to_svg(self) -> str:
+        """A picture of the envelope."""
+        return self._inner.to_svg()
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The table of ``to_csv`` as a data frame."""
+        return frame(self.to_csv())
+
+    def __str__(self) -> str:
+        return self._inner.report()
+
+    def __repr__(self) -> str:
+        return f"<groundbeam.Combinations: {len(self.solutions)} of {len(self)} solved>"
+

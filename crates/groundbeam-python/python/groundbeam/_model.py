@@ -1,0 +1,186 @@
+"""Models: built in code, or read from model files."""
+
+from __future__ import annotations
+
+import os
+from typing import NamedTuple, Optional, Sequence, Tuple, Union
+
+from . import _native, _parts, _tables
+from ._combinations import Combinations
+from ._solution import Solution
+
+
+class Existence(NamedTuple):
+    """What the statics say about equilibrium, before anything is solved."""
+
+    verdict: str
+    """``unique``, ``not-unique``, ``none``, or ``local`` under compression that the ground helps to bear."""
+    sentence: str
+    """Why, in words."""
+    static_reactions: Tuple[float, ...]
+    """What supports under both ends, and under each free hinge between them, would carry if the beam were rigid and
+    stood on them alone [N]."""
+    motion: Optional[Tuple[float, float, float]]
+    """r(0), r(l) and the loads' work of the motion that is free (``not-unique``) or that gains work (``none``)."""
+
+
+class Model:
+    """A beam, the ground under it, and what acts on them. It does not change; what is added makes another model.
+
+    Numbers are in SI units (m, N), texts have a unit::
+
+        Model(Beam("12 m", EI=1.28e9), Foundation(k="40 MN/m^2", mu=9e6), loads=[Load.point("900 kN", at=1.5)])
+    """
+
+    _text: str
+    _name: str
+    _bare_is_si: bool
+    _folder: Optional[str]
+    _inner: _native.Model
+
+    def __init__(
+        self,
+        beam: _parts.Beam,
+        foundation: _parts.Foundation,
+        *,
+        loads: Sequence[_parts.Load] = (),
+        supports: Sequence[_parts.Support] = (),
+        hinges: Sequence[_parts.Hinge] = (),
+        gap: _parts.Gap = (),
+        combinations: Sequence[_parts.Combination] = (),
+        title: Optional[str] = None,
+    ) -> None:
+        """Raises ``ModelError`` if anything is wrong, all faults at once."""
+        several = {"load": loads, "support": supports, "hinge": hinges, "combination": combinations}
+        made = _parts.tables(beam, foundation, several, gap, title)
+        self._read(_tables.write(made), "model", True, None)
+
+    def _read(self, text: str, name: str, bare_is_si: bool, folder: Optional[str]) -> None:
+        self._text, self._name, self._bare_is_si, self._folder = text, name, bare_is_si, folder
+        self._inner = _native.Model(text, name, bare_is_si, folder)
+
+    @classmethod
+    def _of(cls, text: str, name: str, bare_is_si: bool, folder: Optional[str] = None) -> Model:
+        model = cls.__new__(cls)
+        model._read(text, name, bare_is_si, folder)
+        return model
+
+    @classmethod
+    def from_toml(cls, text: str, *, name: str = "model") -> Model:
+        """A model file's text. Messages about it call it ``name``."""
+        return cls._of(text, name, False)
+
+    @classmethod
+    def from_dict(cls, tables: _tables.Tables) -> Model:
+        """Anything that a model file can say, as nested dictionaries and lists; numbers are in SI units."""
+        return cls._of(_tables.write(tables), "model", True)
+
+    def _with(self, heading: str, part: _parts.Part) -> Model:
+        text = self._text.rstrip("\n") + "\n\n" + _tables.write({heading: [part.table]})
+        return Model._of(text, self._name, self.units == "SI", self._folder)
+
+    def with_load(self, load: _parts.Load) -> Model:
+        """The same model with one load more."""
+        return self._with("load", load)
+
+    def with_support(self, support: _parts.Support) -> Model:
+        """The same model with one support more."""
+        return self._with("support", support)
+
+    def with_hinge(self, hinge: _parts.Hinge) -> Model:
+        """The same model with one hinge more."""
+        return self._with("hinge", hinge)
+
+    def with_gap(self, at: _parts.Quantity, value: _parts.Quantity) -> Model:
+        """The same model with one more corner of the initial clearance, right of those it has."""
+        return self._with("gap", _parts.Part(at=at, value=value))
+
+    def to_toml(self) -> str:
+        """The model as a model file. In one that was built in code, numbers without a unit are in SI units."""
+        return self._text
+
+    @property
+    def title(self) -> Optional[str]:
+        """What the model is called."""
+        return self._inner.title
+
+    @property
+    def units(self) -> str:
+        """``SI``, or ``none`` for a file that gives numbers in a consistent system of its own."""
+        return self._inner.units
+
+    @property
+    def length(self) -> float:
+        """The beam's length [m]."""
+        return self._inner.length
+
+    def solve(
+        self, method: str = "exact", *, elements: int = 100, combination: Optional[str] = None
+    ) -> Solution:
+        """Solves the model, or one of its combinations. Other Python threads go on meanwhile.
+
+        ``elements`` are those of the methods with a mesh: ``active-set``, ``psor`` and ``uzawa``.
+
+        Raises ``NoEquilibrium`` with the motion that proves it, ``NotConverged`` if no answer could be certified, and
+        ``ModelError`` if the model lies outside of what is solved.
+        """
+        if combination is None:
+            self._refuse_more_than_one_answer()
+        return Solution(self._inner.solve(method, elements, combination))
+
+    def _refuse_more_than_one_answer(self) -> None:
+        """What a file asks for is not left out silently."""
+        names = [name for name, _ in self._inner.combinations()]
+        if names:
+            raise ValueError(
+                f"the model has {len(names)} combinations: use solve_combinations(), or "
+                f"solve(combination={names[0]!r})"
+            )
+        if self._inner.trains:
+            raise ValueError(
+                f"the train {self._inner.trains[0]!r} passes over the beam, and one answer would leave it out: "
+                "use the program, `groundbeam solve`, or solve_many() with positions of its axles"
+            )
+
+    def check(self, *, combination: Optional[str] = None) -> Existence:
+        """Whether an equilibrium exists, without solving."""
+        verdict, reactions, motion, sentence = self._inner.check(combination)
+        return Existence(verdict, sentence, tuple(reactions), motion)
+
+    def combinations(self) -> list[_parts.Combination]:
+        """Every combination of load cases, and every ground of a band, each with the factors of its cases."""
+        return [
+            _parts.Combination(name, dict(factors))
+            for name, factors in self._inner.combinations()
+        ]
+
+    def solve_combinations(self, method: str = "exact", *, elements: int = 100) -> Combinations:
+        """Solves every combination by itself, on all processors. Those without an answer are kept as what
+        ``solve`` would raise for them."""
+        if not self._inner.combinations():
+            raise ValueError("the model has no combinations: use solve()")
+        return Combinations(self._inner.solve_combinations(method, elements))
+
+    def __repr__(self) -> str:
+        title = f" {self.title!r}" if self.title else ""
+        unit = " m" if self.units == "SI" else ""
+        return f"<groundbeam.Model{title}: {self.length:g}{unit}, {self._inner.load_count} loads>"
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Model):
+            return NotImplemented
+        return (self._text, self._bare_is_si) == (other._text, other._bare_is_si)
+
+    def __hash__(self) -> int:
+        return hash((self._text, self._bare_is_si))
+
+    def __reduce__(self) -> Tuple[object, Tuple[str, str, bool, Optional[str]]]:
+        return Model._of, (self._text, self._name, self._bare_is_si, self._folder)
+
+
+def load(path: Union[str, "os.PathLike[str]"]) -> Model:
+    """The model in a file. Raises ``ModelError`` with the places of everything that is wrong in it."""
+    with open(path, "rb") as file:
+        data = file.read()
+    name = os.fspath(path)
+    return Model._of(_native.text_of(data, name), name, False, os.path.dirname(name))

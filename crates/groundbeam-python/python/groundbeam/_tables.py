@@ -1,0 +1,80 @@
+"""Tables of a model file as text: the one language in which every model reaches the solver."""
+
+from __future__ import annotations
+
+import json
+from typing import Mapping, Sequence, SupportsFloat, Union
+
+Value = Union[str, bool, SupportsFloat, Sequence["Value"], Mapping[str, "Value"]]
+"""What can stand behind a key: a number in SI, text with a unit, a list, or a table."""
+
+Tables = Mapping[str, Value]
+
+
+def write(tables: Tables) -> str:
+    """The tables as TOML: first what stands at the top, then table after table."""
+    top = [(key, value) for key, value in tables.items() if not _is_heading(value)]
+    text = "".join(_line(key, value) for key, value in top)
+    for key, value in tables.items():
+        if isinstance(value, Mapping):
+            text += _table(key, value, f"[{_key(key)}]")
+        elif _is_heading(value) and isinstance(value, Sequence):
+            for each in value:
+                if isinstance(each, Mapping):
+                    text += _table(key, each, f"[[{_key(key)}]]")
+    return text.lstrip("\n")
+
+
+def _table(name: str, table: Tables, heading: str) -> str:
+    """A table, and below it the tables of which it has several or which have a heading of their own."""
+    below = {key: value for key, value in table.items() if _is_several(value)}
+    text = f"\n{heading}\n"
+    text += "".join(_line(key, value) for key, value in table.items() if key not in below)
+    for key, several in below.items():
+        assert isinstance(several, Sequence)
+        for each in several:
+            assert isinstance(each, Mapping)
+            text += _table(key, each, f"[[{_key(name)}.{_key(key)}]]")
+    return text
+
+
+def _is_heading(value: Value) -> bool:
+    return isinstance(value, Mapping) or _is_several(value)
+
+
+def _is_several(value: Value) -> bool:
+    """A list of tables."""
+    if isinstance(value, (str, bytes)) or not isinstance(value, Sequence) or not value:
+        return False
+    return all(isinstance(each, Mapping) for each in value)
+
+
+def _line(key: str, value: Value) -> str:
+    return f"{_key(key)} = {_value(value)}\n"
+
+
+def _key(key: str) -> str:
+    bare = key.isascii() and key.replace("-", "").replace("_", "").isalnum()
+    return key if bare else _text(key)
+
+
+def _value(value: Value) -> str:
+    if hasattr(value, "tolist"):
+        # Arrays and numbers of numpy.
+        value = value.tolist()
+    if isinstance(value, str):
+        return _text(value)
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, Mapping):
+        pairs = ", ".join(f"{_key(key)} = {_value(each)}" for key, each in value.items())
+        return f"{{ {pairs} }}"
+    if isinstance(value, Sequence):
+        return f"[{', '.join(_value(each) for each in value)}]"
+    # The shortest digits that read back as the same bits.
+    return repr(float(value))
+
+
+def _text(text: str) -> str:
+    """A TOML string, which escapes what JSON does and the delete character."""
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")

@@ -1,0 +1,90 @@
+//! Many models on all processors: arrays of parameters in, arrays of results out, no Python in between.
+
+mod parameter;
+mod row;
+mod run;
+
+use crate::failure::Failure;
+use crate::model::{Model, options};
+use crate::solution::field;
+use groundbeam::Field;
+use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
+use parameter::Parameter;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use row::{Row, Wanted};
+use run::{Task, run};
+
+/// Solves `count` models: the given ones, or one under as many sets of parameters.
+///
+/// `parameters` holds names with arrays of one row, or of one row for each model. What comes back is a dictionary of
+/// arrays, each of one row for each model.
+#[pyfunction]
+pub fn solve_many<'py>(
+    py: Python<'py>,
+    models: Vec<PyRef<'py, Model>>,
+    count: usize,
+    parameters: Vec<(String, PyReadonlyArray2<'py, f64>)>,
+    at: PyReadonlyArray1<'py, f64>,
+    fields: Vec<String>,
+    extremes: Vec<String>,
+    method: &str,
+    elements: usize,
+    threads: usize,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let options = options(method, elements)?;
+    let named = |names: &[String]| names.iter().map(|n| field(n)).collect::<Result<Vec<_>, _>>();
+    let wanted =
+        Wanted { at: at.as_array().to_vec(), fields: named(&fields)?, extremes: named(&extremes)? };
+    let models: Vec<_> = models.iter().map(|model| model.read.clone()).collect();
+    let parameters: Result<Vec<Parameter>, Failure> = parameters
+        .iter()
+        .map(|(name, values)| Parameter::read(name, values.as_array(), &models))
+        .collect();
+    let parameters = parameters?;
+    parameter::agree(&parameters)?;
+    let task = Task { models, parameters, wanted, options };
+    let rows = py.detach(|| run(&task, count, threads, progress))?;
+    columns(py, &task.wanted, rows)
+}
+
+/// The rows as columns.
+fn columns<'py>(py: Python<'py>, wanted: &Wanted, rows: Vec<Row>) -> PyResult<Bound<'py, PyDict>> {
+    let table = PyDict::new(py);
+    let column = |name: String, of: &dyn Fn(&Row) -> f64| {
+        let values = rows.iter().map(of).collect();
+        table.set_item(name, PyArray1::from_vec(py, values))
+    };
+    column("left".into(), &|row| row.end_forces[0])?;
+    column("right".into(), &|row| row.end_forces[1])?;
+    column("lifted_share".into(), &|row| row.lifted_share)?;
+    column("relative_gap".into(), &|row| row.relative_gap)?;
+    for (i, name) in ["motion_left", "motion_right", "motion_work"].into_iter().enumerate() {
+        column(name.into(), &|row| row.motion[i])?;
+    }
+    for (i, name) in wanted.extremes.iter().map(|field| field.name()).enumerate() {
+        for (j, part) in ["min_x", "min", "max_x", "max"].into_iter().enumerate() {
+            column(format!("{name}_{part}"), &|row| row.extremes[i][j])?;
+        }
+    }
+    let stations = wanted.at.len();
+    for (i, name) in wanted.fields.iter().map(|field: &Field| field.name()).enumerate() {
+        let values = rows.iter().flat_map(|row| &row.values[i * stations..(i + 1) * stations]);
+        table.set_item(name, PyArray1::from_vec(py, values.copied().collect()))?;
+    }
+    // Regions of contact differ in number: all of them in a row, and where those of each model begin.
+    let mut starts = vec![0_i64];
+    let mut edges: Vec<f64> = Vec::new();
+    for row in &rows {
+        edges.extend(row.contact.iter().flatten());
+        starts.push((edges.len() / 2) as i64);
+    }
+    table.set_item("contact_starts", PyArray1::from_vec(py, starts))?;
+    table.set_item("contact_edges", PyArray1::from_vec(py, edges))?;
+    let status = rows.iter().map(|row| row.status as u8).collect();
+    table.set_item("status", PyArray1::from_vec(py, status))?;
+    let messages: Vec<Option<String>> = rows.into_iter().map(|row| row.message).collect();
+    table.set_item("messages", messages)?;
+    Ok(table)
+}

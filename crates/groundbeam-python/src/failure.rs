@@ -1,0 +1,111 @@
+//! Why there is no answer, as an exception of `groundbeam._errors`.
+
+use groundbeam::{Error, Existence, Model, NotConverged, Verdict, static_reactions};
+use groundbeam_file::{Diagnostic, Diagnostics, Document};
+use groundbeam_report::{Units, sentence};
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+
+/// Why there is no answer.
+pub enum Failure {
+    /// The model is wrong: what a person is shown, and each fault.
+    Wrong(String, Vec<Diagnostic>),
+    /// There is no equilibrium.
+    NoEquilibrium(Tipping),
+    /// The method did not reach its tolerance.
+    NotConverged(NotConverged),
+    /// Something else was asked for that cannot be.
+    Asked(String),
+}
+
+/// The motion that proves that there is no equilibrium.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tipping {
+    /// r(0), r(l) and F(r).
+    pub motion: [f64; 3],
+    /// r at the hinges.
+    pub hinges: Vec<f64>,
+    /// Under the ends, and under each free hinge between them.
+    pub static_reactions: Vec<f64>,
+    /// In words.
+    pub sentence: String,
+}
+
+impl Tipping {
+    /// Of a model without equilibrium.
+    pub fn of(model: &Model, existence: &Existence, units: Units) -> Self {
+        let (motion, hinges) = match existence.verdict {
+            Verdict::None(motion) | Verdict::NotUnique(motion) => {
+                let hinges = model.hinges.iter().map(|hinge| motion.at(model, hinge.at));
+                ([motion.left, motion.right, motion.work], hinges.collect())
+            }
+            Verdict::Buckles(mode) => ([mode.left, mode.right, mode.work], Vec::new()),
+            Verdict::Unique | Verdict::Local(_) => ([f64::NAN; 3], Vec::new()),
+        };
+        let static_reactions = static_reactions(model).into_iter().map(|(_, reaction)| reaction);
+        Tipping {
+            motion,
+            hinges,
+            static_reactions: static_reactions.collect(),
+            sentence: sentence(model, existence, units),
+        }
+    }
+}
+
+impl Failure {
+    /// Faults in a text.
+    pub fn wrong(found: Diagnostics, name: &str, text: &str) -> Self {
+        let shown = found.render(name, text, false).trim_end().to_owned();
+        Failure::Wrong(shown, found.into_iter().collect())
+    }
+
+    /// What the library refused, at its place in the text.
+    pub fn refused(error: Error, document: &Document, name: &str) -> Self {
+        let problems = match error {
+            Error::NotConverged(reached) => return Failure::NotConverged(reached),
+            Error::Invalid(problems) => problems,
+            Error::Unsupported(problem) => vec![problem],
+            other => return Failure::Asked(other.to_string()),
+        };
+        let located = problems.iter().map(|problem| document.diagnostic_for(problem));
+        let found: Vec<Diagnostic> = located.collect();
+        let shown = found.iter().map(|diagnostic| {
+            let alone = Diagnostics::from(diagnostic.clone());
+            alone.render(name, document.text(), false).trim_end().to_owned()
+        });
+        Failure::Wrong(shown.collect::<Vec<_>>().join("\n\n"), found)
+    }
+
+    fn raised(&self, py: Python<'_>) -> PyResult<PyErr> {
+        let raise = |class: &str, arguments: Bound<'_, PyTuple>| {
+            let class = py.import("groundbeam._errors")?.getattr(class)?;
+            Ok(PyErr::from_value(class.call1(arguments)?))
+        };
+        match self {
+            Failure::Wrong(shown, found) => {
+                let each = found.iter().map(|d| (d.code, &d.message, &d.hint, d.line, d.column));
+                let each: Vec<_> = each.collect();
+                raise("ModelError", (shown, each).into_pyobject(py)?)
+            }
+            Failure::NoEquilibrium(Tipping { motion, hinges, static_reactions, sentence }) => {
+                let [left, right, work] = *motion;
+                let arguments = (sentence, left, right, work, static_reactions, hinges);
+                raise("NoEquilibrium", arguments.into_pyobject(py)?)
+            }
+            Failure::NotConverged(reached) => {
+                let NotConverged { method, iterations, tolerance, reached: came_to, what } =
+                    reached;
+                let arguments =
+                    (reached.to_string(), method.name(), *iterations, *tolerance, *came_to, *what);
+                raise("NotConverged", arguments.into_pyobject(py)?)
+            }
+            Failure::Asked(message) => Ok(pyo3::exceptions::PyValueError::new_err(message.clone())),
+        }
+    }
+}
+
+impl From<Failure> for PyErr {
+    fn from(failure: Failure) -> Self {
+        Python::attach(|py| failure.raised(py).unwrap_or_else(|broken| broken))
+    }
+}

@@ -1,0 +1,33 @@
+//! The compiled half of the Python package `groundbeam`: models are read and solved here, numbers leave as numpy arrays.
+//!
+//! What users see is in `python/groundbeam`, with its documentation and types; this module is named `_native` there.
+
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+
+mod batch;
+mod combinations;
+mod failure;
+mod model;
+mod solution;
+
+use pyo3::prelude::*;
+
+#[pymodule]
+mod _native {
+    #[pymodule_export]
+    use super::batch::solve_many;
+    #[pymodule_export]
+    use super::combinations::Combinations;
+    #[pymodule_export]
+    use super::model::{Model, text_of};
+    #[pymodule_export]
+    use super::solution::Solution;
+
+    use super::{Bound, PyModule, PyModuleMethods, PyResult};
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))
+    }
+}

@@ -1,0 +1,230 @@
+//! A model as text, read; and what can be asked of it.
+
+use crate::combinations::Combinations;
+use crate::failure::{Failure, Tipping};
+use crate::solution::{Soil, Solution};
+use groundbeam::{Error, Method, Options, Outcome, Verdict};
+use groundbeam_file::{Combination, Document, UnitSystem};
+use groundbeam_report::{Context, Units, sentence};
+use pyo3::prelude::*;
+use rayon::prelude::*;
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// A model that was read and found right.
+#[pyclass(frozen, module = "groundbeam._native")]
+pub struct Model {
+    pub read: Arc<Read>,
+}
+
+/// A text, what it is called, and what it says.
+pub struct Read {
+    pub document: Document,
+    pub name: String,
+}
+
+impl Read {
+    pub fn units(&self) -> Units {
+        match self.document.units {
+            UnitSystem::Si => Units::Si,
+            UnitSystem::Plain => Units::Plain,
+        }
+    }
+
+    /// The system of units by the name that results use.
+    pub fn system(&self) -> &'static str {
+        self.units().name()
+    }
+
+    /// Title, units and limits, as reports want them.
+    pub fn context(&self) -> Context<'_> {
+        let context = Context::new(self.units()).with_limits(&self.document.limits);
+        Context { title: self.document.title.as_deref(), ..context }
+    }
+
+    pub fn refused(&self, error: Error) -> Failure {
+        Failure::refused(error, &self.document, &self.name)
+    }
+
+    /// What mechanics says of one of the text's combinations.
+    pub fn answer(
+        self: &Arc<Self>,
+        combination: Combination,
+        options: &Options,
+    ) -> Result<Solution, Failure> {
+        let started = Instant::now();
+        let (outcome, soil) = match &combination.bed {
+            None => (groundbeam::solve_with(&combination.model, options), None),
+            Some(bed) => match bed.solve(&combination.model, options) {
+                Ok(found) => {
+                    let soil = Soil::of(&found);
+                    (Ok(found.outcome), Some(soil))
+                }
+                Err(error) => (Err(error), None),
+            },
+        };
+        let seconds = started.elapsed().as_secs_f64();
+        match outcome.map_err(|error| self.refused(error))? {
+            Outcome::Equilibrium(found) => {
+                Ok(Solution { read: self.clone(), combination, found, soil, seconds })
+            }
+            Outcome::NoEquilibrium(existence) => {
+                let tipping = Tipping::of(&combination.model, &existence, self.units());
+                Err(Failure::NoEquilibrium(tipping))
+            }
+        }
+    }
+
+    /// The one that is called so; without a name the model as it is written.
+    fn combination(&self, name: Option<&str>) -> Result<Combination, Failure> {
+        let document = &self.document;
+        let Some(name) = name else { return Ok(document.as_written()) };
+        let wrong = |found| Failure::wrong(found, "combination", name);
+        document.combination(name).map_err(wrong)
+    }
+}
+
+/// What was chosen about the method.
+pub fn options(method: &str, elements: usize) -> Result<Options, Failure> {
+    let known = Method::ALL.into_iter().find(|known| known.name() == method);
+    let Some(method) = known else {
+        let names = Method::ALL.map(Method::name).join(", ");
+        return Err(Failure::Asked(format!(
+            "no method is called `{method}`; the methods are {names}"
+        )));
+    };
+    if elements == 0 {
+        return Err(Failure::Asked("a mesh has at least one element".to_owned()));
+    }
+    Ok(Options { method, elements, ..Options::default() })
+}
+
+/// What the statics say, by the name that results use.
+pub fn verdict(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Unique => "unique",
+        Verdict::NotUnique(_) => "not-unique",
+        Verdict::Local(_) => "local",
+        Verdict::None(_) | Verdict::Buckles(_) => "none",
+    }
+}
+
+/// A model file's text, which must be UTF-8.
+#[pyfunction]
+pub fn text_of(bytes: &[u8], name: &str) -> Result<String, Failure> {
+    let text = groundbeam_file::text_of(bytes).map(str::to_owned);
+    text.map_err(|found| Failure::wrong(found, name, &String::from_utf8_lossy(bytes)))
+}
+
+#[pymethods]
+impl Model {
+    #[new]
+    fn new(
+        py: Python<'_>,
+        text: &str,
+        name: &str,
+        bare_is_si: bool,
+        folder: Option<&str>,
+    ) -> Result<Self, Failure> {
+        let folder = folder.map(Path::new);
+        let document = py.detach(|| match folder {
+            folder if bare_is_si => groundbeam_file::parse_si(text, folder),
+            Some(folder) => groundbeam_file::parse_beside(text, folder),
+            None => groundbeam_file::parse(text),
+        });
+        let document = document.map_err(|found| Failure::wrong(found, name, text))?;
+        Ok(Model { read: Arc::new(Read { document, name: name.to_owned() }) })
+    }
+
+    #[getter]
+    fn title(&self) -> Option<&str> {
+        self.read.document.title.as_deref()
+    }
+
+    #[getter]
+    fn units(&self) -> &'static str {
+        self.read.system()
+    }
+
+    #[getter]
+    fn length(&self) -> f64 {
+        self.read.document.model.beam.length
+    }
+
+    #[getter]
+    fn load_count(&self) -> usize {
+        self.read.document.model.loads.len()
+    }
+
+    /// The names of the trains that pass over the beam.
+    #[getter]
+    fn trains(&self) -> Vec<String> {
+        self.read.document.trains.iter().map(|train| train.name.clone()).collect()
+    }
+
+    /// Every combination of load cases and grounds: its name, and the factors of the cases.
+    fn combinations(&self) -> Vec<(String, Vec<(String, f64)>)> {
+        let all = self.read.document.combinations();
+        all.into_iter().map(|combination| (combination.name, combination.factors)).collect()
+    }
+
+    fn solve(
+        &self,
+        py: Python<'_>,
+        method: &str,
+        elements: usize,
+        combination: Option<&str>,
+    ) -> Result<Solution, Failure> {
+        let options = options(method, elements)?;
+        let combination = self.read.combination(combination)?;
+        py.detach(|| self.read.answer(combination, &options))
+    }
+
+    /// Solves every combination, each by itself and in its place, on all processors.
+    fn solve_combinations(
+        &self,
+        py: Python<'_>,
+        method: &str,
+        elements: usize,
+    ) -> Result<Combinations, Failure> {
+        let options = options(method, elements)?;
+        py.detach(|| {
+            let started = Instant::now();
+            let all = self.read.document.combinations();
+            let answers = all.into_par_iter().map(|combination| {
+                let answer = self.read.answer(combination.clone(), &options);
+                (combination, answer)
+            });
+            let answers = answers.collect();
+            Combinations::new(self.read.clone(), answers, started.elapsed().as_secs_f64())
+        })
+    }
+
+    /// The verdict, the static reactions, the motion that costs nothing or gains work, and a sentence.
+    fn check(&self, combination: Option<&str>) -> Result<Statics, Failure> {
+        let combination = self.read.combination(combination)?;
+        let model = &combination.model;
+        let existence = groundbeam::exists(model).map_err(|error| self.read.refused(error))?;
+        let motion = match existence.verdict {
+            Verdict::Unique | Verdict::Local(_) => None,
+            Verdict::NotUnique(motion) | Verdict::None(motion) => {
+                Some((motion.left, motion.right, motion.work))
+            }
+            Verdict::Buckles(mode) => Some((mode.left, mode.right, mode.work)),
+        };
+        let verdict = verdict(existence.verdict);
+        let sentence = sentence(model, &existence, self.read.units());
+        let reactions = groundbeam::static_reactions(model).iter().map(|(_, r)| *r).collect();
+        Ok((verdict, reactions, motion, sentence))
+    }
+
+    /// Positions with units, separated by commas.
+    fn positions(&self, list: &str) -> Result<Vec<f64>, Failure> {
+        let found = groundbeam_file::parse_positions(list, self.read.document.units);
+        found.map_err(|found| Failure::wrong(found, "x", list))
+    }
+}
+
+/// Verdict, static reactions, motion, sentence.
+type Statics = (&'static str, Vec<f64>, Option<(f64, f64, f64)>, String);

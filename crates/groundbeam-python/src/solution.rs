@@ -1,0 +1,245 @@
+//! An equilibrium: its fields at any positions, its contact, its proof, and its reports.
+
+use crate::failure::Failure;
+use crate::model::{Read, verdict};
+use groundbeam::soil::{OnSoil, Subgrade};
+use groundbeam::{Certificate, Field, Side};
+use groundbeam_file::Combination;
+use groundbeam_report::{Context, Ground, csv, json, png, sentence, svg, text};
+use numpy::{PyArray1, PyReadonlyArray1, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use std::sync::Arc;
+
+/// An equilibrium of a model, or of one of its combinations.
+#[pyclass(frozen, module = "groundbeam._native")]
+pub struct Solution {
+    pub read: Arc<Read>,
+    pub combination: Combination,
+    pub found: Box<groundbeam::Solution>,
+    pub soil: Option<Soil>,
+    pub seconds: f64,
+}
+
+/// What a solution made of the soil under it.
+pub struct Soil {
+    subgrade: Subgrade,
+    gamma: Option<(f64, usize)>,
+}
+
+impl Soil {
+    pub fn of(found: &OnSoil) -> Self {
+        let gamma = found.gamma.map(|gamma| (gamma, found.rounds));
+        Soil { subgrade: found.subgrade, gamma }
+    }
+}
+
+impl Solution {
+    /// What a report says besides the result itself.
+    pub fn context(&self) -> Context<'_> {
+        let Combination { model, bed, .. } = &self.combination;
+        let ground = match (bed, &self.soil) {
+            (Some(bed), Some(Soil { subgrade, gamma })) => Some(Ground {
+                width: bed.width,
+                subgrade: *subgrade,
+                bed: Some(bed),
+                gamma: *gamma,
+            }),
+            _ => {
+                let width = self.read.document.width;
+                width.and_then(|width| Ground::of_area(&model.foundation, width))
+            }
+        };
+        Context { ground, ..self.read.context() }.with_seconds(self.seconds)
+    }
+
+    fn stations_or(&self, at: Option<Vec<f64>>) -> Vec<f64> {
+        at.unwrap_or_else(|| json::default_stations(&self.found))
+    }
+}
+
+/// A field by its name.
+pub fn field(name: &str) -> Result<Field, Failure> {
+    let known = Field::ALL.into_iter().find(|field| field.name() == name);
+    known.ok_or_else(|| {
+        let names = Field::ALL.map(Field::name).join(", ");
+        Failure::Asked(format!("no field is called `{name}`; the fields are {names}"))
+    })
+}
+
+/// A side by its name.
+pub fn side(name: &str) -> Result<Side, Failure> {
+    match name {
+        "left" => Ok(Side::Left),
+        "right" => Ok(Side::Right),
+        _ => Err(Failure::Asked(format!("`{name}` is no side: say `left` or `right`"))),
+    }
+}
+
+#[pymethods]
+impl Solution {
+    /// One field at positions on the beam; where it jumps, from the given side. The settlement also beside it.
+    fn field<'py>(
+        &self,
+        py: Python<'py>,
+        name: &str,
+        x: PyReadonlyArray1<'py, f64>,
+        from_side: &str,
+    ) -> Result<Bound<'py, PyArray1<f64>>, Failure> {
+        let (field, side) = (field(name)?, side(from_side)?);
+        let length = self.found.model().beam.length;
+        let value = |x: f64| match field {
+            Field::Settlement if !(0.0..=length).contains(&x) => self.found.settlement(x),
+            field => self.found.at(x, side).get(field),
+        };
+        let mut values = Vec::with_capacity(x.len());
+        values.extend(x.as_array().iter().map(|&x| value(x)));
+        Ok(PyArray1::from_vec(py, values))
+    }
+
+    #[getter]
+    fn units(&self) -> &'static str {
+        self.read.system()
+    }
+
+    #[getter]
+    fn length(&self) -> f64 {
+        self.found.model().beam.length
+    }
+
+    #[getter]
+    fn combination(&self) -> Option<&str> {
+        Some(&*self.combination.name).filter(|name| !name.is_empty())
+    }
+
+    #[getter]
+    fn method(&self) -> &'static str {
+        self.found.method().name()
+    }
+
+    #[getter]
+    fn iterations(&self) -> usize {
+        self.found.iterations()
+    }
+
+    #[getter]
+    fn elements(&self) -> usize {
+        self.found.elements()
+    }
+
+    #[getter]
+    fn seconds(&self) -> f64 {
+        self.seconds
+    }
+
+    #[getter]
+    fn verdict(&self) -> &'static str {
+        verdict(self.found.existence().verdict)
+    }
+
+    #[getter]
+    fn sentence(&self) -> String {
+        sentence(self.found.model(), self.found.existence(), self.read.units())
+    }
+
+    #[getter]
+    fn contact(&self) -> Vec<(f64, f64)> {
+        self.found.contact().iter().map(|region| (region.from, region.to)).collect()
+    }
+
+    /// From, to, where the gap is largest, and how large.
+    #[getter]
+    fn lift_off(&self) -> Vec<(f64, f64, f64, f64)> {
+        let each = self.found.lift_off().into_iter();
+        each.map(|l| (l.from, l.to, l.largest_gap.x, l.largest_gap.value)).collect()
+    }
+
+    #[getter]
+    fn end_forces(&self) -> (f64, f64) {
+        let ends = self.found.end_forces();
+        (ends.left, ends.right)
+    }
+
+    #[getter]
+    fn concentrated_forces(&self) -> Vec<(f64, f64)> {
+        self.found.concentrated_forces().iter().map(|force| (force.at, force.force)).collect()
+    }
+
+    #[getter]
+    fn reactions(&self) -> Vec<(f64, f64, f64)> {
+        self.found.reactions().iter().map(|r| (r.at, r.force, r.moment)).collect()
+    }
+
+    /// Where, how far the slope jumps, and the moment handed on.
+    #[getter]
+    fn hinges(&self) -> Vec<(f64, f64, f64)> {
+        self.found.hinges().iter().map(|h| (h.at, h.rotation, h.moment)).collect()
+    }
+
+    /// The numbers of the certificate, in the order of its fields.
+    #[getter]
+    fn certificate(&self) -> [f64; 13] {
+        let Certificate {
+            primal_energy,
+            dual_energy,
+            gap,
+            relative_gap,
+            force_balance,
+            moment_balance,
+            smallest_pressure,
+            deepest_penetration,
+            continuity,
+            complementarity,
+            settlement_bound,
+            moment_bound,
+            moment_rms_bound,
+        } = *self.found.certificate();
+        [
+            primal_energy,
+            dual_energy,
+            gap,
+            relative_gap,
+            force_balance,
+            moment_balance,
+            smallest_pressure,
+            deepest_penetration,
+            continuity,
+            complementarity,
+            settlement_bound,
+            moment_bound,
+            moment_rms_bound,
+        ]
+    }
+
+    /// Where a field is smallest and how small, where it is largest and how large.
+    fn range(&self, name: &str) -> Result<(f64, f64, f64, f64), Failure> {
+        let range = self.found.range(field(name)?);
+        Ok((range.min.x, range.min.value, range.max.x, range.max.value))
+    }
+
+    fn stations<'py>(&self, py: Python<'py>, even: usize) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_vec(py, self.found.stations(even))
+    }
+
+    fn to_json(&self, at: Option<Vec<f64>>) -> String {
+        json::solved(&self.found, &self.stations_or(at), &self.context())
+    }
+
+    fn to_csv(&self, at: Option<Vec<f64>>) -> String {
+        csv::table(&self.found, &self.stations_or(at), self.read.units())
+    }
+
+    fn to_svg(&self, py: Python<'_>) -> String {
+        py.detach(|| svg::picture(&self.found, &self.context()))
+    }
+
+    fn to_png<'py>(&self, py: Python<'py>) -> Result<Bound<'py, PyBytes>, Failure> {
+        let drawn = py.detach(|| png::picture(&self.found, &self.context()));
+        let drawn = drawn.map_err(|error| Failure::Asked(error.to_string()))?;
+        Ok(PyBytes::new(py, &drawn))
+    }
+
+    fn report(&self) -> String {
+        text::solved(&self.found, &self.context(), false)
+    }
+}

@@ -1,0 +1,132 @@
+//! The Python package: built as a wheel, installed into an environment of its own, and tested from Python.
+//!
+//! Needs Python from 3.10 on and packages from its index. Without them this test says that it was skipped, or fails
+//! where the variable `GROUNDBEAM_DEMAND_PYTHON` is set.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// What the tests need besides the package.
+const NEEDS: [&str; 7] =
+    ["maturin>=1.9,<2", "numpy", "pytest", "mypy", "pandas", "pandas-stubs", "matplotlib"];
+
+#[test]
+fn the_package_does_what_its_tests_say() {
+    let python = match environment() {
+        Ok(python) => python,
+        Err(why) => {
+            let demanded = std::env::var_os("GROUNDBEAM_DEMAND_PYTHON").is_some();
+            assert!(!demanded, "the Python package cannot be tested here: {why}");
+            let words = format!("\n*** SKIPPED: the Python package was NOT tested: {why}\n\n");
+            // Not `eprintln!`, which a test that passes keeps to itself.
+            std::io::stderr().write_all(words.as_bytes()).expect("standard error");
+            return;
+        }
+    };
+    install(&python);
+    let package = folder();
+    // Outside the sources, so that the installed package is tested and not they.
+    let tests = [package.join("tests"), package.join("python")].map(spelled);
+    succeed(in_folder(&python, &["-m", "pytest", "-p", "no:cacheprovider", "-q", &tests[0]]));
+    let configuration = spelled(package.join("pyproject.toml"));
+    let strictly = ["-m", "mypy", "--strict", "--config-file", &configuration];
+    let packages = [&strictly[..], &["-p", "groundbeam"]].concat();
+    succeed(in_folder(&python, &packages));
+    let examples = spelled(package.join("examples"));
+    succeed(in_folder(&python, &[&strictly[..], &[&tests[0], &examples]].concat()));
+    succeed(in_folder(&python, &["-m", "mypy.stubtest", "groundbeam._native"]));
+}
+
+fn folder() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn spelled(path: PathBuf) -> String {
+    path.to_str().expect("a path that is text").to_owned()
+}
+
+/// Where everything is made that is not kept.
+fn workplace() -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join("python")
+}
+
+/// An interpreter with everything that is needed, kept from run to run.
+fn environment() -> Result<PathBuf, String> {
+    let place = workplace();
+    std::fs::create_dir_all(&place).map_err(|error| error.to_string())?;
+    let home = place.join("environment");
+    let (programs, name) =
+        if cfg!(windows) { ("Scripts", "python.exe") } else { ("bin", "python") };
+    let python = home.join(programs).join(name);
+    let (stamp, needs) = (place.join("needs"), NEEDS.join("\n"));
+    if python.exists() && std::fs::read_to_string(&stamp).is_ok_and(|made| made == needs) {
+        return Ok(python);
+    }
+    let system = if cfg!(windows) { "python" } else { "python3" };
+    let version = "import sys; sys.exit(sys.version_info < (3, 10))";
+    quietly(Command::new(system).args(["-c", version]), "there is no Python from 3.10 on")?;
+    let make = ["-m", "venv", "--clear", &spelled(home)];
+    quietly(Command::new(system).args(make), "no virtual environment can be made")?;
+    let install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check"];
+    let needed = Command::new(&python).args(install).args(NEEDS).output();
+    match needed {
+        Ok(done) if done.status.success() => {}
+        Ok(done) => {
+            let last = String::from_utf8_lossy(&done.stderr);
+            let last = last.lines().last().unwrap_or_default().to_owned();
+            return Err(format!("pip cannot install {}: {last}", NEEDS.join(", ")));
+        }
+        Err(error) => return Err(error.to_string()),
+    }
+    std::fs::write(&stamp, needs).map_err(|error| error.to_string())?;
+    Ok(python)
+}
+
+fn quietly(command: &mut Command, otherwise: &str) -> Result<(), String> {
+    match command.output() {
+        Ok(done) if done.status.success() => Ok(()),
+        _ => Err(otherwise.to_owned()),
+    }
+}
+
+/// Builds the wheel with what `cargo test` has compiled already, as far as it is the same, and installs it.
+fn install(python: &Path) {
+    let wheels = workplace().join("wheels");
+    let _ = std::fs::remove_dir_all(&wheels);
+    let mut build = Command::new(python);
+    build.current_dir(folder()).args(["-m", "maturin", "build", "--quiet", "--locked"]);
+    build.args(["--auditwheel", "skip", "--interpreter"]).arg(python).arg("--out").arg(&wheels);
+    build.env("CARGO_TARGET_DIR", target()).env("PIP_DISABLE_PIP_VERSION_CHECK", "1");
+    if cfg!(debug_assertions) {
+        // Dependencies as the profile of tests has them.
+        build.args(["--profile", "dev"]).env("CARGO_PROFILE_DEV_OPT_LEVEL", "2");
+    } else {
+        build.arg("--release");
+    }
+    succeed(build.output().expect("maturin runs"));
+    let made =
+        std::fs::read_dir(&wheels).expect("wheels").map(|entry| entry.expect("a file").path());
+    let wheels: Vec<PathBuf> = made.collect();
+    let [wheel] = &wheels[..] else { panic!("one wheel, not {wheels:?}") };
+    let name = spelled(wheel.clone());
+    assert!(name.contains("-cp310-abi3-"), "one wheel for every Python from 3.10 on: {name}");
+    let install = ["-m", "pip", "install", "--quiet", "--no-deps", "--force-reinstall", &name];
+    succeed(in_folder(python, &install));
+}
+
+/// The folder of everything that is compiled: this test is in `target/debug/deps`.
+fn target() -> PathBuf {
+    let own = std::env::current_exe().expect("this test is a file");
+    own.ancestors().nth(3).expect("target/debug/deps").to_owned()
+}
+
+fn in_folder(python: &Path, arguments: &[&str]) -> Output {
+    let run = Command::new(python).current_dir(workplace()).args(arguments).output();
+    run.expect("Python runs")
+}
+
+fn succeed(done: Output) {
+    let [shown, told] = [&done.stdout, &done.stderr].map(|bytes| String::from_utf8_lossy(bytes));
+    assert!(done.status.success(), "{shown}\n{told}");
+}

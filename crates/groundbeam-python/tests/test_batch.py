@@ -1,0 +1,201 @@
+"""Many models at once: the same bits as one by one, on any number of threads."""
+
+from __future__ import annotations
+
+import time
+from typing import Mapping
+
+import groundbeam as gb
+import numpy as np
+import numpy.typing as npt
+import pytest
+from groundbeam._solution import Array
+from groundbeam._tables import Value
+
+
+def grounds(count: int) -> dict[str, Array]:
+    """Grounds, stiffnesses, forces and loads around those of the footing."""
+    random = np.random.default_rng(1)
+
+    def around(middle: float) -> Array:
+        return middle * np.exp(random.normal(0.0, 0.4, count))
+
+    return {
+        "k": around(40e6),
+        "mu": around(9e6),
+        "EI": around(1.28e9),
+        "axial_force": around(1e5),
+        "load[0]": around(900e3),
+        "load[0].at": random.uniform(0.0, 12.0, count),
+        "load[1].end": around(10e3),
+    }
+
+
+def one_by_one(parameters: dict[str, Array], number: int) -> gb.Model:
+    p = {name: values[number] for name, values in parameters.items()}
+    return gb.Model(
+        gb.Beam(12.0, p["EI"], axial_force=p["axial_force"]),
+        gb.Foundation(p["k"], p["mu"]),
+        loads=[
+            gb.Load.point(p["load[0]"], p["load[0].at"]),
+            gb.Load.distributed([10e3, p["load[1].end"]], 0.0, 12.0),
+        ],
+    )
+
+
+def test_the_same_bits_as_one_by_one(footing: gb.Model) -> None:
+    parameters = grounds(200)
+    x = np.linspace(0.0, 12.0, 7)
+    batch = gb.solve_many(
+        footing, parameters, at=x, fields=["moment", "gap"], extremes=["pressure", "moment"]
+    )
+    assert batch.solved.all() and batch.count == 200 and batch["moment"].shape == (200, 7)
+    for number in range(200):
+        alone = one_by_one(parameters, number).solve()
+        np.testing.assert_array_equal(batch["moment"][number], alone.moment(x))
+        np.testing.assert_array_equal(batch["gap"][number], alone.gap(x))
+        assert batch.contact(number) == alone.contact
+        assert tuple(batch.end_forces[number]) == alone.end_forces
+        assert batch.relative_gap[number] == alone.certificate.relative_gap
+        low, high = alone.range("moment")
+        assert batch.extremes["moment"].min[number] == low.value
+        assert batch.extremes["moment"].max_x[number] == high.x
+        lifted = sum(each.end - each.start for each in alone.lift_off) / 12.0
+        assert batch.lifted_share[number] == pytest.approx(lifted, abs=1e-15)
+    assert (batch.lifted_share > 0.0).any() and (batch.lifted_share == 0.0).any()
+
+
+def test_the_same_bits_on_any_number_of_threads(footing: gb.Model) -> None:
+    parameters = grounds(300)
+    batches = [
+        gb.solve_many(footing, parameters, at=[0, 3, 6], extremes=["gap"], threads=threads)
+        for threads in (1, 2, 3, 8)
+    ]
+    for other in batches[1:]:
+        for field in other:
+            assert other[field].tobytes() == batches[0][field].tobytes()
+        assert other.extremes["gap"].max.tobytes() == batches[0].extremes["gap"].max.tobytes()
+        assert other.end_forces.tobytes() == batches[0].end_forces.tobytes()
+
+
+def test_a_list_of_models(footing: gb.Model) -> None:
+    models = [footing, footing.with_load(gb.Load.point(5e5, 11)), footing]
+    batch = gb.solve_many(models, at=["1 m", 2.0])
+    for number, model in enumerate(models):
+        np.testing.assert_array_equal(batch["pressure"][number], model.solve().pressure([1, 2]))
+    both = gb.solve_many(models, {"load_factor": [1.0, 1.0, 2.0]}, at=[1])
+    assert both["deflection"][2] == 2.0 * both["deflection"][0], "loads times two, bit for bit"
+    assert gb.solve_many([]).count == 0
+
+
+def test_failures_are_data(footing: gb.Model) -> None:
+    force = [900e3, -5e6, 900e3, np.nan]
+    k = [40e6, 40e6, -1.0, 40e6]
+    batch = gb.solve_many(footing, {"load[0]": force, "k": k}, at=[0.0, 6.0])
+    assert batch.status.tolist() == ["solved", "no-equilibrium", "wrong", "wrong"]
+    assert np.isnan(batch["moment"][1:]).all() and np.isfinite(batch["moment"][0]).all()
+    assert batch.messages[0] is None
+    assert "lifts the beam" in str(batch.messages[1]) and "positive" in str(batch.messages[2])
+    alone = footing.with_load(gb.Load.point(-5.9e6, 1.5))
+    with pytest.raises(gb.NoEquilibrium) as caught:
+        alone.solve()
+    motion = (caught.value.left, caught.value.right, caught.value.work)
+    np.testing.assert_allclose(batch.motion[1], motion, rtol=1e-12)
+    assert np.isnan(batch.motion[0]).all() and batch.contact(1) == []
+    table = batch.to_pandas()
+    assert table["status"].tolist() == batch.status.tolist() and len(table) == 4
+
+
+def test_fields_along_the_beam() -> None:
+    bare = gb.Model(gb.Beam(10.0, 1e8), gb.Foundation(1e7, 1e6), loads=[gb.Load.point(1e5, 3.0)])
+    k = np.array([[1e7, 2e7, 3e7], [3e7, 1e7, 1e7]])
+    mu = np.array([[1e6, 2e6, 1e6]])
+    stiffness = np.array([[1e8, 1e8, 2e8, 1e8, 3e8], [1e8, 2e8, 1e8, 1e8, 1e8]])
+    x = np.linspace(0.0, 10.0, 11)
+    batch = gb.solve_many(bare, {"k": k, "mu": mu, "EI": stiffness}, at=x)
+    assert batch.solved.all()
+    for number in range(2):
+        ground: list[Mapping[str, Value]] = [
+            {"from": 5.0 * i, "to": 5.0 * (i + 1), "k": k[number, i : i + 2], "mu": mu[0, i : i + 2]}
+            for i in range(2)
+        ]
+        beam: list[Mapping[str, Value]] = [
+            {"from": 2.5 * i, "to": 2.5 * (i + 1), "EI": stiffness[number, i : i + 2]}
+            for i in range(4)
+        ]
+        model = gb.Model(
+            gb.Beam(10.0, 1e8, segments=beam),
+            gb.Foundation(1e7, 1e6, segments=ground),
+            loads=[gb.Load.point(1e5, 3.0)],
+        )
+        # A model file names each side of a joint by itself; the numbers here are the same.
+        np.testing.assert_array_equal(batch["moment"][number], model.solve().moment(x))
+    constant = gb.solve_many(bare, {"k": np.full((1, 9), 1e7)}, at=x)
+    np.testing.assert_allclose(
+        constant["moment"][0], bare.solve().moment(x), rtol=0, atol=1e-9 * 1e5
+    )
+
+
+def test_factors_multiply_what_the_model_has() -> None:
+    model = gb.Model(
+        gb.Beam(10.0, 1e8, segments=[{"from": 2.0, "to": 4.0, "EI": 5e8}]),
+        gb.Foundation(1e7, 1e6, segments=[{"from": 6.0, "to": 10.0, "k": 4e7, "mu": 1e6}]),
+        loads=[gb.Load.point(1e5, 3.0)],
+    )
+    same: Mapping[str, npt.ArrayLike] = {"k_factor": [2.0], "mu_factor": 2.0, "EI_factor": 2.0, "load_factor": [1.0, 2.0]}
+    batch = gb.solve_many(model, same, at=[1.0, 5.0])
+    # Everything twice as stiff sinks half as much, and as much under twice the loads: bit for bit.
+    alone = model.solve().deflection([1.0, 5.0])
+    np.testing.assert_array_equal(batch["deflection"], [alone / 2.0, alone])
+    with pytest.raises(ValueError, match="k_factor"):
+        gb.solve_many(model, {"k": [1e7]})
+
+
+@pytest.mark.parametrize(
+    "parameters, words",
+    [
+        ({"K": [1.0]}, "means nothing"),
+        ({"load[2]": [1.0]}, "count from 0, and the model has 2"),
+        ({"load[0].from": [1.0]}, "no such number"),
+        ({"load[0]": [[1.0, 2.0]]}, "one number for each model"),
+        ({"k": [1.0, 2.0], "mu": [1.0, 2.0, 3.0]}, "differ in length: k: 2, mu: 3"),
+        ({"k": [[1.0, 2.0]], "mu": [[1.0, 2.0, 3.0]]}, "2 points along the beam and `mu` has 3"),
+        ({"k": [[[1.0]]]}, "a row along the beam"),
+    ],
+)
+def test_wrong_parameters_are_refused(
+    footing: gb.Model, parameters: dict[str, list[float]], words: str
+) -> None:
+    with pytest.raises(ValueError, match=words.replace("[", r"\[")):
+        gb.solve_many(footing, parameters)
+
+
+def test_progress_is_told_and_may_stop_the_work(footing: gb.Model) -> None:
+    told: list[tuple[int, int]] = []
+    gb.solve_many(footing, {"k": np.full(50, 4e7)}, progress=lambda *how: told.append(how))
+    assert told[-1] == (50, 50)
+
+    def stop(done: int, count: int) -> None:
+        raise KeyboardInterrupt
+
+    began = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        gb.solve_many(footing, {"k": np.full(2_000_000, 4e7)}, threads=1, progress=stop)
+    assert time.monotonic() - began < 20.0
+
+
+def test_a_bar_is_drawn_for_long_work(
+    footing: gb.Model, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from groundbeam._batch import _Bar
+
+    bar = _Bar()
+    bar(1, 4)
+    bar(4, 4)
+    assert capsys.readouterr().err == "", "what is done in a second needs no bar"
+    bar.began -= 10.0
+    bar(1, 4)
+    bar(4, 4)
+    drawn = capsys.readouterr().err
+    assert "1 of 4, 30 s left" in drawn and drawn.endswith("4 of 4, 0 s left \n")
+    assert gb.solve_many(footing, {"k": [4e7]}, progress=True).count == 1

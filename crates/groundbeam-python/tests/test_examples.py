@@ -1,0 +1,23 @@
+"""Every example of the library has a twin here, which prints the same."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+from conftest import REPOSITORY
+
+RUST = REPOSITORY / "crates" / "groundbeam" / "examples"
+NAMES = sorted(path.stem for path in RUST.glob("*.rs"))
+
+
+def test_there_are_examples() -> None:
+    assert "footing" in NAMES
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_twin_prints_the_same(name: str) -> None:
+    twin = REPOSITORY / "crates" / "groundbeam-python" / "examples" / f"{name}.py"
+    done = subprocess.run([sys.executable, str(twin)], capture_output=True, text=True, check=True)
+    assert done.stdout == (RUST / f"{name}.expected").read_text()

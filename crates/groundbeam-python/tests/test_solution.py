@@ -1,0 +1,184 @@
+"""What is found: arrays in and out, contact, reports, pictures."""
+
+from __future__ import annotations
+
+import json
+import threading
+import time
+from pathlib import Path
+from typing import Any
+
+import groundbeam as gb
+import numpy as np
+import pytest
+from conftest import REPOSITORY
+from groundbeam._solution import FIELDS
+
+# All but those that 64 bits can hardly hold, which `verification/tests/reference.rs` judges one by one.
+ANSWERS = [
+    answer
+    for path in sorted((REPOSITORY / "reference" / "answers").glob("*.json"))
+    for answer in json.loads(path.read_text())
+    if answer["family"] != "hard" and answer["name"] != "supports-012"
+]
+
+
+@pytest.mark.parametrize("answer", ANSWERS, ids=lambda answer: str(answer["name"]))
+def test_the_multiprecision_answers(answer: dict[str, Any]) -> None:
+    """Fields from both sides of their jumps, contact and forces, from a solver that shares nothing with the library."""
+    solution = gb.Model.from_toml(answer["model"]).solve()
+    expected, largest = answer["stations"], answer["largest"]
+    x, sides = np.array(expected["x"]), np.array(expected["side"])
+    # Where contact ends the last digit of the position decides on the side.
+    edges = np.array(answer["contact"]).reshape(-1)
+    apart = np.abs(x[:, None] - edges).min(axis=1, initial=np.inf) > 1e-9 * solution.length
+    apart |= (x == 0.0) | (x == solution.length)
+    for name in FIELDS:
+        field = getattr(solution, name)
+        found = np.where(sides == "-", field(x, "left"), field(x, "right"))
+        # What is zero beside a deflection is so but for the deflection's rounding.
+        floor = {"gap": 1.0, "settlement": 1e-6}.get(name, 0.0)
+        size = max(largest[name], floor * largest["deflection"])
+        wanted = np.array(expected[name])
+        np.testing.assert_allclose(found[apart], wanted[apart], 0.0, 1e-8 * size, err_msg=name)
+    np.testing.assert_allclose(solution.contact, answer["contact"], atol=1e-7 * solution.length)
+    ends = [answer["end_forces"]["left"], answer["end_forces"]["right"]]
+    np.testing.assert_allclose(solution.end_forces, ends, atol=1e-8 * largest["shear_force"])
+    assert 0.0 <= solution.certificate.relative_gap < 1e-9
+
+
+def test_kikuchis_last_case() -> None:
+    model = gb.Model(
+        gb.Beam.uniform(1.0, 1.0),
+        gb.Foundation.pasternak(1.0, 1.0),
+        loads=[gb.Load.point(1.0, 0.5), gb.Load.moment(0.49, 0.5)],
+    )
+    solution = model.solve()
+    [(edge, end)] = solution.contact
+    assert edge == pytest.approx(0.811326256449155, abs=1e-14) and end == 1.0
+    assert solution.deflection(0.0) == pytest.approx(0.013217803941407, abs=1e-14)
+    certificate = solution.certificate
+    between = certificate.primal_energy - certificate.dual_energy
+    assert certificate.gap == pytest.approx(between, abs=1e-14)
+
+
+def test_arrays_go_in_and_come_out(footing: gb.Model) -> None:
+    solution = footing.solve()
+    table = np.array([[0.0, 1.5], [6.0, 12.0]])
+    moments = solution.moment(table)
+    assert moments.shape == (2, 2) and moments.dtype == np.float64
+    assert solution.moment(6) == moments[1, 0] == solution.moment("600 cm")
+    assert solution.moment(["6 m", 12.0]).tolist() == moments[1].tolist()
+    assert isinstance(solution.moment(6.0), float)
+    assert solution.moment([]).shape == (0,)
+    assert solution.moment(np.arange(3)).shape == (3,)
+    fields = solution.at(table)
+    assert isinstance(fields.gap, np.ndarray)
+    np.testing.assert_array_equal(fields.moment, moments)
+    np.testing.assert_allclose(
+        fields.gap, solution.settlement(table) - solution.deflection(table), atol=1e-15
+    )
+    # The shear force falls by the load.
+    jump = solution.shear_force(1.5, "left") - solution.shear_force(1.5, side="right")
+    assert jump == pytest.approx(900e3, rel=1e-12)
+
+
+def test_ground_beside_the_beam_decays(footing: gb.Model) -> None:
+    solution = footing.solve()
+    b = np.sqrt(40e6 / 9e6)
+    beside = np.array([-2.0, -1.0, -0.5])
+    decayed = solution.settlement(0.0) * np.exp(b * beside)
+    np.testing.assert_allclose(solution.settlement(beside), decayed, rtol=1e-14)
+
+
+@pytest.mark.parametrize("x", [-0.1, 12.1, float("nan"), [1.0, 13.0], float("inf")])
+def test_positions_off_the_beam_are_refused(footing: gb.Model, x: float) -> None:
+    with pytest.raises(ValueError, match="position"):
+        footing.solve().moment(x)
+
+
+def test_wrong_names_are_refused(footing: gb.Model) -> None:
+    solution = footing.solve()
+    with pytest.raises(ValueError, match="`left` or `right`"):
+        solution.moment(1.0, "middle")
+    with pytest.raises(ValueError, match="deflection, slope"):
+        solution.range("stress")
+    with pytest.raises(gb.ModelError, match="a length is wanted"):
+        solution.moment("1 kN")
+
+
+def test_extremes_are_those_of_dense_samples(footing: gb.Model) -> None:
+    solution = footing.solve()
+    x = np.linspace(0.0, 12.0, 20001)
+    for field in ("deflection", "slope", "moment", "pressure", "gap"):
+        values = getattr(solution, field)(x)
+        low, high = solution.range(field)
+        size = np.abs(values).max()
+        assert low.value <= values.min() + 1e-15 * size
+        assert low.value == pytest.approx(values.min(), abs=1e-6 * size)
+        assert high.value == pytest.approx(values.max(), abs=1e-6 * size)
+
+
+def test_the_document_is_the_solution(footing: gb.Model) -> None:
+    solution = footing.solve()
+    document = json.loads(solution.to_json(at=[0.0, 6.0]))
+    assert document["status"] == "solved" and document["units"] == "SI"
+    assert document["stations"]["moment"] == solution.moment([0.0, 6.0]).tolist()
+    assert document["contact"][0]["to"] == solution.contact[0][1]
+    assert document["certificate"]["relative_gap"] == solution.certificate.relative_gap
+    assert len(json.loads(solution.to_json())["stations"]["x"]) > 100
+
+
+def test_tables(footing: gb.Model) -> None:
+    solution = footing.solve()
+    table = solution.to_pandas()
+    assert list(table.columns)[:2] == ["x_m", "deflection_m"]
+    at_load = table[table["x_m"] == 1.5]
+    assert len(at_load) == 2, "both sides of the jump"
+    assert at_load["shear_force_N"].tolist() == [
+        solution.shear_force(1.5, "left"),
+        solution.shear_force(1.5),
+    ]
+    assert len(solution.to_pandas(at=[0.0, 1.0, 2.0])) >= 3
+
+
+def test_pictures_and_reports(footing: gb.Model, tmp_path: Path) -> None:
+    solution = footing.solve()
+    assert solution.to_svg().startswith("<svg") and solution.to_png().startswith(b"\x89PNG")
+    page = solution._repr_html_()
+    assert "<svg" in page and "</div>" in page and "Certificate" in page
+    assert "Contact" in str(solution) and "contact 0 to 6.98" in repr(solution)
+    figure = solution.plot()
+    figure.savefig(tmp_path / "figure.png")
+    bed, _, moment, _ = figure.axes
+    assert bed.yaxis_inverted() and moment.yaxis_inverted()
+    drawn = np.asarray(moment.lines[0].get_ydata())
+    assert drawn.max() == pytest.approx(solution.range("moment").max.value, rel=1e-12)
+
+
+def test_titles_cannot_break_out_of_html() -> None:
+    model = gb.Model(
+        gb.Beam(1, 1), gb.Foundation(1, 1), loads=[gb.Load.point(1, 0.5)], title="<script>x</script>"
+    )
+    assert "<script>" not in model.solve()._repr_html_()
+
+
+def test_other_threads_go_on_while_one_solves() -> None:
+    model = gb.load(REPOSITORY / "docs" / "strip-footing.toml")
+    began, done = threading.Event(), threading.Event()
+
+    def solve() -> None:
+        began.set()
+        model.solve("active-set", elements=50_000)
+        done.set()
+
+    thread = threading.Thread(target=solve)
+    thread.start()
+    began.wait()
+    ticks = 0
+    while not done.is_set():
+        time.sleep(0.001)
+        ticks += 1
+    thread.join()
+    # A thread that kept the lock would have let this one run once or twice.
+    assert ticks > 10
