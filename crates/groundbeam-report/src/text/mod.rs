@@ -6,6 +6,7 @@ mod combinations;
 mod comparison;
 mod drawing;
 pub(crate) mod factors;
+mod free_spans;
 mod ground;
 mod passages;
 pub(crate) mod sheet;
@@ -21,8 +22,8 @@ pub use combinations::combinations;
 pub use comparison::comparison;
 pub use drawing::drawing;
 use groundbeam::{
-    Acts, ContactRegion, Existence, Extreme, Field, GroundEnd, LiftOff, Load, Model, NotConverged,
-    Profile, Reaction, Solution, SupportKind, Verdict,
+    Acts, ContactRegion, Existence, Extreme, Field, GroundEnd, Load, Model, NotConverged, Profile,
+    Reaction, Solution, SupportKind, Verdict,
 };
 pub use passages::{checked_trains, trains};
 use sheet::{Sheet, Tone};
@@ -265,7 +266,7 @@ pub(crate) fn contact(sheet: &mut Sheet, solution: &Solution, units: Units, size
         sheet.row("Lift-off", "none");
     }
     if lifted.len() > 1 {
-        return free_spans(sheet, &lifted, units, sizes);
+        return free_spans::table(sheet, &lifted, units, sizes);
     }
     listed(sheet, "Lift-off", &lifted, |stretch| {
         let largest = sizes.extreme(Field::Gap, stretch.largest_gap);
@@ -273,49 +274,6 @@ pub(crate) fn contact(sheet: &mut Sheet, solution: &Solution, units: Units, size
         let place = between(units, sizes.position(stretch.from), stretch.to);
         format!("{place}, up to {gap} at x = {}", units.position(largest.x))
     });
-}
-
-/// A table of the free spans; of very many the longest.
-fn free_spans(sheet: &mut Sheet, lifted: &[LiftOff], units: Units, sizes: &Sizes) {
-    let count = lifted.len();
-    let by_length = |a: &&LiftOff, b: &&LiftOff| b.length().total_cmp(&a.length());
-    let mut shown: Vec<&LiftOff> = lifted.iter().collect();
-    shown.sort_by(by_length);
-    shown.truncate(MOST_ROWS);
-    shown.sort_by(|a, b| a.from.total_cmp(&b.from));
-    let longest = shown.iter().fold(0.0_f64, |most, open| most.max(open.length()));
-    let longest = units.position(longest);
-    sheet.row("Lift-off", &format!("{count} free spans, the longest {longest} long"));
-    let place = units.unit(Kind::Position, shown.iter().fold(0.0, |far, open| open.to.max(far)));
-    let largest = |open: &LiftOff| sizes.extreme(Field::Gap, open.largest_gap);
-    let most = shown.iter().fold(0.0_f64, |most, open| most.max(largest(open).value));
-    let height = units.unit(Kind::Deflection, most);
-    sheet.heading(&format!(
-        "{:<13}{:>10}{:>10}{:>10}{:>13} {:<10} reaches",
-        "", "from", "to", "length", "largest gap", "at"
-    ));
-    for open in &shown {
-        let largest = largest(open);
-        let x = |x: f64| place.write(sizes.position(x), 5);
-        let ends = match open.reaches {
-            [true, true] => "both ends",
-            [true, false] => "left end",
-            [false, true] => "right end",
-            [false, false] => "",
-        };
-        sheet.line(&format!(
-            "{:<13}{:>10}{:>10}{:>10}{:>13} {:<10} {ends}",
-            "",
-            x(open.from),
-            x(open.to),
-            x(open.length()),
-            height.write(largest.value, 5),
-            x(largest.x)
-        ));
-    }
-    if count > MOST_ROWS {
-        sheet.row("", &format!("and {} shorter ones", count - MOST_ROWS));
-    }
 }
 
 /// `from 0 to 10.2 m`
