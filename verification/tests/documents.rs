@@ -75,7 +75,7 @@ fn every_spelling_in_the_notation_exists() {
     };
     let core = text("crates/groundbeam/src");
     let files = text("crates/groundbeam-file/src");
-    let results = text("crates/groundbeam-report/src/json.rs")
+    let results = text("crates/groundbeam-report/src/json")
         + &read("crates/groundbeam-report/src/json.rs")
         + &read("crates/groundbeam/src/solution.rs");
     let notation = read("docs/notation.md");
