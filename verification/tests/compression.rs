@@ -273,11 +273,11 @@ fn apart(a: &Solution, b: &Solution, place: impl Fn(f64) -> f64) -> f64 {
     (0..=64).map(difference).fold(0.0, f64::max) / size(a)
 }
 
-/// A thousand models: each a stable equilibrium of its branch, the same in the mirror and in another size, next to
+/// Two hundred models: each a stable equilibrium of its branch, the same in the mirror and in another size, next to
 /// that of a little more compression, and with an end of the branch that is found from beyond as well.
 #[test]
 fn random_models() {
-    for number in 0..1000_u64 {
+    for number in 0..200_u64 {
         let model = random::model(Family::Compressed, number);
         let compression = -model.beam.axial_force;
         let Ok(Outcome::Equilibrium(solution)) = solve(&model) else { panic!("{number}") };
