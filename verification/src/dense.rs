@@ -3,6 +3,7 @@
 //! Only for beams whose loads stand on the nodes of an even mesh. Nothing here is shared with the library:
 //! stiffness by the deflections and slopes of both ends as textbooks print it, G by its formula (2.4).
 
+use crate::element;
 use groundbeam::{Load, Model};
 
 /// Minimise ½WᵀKW + ½uᵀAu − FᵀW subject to u ≥ w, with A = G⁻¹.
@@ -24,18 +25,7 @@ impl Dense {
         let nodes = elements + 1;
         let h = model.beam.length / elements as f64;
         let (ei, p) = (model.beam.bending_stiffness, model.beam.axial_force);
-        let bend = [
-            [12.0, 6.0 * h, -12.0, 6.0 * h],
-            [6.0 * h, 4.0 * h * h, -6.0 * h, 2.0 * h * h],
-            [-12.0, -6.0 * h, 12.0, -6.0 * h],
-            [6.0 * h, 2.0 * h * h, -6.0 * h, 4.0 * h * h],
-        ];
-        let pull = [
-            [36.0, 3.0 * h, -36.0, 3.0 * h],
-            [3.0 * h, 4.0 * h * h, -3.0 * h, -h * h],
-            [-36.0, -3.0 * h, 36.0, -3.0 * h],
-            [3.0 * h, -h * h, -3.0 * h, 4.0 * h * h],
-        ];
+        let (bend, pull) = (element::bending(h), element::geometric(h));
         let node = |x: f64| (x / h).round() as usize;
         let size = 2 * nodes + model.hinges.len();
         let mut stiffness = vec![vec![0.0; size]; size];

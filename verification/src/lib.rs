@@ -6,6 +6,7 @@ pub mod convergence;
 pub mod crossing;
 pub mod dense;
 pub mod documents;
+mod element;
 pub mod random;
 pub mod reference;
 pub mod upheaval;

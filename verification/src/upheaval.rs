@@ -4,6 +4,7 @@
 //! ground as one spring per node, stability by Cholesky's elimination of the whole matrix. For uniform
 //! beams on uniform separate springs, of which it is an approximation of second order.
 
+use crate::element;
 use groundbeam::{Load, Model};
 
 /// Newton's steps that one compression may take.
@@ -31,18 +32,7 @@ impl Meshed {
         let length = model.beam.length;
         let h = length / elements as f64;
         let ei = model.beam.bending_stiffness;
-        let bend = [
-            [12.0, 6.0 * h, -12.0, 6.0 * h],
-            [6.0 * h, 4.0 * h * h, -6.0 * h, 2.0 * h * h],
-            [-12.0, -6.0 * h, 12.0, -6.0 * h],
-            [6.0 * h, 2.0 * h * h, -6.0 * h, 4.0 * h * h],
-        ];
-        let turn = [
-            [36.0, 3.0 * h, -36.0, 3.0 * h],
-            [3.0 * h, 4.0 * h * h, -3.0 * h, -h * h],
-            [-36.0, -3.0 * h, 36.0, -3.0 * h],
-            [3.0 * h, -h * h, -3.0 * h, 4.0 * h * h],
-        ];
+        let (bend, turn) = (element::bending(h), element::geometric(h));
         let unknowns = 2 * (elements + 1);
         let (mut bending, mut geometric) =
             (vec![[0.0; WIDTH]; unknowns], vec![[0.0; WIDTH]; unknowns]);

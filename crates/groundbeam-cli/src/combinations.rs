@@ -18,13 +18,13 @@ use std::time::Instant;
 pub fn solved<T>(
     input: &Input,
     request: &Solve,
+    combinations: &[Combination],
     deliver: impl FnOnce(&Found, &Context) -> Result<T, Failure>,
 ) -> Result<T, Failure> {
     if let Some(option) = request.about_one_answer() {
         let rule = "of a file with combinations it is about one of them";
         return Err(Failure::usage(format!("{option}: {rule}; add --combination NAME")));
     }
-    let combinations = input.document.combinations();
     let started = Instant::now();
     let words = format!("solving combinations with the method {}", request.options.method.name());
     // Each is solved by itself and kept in its place: the same bits on any number of processors.

@@ -16,21 +16,22 @@ pub enum Found<'a> {
 }
 
 impl Found<'_> {
-    pub fn status(&self) -> Status {
+    /// What is to be said of all of it at once.
+    pub fn overall(&self) -> Overall {
         match self {
-            Found::Equilibrium(_) => Status::Done,
-            Found::NoEquilibrium(..) => Status::NoEquilibrium,
-            Found::NotConverged(..) => Status::NotConverged,
-            Found::Combinations(all) => match all.overall() {
-                Overall::Solved => Status::Done,
-                Overall::NoEquilibrium => Status::NoEquilibrium,
-                Overall::NotConverged => Status::NotConverged,
-            },
-            Found::Trains(passages) => match passages.status() {
-                "no-equilibrium" => Status::NoEquilibrium,
-                "not-converged" => Status::NotConverged,
-                _ => Status::Done,
-            },
+            Found::Equilibrium(_) => Overall::Solved,
+            Found::NoEquilibrium(..) => Overall::NoEquilibrium,
+            Found::NotConverged(..) => Overall::NotConverged,
+            Found::Combinations(all) => all.overall(),
+            Found::Trains(passages) => passages.overall(),
+        }
+    }
+
+    pub fn status(&self) -> Status {
+        match self.overall() {
+            Overall::Solved => Status::Done,
+            Overall::NoEquilibrium => Status::NoEquilibrium,
+            Overall::NotConverged => Status::NotConverged,
         }
     }
 

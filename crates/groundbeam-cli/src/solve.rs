@@ -42,7 +42,7 @@ pub fn answered<T>(
     let of_several = request.combination.is_none() && input.document.has_combinations();
     match &loaded.combinations[..] {
         [alone] if !of_several => one(input, request, alone, loaded.title.as_deref(), deliver),
-        _ => combinations::solved(input, request, deliver),
+        several => combinations::solved(input, request, several, deliver),
     }
 }
 
@@ -93,11 +93,7 @@ impl Loaded {
     /// All combinations of the file; one that has none is itself one.
     pub fn all(input: &Input) -> Self {
         let document = &input.document;
-        let combinations = match document.has_combinations() {
-            true => document.combinations(),
-            false => vec![document.as_written()],
-        };
-        Loaded { title: document.title.clone(), combinations }
+        Loaded { title: document.title.clone(), combinations: document.wanted() }
     }
 
     /// One of the file's combinations.

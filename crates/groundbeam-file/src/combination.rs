@@ -75,6 +75,15 @@ pub struct LoadCase {
     pub model: Model,
 }
 
+/// The name of a combination on one of the grounds of a band.
+fn on(name: &str, band: &Band, ground: [f64; 2]) -> String {
+    let place = band.name(ground);
+    match name {
+        "" => place,
+        name => format!("{name}; {place}"),
+    }
+}
+
 impl Combination {
     /// The same on ground with k and μ multiplied.
     fn on(mut self, band: &Band, ground: [f64; 2]) -> Self {
@@ -84,11 +93,7 @@ impl Combination {
             bed.factors = ground;
         }
         self.ground = Some(ground);
-        let place = band.name(ground);
-        self.name = match &*self.name {
-            "" => place,
-            name => format!("{name}; {place}"),
-        };
+        self.name = on(&self.name, band, ground);
         self
     }
 }
@@ -139,6 +144,23 @@ impl Document {
         all.flat_map(on_each).collect()
     }
 
+    /// The names of the file's combinations, in their order.
+    pub fn combination_names(&self) -> Vec<String> {
+        let written = self.recipes.iter().map(|recipe| &*recipe.name);
+        let Some(band) = &self.band else { return written.map(str::to_owned).collect() };
+        let alone = self.recipes.is_empty().then_some("");
+        let on_each = |name| band.grounds().into_iter().map(move |ground| on(name, band, ground));
+        alone.into_iter().chain(written).flat_map(on_each).collect()
+    }
+
+    /// All combinations of the file; one that has none is itself one, without a name.
+    pub fn wanted(&self) -> Vec<Combination> {
+        match self.has_combinations() {
+            true => self.combinations(),
+            false => vec![self.as_written()],
+        }
+    }
+
     /// Every load as it is written, on the ground as it is written: a combination without a name.
     pub fn as_written(&self) -> Combination {
         Combination {
@@ -163,8 +185,8 @@ impl Document {
         if let Some(i) = all.iter().position(|combination| combination.name == wanted) {
             return Ok(all.swap_remove(i));
         }
-        let names: Vec<&str> = all.iter().map(|combination| combination.name.as_str()).collect();
-        let hint = match nearest(wanted, names.iter().copied()) {
+        let names = self.combination_names();
+        let hint = match nearest(wanted, names.iter().map(String::as_str)) {
             Some(meant) => format!("did you mean `{meant}`?"),
             None if names.is_empty() => "the file has no [[combination]]".to_owned(),
             None => format!("the combinations of the file: {}", names.join(", ")),

@@ -1,6 +1,6 @@
 //! Materials by name: the data files in `materials/`.
 
-use crate::quantity::{ELASTIC_MODULUS, EXPANSION, Kind, UNIT_WEIGHT};
+use crate::quantity::{ELASTIC_MODULUS, EXPANSION, UNIT_WEIGHT};
 use serde::Deserialize;
 use std::sync::LazyLock;
 
@@ -82,18 +82,13 @@ pub(crate) fn holding(word: &str) -> Vec<&'static str> {
 fn materials_of(family: Family) -> impl Iterator<Item = Material> {
     let sources = [family.elastic_modulus, family.unit_weight, family.expansion];
     family.materials.into_iter().map(move |listed| Material {
-        elastic_modulus: number(&listed.elastic_modulus, &ELASTIC_MODULUS),
-        unit_weight: listed.unit_weight.map(|weight| number(&weight, &UNIT_WEIGHT)),
-        expansion: number(&listed.expansion, &EXPANSION),
+        elastic_modulus: ELASTIC_MODULUS.listed(&listed.elastic_modulus),
+        unit_weight: listed.unit_weight.map(|weight| UNIT_WEIGHT.listed(&weight)),
+        expansion: EXPANSION.listed(&listed.expansion),
         name: listed.name,
         also: listed.also,
         sources: sources.clone(),
     })
-}
-
-/// A quantity of a list, in N, m and K.
-fn number(text: &str, kind: &Kind) -> f64 {
-    kind.read("", text, false).map_or(f64::NAN, |written| written.value)
 }
 
 #[cfg(test)]

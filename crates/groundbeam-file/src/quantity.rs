@@ -135,6 +135,11 @@ impl Kind {
             || (dimension.angle == 0 && Dimension { angle: 0, ..self.dimension } == dimension)
     }
 
+    /// A quantity of one of our own lists, in N, m and K; not a number if it is none, which tests of the list find.
+    pub fn listed(&self, text: &str) -> f64 {
+        self.read("", text, false).map_or(f64::NAN, |written| written.value)
+    }
+
     /// A line of a file that gives `key` a right value; `plain`: in a file without units.
     pub fn line(&self, key: &str, plain: bool) -> String {
         format!("{key} = {}", self.value(plain))

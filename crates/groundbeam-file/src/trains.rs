@@ -1,6 +1,6 @@
 //! Trains of codes of practice: the data files in `trains/`.
 
-use crate::quantity::{FORCE, Kind, LOAD_PER_LENGTH, POSITION};
+use crate::quantity::{FORCE, LOAD_PER_LENGTH, POSITION};
 use groundbeam::train::{Axle, Train, UniformPart};
 use serde::Deserialize;
 use std::sync::LazyLock;
@@ -97,27 +97,22 @@ fn sets_of(practice: Practice) -> impl Iterator<Item = TrainSet> {
 impl Listed {
     fn train(&self) -> Train {
         let axle = |axle: &ListedAxle| Axle {
-            behind: number(&axle.at, &POSITION),
-            force: number(&axle.force, &FORCE),
+            behind: POSITION.listed(&axle.at),
+            force: FORCE.listed(&axle.force),
         };
         let end = |end: &Option<String>, without: f64| {
-            end.as_ref().map_or(without, |end| number(end, &POSITION))
+            end.as_ref().map_or(without, |end| POSITION.listed(end))
         };
         let part = |part: &ListedPart| UniformPart {
             from: end(&part.from, f64::NEG_INFINITY),
             to: end(&part.to, f64::INFINITY),
-            intensity: number(&part.load, &LOAD_PER_LENGTH),
+            intensity: LOAD_PER_LENGTH.listed(&part.load),
         };
         Train {
             axles: self.axles.iter().map(axle).collect(),
             uniform: self.uniform.iter().map(part).collect(),
         }
     }
-}
-
-/// A quantity of a list, in N and m.
-fn number(text: &str, kind: &Kind) -> f64 {
-    kind.read("", text, false).map_or(f64::NAN, |written| written.value)
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! The answers to all combinations of a file, seen together.
 
 use crate::context::Ground;
+use crate::size::Sizes;
 use groundbeam::{Envelope, Existence, Model, NotConverged, Solution};
 
 /// All combinations of a file with their answers, and every load case by itself.
@@ -53,15 +54,33 @@ pub struct Alone<'a> {
     pub existence: &'a Existence,
 }
 
-/// What is to be said of all combinations at once.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// What is to be said of several answers at once, from the best to the worst.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Overall {
     /// All are solved, or where nothing was solved all have an equilibrium.
     Solved,
-    /// At least one has no equilibrium, whatever else there is.
-    NoEquilibrium,
     /// All have an equilibrium, but for at least one no answer was certified.
     NotConverged,
+    /// At least one has no equilibrium, whatever else there is.
+    NoEquilibrium,
+}
+
+impl Overall {
+    /// The name that results use.
+    pub fn name(self) -> &'static str {
+        match self {
+            Overall::Solved => "solved",
+            Overall::NotConverged => "not-converged",
+            Overall::NoEquilibrium => "no-equilibrium",
+        }
+    }
+}
+
+/// A solution with the number its combination has in the report, counted from 1.
+pub(crate) struct Numbered<'a> {
+    pub number: usize,
+    pub solution: &'a Solution,
+    pub sizes: Sizes,
 }
 
 impl Answer<'_> {
@@ -106,15 +125,23 @@ impl<'a> Combinations<'a> {
         Envelope::of(self.solved().map(|(_, solution)| solution))
     }
 
+    /// The same with their numbers.
+    pub(crate) fn numbered(&self) -> impl Iterator<Item = Numbered<'a>> {
+        self.combined.iter().enumerate().filter_map(|(i, combined)| match combined.answer {
+            Answer::Equilibrium(solution) => {
+                Some(Numbered { number: i + 1, solution, sizes: Sizes::of(solution) })
+            }
+            _ => None,
+        })
+    }
+
     /// What is to be said of all of them at once. That one has no equilibrium says more than that another was not solved.
     pub fn overall(&self) -> Overall {
-        let any = |is: fn(&Answer) -> bool| self.combined.iter().any(|c| is(&c.answer));
-        if any(|answer| matches!(answer, Answer::NoEquilibrium(_))) {
-            Overall::NoEquilibrium
-        } else if any(|answer| matches!(answer, Answer::NotConverged(_))) {
-            Overall::NotConverged
-        } else {
-            Overall::Solved
-        }
+        let of = |combined: &Combined| match combined.answer {
+            Answer::Equilibrium(_) | Answer::Exists(_) => Overall::Solved,
+            Answer::NotConverged(_) => Overall::NotConverged,
+            Answer::NoEquilibrium(_) => Overall::NoEquilibrium,
+        };
+        self.combined.iter().map(of).max().unwrap_or(Overall::Solved)
     }
 }

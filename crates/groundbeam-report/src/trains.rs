@@ -1,5 +1,6 @@
 //! Passages of trains over a beam, as they are reported.
 
+use crate::combinations::Overall;
 use groundbeam::Field;
 use groundbeam::train::{Located, Passage};
 
@@ -97,11 +98,9 @@ impl Passages<'_> {
         Some(if max.located.value >= -min.located.value { max } else { min })
     }
 
-    /// `solved`, or what is missing: that no equilibrium exists somewhere says more than that one was not found.
-    pub fn status(&self) -> &'static str {
-        let each: Vec<&str> = self.all.iter().map(Moving::status).collect();
-        let worst = ["no-equilibrium", "not-converged"].into_iter().find(|s| each.contains(s));
-        worst.unwrap_or("solved")
+    /// What is to be said of all of them at once.
+    pub fn overall(&self) -> Overall {
+        self.all.iter().map(Moving::overall).max().unwrap_or(Overall::Solved)
     }
 }
 
@@ -129,14 +128,14 @@ impl Moving<'_> {
         self.passage.stations(EVEN_STEPS)
     }
 
-    /// `solved`, or what is missing.
-    pub fn status(&self) -> &'static str {
+    /// What is to be said of all positions at once.
+    pub fn overall(&self) -> Overall {
         if !self.passage.without_equilibrium().is_empty() {
-            "no-equilibrium"
+            Overall::NoEquilibrium
         } else if self.passage.not_converged().next().is_some() {
-            "not-converged"
+            Overall::NotConverged
         } else {
-            "solved"
+            Overall::Solved
         }
     }
 }

@@ -27,11 +27,7 @@ impl Answers {
         let mut outcomes = Vec::new();
         let mut passages = Vec::new();
         if !document.trains.is_empty() {
-            let combinations = match document.has_combinations() {
-                true => document.combinations(),
-                false => vec![document.as_written()],
-            };
-            for combination in &combinations {
+            for combination in &document.wanted() {
                 for train in &document.trains {
                     let sweep = Sweep::new(&combination.model, &train.train, train.range, ERROR);
                     passages.push(

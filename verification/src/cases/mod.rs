@@ -51,11 +51,7 @@ impl fmt::Display for Misread {
 impl Case {
     /// The models to be solved: the file's own, or those of its combinations.
     pub fn models(&self) -> Vec<Model> {
-        if self.document.has_combinations() {
-            self.document.combinations().into_iter().map(|c| c.model).collect()
-        } else {
-            vec![self.document.model.clone()]
-        }
+        self.document.wanted().into_iter().map(|combination| combination.model).collect()
     }
 
     /// What the file calls itself.

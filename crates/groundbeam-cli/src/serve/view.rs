@@ -72,7 +72,6 @@ impl View {
         context: &Context,
     ) -> View {
         let document = &input.document;
-        let names = if document.has_combinations() { document.combinations() } else { Vec::new() };
         let trains = document.trains.iter().map(|train| Train {
             name: train.name.clone(),
             from: train.range[0],
@@ -80,11 +79,7 @@ impl View {
         });
         let (sentence, rows) = said(found, context);
         View {
-            status: match found.status() {
-                crate::Status::NoEquilibrium => "no-equilibrium",
-                crate::Status::NotConverged => "not-converged",
-                _ => "solved",
-            },
+            status: found.overall().name(),
             sentence,
             title: document.title.clone(),
             rows,
@@ -92,7 +87,7 @@ impl View {
             document: found.json(Some(&[]), context),
             report: found.text(context, false),
             numbers: Number::all(document),
-            combinations: names.into_iter().map(|combination| combination.name).collect(),
+            combinations: document.combination_names(),
             trains: trains.collect(),
             length: document.model.beam.length,
             has_units: document.units == groundbeam_file::UnitSystem::Si,
@@ -128,14 +123,14 @@ fn said(found: &Found, context: &Context) -> (String, Vec<(String, String)>) {
             (said, rows.collect())
         }
         Found::Trains(passages) => {
-            let said = match passages.status() {
-                "no-equilibrium" => "there are positions without an equilibrium",
-                "not-converged" => "there are positions that could not be certified",
-                _ => "every position is in equilibrium",
+            let said = match passages.overall() {
+                Overall::NoEquilibrium => "there are positions without an equilibrium",
+                Overall::NotConverged => "there are positions that could not be certified",
+                Overall::Solved => "every position is in equilibrium",
             };
             let row = |moving: &groundbeam_report::Moving| {
                 let count = moving.passage.solved().count();
-                (moving.label(), format!("{count} positions: {}", moving.status()))
+                (moving.label(), format!("{count} positions: {}", moving.overall().name()))
             };
             (said.to_owned(), passages.all.iter().map(row).collect())
         }

@@ -3,6 +3,7 @@
 use super::page::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
 use super::single::{certified, checked, place};
 use super::{Source, given, print, proof};
+use crate::combinations::Overall;
 use crate::context::{Context, clean};
 use crate::quantity::{Kind, Units};
 use crate::svg::figures;
@@ -49,12 +50,14 @@ pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) ->
 fn overall(passages: &Passages) -> Verdict {
     let count: usize = passages.all.iter().map(|moving| moving.passage.solved().count()).sum();
     let solved = format!("in all {count} positions that were solved");
-    let (tone, head, words) = match passages.status() {
-        "no-equilibrium" => ("bad", "No equilibrium", "in some positions of a train".to_owned()),
-        "not-converged" => {
+    let (tone, head, words) = match passages.overall() {
+        Overall::NoEquilibrium => {
+            ("bad", "No equilibrium", "in some positions of a train".to_owned())
+        }
+        Overall::NotConverged => {
             ("bad", "Not solved", "some positions have no certified answer".to_owned())
         }
-        _ => ("good", "In equilibrium", solved),
+        Overall::Solved => ("good", "In equilibrium", solved),
     };
     Verdict { tone, head: head.to_owned(), words }
 }

@@ -3,11 +3,10 @@
 use super::page::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
 use super::single::{certified, checked, place};
 use super::{Source, given, print, proof};
-use crate::combinations::{Answer, Combinations, Combined, Overall};
+use crate::combinations::{Answer, Combinations, Combined, Numbered, Overall};
 use crate::context::{Context, clean};
 use crate::number::significant;
 use crate::quantity::{Kind, Units};
-use crate::size::Sizes;
 use crate::svg::figures;
 use crate::text;
 use crate::verdict;
@@ -23,7 +22,7 @@ pub(super) fn combinations(all: &Combinations, context: &Context, source: &Sourc
     let of_first = Context { ground, ..*context };
     let mut given = given::section(first.model, &existence, None, &of_first, source);
     given.blocks.push(list(all));
-    let solved: Vec<Numbered> = numbered(all).collect();
+    let solved: Vec<Numbered> = all.numbered().collect();
     let method = solved.first().map_or(Method::Exact, |row| row.solution.method());
     let mut sections =
         vec![given, given::assumptions(first.model, method), statics(all, context.units)];
@@ -60,22 +59,6 @@ pub(super) fn combinations(all: &Combinations, context: &Context, source: &Sourc
     }
     sections.extend(proof::provenance(context, source));
     Report { subject: "Beam on ground: combinations of load cases", verdicts, key, sections }
-}
-
-/// A solution with the number its combination has in the report.
-struct Numbered<'a> {
-    number: usize,
-    solution: &'a Solution,
-    sizes: Sizes,
-}
-
-fn numbered<'a>(all: &Combinations<'a>) -> impl Iterator<Item = Numbered<'a>> {
-    all.combined.iter().enumerate().filter_map(|(i, combined)| match combined.answer {
-        Answer::Equilibrium(solution) => {
-            Some(Numbered { number: i + 1, solution, sizes: Sizes::of(solution) })
-        }
-        _ => None,
-    })
 }
 
 fn overall(all: &Combinations) -> Verdict {

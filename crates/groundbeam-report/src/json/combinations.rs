@@ -16,11 +16,6 @@ pub fn combinations(
     stations: Option<&[f64]>,
     context: &Context,
 ) -> String {
-    let status = match combinations.overall() {
-        Overall::Solved => "solved",
-        Overall::NoEquilibrium => "no-equilibrium",
-        Overall::NotConverged => "not-converged",
-    };
     let names: Vec<&str> = combinations.solved().map(|(combined, _)| combined.name).collect();
     let envelope = combinations.envelope();
     let of = Named { envelope: &envelope, names: &names };
@@ -35,7 +30,7 @@ pub fn combinations(
         extremes: any.then(|| ByField::of(|field| of.extremes(field))),
         band: combinations.bands().map(|bands| ByField::of(|field| Band::of(bands[field.index()]))),
         changes: any.then(|| ByField::of(|field| of.changes(field))),
-        ..All::head(status, combinations, context)
+        ..All::head(combinations.overall().name(), combinations, context)
     })
 }
 

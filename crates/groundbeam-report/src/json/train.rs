@@ -11,17 +11,15 @@ use serde::Serialize;
 /// The document of passages, with the envelopes at the given sections; left out, at those that suit them. Of a single
 /// passage it is that one's own.
 pub fn trains(passages: &Passages, stations: Option<&[f64]>, context: &Context) -> String {
-    let head = (context.title, context.units.name());
+    let (title, units) = (context.title, context.units.name());
     if let [moving] = &passages.all[..] {
-        let (title, units) = head;
         let one = One::of(moving, stations);
         return text(&Document { title, units, one, seconds: context.seconds });
     }
     let any = passages.all.iter().any(|moving| moving.passage.solved().next().is_some());
     let sections = || stations.map_or_else(|| passages.default_stations(), <[f64]>::to_vec);
-    let (title, units) = head;
     text(&Several {
-        status: passages.status(),
+        status: passages.overall().name(),
         title,
         units,
         passages: passages.all.iter().map(|moving| One::of(moving, stations)).collect(),
@@ -114,7 +112,7 @@ impl<'a> One<'a> {
         let stations = || stations.map_or_else(|| moving.default_stations(), <[f64]>::to_vec);
         let uplift = passage.uplift();
         One {
-            status: moving.status(),
+            status: moving.overall().name(),
             combination: moving.combination,
             train: Head::of(moving),
             envelope: any.then(|| Table::of(moving, stations())),

@@ -4,14 +4,13 @@ use super::sheet::{Sheet, Tone};
 use super::{checks, duration, label, structure, title};
 use crate::band::Banded;
 use crate::characteristics::Characteristics;
-use crate::combinations::{Answer, Combinations, Combined};
+use crate::combinations::{Answer, Combinations, Combined, Numbered};
 use crate::context::{Context, clean};
 use crate::number::{order, significant};
 use crate::quantity::{Kind, Unit, Units};
-use crate::size::Sizes;
 use crate::verdict;
 use crate::verdict::falls;
-use groundbeam::{Envelope, Extreme, Field, Governing, Solution, Verdict};
+use groundbeam::{Envelope, Extreme, Field, Governing, Verdict};
 
 /// The report of all combinations, solved or only checked; with `colour`, with escape codes for a terminal.
 pub fn combinations(combinations: &Combinations, context: &Context, colour: bool) -> String {
@@ -32,7 +31,7 @@ pub fn combinations(combinations: &Combinations, context: &Context, colour: bool
         }
         sheet.blank();
     }
-    let solved: Vec<Numbered> = numbered(combinations).collect();
+    let solved: Vec<Numbered> = combinations.numbered().collect();
     if solved.is_empty() {
         verdicts(&mut sheet, combinations, context.units);
     } else {
@@ -54,22 +53,6 @@ pub fn combinations(combinations: &Combinations, context: &Context, colour: bool
         method(&mut sheet, combinations, &solved, context);
     }
     sheet.finish()
-}
-
-/// A solution with the number its combination has in the report.
-struct Numbered<'a> {
-    number: usize,
-    solution: &'a Solution,
-    sizes: Sizes,
-}
-
-fn numbered<'a>(combinations: &Combinations<'a>) -> impl Iterator<Item = Numbered<'a>> {
-    combinations.combined.iter().enumerate().filter_map(|(i, combined)| match combined.answer {
-        Answer::Equilibrium(solution) => {
-            Some(Numbered { number: i + 1, solution, sizes: Sizes::of(solution) })
-        }
-        _ => None,
-    })
 }
 
 /// The columns of numbers: which field, and whether its largest value.

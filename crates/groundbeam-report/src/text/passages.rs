@@ -4,6 +4,7 @@ use super::sheet::Sheet;
 use super::train::{cleaned, failures, limits, proof, ranges, train};
 use super::{label, structure, title};
 use crate::characteristics::Characteristics;
+use crate::combinations::Overall;
 use crate::context::{Context, Ground, clean};
 use crate::quantity::{Kind, Unit, Units};
 use crate::trains::{CheckedTrain, InPassage, Moving, Passages};
@@ -40,7 +41,7 @@ pub fn trains(passages: &Passages, context: &Context, colour: bool) -> String {
     }
     sheet.blank();
     table(&mut sheet, &all, context.units);
-    if passages.status() != "solved" {
+    if passages.overall() != Overall::Solved {
         sheet.blank();
     }
     for (i, moving) in all.iter().enumerate() {
