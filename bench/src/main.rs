@@ -6,11 +6,13 @@ mod mesh;
 mod models;
 mod quad;
 mod reference;
+mod study;
 mod table;
 
 const USAGE: &str = "\
 groundbeam-bench mesh     case B on meshes of 10³ … 10⁶ elements, beside the glued beam
 groundbeam-bench batch    1000 random beams on meshes; footings and case C exactly, on one thread and two
+groundbeam-bench study    random footings drawn, solved, certified and written, beside the bare solver
 groundbeam-bench rail     a rail of 1 to 10 km, exactly
 groundbeam-bench all      all of it, into bench/RESULTS.md; what bench/rivals.py wrote is kept";
 
@@ -21,6 +23,7 @@ fn main() {
     match arguments.first().map(String::as_str) {
         Some("mesh") => print(&[mesh::table(number(1).unwrap_or(1e6) as usize)]),
         Some("batch") => print(&[batch::meshes(), batch::exact()]),
+        Some("study") => print(&[study::table(number(1).unwrap_or(100_000.0) as u64)]),
         Some("rail") => print(&[batch::rails()]),
         Some("peak") => mesh::peak(number(1).unwrap_or(0.0), number(2).unwrap_or(1e3) as usize),
         Some("problem") => {
@@ -28,7 +31,13 @@ fn main() {
             mesh::problem(number(1).unwrap_or(1e3) as usize, &file);
         }
         Some("all") => {
-            let parts = [mesh::table(1_000_000), batch::meshes(), batch::exact(), batch::rails()];
+            let parts = [
+                mesh::table(1_000_000),
+                batch::meshes(),
+                batch::exact(),
+                batch::rails(),
+                study::table(100_000),
+            ];
             write(&parts.concat());
         }
         _ => println!("{USAGE}"),

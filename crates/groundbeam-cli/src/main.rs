@@ -13,6 +13,7 @@ mod request;
 mod serve;
 mod solve;
 mod starter;
+mod study;
 mod trains;
 mod typed;
 mod waiting;
@@ -44,6 +45,8 @@ enum Status {
     NoEquilibrium = 3,
     /// The solver did not meet its own tolerance.
     NotConverged = 4,
+    /// Stopped from the keyboard; what is done is kept.
+    Interrupted = 130,
 }
 
 impl From<Status> for ExitCode {
@@ -59,6 +62,8 @@ fn run(request: Request) -> Result<Status, Failure> {
         Request::Compare(compare) => compare::run(&compare),
         Request::New(new) => starter::run(&new),
         Request::Serve(serve) => serve::run(&serve),
+        Request::Study(study) => study::run(&study),
+        Request::Merge(merge) => study::merge(&merge),
         Request::Completions(shell) => pages::completions(shell),
         Request::Manual => pages::manual(),
     }

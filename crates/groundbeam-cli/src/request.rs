@@ -5,6 +5,7 @@ use crate::typed::{self, Command, Typed};
 use crate::waiting::Audience;
 use clap_complete::Shell;
 use groundbeam::Options;
+use groundbeam_study::Shard;
 use std::path::{Path, PathBuf};
 
 /// What is to be done.
@@ -14,6 +15,8 @@ pub enum Request {
     Compare(Compare),
     New(New),
     Serve(Serve),
+    Study(Study),
+    Merge(Merge),
     Completions(Shell),
     Manual,
 }
@@ -113,6 +116,49 @@ pub struct Serve {
     pub opens_browser: bool,
 }
 
+/// Solve a model for many samples.
+pub struct Study {
+    pub file: PathBuf,
+    pub out: PathBuf,
+    pub samples: Option<u64>,
+    pub seed: Option<u64>,
+    pub shard: Shard,
+    /// 0: as many as there are processors.
+    pub threads: usize,
+    pub restart: bool,
+    pub json: bool,
+}
+
+/// Put shards together.
+pub struct Merge {
+    pub files: Vec<PathBuf>,
+    pub out: PathBuf,
+}
+
+impl Study {
+    fn of(typed: typed::Study) -> Result<Self, Failure> {
+        let shard = match &typed.shard {
+            None => Shard::WHOLE,
+            Some(written) => shard(written)?,
+        };
+        let typed::Study { file, out, samples, seed, threads, restart, json, .. } = typed;
+        Ok(Study { file, out, samples, seed, shard, threads: threads.into(), restart, json })
+    }
+}
+
+/// `3/8`
+fn shard(written: &str) -> Result<Shard, Failure> {
+    let parts = written.split_once('/').and_then(|(number, of)| {
+        Some(Shard { number: number.trim().parse().ok()?, of: of.trim().parse().ok()? })
+    });
+    let known = parts.filter(|shard| (1..=shard.of).contains(&shard.number));
+    known.ok_or_else(|| {
+        Failure::usage(format!(
+            "--shard {written}: the i-th of N, from 1 on, is written i/N, as in 3/8"
+        ))
+    })
+}
+
 impl Request {
     pub fn of(typed: Typed) -> Result<Self, Failure> {
         Ok(match typed.command {
@@ -128,6 +174,8 @@ impl Request {
             Command::Serve(typed::Serve { file, port, no_open }) => {
                 Request::Serve(Serve { file, port, opens_browser: !no_open })
             }
+            Command::Study(study) => Request::Study(Study::of(study)?),
+            Command::Merge(typed::Merge { files, out }) => Request::Merge(Merge { files, out }),
             Command::Completions { shell } => Request::Completions(shell),
             Command::Man => Request::Manual,
         })

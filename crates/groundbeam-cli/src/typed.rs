@@ -23,6 +23,7 @@ Exit status:
   2  the input or the command line is wrong
   3  the model is right and no equilibrium exists, of a combination or position at least
   4  the solver could not meet its own tolerance
+  130  a study was stopped from the keyboard; what is done is kept
 
 Environment:
   NO_COLOR  if set, nothing is coloured";
@@ -37,6 +38,10 @@ pub enum Command {
     New(New),
     /// Solve a model with every method and show their errors against `exact`
     Compare(Compare),
+    /// Solve a model thousands of times on random ground and under random loads, and tell how probable events are
+    Study(Study),
+    /// Put the shards of a study together
+    Merge(Merge),
     /// Show the model on a page in the browser, where it can be changed and follows at once
     Serve(Serve),
     /// Print a completion script for a shell
@@ -156,6 +161,54 @@ pub struct Compare {
     /// Sweeps after which `psor` and `uzawa` give up
     #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = clap::value_parser!(u64).range(1..))]
     pub most_sweeps: u64,
+}
+
+#[derive(Debug, Args)]
+#[command(after_long_help = AFTER)]
+pub struct Study {
+    /// Study file (TOML), which names the model file
+    pub file: PathBuf,
+
+    /// Where the results go, one row a sample (Parquet)
+    ///
+    /// What is there already is gone on with, and nothing is done twice: the same command after a stop ends the work.
+    #[arg(long, value_name = "OUT")]
+    pub out: PathBuf,
+
+    /// So many samples, not as many as the file says
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub samples: Option<u64>,
+
+    /// Another seed than the file's
+    #[arg(long, value_name = "S")]
+    pub seed: Option<u64>,
+
+    /// Only the i-th of N equal parts of the samples, from 1 on, as in 3/8; `groundbeam merge` puts all together
+    #[arg(long, value_name = "i/N")]
+    pub shard: Option<String>,
+
+    /// Threads; left out, as many as there are processors. The results do not depend on it
+    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
+    pub threads: u16,
+
+    /// Throw away what is there and begin anew
+    #[arg(long)]
+    pub restart: bool,
+
+    /// Print the summary as one JSON document, and nothing else, on standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct Merge {
+    /// The results of all shards, in any order
+    #[arg(required = true)]
+    pub files: Vec<PathBuf>,
+
+    /// Where all go together
+    #[arg(long, value_name = "OUT")]
+    pub out: PathBuf,
 }
 
 /// What a model file to begin with is about.

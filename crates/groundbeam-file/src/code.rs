@@ -26,6 +26,7 @@ pub(crate) const COLUMN: &str = "GB023";
 pub(crate) const POISSON: &str = "GB206";
 pub(crate) const STRETCH: &str = "GB303";
 pub(crate) const FIRST_AXLE: &str = "GB701";
+pub(crate) const RANGE: &str = "GB801";
 
 /// One line of the table of codes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,6 +44,10 @@ const fn row(code: &'static str, meaning: &'static str, example: &'static str) -
 }
 
 const fn while_solving(code: &'static str, meaning: &'static str) -> Code {
+    Code { code, meaning, example: None }
+}
+
+const fn in_study(code: &'static str, meaning: &'static str) -> Code {
     Code { code, meaning, example: None }
 }
 
@@ -113,4 +118,5 @@ pub const CODES: &[Code] = &[
     while_solving("GB612", "load factors of a local equilibrium"),
     while_solving("GB613", "a local equilibrium with supports that act one way"),
     row(FIRST_AXLE, "a train is measured backward from its first axle", "first-axle.toml"),
+    in_study(RANGE, "a number of a study is outside its range"),
 ];

@@ -10,6 +10,7 @@ mod combinations;
 mod failure;
 mod model;
 mod solution;
+mod study;
 
 use pyo3::prelude::*;
 
@@ -23,6 +24,8 @@ mod _native {
     use super::model::{Model, text_of};
     #[pymodule_export]
     use super::solution::Solution;
+    #[pymodule_export]
+    use super::study::{Study, merge};
 
     use super::{Bound, PyModule, PyModuleMethods, PyResult};
 

@@ -8,8 +8,17 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 /// What the tests need besides the package.
-const NEEDS: [&str; 7] =
-    ["maturin>=1.9,<2", "numpy", "pytest", "mypy", "pandas", "pandas-stubs", "matplotlib"];
+const NEEDS: [&str; 9] = [
+    "maturin>=1.9,<2",
+    "numpy",
+    "pytest",
+    "mypy",
+    "pandas",
+    "pandas-stubs",
+    "matplotlib",
+    "pyarrow",
+    "distributed",
+];
 
 #[test]
 fn the_package_does_what_its_tests_say() {

@@ -13,6 +13,7 @@ mod comparison;
 mod existence;
 mod factors;
 mod ground;
+mod study;
 mod train;
 
 use crate::characteristics::Characteristics;
@@ -28,6 +29,7 @@ use groundbeam::{
     Solution, Support,
 };
 use serde::Serialize;
+pub use study::study;
 pub use train::{checked_trains, trains};
 
 /// Equal steps of the grid that [`default_stations`] is made of.

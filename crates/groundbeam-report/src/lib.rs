@@ -41,6 +41,7 @@ mod font;
 mod number;
 mod quantity;
 mod size;
+mod study;
 mod trains;
 mod verdict;
 
@@ -58,5 +59,6 @@ pub use combinations::{Alone, Answer, Combinations, Combined, Overall};
 pub use comparison::{Compared, Comparison, Errors};
 pub use context::{Context, Factors, Ground};
 pub use quantity::Units;
+pub use study::{Estimate, Interval, Spread, Study};
 pub use trains::{CheckedTrain, InPassage, Moving, Passages};
 pub use verdict::sentence;

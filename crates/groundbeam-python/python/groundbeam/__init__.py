@@ -32,6 +32,7 @@ from ._solution import (
     Reaction,
     Solution,
 )
+from ._study import Estimate, Spread, Study, Summary, merge
 
 __all__ = [
     "Batch",
@@ -43,6 +44,7 @@ __all__ = [
     "Diagnostic",
     "EndForces",
     "Envelope",
+    "Estimate",
     "Existence",
     "Extreme",
     "Fields",
@@ -60,8 +62,12 @@ __all__ = [
     "Range",
     "Reaction",
     "Solution",
+    "Spread",
+    "Study",
+    "Summary",
     "Support",
     "__version__",
     "load",
+    "merge",
     "solve_many",
 ]

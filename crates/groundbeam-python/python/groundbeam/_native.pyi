@@ -1,5 +1,7 @@
 """The compiled half of the package; what users see is documented in the other modules."""
 
+from os import PathLike
+from pathlib import Path
 from typing import Callable, Optional, Sequence, Tuple, Union, final
 
 import numpy as np
@@ -9,7 +11,7 @@ from ._errors import NoEquilibrium, NotConverged
 
 _Array = npt.NDArray[np.float64]
 
-__all__ = ["solve_many", "Combinations", "Model", "text_of", "Solution", "__version__"]
+__all__ = ["solve_many", "Combinations", "Model", "text_of", "Solution", "Study", "merge", "__version__"]
 
 __version__: str
 
@@ -90,6 +92,31 @@ class Combinations:
     def to_svg(self) -> str: ...
     def report(self) -> str: ...
 
+@final
+class Study:
+    def __new__(
+        cls, path: Union[str, PathLike[str]], samples: Optional[int], seed: Optional[int]
+    ) -> Study: ...
+    @property
+    def title(self) -> Optional[str]: ...
+    @property
+    def samples(self) -> int: ...
+    @property
+    def seed(self) -> int: ...
+    @property
+    def model_path(self) -> Path: ...
+    def draw(self, first: int, count: int) -> dict[str, _Array]: ...
+    def run(
+        self,
+        out: Union[str, PathLike[str]],
+        shard: Tuple[int, int],
+        restart: bool,
+        threads: int,
+        progress: Optional[Callable[[int, int], object]],
+    ) -> int: ...
+    def summary(self, out: Union[str, PathLike[str]]) -> str: ...
+
+def merge(files: Sequence[Union[str, PathLike[str]]], out: Union[str, PathLike[str]]) -> int: ...
 def text_of(bytes: bytes, name: str) -> str: ...
 def solve_many(
     models: Sequence[Model],

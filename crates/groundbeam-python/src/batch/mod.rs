@@ -1,19 +1,18 @@
 //! Many models on all processors: arrays of parameters in, arrays of results out, no Python in between.
 
 mod parameter;
-mod row;
 mod run;
 
 use crate::failure::Failure;
 use crate::model::{Model, options};
 use crate::solution::field;
 use groundbeam::Field;
+use groundbeam_study::{Row, Wanted};
 use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use parameter::Parameter;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use row::{Row, Wanted};
-use run::{Task, run};
+use run::{Answered, Task, run};
 
 /// Solves `count` models: the given ones, or one under as many sets of parameters.
 ///
@@ -50,10 +49,14 @@ pub fn solve_many<'py>(
 }
 
 /// The rows as columns.
-fn columns<'py>(py: Python<'py>, wanted: &Wanted, rows: Vec<Row>) -> PyResult<Bound<'py, PyDict>> {
+fn columns<'py>(
+    py: Python<'py>,
+    wanted: &Wanted,
+    rows: Vec<Answered>,
+) -> PyResult<Bound<'py, PyDict>> {
     let table = PyDict::new(py);
     let column = |name: String, of: &dyn Fn(&Row) -> f64| {
-        let values = rows.iter().map(of).collect();
+        let values = rows.iter().map(|answered| of(&answered.row)).collect();
         table.set_item(name, PyArray1::from_vec(py, values))
     };
     column("left".into(), &|row| row.end_forces[0])?;
@@ -70,21 +73,22 @@ fn columns<'py>(py: Python<'py>, wanted: &Wanted, rows: Vec<Row>) -> PyResult<Bo
     }
     let stations = wanted.at.len();
     for (i, name) in wanted.fields.iter().map(|field: &Field| field.name()).enumerate() {
-        let values = rows.iter().flat_map(|row| &row.values[i * stations..(i + 1) * stations]);
+        let values =
+            rows.iter().flat_map(|each| &each.row.values[i * stations..(i + 1) * stations]);
         table.set_item(name, PyArray1::from_vec(py, values.copied().collect()))?;
     }
     // Regions of contact differ in number: all of them in a row, and where those of each model begin.
     let mut starts = vec![0_i64];
     let mut edges: Vec<f64> = Vec::new();
-    for row in &rows {
+    for Answered { row, .. } in &rows {
         edges.extend(row.contact.iter().flatten());
         starts.push((edges.len() / 2) as i64);
     }
     table.set_item("contact_starts", PyArray1::from_vec(py, starts))?;
     table.set_item("contact_edges", PyArray1::from_vec(py, edges))?;
-    let status = rows.iter().map(|row| row.status as u8).collect();
+    let status = rows.iter().map(|each| each.row.status as u8).collect();
     table.set_item("status", PyArray1::from_vec(py, status))?;
-    let messages: Vec<Option<String>> = rows.into_iter().map(|row| row.message).collect();
+    let messages: Vec<Option<String>> = rows.into_iter().map(|each| each.message).collect();
     table.set_item("messages", messages)?;
     Ok(table)
 }

@@ -1,10 +1,10 @@
 //! The work itself, on threads of its own, while Python waits for it and may stop it.
 
 use super::parameter::{Parameter, apply};
-use super::row::{Row, Wanted};
-use crate::failure::Failure;
+use crate::failure::{Failure, Tipping};
 use crate::model::Read;
-use groundbeam::{Answer, Method, Options, Outcome, Solver};
+use groundbeam::{Options, Solver};
+use groundbeam_study::{Row, Trouble, Wanted};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -30,7 +30,7 @@ pub fn run(
     count: usize,
     threads: usize,
     progress: Option<Py<PyAny>>,
-) -> PyResult<Vec<Row>> {
+) -> PyResult<Vec<Answered>> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.map_err(|error| Failure::Asked(error.to_string()))?;
     let (done, stop) = (AtomicUsize::new(0), AtomicBool::new(false));
@@ -43,7 +43,7 @@ pub fn run(
                 done.fetch_add(1, Ordering::Relaxed);
                 row
             });
-            let rows: Option<Vec<Row>> = pool.install(|| each.collect());
+            let rows: Option<Vec<Answered>> = pool.install(|| each.collect());
             // Nobody listens any more if Python has stopped.
             let _ = say_ready.send(rows);
         };
@@ -77,27 +77,26 @@ fn tell(progress: &Option<Py<PyAny>>, done: usize, count: usize) -> PyResult<()>
     })
 }
 
+/// An answer, and in words why there is none.
+pub struct Answered {
+    pub row: Row,
+    pub message: Option<String>,
+}
+
 impl Task {
     /// The answer of a number, the same whatever thread it is on and whatever that has solved before.
-    fn row(&self, number: usize, solver: &mut Solver) -> Row {
+    fn row(&self, number: usize, solver: &mut Solver) -> Answered {
         let Task { models, parameters, wanted, options } = self;
         let read = &models[if models.len() == 1 { 0 } else { number }];
         let mut model = read.document.model.clone();
         apply(parameters, number, &mut model);
-        let units = read.units();
-        if read.document.bed.is_none() && options.method == Method::Exact {
-            return match solver.solve(&model) {
-                Ok(Answer::Equilibrium(solution)) => Row::of(solution, wanted),
-                Ok(Answer::NoEquilibrium(existence)) => {
-                    Row::tips(&model, &existence, units, wanted)
-                }
-                Err(error) => Row::failed(&error, wanted),
-            };
-        }
-        match read.document.as_written().solve_near(&model, options, None) {
-            Ok(Outcome::Equilibrium(solution)) => Row::of(&solution, wanted),
-            Ok(Outcome::NoEquilibrium(existence)) => Row::tips(&model, &existence, units, wanted),
-            Err(error) => Row::failed(&error, wanted),
-        }
+        let row = Row::solve(&model, &read.document, options, wanted, solver);
+        let message = row.trouble.as_deref().map(|trouble| match trouble {
+            Trouble::NoEquilibrium(existence) => {
+                Tipping::of(&model, existence, read.units()).sentence
+            }
+            Trouble::Failed(error) => error.to_string(),
+        });
+        Answered { row, message }
     }
 }

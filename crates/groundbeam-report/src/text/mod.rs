@@ -10,6 +10,7 @@ mod free_spans;
 mod ground;
 mod passages;
 pub(crate) mod sheet;
+mod study;
 pub(crate) mod train;
 
 use crate::characteristics::Characteristics;
@@ -27,6 +28,7 @@ use groundbeam::{
 };
 pub use passages::{checked_trains, trains};
 use sheet::{Sheet, Tone};
+pub use study::study;
 
 /// More rows of one kind than this are counted, not listed.
 const MOST_ROWS: usize = 20;

@@ -1,0 +1,71 @@
+//! A study beside the bare solver: what drawing, keeping and writing cost.
+
+use crate::clock::side_by_side;
+use crate::table::{Table, short};
+use groundbeam::{Model, Solver};
+use groundbeam_file::study::parse_study;
+use groundbeam_study::{Draws, Finished, Shard};
+use std::ops::ControlFlow;
+use std::path::Path;
+
+/// The study in `bench/study`, under a number of samples.
+fn draws(samples: u64) -> Draws {
+    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/study"));
+    let text =
+        std::fs::read_to_string(folder.join("footings.toml")).expect("a file of this folder");
+    let study = parse_study(&text, folder).expect("a study that is right");
+    let plan = study.plan.with(Some(samples), None);
+    Draws::new(study, plan).expect("a study that can be drawn")
+}
+
+/// The solver alone, on models that are there already.
+fn bare(models: &[Model], threads: usize) {
+    let part = models.len().div_ceil(threads);
+    std::thread::scope(|scope| {
+        for models in models.chunks(part) {
+            scope.spawn(move || {
+                let mut solver = Solver::new();
+                for model in models {
+                    std::hint::black_box(solver.solve(model).is_ok());
+                }
+            });
+        }
+    });
+}
+
+/// Samples drawn, solved, certified and written, beside the solver alone.
+pub fn table(samples: u64) -> String {
+    let draws = draws(samples);
+    let models: Vec<Model> = (0..samples).map(|sample| draws.model(&draws.draw(sample))).collect();
+    let out = std::env::temp_dir().join(format!("groundbeam-bench-{}.parquet", std::process::id()));
+    let mut table = Table::new(
+        &format!(
+            "{samples} random footings: drawn, solved, certified and written (`groundbeam study`)"
+        ),
+        &["threads", "study / bare solver", "study, footings a second", "bare, footings a second"],
+    );
+    for threads in [1, 2] {
+        let [all, alone] = side_by_side(
+            3,
+            [
+                &mut || {
+                    let never = &mut |_| ControlFlow::Continue(());
+                    let done =
+                        groundbeam_study::run(&draws, &out, Shard::WHOLE, true, threads, never);
+                    assert_eq!(done.expect("a file that can be written"), Finished::Whole(samples));
+                },
+                &mut || bare(&models, threads),
+            ],
+        );
+        table.row(&[
+            threads.to_string(),
+            format!("**{:.2}**", all.least / alone.least),
+            short(samples as f64 / all.least),
+            short(samples as f64 / alone.least),
+        ]);
+    }
+    let size = std::fs::metadata(&out).map_or(0, |file| file.len());
+    // What cannot be removed is not what is measured.
+    let _ = std::fs::remove_file(&out);
+    table.finish(&format!("{} bytes a footing in the file.", size / samples))
+}

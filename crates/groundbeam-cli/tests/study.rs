@@ -1,0 +1,207 @@
+//! `groundbeam study` and `groundbeam merge`.
+
+#[allow(dead_code)]
+mod common;
+
+use common::{Folder, LIFTS};
+use std::fs;
+use std::process::Stdio;
+use std::time::Duration;
+
+/// Kikuchi's beam on random ground under a random moment: some samples tip.
+const STUDY: &str = "\
+model = \"model.toml\"
+samples = 3000
+seed = 5
+[[random]]
+what = \"load[1]\"
+distribution = \"normal\"
+mean = 0.4
+deviation = 0.05
+[field]
+k = { cov = 0.3 }
+mu = { cov = 0.2 }
+rho = 0.5
+length = 0.3
+[keep]
+ground = true
+extremes = [\"deflection\"]
+fields = [\"settlement\"]
+at = [-0.5, 0, 1]
+[[event]]
+name = \"deep\"
+quantity = \"deflection.max\"
+above = 0.5
+";
+
+fn folder() -> Folder {
+    let folder = Folder::with(LIFTS);
+    folder.write("study.toml", STUDY.as_bytes());
+    folder
+}
+
+fn bytes(folder: &Folder, name: &str) -> Vec<u8> {
+    fs::read(folder.path(name)).unwrap()
+}
+
+#[test]
+fn a_study_tells_probabilities() {
+    let folder = folder();
+    let done = folder.run(&["study", "study.toml", "--out", "r.parquet", "--json"]);
+    done.is_clean(0);
+    let json = done.json();
+    assert_eq!(json["samples"], 3000);
+    let event = |i: usize| &json["events"][i];
+    // The static reaction of the left end is ½ − M₀: with a normal moment it is lost with probability Φ(−2) = 0.02275.
+    assert_eq!(event(0)["name"], "no equilibrium");
+    let [low, high] = [0, 1].map(|i| event(0)["interval"]["bounds"][i].as_f64().unwrap());
+    assert!(low < 0.02275 && 0.02275 < high && high - low < 0.02, "{low} {high}");
+    // A beam that tips counts as one of which everything has happened.
+    let probability = |i: usize| event(i)["probability"].as_f64().unwrap();
+    assert!(probability(1) > 0.5 && probability(1) > probability(0));
+    assert!(probability(2) >= probability(0));
+    assert!(json["largest_gap"].as_f64().unwrap() < 1e-9);
+    assert_eq!(json["not_converged"], 0);
+    let again = folder.run(&["study", "study.toml", "--out", "r.parquet"]);
+    again.is_clean(0);
+    assert!(again.stdout.lines().all(|line| line.chars().count() <= 80), "{}", again.stdout);
+    assert_eq!(folder.names(), ["model.toml", "r.parquet", "study.toml"]);
+}
+
+#[test]
+fn the_bytes_are_those_of_the_study_alone() {
+    let folder = folder();
+    let run = |more: &[&str]| folder.run(&[&["study", "study.toml"], more].concat()).is_clean(0);
+    run(&["--out", "one.parquet", "--threads", "1"]);
+    run(&["--out", "three.parquet", "--threads", "3"]);
+    assert!(bytes(&folder, "one.parquet") == bytes(&folder, "three.parquet"));
+    for shard in ["2/3", "1/3", "3/3"] {
+        let out = format!("shard-{}.parquet", &shard[..1]);
+        run(&["--out", &out, "--shard", shard]);
+    }
+    let shards = ["shard-3.parquet", "shard-1.parquet", "shard-2.parquet"];
+    folder.run(&[&["merge"], &shards[..], &["--out", "all.parquet"]].concat()).is_clean(0);
+    assert!(bytes(&folder, "one.parquet") == bytes(&folder, "all.parquet"));
+    let merge =
+        |files: &[&str]| folder.run(&[&["merge"], files, &["--out", "bad.parquet"]].concat());
+    merge(&shards[..2]).fails(2, "samples 1000 to 1999 are missing");
+    merge(&["shard-1.parquet", "shard-1.parquet"]).fails(2, "are there twice");
+    run(&["--out", "other.parquet", "--seed", "6", "--shard", "2/3"]);
+    merge(&["shard-1.parquet", "other.parquet"]).fails(2, "are not of the same study");
+    assert!(!folder.path("bad.parquet").exists());
+    // Another seed is another study.
+    assert!(bytes(&folder, "other.parquet") != bytes(&folder, "shard-2.parquet"));
+}
+
+/// Runs a study that is too long to end, and stops it once parts are there.
+fn interrupted(
+    folder: &Folder,
+    stop: impl FnOnce(&mut std::process::Child),
+) -> std::process::Output {
+    let mut command =
+        folder.command(&["study", "study.toml", "--out", "r.parquet", "--samples", "40000"]);
+    let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let parts = folder.path("r.parquet.parts");
+    let there = || {
+        let names =
+            fs::read_dir(&parts).into_iter().flatten().flatten().map(|entry| entry.file_name());
+        names.filter(|name| name.to_string_lossy().ends_with(".parquet")).count()
+    };
+    while there() == 0 {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    stop(&mut child);
+    child.wait_with_output().unwrap()
+}
+
+#[test]
+fn a_killed_study_goes_on_and_ends_with_the_same_bytes() {
+    let folder = folder();
+    let all = ["study", "study.toml", "--samples", "40000", "--json"];
+    folder.run(&[&all[..], &["--out", "whole.parquet"]].concat()).is_clean(0);
+    interrupted(&folder, |child| child.kill().unwrap());
+    assert!(!folder.path("r.parquet").exists());
+    // A part that was being written is no part.
+    folder.write("r.parquet.parts/000000000039000-000000000040000.unfinished", b"PAR1");
+    // What waits is of this study alone.
+    let other = folder.run(&["study", "study.toml", "--out", "r.parquet", "--seed", "9"]);
+    other.fails(2, "another study, model, seed");
+    folder.run(&[&all[..], &["--out", "r.parquet"]].concat()).is_clean(0);
+    assert!(bytes(&folder, "r.parquet") == bytes(&folder, "whole.parquet"));
+    assert!(!folder.path("r.parquet.parts").exists());
+}
+
+#[cfg(unix)]
+#[test]
+fn the_keyboard_stops_a_study_and_nothing_is_lost() {
+    let folder = folder();
+    let output = interrupted(&folder, |child| {
+        let sent =
+            std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+        assert!(sent.unwrap().success());
+    });
+    assert_eq!(output.status.code(), Some(130));
+    let said = String::from_utf8(output.stderr).unwrap();
+    let kept: u64 =
+        said.strip_prefix("stopped: ").unwrap().split(' ').next().unwrap().parse().unwrap();
+    assert!(kept > 0 && kept < 40000, "{said}");
+    let parts = fs::read_dir(folder.path("r.parquet.parts")).unwrap().flatten();
+    let samples = parts.filter_map(|entry| {
+        let name = entry.file_name().into_string().unwrap();
+        let (from, to) = name.strip_suffix(".parquet")?.split_once('-')?;
+        Some(to.parse::<u64>().unwrap() - from.parse::<u64>().unwrap())
+    });
+    assert_eq!(samples.sum::<u64>(), kept);
+}
+
+#[test]
+fn two_at_once_are_one_too_many() {
+    let folder = folder();
+    let mut busy = None;
+    interrupted(&folder, |child| {
+        busy =
+            Some(folder.run(&["study", "study.toml", "--out", "r.parquet", "--samples", "40000"]));
+        child.kill().unwrap();
+    });
+    busy.unwrap().fails(2, "another process is at work");
+}
+
+#[test]
+fn what_is_wrong_is_told_at_its_place() {
+    let folder = folder();
+    let wrong = |from: &str, to: &str, expected: &[&str]| {
+        assert!(STUDY.contains(from), "{from}");
+        folder.write("wrong.toml", STUDY.replace(from, to).as_bytes());
+        let done = folder.run(&["study", "wrong.toml", "--out", "w.parquet"]);
+        for part in expected {
+            done.fails(2, part);
+        }
+        assert!(!folder.path("w.parquet").exists() && !folder.path("w.parquet.parts").exists());
+    };
+    wrong("load[1]", "load[2]", &["wrong.toml:5:8", "the model has 2"]);
+    wrong("normal", "lognormel", &["wrong.toml:6:16", "did you mean `lognormal`?"]);
+    wrong("deviation = 0.05", "deviation = -0.05", &["wrong.toml:8:13", "must be positive"]);
+    wrong("deviation = 0.05\n", "", &["`cov` or `deviation`"]);
+    wrong("mean = 0.4", "mean = \"0.4 kN m\"", &["wrong.toml:7:8"]);
+    wrong("length = 0.3", "length = 0", &["a correlation length is positive"]);
+    wrong("rho = 0.5", "rho = 1.5", &["a correlation lies between -1 and 1"]);
+    wrong("samples = 3000", "samples = 0", &["wrong.toml:2:11"]);
+    wrong("samples = 3000", "sampels = 3000", &["did you mean `samples`?"]);
+    wrong("deflection.max", "deflection.most", &["is no number of an answer"]);
+    wrong("model.toml", "none.toml", &["wrong.toml:1:9", "none.toml"]);
+    wrong(
+        "seed = 5",
+        "sampling = \"sobol\"",
+        &["Sobol's sequence is even only over powers of two"],
+    );
+    // All that is wrong at once.
+    wrong("normal\"\nmean = 0.4", "gumble\"\nmeen = 0.4", &["gumble", "meen"]);
+    // A model that is wrong is told in its own file.
+    folder.write("model.toml", LIFTS.replace("EI = 1", "EI = -1").as_bytes());
+    let done = folder.run(&["study", "study.toml", "--out", "w.parquet"]);
+    done.fails(2, "model.toml:4:6");
+    for shard in ["0/3", "4/3", "x", "1/0"] {
+        let done = folder.run(&["study", "study.toml", "--out", "w.parquet", "--shard", shard]);
+        done.fails(2, "is written i/N");
+    }
+}

@@ -1,0 +1,249 @@
+//! `[field]`: ground and beam that vary at random along the beam.
+
+use super::random::{Random, out_of_range, spread};
+use crate::code;
+use crate::document::Document;
+use crate::fault::Fault;
+use crate::quantity::{LENGTH, RATIO};
+use crate::reader::Reader;
+use crate::table::Section;
+use crate::target::{Course, Target};
+
+/// Lognormal fields along the beam, all with one correlation function.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RandomField {
+    /// What varies: k, μ, EI, each at most once.
+    pub of: Vec<FieldOf>,
+    /// How quickly the correlation fades with the distance.
+    pub correlation: Correlation,
+    /// The correlation length \[m\].
+    pub length: f64,
+    /// At how many even points, or on how many equal stretches, the fields are drawn.
+    pub points: usize,
+    /// How they run between.
+    pub course: Course,
+    /// How they are made of independent numbers.
+    pub method: Method,
+    /// The correlation of ln k and ln μ at one point.
+    pub rho: f64,
+}
+
+/// A quantity that varies along the beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FieldOf {
+    /// k, μ or EI.
+    pub target: Target,
+    /// Its mean, positive.
+    pub mean: f64,
+    /// Its standard deviation, positive.
+    pub deviation: f64,
+}
+
+/// The correlation of the logarithms at two points a distance d apart, with the correlation length L.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Correlation {
+    /// `exponential`: exp(−d/L); Matérn's with ν = 1/2.
+    Exponential,
+    /// `matern-3/2`: (1 + a) exp(−a) with a = √3 d/L.
+    Matern3,
+    /// `matern-5/2`: (1 + a + a²/3) exp(−a) with a = √5 d/L.
+    Matern5,
+    /// `gaussian`: exp(−d²/(2L²)).
+    Gaussian,
+}
+
+/// How a field is made of independent normal numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Method {
+    /// `karhunen-loeve`: by the eigenvectors of its covariance, as many as are asked for.
+    KarhunenLoeve(Share),
+    /// `circulant`: exactly, by waves on a circle into which the beam is embedded.
+    Circulant,
+}
+
+/// How much of a Karhunen–Loève expansion is kept.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Share {
+    /// So many terms.
+    Terms(usize),
+    /// So many that they hold this share of the variance.
+    OfVariance(f64),
+}
+
+const KEYS: &[&str] = &[
+    "k",
+    "mu",
+    "EI",
+    "rho",
+    "correlation",
+    "length",
+    "points",
+    "between",
+    "method",
+    "terms",
+    "variance",
+];
+const CORRELATIONS: [(&str, Correlation); 4] = [
+    ("exponential", Correlation::Exponential),
+    ("matern-3/2", Correlation::Matern3),
+    ("matern-5/2", Correlation::Matern5),
+    ("gaussian", Correlation::Gaussian),
+];
+/// More points than this a field may not have.
+const MOST_POINTS: u64 = 1024;
+/// Points to each correlation length, unless the file says otherwise.
+const POINTS_PER_LENGTH: f64 = 4.0;
+const FEWEST_POINTS: f64 = 8.0;
+const VARIANCE: f64 = 0.99;
+
+impl FieldOf {
+    /// As files spell it.
+    pub fn name(&self) -> &'static str {
+        match self.target {
+            Target::Shear => "mu",
+            Target::Stiffness => "EI",
+            _ => "k",
+        }
+    }
+}
+
+impl Correlation {
+    /// As files spell it.
+    pub fn name(self) -> &'static str {
+        CORRELATIONS.iter().find(|(_, known)| *known == self).map_or("", |(name, _)| name)
+    }
+}
+
+pub(super) fn read(
+    reader: &mut Reader,
+    root: &Section,
+    document: &Document,
+    random: &[Random],
+) -> Option<RandomField> {
+    let table = reader.table(root, "field", "[field]")?;
+    reader.refuse_unknown(&table, KEYS);
+    let mut of = Vec::new();
+    let mut is_there = false;
+    for (name, section) in [("k", "k of [field]"), ("mu", "mu of [field]"), ("EI", "EI of [field]")]
+    {
+        is_there |= table.value(name).is_some();
+        of.extend(quantity(reader, &table, name, section, document, random));
+    }
+    if !is_there {
+        reader.missing(&table, &["k", "mu", "EI"], "field", "k = { cov = 0.3 }");
+    }
+    let names = CORRELATIONS.map(|(name, _)| name);
+    let correlation = reader
+        .one_of(&table, "correlation", &names)
+        .map_or(Correlation::Exponential, |i| CORRELATIONS[i].1);
+    let length = reader.required(&table, "length", &LENGTH);
+    if length.value <= 0.0 {
+        out_of_range(
+            reader,
+            &length,
+            "a correlation length is positive",
+            "for example of some metres",
+        );
+        return None;
+    }
+    let fitting = (POINTS_PER_LENGTH * document.model.beam.length / length.value).ceil();
+    let fitting =
+        if fitting.is_finite() { fitting.clamp(FEWEST_POINTS, 256.0) } else { FEWEST_POINTS };
+    let points = reader.count(&table, "points", 2..=MOST_POINTS).unwrap_or(fitting as u64);
+    let between = reader.one_of(&table, "between", &["lines", "steps"]);
+    let rho = rho(reader, &table, &of);
+    let method = method(reader, &table);
+    Some(RandomField {
+        of,
+        correlation,
+        length: length.value,
+        points: usize::try_from(points).unwrap_or(usize::MAX),
+        course: if between == Some(1) { Course::Steps } else { Course::Lines },
+        method: method?,
+        rho: rho?,
+    })
+}
+
+fn quantity(
+    reader: &mut Reader,
+    table: &Section,
+    name: &'static str,
+    section: &'static str,
+    document: &Document,
+    random: &[Random],
+) -> Option<FieldOf> {
+    let own = reader.table(table, name, section)?;
+    reader.refuse_unknown(&own, &["mean", "cov", "deviation"]);
+    let target = Target::parse(name)?;
+    let kind = target.kind(&document.model);
+    if let Some(problem) = target.problem(name, document) {
+        let message = format!("`{name}` cannot vary at random here");
+        reader.report(Fault::new(code::EXCLUSIVE, own.span.clone(), message, "", problem));
+        return None;
+    }
+    if random.iter().any(|random| random.target == target) {
+        let message = format!("`{name}` is a [[random]] number already");
+        let hint = format!("a [[random]] `{name}_factor` may multiply the field");
+        reader.report(Fault::new(code::REPEATED, own.span.clone(), message, "", hint));
+        return None;
+    }
+    let mean = reader.quantity(&own, "mean", kind).map(|mean| mean.value);
+    let mean = mean.or_else(|| target.value(&document.model)).unwrap_or(f64::NAN);
+    if mean <= 0.0 {
+        let message = format!("the mean of `{name}` must be positive");
+        let hint = "the field is lognormal";
+        reader.report(Fault::new(code::RANGE, own.span.clone(), message, "", hint));
+        return None;
+    }
+    let deviation = spread(reader, &own, kind, mean)?;
+    Some(FieldOf { target, mean, deviation })
+}
+
+fn rho(reader: &mut Reader, table: &Section, of: &[FieldOf]) -> Option<f64> {
+    let Some(rho) = reader.quantity(table, "rho", &RATIO) else { return Some(0.0) };
+    let has = |target| of.iter().any(|field| field.target == target);
+    if !(has(Target::Spring) && has(Target::Shear)) {
+        let hint = "it is the correlation of ln k and ln mu at one point: give both as fields";
+        let message = "there are not two fields of the ground";
+        reader.report(Fault::new(code::INCOMPLETE, rho.span, message, "", hint));
+        return None;
+    }
+    if rho.value.abs() > 1.0 {
+        out_of_range(reader, &rho, "a correlation lies between -1 and 1", "0 is independent");
+        return None;
+    }
+    Some(rho.value)
+}
+
+fn method(reader: &mut Reader, table: &Section) -> Option<Method> {
+    let circulant = reader.one_of(table, "method", &["karhunen-loeve", "circulant"]) == Some(1);
+    let terms = reader.count(table, "terms", 1..=MOST_POINTS);
+    let variance = reader.quantity(table, "variance", &RATIO);
+    let (a, b) = (table.value("terms"), &variance);
+    if let (Some(a), Some(b)) = (a, b) {
+        let hint = "the number of terms follows from the share of the variance";
+        reader.exclusive(("terms", &a.span()), ("variance", &b.span), hint);
+        return None;
+    }
+    if circulant {
+        let place = a.map(|a| a.span()).or_else(|| variance.as_ref().map(|v| v.span.clone()));
+        let Some(span) = place else { return Some(Method::Circulant) };
+        let message = "an embedding in a circle has no terms to be cut";
+        let hint = "leave it out, or take method = \"karhunen-loeve\"";
+        reader.report(Fault::new(code::MISPLACED, span, message, "", hint));
+        return None;
+    }
+    let share = match (terms, variance) {
+        (Some(terms), _) => Share::Terms(usize::try_from(terms).unwrap_or(usize::MAX)),
+        (None, Some(variance)) if variance.value > 0.0 && variance.value <= 1.0 => {
+            Share::OfVariance(variance.value)
+        }
+        (None, Some(variance)) => {
+            let hint = "1 keeps all terms";
+            out_of_range(reader, &variance, "a share of the variance lies between 0 and 1", hint);
+            return None;
+        }
+        (None, None) => Share::OfVariance(VARIANCE),
+    };
+    Some(Method::KarhunenLoeve(share))
+}

@@ -1,0 +1,113 @@
+//! `[keep]`: what is kept of every answer.
+
+use crate::code;
+use crate::fault::Fault;
+use crate::quantity::POSITION;
+use crate::reader::Reader;
+use crate::suggest::nearest;
+use crate::table::Section;
+use groundbeam::Field;
+use toml::de::DeValue;
+
+/// What is kept of every answer, besides status, end forces, lifted share and the certificate's gap.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Keep {
+    /// Fields of which the smallest and the largest value are kept, and where they are.
+    pub extremes: Vec<Field>,
+    /// Fields that are kept at positions.
+    pub fields: Vec<Field>,
+    /// These positions \[m\].
+    pub at: Vec<f64>,
+    /// Whether the random fields are kept at all of their points.
+    pub ground: bool,
+}
+
+const KEYS: &[&str] = &["extremes", "fields", "at", "ground"];
+
+pub(super) fn read(reader: &mut Reader, root: &Section) -> Keep {
+    let usual = || {
+        let most = [Field::Deflection, Field::Moment, Field::ShearForce, Field::Pressure];
+        most.to_vec()
+    };
+    let Some(table) = reader.table(root, "keep", "[keep]") else {
+        return Keep { extremes: usual(), fields: Vec::new(), at: Vec::new(), ground: false };
+    };
+    reader.refuse_unknown(&table, KEYS);
+    let extremes = fields(reader, &table, "extremes").unwrap_or_else(usual);
+    let (fields, at) =
+        (fields(reader, &table, "fields").unwrap_or_default(), positions(reader, &table));
+    if let (true, Some(value)) = (at.is_empty(), table.value("fields")) {
+        let message = "`fields` are kept at positions, and `at` gives none";
+        let hint = format!("add {}", reader.line("at", &POSITION).replace("= ", "= [") + "]");
+        reader.report(Fault::new(code::INCOMPLETE, value.span(), message, "", hint));
+    }
+    let ground = match table.value("ground") {
+        None => false,
+        Some(value) => match value.get_ref() {
+            DeValue::Boolean(keep) => *keep,
+            _ => {
+                let message = "`ground` must be true or false".to_owned();
+                reader.wrong_type(value, message, "write ground = true".to_owned());
+                false
+            }
+        },
+    };
+    Keep { extremes, fields, at, ground }
+}
+
+fn fields(reader: &mut Reader, table: &Section, key: &str) -> Option<Vec<Field>> {
+    let value = table.value(key)?;
+    let DeValue::Array(list) = value.get_ref() else {
+        let hint = format!("as in {key} = [\"deflection\", \"moment\"]");
+        reader.wrong_type(value, format!("`{key}` must be a list"), hint);
+        return Some(Vec::new());
+    };
+    let mut all = Vec::new();
+    for word in list.iter() {
+        let Some(name) = word.get_ref().as_str() else {
+            let hint = format!("as in {key} = [\"deflection\", \"moment\"]");
+            reader.wrong_type(word, "a field is named by a word".to_owned(), hint);
+            continue;
+        };
+        match field(name) {
+            Ok(field) if all.contains(&field) => {
+                let message = format!("`{name}` stands here twice");
+                reader.report(Fault::new(
+                    code::REPEATED,
+                    word.span(),
+                    message,
+                    "",
+                    "once is enough",
+                ));
+            }
+            Ok(field) => all.push(field),
+            Err(hint) => {
+                let message = format!("there is no field `{name}`");
+                reader.report(Fault::new(code::UNKNOWN_WORD, word.span(), message, "", hint));
+            }
+        }
+    }
+    Some(all)
+}
+
+/// The field of a name, or what is probably meant.
+pub(super) fn field(name: &str) -> Result<Field, String> {
+    let names = Field::ALL.map(Field::name);
+    match names.iter().position(|known| *known == name.trim()) {
+        Some(index) => Ok(Field::ALL[index]),
+        None => Err(match nearest(name, names.iter().copied()) {
+            Some(meant) => format!("did you mean `{meant}`?"),
+            None => format!("the fields: {}", names.join(", ")),
+        }),
+    }
+}
+
+fn positions(reader: &mut Reader, table: &Section) -> Vec<f64> {
+    let Some(value) = table.value("at") else { return Vec::new() };
+    let DeValue::Array(list) = value.get_ref() else {
+        let hint = format!("as in at = {}", reader.pair(&POSITION));
+        reader.wrong_type(value, "`at` must be a list".to_owned(), hint);
+        return Vec::new();
+    };
+    list.iter().map(|at| reader.field("at", at, &POSITION).value).collect()
+}

@@ -1,0 +1,193 @@
+//! Study files: a model, what of it is random, how it is sampled, and what is asked of the answers.
+
+mod event;
+mod field;
+mod keep;
+mod random;
+mod sampling;
+
+pub use event::{Event, Exceeds, Judged};
+pub use field::{Correlation, FieldOf, Method, RandomField, Share};
+pub use keep::Keep;
+pub use random::{Distribution, Joined, Random};
+pub use sampling::{Plan, Sampling};
+
+use crate::diagnostic::Diagnostics;
+use crate::document::Document;
+use crate::fault::Fault;
+use crate::reader::Reader;
+use crate::source::Source;
+use crate::table::Section;
+use crate::{code, no_model, parse_beside, syntax, text_of};
+use std::path::{Path, PathBuf};
+use toml::de::DeTable;
+
+const TABLES: &[&str] = &[
+    "title",
+    "model",
+    "samples",
+    "seed",
+    "sampling",
+    "replicates",
+    "random",
+    "correlated",
+    "field",
+    "keep",
+    "event",
+];
+
+/// A study file that was read, with the model it is about.
+#[derive(Debug, Clone)]
+pub struct StudyFile {
+    /// What the file calls itself.
+    pub title: Option<String>,
+    /// Its text.
+    pub text: String,
+    /// The file of the model, as it can be opened from where the program runs.
+    pub model_path: PathBuf,
+    /// The model under all of its loads.
+    pub document: Document,
+    /// How many samples there are, and how they are drawn.
+    pub plan: Plan,
+    /// Numbers of the model that are random.
+    pub random: Vec<Random>,
+    /// Which of them depend on one another.
+    pub joined: Vec<Joined>,
+    /// Ground and beam that vary at random along the beam.
+    pub field: Option<RandomField>,
+    /// What is kept of every answer.
+    pub keep: Keep,
+    /// What must not happen.
+    pub events: Vec<Event>,
+}
+
+/// Reads a study file that stands in a folder, and the model that it names.
+///
+/// # Errors
+///
+/// Everything that is wrong with the file; of a model that is wrong, what is wrong there.
+pub fn parse_study(text: &str, folder: &Path) -> Result<StudyFile, StudyError> {
+    let source = Source::new(text);
+    let (table, errors) = DeTable::parse_recoverable(text);
+    let syntax = syntax::explain(&source, table.get_ref(), &errors);
+    if !syntax.readable {
+        return Err(Diagnostics::new(syntax.found).into());
+    }
+    let root = Section { table: table.get_ref(), span: 0..0, name: "the file" };
+    if root.table.is_empty() {
+        let fault = Fault { message: "the file holds no study".to_owned(), ..no_model() };
+        let hint = "a study has at least `model`, and something that is [[random]] or a [field]";
+        let fault = Fault { hint: hint.to_owned(), ..fault };
+        return Err(Diagnostics::from(crate::Diagnostic::new(&source, fault)).into());
+    }
+    let mut reader = Reader::new(&source, &root, Some(folder), false);
+    reader.found = syntax.found;
+    reader.refuse_unknown(&root, TABLES);
+    let title = reader.words(&root, "title", "Footing on random ground");
+    let title = title.map(|(title, _)| title.to_owned());
+    let model = model(&mut reader, &root, folder)?;
+    let plan = sampling::read(&mut reader, &root);
+    let Some((model_path, document)) = model else {
+        return Err(Diagnostics::new(reader.found).into());
+    };
+    let random = random::read(&mut reader, &root, &document);
+    let joined = random::read_joined(&mut reader, &root, &random);
+    let field = field::read(&mut reader, &root, &document, &random);
+    let keep = keep::read(&mut reader, &root);
+    let events = event::read(&mut reader, &root);
+    if random.is_empty() && field.is_none() && reader.found.is_empty() {
+        reader.missing(&root, &["random", "field"], "random quantity", "[[random]] or [field]");
+    }
+    let has_quantities = !reader.quantities.is_empty();
+    let span = reader.quantities.first().map_or(0..0, |quantity| quantity.span.clone());
+    let units = reader.unit_system();
+    if has_quantities && units != document.units && reader.found.is_empty() {
+        let message = match document.units {
+            crate::UnitSystem::Si => {
+                "the model's quantities have units, so those of its study need them too"
+            }
+            crate::UnitSystem::Plain => {
+                "the model's numbers have no units, so those of its study have none either"
+            }
+        };
+        let hint = "write the study's quantities as those of the model are written";
+        reader.report(Fault::new(code::MIXED, span, message, "", hint));
+    }
+    if !reader.found.is_empty() {
+        return Err(Diagnostics::new(reader.found).into());
+    }
+    let text = text.to_owned();
+    Ok(StudyFile { title, text, model_path, document, plan, random, joined, field, keep, events })
+}
+
+/// What is wrong: with the study file, or with the model that it names.
+#[derive(Debug, Clone)]
+pub enum StudyError {
+    /// In the study file.
+    Study(Diagnostics),
+    /// In the model file of this name and text.
+    Model(Diagnostics, PathBuf, String),
+}
+
+impl From<Diagnostics> for StudyError {
+    fn from(found: Diagnostics) -> Self {
+        StudyError::Study(found)
+    }
+}
+
+impl std::fmt::Display for StudyError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            StudyError::Study(found) | StudyError::Model(found, ..) => found.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for StudyError {}
+
+/// Reads the model beside the study.
+fn model(
+    reader: &mut Reader,
+    root: &Section,
+    folder: &Path,
+) -> Result<Option<(PathBuf, Document)>, StudyError> {
+    let Some((name, span)) = reader.words(root, "model", "strip-footing.toml") else {
+        if root.value("model").is_none() {
+            reader.missing(root, &["model"], "`model`", "model = \"strip-footing.toml\"");
+        }
+        return Ok(None);
+    };
+    let path = folder.join(name);
+    let bytes = match std::fs::read(&path) {
+        Ok(bytes) => bytes,
+        Err(error) => {
+            let message = format!("`{name}` cannot be read: {error}");
+            let hint = "the name is taken from the folder of the study file";
+            reader.report(Fault::new(code::FILE, span, message, "", hint));
+            return Ok(None);
+        }
+    };
+    let beside = path.parent().unwrap_or(Path::new("")).to_owned();
+    let read = text_of(&bytes).and_then(|text| parse_beside(text, &beside));
+    match read {
+        Ok(document) => {
+            let several = match () {
+                () if !document.trains.is_empty() => Some("trains"),
+                () if document.has_combinations() => Some("combinations or a band of grounds"),
+                () => None,
+            };
+            if let Some(what) = several {
+                let message =
+                    format!("`{name}` has {what}: a study is of one model with one answer");
+                let hint = "leave them out of the model of the study";
+                reader.report(Fault::new(code::EXCLUSIVE, span, message, "", hint));
+                return Ok(None);
+            }
+            Ok(Some((path, document)))
+        }
+        Err(found) => {
+            let text = String::from_utf8_lossy(&bytes).into_owned();
+            Err(StudyError::Model(found, path, text))
+        }
+    }
+}

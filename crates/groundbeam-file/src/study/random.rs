@@ -1,0 +1,311 @@
+//! `[[random]]` and `[[correlated]]`: numbers of the model that are random.
+
+use crate::code;
+use crate::document::Document;
+use crate::fault::Fault;
+use crate::quantity::{Kind, RATIO};
+use crate::reader::{Field, Reader};
+use crate::table::Section;
+use crate::target::Target;
+use std::ops::Range;
+use toml::de::DeValue;
+
+/// A number of the model that is random.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Random {
+    /// As the file calls it: `load[0]`.
+    pub name: String,
+    /// Which number of the model it is.
+    pub target: Target,
+    /// How it is distributed.
+    pub distribution: Distribution,
+}
+
+/// How a random number is distributed; all in SI units or the file's own.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Distribution {
+    /// `normal`.
+    Normal {
+        /// Mean.
+        mean: f64,
+        /// Standard deviation, positive.
+        deviation: f64,
+    },
+    /// `lognormal`: its logarithm is normal.
+    Lognormal {
+        /// Mean, positive.
+        mean: f64,
+        /// Standard deviation, positive.
+        deviation: f64,
+    },
+    /// `gumbel`: the largest of many, type I.
+    Gumbel {
+        /// Mean.
+        mean: f64,
+        /// Standard deviation, positive.
+        deviation: f64,
+    },
+    /// `uniform`: anything between two numbers.
+    Uniform {
+        /// The least.
+        from: f64,
+        /// The largest.
+        to: f64,
+    },
+    /// `triangular`: between two numbers, most probably at a third.
+    Triangular {
+        /// The least.
+        from: f64,
+        /// The most probable.
+        mode: f64,
+        /// The largest.
+        to: f64,
+    },
+}
+
+/// Two random numbers that depend on one another.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Joined {
+    /// Which two of the random numbers, counted from 0.
+    pub of: [usize; 2],
+    /// The correlation of the normal numbers that they are made of.
+    pub rho: f64,
+}
+
+const DISTRIBUTIONS: [&str; 5] = ["normal", "lognormal", "gumbel", "uniform", "triangular"];
+const KEYS: &[&str] = &["what", "distribution", "mean", "cov", "deviation", "from", "to", "mode"];
+
+pub(super) fn read(reader: &mut Reader, root: &Section, document: &Document) -> Vec<Random> {
+    let mut all: Vec<Random> = Vec::new();
+    for table in reader.tables(root, "random", "[[random]]") {
+        reader.refuse_unknown(&table, KEYS);
+        let what = target(reader, &table, document);
+        let kind = what.as_ref().map_or(&RATIO, |(_, target, _)| target.kind(&document.model));
+        let distribution = distribution(reader, &table, kind, what.as_ref(), document);
+        let Some((name, target, span)) = what else { continue };
+        if all.iter().any(|other| other.target == target) {
+            let message = format!("`{name}` is random already");
+            let hint = "give each number one distribution";
+            reader.report(Fault::new(code::REPEATED, span, message, "", hint));
+            continue;
+        }
+        if let Some(distribution) = distribution {
+            if target.must_be_positive() && !distribution.is_positive() {
+                let message = format!("`{name}` must be positive, and this distribution is not");
+                let hint = "take `lognormal`, or `uniform` or `triangular` with a positive `from`";
+                reader.report(Fault::new(code::RANGE, span, message, "", hint));
+                continue;
+            }
+            all.push(Random { name, target, distribution });
+        }
+    }
+    all
+}
+
+/// The number that `what` names.
+fn target(
+    reader: &mut Reader,
+    table: &Section,
+    document: &Document,
+) -> Option<(String, Target, Range<usize>)> {
+    let Some((name, span)) = reader.words(table, "what", "k_factor") else {
+        if table.value("what").is_none() {
+            reader.missing(table, &["what"], "`what`", "what = \"k_factor\"");
+        }
+        return None;
+    };
+    let name = name.trim();
+    let Some(target) = Target::parse(name) else {
+        let message = format!("`{name}` is no number of a model");
+        let hint = format!("what can be random: {}", Target::NAMES);
+        reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
+        return None;
+    };
+    if let Some(problem) = target.problem(name, document) {
+        let message = format!("`{name}` cannot be random here");
+        reader.report(Fault::new(code::EXCLUSIVE, span, message, "", problem));
+        return None;
+    }
+    Some((name.to_owned(), target, span))
+}
+
+fn distribution(
+    reader: &mut Reader,
+    table: &Section,
+    kind: &'static Kind,
+    what: Option<&(String, Target, Range<usize>)>,
+    document: &Document,
+) -> Option<Distribution> {
+    let which = reader.one_of(table, "distribution", &DISTRIBUTIONS);
+    if table.value("distribution").is_none() {
+        let example = "distribution = \"lognormal\"";
+        reader.missing(table, &["distribution"], "`distribution`", example);
+    }
+    let which = DISTRIBUTIONS[which?];
+    let by_ends = matches!(which, "uniform" | "triangular");
+    let foreign: &[&str] = match which {
+        "uniform" => &["mean", "cov", "deviation", "mode"],
+        "triangular" => &["mean", "cov", "deviation"],
+        _ => &["from", "to", "mode"],
+    };
+    for key in foreign {
+        if let Some(value) = table.value(key) {
+            let message = format!("`{key}` means nothing for `{which}`");
+            let hint = match by_ends {
+                true => "it is given by `from` and `to`, and `triangular` by its `mode` too",
+                false => "it is given by its `mean`, and by `cov` or `deviation`",
+            };
+            reader.report(Fault::new(code::MISPLACED, value.span(), message, "", hint));
+        }
+    }
+    if by_ends {
+        let from = reader.required(table, "from", kind);
+        let to = reader.required(table, "to", kind);
+        if to.value <= from.value {
+            let hint = "`to` is the largest, `from` the least";
+            out_of_range(reader, &to, "`to` must be larger than `from`", hint);
+            return None;
+        }
+        let mode = (which == "triangular").then(|| reader.required(table, "mode", kind));
+        let (from, to) = (from.value, to.value);
+        return match mode {
+            None => Some(Distribution::Uniform { from, to }),
+            Some(mode) if mode.value < from || mode.value > to => {
+                let hint = "it is the most probable value";
+                out_of_range(reader, &mode, "`mode` lies between `from` and `to`", hint);
+                None
+            }
+            Some(mode) => Some(Distribution::Triangular { from, mode: mode.value, to }),
+        };
+    }
+    let own = what.and_then(|(_, target, _)| target.value(&document.model));
+    let mean = reader.quantity(table, "mean", kind);
+    let (mean, span) = match (mean, own) {
+        (Some(mean), _) => (mean.value, mean.span),
+        (None, Some(own)) => (own, table.span.clone()),
+        (None, None) => (f64::NAN, table.span.clone()),
+    };
+    let deviation = spread(reader, table, kind, mean)?;
+    if which == "lognormal" && mean <= 0.0 {
+        let hint = "a lognormal number is positive; for another take `normal`";
+        out_of_range(reader, &Field::new(mean, span), "its mean must be positive", hint);
+        return None;
+    }
+    Some(match which {
+        "normal" => Distribution::Normal { mean, deviation },
+        "lognormal" => Distribution::Lognormal { mean, deviation },
+        _ => Distribution::Gumbel { mean, deviation },
+    })
+}
+
+/// The standard deviation, by itself or as a part of the mean.
+pub(super) fn spread(
+    reader: &mut Reader,
+    table: &Section,
+    kind: &'static Kind,
+    mean: f64,
+) -> Option<f64> {
+    let cov = reader.quantity(table, "cov", &RATIO);
+    let deviation = reader.quantity(table, "deviation", kind);
+    let given = match (cov, deviation) {
+        (Some(cov), Some(deviation)) => {
+            let hint = "the deviation is the mean times `cov`: give either of them";
+            reader.exclusive(("cov", &cov.span), ("deviation", &deviation.span), hint);
+            return None;
+        }
+        (Some(cov), None) => {
+            if mean == 0.0 {
+                let hint = "give its `deviation`";
+                out_of_range(reader, &cov, "the mean is 0, and so is any part of it", hint);
+                return None;
+            }
+            Field::new(cov.value * mean.abs(), cov.span)
+        }
+        (None, Some(deviation)) => deviation,
+        (None, None) => {
+            let keys = ["cov", "deviation"];
+            reader.missing(table, &keys, "`cov` or `deviation`", "cov = 0.3");
+            return None;
+        }
+    };
+    if given.value <= 0.0 {
+        out_of_range(reader, &given, "it must be positive", "what does not scatter is not random");
+        return None;
+    }
+    Some(given.value).filter(|value| value.is_finite())
+}
+
+pub(super) fn out_of_range(reader: &mut Reader, field: &Field, message: &str, hint: &str) {
+    reader.report(Fault::new(code::RANGE, field.span.clone(), message, "", hint));
+}
+
+impl Distribution {
+    /// Whether it never is zero or negative.
+    fn is_positive(&self) -> bool {
+        match *self {
+            Distribution::Normal { .. } | Distribution::Gumbel { .. } => false,
+            Distribution::Lognormal { .. } => true,
+            Distribution::Uniform { from, .. } | Distribution::Triangular { from, .. } => {
+                from > 0.0
+            }
+        }
+    }
+}
+
+pub(super) fn read_joined(reader: &mut Reader, root: &Section, random: &[Random]) -> Vec<Joined> {
+    let mut all: Vec<Joined> = Vec::new();
+    for table in reader.tables(root, "correlated", "[[correlated]]") {
+        reader.refuse_unknown(&table, &["what", "rho"]);
+        let rho = reader.required(&table, "rho", &RATIO);
+        if rho.value.abs() >= 1.0 {
+            let hint = "0 is independent; of two that always agree make one";
+            out_of_range(reader, &rho, "a correlation lies between -1 and 1", hint);
+        }
+        let Some(of) = pair(reader, &table, random) else { continue };
+        let span = table.span.clone();
+        if all.iter().any(|other| other.of == of) {
+            let message = "the correlation of these two is given already";
+            let hint = "give it once";
+            reader.report(Fault::new(code::REPEATED, span, message, "", hint));
+            continue;
+        }
+        all.push(Joined { of, rho: rho.value });
+    }
+    all
+}
+
+/// Which two are named, the first before the second.
+fn pair(reader: &mut Reader, table: &Section, random: &[Random]) -> Option<[usize; 2]> {
+    let example = "what = [\"load[0]\", \"load[1]\"]";
+    let Some(value) = table.value("what") else {
+        reader.missing(table, &["what"], "`what`", example);
+        return None;
+    };
+    let names: Option<Vec<&str>> = match value.get_ref() {
+        DeValue::Array(list) => list.iter().map(|name| name.get_ref().as_str()).collect(),
+        _ => None,
+    };
+    let Some([a, b]) = names.as_deref() else {
+        let message = "`what` must be a list of two names".to_owned();
+        reader.wrong_type(value, message, format!("as in {example}"));
+        return None;
+    };
+    let mut found = [0; 2];
+    for (slot, name) in found.iter_mut().zip([a, b]) {
+        let Some(index) = random.iter().position(|random| random.name == name.trim()) else {
+            let message = format!("no [[random]] is called `{name}`");
+            let hint = "only what is random can be correlated";
+            reader.report(Fault::new(code::UNKNOWN_WORD, value.span(), message, "", hint));
+            return None;
+        };
+        *slot = index;
+    }
+    if found[0] == found[1] {
+        let message = "a number is not correlated with itself";
+        let hint = "name two different ones";
+        reader.report(Fault::new(code::REPEATED, value.span(), message, "", hint));
+        return None;
+    }
+    found.sort_unstable();
+    Some(found)
+}

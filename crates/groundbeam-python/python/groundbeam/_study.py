@@ -1,0 +1,163 @@
+"""Studies: one model under many random grounds and loads, and how probable events are."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Sequence, Tuple, Union
+
+from . import _native
+from ._batch import Progress, _Bar
+from ._solution import Array
+
+if TYPE_CHECKING:
+    import pandas
+
+File = Union[str, "os.PathLike[str]"]
+
+
+class Estimate(NamedTuple):
+    """How probable something is."""
+
+    name: str
+    count: int
+    """In how many samples it happened."""
+    probability: float
+    interval: Tuple[float, float]
+    """Between which bounds the probability lies, with a confidence of 95 %."""
+
+
+class Spread(NamedTuple):
+    """How a number scatters over the samples that have it."""
+
+    mean: float
+    deviation: float
+    quantiles: Tuple[float, float, float, float, float]
+    """The smallest, the quantiles of 5, 50 and 95 %, the largest."""
+
+
+class Summary:
+    """What follows from all samples of a study."""
+
+    samples: int
+    solved: int
+    """Samples with a certified answer."""
+    without_equilibrium: int
+    not_converged: int
+    wrong: int
+    """Samples whose model was refused; the column ``message`` of the results tells why."""
+    largest_gap: float
+    """The largest error bound of all certificates, of the strain energy."""
+    events: dict[str, Estimate]
+    """By their names; ``no equilibrium`` and ``some of the beam lifts off`` are always there."""
+    spreads: dict[str, Spread]
+    """By the columns of the results."""
+
+    def __init__(self, document: dict[str, Any]) -> None:
+        self.samples = document["samples"]
+        self.solved = document["solved"]
+        self.without_equilibrium = document["without_equilibrium"]
+        self.not_converged = document["not_converged"]
+        self.wrong = document["wrong"]
+        self.largest_gap = document["largest_gap"]
+        self.events = {
+            event["name"]: Estimate(
+                event["name"], event["count"], event["probability"], tuple(event["interval"]["bounds"])
+            )
+            for event in document["events"]
+        }
+        self.spreads = {
+            spread["name"]: Spread(spread["mean"], spread["deviation"], tuple(spread["quantiles"]))
+            for spread in document["spreads"]
+        }
+
+    def __repr__(self) -> str:
+        return f"<groundbeam.Summary: {self.solved} of {self.samples} solved>"
+
+
+class Study:
+    """A study file: a model, what of it is random, and what is asked of the answers.
+
+    ``samples`` and ``seed`` take the place of the file's. What a sample draws depends on the seed and on its number alone.
+    """
+
+    def __init__(
+        self, path: File, *, samples: Optional[int] = None, seed: Optional[int] = None
+    ) -> None:
+        self.path = Path(path)
+        self._inner = _native.Study(self.path, samples, seed)
+
+    @property
+    def title(self) -> Optional[str]:
+        """What the file calls itself."""
+        return self._inner.title
+
+    @property
+    def samples(self) -> int:
+        """How many samples there are."""
+        return self._inner.samples
+
+    @property
+    def seed(self) -> int:
+        """From which all random numbers follow."""
+        return self._inner.seed
+
+    @property
+    def model_path(self) -> Path:
+        """The file of the model."""
+        return self._inner.model_path
+
+    def draw(self, first: int = 0, count: Optional[int] = None) -> dict[str, Array]:
+        """The random numbers of consecutive samples, and the random fields as arrays of samples by points.
+
+        They are what ``solve_many`` takes for parameters.
+        """
+        count = self.samples - first if count is None else count
+        if first < 0 or count < 0 or first + count > self.samples:
+            raise IndexError(f"there are {self.samples} samples")
+        return self._inner.draw(first, count)
+
+    def run(
+        self,
+        out: File,
+        *,
+        shard: Tuple[int, int] = (1, 1),
+        restart: bool = False,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> Optional[Summary]:
+        """Solves what is not solved yet and keeps it in a Parquet file, one row a sample.
+
+        Interrupted, it goes on when it is called again; the file is the same to the last byte. ``shard=(3, 8)`` does the
+        third of eight equal parts, which :func:`merge` puts together; then there is no summary yet.
+        """
+        if not 1 <= shard[0] <= shard[1]:
+            raise ValueError("a shard is (i, n), from 1 to n")
+        if threads is not None and threads < 1:
+            raise ValueError("it takes at least one thread")
+        bar = _Bar() if progress is True else progress or None
+        self._inner.run(out, shard, restart, threads or 0, bar)
+        return self.summary(out) if shard[1] == 1 else None
+
+    def summary(self, out: File) -> Summary:
+        """What follows from the results of all samples."""
+        return Summary(json.loads(self._inner.summary(out)))
+
+    def to_pandas(self, out: File) -> pandas.DataFrame:
+        """The results as a table; needs pyarrow."""
+        import pandas
+
+        return pandas.read_parquet(out)
+
+    def __repr__(self) -> str:
+        return f"<groundbeam.Study: {self.samples} samples of {self.model_path.name}>"
+
+
+def merge(files: Sequence[File], out: File) -> int:
+    """Puts the shards of a study together and returns how many samples there are.
+
+    The file is, to the last byte, the one that a single machine would have written. Shards that are missing, doubled or of
+    another study are a ``ValueError``.
+    """
+    return _native.merge(list(files), out)

@@ -1,0 +1,137 @@
+//! Studies: samples drawn, solved and kept, without Python in the loop.
+
+use crate::failure::Failure;
+use groundbeam_file::UnitSystem;
+use groundbeam_file::study::{StudyError, parse_study};
+use groundbeam_report::{Context, Units, json};
+use groundbeam_study::{Draws, Finished, Shard, StoreError};
+use numpy::{PyArray1, PyArray2};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+/// A study file, under a number of samples and a seed.
+#[pyclass(frozen, module = "groundbeam._native")]
+pub struct Study {
+    draws: Draws,
+}
+
+fn lost(error: &StoreError) -> PyErr {
+    Failure::Asked(error.to_string()).into()
+}
+
+#[pymethods]
+impl Study {
+    #[new]
+    fn new(path: PathBuf, samples: Option<u64>, seed: Option<u64>) -> PyResult<Self> {
+        let name = path.display().to_string();
+        let bytes = std::fs::read(&path)?;
+        let text = String::from_utf8_lossy(&bytes).into_owned();
+        let folder = path.parent().unwrap_or(Path::new(""));
+        groundbeam_file::text_of(&bytes).map_err(|found| Failure::wrong(found, &name, &text))?;
+        let study = parse_study(&text, folder).map_err(|error| match error {
+            StudyError::Study(found) => Failure::wrong(found, &name, &text),
+            StudyError::Model(found, path, text) => {
+                Failure::wrong(found, &path.display().to_string(), &text)
+            }
+        })?;
+        let plan = study.plan.with(samples, seed);
+        let draws = Draws::new(study, plan);
+        let draws = draws.map_err(|error| Failure::Asked(format!("{name}: {error}")))?;
+        Ok(Study { draws })
+    }
+
+    #[getter]
+    fn title(&self) -> Option<&str> {
+        self.draws.study().title.as_deref()
+    }
+
+    #[getter]
+    fn samples(&self) -> u64 {
+        self.draws.plan().samples
+    }
+
+    #[getter]
+    fn seed(&self) -> u64 {
+        self.draws.plan().seed
+    }
+
+    #[getter]
+    fn model_path(&self) -> &Path {
+        &self.draws.study().model_path
+    }
+
+    /// The random numbers of consecutive samples by their names, and the fields, samples by points.
+    fn draw<'py>(&self, py: Python<'py>, first: u64, count: u64) -> PyResult<Bound<'py, PyDict>> {
+        let drawn: Vec<_> =
+            py.detach(|| (first..first + count).map(|sample| self.draws.draw(sample)).collect());
+        let table = PyDict::new(py);
+        for (i, random) in self.draws.study().random.iter().enumerate() {
+            let column = drawn.iter().map(|draw| draw.numbers[i]).collect();
+            table.set_item(&random.name, PyArray1::from_vec(py, column))?;
+        }
+        let fields = self.draws.study().field.iter().flat_map(|field| &field.of).enumerate();
+        for (i, of) in fields {
+            let rows: Vec<Vec<f64>> = drawn.iter().map(|draw| draw.fields[i].clone()).collect();
+            let array = PyArray2::from_vec2(py, &rows)
+                .map_err(|error| Failure::Asked(error.to_string()))?;
+            table.set_item(of.name(), array)?;
+        }
+        Ok(table)
+    }
+
+    /// Solves what is left of the study; how many samples were solved now.
+    fn run(
+        &self,
+        py: Python<'_>,
+        out: PathBuf,
+        shard: (u64, u64),
+        restart: bool,
+        threads: usize,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<u64> {
+        let shard = Shard { number: shard.0, of: shard.1 };
+        let mut raised = None;
+        let finished = py.detach(|| {
+            groundbeam_study::run(&self.draws, &out, shard, restart, threads, &mut |now| {
+                let told = Python::attach(|py| {
+                    py.check_signals()?;
+                    if let Some(progress) = &progress {
+                        progress.call1(py, (now.done, now.of))?;
+                    }
+                    Ok(())
+                });
+                match told {
+                    Ok(()) => ControlFlow::Continue(()),
+                    Err(error) => {
+                        raised = raised.take().or(Some(error));
+                        ControlFlow::Break(())
+                    }
+                }
+            })
+        });
+        match (finished.map_err(|error| lost(&error))?, raised) {
+            (_, Some(error)) => Err(error),
+            (Finished::Whole(solved), None) => Ok(solved),
+            (Finished::Stopped(_), None) => Ok(0),
+        }
+    }
+
+    /// What follows from all samples, as a document.
+    fn summary(&self, py: Python<'_>, out: PathBuf) -> PyResult<String> {
+        let units = match self.draws.study().document.units {
+            UnitSystem::Si => Units::Si,
+            UnitSystem::Plain => Units::Plain,
+        };
+        let summary = py.detach(|| groundbeam_study::summary(&self.draws, &out));
+        Ok(json::study(&summary.map_err(|error| lost(&error))?, &Context::new(units)))
+    }
+}
+
+/// Puts the shards of a study together; how many samples there are.
+#[pyfunction]
+pub fn merge(py: Python<'_>, files: Vec<PathBuf>, out: PathBuf) -> PyResult<u64> {
+    let merged = py.detach(|| groundbeam_study::merge(&files, &out));
+    Ok(merged.map_err(|error| lost(&error))?.samples)
+}

@@ -1,0 +1,184 @@
+"""Studies: what is drawn is what is solved, and the bytes do not depend on how."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+import time
+from pathlib import Path
+
+import distributed
+import groundbeam as gb
+import numpy as np
+import pandas
+import pytest
+from groundbeam.dask import run as run_on_dask
+
+MODEL = """
+[beam]
+length = 12
+EI = 1.28e9
+[foundation]
+k = 40e6
+mu = 9e6
+[[load]]
+point = 900e3
+at = 1.5
+[[load]]
+distributed = 10e3
+"""
+STUDY = """
+model = "footing.toml"
+samples = 600
+seed = 3
+[[random]]
+what = "load[0]"
+distribution = "gumbel"
+cov = 0.2
+[[random]]
+what = "load[0].at"
+distribution = "uniform"
+from = 1.0
+to = 6.0
+[[correlated]]
+what = ["load[0]", "load[0].at"]
+rho = -0.5
+[field]
+k = { cov = 0.3 }
+mu = { cov = 0.2 }
+rho = 0.6
+length = 3
+points = 9
+[keep]
+extremes = ["moment"]
+fields = ["deflection"]
+at = [0, 12]
+[[event]]
+name = "heavy"
+quantity = "moment.max"
+above = 500e3
+"""
+
+
+@pytest.fixture
+def study(tmp_path: Path) -> gb.Study:
+    (tmp_path / "footing.toml").write_text(MODEL)
+    (tmp_path / "study.toml").write_text(STUDY)
+    return gb.Study(tmp_path / "study.toml")
+
+
+def test_what_is_drawn_is_what_is_solved(study: gb.Study, tmp_path: Path) -> None:
+    out = tmp_path / "r.parquet"
+    summary = study.run(out)
+    assert summary is not None and summary.solved == 600 and summary.largest_gap < 1e-9
+    table = study.to_pandas(out)
+    drawn = study.draw()
+    assert drawn["k"].shape == (600, 9)
+    np.testing.assert_array_equal(table["load[0]"], drawn["load[0]"])
+    batch = gb.solve_many(gb.load(study.model_path), drawn, at=[0, 12], extremes=["moment"])
+    np.testing.assert_array_equal(table["moment_max"], batch.extremes["moment"].max)
+    np.testing.assert_array_equal(table["deflection@12"], batch["deflection"][:, 1])
+    np.testing.assert_array_equal(table["lifted_share"], batch.lifted_share)
+    heavy = summary.events["heavy"]
+    assert heavy.count == int((table["moment_max"] > 500e3).sum())
+    assert heavy.interval[0] < heavy.probability < heavy.interval[1]
+    spread = summary.spreads["moment_max"]
+    assert spread.mean == pytest.approx(table["moment_max"].mean(), rel=1e-12)
+    assert spread.deviation == pytest.approx(table["moment_max"].std(), rel=1e-12)
+    assert spread.quantiles[3] == pytest.approx(np.quantile(table["moment_max"], 0.95), rel=1e-12)
+
+
+def test_moments_and_correlations_of_what_is_drawn(study: gb.Study) -> None:
+    many = gb.Study(study.path, samples=20_000)
+    drawn = many.draw()
+    force, at = drawn["load[0]"], drawn["load[0].at"]
+    # Five standard errors each.
+    assert abs(force.mean() - 900e3) < 5 * 180e3 / np.sqrt(20_000)
+    assert abs(force.std() / 180e3 - 1) < 0.05
+    assert 1.0 < at.min() and at.max() < 6.0
+    # Of normal scores: ranks have 6/pi asin(rho/2), Pearson 1907.
+    ranks = pandas.DataFrame({"f": force, "a": at}).rank()
+    assert abs(ranks["f"].corr(ranks["a"]) - 6 / np.pi * np.arcsin(-0.25)) < 0.035
+    k, mu = drawn["k"], drawn["mu"]
+    assert abs(k[:, 4].mean() / 40e6 - 1) < 0.015
+    z, y = np.log(k[:, 4]), np.log(mu[:, 4])
+    assert abs(np.corrcoef(z, y)[0, 1] - 0.6) < 0.03
+    # Three metres are one correlation length: two points of nine on 12 m.
+    assert abs(np.corrcoef(z, np.log(k[:, 6]))[0, 1] - np.exp(-1)) < 0.04
+    np.testing.assert_array_equal(many.draw(100, 3)["k"], k[100:103])
+    np.testing.assert_array_equal(study.draw()["k"], k[:600])
+
+
+def test_shards_and_threads_change_no_byte(study: gb.Study, tmp_path: Path) -> None:
+    study.run(tmp_path / "whole.parquet", threads=1)
+    names = [tmp_path / f"{i}.parquet" for i in (1, 2, 3)]
+    for i, name in enumerate(names):
+        assert study.run(name, shard=(i + 1, 3), threads=2) is None
+    assert gb.merge(names, tmp_path / "all.parquet") == 600
+    assert (tmp_path / "all.parquet").read_bytes() == (tmp_path / "whole.parquet").read_bytes()
+    with pytest.raises(ValueError, match="missing"):
+        gb.merge(names[:2], tmp_path / "bad.parquet")
+
+
+def test_what_is_wrong(study: gb.Study, tmp_path: Path) -> None:
+    study.path.write_text(STUDY.replace("gumbel", "gumble").replace("rho = 0.6", "rho = 6"))
+    with pytest.raises(gb.ModelError) as caught:
+        gb.Study(study.path)
+    assert [each.line for each in caught.value.diagnostics] == [7, 21]
+    assert "did you mean `gumbel`?" in str(caught.value)
+    with pytest.raises(FileNotFoundError):
+        gb.Study(tmp_path / "none.toml")
+    with pytest.raises(ValueError, match="a shard is"):
+        study.run(tmp_path / "r.parquet", shard=(3, 2))
+    study.run(tmp_path / "r.parquet")
+    study.path.write_text(STUDY)
+    with pytest.raises(ValueError, match="another study"):
+        gb.Study(study.path, seed=4).run(tmp_path / "r.parquet")
+
+
+def test_stopped_by_whoever_watches_it_goes_on(study: gb.Study, tmp_path: Path) -> None:
+    many = gb.Study(study.path, samples=30_000)
+
+    def stop(done: int, of: int) -> None:
+        assert of == 30_000
+        if done > 0:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        many.run(tmp_path / "r.parquet", progress=stop)
+    assert not (tmp_path / "r.parquet").exists()
+    begun: list[int] = []
+    many.run(tmp_path / "r.parquet", progress=lambda done, of: begun.append(done))
+    assert begun[0] > 0 and begun[-1] == 30_000
+    many.run(tmp_path / "whole.parquet")
+    assert (tmp_path / "r.parquet").read_bytes() == (tmp_path / "whole.parquet").read_bytes()
+
+
+def test_a_cluster_of_which_a_worker_dies(study: gb.Study, tmp_path: Path) -> None:
+    many = gb.Study(study.path, samples=20_000)
+    many.run(tmp_path / "alone.parquet")
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+    ) as cluster, distributed.Client(cluster) as client:
+        pids = list(client.run(_pid).values())
+        killer = _kill_soon(pids[0])
+        summary = run_on_dask(client, many, tmp_path / "cluster.parquet", shards=12)
+        killer.join()
+    assert summary.samples == 20_000
+    assert (tmp_path / "cluster.parquet").read_bytes() == (tmp_path / "alone.parquet").read_bytes()
+    assert not (tmp_path / "cluster.parquet.shards").exists()
+
+
+def _pid() -> int:
+    return os.getpid()
+
+
+def _kill_soon(pid: int) -> threading.Thread:
+    def kill() -> None:
+        time.sleep(0.3)
+        os.kill(pid, signal.SIGKILL)
+
+    thread = threading.Thread(target=kill)
+    thread.start()
+    return thread

@@ -1,0 +1,108 @@
+//! The report of a study: probabilities with their intervals, means and quantiles.
+
+use super::sheet::Sheet;
+use super::{duration, title};
+use crate::context::{Context, clean};
+use crate::number::{order, significant};
+use crate::quantity::{Kind, Units};
+use crate::study::{Estimate, Spread, Study};
+
+/// The study as a report for the terminal; with `colour`, with escape codes.
+pub fn study(study: &Study, context: &Context, colour: bool) -> String {
+    let mut sheet = Sheet::new(colour);
+    title(&mut sheet, &Context { title: study.title.as_deref(), ..*context });
+    let mut words = format!("{}, {}, seed {}", study.samples, study.sampling, study.seed);
+    if study.replicates > 1 {
+        words += &format!(", {} replicates", study.replicates);
+    }
+    sheet.row("Samples", &words);
+    let mut words = format!("{} independent numbers a sample", study.dimensions);
+    if let Some(variance) = study.variance {
+        words +=
+            &format!("; the fields hold {} % of their variance", significant(100.0 * variance, 4));
+    }
+    sheet.row("Random", &words);
+    let mut words = format!("{} certified", study.solved);
+    for (count, what) in [
+        (study.without_equilibrium, "without equilibrium"),
+        (study.not_converged, "not converged"),
+        (study.wrong, "refused: their message is in the results"),
+    ] {
+        if count > 0 {
+            words += &format!(", {count} {what}");
+        }
+    }
+    sheet.row("Solved", &words);
+    sheet.blank();
+    sheet.heading(&format!(
+        "{:<34}{:>10}{:>12}{:>23}",
+        "Event", "samples", "probability", "95 % interval"
+    ));
+    for Estimate { name, count, probability, interval } in &study.events {
+        let [low, high] = interval.bounds.map(|bound| significant(bound, 3));
+        let name = shortened(&clean(name), 33);
+        let probability = significant(*probability, 4);
+        sheet.line(&format!(
+            "{name:<34}{count:>10}{probability:>12}{:>23}",
+            format!("{low} to {high}")
+        ));
+    }
+    sheet.blank();
+    sheet.heading(&format!(
+        "{:<26}{:>11}{:>11}{:>11}{:>10}{:>10}",
+        "", "mean", "deviation", "5 %", "50 %", "95 %"
+    ));
+    for spread in &study.spreads {
+        sheet.line(&line(spread, context.units));
+    }
+    sheet.blank();
+    let gap = order(study.largest_gap);
+    let words = format!(
+        "for each of the {} solved; energy gap at most {gap} of the strain energy",
+        study.solved
+    );
+    sheet.row("Certificate", &words);
+    if let Some(first) = study.events.first() {
+        sheet.row("Intervals", first.interval.by);
+    }
+    if let Some(seconds) = context.seconds {
+        let rate = study.samples as f64 / seconds.max(1e-9);
+        let words = format!("{}, {} samples a second", duration(seconds), significant(rate, 3));
+        sheet.row("Time", &words);
+    }
+    sheet.finish()
+}
+
+fn line(spread: &Spread, units: Units) -> String {
+    let [least, .., most] = spread.quantiles;
+    let kind = match (spread.field, &*spread.name) {
+        (None, _) => None,
+        // What happens under an end is a force, whatever field it is called after.
+        (Some(_), "left" | "right") => Some(Kind::Force),
+        (Some(field), _) => Some(Kind::of(field)),
+    };
+    let largest = least.abs().max(most.abs());
+    let number = |value: f64| match kind {
+        Some(kind) => units.unit(kind, largest).number(value, 4),
+        None => significant(value, 4),
+    };
+    let unit = kind.map_or(String::new(), |kind| units.unit(kind, largest).bracketed());
+    let label = shortened(&(spread.name.replace('_', " ") + &unit), 26);
+    let [mean, deviation, low, middle, high] = [
+        spread.mean,
+        spread.deviation,
+        spread.quantiles[1],
+        spread.quantiles[2],
+        spread.quantiles[3],
+    ]
+    .map(number);
+    format!("{label:<26}{mean:>11}{deviation:>11}{low:>11}{middle:>10}{high:>10}")
+}
+
+/// So many characters of it at most.
+fn shortened(text: &str, most: usize) -> String {
+    match text.chars().count() > most {
+        true => text.chars().take(most - 1).chain(['…']).collect(),
+        false => text.to_owned(),
+    }
+}

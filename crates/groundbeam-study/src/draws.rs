@@ -1,0 +1,170 @@
+//! Sample i of a study: what its random numbers are, and the model that they make.
+
+use crate::distribution::{lognormal, normal_of, of_normal};
+use crate::fields::Field;
+use crate::points::Points;
+use groundbeam::Model;
+use groundbeam_file::study::{Plan, StudyFile};
+use groundbeam_file::{Change, Course, Target, change};
+use nalgebra::{Cholesky, DMatrix, Dyn};
+use std::fmt;
+
+/// Why samples cannot be drawn.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Impossible {
+    /// The number of samples, in words.
+    Samples(String),
+    /// No numbers have all the correlations that are asked for.
+    Correlations,
+    /// No circle carries the field's correlation.
+    Circle,
+}
+
+impl fmt::Display for Impossible {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Impossible::Samples(words) => f.write_str(words),
+            Impossible::Correlations => {
+                f.write_str("no random numbers have all the correlations of [[correlated]]: they contradict one another")
+            }
+            Impossible::Circle => f.write_str(
+                "this correlation cannot be embedded in a circle: take method = \"karhunen-loeve\", more points, or a \
+                 shorter correlation length",
+            ),
+        }
+    }
+}
+
+impl std::error::Error for Impossible {}
+
+/// The samples of a study, each from its number alone.
+#[derive(Debug, Clone)]
+pub struct Draws {
+    study: StudyFile,
+    plan: Plan,
+    points: Points,
+    field: Option<Field>,
+    /// L of L Lᵀ, the correlations of the random numbers; none if they are independent.
+    joined: Option<Cholesky<f64, Dyn>>,
+}
+
+/// What a sample has drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Draw {
+    /// The random numbers, in the order of the file.
+    pub numbers: Vec<f64>,
+    /// The random fields at their points, in the order k, μ, EI.
+    pub fields: Vec<Vec<f64>>,
+}
+
+impl Draws {
+    /// The samples of a study under a plan, which is the file's own or one with another number or seed.
+    ///
+    /// # Errors
+    ///
+    /// What makes samples impossible.
+    pub fn new(study: StudyFile, plan: Plan) -> Result<Self, Impossible> {
+        if let Some(problem) = plan.problem() {
+            return Err(Impossible::Samples(problem));
+        }
+        let count = study.random.len();
+        let joined = if study.joined.is_empty() {
+            None
+        } else {
+            let mut correlations = DMatrix::identity(count, count);
+            for joined in &study.joined {
+                let [a, b] = joined.of;
+                correlations[(a, b)] = joined.rho;
+                correlations[(b, a)] = joined.rho;
+            }
+            Some(Cholesky::new(correlations).ok_or(Impossible::Correlations)?)
+        };
+        let length = study.document.model.beam.length;
+        let field = match &study.field {
+            None => None,
+            Some(random) => Some(Field::new(random, length).ok_or(Impossible::Circle)?),
+        };
+        let of_fields = field.as_ref().map_or(0, Field::numbers)
+            * study.field.as_ref().map_or(0, |random| random.of.len());
+        let points = Points::new(plan, count + of_fields);
+        Ok(Draws { study, plan, points, field, joined })
+    }
+
+    /// The study that is sampled.
+    pub fn study(&self) -> &StudyFile {
+        &self.study
+    }
+
+    /// How many samples there are, and how they are drawn.
+    pub fn plan(&self) -> Plan {
+        self.plan
+    }
+
+    /// Of how many independent numbers a sample is made.
+    pub fn dimensions(&self) -> usize {
+        let each = self.field.as_ref().map_or(0, Field::numbers);
+        self.study.random.len() + each * self.study.field.as_ref().map_or(0, |field| field.of.len())
+    }
+
+    /// The share of the fields' variance that is not cut off; none without fields.
+    pub fn variance(&self) -> Option<f64> {
+        self.field.as_ref().map(Field::variance)
+    }
+
+    /// What a sample draws, counted from 0.
+    pub fn draw(&self, sample: u64) -> Draw {
+        let mut normal = vec![0.0; self.dimensions()];
+        self.points.fill(sample, &mut normal);
+        for coordinate in &mut normal {
+            *coordinate = normal_of(*coordinate);
+        }
+        let (own, rest) = normal.split_at(self.study.random.len());
+        let joined = |i: usize| match &self.joined {
+            None => own[i],
+            Some(root) => {
+                let row = root.l_dirty().row(i);
+                (0..=i).map(|j| row[j] * own[j]).sum()
+            }
+        };
+        let random = self.study.random.iter().enumerate();
+        let numbers = random.map(|(i, random)| of_normal(&random.distribution, joined(i)));
+        Draw { numbers: numbers.collect(), fields: self.fields(rest) }
+    }
+
+    fn fields(&self, numbers: &[f64]) -> Vec<Vec<f64>> {
+        let (Some(random), Some(field)) = (&self.study.field, &self.field) else {
+            return Vec::new();
+        };
+        // Term by term, so that the first numbers, which are spread best, decide most.
+        let count = random.of.len();
+        let normal: Vec<Vec<f64>> = (0..count)
+            .map(|i| field.of(&numbers.iter().skip(i).step_by(count).copied().collect::<Vec<_>>()))
+            .collect();
+        let place = |target| random.of.iter().position(|of| of.target == target);
+        let (spring, shear) = (place(Target::Spring), place(Target::Shear));
+        let own = (1.0 - random.rho * random.rho).sqrt();
+        let value = |i: usize, point: usize| {
+            let z = match spring {
+                Some(spring) if Some(i) == shear => {
+                    random.rho * normal[spring][point] + own * normal[i][point]
+                }
+                _ => normal[i][point],
+            };
+            lognormal(random.of[i].mean, random.of[i].deviation, z)
+        };
+        (0..count).map(|i| (0..random.points).map(|point| value(i, point)).collect()).collect()
+    }
+
+    /// The model that a draw makes.
+    pub fn model(&self, draw: &Draw) -> Model {
+        let StudyFile { document, random, field, .. } = &self.study;
+        let mut model = document.model.clone();
+        let numbers = random.iter().zip(&draw.numbers);
+        let numbers = numbers.map(|(random, number)| (random.target, std::slice::from_ref(number)));
+        let fields = field.iter().flat_map(|field| &field.of).zip(&draw.fields);
+        let fields = fields.map(|(of, values)| -> Change { (of.target, values) });
+        let course = field.as_ref().map_or(Course::Lines, |field| field.course);
+        change(&mut model, course, numbers.chain(fields));
+        model
+    }
+}

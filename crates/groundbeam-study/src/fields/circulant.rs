@@ -1,0 +1,78 @@
+//! A field by waves on a circle: Dietrich and Newsam, *SIAM J. Sci. Comput.* 18 (1997) 1088–1107.
+//!
+//! The covariance of even points on a circle long enough to hold the beam twice is a circulant matrix, which the discrete
+//! Fourier transform diagonalises. Where all of its eigenvalues are positive the field on the beam's part of the circle
+//! has the wanted covariance exactly.
+
+use rustfft::num_complex::Complex;
+use rustfft::{Fft, FftPlanner};
+use std::fmt;
+use std::sync::Arc;
+
+/// The circle may become so many times as long as it must be at least.
+const LONGEST: usize = 64;
+/// An eigenvalue so much smaller than the largest is zero but for rounding.
+const ROUNDING: f64 = 1e-10;
+
+/// Waves on a circle.
+#[derive(Clone)]
+pub struct Circulant {
+    /// Points on the beam.
+    count: usize,
+    /// √(λ/m) of the m waves.
+    heights: Vec<f64>,
+    transform: Arc<dyn Fft<f64>>,
+}
+
+impl fmt::Debug for Circulant {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Circulant").field("count", &self.count).finish_non_exhaustive()
+    }
+}
+
+impl Circulant {
+    /// By the correlation over so many steps; none if no circle carries it.
+    pub fn new(count: usize, correlation: impl Fn(usize) -> f64) -> Option<Self> {
+        let least = (2 * (count - 1)).max(2).next_power_of_two();
+        let mut size = least;
+        while size <= LONGEST * least {
+            let transform = FftPlanner::new().plan_fft_forward(size);
+            let mut row: Vec<Complex<f64>> =
+                (0..size).map(|i| Complex::from(correlation(i.min(size - i)))).collect();
+            transform.process(&mut row);
+            let largest = row.iter().fold(0.0_f64, |most, value| most.max(value.re));
+            if row.iter().all(|value| value.re >= -ROUNDING * largest) {
+                let height = |value: &Complex<f64>| (value.re.max(0.0) / size as f64).sqrt();
+                return Some(Circulant {
+                    count,
+                    heights: row.iter().map(height).collect(),
+                    transform,
+                });
+            }
+            size *= 2;
+        }
+        None
+    }
+
+    /// Of how many independent numbers the field is made: as many as there are waves.
+    pub fn numbers(&self) -> usize {
+        self.heights.len()
+    }
+
+    /// The field at its points. Numbers come by falling wave length: the mean, then cosine and sine of each wave.
+    pub fn of(&self, numbers: &[f64]) -> Vec<f64> {
+        let size = self.heights.len();
+        let half = size / 2;
+        let mut waves = vec![Complex::default(); size];
+        waves[0] = Complex::from(self.heights[0] * numbers[0]);
+        waves[half] = Complex::from(self.heights[half] * numbers[size - 1]);
+        for k in 1..half {
+            let height = self.heights[k] * std::f64::consts::FRAC_1_SQRT_2;
+            let wave = Complex::new(height * numbers[2 * k - 1], height * numbers[2 * k]);
+            waves[k] = wave;
+            waves[size - k] = wave.conj();
+        }
+        self.transform.process(&mut waves);
+        waves[..self.count].iter().map(|value| value.re).collect()
+    }
+}

@@ -1,0 +1,29 @@
+//! Studies: one model under many grounds and loads, drawn at random or given, and what follows for probabilities.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`Draws`] | sample i of a study: its numbers, which depend on the seed and on i alone |
+//! | [`Wanted`], [`Row`] | what is kept of an answer |
+//! | [`run()`] | the samples solved, part by part, and written so that nothing is lost or done twice |
+//! | [`merge()`] | parts and shards put together |
+//! | [`summary()`] | probabilities with their intervals, means and quantiles |
+//!
+//! A study file is read by [`groundbeam_file::study`].
+
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+
+mod distribution;
+mod draws;
+mod fields;
+mod points;
+mod row;
+mod run;
+mod store;
+mod summary;
+
+pub use draws::{Draw, Draws, Impossible};
+pub use row::{Row, Status, Trouble, Wanted};
+pub use run::{Finished, Progress, Shard, run};
+pub use store::{Merged, StoreError, merge};
+pub use summary::summary;

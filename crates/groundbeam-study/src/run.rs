@@ -1,0 +1,237 @@
+//! A study from its first sample to its last: on all processors, part by part, to be gone on with at any time.
+
+use crate::draws::{Draw, Draws};
+use crate::row::Row;
+use crate::store::{Parts, StoreError, Table, Whole};
+use groundbeam::{Options, Solver};
+use std::collections::VecDeque;
+use std::ops::{ControlFlow, Range};
+use std::path::Path;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::time::{Duration, Instant};
+
+/// A part has at most so many samples, …
+const MOST_IN_A_PART: u64 = 4096;
+/// … at least so many, …
+const FEWEST_IN_A_PART: u64 = 16;
+/// … and is written when it has taken so long, however many it has by then.
+const LONGEST: Duration = Duration::from_secs(2);
+/// How often whoever watches is told how far it is.
+const BETWEEN_LOOKS: Duration = Duration::from_millis(100);
+
+/// One of several machines that share a study.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Shard {
+    /// Which one, from 1 on.
+    pub number: u64,
+    /// Of how many.
+    pub of: u64,
+}
+
+impl Shard {
+    /// A study that is not shared.
+    pub const WHOLE: Shard = Shard { number: 1, of: 1 };
+
+    /// Its samples: consecutive ones, as many as every other shard's but for one.
+    pub fn samples(self, of: u64) -> Range<u64> {
+        let start = |number: u64| {
+            let start = u128::from(of) * u128::from(number) / u128::from(self.of);
+            u64::try_from(start).unwrap_or(of)
+        };
+        start(self.number - 1)..start(self.number)
+    }
+}
+
+/// How far the work is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Progress {
+    /// Samples that are solved, those of earlier runs too.
+    pub done: u64,
+    /// Of these, how many were there when the work was begun.
+    pub before: u64,
+    /// How many there are to be.
+    pub of: u64,
+}
+
+/// How the work ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Finished {
+    /// All samples are in the file. How many were solved now.
+    Whole(u64),
+    /// It was stopped; what is done waits in parts.
+    Stopped(Progress),
+}
+
+/// Solves what of a study is not solved yet, and makes one file of it.
+///
+/// The file depends on the study alone: not on the number of threads (0: as many as there are processors), and not on
+/// how often the work was stopped. `watch` is told how far it is and may stop it; then every sample that is solved is
+/// kept. Whoever kills the process loses the parts under way, two seconds of work.
+///
+/// # Errors
+///
+/// Files that cannot be read or written, or belong to another study.
+pub fn run(
+    draws: &Draws,
+    out: &Path,
+    shard: Shard,
+    restart: bool,
+    threads: usize,
+    watch: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+) -> Result<Finished, StoreError> {
+    let table = Table::of(draws);
+    let samples = shard.samples(draws.plan().samples);
+    if !restart && !Parts::wait(out) && Whole::of(out, &table.head, &samples)?.is_some() {
+        return Ok(Finished::Whole(0));
+    }
+    let parts = Parts::open(out, &table, restart)?;
+    let missing = parts.missing(samples.clone())?;
+    let left: u64 = missing.iter().map(|range| range.end - range.start).sum();
+    let of = samples.end - samples.start;
+    let threads = match threads {
+        0 => std::thread::available_parallelism().map_or(1, usize::from),
+        threads => threads,
+    };
+    let size = (left / (8 * threads as u64)).clamp(FEWEST_IN_A_PART, MOST_IN_A_PART);
+    let work = Work {
+        draws,
+        table: &table,
+        parts: &parts,
+        todo: Mutex::new(cut(&missing, size)),
+        done: AtomicU64::new(0),
+        stop: AtomicBool::new(false),
+    };
+    let before = of - left;
+    let progress = |done: u64| Progress { done: before + done, before, of };
+    work.on(threads, &mut |done| watch(progress(done)))?;
+    let done = work.done.load(Ordering::Relaxed);
+    if done < left {
+        return Ok(Finished::Stopped(progress(done)));
+    }
+    parts.finish(&table)?;
+    Ok(Finished::Whole(done))
+}
+
+/// Ranges in pieces of at most a size.
+fn cut(ranges: &[Range<u64>], size: u64) -> VecDeque<Range<u64>> {
+    let pieces = |range: &Range<u64>| {
+        let end = range.end;
+        let starts = (range.start..end).step_by(usize::try_from(size).unwrap_or(usize::MAX));
+        starts.map(move |start| start..(start + size).min(end)).collect::<Vec<_>>()
+    };
+    ranges.iter().flat_map(pieces).collect()
+}
+
+/// What the threads share.
+struct Work<'a> {
+    draws: &'a Draws,
+    table: &'a Table,
+    parts: &'a Parts,
+    todo: Mutex<VecDeque<Range<u64>>>,
+    done: AtomicU64,
+    stop: AtomicBool,
+}
+
+impl Work<'_> {
+    /// Does it on so many threads.
+    fn on(
+        &self,
+        threads: usize,
+        watch: &mut dyn FnMut(u64) -> ControlFlow<()>,
+    ) -> Result<(), StoreError> {
+        let (say, ended) = mpsc::channel();
+        std::thread::scope(|scope| {
+            for _ in 0..threads {
+                let say = say.clone();
+                scope.spawn(move || {
+                    let result = self.thread();
+                    if result.is_err() {
+                        self.stop.store(true, Ordering::Relaxed);
+                    }
+                    // The watcher waits for all of them.
+                    let _ = say.send(result);
+                });
+            }
+            drop(say);
+            let mut first = Ok(());
+            loop {
+                match ended.recv_timeout(BETWEEN_LOOKS) {
+                    Ok(result) => first = first.and(result),
+                    Err(RecvTimeoutError::Disconnected) => break,
+                    Err(RecvTimeoutError::Timeout) => {
+                        if watch(self.done.load(Ordering::Relaxed)).is_break() {
+                            self.stop.store(true, Ordering::Relaxed);
+                        }
+                    }
+                }
+            }
+            first?;
+            let _ = watch(self.done.load(Ordering::Relaxed));
+            Ok(())
+        })
+    }
+
+    /// Does one piece after another.
+    fn thread(&self) -> Result<(), StoreError> {
+        let mut solver = Solver::new();
+        let next = || self.todo.lock().ok().and_then(|mut todo| todo.pop_front());
+        while let Some(piece) = next() {
+            self.piece(piece, &mut solver)?;
+            if self.stop.load(Ordering::Relaxed) {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    fn piece(&self, piece: Range<u64>, solver: &mut Solver) -> Result<(), StoreError> {
+        let options = Options::default();
+        let Table { wanted, .. } = self.table;
+        let mut rows: Vec<(Draw, Row)> = Vec::new();
+        let (mut first, mut begun) = (piece.start, Instant::now());
+        for sample in piece.clone() {
+            let draw = self.draws.draw(sample);
+            let model = self.draws.model(&draw);
+            let row = Row::solve(&model, &self.draws.study().document, &options, wanted, solver);
+            rows.push((draw, row));
+            let stops = self.stop.load(Ordering::Relaxed);
+            if sample + 1 == piece.end || stops || begun.elapsed() > LONGEST {
+                self.parts.keep(self.table, first, &rows)?;
+                self.done.fetch_add(rows.len() as u64, Ordering::Relaxed);
+                rows.clear();
+                (first, begun) = (sample + 1, Instant::now());
+            }
+            if stops {
+                break;
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shards_share_all_samples() {
+        for (samples, of) in [(10, 3), (2, 5), (1 << 40, 7)] {
+            let mut reached = 0;
+            for number in 1..=of {
+                let range = Shard { number, of }.samples(samples);
+                assert_eq!(range.start, reached);
+                assert!((range.end - range.start).abs_diff(samples / of) <= 1);
+                reached = range.end;
+            }
+            assert_eq!(reached, samples);
+        }
+    }
+
+    #[test]
+    fn pieces_cover_what_is_missing() {
+        let pieces = cut(&[3..10, 20..21], 4);
+        assert_eq!(Vec::from(pieces), [3..7, 7..10, 20..21]);
+    }
+}

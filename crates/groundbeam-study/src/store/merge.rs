@@ -1,0 +1,70 @@
+//! Shards of one study put together.
+
+use super::parts::assembled;
+use super::table::{Head, Table};
+use super::{Columns, StoreError};
+use std::path::{Path, PathBuf};
+
+/// What was put together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Merged {
+    /// How many samples there are.
+    pub samples: u64,
+    /// From how many files.
+    pub files: usize,
+}
+
+/// Puts the shards of a study together: the same file, to the last bit, as if it had been run on one machine.
+///
+/// # Errors
+///
+/// Files that cannot be read or written, are not of the same study, overlap, or leave samples out.
+pub fn merge(paths: &[PathBuf], out: &Path) -> Result<Merged, StoreError> {
+    let mut shards: Vec<(u64, u64, &Path)> = Vec::new();
+    let mut known: Option<(Head, arrow_schema::SchemaRef, &Path)> = None;
+    for path in paths {
+        let columns = Columns::open(path)?;
+        let (head, schema, rows) = (columns.head(), columns.schema(), columns.rows());
+        if head.get("digest").is_none() {
+            return Err(StoreError::Unlike(format!(
+                "{}: these are no results of a study",
+                path.display()
+            )));
+        }
+        match &known {
+            None => known = Some((head, schema, path)),
+            Some((other, _, first)) if *other != head => {
+                return Err(StoreError::Unlike(format!(
+                    "{} and {} are not of the same study, model, seed and version",
+                    first.display(),
+                    path.display()
+                )));
+            }
+            Some(_) => {}
+        }
+        shards.extend(columns.first()?.map(|first| (first, first + rows, &**path)));
+    }
+    let Some((head, schema, _)) = known else {
+        return Err(StoreError::Unlike("there are no files to put together".to_owned()));
+    };
+    shards.sort_by_key(|shard| shard.0);
+    let samples: u64 = head.get("samples").and_then(|samples| samples.parse().ok()).unwrap_or(0);
+    let mut reached = 0;
+    for &(from, to, path) in &shards {
+        if from != reached {
+            let what = if from > reached { "are missing" } else { "are there twice" };
+            let [a, b] = [from.min(reached), from.max(reached) - 1];
+            let what = format!("{}: samples {a} to {b} {what}", path.display());
+            return Err(StoreError::Unlike(what));
+        }
+        reached = to;
+    }
+    if reached != samples {
+        let what = format!("samples {reached} to {} are missing", samples.saturating_sub(1));
+        return Err(StoreError::Unlike(what));
+    }
+    let table = Table::read(head, schema);
+    let paths: Vec<&Path> = shards.iter().map(|shard| shard.2).collect();
+    assembled(out, &table, &paths)?;
+    Ok(Merged { samples, files: paths.len() })
+}

@@ -1,0 +1,59 @@
+//! Results as Parquet: one row a sample, with the study, the model and the seed inside.
+
+mod merge;
+mod parts;
+mod read;
+mod table;
+
+pub use merge::{Merged, merge};
+pub(crate) use parts::Parts;
+pub(crate) use read::{Columns, Whole};
+pub(crate) use table::Table;
+
+use parquet::errors::ParquetError;
+use std::fmt;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Why results cannot be kept or read.
+#[derive(Debug)]
+pub enum StoreError {
+    /// A file cannot be read or written.
+    File(PathBuf, String),
+    /// What is there belongs to another study.
+    Foreign(PathBuf),
+    /// Another process is at the same work.
+    Busy(PathBuf),
+    /// These files do not make one study.
+    Unlike(String),
+}
+
+impl StoreError {
+    fn io(path: &Path, error: &io::Error) -> Self {
+        StoreError::File(path.to_owned(), error.to_string())
+    }
+
+    fn parquet(path: &Path, error: &ParquetError) -> Self {
+        StoreError::File(path.to_owned(), error.to_string())
+    }
+}
+
+impl fmt::Display for StoreError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            StoreError::File(path, what) => write!(f, "{}: {what}", path.display()),
+            StoreError::Foreign(path) => write!(
+                f,
+                "{}: these results are of another study, model, seed or version of the program; \
+                 name another file, or --restart to begin anew",
+                path.display()
+            ),
+            StoreError::Busy(path) => {
+                write!(f, "{}: another process is at work on these results", path.display())
+            }
+            StoreError::Unlike(what) => f.write_str(what),
+        }
+    }
+}
+
+impl std::error::Error for StoreError {}
