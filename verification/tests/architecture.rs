@@ -8,10 +8,13 @@ const ARROWS: [(&str, &[&str]); 8] = [
     ("groundbeam", &[]),
     ("groundbeam-file", &["groundbeam"]),
     ("groundbeam-report", &["groundbeam"]),
-    ("groundbeam-cli", &["groundbeam", "groundbeam-file", "groundbeam-report"]),
-    ("groundbeam-web", &["groundbeam", "groundbeam-file", "groundbeam-report"]),
-    ("groundbeam-python", &["groundbeam", "groundbeam-file", "groundbeam-report"]),
-    ("groundbeam-bench", &["groundbeam", "groundbeam-file"]),
+    ("groundbeam-study", &["groundbeam", "groundbeam-file", "groundbeam-report"]),
+    ("groundbeam-cli", &["groundbeam", "groundbeam-file", "groundbeam-report", "groundbeam-study"]),
+    (
+        "groundbeam-python",
+        &["groundbeam", "groundbeam-file", "groundbeam-report", "groundbeam-study"],
+    ),
+    ("groundbeam-bench", &["groundbeam", "groundbeam-file", "groundbeam-study"]),
     ("groundbeam-verification", &["groundbeam", "groundbeam-file", "groundbeam-report"]),
 ];
 

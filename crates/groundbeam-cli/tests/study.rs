@@ -93,6 +93,15 @@ fn the_bytes_are_those_of_the_study_alone() {
     assert!(bytes(&folder, "other.parquet") != bytes(&folder, "shard-2.parquet"));
 }
 
+/// The same without the fields: thousands of samples in a moment, and more rows than go on a page of the file.
+fn many() -> Folder {
+    let folder = folder();
+    let (before, rest) = STUDY.split_once("[field]").unwrap();
+    let (_, after) = rest.split_once("[keep]").unwrap();
+    folder.write("study.toml", format!("{before}[keep]{after}").as_bytes());
+    folder
+}
+
 /// Runs a study that is too long to end, and stops it once parts are there.
 fn interrupted(
     folder: &Folder,
@@ -116,7 +125,7 @@ fn interrupted(
 
 #[test]
 fn a_killed_study_goes_on_and_ends_with_the_same_bytes() {
-    let folder = folder();
+    let folder = many();
     let all = ["study", "study.toml", "--samples", "40000", "--json"];
     folder.run(&[&all[..], &["--out", "whole.parquet"]].concat()).is_clean(0);
     interrupted(&folder, |child| child.kill().unwrap());
@@ -134,7 +143,7 @@ fn a_killed_study_goes_on_and_ends_with_the_same_bytes() {
 #[cfg(unix)]
 #[test]
 fn the_keyboard_stops_a_study_and_nothing_is_lost() {
-    let folder = folder();
+    let folder = many();
     let output = interrupted(&folder, |child| {
         let sent =
             std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status();
@@ -156,7 +165,7 @@ fn the_keyboard_stops_a_study_and_nothing_is_lost() {
 
 #[test]
 fn two_at_once_are_one_too_many() {
-    let folder = folder();
+    let folder = many();
     let mut busy = None;
     interrupted(&folder, |child| {
         busy =
@@ -189,11 +198,10 @@ fn what_is_wrong_is_told_at_its_place() {
     wrong("samples = 3000", "sampels = 3000", &["did you mean `samples`?"]);
     wrong("deflection.max", "deflection.most", &["is no number of an answer"]);
     wrong("model.toml", "none.toml", &["wrong.toml:1:9", "none.toml"]);
-    wrong(
-        "seed = 5",
-        "sampling = \"sobol\"",
-        &["Sobol's sequence is even only over powers of two"],
-    );
+    let sobol = "samples = 3200\nsampling = \"sobol\"";
+    wrong("samples = 3000", sobol, &["even only over powers of two", "4096 samples are even"]);
+    let uneven = "samples = 3000\nsampling = \"latin-hypercube\"";
+    wrong("samples = 3000", uneven, &["16 equal replicates; 2992 can"]);
     // All that is wrong at once.
     wrong("normal\"\nmean = 0.4", "gumble\"\nmeen = 0.4", &["gumble", "meen"]);
     // A model that is wrong is told in its own file.

@@ -62,8 +62,20 @@ pub fn study(study: &Study, context: &Context, colour: bool) -> String {
         study.solved
     );
     sheet.row("Certificate", &words);
-    if let Some(first) = study.events.first() {
-        sheet.row("Intervals", first.interval.by);
+    let mut ways: Vec<&str> = Vec::new();
+    for event in &study.events {
+        if !ways.contains(&event.interval.by) {
+            ways.push(event.interval.by);
+        }
+    }
+    let rare = if ways.len() > 1 { " where something happened in few samples" } else { "" };
+    for (i, way) in ways.iter().enumerate() {
+        let is_exact = way.starts_with("exact");
+        let words = format!("{way}{}", if is_exact { rare } else { "" });
+        sheet.row(if i == 0 { "Intervals" } else { "" }, &words);
+    }
+    if context.units == Units::Si {
+        sheet.row("Units", "numbers without one are in N, m and their products");
     }
     if let Some(seconds) = context.seconds {
         let rate = study.samples as f64 / seconds.max(1e-9);
@@ -87,7 +99,11 @@ fn line(spread: &Spread, units: Units) -> String {
         None => significant(value, 4),
     };
     let unit = kind.map_or(String::new(), |kind| units.unit(kind, largest).bracketed());
-    let label = shortened(&(spread.name.replace('_', " ") + &unit), 26);
+    let name = match &*spread.name {
+        "left" | "right" => format!("{} end force", spread.name),
+        name => name.replace('_', " "),
+    };
+    let label = shortened(&(name + &unit), 26);
     let [mean, deviation, low, middle, high] = [
         spread.mean,
         spread.deviation,

@@ -2,8 +2,10 @@
 
 use super::mixed;
 
-/// Rounds of the network; from four on it passes for random (Luby and Rackoff 1988).
-const ROUNDS: u64 = 6;
+/// Rounds of a network on wide numbers; from four on it passes for random (Luby and Rackoff 1988).
+const ROUNDS: u32 = 6;
+/// On narrow numbers a round mixes little: so many more, over the bits of a half.
+const MORE_ROUNDS: u32 = 24;
 
 /// The coordinate of sample `index` of `count`: in a part of its own, `uniform` of the way through it.
 pub fn coordinate(index: u64, count: u64, key: u64, uniform: f64) -> f64 {
@@ -27,8 +29,8 @@ fn permuted(index: u64, count: u64, key: u64) -> u64 {
 fn network(number: u64, half: u32, key: u64) -> u64 {
     let mask = (1_u64 << half) - 1;
     let (mut left, mut right) = (number >> half, number & mask);
-    for round in 0..ROUNDS {
-        let turned = mixed(key ^ mixed(right ^ (round << 56))) & mask;
+    for round in 0..ROUNDS + MORE_ROUNDS / half {
+        let turned = mixed(key ^ mixed(right ^ (u64::from(round) << 56))) & mask;
         (left, right) = (right, left ^ turned);
     }
     (left << half) | right

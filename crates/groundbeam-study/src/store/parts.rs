@@ -4,13 +4,18 @@
 //! holds stands in the name. Whoever works here holds a lock that ends with the process.
 
 use super::read::head_of;
-use super::table::{Table, writer};
+use super::table::{ROWS_IN_A_GROUP, Table, writer};
 use super::{Columns, StoreError};
 use crate::draws::Draw;
 use crate::row::Row;
+use arrow_array::RecordBatch;
+use arrow_schema::ArrowError;
+use arrow_select::concat::concat_batches;
+use parquet::arrow::ArrowWriter;
 use std::fs::{self, File, TryLockError};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// The folder of parts of one file of results.
 #[derive(Debug)]
@@ -119,14 +124,42 @@ pub fn assembled(out: &Path, table: &Table, paths: &[&Path]) -> Result<(), Store
     name.push(".unfinished");
     let unfinished = PathBuf::from(name);
     let mut writer = writer(&unfinished, &table.schema, &table.head)?;
+    // Where pages end depends on how rows are handed over: always as many at once, whatever the parts were.
+    let mut waiting: Vec<RecordBatch> = Vec::new();
+    let mut rows = 0;
     for path in paths {
+        let wrong = |error: ArrowError| StoreError::File((*path).to_owned(), error.to_string());
         for batch in Columns::open(path)?.batches()? {
-            let batch =
-                batch.map_err(|error| StoreError::File((*path).to_owned(), error.to_string()))?;
-            writer.write(&batch).map_err(|error| StoreError::parquet(&unfinished, &error))?;
+            let mut batch = batch.map_err(wrong)?;
+            while rows + batch.num_rows() >= ROWS_IN_A_GROUP {
+                let fitting = ROWS_IN_A_GROUP - rows;
+                waiting.push(batch.slice(0, fitting));
+                hand_over(&mut writer, table, &mut waiting, &unfinished)?;
+                batch = batch.slice(fitting, batch.num_rows() - fitting);
+                rows = 0;
+            }
+            rows += batch.num_rows();
+            waiting.push(batch);
         }
     }
+    hand_over(&mut writer, table, &mut waiting, &unfinished)?;
     let file = writer.into_inner().map_err(|error| StoreError::parquet(&unfinished, &error))?;
     let renamed = file.sync_all().and_then(|()| fs::rename(&unfinished, out));
     renamed.map_err(|error| StoreError::io(out, &error))
+}
+
+/// Writes what waits as one batch.
+fn hand_over(
+    writer: &mut ArrowWriter<File>,
+    table: &Table,
+    waiting: &mut Vec<RecordBatch>,
+    path: &Path,
+) -> Result<(), StoreError> {
+    let wrong = |error: ArrowError| StoreError::File(path.to_owned(), error.to_string());
+    // What a file says of itself stands in its own schema.
+    let ours = |batch: RecordBatch| batch.with_schema(Arc::clone(&table.schema));
+    let batches: Vec<RecordBatch> =
+        waiting.drain(..).map(ours).collect::<Result<_, _>>().map_err(wrong)?;
+    let whole = concat_batches(&table.schema, &batches).map_err(wrong)?;
+    writer.write(&whole).map_err(|error| StoreError::parquet(path, &error))
 }
