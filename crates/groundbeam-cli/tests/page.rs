@@ -213,7 +213,7 @@ fn it_tips_and_is_shared_and_kept() {
     let kept = tempfile::tempdir().unwrap();
     let behaviour = serde_json::json!({ "behavior": "allow", "downloadPath": kept.path() });
     browser.devtools("Browser.setDownloadBehavior", &behaviour);
-    for form in ["toml", "svg", "png", "csv", "txt"] {
+    for form in ["toml", "svg", "png", "csv", "json", "txt", "html"] {
         browser.click(&format!("[data-form={form}]"));
         let file = arrived(kept.path(), form);
         let bytes = std::fs::read(&file).unwrap();
@@ -222,6 +222,12 @@ fn it_tips_and_is_shared_and_kept() {
             "png" => assert!(bytes.starts_with(b"\x89PNG")),
             "txt" => assert!(String::from_utf8(bytes).unwrap().contains("Certificate  ")),
             "csv" => assert!(bytes.starts_with(b"x_m,deflection_m,")),
+            "json" => assert!(bytes.starts_with(b"{") && bytes.ends_with(b"}\n")),
+            "html" => {
+                let page = String::from_utf8(bytes).unwrap();
+                assert!(page.starts_with("<!DOCTYPE html>") && page.ends_with("</html>\n"));
+                assert!(page.contains("<h1>Footing under one column</h1>"));
+            }
             _ => assert!(bytes.starts_with(b"<svg ")),
         }
     }
