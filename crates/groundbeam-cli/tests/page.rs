@@ -30,6 +30,7 @@ at = \"6 m\"
 distributed = \"26 kN/m\"
 ";
 
+const TAB: char = '\u{e004}';
 const HOME: char = '\u{e011}';
 const RIGHT: char = '\u{e014}';
 const UP: char = '\u{e013}';
@@ -127,6 +128,99 @@ fn the_beam_lifts_off_under_the_finger() {
         server.url
     );
     assert_eq!(browser.eval(&foreign), serde_json::json!([]));
+}
+
+/// The footing with a neighbour on the ground to its right.
+fn neighbour(at: &str) -> String {
+    format!("{MIDDLE}\n[[ground_load]]\npoint = \"200 kN\"\nat = \"{at}\"\n")
+}
+
+#[test]
+fn a_neighbour_is_dragged_along_the_ground() {
+    let Some(browser) = Browser::start() else { return };
+    let folder = Folder::with(&neighbour("13 m"));
+    let server = Server::start(Some(&folder.path("model.toml")));
+    opened(&browser, &server);
+    let grip = ".grip[aria-label='load 3, a force on the ground']";
+    let stands = || {
+        let at = browser.eval(&format!(
+            "Number(document.querySelector({grip:?}).getAttribute('aria-valuenow'))"
+        ));
+        at.as_f64().unwrap()
+    };
+    assert_eq!(stands(), 13.0);
+    let text =
+        || browser.eval("document.getElementById('text').value").as_str().unwrap().to_owned();
+
+    // From the page to the text: to the right, farther away from the beam.
+    let [x, y] = browser.middle(grip);
+    let to = |x: f64| Pointer::To([x, y]);
+    browser.pointer(&[to(x), Pointer::Down, to(x + 20.0), to(x + 40.0), Pointer::Up]);
+    settled(
+        &browser,
+        &format!("Number(document.querySelector({grip:?}).getAttribute('aria-valuenow')) > 13.2"),
+    );
+    let at = stands();
+    assert_eq!(text(), neighbour(&format!("{at} m")));
+    agrees(&browser);
+    // As far as the picture goes and no farther.
+    let [x, y] = browser.middle(grip);
+    browser.pointer(&[
+        Pointer::To([x, y]),
+        Pointer::Down,
+        Pointer::To([x + 400.0, y]),
+        Pointer::Up,
+    ]);
+    settled(
+        &browser,
+        &format!("Number(document.querySelector({grip:?}).getAttribute('aria-valuenow')) > {at}"),
+    );
+    assert!(stands() < 16.0, "{}", stands());
+    // Under the beam to its other side by the keyboard.
+    browser.eval(&format!("document.querySelector({grip:?}).focus()"));
+    browser.keys(&[], &HOME.to_string());
+    settled(
+        &browser,
+        &format!("Number(document.querySelector({grip:?}).getAttribute('aria-valuenow')) < -1"),
+    );
+    agrees(&browser);
+
+    // From the text to the page.
+    let wanted = neighbour("-1.5 m");
+    let area = "document.getElementById('text')";
+    browser.eval(&format!("({area}.value = {wanted:?}, {area}.dispatchEvent(new Event('input')))"));
+    settled(
+        &browser,
+        &format!("document.querySelector({grip:?}).getAttribute('aria-valuenow') === '-1.5'"),
+    );
+    agrees(&browser);
+}
+
+/// Tab goes to every control, each is seen to have the focus, and none holds it.
+#[test]
+fn everything_is_reached_by_keyboard() {
+    let Some(browser) = Browser::start() else { return };
+    let folder = Folder::with(MIDDLE);
+    let server = Server::start(Some(&folder.path("model.toml")));
+    opened(&browser, &server);
+    // Something to undo, or the button cannot be reached.
+    browser.eval("document.querySelector('[data-key=\"[foundation].k\"]').focus()");
+    browser.keys(&[], &RIGHT.to_string());
+    settled(&browser, "!document.getElementById('undo').disabled");
+    let controls = "[...document.querySelectorAll(
+        'button, select, input, textarea, summary, .grip')].filter((e) => !e.disabled && e.checkVisibility())";
+    let count = browser.eval(&format!("{controls}.length")).as_u64().unwrap();
+    assert!(count > 25, "{count}");
+    browser.eval("(window.met = new Set(), document.addEventListener('focusin', ({ target }) => {
+        const seen = getComputedStyle(target.querySelector('circle') ?? target);
+        const ring = target.matches('.grip') ? seen.strokeWidth === '2.5px' : seen.outlineStyle !== 'none';
+        if (ring) window.met.add(target); }), document.activeElement.blur(), window.scrollTo(0, 0))");
+    browser.eval("document.getElementById('examples').focus()");
+    browser.keys(&[], &TAB.to_string().repeat(count as usize + 4));
+    let missed = browser.eval(&format!(
+        "{controls}.filter((e) => e.id !== 'examples' && !window.met.has(e)).map((e) => e.outerHTML.slice(0, 90))"
+    ));
+    assert_eq!(missed, serde_json::json!([]));
 }
 
 #[test]
@@ -284,7 +378,7 @@ fn it_is_readable_on_a_phone_and_in_the_dark() {
     let Some(browser) = Browser::start() else { return };
     let server = Server::start(None);
     opened(&browser, &server);
-    for (width, height) in [(390, 844), (1280, 1000)] {
+    for (width, height) in [(360, 780), (1280, 1000)] {
         for scheme in ["light", "dark"] {
             browser.window(width, height, scheme);
             browser.go(&server.url);

@@ -1,4 +1,5 @@
-//! Every kind of picture against the pixels it once had, drawn small. `UPDATE_EXPECTED=1` keeps new ones.
+//! Every kind of picture against the pixels it once had, drawn small, and two of them as text. `UPDATE_EXPECTED=1` keeps
+//! new pixels.
 
 #[allow(dead_code)]
 mod common;
@@ -130,7 +131,9 @@ fn combinations() {
         groundbeam::Outcome::NoEquilibrium(_) => None,
     });
     let all = Combinations { combined: combined.collect(), alone: Vec::new() };
-    looks_as_kept("combinations", &svg::combinations(&all, &context(&document)));
+    let picture = svg::combinations(&all, &context(&document));
+    looks_as_kept("combinations", &picture);
+    insta::assert_snapshot!("svg-combinations", picture);
 }
 
 #[test]
@@ -153,7 +156,9 @@ fn trains() {
         passage: &passage,
     };
     let passages = Passages { all: vec![moving] };
-    looks_as_kept("train", &svg::trains(&passages, &context(&document)));
+    let picture = svg::trains(&passages, &context(&document));
+    looks_as_kept("train", &picture);
+    insta::assert_snapshot!("svg-train", picture);
     let contents = calculation::Contents::Trains(&passages);
     let page = report(contents, &document);
     let found = figures(&page);

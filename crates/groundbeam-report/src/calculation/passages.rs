@@ -120,6 +120,8 @@ fn envelope(passages: &Passages, units: Units) -> Section {
             }
             train::uplift(sheet, moving.passage, units);
         }
+        let all: Vec<&Moving> = passages.all.iter().collect();
+        text::free_spans::of_trains(sheet, &all, units);
     }));
     Section::new("Envelope", blocks)
 }
