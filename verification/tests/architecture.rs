@@ -4,11 +4,12 @@ use groundbeam_verification::architecture::{Source, crates, map, sources};
 use groundbeam_verification::documents;
 
 /// What each crate may depend on within the workspace.
-const ARROWS: [(&str, &[&str]); 8] = [
+const ARROWS: [(&str, &[&str]); 9] = [
     ("groundbeam", &[]),
     ("groundbeam-file", &["groundbeam"]),
     ("groundbeam-report", &["groundbeam"]),
-    ("groundbeam-cli", &["groundbeam", "groundbeam-file", "groundbeam-report"]),
+    ("groundbeam-pdf", &["groundbeam-report"]),
+    ("groundbeam-cli", &["groundbeam", "groundbeam-file", "groundbeam-pdf", "groundbeam-report"]),
     ("groundbeam-web", &["groundbeam", "groundbeam-file", "groundbeam-report"]),
     ("groundbeam-python", &["groundbeam", "groundbeam-file", "groundbeam-report"]),
     ("groundbeam-bench", &["groundbeam", "groundbeam-file"]),

@@ -373,6 +373,46 @@ fn combinations_and_trains_are_chosen() {
     assert_ne!(early.0, late.0);
 }
 
+/// Colours of the picture that are shown as they are written in it: in the dark every one should have another.
+fn as_written(browser: &Browser) -> Vec<String> {
+    let found = browser.eval(
+        "[...new Set(['fill', 'stroke'].flatMap((paint) =>
+            [...document.querySelectorAll(`#drawing svg:not(.grips) [${paint}^=\"#\"]`)]
+                .filter((e) => getComputedStyle(e)[paint] === e.getAttribute(paint).replace(
+                    /#(..)(..)(..)/, (_, r, g, b) => `rgb(${[r, g, b].map((h) => parseInt(h, 16)).join(', ')})`))
+                .map((e) => `${paint} ${e.getAttribute(paint)}`)))]",
+    );
+    serde_json::from_value(found).unwrap()
+}
+
+#[test]
+fn every_picture_has_colours_for_the_dark() {
+    let Some(browser) = Browser::start() else { return };
+    let server = Server::start(None);
+    opened(&browser, &server);
+    browser.window(1280, 1000, "dark");
+    let change = |id: &str, value: &str| {
+        browser.eval(&format!(
+            "(() => {{ const s = document.getElementById({id:?}); s.value = {value:?};
+                s.dispatchEvent(new Event('change')); }})()"
+        ));
+        settled(&browser, "document.getElementById('verdict').textContent !== ''");
+    };
+    let count = browser.eval("document.getElementById('examples').options.length - 1");
+    for example in 0..count.as_u64().unwrap() {
+        change("examples", &example.to_string());
+        assert_eq!(as_written(&browser), [""; 0], "example {example}");
+        for envelope in ["combination", "train"] {
+            if browser.eval(&format!("!document.getElementById('{envelope}-choice').hidden"))
+                == true
+            {
+                change(envelope, "");
+                assert_eq!(as_written(&browser), [""; 0], "example {example}, {envelope}");
+            }
+        }
+    }
+}
+
 #[test]
 fn it_is_readable_on_a_phone_and_in_the_dark() {
     let Some(browser) = Browser::start() else { return };
@@ -389,14 +429,7 @@ fn it_is_readable_on_a_phone_and_in_the_dark() {
                 browser.eval("getComputedStyle(document.querySelector('#drawing svg rect')).fill");
             let expected = if scheme == "dark" { "rgb(23, 27, 32)" } else { "rgb(255, 255, 255)" };
             assert_eq!(paper, expected);
-            // Every colour that a picture uses has another one in the dark.
-            let ink = browser.eval(
-                "[...document.querySelectorAll('#drawing [fill^=\"#\"]')]
-                    .filter((e) => getComputedStyle(e).fill === e.getAttribute('fill').replace(
-                        /#(..)(..)(..)/, (_, r, g, b) => `rgb(${[r, g, b].map((h) => parseInt(h, 16)).join(', ')})`))
-                    .map((e) => e.getAttribute('fill'))",
-            );
-            assert_eq!(ink.as_array().unwrap().is_empty(), scheme == "dark", "{ink}");
+            assert_eq!(as_written(&browser).is_empty(), scheme == "dark");
             if let Some(folder) = std::env::var_os("GROUNDBEAM_PHOTOGRAPHS") {
                 let name = format!("page-{width}-{scheme}.png");
                 browser.photograph(&Path::new(&folder).join(name));
