@@ -242,6 +242,11 @@ fn sliders_and_text_are_in_step() {
     ));
     settled(&browser, "document.getElementById('text').value.includes('k = \"55 N/mm^2\"')");
     agrees(&browser);
+    // The buttons take a step back, and go it again.
+    browser.click("#undo");
+    settled(&browser, "document.getElementById('text').value.includes('k = \"4 MN/m^2\"')");
+    browser.click("#redo");
+    settled(&browser, "document.getElementById('text').value.includes('k = \"55 N/mm^2\"')");
     // What was left out is added.
     let add = "[...document.querySelectorAll('#sliders button')]
         .find((button) => button.textContent.startsWith('add P'))";

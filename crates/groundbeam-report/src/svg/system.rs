@@ -20,6 +20,8 @@ const DEPTH: f64 = 92.0;
 pub(super) const THICKNESS: f64 = 8.0;
 /// Ground drawn below its lowest point.
 pub(super) const BELOW: f64 = 40.0;
+/// Below this width of a picture words are few.
+const PHONE: f64 = 520.0;
 /// Lift-off stretches whose gap is written out.
 const MOST_GAPS: usize = 8;
 /// Leading digits of a round exaggeration.
@@ -307,7 +309,9 @@ impl Picture<'_> {
         let mut notes = Vec::new();
         if self.scale > 0.0 {
             let times = printed(&significant(self.scale / self.frame.scale(), 2));
-            notes.push(format!("deflections drawn {times} times as large as lengths"));
+            // On a phone there is room for fewer words.
+            let as_large = if self.frame.width < PHONE { "" } else { " as large as lengths" };
+            notes.push(format!("deflections drawn {times} times{as_large}"));
         }
         let left_out = self.labels.left_out();
         if left_out > 0 {

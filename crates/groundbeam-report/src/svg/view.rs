@@ -53,7 +53,7 @@ pub enum Grip {
 }
 
 /// The narrowest page on which words find their places.
-const NARROWEST: f64 = 520.0;
+const NARROWEST: f64 = 440.0;
 /// Wider than this a picture only grows.
 const WIDEST: f64 = 1400.0;
 /// Above the first panel.
