@@ -12,6 +12,13 @@
 mod math;
 #[cfg(feature = "typst")]
 mod typeset;
+#[cfg(not(feature = "typst"))]
+mod without;
+
+#[cfg(feature = "typst")]
+use typeset::pdf;
+#[cfg(not(feature = "typst"))]
+use without::pdf;
 
 use groundbeam_report::calculation::{Paper, Report};
 use std::fmt;
@@ -41,11 +48,5 @@ impl std::error::Error for Error {}
 ///
 /// Where the typesetter is not built in ([`BUILT_IN`]).
 pub fn report(report: &Report, paper: Paper) -> Result<Vec<u8>, Error> {
-    #[cfg(feature = "typst")]
-    return typeset::pdf(report, paper);
-    #[cfg(not(feature = "typst"))]
-    {
-        let _ = (report, paper);
-        Err(Error(NOT_BUILT_IN.to_owned()))
-    }
+    pdf(report, paper)
 }

@@ -169,7 +169,7 @@ mod tests {
         for (_, item) in frame.items() {
             match item {
                 FrameItem::Group(group) => collect(&group.frame, words),
-                FrameItem::Text(text) => *words += &text.text,
+                FrameItem::Text(text) => words.push_str(&text.text),
                 _ => {}
             }
         }
