@@ -4,12 +4,22 @@ use groundbeam_verification::architecture::{Source, crates, map, sources};
 use groundbeam_verification::documents;
 
 /// What each crate may depend on within the workspace.
-const ARROWS: [(&str, &[&str]); 8] = [
+const ARROWS: [(&str, &[&str]); 9] = [
     ("groundbeam", &[]),
     ("groundbeam-file", &["groundbeam"]),
     ("groundbeam-report", &["groundbeam"]),
+    ("groundbeam-pdf", &["groundbeam-report"]),
     ("groundbeam-study", &["groundbeam", "groundbeam-file", "groundbeam-report"]),
-    ("groundbeam-cli", &["groundbeam", "groundbeam-file", "groundbeam-report", "groundbeam-study"]),
+    (
+        "groundbeam-cli",
+        &[
+            "groundbeam",
+            "groundbeam-file",
+            "groundbeam-pdf",
+            "groundbeam-report",
+            "groundbeam-study",
+        ],
+    ),
     (
         "groundbeam-python",
         &["groundbeam", "groundbeam-file", "groundbeam-report", "groundbeam-study"],

@@ -71,6 +71,42 @@ fn a_rail_lifts_ahead_of_the_wheel_and_behind_it() {
     }
 }
 
+/// The longest free span and the largest clearance, against each position solved anew and looked at point by point.
+#[test]
+fn free_spans_are_those_of_the_positions() {
+    let (model, train) = (rail(30.0, 3e3), single(250e3));
+    let passage = passage(&model, &train, [0.0, 30.0]);
+    let found = passage.free_spans().unwrap();
+    let [_, highest] = passage.range(Field::Gap).unwrap();
+    let gap = found.highest.stretch.largest_gap;
+    assert_eq!(
+        (gap.x, gap.value, found.highest.first_axle),
+        (highest.x, highest.value, highest.first_axle)
+    );
+    const STEPS: usize = 3000;
+    let step = 30.0 / STEPS as f64;
+    let (mut longest, mut largest) = (0.0_f64, 0.0_f64);
+    for (at, _) in passage.solved() {
+        let Outcome::Equilibrium(solution) = solve(&train.on(&model, at)).unwrap() else {
+            panic!()
+        };
+        let mut open = 0.0;
+        for i in 0..STEPS {
+            let gap = solution.at((i as f64 + 0.5) * step, Side::Right).gap;
+            open = if gap > 1e-15 { open + step } else { 0.0 };
+            longest = longest.max(open);
+            largest = largest.max(gap);
+        }
+    }
+    assert!((found.longest.stretch.length() - longest).abs() <= 2.0 * step, "{longest} {found:?}");
+    assert!(gap.value >= largest && gap.value < 1.01 * largest, "{largest} {found:?}");
+    // A wheel that nothing lifts from.
+    let light = Sweep::new(&rail(30.0, 40e3), &single(1e3), [10.0, 20.0], 1e-2)
+        .run(|model, near| solve_near(model, &Options::default(), near))
+        .unwrap();
+    assert_eq!(light.free_spans(), None);
+}
+
 /// A wheel down and one up 9 m behind it: a slab tips about its right end where the moments about it vanish,
 /// q l²/2 + F (l − s) = ¾F (l − s + 9).
 #[test]

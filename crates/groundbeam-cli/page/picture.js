@@ -69,8 +69,8 @@ export class Picture {
     const attributes = {
       transform: `translate(${handle.x} ${handle.y})`,
       "aria-label": handle.name,
-      "aria-valuemin": 0,
-      "aria-valuemax": this.#shown.length,
+      "aria-valuemin": handle.range[0],
+      "aria-valuemax": handle.range[1],
       "aria-valuenow": handle.at,
       "aria-valuetext": `at ${Number(handle.at.toPrecision(5))}${unit}`,
     };
@@ -98,7 +98,7 @@ export class Picture {
     if (!this.#held) return;
     const { gesture, handle, off } = this.#held;
     const { left, scale } = this.#shown;
-    this.#edits.move(gesture, handle, this.#rounded((this.#at(event) - off - left) / scale));
+    this.#edits.move(gesture, handle, this.#rounded((this.#at(event) - off - left) / scale, handle));
   }
 
   #release() {
@@ -108,18 +108,18 @@ export class Picture {
   }
 
   /// A round number near x, as fine as the screen.
-  #rounded(x) {
-    const { length, width, scale } = this.#shown;
+  #rounded(x, { range }) {
+    const { width, scale } = this.#shown;
     const pixel = width / (this.#grips.getBoundingClientRect().width || width) / scale;
     const power = 10 ** Math.floor(Math.log10(pixel));
     const step = [1, 2, 5, 10].map((lead) => lead * power).find((s) => s >= pixel);
-    return Math.min(length, Math.max(0, Number((Math.round(x / step) * step).toPrecision(12))));
+    return Math.min(range[1], Math.max(range[0], Number((Math.round(x / step) * step).toPrecision(12))));
   }
 
   #key(event, i) {
     const { length } = this.#shown;
     const fine = event.shiftKey ? 0.001 : 0.01;
-    const moves = { ArrowLeft: -fine, ArrowRight: fine, Home: -1, End: 1 };
+    const moves = { ArrowLeft: -fine, ArrowRight: fine, Home: -Infinity, End: Infinity };
     const grows = { ArrowUp: 1.05, ArrowDown: 1 / 1.05 };
     const handle = this.#shown.handles[i];
     if (!(event.key in moves) && !(event.key in grows)) return;
@@ -128,7 +128,7 @@ export class Picture {
     if (!gesture) return;
     if (event.key in moves) {
       const at = this.#edits.position(gesture, handle);
-      const x = Math.min(length, Math.max(0, at + moves[event.key] * length));
+      const x = Math.min(handle.range[1], Math.max(handle.range[0], at + moves[event.key] * length));
       this.#edits.move(gesture, handle, Number(x.toPrecision(8)));
     } else {
       this.#edits.grow(gesture, handle, grows[event.key]);

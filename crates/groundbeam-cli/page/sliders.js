@@ -128,7 +128,9 @@ function update({ slider, field, isHeld }, number) {
 
 function rangeOf({ key, unit, size, table }, value) {
   if (POSITIONS.includes(key) && !table.startsWith("[[train")) {
-    return { unit, low: 0, high: Math.max(shown.length / size, value) };
+    // The ground goes on beside the beam.
+    const beside = table === "[[ground_load]]" ? (0.5 * shown.length) / size : 0;
+    return { unit, low: Math.min(-beside, value), high: Math.max(shown.length / size + beside, value) };
   }
   if (POSITIVE.includes(key) && value > 0) return { unit, low: value / 10, high: value * 10, log: true };
   if (value === 0) {

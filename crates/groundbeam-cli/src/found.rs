@@ -2,9 +2,8 @@
 
 use crate::Status;
 use groundbeam::{Existence, Field, Model, NotConverged, Solution};
-use groundbeam_report::{
-    Combinations, Context, Overall, Passages, csv, html, json, png, svg, text,
-};
+use groundbeam_report::calculation::{self, Contents, Report, Source};
+use groundbeam_report::{Combinations, Context, Overall, Passages, csv, json, png, svg, text};
 
 /// What came out of a file: of one model, of all its combinations, or of all positions of its trains.
 pub enum Found<'a> {
@@ -76,17 +75,16 @@ impl Found<'_> {
         }
     }
 
-    /// What a calculation report is about.
-    pub fn contents(&self) -> html::Contents<'_> {
-        match *self {
-            Found::Equilibrium(solution) => html::Contents::Solved(solution),
-            Found::NoEquilibrium(model, existence) => {
-                html::Contents::NoEquilibrium(model, existence)
-            }
-            Found::NotConverged(model, reached) => html::Contents::NotConverged(model, reached),
-            Found::Combinations(all) => html::Contents::Combinations(all),
-            Found::Trains(passages) => html::Contents::Trains(passages),
-        }
+    /// The calculation report.
+    pub fn calculation(&self, context: &Context, source: &Source) -> Report {
+        let contents = match *self {
+            Found::Equilibrium(solution) => Contents::Solved(solution),
+            Found::NoEquilibrium(model, existence) => Contents::NoEquilibrium(model, existence),
+            Found::NotConverged(model, reached) => Contents::NotConverged(model, reached),
+            Found::Combinations(all) => Contents::Combinations(all),
+            Found::Trains(passages) => Contents::Trains(passages),
+        };
+        calculation::report(contents, context, source)
     }
 
     /// The table of fields; empty where there are none.

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use groundbeam::model::Problem;
 use groundbeam::{Error, Existence, Model};
 use groundbeam_file::{Diagnostics, Document, UnitSystem};
-use groundbeam_report::{Context, Units, html, text};
+use groundbeam_report::{Context, Units, calculation, text};
 use std::io::Read;
 use std::path::Path;
 
@@ -43,10 +43,10 @@ impl Input {
     }
 
     /// The model as it is written, and the file it stands in.
-    pub fn source(&self) -> html::Source<'_> {
+    pub fn source(&self) -> calculation::Source<'_> {
         let Document { model, cases, .. } = &self.document;
         let name = Path::new(&self.name).file_name().and_then(|name| name.to_str());
-        html::Source { name: name.unwrap_or(&self.name), text: &self.text, model, cases }
+        calculation::Source { name: name.unwrap_or(&self.name), text: &self.text, model, cases }
     }
 
     /// Title and units, as reports want them.

@@ -1,8 +1,9 @@
 //! Where results go: standard output, and files that are never half-written.
 
 use crate::failure::Failure;
+use crate::found::Found;
 use crate::input::Input;
-use crate::request::{Format, Plot};
+use crate::request::{Format, Plot, Report, Setting};
 use groundbeam_report::{Context, html};
 use std::fmt::Display;
 use std::fs;
@@ -58,14 +59,21 @@ pub fn draw<E: Display>(
 
 /// Writes the calculation report, if one is asked for.
 pub fn report(
-    path: Option<&PathBuf>,
-    contents: html::Contents,
+    wanted: Option<&Report>,
+    found: &Found,
     context: &Context,
     input: &Input,
 ) -> Result<(), Failure> {
-    let Some(path) = path else { return Ok(()) };
-    let page = html::report(contents, context, &input.source());
-    write(path, page.map_err(|error| Failure::usage(error.to_string()))?.as_bytes())
+    let Some(Report { path, setting }) = wanted else { return Ok(()) };
+    let report = found.calculation(context, &input.source());
+    let bytes = match *setting {
+        Setting::Html(paper) => html::report(&report, paper)
+            .map(String::into_bytes)
+            .map_err(|error| Failure::usage(error.to_string()))?,
+        Setting::Pdf(paper) => groundbeam_pdf::report(&report, paper)
+            .map_err(|error| Failure::usage(error.to_string()))?,
+    };
+    write(path, &bytes)
 }
 
 /// Writes a file at once: beside it first, then in its place.

@@ -5,6 +5,7 @@ use crate::typed::{self, Command, Typed};
 use crate::waiting::Audience;
 use clap_complete::Shell;
 use groundbeam::Options;
+use groundbeam_report::calculation::Paper;
 use groundbeam_study::Shard;
 use std::path::{Path, PathBuf};
 
@@ -27,7 +28,7 @@ pub struct Solve {
     pub json: bool,
     pub csv: Option<PathBuf>,
     pub plot: Option<Plot>,
-    pub report: Option<PathBuf>,
+    pub report: Option<Report>,
     pub history: Option<PathBuf>,
     /// As typed: it is read under the rule of the file.
     pub at: Option<String>,
@@ -85,6 +86,20 @@ pub struct Plot {
 pub enum Format {
     Svg,
     Png,
+}
+
+/// A calculation report to write.
+pub struct Report {
+    pub path: PathBuf,
+    pub setting: Setting,
+}
+
+/// How a report is set, and on which paper.
+#[derive(Debug, Clone, Copy)]
+pub enum Setting {
+    /// Without a paper, on that of whoever prints it.
+    Html(Option<Paper>),
+    Pdf(Paper),
 }
 
 /// Tell whether an equilibrium exists.
@@ -203,15 +218,17 @@ impl Solve {
             most_sweeps: usize::try_from(typed.most_sweeps).unwrap_or(usize::MAX),
         };
         let plot = typed.plot.map(Plot::of).transpose()?;
-        if let Some(report) = &typed.report {
-            check_report(report)?;
-        }
+        let paper = typed.paper.map(|paper| match paper {
+            typed::Paper::A4 => Paper::A4,
+            typed::Paper::Letter => Paper::Letter,
+        });
+        let report = typed.report.map(|path| Report::of(path, paper)).transpose()?;
         let solve = Solve {
             file: typed.file,
             json: typed.json,
             csv: typed.csv,
             plot,
-            report: typed.report,
+            report,
             history: typed.history,
             at: typed.at,
             combination: typed.combination,
@@ -226,7 +243,8 @@ impl Solve {
 
     fn outputs(&self) -> impl Iterator<Item = &Path> {
         let plot = self.plot.as_ref().map(|plot| &plot.path);
-        let all = [self.csv.as_ref(), plot, self.report.as_ref(), self.history.as_ref()];
+        let report = self.report.as_ref().map(|report| &report.path);
+        let all = [self.csv.as_ref(), plot, report, self.history.as_ref()];
         all.into_iter().flatten().map(PathBuf::as_path)
     }
 
@@ -251,17 +269,20 @@ fn is_same_file(a: &Path, b: &Path) -> bool {
     matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b && a.is_file())
 }
 
-/// The name of a report tells its format.
-fn check_report(path: &Path) -> Result<(), Failure> {
-    let extension = path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase);
-    let rule = match extension.as_deref() {
-        Some("html" | "htm") => return Ok(()),
-        Some("pdf") => {
-            "reports are written as HTML; use a name that ends in .html, open it in a browser and print it to PDF"
-        }
-        _ => "the name of a report ends in .html",
-    };
-    Err(Failure::usage(format!("--report {}: {rule}", path.display())))
+impl Report {
+    /// Its name tells how it is set.
+    fn of(path: PathBuf, paper: Option<Paper>) -> Result<Self, Failure> {
+        let wrong =
+            |rule: &str| Err(Failure::usage(format!("--report {}: {rule}", path.display())));
+        let extension = path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase);
+        let setting = match extension.as_deref() {
+            Some("html" | "htm") => Setting::Html(paper),
+            Some("pdf") if groundbeam_pdf::BUILT_IN => Setting::Pdf(paper.unwrap_or(Paper::A4)),
+            Some("pdf") => return wrong(groundbeam_pdf::NOT_BUILT_IN),
+            _ => return wrong("the name of a report ends in .html or .pdf"),
+        };
+        Ok(Report { path, setting })
+    }
 }
 
 impl Plot {

@@ -63,7 +63,7 @@ fn deliver(
         }
         draw(request.plot.as_ref(), || found.svg(context), || found.png(context))?;
     }
-    report(request.report.as_ref(), found.contents(), context, input)?;
+    report(request.report.as_ref(), found, context, input)?;
     if request.json {
         print(&found.json(stations, context))?;
         return Ok(found.status());

@@ -72,9 +72,13 @@ pub struct Solve {
     #[arg(long, value_name = "OUT")]
     pub plot: Option<PathBuf>,
 
-    /// Write a calculation report that prints well: input, assumptions, results, certificate; a name that ends in .html
+    /// Write a calculation report that prints well: input, assumptions, results, certificate; a name that ends in .html or .pdf
     #[arg(long, value_name = "OUT")]
     pub report: Option<PathBuf>,
+
+    /// The paper on which the report is set; left out, a PDF is on A4, and HTML takes that of whoever prints it
+    #[arg(long, value_enum, requires = "report")]
+    pub paper: Option<Paper>,
 
     /// Write every step of the iteration as a table
     #[arg(long, value_name = "OUT")]
@@ -236,6 +240,14 @@ pub struct Serve {
     /// Do not open the browser
     #[arg(long)]
     pub no_open: bool,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub enum Paper {
+    /// 210 mm × 297 mm
+    A4,
+    /// 8.5 in × 11 in
+    Letter,
 }
 
 #[derive(Debug, Clone, Copy, ValueEnum)]

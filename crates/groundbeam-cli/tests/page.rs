@@ -30,6 +30,7 @@ at = \"6 m\"
 distributed = \"26 kN/m\"
 ";
 
+const TAB: char = '\u{e004}';
 const HOME: char = '\u{e011}';
 const RIGHT: char = '\u{e014}';
 const UP: char = '\u{e013}';
@@ -129,6 +130,99 @@ fn the_beam_lifts_off_under_the_finger() {
     assert_eq!(browser.eval(&foreign), serde_json::json!([]));
 }
 
+/// The footing with a neighbour on the ground to its right.
+fn neighbour(at: &str) -> String {
+    format!("{MIDDLE}\n[[ground_load]]\npoint = \"200 kN\"\nat = \"{at}\"\n")
+}
+
+#[test]
+fn a_neighbour_is_dragged_along_the_ground() {
+    let Some(browser) = Browser::start() else { return };
+    let folder = Folder::with(&neighbour("13 m"));
+    let server = Server::start(Some(&folder.path("model.toml")));
+    opened(&browser, &server);
+    let grip = ".grip[aria-label='load 3, a force on the ground']";
+    let stands = || {
+        let at = browser.eval(&format!(
+            "Number(document.querySelector({grip:?}).getAttribute('aria-valuenow'))"
+        ));
+        at.as_f64().unwrap()
+    };
+    assert_eq!(stands(), 13.0);
+    let text =
+        || browser.eval("document.getElementById('text').value").as_str().unwrap().to_owned();
+
+    // From the page to the text: to the right, farther away from the beam.
+    let [x, y] = browser.middle(grip);
+    let to = |x: f64| Pointer::To([x, y]);
+    browser.pointer(&[to(x), Pointer::Down, to(x + 20.0), to(x + 40.0), Pointer::Up]);
+    settled(
+        &browser,
+        &format!("Number(document.querySelector({grip:?}).getAttribute('aria-valuenow')) > 13.2"),
+    );
+    let at = stands();
+    assert_eq!(text(), neighbour(&format!("{at} m")));
+    agrees(&browser);
+    // As far as the picture goes and no farther.
+    let [x, y] = browser.middle(grip);
+    browser.pointer(&[
+        Pointer::To([x, y]),
+        Pointer::Down,
+        Pointer::To([x + 400.0, y]),
+        Pointer::Up,
+    ]);
+    settled(
+        &browser,
+        &format!("Number(document.querySelector({grip:?}).getAttribute('aria-valuenow')) > {at}"),
+    );
+    assert!(stands() < 16.0, "{}", stands());
+    // Under the beam to its other side by the keyboard.
+    browser.eval(&format!("document.querySelector({grip:?}).focus()"));
+    browser.keys(&[], &HOME.to_string());
+    settled(
+        &browser,
+        &format!("Number(document.querySelector({grip:?}).getAttribute('aria-valuenow')) < -1"),
+    );
+    agrees(&browser);
+
+    // From the text to the page.
+    let wanted = neighbour("-1.5 m");
+    let area = "document.getElementById('text')";
+    browser.eval(&format!("({area}.value = {wanted:?}, {area}.dispatchEvent(new Event('input')))"));
+    settled(
+        &browser,
+        &format!("document.querySelector({grip:?}).getAttribute('aria-valuenow') === '-1.5'"),
+    );
+    agrees(&browser);
+}
+
+/// Tab goes to every control, each is seen to have the focus, and none holds it.
+#[test]
+fn everything_is_reached_by_keyboard() {
+    let Some(browser) = Browser::start() else { return };
+    let folder = Folder::with(MIDDLE);
+    let server = Server::start(Some(&folder.path("model.toml")));
+    opened(&browser, &server);
+    // Something to undo, or the button cannot be reached.
+    browser.eval("document.querySelector('[data-key=\"[foundation].k\"]').focus()");
+    browser.keys(&[], &RIGHT.to_string());
+    settled(&browser, "!document.getElementById('undo').disabled");
+    let controls = "[...document.querySelectorAll(
+        'button, select, input, textarea, summary, .grip')].filter((e) => !e.disabled && e.checkVisibility())";
+    let count = browser.eval(&format!("{controls}.length")).as_u64().unwrap();
+    assert!(count > 25, "{count}");
+    browser.eval("(window.met = new Set(), document.addEventListener('focusin', ({ target }) => {
+        const seen = getComputedStyle(target.querySelector('circle') ?? target);
+        const ring = target.matches('.grip') ? seen.strokeWidth === '2.5px' : seen.outlineStyle !== 'none';
+        if (ring) window.met.add(target); }), document.activeElement.blur(), window.scrollTo(0, 0))");
+    browser.eval("document.getElementById('examples').focus()");
+    browser.keys(&[], &TAB.to_string().repeat(count as usize + 4));
+    let missed = browser.eval(&format!(
+        "{controls}.filter((e) => e.id !== 'examples' && !window.met.has(e)).map((e) => e.outerHTML.slice(0, 90))"
+    ));
+    assert_eq!(missed, serde_json::json!([]));
+}
+
 #[test]
 fn sliders_and_text_are_in_step() {
     let Some(browser) = Browser::start() else { return };
@@ -148,6 +242,11 @@ fn sliders_and_text_are_in_step() {
     ));
     settled(&browser, "document.getElementById('text').value.includes('k = \"55 N/mm^2\"')");
     agrees(&browser);
+    // The buttons take a step back, and go it again.
+    browser.click("#undo");
+    settled(&browser, "document.getElementById('text').value.includes('k = \"4 MN/m^2\"')");
+    browser.click("#redo");
+    settled(&browser, "document.getElementById('text').value.includes('k = \"55 N/mm^2\"')");
     // What was left out is added.
     let add = "[...document.querySelectorAll('#sliders button')]
         .find((button) => button.textContent.startsWith('add P'))";
@@ -213,7 +312,7 @@ fn it_tips_and_is_shared_and_kept() {
     let kept = tempfile::tempdir().unwrap();
     let behaviour = serde_json::json!({ "behavior": "allow", "downloadPath": kept.path() });
     browser.devtools("Browser.setDownloadBehavior", &behaviour);
-    for form in ["toml", "svg", "png", "csv", "txt"] {
+    for form in ["toml", "svg", "png", "csv", "json", "txt", "html"] {
         browser.click(&format!("[data-form={form}]"));
         let file = arrived(kept.path(), form);
         let bytes = std::fs::read(&file).unwrap();
@@ -222,6 +321,12 @@ fn it_tips_and_is_shared_and_kept() {
             "png" => assert!(bytes.starts_with(b"\x89PNG")),
             "txt" => assert!(String::from_utf8(bytes).unwrap().contains("Certificate  ")),
             "csv" => assert!(bytes.starts_with(b"x_m,deflection_m,")),
+            "json" => assert!(bytes.starts_with(b"{") && bytes.ends_with(b"}\n")),
+            "html" => {
+                let page = String::from_utf8(bytes).unwrap();
+                assert!(page.starts_with("<!DOCTYPE html>") && page.ends_with("</html>\n"));
+                assert!(page.contains("<h1>Footing under one column</h1>"));
+            }
             _ => assert!(bytes.starts_with(b"<svg ")),
         }
     }
@@ -273,12 +378,52 @@ fn combinations_and_trains_are_chosen() {
     assert_ne!(early.0, late.0);
 }
 
+/// Colours of the picture that are shown as they are written in it: in the dark every one should have another.
+fn as_written(browser: &Browser) -> Vec<String> {
+    let found = browser.eval(
+        "[...new Set(['fill', 'stroke'].flatMap((paint) =>
+            [...document.querySelectorAll(`#drawing svg:not(.grips) [${paint}^=\"#\"]`)]
+                .filter((e) => getComputedStyle(e)[paint] === e.getAttribute(paint).replace(
+                    /#(..)(..)(..)/, (_, r, g, b) => `rgb(${[r, g, b].map((h) => parseInt(h, 16)).join(', ')})`))
+                .map((e) => `${paint} ${e.getAttribute(paint)}`)))]",
+    );
+    serde_json::from_value(found).unwrap()
+}
+
+#[test]
+fn every_picture_has_colours_for_the_dark() {
+    let Some(browser) = Browser::start() else { return };
+    let server = Server::start(None);
+    opened(&browser, &server);
+    browser.window(1280, 1000, "dark");
+    let change = |id: &str, value: &str| {
+        browser.eval(&format!(
+            "(() => {{ const s = document.getElementById({id:?}); s.value = {value:?};
+                s.dispatchEvent(new Event('change')); }})()"
+        ));
+        settled(&browser, "document.getElementById('verdict').textContent !== ''");
+    };
+    let count = browser.eval("document.getElementById('examples').options.length - 1");
+    for example in 0..count.as_u64().unwrap() {
+        change("examples", &example.to_string());
+        assert_eq!(as_written(&browser), [""; 0], "example {example}");
+        for envelope in ["combination", "train"] {
+            if browser.eval(&format!("!document.getElementById('{envelope}-choice').hidden"))
+                == true
+            {
+                change(envelope, "");
+                assert_eq!(as_written(&browser), [""; 0], "example {example}, {envelope}");
+            }
+        }
+    }
+}
+
 #[test]
 fn it_is_readable_on_a_phone_and_in_the_dark() {
     let Some(browser) = Browser::start() else { return };
     let server = Server::start(None);
     opened(&browser, &server);
-    for (width, height) in [(390, 844), (1280, 1000)] {
+    for (width, height) in [(360, 780), (1280, 1000)] {
         for scheme in ["light", "dark"] {
             browser.window(width, height, scheme);
             browser.go(&server.url);
@@ -289,14 +434,7 @@ fn it_is_readable_on_a_phone_and_in_the_dark() {
                 browser.eval("getComputedStyle(document.querySelector('#drawing svg rect')).fill");
             let expected = if scheme == "dark" { "rgb(23, 27, 32)" } else { "rgb(255, 255, 255)" };
             assert_eq!(paper, expected);
-            // Every colour that a picture uses has another one in the dark.
-            let ink = browser.eval(
-                "[...document.querySelectorAll('#drawing [fill^=\"#\"]')]
-                    .filter((e) => getComputedStyle(e).fill === e.getAttribute('fill').replace(
-                        /#(..)(..)(..)/, (_, r, g, b) => `rgb(${[r, g, b].map((h) => parseInt(h, 16)).join(', ')})`))
-                    .map((e) => e.getAttribute('fill'))",
-            );
-            assert_eq!(ink.as_array().unwrap().is_empty(), scheme == "dark", "{ink}");
+            assert_eq!(as_written(&browser).is_empty(), scheme == "dark");
             if let Some(folder) = std::env::var_os("GROUNDBEAM_PHOTOGRAPHS") {
                 let name = format!("page-{width}-{scheme}.png");
                 browser.photograph(&Path::new(&folder).join(name));

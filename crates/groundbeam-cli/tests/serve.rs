@@ -159,6 +159,8 @@ fn files_to_keep_are_those_of_the_command_line() {
     let folder = Folder::with(LIFTS);
     let arguments = ["solve", "model.toml", "--csv", "t.csv", "--plot", "p.svg"];
     let printed = folder.run(&arguments);
+    folder.run(&["solve", "model.toml", "--report", "r.html"]).is_clean(0);
+    assert_eq!(server.post("/api/file/html", LIFTS).text(), folder.read("r.html"));
     assert_eq!(server.post("/api/file/csv", LIFTS).text(), folder.read("t.csv"));
     assert_eq!(server.post("/api/file/svg", LIFTS).text(), folder.read("p.svg"));
     assert!(server.post("/api/file/png", LIFTS).body.starts_with(b"\x89PNG"));
@@ -166,6 +168,9 @@ fn files_to_keep_are_those_of_the_command_line() {
     let report = server.post("/api/file/txt", LIFTS);
     assert_eq!(untimed(report.text()), untimed(&printed.stdout));
     assert_eq!(server.post("/api/file/svg", &tips()).status, 409);
+    // A report says why there is no equilibrium.
+    let report = server.post("/api/file/html", &tips());
+    assert!(report.status == 200 && report.text().contains("No equilibrium"));
     assert_eq!(server.post("/api/file/json", &tips()).json()["status"], "no-equilibrium");
 }
 

@@ -5,7 +5,7 @@
 //! | [`text`] | a report for the terminal, at most 80 columns wide |
 //! | [`json`] | the result document |
 //! | [`csv`] | a table of all fields along the beam, and the history of the iteration |
-//! | [`html`] | the calculation report: one file that prints well |
+//! | [`calculation`] | the calculation report before it is set in type; [`html`] sets it as one file that prints well |
 //! | [`svg`], [`png`] | one picture: the beam on its ground, pressure, moment, shear |
 //!
 //! ```
@@ -45,6 +45,7 @@ mod study;
 mod trains;
 mod verdict;
 
+pub mod calculation;
 pub mod csv;
 pub mod fonts;
 pub mod html;

@@ -6,7 +6,9 @@ mod common;
 use common::{context, document};
 use groundbeam::{Error, Existence, Field, NotConverged, Options, Outcome};
 use groundbeam_file::{Combination, Document, LoadCase};
-use groundbeam_report::{Alone, Answer, Combinations, Combined, csv, html, json, png, svg, text};
+use groundbeam_report::{
+    Alone, Answer, Combinations, Combined, calculation, csv, html, json, png, svg, text,
+};
 use serde_json::{Value, json};
 
 /// A file, solved.
@@ -184,9 +186,10 @@ fn the_calculation_report_shows_all_of_them() {
         let all = solved.all();
         let Document { model, cases, .. } = &solved.document;
         let source =
-            html::Source { name: "model.toml", text: solved.document.text(), model, cases };
-        let contents = html::Contents::Combinations(&all);
-        let page = html::report(contents, &context(&solved.document), &source).unwrap();
+            calculation::Source { name: "model.toml", text: solved.document.text(), model, cases };
+        let contents = calculation::Contents::Combinations(&all);
+        let report = calculation::report(contents, &context(&solved.document), &source);
+        let page = html::report(&report, None).unwrap();
         for combined in &all.combined {
             let named = combined.name.replace('&', "&amp;").replace('/', "&#x2f;");
             assert!(page.contains(&named), "{name}: {}", combined.name);

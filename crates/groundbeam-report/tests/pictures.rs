@@ -19,8 +19,60 @@ fn words(picture: &str) -> String {
 }
 
 #[test]
-fn a_whole_picture() {
-    insta::assert_snapshot!("svg-kikuchi-4", drawn("kikuchi-4"));
+fn whole_pictures() {
+    for name in ["kikuchi-4", "supports", "gap", "jointed", "compressed", "neighbours"] {
+        insta::assert_snapshot!(format!("svg-{name}"), drawn(name));
+    }
+}
+
+#[test]
+fn a_beam_that_tips() {
+    let document = document("tips");
+    let existence = groundbeam::exists(&document.model).unwrap();
+    let view = svg::tipping(&document.model, &existence, &context(&document), 960.0);
+    insta::assert_snapshot!("svg-tipping", view.svg);
+}
+
+/// Loads on the ground stand on its surface beside the beam and in it below the beam; the picture shows the trench, and
+/// stiffer ground darker.
+#[test]
+fn what_is_beside_the_beam_is_drawn() {
+    let of = |from: &str, to: &str| {
+        let text = document("neighbours").text().replace(from, to);
+        let document = groundbeam_file::parse(&text).unwrap();
+        svg::picture(&solved(&document), &context(&document))
+    };
+    let stiff = of("", "");
+    assert!(stiff.contains(">300 kN<") && stiff.contains(">60 … 120 kN/m<"), "{stiff}");
+    assert_eq!(stiff.matches("fill-opacity=\"0.28\"").count(), 1);
+    let soft = of("k = \"160 MN/m^2\"", "k = \"16 MN/m^2\"");
+    assert_eq!(soft.matches("fill-opacity=\"0.28\"").count(), 0);
+    assert_eq!(soft.matches("fill=\"#ffffff\" fill-opacity=\"0.5\"").count(), 1);
+    // So far away that the picture would be of nothing else: told at its edge.
+    let far = of("at = \"-1.2 m\"", "at = \"14.5 m\"");
+    assert!(far.contains(">80 kN<"));
+    let far = of("at = \"11 m\"", "at = \"40 m\"");
+    assert!(far.contains(">300 kN at 40 m →<"), "{far}");
+}
+
+/// Handles on the ground stand on the surface that is drawn, and may go as far as it is drawn.
+#[test]
+fn loads_on_the_ground_are_taken_hold_of() {
+    let document = document("neighbours");
+    let view = svg::view(&solved(&document), &context(&document), 960.0);
+    let on_ground: Vec<_> = view
+        .handles
+        .iter()
+        .filter(|handle| {
+            matches!(handle.grip, svg::Grip::Load(1 | 3) | svg::Grip::From(2) | svg::Grip::To(2))
+        })
+        .collect();
+    assert_eq!(on_ground.len(), 4);
+    for handle in on_ground {
+        assert!((handle.place[0] - (view.left + handle.at * view.scale)).abs() < 1e-9);
+        // The trench on the left, the picture's edge on the right.
+        assert!(handle.range[0] == -2.0 && handle.range[1] > 12.5 && handle.range[1] < 13.0);
+    }
 }
 
 #[test]

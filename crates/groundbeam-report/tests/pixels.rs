@@ -1,4 +1,5 @@
-//! Every kind of picture against the pixels it once had, drawn small. `UPDATE_EXPECTED=1` keeps new ones.
+//! Every kind of picture against the pixels it once had, drawn small, and two of them as text. `UPDATE_EXPECTED=1` keeps
+//! new pixels.
 
 #[allow(dead_code)]
 mod common;
@@ -6,7 +7,7 @@ mod common;
 use common::{SOLVABLE, context, document, solved};
 use groundbeam::train::{Answer, Passage, Sweep};
 use groundbeam_file::{Document, MovingTrain};
-use groundbeam_report::{Combinations, Combined, Moving, Passages, html, svg};
+use groundbeam_report::{Combinations, Combined, Moving, Passages, calculation, html, svg};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 use std::path::PathBuf;
@@ -74,9 +75,14 @@ fn figures(page: &str) -> Vec<String> {
     parts.map(|part| format!("<svg {}</svg>", part.split_once("</svg>").unwrap().0)).collect()
 }
 
-fn source(document: &Document) -> html::Source<'_> {
+fn source(document: &Document) -> calculation::Source<'_> {
     let Document { model, cases, .. } = document;
-    html::Source { name: "model.toml", text: document.text(), model, cases }
+    calculation::Source { name: "model.toml", text: document.text(), model, cases }
+}
+
+fn report(contents: calculation::Contents, document: &Document) -> String {
+    let report = calculation::report(contents, &context(document), &source(document));
+    html::report(&report, None).unwrap()
 }
 
 #[test]
@@ -92,16 +98,16 @@ fn figures_of_reports() {
     let document_of = document;
     let (document, tips) = (document_of("footing"), document_of("tips"));
     let contents = solved(&document);
-    let contents = html::Contents::Solved(&contents);
-    let page = html::report(contents, &context(&document), &source(&document)).unwrap();
+    let contents = calculation::Contents::Solved(&contents);
+    let page = report(contents, &document);
     let found = figures(&page);
     assert_eq!(found.len(), 7);
     for (i, figure) in found.iter().enumerate() {
         looks_as_kept(&format!("report-footing-{}", i + 1), figure);
     }
     let existence = groundbeam::exists(&tips.model).unwrap();
-    let contents = html::Contents::NoEquilibrium(&tips.model, &existence);
-    let page = html::report(contents, &context(&tips), &source(&tips)).unwrap();
+    let contents = calculation::Contents::NoEquilibrium(&tips.model, &existence);
+    let page = report(contents, &tips);
     let [figure] = &figures(&page)[..] else { panic!("one figure") };
     looks_as_kept("report-tips", figure);
 }
@@ -125,7 +131,9 @@ fn combinations() {
         groundbeam::Outcome::NoEquilibrium(_) => None,
     });
     let all = Combinations { combined: combined.collect(), alone: Vec::new() };
-    looks_as_kept("combinations", &svg::combinations(&all, &context(&document)));
+    let picture = svg::combinations(&all, &context(&document));
+    looks_as_kept("combinations", &picture);
+    insta::assert_snapshot!("svg-combinations", picture);
 }
 
 #[test]
@@ -148,9 +156,11 @@ fn trains() {
         passage: &passage,
     };
     let passages = Passages { all: vec![moving] };
-    looks_as_kept("train", &svg::trains(&passages, &context(&document)));
-    let contents = html::Contents::Trains(&passages);
-    let page = html::report(contents, &context(&document), &source(&document)).unwrap();
+    let picture = svg::trains(&passages, &context(&document));
+    looks_as_kept("train", &picture);
+    insta::assert_snapshot!("svg-train", picture);
+    let contents = calculation::Contents::Trains(&passages);
+    let page = report(contents, &document);
     let found = figures(&page);
     // The model, the train where it bends the beam most, four envelopes.
     assert_eq!(found.len(), 6);

@@ -12,7 +12,7 @@ use axum::http::header::CONTENT_TYPE;
 use axum::response::{IntoResponse, Response};
 use groundbeam::{Error, Options, Outcome};
 use groundbeam_file::Combination;
-use groundbeam_report::Context;
+use groundbeam_report::{Context, html};
 use serde::Deserialize;
 
 /// What of a file is asked for; with nothing said, what `groundbeam solve` gives.
@@ -29,6 +29,9 @@ pub struct Asked {
     pub width: Option<f64>,
 }
 
+/// What a model file without a name is called.
+const NAME: &str = "model.toml";
+
 /// The form of a file to keep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
@@ -37,6 +40,7 @@ pub enum Form {
     Csv,
     Json,
     Text,
+    Html,
 }
 
 impl Form {
@@ -47,6 +51,7 @@ impl Form {
             ("csv", Form::Csv),
             ("json", Form::Json),
             ("txt", Form::Text),
+            ("html", Form::Html),
         ];
         all.into_iter().find(|(known, _)| *known == name).map(|(_, form)| form)
     }
@@ -58,20 +63,24 @@ impl Form {
             Form::Csv => "text/csv; charset=utf-8",
             Form::Json => "application/json",
             Form::Text => "text/plain; charset=utf-8",
+            Form::Html => "text/html; charset=utf-8",
         }
     }
 }
 
 /// The result document.
 pub fn result(model: &[u8], asked: &Asked) -> Response {
-    reply(found(model, asked, |found, context| {
+    reply(found(model, asked, |_, found, context| {
         Ok(document(StatusCode::OK, found.json(None, context)))
     }))
 }
 
 /// A file to keep.
 pub fn file(model: &[u8], asked: &Asked, form: Form) -> Response {
-    reply(found(model, asked, |found, context| {
+    // A report is of what the file says, and a file says nothing of one position of a train.
+    let anywhere = Asked { train: None, ..asked.clone() };
+    let asked = if form == Form::Html { &anywhere } else { asked };
+    reply(found(model, asked, |input, found, context| {
         if !found.has_fields() && matches!(form, Form::Svg | Form::Png | Form::Csv) {
             let words = "there is no equilibrium to draw or to list";
             return Ok(refusal(StatusCode::CONFLICT, words));
@@ -82,6 +91,9 @@ pub fn file(model: &[u8], asked: &Asked, form: Form) -> Response {
             Form::Csv => found.csv(None, context).into_bytes(),
             Form::Json => found.json(None, context).into_bytes(),
             Form::Text => found.text(context, false).into_bytes(),
+            Form::Html => html::report(&found.calculation(context, &input.source()), None)
+                .map_err(|error| Failure::usage(error.to_string()))?
+                .into_bytes(),
         };
         Ok(([(CONTENT_TYPE, form.kind())], bytes).into_response())
     }))
@@ -89,7 +101,7 @@ pub fn file(model: &[u8], asked: &Asked, form: Form) -> Response {
 
 /// What the page shows.
 pub fn view(model: &[u8], asked: &Asked) -> Response {
-    let read = Input::of(model, "model".to_owned(), None);
+    let read = Input::of(model, NAME.to_owned(), None);
     reply(read.and_then(|input| {
         let view = seen(&input, asked, |found, scene, context| {
             Ok(View::of(&input, found, scene, asked, context))
@@ -105,10 +117,10 @@ fn reply(answer: Result<Response, Failure>) -> Response {
 fn found(
     model: &[u8],
     asked: &Asked,
-    deliver: impl FnOnce(&Found, &Context) -> Result<Response, Failure>,
+    deliver: impl FnOnce(&Input, &Found, &Context) -> Result<Response, Failure>,
 ) -> Result<Response, Failure> {
-    let input = Input::of(model, "model".to_owned(), None)?;
-    seen(&input, asked, |found, _, context| deliver(found, context))
+    let input = Input::of(model, NAME.to_owned(), None)?;
+    seen(&input, asked, |found, _, context| deliver(&input, found, context))
 }
 
 /// One model of a file: a combination, perhaps with a train on it; none where several are seen together.

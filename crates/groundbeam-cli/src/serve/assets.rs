@@ -33,9 +33,10 @@ pub const ASSETS: [Asset; 9] = [
 ];
 
 /// Models to begin with: a name, and the text of a file that a document or a case shows.
-const EXAMPLES: [(&str, &str); 7] = [
+const EXAMPLES: [(&str, &str); 8] = [
     ("Strip footing", include_str!("../../../../docs/strip-footing.toml")),
     ("Crane base that tips", include_str!("../../../../docs/tipping.toml")),
+    ("Footing beside a neighbour", include_str!("../../../../docs/neighbours.toml")),
     ("Frame under wind: combinations", include_str!("../../../../docs/combinations.toml")),
     ("Locomotive on a light rail", include_str!("../../page/locomotive.toml")),
     (

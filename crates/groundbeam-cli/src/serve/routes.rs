@@ -77,7 +77,7 @@ async fn download(
     body: Body,
 ) -> Response {
     let Some(form) = Form::named(&form) else {
-        return refusal(StatusCode::NOT_FOUND, "a file is svg, png, csv, json or txt");
+        return refusal(StatusCode::NOT_FOUND, "a file is svg, png, csv, json, txt or html");
     };
     desk.answer(body, move |model| file(model, &asked, form)).await
 }

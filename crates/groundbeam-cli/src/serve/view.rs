@@ -50,6 +50,8 @@ struct Held {
     x: f64,
     y: f64,
     at: f64,
+    /// Between which positions it may be moved.
+    range: [f64; 2],
     /// Which of the numbers is its position.
     position: usize,
     /// Which of the numbers is its size.
@@ -184,7 +186,8 @@ fn held(input: &Input, scene: &Combination, handle: &Handle) -> Option<Held> {
                 Load::Distributed { .. } => ("spread load", "start"),
                 Load::DistributedMoment { .. } => ("spread moment", "start"),
                 Load::Curvature { .. } => ("curvature", "start"),
-                Load::GroundForce { .. } | Load::GroundDistributed { .. } => return None,
+                Load::GroundForce { .. } => ("force on the ground", "force"),
+                Load::GroundDistributed { .. } => ("spread load on the ground", "start"),
             };
             let (field, end) = match handle.grip {
                 Grip::From(_) => ("from", ", its beginning"),
@@ -202,6 +205,7 @@ fn held(input: &Input, scene: &Combination, handle: &Handle) -> Option<Held> {
         x,
         y,
         at: handle.at,
+        range: handle.range,
         position: Number::behind(document, part, field)?,
         size: size.and_then(|size| Number::behind(document, part, size)),
     })

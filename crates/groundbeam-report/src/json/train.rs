@@ -1,11 +1,11 @@
 //! The document of passages: each train, the positions that were solved, and the envelope.
 
 use super::combinations::ByField;
-use super::text;
+use super::{FreeSpan, text};
 use crate::context::Context;
 use crate::trains::{CheckedTrain, InPassage, Moving, Passages};
 use groundbeam::Field;
-use groundbeam::train::Located;
+use groundbeam::train::{Located, Opened};
 use serde::Serialize;
 
 /// The document of passages, with the envelopes at the given sections; left out, at those that suit them. Of a single
@@ -103,6 +103,9 @@ struct One<'a> {
     extremes: Option<ByField<Option<Extremes>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     uplift: Option<Uplift>,
+    /// Left out where nothing was solved.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    free_spans: Option<FreeSpans>,
 }
 
 impl<'a> One<'a> {
@@ -121,6 +124,13 @@ impl<'a> One<'a> {
                 ahead: uplift.ahead.map(Place::of),
                 between: uplift.between.map(Place::of),
                 behind: uplift.behind.map(Place::of),
+            }),
+            free_spans: any.then(|| {
+                let found = passage.free_spans();
+                FreeSpans {
+                    longest: found.map(|found| Span::of(found.longest)),
+                    largest_gap: found.map(|found| Span::of(found.highest)),
+                }
             }),
         }
     }
@@ -297,6 +307,27 @@ struct Place {
 impl Place {
     fn of(Located { x, value, first_axle }: Located) -> Self {
         Place { x, value, first_axle, passage: None }
+    }
+}
+
+/// The longest stretch in the air and the one with the largest gap; `null` where nothing lifts.
+#[derive(Serialize)]
+struct FreeSpans {
+    longest: Option<Span>,
+    largest_gap: Option<Span>,
+}
+
+#[derive(Serialize)]
+struct Span {
+    #[serde(flatten)]
+    span: FreeSpan,
+    /// Position of the first axle.
+    first_axle: f64,
+}
+
+impl Span {
+    fn of(Opened { first_axle, stretch }: Opened) -> Self {
+        Span { span: FreeSpan::of(&stretch), first_axle }
     }
 }
 

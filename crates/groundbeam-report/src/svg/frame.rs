@@ -1,5 +1,6 @@
 //! From positions along the beam to the width of the page, the same for all panels.
 
+use super::ground::farthest;
 use groundbeam::Model;
 
 /// The width of a picture.
@@ -10,6 +11,11 @@ const NARROW: f64 = 720.0;
 pub(super) const LEFT: f64 = 86.0;
 /// Kept free beside where panels end.
 const BESIDE: f64 = 24.0;
+
+/// What stands beside the beam stands so much nearer than where the picture ends.
+pub(super) const ROOM: f64 = 1.15;
+/// How far a picture shows ground beside the beam, in lengths of the beam, where something stands there.
+const STEPS: [f64; 2] = [0.3, 0.6];
 
 /// The scale of x.
 #[derive(Debug, Clone, Copy)]
@@ -31,6 +37,11 @@ impl Frame {
             3.0 * (shear / spring).sqrt()
         });
         let margin = reach[0].max(reach[1]).clamp(0.05 * length, 0.15 * length);
+        // What stands beside the beam is shown up to half its length away; in steps, so that the picture stays where it is
+        // while something is dragged.
+        let wanted = ROOM * farthest(model, STEPS[1] * length / ROOM);
+        let steps = [margin, STEPS[0] * length];
+        let margin = steps.into_iter().find(|step| wanted <= *step).unwrap_or(STEPS[1] * length);
         Frame { length, margin, width: WIDTH }
     }
 

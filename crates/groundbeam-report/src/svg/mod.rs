@@ -9,6 +9,7 @@ mod diagram;
 mod envelope;
 pub(crate) mod figures;
 mod frame;
+mod ground;
 mod labels;
 mod loads;
 mod samples;

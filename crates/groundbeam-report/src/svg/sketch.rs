@@ -2,9 +2,10 @@
 
 use super::canvas::{Anchor, Canvas, number, printed};
 use super::frame::Frame;
+use super::ground::{self, GroundLoads};
 use super::labels::{Labels, Rect};
 use super::loads::Loads;
-use super::style::{BEAM, FAINT_INK, GROUND, GROUND_LINE, LABEL, NOTE, SHEAR};
+use super::style::{BEAM, FAINT_INK, GROUND, LABEL, NOTE, SHEAR};
 use super::supports;
 use crate::font::Metrics;
 use crate::quantity::{Kind, Units};
@@ -32,7 +33,7 @@ pub(super) fn draw(
         Rect { left: 8.0, top: f64::NEG_INFINITY, right: frame.width - 4.0, bottom: f64::INFINITY };
     let mut labels = Labels::new(metrics, page);
     let [left, right] = [frame.x(0.0), frame.x(frame.length)];
-    let floor = ground(&mut canvas, model, units, frame, &mut labels);
+    let (surface, floor) = ground(&mut canvas, model, units, frame, &mut labels);
     canvas.rect([left, -THICKNESS], [right - left, THICKNESS], &format!(r#"fill="{BEAM}""#));
     labels.avoid(Rect::around([left, -THICKNESS], [right, 0.0], 0.0));
     for support in &model.supports {
@@ -53,21 +54,23 @@ pub(super) fn draw(
     }
     let loads = Loads { units, frame, top: &|_| -THICKNESS };
     loads.draw(&mut canvas, &model.loads, &mut labels);
+    GroundLoads { units, frame, line: &surface }.draw(&mut canvas, &model.loads, &mut labels);
     dimension(&mut canvas, [left, right], floor + BELOW + 22.0, &units.position(frame.length));
     canvas
 }
 
-/// The ground and its clearance from the beam. Gives its lowest point.
+/// The ground and its clearance from the beam. Gives its surface and its lowest point.
 fn ground(
     canvas: &mut Canvas,
     model: &Model,
     units: Units,
     frame: &Frame,
     labels: &mut Labels,
-) -> f64 {
+) -> (Vec<[f64; 2]>, f64) {
     let deepest = model.gap.iter().fold(0.0_f64, |most, corner| most.max(corner.value.abs()));
     let scale = if deepest > 0.0 { DEEPEST / deepest } else { 0.0 };
-    let [left, right] = [-frame.margin, frame.length + frame.margin].map(|x| frame.x(x));
+    let [left, right] = ground::margins(model, frame);
+    let [left, right] = [-left, frame.length + right].map(|x| frame.x(x));
     let corner = |at: f64, value: f64| [frame.x(at), scale * value];
     let mut line: Vec<[f64; 2]> = model.gap.iter().map(|c| corner(c.at, c.value)).collect();
     let [first, last] = [line.first(), line.last()].map(|point| point.map_or(0.0, |p| p[1]));
@@ -75,19 +78,16 @@ fn ground(
     line.push([right, last]);
     let floor = line.iter().fold(0.0_f64, |floor, point| floor.max(point[1]));
     let bottom = floor + BELOW;
-    let mut area = vec![[left, bottom]];
-    area.extend(&line);
-    area.push([right, bottom]);
-    canvas.polyline(&area, true, &format!(r#"fill="{GROUND}""#));
-    let stroke = format!(r#"fill="none" stroke="{GROUND_LINE}" stroke-width="1.4""#);
-    canvas.polyline(&line, false, &stroke);
+    ground::draw(canvas, model, frame, &line, bottom, GROUND);
     labels.avoid_line(&line);
     if deepest > 0.0 {
         let words = printed(&units.write(Kind::Deflection, deepest, 4));
         let words = format!("initial gap, up to {words}, not to scale");
         canvas.text([left + 6.0, bottom - 8.0], Anchor::Start, NOTE, &words);
+    } else {
+        ground::constants(canvas, model, units, frame, labels, bottom);
     }
-    floor
+    (line, floor)
 }
 
 /// The beam as it would go, in dashes.

@@ -3,15 +3,16 @@
 use super::axis;
 use super::canvas::{Anchor, Canvas, printed};
 use super::frame::{Frame, LEFT};
+use super::ground::{self, GroundLoads};
 use super::labels::{Labels, Rect};
 use super::loads::Loads;
 use super::samples::{Samples, simplified};
-use super::style::{BEAM, FAINT_INK, GAP, GROUND, GROUND_LINE, LABEL, NOTE, PANEL_TITLE, PRESSURE};
+use super::style::{BEAM, FAINT_INK, GAP, GROUND, LABEL, NOTE, PANEL_TITLE, PRESSURE};
 use super::supports;
 use crate::font::Metrics;
 use crate::number::significant;
 use crate::quantity::{Kind, Units};
-use groundbeam::{Acts, Field, Fields, GroundEnd, Model, Side, Solution, SupportKind};
+use groundbeam::{Acts, Field, Fields, Model, Side, Solution, SupportKind};
 
 /// How far apart the highest and the lowest point of beam and ground are drawn.
 const DEPTH: f64 = 92.0;
@@ -19,6 +20,8 @@ const DEPTH: f64 = 92.0;
 pub(super) const THICKNESS: f64 = 8.0;
 /// Ground drawn below its lowest point.
 pub(super) const BELOW: f64 = 40.0;
+/// Below this width of a picture words are few.
+const PHONE: f64 = 520.0;
 /// Lift-off stretches whose gap is written out.
 const MOST_GAPS: usize = 8;
 /// Leading digits of a round exaggeration.
@@ -49,6 +52,7 @@ pub(super) fn draw(
                 bottom: f64::INFINITY,
             },
         ),
+        surface: Vec::new(),
         floor: 0.0,
     };
     picture.ground();
@@ -83,6 +87,16 @@ pub(super) fn vertical_scale(solution: &Solution, frame: &Frame, samples: &Sampl
     axis::round_down_to(exaggeration, &LEADS, false) * frame.scale()
 }
 
+/// Where the ground's surface is drawn, below the beam and beside it.
+pub(super) fn level(solution: &Solution, scale: f64, x: f64) -> f64 {
+    let length = solution.model().beam.length;
+    if (0.0..=length).contains(&x) {
+        scale * surface(&solution.at(x, Side::Right))
+    } else {
+        scale * (solution.settlement(x) + initial_gap_at_end(solution.model(), x > length))
+    }
+}
+
 /// The ground's surface below the beam's unloaded underside: u + g₀.
 fn surface(fields: &Fields) -> f64 {
     fields.deflection + fields.gap
@@ -102,7 +116,8 @@ struct Picture<'a> {
     scale: f64,
     canvas: Canvas,
     labels: Labels<'a>,
-    /// The lowest point of the ground's surface on the page.
+    /// The ground's surface on the page, from left to right, and its lowest point.
+    surface: Vec<[f64; 2]>,
     floor: f64,
 }
 
@@ -115,12 +130,7 @@ impl Picture<'_> {
 
     fn ground(&mut self) {
         let (model, frame) = (self.solution.model(), self.frame);
-        // Where the ground ends beside the beam it is drawn no farther.
-        let margins = [false, true].map(|right| {
-            let outward = |x: f64| if right { x - frame.length } else { -x };
-            let end = model.foundation.ends[usize::from(right)].at();
-            end.map_or(frame.margin, |at| outward(at).clamp(0.0, frame.margin))
-        });
+        let margins = ground::margins(model, frame);
         let beyond = |t: f64, right: bool| {
             let away = margins[usize::from(right)] * t;
             let x = if right { frame.length + away } else { -away };
@@ -143,27 +153,14 @@ impl Picture<'_> {
         self.floor = line.iter().fold(0.0_f64, |floor, point| floor.max(point[1]));
         let bottom = self.floor + BELOW;
         let [left, right] = [frame.x(-margins[0]), frame.x(frame.length + margins[1])];
-        let mut area = vec![[left, bottom]];
-        area.extend(&line);
-        area.push([right, bottom]);
-        self.canvas.polyline(&area, true, &format!(r#"fill="{GROUND}""#));
-        let stroke = format!(r#"fill="none" stroke="{GROUND_LINE}" stroke-width="1.4""#);
-        self.canvas.polyline(&line, false, &stroke);
+        ground::draw(&mut self.canvas, model, frame, &line, bottom, GROUND);
         self.labels.avoid_line(&line);
-        for (x, end) in [left, right].into_iter().zip(model.foundation.ends) {
-            if let GroundEnd::Held { .. } = end
-                && end.at().is_some_and(|at| (frame.x(at) - x).abs() < 1e-9)
-            {
-                let wall = format!(r#"stroke="{BEAM}" stroke-width="3""#);
-                let top = line.iter().fold(0.0_f64, |top, point| top.min(point[1])) - BELOW;
-                self.canvas.line([x, top], [x, bottom], &wall);
-            }
-        }
         self.labels.avoid(Rect::around([0.0, bottom], [frame.width, bottom + 1e3], 0.0));
         // Where the beam's underside was before loading.
         let dashes = format!(r#"stroke="{FAINT_INK}" stroke-width="0.8" stroke-dasharray="5 4""#);
         self.canvas.line([left, 0.0], [right, 0.0], &dashes);
         self.labels.avoid_line(&[[left, 0.0], [right, 0.0]]);
+        self.surface = line;
     }
 
     fn lift_off(&mut self) {
@@ -264,6 +261,8 @@ impl Picture<'_> {
         let top = |x: f64| scale * solution.at(x, Side::Right).deflection - THICKNESS;
         let loads = Loads { units: self.units, frame: self.frame, top: &top };
         loads.draw(&mut self.canvas, &solution.model().loads, &mut self.labels);
+        let loads = GroundLoads { units: self.units, frame: self.frame, line: &self.surface };
+        loads.draw(&mut self.canvas, &solution.model().loads, &mut self.labels);
     }
 
     /// The largest deflection, the gaps, and where contact begins and ends.
@@ -310,7 +309,9 @@ impl Picture<'_> {
         let mut notes = Vec::new();
         if self.scale > 0.0 {
             let times = printed(&significant(self.scale / self.frame.scale(), 2));
-            notes.push(format!("deflections drawn {times} times as large as lengths"));
+            // On a phone there is room for fewer words.
+            let as_large = if self.frame.width < PHONE { "" } else { " as large as lengths" };
+            notes.push(format!("deflections drawn {times} times{as_large}"));
         }
         let left_out = self.labels.left_out();
         if left_out > 0 {

@@ -2,9 +2,10 @@
 
 use super::canvas::{Anchor, Canvas, number};
 use super::frame::{Frame, LEFT};
+use super::ground::{self, GroundLoads};
 use super::labels::{Labels, Rect};
 use super::loads::Loads;
-use super::style::{BEAM, FAINT_INK, GROUND, GROUND_LINE, NOTE, PANEL_TITLE};
+use super::style::{BEAM, FAINT_INK, GROUND, NOTE, PANEL_TITLE};
 use super::system::{BELOW, THICKNESS};
 use super::view::{View, handles, sensible};
 use super::{axis_of_x, supports};
@@ -28,7 +29,7 @@ pub fn tipping(model: &Model, existence: &Existence, context: &Context, width: f
         Verdict::None(motion) => RISE * motion.at(model, x),
         _ => 0.0,
     };
-    let ground = lying(model, &frame);
+    let mut ground = lying(model, &frame);
     let mut beam = Canvas::new();
     let nodes = nodes(model);
     let under: Vec<_> = nodes.iter().map(|&x| [frame.x(x), rises(x)]).collect();
@@ -46,6 +47,9 @@ pub fn tipping(model: &Model, existence: &Existence, context: &Context, width: f
     let top = |x: f64| rises(x) - THICKNESS;
     let loads = Loads { units: context.units, frame: &frame, top: &top };
     loads.draw(&mut beam, &model.loads, &mut labels);
+    let line = flat(model, &frame);
+    let loads = GroundLoads { units: context.units, frame: &frame, line: &line };
+    loads.draw(&mut ground, &model.loads, &mut labels);
 
     let mut panel = Canvas::new();
     panel.group(&ground, r#"class="ground""#);
@@ -67,7 +71,7 @@ pub fn tipping(model: &Model, existence: &Existence, context: &Context, width: f
     page.place(&panel, down);
     axis_of_x(&mut page, &frame, context.units, panel.reach()[1] + down + 10.0);
     let height = page.reach()[1] + 14.0;
-    let handles = handles(model, |x| [frame.x(x), rises(x) + down]);
+    let handles = handles(model, &frame, |x| rises(x) + down, |_| down);
     let svg = page.finish(frame.width, height, "The beam moves");
     let size = [frame.width, height];
     View { svg, size, left: frame.x(0.0), scale: frame.scale(), handles }
@@ -75,25 +79,28 @@ pub fn tipping(model: &Model, existence: &Existence, context: &Context, width: f
 
 /// The ground with what stands on it, and the place where the beam lay.
 fn lying(model: &Model, frame: &Frame) -> Canvas {
-    let mut ground = Canvas::new();
-    let [left, right] = [frame.x(-frame.margin), frame.x(frame.length + frame.margin)];
-    let area = [[left, 0.0], [right, 0.0], [right, BELOW], [left, BELOW]];
-    ground.polyline(&area, true, &format!(r#"fill="{GROUND}""#));
-    let stroke = format!(r#"stroke="{GROUND_LINE}" stroke-width="1.4""#);
-    ground.line([left, 0.0], [right, 0.0], &stroke);
+    let mut canvas = Canvas::new();
+    let line = flat(model, frame);
+    ground::draw(&mut canvas, model, frame, &line, BELOW, GROUND);
     let [start, end] = [frame.x(0.0), frame.x(frame.length)];
     let outline = [[start, 0.0], [end, 0.0], [end, -THICKNESS], [start, -THICKNESS]];
     let dashes = format!(r#"fill="none" stroke="{FAINT_INK}" stroke-dasharray="5 4""#);
-    ground.polyline(&outline, true, &dashes);
+    canvas.polyline(&outline, true, &dashes);
     for support in &model.supports {
         let outward = match support.at {
             0.0 => -1.0,
             x if x == frame.length => 1.0,
             _ => 0.0,
         };
-        supports::draw(&mut ground, [frame.x(support.at), 0.0], support, outward);
+        supports::draw(&mut canvas, [frame.x(support.at), 0.0], support, outward);
     }
-    ground
+    canvas
+}
+
+/// The ground's surface before anything presses on it, as far as the ground goes.
+fn flat(model: &Model, frame: &Frame) -> [[f64; 2]; 2] {
+    let [left, right] = ground::margins(model, frame);
+    [[frame.x(-left), 0.0], [frame.x(frame.length + right), 0.0]]
 }
 
 /// The beam's ends and hinges, between which it stays straight.

@@ -1,7 +1,8 @@
 //! The picture for a page: without its heading, of any width, and with the places where it may be taken hold of.
 
 use super::canvas::Canvas;
-use super::frame::Frame;
+use super::frame::{Frame, ROOM};
+use super::ground;
 use super::samples::Samples;
 use super::{PANEL_SPACE, axis_of_x, diagrams, edges, stacked, supports, system};
 use crate::context::Context;
@@ -32,6 +33,8 @@ pub struct Handle {
     pub at: f64,
     /// The place in the picture.
     pub place: [f64; 2],
+    /// Between which positions it may be moved \[m\].
+    pub range: [f64; 2],
 }
 
 /// What of a model is taken hold of, by its number in the model.
@@ -50,7 +53,7 @@ pub enum Grip {
 }
 
 /// The narrowest page on which words find their places.
-const NARROWEST: f64 = 520.0;
+const NARROWEST: f64 = 440.0;
 /// Wider than this a picture only grows.
 const WIDEST: f64 = 1400.0;
 /// Above the first panel.
@@ -81,17 +84,36 @@ pub fn view(solution: &Solution, context: &Context, width: f64) -> View {
     let height = page.reach()[1].max(y) + 14.0;
     let scale = system::vertical_scale(solution, &frame, &samples);
     let underside = |x: f64| scale * solution.at(x, Side::Right).deflection + down;
-    let handles = handles(solution.model(), |x| [frame.x(x), underside(x)]);
+    let surface = |x: f64| system::level(solution, scale, x) + down;
+    let handles = handles(solution.model(), &frame, underside, surface);
     let svg = page.finish(frame.width, height, "The beam on its ground and its diagrams");
     let size = [frame.width, height];
     View { svg, size, left: frame.x(0.0), scale: frame.scale(), handles }
 }
 
-/// Loads above the beam, hinges in it, supports below it; `underside` is where the beam is drawn.
-pub(super) fn handles(model: &Model, underside: impl Fn(f64) -> [f64; 2]) -> Vec<Handle> {
-    let handle = |grip, at: f64, rise: f64| {
-        let [x, y] = underside(at);
-        Handle { grip, at, place: [x, y - rise] }
+/// Loads above the beam or on the ground, hinges in the beam, supports below it; `underside` is where the beam is drawn,
+/// `surface` the ground.
+pub(super) fn handles(
+    model: &Model,
+    frame: &Frame,
+    underside: impl Fn(f64) -> f64,
+    surface: impl Fn(f64) -> f64,
+) -> Vec<Handle> {
+    let handle = |grip, at: f64, rise: f64| Handle {
+        grip,
+        at,
+        place: [frame.x(at), underside(at) - rise],
+        range: [0.0, frame.length],
+    };
+    // As far as the ground is drawn, or the picture would run away from what is dragged.
+    let [left, right] = ground::margins(model, frame);
+    let most = frame.margin / ROOM;
+    let reach = [-left.min(most), frame.length + right.min(most)];
+    let on_ground = |grip, at: f64, rise: f64| {
+        let is_seen = reach[0] <= at && at <= reach[1];
+        let rise = if at < 0.0 || at > frame.length { rise } else { -rise };
+        let place = [frame.x(at), surface(at) - rise];
+        is_seen.then_some(Handle { grip, at, place, range: reach })
     };
     let above = system::THICKNESS + GRIP;
     let mut all = Vec::new();
@@ -106,8 +128,11 @@ pub(super) fn handles(model: &Model, underside: impl Fn(f64) -> [f64; 2]) -> Vec
                 all.push(handle(Grip::From(i), from, above - 9.0));
                 all.push(handle(Grip::To(i), to, above - 9.0));
             }
-            // They stand on the ground, and may stand beside the beam.
-            Load::GroundForce { .. } | Load::GroundDistributed { .. } => {}
+            Load::GroundForce { at, .. } => all.extend(on_ground(Grip::Load(i), at, GRIP)),
+            Load::GroundDistributed { from, to, .. } => {
+                all.extend(on_ground(Grip::From(i), from, GRIP - 12.0));
+                all.extend(on_ground(Grip::To(i), to, GRIP - 12.0));
+            }
         }
     }
     for (i, hinge) in model.hinges.iter().enumerate() {

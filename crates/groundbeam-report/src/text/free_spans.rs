@@ -1,9 +1,11 @@
-//! A table of the stretches that have lifted off.
+//! The stretches that have lifted off: of one solution all of them, of trains those that stand out.
 
 use super::MOST_ROWS;
 use super::sheet::Sheet;
 use crate::quantity::{Kind, Units};
 use crate::size::Sizes;
+use crate::trains::Moving;
+use groundbeam::train::Opened;
 use groundbeam::{Field, LiftOff};
 
 /// A line for each; of very many the longest.
@@ -28,12 +30,7 @@ pub(super) fn table(sheet: &mut Sheet, lifted: &[LiftOff], units: Units, sizes: 
     for open in &shown {
         let largest = largest(open);
         let x = |x: f64| place.write(sizes.position(x), 5);
-        let ends = match open.reaches {
-            [true, true] => "both ends",
-            [true, false] => "left end",
-            [false, true] => "right end",
-            [false, false] => "",
-        };
+        let ends = ends(open);
         sheet.line(&format!(
             "{:<13}{:>10}{:>10}{:>10}{:>13} {:<10} {ends}",
             "",
@@ -47,4 +44,72 @@ pub(super) fn table(sheet: &mut Sheet, lifted: &[LiftOff], units: Units, sizes: 
     if count > MOST_ROWS {
         sheet.row("", &format!("and {} shorter ones", count - MOST_ROWS));
     }
+}
+
+/// Which ends of the beam a stretch reaches.
+fn ends(open: &LiftOff) -> &'static str {
+    match open.reaches {
+        [true, true] => "both ends",
+        [true, false] => "left end",
+        [false, true] => "right end",
+        [false, false] => "",
+    }
+}
+
+/// The longest free span and the largest clearance of all positions of trains; with their numbers, of several.
+pub(crate) fn of_trains(sheet: &mut Sheet, all: &[&Moving], units: Units) {
+    let each = || {
+        all.iter().enumerate().filter_map(|(i, moving)| {
+            let found = moving.passage.free_spans()?;
+            let cleaned = |opened: Opened| clean(moving, opened);
+            // What is nothing but rounding is no clearance.
+            let highest = cleaned(found.highest);
+            let is_open = highest.stretch.largest_gap.value > 0.0;
+            is_open.then(|| (i + 1, cleaned(found.longest), highest))
+        })
+    };
+    // Of equals the first.
+    let longest = each().map(|(number, longest, _)| (number, longest)).reduce(|most, other| {
+        if other.1.stretch.length() > most.1.stretch.length() { other } else { most }
+    });
+    let highest = each().map(|(number, _, highest)| (number, highest)).reduce(|most, other| {
+        let gap = |opened: &Opened| opened.stretch.largest_gap.value;
+        if gap(&other.1) > gap(&most.1) { other } else { most }
+    });
+    let (Some((of_longest, longest)), Some((of_highest, highest))) = (longest, highest) else {
+        sheet.row("Free spans", "none: the beam touches everywhere in every position");
+        return;
+    };
+    let place = |x: f64| units.write(Kind::Position, x, 4);
+    let when = |opened: &Opened, number: usize| {
+        let which = if all.len() > 1 { format!(", #{number}") } else { String::new() };
+        format!("with the first axle at {}{which}", place(opened.first_axle))
+    };
+    let LiftOff { from, to, .. } = longest.stretch;
+    let end = match ends(&longest.stretch) {
+        "" => String::new(),
+        ends => format!(", in the air at its {ends}"),
+    };
+    let when_longest = when(&longest, of_longest);
+    let words = format!(
+        "the longest {}, from {} to {}{end}, {when_longest}",
+        place(longest.stretch.length()),
+        place(from),
+        place(to)
+    );
+    sheet.row("Free spans", &words);
+    let gap = highest.stretch.largest_gap;
+    let value = units.write(Kind::Deflection, gap.value, 4);
+    let when_highest = when(&highest, of_highest);
+    sheet.row("", &format!("the largest clearance {value}, at {}, {when_highest}", place(gap.x)));
+}
+
+/// Without what is rounding.
+fn clean(moving: &Moving, opened: Opened) -> Opened {
+    let Some((_, solution)) = moving.passage.nearest(opened.first_axle) else { return opened };
+    let sizes = Sizes::of(solution);
+    let LiftOff { from, to, largest_gap, reaches } = opened.stretch;
+    let [from, to] = [from, to].map(|x| sizes.position(x));
+    let largest_gap = sizes.extreme(Field::Gap, largest_gap);
+    Opened { stretch: LiftOff { from, to, largest_gap, reaches }, ..opened }
 }

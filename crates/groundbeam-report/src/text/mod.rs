@@ -6,7 +6,7 @@ mod combinations;
 mod comparison;
 mod drawing;
 pub(crate) mod factors;
-mod free_spans;
+pub(crate) mod free_spans;
 mod ground;
 mod passages;
 pub(crate) mod sheet;

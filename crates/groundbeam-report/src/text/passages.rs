@@ -2,7 +2,7 @@
 
 use super::sheet::Sheet;
 use super::train::{cleaned, failures, limits, proof, ranges, train};
-use super::{label, structure, title};
+use super::{free_spans, label, structure, title};
 use crate::characteristics::Characteristics;
 use crate::combinations::Overall;
 use crate::context::{Context, Ground, clean};
@@ -52,6 +52,7 @@ pub fn trains(passages: &Passages, context: &Context, colour: bool) -> String {
         envelope(&mut sheet, passages, context.units);
         sheet.blank();
         uplift(&mut sheet, &all, context.units);
+        free_spans::of_trains(&mut sheet, &all, context.units);
         sheet.blank();
         limits(&mut sheet, &all, context);
         proof(&mut sheet, &all, context);

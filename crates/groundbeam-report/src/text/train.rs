@@ -1,7 +1,7 @@
 //! The report of one train's passage: the train, the envelope, uplift ahead of and behind the axles.
 
 use super::sheet::{Sheet, Tone};
-use super::{checks, duration, label};
+use super::{checks, duration, free_spans, label};
 use crate::context::{Context, clean};
 use crate::number::{order, significant};
 use crate::quantity::{Kind, Units};
@@ -27,6 +27,7 @@ pub(crate) fn train(sheet: &mut Sheet, moving: &Moving, context: &Context) {
         envelope(sheet, passage, context.units);
         sheet.blank();
         uplift(sheet, passage, context.units);
+        free_spans::of_trains(sheet, &[moving], context.units);
         sheet.blank();
         limits(sheet, &[moving], context);
         proof(sheet, &[moving], context);

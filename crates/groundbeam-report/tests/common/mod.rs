@@ -5,8 +5,19 @@ use groundbeam_file::{Document, UnitSystem};
 use groundbeam_report::{Context, Units};
 
 /// Models that have an equilibrium.
-pub const SOLVABLE: [&str; 8] =
-    ["curled", "footing", "gap", "kikuchi-4", "long-beam", "supports", "tiny", "winkler"];
+pub const SOLVABLE: [&str; 11] = [
+    "compressed",
+    "curled",
+    "footing",
+    "gap",
+    "jointed",
+    "kikuchi-4",
+    "long-beam",
+    "neighbours",
+    "supports",
+    "tiny",
+    "winkler",
+];
 
 /// `tests/models/NAME.toml`.
 pub fn document(name: &str) -> Document {

@@ -2,10 +2,12 @@
 
 mod bounds;
 mod edges;
+mod free_spans;
 mod interval;
 mod sweep;
 
 pub use bounds::{Located, Passage, Reach, Uplift};
+pub use free_spans::{FreeSpans, Opened};
 pub use sweep::{Answer, Position, Sweep};
 
 use crate::model::{Load, Model};

@@ -1,6 +1,6 @@
 //! The report of all combinations: each by itself, and the envelope with who governs.
 
-use super::page::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
+use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
 use super::single::{certified, checked, place};
 use super::{Source, given, print, proof};
 use crate::combinations::{Answer, Combinations, Combined, Numbered, Overall};
@@ -58,7 +58,13 @@ pub(super) fn combinations(all: &Combinations, context: &Context, source: &Sourc
         }));
     }
     sections.extend(proof::provenance(context, source));
-    Report { subject: "Beam on ground: combinations of load cases", verdicts, key, sections }
+    Report {
+        subject: "Beam on ground: combinations of load cases",
+        verdicts,
+        key,
+        sections,
+        ..Report::default()
+    }
 }
 
 fn overall(all: &Combinations) -> Verdict {

@@ -1,6 +1,6 @@
 //! The certificate in plain words, and where everything comes from.
 
-use super::page::{Block, Section, facts};
+use super::content::{Block, Section, facts};
 use super::{Source, equations};
 use crate::context::{Context, clean};
 use crate::quantity::Units;

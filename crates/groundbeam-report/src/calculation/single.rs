@@ -1,6 +1,6 @@
 //! The report of one model: its equilibrium, or why there is none.
 
-use super::page::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
+use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
 use super::{Source, given, print, proof};
 use crate::context::Context;
 use crate::quantity::{Kind, Units};
@@ -33,7 +33,13 @@ pub(super) fn solved(solution: &Solution, context: &Context, source: &Source) ->
     sections.push(proof::certificate(solution, context.units));
     sections.extend(proof::provenance(context, source));
     let key = key(solution, context.units);
-    Report { subject: "Beam on ground that pushes and does not pull", verdicts, key, sections }
+    Report {
+        subject: "Beam on ground that pushes and does not pull",
+        verdicts,
+        key,
+        sections,
+        ..Report::default()
+    }
 }
 
 /// The report of a model that has no equilibrium.
@@ -54,7 +60,7 @@ pub(super) fn no_equilibrium(
     ];
     sections.extend(proof::provenance(context, source));
     let verdicts = vec![stands(model, existence, context.units)];
-    Report { subject: "Beam without an equilibrium", verdicts, key: Vec::new(), sections }
+    Report { subject: "Beam without an equilibrium", verdicts, sections, ..Report::default() }
 }
 
 /// The report of a model that has no certified answer.
@@ -73,7 +79,12 @@ pub(super) fn not_converged(
     sections.extend(proof::provenance(context, source));
     let words = format!("{reached}; no result is given, since none could be certified");
     let refused = Verdict { tone: "bad", head: "Not solved".into(), words: print::words(&words) };
-    Report { subject: "Beam without an answer", verdicts: vec![refused], key: Vec::new(), sections }
+    Report {
+        subject: "Beam without an answer",
+        verdicts: vec![refused],
+        sections,
+        ..Report::default()
+    }
 }
 
 /// What the statics say.

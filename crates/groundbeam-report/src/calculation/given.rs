@@ -1,7 +1,7 @@
 //! What was given: drawing, beam, ground, supports, loads; and what is assumed.
 
+use super::content::{Block, Section, Table, facts, numbers, wording};
 use super::equations;
-use super::page::{Block, Section, Table, facts, numbers, wording};
 use super::{Source, print};
 use crate::characteristics::Characteristics;
 use crate::context::{Context, clean};
@@ -230,7 +230,7 @@ pub(super) fn assumptions(model: &Model, method: Method) -> Section {
     let how = match method {
         Method::Exact => {
             "Between the edges of contact the equations have closed forms; the edges themselves are unknowns, found by \
-             u′ = w′ there (w = u + g₀ where μ = 0). No mesh was chosen."
+             u′\u{a0}=\u{a0}w′ there (w\u{a0}=\u{a0}u\u{a0}+\u{a0}g₀ where μ\u{a0}=\u{a0}0). No mesh was chosen."
         }
         _ => {
             "The equations were solved on a mesh of elements; how far the mesh leaves the exact answer is bounded in \

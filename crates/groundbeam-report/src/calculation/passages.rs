@@ -1,6 +1,6 @@
 //! The report of trains that pass: the envelope of all positions.
 
-use super::page::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
+use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
 use super::single::{certified, checked, place};
 use super::{Source, given, print, proof};
 use crate::combinations::Overall;
@@ -44,7 +44,13 @@ pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) ->
         sections.push(proof::certificates(|sheet| train::proof(sheet, &all, &untimed)));
     }
     sections.extend(proof::provenance(context, source));
-    Report { subject: "Beam on ground under trains that pass", verdicts, key, sections }
+    Report {
+        subject: "Beam on ground under trains that pass",
+        verdicts,
+        key,
+        sections,
+        ..Report::default()
+    }
 }
 
 fn overall(passages: &Passages) -> Verdict {
@@ -114,6 +120,8 @@ fn envelope(passages: &Passages, units: Units) -> Section {
             }
             train::uplift(sheet, moving.passage, units);
         }
+        let all: Vec<&Moving> = passages.all.iter().collect();
+        text::free_spans::of_trains(sheet, &all, units);
     }));
     Section::new("Envelope", blocks)
 }

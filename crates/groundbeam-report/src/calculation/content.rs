@@ -6,101 +6,156 @@ use serde::Serialize;
 
 /// A whole report.
 #[derive(Debug, Clone, Default, Serialize)]
-pub(super) struct Report {
+pub struct Report {
+    /// What the model is called, or its file where it has no title.
+    pub title: String,
+    /// The version of the program that made it.
+    pub version: &'static str,
+    /// The SHA-256 digest of the input file, in hexadecimal digits.
+    pub digest: String,
     /// What it is, in a few words.
     pub subject: &'static str,
     /// What came out, in one line each: what everybody reads first.
     pub verdicts: Vec<Verdict>,
     /// The numbers that everybody looks for.
     pub key: Vec<Key>,
+    /// Its parts, numbered in this order from 1.
     pub sections: Vec<Section>,
 }
 
 /// A statement that is good or bad.
 #[derive(Debug, Clone, Serialize)]
-pub(super) struct Verdict {
+pub struct Verdict {
+    /// `good`, `doubtful` or `bad`.
     pub tone: &'static str,
+    /// Its first words.
     pub head: String,
+    /// What it says.
     pub words: String,
 }
 
 /// A number with what it is.
 #[derive(Debug, Clone, Serialize)]
-pub(super) struct Key {
+pub struct Key {
+    /// What it is.
     pub label: &'static str,
+    /// The number with its unit.
     pub value: String,
+    /// Where it is, or of what.
     pub note: String,
 }
 
 /// A numbered part.
 #[derive(Debug, Clone, Serialize)]
-pub(super) struct Section {
+pub struct Section {
+    /// What it is about.
     pub title: &'static str,
+    /// What it is made of.
     pub blocks: Vec<Block>,
 }
 
 /// A part of a section.
 #[derive(Debug, Clone, Serialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
-pub(super) enum Block {
-    Text { words: String },
-    List { items: Vec<String> },
-    Facts { facts: Vec<Fact> },
+pub enum Block {
+    /// A paragraph.
+    Text {
+        /// What it says.
+        words: String,
+    },
+    /// Statements, each with a dot before it.
+    List {
+        /// The statements.
+        items: Vec<String>,
+    },
+    /// Labelled statements.
+    Facts {
+        /// The statements.
+        facts: Vec<Fact>,
+    },
+    /// A table.
     Table(Table),
-    Figure { svg: String, caption: String },
-    Equations { lines: Vec<Equation> },
-    Code { lines: Vec<String> },
+    /// A picture; figures are numbered through the whole report.
+    Figure {
+        /// The picture, as wide as the page's text.
+        svg: String,
+        /// What it shows.
+        caption: String,
+    },
+    /// Formulas below one another.
+    Equations {
+        /// A formula a line.
+        lines: Vec<Equation>,
+    },
+    /// A file, line by line, the lines numbered from 1.
+    Code {
+        /// The lines, without their ends.
+        lines: Vec<String>,
+    },
 }
 
 /// A labelled statement.
 #[derive(Debug, Clone, Serialize)]
-pub(super) struct Fact {
-    /// Empty where it continues the one above.
+pub struct Fact {
+    /// What it is about; empty where it continues the one above.
     pub label: String,
+    /// A label within the statement; empty where it has none.
     pub inner: String,
+    /// `plain`, `good`, `doubtful` or `bad`.
     pub tone: &'static str,
-    /// The first part, in its tone.
+    /// The first part, in its tone; empty where nothing is set off.
     pub head: String,
+    /// What it says.
     pub words: String,
 }
 
 /// Rows under a head.
 #[derive(Debug, Clone, Default, Serialize)]
-pub(super) struct Table {
+pub struct Table {
+    /// What it shows.
     pub caption: String,
+    /// The heads of its columns.
     pub columns: Vec<Column>,
+    /// Its rows, a cell for every column.
     pub rows: Vec<Vec<String>>,
+    /// What is said below it; may be empty.
     pub note: String,
 }
 
 /// The head of a column, and which way its cells are set.
 #[derive(Debug, Clone, Serialize)]
-pub(super) struct Column {
+pub struct Column {
+    /// What stands in it.
     pub head: String,
+    /// The unit of its numbers; empty where they have none.
     pub unit: String,
+    /// Whether it holds numbers, which are set to the right.
     pub number: bool,
 }
 
 /// A formula with its number and what it says.
 #[derive(Debug, Clone, Serialize)]
-pub(super) struct Equation {
-    pub mathml: String,
+pub struct Equation {
+    /// The formula in LaTeX's notation.
+    pub latex: String,
+    /// Where it holds, or what it is; may be empty.
     pub words: String,
+    /// Its number in the source; empty where it has none.
     pub number: &'static str,
 }
 
 impl Section {
-    pub fn new(title: &'static str, blocks: Vec<Block>) -> Self {
+    pub(super) fn new(title: &'static str, blocks: Vec<Block>) -> Self {
         Section { title, blocks }
     }
 }
 
 impl Table {
-    pub fn new(caption: impl Into<String>, columns: Vec<Column>) -> Self {
+    pub(super) fn new(caption: impl Into<String>, columns: Vec<Column>) -> Self {
         Table { caption: caption.into(), columns, ..Table::default() }
     }
 
-    pub fn push(&mut self, row: impl IntoIterator<Item = String>) {
+    pub(super) fn push(&mut self, row: impl IntoIterator<Item = String>) {
         self.rows.push(row.into_iter().map(|words| cell(&words)).collect());
     }
 }

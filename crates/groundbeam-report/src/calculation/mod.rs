@@ -1,0 +1,87 @@
+//! The calculation report before it is set in type: one content for HTML and for PDF.
+//!
+//! It says what was given, what is assumed, why there is an equilibrium, what came out, and how anyone can check it. The
+//! words are those of [`text`](crate::text), the figures those of [`svg`](crate::svg).
+
+mod content;
+mod equations;
+mod given;
+mod passages;
+mod print;
+mod proof;
+mod several;
+mod single;
+
+use crate::combinations::Combinations;
+use crate::context::{Context, clean};
+use crate::trains::Passages;
+pub use content::{Block, Column, Equation, Fact, Key, Report, Section, Table, Verdict};
+use groundbeam::{Existence, Model, NotConverged, Solution};
+
+/// What a report is about.
+#[derive(Debug, Clone, Copy)]
+pub enum Contents<'a> {
+    /// An equilibrium.
+    Solved(&'a Solution),
+    /// There is none.
+    NoEquilibrium(&'a Model, &'a Existence),
+    /// The method did not reach its tolerance.
+    NotConverged(&'a Model, &'a NotConverged),
+    /// The combinations of load cases.
+    Combinations(&'a Combinations<'a>),
+    /// Trains that pass.
+    Trains(&'a Passages<'a>),
+}
+
+/// Where a report's model comes from.
+#[derive(Debug, Clone, Copy)]
+pub struct Source<'a> {
+    /// What the file is called.
+    pub name: &'a str,
+    /// All of the file: the report holds it and its digest.
+    pub text: &'a str,
+    /// The model under all of its loads as they are written.
+    pub model: &'a Model,
+    /// The load case of each of its loads, in their order; none for a load to which the file gives none.
+    pub cases: &'a [Option<String>],
+}
+
+/// The paper on which a report is set.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Paper {
+    /// 210 mm × 297 mm.
+    A4,
+    /// 8.5 in × 11 in.
+    Letter,
+}
+
+/// The report of what was found. Equal results give equal reports, but for the time a context brings along.
+pub fn report(contents: Contents, context: &Context, source: &Source) -> Report {
+    let report = match contents {
+        Contents::Solved(solution) => single::solved(solution, context, source),
+        Contents::NoEquilibrium(model, existence) => {
+            single::no_equilibrium(model, existence, context, source)
+        }
+        Contents::NotConverged(model, reached) => {
+            single::not_converged(model, reached, context, source)
+        }
+        Contents::Combinations(all) => several::combinations(all, context, source),
+        Contents::Trains(passages) => passages::trains(passages, context, source),
+    };
+    Report {
+        title: context.clean_title().unwrap_or_else(|| clean(source.name)),
+        version: env!("CARGO_PKG_VERSION"),
+        digest: proof::digest(source.text),
+        ..report
+    }
+}
+
+/// Every formula that may stand in a report, in LaTeX's notation: what whoever sets reports in type must be able to read.
+pub fn formulas() -> Vec<String> {
+    let blocks = [equations::problem(), equations::static_reactions(), equations::energy_gap()];
+    let lines = blocks.into_iter().flat_map(|block| match block {
+        Block::Equations { lines } => lines,
+        _ => Vec::new(),
+    });
+    lines.map(|line| line.latex).collect()
+}

@@ -1,0 +1,44 @@
+//! Free spans under a train: the longest one and the one with the largest clearance, over all positions.
+
+use super::bounds::Passage;
+use crate::free_spans::LiftOff;
+
+/// A stretch of the beam that does not touch, and where the train then stands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Opened {
+    /// Position of the first axle \[m\].
+    pub first_axle: f64,
+    /// The stretch.
+    pub stretch: LiftOff,
+}
+
+/// The free spans that stand out in a passage.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FreeSpans {
+    /// The longest one.
+    pub longest: Opened,
+    /// The one where beam and ground are farthest apart.
+    pub highest: Opened,
+}
+
+impl Passage {
+    /// The longest free span and the one with the largest clearance in all solved positions, ends in the air among them;
+    /// of equals the first. None if the beam touches everywhere and always.
+    pub fn free_spans(&self) -> Option<FreeSpans> {
+        let mut found: Option<FreeSpans> = None;
+        for (first_axle, solution) in self.solved() {
+            for stretch in solution.lift_off() {
+                let here = Opened { first_axle, stretch };
+                let FreeSpans { longest, highest } =
+                    found.get_or_insert(FreeSpans { longest: here, highest: here });
+                if stretch.length() > longest.stretch.length() {
+                    *longest = here;
+                }
+                if stretch.largest_gap.value > highest.stretch.largest_gap.value {
+                    *highest = here;
+                }
+            }
+        }
+        found
+    }
+}
