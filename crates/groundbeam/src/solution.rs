@@ -64,7 +64,9 @@ pub struct Fields {
     pub deflection: f64,
     /// w' \[rad\].
     pub slope: f64,
-    /// M = −EI (w″ − κ₀), sagging positive, κ₀ the imposed curvature \[N·m\].
+    /// φ, the rotation of the sections: w' where the beam does not shear \[rad\].
+    pub rotation: f64,
+    /// M = −EI (φ' − κ₀), sagging positive, κ₀ the imposed curvature; φ' = w″ where the beam does not shear \[N·m\].
     pub moment: f64,
     /// V = M' \[N\].
     pub shear_force: f64,
@@ -170,6 +172,8 @@ pub(crate) struct Stretch {
     pub cell: Cell,
     /// Coefficients of w(s).
     pub deflection: Coefficients,
+    /// Coefficients of φ(s); none where the beam does not shear.
+    pub rotation: Coefficients,
     /// Coefficients of M(s).
     pub moment: Coefficients,
     /// Coefficients of p(s).
@@ -231,6 +235,7 @@ impl Stretch {
         Fields {
             deflection: w,
             slope,
+            rotation: if self.rotation.is_empty() { slope } else { value(&self.rotation, s) },
             moment,
             shear_force: dm * per_length,
             settlement,

@@ -25,8 +25,8 @@ mod supports;
 mod surface;
 mod unclaimed;
 
-use crate::model::{Hinge, Load, Model};
-use crate::polynomial::{is_free_of_zeros, jet};
+use crate::model::{Course, Hinge, Load, Model};
+use crate::polynomial::{is_free_of_zeros, jet, value};
 use balance::{GivenBack, Remains, Segment};
 pub(crate) use claim::{Claim, ClaimedPiece};
 use ground::GroundSums;
@@ -103,13 +103,16 @@ const NEAR: f64 = 16.0 * f64::EPSILON;
 /// Energies and their parts, summed piece by piece.
 #[derive(Debug, Default)]
 struct Sums {
-    /// ∫EI (w″ − κ₀)², ∫P w'², ∫m²/EI, ∫(EI (w″ − κ₀) + m)²/EI, F(w), ∫1/EI.
+    /// ∫EI (φ' − κ₀)², ∫P w'², ∫m²/EI, ∫(EI (φ' − κ₀) + m)²/EI, F(w), ∫1/EI, with ∫S (w' − φ)², ∫Q²/S and
+    /// ∫(S (w' − φ) − Q)²/S where the beam shears, φ = w' where it does not.
     bending: f64,
     axial: f64,
     moment: f64,
     misfit: f64,
     work: f64,
     flexibility: f64,
+    /// ∫1/S.
+    shear_flexibility: f64,
     /// ∫EI κ₀² and ∫m κ₀.
     curling: f64,
     curled: f64,
@@ -214,8 +217,8 @@ struct Walk<'a> {
     given_back: GivenBack,
     /// The sum of all loads' sizes.
     loads: f64,
-    /// ∫1/EI, ∫P w'², the pulls and the joints' moments where the segment began.
-    began: [f64; 4],
+    /// ∫1/EI, ∫P w'², the pulls, the joints' moments and ∫1/S where the segment began.
+    began: [f64; 5],
 }
 
 impl<'a> Walk<'a> {
@@ -234,7 +237,7 @@ impl<'a> Walk<'a> {
             segment: Segment::default(),
             given_back: GivenBack::new(outside::flexibility(model, &outside)),
             loads: statics::size(model),
-            began: [0.0; 4],
+            began: [0.0; 5],
         };
         walk.stop(0.0);
         walk
@@ -249,12 +252,12 @@ impl<'a> Walk<'a> {
     /// Over one piece, and what stands at its right end.
     fn add(&mut self, piece: &'a ClaimedPiece<'a>, next: Option<&ClaimedPiece>) {
         let model = self.model;
-        let seen = Seen::of(piece.deflection);
+        let seen = Seen::of(piece.deflection, piece.rotation, piece.half);
         let load = SpreadLoad::on(&self.spread, piece.x);
         beam_piece(model, piece, &load, &seen, &mut self.events, &mut self.sums);
         let under = Under::new(model, piece, seen.ends);
         self.ground.add(under, &seen, &mut self.segment.carriers);
-        self.joints.add(piece, seen.ends);
+        self.joints.add(piece, seen.motion);
         self.stop(piece.x[1]);
         let Some(next) = next else { return };
         if let Some(hinge) = self.hinges.at(piece.x[1]) {
@@ -262,7 +265,7 @@ impl<'a> Walk<'a> {
             if hinge.at < piece.x[1] - NEAR * self.model.beam.length {
                 self.joints.misplaced = f64::INFINITY;
             }
-            self.turn(hinge, seen.ends[1][1] / piece.half, next);
+            self.turn(hinge, seen.motion[1][1] / piece.half, next);
         }
         if self.hinges.none_is_free() {
             self.may_cut(&under, next);
@@ -281,8 +284,11 @@ impl<'a> Walk<'a> {
             return;
         }
         let spring = hinge.rotational_spring;
-        let [_, after, ..] = jet(next.deflection, -1.0);
-        let bend = spring * (after / next.half - before);
+        let after = match next.rotation {
+            [] => jet(next.deflection, -1.0)[1] / next.half,
+            rotation => value(rotation, -1.0),
+        };
+        let bend = spring * (after - before);
         let misfit = bend + moment;
         self.sums.bending += bend * bend / spring;
         self.sums.moment += moment * moment / spring;
@@ -303,6 +309,10 @@ impl<'a> Walk<'a> {
         }
         let half = next.half;
         let [_, dw, mut ddw, mut third] = jet(next.deflection, -1.0);
+        if !next.rotation.is_empty() {
+            let [_, turned, bends, _] = jet(next.rotation, -1.0);
+            (ddw, third) = (half * turned, half * bends);
+        }
         let load = SpreadLoad::on(&self.spread, next.x);
         ddw -= load.curvature(-1.0) * half * half;
         third -= load.curvature[1] * half * half;
@@ -324,8 +334,16 @@ impl<'a> Walk<'a> {
     }
 
     fn end_segment(&mut self, remains: Remains) -> Segment {
-        let now = [self.sums.flexibility, self.sums.axial, self.ground.pull, self.joints.moment()];
-        let [flexibility, axial, pull, moment] = [0, 1, 2, 3].map(|i| now[i] - self.began[i]);
+        let sums = &self.sums;
+        let now = [
+            sums.flexibility,
+            sums.axial,
+            self.ground.pull,
+            self.joints.moment(),
+            sums.shear_flexibility,
+        ];
+        let [flexibility, axial, pull, moment, shear_flexibility] =
+            [0, 1, 2, 3, 4].map(|i| now[i] - self.began[i]);
         self.began = now;
         let x = self.segment.to;
         let mut ended = std::mem::take(&mut self.segment);
@@ -335,6 +353,9 @@ impl<'a> Walk<'a> {
         ended.remains.force_noise += pull;
         ended.remains.moment_noise += ended.moment;
         (ended.flexibility, ended.axial) = (flexibility, axial.max(0.0));
+        ended.shear_flexibility = shear_flexibility;
+        ended.shear_softness = 1.0 / self.model.beam.softest_in_shear();
+        ended.forces = ended.remains.force.abs() + ended.remains.force_noise;
         ended.tension = self.model.beam.axial_force.max(0.0);
         ended
     }
@@ -363,7 +384,11 @@ impl<'a> Walk<'a> {
         let beam = self.sums.misfit.sqrt() + bent;
         let held = self.supports.misfit.sqrt() + supports;
         let rounding = ROUNDED * (2.0 * strain + self.sums.moment).sqrt();
-        (beam * beam + ground * ground + held * held).sqrt() + self.joints.norm + rounding
+        // Compression shears the deflections that close joints: |P| ∫z'²/S, and less |P| ∫z'² than z costs.
+        let beam_model = &self.model.beam;
+        let compressed = (-beam_model.axial_force).max(0.0) / beam_model.softest_in_shear();
+        let joints = self.joints.norm * (1.0 + compressed.sqrt());
+        (beam * beam + ground * ground + held * held).sqrt() + joints + rounding
     }
 
     /// What is no square: work of forces on a clearance.
@@ -396,7 +421,8 @@ fn beam_piece(
     let half = piece.half;
     let course = model.beam.bending_stiffness_on(piece.x);
     let axial = model.beam.axial_force;
-    let moment = at_points(&events.integrate(piece, load, axial));
+    let [shear_force, moment] = events.integrate(piece, load, axial);
+    let moment = at_points(&moment);
     let mut stiffness = [course.at(0.0); Seen::POINTS];
     if course.is_constant() {
         sums.flexibility += 2.0 * half / course.at(0.0);
@@ -411,7 +437,11 @@ fn beam_piece(
         let dx = weight * half;
         let slope = seen.slope[i] * per_length;
         let curvature = load.curvature(s);
-        let bend = stiffness[i] * (seen.bend[i] * per_length * per_length - curvature);
+        let [turned, bend] = match seen.turned {
+            Some([turned, bend]) => [turned[i], bend[i]],
+            None => [seen.slope[i], seen.bend[i]],
+        };
+        let bend = stiffness[i] * (bend * per_length * per_length - curvature);
         let misfit = bend + moment[i];
         let soft = dx / stiffness[i];
         sums.bending += soft * bend * bend;
@@ -420,12 +450,44 @@ fn beam_piece(
         sums.curling += dx * stiffness[i] * curvature * curvature;
         sums.curled += dx * moment[i] * curvature;
         sums.axial += dx * axial * slope * slope;
-        sums.work += dx * (load.force(s) * seen.deflection[i] + load.moment(s) * slope);
+        let turned = turned * per_length;
+        sums.work += dx * (load.force(s) * seen.deflection[i] + load.moment(s) * turned);
         sums.largest_slope = larger(sums.largest_slope, slope.abs());
+    }
+    if let Some(course) = model.beam.shear_stiffness_on(piece.x) {
+        shear_piece(piece, load, seen, &course, &shear_force, sums);
     }
     let ends = seen.ends.map(|[w, _]| w);
     let deflections = seen.deflection.into_iter().chain(ends).map(f64::abs);
     sums.largest_deflection = deflections.fold(sums.largest_deflection, larger);
+}
+
+/// Where the beam shears: Q = V − g from equilibrium, its misfit to S (w' − φ), and what both take of the energies.
+fn shear_piece(
+    piece: &ClaimedPiece,
+    load: &SpreadLoad,
+    seen: &Seen,
+    course: &Course,
+    shear_force: &[f64],
+    sums: &mut Sums,
+) {
+    let half = piece.half;
+    let shear_force = at_points(shear_force);
+    let mut stiffness = [course.at(0.0); Seen::POINTS];
+    if !course.is_constant() {
+        sums.too_long |= !is_free_of_zeros(&course.coefficients, FREE);
+        stiffness = at_points(&course.coefficients);
+    }
+    for (i, (s, weight)) in gauss().enumerate() {
+        let strain = seen.turned.map_or(0.0, |[turned, _]| (seen.slope[i] - turned[i]) / half);
+        let force = shear_force[i] - load.moment(s);
+        let (bears, soft) = (stiffness[i] * strain, weight * half / stiffness[i]);
+        let misfit = bears - force;
+        sums.bending += soft * bears * bears;
+        sums.moment += soft * force * force;
+        sums.misfit += soft * misfit * misfit;
+        sums.shear_flexibility += soft;
+    }
 }
 
 /// The work of point loads.

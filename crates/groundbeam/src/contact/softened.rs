@@ -42,7 +42,9 @@ pub(super) fn start(model: &Model, level: u32) -> Result<Found, Stalled> {
         model.beam = model.beam.stiffened(doublings.exp2());
         model
     };
-    let stiff = model_of(stiffest);
+    // A mesh of cubic elements does not shear.
+    let mut stiff = model_of(stiffest);
+    stiff.beam = stiff.beam.without_shear();
     let meshes = nested::coarse_meshes(&stiff, per_wave);
     let found = nested::solve(meshes, Pressure::Distributed)?;
     let steps = (stiffest * f64::from(level + 1) / STEP).ceil();

@@ -15,6 +15,7 @@
 //! cosh(r₂x) and sinh(r₂x): one element as long as the slow wave, whatever the layers' width.
 
 use super::series::Series;
+use super::shear::Sheared;
 use super::{Basis, Element, Operator};
 
 /// Coefficients kept. With |r|·length ≤ 2 the first one left out is below 1/20! of the sum.
@@ -48,7 +49,8 @@ impl Layers {
     fn of(operator: &Operator, length: f64) -> Option<Self> {
         let n = operator.tension / operator.stiffness;
         let k = operator.spring / operator.stiffness;
-        if operator.courses.is_some() || n <= 0.0 || n * n < 4.0 * k {
+        let special = operator.courses.is_some() || operator.shearing.is_some();
+        if special || n <= 0.0 || n * n < 4.0 * k {
             return None;
         }
         let fast_squared = 0.5 * (n + (n * n - 4.0 * k).sqrt());
@@ -73,6 +75,8 @@ enum Shapes {
     Halves([Half; 2]),
     /// Where EI, N or κ vary.
     Whole(Series),
+    /// Where the beam shears.
+    Sheared(Sheared),
 }
 
 /// One parity: two solutions without load, the one with it, and the map from their amplitudes to the
@@ -89,6 +93,10 @@ struct Half {
 
 impl ExactElement {
     pub fn new(operator: &Operator, length: f64) -> Self {
+        if let Some(shearing) = &operator.shearing {
+            let (element, sheared) = Sheared::new(shearing, length);
+            return ExactElement { element, layers: None, shapes: Shapes::Sheared(sheared) };
+        }
         if let Some(courses) = &operator.courses {
             let (mut element, series) = Series::new(courses, length);
             element.curl(operator.curling_moments);
@@ -167,12 +175,21 @@ impl ExactElement {
         ExactElement { element, layers, shapes: Shapes::Halves([even, odd]) }
     }
 
+    /// The coefficients of φ(s), the rotation of the sections, where the beam shears.
+    pub fn rotation(&self, v: &[f64; 4]) -> Option<[f64; TERMS]> {
+        match &self.shapes {
+            Shapes::Sheared(sheared) => Some(sheared.unfold(v)[1]),
+            Shapes::Halves(_) | Shapes::Whole(_) => None,
+        }
+    }
+
     /// w for the element's four numbers: the coefficients of w(s), and the heights of the boundary layers
     /// at the left and the right end, which those do not hold.
     pub fn unfold(&self, v: &[f64; 4]) -> ([f64; TERMS], [f64; 2]) {
         let [even_half, odd_half] = match &self.shapes {
             Shapes::Halves(halves) => halves,
             Shapes::Whole(series) => return (series.unfold(v), [0.0; 2]),
+            Shapes::Sheared(sheared) => return (sheared.unfold(v)[0], [0.0; 2]),
         };
         let a = 0.5 * self.element.length;
         let [even, odd] = parities(a, self.element.basis).map(|map| map.map(|row| dot(&row, v)));
@@ -423,6 +440,7 @@ mod tests {
             moment_load: [0.0; 2],
             curling_moments: [0.0; 2],
             courses: None,
+            shearing: None,
         }
     }
 
