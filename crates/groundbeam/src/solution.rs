@@ -474,6 +474,27 @@ impl Solution {
         range.unwrap_or(Range { min: nothing, max: nothing })
     }
 
+    /// The smallest and largest rotation of the sections; that of the slope where the beam does not shear.
+    pub fn rotation_range(&self) -> Range {
+        let mut all: Vec<Extreme> = Vec::new();
+        for stretch in &self.stretches {
+            let mut s = stretch.candidates(Field::Slope);
+            if !stretch.rotation.is_empty() {
+                s = vec![-1.0, 1.0];
+                sign_changes(&derivative(&stretch.rotation), &mut s);
+            }
+            let at = |s: f64| Extreme { x: stretch.global(s), value: stretch.fields(s).rotation };
+            all.extend(s.into_iter().map(at));
+        }
+        all.sort_by(|a, b| a.x.total_cmp(&b.x));
+        let nothing = Extreme { x: 0.0, value: 0.0 };
+        let pick = |better: fn(f64, f64) -> bool| {
+            let best = |a: Extreme, b: &Extreme| if better(b.value, a.value) { *b } else { a };
+            all.iter().fold(all.first().copied().unwrap_or(nothing), best)
+        };
+        Range { min: pick(|a, b| a < b), max: pick(|a, b| a > b) }
+    }
+
     /// Positions at which the fields are worth listing: `even` equal steps, every load, support, joint and
     /// edge of contact, and the extremes of every field.
     pub fn stations(&self, even: usize) -> Vec<f64> {

@@ -15,11 +15,20 @@ pub(super) fn mathml(latex: &str) -> String {
     }
 }
 
-/// The problem, in the equations of Kikuchi.
-pub(super) fn problem() -> Block {
+/// The problem, in the equations of Kikuchi; of a beam that shears in those of Timoshenko.
+pub(super) fn problem(shears: bool) -> Block {
+    let beam = if shears {
+        let sections = r"(EI\,\varphi')' + GA\,(w' - \varphi) + g = 0, \qquad \
+                         -\bigl(GA\,(w' - \varphi)\bigr)' - P\,w'' + p = f";
+        line(sections, "beam, 0 < x < l", "")
+    } else {
+        line(r"(EI\,w'')'' - P\,w'' + p = f - g'", "beam, 0 < x < l", "(2.11)")
+    };
+    let ends = if shears { r"EI\,\varphi' = 0" } else { r"EI\,w'' = 0" };
+    let forces = r", \qquad p_0 = V + P\,w' - g, \qquad p_l = -(V + P\,w' - g)";
     Block::Equations {
         lines: vec![
-            line(r"(EI\,w'')'' - P\,w'' + p = f - g'", "beam, 0 < x < l", "(2.11)"),
+            beam,
             line(
                 r"-(\mu\,u')' + k\,u = p + p_0\,\delta(x) + p_l\,\delta(x-l)",
                 "ground, all x",
@@ -30,11 +39,7 @@ pub(super) fn problem() -> Block {
                 "contact, 0 < x < l",
                 "(2.10)",
             ),
-            line(
-                r"EI\,w'' = 0, \qquad p_0 = V + P\,w' - g, \qquad p_l = -(V + P\,w' - g)",
-                "free ends x = 0 and x = l",
-                "(2.13)",
-            ),
+            line(&format!("{ends}{forces}"), "free ends x = 0 and x = l", "(2.13)"),
         ],
     }
 }
@@ -75,7 +80,7 @@ mod tests {
 
     #[test]
     fn every_formula_can_be_read() {
-        for block in [problem(), static_reactions(), energy_gap()] {
+        for block in [problem(false), problem(true), static_reactions(), energy_gap()] {
             let Block::Equations { lines } = block else { panic!() };
             for line in lines {
                 assert!(line.mathml.starts_with("<math"), "{}", line.mathml);
