@@ -176,15 +176,18 @@ fn read_segment(
     let way = [from.value / length, to.value / length];
     let parent = whole.given.between(way);
     let (own, shape) = given(reader, table);
-    let stiffness = own.resolve(reader, &parent, &STIFFNESS);
-    let stiffness = reader.settle(stiffness, table, &STIFFNESS);
     reader.places.field(part, "from", &from);
     reader.places.field(part, "to", &to);
-    reader.places.field(part, "bending_stiffness", &stiffness.field());
     let modulus = [own.factors[0].as_ref(), parent.factors[0].as_ref()];
     let above = whole.shear.between(way);
     let shear = Shear::read(reader, table, modulus, shape.as_ref(), &above);
-    let shear = shear.settle(reader, table, &above).or_else(|| whole.shear_between(way));
+    let shear = shear.settle(reader, table, &above);
+    // A segment that says what it resists shear with may bend like the rest.
+    let bends = if shear.is_some() && own.is_empty() { parent.clone() } else { own };
+    let stiffness = bends.resolve(reader, &parent, &STIFFNESS);
+    let stiffness = reader.settle(stiffness, table, &STIFFNESS);
+    reader.places.field(part, "bending_stiffness", &stiffness.field());
+    let shear = shear.or_else(|| whole.shear_between(way));
     let shear_stiffness = placed(reader, part, shear);
     let (from, to, bending_stiffness) = (from.value, to.value, stiffness.profile);
     (BeamSegment { from, to, bending_stiffness, shear_stiffness }, shape)
