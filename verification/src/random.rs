@@ -191,7 +191,9 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         }
     }
     let beside = matches!(family, Family::Beside | Family::Neighbours);
-    if beside || dice.now_and_then(shearing) {
+    // Springs alone under the beam's end say nothing to a layer beside it.
+    let layered = shear > 0.0 && !varying && ground.segments.is_empty();
+    if beside || (layered && dice.now_and_then(shearing)) {
         ground = change_beside(ground, length, dice);
     }
     if varying || dice.now_and_then(compressed) {
@@ -202,7 +204,8 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         beam = shear_beam(beam, lambda_l, dice);
     }
     let mut model = Model::new(beam, ground);
-    if hinged || dice.now_and_then(one_way || shearing) {
+    let alone = shearing && model.foundation.segments.is_empty();
+    if hinged || dice.now_and_then(one_way || alone) {
         model = hinge(model, dice);
     }
     if one_way || dice.now_and_then(shearing) {

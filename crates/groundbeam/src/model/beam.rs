@@ -132,6 +132,15 @@ impl Beam {
         own.or(self.shear_stiffness.map(Course::constant))
     }
 
+    /// The same beam, as many times as stiff in shear.
+    pub(crate) fn stiffened_in_shear(mut self, times: f64) -> Self {
+        self.shear_stiffness = self.shear_stiffness.map(|stiffness| stiffness * times);
+        for segment in &mut self.segments {
+            segment.shear_stiffness = segment.shear_stiffness.map(|shear| shear.scaled(times));
+        }
+        self
+    }
+
     /// The same beam, which only bends.
     pub(crate) fn without_shear(mut self) -> Self {
         self.shear_stiffness = None;
@@ -161,12 +170,10 @@ impl Beam {
     /// The same beam, as many times as stiff, in bending and in shear.
     pub(crate) fn stiffened(mut self, times: f64) -> Self {
         self.bending_stiffness *= times;
-        self.shear_stiffness = self.shear_stiffness.map(|stiffness| stiffness * times);
         for segment in &mut self.segments {
             segment.bending_stiffness = segment.bending_stiffness.scaled(times);
-            segment.shear_stiffness = segment.shear_stiffness.map(|s| s.scaled(times));
         }
-        self
+        self.stiffened_in_shear(times)
     }
 
     pub(super) fn mirrored(&self) -> Self {
