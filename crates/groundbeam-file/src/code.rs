@@ -114,5 +114,6 @@ pub const CODES: &[Code] = &[
     while_solving("GB612", "load factors of a local equilibrium"),
     while_solving("GB613", "a local equilibrium with supports that act one way"),
     while_solving("GB614", "a beam that shears is solved by the exact method alone"),
+    while_solving("GB615", "a local equilibrium of a beam that shears"),
     row(FIRST_AXLE, "a train is measured backward from its first axle", "first-axle.toml"),
 ];

@@ -274,6 +274,7 @@ pub(crate) fn check(model: &Model) -> Result<Checked, Error> {
     }
     match convexity(model) {
         Some(stability) => Ok(Checked { existence: existence(model), stability, contact: None }),
+        None if model.beam.shears() => Err(Error::Unsupported(Problem::local_with_shear())),
         None if model.has_one_way_supports() => {
             Err(Error::Unsupported(Problem::local_on_one_way_supports(&model.supports)))
         }

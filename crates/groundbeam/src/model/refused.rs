@@ -97,6 +97,17 @@ impl Problem {
         )
     }
 
+    /// The branch of equilibria in compression is followed for beams that only bend.
+    pub(crate) fn local_with_shear() -> Self {
+        Problem::new(
+            "GB615",
+            Part::Beam,
+            "axial_force",
+            "the ground must help to bear this compression, and the beam shears",
+            "leave the shear stiffness out, or let supports hold the beam by themselves",
+        )
+    }
+
     /// Rows of equal elements need one stiffness and one ground each.
     pub(crate) fn nodal_where_it_varies(part: Part) -> Self {
         let field = match part {
