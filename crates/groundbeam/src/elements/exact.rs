@@ -15,7 +15,6 @@
 //! cosh(r₂x) and sinh(r₂x): one element as long as the slow wave, whatever the layers' width.
 
 use super::series::Series;
-use super::shear::Sheared;
 use super::{Basis, Element, Operator};
 
 /// Coefficients kept. With |r|·length ≤ 2 the first one left out is below 1/20! of the sum.
@@ -66,6 +65,8 @@ pub(crate) struct ExactElement {
     pub element: Element,
     pub layers: Option<Layers>,
     shapes: Shapes,
+    /// φ, where the beam shears.
+    rotation: Option<Series>,
 }
 
 /// The functions of an element.
@@ -73,10 +74,8 @@ pub(crate) struct ExactElement {
 enum Shapes {
     /// Even and odd ones.
     Halves([Half; 2]),
-    /// Where EI, N or κ vary.
+    /// Where EI, N or κ vary, and where the beam shears.
     Whole(Series),
-    /// Where the beam shears.
-    Sheared(Sheared),
 }
 
 /// One parity: two solutions without load, the one with it, and the map from their amplitudes to the
@@ -94,13 +93,19 @@ struct Half {
 impl ExactElement {
     pub fn new(operator: &Operator, length: f64) -> Self {
         if let Some(shearing) = &operator.shearing {
-            let (element, sheared) = Sheared::new(shearing, length);
-            return ExactElement { element, layers: None, shapes: Shapes::Sheared(sheared) };
+            let (element, [deflection, rotation]) = shearing.element(length);
+            let (shapes, rotation) = (Shapes::Whole(deflection), Some(rotation));
+            return ExactElement { element, layers: None, shapes, rotation };
         }
         if let Some(courses) = &operator.courses {
             let (mut element, series) = Series::new(courses, length);
             element.curl(operator.curling_moments);
-            return ExactElement { element, layers: None, shapes: Shapes::Whole(series) };
+            return ExactElement {
+                element,
+                layers: None,
+                shapes: Shapes::Whole(series),
+                rotation: None,
+            };
         }
         let a = 0.5 * length;
         let ei = operator.stiffness;
@@ -172,15 +177,12 @@ impl ExactElement {
         let basis = if layers.is_some() { Basis::Ends } else { Basis::Deformation };
         let mut element = assemble(length, basis, &even.condensed(), &odd.condensed());
         element.curl(operator.curling_moments);
-        ExactElement { element, layers, shapes: Shapes::Halves([even, odd]) }
+        ExactElement { element, layers, shapes: Shapes::Halves([even, odd]), rotation: None }
     }
 
     /// The coefficients of φ(s), the rotation of the sections, where the beam shears.
     pub fn rotation(&self, v: &[f64; 4]) -> Option<[f64; TERMS]> {
-        match &self.shapes {
-            Shapes::Sheared(sheared) => Some(sheared.unfold(v)[1]),
-            Shapes::Halves(_) | Shapes::Whole(_) => None,
-        }
+        self.rotation.map(|rotation| rotation.unfold(v))
     }
 
     /// w for the element's four numbers: the coefficients of w(s), and the heights of the boundary layers
@@ -189,7 +191,6 @@ impl ExactElement {
         let [even_half, odd_half] = match &self.shapes {
             Shapes::Halves(halves) => halves,
             Shapes::Whole(series) => return (series.unfold(v), [0.0; 2]),
-            Shapes::Sheared(sheared) => return (sheared.unfold(v)[0], [0.0; 2]),
         };
         let a = 0.5 * self.element.length;
         let [even, odd] = parities(a, self.element.basis).map(|map| map.map(|row| dot(&row, v)));
