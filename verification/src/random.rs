@@ -3,7 +3,8 @@
 mod features;
 
 use features::{
-    add_neighbours, bearings, change_beside, compress, curl, hinge, vary_beam, vary_ground,
+    add_neighbours, bearings, change_beside, compress, curl, hinge, shear_beam, vary_beam,
+    vary_ground,
 };
 use groundbeam::{
     Beam, FirstLiftOff, Foundation, Load, LoadFactors, Model, Support, Verdict, exists,
@@ -47,6 +48,8 @@ pub enum Family {
     Beside = 16,
     /// The same, and loads on the ground, under the beam and beside it.
     Neighbours = 17,
+    /// Beams that shear, from hardly to hardly anything else, with some of all the rest.
+    Shearing = 30,
     /// All of it but tension, under compression that the ground must help to bear.
     Compressed = 21,
     /// All of it at its worst: λl up to 10⁴, up to a hundred loads, some pulling, resultants near an end.
@@ -55,7 +58,7 @@ pub enum Family {
 
 impl Family {
     /// Every family that takes milliseconds a model and that every method solves; `Extreme` takes seconds at times, and
-    /// `Compressed` is followed by the exact method alone.
+    /// `Compressed` and `Shearing` are solved by the exact method alone.
     pub const ALL: [Family; 16] = [
         Family::Plain,
         Family::Tension,
@@ -140,8 +143,9 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     let settles = family == Family::Settled;
     let hinged = family == Family::Hinged;
     let one_way = family == Family::OneWay;
-    let various = curled || settles || hinged || one_way || family == Family::Varying;
-    let varying = family == Family::Varying || dice.now_and_then(curled || settles);
+    let shearing = family == Family::Shearing;
+    let various = curled || settles || hinged || one_way || shearing || family == Family::Varying;
+    let varying = family == Family::Varying || dice.now_and_then(curled || settles || shearing);
     let length = dice.decades(-1.0, 2.0);
     let k = dice.decades(-2.0, 2.0);
     // Stiffness by the number that matters, l (k/4EI)^(1/4).
@@ -155,7 +159,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     // The shear layer by √(μ/k) against √(EI/k)^(1/2).
     let shear = match family {
         Family::Winkler => 0.0,
-        _ if (mixed || curled || settles) && dice.happens(0.2) => 0.0,
+        _ if (mixed || curled || settles || shearing) && dice.happens(0.2) => 0.0,
         Family::Hard | Family::Extreme => (k * stiffness).sqrt() * dice.decades(-4.0, 3.0),
         _ => (k * stiffness).sqrt() * dice.decades(-2.0, 1.5),
     };
@@ -168,7 +172,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     }
     if family == Family::Segments
         || (mixed && dice.happens(0.5))
-        || dice.now_and_then(curled || settles)
+        || dice.now_and_then(curled || settles || shearing)
     {
         let mut ends: Vec<f64> = (0..2 + 2 * dice.up_to(2)).map(|_| dice.place()).collect();
         ends.sort_by(f64::total_cmp);
@@ -186,18 +190,25 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
             ground = ground.with_segment(pair[0] * length, pair[1] * length, k, shear);
         }
     }
-    if matches!(family, Family::Beside | Family::Neighbours) {
+    let beside = matches!(family, Family::Beside | Family::Neighbours);
+    // Springs alone under the beam's end say nothing to a layer beside it.
+    let layered = shear > 0.0 && !varying && ground.segments.is_empty();
+    if beside || (layered && dice.now_and_then(shearing)) {
         ground = change_beside(ground, length, dice);
     }
     if varying || dice.now_and_then(compressed) {
         beam = vary_beam(beam, stiffness, dice);
         ground = vary_ground(ground, length, dice);
     }
+    if shearing {
+        beam = shear_beam(beam, lambda_l, dice);
+    }
     let mut model = Model::new(beam, ground);
-    if hinged || dice.now_and_then(one_way) {
+    let alone = shearing && model.foundation.segments.is_empty();
+    if hinged || dice.now_and_then(one_way || alone) {
         model = hinge(model, dice);
     }
-    if one_way {
+    if one_way || dice.now_and_then(shearing) {
         model = bearings(model, dice);
     }
     if family == Family::Supported
@@ -220,7 +231,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
                     stiffness / length * dice.decades(-2.0, 2.0),
                 ),
             };
-            let settled = settles && dice.happens(0.7);
+            let settled = (settles || shearing) && dice.happens(0.7);
             let settlement = if settled { dice.even(-1.0, 2.0) / (k * length) } else { 0.0 };
             model = model.with_support(support.settled(settlement));
         }
@@ -232,7 +243,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         }
     }
     load(&mut model, family, lambda_l, dice);
-    if curled {
+    if curled || dice.now_and_then(shearing) {
         curl(&mut model, lambda_l, dice);
     }
     if family == Family::Gap || (mixed && dice.happens(0.5)) || dice.now_and_then(various) {

@@ -19,7 +19,7 @@ fn report(faults: &[String]) {
 #[test]
 fn exact_is_certified() {
     let mut faults = Vec::new();
-    for family in Family::ALL.into_iter().chain([Family::Extreme]) {
+    for family in Family::ALL.into_iter().chain([Family::Shearing, Family::Extreme]) {
         let numbers = match family {
             Family::Hard => 0..40,
             Family::Varying => 0..60,
@@ -114,6 +114,7 @@ fn scaling_by_a_power_of_two_is_bit_identical() {
         Family::Settled,
         Family::Beside,
         Family::Neighbours,
+        Family::Shearing,
     ];
     let mut faults = Vec::new();
     for family in families {
@@ -126,8 +127,9 @@ fn scaling_by_a_power_of_two_is_bit_identical() {
                 support.settlement *= factor;
             }
             for method in [Method::Exact, Method::ActiveSet] {
-                // Loads on the ground are the exact method's alone.
-                if family == Family::Neighbours && method != Method::Exact {
+                // Loads on the ground and shear are the exact method's alone.
+                let alone = matches!(family, Family::Neighbours | Family::Shearing);
+                if alone && method != Method::Exact {
                     continue;
                 }
                 let options = Options { method, elements: 37, ..Options::default() };
@@ -171,6 +173,7 @@ fn mirror_images_mirror() {
         Family::Settled,
         Family::Beside,
         Family::Neighbours,
+        Family::Shearing,
     ] {
         for number in 0..200 {
             let model = model(family, number);

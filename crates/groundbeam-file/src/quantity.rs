@@ -69,6 +69,15 @@ pub(crate) const ELASTIC_MODULUS: Kind = kind(
 );
 pub(crate) const SECOND_MOMENT_OF_AREA: Kind =
     kind("a second moment of area", SECOND_MOMENT, "0.04 m^4", "m^4", &[]);
+pub(crate) const SHEAR_STIFFNESS: Kind = kind(
+    "a force (a shear stiffness)",
+    Dimension::FORCE,
+    "900 MN",
+    "MN",
+    &[(STRESS, "a shear modulus is `G`; give it together with `shear_area` or a `section`")],
+);
+pub(crate) const SHEAR_MODULUS: Kind = kind("a shear modulus", STRESS, "12.5 GPa", "GPa", &[]);
+pub(crate) const SHEAR_AREA: Kind = kind("an area", Dimension::new(0, 2), "0.4 m^2", "m^2", &[]);
 pub(crate) const SPRING_PER_LENGTH: Kind = kind(
     "a force per length and deflection",
     STRESS,
@@ -345,6 +354,9 @@ mod tests {
             BENDING_STIFFNESS,
             ELASTIC_MODULUS,
             SECOND_MOMENT_OF_AREA,
+            SHEAR_STIFFNESS,
+            SHEAR_MODULUS,
+            SHEAR_AREA,
             SPRING_PER_LENGTH,
             SUBGRADE_MODULUS,
             SHEAR_CONSTANT,

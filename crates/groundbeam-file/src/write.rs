@@ -72,11 +72,17 @@ impl Writer {
         self.heading("[beam]");
         self.quantity("length", beam.length, "m");
         self.quantity("EI", beam.bending_stiffness, "N m^2");
+        if let Some(stiffness) = beam.shear_stiffness {
+            self.quantity("shear_stiffness", stiffness, "N");
+        }
         self.quantity("axial_force", beam.axial_force, "N");
         for segment in &beam.segments {
             self.heading("[[beam.segment]]");
             self.stretch(segment.from, segment.to);
             self.profile("EI", &segment.bending_stiffness, "N m^2");
+            if let Some(stiffness) = &segment.shear_stiffness {
+                self.profile("shear_stiffness", stiffness, "N");
+            }
         }
     }
 

@@ -7,7 +7,8 @@ use crate::trains::{InPassage, Moving, Passages};
 use ::csv::{Writer, WriterBuilder};
 use groundbeam::{Bounds, Field, Fields, Solution};
 
-/// All fields at the given positions: `x_m, deflection_m, …`, without units in the header for plain numbers.
+/// All fields at the given positions: `x_m, deflection_m, …`, without units in the header for plain numbers; of a
+/// beam that shears the rotation of its sections besides.
 ///
 /// Where a field jumps (at point loads, supports and edges of contact) the position has two rows: first the
 /// values just to the left, then those just to the right. Numbers are written with as many digits as it
@@ -15,12 +16,14 @@ use groundbeam::{Bounds, Field, Fields, Solution};
 pub fn table(solution: &Solution, positions: &[f64], units: Units) -> String {
     let mut rows = Rows::new();
     let names = Field::ALL.map(|field| column(field.name(), unit(field), units));
-    rows.push(std::iter::once(column("x", "m", units)).chain(names));
+    let shears = solution.model().beam.shears();
+    let rotation = shears.then(|| column("rotation", "rad", units));
+    rows.push(std::iter::once(column("x", "m", units)).chain(names).chain(rotation));
     let jumps = Jumps::of(solution);
     for &x in positions {
         let (left, right) = jumps.rows(solution, x);
         for fields in left.iter().chain([&right]) {
-            rows.push(row(x, fields));
+            rows.push(row(x, fields).chain(shears.then(|| number(fields.rotation))));
         }
     }
     rows.finish()

@@ -337,6 +337,9 @@ struct Stations {
     x: Vec<f64>,
     deflection: Vec<f64>,
     slope: Vec<f64>,
+    /// Of a beam that shears.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rotation: Option<Vec<f64>>,
     moment: Vec<f64>,
     shear_force: Vec<f64>,
     settlement: Vec<f64>,
@@ -352,6 +355,11 @@ impl Stations {
             x: positions.to_vec(),
             deflection: column(Field::Deflection),
             slope: column(Field::Slope),
+            rotation: solution
+                .model()
+                .beam
+                .shears()
+                .then(|| fields.iter().map(|f| f.rotation).collect()),
             moment: column(Field::Moment),
             shear_force: column(Field::ShearForce),
             settlement: column(Field::Settlement),
@@ -365,6 +373,8 @@ impl Stations {
 struct Extremes {
     deflection: Range,
     slope: Range,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rotation: Option<Range>,
     moment: Range,
     shear_force: Range,
     settlement: Range,
@@ -392,13 +402,14 @@ impl From<Extreme> for Point {
 
 impl Extremes {
     fn of(solution: &Solution) -> Self {
-        let range = |field| {
-            let range = solution.range(field);
-            Range { min: range.min.into(), max: range.max.into() }
-        };
+        let written =
+            |range: groundbeam::Range| Range { min: range.min.into(), max: range.max.into() };
+        let range = |field| written(solution.range(field));
+        let shears = solution.model().beam.shears();
         Extremes {
             deflection: range(Field::Deflection),
             slope: range(Field::Slope),
+            rotation: shears.then(|| written(solution.rotation_range())),
             moment: range(Field::Moment),
             shear_force: range(Field::ShearForce),
             settlement: range(Field::Settlement),

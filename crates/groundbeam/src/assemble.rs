@@ -94,6 +94,7 @@ fn claim(solution: &Solution, stability: f64) -> Claim<'_> {
         x: stretch.x,
         half: stretch.half,
         deflection: &stretch.deflection,
+        rotation: &stretch.rotation,
         pressure: &stretch.pressure,
         open: stretch.open.map(|ends| {
             let own = [-1.0, 1.0].map(|s| stretch.cell.settled_at(s)[0]);
@@ -148,7 +149,12 @@ fn stretches(found: &Found, surface: &Surface, stretches: &mut Vec<Stretch>) {
         } else {
             Coefficients::default()
         };
-        let moment = recovered.next().unwrap_or_else(|| bent(&cell, half, &deflection));
+        let rotation = match cell.beam_shear {
+            Some(_) if part.s == [-1.0, 1.0] => found.rotation(part.cell),
+            Some(_) => rescale(&found.rotation(part.cell), middle, quarter),
+            None => Coefficients::default(),
+        };
+        let moment = recovered.next().unwrap_or_else(|| bent(&cell, half, &deflection, &rotation));
         let settlement = match part.open {
             Some(ends) if cell.ground_varies() && cell.shear > 0.0 => {
                 settled(&cell.spring_course(), &cell.shear_course(), half, ends)
@@ -160,6 +166,7 @@ fn stretches(found: &Found, surface: &Surface, stretches: &mut Vec<Stretch>) {
             x: cell.x,
             cell,
             deflection,
+            rotation,
             moment,
             pressure,
             open: part.open,
@@ -168,11 +175,14 @@ fn stretches(found: &Found, surface: &Surface, stretches: &mut Vec<Stretch>) {
     }
 }
 
-/// The coefficients of M = −EI (w″ − κ₀).
-fn bent(cell: &Cell, half: f64, deflection: &[f64]) -> Coefficients {
+/// The coefficients of M = −EI (φ' − κ₀), with φ = w' where the beam does not shear.
+fn bent(cell: &Cell, half: f64, deflection: &[f64], rotation: &[f64]) -> Coefficients {
     let times = if cell.beam_varies() { 1.0 } else { cell.stiffness };
-    let factor = -times / (half * half);
-    let mut bend = derivative(&derivative(deflection));
+    let (factor, mut bend) = if rotation.is_empty() {
+        (-times / (half * half), derivative(&derivative(deflection)))
+    } else {
+        (-times / half, derivative(rotation))
+    };
     for c in bend.iter_mut() {
         *c *= factor;
     }
@@ -219,7 +229,7 @@ fn reactions(solution: &Solution) -> Vec<Reaction> {
             SupportKind::Spring { spring, rotational_spring } => {
                 let here = solution.at(x, Side::Right);
                 let pressed = here.deflection - support.settlement;
-                (spring * pressed, -rotational_spring * here.slope)
+                (spring * pressed, -rotational_spring * here.rotation)
             }
         };
         Reaction { at: x, force, moment }

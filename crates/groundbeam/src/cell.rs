@@ -17,6 +17,8 @@ pub(crate) struct Cell {
     pub spring: f64,
     /// μ \[N\], where it varies at the middle.
     pub shear: f64,
+    /// The coefficients of the beam's own shear stiffness S(s) \[N\]; none where it does not shear.
+    pub beam_shear: Option<[f64; Profile::MOST]>,
     /// By how much they vary.
     pub varies: Varies,
     /// f at both ends \[N/m\].
@@ -116,6 +118,11 @@ impl Cell {
         self.varies.stiffness.iter().any(|c| *c != 0.0)
     }
 
+    /// Whether S varies.
+    pub fn beam_shear_varies(&self) -> bool {
+        self.beam_shear.is_some_and(|shear| shear[1..].iter().any(|c| *c != 0.0))
+    }
+
     /// Whether k or μ varies.
     pub fn ground_varies(&self) -> bool {
         let Varies { spring, shear, .. } = &self.varies;
@@ -207,7 +214,9 @@ impl Cell {
 
     /// Whether what varies does so little enough for short power series.
     pub fn is_smooth(&self) -> bool {
+        let uneven_shear = self.beam_shear.filter(|_| self.beam_shear_varies());
         (!self.beam_varies() || is_free_of_zeros(&self.stiffness_course(), FREE))
+            && uneven_shear.is_none_or(|shear| is_free_of_zeros(&shear, FREE))
             && (!self.ground_varies()
                 || (is_free_of_zeros(&self.spring_course(), FREE)
                     && (self.shear == 0.0 || is_free_of_zeros(&self.shear_course(), FREE))))
@@ -251,6 +260,9 @@ impl Cell {
         if self.beam_varies() {
             part.set_stiffness(&course(&self.stiffness_course()));
         }
+        if self.beam_shear_varies() {
+            part.beam_shear = self.beam_shear.map(|shear| course(&shear));
+        }
         if self.ground_varies() {
             let ends = [0, 1].map(|i| {
                 if s[i].abs() == 1.0 {
@@ -283,19 +295,22 @@ impl Cell {
         self.varies.shear_ends = varies.then_some(shear_ends);
     }
 
-    pub fn set_courses(&mut self, beam: Option<&Course>, ground: Option<&[Course; 2]>) {
-        if let Some(course) = beam {
-            self.set_stiffness(&course.coefficients);
-        }
-        if let Some([spring, shear]) = ground {
-            self.set_ground(&spring.coefficients, &shear.coefficients, shear.ends);
-        }
+    /// EI and S of a segment.
+    pub fn set_beam(&mut self, bending: &Course, shear: Option<&Course>) {
+        self.set_stiffness(&bending.coefficients);
+        self.beam_shear = shear.map(|course| course.coefficients);
     }
 
-    /// EI times a number.
+    /// k and μ of a segment.
+    pub fn set_courses(&mut self, [spring, shear]: &[Course; 2]) {
+        self.set_ground(&spring.coefficients, &shear.coefficients, shear.ends);
+    }
+
+    /// EI and S times a number.
     pub fn stiffen(&mut self, times: f64) {
         self.stiffness *= times;
         self.varies.stiffness = self.varies.stiffness.map(|c| c * times);
+        self.beam_shear = self.beam_shear.map(|shear| shear.map(|c| c * times));
     }
 
     /// k and μ times a number.

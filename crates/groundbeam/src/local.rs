@@ -123,7 +123,7 @@ fn mode(model: &Model, contact: &[Stretch]) -> Option<(f64, [f64; 2], f64)> {
     let x: Vec<f64> = found.mesh.nodes.iter().map(|node| node.x).collect();
     let mesh = Mesh::build(model, &x, |_| 1);
     let same = mesh.cells.len() == found.mesh.cells.len();
-    let work = same.then(|| work_of_loads(&mesh, found.terms, &found.coefficients))?;
+    let work = same.then(|| work_of_loads(&mesh, found.motion()))?;
     // Scaled to −1 where it is largest; adding zero turns −0 into 0.
     Some((at, [left, right].map(|w| -w / size + 0.0), -work / size + 0.0))
 }

@@ -7,7 +7,8 @@ use crate::cell::Varies;
 pub(crate) use crate::cell::{Cell, GROUND};
 use crate::free;
 use crate::ground;
-use crate::model::{Load, Model, SupportKind};
+use crate::model::{Course, Load, Model, SupportKind};
+use crate::polynomial::value;
 
 /// What acts on and holds the beam at one point.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -22,14 +23,17 @@ pub(crate) struct Node {
     pub pinned: bool,
     /// How far what holds it has settled \[m\].
     pub settlement: f64,
-    /// w' = 0.
+    /// The sections' rotation is 0.
     pub clamped: bool,
     /// Spring against w less the settlement \[N/m\].
     pub spring: f64,
-    /// Spring against w' \[N·m/rad\].
+    /// Spring against the sections' rotation \[N·m/rad\].
     pub rotational_spring: f64,
-    /// w' may jump, against this spring \[N·m/rad\].
+    /// The sections' rotation may jump, against this spring \[N·m/rad\].
     pub hinge: Option<f64>,
+    /// w' may jump though no hinge is there: a beam that shears has a kink where a force acts on it, and where its
+    /// own or the ground's stiffness against shear changes.
+    pub kinked: bool,
 }
 
 /// Nodes from left to right and the cells between them.
@@ -92,6 +96,7 @@ impl Mesh {
         let mut mesh =
             Mesh { nodes: nodes_of(&cells), cells, axial_force: model.beam.axial_force, outside };
         mesh.place_loads_and_supports(model);
+        mesh.find_kinks();
         mesh
     }
 
@@ -149,6 +154,25 @@ impl Mesh {
         if x - self.nodes[left].x < self.nodes[right].x - x { left } else { right }
     }
 
+    /// Where w' may jump: the beam's own shear force S(w' − φ) does, or S itself.
+    fn find_kinks(&mut self) {
+        for i in 1..self.cells.len() {
+            let [left, right] = [&self.cells[i - 1], &self.cells[i]];
+            let at = |cell: &Cell, s: f64| cell.beam_shear.map_or(0.0, |shear| value(&shear, s));
+            if left.beam_shear.is_none() && right.beam_shear.is_none() {
+                continue;
+            }
+            let node = &self.nodes[i];
+            let pushed = node.force != 0.0 || node.pinned || node.spring != 0.0;
+            let jump = at(left, 1.0) - at(right, -1.0);
+            let stiffness_jumps = jump.abs() > ROUNDING * at(left, 1.0);
+            let ground_jumps = left.shear_ends()[1] != right.shear_ends()[0]
+                || left.gap_slope != right.gap_slope
+                || right.ground_force != 0.0;
+            self.nodes[i].kinked = pushed || stiffness_jumps || ground_jumps;
+        }
+    }
+
     fn place_loads_and_supports(&mut self, model: &Model) {
         for load in &model.loads {
             match *load {
@@ -186,6 +210,9 @@ impl Mesh {
         }
     }
 }
+
+/// The jump of a stiffness, relative to it, that is none.
+const ROUNDING: f64 = 1e-13;
 
 /// Halvings of a cell.
 const MOST_HALVINGS: u32 = 40;
@@ -260,6 +287,7 @@ fn nodes_of(cells: &[Cell]) -> Vec<Node> {
 }
 
 fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
+    let even = |stiffness: f64| Course::constant(stiffness).coefficients;
     let mut cells: Vec<Cell> = x
         .windows(2)
         .map(|x| Cell {
@@ -267,6 +295,7 @@ fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
             stiffness: model.beam.bending_stiffness,
             spring: model.foundation.spring,
             shear: model.foundation.shear,
+            beam_shear: model.beam.shear_stiffness.map(even),
             varies: Varies::default(),
             load: [0.0; 2],
             moment_load: [0.0; 2],
@@ -280,12 +309,13 @@ fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
         .collect();
     for segment in &model.beam.segments {
         for cell in within(&mut cells, segment.from, segment.to) {
-            cell.set_courses(Some(&segment.course(cell.x)), None);
+            let shear = model.beam.shear_stiffness_on(cell.x);
+            cell.set_beam(&segment.course(cell.x), shear.as_ref());
         }
     }
     for segment in &model.foundation.segments {
         for cell in within(&mut cells, segment.from, segment.to) {
-            cell.set_courses(None, Some(&segment.courses(cell.x)));
+            cell.set_courses(&segment.courses(cell.x));
         }
     }
     for load in &model.loads {

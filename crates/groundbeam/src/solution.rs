@@ -64,7 +64,9 @@ pub struct Fields {
     pub deflection: f64,
     /// w' \[rad\].
     pub slope: f64,
-    /// M = −EI (w″ − κ₀), sagging positive, κ₀ the imposed curvature \[N·m\].
+    /// φ, the rotation of the sections: w' where the beam does not shear \[rad\].
+    pub rotation: f64,
+    /// M = −EI (φ' − κ₀), sagging positive, κ₀ the imposed curvature; φ' = w″ where the beam does not shear \[N·m\].
     pub moment: f64,
     /// V = M' \[N\].
     pub shear_force: f64,
@@ -170,6 +172,8 @@ pub(crate) struct Stretch {
     pub cell: Cell,
     /// Coefficients of w(s).
     pub deflection: Coefficients,
+    /// Coefficients of φ(s); none where the beam does not shear.
+    pub rotation: Coefficients,
     /// Coefficients of M(s).
     pub moment: Coefficients,
     /// Coefficients of p(s).
@@ -231,6 +235,7 @@ impl Stretch {
         Fields {
             deflection: w,
             slope,
+            rotation: if self.rotation.is_empty() { slope } else { value(&self.rotation, s) },
             moment,
             shear_force: dm * per_length,
             settlement,
@@ -467,6 +472,27 @@ impl Solution {
         }
         let nothing = Extreme { x: 0.0, value: 0.0 };
         range.unwrap_or(Range { min: nothing, max: nothing })
+    }
+
+    /// The smallest and largest rotation of the sections; that of the slope where the beam does not shear.
+    pub fn rotation_range(&self) -> Range {
+        let mut all: Vec<Extreme> = Vec::new();
+        for stretch in &self.stretches {
+            let mut s = stretch.candidates(Field::Slope);
+            if !stretch.rotation.is_empty() {
+                s = vec![-1.0, 1.0];
+                sign_changes(&derivative(&stretch.rotation), &mut s);
+            }
+            let at = |s: f64| Extreme { x: stretch.global(s), value: stretch.fields(s).rotation };
+            all.extend(s.into_iter().map(at));
+        }
+        all.sort_by(|a, b| a.x.total_cmp(&b.x));
+        let nothing = Extreme { x: 0.0, value: 0.0 };
+        let pick = |better: fn(f64, f64) -> bool| {
+            let best = |a: Extreme, b: &Extreme| if better(b.value, a.value) { *b } else { a };
+            all.iter().fold(all.first().copied().unwrap_or(nothing), best)
+        };
+        Range { min: pick(|a, b| a < b), max: pick(|a, b| a > b) }
     }
 
     /// Positions at which the fields are worth listing: `even` equal steps, every load, support, joint and

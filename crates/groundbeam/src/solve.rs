@@ -168,7 +168,7 @@ pub fn solve(model: &Model) -> Result<Outcome, Error> {
 /// # Errors
 ///
 /// As [`solve`]; and [`Error::Unsupported`] for the paper's pressures (5.5) on ground without a shear layer,
-/// and for its iteration on a beam with hinges; where the equilibrium is a local one, for any method but
+/// and for its iteration on a beam with hinges; where the equilibrium is a local one and for a beam that shears, for any method but
 /// [`Method::Exact`].
 pub fn solve_with(model: &Model, options: &Options) -> Result<Outcome, Error> {
     solve_near(model, options, None)
@@ -274,6 +274,7 @@ pub(crate) fn check(model: &Model) -> Result<Checked, Error> {
     }
     match convexity(model) {
         Some(stability) => Ok(Checked { existence: existence(model), stability, contact: None }),
+        None if model.beam.shears() => Err(Error::Unsupported(Problem::local_with_shear())),
         None if model.has_one_way_supports() => {
             Err(Error::Unsupported(Problem::local_on_one_way_supports(&model.supports)))
         }
@@ -296,6 +297,9 @@ fn find(
         && let Some(part) = without_shear_layer(model)
     {
         return Err(Error::Unsupported(Problem::nodal_forces_on_springs(part)));
+    }
+    if method != Method::Exact && model.beam.shears() {
+        return Err(Error::Unsupported(Problem::shear_by_another_method(&model.beam)));
     }
     let elements = options.elements.max(1);
     let stalled = |stalled: Stalled| not_converged(method, stalled);

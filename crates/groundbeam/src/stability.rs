@@ -71,6 +71,10 @@ fn least_unstable(model: &Model, is_stable: impl Fn(f64) -> bool) -> f64 {
 pub(crate) const MOST: f64 = 1e11;
 
 fn is_stable(model: &Model, compression: f64) -> bool {
+    // Compression that takes all stiffness against shear folds the beam in waves however short.
+    if compression >= model.beam.softest_in_shear() {
+        return false;
+    }
     let operator = |cell: &_| Operator::of(cell, -compression, Touch::Open);
     let mesh = Mesh::graded(model, &[], |cell| parts(&operator(cell), cell.length()));
     let cell = |cell: &crate::mesh::Cell| ChainCell {

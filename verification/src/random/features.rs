@@ -46,6 +46,34 @@ pub(super) fn vary_beam<R: Rng>(mut beam: Beam, stiffness: f64, dice: &mut Dice<
     beam
 }
 
+/// A shear stiffness by the length of the beam's waves, of the whole beam or in segments of it, some of which vary.
+pub(super) fn shear_beam<R: Rng>(mut beam: Beam, lambda_l: f64, dice: &mut Dice<R>) -> Beam {
+    let length = beam.length;
+    let wave = length / lambda_l.max(1.0);
+    let of =
+        |stiffness: f64, dice: &mut Dice<R>| stiffness / (wave * wave) * dice.decades(-2.0, 4.0);
+    if dice.happens(0.85) {
+        beam.shear_stiffness = Some(of(beam.bending_stiffness, dice));
+    }
+    for segment in &mut beam.segments {
+        if dice.happens(0.3) {
+            let end = of(beam.bending_stiffness, dice);
+            let start = if dice.happens(0.5) { end } else { end * dice.decades(-1.0, 1.0) };
+            segment.shear_stiffness = Some(Profile::linear(start, end));
+        }
+    }
+    if !beam.shears() {
+        let (own, end) = (beam.bending_stiffness, of(beam.bending_stiffness, dice));
+        let free = stretches(length, dice).into_iter().find(|[from, to]| {
+            beam.segments.iter().all(|segment| segment.to <= *from || segment.from >= *to)
+        });
+        if let Some([from, to]) = free {
+            beam = beam.with_shearing_segment(from, to, own, Profile::linear(end, 2.0 * end));
+        }
+    }
+    beam
+}
+
 /// One to five supports that only push up or only hold down, rigid or elastic; loads that lift the beam off some.
 pub(super) fn bearings<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
     let (length, k) = (model.beam.length, model.foundation.spring);

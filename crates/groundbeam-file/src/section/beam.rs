@@ -3,6 +3,7 @@
 use super::curl::{self, Depth};
 use super::material;
 use super::shape::{self, Shape};
+use super::shear::{self, Shear};
 use super::weight::{self, Area};
 use crate::profile::{Along, Values, left_out};
 use crate::quantity::{
@@ -27,6 +28,7 @@ const KEYS: &[&str] = &[
     "camber",
     "segment",
 ];
+
 const SEGMENT_KEYS: &[&str] = &["from", "to", "EI", "E", "material", "I", "section"];
 const STIFFNESS: Keys = Keys {
     product: ("EI", &BENDING_STIFFNESS),
@@ -53,7 +55,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Read {
         }
         return unknown;
     };
-    reader.refuse_unknown(&table, KEYS);
+    reader.refuse_unknown(&table, &[KEYS, &shear::KEYS].concat());
     reader.places.part(Part::Beam, &table.span);
 
     let length = reader.required(&table, "length", &LENGTH);
@@ -63,13 +65,21 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Read {
     reader.places.field(Part::Beam, "axial_force", &axial_force);
 
     let (given, shape) = given(reader, &table);
+    let none = Shear::default();
+    let modulus = given.factors[0].as_ref();
+    let shear = Shear::read(reader, &table, [modulus, None], shape.as_ref(), &none);
+    let shear_stiffness = shear.settle(reader, &table, &none);
+    if let Some(along) = &shear_stiffness {
+        reader.places.field(Part::Beam, "shear_stiffness", &along.field());
+    }
+    let whole = Whole { given: &given, shear: &shear, shear_stiffness: shear_stiffness.as_ref() };
     let mut areas = Vec::new();
     let mut depths = Vec::new();
     let mut one_material = true;
     let mut segments = Vec::new();
     for (i, segment) in reader.tables(&table, "segment", "[[beam.segment]]").iter().enumerate() {
         let part = Part::BeamSegment(i);
-        let (read, own) = read_segment(reader, segment, part, &given, length.value);
+        let (read, own) = read_segment(reader, segment, part, &whole, length.value);
         let way = [read.from / length.value, read.to / length.value];
         let shape = own.or_else(|| shape.as_ref().map(|shape| shape.between(way)));
         let shape = shape.filter(|_| !gives_stiffness(segment));
@@ -98,12 +108,14 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Read {
         _ => {
             let known = reader.settle(stiffness, &table, &STIFFNESS);
             reader.places.field(Part::Beam, "bending_stiffness", &known.field());
-            add_where_it_varies(reader, &known, length.value, &mut segments);
+            add_where_it_varies(reader, &known, &whole, length.value, &mut segments);
             known.profile.start()
         }
     };
+    let shear_stiffness = shear_stiffness.map(|along| along.profile.start());
     let axial_force = axial_force.value;
-    let beam = Beam { length: length.value, bending_stiffness, segments, axial_force };
+    let length = length.value;
+    let beam = Beam { length, bending_stiffness, shear_stiffness, segments, axial_force };
     Read { beam, loads, depths, expansion: material.map(|material| material.expansion) }
 }
 
@@ -112,22 +124,41 @@ fn gives_stiffness(table: &Section) -> bool {
     table.value("EI").is_some() || table.value("I").is_some()
 }
 
+/// What `[beam]` says, for its segments.
+struct Whole<'a> {
+    given: &'a Given,
+    shear: &'a Shear,
+    shear_stiffness: Option<&'a Along>,
+}
+
+impl Whole<'_> {
+    /// The beam's shear stiffness on a part of the way, if it varies: else it is that of the beam itself.
+    fn shear_between(&self, way: [f64; 2]) -> Option<Along> {
+        let varies = self.shear_stiffness.filter(|along| !along.profile.is_constant());
+        varies.map(|along| along.between(way))
+    }
+}
+
 /// A stiffness that varies along the whole beam holds where no segment says otherwise.
 fn add_where_it_varies(
     reader: &mut Reader,
-    whole: &Along,
+    bending: &Along,
+    whole: &Whole,
     length: f64,
     segments: &mut Vec<BeamSegment>,
 ) {
     // A wrong beginning is reported once.
-    if whole.profile.is_constant() || whole.profile.start() <= 0.0 {
+    let varies = !bending.profile.is_constant() || whole.shear_between([0.0, 1.0]).is_some();
+    if !varies || bending.profile.start() <= 0.0 {
         return;
     }
     for [from, to] in left_out(length, segments.iter().map(|s| (s.from, s.to))) {
-        let own = whole.between([from / length, to / length]);
+        let way = [from / length, to / length];
+        let own = bending.between(way);
         let part = Part::BeamSegment(segments.len());
         reader.places.field(part, "bending_stiffness", &own.field());
-        segments.push(BeamSegment { from, to, bending_stiffness: own.profile });
+        let shear_stiffness = placed(reader, part, whole.shear_between(way));
+        segments.push(BeamSegment { from, to, bending_stiffness: own.profile, shear_stiffness });
     }
 }
 
@@ -135,22 +166,38 @@ fn read_segment(
     reader: &mut Reader,
     table: &Section,
     part: Part,
-    parent: &Given,
+    whole: &Whole,
     length: f64,
 ) -> (BeamSegment, Option<Shape>) {
-    reader.refuse_unknown(table, SEGMENT_KEYS);
+    reader.refuse_unknown(table, &[SEGMENT_KEYS, &shear::KEYS].concat());
     reader.places.part(part, &table.span);
     let from = reader.required(table, "from", &POSITION);
     let to = reader.required(table, "to", &POSITION);
-    let parent = parent.between([from.value / length, to.value / length]);
+    let way = [from.value / length, to.value / length];
+    let parent = whole.given.between(way);
     let (own, shape) = given(reader, table);
-    let stiffness = own.resolve(reader, &parent, &STIFFNESS);
-    let stiffness = reader.settle(stiffness, table, &STIFFNESS);
     reader.places.field(part, "from", &from);
     reader.places.field(part, "to", &to);
+    let modulus = [own.factors[0].as_ref(), parent.factors[0].as_ref()];
+    let above = whole.shear.between(way);
+    let shear = Shear::read(reader, table, modulus, shape.as_ref(), &above);
+    let shear = shear.settle(reader, table, &above);
+    // A segment that says what it resists shear with may bend like the rest.
+    let bends = if shear.is_some() && own.is_empty() { parent.clone() } else { own };
+    let stiffness = bends.resolve(reader, &parent, &STIFFNESS);
+    let stiffness = reader.settle(stiffness, table, &STIFFNESS);
     reader.places.field(part, "bending_stiffness", &stiffness.field());
-    let bending_stiffness = stiffness.profile;
-    (BeamSegment { from: from.value, to: to.value, bending_stiffness }, shape)
+    let shear = shear.or_else(|| whole.shear_between(way));
+    let shear_stiffness = placed(reader, part, shear);
+    let (from, to, bending_stiffness) = (from.value, to.value, stiffness.profile);
+    (BeamSegment { from, to, bending_stiffness, shear_stiffness }, shape)
+}
+
+/// A segment's shear stiffness, and its place remembered.
+fn placed(reader: &mut Reader, part: Part, shear: Option<Along>) -> Option<Profile> {
+    let along = shear?;
+    reader.places.field(part, "shear_stiffness", &along.field());
+    Some(along.profile)
 }
 
 /// What a table says of EI, and its section.

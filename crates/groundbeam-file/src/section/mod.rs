@@ -11,6 +11,7 @@ mod hinge;
 mod load;
 mod material;
 mod shape;
+mod shear;
 mod soil;
 mod support;
 mod survey;

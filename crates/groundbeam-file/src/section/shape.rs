@@ -1,4 +1,8 @@
-//! `section = { … }`: the second moment of area and the area of a cross section.
+//! `section = { … }`: the second moment of area, the area and the area that shears of a cross section.
+//!
+//! The area that shears is A/F with the form factor F of Young, Budynas and Sadegh, *Roark's Formulas for Stress and
+//! Strain*, 8th ed., section 8.10: 6/5 for a rectangle, 10/9 for a circle, 2 for a thin tube, and for a box, an I or
+//! a T the area of the webs alone, from flange to flange.
 
 use crate::code;
 use crate::fault::Fault;
@@ -16,19 +20,22 @@ use std::ops::Range;
 pub(super) struct Shape {
     pub inertia: Along,
     pub area: Along,
+    /// The area that shears, if it is known.
+    pub shear_area: Option<Along>,
     /// From the lower to the upper face, if it is known.
     pub depth: Option<Along>,
 }
 
 impl Shape {
-    fn constant([area, inertia]: [f64; 2], span: Range<usize>) -> Self {
+    fn constant([area, inertia, shear_area]: [f64; 3], span: Range<usize>) -> Self {
         let along = |value| Along { profile: Profile::constant(value), span: span.clone() };
-        Shape { inertia: along(inertia), area: along(area), depth: None }
+        let shear_area = Some(along(shear_area));
+        Shape { inertia: along(inertia), area: along(area), shear_area, depth: None }
     }
 
     fn unreadable(span: Range<usize>) -> Self {
         let unknown = Some(Along::unreadable(span.clone()));
-        Shape { depth: unknown, ..Shape::constant([f64::NAN; 2], span) }
+        Shape { depth: unknown, ..Shape::constant([f64::NAN; 3], span) }
     }
 
     /// What it is between two parts of the way.
@@ -36,17 +43,18 @@ impl Shape {
         Shape {
             inertia: self.inertia.between(way),
             area: self.area.between(way),
+            shear_area: self.shear_area.as_ref().map(|area| area.between(way)),
             depth: self.depth.as_ref().map(|depth| depth.between(way)),
         }
     }
 }
 
-/// A shape by its sides, in this order: \[A, I\], or which side leaves no room for the others.
+/// A shape by its sides, in this order: \[A, I, the area that shears\], or which side leaves no room for the others.
 struct Kind {
     name: &'static str,
     sides: &'static [&'static str],
-    measure: fn(&[f64]) -> Result<[f64; 2], &'static str>,
-    /// Whether A and I are polynomials of the sides, of degree 2 and 4.
+    measure: fn(&[f64]) -> Result<[f64; 3], &'static str>,
+    /// Whether the areas and I are polynomials of the sides, of degree 2 and 4.
     is_polynomial: bool,
 }
 
@@ -54,7 +62,10 @@ const KINDS: [Kind; 5] = [
     Kind {
         name: "circle",
         sides: &["diameter"],
-        measure: |d| Ok([PI * d[0].powi(2) / 4.0, PI * d[0].powi(4) / 64.0]),
+        measure: |d| {
+            let area = PI * d[0].powi(2) / 4.0;
+            Ok([area, PI * d[0].powi(4) / 64.0, 0.9 * area])
+        },
         is_polynomial: true,
     },
     Kind {
@@ -63,7 +74,8 @@ const KINDS: [Kind; 5] = [
         measure: |s| {
             let [outer, inner] = [s[0], s[0] - 2.0 * s[1]];
             let ring = |power| outer.powi(power) - inner.powi(power);
-            fits(inner, "wall").map(|()| [PI * ring(2) / 4.0, PI * ring(4) / 64.0])
+            let area = PI * ring(2) / 4.0;
+            fits(inner, "wall").map(|()| [area, PI * ring(4) / 64.0, 0.5 * area])
         },
         is_polynomial: true,
     },
@@ -73,7 +85,7 @@ const KINDS: [Kind; 5] = [
         measure: |s| {
             let [b, h] = [s[0] - 2.0 * s[2], s[1] - 2.0 * s[2]];
             let inertia = (s[0] * s[1].powi(3) - b * h.powi(3)) / 12.0;
-            fits(b.min(h), "wall").map(|()| [s[0] * s[1] - b * h, inertia])
+            fits(b.min(h), "wall").map(|()| [s[0] * s[1] - b * h, inertia, 2.0 * s[2] * h])
         },
         is_polynomial: true,
     },
@@ -87,7 +99,7 @@ const KINDS: [Kind; 5] = [
             fits(width - web, "web")?;
             let area = width * height - (width - web) * between;
             let inertia = (width * height.powi(3) - (width - web) * between.powi(3)) / 12.0;
-            Ok([area, inertia])
+            Ok([area, inertia, web * between])
         },
         is_polynomial: true,
     },
@@ -103,7 +115,8 @@ const KINDS: [Kind; 5] = [
             // Between the middles of flange and stem, half the height.
             let apart = 0.5 * height;
             let own = (width * flange.powi(3) + web * stem.powi(3)) / 12.0;
-            Ok([plate + leg, own + plate * leg / (plate + leg) * apart * apart])
+            let inertia = own + plate * leg / (plate + leg) * apart * apart;
+            Ok([plate + leg, inertia, leg])
         },
         is_polynomial: false,
     },
@@ -168,13 +181,14 @@ fn rectangle(reader: &mut Reader, section: &Section) -> Shape {
     let span = section.span.clone();
     if width.profile.is_constant() && height.profile.is_constant() {
         let [b, h] = [width.profile.start(), height.profile.start()];
-        let shape = Shape::constant([b * h, b * h.powi(3) / 12.0], span);
+        let shape = Shape::constant([b * h, b * h.powi(3) / 12.0, b * h / 1.2], span);
         return Shape { depth: Some(height), ..shape };
     }
     let area = width.times(&height, &span);
     let cubed = [&height; 3].into_iter().fold(width, |a, b| a.times(b, &span));
-    let inertia = Along { profile: cubed.profile.scaled(1.0 / 12.0), span };
-    Shape { inertia, area, depth: Some(height) }
+    let inertia = Along { profile: cubed.profile.scaled(1.0 / 12.0), span: span.clone() };
+    let shear_area = Some(Along { profile: area.profile.scaled(1.0 / 1.2), span });
+    Shape { inertia, area, shear_area, depth: Some(height) }
 }
 
 /// A shape by its sides, each of which may run from one value to another.
@@ -197,7 +211,7 @@ fn by_sides(reader: &mut Reader, section: &Section, kind: &Kind) -> Shape {
         let sides: Vec<f64> = sides.iter().map(|side| side.profile.at(t)).collect();
         (kind.measure)(&sides)
     };
-    let measures: Result<Vec<[f64; 2]>, &str> = QUARTERS.into_iter().map(at).collect();
+    let measures: Result<Vec<[f64; 3]>, &str> = QUARTERS.into_iter().map(at).collect();
     let measures = match measures {
         Ok(measures) => measures,
         Err(side) => {
@@ -213,9 +227,10 @@ fn by_sides(reader: &mut Reader, section: &Section, kind: &Kind) -> Shape {
     if sides.iter().all(|side| side.profile.is_constant()) {
         return Shape { depth, ..Shape::constant(measures[0], span) };
     }
-    let [area, inertia] = [0, 1].map(|i| [0, 1, 2, 3, 4].map(|t| measures[t][i]));
+    let [area, inertia, shear] = [0, 1, 2].map(|i| [0, 1, 2, 3, 4].map(|t| measures[t][i]));
     let along = |profile| Along { profile, span: span.clone() };
-    Shape { inertia: along(quartic(inertia)), area: along(square(area)), depth }
+    let shear_area = Some(along(square(shear)));
+    Shape { inertia: along(quartic(inertia)), area: along(square(area)), shear_area, depth }
 }
 
 /// A side that must be given, positive, as one value or a list of two.
@@ -256,7 +271,10 @@ fn rail(reader: &mut Reader, section: &Section) -> Shape {
     };
     let plain = name.to_uppercase().replace([' ', '-'], "");
     match RAILS.iter().find(|rail| rail.names.contains(&plain.as_str())) {
-        Some(rail) => Shape::constant([rail.area, rail.inertia], span),
+        Some(rail) => {
+            let shape = Shape::constant([rail.area, rail.inertia, f64::NAN], span);
+            Shape { shear_area: None, ..shape }
+        }
         None => {
             let names: Vec<&str> = RAILS.iter().flat_map(|rail| rail.names).copied().collect();
             let hint = format!("rails: {}; for others give `I`", names.join(", "));
@@ -273,7 +291,7 @@ mod tests {
 
     fn measured(name: &str, sides: &[f64]) -> Result<[f64; 2], &'static str> {
         let kind = KINDS.iter().find(|kind| kind.name == name).unwrap();
-        (kind.measure)(sides)
+        (kind.measure)(sides).map(|[area, inertia, _]| [area, inertia])
     }
 
     #[track_caller]

@@ -2,11 +2,20 @@
 
 use super::content::{Block, Equation};
 
-/// The problem, in the equations of Kikuchi.
-pub(super) fn problem() -> Block {
+/// The problem, in the equations of Kikuchi; of a beam that shears in those of Timoshenko.
+pub(super) fn problem(shears: bool) -> Block {
+    let beam = if shears {
+        let sections = r"(EI\,φ')' + GA\,(w' - φ) + g = 0, \qquad \
+                         -\bigl(GA\,(w' - φ)\bigr)' - P\,w'' + p = f";
+        line(sections, "beam, 0 < x < l", "")
+    } else {
+        line(r"(EI\,w'')'' - P\,w'' + p = f - g'", "beam, 0 < x < l", "(2.11)")
+    };
+    let ends = if shears { r"EI\,φ' = 0" } else { r"EI\,w'' = 0" };
+    let forces = r", \qquad p_0 = V + P\,w' - g, \qquad p_l = -(V + P\,w' - g)";
     Block::Equations {
         lines: vec![
-            line(r"(EI\,w'')'' - P\,w'' + p = f - g'", "beam, 0 < x < l", "(2.11)"),
+            beam,
             line(
                 r"-(μ\,u')' + k\,u = p + p_0\,\delta(x) + p_l\,\delta(x-l)",
                 "ground, all x",
@@ -17,11 +26,7 @@ pub(super) fn problem() -> Block {
                 "contact, 0 < x < l",
                 "(2.10)",
             ),
-            line(
-                r"EI\,w'' = 0, \qquad p_0 = V + P\,w' - g, \qquad p_l = -(V + P\,w' - g)",
-                "free ends x = 0 and x = l",
-                "(2.13)",
-            ),
+            line(&format!("{ends}{forces}"), "free ends x = 0 and x = l", "(2.13)"),
         ],
     }
 }

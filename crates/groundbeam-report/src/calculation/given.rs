@@ -55,11 +55,16 @@ fn segments(model: &Model, units: Units) -> Vec<Block> {
     let mut blocks = Vec::new();
     let (unit, name) = unit_name(units, Kind::Position, model.beam.length);
     if !model.beam.segments.is_empty() {
-        let columns = vec![numbers("from", name), numbers("to", name), wording("EI")];
+        let shears = model.beam.shears();
+        let mut columns = vec![numbers("from", name), numbers("to", name), wording("EI")];
+        columns.extend(shears.then(|| wording("GA")));
         let mut table = Table::new("Stretches of the beam", columns);
         for segment in &model.beam.segments {
             let stiffness = profile(units, Kind::BendingStiffness, &segment.bending_stiffness);
-            table.push([unit.number(segment.from, 6), unit.number(segment.to, 6), stiffness]);
+            let own = segment.shear_stiffness.or(model.beam.shear_stiffness.map(Into::into));
+            let shear = own.map_or("–".to_owned(), |own| profile(units, Kind::Constant, &own));
+            let ends = [segment.from, segment.to].map(|x| unit.number(x, 6));
+            table.push(ends.into_iter().chain([stiffness]).chain(shears.then_some(shear)));
         }
         blocks.push(Block::Table(table));
     }
@@ -212,10 +217,15 @@ pub(super) fn assumptions(model: &Model, method: Method) -> Section {
     } else {
         "The ground is a bed of separate springs k (Winkler)."
     };
-    let mut items = vec![
+    let beam = if model.beam.shears() {
+        "The beam bends and shears (Timoshenko): plane sections stay plane and turn by φ, w′ − φ is the shear force over \
+         GA, small slopes, linearly elastic. It has a kink where a force acts on it."
+    } else {
         "The beam bends (Euler–Bernoulli): plane sections stay plane, no deformation by shear, small slopes, linearly \
          elastic."
-            .to_owned(),
+    };
+    let mut items = vec![
+        beam.to_owned(),
         ground.to_owned(),
         "The ground pushes and never pulls: where the beam lifts off there is no contact pressure, and where it touches \
          is part of what was sought. There is no friction."
@@ -241,7 +251,12 @@ pub(super) fn assumptions(model: &Model, method: Method) -> Section {
                   variational inequalities (1980). Deflections w, u and forces are positive downward, pressures p and \
                   the end forces p₀, p_l push the beam up, M = −EI w″ is positive sagging, V = M′.";
     let text = |words: &str| Block::Text { words: words.to_owned() };
-    let blocks = vec![Block::List { items }, equations::problem(), text(how), text(source)];
+    let blocks = vec![
+        Block::List { items },
+        equations::problem(model.beam.shears()),
+        text(how),
+        text(source),
+    ];
     Section::new("Assumptions and method", blocks)
 }
 

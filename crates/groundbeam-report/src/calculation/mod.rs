@@ -78,7 +78,12 @@ pub fn report(contents: Contents, context: &Context, source: &Source) -> Report 
 
 /// Every formula that may stand in a report, in LaTeX's notation: what whoever sets reports in type must be able to read.
 pub fn formulas() -> Vec<String> {
-    let blocks = [equations::problem(), equations::static_reactions(), equations::energy_gap()];
+    let blocks = [
+        equations::problem(false),
+        equations::problem(true),
+        equations::static_reactions(),
+        equations::energy_gap(),
+    ];
     let lines = blocks.into_iter().flat_map(|block| match block {
         Block::Equations { lines } => lines,
         _ => Vec::new(),

@@ -227,13 +227,12 @@ fn extremes(solution: &Solution, units: Units) -> Section {
         wording("unit"),
     ];
     let mut table = Table::new("Smallest and largest values along the beam", columns);
-    for field in Field::ALL {
-        let range = solution.range(field);
+    for (label, field, range) in text::ranges(solution) {
         let both = [range.min, range.max].map(|extreme| sizes.extreme(field, extreme));
         let unit = units.unit(Kind::of(field), both[0].value.abs().max(both[1].value.abs()));
         let [min, max] =
             both.map(|extreme| [unit.number(extreme.value, 6), x.number(extreme.x, 6)]);
-        let name = [text::label(field).to_owned()];
+        let name = [label.to_owned()];
         table.push(name.into_iter().chain(min).chain(max).chain([unit.name.to_owned()]));
     }
     Section::new("Extremes", vec![Block::Table(table)])

@@ -97,6 +97,9 @@ fn numbers(solution: &Solution, units: Units) -> String {
     } else {
         parts.push("EI varies".to_owned());
     }
+    if let Some(stiffness) = model.beam.shear_stiffness {
+        parts.push(format!("GA = {}", units.write(Kind::Constant, stiffness, 4)));
+    }
     if model.beam.axial_force != 0.0 {
         parts.push(format!("P = {}", units.write(Kind::Constant, model.beam.axial_force, 4)));
     }

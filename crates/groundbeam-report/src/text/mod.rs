@@ -24,7 +24,7 @@ pub use comparison::comparison;
 pub use drawing::drawing;
 use groundbeam::{
     Acts, ContactRegion, Existence, Extreme, Field, GroundEnd, Load, Model, NotConverged, Profile,
-    Reaction, Solution, SupportKind, Verdict,
+    Range, Reaction, Solution, SupportKind, Verdict,
 };
 pub use passages::{checked_trains, trains};
 use sheet::{Sheet, Tone};
@@ -62,8 +62,7 @@ pub fn summary(solution: &Solution, context: &Context) -> Vec<(String, String)> 
     let (units, sizes) = (context.units, Sizes::of(solution));
     contact(&mut sheet, solution, units, &sizes);
     forces(&mut sheet, solution, units, &sizes);
-    for field in Field::ALL {
-        let range = solution.range(field);
+    for (label, field, range) in ranges(solution) {
         let (min, max) = (sizes.extreme(field, range.min), sizes.extreme(field, range.max));
         let unit = units.unit(Kind::of(field), min.value.abs().max(max.value.abs()));
         let [low, high] = [min, max].map(|extreme| {
@@ -74,7 +73,7 @@ pub fn summary(solution: &Solution, context: &Context) -> Vec<(String, String)> 
         } else {
             format!("from {low} to {high}")
         };
-        sheet.row(label(field), &words);
+        sheet.row(label, &words);
     }
     checks::rows(&mut sheet, solution, context);
     sheet.into_rows()
@@ -172,6 +171,9 @@ pub(crate) fn structure(
         beam += &format!(", {sense} {force}");
     }
     sheet.row("Beam", &beam);
+    if let Some(shear) = shear(model, units) {
+        sheet.row("", &shear);
+    }
 
     let springs = ends(model.foundation.segments.iter().map(|s| s.spring));
     let shears = ends(model.foundation.segments.iter().map(|s| s.shear));
@@ -201,6 +203,20 @@ pub(crate) fn structure(
 }
 
 /// A quantity that may vary: `2 MN`, or `1 to 3 MN`.
+/// What a beam resists shear with, and how much that matters.
+pub(crate) fn shear(model: &Model, units: Units) -> Option<String> {
+    let beam = &model.beam;
+    let segments: Vec<Profile> = beam.segments.iter().filter_map(|s| s.shear_stiffness).collect();
+    let all: Vec<f64> =
+        beam.shear_stiffness.into_iter().chain(ends(segments.into_iter())).collect();
+    let first = *all.first()?;
+    let stiffness = spread(units, Kind::Constant, first, all.iter().copied());
+    let least = all.iter().copied().fold(f64::INFINITY, f64::min);
+    let number = beam.bending_stiffness / least / (beam.length * beam.length);
+    let part = if beam.shear_stiffness.is_none() { ", in segments" } else { "" };
+    Some(format!("it shears: GA = {stiffness}{part}, EI/(GA l²) = {}", significant(number, 4)))
+}
+
 fn spread(units: Units, kind: Kind, base: f64, others: impl Iterator<Item = f64>) -> String {
     let mut all = [base, base];
     for value in others {
@@ -359,8 +375,7 @@ pub(crate) fn forces(sheet: &mut Sheet, solution: &Solution, units: Units, sizes
 
 fn extremes(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) {
     sheet.heading(&format!("{:<13}{:>17}{:>30}", "", "smallest", "largest"));
-    for field in Field::ALL {
-        let range = solution.range(field);
+    for (label, field, range) in ranges(solution) {
         let (min, max) = (sizes.extreme(field, range.min), sizes.extreme(field, range.max));
         let unit = units.unit(Kind::of(field), min.value.abs().max(max.value.abs()));
         let cell = |extreme: Extreme| {
@@ -371,8 +386,20 @@ fn extremes(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes)
             };
             format!("{:>17} {place:<12}", unit.write(extreme.value, 6))
         };
-        sheet.row(label(field), &format!("{}{}", cell(min), cell(max)));
+        sheet.row(label, &format!("{}{}", cell(min), cell(max)));
     }
+}
+
+/// The ranges that are listed, each with its label and the field whose unit it has: all fields, and the rotation of
+/// the sections of a beam that shears.
+pub(crate) fn ranges(solution: &Solution) -> Vec<(&'static str, Field, Range)> {
+    let mut all: Vec<_> =
+        Field::ALL.map(|field| (label(field), field, solution.range(field))).into();
+    if solution.model().beam.shears() {
+        let rotation = ("Rotation", Field::Slope, solution.rotation_range());
+        all.insert(Field::Slope.index() + 1, rotation);
+    }
+    all
 }
 
 pub(crate) fn label(field: Field) -> &'static str {

@@ -105,6 +105,10 @@ pub(super) struct Segment {
     /// P, and the moment by which m may be wrong besides.
     pub tension: f64,
     pub moment: f64,
+    /// ∫1/S, the largest 1/S, and the sizes of all forces that remain: what a beam that shears feels of them.
+    pub shear_flexibility: f64,
+    pub shear_softness: f64,
+    pub forces: f64,
 }
 
 impl Segment {
@@ -137,6 +141,12 @@ impl Segment {
         self.remains.moment.abs() + self.remains.moment_noise
     }
 
+    /// What a change of the shear force by this much all along costs, and of all that the tension does by this part.
+    pub fn sheared(&self, by: f64, part: f64) -> f64 {
+        let turned = part * (self.tension * self.shear_softness * self.axial).sqrt();
+        by * self.shear_flexibility.sqrt() + turned
+    }
+
     /// One that carries no force gives what remains of it to its neighbour.
     fn lean(&self, bare: &Segment, lever: f64) -> Segment {
         let (a, b) = (&self.remains, &bare.remains);
@@ -151,6 +161,8 @@ impl Segment {
             },
             flexibility: self.flexibility + bare.flexibility,
             moment: self.moment + bare.moment + bare.reaches(lever.abs()),
+            shear_flexibility: self.shear_flexibility + bare.shear_flexibility,
+            forces: self.forces + bare.forces,
             ..*self
         }
     }
@@ -182,6 +194,9 @@ impl Segment {
             axial: self.axial + next.axial,
             tension: self.tension,
             moment: self.moment + next.moment,
+            shear_flexibility: self.shear_flexibility + next.shear_flexibility,
+            shear_softness: self.shear_softness,
+            forces: self.forces + next.forces,
         }
     }
 
@@ -212,6 +227,8 @@ impl Segment {
         // The part with β is in equilibrium but for the moment `turn`: on neither side of the centre does it
         // reach more.
         let moment = force * length + 2.0 * turn + self.moment;
+        // ∫|x − centre| dc ≤ √(∫dc ∫(x − centre)² dc) for the part with β.
+        let sheared = 2.0 * self.forces + beta * (all.sum * all.spread).sqrt() / length;
         // The tension only turns.
         let part = |share: f64, stored: f64| if stored > 0.0 { share * stored.sqrt() } else { 0.0 };
         let supports = part(alpha + beta, carriers.stored).hypot(part(beta, self.axial));
@@ -220,7 +237,7 @@ impl Segment {
             sunk: pressure * carriers.sunk.sqrt(),
             pressed,
             supports,
-            bent: moment * self.flexibility.sqrt(),
+            bent: moment * self.flexibility.sqrt() + self.sheared(sheared, beta),
         })
     }
 }

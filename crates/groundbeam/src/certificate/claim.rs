@@ -1,6 +1,6 @@
 //! What is claimed: the answer that is to be proven, piece by piece.
 
-use crate::polynomial::jet;
+use crate::polynomial::{jet, value};
 
 /// What is claimed, from left to right.
 pub(crate) struct Claim<'a> {
@@ -20,20 +20,22 @@ pub(crate) struct ClaimedPiece<'a> {
     /// Half its length; the ends themselves are rounded.
     pub half: f64,
     pub deflection: &'a [f64],
+    /// φ(s), the rotation of the sections; none where it is w'.
+    pub rotation: &'a [f64],
     pub pressure: &'a [f64],
     /// u at both ends where the ground is free; none where it follows the beam.
     pub open: Option<[f64; 2]>,
 }
 
 impl Claim<'_> {
-    /// w and w' at a position.
+    /// w and φ at a position.
     pub fn deflection(&self, x: f64) -> [f64; 2] {
         let i = self.pieces.partition_point(|piece| piece.x[1] < x).min(self.pieces.len() - 1);
         let piece = &self.pieces[i];
         let half = piece.half;
         let s = ((x - 0.5 * (piece.x[0] + piece.x[1])) / half).clamp(-1.0, 1.0);
         let [w, dw, ..] = jet(piece.deflection, s);
-        [w, dw / half]
+        [w, if piece.rotation.is_empty() { dw / half } else { value(piece.rotation, s) }]
     }
 }
 
@@ -151,6 +153,7 @@ mod tests {
             x: stretch.x,
             half: stretch.half,
             deflection: &stretch.deflection,
+            rotation: &stretch.rotation,
             pressure: &stretch.pressure,
             open: stretch.open,
         });

@@ -69,7 +69,9 @@ pub(super) fn give(pieces: &[Segment], given_back: &mut GivenBack) {
         given_back.pressure = given_back.pressure.max(most);
         given_back.sunk += most * most * sunk;
         given_back.supports += 4.0 * most * most * (stored + piece.axial);
-        given_back.bent += moment * moment * piece.flexibility;
+        let sheared = piece.sheared(moment / length + forces + piece.forces, 2.0 * most);
+        let bent = moment * moment * piece.flexibility;
+        given_back.bent += bent + sheared * (sheared + 2.0 * bent.sqrt());
     }
 }
 

@@ -129,10 +129,13 @@ impl Joints {
         ]
     }
 
-    /// One piece more, with w and dw/ds at its ends.
+    /// One piece more, with w and half·φ at its ends.
     pub fn add(&mut self, piece: &ClaimedPiece, ends: [[f64; 2]; 2]) {
         let [from, to] = piece.x;
-        let [noise, tilt] = rounding(piece.deflection);
+        let [noise, mut tilt] = rounding(piece.deflection);
+        if !piece.rotation.is_empty() {
+            tilt = piece.half * rounding(piece.rotation)[0];
+        }
         let [left, right] = ends.map(|[w, dw]| [w, dw / piece.half, noise, tilt / piece.half]);
         let off = (to - from - 2.0 * piece.half).abs().max((from - self.at).abs());
         self.misplaced = self.misplaced.max(off);

@@ -11,6 +11,7 @@
 //! norm, against the continuous problem, is at most this number. `docs/certificate.md` has the proof.
 
 mod balance;
+mod beam;
 mod claim;
 mod curve;
 mod ground;
@@ -26,14 +27,15 @@ mod surface;
 mod unclaimed;
 
 use crate::model::{Hinge, Load, Model};
-use crate::polynomial::{is_free_of_zeros, jet};
+use crate::polynomial::{jet, value};
 use balance::{GivenBack, Remains, Segment};
+use beam::{Sums, beam_piece, work_at_points};
 pub(crate) use claim::{Claim, ClaimedPiece};
 use ground::GroundSums;
 use hinges::Hinges;
 use joints::Joints;
 use outside::Outside;
-use quadrature::{Seen, at_points, gauss, larger};
+use quadrature::Seen;
 use statics::{Events, SpreadLoad};
 use supports::Supports;
 use surface::Under;
@@ -99,25 +101,6 @@ impl Certificate {
 /// Positions this close, as a part of the length, are the same: nodes within rounding of each other were
 /// one node.
 const NEAR: f64 = 16.0 * f64::EPSILON;
-
-/// Energies and their parts, summed piece by piece.
-#[derive(Debug, Default)]
-struct Sums {
-    /// ∫EI (w″ − κ₀)², ∫P w'², ∫m²/EI, ∫(EI (w″ − κ₀) + m)²/EI, F(w), ∫1/EI.
-    bending: f64,
-    axial: f64,
-    moment: f64,
-    misfit: f64,
-    work: f64,
-    flexibility: f64,
-    /// ∫EI κ₀² and ∫m κ₀.
-    curling: f64,
-    curled: f64,
-    /// A piece is so long that 1/EI is no series on it that quadrature sees.
-    too_long: bool,
-    largest_deflection: f64,
-    largest_slope: f64,
-}
 
 /// Certifies a claim.
 pub(crate) fn certify(model: &Model, claim: &Claim) -> Certificate {
@@ -214,8 +197,8 @@ struct Walk<'a> {
     given_back: GivenBack,
     /// The sum of all loads' sizes.
     loads: f64,
-    /// ∫1/EI, ∫P w'², the pulls and the joints' moments where the segment began.
-    began: [f64; 4],
+    /// ∫1/EI, ∫P w'², the pulls, the joints' moments and ∫1/S where the segment began.
+    began: [f64; 5],
 }
 
 impl<'a> Walk<'a> {
@@ -234,7 +217,7 @@ impl<'a> Walk<'a> {
             segment: Segment::default(),
             given_back: GivenBack::new(outside::flexibility(model, &outside)),
             loads: statics::size(model),
-            began: [0.0; 4],
+            began: [0.0; 5],
         };
         walk.stop(0.0);
         walk
@@ -249,12 +232,12 @@ impl<'a> Walk<'a> {
     /// Over one piece, and what stands at its right end.
     fn add(&mut self, piece: &'a ClaimedPiece<'a>, next: Option<&ClaimedPiece>) {
         let model = self.model;
-        let seen = Seen::of(piece.deflection);
+        let seen = Seen::of(piece.deflection, piece.rotation, piece.half);
         let load = SpreadLoad::on(&self.spread, piece.x);
         beam_piece(model, piece, &load, &seen, &mut self.events, &mut self.sums);
         let under = Under::new(model, piece, seen.ends);
         self.ground.add(under, &seen, &mut self.segment.carriers);
-        self.joints.add(piece, seen.ends);
+        self.joints.add(piece, seen.motion);
         self.stop(piece.x[1]);
         let Some(next) = next else { return };
         if let Some(hinge) = self.hinges.at(piece.x[1]) {
@@ -262,7 +245,7 @@ impl<'a> Walk<'a> {
             if hinge.at < piece.x[1] - NEAR * self.model.beam.length {
                 self.joints.misplaced = f64::INFINITY;
             }
-            self.turn(hinge, seen.ends[1][1] / piece.half, next);
+            self.turn(hinge, seen.motion[1][1] / piece.half, next);
         }
         if self.hinges.none_is_free() {
             self.may_cut(&under, next);
@@ -281,8 +264,11 @@ impl<'a> Walk<'a> {
             return;
         }
         let spring = hinge.rotational_spring;
-        let [_, after, ..] = jet(next.deflection, -1.0);
-        let bend = spring * (after / next.half - before);
+        let after = match next.rotation {
+            [] => jet(next.deflection, -1.0)[1] / next.half,
+            rotation => value(rotation, -1.0),
+        };
+        let bend = spring * (after - before);
         let misfit = bend + moment;
         self.sums.bending += bend * bend / spring;
         self.sums.moment += moment * moment / spring;
@@ -303,6 +289,10 @@ impl<'a> Walk<'a> {
         }
         let half = next.half;
         let [_, dw, mut ddw, mut third] = jet(next.deflection, -1.0);
+        if !next.rotation.is_empty() {
+            let [_, turned, bends, _] = jet(next.rotation, -1.0);
+            (ddw, third) = (half * turned, half * bends);
+        }
         let load = SpreadLoad::on(&self.spread, next.x);
         ddw -= load.curvature(-1.0) * half * half;
         third -= load.curvature[1] * half * half;
@@ -324,8 +314,16 @@ impl<'a> Walk<'a> {
     }
 
     fn end_segment(&mut self, remains: Remains) -> Segment {
-        let now = [self.sums.flexibility, self.sums.axial, self.ground.pull, self.joints.moment()];
-        let [flexibility, axial, pull, moment] = [0, 1, 2, 3].map(|i| now[i] - self.began[i]);
+        let sums = &self.sums;
+        let now = [
+            sums.flexibility,
+            sums.axial,
+            self.ground.pull,
+            self.joints.moment(),
+            sums.shear_flexibility,
+        ];
+        let [flexibility, axial, pull, moment, shear_flexibility] =
+            [0, 1, 2, 3, 4].map(|i| now[i] - self.began[i]);
         self.began = now;
         let x = self.segment.to;
         let mut ended = std::mem::take(&mut self.segment);
@@ -335,6 +333,9 @@ impl<'a> Walk<'a> {
         ended.remains.force_noise += pull;
         ended.remains.moment_noise += ended.moment;
         (ended.flexibility, ended.axial) = (flexibility, axial.max(0.0));
+        ended.shear_flexibility = shear_flexibility;
+        ended.shear_softness = 1.0 / self.model.beam.softest_in_shear();
+        ended.forces = ended.remains.force.abs() + ended.remains.force_noise;
         ended.tension = self.model.beam.axial_force.max(0.0);
         ended
     }
@@ -363,7 +364,11 @@ impl<'a> Walk<'a> {
         let beam = self.sums.misfit.sqrt() + bent;
         let held = self.supports.misfit.sqrt() + supports;
         let rounding = ROUNDED * (2.0 * strain + self.sums.moment).sqrt();
-        (beam * beam + ground * ground + held * held).sqrt() + self.joints.norm + rounding
+        // Compression shears the deflections that close joints: |P| ∫z'²/S, and less |P| ∫z'² than z costs.
+        let beam_model = &self.model.beam;
+        let compressed = (-beam_model.axial_force).max(0.0) / beam_model.softest_in_shear();
+        let joints = self.joints.norm * (1.0 + compressed.sqrt());
+        (beam * beam + ground * ground + held * held).sqrt() + joints + rounding
     }
 
     /// What is no square: work of forces on a clearance.
@@ -377,68 +382,5 @@ impl<'a> Walk<'a> {
     }
 }
 
-/// Where EI varies, how far from the middle of a piece, in half lengths, it must be free of zeros: then 1/EI is
-/// analytic where |s| < 9, and quadrature misses less of it than 10⁻²⁸.
-const FREE: f64 = 9.0;
-
 /// How well shear and moment from w must agree with those from equilibrium to take their place.
 const ALIKE: f64 = 1e-8;
-
-/// The beam's part of a piece: m from equilibrium, its misfit to EI w″, the energies.
-fn beam_piece(
-    model: &Model,
-    piece: &ClaimedPiece,
-    load: &SpreadLoad,
-    seen: &Seen,
-    events: &mut Events,
-    sums: &mut Sums,
-) {
-    let half = piece.half;
-    let course = model.beam.bending_stiffness_on(piece.x);
-    let axial = model.beam.axial_force;
-    let moment = at_points(&events.integrate(piece, load, axial));
-    let mut stiffness = [course.at(0.0); Seen::POINTS];
-    if course.is_constant() {
-        sums.flexibility += 2.0 * half / course.at(0.0);
-    } else {
-        sums.too_long |= !is_free_of_zeros(&course.coefficients, FREE);
-        stiffness = at_points(&course.coefficients);
-        let flexibility = gauss().zip(stiffness).map(|((_, weight), stiffness)| weight / stiffness);
-        sums.flexibility += half * flexibility.sum::<f64>();
-    }
-    let per_length = 1.0 / half;
-    for (i, (s, weight)) in gauss().enumerate() {
-        let dx = weight * half;
-        let slope = seen.slope[i] * per_length;
-        let curvature = load.curvature(s);
-        let bend = stiffness[i] * (seen.bend[i] * per_length * per_length - curvature);
-        let misfit = bend + moment[i];
-        let soft = dx / stiffness[i];
-        sums.bending += soft * bend * bend;
-        sums.moment += soft * moment[i] * moment[i];
-        sums.misfit += soft * misfit * misfit;
-        sums.curling += dx * stiffness[i] * curvature * curvature;
-        sums.curled += dx * moment[i] * curvature;
-        sums.axial += dx * axial * slope * slope;
-        sums.work += dx * (load.force(s) * seen.deflection[i] + load.moment(s) * slope);
-        sums.largest_slope = larger(sums.largest_slope, slope.abs());
-    }
-    let ends = seen.ends.map(|[w, _]| w);
-    let deflections = seen.deflection.into_iter().chain(ends).map(f64::abs);
-    sums.largest_deflection = deflections.fold(sums.largest_deflection, larger);
-}
-
-/// The work of point loads.
-fn work_at_points(model: &Model, claim: &Claim, sums: &mut Sums) {
-    for load in &model.loads {
-        match *load {
-            Load::PointForce { at, force } => sums.work += force * claim.deflection(at)[0],
-            Load::PointMoment { at, moment } => sums.work += moment * claim.deflection(at)[1],
-            Load::Distributed { .. }
-            | Load::DistributedMoment { .. }
-            | Load::Curvature { .. }
-            | Load::GroundForce { .. }
-            | Load::GroundDistributed { .. } => {}
-        }
-    }
-}

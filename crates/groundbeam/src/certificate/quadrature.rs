@@ -1,6 +1,6 @@
 //! A piece's polynomials where the proof looks at them: at the points of quadrature and at both ends.
 
-use crate::polynomial::{derivative, ends};
+use crate::polynomial::{Coefficients, derivative, ends};
 
 /// Gauss–Legendre points on \[−1, 1\], exact to degree 23: to rounding for every integrand here.
 const GAUSS: [(f64, f64); 6] = [
@@ -37,30 +37,45 @@ pub(super) fn at_points(c: &[f64]) -> AtPoints {
     })
 }
 
-/// w and its derivatives by s.
+/// w and its derivatives by s, and the rotation of the sections.
 #[derive(Debug)]
 pub(super) struct Seen {
     /// w, w' and w″ at the points.
     pub deflection: AtPoints,
     pub slope: AtPoints,
     pub bend: AtPoints,
+    /// Where the beam shears, half·φ and its derivative at the points.
+    pub turned: Option<[AtPoints; 2]>,
     /// w and w' at both ends.
     pub ends: [[f64; 2]; 2],
+    /// w and half·φ, which is w' where the beam does not shear, at both ends.
+    pub motion: [[f64; 2]; 2],
 }
 
 impl Seen {
     /// How many points there are.
     pub const POINTS: usize = 2 * GAUSS.len();
 
-    pub fn of(deflection: &[f64]) -> Self {
+    pub fn of(deflection: &[f64], rotation: &[f64], half: f64) -> Self {
         let slope = derivative(deflection);
+        let turned: Coefficients = rotation.iter().map(|c| half * c).collect();
         let bend = derivative(&slope);
         let ([left, right], [tilt_left, tilt_right]) = (ends(deflection), ends(&slope));
+        let sides = [[left, tilt_left], [right, tilt_right]];
+        let motion = if turned.is_empty() {
+            sides
+        } else {
+            let [turned_left, turned_right] = ends(&turned);
+            [[left, turned_left], [right, turned_right]]
+        };
         Seen {
             deflection: at_points(deflection),
             slope: at_points(&slope),
             bend: at_points(&bend),
-            ends: [[left, tilt_left], [right, tilt_right]],
+            turned: (!turned.is_empty())
+                .then(|| [at_points(&turned), at_points(&derivative(&turned))]),
+            ends: sides,
+            motion,
         }
     }
 }
@@ -86,7 +101,7 @@ mod tests {
     fn points_and_ends_are_where_they_are() {
         for count in [0, 1, 4, 7, 20] {
             let c: Vec<f64> = (0..count).map(|j| 1.0 / f64::from(j + 2)).collect();
-            let seen = Seen::of(&c);
+            let seen = Seen::of(&c, &[], 1.0);
             let near = |a: f64, b: f64| (a - b).abs() <= 1e-13 * (1.0 + b.abs());
             for (i, (s, _)) in gauss().enumerate() {
                 let [w, slope, bend, _] = jet(&c, s);

@@ -94,13 +94,13 @@ impl Events {
         self.since = [self.since[0] + force, self.since[1] + moment];
     }
 
-    /// Integrates over a piece; returns the coefficients of m(s).
+    /// Integrates over a piece; returns the coefficients of V(s) = m'(s) and of m(s).
     pub fn integrate(
         &mut self,
         piece: &ClaimedPiece,
         load: &SpreadLoad,
         axial: f64,
-    ) -> Coefficients {
+    ) -> [Coefficients; 2] {
         let half = piece.half;
         let mut net = Coefficients::from(piece.pressure).at_least(2);
         let size = |c: &[f64]| c.iter().map(|c| c.abs()).sum::<f64>() * 2.0 * half;
@@ -121,7 +121,7 @@ impl Events {
         let moment = integral(&shear, half, self.moment);
         self.shear = total.iter().sum();
         self.moment = moment.iter().sum();
-        moment
+        [shear, moment]
     }
 
     /// T and m just right of the position reached.

@@ -12,7 +12,7 @@
 //! proves about the number of steps, and what it does not, is in `docs/methods.md`.
 
 use super::deflection::{Deflection, Zone};
-use super::forms::{beam_form, ground_work};
+use super::forms::{Motion, beam_form, ground_work};
 use super::layout::Layout;
 use super::line::settle;
 use super::majorant;
@@ -21,7 +21,8 @@ use crate::chain::{Chain, Loose};
 use crate::elements::Element;
 use crate::elements::exact;
 use crate::elements::hermite::{self, TERMS};
-use crate::mesh::Mesh;
+use crate::mesh::{Cell, Mesh};
+use crate::polynomial::{Coefficients, derivative};
 
 /// How the contact pressure is represented.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -55,6 +56,8 @@ pub(crate) struct Found {
     pub shapes: Vec<[f64; 4]>,
     /// `terms` coefficients of w(s) for each cell.
     pub coefficients: Vec<f64>,
+    /// The same of φ(s), the rotation of the sections, if the beam shears anywhere; else none.
+    pub rotation: Vec<f64>,
     pub zones: Vec<Zone>,
     pub history: Vec<Step>,
     pub pressure: Pressure,
@@ -64,12 +67,13 @@ pub(crate) struct Found {
 
 impl Found {
     /// A deflection of exact elements, with the ground's pressure spread.
-    pub fn exact(mesh: Mesh, coefficients: Vec<f64>, zones: Vec<Zone>) -> Self {
+    pub fn exact(mesh: Mesh, coefficients: Vec<f64>, rotation: Vec<f64>, zones: Vec<Zone>) -> Self {
         Found {
             mesh,
             terms: exact::TERMS,
             shapes: Vec::new(),
             coefficients,
+            rotation,
             zones,
             history: Vec::new(),
             pressure: Pressure::Distributed,
@@ -80,6 +84,28 @@ impl Found {
     pub fn deflection(&self) -> Deflection<'_> {
         Deflection { mesh: &self.mesh, terms: self.terms, coefficients: &self.coefficients }
     }
+
+    /// The whole motion of the beam.
+    pub fn motion(&self) -> Motion<'_> {
+        let Found { terms, coefficients, rotation, .. } = self;
+        Motion { terms: *terms, deflection: coefficients, rotation }
+    }
+
+    /// The coefficients of φ(s) in cell i: of w' where the beam does not shear.
+    pub fn rotation(&self, i: usize) -> Coefficients {
+        match self.rotation.get(i * self.terms..(i + 1) * self.terms) {
+            Some(rotation) => rotation.into(),
+            None => turned(&self.mesh.cells[i], self.deflection().cell(i)),
+        }
+    }
+}
+
+/// The coefficients of w'(s) in a cell from those of w(s).
+pub(crate) fn turned(cell: &Cell, deflection: &[f64]) -> Coefficients {
+    let per_half = 2.0 / cell.length();
+    let mut slope = derivative(deflection);
+    slope.iter_mut().for_each(|c| *c *= per_half);
+    slope
 }
 
 /// What a method says that did not reach its own tolerance.
@@ -156,6 +182,7 @@ pub(crate) fn solve(
             let State { shapes, coefficients } = target;
             let terms = TERMS;
             return Ok(Found {
+                rotation: Vec::new(),
                 mesh,
                 terms,
                 shapes,
@@ -305,7 +332,12 @@ impl<'a> Newton<'a> {
     }
 
     fn beam_form(&self, a: &State, b: &State) -> f64 {
-        beam_form(self.mesh, TERMS, &a.coefficients, &b.coefficients)
+        let [a, b] = [a, b].map(|state| Motion {
+            terms: TERMS,
+            deflection: &state.coefficients,
+            rotation: &[],
+        });
+        beam_form(self.mesh, a, b)
     }
 
     fn ground_form(&self, zones: &[Zone], psi: &[f64], delta: &[f64]) -> f64 {

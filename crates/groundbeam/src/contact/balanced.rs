@@ -5,12 +5,12 @@ use super::exact::{ENOUGH, Proof, solve, unsettled};
 use super::glue::Glue;
 use super::stretches::Stretch;
 use crate::model::{Load, Model};
-use crate::polynomial::jet;
+use crate::polynomial::value;
 
 /// How far from an end the resultant stands whose limit is taken, as a part of the length.
 const ALMOST: f64 = 1e-6;
 
-/// A slope given at an end, by a spring that equilibrium leaves without a moment.
+/// A rotation given at an end, by a spring that equilibrium leaves without a moment.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Held {
     pub left: bool,
@@ -18,10 +18,9 @@ pub(crate) struct Held {
 }
 
 impl Held {
-    /// The slope that a deflection has at the left end.
+    /// The rotation that a deflection has at the left end.
     pub fn as_in(found: &Found) -> Held {
-        let [_, slope, ..] = jet(found.deflection().cell(0), -1.0);
-        Held { left: true, slope: 2.0 * slope / found.mesh.cells[0].length() }
+        Held { left: true, slope: value(&found.rotation(0), -1.0) }
     }
 }
 
@@ -54,8 +53,8 @@ pub(crate) fn solve_over_an_end(
     let limit = solve(&nearly, None, |_| Proof::NONE)?;
     let last = limit.mesh.cells.len() - 1;
     let (cell, s) = if over_left { (0, -1.0) } else { (last, 1.0) };
-    let [w, dw, ..] = jet(limit.deflection().cell(cell), s);
-    let tangent = 2.0 * dw / limit.mesh.cells[cell].length();
+    let w = value(limit.deflection().cell(cell), s);
+    let tangent = value(&limit.rotation(cell), s);
     // Beyond the limit, clear of the ground: the limit's last stretch of contact has a length of order
     // √ALMOST, and its slope an error of that order.
     let beyond = 10.0 * ALMOST.sqrt() * tangent.abs().max(w.abs() / l);

@@ -74,7 +74,7 @@ impl Deflection<'_> {
     pub fn corner(&self, i: usize) -> f64 {
         let [a, b] = [&self.mesh.cells[i - 1], &self.mesh.cells[i]];
         let ([_, before], [after, _]) = (a.shear_ends(), b.shear_ends());
-        if self.mesh.nodes[i].hinge.is_some() {
+        if self.mesh.nodes[i].hinge.is_some() || self.mesh.nodes[i].kinked {
             let [left, right] = [Spot { cell: i - 1, s: 1.0 }, Spot { cell: i, s: -1.0 }];
             return self.flux(left) - self.flux(right);
         }

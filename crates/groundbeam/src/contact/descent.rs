@@ -7,13 +7,13 @@
 
 use super::active_set::Found;
 use super::deflection::{Deflection, Spot, Zone};
-use super::forms::{beam_form, ground_work};
+use super::forms::{Motion, beam_form, ground_work};
 use super::line::settle;
 use super::majorant;
 use crate::elements::exact::TERMS;
 use crate::mesh::Mesh;
 use crate::model::Model;
-use crate::polynomial::rescale;
+use crate::polynomial::{Coefficients, rescale};
 
 /// The relative fall that rounding leaves.
 const LEAST: f64 = 1e-26;
@@ -33,13 +33,26 @@ pub(crate) struct Shortened {
 pub(crate) fn shorten(model: &Model, now: &Found, glued: &Found) -> Shortened {
     let x: Vec<f64> = [now, glued].iter().flat_map(|f| f.mesh.nodes.iter().map(|n| n.x)).collect();
     let mesh = Mesh::build(model, &x, |_| 1);
-    let [from, to] = [now, glued].map(|found| on(&mesh, found));
+    let [from, to] =
+        [now, glued].map(|found| on(&mesh, found, |i| found.deflection().cell(i).into()));
+    let shears = !glued.rotation.is_empty();
+    let turned = |found: &Found| {
+        if shears { on(&mesh, found, |i| found.rotation(i)) } else { Vec::new() }
+    };
+    let [turned_from, turned_to] = [now, glued].map(turned);
     let zones = moved(&mesh, glued);
-    let delta: Vec<f64> = from.iter().zip(&to).map(|(a, b)| b - a).collect();
-    let beam = beam_form(&mesh, TERMS, &delta, &delta);
+    let difference =
+        |a: &[f64], b: &[f64]| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| b - a).collect() };
+    let delta = difference(&from, &to);
+    let turn = difference(&turned_from, &turned_to);
+    let form = |deflection: &[f64], rotation: &[f64]| {
+        let motion = Motion { terms: TERMS, deflection, rotation };
+        beam_form(&mesh, motion, motion)
+    };
+    let beam = form(&delta, &turn);
     let fall = beam + ground_work(&mesh, TERMS, &zones, &delta, &delta);
     let psi = obstacle(&mesh, &to);
-    let energy = beam_form(&mesh, TERMS, &to, &to) + ground_work(&mesh, TERMS, &zones, &psi, &psi);
+    let energy = form(&to, &turned_to) + ground_work(&mesh, TERMS, &zones, &psi, &psi);
     // Newton's estimate of what the energy has left to fall, relative to twice the strain energy.
     let decrement = if fall == 0.0 { 0.0 } else { fall / energy.abs() };
     let whole = Shortened { part: 1.0, between: None };
@@ -48,7 +61,10 @@ pub(crate) fn shorten(model: &Model, now: &Found, glued: &Found) -> Shortened {
         return whole;
     }
     let bonded = ground_work(&mesh, TERMS, &zones, &psi, &delta);
-    let at = |t: f64| -> Vec<f64> { from.iter().zip(&delta).map(|(a, d)| a + t * d).collect() };
+    let along = |from: &[f64], delta: &[f64], t: f64| -> Vec<f64> {
+        from.iter().zip(delta).map(|(a, d)| a + t * d).collect()
+    };
+    let at = |t: f64| along(&from, &delta, t);
     let slope = |t: f64| {
         let w = at(t);
         let zones = majorant::contact(&Deflection { mesh: &mesh, terms: TERMS, coefficients: &w });
@@ -62,21 +78,21 @@ pub(crate) fn shorten(model: &Model, now: &Found, glued: &Found) -> Shortened {
     let coefficients = at(t);
     let w = Deflection { mesh: &mesh, terms: TERMS, coefficients: &coefficients };
     let zones = majorant::contact(&w);
-    Shortened { part: t, between: Some(Found::exact(mesh, coefficients, zones)) }
+    let rotation = along(&turned_from, &turn, t);
+    Shortened { part: t, between: Some(Found::exact(mesh, coefficients, rotation, zones)) }
 }
 
-/// The coefficients of a deflection on a finer mesh.
-fn on(mesh: &Mesh, found: &Found) -> Vec<f64> {
-    let w = found.deflection();
+/// The coefficients of what a deflection has in each of its cells on a finer mesh.
+fn on(mesh: &Mesh, found: &Found, own: impl Fn(usize) -> Coefficients) -> Vec<f64> {
     let mut coefficients = Vec::with_capacity(mesh.cells.len() * TERMS);
     for cell in &mesh.cells {
         let parent = found.mesh.cell_at(0.5 * (cell.x[0] + cell.x[1]));
         let from = &found.mesh.cells[parent];
         let c = if cell.x == from.x {
-            w.cell(parent).into()
+            own(parent)
         } else {
             let [a, b] = cell.x.map(|x| from.local(x));
-            rescale(w.cell(parent), 0.5 * (a + b), cell.length() / from.length())
+            rescale(&own(parent), 0.5 * (a + b), cell.length() / from.length())
         };
         coefficients.extend_from_slice(&c.at_least(TERMS));
     }

@@ -5,16 +5,48 @@ use super::pieces::pieces;
 use super::surface::open_link;
 use super::varying;
 use crate::mesh::{Cell, Mesh};
-use crate::polynomial::{Coefficients, MOST, derivative, jet, rescale, value};
+use crate::polynomial::{Coefficients, MOST, derivative, jet, product, rescale, value};
 
-/// ∫(EI a″b″ + P a'b') and the springs at supports and in hinges.
-pub(crate) fn beam_form(mesh: &Mesh, terms: usize, a: &[f64], b: &[f64]) -> f64 {
+/// A motion of the beam in pieces: `terms` coefficients for each cell.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Motion<'a> {
+    pub terms: usize,
+    pub deflection: &'a [f64],
+    /// Of the sections; empty where it is w' everywhere.
+    pub rotation: &'a [f64],
+}
+
+impl Motion<'_> {
+    fn deflection(&self, cell: usize) -> &[f64] {
+        &self.deflection[cell * self.terms..(cell + 1) * self.terms]
+    }
+
+    /// The rotation in a cell of a beam that shears.
+    fn rotation(&self, cell: usize) -> Option<&[f64]> {
+        self.rotation.get(cell * self.terms..(cell + 1) * self.terms)
+    }
+
+    /// w and φ at s of a cell.
+    fn at(&self, mesh: &Mesh, cell: usize, s: f64) -> [f64; 2] {
+        let [w, d, ..] = jet(self.deflection(cell), s);
+        let slope = d * 2.0 / mesh.cells[cell].length();
+        [w, self.rotation(cell).map_or(slope, |rotation| value(rotation, s))]
+    }
+}
+
+/// ∫(EI φ'ψ' + S (w' − φ)(z' − ψ) + P w'z') and the springs at supports and in hinges, for w with φ and z with ψ;
+/// ∫(EI w″z″ + P w'z') where the beam does not shear.
+pub(crate) fn beam_form(mesh: &Mesh, a: Motion, b: Motion) -> f64 {
     let mut sum = 0.0;
     for (i, cell) in mesh.cells.iter().enumerate() {
-        let range = i * terms..(i + 1) * terms;
-        let [f, g] = [&a[range.clone()], &b[range]];
+        let [f, g] = [a.deflection(i), b.deflection(i)];
         let h = cell.length();
-        sum += bending(cell, f, g) * 8.0 / (h * h * h);
+        sum += match (cell.beam_shear, a.rotation(i), b.rotation(i)) {
+            (Some(shear), Some(p), Some(q)) => {
+                2.0 / h * turning(cell, p, q) + 0.5 * h * shearing(&shear, h, [f, p], [g, q])
+            }
+            _ => bending(cell, f, g) * 8.0 / (h * h * h),
+        };
         if mesh.axial_force != 0.0 {
             sum += energy_form(h, (0.0, mesh.axial_force), [-1.0, 1.0], f, g);
         }
@@ -22,21 +54,11 @@ pub(crate) fn beam_form(mesh: &Mesh, terms: usize, a: &[f64], b: &[f64]) -> f64 
     for (i, node) in mesh.nodes.iter().enumerate() {
         if node.spring != 0.0 || node.rotational_spring != 0.0 {
             let (cell, s) = if i == 0 { (0, -1.0) } else { (i - 1, 1.0) };
-            let end = |c: &[f64]| {
-                let [w, d, ..] = jet(&c[cell * terms..(cell + 1) * terms], s);
-                [w, d * 2.0 / mesh.cells[cell].length()]
-            };
-            let ([w, d], [z, e]) = (end(a), end(b));
+            let ([w, d], [z, e]) = (a.at(mesh, cell, s), b.at(mesh, cell, s));
             sum += node.spring * w * z + node.rotational_spring * d * e;
         }
         if let Some(spring) = node.hinge.filter(|spring| *spring > 0.0) {
-            let turned = |c: &[f64]| {
-                let slope = |cell: usize, s: f64| {
-                    let [_, d, ..] = jet(&c[cell * terms..(cell + 1) * terms], s);
-                    d * 2.0 / mesh.cells[cell].length()
-                };
-                slope(i, -1.0) - slope(i - 1, 1.0)
-            };
+            let turned = |c: Motion| c.at(mesh, i, -1.0)[1] - c.at(mesh, i - 1, 1.0)[1];
             sum += spring * turned(a) * turned(b);
         }
     }
@@ -44,18 +66,22 @@ pub(crate) fn beam_form(mesh: &Mesh, terms: usize, a: &[f64], b: &[f64]) -> f64 
 }
 
 /// F(w): the work of the loads of a mesh.
-pub(crate) fn work_of_loads(mesh: &Mesh, terms: usize, w: &[f64]) -> f64 {
+pub(crate) fn work_of_loads(mesh: &Mesh, motion: Motion) -> f64 {
     let mut work = 0.0;
     for (i, cell) in mesh.cells.iter().enumerate() {
-        let c = &w[i * terms..(i + 1) * terms];
+        let c = motion.deflection(i);
         let line = |[left, right]: [f64; 2]| [0.5 * (left + right), 0.5 * (right - left)];
         work += 0.5 * cell.length() * inner(&line(cell.load), c, 0);
-        work += inner(&line(cell.moment_load), &derivative(c), 0);
+        let turned = match motion.rotation(i) {
+            Some(rotation) => 0.5 * cell.length() * inner(&line(cell.moment_load), rotation, 0),
+            None => inner(&line(cell.moment_load), &derivative(c), 0),
+        };
+        work += turned;
     }
     for (i, node) in mesh.nodes.iter().enumerate() {
         let (cell, s) = if i == 0 { (0, -1.0) } else { (i - 1, 1.0) };
-        let [w, d, ..] = jet(&w[cell * terms..(cell + 1) * terms], s);
-        work += node.force * w + node.moment * d * 2.0 / mesh.cells[cell].length();
+        let [w, turned] = motion.at(mesh, cell, s);
+        work += node.force * w + node.moment * turned;
     }
     work
 }
@@ -136,6 +162,23 @@ pub(crate) fn energy_form(
 /// ∫ EI f″ g″ ds over \[−1, 1\], with derivatives by s.
 fn bending(cell: &Cell, f: &[f64], g: &[f64]) -> f64 {
     if cell.beam_varies() { varying::bending(cell, f, g) } else { cell.stiffness * inner(f, g, 2) }
+}
+
+/// ∫ EI φ'ψ' ds over \[−1, 1\], with derivatives by s.
+fn turning(cell: &Cell, f: &[f64], g: &[f64]) -> f64 {
+    inner(&product(&cell.stiffness_course(), &derivative(f)), &derivative(g), 0)
+}
+
+/// ∫ S (w' − φ)(z' − ψ) ds over \[−1, 1\] in a cell of length h.
+fn shearing(shear: &[f64], h: f64, a: [&[f64]; 2], b: [&[f64]; 2]) -> f64 {
+    let strain = |[w, rotation]: [&[f64]; 2]| {
+        let mut strain = derivative(w).at_least(rotation.len());
+        for (c, turned) in strain.iter_mut().zip(rotation) {
+            *c = 2.0 / h * *c - turned;
+        }
+        strain
+    };
+    inner(&product(shear, &strain(a)), &strain(b), 0)
 }
 
 /// ∫ f⁽ⁿ⁾ g⁽ⁿ⁾ ds over \[−1, 1\] for the derivatives of order n ≤ 2.

@@ -1,6 +1,6 @@
 //! The beam glued to the ground on given stretches, solved exactly.
 
-use super::active_set::Found;
+use super::active_set::{Found, turned};
 use super::balanced::Held;
 use super::layout::Layout;
 use super::stretches::{Stretch, zones_of};
@@ -47,6 +47,10 @@ impl<'a> Glue<'a> {
             parts(&Operator::of(cell, axial, touch(cell)), cell.length())
         });
         let zones = zones_of(&mesh, stretches, &touch);
+        let stiff = |cell: &Cell| Operator::of(cell, axial, touch(cell)).is_stiff_in_shear();
+        if axial < 0.0 && model.beam.shears() && !mesh.cells.iter().all(stiff) {
+            return Err(Loose);
+        }
         let layout = Layout::of(&mesh, &zones);
         self.make_elements(&mesh, &touch);
         let cell = |(i, known): (usize, &Known)| {
@@ -71,10 +75,11 @@ impl<'a> Glue<'a> {
         } else {
             (mesh, self.unfolded(&shapes), zones)
         };
-        if !coefficients.iter().all(|c| c.is_finite()) {
+        let rotation = self.rotations(&mesh, &coefficients, &shapes);
+        if !coefficients.iter().chain(&rotation).all(|c| c.is_finite()) {
             return Err(Loose);
         }
-        Ok(Found::exact(mesh, coefficients, zones))
+        Ok(Found::exact(mesh, coefficients, rotation, zones))
     }
 
     /// The elements of a mesh, of which those that were known are kept.
@@ -91,6 +96,23 @@ impl<'a> Glue<'a> {
                 Known { x, touch, exact }
             }));
         }
+    }
+
+    /// φ on the cells of w, on which a beam that does not shear everywhere may have cut its boundary layers.
+    fn rotations(&self, mesh: &Mesh, coefficients: &[f64], shapes: &[[f64; 4]]) -> Vec<f64> {
+        if !self.model.beam.shears() {
+            return Vec::new();
+        }
+        let mut rotations = Vec::with_capacity(coefficients.len());
+        let mut known = self.known.iter().zip(shapes).peekable();
+        for (cell, w) in mesh.cells.iter().zip(coefficients.chunks(TERMS)) {
+            let middle = 0.5 * (cell.x[0] + cell.x[1]);
+            while known.next_if(|(known, _)| known.x[1] < middle).is_some() {}
+            let own = known.peek().and_then(|(known, v)| known.exact.rotation(v));
+            let rotation = own.map_or_else(|| turned(cell, w), |own| own[..].into());
+            rotations.extend_from_slice(&rotation.at_least(TERMS));
+        }
+        rotations
     }
 
     /// w as short series, one for each element.

@@ -1,12 +1,12 @@
 //! A start for the exact method: from a beam so stiff that a coarse mesh sees its waves, by beams ever less
-//! stiff, to the beam itself.
+//! stiff, to the beam itself; of a beam that shears, from the beam that only bends.
 //!
 //! Newton's method on edges is good for moves of a wave length or so; where a stretch hardly presses, an edge
 //! runs hundreds of them while the stiffness falls by one per cent. So the edges are *followed*: each beam
 //! begins where the two before it point, and where it does not settle the step is halved.
 
 use super::active_set::{Found, Pressure, Stalled};
-use super::exact::{Goal, Proof, Start, refine};
+use super::exact::{Goal, Proof, Start, refine, solve};
 use super::glue::Glue;
 use super::nested;
 use super::stretches::Stretch;
@@ -22,6 +22,9 @@ const MOST_WAVES: f64 = 32.0;
 const STEP: f64 = 2.0;
 /// The same at least: edges that cannot be followed in steps like this are lost.
 const LEAST_STEP: f64 = 2e-4;
+/// How much stiffer against shear (as a power of two) the first beam is, and the next less stiff at most.
+const MOST_DOUBLINGS: f64 = 40.0;
+const SHEAR_STEP: f64 = 4.0;
 /// Beams that are tried.
 const MOST_BEAMS: usize = 400;
 
@@ -42,11 +45,24 @@ pub(super) fn start(model: &Model, level: u32) -> Result<Found, Stalled> {
         model.beam = model.beam.stiffened(doublings.exp2());
         model
     };
-    let stiff = model_of(stiffest);
+    // A mesh of cubic elements does not shear.
+    let mut stiff = model_of(stiffest);
+    stiff.beam = stiff.beam.without_shear();
     let meshes = nested::coarse_meshes(&stiff, per_wave);
     let found = nested::solve(meshes, Pressure::Distributed)?;
     let steps = (stiffest * f64::from(level + 1) / STEP).ceil();
     follow(found, stiffest, stiffest / steps.max(1.0), model_of)
+}
+
+/// The same from the beam that only bends, by beams ever less stiff against shear.
+pub(super) fn from_bending(model: &Model) -> Result<Found, Stalled> {
+    let bending = Model { beam: model.beam.clone().without_shear(), ..model.clone() };
+    let found = solve(&bending, None, |_| Proof::NONE)?;
+    let model_of = |doublings: f64| {
+        let beam = model.beam.clone().stiffened_in_shear(doublings.exp2());
+        Model { beam, ..model.clone() }
+    };
+    follow(found, MOST_DOUBLINGS, SHEAR_STEP, model_of)
 }
 
 /// From the deflection of a beam that is 2^`doublings` times as stiff to that of the beam itself, in steps of

@@ -141,7 +141,7 @@ impl Surface {
         let mut parts = Vec::with_capacity(self.parts.len());
         for part in &self.parts {
             let cell = &mesh.cells[part.cell];
-            if !cell.beam_varies() && !cell.ground_varies() {
+            if !cell.beam_varies() && !cell.beam_shear_varies() && !cell.ground_varies() {
                 parts.push(*part);
                 continue;
             }
@@ -222,7 +222,7 @@ fn heights(links: &[Link], [start, end]: [f64; 2]) -> (Vec<f64>, Option<Link>) {
 }
 
 /// Whether mechanics allows a concentrated force at the end of a stretch of contact: at the ends of the
-/// beam and of the shear layer, at corners and at hinges. Elsewhere the ground leaves the beam tangentially.
+/// beam and of the shear layer, at corners, at hinges and where a beam that shears has a kink. Elsewhere the ground leaves the beam tangentially.
 pub(crate) fn can_carry(mesh: &Mesh, spot: Spot) -> bool {
     let node = match spot.s {
         -1.0 => spot.cell,
@@ -236,6 +236,7 @@ pub(crate) fn can_carry(mesh: &Mesh, spot: Spot) -> bool {
     left.shear_ends()[1] != right.shear_ends()[0]
         || left.gap_slope != right.gap_slope
         || mesh.nodes[node].hinge.is_some()
+        || mesh.nodes[node].kinked
         || right.ground_force != 0.0
 }
 

@@ -407,6 +407,7 @@ fn found(
     let surface = Surface { parts, atoms: atoms.collect() };
     let zones: Vec<Zone> = touching.iter().map(|(zone, _)| *zone).collect();
     Found {
+        rotation: Vec::new(),
         mesh,
         terms: TERMS,
         shapes,

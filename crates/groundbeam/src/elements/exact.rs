@@ -48,7 +48,8 @@ impl Layers {
     fn of(operator: &Operator, length: f64) -> Option<Self> {
         let n = operator.tension / operator.stiffness;
         let k = operator.spring / operator.stiffness;
-        if operator.courses.is_some() || n <= 0.0 || n * n < 4.0 * k {
+        let special = operator.courses.is_some() || operator.shearing.is_some();
+        if special || n <= 0.0 || n * n < 4.0 * k {
             return None;
         }
         let fast_squared = 0.5 * (n + (n * n - 4.0 * k).sqrt());
@@ -64,6 +65,8 @@ pub(crate) struct ExactElement {
     pub element: Element,
     pub layers: Option<Layers>,
     shapes: Shapes,
+    /// φ, where the beam shears.
+    rotation: Option<Series>,
 }
 
 /// The functions of an element.
@@ -71,7 +74,7 @@ pub(crate) struct ExactElement {
 enum Shapes {
     /// Even and odd ones.
     Halves([Half; 2]),
-    /// Where EI, N or κ vary.
+    /// Where EI, N or κ vary, and where the beam shears.
     Whole(Series),
 }
 
@@ -89,10 +92,20 @@ struct Half {
 
 impl ExactElement {
     pub fn new(operator: &Operator, length: f64) -> Self {
+        if let Some(shearing) = &operator.shearing {
+            let (element, [deflection, rotation]) = shearing.element(length);
+            let (shapes, rotation) = (Shapes::Whole(deflection), Some(rotation));
+            return ExactElement { element, layers: None, shapes, rotation };
+        }
         if let Some(courses) = &operator.courses {
             let (mut element, series) = Series::new(courses, length);
             element.curl(operator.curling_moments);
-            return ExactElement { element, layers: None, shapes: Shapes::Whole(series) };
+            return ExactElement {
+                element,
+                layers: None,
+                shapes: Shapes::Whole(series),
+                rotation: None,
+            };
         }
         let a = 0.5 * length;
         let ei = operator.stiffness;
@@ -164,7 +177,12 @@ impl ExactElement {
         let basis = if layers.is_some() { Basis::Ends } else { Basis::Deformation };
         let mut element = assemble(length, basis, &even.condensed(), &odd.condensed());
         element.curl(operator.curling_moments);
-        ExactElement { element, layers, shapes: Shapes::Halves([even, odd]) }
+        ExactElement { element, layers, shapes: Shapes::Halves([even, odd]), rotation: None }
+    }
+
+    /// The coefficients of φ(s), the rotation of the sections, where the beam shears.
+    pub fn rotation(&self, v: &[f64; 4]) -> Option<[f64; TERMS]> {
+        self.rotation.map(|rotation| rotation.unfold(v))
     }
 
     /// w for the element's four numbers: the coefficients of w(s), and the heights of the boundary layers
@@ -423,6 +441,7 @@ mod tests {
             moment_load: [0.0; 2],
             curling_moments: [0.0; 2],
             courses: None,
+            shearing: None,
         }
     }
 

@@ -236,6 +236,7 @@ mod tests {
     fn an_even_load_becomes_the_printed_nodal_forces() {
         // f h/2 and ± f h²/12 at the ends, any textbook.
         let cell = Cell {
+            beam_shear: None,
             x: [0.0, 2.0],
             stiffness: 3.0,
             spring: 1.0,

@@ -4,15 +4,17 @@
 //! end and the *deformation* d = x_right − T x_left, with x = (w, θ) and T = \[\[1, h\], \[0, 1\]\]: what the
 //! right end does beyond following the left one rigidly. Bending sees d alone, the ground sees mainly
 //! the rigid part, and so the two never add up in one number: assembling EI/h³ beside kh loses all
-//! digits as the mesh is refined, this does not.
+//! digits as the mesh is refined, this does not. θ is the rotation of the sections: w' where the beam does not shear.
 
 pub(crate) mod exact;
 pub(crate) mod hermite;
 mod series;
+mod shear;
 
 use crate::mesh::{Cell, GROUND};
 use crate::model::Profile;
 use crate::polynomial::value;
+use shear::Shearing;
 
 /// What an element's four numbers v are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -100,6 +102,8 @@ pub(crate) struct Operator {
     /// Where any of them varies otherwise than this says: all of them by s, the above being their values at
     /// the middle and at the ends.
     pub courses: Option<Courses>,
+    /// Where the beam shears: all of it by s.
+    pub shearing: Option<Shearing>,
 }
 
 /// Coefficients of EI, N, κ, F and G as polynomials of s ∈ \[−1, 1\].
@@ -116,9 +120,11 @@ pub(crate) struct Courses {
 impl Courses {
     fn of(cell: &Cell, axial_force: f64, touch: Touch) -> Option<Self> {
         let ground_varies = touch == Touch::Contact && cell.ground_varies();
-        if !cell.beam_varies() && !ground_varies {
-            return None;
-        }
+        let varies = cell.beam_varies() || ground_varies;
+        varies.then(|| Self::along(cell, axial_force, touch))
+    }
+
+    fn along(cell: &Cell, axial_force: f64, touch: Touch) -> Self {
         let linear = |v: [f64; 2]| [0.5 * (v[0] + v[1]), 0.5 * (v[1] - v[0])];
         let mut courses = Courses {
             stiffness: cell.stiffness_course(),
@@ -147,7 +153,7 @@ impl Courses {
                 courses.load[i + 1] += k * gap[1];
             }
         }
-        Some(courses)
+        courses
     }
 
     /// The least EI, the largest |N| and the largest κ at the ends and the middle.
@@ -169,6 +175,7 @@ impl Operator {
             moment_load: cell.moment_load,
             curling_moments: cell.curling_moments(),
             courses: Courses::of(cell, axial_force, touch),
+            shearing: Shearing::of(cell, axial_force, touch),
         };
         if touch == Touch::Open {
             return off;
@@ -182,8 +189,18 @@ impl Operator {
         }
     }
 
+    /// Whether the beam keeps its shape in shear, S + N > 0, which compression may take from it.
+    pub fn is_stiff_in_shear(&self) -> bool {
+        self.shearing.is_none_or(|shearing| shearing.is_stiff())
+    }
+
     /// A bound of the largest |r| with EI r⁴ − N r² + κ = 0 \[1/m\]; where they vary, of the worst of it.
+    /// A beam that shears has EI (1 + N/S) r⁴ − (N + EI κ/S) r² + κ = 0.
     pub fn wave_number(&self) -> f64 {
+        if let Some(shearing) = &self.shearing {
+            let [tension, spring] = shearing.like_bending();
+            return wave_number(1.0, tension, spring);
+        }
         let [stiffness, tension, spring] = match &self.courses {
             None => [self.stiffness, self.tension.abs(), self.spring],
             Some(courses) => courses.extremes(),

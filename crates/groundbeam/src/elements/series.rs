@@ -21,6 +21,11 @@ pub(crate) struct Series {
 }
 
 impl Series {
+    /// By the functions themselves: those of the element's four numbers, and the loaded one.
+    pub fn of(solutions: [[f64; TERMS]; 5]) -> Self {
+        Series { solutions }
+    }
+
     pub fn new(courses: &Courses, length: f64) -> (Element, Self) {
         let a = 0.5 * length;
         let solution = |first: usize, scale: f64| {
@@ -113,7 +118,7 @@ fn boundary(c: &[f64; TERMS], a: f64) -> [f64; 4] {
 
 /// How much of each free solution gives wanted boundary values. The deformations belong to the third and
 /// the fourth, but for what ground and tension make of the first two.
-fn amplitudes(ends: &[[f64; 4]; 4], wanted: [f64; 4]) -> [f64; 4] {
+pub(super) fn amplitudes(ends: &[[f64; 4]; 4], wanted: [f64; 4]) -> [f64; 4] {
     let solve = |m: [[f64; 2]; 2], r: [f64; 2]| {
         let determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
         [
@@ -175,7 +180,7 @@ fn forces(c: &[f64; TERMS], courses: &Courses, a: f64, loaded: bool) -> [f64; 4]
 }
 
 /// ∫ f g s^power ds over \[−1, 1\].
-fn work(f: &[f64], g: &[f64], power: usize) -> f64 {
+pub(super) fn work(f: &[f64], g: &[f64], power: usize) -> f64 {
     let mut sum = 0.0;
     for (i, f) in f.iter().enumerate().filter(|(_, f)| **f != 0.0) {
         for (j, g) in g.iter().enumerate().filter(|(j, _)| (i + j + power).is_multiple_of(2)) {
@@ -203,6 +208,7 @@ mod tests {
                 moment_load: [0.5, 0.1],
                 curling_moments: [0.0; 2],
                 courses: None,
+                shearing: None,
             };
             let uniform = ExactElement::new(&operator, 1.3);
             let courses = Courses {

@@ -187,7 +187,7 @@ fn without_root(c: &mut Coefficients, end: f64) {
     c.pop();
 }
 
-/// The concentrated forces: under the ends of the beam and of the shear layer and at corners.
+/// The concentrated forces: under the ends of the beam and of the shear layer, at corners and at kinks.
 fn forces(staying: &Found, growing: &Found) -> Vec<Watched> {
     let [stays, grows] = [staying, growing].map(forces_of);
     let find = |all: &[(f64, Side)], x: f64| {
@@ -199,7 +199,13 @@ fn forces(staying: &Found, growing: &Found) -> Vec<Watched> {
         let growing = find(&grows, *x);
         Watched { x: [*x; 2], staying: side.clone(), growing }
     });
-    all.collect()
+    // A beam that shears has kinks under the forces that grow.
+    let kinks = grows.iter().filter(|(x, _)| stays.iter().all(|(at, _)| at != x));
+    let kinks = kinks.map(|(x, side)| {
+        let staying = find(&stays, *x);
+        Watched { x: [*x; 2], staying, growing: side.clone() }
+    });
+    all.chain(kinks).collect()
 }
 
 fn forces_of(found: &Found) -> Vec<(f64, Side)> {

@@ -1,21 +1,25 @@
-//! The beam: EI(x) by segments, (4.1), under a constant axial force P, (2.1).
+//! The beam: EI(x) and what it resists shear with by segments, (4.1), under a constant axial force P, (2.1).
 
 use super::profile::{Course, Profile};
 
-/// A straight beam that bends.
+/// A straight beam that bends, and shears if it is given a stiffness against that.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Beam {
     /// Length l \[m\], positive.
     pub length: f64,
     /// Bending stiffness EI \[N·m²\] wherever no segment says otherwise, positive.
     pub bending_stiffness: f64,
-    /// Stretches with another bending stiffness. They may touch, not overlap.
+    /// Shear stiffness S = κGA \[N\] wherever no segment says otherwise, positive; none where sections stay at right
+    /// angles to the axis (Euler and Bernoulli). With it they turn by φ and the beam shears by w' − φ = Q/S
+    /// (Timoshenko).
+    pub shear_stiffness: Option<f64>,
+    /// Stretches with other stiffnesses. They may touch, not overlap.
     pub segments: Vec<BeamSegment>,
     /// Axial force P \[N\], tension positive, constant along the beam.
     pub axial_force: f64,
 }
 
-/// A stretch of the beam with a bending stiffness of its own.
+/// A stretch of the beam with stiffnesses of its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BeamSegment {
     /// Left end \[m\].
@@ -24,17 +28,46 @@ pub struct BeamSegment {
     pub to: f64,
     /// Bending stiffness EI \[N·m²\] from the left end to the right one, positive.
     pub bending_stiffness: Profile,
+    /// Shear stiffness S \[N\] from the left end to the right one, positive; none: that of the beam.
+    pub shear_stiffness: Option<Profile>,
 }
 
 impl Beam {
-    /// A uniform beam without axial force.
+    /// A uniform beam without axial force that does not shear.
     pub fn uniform(length: f64, bending_stiffness: f64) -> Self {
-        Beam { length, bending_stiffness, segments: Vec::new(), axial_force: 0.0 }
+        Beam {
+            length,
+            bending_stiffness,
+            shear_stiffness: None,
+            segments: Vec::new(),
+            axial_force: 0.0,
+        }
     }
 
     /// The same beam under an axial force P \[N\], tension positive.
     pub fn with_axial_force(mut self, axial_force: f64) -> Self {
         self.axial_force = axial_force;
+        self
+    }
+
+    /// The same beam with a shear stiffness S = κGA \[N\].
+    ///
+    /// ```
+    /// use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, Support, solve};
+    ///
+    /// // A cantilever sags by F l³/3EI in bending and F l/S in shear; hardly any ground is below it.
+    /// let beam = Beam::uniform(2.0, 3.0).with_shear_stiffness(4.0);
+    /// let model = Model::new(beam, Foundation::winkler(1e-12))
+    ///     .with_support(Support::fixed(0.0))
+    ///     .with_load(Load::point(1.0, 2.0));
+    /// if let Outcome::Equilibrium(solution) = solve(&model)? {
+    ///     let tip = 8.0 / 9.0 + 2.0 / 4.0;
+    ///     assert!((solution.value(Field::Deflection, 2.0) - tip).abs() < 1e-10);
+    /// }
+    /// # Ok::<(), groundbeam::Error>(())
+    /// ```
+    pub fn with_shear_stiffness(mut self, shear_stiffness: f64) -> Self {
+        self.shear_stiffness = Some(shear_stiffness);
         self
     }
 
@@ -52,7 +85,22 @@ impl Beam {
     /// assert_eq!(beam.bending_stiffness_at(1.0), 1.5);
     /// ```
     pub fn with_varying_segment(mut self, from: f64, to: f64, bending_stiffness: Profile) -> Self {
-        self.segments.push(BeamSegment { from, to, bending_stiffness });
+        self.segments.push(BeamSegment { from, to, bending_stiffness, shear_stiffness: None });
+        self
+    }
+
+    /// The same beam with another bending stiffness \[N·m²\] and shear stiffness \[N\] between two positions, each
+    /// a number or a [`Profile`].
+    pub fn with_shearing_segment(
+        mut self,
+        from: f64,
+        to: f64,
+        bending_stiffness: impl Into<Profile>,
+        shear_stiffness: impl Into<Profile>,
+    ) -> Self {
+        let (bending_stiffness, shear_stiffness) =
+            (bending_stiffness.into(), Some(shear_stiffness.into()));
+        self.segments.push(BeamSegment { from, to, bending_stiffness, shear_stiffness });
         self
     }
 
@@ -61,6 +109,49 @@ impl Beam {
         let segment = self.segments.iter().find(|s| s.from <= x && x < s.to);
         segment
             .map_or(self.bending_stiffness, |s| s.bending_stiffness.at_position([s.from, s.to], x))
+    }
+
+    /// Whether the beam shears anywhere.
+    pub fn shears(&self) -> bool {
+        self.shear_stiffness.is_some() || self.segments.iter().any(|s| s.shear_stiffness.is_some())
+    }
+
+    /// Shear stiffness S \[N\] at `x`, none where the beam does not shear; at the joint of two segments that of the
+    /// right one.
+    pub fn shear_stiffness_at(&self, x: f64) -> Option<f64> {
+        let segment = self.segments.iter().find(|s| s.from <= x && x < s.to);
+        let own = segment.and_then(|s| Some(s.shear_stiffness?.at_position([s.from, s.to], x)));
+        own.or(self.shear_stiffness)
+    }
+
+    /// S on a stretch of the beam within which no segment ends.
+    pub(crate) fn shear_stiffness_on(&self, x: [f64; 2]) -> Option<Course> {
+        let middle = 0.5 * (x[0] + x[1]);
+        let segment = self.segments.iter().find(|s| s.from <= middle && middle < s.to);
+        let own = segment.and_then(|s| Some(s.shear_stiffness?.on([s.from, s.to], x)));
+        own.or(self.shear_stiffness.map(Course::constant))
+    }
+
+    /// The same beam, as many times as stiff in shear.
+    pub(crate) fn stiffened_in_shear(mut self, times: f64) -> Self {
+        self.shear_stiffness = self.shear_stiffness.map(|stiffness| stiffness * times);
+        for segment in &mut self.segments {
+            segment.shear_stiffness = segment.shear_stiffness.map(|shear| shear.scaled(times));
+        }
+        self
+    }
+
+    /// The same beam, which only bends.
+    pub(crate) fn without_shear(mut self) -> Self {
+        self.shear_stiffness = None;
+        self.segments.iter_mut().for_each(|segment| segment.shear_stiffness = None);
+        self
+    }
+
+    /// The smallest shear stiffness given: it is nowhere less. Infinite where the beam does not shear.
+    pub(crate) fn softest_in_shear(&self) -> f64 {
+        let segments = self.segments.iter().filter_map(|s| Some(s.shear_stiffness?.smallest()));
+        segments.chain(self.shear_stiffness).fold(f64::INFINITY, f64::min)
     }
 
     /// The largest bending stiffness given: it is nowhere more.
@@ -76,13 +167,13 @@ impl Beam {
         segment.map_or(Course::constant(self.bending_stiffness), |s| s.course(x))
     }
 
-    /// The same beam, as many times as stiff.
+    /// The same beam, as many times as stiff, in bending and in shear.
     pub(crate) fn stiffened(mut self, times: f64) -> Self {
         self.bending_stiffness *= times;
         for segment in &mut self.segments {
             segment.bending_stiffness = segment.bending_stiffness.scaled(times);
         }
-        self
+        self.stiffened_in_shear(times)
     }
 
     pub(super) fn mirrored(&self) -> Self {
@@ -94,6 +185,7 @@ impl Beam {
                     from: l - s.to,
                     to: l - s.from,
                     bending_stiffness: s.bending_stiffness.mirrored(),
+                    shear_stiffness: s.shear_stiffness.map(Profile::mirrored),
                 })
                 .collect(),
             ..*self

@@ -101,7 +101,11 @@ impl Model {
     /// The first segment along which stiffness or ground varies.
     pub(crate) fn varying_part(&self) -> Option<Part> {
         let ground = &self.foundation.segments;
-        let beam = self.beam.segments.iter().position(|s| !s.bending_stiffness.is_constant());
+        let varies = |s: &BeamSegment| {
+            let sheared = s.shear_stiffness.is_some_and(|shear| !shear.is_constant());
+            sheared || !s.bending_stiffness.is_constant()
+        };
+        let beam = self.beam.segments.iter().position(varies);
         let below = ground.iter().position(|s| !(s.spring.is_constant() && s.shear.is_constant()));
         beam.map(Part::BeamSegment).or(below.map(Part::FoundationSegment))
     }

@@ -1,6 +1,6 @@
 //! What is right but not solved, or not by every method.
 
-use super::{Part, Problem, Support};
+use super::{Beam, Part, Problem, Support};
 
 impl Problem {
     /// Nodal pressures where nothing spreads them.
@@ -81,6 +81,30 @@ impl Problem {
             "acts",
             "the ground must help to bear this compression, and a support acts in one direction alone",
             "let the support act in both directions, or leave it out where the beam lifts from it",
+        )
+    }
+
+    /// Only the exact element shears.
+    pub(crate) fn shear_by_another_method(beam: &Beam) -> Self {
+        let segment = beam.segments.iter().position(|segment| segment.shear_stiffness.is_some());
+        let part = if beam.shear_stiffness.is_some() { None } else { segment };
+        Problem::new(
+            "GB614",
+            part.map_or(Part::Beam, Part::BeamSegment),
+            "shear_stiffness",
+            "a beam that shears is solved by the exact method alone",
+            "use the method `exact`, or leave the shear stiffness out",
+        )
+    }
+
+    /// The branch of equilibria in compression is followed for beams that only bend.
+    pub(crate) fn local_with_shear() -> Self {
+        Problem::new(
+            "GB615",
+            Part::Beam,
+            "axial_force",
+            "the ground must help to bear this compression, and the beam shears",
+            "leave the shear stiffness out, or let supports hold the beam by themselves",
         )
     }
 

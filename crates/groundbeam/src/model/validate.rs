@@ -117,6 +117,10 @@ impl Model {
                 remedy(beam.axial_force, "give a finite force, tension positive; or leave it out"),
             ));
         }
+        let ga = "the shear stiffness";
+        if let Some(stiffness) = beam.shear_stiffness {
+            positive(found, "GB104", Part::Beam, "shear_stiffness", stiffness, ga);
+        }
         let spans: Vec<_> = beam.segments.iter().map(|s| (s.from, s.to)).collect();
         for (i, segment) in beam.segments.iter().enumerate() {
             let part = Part::BeamSegment(i);
@@ -128,6 +132,9 @@ impl Model {
                 &segment.bending_stiffness,
                 ei,
             );
+            if let Some(stiffness) = &segment.shear_stiffness {
+                positive_along(found, "GB104", part, "shear_stiffness", stiffness, ga);
+            }
             self.check_stretch(found, part, segment.from, segment.to);
         }
         overlaps(found, &spans, Part::BeamSegment);

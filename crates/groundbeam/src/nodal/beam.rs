@@ -136,6 +136,7 @@ mod tests {
     fn two_series_are_one_beam() {
         let h = 0.7;
         let cell = Cell {
+            beam_shear: None,
             x: [0.0, h],
             stiffness: 2.0,
             spring: 1.0,

@@ -254,6 +254,9 @@ fn checked(model: &Model) -> Result<Existence, Error> {
     if !model.hinges.is_empty() {
         return Err(Error::Unsupported(Problem::nodal_with_hinges()));
     }
+    if model.beam.shears() {
+        return Err(Error::Unsupported(Problem::shear_by_another_method(&model.beam)));
+    }
     if let Some(load) = model.loads.iter().position(Load::is_on_ground) {
         return Err(Error::Unsupported(Problem::only_exactly(load)));
     }

@@ -1,0 +1,114 @@
+//! What a beam resists shear with: one number, or G and the area that shears.
+
+use super::shape::Shape;
+use crate::code;
+use crate::fault::Fault;
+use crate::profile::{Along, Values};
+use crate::quantity::{RATIO, SHEAR_AREA, SHEAR_MODULUS, SHEAR_STIFFNESS};
+use crate::reader::{Field, Reader};
+use crate::stiffness::{Given, Keys, Stiffness};
+use crate::table::Section;
+use groundbeam::Profile;
+
+/// The keys, in `[beam]` and in `[[beam.segment]]`.
+pub(super) const KEYS: [&str; 5] = ["shear_stiffness", "GA", "G", "nu", "shear_area"];
+
+const fn keys(modulus: &'static str) -> Keys {
+    Keys {
+        product: ("shear_stiffness", &SHEAR_STIFFNESS),
+        factors: [(modulus, &SHEAR_MODULUS), ("shear_area", &SHEAR_AREA)],
+        instead: ", or a `section` that has one",
+    }
+}
+
+/// What one table says of shear.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Shear {
+    given: Given,
+    poisson: Option<Field>,
+    /// Whether the area is said to be one that shears, not only that of a section.
+    says_area: bool,
+}
+
+impl Shear {
+    /// What is given for the whole, on a part of the way.
+    pub fn between(&self, way: [f64; 2]) -> Self {
+        Shear { given: self.given.between(way), ..self.clone() }
+    }
+
+    /// What `table` says, of a beam with these E, its own or the whole beam's, and this section of its own.
+    pub fn read(
+        reader: &mut Reader,
+        table: &Section,
+        modulus: [Option<&Along>; 2],
+        shape: Option<&Shape>,
+        parent: &Shear,
+    ) -> Self {
+        let both = ["shear_stiffness", "GA"]
+            .map(|key| reader.along(table, key, &SHEAR_STIFFNESS, Values::Curve(Profile::MOST)));
+        if let [Some(a), Some(b)] = &both {
+            let hint = "they mean the same; keep one of the two";
+            reader.exclusive(("shear_stiffness", &a.span), ("GA", &b.span), hint);
+        }
+        let [named, short] = both;
+        let shear_modulus = reader.along(table, "G", &SHEAR_MODULUS, Values::Linear);
+        let shear_modulus = shear_modulus.map(|given| reader.positive_along("G", given));
+        let poisson = poisson(reader, table);
+        if let (Some(given), Some(poisson)) = (&shear_modulus, &poisson) {
+            let hint = "`nu` gives G = E/2(1 + nu); keep one of the two";
+            reader.exclusive(("G", &given.span), ("nu", &poisson.span), hint);
+        }
+        // Another E of the same Poisson's ratio is another G.
+        let [own, whole] = modulus;
+        let inherited = parent.poisson.clone().filter(|_| own.is_some() && shear_modulus.is_none());
+        let of = poisson.clone().or(inherited);
+        let by_poisson = of.map(|nu| match own.or(whole) {
+            Some(modulus) => {
+                let profile = modulus.profile.scaled(0.5 / (1.0 + nu.value));
+                Along { profile, span: nu.span }
+            }
+            None => {
+                let message = "`nu` is given without `E`";
+                let hint = "add `E` or a `material`, or give `G` in place of `nu`";
+                let fault = Fault::new(code::INCOMPLETE, nu.span.clone(), message, "", hint);
+                reader.report(fault);
+                Along::unreadable(nu.span)
+            }
+        });
+        let area = reader.along(table, "shear_area", &SHEAR_AREA, Values::Linear);
+        let area = area.map(|area| reader.positive_along("shear_area", area));
+        let says_area = area.is_some();
+        let area = area.or_else(|| shape?.shear_area.clone());
+        let given =
+            Given { product: named.or(short), factors: [shear_modulus.or(by_poisson), area] };
+        Shear { given, poisson, says_area }
+    }
+
+    /// The shear stiffness of a table, if it says anything of it; what is missing is reported.
+    pub fn settle(&self, reader: &mut Reader, table: &Section, parent: &Shear) -> Option<Along> {
+        let keys = keys(if self.poisson.is_some() { "nu" } else { "G" });
+        let mut given = self.given.clone();
+        if given.product.is_some() && !self.says_area {
+            // What a section has is no word of its own.
+            given.factors[1] = None;
+        }
+        match given.resolve(reader, &parent.given, &keys) {
+            Stiffness::NotGiven => None,
+            // A section alone does not ask for shear.
+            Stiffness::Half(1, _) if !self.says_area => None,
+            known => Some(reader.settle(known, table, &keys)),
+        }
+    }
+}
+
+/// `nu` of a beam's material.
+fn poisson(reader: &mut Reader, table: &Section) -> Option<Field> {
+    let poisson = reader.quantity(table, "nu", &RATIO)?;
+    if poisson.value < 0.0 || poisson.value > 0.5 {
+        let message = "Poisson's ratio lies between 0 and 0.5";
+        let hint = "0.2 for concrete, 0.3 for steel; for timber give `G`";
+        reader.report(Fault::new(code::POISSON, poisson.span.clone(), message, "", hint));
+        return Some(Field::unreadable(poisson.span));
+    }
+    Some(poisson)
+}
