@@ -1,7 +1,8 @@
 //! Where a field is largest or smallest, and how that place moves.
 
-use super::change::Change;
+use super::change::{Against, Change};
 use super::linearised::Linearised;
+use super::output::Functional;
 use super::{NotDifferentiable, Quantity, Side, Solution};
 use crate::model::Load;
 use crate::polynomial::{derivative, jet, value};
@@ -50,6 +51,39 @@ impl Linearised {
     }
 }
 
+impl Linearised {
+    /// The edge of contact at a position, if it can move.
+    pub fn edge_at(&self, x: f64) -> Option<Functional> {
+        let at = |side| self.zone_at(x, side).map(|zone| self.edge(zone, side));
+        let edges = [Side::Left, Side::Right].map(at).into_iter().flatten();
+        edges.into_iter().find(|edge| !edge.push.is_empty())
+    }
+
+    /// How far an extreme follows a load. Alone at its place a load takes the kink with it; what else stands there
+    /// stays, and so do the beam's ends.
+    pub fn follows(&self, place: &Place, change: &Change) -> f64 {
+        let node = self.mesh.node_at(place.x);
+        let own = change.moves.is_some_and(|x| self.mesh.node_at(x) == node);
+        if own && place.slope != 0.0 && self.stands_alone(place.x) { 1.0 } else { 0.0 }
+    }
+
+    /// Where what moves leaves something else behind that stands at the same place, and a new stretch of the field begins
+    /// between the two.
+    pub fn leaves_others(&self, field: Quantity, place: &Place, change: &Change) -> Option<f64> {
+        let x = change.moves.filter(|x| !self.stands_alone(*x))?;
+        let here = self.mesh.node_at(x) == self.mesh.node_at(place.x);
+        let smooth = matches!(field, Quantity::Deflection | Quantity::Settlement | Quantity::Gap);
+        let tears = change.points.iter().any(|point| match point.against {
+            Against::SlopeBeside => field == Quantity::ShearForce,
+            Against::BendBeside => {
+                matches!(field, Quantity::Moment | Quantity::ShearForce | Quantity::Pressure)
+            }
+            _ => false,
+        });
+        (tears || here && !smooth && place.slope != 0.0).then_some(x)
+    }
+}
+
 impl Solution {
     /// Where a field is largest, or smallest.
     pub(super) fn extreme(&self, field: Quantity, largest: bool) -> Place {
@@ -80,7 +114,8 @@ impl Solution {
             })
             .map(|(at, _)| *at)
             .next();
-        let side = if s >= 1.0 { Side::Left } else { Side::Right };
+        // A turning point may be an end but for rounding.
+        let side = if s > 0.0 { Side::Left } else { Side::Right };
         let slope = if s.abs() < 1.0 { 0.0 } else { self.rise(i, s, field) };
         Place { x, side, value, slope, rival }
     }
@@ -117,21 +152,10 @@ impl Solution {
         if place.slope == 0.0 {
             return Ok(vec![0.0; changes.len()]);
         }
-        let node = lin.mesh.node_at(place.x);
-        for side in [Side::Left, Side::Right] {
-            if let Some(zone) = lin.zone_at(place.x, side) {
-                let edge = lin.edge(zone, side);
-                if !edge.push.is_empty() {
-                    let rates = self.rates(lin, &edge, changes)?;
-                    return Ok(rates.into_iter().map(|rate| rate.value).collect());
-                }
-            }
+        if let Some(edge) = lin.edge_at(place.x) {
+            let rates = self.rates(lin, &edge, changes)?;
+            return Ok(rates.into_iter().map(|rate| rate.value).collect());
         }
-        // Alone at its place a load takes the kink with it. What else stands there stays, and so do the beam's ends.
-        let follows = |change: &Change| {
-            let own = change.moves.is_some_and(|x| lin.mesh.node_at(x) == node);
-            if own && lin.stands_alone(place.x) { 1.0 } else { 0.0 }
-        };
-        Ok(changes.iter().map(follows).collect())
+        Ok(changes.iter().map(|change| lin.follows(place, change)).collect())
     }
 }

@@ -56,20 +56,24 @@ impl Field {
                 }
             }
         }
-        let varying = |(i, piece): (usize, &Piece)| {
-            let cell = &piece.cell;
-            if piece.touch == Touch::Open && cell.shear > 0.0 && cell.ground_varies() {
-                settled(&cell.spring_course(), &cell.shear_course(), piece.half, self.open[i])
-            } else {
-                Coefficients::default()
-            }
-        };
-        self.settled = pieces.iter().enumerate().map(varying).collect();
+        let own = |(piece, ends): (&Piece, &[f64; 2])| varying(piece, *ends);
+        self.settled = pieces.iter().zip(&self.open).map(own).collect();
         let mut points = Vec::with_capacity(pieces.len() * POINTS);
         for (i, piece) in pieces.iter().enumerate() {
             points.extend(gauss().map(|(s, _)| self.look(piece, i, s, loaded)));
         }
         self.points = points;
+    }
+
+    /// Open ground under a beam at rest, from u at both ends of a piece, at the points of quadrature.
+    pub fn of_open_ground(piece: &Piece, ends: [f64; 2]) -> Vec<Point> {
+        let field = Field {
+            curves: vec![Coefficients::zeros(1)],
+            open: vec![ends],
+            settled: vec![varying(piece, ends)],
+            ..Field::default()
+        };
+        gauss().map(|(s, _)| field.look(piece, 0, s, false)).collect()
     }
 
     /// The field with the other sign. Its curves have lost what is imposed on the beam; its points have not.
@@ -126,5 +130,15 @@ impl Field {
         let b = (piece.cell.spring / piece.cell.shear).sqrt();
         let (bh, t) = (2.0 * b * piece.half, 0.5 * (1.0 + s));
         [between(left, right, bh, t), b * slope_between(left, right, bh, t)]
+    }
+}
+
+/// u on a piece off the ground where the ground varies; nothing elsewhere.
+fn varying(piece: &Piece, ends: [f64; 2]) -> Coefficients {
+    let cell = &piece.cell;
+    if piece.touch == Touch::Open && cell.shear > 0.0 && cell.ground_varies() {
+        settled(&cell.spring_course(), &cell.shear_course(), piece.half, ends)
+    } else {
+        Coefficients::default()
     }
 }

@@ -123,6 +123,19 @@ impl Linearised {
         Ok(field)
     }
 
+    /// The field of given fours of every element, the open ground at rest.
+    pub fn spanned(&self, shapes: Vec<[f64; 4]>) -> Field {
+        let mut field = Field::of(shapes);
+        field.curves = self.curves(&self.elements, &field.shapes);
+        field.sample(&self.pieces, &[], false);
+        field
+    }
+
+    /// Open ground on a piece, moved at its ends, under a beam at rest: at the points of quadrature.
+    pub fn open_strip(&self, piece: usize, ends: [f64; 2]) -> Vec<Point> {
+        Field::of_open_ground(&self.pieces[piece], ends)
+    }
+
     /// Forces on the beam, down, where a joint of open ground is tied to it.
     fn press(&self, chain: &mut Chain, joint: &Joint, forces: [f64; 2]) {
         for (end, force) in joint.ends.into_iter().zip(forces) {

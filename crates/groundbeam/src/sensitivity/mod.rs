@@ -24,7 +24,6 @@ use crate::model::Load;
 use crate::solution::{Field as Quantity, Side, Solution};
 use crate::solve::Method;
 use change::Change;
-use field::Field;
 use linearised::Linearised;
 pub use output::Output;
 use output::Functional;
@@ -260,10 +259,13 @@ impl Solution {
             let place = self.extreme(field, matches!(output, Output::Largest(_)));
             derived.rival = place.rival;
             for (i, moved) in self.moves(lin, &place, changes)?.into_iter().enumerate() {
-                derived.rates[i].value += place.slope * moved;
+                let rate = &mut derived.rates[i];
+                rate.value += place.slope * moved;
                 // What the place follows it does not lose sight of.
                 if moved != 0.0 {
-                    derived.rates[i].jumps_at = None;
+                    rate.jumps_at = None;
+                } else if let Some(x) = lin.leaves_others(field, &place, &changes[i]) {
+                    rate.jumps_at = Some(x);
                 }
             }
         }

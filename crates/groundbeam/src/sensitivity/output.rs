@@ -1,8 +1,8 @@
 //! What is derived: numbers of a solution, each with the dual load that reads it off a field.
 
 use super::change::Change;
-use super::field::{Field, Point};
-use super::linearised::{Linearised, dot};
+use super::field::Point;
+use super::linearised::Linearised;
 use super::push::Push;
 use crate::contact::deflection::Spot;
 use crate::contact::surface::can_carry;
@@ -74,19 +74,19 @@ enum What {
 
 impl Linearised {
     /// Adds weight·w at a spot.
-    fn read_deflection(&self, functional: &mut Functional, spot: Spot, weight: f64) {
+    pub fn read_deflection(&self, functional: &mut Functional, spot: Spot, weight: f64) {
         let (element, row) = self.deflection_row(spot);
         functional.push.loads.push((element, row.map(|r| r * weight)));
     }
 
     /// Adds weight·w'.
-    fn read_slope(&self, functional: &mut Functional, spot: Spot, weight: f64) {
+    pub fn read_slope(&self, functional: &mut Functional, spot: Spot, weight: f64) {
         let (element, row) = self.slope_row(spot);
         functional.push.loads.push((element, row.map(|r| r * weight)));
     }
 
     /// Adds weight·M: what the element demands of an end that turns.
-    fn read_moment(&self, functional: &mut Functional, spot: Spot, weight: f64) {
+    pub fn read_moment(&self, functional: &mut Functional, spot: Spot, weight: f64) {
         let sign = if spot.s > 0.0 { -weight } else { weight };
         let jump = self.moved_end(spot, true).map(|v| sign * v);
         functional.push.jumps.push((spot.cell, jump));
@@ -130,12 +130,12 @@ impl Linearised {
                 self.read_deflection(&mut f, spot, 1.0);
                 f.terms.push(Term { what: What::Obstacle, spot, weight: 1.0 });
             }
-            Quantity::Settlement => self.read_ground(&mut f, spot),
+            Quantity::Settlement => self.read_ground(&mut f, spot, 1.0),
             Quantity::Gap if touches => {}
             Quantity::Gap => {
                 self.read_deflection(&mut f, spot, -1.0);
                 f.terms.push(Term { what: What::Obstacle, spot, weight: -1.0 });
-                self.read_ground(&mut f, spot);
+                self.read_ground(&mut f, spot, 1.0);
             }
             Quantity::Pressure if touches => {
                 // kψ − μ'ψ' − μ w″ with w″ = κ₀ − M/EI.
@@ -150,23 +150,26 @@ impl Linearised {
         f
     }
 
-    /// Adds u of open ground at a node: a force there, which the ground hands on to where it is held.
-    fn read_ground(&self, f: &mut Functional, spot: Spot) {
+    /// Adds weight·u of open ground at a node: a force there, which the ground hands on to where it is held.
+    pub fn read_ground(&self, f: &mut Functional, spot: Spot, weight: f64) {
         let piece = self.piece_at(spot);
         for (j, joint) in self.joints.iter().enumerate() {
-            let Some(strip) = joint.strips.iter().position(|strip| *strip == Some(piece)) else {
-                continue;
-            };
-            let strip = strip + usize::from(spot.s > 0.0);
-            if strip == 0 || strip == joint.strips.len() {
-                // Where ground and beam meet, what holds the one holds the other.
-                if let Some(end) = joint.ends[usize::from(strip > 0)] {
-                    self.read_deflection(f, end, 1.0);
-                    f.terms.push(Term { what: What::Obstacle, spot: end, weight: 1.0 });
-                }
-            } else {
-                f.push.on_ground.push((j, strip, 1.0));
+            let strip = joint.strips.iter().position(|strip| *strip == Some(piece));
+            if let Some(strip) = strip {
+                self.read_height(f, j, strip + usize::from(spot.s > 0.0), weight);
             }
+        }
+    }
+
+    /// The same at the start of a strip of a joint, or at its very end.
+    pub fn read_height(&self, f: &mut Functional, j: usize, strip: usize, weight: f64) {
+        let joint = &self.joints[j];
+        if strip > 0 && strip < joint.strips.len() {
+            f.push.on_ground.push((j, strip, weight));
+        } else if let Some(spot) = joint.ends[usize::from(strip > 0)] {
+            // Where ground and beam meet, what holds the one holds the other.
+            self.read_deflection(f, spot, weight);
+            f.terms.push(Term { what: What::Obstacle, spot, weight });
         }
     }
 
@@ -345,20 +348,6 @@ impl Linearised {
             }
             What::Spring(number) | What::RotationalSpring(number) => spring(number).unwrap_or(0.0),
         }
-    }
-
-    /// j of a field that answers to a change, forward.
-    pub fn read(&self, functional: &Functional, field: &Field, loads: &[[f64; 4]]) -> f64 {
-        let mut sum = 0.0;
-        for (element, row) in &functional.push.loads {
-            sum += dot(row, &field.shapes[*element]);
-        }
-        for (element, jump) in &functional.push.jumps {
-            let v = &field.shapes[*element];
-            let demanded = self.elements[*element].element.stiffness.map(|row| dot(&row, v));
-            sum += dot(jump, &demanded) - dot(jump, &loads[*element]);
-        }
-        sum
     }
 }
 

@@ -27,6 +27,9 @@ pub(super) struct Dual<'a> {
 /// Two sides of a place at which something moves differ by more than this part: the derivative is one-sided.
 const SAME: f64 = 1e-9;
 
+/// So many decay lengths from the beam its ground does not move.
+const FAR: f64 = 50.0;
+
 /// A derivative, and whether it holds for growing parameters alone.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Rate {
@@ -41,7 +44,7 @@ impl Linearised {
         let mut rate = Rate { value: self.spread_rate(change, dual), jumps_at: None };
         rate.value += self.joint_rate(change, dual) + self.held_rate(change, dual);
         for point in &change.points {
-            self.add_point(point, dual, &mut rate);
+            self.add_point(point, change.moves.is_some(), dual, &mut rate);
         }
         rate
     }
@@ -110,37 +113,43 @@ impl Linearised {
 
     /// Loads spread on the ground beside the beam.
     fn beside_rate(&self, change: &Change, dual: &Dual) -> f64 {
+        let part = |right: bool| {
+            self.pressed_beside(change, right) * self.at_the_end(dual.field, right)
+        };
+        part(false) + part(true)
+    }
+
+    /// What changes of loads spread on the ground beside the beam, by their work on u that is 1 at the beam's end.
+    pub fn pressed_beside(&self, change: &Change, right: bool) -> f64 {
         let l = self.model.beam.length;
         let mut sum = 0.0;
         for ([from, to], [start, end]) in change.on_ground() {
-            for (right, ends) in [(false, [from, to.min(0.0)]), (true, [from.max(l), to])] {
-                if ends[1] <= ends[0] {
-                    continue;
-                }
-                let beyond = self.beyond(right);
-                let top = self.at_the_end(dual.field, right);
-                let mut cuts = ends.to_vec();
-                let mut depth = 0.0;
-                for layer in &beyond.layers {
-                    let decay = (layer.shear / layer.spring).sqrt();
-                    let length = layer.length.min(50.0 * decay);
-                    let place = |d: f64| if right { l + d } else { -d };
-                    let mut x = [place(depth), place(depth + length)];
-                    x.sort_by(f64::total_cmp);
-                    cuts.extend(x);
-                    ground::cut(x, decay, &mut cuts);
-                    depth += layer.length;
-                }
-                cuts.retain(|x| *x >= ends[0] && *x <= ends[1]);
-                cuts.sort_by(f64::total_cmp);
-                for part in cuts.windows(2) {
-                    let (middle, half) = (0.5 * (part[0] + part[1]), 0.5 * (part[1] - part[0]));
-                    for (s, weight) in gauss() {
-                        let x = middle + half * s;
-                        let q = (start * (to - x) + end * (x - from)) / (to - from);
-                        let out = if right { x - l } else { -x };
-                        sum += weight * half * q * ground::beside(&beyond, top, out);
-                    }
+            let ends = if right { [from.max(l), to] } else { [from, to.min(0.0)] };
+            if ends[1] <= ends[0] {
+                continue;
+            }
+            let beyond = self.beyond(right);
+            let mut cuts = ends.to_vec();
+            let mut depth = 0.0;
+            for layer in &beyond.layers {
+                let decay = (layer.shear / layer.spring).sqrt();
+                let length = layer.length.min(FAR * decay);
+                let place = |d: f64| if right { l + d } else { -d };
+                let mut x = [place(depth), place(depth + length)];
+                x.sort_by(f64::total_cmp);
+                cuts.extend(x);
+                ground::cut(x, decay, &mut cuts);
+                depth += layer.length;
+            }
+            cuts.retain(|x| *x >= ends[0] && *x <= ends[1]);
+            cuts.sort_by(f64::total_cmp);
+            for part in cuts.windows(2) {
+                let (middle, half) = (0.5 * (part[0] + part[1]), 0.5 * (part[1] - part[0]));
+                for (s, weight) in gauss() {
+                    let x = middle + half * s;
+                    let q = (start * (to - x) + end * (x - from)) / (to - from);
+                    let out = if right { x - l } else { -x };
+                    sum += weight * half * q * ground::beside(&beyond, 1.0, out);
                 }
             }
         }
@@ -184,7 +193,7 @@ impl Linearised {
     }
 
     /// What changes at a point.
-    fn add_point(&self, point: &PointChange, dual: &Dual, rate: &mut Rate) {
+    fn add_point(&self, point: &PointChange, moves: bool, dual: &Dual, rate: &mut Rate) {
         let PointChange { x, against, weight } = *point;
         let l = self.model.beam.length;
         if against == Against::Settlement {
@@ -192,6 +201,18 @@ impl Linearised {
             return;
         }
         let sides = [Side::Left, Side::Right].map(|side| self.spot(x, side));
+        // The output looks from one side: what it does not see moves away from it.
+        let node = |x: f64| self.mesh.node_at(x);
+        let looked = dual.looks.filter(|(_, at, _)| node(*at) == node(x));
+        // A field that jumps where a load stands jumps when it has passed, and one that kinks there tells the sides apart.
+        let tells_sides = |(field, ..): (Quantity, f64, Side)| match against {
+            Against::Deflection => moves && field == Quantity::ShearForce,
+            Against::SlopeBeside => field == Quantity::ShearForce,
+            _ => matches!(field, Quantity::ShearForce | Quantity::Moment | Quantity::Pressure),
+        };
+        if weight != 0.0 && against != Against::Slope && looked.is_some_and(tells_sides) {
+            rate.jumps_at = Some(x);
+        }
         if matches!(against, Against::Deflection | Against::Slope) {
             let [w, slope] = self.at_node(dual.field, sides[1]);
             rate.value += weight * if against == Against::Deflection { w } else { slope };
@@ -211,23 +232,23 @@ impl Linearised {
             }
         };
         let [left, right] = sides.map(seen);
-        // The output looks from one side: what it does not see moves away from it.
-        let looked = dual.looks.filter(|(_, at, _)| self.mesh.node_at(*at) == self.mesh.node_at(x));
         let (inner, from_left) = (x > 0.0 && x < l, matches!(looked, Some((.., Side::Right))));
-        let value = if from_left || x >= l { left } else { right };
+        let value = match (dual.energy, x <= 0.0, x >= l) {
+            // A moment that moves takes half of its own bend with it, on either side; beyond the end there is none.
+            (true, false, false) => 0.5 * (left + right),
+            (true, ..) if against == Against::BendBeside => 0.5 * right,
+            (_, _, true) => left,
+            _ if from_left => left,
+            _ => right,
+        };
         rate.value += weight * value;
         let size = dual.field.points.iter().map(|z| match against {
             Against::SlopeBeside => z.slope.abs(),
             _ => z.bend.abs(),
         });
         let size = size.fold(left.abs().max(right.abs()), f64::max);
-        // A field that jumps where the load stands jumps when it has passed.
-        let jumps = |(field, ..)| match against {
-            Against::SlopeBeside => field == Quantity::ShearForce,
-            _ => matches!(field, Quantity::ShearForce | Quantity::Moment | Quantity::Pressure),
-        };
-        let jump = inner && (left - right).abs() > SAME * size;
-        if weight != 0.0 && (jump || looked.is_some_and(jumps)) {
+        let jump = inner && !dual.energy && (left - right).abs() > SAME * size;
+        if weight != 0.0 && jump {
             rate.jumps_at = Some(x);
         }
     }
@@ -243,7 +264,7 @@ impl Linearised {
     }
 
     /// u at an end of the ground under the beam, as the ground beyond sees it.
-    fn at_the_end(&self, field: &Field, right: bool) -> f64 {
+    pub fn at_the_end(&self, field: &Field, right: bool) -> f64 {
         let joint = if right { self.joints.last() } else { self.joints.first() };
         let heights = if right { field.heights.last() } else { field.heights.first() };
         let (Some(joint), Some(heights)) = (joint, heights) else { return 0.0 };
@@ -254,7 +275,7 @@ impl Linearised {
         }
     }
 
-    fn beyond(&self, right: bool) -> crate::model::Beyond {
+    pub fn beyond(&self, right: bool) -> crate::model::Beyond {
         let cells = &self.mesh.cells;
         let at_end = if right {
             cells[cells.len() - 1].ground_at(1.0)

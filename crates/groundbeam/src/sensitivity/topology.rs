@@ -3,7 +3,7 @@
 use super::linearised::Linearised;
 use super::{Side, Solution};
 use crate::contact::surface::can_carry;
-use crate::polynomial::{derivative, jet, sign_changes, value};
+use crate::polynomial::{derivative, sign_changes, value};
 use crate::solution::Field as Quantity;
 
 /// What a change of contact would bring to zero.
@@ -35,6 +35,30 @@ pub struct Nearest {
     pub at: f64,
     /// How large it is, as a part of the largest of its kind; of a length, of the beam's.
     pub margin: f64,
+}
+
+/// A gap that turns by less than this part of all deflections does so by rounding.
+const ROUNDING: f64 = 1e-8;
+
+/// Which of some places are lower than the highest on both sides by more than `least`, and are lowest between those;
+/// at an end of the beam one side is enough.
+fn deepest_between_peaks(places: &[(f64, f64)], ends: [f64; 2], least: f64) -> Vec<usize> {
+    let count = places.len();
+    let mut before = vec![f64::NEG_INFINITY; count];
+    let mut after = before.clone();
+    for i in 1..count {
+        before[i] = before[i - 1].max(places[i - 1].1);
+        after[count - 1 - i] = after[count - i].max(places[count - i].1);
+    }
+    let lowest = |i: usize| {
+        let (x, gap) = places[i];
+        // No neighbour is lower, and there is a peak on both sides, or the beam's end.
+        let beside = [i.checked_sub(1), Some(i + 1).filter(|next| *next < count)];
+        let turns = beside.into_iter().flatten().all(|j| places[j].1 >= gap);
+        let peaks = [(before[i], ends[0]), (after[i], ends[1])];
+        turns && peaks.into_iter().all(|(peak, end)| x == end || peak - gap > least)
+    };
+    (0..count).filter(|i| lowest(*i)).collect()
 }
 
 impl Solution {
@@ -144,36 +168,26 @@ impl Solution {
         if scale <= 0.0 {
             return;
         }
-        let touches = |x: f64| self.contact.iter().any(|c| c.from <= x && x <= c.to);
-        for (i, stretch) in self.stretches.iter().enumerate() {
-            if stretch.open.is_none() {
-                continue;
+        // From left to right where the gap may turn, each open length for itself.
+        let mut open: Vec<(f64, f64)> = Vec::new();
+        let mut add = |open: &mut Vec<(f64, f64)>| {
+            for at in deepest_between_peaks(open, [0.0, l], ROUNDING * scale) {
+                let margin = (open[at].1 / scale).max(0.0);
+                all.push(Nearest { condition: Condition::Gap, at: open[at].0, margin });
             }
-            let slope = |stretch: &crate::solution::Stretch, s: f64| {
-                let [_, dw, ..] = jet(&stretch.deflection, s);
-                let slope = dw / stretch.half;
-                stretch.settlement(s, 0.0, 0.0)[1] + stretch.cell.gap_slope - slope
-            };
-            for s in stretch.candidates(Quantity::Gap) {
-                let x = stretch.global(s);
-                if touches(x) {
-                    continue;
-                }
-                // A least one: falling before, rising after; of an end of the beam always.
-                let before = if s > -1.0 { Some((i, s)) } else { i.checked_sub(1).map(|i| (i, 1.0)) };
-                let after =
-                    if s < 1.0 { Some((i, s)) } else { Some((i + 1, -1.0)).filter(|(i, _)| *i < self.stretches.len()) };
-                let rises = |place: Option<(usize, f64)>, sign: f64| {
-                    place.is_none_or(|(i, at)| {
-                        at.abs() < 1.0 || sign * slope(&self.stretches[i], at) >= 0.0
-                    })
-                };
-                if x <= 0.0 || x >= l || (rises(before, -1.0) && rises(after, 1.0)) {
-                    let margin = (stretch.fields(s).gap / scale).max(0.0);
-                    all.push(Nearest { condition: Condition::Gap, at: x, margin });
-                }
+            open.clear();
+        };
+        for stretch in &self.stretches {
+            let parts = self.contact.iter().any(|c| c.from == c.to && c.from == stretch.x[0]);
+            if stretch.open.is_none() || parts {
+                add(&mut open);
+            }
+            if stretch.open.is_some() {
+                let gap = |s: f64| (stretch.global(s), stretch.fields(s).gap);
+                open.extend(stretch.candidates(Quantity::Gap).into_iter().map(gap));
             }
         }
+        add(&mut open);
     }
 
     /// Regions of contact and those between.
