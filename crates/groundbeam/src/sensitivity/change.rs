@@ -302,7 +302,11 @@ fn hat(model: &Model, i: usize, x: f64, near: f64) -> [f64; 2] {
         })
     } else {
         after.map_or([1.0, 0.0], |right| {
-            if near >= right { [0.0; 2] } else { [(right - x) / (right - own), -1.0 / (right - own)] }
+            if near >= right {
+                [0.0; 2]
+            } else {
+                [(right - x) / (right - own), -1.0 / (right - own)]
+            }
         })
     }
 }

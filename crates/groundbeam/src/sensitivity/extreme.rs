@@ -22,6 +22,8 @@ pub(super) struct Place {
 
 /// A field is as large elsewhere if it differs by no more than this part of its size.
 const SAME: f64 = 1e-7;
+/// Places closer than this part of the length are one.
+const HERE: f64 = 1e-9;
 /// And elsewhere begins at this part of the length.
 const APART: f64 = 1e-6;
 
@@ -115,6 +117,8 @@ impl Solution {
             .map(|(at, _)| *at)
             .next();
         // A turning point may be an end but for rounding.
+        let end = self.stretches[i].x[usize::from(s > 0.0)];
+        let x = if (x - end).abs() <= HERE * l { end } else { x };
         let side = if s > 0.0 { Side::Left } else { Side::Right };
         let slope = if s.abs() < 1.0 { 0.0 } else { self.rise(i, s, field) };
         Place { x, side, value, slope, rival }

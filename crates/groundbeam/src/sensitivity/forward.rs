@@ -21,6 +21,8 @@ struct Answer {
     pushed: Functional,
     /// What is spread along each element, as loads on its four.
     spread: Vec<[f64; 4]>,
+    /// Moments at nodes that stand for forces which move away from them.
+    leaving: Vec<(usize, [f64; 4])>,
     /// What is spread along open ground, as forces at the ends of the strips of every joint.
     on_ground: Vec<Vec<f64>>,
 }
@@ -96,19 +98,19 @@ impl Linearised {
             }
         }
         f.push.loads.extend(spread.iter().copied().enumerate());
-        let on_ground = self.push_open_ground(change, &mut f);
+        let mut on_ground = self.push_open_ground(change, &mut f);
         for right in [false, true] {
             let y = self.at_the_end(&self.state, right);
             let rates = change.beyond[usize::from(right)].iter();
             let parts = ground::energies_beside(&self.beyond(right));
             let taken = rates.zip(&parts).map(|(r, part)| r[0] * part[0] + r[1] * part[1]);
             let force = self.pressed_beside(change, right) - y * taken.sum::<f64>();
-            self.push_at_the_end(&mut f, right, force);
+            self.push_at_the_end(&mut f, &mut on_ground, right, force);
         }
-        self.push_points(change, &mut f);
+        let leaving = self.push_points(change, &mut f, &mut on_ground);
         self.push_held(change, &mut f);
         let field = self.answer(&f.push).ok()?;
-        Some(Answer { field, pushed: f, spread, on_ground })
+        Some(Answer { field, pushed: f, spread, leaving, on_ground })
     }
 
     /// Open ground under the beam, and the gap at the ends of its joints.
@@ -142,30 +144,48 @@ impl Linearised {
     }
 
     /// The ground beyond an end of the beam, whose u there is 1.
-    fn push_at_the_end(&self, f: &mut Functional, right: bool, force: f64) {
+    fn push_at_the_end(
+        &self,
+        f: &mut Functional,
+        on_ground: &mut [Vec<f64>],
+        right: bool,
+        force: f64,
+    ) {
         if force == 0.0 || self.joints.is_empty() {
             return;
         }
         let j = if right { self.joints.len() - 1 } else { 0 };
         let strip = if right { self.joints[j].strips.len() - 1 } else { 1 };
         self.read_height(f, j, strip, force);
+        on_ground[j][strip] += force;
     }
 
-    fn push_points(&self, change: &Change, f: &mut Functional) {
+    /// What changes at points; of it the moments that stand for forces which move.
+    fn push_points(
+        &self,
+        change: &Change,
+        f: &mut Functional,
+        on_ground: &mut [Vec<f64>],
+    ) -> Vec<(usize, [f64; 4])> {
         let l = self.model.beam.length;
+        let mut leaving = Vec::new();
         for point in &change.points {
             let (x, weight) = (point.x, point.weight);
             if point.against == Against::Settlement && !(0.0..=l).contains(&x) {
                 let right = x > l;
                 let out = if right { x - l } else { -x };
                 let u = ground::beside(&self.beyond(right), 1.0, out);
-                self.push_at_the_end(f, right, weight * u);
+                self.push_at_the_end(f, on_ground, right, weight * u);
                 continue;
             }
             let spot = self.spot(x, Side::Right);
             match point.against {
                 Against::Deflection => self.read_deflection(f, spot, weight),
-                Against::Slope | Against::SlopeBeside => self.read_slope(f, spot, weight),
+                Against::Slope => self.read_slope(f, spot, weight),
+                Against::SlopeBeside => {
+                    self.read_slope(f, spot, weight);
+                    leaving.extend(f.push.loads.last().copied());
+                }
                 Against::BendBeside => {
                     self.read_moment(f, spot, -weight / self.stiffness_at(spot));
                 }
@@ -179,6 +199,7 @@ impl Linearised {
                 }
             }
         }
+        leaving
     }
 
     fn push_held(&self, change: &Change, f: &mut Functional) {
@@ -212,25 +233,34 @@ impl Linearised {
     fn read(&self, functional: &Functional, answer: &Answer) -> f64 {
         let (field, push) = (&answer.field, &functional.push);
         let mut sum = 0.0;
-        for (element, row) in &push.loads {
-            sum += dot(row, &field.shapes[*element]);
-        }
-        for (element, jump) in &push.jumps {
-            let mut v = field.shapes[*element];
-            for (_, own) in answer.pushed.push.jumps.iter().filter(|(e, _)| e == element) {
+        // What an element does beyond a kink at its end.
+        let within = |element: usize| {
+            let mut v = field.shapes[element];
+            for (_, own) in answer.pushed.push.jumps.iter().filter(|(e, _)| *e == element) {
                 for (v, own) in v.iter_mut().zip(own) {
                     *v -= own;
                 }
             }
-            let demanded = self.elements[*element].element.stiffness.map(|row| dot(&row, &v));
+            v
+        };
+        for (element, row) in &push.loads {
+            sum += dot(row, &within(*element));
+        }
+        for (element, jump) in &push.jumps {
+            let stiffness = self.elements[*element].element.stiffness;
+            let demanded = stiffness.map(|row| dot(&row, &within(*element)));
             sum += dot(jump, &demanded) - dot(jump, &answer.spread[*element]);
+            // A support feels what moves away from it; a place where an output looks does not.
+            if functional.looks.is_none() {
+                let own = answer.leaving.iter().filter(|(e, _)| e == element);
+                sum -= own.map(|(_, row)| dot(jump, row)).sum::<f64>();
+            }
         }
         for (j, jump) in &push.parted {
-            let (joint, heights, forces) =
-                (&self.joints[*j], &field.heights[*j], &answer.on_ground[*j]);
-            let last = forces.len() - 1;
-            sum += jump[0] * (joint.force_left(heights) - forces[0]);
-            sum += jump[1] * (joint.force_right(heights) - forces[last]);
+            let spread = &answer.on_ground[*j];
+            let within = spread.iter().copied().enumerate();
+            let forces = self.joints[*j].forces_under(&field.heights[*j], within);
+            sum += jump[0] * forces[0] + jump[1] * forces[1];
         }
         for (j, strip, weight) in &push.on_ground {
             sum += weight * field.heights[*j][*strip];

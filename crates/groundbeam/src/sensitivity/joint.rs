@@ -36,8 +36,7 @@ pub(super) fn joints(mesh: &Mesh, zones: &[Zone], pieces: &[Piece]) -> Vec<Joint
                 piece.touch == Touch::Open && (first..end).contains(&piece.element)
             });
             let mut strips: Vec<Option<usize>> = open.map(|(i, _)| Some(i)).collect();
-            let mut links: Vec<Link> =
-                strips.iter().flatten().map(|i| link(&pieces[*i])).collect();
+            let mut links: Vec<Link> = strips.iter().flatten().map(|i| link(&pieces[*i])).collect();
             if left.is_none() {
                 let leak_right = ground.beyond[0];
                 strips.insert(0, None);
@@ -74,16 +73,19 @@ impl Joint {
         [self.whole.force_left(left, right), self.whole.force_right(left, right)]
     }
 
-    /// The force that the ground takes at its left end, from u at the ends of all strips.
-    pub fn force_left(&self, heights: &[f64]) -> f64 {
-        self.links.first().map_or(0.0, |link| link.force_left(heights[0], heights[1]))
-    }
-
-    /// The same at its right end.
-    pub fn force_right(&self, heights: &[f64]) -> f64 {
-        let last = self.links.len();
-        let link = self.links.last();
-        link.map_or(0.0, |link| link.force_right(heights[last - 1], heights[last]))
+    /// The same under forces on the strips, each at the start of one: without differences of neighbouring heights.
+    pub fn forces_under(
+        &self,
+        heights: &[f64],
+        forces: impl Iterator<Item = (usize, f64)>,
+    ) -> [f64; 2] {
+        let last = self.strips.len();
+        let mut sum = self.forces([heights[0], heights[last]]);
+        for (strip, force) in forces {
+            let carried = self.carried(strip);
+            sum = [sum[0] - force * carried[0], sum[1] - force * carried[1]];
+        }
+        sum
     }
 
     /// The parts of a force at the start of a strip that its two ends bear.
@@ -94,9 +96,8 @@ impl Joint {
     /// u under a unit force at the start of a strip, both ends being held.
     pub fn bulge(&self, strip: usize) -> Vec<f64> {
         let [left, right] = [&self.links[..strip], &self.links[strip..]];
-        let [before, after] = [left, right].map(|links| {
-            links.iter().copied().reduce(Link::then).unwrap_or_default()
-        });
+        let [before, after] =
+            [left, right].map(|links| links.iter().copied().reduce(Link::then).unwrap_or_default());
         let hold = before.coupling + before.leak_right + after.coupling + after.leak_left;
         let top = if hold > 0.0 { 1.0 / hold } else { 0.0 };
         let mut bulge = heights(left, [0.0, top]).0;

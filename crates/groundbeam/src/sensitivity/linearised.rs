@@ -58,7 +58,7 @@ impl Linearised {
     /// At a solution of the exact method, with nodes at `places`. None where the contact leaves the beam loose: it may
     /// turn about a point.
     pub fn at(solution: &Solution, places: &[f64]) -> Option<Self> {
-        let stretches: Vec<Stretch> = solution.contact().iter().map(|c| [c.from, c.to]).collect();
+        let stretches = contact_of(solution);
         let acts = |i: usize| solution.reactions()[i].force != 0.0;
         let model = solution.model().with_supports_that(|i, s| !s.is_one_way() || acts(i));
         let mut glue = Glue::new(&model);
@@ -190,8 +190,8 @@ impl Linearised {
                 ends = [ends[0] - jump[0], ends[1] - jump[1]];
             }
             let mut heights = joint.heights(ends);
-            for (_, strip, force) in push.on_ground.iter().filter(|(j, ..)| *j == i) {
-                for (height, own) in heights.iter_mut().zip(joint.bulge(*strip)) {
+            for (strip, force) in push.on_joint(i) {
+                for (height, own) in heights.iter_mut().zip(joint.bulge(strip)) {
                     *height += force * own;
                 }
             }
@@ -280,19 +280,33 @@ impl Linearised {
             let loads = push.loads.iter().filter(|(e, _)| *e == spot.cell);
             force -= loads.map(|(_, row)| dot(&end, row)).sum::<f64>();
         }
-        for (joint, heights) in self.joints.iter().zip(&field.heights) {
-            let own = |spot: Option<Spot>| {
-                spot.is_some_and(|spot| spot.cell + usize::from(spot.s > 0.0) == node)
-            };
-            if own(joint.ends[0]) {
-                force += joint.force_left(heights);
-            }
-            if own(joint.ends[1]) {
-                force += joint.force_right(heights);
+        for (j, (joint, heights)) in self.joints.iter().zip(&field.heights).enumerate() {
+            let forces = joint.forces_under(heights, push.on_joint(j));
+            for (end, taken) in joint.ends.into_iter().zip(forces) {
+                if end.is_some_and(|spot| spot.cell + usize::from(spot.s > 0.0) == node) {
+                    force += taken;
+                }
             }
         }
         -force
     }
+}
+
+/// The stretches that touch; and points that do, where a shear layer ends beside separate springs that touch as well.
+fn contact_of(solution: &Solution) -> Vec<Stretch> {
+    let mut stretches = Vec::with_capacity(solution.contact().len());
+    let carries = |x: f64| solution.concentrated_forces().iter().any(|force| force.at == x);
+    for region in solution.contact() {
+        let [from, to] = [region.from, region.to];
+        if from < to && carries(from) {
+            stretches.push([from; 2]);
+        }
+        stretches.push([from, to]);
+        if from < to && carries(to) {
+            stretches.push([to; 2]);
+        }
+    }
+    stretches
 }
 
 /// The model with its nodes and nothing that acts.

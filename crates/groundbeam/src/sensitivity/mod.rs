@@ -13,6 +13,7 @@ mod field;
 mod forward;
 mod joint;
 mod linearised;
+mod names;
 mod output;
 mod parameter;
 mod product;
@@ -25,8 +26,8 @@ use crate::solution::{Field as Quantity, Side, Solution};
 use crate::solve::Method;
 use change::Change;
 use linearised::Linearised;
-pub use output::Output;
 use output::Functional;
+pub use output::Output;
 pub use parameter::{Extent, LoadNumber, Parameter, Property, SupportNumber};
 use product::{Dual, Rate};
 use push::Push;
@@ -224,9 +225,8 @@ impl Solution {
     }
 
     fn number_among_acting(&self, i: usize) -> Option<usize> {
-        let acts = |i: usize| {
-            !self.model().supports[i].is_one_way() || self.reactions()[i].force != 0.0
-        };
+        let acts =
+            |i: usize| !self.model().supports[i].is_one_way() || self.reactions()[i].force != 0.0;
         acts(i).then(|| (0..i).filter(|i| acts(*i)).count())
     }
 
@@ -262,7 +262,7 @@ impl Solution {
                 let rate = &mut derived.rates[i];
                 rate.value += place.slope * moved;
                 // What the place follows it does not lose sight of.
-                if moved != 0.0 {
+                if lin.follows(&place, &changes[i]) != 0.0 {
                     rate.jumps_at = None;
                 } else if let Some(x) = lin.leaves_others(field, &place, &changes[i]) {
                     rate.jumps_at = Some(x);

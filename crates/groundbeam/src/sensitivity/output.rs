@@ -226,7 +226,9 @@ impl Linearised {
         // A = 0 there, and dA = π dx out of the zone.
         let piece = self.piece_at(spot);
         let rising = rise / self.pieces[piece].half * self.part_of_cell(piece);
-        let pressure = k * point.u - rising * point.rise - mu * self.second_rise(piece, spot)
+        let pressure = k * point.u
+            - rising * point.rise
+            - mu * self.second_rise(piece, spot)
             - self.ground_load(spot);
         let mut f = self.force_at_edge(zone, side);
         f.scale(if side == Side::Left { -1.0 } else { 1.0 } / pressure);
@@ -339,8 +341,7 @@ impl Linearised {
             What::Pressure => {
                 let bend = self.second_rise(i, spot);
                 let kappa = self.pieces[i].cell.curvature[usize::from(spot.s > 0.0)];
-                k * (rates.spring * y.u - rates.gap)
-                    - rates.shear * (rise * y.rise + mu * bend)
+                k * (rates.spring * y.u - rates.gap) - rates.shear * (rise * y.rise + mu * bend)
                     + rise * rates.gap_slope
                     - mu * rates.curvature
                     - rates.ground

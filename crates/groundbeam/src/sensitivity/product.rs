@@ -68,8 +68,11 @@ impl Linearised {
         let mut sum = 0.0;
         for (((s, weight), y), z) in gauss().zip(own).zip(dual) {
             let rates = change.at(&self.model, piece, s);
-            let stiffness =
-                if cell.beam_varies() { value(&cell.stiffness_course(), s) } else { cell.stiffness };
+            let stiffness = if cell.beam_varies() {
+                value(&cell.stiffness_course(), s)
+            } else {
+                cell.stiffness
+            };
             let [k, mu] = cell.ground_at(s);
             let mut form = rates.stiffness * stiffness * y.bend * z.bend;
             form += rates.axial * y.slope * z.slope;
@@ -87,9 +90,9 @@ impl Linearised {
     /// Open ground: what gaps at its ends do, and all that is beyond the beam.
     fn joint_rate(&self, change: &Change, dual: &Dual) -> f64 {
         let mut sum = 0.0;
-        for (joint, heights) in self.joints.iter().zip(&dual.field.heights) {
+        for (j, (joint, heights)) in self.joints.iter().zip(&dual.field.heights).enumerate() {
             if change.gap.is_some() {
-                let forces = [joint.force_left(heights), joint.force_right(heights)];
+                let forces = joint.forces_under(heights, dual.push.on_joint(j));
                 for (end, force) in joint.ends.into_iter().zip(forces) {
                     let at = end.map(|spot| self.mesh.cells[spot.cell].global(spot.s));
                     sum += force * at.map_or(0.0, |x| change.gap_at(&self.model, x));
@@ -113,9 +116,8 @@ impl Linearised {
 
     /// Loads spread on the ground beside the beam.
     fn beside_rate(&self, change: &Change, dual: &Dual) -> f64 {
-        let part = |right: bool| {
-            self.pressed_beside(change, right) * self.at_the_end(dual.field, right)
-        };
+        let part =
+            |right: bool| self.pressed_beside(change, right) * self.at_the_end(dual.field, right);
         part(false) + part(true)
     }
 
@@ -219,9 +221,10 @@ impl Linearised {
             return;
         }
         let seen = |spot: Spot| {
-            let point = if dual.energy {
+            // Of the energy: an imposed curvature bends nothing that it has not bent already.
+            let point = if dual.energy && against == Against::CurlBeside {
                 let y = self.look(&self.state, spot, true);
-                Point { slope: -y.slope, bend: -y.bend, ..y }
+                Point { bend: -y.bend, ..Point::default() }
             } else {
                 self.look(dual.field, spot, false)
             };
@@ -277,11 +280,8 @@ impl Linearised {
 
     pub fn beyond(&self, right: bool) -> crate::model::Beyond {
         let cells = &self.mesh.cells;
-        let at_end = if right {
-            cells[cells.len() - 1].ground_at(1.0)
-        } else {
-            cells[0].ground_at(-1.0)
-        };
+        let at_end =
+            if right { cells[cells.len() - 1].ground_at(1.0) } else { cells[0].ground_at(-1.0) };
         self.model.foundation.beyond(right, self.model.beam.length, at_end)
     }
 

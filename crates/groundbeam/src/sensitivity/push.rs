@@ -16,6 +16,12 @@ pub(super) struct Push {
 }
 
 impl Push {
+    /// The forces on a joint's strips.
+    pub fn on_joint(&self, joint: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+        let own = self.on_ground.iter().filter(move |(j, ..)| *j == joint);
+        own.map(|(_, strip, force)| (*strip, *force))
+    }
+
     pub fn is_empty(&self) -> bool {
         self.loads.is_empty()
             && self.jumps.is_empty()

@@ -40,6 +40,9 @@ pub struct Nearest {
 /// A gap that turns by less than this part of all deflections does so by rounding.
 const ROUNDING: f64 = 1e-8;
 
+/// Places closer than this part of the length are one.
+const HERE: f64 = 1e-9;
+
 /// Which of some places are lower than the highest on both sides by more than `least`, and are lowest between those;
 /// at an end of the beam one side is enough.
 fn deepest_between_peaks(places: &[(f64, f64)], ends: [f64; 2], least: f64) -> Vec<usize> {
@@ -147,10 +150,14 @@ impl Solution {
                 }
             }
         }
-        let contact: f64 = self.stretches.iter().map(|stretch| {
-            let even = stretch.pressure.iter().step_by(2).enumerate();
-            2.0 * stretch.half * even.map(|(j, c)| c / (2 * j + 1) as f64).sum::<f64>()
-        }).sum();
+        let contact: f64 = self
+            .stretches
+            .iter()
+            .map(|stretch| {
+                let even = stretch.pressure.iter().step_by(2).enumerate();
+                2.0 * stretch.half * even.map(|(j, c)| c / (2 * j + 1) as f64).sum::<f64>()
+            })
+            .sum();
         let forces: f64 = places.iter().map(|x| force_at(*x).abs()).sum();
         let total = contact.abs() + forces;
         for x in places {
@@ -171,7 +178,11 @@ impl Solution {
         // From left to right where the gap may turn, each open length for itself.
         let mut open: Vec<(f64, f64)> = Vec::new();
         let mut add = |open: &mut Vec<(f64, f64)>| {
-            for at in deepest_between_peaks(open, [0.0, l], ROUNDING * scale) {
+            let touches = |x: f64| {
+                self.contact.iter().any(|c| x >= c.from - HERE * l && x <= c.to + HERE * l)
+            };
+            let deepest = deepest_between_peaks(open, [0.0, l], ROUNDING * scale);
+            for at in deepest.into_iter().filter(|at| !touches(open[*at].0)) {
                 let margin = (open[at].1 / scale).max(0.0);
                 all.push(Nearest { condition: Condition::Gap, at: open[at].0, margin });
             }
