@@ -75,14 +75,43 @@ fn largest(solution: &Solution, field: Field) -> f64 {
     range.min.value.abs().max(range.max.value.abs())
 }
 
+fn size_of(load: &Load, l: f64) -> f64 {
+    match *load {
+        Load::PointForce { force, .. } | Load::GroundForce { force, .. } => force.abs(),
+        Load::PointMoment { moment, .. } => moment.abs() / l,
+        Load::Distributed { from, to, start, end }
+        | Load::GroundDistributed { from, to, start, end } => {
+            (start.abs() + end.abs()) * (to - from)
+        }
+        Load::DistributedMoment { from, to, start, end } => {
+            (start.abs() + end.abs()) * (to - from) / l
+        }
+        Load::Curvature { .. } => 0.0,
+    }
+}
+
 /// Outputs of every kind, at random places, and what is large of their kind.
 fn outputs(solution: &Solution, rng: &mut ChaCha8Rng) -> Vec<(Output, f64)> {
     let l = solution.model().beam.length;
     let mut all = Vec::new();
+    let carried: f64 = solution.model().loads.iter().map(|load| size_of(load, l)).sum();
+    let sunk = largest(solution, Field::Deflection);
+    // A field that is nothing but rounding has no derivatives to compare.
+    let rounding = |field: Field| match field {
+        Field::Moment => 1e-9 * carried * l,
+        Field::ShearForce => 1e-9 * carried,
+        Field::Pressure => 1e-9 * carried / l,
+        Field::Slope => 1e-9 * sunk / l,
+        Field::Deflection => 0.0,
+        Field::Settlement => 1e-9 * sunk,
+        // A difference of two deflections.
+        Field::Gap => 1e-5 * sunk,
+    };
+    let size_of = |field: Field| largest(solution, field).max(rounding(field));
     for field in Field::ALL {
         let at = rng.random_range(0.0..1.0) * l;
         let side = if rng.random_bool(0.5) { Side::Left } else { Side::Right };
-        let size = largest(solution, field);
+        let size = size_of(field);
         all.push((Output::Value(field, at, side), size));
         all.push((Output::Smallest(field), size));
         all.push((Output::Largest(field), size));
@@ -90,11 +119,11 @@ fn outputs(solution: &Solution, rng: &mut ChaCha8Rng) -> Vec<(Output, f64)> {
     for i in 0..solution.contact().len().min(3) {
         all.extend([Side::Left, Side::Right].map(|side| (Output::Edge(i, side), l)));
     }
-    let forces = largest(solution, Field::ShearForce);
+    let forces = size_of(Field::ShearForce);
     all.extend([Side::Left, Side::Right].map(|side| (Output::EndForce(side), forces)));
     for i in 0..solution.model().supports.len() {
         all.push((Output::SupportForce(i), forces));
-        all.push((Output::SupportMoment(i), largest(solution, Field::Moment)));
+        all.push((Output::SupportMoment(i), size_of(Field::Moment)));
     }
     if !solution.model().loads.iter().any(Load::is_on_ground) {
         all.push((Output::PotentialEnergy, solution.certificate().primal_energy.abs()));
@@ -255,7 +284,7 @@ fn compare(family: Family, number: u64, counts: &mut Counts) {
         for (i, row) in rows[p].iter().enumerate() {
             let stands_there = |why: &OneSided| matches!(why, OneSided::Place { parameter, .. } if *parameter == p);
             let apart = (exact(i) - row).abs() * scale(i);
-            if apart > 1e-8 && !gradients[i].one_sided.iter().any(stands_there) {
+            if apart > 1e-7 && !gradients[i].one_sided.iter().any(stands_there) {
                 counts.wrong += 1;
                 let output = all[i].0;
                 println!("{family:?} {number}: {output:?} by {parameter:?} forward {apart:.1e}");

@@ -15,6 +15,7 @@ Deflections, forces and settlements are positive down, positions are measured fr
 """
 
 from ._batch import Batch, solve_many
+from ._calibrate import Calibration, calibrate
 from ._combinations import Bound, Combinations, Envelope
 from ._errors import Diagnostic, GroundbeamError, ModelError, NoEquilibrium, NotConverged
 from ._model import Existence, Model, load
@@ -26,6 +27,7 @@ from ._solution import (
     Extreme,
     Fields,
     Force,
+    Gradient,
     HingeTurn,
     LiftOff,
     Range,
@@ -37,6 +39,7 @@ __all__ = [
     "Batch",
     "Beam",
     "Bound",
+    "Calibration",
     "Certificate",
     "Combination",
     "Combinations",
@@ -48,6 +51,7 @@ __all__ = [
     "Fields",
     "Force",
     "Foundation",
+    "Gradient",
     "GroundbeamError",
     "Hinge",
     "HingeTurn",
@@ -62,6 +66,7 @@ __all__ = [
     "Solution",
     "Support",
     "__version__",
+    "calibrate",
     "load",
     "solve_many",
 ]

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::model::Read;
+use groundbeam::sensitivity::{LoadNumber, Parameter as Number};
 use groundbeam::{Beam, Load, Model, Profile};
 use numpy::ndarray::ArrayView2;
 use std::sync::Arc;
@@ -28,6 +29,8 @@ enum Target {
     StiffnessFactor,
     LoadFactor,
     Load(usize, OfLoad),
+    /// Any other number of the model.
+    Number(Number),
 }
 
 /// The part of a load that is changed.
@@ -41,9 +44,6 @@ enum OfLoad {
     End,
 }
 
-const NAMES: &str = "k, mu, EI, axial_force, k_factor, mu_factor, EI_factor, load_factor, and of loads load[0], \
-                     load[0].at, load[0].from, load[0].to, load[0].start, load[0].end";
-
 impl Target {
     fn read(name: &str) -> Option<Self> {
         Some(match name {
@@ -55,19 +55,20 @@ impl Target {
             "mu_factor" => Target::ShearFactor,
             "EI_factor" => Target::StiffnessFactor,
             "load_factor" => Target::LoadFactor,
-            _ => {
-                let (number, part) = name.strip_prefix("load[")?.split_once(']')?;
-                let part = match part {
-                    "" => OfLoad::Size,
-                    ".at" => OfLoad::At,
-                    ".from" => OfLoad::From,
-                    ".to" => OfLoad::To,
-                    ".start" => OfLoad::Start,
-                    ".end" => OfLoad::End,
-                    _ => return None,
-                };
-                Target::Load(number.parse().ok()?, part)
-            }
+            _ => match Number::named(name)? {
+                Number::Load(index, number) => Target::Load(
+                    index,
+                    match number {
+                        LoadNumber::Size => OfLoad::Size,
+                        LoadNumber::At => OfLoad::At,
+                        LoadNumber::From => OfLoad::From,
+                        LoadNumber::To => OfLoad::To,
+                        LoadNumber::Start => OfLoad::Start,
+                        LoadNumber::End => OfLoad::End,
+                    },
+                ),
+                other => Target::Number(other),
+            },
         })
     }
 
@@ -79,6 +80,7 @@ impl Target {
     fn is_of_ground(self) -> bool {
         use Target::{Shear, ShearFactor, Spring, SpringFactor};
         matches!(self, Spring | Shear | SpringFactor | ShearFactor)
+            || matches!(self, Target::Number(number) if number.is_of_ground())
     }
 }
 
@@ -91,7 +93,7 @@ impl Parameter {
     ) -> Result<Self, Failure> {
         let wrong = |why: String| Err(Failure::Asked(format!("parameter `{name}`: {why}")));
         let Some(target) = Target::read(name) else {
-            return wrong(format!("means nothing; what can be changed: {NAMES}"));
+            return wrong(format!("means nothing; what can be changed: {}", Number::NAMES));
         };
         let width = values.ncols();
         if width == 0 || (width > 1 && !target.varies_along_the_beam()) {
@@ -111,6 +113,11 @@ impl Parameter {
                 return wrong(format!(
                     "the model gives it by segments; `{name}_factor` multiplies it in all of them"
                 ));
+            }
+            if let Target::Number(number) = target
+                && number.value(model).is_none()
+            {
+                return wrong("the model has no such number".to_owned());
             }
             if let Target::Load(index, part) = target {
                 let Some(load) = model.loads.get(index) else {
@@ -183,6 +190,11 @@ pub fn apply(parameters: &[Parameter], number: usize, model: &mut Model) {
                 model.beam.bending_stiffness *= factor;
                 for segment in &mut model.beam.segments {
                     segment.bending_stiffness = segment.bending_stiffness.scaled(factor);
+                }
+            }
+            Target::Number(number) => {
+                if let Some(changed) = number.set(model, factor) {
+                    *model = changed;
                 }
             }
             Target::LoadFactor => {

@@ -67,6 +67,26 @@ pub enum OneSided {
     },
 }
 
+impl OneSided {
+    /// In words, positions with a unit behind them.
+    pub fn in_words(&self, unit: &str) -> String {
+        match *self {
+            OneSided::Contact(Nearest { condition, at, margin }) => {
+                let what = condition.in_words();
+                format!(
+                    "contact is about to change: {what} is nearly zero at x = {at}{unit} ({margin:.1e})"
+                )
+            }
+            OneSided::Place { at, .. } => {
+                format!(
+                    "what moves stands at x = {at}{unit}, where the output tells the sides apart"
+                )
+            }
+            OneSided::Rival { at } => format!("the field is as large at x = {at}{unit}"),
+        }
+    }
+}
+
 /// Why there is no derivative.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]

@@ -75,6 +75,12 @@ pub enum Parameter {
 }
 
 impl Parameter {
+    /// Whether it is one of k and μ.
+    pub fn is_of_ground(self) -> bool {
+        use Property::{Shear, Spring};
+        matches!(self, Parameter::Value(Spring | Shear, _) | Parameter::Factor(Spring | Shear, _))
+    }
+
     /// The number itself, as the model has it; none where it has none such.
     pub fn value(self, model: &Model) -> Option<f64> {
         match self {

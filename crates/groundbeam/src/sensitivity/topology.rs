@@ -26,6 +26,21 @@ pub enum Condition {
     SupportClearance,
 }
 
+impl Condition {
+    /// In words.
+    pub fn in_words(self) -> &'static str {
+        match self {
+            Condition::Pressure => "the pressure",
+            Condition::Force => "a concentrated force",
+            Condition::Gap => "the gap",
+            Condition::Angle => "the angle between beam and ground",
+            Condition::Length => "the length of a region",
+            Condition::SupportForce => "the force of a support",
+            Condition::SupportClearance => "the clearance of a support",
+        }
+    }
+}
+
 /// The nearest change of contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Nearest {
@@ -159,7 +174,10 @@ impl Solution {
             })
             .sum();
         let forces: f64 = places.iter().map(|x| force_at(*x).abs()).sum();
-        let total = contact.abs() + forces;
+        // Where hardly anything is on the ground, against what the beam carries.
+        let carried = self.range(Quantity::ShearForce);
+        let carried = carried.max.value.abs().max(carried.min.value.abs());
+        let total = (contact.abs() + forces).max(carried);
         for x in places {
             let margin = if total > 0.0 { (force_at(x) / total).max(0.0) } else { 0.0 };
             all.push(Nearest { condition: Condition::Force, at: x, margin });
