@@ -260,8 +260,11 @@ impl Linearised {
             }
         }
         for (j, jump) in &push.parted {
+            // What the strips at both ends bring there themselves, and all that is pushed in between.
             let spread = &answer.on_ground[*j];
-            let within = spread.iter().copied().enumerate();
+            let last = spread.len() - 1;
+            let ends = [(0, spread[0]), (last, spread[last])];
+            let within = answer.pushed.push.on_joint(*j).chain(ends);
             let forces = self.joints[*j].forces_under(&field.heights[*j], within);
             sum += jump[0] * forces[0] + jump[1] * forces[1];
         }

@@ -263,7 +263,13 @@ impl Linearised {
             let (right, out) = (x > l, if x > l { x - l } else { -x });
             return ground::beside(&self.beyond(right), self.at_the_end(field, right), out);
         }
-        self.look(field, self.spot(x, Side::Right), false).u
+        // Where the beam stands on it, what steps between the two is beside that place.
+        let (spot, node) = (self.spot(x, Side::Right), self.mesh.node_at(x));
+        let tied = |end: &Spot| end.cell + usize::from(end.s > 0.0) == node;
+        if self.joints.iter().flat_map(|joint| joint.ends).flatten().any(|end| tied(&end)) {
+            return self.at_node(field, spot)[0];
+        }
+        self.look(field, spot, false).u
     }
 
     /// u at an end of the ground under the beam, as the ground beyond sees it.
