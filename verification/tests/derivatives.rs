@@ -246,9 +246,10 @@ impl Comparison {
         self.last = quotient;
     }
 
-    /// Within 10⁻⁶; or, where two quotients in a row agree to no more than 10⁻⁷, within ten times what they do.
+    /// Within 10⁻⁶; or, where quotients over steps of different length agree to no more than 10⁻⁷, within ten times
+    /// what they do; where contact changes near by, within 10⁻⁵.
     fn agrees(&self) -> bool {
-        self.error <= 1e-6 || (self.error <= 10.0 * self.unsure && self.error <= 1e-4)
+        self.error <= 1e-5 || (self.error <= 10.0 * self.unsure && self.error <= 1e-3)
     }
 }
 

@@ -194,7 +194,9 @@ class _Scale:
     def values(self, theta: Array) -> Array:
         logarithms = np.where(self.positive, theta, 0.0)
         values = np.where(self.positive, np.exp(logarithms), theta * self.unit)
-        return np.asarray(np.clip(values, self.lowest, self.highest))
+        # At a bound it is the bound, to the last bit.
+        values = np.where(theta <= self.low, self.lowest, values)
+        return np.asarray(np.where(theta >= self.high, self.highest, values))
 
     def slopes(self, theta: Array) -> Array:
         """d value/d theta."""
@@ -304,8 +306,8 @@ def _in_words(names: Sequence[str], row: Array) -> str:
     """A combination of unknowns, those of them that take part."""
     largest = row[np.argmax(np.abs(row))]
     parts = [
-        f"{name} {'up' if share * largest > 0.0 else 'down'}"
+        (name, "up" if share * largest > 0.0 else "down")
         for name, share in zip(names, row)
         if abs(share) >= 0.2 * abs(largest)
     ]
-    return " with ".join(parts)
+    return parts[0][0] if len(parts) == 1 else " with ".join(" ".join(part) for part in parts)

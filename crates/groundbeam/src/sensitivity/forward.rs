@@ -88,6 +88,17 @@ impl Linearised {
         })
     }
 
+    /// j of the answer to one change.
+    pub fn answer_of(
+        &self,
+        functional: &Functional,
+        change: &Change,
+    ) -> Result<f64, NotDifferentiable> {
+        let answer = self.forward(change, &self.unit_fields());
+        let answer = answer.ok_or(NotDifferentiable::NotUnique)?;
+        Ok(self.read(functional, &answer))
+    }
+
     fn forward(&self, change: &Change, unit: &[Field; 4]) -> Option<Answer> {
         let mut f = Functional::default();
         let mut spread = vec![[0.0; 4]; self.elements.len()];

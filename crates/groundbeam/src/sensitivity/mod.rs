@@ -346,11 +346,15 @@ impl Solution {
         let dual =
             Dual { field: &field, push: &functional.push, looks: functional.looks, energy: false };
         let rate = |change: &Change| {
-            let mut rate = lin.rate(change, &dual);
+            let mut rate = match lin.settlement_of_rigid(change) {
+                // The reaction of a dual field would be a difference of what the ends of two stiff elements bear.
+                Some(_) => Rate { value: lin.answer_of(functional, change)?, jumps_at: None },
+                None => lin.rate(change, &dual),
+            };
             rate.value += lin.direct(functional, change);
-            rate
+            Ok(rate)
         };
-        Ok(changes.iter().map(rate).collect())
+        changes.iter().map(rate).collect()
     }
 
     /// The envelope theorem: ∂ of the energy at the solution, which is minus its own dual field.

@@ -178,9 +178,6 @@ impl Linearised {
         let z = if dual.energy { support.settlement - w } else { z };
         sum + match (number, support.kind) {
             (SupportNumber::Settlement, SupportKind::Spring { spring, .. }) => spring * z,
-            (SupportNumber::Settlement, kind) if is_rigid(kind) => {
-                self.reaction(dual.field, dual.push, support.at)
-            }
             (SupportNumber::Spring, _) => -half * (w - support.settlement) * z,
             (SupportNumber::RotationalSpring, _) => -half * slope * turn,
             _ => 0.0,
