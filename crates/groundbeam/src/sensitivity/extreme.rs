@@ -54,8 +54,15 @@ impl Linearised {
 }
 
 impl Linearised {
-    /// The edge of contact at a position, if it can move.
+    /// The edge of contact at a position, if it can move and the field kinks there for its sake: at a load, a support or a
+    /// hinge it kinks anyway.
     pub fn edge_at(&self, x: f64) -> Option<Functional> {
+        let own = self.mesh.nodes[self.mesh.node_at(x)];
+        let loaded = own.force != 0.0 || own.moment != 0.0;
+        let held = own.pinned || own.spring != 0.0 || own.rotational_spring != 0.0;
+        if loaded || held || own.hinge.is_some() {
+            return None;
+        }
         let at = |side| self.zone_at(x, side).map(|zone| self.edge(zone, side));
         let edges = [Side::Left, Side::Right].map(at).into_iter().flatten();
         edges.into_iter().find(|edge| !edge.push.is_empty())
