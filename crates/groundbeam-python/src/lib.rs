@@ -7,6 +7,7 @@
 
 mod batch;
 mod combinations;
+mod derivatives;
 mod failure;
 mod model;
 mod solution;

@@ -1,6 +1,7 @@
 //! A model as text, read; and what can be asked of it.
 
 use crate::combinations::Combinations;
+use crate::derivatives::parameter;
 use crate::failure::{Failure, Tipping};
 use crate::solution::{Soil, Solution};
 use groundbeam::{Error, Method, Options, Outcome, Verdict};
@@ -179,6 +180,37 @@ impl Model {
         let options = options(method, elements)?;
         let combination = self.read.combination(combination)?;
         py.detach(|| self.read.answer(combination, &options))
+    }
+
+    /// Solves it with other numbers for some parameters, as they are called.
+    fn solve_with(
+        &self,
+        py: Python<'_>,
+        numbers: Vec<(String, f64)>,
+        combination: Option<&str>,
+    ) -> Result<Solution, Failure> {
+        let mut combination = self.read.combination(combination)?;
+        for (name, number) in numbers {
+            let own = parameter(&name)?;
+            if own.is_of_ground() && combination.bed.is_some() {
+                let why = "the model's ground is made of its soil";
+                return Err(Failure::Asked(format!("parameter `{name}`: {why}")));
+            }
+            let changed = own.set(&combination.model, number);
+            combination.model = changed.ok_or_else(|| {
+                Failure::Asked(format!("parameter `{name}`: the model has no such number"))
+            })?;
+        }
+        py.detach(|| self.read.answer(combination, &Options::default()))
+    }
+
+    /// The number that a parameter has.
+    fn number(&self, name: &str, combination: Option<&str>) -> Result<f64, Failure> {
+        let model = self.read.combination(combination)?.model;
+        let number = parameter(name)?.value(&model);
+        number.ok_or_else(|| {
+            Failure::Asked(format!("parameter `{name}`: the model has no such number"))
+        })
     }
 
     /// Solves every combination, each by itself and in its place, on all processors.

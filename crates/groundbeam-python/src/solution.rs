@@ -1,5 +1,6 @@
 //! An equilibrium: its fields at any positions, its contact, its proof, and its reports.
 
+use crate::derivatives::{self, Asked};
 use crate::failure::Failure;
 use crate::model::{Read, verdict};
 use groundbeam::soil::{OnSoil, Subgrade};
@@ -57,6 +58,9 @@ impl Solution {
         at.unwrap_or_else(|| json::default_stations(&self.found))
     }
 }
+
+/// Values, derivatives row by row, and why they have one side.
+type GradientArrays<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Vec<Vec<String>>);
 
 /// A field by its name.
 pub fn field(name: &str) -> Result<Field, Failure> {
@@ -209,6 +213,18 @@ impl Solution {
             moment_bound,
             moment_rms_bound,
         ]
+    }
+
+    /// Values of outputs, their derivatives by parameters, one row for each output, and why they have one side.
+    fn gradients<'py>(
+        &self,
+        py: Python<'py>,
+        outputs: Vec<Asked>,
+        parameters: Vec<String>,
+    ) -> Result<GradientArrays<'py>, Failure> {
+        let found = py.detach(|| derivatives::gradients(self, &outputs, &parameters));
+        let (values, derivatives, one_sided) = found?;
+        Ok((PyArray1::from_vec(py, values), PyArray1::from_vec(py, derivatives), one_sided))
     }
 
     /// Where a field is smallest and how small, where it is largest and how large.

@@ -125,7 +125,7 @@ def test_what_is_wrong(study: gb.Study, tmp_path: Path) -> None:
     study.path.write_text(STUDY.replace("gumbel", "gumble").replace("rho = 0.6", "rho = 6"))
     with pytest.raises(gb.ModelError) as caught:
         gb.Study(study.path)
-    assert [each.line for each in caught.value.diagnostics] == [7, 21]
+    assert [each.line for each in caught.value.diagnostics] == [7, 20]
     assert "did you mean `gumbel`?" in str(caught.value)
     with pytest.raises(FileNotFoundError):
         gb.Study(tmp_path / "none.toml")

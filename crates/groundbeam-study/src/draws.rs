@@ -4,8 +4,9 @@ use crate::distribution::{lognormal, normal_of, of_normal};
 use crate::fields::Field;
 use crate::points::Points;
 use groundbeam::Model;
+use groundbeam::sensitivity::{Extent, Parameter, Property};
 use groundbeam_file::study::{Plan, StudyFile};
-use groundbeam_file::{Change, Course, Target, change};
+use groundbeam_file::{Change, Course, change};
 use nalgebra::{Cholesky, DMatrix, Dyn};
 use std::fmt;
 
@@ -140,8 +141,8 @@ impl Draws {
         let normal: Vec<Vec<f64>> = (0..count)
             .map(|i| field.of(&numbers.iter().skip(i).step_by(count).copied().collect::<Vec<_>>()))
             .collect();
-        let place = |target| random.of.iter().position(|of| of.target == target);
-        let (spring, shear) = (place(Target::Spring), place(Target::Shear));
+        let place = |property| random.of.iter().position(|of| of.property == property);
+        let (spring, shear) = (place(Property::Spring), place(Property::Shear));
         let own = (1.0 - random.rho * random.rho).sqrt();
         let value = |i: usize, point: usize| {
             let z = match spring {
@@ -162,7 +163,9 @@ impl Draws {
         let numbers = random.iter().zip(&draw.numbers);
         let numbers = numbers.map(|(random, number)| (random.target, std::slice::from_ref(number)));
         let fields = field.iter().flat_map(|field| &field.of).zip(&draw.fields);
-        let fields = fields.map(|(of, values)| -> Change { (of.target, values) });
+        let fields = fields.map(|(of, values)| -> Change {
+            (Parameter::Value(of.property, Extent::Whole), values)
+        });
         let course = field.as_ref().map_or(Course::Lines, |field| field.course);
         change(&mut model, course, numbers.chain(fields));
         model

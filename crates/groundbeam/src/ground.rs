@@ -159,6 +159,28 @@ fn follows(link: &Link, spring: f64) -> f64 {
     link.coupling / (link.coupling + (link.leak_right + spring))
 }
 
+/// ∫ku² and ∫μu'² of each layer beyond a beam's end, from there outward, where u = 1 at the beam's end.
+pub(crate) fn energies_beside(beyond: &Beyond) -> Vec<[f64; 2]> {
+    let springs = stiffnesses(beyond);
+    let mut u = 1.0;
+    let energies = beyond.layers.iter().zip(&springs[1..]).map(|(layer, &spring)| {
+        let stiffness = (layer.spring * layer.shear).sqrt();
+        if layer.length == f64::INFINITY {
+            return [0.5 * stiffness * u * u; 2];
+        }
+        let link = Link::uniform(layer.spring, layer.shear, layer.length);
+        let ends = [u, u * follows(&link, spring)];
+        u = ends[1];
+        // ∫(ku² + μu'²) is the work of both ends; μu'² − ku² is the same everywhere.
+        let forces = [link.force_left(ends[0], ends[1]), link.force_right(ends[0], ends[1])];
+        let sum = ends[0] * forces[0] + ends[1] * forces[1];
+        let difference = layer.length
+            * (forces[0] * (forces[0] / layer.shear) - layer.spring * ends[0] * ends[0]);
+        [0.5 * (sum - difference), 0.5 * (sum + difference)]
+    });
+    energies.collect()
+}
+
 /// u at a distance from the beam's end, where it is `u`.
 pub(crate) fn beside(beyond: &Beyond, mut u: f64, mut distance: f64) -> f64 {
     let springs = stiffnesses(beyond);
@@ -176,6 +198,22 @@ pub(crate) fn beside(beyond: &Beyond, mut u: f64, mut distance: f64) -> f64 {
         (u, distance) = (next, distance - layer.length);
     }
     0.0
+}
+
+/// Open ground is cut into pieces of so many decay lengths: on one of them u is a polynomial to the last digit.
+pub(crate) const PIECE: f64 = 2.0;
+/// So many decay lengths from what moves it, open ground does not move: e⁻⁴⁰ is less than rounding.
+const FAR: f64 = 40.0;
+
+/// Cuts open ground near both ends, where it bends.
+pub(crate) fn cut([from, to]: [f64; 2], decay: f64, cuts: &mut Vec<f64>) {
+    let reach = (FAR * decay).min(to - from);
+    let mut step = PIECE * decay;
+    while step < reach {
+        cuts.extend([from + step, to - step]);
+        step += PIECE * decay;
+    }
+    cuts.extend([from + reach, to - reach]);
 }
 
 /// u at a fraction `t` of an unloaded uniform stretch with bh = `length`, from its end values.

@@ -45,6 +45,7 @@ mod mesh;
 mod nodal;
 mod one_way;
 mod polynomial;
+pub mod sensitivity;
 mod solution;
 mod solve;
 mod solver;

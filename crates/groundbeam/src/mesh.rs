@@ -148,7 +148,7 @@ impl Mesh {
     }
 
     /// The node nearest to x.
-    fn node_at(&self, x: f64) -> usize {
+    pub fn node_at(&self, x: f64) -> usize {
         let right = self.nodes.partition_point(|node| node.x < x).min(self.nodes.len() - 1);
         let left = right.saturating_sub(1);
         if x - self.nodes[left].x < self.nodes[right].x - x { left } else { right }

@@ -196,7 +196,7 @@ impl Stretch {
     }
 
     /// u and u'.
-    fn settlement(&self, s: f64, w: f64, slope: f64) -> [f64; 2] {
+    pub(crate) fn settlement(&self, s: f64, w: f64, slope: f64) -> [f64; 2] {
         match self.open {
             None => [w - self.gap_at(s), slope - self.cell.gap_slope],
             Some(ends) => {

@@ -7,7 +7,8 @@ use crate::fault::Fault;
 use crate::quantity::{LENGTH, RATIO};
 use crate::reader::Reader;
 use crate::table::Section;
-use crate::target::{Course, Target};
+use crate::target::{self, Course};
+use groundbeam::sensitivity::{Extent, Parameter, Property};
 
 /// Lognormal fields along the beam, all with one correlation function.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,7 +33,7 @@ pub struct RandomField {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FieldOf {
     /// k, μ or EI.
-    pub target: Target,
+    pub property: Property,
     /// Its mean, positive.
     pub mean: f64,
     /// Its standard deviation, positive.
@@ -99,10 +100,10 @@ const VARIANCE: f64 = 0.99;
 impl FieldOf {
     /// As files spell it.
     pub fn name(&self) -> &'static str {
-        match self.target {
-            Target::Shear => "mu",
-            Target::Stiffness => "EI",
-            _ => "k",
+        match self.property {
+            Property::Spring => "k",
+            Property::Shear => "mu",
+            Property::BendingStiffness => "EI",
         }
     }
 }
@@ -124,10 +125,14 @@ pub(super) fn read(
     reader.refuse_unknown(&table, KEYS);
     let mut of = Vec::new();
     let mut is_there = false;
-    for (name, section) in [("k", "k of [field]"), ("mu", "mu of [field]"), ("EI", "EI of [field]")]
-    {
+    for (property, name, section) in [
+        (Property::Spring, "k", "k of [field]"),
+        (Property::Shear, "mu", "mu of [field]"),
+        (Property::BendingStiffness, "EI", "EI of [field]"),
+    ] {
         is_there |= table.value(name).is_some();
-        of.extend(quantity(reader, &table, name, section, document, random));
+        let own = reader.table(&table, name, section);
+        of.extend(own.and_then(|own| quantity(reader, &own, name, property, document, random)));
     }
     if !is_there {
         reader.missing(&table, &["k", "mu", "EI"], "field", "k = { cov = 0.3 }");
@@ -166,17 +171,16 @@ pub(super) fn read(
 
 fn quantity(
     reader: &mut Reader,
-    table: &Section,
+    own: &Section,
     name: &'static str,
-    section: &'static str,
+    property: Property,
     document: &Document,
     random: &[Random],
 ) -> Option<FieldOf> {
-    let own = reader.table(table, name, section)?;
-    reader.refuse_unknown(&own, &["mean", "cov", "deviation"]);
-    let target = Target::parse(name)?;
-    let kind = target.kind(&document.model);
-    if let Some(problem) = target.problem(name, document) {
+    reader.refuse_unknown(own, &["mean", "cov", "deviation"]);
+    let target = Parameter::Value(property, Extent::Whole);
+    let kind = target::kind(target, &document.model);
+    if let Some(problem) = target::problem(target, name, document) {
         let message = format!("`{name}` cannot vary at random here");
         reader.report(Fault::new(code::EXCLUSIVE, own.span.clone(), message, "", problem));
         return None;
@@ -187,7 +191,7 @@ fn quantity(
         reader.report(Fault::new(code::REPEATED, own.span.clone(), message, "", hint));
         return None;
     }
-    let mean = reader.quantity(&own, "mean", kind).map(|mean| mean.value);
+    let mean = reader.quantity(own, "mean", kind).map(|mean| mean.value);
     let mean = mean.or_else(|| target.value(&document.model)).unwrap_or(f64::NAN);
     if mean <= 0.0 {
         let message = format!("the mean of `{name}` must be positive");
@@ -195,14 +199,14 @@ fn quantity(
         reader.report(Fault::new(code::RANGE, own.span.clone(), message, "", hint));
         return None;
     }
-    let deviation = spread(reader, &own, kind, mean)?;
-    Some(FieldOf { target, mean, deviation })
+    let deviation = spread(reader, own, kind, mean)?;
+    Some(FieldOf { property, mean, deviation })
 }
 
 fn rho(reader: &mut Reader, table: &Section, of: &[FieldOf]) -> Option<f64> {
     let Some(rho) = reader.quantity(table, "rho", &RATIO) else { return Some(0.0) };
-    let has = |target| of.iter().any(|field| field.target == target);
-    if !(has(Target::Spring) && has(Target::Shear)) {
+    let has = |property| of.iter().any(|field| field.property == property);
+    if !(has(Property::Spring) && has(Property::Shear)) {
         let hint = "it is the correlation of ln k and ln mu at one point: give both as fields";
         let message = "there are not two fields of the ground";
         reader.report(Fault::new(code::INCOMPLETE, rho.span, message, "", hint));

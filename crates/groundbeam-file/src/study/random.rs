@@ -6,7 +6,8 @@ use crate::fault::Fault;
 use crate::quantity::{Kind, RATIO};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
-use crate::target::Target;
+use crate::target;
+use groundbeam::sensitivity::Parameter;
 use std::ops::Range;
 use toml::de::DeValue;
 
@@ -16,7 +17,7 @@ pub struct Random {
     /// As the file calls it: `load[0]`.
     pub name: String,
     /// Which number of the model it is.
-    pub target: Target,
+    pub target: Parameter,
     /// How it is distributed.
     pub distribution: Distribution,
 }
@@ -80,7 +81,8 @@ pub(super) fn read(reader: &mut Reader, root: &Section, document: &Document) -> 
     for table in reader.tables(root, "random", "[[random]]") {
         reader.refuse_unknown(&table, KEYS);
         let what = target(reader, &table, document);
-        let kind = what.as_ref().map_or(&RATIO, |(_, target, _)| target.kind(&document.model));
+        let kind =
+            what.as_ref().map_or(&RATIO, |(_, target, _)| target::kind(*target, &document.model));
         let distribution = distribution(reader, &table, kind, what.as_ref(), document);
         let Some((name, target, span)) = what else { continue };
         if all.iter().any(|other| other.target == target) {
@@ -90,7 +92,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section, document: &Document) -> 
             continue;
         }
         if let Some(distribution) = distribution {
-            if target.must_be_positive() && !distribution.is_positive() {
+            if target::must_be_positive(target) && !distribution.is_positive() {
                 let message = format!("`{name}` must be positive, and this distribution is not");
                 let hint = "take `lognormal`, or `uniform` or `triangular` with a positive `from`";
                 reader.report(Fault::new(code::RANGE, span, message, "", hint));
@@ -107,7 +109,7 @@ fn target(
     reader: &mut Reader,
     table: &Section,
     document: &Document,
-) -> Option<(String, Target, Range<usize>)> {
+) -> Option<(String, Parameter, Range<usize>)> {
     let Some((name, span)) = reader.words(table, "what", "k_factor") else {
         if table.value("what").is_none() {
             reader.missing(table, &["what"], "`what`", "what = \"k_factor\"");
@@ -115,13 +117,13 @@ fn target(
         return None;
     };
     let name = name.trim();
-    let Some(target) = Target::parse(name) else {
+    let Some(target) = Parameter::named(name) else {
         let message = format!("`{name}` is no number of a model");
-        let hint = format!("what can be random: {}", Target::NAMES);
+        let hint = format!("what can be random: {}", Parameter::NAMES);
         reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
         return None;
     };
-    if let Some(problem) = target.problem(name, document) {
+    if let Some(problem) = target::problem(target, name, document) {
         let message = format!("`{name}` cannot be random here");
         reader.report(Fault::new(code::EXCLUSIVE, span, message, "", problem));
         return None;
@@ -133,7 +135,7 @@ fn distribution(
     reader: &mut Reader,
     table: &Section,
     kind: &'static Kind,
-    what: Option<&(String, Target, Range<usize>)>,
+    what: Option<&(String, Parameter, Range<usize>)>,
     document: &Document,
 ) -> Option<Distribution> {
     let which = reader.one_of(table, "distribution", &DISTRIBUTIONS);
@@ -261,7 +263,7 @@ pub(super) fn read_joined(reader: &mut Reader, root: &Section, random: &[Random]
             let hint = "0 is independent; of two that always agree make one";
             out_of_range(reader, &rho, "a correlation lies between -1 and 1", hint);
         }
-        let Some(of) = pair(reader, &table, random) else { continue };
+        let Some(of) = pair(reader, root, &table, random) else { continue };
         let span = table.span.clone();
         if all.iter().any(|other| other.of == of) {
             let message = "the correlation of these two is given already";
@@ -275,7 +277,12 @@ pub(super) fn read_joined(reader: &mut Reader, root: &Section, random: &[Random]
 }
 
 /// Which two are named, the first before the second.
-fn pair(reader: &mut Reader, table: &Section, random: &[Random]) -> Option<[usize; 2]> {
+fn pair(
+    reader: &mut Reader,
+    root: &Section,
+    table: &Section,
+    random: &[Random],
+) -> Option<[usize; 2]> {
     let example = "what = [\"load[0]\", \"load[1]\"]";
     let Some(value) = table.value("what") else {
         reader.missing(table, &["what"], "`what`", example);
@@ -290,9 +297,17 @@ fn pair(reader: &mut Reader, table: &Section, random: &[Random]) -> Option<[usiz
         reader.wrong_type(value, message, format!("as in {example}"));
         return None;
     };
+    let all = reader.tables(root, "random", "[[random]]");
     let mut found = [0; 2];
     for (slot, name) in found.iter_mut().zip([a, b]) {
         let Some(index) = random.iter().position(|random| random.name == name.trim()) else {
+            let is_wrong_itself = all.iter().any(|table| {
+                table.value("what").and_then(|what| what.get_ref().as_str()).map(str::trim)
+                    == Some(name.trim())
+            });
+            if is_wrong_itself {
+                return None;
+            }
             let message = format!("no [[random]] is called `{name}`");
             let hint = "only what is random can be correlated";
             reader.report(Fault::new(code::UNKNOWN_WORD, value.span(), message, "", hint));

@@ -15,6 +15,7 @@ Deflections, forces and settlements are positive down, positions are measured fr
 """
 
 from ._batch import Batch, solve_many
+from ._calibrate import Calibration, calibrate
 from ._combinations import Bound, Combinations, Envelope
 from ._errors import Diagnostic, GroundbeamError, ModelError, NoEquilibrium, NotConverged
 from ._model import Existence, Model, load
@@ -26,6 +27,7 @@ from ._solution import (
     Extreme,
     Fields,
     Force,
+    Gradient,
     HingeTurn,
     LiftOff,
     Range,
@@ -38,6 +40,7 @@ __all__ = [
     "Batch",
     "Beam",
     "Bound",
+    "Calibration",
     "Certificate",
     "Combination",
     "Combinations",
@@ -50,6 +53,7 @@ __all__ = [
     "Fields",
     "Force",
     "Foundation",
+    "Gradient",
     "GroundbeamError",
     "Hinge",
     "HingeTurn",
@@ -67,6 +71,7 @@ __all__ = [
     "Summary",
     "Support",
     "__version__",
+    "calibrate",
     "load",
     "merge",
     "solve_many",

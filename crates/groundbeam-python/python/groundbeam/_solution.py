@@ -91,6 +91,17 @@ class Fields(NamedTuple):
     pressure: Union[float, Array]
 
 
+class Gradient(NamedTuple):
+    """A number of a solution with its derivatives, or several of them."""
+
+    value: Union[float, Array]
+    """The output; at several positions an array of it."""
+    derivatives: Array
+    """By each parameter, in their order; at several positions a row for each."""
+    one_sided: list[str]
+    """Why the derivatives hold for small changes in one direction only, if they do."""
+
+
 class Certificate(NamedTuple):
     """The proof, recomputed from the model alone (docs/certificate.md)."""
 
@@ -235,6 +246,34 @@ class Solution:
         """Where a field is smallest and largest on the whole beam: the roots of its derivative, not samples."""
         low_x, low, high_x, high = self._inner.range(field)
         return Range(Extreme(low_x, low), Extreme(high_x, high))
+
+    def gradient(
+        self,
+        output: str,
+        *,
+        at: Union[None, Position, Positions] = None,
+        with_respect_to: Sequence[str],
+        side: str = "right",
+    ) -> Gradient:
+        """Exact derivatives of an output by parameters (docs/derivatives.md).
+
+        Outputs are the fields ``at`` positions, and ``largest moment``, ``smallest gap``, … wherever they are;
+        ``edge[0].left`` and ``edge[0].right``, the ends of a region of contact; ``end_force.left``, ``end_force.right``;
+        ``support[0].force``, ``support[0].moment``; ``potential_energy``. Parameters are called as ``solve_many`` calls
+        them: ``k``, ``mu_factor``, ``EI[0]``, ``load[1].at``, ``gap[0]``, … Only of solutions of the exact method.
+        """
+        if isinstance(with_respect_to, str):
+            raise ValueError("with_respect_to is a list of names")
+        names = list(with_respect_to)
+        if (at is None) == (output in FIELDS):
+            what = "say at which positions" if at is None else "it stands at no position of its own"
+            raise ValueError(f"`{output}`: {what}")
+        x = np.asarray(0.0) if at is None else self._positions(at)
+        asked = [(output, float(each), side) for each in x.ravel()]
+        value, flat, one_sided = self._inner.gradients(asked, names)
+        derivatives = flat.reshape(x.shape + (len(names),))
+        why = list(dict.fromkeys(reason for reasons in one_sided for reason in reasons))
+        return Gradient(float(value[0]) if x.ndim == 0 else value.reshape(x.shape), derivatives, why)
 
     def stations(self, even: int = 100) -> Array:
         """Positions worth listing: equal steps, every load, support, joint, edge of contact, and every extreme."""

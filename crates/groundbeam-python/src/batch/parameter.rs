@@ -3,14 +3,15 @@
 use crate::failure::Failure;
 use crate::model::Read;
 use groundbeam::Model;
-use groundbeam_file::{Course, Target, change};
+use groundbeam::sensitivity::{Parameter as Number, Property};
+use groundbeam_file::{Course, along_the_beam, change, problem};
 use numpy::ndarray::ArrayView2;
 use std::sync::Arc;
 
 /// Numbers for one part of the models, a row for each or one row for all.
 pub struct Parameter {
     name: String,
-    target: Target,
+    target: Number,
     /// Row by row.
     values: Vec<f64>,
     /// Numbers in a row: one, or as many as there are points along the beam.
@@ -25,15 +26,15 @@ impl Parameter {
         models: &[Arc<Read>],
     ) -> Result<Self, Failure> {
         let wrong = |why: String| Err(Failure::Asked(format!("parameter `{name}`: {why}")));
-        let Some(target) = Target::parse(name) else {
-            return wrong(format!("means nothing; what can be changed: {}", Target::NAMES));
+        let Some(target) = Number::named(name) else {
+            return wrong(format!("means nothing; what can be changed: {}", Number::NAMES));
         };
         let width = values.ncols();
-        if width == 0 || (width > 1 && !target.varies_along_the_beam()) {
+        if width == 0 || (width > 1 && along_the_beam(target).is_none()) {
             return wrong("takes one number for each model".to_owned());
         }
         for read in models {
-            if let Some(problem) = target.problem(name, &read.document) {
+            if let Some(problem) = problem(target, name, &read.document) {
                 return wrong(problem);
             }
         }
@@ -50,8 +51,10 @@ impl Parameter {
 
 /// Of fields along the beam, k and μ must be given at the same points.
 pub fn agree(parameters: &[Parameter]) -> Result<(), Failure> {
-    let of_ground =
-        |p: &&Parameter| matches!(p.target, Target::Spring | Target::Shear) && p.width > 1;
+    let of_ground = |p: &&Parameter| {
+        let is_ground = |property| matches!(property, Property::Spring | Property::Shear);
+        p.width > 1 && along_the_beam(p.target).is_some_and(is_ground)
+    };
     let mut fields = parameters.iter().filter(of_ground);
     if let (Some(one), Some(other)) = (fields.next(), fields.next())
         && one.width != other.width

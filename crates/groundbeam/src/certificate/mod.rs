@@ -36,6 +36,7 @@ use hinges::Hinges;
 use joints::Joints;
 use outside::Outside;
 use quadrature::Seen;
+pub(crate) use quadrature::gauss;
 use statics::{Events, SpreadLoad};
 use supports::Supports;
 use surface::Under;

@@ -13,7 +13,7 @@ const GAUSS: [(f64, f64); 6] = [
 ];
 
 /// Points and weights.
-pub(super) fn gauss() -> impl Iterator<Item = (f64, f64)> {
+pub(crate) fn gauss() -> impl Iterator<Item = (f64, f64)> {
     GAUSS.iter().flat_map(|&(s, w)| [(-s, w), (s, w)])
 }
 

@@ -2,6 +2,7 @@
 
 use super::active_set::{Found, turned};
 use super::balanced::Held;
+use super::deflection::Zone;
 use super::layout::Layout;
 use super::stretches::{Stretch, zones_of};
 use crate::chain::{Chain, ChainCell, Loose};
@@ -10,6 +11,7 @@ use crate::elements::{Operator, Touch};
 use crate::mesh::{Cell, Mesh};
 use crate::model::Model;
 use crate::polynomial::rescale;
+use std::borrow::Cow;
 
 /// One beam, glued on stretches that change from step to step.
 #[derive(Debug)]
@@ -27,6 +29,24 @@ struct Known {
     exact: ExactElement,
 }
 
+/// Beam and ground glued together, ready to be solved.
+#[derive(Debug)]
+pub(crate) struct Glued {
+    pub mesh: Mesh,
+    pub zones: Vec<Zone>,
+    pub chain: Chain,
+}
+
+/// Which cells rest on the ground: those within a stretch.
+fn touch_of(stretches: &[Stretch]) -> impl Fn(&Cell) -> Touch + '_ {
+    |cell| {
+        let x = 0.5 * (cell.x[0] + cell.x[1]);
+        let next = stretches.partition_point(|s| s[1] <= x);
+        let touches = stretches.get(next).is_some_and(|s| s[0] < x);
+        if touches { Touch::Contact } else { Touch::Open }
+    }
+}
+
 impl<'a> Glue<'a> {
     pub fn new(model: &'a Model) -> Self {
         Glue { model, known: Vec::new() }
@@ -35,38 +55,20 @@ impl<'a> Glue<'a> {
     /// The beam glued to the ground on given stretches.
     pub fn on(&mut self, stretches: &[Stretch], held: Option<Held>) -> Result<Found, Loose> {
         let model = self.model;
+        let Glued { mesh, zones, mut chain } = self.lay(stretches, &[]);
         let axial = model.beam.axial_force;
-        let touches = |x: f64| {
-            let next = stretches.partition_point(|s| s[1] <= x);
-            stretches.get(next).is_some_and(|s| s[0] < x)
-        };
-        let touch = |cell: &Cell| {
-            if touches(0.5 * (cell.x[0] + cell.x[1])) { Touch::Contact } else { Touch::Open }
-        };
-        let mesh = Mesh::graded(model, stretches.as_flattened(), |cell| {
-            parts(&Operator::of(cell, axial, touch(cell)), cell.length())
-        });
-        let zones = zones_of(&mesh, stretches, &touch);
+        let touch = touch_of(stretches);
         let stiff = |cell: &Cell| Operator::of(cell, axial, touch(cell)).is_stiff_in_shear();
         if axial < 0.0 && model.beam.shears() && !mesh.cells.iter().all(stiff) {
             return Err(Loose);
         }
-        let layout = Layout::of(&mesh, &zones);
-        self.make_elements(&mesh, &touch);
-        let cell = |(i, known): (usize, &Known)| {
-            // Only ends are tied.
-            let element = known.exact.element;
-            layout.chain_cell(&mesh, i, element, |s| element.end_row(s > 0.0))
-        };
-        let cells: Vec<ChainCell> = self.known.iter().enumerate().map(cell).collect();
-        let mut nodes = layout.nodes(&mesh);
         if let Some(held) = held {
-            let node = if held.left { 0 } else { nodes.len() - 1 };
+            let node = if held.left { 0 } else { chain.nodes.len() - 1 };
             let spring = model.beam.bending_stiffness / model.beam.length;
-            nodes[node].rotational_spring += spring;
-            nodes[node].moment += spring * held.slope;
+            chain.nodes[node].rotational_spring += spring;
+            chain.nodes[node].moment += spring * held.slope;
         }
-        let shapes = Chain { nodes, cells, meeting: layout.meeting_node(&mesh) }.solve()?;
+        let shapes = chain.solve()?;
         let layered = self.known.iter().any(|known| known.exact.layers.is_some());
         let (mesh, coefficients, zones) = if layered {
             let (fine, coefficients) = self.in_layers(&mesh, &shapes);
@@ -80,6 +82,35 @@ impl<'a> Glue<'a> {
             return Err(Loose);
         }
         Ok(Found::exact(mesh, coefficients, rotation, zones))
+    }
+
+    /// The chain of beam and ground glued together on given stretches, with nodes at `more` positions.
+    pub fn lay(&mut self, stretches: &[Stretch], more: &[f64]) -> Glued {
+        let axial = self.model.beam.axial_force;
+        let touch = touch_of(stretches);
+        let edges = stretches.as_flattened();
+        let places: Cow<'_, [f64]> =
+            if more.is_empty() { edges.into() } else { [edges, more].concat().into() };
+        let mesh = Mesh::graded(self.model, &places, |cell| {
+            parts(&Operator::of(cell, axial, touch(cell)), cell.length())
+        });
+        let zones = zones_of(&mesh, stretches, &touch);
+        let layout = Layout::of(&mesh, &zones);
+        self.make_elements(&mesh, &touch);
+        let cell = |(i, known): (usize, &Known)| {
+            // Only ends are tied.
+            let element = known.exact.element;
+            layout.chain_cell(&mesh, i, element, |s| element.end_row(s > 0.0))
+        };
+        let cells: Vec<ChainCell> = self.known.iter().enumerate().map(cell).collect();
+        let nodes = layout.nodes(&mesh);
+        let chain = Chain { nodes, cells, meeting: layout.meeting_node(&mesh) };
+        Glued { mesh, zones, chain }
+    }
+
+    /// The elements of the last chain, and whether each rests on the ground.
+    pub fn elements(&self) -> impl Iterator<Item = (&ExactElement, Touch)> {
+        self.known.iter().map(|known| (&known.exact, known.touch))
     }
 
     /// The elements of a mesh, of which those that were known are kept.

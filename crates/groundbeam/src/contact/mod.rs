@@ -11,7 +11,7 @@ pub(crate) mod forms;
 pub(crate) mod glue;
 pub(crate) mod layout;
 pub(crate) mod line;
-mod majorant;
+pub(crate) mod majorant;
 mod narrow;
 mod near;
 pub(crate) mod nested;

@@ -202,7 +202,7 @@ fn halved(
 ///
 /// Forward: the link from the start to each joint; backward: each joint between that link and the next
 /// part. Sums of positive numbers only.
-fn heights(links: &[Link], [start, end]: [f64; 2]) -> (Vec<f64>, Option<Link>) {
+pub(crate) fn heights(links: &[Link], [start, end]: [f64; 2]) -> (Vec<f64>, Option<Link>) {
     let mut so_far: Vec<Link> = Vec::with_capacity(links.len());
     for link in links {
         so_far.push(so_far.last().map_or(*link, |before| before.then(*link)));

@@ -1,13 +1,8 @@
 //! A field of several solutions as polynomials on common intervals.
 
-use crate::ground::settled;
+use crate::ground::{self, settled};
 use crate::polynomial::{Coefficients, derivative, rescale};
 use crate::solution::{Field, Solution, Stretch};
-
-/// Open ground is cut into pieces of so many decay lengths: on one of them u is a polynomial to the last digit.
-const PIECE: f64 = 2.0;
-/// So many decay lengths from what moves it, open ground does not move: e⁻⁴⁰ is less than rounding.
-const FAR: f64 = 40.0;
 
 /// One field of several solutions, ready to be cut.
 pub(super) struct Forms<'a> {
@@ -23,7 +18,8 @@ impl<'a> Forms<'a> {
         for stretch in solutions.iter().flat_map(|solution| &solution.stretches) {
             joints.extend(stretch.x);
             if matches!(field, Field::Settlement | Field::Gap) && is_exponential(stretch) {
-                cut(stretch, &mut joints);
+                let decay = (stretch.cell.shear / stretch.cell.spring).sqrt();
+                ground::cut(stretch.x, decay, &mut joints);
             }
         }
         joints.sort_by(f64::total_cmp);
@@ -64,19 +60,6 @@ pub(super) fn position([from, to]: [f64; 2], s: f64) -> f64 {
 fn is_exponential(stretch: &Stretch) -> bool {
     let moves = stretch.open.is_some_and(|ends| ends != [0.0, 0.0]);
     moves && stretch.settlement.is_empty() && stretch.cell.shear > 0.0
-}
-
-/// Cuts open ground near both ends of a stretch, where it bends.
-fn cut(stretch: &Stretch, joints: &mut Vec<f64>) {
-    let decay = (stretch.cell.shear / stretch.cell.spring).sqrt();
-    let [from, to] = stretch.x;
-    let reach = (FAR * decay).min(to - from);
-    let mut step = PIECE * decay;
-    while step < reach {
-        joints.extend([from + step, to - step]);
-        step += PIECE * decay;
-    }
-    joints.extend([from + reach, to - reach]);
 }
 
 /// A field on a part of a stretch, in the part's own coordinate.
@@ -126,7 +109,7 @@ fn pressed_ground(stretch: &Stretch, [a, b]: [f64; 2]) -> Coefficients {
     let (k, mu) = (stretch.cell.spring, stretch.cell.shear);
     let half = 0.5 * (b - a) * stretch.half;
     // A piece this long lies far from both ends.
-    if 2.0 * half > 1.5 * PIECE * (mu / k).sqrt() {
+    if 2.0 * half > 1.5 * ground::PIECE * (mu / k).sqrt() {
         return Coefficients::zeros(1);
     }
     let ends = stretch.open.unwrap_or_default();

@@ -1,0 +1,313 @@
+"""From measured settlements back to the ground: bounded least squares with exact derivatives."""
+
+from __future__ import annotations
+
+from typing import Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from ._errors import NoEquilibrium, NotConverged
+from ._model import Model
+from ._solution import FIELDS, Array, Position, Positions, Solution, positions_of
+
+Measured = Mapping[str, Union[float, Tuple[Union[Position, Positions], Union[float, Sequence[float], Array]]]]
+"""Fields with positions and values, as ``{"settlement": (x, values)}``; other outputs with one value."""
+
+_STEPS = 200
+"""Solves at most."""
+_SMALL = 1e-10
+"""A step that is none."""
+_FIRST_DAMPING, _HIGHEST_DAMPING = 1e-3, 1e12
+_FARTHEST = 2.0
+"""The longest step, in logarithms."""
+_VAGUE = 1.0
+"""A combination of unknowns known no better than to a factor of e is not identified."""
+
+
+class Calibration(NamedTuple):
+    """What measurements say about a model."""
+
+    values: dict[str, float]
+    """The unknowns."""
+    standard_errors: dict[str, float]
+    """Of each of them, from the noise; NaN for one at its bound, and where there is nothing to estimate the noise from."""
+    correlation: Array
+    """Of their errors, in their order; NaN at bounds."""
+    residuals: dict[str, Array]
+    """What was measured less what the model gives, as measured."""
+    noise: float
+    """Standard deviation of what was measured, over the noise that was given; over 1 where none was given."""
+    singular_values: Array
+    """How well combinations of the unknowns are known, the best first: the inverse standard errors of their logarithms."""
+    directions: Array
+    """These combinations, a row each: by how much each unknown takes part."""
+    unidentified: list[str]
+    """In words, combinations that the measurements leave free by a factor of e or more."""
+    at_bound: list[str]
+    """Unknowns that stopped at a bound."""
+    one_sided: bool
+    """Whether contact is about to change at the answer, which the errors then do not see."""
+    steps: int
+    """Solves it took."""
+    solution: Solution
+    """The answer with these values."""
+
+
+class _Problem:
+    """Residuals and their derivatives by scaled unknowns."""
+
+    def __init__(
+        self,
+        model: Model,
+        measured: Measured,
+        unknown: Sequence[str],
+        noise: Union[None, float, Mapping[str, float]],
+        combination: Optional[str],
+    ) -> None:
+        self.model, self.unknown, self.combination = model, list(unknown), combination
+        if not self.unknown or len(set(self.unknown)) != len(self.unknown):
+            raise ValueError("unknown: the names of one or more parameters, each once")
+        self.outputs: list[Tuple[str, Optional[Array]]] = []
+        self.shapes: list[int] = []
+        values: list[Array] = []
+        sizes: list[Array] = []
+        if noise is None and len(measured) > 1:
+            raise ValueError("several kinds of measurements are weighed by their noise: give it")
+        for name, given in measured.items():
+            at: Optional[Array] = None
+            if name in FIELDS:
+                if not isinstance(given, tuple):
+                    raise ValueError(f"measured `{name}`: give positions and values")
+                at = np.atleast_1d(positions_of(None, given[0])).ravel()
+                value = np.atleast_1d(np.asarray(given[1], dtype=np.float64)).ravel()
+                if at.shape != value.shape:
+                    raise ValueError(f"measured `{name}`: {at.size} positions and {value.size} values")
+            else:
+                if isinstance(given, tuple):
+                    raise ValueError(f"measured `{name}`: give one value")
+                value = np.array([float(given)])
+            own = noise.get(name) if isinstance(noise, Mapping) else noise
+            size = 1.0 if own is None else float(own)
+            if not size > 0.0 or not np.isfinite(size):
+                raise ValueError(f"noise of `{name}`: a positive standard deviation")
+            if not np.isfinite(value).all():
+                raise ValueError(f"measured `{name}`: a value is not a number")
+            self.outputs.append((name, at))
+            self.shapes.append(value.size)
+            values.append(value)
+            sizes.append(np.full(value.size, size))
+        if not values:
+            raise ValueError("nothing was measured")
+        self.measured, self.noise = np.concatenate(values), np.concatenate(sizes)
+        self.noise_given = noise is not None
+        if self.measured.size < len(self.unknown):
+            raise ValueError(
+                f"{self.measured.size} measurements cannot tell {len(self.unknown)} unknowns"
+            )
+
+    def at(self, values: Array) -> Tuple[Array, Array, Solution, bool]:
+        """Weighed residuals, their derivatives by the unknowns, the solution, and whether those have one side."""
+        numbers = [(name, float(value)) for name, value in zip(self.unknown, values)]
+        solution = Solution(self.model._inner.solve_with(numbers, self.combination))
+        found: list[Array] = []
+        slopes: list[Array] = []
+        one_sided = False
+        for name, at in self.outputs:
+            gradient = solution.gradient(name, at=at, with_respect_to=self.unknown)
+            found.append(np.atleast_1d(np.asarray(gradient.value)))
+            slopes.append(gradient.derivatives.reshape(-1, len(self.unknown)))
+            one_sided = one_sided or bool(gradient.one_sided)
+        residual = (np.concatenate(found) - self.measured) / self.noise
+        return residual, np.concatenate(slopes) / self.noise[:, None], solution, one_sided
+
+
+def _is_positive(name: str) -> bool:
+    word = name.split("[")[0].split(".")[0]
+    return word in ("k", "mu", "EI", "hinge") or word.endswith("_factor") or "spring" in name
+
+
+def calibrate(
+    model: Model,
+    measured: Measured,
+    unknown: Sequence[str],
+    *,
+    noise: Union[None, float, Mapping[str, float]] = None,
+    bounds: Optional[Mapping[str, Tuple[float, float]]] = None,
+    start: Optional[Mapping[str, float]] = None,
+    combination: Optional[str] = None,
+) -> Calibration:
+    """Finds the numbers of a model with which it gives what was measured, by least squares.
+
+    ``measured`` has fields with positions and values, ``{"settlement": ([1.0, 3.0], [0.004, 0.003])}``, and single outputs
+    such as ``"end_force.left"``; ``unknown`` the names of parameters, as ``Solution.gradient`` knows them: ``k``, ``mu``,
+    ``EI``, of segments ``k[0]``, factors, loads. ``noise`` is the standard deviation of the measurements, one for all or one
+    for each kind; without it it is estimated from what the model leaves. ``bounds`` limit unknowns, ``start`` says where
+    to begin if not at the model's own numbers. Positive unknowns are sought as logarithms. All are in SI units.
+
+    Beside the values come their standard errors, and in words what the measurements do not tell
+    (docs/derivatives.md#calibration).
+    """
+    problem = _Problem(model, measured, unknown, noise, combination)
+    for what in (bounds or {}), (start or {}):
+        for name in what:
+            if name not in problem.unknown:
+                raise ValueError(f"`{name}` is none of the unknowns {', '.join(problem.unknown)}")
+    scale = _Scale(problem, bounds or {}, start or {})
+    return _judged(problem, scale, _least(problem, scale))
+
+
+class _Scale:
+    """Unknowns as they are sought: positive ones as logarithms, others over a size of their own."""
+
+    def __init__(
+        self,
+        problem: _Problem,
+        bounds: Mapping[str, Tuple[float, float]],
+        start: Mapping[str, float],
+    ) -> None:
+        names, model = problem.unknown, problem.model
+        own = [model._inner.number(name, problem.combination) for name in names]
+        first = np.array([start.get(name, value) for name, value in zip(names, own)], dtype=np.float64)
+        limits = np.array([bounds.get(name, (-np.inf, np.inf)) for name in names], dtype=np.float64)
+        self.positive = np.array([_is_positive(name) for name in names])
+        self.lowest, self.highest = limits[:, 0], limits[:, 1]
+        for name, value, lowest, highest, positive in zip(
+            names, first, self.lowest, self.highest, self.positive
+        ):
+            if not lowest < highest or not lowest <= value <= highest:
+                raise ValueError(
+                    f"`{name}` begins at {value:g}, which is not within {lowest:g} and {highest:g}"
+                )
+            if positive and not value > 0.0:
+                raise ValueError(f"`{name}` begins at {value:g}: give a positive start")
+        width = self.highest - self.lowest
+        size = np.where(first != 0.0, np.abs(first), 1.0)
+        self.unit = np.where(np.isfinite(width), width, size)
+        self.low, self.high = self.scaled(self.lowest), self.scaled(self.highest)
+        self.first = np.clip(self.scaled(first), self.low, self.high)
+
+    def scaled(self, values: Array) -> Array:
+        with np.errstate(divide="ignore"):
+            logarithms = np.log(np.maximum(values, 0.0))
+        return np.where(self.positive, logarithms, values / self.unit)
+
+    def values(self, theta: Array) -> Array:
+        logarithms = np.where(self.positive, theta, 0.0)
+        values = np.where(self.positive, np.exp(logarithms), theta * self.unit)
+        # At a bound it is the bound, to the last bit.
+        values = np.where(theta <= self.low, self.lowest, values)
+        return np.asarray(np.where(theta >= self.high, self.highest, values))
+
+    def slopes(self, theta: Array) -> Array:
+        """d value/d theta."""
+        return np.where(self.positive, self.values(theta), self.unit)
+
+
+class _Least(NamedTuple):
+    """The least squares: unknowns as they are sought, and the last look at the problem."""
+
+    theta: Array
+    residual: Array
+    jacobian: Array
+    solution: Solution
+    one_sided: bool
+    steps: int
+
+
+def _least(problem: _Problem, scale: _Scale) -> _Least:
+    """Levenberg's and Marquardt's method, its steps cut off at the bounds."""
+
+    def look(theta: Array, steps: int) -> _Least:
+        residual, jacobian, solution, one_sided = problem.at(scale.values(theta))
+        return _Least(theta, residual, jacobian * scale.slopes(theta), solution, one_sided, steps)
+
+    best, damping = look(scale.first, 1), _FIRST_DAMPING
+    for steps in range(2, _STEPS + 1):
+        step = _step(best, scale, damping)
+        trial = np.clip(best.theta + step, scale.low, scale.high)
+        moved = trial - best.theta
+        if np.abs(moved).max() <= _SMALL:
+            break
+        try:
+            found = look(trial, steps)
+        except (NoEquilibrium, NotConverged):
+            damping *= 10.0
+            continue
+        was, now = best.residual @ best.residual, found.residual @ found.residual
+        if now >= was:
+            damping *= 10.0
+            if damping > _HIGHEST_DAMPING:
+                break
+            continue
+        expected = was - ((best.residual + best.jacobian @ moved) ** 2).sum()
+        damping = damping / 10.0 if was - now > 0.25 * expected else damping * 2.0
+        best = found
+    return best._replace(steps=steps)
+
+
+def _step(best: _Least, scale: _Scale, damping: float) -> Array:
+    """The damped step of least squares of those unknowns that do not press against a bound."""
+    downhill = -best.jacobian.T @ best.residual
+    low, high = best.theta <= scale.low, best.theta >= scale.high
+    free = ~((low & (downhill < 0.0)) | (high & (downhill > 0.0)))
+    step = np.zeros(best.theta.size)
+    own = best.jacobian[:, free]
+    if not own.any():
+        return step
+    squares = (own**2).sum(axis=0)
+    weights = np.sqrt(damping * np.maximum(squares, _SMALL * squares.max()))
+    system = np.vstack([own, np.diag(weights)])
+    aim = np.concatenate([-best.residual, np.zeros(weights.size)])
+    step[free] = np.linalg.lstsq(system, aim, rcond=None)[0]
+    return np.asarray(step * min(1.0, _FARTHEST / max(float(np.abs(step).max()), _SMALL)))
+
+
+def _judged(problem: _Problem, scale: _Scale, best: _Least) -> Calibration:
+    """What the least squares are worth."""
+    names, count = problem.unknown, len(problem.unknown)
+    values = scale.values(best.theta)
+    bound = (best.theta <= scale.low) | (best.theta >= scale.high)
+    free = np.flatnonzero(~bound)
+    over = best.residual.size - free.size
+    noise = float(np.sqrt(best.residual @ best.residual / over)) if over > 0 else float("nan")
+    # Where the noise was given it is believed.
+    size = 1.0 if problem.noise_given else noise
+    _, singular, directions = np.linalg.svd(best.jacobian[:, free], full_matrices=False)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        known = singular / size
+        spread = directions.T / known
+        errors = np.sqrt((spread**2).sum(axis=1))
+        correlations = spread @ spread.T / np.outer(errors, errors)
+    whole = np.full(count, np.nan)
+    whole[free] = errors * scale.slopes(best.theta)[free]
+    correlation = np.full((count, count), np.nan)
+    correlation[np.ix_(free, free)] = correlations
+    rows = np.zeros((singular.size, count))
+    rows[:, free] = directions
+    vague = [row for row, known in zip(rows, known) if not known > _VAGUE]
+    split = np.split(-best.residual * problem.noise, np.cumsum(problem.shapes)[:-1])
+    return Calibration(
+        {name: float(value) for name, value in zip(names, values)},
+        {name: float(error) for name, error in zip(names, whole)},
+        correlation,
+        {name: each for (name, _), each in zip(problem.outputs, split)},
+        noise,
+        known,
+        rows,
+        [_in_words(names, row) for row in vague],
+        [name for name, stops in zip(names, bound) if stops],
+        best.one_sided,
+        best.steps,
+        best.solution,
+    )
+
+
+def _in_words(names: Sequence[str], row: Array) -> str:
+    """A combination of unknowns, those of them that take part."""
+    largest = row[np.argmax(np.abs(row))]
+    parts = [
+        (name, "up" if share * largest > 0.0 else "down")
+        for name, share in zip(names, row)
+        if abs(share) >= 0.2 * abs(largest)
+    ]
+    return parts[0][0] if len(parts) == 1 else " with ".join(" ".join(part) for part in parts)

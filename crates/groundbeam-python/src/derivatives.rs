@@ -1,0 +1,67 @@
+//! Derivatives by name: what is asked for in words, and answered in arrays.
+
+use crate::failure::Failure;
+use crate::solution::{Solution, field, side};
+use groundbeam::sensitivity::{Output, Parameter};
+use groundbeam_report::Units;
+
+/// An output: its name, and where and from which side a field is looked at.
+pub type Asked = (String, f64, String);
+
+/// Of every output its value, its derivatives one after the other, and why they have one side, if they do.
+pub type Gradients = (Vec<f64>, Vec<f64>, Vec<Vec<String>>);
+
+/// The output that is called so; fields stand at a position.
+fn output((name, at, from_side): &Asked) -> Result<Output, Failure> {
+    if let Some(output) = Output::named(name) {
+        return Ok(output);
+    }
+    match field(name) {
+        Ok(field) => Ok(Output::Value(field, *at, side(from_side)?)),
+        Err(_) => Err(Failure::Asked(format!(
+            "no output is called `{name}`; outputs are fields at positions, {}",
+            Output::NAMES
+        ))),
+    }
+}
+
+/// The parameter that is called so.
+pub fn parameter(name: &str) -> Result<Parameter, Failure> {
+    Parameter::named(name).ok_or_else(|| {
+        let names = Parameter::NAMES;
+        Failure::Asked(format!("parameter `{name}`: means nothing; what can be changed: {names}"))
+    })
+}
+
+/// Derivatives of all outputs by all parameters.
+pub fn gradients(
+    solution: &Solution,
+    outputs: &[Asked],
+    parameters: &[String],
+) -> Result<Gradients, Failure> {
+    let outputs = outputs.iter().map(output).collect::<Result<Vec<_>, _>>()?;
+    let by: Vec<Parameter> =
+        parameters.iter().map(|name| parameter(name)).collect::<Result<_, _>>()?;
+    for (name, parameter) in parameters.iter().zip(&by) {
+        if solution.combination.bed.is_some() && parameter.is_of_ground() {
+            let why = "the model's ground is made of its soil";
+            return Err(Failure::Asked(format!("parameter `{name}`: {why}")));
+        }
+        if parameter.value(solution.found.model()).is_none() {
+            let why =
+                "the model has no such number, or gives it by segments that vary: try a factor";
+            return Err(Failure::Asked(format!("parameter `{name}`: {why}")));
+        }
+    }
+    let found = solution.found.gradients(&outputs, &by);
+    let found = found.map_err(|why| Failure::Asked(why.to_string()))?;
+    let si = solution.read.units() == Units::Si;
+    let words = |one_sided: &[groundbeam::sensitivity::OneSided]| {
+        one_sided.iter().map(|why| why.in_words(if si { " m" } else { "" })).collect()
+    };
+    Ok((
+        found.iter().map(|gradient| gradient.value).collect(),
+        found.iter().flat_map(|gradient| gradient.derivatives.iter().copied()).collect(),
+        found.iter().map(|gradient| words(&gradient.one_sided)).collect(),
+    ))
+}

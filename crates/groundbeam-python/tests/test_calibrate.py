@@ -1,0 +1,125 @@
+"""Calibration: synthetic measurements of a known truth, with noise."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import groundbeam as gb
+import numpy as np
+import pytest
+from groundbeam._solution import Array
+
+X = np.linspace(0.0, 12.0, 13)
+TRUTH = {"k": 40e6, "mu": 9e6}
+
+
+def guess(footing: gb.Model) -> gb.Model:
+    return gb.Model(
+        gb.Beam(12.0, 1.28e9),
+        gb.Foundation(10e6, 30e6),
+        loads=[gb.Load.point(900e3, 1.5), gb.Load.distributed(10e3, 0.0, 12.0)],
+    )
+
+
+def settled(model: gb.Model) -> Array:
+    return np.asarray(model.solve().deflection(X))
+
+
+def test_without_noise_the_truth_comes_back(footing: gb.Model) -> None:
+    found = gb.calibrate(guess(footing), {"deflection": (X, settled(footing))}, ["k", "mu"], noise=1e-5)
+    for name, true in TRUTH.items():
+        assert found.values[name] == pytest.approx(true, rel=1e-7)
+    assert found.steps < 40 and found.unidentified == [] and found.at_bound == []
+    assert np.abs(found.residuals["deflection"]).max() < 1e-10
+
+
+def test_standard_errors_cover_the_truth(footing: gb.Model) -> None:
+    """Of 300 answers 68 % lie within one standard error and 95 % within two, give or take three times the spread of
+    such a count."""
+    exact, model, noise = settled(footing), guess(footing), 3e-5
+    inside = {name: np.zeros(2) for name in TRUTH}
+    seeds = 300
+    for seed in range(seeds):
+        measured = exact + np.random.default_rng(seed).normal(0.0, noise, X.size)
+        found = gb.calibrate(model, {"deflection": (X, measured)}, ["k", "mu"], noise=noise)
+        for name, true in TRUTH.items():
+            off = abs(found.values[name] - true) / found.standard_errors[name]
+            inside[name] += [off < 1.0, off < 2.0]
+    for counts in inside.values():
+        for count, share in zip(counts, (0.683, 0.954)):
+            assert abs(count / seeds - share) < 3.0 * np.sqrt(share * (1.0 - share) / seeds)
+
+
+def test_the_noise_is_estimated(footing: gb.Model) -> None:
+    noise = 3e-5
+    estimates = []
+    for seed in range(40):
+        measured = settled(footing) + np.random.default_rng(seed).normal(0.0, noise, X.size)
+        estimates.append(gb.calibrate(footing, {"deflection": (X, measured)}, ["k", "mu"]).noise)
+    assert np.sqrt(np.mean(np.square(estimates))) == pytest.approx(noise, rel=0.1)
+
+
+def test_what_is_not_identifiable_is_named(footing: gb.Model) -> None:
+    """How a very stiff beam settles tells nothing of EI, and little of the shear layer beside the spring."""
+    stiff = gb.Model(
+        gb.Beam(4.0, 1e12), gb.Foundation(40e6, 9e6), loads=[gb.Load.point(900e3, 2.0)]
+    )
+    x = np.array([0.0, 1.0, 2.0, 3.0, 4.0])
+    measured = np.asarray(stiff.solve().deflection(x))
+    found = gb.calibrate(stiff, {"deflection": (x, measured)}, ["k", "mu", "EI"], noise=1e-5)
+    assert sorted(found.unidentified) == ["EI", "mu"]
+    assert found.singular_values[0] > 10.0 > 1.0 > found.singular_values[1]
+    # Ends that settle by as much as the middle tell one sum of k and mu.
+    middle = gb.calibrate(
+        stiff, {"deflection": ([2.0, 2.0], [measured[2]] * 2)}, ["k", "mu"], noise=1e-7
+    )
+    [combination] = middle.unidentified
+    assert combination in ("mu up with k down", "k down with mu up", "k up with mu down", "mu")
+
+
+def test_bounds_hold(footing: gb.Model) -> None:
+    found = gb.calibrate(
+        footing,
+        {"deflection": (X, settled(footing))},
+        ["k", "mu"],
+        noise=1e-5,
+        bounds={"k": (20e6, 30e6)},
+        start={"k": 25e6},
+    )
+    assert found.values["k"] == 30e6 and found.at_bound == ["k"]
+    assert np.isnan(found.standard_errors["k"]) and found.standard_errors["mu"] > 0.0
+
+
+def test_several_kinds_and_unknown_loads(footing: gb.Model) -> None:
+    exact = footing.solve()
+    measured: dict[str, Any] = {
+        "deflection": (X[::4], exact.deflection(X[::4])),
+        "end_force.left": exact.end_forces.left,
+    }
+    found = gb.calibrate(
+        footing,
+        measured,
+        ["load[0]", "load[0].at"],
+        noise={"deflection": 1e-5, "end_force.left": 1e3},
+        start={"load[0]": 700e3, "load[0].at": 2.0},
+    )
+    assert found.values["load[0]"] == pytest.approx(900e3, rel=1e-6)
+    assert found.values["load[0].at"] == pytest.approx(1.5, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("measured", "unknown", "why"),
+    [
+        ({}, ["k"], "nothing was measured"),
+        ({"deflection": (X, X[:3])}, ["k"], "13 positions and 3 values"),
+        ({"deflection": ([1.0], [1e-3])}, ["k", "mu"], "cannot tell 2 unknowns"),
+        ({"deflection": (X, X)}, [], "names of one or more"),
+        ({"deflection": (X, X)}, ["kk"], "means nothing"),
+        ({"largest moment": 1.0, "deflection": (X, X)}, ["k"], "give it"),
+    ],
+)
+def test_what_is_refused(
+    footing: gb.Model, measured: dict[str, Any], unknown: list[str], why: str
+) -> None:
+    with pytest.raises(ValueError, match=why):
+        gb.calibrate(footing, measured, unknown)

@@ -1,0 +1,279 @@
+//! What outputs are derived with respect to.
+
+use crate::model::{Load, Model};
+
+/// A property of beam or ground.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Property {
+    /// EI \[N·m²\].
+    BendingStiffness,
+    /// k \[N/m²\].
+    Spring,
+    /// μ \[N\].
+    Shear,
+}
+
+/// Where a property is meant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Extent {
+    /// On all segments and outside them.
+    Whole,
+    /// Wherever no segment says otherwise: the model's own value.
+    OutsideSegments,
+    /// On one segment, counted from 0; of the ground with what goes on from it beside the beam.
+    Segment(usize),
+}
+
+/// A number of a load.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum LoadNumber {
+    /// Its force, moment or curvature; of a spread one the same all along, both ends at once.
+    Size,
+    /// The position of a point load \[m\].
+    At,
+    /// The left end of a spread load \[m\].
+    From,
+    /// The right end of a spread load \[m\].
+    To,
+    /// The intensity at the left end.
+    Start,
+    /// The intensity at the right end.
+    End,
+}
+
+/// A number of a support.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum SupportNumber {
+    /// Its settlement \[m\].
+    Settlement,
+    /// Its spring constant \[N/m\].
+    Spring,
+    /// Its rotational spring constant \[N·m/rad\].
+    RotationalSpring,
+}
+
+/// A number of a model. Parts are counted from 0, in the model's own order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Parameter {
+    /// A property's value, where it does not vary. On the `Whole` only where no segment gives it.
+    Value(Property, Extent),
+    /// A factor on a property, at 1.
+    Factor(Property, Extent),
+    /// P \[N\].
+    AxialForce,
+    /// A number of one load.
+    Load(usize, LoadNumber),
+    /// A factor on all loads, at 1.
+    LoadFactor,
+    /// A number of one support.
+    Support(usize, SupportNumber),
+    /// The rotational spring constant of one hinge \[N·m/rad\].
+    HingeSpring(usize),
+    /// The initial clearance at one point of the gap's profile \[m\].
+    Gap(usize),
+}
+
+impl Parameter {
+    /// Whether it is one of k and μ.
+    pub fn is_of_ground(self) -> bool {
+        use Property::{Shear, Spring};
+        matches!(self, Parameter::Value(Spring | Shear, _) | Parameter::Factor(Spring | Shear, _))
+    }
+
+    /// The number itself, as the model has it; none where it has none such.
+    pub fn value(self, model: &Model) -> Option<f64> {
+        match self {
+            Parameter::Value(property, extent) => constant(model, property, extent),
+            Parameter::Factor(_, Extent::Segment(i)) if i >= segments(model, self) => None,
+            Parameter::Factor(..) | Parameter::LoadFactor => Some(1.0),
+            Parameter::AxialForce => Some(model.beam.axial_force),
+            Parameter::Load(i, number) => of_load(model.loads.get(i)?, number),
+            Parameter::Support(i, number) => {
+                let support = model.supports.get(i)?;
+                match (number, support.kind) {
+                    (SupportNumber::Settlement, _) => Some(support.settlement),
+                    (SupportNumber::Spring, crate::SupportKind::Spring { spring, .. }) => {
+                        Some(spring)
+                    }
+                    (
+                        SupportNumber::RotationalSpring,
+                        crate::SupportKind::Spring { rotational_spring, .. },
+                    ) => Some(rotational_spring),
+                    _ => None,
+                }
+            }
+            Parameter::HingeSpring(i) => Some(model.hinges.get(i)?.rotational_spring),
+            Parameter::Gap(i) => Some(model.gap.get(i)?.value),
+        }
+    }
+
+    /// The model with another number; none where it has none such.
+    pub fn set(self, model: &Model, to: f64) -> Option<Model> {
+        let mut model = model.clone();
+        self.assign(&mut model, to).then_some(model)
+    }
+
+    /// Changes the number in a model, and tells whether the model has it.
+    pub fn assign(self, model: &mut Model, to: f64) -> bool {
+        self.value(model).is_some() && self.assigned(model, to).is_some()
+    }
+
+    fn assigned(self, model: &mut Model, to: f64) -> Option<()> {
+        match self {
+            Parameter::Value(property, extent) => set_property(model, property, extent, to),
+            Parameter::Factor(property, extent) => scale(model, property, extent, to),
+            Parameter::LoadFactor => {
+                for load in &mut model.loads {
+                    *load = load.scaled(to);
+                }
+            }
+            Parameter::AxialForce => model.beam.axial_force = to,
+            Parameter::Load(i, number) => set_load(model.loads.get_mut(i)?, number, to),
+            Parameter::Support(i, number) => {
+                let support = model.supports.get_mut(i)?;
+                match (number, &mut support.kind) {
+                    (SupportNumber::Settlement, _) => support.settlement = to,
+                    (SupportNumber::Spring, crate::SupportKind::Spring { spring, .. }) => {
+                        *spring = to;
+                    }
+                    (
+                        SupportNumber::RotationalSpring,
+                        crate::SupportKind::Spring { rotational_spring, .. },
+                    ) => *rotational_spring = to,
+                    _ => return None,
+                }
+            }
+            Parameter::HingeSpring(i) => model.hinges.get_mut(i)?.rotational_spring = to,
+            Parameter::Gap(i) => model.gap.get_mut(i)?.value = to,
+        }
+        Some(())
+    }
+}
+
+fn segments(model: &Model, parameter: Parameter) -> usize {
+    match parameter {
+        Parameter::Factor(Property::BendingStiffness, _) => model.beam.segments.len(),
+        _ => model.foundation.segments.len(),
+    }
+}
+
+/// A property's value where it is constant.
+fn constant(model: &Model, property: Property, extent: Extent) -> Option<f64> {
+    let (beam, ground) = (&model.beam, &model.foundation);
+    let (own, profile) = match property {
+        Property::BendingStiffness => {
+            (beam.bending_stiffness, beam.segments.iter().map(|s| s.bending_stiffness).collect())
+        }
+        Property::Spring => {
+            (ground.spring, ground.segments.iter().map(|s| s.spring).collect::<Vec<_>>())
+        }
+        Property::Shear => (ground.shear, ground.segments.iter().map(|s| s.shear).collect()),
+    };
+    match extent {
+        Extent::Whole => profile.is_empty().then_some(own),
+        Extent::OutsideSegments => Some(own),
+        Extent::Segment(i) => {
+            profile.get(i).filter(|profile| profile.is_constant()).map(|profile| profile.start())
+        }
+    }
+}
+
+fn set_property(model: &mut Model, property: Property, extent: Extent, to: f64) {
+    let (beam, ground) = (&mut model.beam, &mut model.foundation);
+    match (property, extent) {
+        (Property::BendingStiffness, Extent::Segment(i)) => {
+            if let Some(segment) = beam.segments.get_mut(i) {
+                segment.bending_stiffness = to.into();
+            }
+        }
+        (Property::Spring, Extent::Segment(i)) => {
+            if let Some(segment) = ground.segments.get_mut(i) {
+                segment.spring = to.into();
+            }
+        }
+        (Property::Shear, Extent::Segment(i)) => {
+            if let Some(segment) = ground.segments.get_mut(i) {
+                segment.shear = to.into();
+            }
+        }
+        (Property::BendingStiffness, _) => beam.bending_stiffness = to,
+        (Property::Spring, _) => ground.spring = to,
+        (Property::Shear, _) => ground.shear = to,
+    }
+}
+
+fn scale(model: &mut Model, property: Property, extent: Extent, factor: f64) {
+    let (beam, ground) = (&mut model.beam, &mut model.foundation);
+    if !matches!(extent, Extent::Segment(_)) {
+        match property {
+            Property::BendingStiffness => beam.bending_stiffness *= factor,
+            Property::Spring => ground.spring *= factor,
+            Property::Shear => ground.shear *= factor,
+        }
+    }
+    let meant = |i: usize| extent == Extent::Whole || extent == Extent::Segment(i);
+    match property {
+        Property::BendingStiffness => {
+            for (_, segment) in beam.segments.iter_mut().enumerate().filter(|(i, _)| meant(*i)) {
+                segment.bending_stiffness = segment.bending_stiffness.scaled(factor);
+            }
+        }
+        _ => {
+            for (_, segment) in ground.segments.iter_mut().enumerate().filter(|(i, _)| meant(*i)) {
+                let profile = match property {
+                    Property::Spring => &mut segment.spring,
+                    _ => &mut segment.shear,
+                };
+                *profile = profile.scaled(factor);
+            }
+        }
+    }
+}
+
+/// A number of a load, if it has it.
+pub(super) fn of_load(load: &Load, number: LoadNumber) -> Option<f64> {
+    match (*load, number) {
+        (Load::PointForce { force: size, .. }, LoadNumber::Size)
+        | (Load::GroundForce { force: size, .. }, LoadNumber::Size)
+        | (Load::PointMoment { moment: size, .. }, LoadNumber::Size) => Some(size),
+        (Load::PointForce { at, .. } | Load::PointMoment { at, .. }, LoadNumber::At) => Some(at),
+        (
+            Load::Distributed { from, to, start, end }
+            | Load::DistributedMoment { from, to, start, end }
+            | Load::Curvature { from, to, start, end },
+            number,
+        ) => match number {
+            LoadNumber::Size => (start == end).then_some(start),
+            LoadNumber::From => Some(from),
+            LoadNumber::To => Some(to),
+            LoadNumber::Start => Some(start),
+            LoadNumber::End => Some(end),
+            LoadNumber::At => None,
+        },
+        _ => None,
+    }
+}
+
+fn set_load(load: &mut Load, number: LoadNumber, value: f64) {
+    match (load, number) {
+        (Load::PointForce { force: size, .. }, LoadNumber::Size)
+        | (Load::GroundForce { force: size, .. }, LoadNumber::Size)
+        | (Load::PointMoment { moment: size, .. }, LoadNumber::Size) => *size = value,
+        (Load::PointForce { at, .. } | Load::PointMoment { at, .. }, LoadNumber::At) => *at = value,
+        (
+            Load::Distributed { from, to, start, end }
+            | Load::DistributedMoment { from, to, start, end }
+            | Load::Curvature { from, to, start, end },
+            number,
+        ) => match number {
+            LoadNumber::Size => [*start, *end] = [value; 2],
+            LoadNumber::From => *from = value,
+            LoadNumber::To => *to = value,
+            LoadNumber::Start => *start = value,
+            LoadNumber::End => *end = value,
+            LoadNumber::At => {}
+        },
+        _ => {}
+    }
+}

@@ -1,0 +1,188 @@
+//! Derivatives: closed forms, theorems that hold for all models, and what is refused.
+
+use groundbeam::sensitivity::{
+    Extent, LoadNumber, NotDifferentiable, OneSided, Output, Parameter, Property, SupportNumber,
+};
+use groundbeam::{
+    Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Side, Solution, Support, solve,
+    solve_with,
+};
+use groundbeam_verification::random::{Family, model};
+
+fn solved(model: &Model) -> Solution {
+    match solve(model) {
+        Ok(Outcome::Equilibrium(solution)) => *solution,
+        other => panic!("{other:?}: {model:?}"),
+    }
+}
+
+fn derivatives(solution: &Solution, output: Output, by: &[Parameter]) -> Vec<f64> {
+    let gradient = solution.gradients(&[output], by).expect("derivatives").remove(0);
+    gradient.derivatives
+}
+
+fn near(found: f64, exact: f64) {
+    assert!((found - exact).abs() <= 1e-12 * exact.abs().max(1.0), "{found} {exact}");
+}
+
+/// A beam on two supports, high above the ground: influence lines of a force F at a (any book of statics).
+#[test]
+fn influence_lines_of_a_beam_on_two_supports() {
+    let (l, ei, a, force, x) = (6.0, 7.0, 2.0, 1.5, 4.0);
+    let model = Model::new(Beam::uniform(l, ei), Foundation::winkler(1.0))
+        .with_gap(0.0, 1e3)
+        .with_support(Support::pinned(0.0))
+        .with_support(Support::pinned(l))
+        .with_load(Load::point(force, a));
+    let solution = solved(&model);
+    let settles = |i| Parameter::Support(i, SupportNumber::Settlement);
+    let by = [
+        Parameter::Load(0, LoadNumber::Size),
+        Parameter::Load(0, LoadNumber::At),
+        Parameter::Value(Property::BendingStiffness, Extent::Whole),
+        settles(0),
+        settles(1),
+    ];
+    // With b = l − x, right of the force: M = F a b/l, w = F a b (l² − a² − b²)/6EI l.
+    let moment = derivatives(&solution, Output::Value(Field::Moment, x, Side::Right), &by);
+    let exact = [a * (l - x) / l, force * (l - x) / l, 0.0, 0.0, 0.0];
+    moment.iter().zip(exact).for_each(|(found, exact)| near(*found, exact));
+    let b = l - x;
+    let w = |a: f64| a * b * (l * l - a * a - b * b) / (6.0 * ei * l);
+    let by_a = b * (l * l - 3.0 * a * a - b * b) / (6.0 * ei * l);
+    let deflection = derivatives(&solution, Output::Value(Field::Deflection, x, Side::Left), &by);
+    let exact = [w(a), force * by_a, -force * w(a) / ei, 1.0 - x / l, x / l];
+    deflection.iter().zip(exact).for_each(|(found, exact)| near(*found, exact));
+    let reaction = derivatives(&solution, Output::SupportForce(1), &by);
+    let exact = [a / l, force / l, 0.0, 0.0, 0.0];
+    reaction.iter().zip(exact).for_each(|(found, exact)| near(*found, exact));
+}
+
+/// An even load q on even ground: w = q/k, whatever the beam; the energy is −q²l/2k.
+#[test]
+fn an_even_load_on_even_springs() {
+    let (l, k, q) = (3.0, 4.0, 2.0);
+    let model = Model::new(Beam::uniform(l, 5.0), Foundation::winkler(k))
+        .with_load(Load::uniform(q, 0.0, l));
+    let solution = solved(&model);
+    let by = [
+        Parameter::Value(Property::Spring, Extent::Whole),
+        Parameter::Load(0, LoadNumber::Size),
+        Parameter::Factor(Property::BendingStiffness, Extent::Whole),
+        Parameter::AxialForce,
+    ];
+    let deflection = derivatives(&solution, Output::Value(Field::Deflection, 1.0, Side::Left), &by);
+    let exact = [-q / (k * k), 1.0 / k, 0.0, 0.0];
+    deflection.iter().zip(exact).for_each(|(found, exact)| near(*found, exact));
+    let energy = derivatives(&solution, Output::PotentialEnergy, &by);
+    let exact = [q * q * l / (2.0 * k * k), -q * l / k, 0.0, 0.0];
+    energy.iter().zip(exact).for_each(|(found, exact)| near(*found, exact));
+}
+
+/// A rigid beam on separate springs, a force at a distance e > l/6 from its middle: it touches over 3 (l/2 − e), and
+/// nothing but e moves that (the kern of any book on foundations).
+#[test]
+fn the_edge_under_a_rigid_beam() {
+    let (l, e) = (6.0, 1.5);
+    let model = Model::new(Beam::uniform(l, 1e9), Foundation::winkler(1.0))
+        .with_load(Load::point(2.0, 0.5 * l - e));
+    let solution = solved(&model);
+    let by = [
+        Parameter::Load(0, LoadNumber::At),
+        Parameter::LoadFactor,
+        Parameter::Factor(Property::Spring, Extent::Whole),
+    ];
+    let edge = derivatives(&solution, Output::Edge(0, Side::Right), &by);
+    for (found, exact) in edge.iter().zip([3.0, 0.0, 0.0]) {
+        assert!((found - exact).abs() < 1e-6, "{edge:?}");
+    }
+}
+
+/// Without a gap, with nothing imposed, every field is homogeneous of degree one in the loads, an edge of degree zero,
+/// the energy of degree two (Euler's theorem); and beam, ground and supports together of degree −1 in a deflection.
+#[test]
+fn homogeneous_functions() {
+    let mut models = 0;
+    for family in
+        [Family::Plain, Family::Tension, Family::Segments, Family::Winkler, Family::Varying]
+    {
+        for number in 100..140 {
+            let model = model(family, number);
+            if !model.gap.is_empty() || !model.supports.is_empty() {
+                continue;
+            }
+            models += 1;
+            let solution = solved(&model);
+            let by = [
+                Parameter::LoadFactor,
+                Parameter::AxialForce,
+                Parameter::Factor(Property::BendingStiffness, Extent::Whole),
+                Parameter::Factor(Property::Spring, Extent::Whole),
+                Parameter::Factor(Property::Shear, Extent::Whole),
+            ];
+            let x = 0.37 * model.beam.length;
+            let outputs = [
+                (Output::Value(Field::Deflection, x, Side::Left), 1.0, -1.0),
+                (Output::Value(Field::Moment, x, Side::Left), 1.0, 0.0),
+                (Output::Largest(Field::Pressure), 1.0, 0.0),
+                (Output::EndForce(Side::Right), 1.0, 0.0),
+                (Output::PotentialEnergy, 2.0, -1.0),
+            ];
+            for (output, in_loads, in_stiffness) in outputs {
+                let found = solution.gradients(&[output], &by).expect("derivatives").remove(0);
+                let [by_loads, by_axial, by_ei, by_k, by_mu] = found.derivatives[..] else {
+                    panic!("five derivatives")
+                };
+                let by_stiffness = by_axial * model.beam.axial_force + by_ei + by_k + by_mu;
+                let size = [by_ei, by_k, by_mu, found.value, by_loads];
+                let size = size.iter().fold(0.0_f64, |size, part| size.max(part.abs()));
+                let apart = |found: f64, exact: f64| (found - exact).abs() <= 1e-7 * size;
+                assert!(apart(by_loads, in_loads * found.value), "{family:?} {number} {output:?}");
+                assert!(
+                    apart(by_stiffness, in_stiffness * found.value),
+                    "{family:?} {number} {output:?}: {by_stiffness} {}",
+                    found.value
+                );
+            }
+        }
+    }
+    assert!(models > 100);
+}
+
+/// Kikuchi's beam just before its left end leaves the ground: what is about to change is said.
+#[test]
+fn what_is_about_to_change_is_said() {
+    let at = |moment: f64| {
+        let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
+            .with_load(Load::point(1.0, 0.5))
+            .with_load(Load::moment(moment, 0.5));
+        let solution = solved(&model);
+        let output = Output::EndForce(Side::Left);
+        let gradient =
+            solution.gradients(&[output], &[Parameter::LoadFactor]).expect("derivatives");
+        (gradient[0].value, gradient[0].one_sided.clone())
+    };
+    // p₀ falls linearly with the moment, from 0.1959… at 0.1 to 0.0146… at 0.3 (design notes of cases I and II).
+    let [(a, _), (b, _)] = [at(0.1), at(0.3)];
+    let zero = 0.3 + 0.2 * b / (a - b);
+    assert!(at(zero - 1e-3).1.is_empty());
+    assert!(matches!(at(zero - 1e-9).1[..], [OneSided::Contact(_)]));
+}
+
+#[test]
+fn what_has_no_derivatives_is_refused() {
+    let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::winkler(1.0))
+        .with_load(Load::point(1.0, 0.5));
+    let output = [Output::Largest(Field::Deflection)];
+    let by = |parameter| solved(&model).gradients(&output, &[parameter]).map(|_| ());
+    let mu = Parameter::Value(Property::Shear, Extent::Whole);
+    assert_eq!(by(mu), Err(NotDifferentiable::NoShearLayer));
+    let none = Parameter::Load(1, LoadNumber::Size);
+    assert_eq!(by(none), Err(NotDifferentiable::NoSuchParameter(none)));
+    let options = Options { method: Method::ActiveSet, ..Options::default() };
+    let Ok(Outcome::Equilibrium(meshed)) = solve_with(&model, &options) else {
+        panic!("it stands")
+    };
+    let refused = meshed.gradients(&output, &[Parameter::LoadFactor]).map(|_| ());
+    assert_eq!(refused, Err(NotDifferentiable::Method(Method::ActiveSet)));
+}
