@@ -21,8 +21,8 @@ class Estimate(NamedTuple):
     """How probable something is."""
 
     name: str
-    count: int
-    """In how many samples it happened."""
+    happened: int
+    """In how many samples it did."""
     probability: float
     interval: Tuple[float, float]
     """Between which bounds the probability lies, with a confidence of 95 %."""
