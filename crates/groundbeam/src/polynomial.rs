@@ -5,8 +5,8 @@
 
 use std::ops::{Deref, DerefMut};
 
-/// The most coefficients that anything here has: a deflection of 20 times an EI of degree 5.
-pub(crate) const MOST: usize = 24;
+/// The most coefficients that anything here has: a rotation of 20 times a shear stiffness of degree 5.
+pub(crate) const MOST: usize = 25;
 
 /// Coefficients held in place. Cells have a few of these each, made anew in every step: none of them is
 /// worth a trip to the heap.
