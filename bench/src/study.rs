@@ -3,17 +3,15 @@
 use crate::clock::side_by_side;
 use crate::table::{Table, short};
 use groundbeam::{Model, Solver};
-use groundbeam_file::study::parse_study;
+use groundbeam_file::study::read_study;
 use groundbeam_study::{Draws, Finished, Shard};
 use std::ops::ControlFlow;
 use std::path::Path;
 
 /// The study in `bench/study`, under a number of samples.
 fn draws(samples: u64) -> Draws {
-    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/study"));
-    let text =
-        std::fs::read_to_string(folder.join("footings.toml")).expect("a file of this folder");
-    let study = parse_study(&text, folder).expect("a study that is right");
+    let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/study/footings.toml"));
+    let study = read_study(path).expect("a study that is right");
     let plan = study.plan.with(Some(samples), None);
     Draws::new(study, plan).expect("a study that can be drawn")
 }

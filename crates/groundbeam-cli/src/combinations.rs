@@ -2,7 +2,6 @@
 
 use crate::Status;
 use crate::failure::Failure;
-use crate::found::Found;
 use crate::input::Input;
 use crate::output::{print, standard_output_has_colour};
 use crate::request::{Check, Solve};
@@ -10,7 +9,9 @@ use crate::solve::solved_one;
 use crate::waiting::while_counting;
 use groundbeam::{Error, Existence, Outcome};
 use groundbeam_file::{Combination, LoadCase};
-use groundbeam_report::{Alone, Answer, Combinations, Combined, Context, Ground, json, text};
+use groundbeam_report::{
+    Alone, Answer, Combinations, Combined, Context, Found, Ground, json, text,
+};
 use rayon::prelude::*;
 use std::time::Instant;
 
@@ -73,7 +74,7 @@ pub fn check(input: &Input, request: &Check) -> Result<Status, Failure> {
     } else {
         text::combinations(&all, &context, standard_output_has_colour())
     })?;
-    Ok(Found::Combinations(&all).status())
+    Ok(all.overall().into())
 }
 
 fn answered(existence: &Existence) -> Answer<'_> {

@@ -51,11 +51,7 @@ impl Input {
 
     /// Title and units, as reports want them.
     pub fn context(&self) -> Context<'_> {
-        let units = match self.document.units {
-            UnitSystem::Si => Units::Si,
-            UnitSystem::Plain => Units::Plain,
-        };
-        let context = Context::new(units).with_limits(&self.document.limits);
+        let context = Context::new(units(self.document.units)).with_limits(&self.document.limits);
         Context { title: self.document.title.as_deref(), ..context }
     }
 
@@ -93,4 +89,12 @@ fn read_standard_input() -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     std::io::stdin().lock().read_to_end(&mut bytes)?;
     Ok(bytes)
+}
+
+/// How results of a file are written: as its quantities are.
+pub fn units(of: UnitSystem) -> Units {
+    match of {
+        UnitSystem::Si => Units::Si,
+        UnitSystem::Plain => Units::Plain,
+    }
 }

@@ -5,7 +5,6 @@ mod check;
 mod combinations;
 mod compare;
 mod failure;
-mod found;
 mod input;
 mod output;
 mod pages;
@@ -20,6 +19,7 @@ mod waiting;
 
 use clap::Parser;
 use failure::Failure;
+use groundbeam_report::Overall;
 use request::Request;
 use std::process::ExitCode;
 
@@ -47,6 +47,16 @@ enum Status {
     NotConverged = 4,
     /// Stopped from the keyboard; what is done is kept.
     Interrupted = 130,
+}
+
+impl From<Overall> for Status {
+    fn from(overall: Overall) -> Self {
+        match overall {
+            Overall::Solved => Status::Done,
+            Overall::NoEquilibrium => Status::NoEquilibrium,
+            Overall::NotConverged => Status::NotConverged,
+        }
+    }
 }
 
 impl From<Status> for ExitCode {

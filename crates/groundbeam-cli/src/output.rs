@@ -1,10 +1,9 @@
 //! Where results go: standard output, and files that are never half-written.
 
 use crate::failure::Failure;
-use crate::found::Found;
 use crate::input::Input;
 use crate::request::{Format, Plot, Report, Setting};
-use groundbeam_report::{Context, html};
+use groundbeam_report::{Context, Found, html};
 use std::fmt::Display;
 use std::fs;
 use std::io::{self, ErrorKind, IsTerminal, Write};

@@ -3,7 +3,6 @@
 use crate::Status;
 use crate::combinations;
 use crate::failure::Failure;
-use crate::found::Found;
 use crate::input::Input;
 use crate::output::{
     draw, print, report, standard_error_has_colour, standard_output_has_colour,
@@ -16,7 +15,7 @@ use groundbeam::{Error, Load, LoadFactors, Model, Options, Outcome};
 use groundbeam_file::{
     Combination, Diagnostic, Diagnostics, Severity, parse_cases, parse_positions,
 };
-use groundbeam_report::{Context, Factors, Ground, csv, text};
+use groundbeam_report::{Context, Factors, Found, Ground, csv, text};
 use std::time::Instant;
 
 pub fn run(request: &Solve) -> Result<Status, Failure> {
@@ -66,11 +65,11 @@ fn deliver(
     report(request.report.as_ref(), found, context, input)?;
     if request.json {
         print(&found.json(stations, context))?;
-        return Ok(found.status());
+        return Ok(found.overall().into());
     }
     if matches!(found, Found::NoEquilibrium(..) | Found::NotConverged(..)) {
         let shown = found.text(context, standard_error_has_colour());
-        return Err(Failure::reported(shown, found.status()));
+        return Err(Failure::reported(shown, found.overall().into()));
     }
     let colour = standard_output_has_colour();
     print(&found.text(context, colour))?;
@@ -80,7 +79,7 @@ fn deliver(
     {
         print(&format!("\n{}", text::drawing(solution, context.units, colour)))?;
     }
-    Ok(found.status())
+    Ok(found.overall().into())
 }
 
 /// What is to be solved, and what it is called.

@@ -2,16 +2,15 @@
 
 use crate::Status;
 use crate::failure::Failure;
+use crate::input::units;
 use crate::output::{print, standard_error_has_colour, standard_output_has_colour};
 use crate::request::{Merge, Study};
-use groundbeam_file::UnitSystem;
-use groundbeam_file::study::{StudyError, parse_study};
-use groundbeam_report::{Context, Units, json, text};
+use groundbeam_file::study::{StudyError, read_study};
+use groundbeam_report::{Context, json, text};
 use groundbeam_study::{Draws, Finished, Progress, Shard, StoreError};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::ops::ControlFlow;
-use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -64,10 +63,7 @@ pub fn run(request: &Study) -> Result<Status, Failure> {
     let seconds = (solved == draws.plan().samples).then(|| begun.elapsed().as_secs_f64());
     let summary =
         groundbeam_study::summary(&draws, &request.out).map_err(|error| failed(&error))?;
-    let units = match draws.study().document.units {
-        UnitSystem::Si => Units::Si,
-        UnitSystem::Plain => Units::Plain,
-    };
+    let units = units(draws.study().document.units);
     let context = Context { seconds, ..Context::new(units) };
     print(&match request.json {
         true => json::study(&summary, &context),
@@ -91,21 +87,14 @@ pub fn merge(request: &Merge) -> Result<Status, Failure> {
 
 /// The samples of the file, under what was typed.
 fn read(request: &Study) -> Result<Draws, Failure> {
-    let path = &request.file;
-    let bytes = std::fs::read(path).map_err(|error| Failure::file(path, &error))?;
-    let name = path.display().to_string();
-    let content = String::from_utf8_lossy(&bytes).into_owned();
-    let wrong = |found: &groundbeam_file::Diagnostics| Failure::diagnostics(found, &name, &content);
-    let known = groundbeam_file::text_of(&bytes).map_err(|found| wrong(&found))?;
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let study = parse_study(known, folder).map_err(|error| match error {
-        StudyError::Study(found) => wrong(&found),
-        StudyError::Model(found, path, text) => {
+    let study = read_study(&request.file).map_err(|error| match error {
+        StudyError::Unreadable(path, error) => Failure::file(&path, &error),
+        StudyError::Wrong(found, path, text) => {
             Failure::diagnostics(&found, &path.display().to_string(), &text)
         }
     })?;
     let plan = study.plan.with(request.samples, request.seed);
-    Draws::new(study, plan).map_err(|error| Failure::usage(format!("{name}: {error}")))
+    Draws::new(study, plan).map_err(|error| Failure::file(&request.file, &error))
 }
 
 fn shard(request: &Study, draws: &Draws) -> Result<Status, Failure> {

@@ -2,7 +2,6 @@
 
 use crate::Status;
 use crate::failure::Failure;
-use crate::found::Found;
 use crate::input::Input;
 use crate::output::{print, standard_output_has_colour};
 use crate::request::{Check, Solve};
@@ -11,7 +10,7 @@ use crate::waiting::while_counting;
 use groundbeam::Error;
 use groundbeam::train::{Answer, Passage, Sweep};
 use groundbeam_file::{Combination, MovingTrain};
-use groundbeam_report::{CheckedTrain, Context, Ground, Moving, Passages, json, text};
+use groundbeam_report::{CheckedTrain, Context, Found, Ground, Moving, Passages, json, text};
 use rayon::prelude::*;
 use std::time::Instant;
 

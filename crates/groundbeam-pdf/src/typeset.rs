@@ -132,8 +132,8 @@ mod tests {
     use super::*;
     use groundbeam::Outcome;
     use groundbeam_file::Document;
-    use groundbeam_report::calculation::{self, Column, Contents, Section, Source, Table};
-    use groundbeam_report::{Context, Units};
+    use groundbeam_report::calculation::{self, Column, Section, Source, Table};
+    use groundbeam_report::{Context, Found, Units};
     use typst::layout::{Frame, FrameItem};
 
     /// The report of a model file.
@@ -144,10 +144,10 @@ mod tests {
         let context = Context { title: title.as_deref(), ..Context::new(Units::Si) };
         match groundbeam::solve(model).unwrap() {
             Outcome::Equilibrium(found) => {
-                calculation::report(Contents::Solved(&found), &context, &source)
+                calculation::report(Found::Equilibrium(&found), &context, &source)
             }
             Outcome::NoEquilibrium(why) => {
-                calculation::report(Contents::NoEquilibrium(model, &why), &context, &source)
+                calculation::report(Found::NoEquilibrium(model, &why), &context, &source)
             }
         }
     }

@@ -34,17 +34,15 @@ pub struct Tipping {
 impl Tipping {
     /// Of a model without equilibrium.
     pub fn of(model: &Model, existence: &Existence, units: Units) -> Self {
-        let (motion, hinges) = match existence.verdict {
+        let hinges = match existence.verdict {
             Verdict::None(motion) | Verdict::NotUnique(motion) => {
-                let hinges = model.hinges.iter().map(|hinge| motion.at(model, hinge.at));
-                ([motion.left, motion.right, motion.work], hinges.collect())
+                model.hinges.iter().map(|hinge| motion.at(model, hinge.at)).collect()
             }
-            Verdict::Buckles(mode) => ([mode.left, mode.right, mode.work], Vec::new()),
-            Verdict::Unique | Verdict::Local(_) => ([f64::NAN; 3], Vec::new()),
+            Verdict::Buckles(_) | Verdict::Unique | Verdict::Local(_) => Vec::new(),
         };
         let static_reactions = static_reactions(model).into_iter().map(|(_, reaction)| reaction);
         Tipping {
-            motion,
+            motion: existence.verdict.motion().unwrap_or([f64::NAN; 3]),
             hinges,
             static_reactions: static_reactions.collect(),
             sentence: sentence(model, existence, units),

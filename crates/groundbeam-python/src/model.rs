@@ -13,6 +13,14 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
+/// How results of a text are written: as its quantities are.
+pub fn units(of: UnitSystem) -> Units {
+    match of {
+        UnitSystem::Si => Units::Si,
+        UnitSystem::Plain => Units::Plain,
+    }
+}
+
 /// A model that was read and found right.
 #[pyclass(frozen, module = "groundbeam._native")]
 pub struct Model {
@@ -27,10 +35,7 @@ pub struct Read {
 
 impl Read {
     pub fn units(&self) -> Units {
-        match self.document.units {
-            UnitSystem::Si => Units::Si,
-            UnitSystem::Plain => Units::Plain,
-        }
+        units(self.document.units)
     }
 
     /// The system of units by the name that results use.
@@ -238,13 +243,7 @@ impl Model {
         let combination = self.read.combination(combination)?;
         let model = &combination.model;
         let existence = groundbeam::exists(model).map_err(|error| self.read.refused(error))?;
-        let motion = match existence.verdict {
-            Verdict::Unique | Verdict::Local(_) => None,
-            Verdict::NotUnique(motion) | Verdict::None(motion) => {
-                Some((motion.left, motion.right, motion.work))
-            }
-            Verdict::Buckles(mode) => Some((mode.left, mode.right, mode.work)),
-        };
+        let motion = existence.verdict.motion().map(|[left, right, work]| (left, right, work));
         let verdict = verdict(existence.verdict);
         let sentence = sentence(model, &existence, self.read.units());
         let reactions = groundbeam::static_reactions(model).iter().map(|(_, r)| *r).collect();

@@ -1,9 +1,9 @@
 //! Studies: samples drawn, solved and kept, without Python in the loop.
 
 use crate::failure::Failure;
-use groundbeam_file::UnitSystem;
-use groundbeam_file::study::{StudyError, parse_study};
-use groundbeam_report::{Context, Units, json};
+use crate::model::units;
+use groundbeam_file::study::{StudyError, read_study};
+use groundbeam_report::{Context, json};
 use groundbeam_study::{Draws, Finished, Shard, StoreError};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
@@ -25,20 +25,16 @@ fn lost(error: &StoreError) -> PyErr {
 impl Study {
     #[new]
     fn new(path: PathBuf, samples: Option<u64>, seed: Option<u64>) -> PyResult<Self> {
-        let name = path.display().to_string();
-        let bytes = std::fs::read(&path)?;
-        let text = String::from_utf8_lossy(&bytes).into_owned();
-        let folder = path.parent().unwrap_or(Path::new(""));
-        groundbeam_file::text_of(&bytes).map_err(|found| Failure::wrong(found, &name, &text))?;
-        let study = parse_study(&text, folder).map_err(|error| match error {
-            StudyError::Study(found) => Failure::wrong(found, &name, &text),
-            StudyError::Model(found, path, text) => {
-                Failure::wrong(found, &path.display().to_string(), &text)
+        let study = read_study(&path).map_err(|error| match error {
+            StudyError::Unreadable(_, error) => error.into(),
+            StudyError::Wrong(found, path, text) => {
+                PyErr::from(Failure::wrong(found, &path.display().to_string(), &text))
             }
         })?;
         let plan = study.plan.with(samples, seed);
         let draws = Draws::new(study, plan);
-        let draws = draws.map_err(|error| Failure::Asked(format!("{name}: {error}")))?;
+        let draws =
+            draws.map_err(|error| Failure::Asked(format!("{}: {error}", path.display())))?;
         Ok(Study { draws })
     }
 
@@ -120,10 +116,7 @@ impl Study {
 
     /// What follows from all samples, as a document.
     fn summary(&self, py: Python<'_>, out: PathBuf) -> PyResult<String> {
-        let units = match self.draws.study().document.units {
-            UnitSystem::Si => Units::Si,
-            UnitSystem::Plain => Units::Plain,
-        };
+        let units = units(self.draws.study().document.units);
         let summary = py.detach(|| groundbeam_study::summary(&self.draws, &out));
         Ok(json::study(&summary.map_err(|error| lost(&error))?, &Context::new(units)))
     }

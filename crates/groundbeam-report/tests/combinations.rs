@@ -7,7 +7,7 @@ use common::{context, document};
 use groundbeam::{Error, Existence, Field, NotConverged, Options, Outcome};
 use groundbeam_file::{Combination, Document, LoadCase};
 use groundbeam_report::{
-    Alone, Answer, Combinations, Combined, calculation, csv, html, json, png, svg, text,
+    Alone, Answer, Combinations, Combined, Found, calculation, csv, html, json, png, svg, text,
 };
 use serde_json::{Value, json};
 
@@ -187,7 +187,7 @@ fn the_calculation_report_shows_all_of_them() {
         let Document { model, cases, .. } = &solved.document;
         let source =
             calculation::Source { name: "model.toml", text: solved.document.text(), model, cases };
-        let contents = calculation::Contents::Combinations(&all);
+        let contents = Found::Combinations(&all);
         let report = calculation::report(contents, &context(&solved.document), &source);
         let page = html::report(&report, None).unwrap();
         for combined in &all.combined {

@@ -6,15 +6,15 @@ mod common;
 use common::{SOLVABLE, context, document, solved};
 use groundbeam::{Method, NotConverged};
 use groundbeam_file::Document;
-use groundbeam_report::calculation::{Contents, Paper, Source};
-use groundbeam_report::{Context, Units, calculation, html};
+use groundbeam_report::calculation::{Paper, Source};
+use groundbeam_report::{Context, Found, Units, calculation, html};
 
 fn source(document: &Document) -> Source<'_> {
     let Document { model, cases, .. } = document;
     Source { name: "model.toml", text: document.text(), model, cases }
 }
 
-fn report(contents: Contents, context: &Context, source: &Source) -> String {
+fn report(contents: Found, context: &Context, source: &Source) -> String {
     html::report(&calculation::report(contents, context, source), None).unwrap()
 }
 
@@ -22,7 +22,7 @@ fn made(name: &str) -> String {
     let document = document(name);
     let contents = solved(&document);
     let context = context(&document).with_limits(&document.limits);
-    report(Contents::Solved(&contents), &context, &source(&document))
+    report(Found::Equilibrium(&contents), &context, &source(&document))
 }
 
 /// The words of a page without its style and its figures, one block a line.
@@ -91,7 +91,7 @@ fn the_digest_is_that_of_the_file() {
     let expected = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
     let document = document("footing");
     let source = Source { text: "abc", ..source(&document) };
-    let page = report(Contents::Solved(&solved(&document)), &context(&document), &source);
+    let page = report(Found::Equilibrium(&solved(&document)), &context(&document), &source);
     assert!(page.contains(expected));
 }
 
@@ -101,7 +101,7 @@ fn what_a_file_says_is_no_markup() {
     let evil = "</title><script>alert('&amp;')</script> -1e3 \\\"";
     let source = Source { name: evil, text: evil, ..source(&document) };
     let context = Context::new(Units::Si).with_title(evil);
-    let page = report(Contents::Solved(&solved(&document)), &context, &source);
+    let page = report(Found::Equilibrium(&solved(&document)), &context, &source);
     is_well_formed(&page);
     assert!(!page.contains("<script"), "markup of the file is in the page");
     assert!(page.contains("&lt;script&gt;"));
@@ -111,7 +111,7 @@ fn what_a_file_says_is_no_markup() {
 fn without_an_equilibrium_the_report_says_why() {
     let document = document("tips");
     let existence = groundbeam::exists(&document.model).unwrap();
-    let contents = Contents::NoEquilibrium(&document.model, &existence);
+    let contents = Found::NoEquilibrium(&document.model, &existence);
     let page = report(contents, &context(&document), &source(&document));
     is_well_formed(&page);
     insta::assert_snapshot!("html-tips", words(&page));
@@ -129,7 +129,7 @@ fn without_a_certified_answer_there_are_no_results() {
         reached: 0.5,
         what: "the change of the pressure",
     };
-    let contents = Contents::NotConverged(&document.model, &reached);
+    let contents = Found::NotConverged(&document.model, &reached);
     let page = report(contents, &context(&document), &source(&document));
     is_well_formed(&page);
     let words = words(&page);
@@ -142,7 +142,7 @@ fn the_paper_is_that_which_is_wanted() {
     let document = document("footing");
     let contents = solved(&document);
     let of =
-        calculation::report(Contents::Solved(&contents), &context(&document), &source(&document));
+        calculation::report(Found::Equilibrium(&contents), &context(&document), &source(&document));
     let page = |paper| html::report(&of, paper).unwrap();
     assert!(page(Some(Paper::A4)).contains("@page { size: A4;"));
     assert!(page(Some(Paper::Letter)).contains("@page { size: letter;"));

@@ -7,7 +7,7 @@ mod common;
 use common::{SOLVABLE, context, document, solved};
 use groundbeam::train::{Answer, Passage, Sweep};
 use groundbeam_file::{Document, MovingTrain};
-use groundbeam_report::{Combinations, Combined, Moving, Passages, calculation, html, svg};
+use groundbeam_report::{Combinations, Combined, Found, Moving, Passages, calculation, html, svg};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 use std::path::PathBuf;
@@ -80,7 +80,7 @@ fn source(document: &Document) -> calculation::Source<'_> {
     calculation::Source { name: "model.toml", text: document.text(), model, cases }
 }
 
-fn report(contents: calculation::Contents, document: &Document) -> String {
+fn report(contents: Found, document: &Document) -> String {
     let report = calculation::report(contents, &context(document), &source(document));
     html::report(&report, None).unwrap()
 }
@@ -98,7 +98,7 @@ fn figures_of_reports() {
     let document_of = document;
     let (document, tips) = (document_of("footing"), document_of("tips"));
     let contents = solved(&document);
-    let contents = calculation::Contents::Solved(&contents);
+    let contents = Found::Equilibrium(&contents);
     let page = report(contents, &document);
     let found = figures(&page);
     assert_eq!(found.len(), 7);
@@ -106,7 +106,7 @@ fn figures_of_reports() {
         looks_as_kept(&format!("report-footing-{}", i + 1), figure);
     }
     let existence = groundbeam::exists(&tips.model).unwrap();
-    let contents = calculation::Contents::NoEquilibrium(&tips.model, &existence);
+    let contents = Found::NoEquilibrium(&tips.model, &existence);
     let page = report(contents, &tips);
     let [figure] = &figures(&page)[..] else { panic!("one figure") };
     looks_as_kept("report-tips", figure);
@@ -159,7 +159,7 @@ fn trains() {
     let picture = svg::trains(&passages, &context(&document));
     looks_as_kept("train", &picture);
     insta::assert_snapshot!("svg-train", picture);
-    let contents = calculation::Contents::Trains(&passages);
+    let contents = Found::Trains(&passages);
     let page = report(contents, &document);
     let found = figures(&page);
     // The model, the train where it bends the beam most, four envelopes.

@@ -2,7 +2,6 @@
 
 use groundbeam::{
     Answer, Error, Existence, Field, Method, Model, Options, Outcome, Side, Solution, Solver,
-    Verdict,
 };
 use groundbeam_file::Document;
 
@@ -149,13 +148,7 @@ impl Row {
 
     /// Of a model that has no equilibrium.
     fn without(existence: Existence, wanted: &Wanted) -> Self {
-        let motion = match existence.verdict {
-            Verdict::None(motion) | Verdict::NotUnique(motion) => {
-                [motion.left, motion.right, motion.work]
-            }
-            Verdict::Buckles(mode) => [mode.left, mode.right, mode.work],
-            Verdict::Unique | Verdict::Local(_) => [f64::NAN; 3],
-        };
+        let motion = existence.verdict.motion().unwrap_or([f64::NAN; 3]);
         let trouble = Trouble::NoEquilibrium(existence);
         Row { motion, ..Self::empty(Status::NoEquilibrium, trouble, wanted) }
     }

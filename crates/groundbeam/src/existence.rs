@@ -66,6 +66,17 @@ impl Verdict {
             Verdict::None(_) | Verdict::Buckles(_) => false,
         }
     }
+
+    /// Of the motion that the verdict rests on: r(0) and r(l), and F(r) \[N·m per m\].
+    pub fn motion(&self) -> Option<[f64; 3]> {
+        match self {
+            Verdict::None(motion) | Verdict::NotUnique(motion) => {
+                Some([motion.left, motion.right, motion.work])
+            }
+            Verdict::Buckles(mode) => Some([mode.left, mode.right, mode.work]),
+            Verdict::Unique | Verdict::Local(_) => None,
+        }
+    }
 }
 
 /// A rigid motion of the beam, r(x) = a x + b between its free hinges, scaled to a largest size of 1. It presses nowhere: r ≤ 0,

@@ -3,7 +3,6 @@
 use super::view::View;
 use super::wrong::{document, refusal, wrong_model};
 use crate::failure::Failure;
-use crate::found::Found;
 use crate::input::Input;
 use crate::request::Solve;
 use crate::solve::{answered, solved_one};
@@ -12,7 +11,7 @@ use axum::http::header::CONTENT_TYPE;
 use axum::response::{IntoResponse, Response};
 use groundbeam::{Error, Options, Outcome};
 use groundbeam_file::Combination;
-use groundbeam_report::{Context, html};
+use groundbeam_report::{Context, Found, html};
 use serde::Deserialize;
 
 /// What of a file is asked for; with nothing said, what `groundbeam solve` gives.

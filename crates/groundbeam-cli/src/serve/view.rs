@@ -2,13 +2,12 @@
 
 use super::answer::{Asked, Scene};
 use super::written::Number;
-use crate::found::Found;
 use crate::input::Input;
 use groundbeam::Load;
 use groundbeam::model::Part;
 use groundbeam_file::Combination;
 use groundbeam_report::svg::{self, Grip, Handle};
-use groundbeam_report::{Context, Overall, sentence, text};
+use groundbeam_report::{Context, Found, Overall, sentence, text};
 use serde::Serialize;
 
 /// Everything the page shows of a model.

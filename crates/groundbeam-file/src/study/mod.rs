@@ -61,12 +61,36 @@ pub struct StudyFile {
     pub events: Vec<Event>,
 }
 
-/// Reads a study file that stands in a folder, and the model that it names.
+/// Reads a study file, and the model that it names.
 ///
 /// # Errors
 ///
-/// Everything that is wrong with the file; of a model that is wrong, what is wrong there.
-pub fn parse_study(text: &str, folder: &Path) -> Result<StudyFile, StudyError> {
+/// A file that cannot be read, and everything that is wrong with it; of a model that is wrong, what is wrong there.
+pub fn read_study(path: &Path) -> Result<StudyFile, StudyError> {
+    let bytes =
+        std::fs::read(path).map_err(|error| StudyError::Unreadable(path.to_owned(), error))?;
+    let wrong = |found| StudyError::wrong(found, path, &bytes);
+    let text = text_of(&bytes).map_err(wrong)?;
+    match parse(text, path.parent().unwrap_or(Path::new(""))) {
+        Ok(study) => Ok(study),
+        Err(At::Study(found)) => Err(wrong(found)),
+        Err(At::Model(error)) => Err(error),
+    }
+}
+
+/// Where something is wrong.
+enum At {
+    Study(Diagnostics),
+    Model(StudyError),
+}
+
+impl From<Diagnostics> for At {
+    fn from(found: Diagnostics) -> Self {
+        At::Study(found)
+    }
+}
+
+fn parse(text: &str, folder: &Path) -> Result<StudyFile, At> {
     let source = Source::new(text);
     let (table, errors) = DeTable::parse_recoverable(text);
     let syntax = syntax::explain(&source, table.get_ref(), &errors);
@@ -120,25 +144,26 @@ pub fn parse_study(text: &str, folder: &Path) -> Result<StudyFile, StudyError> {
     Ok(StudyFile { title, text, model_path, document, plan, random, joined, field, keep, events })
 }
 
-/// What is wrong: with the study file, or with the model that it names.
-#[derive(Debug, Clone)]
+/// Why there is no study.
+#[derive(Debug)]
 pub enum StudyError {
-    /// In the study file.
-    Study(Diagnostics),
-    /// In the model file of this name and text.
-    Model(Diagnostics, PathBuf, String),
+    /// The study file cannot be read.
+    Unreadable(PathBuf, std::io::Error),
+    /// What is wrong in a file of this name and text: the study, or the model that it names.
+    Wrong(Diagnostics, PathBuf, String),
 }
 
-impl From<Diagnostics> for StudyError {
-    fn from(found: Diagnostics) -> Self {
-        StudyError::Study(found)
+impl StudyError {
+    fn wrong(found: Diagnostics, path: &Path, bytes: &[u8]) -> Self {
+        StudyError::Wrong(found, path.to_owned(), String::from_utf8_lossy(bytes).into_owned())
     }
 }
 
 impl std::fmt::Display for StudyError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            StudyError::Study(found) | StudyError::Model(found, ..) => found.fmt(f),
+            StudyError::Unreadable(path, error) => write!(f, "{}: {error}", path.display()),
+            StudyError::Wrong(found, ..) => found.fmt(f),
         }
     }
 }
@@ -150,7 +175,7 @@ fn model(
     reader: &mut Reader,
     root: &Section,
     folder: &Path,
-) -> Result<Option<(PathBuf, Document)>, StudyError> {
+) -> Result<Option<(PathBuf, Document)>, At> {
     let Some((name, span)) = reader.words(root, "model", "strip-footing.toml") else {
         if root.value("model").is_none() {
             reader.missing(root, &["model"], "`model`", "model = \"strip-footing.toml\"");
@@ -185,9 +210,6 @@ fn model(
             }
             Ok(Some((path, document)))
         }
-        Err(found) => {
-            let text = String::from_utf8_lossy(&bytes).into_owned();
-            Err(StudyError::Model(found, path, text))
-        }
+        Err(found) => Err(At::Model(StudyError::wrong(found, &path, &bytes))),
     }
 }

@@ -256,6 +256,12 @@ impl Distribution {
 
 pub(super) fn read_joined(reader: &mut Reader, root: &Section, random: &[Random]) -> Vec<Joined> {
     let mut all: Vec<Joined> = Vec::new();
+    let written = reader.tables(root, "random", "[[random]]");
+    let written: Vec<&str> = written
+        .iter()
+        .filter_map(|table| table.value("what")?.get_ref().as_str())
+        .map(str::trim)
+        .collect();
     for table in reader.tables(root, "correlated", "[[correlated]]") {
         reader.refuse_unknown(&table, &["what", "rho"]);
         let rho = reader.required(&table, "rho", &RATIO);
@@ -263,7 +269,7 @@ pub(super) fn read_joined(reader: &mut Reader, root: &Section, random: &[Random]
             let hint = "0 is independent; of two that always agree make one";
             out_of_range(reader, &rho, "a correlation lies between -1 and 1", hint);
         }
-        let Some(of) = pair(reader, root, &table, random) else { continue };
+        let Some(of) = pair(reader, &table, random, &written) else { continue };
         let span = table.span.clone();
         if all.iter().any(|other| other.of == of) {
             let message = "the correlation of these two is given already";
@@ -276,12 +282,12 @@ pub(super) fn read_joined(reader: &mut Reader, root: &Section, random: &[Random]
     all
 }
 
-/// Which two are named, the first before the second.
+/// Which two are named, the first before the second. One that is written but wrong itself has been told.
 fn pair(
     reader: &mut Reader,
-    root: &Section,
     table: &Section,
     random: &[Random],
+    written: &[&str],
 ) -> Option<[usize; 2]> {
     let example = "what = [\"load[0]\", \"load[1]\"]";
     let Some(value) = table.value("what") else {
@@ -297,15 +303,10 @@ fn pair(
         reader.wrong_type(value, message, format!("as in {example}"));
         return None;
     };
-    let all = reader.tables(root, "random", "[[random]]");
     let mut found = [0; 2];
     for (slot, name) in found.iter_mut().zip([a, b]) {
         let Some(index) = random.iter().position(|random| random.name == name.trim()) else {
-            let is_wrong_itself = all.iter().any(|table| {
-                table.value("what").and_then(|what| what.get_ref().as_str()).map(str::trim)
-                    == Some(name.trim())
-            });
-            if is_wrong_itself {
+            if written.contains(&name.trim()) {
                 return None;
             }
             let message = format!("no [[random]] is called `{name}`");

@@ -1,5 +1,6 @@
 //! What an array of numbers changes in a model.
 
+use crate::derivatives::parameter;
 use crate::failure::Failure;
 use crate::model::Read;
 use groundbeam::Model;
@@ -26,9 +27,7 @@ impl Parameter {
         models: &[Arc<Read>],
     ) -> Result<Self, Failure> {
         let wrong = |why: String| Err(Failure::Asked(format!("parameter `{name}`: {why}")));
-        let Some(target) = Number::named(name) else {
-            return wrong(format!("means nothing; what can be changed: {}", Number::NAMES));
-        };
+        let target = parameter(name)?;
         let width = values.ncols();
         if width == 0 || (width > 1 && along_the_beam(target).is_none()) {
             return wrong("takes one number for each model".to_owned());

@@ -12,26 +12,10 @@ mod proof;
 mod several;
 mod single;
 
-use crate::combinations::Combinations;
 use crate::context::{Context, clean};
-use crate::trains::Passages;
+use crate::found::Found;
 pub use content::{Block, Column, Equation, Fact, Key, Report, Section, Table, Verdict};
-use groundbeam::{Existence, Model, NotConverged, Solution};
-
-/// What a report is about.
-#[derive(Debug, Clone, Copy)]
-pub enum Contents<'a> {
-    /// An equilibrium.
-    Solved(&'a Solution),
-    /// There is none.
-    NoEquilibrium(&'a Model, &'a Existence),
-    /// The method did not reach its tolerance.
-    NotConverged(&'a Model, &'a NotConverged),
-    /// The combinations of load cases.
-    Combinations(&'a Combinations<'a>),
-    /// Trains that pass.
-    Trains(&'a Passages<'a>),
-}
+use groundbeam::Model;
 
 /// Where a report's model comes from.
 #[derive(Debug, Clone, Copy)]
@@ -56,17 +40,17 @@ pub enum Paper {
 }
 
 /// The report of what was found. Equal results give equal reports, but for the time a context brings along.
-pub fn report(contents: Contents, context: &Context, source: &Source) -> Report {
-    let report = match contents {
-        Contents::Solved(solution) => single::solved(solution, context, source),
-        Contents::NoEquilibrium(model, existence) => {
+pub fn report(found: Found, context: &Context, source: &Source) -> Report {
+    let report = match found {
+        Found::Equilibrium(solution) => single::solved(solution, context, source),
+        Found::NoEquilibrium(model, existence) => {
             single::no_equilibrium(model, existence, context, source)
         }
-        Contents::NotConverged(model, reached) => {
+        Found::NotConverged(model, reached) => {
             single::not_converged(model, reached, context, source)
         }
-        Contents::Combinations(all) => several::combinations(all, context, source),
-        Contents::Trains(passages) => passages::trains(passages, context, source),
+        Found::Combinations(all) => several::combinations(all, context, source),
+        Found::Trains(passages) => passages::trains(passages, context, source),
     };
     Report {
         title: context.clean_title().unwrap_or_else(|| clean(source.name)),

@@ -1,16 +1,24 @@
 //! What mechanics says of a file, in every form it is wanted in.
 
-use crate::Status;
+use crate::calculation::{self, Report, Source};
+use crate::combinations::{Combinations, Overall};
+use crate::context::Context;
+use crate::trains::Passages;
+use crate::{csv, json, png, svg, text};
 use groundbeam::{Existence, Field, Model, NotConverged, Solution};
-use groundbeam_report::calculation::{self, Contents, Report, Source};
-use groundbeam_report::{Combinations, Context, Overall, Passages, csv, json, png, svg, text};
 
 /// What came out of a file: of one model, of all its combinations, or of all positions of its trains.
+#[derive(Debug, Clone, Copy)]
 pub enum Found<'a> {
+    /// An equilibrium.
     Equilibrium(&'a Solution),
+    /// There is none.
     NoEquilibrium(&'a Model, &'a Existence),
+    /// The method did not reach its tolerance.
     NotConverged(&'a Model, &'a NotConverged),
+    /// The combinations of load cases.
     Combinations(&'a Combinations<'a>),
+    /// Trains that pass.
     Trains(&'a Passages<'a>),
 }
 
@@ -23,14 +31,6 @@ impl Found<'_> {
             Found::NotConverged(..) => Overall::NotConverged,
             Found::Combinations(all) => all.overall(),
             Found::Trains(passages) => passages.overall(),
-        }
-    }
-
-    pub fn status(&self) -> Status {
-        match self.overall() {
-            Overall::Solved => Status::Done,
-            Overall::NoEquilibrium => Status::NoEquilibrium,
-            Overall::NotConverged => Status::NotConverged,
         }
     }
 
@@ -77,14 +77,7 @@ impl Found<'_> {
 
     /// The calculation report.
     pub fn calculation(&self, context: &Context, source: &Source) -> Report {
-        let contents = match *self {
-            Found::Equilibrium(solution) => Contents::Solved(solution),
-            Found::NoEquilibrium(model, existence) => Contents::NoEquilibrium(model, existence),
-            Found::NotConverged(model, reached) => Contents::NotConverged(model, reached),
-            Found::Combinations(all) => Contents::Combinations(all),
-            Found::Trains(passages) => Contents::Trains(passages),
-        };
-        calculation::report(contents, context, source)
+        calculation::report(*self, context, source)
     }
 
     /// The table of fields; empty where there are none.
@@ -115,6 +108,10 @@ impl Found<'_> {
     }
 
     /// The picture in pixels; empty where there is none.
+    ///
+    /// # Errors
+    ///
+    /// As [`png::picture`].
     pub fn png(&self, context: &Context) -> Result<Vec<u8>, png::Error> {
         match self {
             Found::Equilibrium(solution) => png::picture(solution, context),
