@@ -141,6 +141,7 @@ pub struct Study {
     /// 0: as many as there are processors.
     pub threads: usize,
     pub restart: bool,
+    pub plot: Option<Plot>,
     pub json: bool,
 }
 
@@ -156,8 +157,9 @@ impl Study {
             None => Shard::WHOLE,
             Some(written) => shard(written)?,
         };
-        let typed::Study { file, out, samples, seed, threads, restart, json, .. } = typed;
-        Ok(Study { file, out, samples, seed, shard, threads: threads.into(), restart, json })
+        let typed::Study { file, out, samples, seed, threads, restart, plot, json, .. } = typed;
+        let plot = plot.map(Plot::of).transpose()?;
+        Ok(Study { file, out, samples, seed, shard, threads: threads.into(), restart, plot, json })
     }
 }
 

@@ -3,10 +3,10 @@
 use crate::Status;
 use crate::failure::Failure;
 use crate::input::units;
-use crate::output::{print, standard_error_has_colour, standard_output_has_colour};
+use crate::output::{draw, print, standard_error_has_colour, standard_output_has_colour};
 use crate::request::{Merge, Study};
 use groundbeam_file::study::{StudyError, read_study};
-use groundbeam_report::{Context, json, text};
+use groundbeam_report::{Context, json, png, svg, text};
 use groundbeam_study::{Draws, Finished, Progress, Shard, StoreError};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
@@ -65,6 +65,8 @@ pub fn run(request: &Study) -> Result<Status, Failure> {
         groundbeam_study::summary(&draws, &request.out).map_err(|error| failed(&error))?;
     let units = units(draws.study().document.units);
     let context = Context { seconds, ..Context::new(units) };
+    let (svg, png) = (|| svg::study(&summary, &context), || png::study(&summary, &context));
+    draw(request.plot.as_ref(), svg, png)?;
     print(&match request.json {
         true => json::study(&summary, &context),
         false => text::study(&summary, &context, standard_output_has_colour()),

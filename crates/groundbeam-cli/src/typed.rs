@@ -199,6 +199,10 @@ pub struct Study {
     #[arg(long)]
     pub restart: bool,
 
+    /// Draw how probable events are and how numbers scatter; the format is that of the name, .svg or .png
+    #[arg(long, value_name = "OUT", conflicts_with = "shard")]
+    pub plot: Option<PathBuf>,
+
     /// Print the summary as one JSON document, and nothing else, on standard output
     #[arg(long)]
     pub json: bool,

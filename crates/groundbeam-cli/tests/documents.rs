@@ -46,9 +46,13 @@ fn pictures_are_drawn_by_the_program() {
             let Some(command) = line.strip_prefix("<!-- drawn: groundbeam ") else { continue };
             let command = command.trim_end_matches(" -->");
             let (command, picture) = command.split_once(" --plot ").expect("--plot FILE.svg");
-            let drawn = tempfile::Builder::new().suffix(".svg").tempfile().expect("a file");
-            run(&format!("{command} --plot {}", drawn.path().display()));
-            let drawn = std::fs::read_to_string(drawn.path()).expect("a picture");
+            let folder = tempfile::tempdir().expect("a folder");
+            let drawn = folder.path().join("drawn.svg");
+            // A study keeps its samples, which here nobody wants.
+            let results = folder.path().join("results.parquet").display().to_string();
+            let command = command.replace("results.parquet", &results);
+            run(&format!("{command} --plot {}", drawn.display()));
+            let drawn = std::fs::read_to_string(drawn).expect("a picture");
             let picture = root().join(picture);
             if updating() {
                 std::fs::write(&picture, &drawn).expect("the picture can be written");

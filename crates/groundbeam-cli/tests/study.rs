@@ -62,10 +62,19 @@ fn a_study_tells_probabilities() {
     assert!(probability(2) >= probability(0));
     assert!(json["largest_gap"].as_f64().unwrap() < 1e-9);
     assert_eq!(json["not_converged"], 0);
-    let again = folder.run(&["study", "study.toml", "--out", "r.parquet"]);
+    let counted: u64 = json["spreads"][0]["histogram"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|n| n.as_u64().unwrap())
+        .sum();
+    assert_eq!(counted, 3000);
+    let again = folder.run(&["study", "study.toml", "--out", "r.parquet", "--plot", "s.svg"]);
     again.is_clean(0);
     assert!(again.stdout.lines().all(|line| line.chars().count() <= 80), "{}", again.stdout);
-    assert_eq!(folder.names(), ["model.toml", "r.parquet", "study.toml"]);
+    assert_eq!(folder.names(), ["model.toml", "r.parquet", "s.svg", "study.toml"]);
+    let picture = fs::read_to_string(folder.path("s.svg")).unwrap();
+    assert!(picture.contains(">deep<") && picture.contains(">deflection max<"), "{picture}");
 }
 
 #[test]

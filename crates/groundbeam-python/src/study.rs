@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::model::units;
 use groundbeam_file::study::{StudyError, read_study};
-use groundbeam_report::{Context, json};
+use groundbeam_report::{Context, json, svg};
 use groundbeam_study::{Draws, Finished, Shard, StoreError};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
@@ -114,11 +114,12 @@ impl Study {
         }
     }
 
-    /// What follows from all samples, as a document.
-    fn summary(&self, py: Python<'_>, out: PathBuf) -> PyResult<String> {
-        let units = units(self.draws.study().document.units);
+    /// What follows from all samples, as a document and as a picture.
+    fn summary(&self, py: Python<'_>, out: PathBuf) -> PyResult<(String, String)> {
+        let context = Context::new(units(self.draws.study().document.units));
         let summary = py.detach(|| groundbeam_study::summary(&self.draws, &out));
-        Ok(json::study(&summary.map_err(|error| lost(&error))?, &Context::new(units)))
+        let summary = summary.map_err(|error| lost(&error))?;
+        Ok((json::study(&summary, &context), svg::study(&summary, &context)))
     }
 }
 

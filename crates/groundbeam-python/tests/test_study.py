@@ -87,6 +87,10 @@ def test_what_is_drawn_is_what_is_solved(study: gb.Study, tmp_path: Path) -> Non
     assert spread.mean == pytest.approx(table["moment_max"].mean(), rel=1e-12)
     assert spread.deviation == pytest.approx(table["moment_max"].std(), rel=1e-12)
     assert spread.quantiles[3] == pytest.approx(np.quantile(table["moment_max"], 0.95), rel=1e-12)
+    counts = np.histogram(table["moment_max"], bins=len(spread.histogram))[0]
+    np.testing.assert_allclose(spread.histogram, counts, atol=1)
+    assert sum(spread.histogram) == 600 and len(spread.histogram) > 5
+    assert summary.to_svg().startswith("<svg") and "heavy" in summary._repr_html_()
 
 
 def test_moments_and_correlations_of_what_is_drawn(study: gb.Study) -> None:

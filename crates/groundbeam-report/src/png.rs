@@ -3,6 +3,7 @@
 use crate::combinations::Combinations;
 use crate::context::Context;
 use crate::outline::outlined;
+use crate::study::Study;
 use crate::svg;
 use crate::trains::Passages;
 use groundbeam::Solution;
@@ -50,6 +51,15 @@ pub fn combinations(all: &Combinations, context: &Context) -> Result<Vec<u8>, Er
 /// If memory for the pixels is lacking.
 pub fn trains(passages: &Passages, context: &Context) -> Result<Vec<u8>, Error> {
     drawn(&svg::trains(passages, context))
+}
+
+/// The picture of [`svg::study`] in the same way.
+///
+/// # Errors
+///
+/// If memory for the pixels is lacking.
+pub fn study(study: &Study, context: &Context) -> Result<Vec<u8>, Error> {
+    drawn(&svg::study(study, context))
 }
 
 fn drawn(picture: &str) -> Result<Vec<u8>, Error> {

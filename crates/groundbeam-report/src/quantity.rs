@@ -71,31 +71,37 @@ impl Unit {
 
 /// What a number measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub enum Kind {
+    /// A position, or a length along the beam \[m\].
     Position,
+    /// w, u, a gap: what people read in millimetres \[m\].
     Deflection,
+    /// A slope or a rotation \[rad\].
     Slope,
+    /// A moment \[N·m\].
     Moment,
+    /// A force \[N\].
     Force,
-    /// Force per length.
+    /// Force per length \[N/m\].
     Pressure,
-    /// EI.
+    /// EI \[N·m²\].
     BendingStiffness,
-    /// k.
+    /// k \[N/m²\].
     Spring,
-    /// μ and P.
+    /// μ and P \[N\].
     Constant,
-    /// k on an area: k over a width.
+    /// k on an area: k over a width \[N/m³\].
     AreaSpring,
-    /// μ on an area: μ over a width.
+    /// μ on an area: μ over a width \[N/m\].
     AreaShear,
-    /// Force per area.
+    /// Force per area \[Pa\].
     Stress,
-    /// 1/length.
+    /// A curvature, or a wave number \[1/m\].
     PerLength,
 }
 
 impl Kind {
+    /// What a field measures.
     pub fn of(field: Field) -> Self {
         match field {
             Field::Deflection | Field::Settlement | Field::Gap => Kind::Deflection,

@@ -1,6 +1,7 @@
 //! What a study of many samples has found, as it is reported.
 
-use groundbeam::Field;
+use crate::context::clean;
+use crate::quantity::Kind;
 use serde::Serialize;
 
 /// What a study has found.
@@ -41,6 +42,9 @@ pub struct Study {
 pub struct Estimate {
     /// What may happen.
     pub name: String,
+    /// What it is that a number exceeds a limit; none of what is always told.
+    #[serde(flatten)]
+    pub limit: Option<Limit>,
     /// In how many samples it has.
     pub count: u64,
     /// The part of the samples in which it has.
@@ -49,13 +53,45 @@ pub struct Estimate {
     pub interval: Interval,
 }
 
+/// What a number must not exceed, or fall below.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Limit {
+    /// The name of the number's spread.
+    pub quantity: String,
+    /// Whether too much of it is what happens; otherwise too little.
+    pub above: bool,
+    /// The limit.
+    pub limit: f64,
+}
+
 /// An interval of confidence.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Interval {
     /// From and to.
     pub bounds: [f64; 2],
     /// How it was found.
-    pub by: &'static str,
+    pub by: Way,
+}
+
+/// How an interval of confidence is found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub enum Way {
+    /// From how often it happened, whatever the probability is.
+    #[serde(rename = "exact for independent samples (Clopper and Pearson)")]
+    Counts,
+    /// From how often it happened in each part that was drawn independently.
+    #[serde(rename = "the scatter of replicates (Student's t)")]
+    Replicates,
+}
+
+impl Way {
+    /// In words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Way::Counts => "exact for independent samples (Clopper and Pearson)",
+            Way::Replicates => "the scatter of replicates (Student's t)",
+        }
+    }
 }
 
 /// How a number scatters over the samples that have it.
@@ -63,13 +99,31 @@ pub struct Interval {
 pub struct Spread {
     /// The column of the results.
     pub name: String,
-    /// The field that it is a value of, so that it has a unit.
+    /// What it measures, so that it has a unit; none of plain numbers.
     #[serde(skip)]
-    pub field: Option<Field>,
+    pub kind: Option<Kind>,
     /// Mean.
     pub mean: f64,
     /// Standard deviation.
     pub deviation: f64,
     /// The smallest, the quantiles of 5, 50 and 95 %, the largest.
     pub quantiles: [f64; 5],
+    /// How many samples lie in each of so many equal parts, from the smallest to the largest.
+    pub histogram: Vec<u64>,
+}
+
+impl Spread {
+    /// As people read it.
+    pub(crate) fn label(&self) -> String {
+        match &*self.name {
+            "left" | "right" => format!("{} end force", self.name),
+            name => clean(&name.replace('_', " ")),
+        }
+    }
+
+    /// The size of its largest value, by which its unit is chosen.
+    pub(crate) fn largest(&self) -> f64 {
+        let [least, .., most] = self.quantiles;
+        least.abs().max(most.abs())
+    }
 }

@@ -7,7 +7,10 @@ mod common;
 use common::{SOLVABLE, context, document, solved};
 use groundbeam::train::{Answer, Passage, Sweep};
 use groundbeam_file::{Document, MovingTrain};
-use groundbeam_report::{Combinations, Combined, Found, Moving, Passages, calculation, html, svg};
+use groundbeam_report::{
+    Combinations, Combined, Context, Estimate, Found, Interval, Kind, Limit, Moving, Passages,
+    Spread, Study, Units, Way, calculation, html, svg,
+};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 use std::path::PathBuf;
@@ -165,4 +168,88 @@ fn trains() {
     // The model, the train where it bends the beam most, four envelopes.
     assert_eq!(found.len(), 6);
     looks_as_kept("report-train-moment", &found[4]);
+}
+
+/// A study of 2000 samples, its numbers made up: events from certain to never, and histograms of many shapes.
+fn study() -> Study {
+    let event =
+        |name: &str, limit: Option<(&str, bool, f64)>, count: u64, bounds: [f64; 2]| Estimate {
+            name: name.to_owned(),
+            limit: limit.map(|(of, above, limit)| Limit { quantity: of.to_owned(), above, limit }),
+            count,
+            probability: count as f64 / 2000.0,
+            interval: Interval { bounds, by: Way::Counts },
+        };
+    let spread = |name: &str, kind, quantiles: [f64; 5], histogram: &[u64]| Spread {
+        name: name.to_owned(),
+        kind,
+        mean: quantiles[2],
+        deviation: 0.3 * (quantiles[3] - quantiles[1]),
+        quantiles,
+        histogram: histogram.to_vec(),
+    };
+    Study {
+        title: Some("A strip on <random> ground".to_owned()),
+        samples: 2000,
+        seed: 7,
+        sampling: "sobol",
+        replicates: 8,
+        dimensions: 12,
+        variance: Some(0.99),
+        solved: 2000,
+        without_equilibrium: 0,
+        not_converged: 0,
+        wrong: 0,
+        largest_gap: 1e-13,
+        events: vec![
+            event("no equilibrium", None, 0, [0.0, 0.00184]),
+            event("some of the beam lifts off", None, 2000, [0.998, 1.0]),
+            event(
+                "bearing pressure above 350 kPa",
+                Some(("pressure_max", true, 350e3)),
+                61,
+                [0.0231, 0.039],
+            ),
+            event(
+                "a name so long that it does not fit on the line that it stands on",
+                Some(("left", false, 0.0)),
+                3,
+                [3e-4, 4.4e-3],
+            ),
+        ],
+        spreads: vec![
+            spread(
+                "load[0]",
+                Some(Kind::Force),
+                [4e5, 4.6e5, 6e5, 7.7e5, 1.1e6],
+                &[10, 300, 800, 500, 250, 100, 30, 10],
+            ),
+            spread("k_factor", None, [1.0, 1.0, 1.0, 1.0, 1.0], &[2000]),
+            spread(
+                "lifted_share",
+                None,
+                [0.0, 0.0, 0.0, 0.2, 0.31],
+                &[1500, 0, 80, 120, 160, 90, 50],
+            ),
+            spread(
+                "left",
+                Some(Kind::Force),
+                [-100.0, 5e3, 2e4, 3e4, 4e4],
+                &[20, 300, 700, 700, 280],
+            ),
+            spread(
+                "pressure_max",
+                Some(Kind::Pressure),
+                [2e5, 2.3e5, 2.8e5, 3.4e5, 4e5],
+                &[150, 700, 800, 250, 90, 10],
+            ),
+        ],
+    }
+}
+
+#[test]
+fn studies() {
+    let picture = svg::study(&study(), &Context::new(Units::Si));
+    looks_as_kept("study", &picture);
+    insta::assert_snapshot!("svg-study", picture);
 }

@@ -3,13 +3,17 @@
 use crate::draws::Draws;
 use crate::row::Status;
 use crate::store::{StoreError, Table, Whole};
-use groundbeam_file::study::{Event, Exceeds, Judged, Plan, Sampling};
-use groundbeam_report::{Estimate, Interval, Spread, Study};
+use groundbeam::sensitivity::{LoadNumber, Parameter, Property};
+use groundbeam::{Load, Model};
+use groundbeam_file::study::{Exceeds, Judged, Plan, Sampling};
+use groundbeam_report::{Estimate, Interval, Kind, Limit, Spread, Study, Way};
 use statrs::distribution::{Beta, ContinuousCDF, StudentsT};
 use std::path::Path;
 
 /// The probability with which an interval holds what it is about.
 const CONFIDENCE: f64 = 0.95;
+/// A histogram has so many parts at most.
+const MOST_PARTS: usize = 40;
 /// From so many times on that something happened, the scatter of replicates tells its error.
 const ENOUGH: u64 = 10;
 
@@ -25,32 +29,42 @@ pub fn summary(draws: &Draws, out: &Path) -> Result<Study, StoreError> {
     let whole = Whole::of(out, &table.head, &(0..plan.samples))?.ok_or_else(missing)?;
     let statuses = statuses(&whole)?;
     let count = |status: Status| statuses.iter().filter(|s| **s == status).count() as u64;
-    let mut events = vec![of_status(&statuses, plan)];
     let lifted = whole.numbers("lifted_share")?;
-    let lifts = |i: usize| lifted[i] > 0.0;
-    events.push(estimate("some of the beam lifts off", &statuses, plan, lifts));
-    for event in &draws.study().events {
-        let values = judged(event, &whole)?;
-        let happened = |i: usize| match event.side {
-            Exceeds::Above => values[i] > event.limit,
-            Exceeds::Below => values[i] < event.limit,
-        };
-        events.push(estimate(&event.name, &statuses, plan, happened));
-    }
+    let mut events = vec![
+        estimate("no equilibrium", None, &statuses, plan, |_| false),
+        estimate("some of the beam lifts off", None, &statuses, plan, |i| lifted[i] > 0.0),
+    ];
     let mut spreads = Vec::new();
+    let model = &draws.study().document.model;
     for random in &draws.study().random {
-        spreads.extend(spread(&random.name, None, whole.numbers(&random.name)?));
+        spreads.extend(spread(
+            &random.name,
+            kind(random.target, model),
+            whole.numbers(&random.name)?,
+        ));
     }
     spreads.extend(spread("lifted_share", None, lifted));
-    for (name, end) in [("left", "left"), ("right", "right")] {
-        let field = Some(groundbeam::Field::ShearForce);
-        spreads.extend(spread(name, field, whole.numbers(end)?));
+    for end in ["left", "right"] {
+        spreads.extend(spread(end, Some(Kind::Force), whole.numbers(end)?));
     }
     for field in &table.wanted.extremes {
         for part in ["min", "max"] {
             let name = format!("{}_{part}", field.name());
             let values = whole.numbers(&name)?;
-            spreads.extend(spread(&name, Some(*field), values));
+            spreads.extend(spread(&name, Some(Kind::of(*field)), values));
+        }
+    }
+    for event in &draws.study().events {
+        let (quantity, values) = judged(event.of, &whole)?;
+        let above = event.side == Exceeds::Above;
+        let happened =
+            |i: usize| if above { values[i] > event.limit } else { values[i] < event.limit };
+        let limit = Limit { quantity: quantity.clone(), above, limit: event.limit };
+        events.push(estimate(&event.name, Some(limit), &statuses, plan, happened));
+        if let Judged::Difference(field) = event.of
+            && spreads.iter().all(|spread: &Spread| spread.name != quantity)
+        {
+            spreads.extend(spread(&quantity, Some(Kind::of(field)), values));
         }
     }
     let largest_gap = whole.numbers("relative_gap")?.into_iter().fold(0.0, f64::max);
@@ -81,31 +95,51 @@ fn statuses(whole: &Whole) -> Result<Vec<Status>, StoreError> {
     Ok(all)
 }
 
-/// The number that an event is judged by, of each sample.
-fn judged(event: &Event, whole: &Whole) -> Result<Vec<f64>, StoreError> {
-    let column =
-        |field: groundbeam::Field, part| whole.numbers(&format!("{}_{part}", field.name()));
-    match event.of {
-        Judged::LiftedShare => whole.numbers("lifted_share"),
-        Judged::EndForce(0) => whole.numbers("left"),
-        Judged::EndForce(_) => whole.numbers("right"),
-        Judged::Smallest(field) => column(field, "min"),
-        Judged::Largest(field) => column(field, "max"),
+/// The number that an event is judged by, of each sample, and what it is called.
+fn judged(of: Judged, whole: &Whole) -> Result<(String, Vec<f64>), StoreError> {
+    let column = |name: String| Ok((name.clone(), whole.numbers(&name)?));
+    let extreme = |field: groundbeam::Field, part| column(format!("{}_{part}", field.name()));
+    match of {
+        Judged::LiftedShare => column("lifted_share".to_owned()),
+        Judged::EndForce(0) => column("left".to_owned()),
+        Judged::EndForce(_) => column("right".to_owned()),
+        Judged::Smallest(field) => extreme(field, "min"),
+        Judged::Largest(field) => extreme(field, "max"),
         Judged::Difference(field) => {
-            let (min, max) = (column(field, "min")?, column(field, "max")?);
-            Ok(max.iter().zip(&min).map(|(max, min)| max - min).collect())
+            let ((_, min), (_, max)) = (extreme(field, "min")?, extreme(field, "max")?);
+            let difference = max.iter().zip(&min).map(|(max, min)| max - min).collect();
+            Ok((format!("{}_range", field.name()), difference))
         }
     }
 }
 
-fn of_status(statuses: &[Status], plan: Plan) -> Estimate {
-    estimate("no equilibrium", statuses, plan, |_| false)
+/// What a random number measures.
+fn kind(of: Parameter, model: &Model) -> Option<Kind> {
+    match of {
+        Parameter::AxialForce => Some(Kind::Force),
+        Parameter::Value(Property::BendingStiffness, _) => Some(Kind::BendingStiffness),
+        Parameter::Value(Property::Spring, _) => Some(Kind::Spring),
+        Parameter::Value(Property::Shear, _) => Some(Kind::Constant),
+        Parameter::Load(_, LoadNumber::At | LoadNumber::From | LoadNumber::To) => {
+            Some(Kind::Position)
+        }
+        Parameter::Load(index, _) => Some(match model.loads[index] {
+            Load::PointForce { .. } | Load::GroundForce { .. } => Kind::Force,
+            Load::PointMoment { .. } => Kind::Moment,
+            Load::Distributed { .. } | Load::GroundDistributed { .. } => Kind::Pressure,
+            // Moment per length is a force.
+            Load::DistributedMoment { .. } => Kind::Force,
+            Load::Curvature { .. } => Kind::PerLength,
+        }),
+        _ => None,
+    }
 }
 
 /// How probable something is. A beam without equilibrium is one with which it has happened; of a sample without an answer
 /// it is not known, and the interval reaches from none of them to all.
 fn estimate(
     name: &str,
+    limit: Option<Limit>,
     statuses: &[Status],
     plan: Plan,
     happened: impl Fn(usize) -> bool,
@@ -135,10 +169,16 @@ fn estimate(
             };
             let low = of_replicates(&part(&is))[0];
             let high = of_replicates(&part(&|i| is(i) || is_open(i)))[1];
-            Interval { bounds: [low, high], by: "the scatter of replicates (Student's t)" }
+            Interval { bounds: [low, high], by: Way::Replicates }
         };
     interval.bounds = interval.bounds.map(|bound| bound.clamp(0.0, 1.0));
-    Estimate { name: name.to_owned(), count, probability: count as f64 / total as f64, interval }
+    Estimate {
+        name: name.to_owned(),
+        limit,
+        count,
+        probability: count as f64 / total as f64,
+        interval,
+    }
 }
 
 /// Clopper and Pearson's interval, which holds the probability at least so often: its lower end for one count, its upper
@@ -150,7 +190,7 @@ fn of_counts(low: u64, high: u64, total: u64) -> Interval {
     };
     let lower = if low == 0 { 0.0 } else { quantile(low, total - low + 1, tail) };
     let upper = if high >= total { 1.0 } else { quantile(high + 1, total - high, 1.0 - tail) };
-    Interval { bounds: [lower, upper], by: "exact for independent samples (Clopper and Pearson)" }
+    Interval { bounds: [lower, upper], by: Way::Counts }
 }
 
 /// Student's interval of a mean.
@@ -165,7 +205,7 @@ fn of_replicates(values: &[f64]) -> [f64; 2] {
 }
 
 /// Mean, deviation and quantiles of what is known; none if nothing is.
-fn spread(name: &str, field: Option<groundbeam::Field>, values: Vec<f64>) -> Option<Spread> {
+fn spread(name: &str, kind: Option<Kind>, values: Vec<f64>) -> Option<Spread> {
     let mut known: Vec<f64> = values.into_iter().filter(|value| !value.is_nan()).collect();
     if known.is_empty() {
         return None;
@@ -183,7 +223,25 @@ fn spread(name: &str, field: Option<groundbeam::Field>, values: Vec<f64>) -> Opt
         known[below] + (place - place.floor()) * (known[above] - known[below])
     };
     let quantiles = [0.0, 0.05, 0.5, 0.95, 1.0].map(quantile);
-    Some(Spread { name: name.to_owned(), field, mean, deviation, quantiles })
+    let quartiles = [0.25, 0.75].map(quantile);
+    let histogram = histogram(&known, quartiles);
+    Some(Spread { name: name.to_owned(), kind, mean, deviation, quantiles, histogram })
+}
+
+/// How many of the sorted numbers lie in each of equal parts from the smallest to the largest, as many as Freedman and
+/// Diaconis advise: twice the distance of the quartiles over the cube root of the count.
+fn histogram(sorted: &[f64], [lower, upper]: [f64; 2]) -> Vec<u64> {
+    let [Some(&least), Some(&most)] = [sorted.first(), sorted.last()] else { return Vec::new() };
+    let width = 2.0 * (upper - lower) / (sorted.len() as f64).cbrt();
+    // Where most are the same, as in a share that is zero, quartiles tell nothing.
+    let advised = if width > 0.0 { (most - least) / width } else { MOST_PARTS as f64 };
+    let parts = if least < most { (advised.ceil() as usize).clamp(1, MOST_PARTS) } else { 1 };
+    let mut counts = vec![0; parts];
+    for value in sorted {
+        let part = (value - least) / (most - least) * parts as f64;
+        counts[(part as usize).min(parts - 1)] += 1;
+    }
+    counts
 }
 
 #[cfg(test)]
@@ -220,13 +278,13 @@ mod tests {
     fn what_is_not_known_widens_the_interval() {
         let plan = Plan { samples: 100, seed: 0, sampling: Sampling::MonteCarlo, replicates: 1 };
         let mut statuses = vec![Status::Solved; 100];
-        let all_known = estimate("e", &statuses, plan, |i| i < 20);
+        let all_known = estimate("e", None, &statuses, plan, |i| i < 20);
         statuses[50..60].fill(Status::NotConverged);
-        let some = estimate("e", &statuses, plan, |i| i < 20);
+        let some = estimate("e", None, &statuses, plan, |i| i < 20);
         assert_eq!(some.count, 20);
         assert_eq!(some.interval.bounds[0], all_known.interval.bounds[0]);
         assert!(some.interval.bounds[1] > all_known.interval.bounds[1] + 0.09);
         statuses[99] = Status::NoEquilibrium;
-        assert_eq!(estimate("e", &statuses, plan, |i| i < 20).count, 21);
+        assert_eq!(estimate("e", None, &statuses, plan, |i| i < 20).count, 21);
     }
 }

@@ -35,6 +35,8 @@ class Spread(NamedTuple):
     deviation: float
     quantiles: Tuple[float, float, float, float, float]
     """The smallest, the quantiles of 5, 50 and 95 %, the largest."""
+    histogram: Tuple[int, ...]
+    """How many samples lie in each of so many equal parts, from the smallest to the largest."""
 
 
 class Summary:
@@ -54,7 +56,8 @@ class Summary:
     spreads: dict[str, Spread]
     """By the columns of the results."""
 
-    def __init__(self, document: dict[str, Any]) -> None:
+    def __init__(self, document: dict[str, Any], picture: str) -> None:
+        self._picture = picture
         self.samples = document["samples"]
         self.solved = document["solved"]
         self.without_equilibrium = document["without_equilibrium"]
@@ -68,9 +71,21 @@ class Summary:
             for event in document["events"]
         }
         self.spreads = {
-            spread["name"]: Spread(spread["mean"], spread["deviation"], tuple(spread["quantiles"]))
+            spread["name"]: Spread(
+                spread["mean"],
+                spread["deviation"],
+                tuple(spread["quantiles"]),
+                tuple(spread["histogram"]),
+            )
             for spread in document["spreads"]
         }
+
+    def to_svg(self) -> str:
+        """The picture: how probable events are, and how numbers scatter."""
+        return self._picture
+
+    def _repr_html_(self) -> str:
+        return f'<div style="max-width: 60em">{self._picture}</div>'
 
     def __repr__(self) -> str:
         return f"<groundbeam.Summary: {self.solved} of {self.samples} solved>"
@@ -142,7 +157,8 @@ class Study:
 
     def summary(self, out: File) -> Summary:
         """What follows from the results of all samples."""
-        return Summary(json.loads(self._inner.summary(out)))
+        document, picture = self._inner.summary(out)
+        return Summary(json.loads(document), picture)
 
     def to_pandas(self, out: File) -> pandas.DataFrame:
         """The results as a table; needs pyarrow."""

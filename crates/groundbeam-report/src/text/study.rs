@@ -4,8 +4,8 @@ use super::sheet::Sheet;
 use super::{duration, title};
 use crate::context::{Context, clean};
 use crate::number::{order, significant};
-use crate::quantity::{Kind, Units};
-use crate::study::{Estimate, Spread, Study};
+use crate::quantity::Units;
+use crate::study::{Estimate, Spread, Study, Way};
 
 /// The study as a report for the terminal; with `colour`, with escape codes.
 pub fn study(study: &Study, context: &Context, colour: bool) -> String {
@@ -38,7 +38,7 @@ pub fn study(study: &Study, context: &Context, colour: bool) -> String {
         "{:<34}{:>10}{:>12}{:>23}",
         "Event", "samples", "probability", "95 % interval"
     ));
-    for Estimate { name, count, probability, interval } in &study.events {
+    for Estimate { name, count, probability, interval, .. } in &study.events {
         let [low, high] = interval.bounds.map(|bound| significant(bound, 3));
         let name = shortened(&clean(name), 33);
         let probability = significant(*probability, 4);
@@ -62,20 +62,17 @@ pub fn study(study: &Study, context: &Context, colour: bool) -> String {
         study.solved
     );
     sheet.row("Certificate", &words);
-    let mut ways: Vec<&str> = Vec::new();
+    let mut ways: Vec<Way> = Vec::new();
     for event in &study.events {
         if !ways.contains(&event.interval.by) {
             ways.push(event.interval.by);
         }
     }
-    let rare = if ways.len() > 1 { " where something happened in few samples" } else { "" };
     for (i, way) in ways.iter().enumerate() {
-        let is_exact = way.starts_with("exact");
-        let words = format!("{way}{}", if is_exact { rare } else { "" });
+        let is_of_rare = ways.len() > 1 && *way == Way::Counts;
+        let rare = if is_of_rare { " where something happened in few samples" } else { "" };
+        let words = format!("{}{rare}", way.words());
         sheet.row(if i == 0 { "Intervals" } else { "" }, &words);
-    }
-    if context.units == Units::Si {
-        sheet.row("Units", "numbers without one are in N, m and their products");
     }
     if let Some(seconds) = context.seconds {
         let rate = study.samples as f64 / seconds.max(1e-9);
@@ -86,24 +83,13 @@ pub fn study(study: &Study, context: &Context, colour: bool) -> String {
 }
 
 fn line(spread: &Spread, units: Units) -> String {
-    let [least, .., most] = spread.quantiles;
-    let kind = match (spread.field, &*spread.name) {
-        (None, _) => None,
-        // What happens under an end is a force, whatever field it is called after.
-        (Some(_), "left" | "right") => Some(Kind::Force),
-        (Some(field), _) => Some(Kind::of(field)),
-    };
-    let largest = least.abs().max(most.abs());
+    let (kind, largest) = (spread.kind, spread.largest());
     let number = |value: f64| match kind {
         Some(kind) => units.unit(kind, largest).number(value, 4),
         None => significant(value, 4),
     };
     let unit = kind.map_or(String::new(), |kind| units.unit(kind, largest).bracketed());
-    let name = match &*spread.name {
-        "left" | "right" => format!("{} end force", spread.name),
-        name => name.replace('_', " "),
-    };
-    let label = shortened(&(name + &unit), 26);
+    let label = shortened(&(spread.label() + &unit), 26);
     let [mean, deviation, low, middle, high] = [
         spread.mean,
         spread.deviation,

@@ -1,0 +1,244 @@
+//! The picture of a study: how probable events are, and how numbers scatter.
+
+use super::axis;
+use super::canvas::{Anchor, Canvas, Style, number, printed};
+use super::frame::{LEFT, WIDTH};
+use super::style::{FAINT_INK, INK, LABEL, LOAD, NOTE, PANEL_TITLE, PRESSURE, RULE, TICK};
+use super::{header, stacked};
+use crate::context::{Context, clean};
+use crate::font::Metrics;
+use crate::number::significant;
+use crate::quantity::{Unit, Units};
+use crate::study::{Estimate, Limit, Spread, Study};
+
+/// Where panels end.
+const RIGHT: f64 = WIDTH - 24.0;
+/// Panels beside one another.
+const COLUMNS: usize = 3;
+/// Between two of them.
+const BETWEEN: f64 = 28.0;
+/// The height of the bars.
+const BARS: f64 = 84.0;
+/// Below the title of a panel.
+const TOP: f64 = 24.0;
+/// From one event to the next.
+const ROW: f64 = 24.0;
+/// Where the scale of probabilities begins and ends.
+const SCALE: [f64; 2] = [LEFT + 270.0, RIGHT - 170.0];
+
+/// Probabilities of events with their intervals, and histograms of random numbers and results, as an SVG file.
+pub fn study(study: &Study, context: &Context) -> String {
+    let metrics = Metrics::new();
+    let mut page = Canvas::new();
+    let title = study.title.as_deref().map(clean).filter(|title| !title.is_empty());
+    let mut words = format!("{} samples, {}, seed {}", study.samples, study.sampling, study.seed);
+    words += &format!("; {} solved and certified", study.solved);
+    let key = "Bars: samples. Dot: median; thick line: from 5 % to 95 %. Orange: beyond a limit.";
+    let mut y = header(&mut page, title.as_deref(), &[&words, key]);
+    y = stacked(&mut page, &events(study, &metrics), y);
+    for row in study.spreads.chunks(COLUMNS) {
+        let mut panels = Canvas::new();
+        for (i, spread) in row.iter().enumerate() {
+            let limits = study.events.iter().filter_map(|event| event.limit.as_ref());
+            let limits: Vec<&Limit> =
+                limits.filter(|limit| limit.quantity == spread.name).collect();
+            Panel::new(i, spread, &limits, context.units).draw(&mut panels, &metrics);
+        }
+        y = stacked(&mut page, &panels, y);
+    }
+    page.finish(WIDTH, y, title.as_deref().unwrap_or("A study"))
+}
+
+/// Each event a row: its probability on a scale of powers of ten, with the interval.
+fn events(study: &Study, metrics: &Metrics) -> Canvas {
+    let mut canvas = Canvas::new();
+    canvas.text([LEFT, 0.0], Anchor::Start, PANEL_TITLE, "How probable events are");
+    let positive = study
+        .events
+        .iter()
+        .flat_map(|e| [e.probability, e.interval.bounds[0], e.interval.bounds[1]]);
+    let least = positive.filter(|p| *p > 0.0).fold(0.1, f64::min).log10().floor().max(-12.0);
+    let [left, right] = SCALE;
+    let x = |p: f64| {
+        if p > 0.0 { (right + (right - left) * p.log10() / -least).max(left) } else { left }
+    };
+    let bottom = 10.0 + ROW * study.events.len() as f64;
+    let decades = (least as i32)..=0;
+    let every = 1 + decades.clone().count() / 7;
+    for power in decades.rev().step_by(every) {
+        let at = x(10.0_f64.powi(power));
+        canvas.line([at, 10.0], [at, bottom], &format!(r#"stroke="{RULE}" stroke-width="1""#));
+        canvas.text([at, bottom + 15.0], Anchor::Middle, TICK, &percent(10.0_f64.powi(power)));
+    }
+    for (i, event) in study.events.iter().enumerate() {
+        let y = 10.0 + ROW * (i as f64 + 0.5);
+        let Estimate { probability, interval, .. } = event;
+        let name = fitting(&clean(&event.name), left - LEFT - 14.0, LABEL, metrics);
+        canvas.text([LEFT, y + 4.0], Anchor::Start, LABEL, &name);
+        let stroke = |width: f64| format!(r#"stroke="{LOAD}" stroke-width="{}""#, number(width));
+        let [low, high] = interval.bounds.map(x);
+        canvas.line([low, y], [high, y], &stroke(2.0));
+        for (end, bound) in [(low, interval.bounds[0]), (high, interval.bounds[1])] {
+            if bound > 0.0 {
+                canvas.line([end, y - 4.0], [end, y + 4.0], &stroke(1.4));
+            }
+        }
+        if *probability > 0.0 {
+            canvas.dot(
+                [x(*probability), y],
+                3.6,
+                &format!(r##"fill="{LOAD}" stroke="#ffffff" stroke-width="1""##),
+            );
+        }
+        let [low, high] = interval.bounds.map(percent);
+        let words = format!("{} ({low} to {high})", percent(*probability));
+        canvas.text([right + 12.0, y + 4.0], Anchor::Start, LABEL, &words);
+    }
+    canvas.reserve(bottom + 20.0);
+    canvas
+}
+
+/// A histogram in its place.
+struct Panel<'a> {
+    spread: &'a Spread,
+    limits: &'a [&'a Limit],
+    unit: Unit,
+    left: f64,
+    width: f64,
+    /// What the width shows.
+    range: [f64; 2],
+}
+
+impl<'a> Panel<'a> {
+    fn new(column: usize, spread: &'a Spread, limits: &'a [&'a Limit], units: Units) -> Self {
+        let width = (RIGHT - LEFT - (COLUMNS - 1) as f64 * BETWEEN) / COLUMNS as f64;
+        let left = LEFT + column as f64 * (width + BETWEEN);
+        let [least, .., most] = spread.quantiles;
+        let size = most - least;
+        // A limit that is not too far away is shown.
+        let near = limits.iter().map(|limit| limit.limit);
+        let near = near.filter(|limit| *limit > least - size && *limit < most + size);
+        let [mut from, mut to] =
+            near.fold([least, most], |[a, b], limit| [a.min(limit), b.max(limit)]);
+        if from == to {
+            let room = if from == 0.0 { 1.0 } else { 0.5 * from.abs() };
+            (from, to) = (from - room, to + room);
+        }
+        let beside = 0.03 * (to - from);
+        let unit = match spread.kind {
+            Some(kind) => units.unit(kind, spread.largest()),
+            None => Unit { name: "", size: 1.0 },
+        };
+        Panel { spread, limits, unit, left, width, range: [from - beside, to + beside] }
+    }
+
+    fn x(&self, value: f64) -> f64 {
+        self.left + self.width * (value - self.range[0]) / (self.range[1] - self.range[0])
+    }
+
+    fn draw(&self, canvas: &mut Canvas, metrics: &Metrics) {
+        let title = self.spread.label() + &self.unit.bracketed();
+        let title = fitting(&title, 0.94 * self.width, PANEL_TITLE, metrics);
+        canvas.text([self.left, 0.0], Anchor::Start, PANEL_TITLE, &title);
+        let zero = TOP + BARS;
+        self.bars(canvas, zero);
+        let ink = |colour: &str, width: f64| {
+            format!(r#"stroke="{colour}" stroke-width="{}""#, number(width))
+        };
+        let end = self.left + self.width;
+        canvas.line([self.left, zero], [end, zero], &ink(FAINT_INK, 1.0));
+        let shown = [0, 1].map(|i| self.range[i] / self.unit.size);
+        let mut free = self.left - 20.0;
+        for value in axis::ticks(shown, 3) {
+            let at = self.x(value * self.unit.size);
+            let words = printed(&significant(value, 6));
+            let half = 0.5 * metrics.width(&words, TICK.size);
+            canvas.line([at, zero], [at, zero + 4.0], &ink(FAINT_INK, 1.0));
+            if at - half > free {
+                canvas.text([at, zero + 19.0], Anchor::Middle, TICK, &words);
+                free = at + half + 8.0;
+            }
+        }
+        let [_, low, middle, high, _] = self.spread.quantiles.map(|value| self.x(value));
+        canvas.line([low, zero], [high, zero], &ink(INK, 3.5));
+        canvas.dot(
+            [middle, zero],
+            3.8,
+            &format!(r##"fill="{INK}" stroke="#ffffff" stroke-width="1.2""##),
+        );
+        self.limits(canvas, zero, metrics);
+        canvas.reserve(zero + 24.0);
+    }
+
+    /// Parts that lie beyond a limit are of its colour.
+    fn bars(&self, canvas: &mut Canvas, zero: f64) {
+        let counts = &self.spread.histogram;
+        let [least, .., most] = self.spread.quantiles;
+        let highest = counts.iter().copied().max().unwrap_or(1).max(1) as f64;
+        let part = (most - least) / counts.len() as f64;
+        for (i, &count) in counts.iter().enumerate().filter(|(_, count)| **count > 0) {
+            let height = (BARS * count as f64 / highest).max(0.7);
+            let bar = [0, 1].map(|side| least + (i + side) as f64 * part);
+            let bar = if part > 0.0 {
+                bar
+            } else {
+                let half = 0.02 * (self.range[1] - self.range[0]);
+                [least - half, least + half]
+            };
+            for ([from, to], colour) in self.pieces(bar) {
+                let (left, right) = (self.x(from), self.x(to));
+                let fill = format!(r#"fill="{colour}" fill-opacity="0.75""#);
+                let width = (right - left - if to == bar[1] { 0.8 } else { 0.0 }).max(0.3);
+                canvas.rect([left, zero - height], [width, height], &fill);
+            }
+        }
+    }
+
+    /// A bar, cut at the limits.
+    fn pieces(&self, [from, to]: [f64; 2]) -> Vec<([f64; 2], &'static str)> {
+        let mut cuts: Vec<f64> = self.limits.iter().map(|limit| limit.limit).collect();
+        cuts.retain(|cut| from < *cut && *cut < to);
+        cuts.extend([from, to]);
+        cuts.sort_by(f64::total_cmp);
+        let colour = |middle: f64| {
+            let beyond = |limit: &&Limit| {
+                if limit.above { middle > limit.limit } else { middle < limit.limit }
+            };
+            if self.limits.iter().any(beyond) { LOAD } else { PRESSURE }
+        };
+        cuts.windows(2)
+            .map(|pair| ([pair[0], pair[1]], colour(0.5 * (pair[0] + pair[1]))))
+            .collect()
+    }
+
+    fn limits(&self, canvas: &mut Canvas, zero: f64, metrics: &Metrics) {
+        let [from, to] = self.range;
+        for limit in self.limits.iter().filter(|limit| from < limit.limit && limit.limit < to) {
+            let x = self.x(limit.limit);
+            let dashes = format!(r#"stroke="{LOAD}" stroke-width="1.4" stroke-dasharray="4 3""#);
+            canvas.line([x, TOP - 6.0], [x, zero], &dashes);
+            let side = if limit.above { ">" } else { "<" };
+            let words = printed(&format!("{side} {}", self.unit.write(limit.limit, 4)));
+            let half = 0.5 * metrics.width(&words, NOTE.size);
+            let middle = x.clamp(self.left + half, self.left + self.width - half);
+            let style = Style { colour: LOAD, ..NOTE };
+            canvas.text([middle, TOP - 9.0], Anchor::Middle, style, &words);
+        }
+    }
+}
+
+/// As much of the words as there is room for.
+fn fitting(words: &str, room: f64, style: Style, metrics: &Metrics) -> String {
+    if metrics.width(words, style.size) <= room {
+        return words.to_owned();
+    }
+    let mut shortened: String = words.to_owned();
+    while !shortened.is_empty() && metrics.width(&shortened, style.size) + style.size > room {
+        shortened.pop();
+    }
+    shortened.trim_end().to_owned() + "…"
+}
+
+fn percent(part: f64) -> String {
+    format!("{} %", significant(100.0 * part, 3))
+}
