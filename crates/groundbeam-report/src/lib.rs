@@ -40,6 +40,7 @@ mod curve;
 mod font;
 mod found;
 mod number;
+mod outline;
 mod quantity;
 mod size;
 mod study;

@@ -2,9 +2,10 @@
 
 use crate::combinations::Combinations;
 use crate::context::Context;
+use crate::outline::outlined;
 use crate::study::Study;
+use crate::svg;
 use crate::trains::Passages;
-use crate::{font, svg};
 use groundbeam::Solution;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
@@ -62,11 +63,8 @@ pub fn study(study: &Study, context: &Context) -> Result<Vec<u8>, Error> {
 }
 
 fn drawn(picture: &str) -> Result<Vec<u8>, Error> {
-    let mut options = Options { font_family: "Inter".to_owned(), ..Options::default() };
-    let fonts = options.fontdb_mut();
-    fonts.load_font_data(font::REGULAR.to_vec());
-    fonts.load_font_data(font::SEMI_BOLD.to_vec());
-    let tree = Tree::from_str(picture, &options).map_err(|error| Error(error.to_string()))?;
+    let tree = Tree::from_str(&outlined(picture), &Options::default());
+    let tree = tree.map_err(|error| Error(error.to_string()))?;
     let size = tree.size();
     let [width, height] = [size.width(), size.height()].map(|side| (side * PIXELS).ceil() as u32);
     let mut pixels =

@@ -3,11 +3,11 @@
 use crate::distribution::{lognormal, normal_of, of_normal};
 use crate::fields::Field;
 use crate::points::Points;
+use crate::symmetric::Symmetric;
 use groundbeam::Model;
 use groundbeam::sensitivity::{Extent, Parameter, Property};
 use groundbeam_file::study::{Plan, StudyFile};
 use groundbeam_file::{Change, Course, change};
-use nalgebra::{Cholesky, DMatrix, Dyn};
 use std::fmt;
 
 /// Why samples cannot be drawn.
@@ -43,10 +43,12 @@ impl std::error::Error for Impossible {}
 pub struct Draws {
     study: StudyFile,
     plan: Plan,
+    /// Of how many independent numbers a sample is made.
+    dimensions: usize,
     points: Points,
     field: Option<Field>,
     /// L of L Lᵀ, the correlations of the random numbers; none if they are independent.
-    joined: Option<Cholesky<f64, Dyn>>,
+    joined: Option<Vec<Vec<f64>>>,
 }
 
 /// What a sample has drawn.
@@ -72,13 +74,12 @@ impl Draws {
         let joined = if study.joined.is_empty() {
             None
         } else {
-            let mut correlations = DMatrix::identity(count, count);
-            for joined in &study.joined {
-                let [a, b] = joined.of;
-                correlations[(a, b)] = joined.rho;
-                correlations[(b, a)] = joined.rho;
-            }
-            Some(Cholesky::new(correlations).ok_or(Impossible::Correlations)?)
+            let correlation = |i: usize, j: usize| {
+                let joined =
+                    study.joined.iter().find(|joined| joined.of == [i, j] || joined.of == [j, i]);
+                joined.map_or(f64::from(i == j), |joined| joined.rho)
+            };
+            Some(Symmetric::new(count, correlation).root().ok_or(Impossible::Correlations)?)
         };
         let length = study.document.model.beam.length;
         let field = match &study.field {
@@ -87,8 +88,9 @@ impl Draws {
         };
         let of_fields = field.as_ref().map_or(0, Field::numbers)
             * study.field.as_ref().map_or(0, |random| random.of.len());
-        let points = Points::new(plan, count + of_fields);
-        Ok(Draws { study, plan, points, field, joined })
+        let dimensions = count + of_fields;
+        let points = Points::new(plan, dimensions);
+        Ok(Draws { study, plan, dimensions, points, field, joined })
     }
 
     /// The study that is sampled.
@@ -103,8 +105,7 @@ impl Draws {
 
     /// Of how many independent numbers a sample is made.
     pub fn dimensions(&self) -> usize {
-        let each = self.field.as_ref().map_or(0, Field::numbers);
-        self.study.random.len() + each * self.study.field.as_ref().map_or(0, |field| field.of.len())
+        self.dimensions
     }
 
     /// The share of the fields' variance that is not cut off; none without fields.
@@ -114,7 +115,7 @@ impl Draws {
 
     /// What a sample draws, counted from 0.
     pub fn draw(&self, sample: u64) -> Draw {
-        let mut normal = vec![0.0; self.dimensions()];
+        let mut normal = vec![0.0; self.dimensions];
         self.points.fill(sample, &mut normal);
         for coordinate in &mut normal {
             *coordinate = normal_of(*coordinate);
@@ -122,10 +123,7 @@ impl Draws {
         let (own, rest) = normal.split_at(self.study.random.len());
         let joined = |i: usize| match &self.joined {
             None => own[i],
-            Some(root) => {
-                let row = root.l_dirty().row(i);
-                (0..=i).map(|j| row[j] * own[j]).sum()
-            }
+            Some(root) => root[i].iter().zip(own).map(|(entry, number)| entry * number).sum(),
         };
         let random = self.study.random.iter().enumerate();
         let numbers = random.map(|(i, random)| of_normal(&random.distribution, joined(i)));

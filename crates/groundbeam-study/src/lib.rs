@@ -21,6 +21,7 @@ mod row;
 mod run;
 mod store;
 mod summary;
+mod symmetric;
 
 pub use draws::{Draw, Draws, Impossible};
 pub use row::{Row, Status, Trouble, Wanted};

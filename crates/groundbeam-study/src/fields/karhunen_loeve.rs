@@ -3,8 +3,11 @@
 //! The eigenvalue problem ∫R(x, y) φ(y) dy = λ φ(x) is solved at the field's own points by a rule of quadrature
 //! (Nyström's method), so that with all terms the covariance at the points is R exactly.
 
+use crate::symmetric::{Eigen, Symmetric};
 use groundbeam_file::study::Share;
-use nalgebra::DMatrix;
+
+/// Entries of an eigenvector so near to the largest are as large, but for rounding.
+const ROUNDING: f64 = 1e-6;
 
 /// The terms that are kept, those of the largest eigenvalues first.
 #[derive(Debug, Clone)]
@@ -25,38 +28,29 @@ impl Expansion {
         share: Share,
     ) -> Self {
         let root = |i: usize| weight(i).sqrt();
-        let weighted = DMatrix::from_fn(count, count, |i, j| root(i) * correlation(i, j) * root(j));
-        let solved = weighted.symmetric_eigen();
-        let mut order: Vec<usize> = (0..count).collect();
-        order.sort_by(|&a, &b| solved.eigenvalues[b].total_cmp(&solved.eigenvalues[a]));
-        let positive = |i: &usize| solved.eigenvalues[*i].max(0.0);
-        let total: f64 = order.iter().map(positive).sum();
+        let weighted = Symmetric::new(count, |i, j| root(i) * correlation(i, j) * root(j));
+        let Eigen { mut values, mut vectors } = weighted.eigen();
+        values.iter_mut().for_each(|value| *value = value.max(0.0));
+        let total: f64 = values.iter().sum();
         let terms = match share {
             Share::Terms(terms) => terms.min(count),
             Share::OfVariance(1.0) => count,
             Share::OfVariance(share) => {
                 let mut sum = 0.0;
-                let reaches = |i: &usize| {
-                    sum += positive(i);
+                let reaches = |value: &f64| {
+                    sum += value;
                     sum >= share * total
                 };
-                order.iter().position(reaches).map_or(count, |last| last + 1)
+                values.iter().position(reaches).map_or(count, |last| last + 1)
             }
         };
-        order.truncate(terms);
-        let wave = |&term: &usize| {
-            let vector = solved.eigenvectors.column(term);
-            // The sign of an eigenvector is free: the entry of the largest size is positive.
-            let largest =
-                vector.iter().fold(0.0_f64, |m, v| if v.abs() > m.abs() { *v } else { m });
-            let scale = positive(&term).sqrt() * largest.signum();
-            (0..count).map(|i| scale * vector[i] / root(i)).collect()
-        };
-        Expansion {
-            waves: order.iter().map(wave).collect(),
-            eigenvalues: order.iter().map(positive).collect(),
-            total,
+        values.truncate(terms);
+        vectors.truncate(terms);
+        for (value, vector) in values.iter().zip(&mut vectors) {
+            let scale = value.sqrt() * sign(vector);
+            vector.iter_mut().enumerate().for_each(|(i, entry)| *entry *= scale / root(i));
         }
+        Expansion { waves: vectors, eigenvalues: values, total }
     }
 
     /// How many there are.
@@ -85,4 +79,12 @@ impl Expansion {
         }
         field
     }
+}
+
+/// The sign of an eigenvector is free: of the entries of the largest size the first is to be positive. Of a wave that a
+/// mirror at the beam's middle turns over there are two, and rounding must not choose between them.
+fn sign(vector: &[f64]) -> f64 {
+    let largest = vector.iter().fold(0.0_f64, |most, entry| most.max(entry.abs()));
+    let first = vector.iter().find(|entry| entry.abs() >= (1.0 - ROUNDING) * largest);
+    first.map_or(1.0, |entry| entry.signum())
 }

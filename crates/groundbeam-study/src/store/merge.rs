@@ -1,8 +1,10 @@
 //! Shards of one study put together.
 
+use super::StoreError;
 use super::parts::assembled;
+use super::read::Results;
 use super::table::{Head, Table};
-use super::{Columns, StoreError};
+use parquet::schema::types::TypePtr;
 use std::path::{Path, PathBuf};
 
 /// What was put together.
@@ -21,10 +23,10 @@ pub struct Merged {
 /// Files that cannot be read or written, are not of the same study, overlap, or leave samples out.
 pub fn merge(paths: &[PathBuf], out: &Path) -> Result<Merged, StoreError> {
     let mut shards: Vec<(u64, u64, &Path)> = Vec::new();
-    let mut known: Option<(Head, arrow_schema::SchemaRef, &Path)> = None;
+    let mut known: Option<(Head, TypePtr, &Path)> = None;
     for path in paths {
-        let columns = Columns::open(path)?;
-        let (head, schema, rows) = (columns.head(), columns.schema(), columns.rows());
+        let results = Results::open(path)?;
+        let (head, schema, rows) = (results.head(), results.schema(), results.rows());
         if head.get("digest").is_none() {
             return Err(StoreError::Unlike(format!(
                 "{}: these are no results of a study",
@@ -42,7 +44,7 @@ pub fn merge(paths: &[PathBuf], out: &Path) -> Result<Merged, StoreError> {
             }
             Some(_) => {}
         }
-        shards.extend(columns.first()?.map(|first| (first, first + rows, &**path)));
+        shards.extend(results.first()?.map(|first| (first, first + rows, &**path)));
     }
     let Some((head, schema, _)) = known else {
         return Err(StoreError::Unlike("there are no files to put together".to_owned()));

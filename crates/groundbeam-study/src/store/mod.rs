@@ -1,13 +1,15 @@
 //! Results as Parquet: one row a sample, with the study, the model and the seed inside.
 
+mod column;
 mod merge;
 mod parts;
 mod read;
 mod table;
+mod write;
 
 pub use merge::{Merged, merge};
 pub(crate) use parts::Parts;
-pub(crate) use read::{Columns, Whole};
+pub(crate) use read::Whole;
 pub(crate) use table::Table;
 
 use parquet::errors::ParquetError;

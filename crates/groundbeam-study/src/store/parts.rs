@@ -1,21 +1,21 @@
 //! Results on their way: parts of a study in a folder beside the file they will become.
 //!
-//! A part is written under another name, brought to the disk and renamed: what has its name is whole. Which samples it
-//! holds stands in the name. Whoever works here holds a lock that ends with the process.
+//! Which samples a part holds stands in its name. Whoever works here holds a lock that ends with the process.
 
-use super::read::head_of;
-use super::table::{ROWS_IN_A_GROUP, Table, writer};
-use super::{Columns, StoreError};
+use super::StoreError;
+use super::read::Results;
+use super::table::Table;
+use super::write::{Writer, beside};
 use crate::draws::Draw;
 use crate::row::Row;
-use arrow_array::RecordBatch;
-use arrow_schema::ArrowError;
-use arrow_select::concat::concat_batches;
-use parquet::arrow::ArrowWriter;
 use std::fs::{self, File, TryLockError};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+
+/// Where the parts of a file of results are.
+fn folder(out: &Path) -> PathBuf {
+    beside(out, ".parts")
+}
 
 /// The folder of parts of one file of results.
 #[derive(Debug)]
@@ -30,9 +30,7 @@ pub struct Parts {
 impl Parts {
     /// Begins or goes on; with `restart`, whatever is there is thrown away.
     pub fn open(out: &Path, table: &Table, restart: bool) -> Result<Self, StoreError> {
-        let mut folder = out.as_os_str().to_owned();
-        folder.push(".parts");
-        let folder = PathBuf::from(folder);
+        let folder = folder(out);
         fs::create_dir_all(&folder).map_err(|error| StoreError::io(&folder, &error))?;
         let lock_path = folder.join("lock");
         let lock = File::create(&lock_path).map_err(|error| StoreError::io(&lock_path, &error))?;
@@ -48,7 +46,7 @@ impl Parts {
             }
         }
         if let Some((_, path)) = parts.all()?.first()
-            && head_of(path)?.get("digest") != table.head.get("digest")
+            && Results::open(path)?.head().get("digest") != table.head.get("digest")
         {
             return Err(StoreError::Foreign(out.to_owned()));
         }
@@ -57,9 +55,7 @@ impl Parts {
 
     /// Whether results wait here to be gone on with.
     pub fn wait(out: &Path) -> bool {
-        let mut folder = out.as_os_str().to_owned();
-        folder.push(".parts");
-        Path::new(&folder).is_dir()
+        folder(out).is_dir()
     }
 
     /// Every whole part and its samples, in their order.
@@ -100,13 +96,9 @@ impl Parts {
         let range = first..first + rows.len() as u64;
         // So many digits that names sort as numbers do.
         let path = self.folder.join(format!("{:015}-{:015}.parquet", range.start, range.end));
-        let unfinished = path.with_extension("unfinished");
-        let mut writer = table.writer(&unfinished)?;
-        let wrong = |error| StoreError::parquet(&unfinished, &error);
-        writer.write(&table.batch(first, rows)).map_err(wrong)?;
-        let file = writer.into_inner().map_err(wrong)?;
-        let renamed = file.sync_all().and_then(|()| fs::rename(&unfinished, &path));
-        renamed.map_err(|error| StoreError::io(&path, &error))
+        let mut writer = Writer::new(&path, table)?;
+        writer.write(table.rows(first, rows), rows.len())?;
+        writer.finish()
     }
 
     /// Makes one file of all parts, and removes them.
@@ -120,46 +112,9 @@ impl Parts {
 
 /// One file of several, row after row.
 pub fn assembled(out: &Path, table: &Table, paths: &[&Path]) -> Result<(), StoreError> {
-    let mut name = out.as_os_str().to_owned();
-    name.push(".unfinished");
-    let unfinished = PathBuf::from(name);
-    let mut writer = writer(&unfinished, &table.schema, &table.head)?;
-    // Where pages end depends on how rows are handed over: always as many at once, whatever the parts were.
-    let mut waiting: Vec<RecordBatch> = Vec::new();
-    let mut rows = 0;
+    let mut writer = Writer::new(out, table)?;
     for path in paths {
-        let wrong = |error: ArrowError| StoreError::File((*path).to_owned(), error.to_string());
-        for batch in Columns::open(path)?.batches()? {
-            let mut batch = batch.map_err(wrong)?;
-            while rows + batch.num_rows() >= ROWS_IN_A_GROUP {
-                let fitting = ROWS_IN_A_GROUP - rows;
-                waiting.push(batch.slice(0, fitting));
-                hand_over(&mut writer, table, &mut waiting, &unfinished)?;
-                batch = batch.slice(fitting, batch.num_rows() - fitting);
-                rows = 0;
-            }
-            rows += batch.num_rows();
-            waiting.push(batch);
-        }
+        writer.copy(&Results::open(path)?)?;
     }
-    hand_over(&mut writer, table, &mut waiting, &unfinished)?;
-    let file = writer.into_inner().map_err(|error| StoreError::parquet(&unfinished, &error))?;
-    let renamed = file.sync_all().and_then(|()| fs::rename(&unfinished, out));
-    renamed.map_err(|error| StoreError::io(out, &error))
-}
-
-/// Writes what waits as one batch.
-fn hand_over(
-    writer: &mut ArrowWriter<File>,
-    table: &Table,
-    waiting: &mut Vec<RecordBatch>,
-    path: &Path,
-) -> Result<(), StoreError> {
-    let wrong = |error: ArrowError| StoreError::File(path.to_owned(), error.to_string());
-    // What a file says of itself stands in its own schema.
-    let ours = |batch: RecordBatch| batch.with_schema(Arc::clone(&table.schema));
-    let batches: Vec<RecordBatch> =
-        waiting.drain(..).map(ours).collect::<Result<_, _>>().map_err(wrong)?;
-    let whole = concat_batches(&table.schema, &batches).map_err(wrong)?;
-    writer.write(&whole).map_err(|error| StoreError::parquet(path, &error))
+    writer.finish()
 }

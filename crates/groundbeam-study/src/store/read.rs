@@ -1,38 +1,43 @@
 //! Files of results, read again.
 
 use super::StoreError;
+use super::column::{Column, Values};
 use super::table::Head;
-use arrow_array::Array;
-use arrow_array::cast::AsArray;
-use arrow_array::types::{Float64Type, UInt64Type};
-use parquet::arrow::ProjectionMask;
-use parquet::arrow::arrow_reader::{ParquetRecordBatchReader, ParquetRecordBatchReaderBuilder};
+use parquet::column::reader::ColumnReader;
+use parquet::errors::{ParquetError, Result as Done};
+use parquet::file::metadata::ParquetMetaData;
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::schema::types::TypePtr;
 use std::fs::File;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// A file of results.
-pub struct Columns {
+pub struct Results {
     path: PathBuf,
-    builder: ParquetRecordBatchReaderBuilder<File>,
+    file: SerializedFileReader<File>,
 }
 
-/// What a file of results says of itself.
-pub fn head_of(path: &Path) -> Result<Head, StoreError> {
-    Ok(Columns::open(path)?.head())
-}
-
-impl Columns {
+impl Results {
     pub fn open(path: &Path) -> Result<Self, StoreError> {
         let file = File::open(path).map_err(|error| StoreError::io(path, &error))?;
-        let builder = ParquetRecordBatchReaderBuilder::try_new(file);
-        let builder = builder.map_err(|error| StoreError::parquet(path, &error))?;
-        Ok(Columns { path: path.to_owned(), builder })
+        let file = SerializedFileReader::new(file);
+        let file = file.map_err(|error| StoreError::parquet(path, &error))?;
+        Ok(Results { path: path.to_owned(), file })
+    }
+
+    fn metadata(&self) -> &ParquetMetaData {
+        self.file.metadata()
+    }
+
+    /// What is wrong with this file.
+    pub fn wrong(&self, error: &ParquetError) -> StoreError {
+        StoreError::parquet(&self.path, error)
     }
 
     /// What it says of itself.
     pub fn head(&self) -> Head {
-        let pairs = self.builder.metadata().file_metadata().key_value_metadata();
+        let pairs = self.metadata().file_metadata().key_value_metadata();
         let ours = pairs.into_iter().flatten().filter(|pair| pair.key.starts_with("groundbeam."));
         let ours = ours.map(|pair| (pair.key.clone(), pair.value.clone().unwrap_or_default()));
         Head { pairs: ours.collect() }
@@ -40,38 +45,56 @@ impl Columns {
 
     /// How many rows it has.
     pub fn rows(&self) -> u64 {
-        u64::try_from(self.builder.metadata().file_metadata().num_rows()).unwrap_or(0)
+        u64::try_from(self.metadata().file_metadata().num_rows()).unwrap_or(0)
     }
 
-    /// Its columns, as the file describes them.
-    pub fn schema(&self) -> arrow_schema::SchemaRef {
-        // What the file says of itself is kept apart from its columns.
-        let schema = self.builder.schema();
-        std::sync::Arc::new(arrow_schema::Schema::new(schema.fields().clone()))
+    /// Its columns.
+    pub fn schema(&self) -> TypePtr {
+        self.metadata().file_metadata().schema_descr().root_schema_ptr()
+    }
+
+    /// How many groups of rows it has.
+    pub fn groups(&self) -> usize {
+        self.metadata().num_row_groups()
+    }
+
+    /// The columns of a group, to be read, and how many rows it has.
+    pub fn group(&self, group: usize) -> Done<(Vec<ColumnReader>, usize)> {
+        let group = self.file.get_row_group(group)?;
+        let columns = 0..group.metadata().num_columns();
+        let columns = columns.map(|column| group.get_column_reader(column)).collect::<Done<_>>()?;
+        Ok((columns, rows(group.metadata().num_rows())))
     }
 
     /// The number of its first sample.
-    pub fn first(self) -> Result<Option<u64>, StoreError> {
-        let path = self.path.clone();
-        let Some(batch) = self.batches()?.next() else { return Ok(None) };
-        let batch = batch.map_err(|error| StoreError::File(path, error.to_string()))?;
-        Ok(batch.column(0).as_primitive::<UInt64Type>().values().first().copied())
+    pub fn first(&self) -> Result<Option<u64>, StoreError> {
+        if self.groups() == 0 {
+            return Ok(None);
+        }
+        let first = self.column(0, 0, 1).map_err(|error| self.wrong(&error))?;
+        Ok(match first.values {
+            Values::Whole(numbers) => numbers.first().copied().map(i64::cast_unsigned),
+            _ => None,
+        })
     }
 
-    /// All rows, in batches.
-    pub fn batches(self) -> Result<ParquetRecordBatchReader, StoreError> {
-        let path = self.path;
-        self.builder
-            .with_batch_size(super::table::ROWS_IN_A_GROUP)
-            .build()
-            .map_err(|error| StoreError::parquet(&path, &error))
+    /// The first rows of a group in one column.
+    fn column(&self, group: usize, column: usize, most: usize) -> Done<Column> {
+        let mut reader = self.file.get_row_group(group)?.get_column_reader(column)?;
+        let mut rows = Column::before(&reader)?;
+        rows.read(&mut reader, most)?;
+        Ok(rows)
     }
 }
 
+/// A number of rows as the file states it.
+fn rows(stated: i64) -> usize {
+    usize::try_from(stated).unwrap_or(0)
+}
+
 /// A whole file of results, of which columns are read one by one.
-#[derive(Debug)]
 pub struct Whole {
-    path: PathBuf,
+    results: Results,
 }
 
 impl Whole {
@@ -80,12 +103,12 @@ impl Whole {
         if !path.exists() {
             return Ok(None);
         }
-        let columns = Columns::open(path)?;
-        if columns.head().get("digest") != head.get("digest") {
+        let results = Results::open(path)?;
+        if results.head().get("digest") != head.get("digest") {
             return Err(StoreError::Foreign(path.to_owned()));
         }
-        let rows = columns.rows();
-        if columns.first()? != Some(samples.start) || rows != samples.end - samples.start {
+        if results.first()? != Some(samples.start) || results.rows() != samples.end - samples.start
+        {
             return Err(StoreError::Unlike(format!(
                 "{}: it holds other samples of the study than {} to {}; name another file, or --restart",
                 path.display(),
@@ -93,17 +116,19 @@ impl Whole {
                 samples.end - 1
             )));
         }
-        Ok(Some(Whole { path: path.to_owned() }))
+        Ok(Some(Whole { results }))
     }
 
-    /// A column of numbers; null is not a number.
+    /// A column of numbers; where there is none it is not a number.
     pub fn numbers(&self, name: &str) -> Result<Vec<f64>, StoreError> {
         let mut all = Vec::new();
-        self.each(name, |column| match column.as_primitive_opt::<Float64Type>() {
-            Some(numbers) => all.extend(numbers.iter().map(|value| value.unwrap_or(f64::NAN))),
-            None => {
-                let whole = column.as_primitive::<UInt64Type>();
-                all.extend(whole.iter().map(|value| value.map_or(f64::NAN, |value| value as f64)));
+        self.each(name, |column| {
+            if let Values::Numbers(numbers) = column.values {
+                let mut numbers = numbers.into_iter();
+                let number = |level: &i16| if *level > 0 { numbers.next() } else { None };
+                all.extend(
+                    column.definitions.iter().map(number).map(|number| number.unwrap_or(f64::NAN)),
+                );
             }
         })?;
         Ok(all)
@@ -111,19 +136,22 @@ impl Whole {
 
     /// A column of words.
     pub fn words(&self, name: &str, mut take: impl FnMut(&str)) -> Result<(), StoreError> {
-        self.each(name, |column| column.as_string::<i32>().iter().flatten().for_each(&mut take))
+        self.each(name, |column| {
+            if let Values::Words(words) = column.values {
+                words.iter().for_each(|word| take(word.as_utf8().unwrap_or_default()));
+            }
+        })
     }
 
-    fn each(&self, name: &str, mut take: impl FnMut(&dyn Array)) -> Result<(), StoreError> {
-        let wrong = |what: String| StoreError::File(self.path.clone(), what);
-        let Columns { builder, .. } = Columns::open(&self.path)?;
-        let schema = builder.schema();
-        let index = schema.index_of(name).map_err(|error| wrong(error.to_string()))?;
-        let mask = ProjectionMask::roots(builder.parquet_schema(), [index]);
-        let reader = builder.with_projection(mask).with_batch_size(super::table::ROWS_IN_A_GROUP);
-        let reader = reader.build().map_err(|error| StoreError::parquet(&self.path, &error))?;
-        for batch in reader {
-            take(batch.map_err(|error| wrong(error.to_string()))?.column(0));
+    fn each(&self, name: &str, mut take: impl FnMut(Column)) -> Result<(), StoreError> {
+        let Results { path, file } = &self.results;
+        let columns = self.results.metadata().file_metadata().schema_descr().columns();
+        let place = columns.iter().position(|column| column.path().parts() == [name]);
+        let missing = || StoreError::File(path.clone(), format!("there is no column {name:?}"));
+        let place = place.ok_or_else(missing)?;
+        for (group, metadata) in file.metadata().row_groups().iter().enumerate() {
+            let column = self.results.column(group, place, rows(metadata.num_rows()));
+            take(column.map_err(|error| self.results.wrong(&error))?);
         }
         Ok(())
     }

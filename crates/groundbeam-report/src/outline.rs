@@ -1,0 +1,203 @@
+//! Words as shapes: a picture for renderers that know no fonts.
+
+use crate::font;
+use std::fmt::Write as _;
+use ttf_parser::gpos::{PairAdjustment, PositioningSubtable};
+use ttf_parser::opentype_layout::Lookup;
+use ttf_parser::{Face, GlyphId, OutlineBuilder, Tag};
+
+/// One of our pictures with every line of text as the outlines of its letters.
+pub(crate) fn outlined(picture: &str) -> String {
+    let faces = [font::REGULAR, font::SEMI_BOLD].map(|bytes| Face::parse(bytes, 0).ok());
+    let [Some(regular), Some(bold)] = faces else { return picture.to_owned() };
+    let [regular, bold] = [Letters::of(regular), Letters::of(bold)];
+    let mut all = String::with_capacity(4 * picture.len());
+    let mut rest = picture;
+    while let Some([before, attributes, words, after]) = line_of_text(rest) {
+        all.push_str(before);
+        let letters = if attribute(attributes, "font-weight").is_some() { &bold } else { &regular };
+        letters.write(attributes, &plain(words), &mut all);
+        rest = after;
+    }
+    all.push_str(rest);
+    all
+}
+
+/// The first line of text: what is before it, its attributes, its words, what is after it.
+fn line_of_text(picture: &str) -> Option<[&str; 4]> {
+    let (before, line) = picture.split_once("<text ")?;
+    let (attributes, line) = line.split_once('>')?;
+    let (words, after) = line.split_once("</text>")?;
+    Some([before, attributes, words, after])
+}
+
+/// The value of an attribute.
+fn attribute<'a>(attributes: &'a str, name: &str) -> Option<&'a str> {
+    let written = attributes.split(' ').find_map(|one| one.strip_prefix(name)?.strip_prefix("=\""));
+    written?.strip_suffix('"')
+}
+
+/// Words as they are, not as XML writes them.
+fn plain(words: &str) -> String {
+    let signs = [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&apos;", "'"), ("&amp;", "&")];
+    signs.iter().fold(words.to_owned(), |words, (written, sign)| words.replace(written, sign))
+}
+
+/// The letters of a face, and how near they stand to one another.
+struct Letters {
+    face: Face<'static>,
+    /// What moves pairs of letters.
+    kerning: Vec<Lookup<'static>>,
+}
+
+impl Letters {
+    fn of(face: Face<'static>) -> Self {
+        let mut kerning = Vec::new();
+        if let Some(table) = face.tables().gpos {
+            let kern = |index: &u16| {
+                let features = table.features.into_iter();
+                let mut kern = features.filter(|feature| feature.tag == Tag::from_bytes(b"kern"));
+                kern.any(|feature| feature.lookup_indices.into_iter().any(|of| of == *index))
+            };
+            let which = (0..table.lookups.len()).filter(kern);
+            kerning.extend(which.filter_map(|index| table.lookups.get(index)));
+        }
+        Letters { face, kerning }
+    }
+
+    /// A line of text as one shape.
+    fn write(&self, attributes: &str, words: &str, out: &mut String) {
+        let number = |name| attribute(attributes, name).and_then(|value| value.parse().ok());
+        let [x, y, size] = ["x", "y", "font-size"].map(|name| number(name).unwrap_or(0.0_f64));
+        let scale = size / f64::from(self.face.units_per_em());
+        let glyphs: Vec<GlyphId> =
+            words.chars().map(|c| self.face.glyph_index(c).unwrap_or(GlyphId(0))).collect();
+        let mut places = Vec::with_capacity(glyphs.len());
+        let mut width = 0.0;
+        for (i, glyph) in glyphs.iter().enumerate() {
+            places.push(width);
+            width += f64::from(self.face.glyph_hor_advance(*glyph).unwrap_or(0));
+            width += glyphs.get(i + 1).map_or(0.0, |next| self.between(*glyph, *next));
+        }
+        let before = match attribute(attributes, "text-anchor") {
+            Some("middle") => 0.5 * width,
+            Some("end") => width,
+            _ => 0.0,
+        };
+        out.push_str("<path d=\"");
+        for (glyph, place) in glyphs.iter().zip(places) {
+            let mut pen = Pen { x: x + scale * (place - before), y, scale, out };
+            self.face.outline_glyph(*glyph, &mut pen);
+        }
+        out.push('"');
+        // How it is drawn: rim and colour. What only text has means nothing to a shape, but x and y would.
+        for one in
+            attributes.split(' ').filter(|one| !one.starts_with("x=") && !one.starts_with("y="))
+        {
+            let _ = write!(out, " {one}");
+        }
+        out.push_str("/>");
+    }
+
+    /// By how much two letters stand further from one another than by their widths.
+    fn between(&self, left: GlyphId, right: GlyphId) -> f64 {
+        let pair = |subtable: PositioningSubtable| {
+            let PositioningSubtable::Pair(pairs) = subtable else { return None };
+            let covered = pairs.coverage().get(left)?;
+            let (record, _) = match pairs {
+                PairAdjustment::Format1 { sets, .. } => sets.get(covered)?.get(right)?,
+                PairAdjustment::Format2 { classes, matrix, .. } => {
+                    matrix.get((classes.0.get(left), classes.1.get(right)))?
+                }
+            };
+            Some(f64::from(record.x_advance))
+        };
+        let first = |lookup: &Lookup<'static>| {
+            lookup.subtables.into_iter::<PositioningSubtable>().find_map(pair)
+        };
+        self.kerning.iter().filter_map(first).sum()
+    }
+}
+
+/// Writes an outline as a path.
+struct Pen<'a> {
+    x: f64,
+    y: f64,
+    scale: f64,
+    out: &'a mut String,
+}
+
+impl Pen<'_> {
+    fn draw(&mut self, letter: char, points: &[(f32, f32)]) {
+        self.out.push(letter);
+        for &(x, y) in points {
+            let [x, y] = [self.x + self.scale * f64::from(x), self.y - self.scale * f64::from(y)];
+            let _ = write!(self.out, "{x:.3} {y:.3} ");
+        }
+    }
+}
+
+impl OutlineBuilder for Pen<'_> {
+    fn move_to(&mut self, x: f32, y: f32) {
+        self.draw('M', &[(x, y)]);
+    }
+
+    fn line_to(&mut self, x: f32, y: f32) {
+        self.draw('L', &[(x, y)]);
+    }
+
+    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
+        self.draw('Q', &[(x1, y1), (x, y)]);
+    }
+
+    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
+        self.draw('C', &[(x1, y1), (x2, y2), (x, y)]);
+    }
+
+    fn close(&mut self) {
+        self.out.push('Z');
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use resvg::tiny_skia::{Pixmap, Transform};
+    use resvg::usvg::{Options, Tree};
+
+    fn drawn(picture: &str) -> Pixmap {
+        let mut options = Options { font_family: "Inter".to_owned(), ..Options::default() };
+        for bytes in [font::REGULAR, font::SEMI_BOLD] {
+            options.fontdb_mut().load_font_data(bytes.to_vec());
+        }
+        let tree = Tree::from_str(picture, &options).unwrap();
+        let mut pixels = Pixmap::new(600, 240).unwrap();
+        resvg::render(&tree, Transform::identity(), &mut pixels.as_mut());
+        pixels
+    }
+
+    /// A renderer that knows fonts draws the same pixels from words as from their outlines: widths, anchors, weights, signs that
+    /// XML writes otherwise, and letters that stand nearer or further from one another in pairs.
+    #[test]
+    fn outlines_are_what_a_renderer_of_fonts_draws() {
+        let rim =
+            r##"paint-order="stroke" stroke="#ffffff" stroke-opacity="0.8" stroke-width="2.5""##;
+        let lines = [
+            r##"<text x="10.5" y="40" font-size="24" fill="#222222">AVATAR To, LTV 1 &lt; 2 &amp; &#36;</text>"##.replace("&#36;", "é"),
+            r##"<text x="300" y="90" font-size="22" font-weight="600" text-anchor="middle" fill="#0072b2">Wave "Ty" βl = −3.7 kN/m²</text>"##.to_owned(),
+            format!(r##"<text x="590" y="150" font-size="30" text-anchor="end" {rim} fill="#d55e00">Pressure → 12 mm</text>"##),
+            r##"<text x="10" y="210" font-size="18" fill="#222222">lacks: 木 and no more</text>"##.to_owned(),
+        ];
+        let picture = format!(
+            r##"<svg xmlns="http://www.w3.org/2000/svg" width="600" height="240" font-family="Inter"><rect width="600" height="240" fill="#dddddd"/>{}</svg>"##,
+            lines.concat()
+        );
+        let shapes = outlined(&picture);
+        assert!(!shapes.contains("<text") && shapes.matches("<path").count() == 4);
+        let (words, shapes) = (drawn(&picture), drawn(&shapes));
+        let apart = words.data().iter().zip(shapes.data()).map(|(a, b)| a.abs_diff(*b));
+        let (most, dark) = (apart.max().unwrap(), words.data().iter().min().unwrap());
+        assert!(*dark < 60, "nothing is drawn");
+        assert!(most <= 8, "{most} of 255 apart");
+    }
+}

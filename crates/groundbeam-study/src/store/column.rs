@@ -1,0 +1,229 @@
+//! Columns as Parquet keeps them: the values that are there, and two levels for each place of a row where one may be.
+//!
+//! The definition level tells how much of a place is there: 0 nothing, the largest a value. The repetition level tells
+//! whether a place begins a row, 0, or goes on with its list, 1 (Melnik and others, *Dremel*, PVLDB 3 (2010), section 4).
+
+use parquet::basic::{LogicalType, Repetition, Type as Physical};
+use parquet::column::reader::ColumnReader;
+use parquet::column::writer::ColumnWriter;
+use parquet::data_type::ByteArray;
+use parquet::errors::{ParquetError, Result};
+use parquet::schema::types::{GroupTypeBuilder, Type, TypePtr};
+use std::sync::Arc;
+
+/// What a column of results holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A whole number, in every row.
+    Whole,
+    /// A word, in every row or in some.
+    Word(Repetition),
+    /// A number, or none.
+    Number,
+    /// A list of numbers, or none.
+    Numbers,
+}
+
+impl Kind {
+    /// The column of a name.
+    pub fn column(self, name: &str) -> TypePtr {
+        let one = |name: &str, physical, logical, repetition| {
+            let built = Type::primitive_type_builder(name, physical)
+                .with_logical_type(logical)
+                .with_repetition(repetition)
+                .build();
+            Arc::new(built.expect("a column of one value"))
+        };
+        let group = |group: GroupTypeBuilder, of: TypePtr, repetition| {
+            let built = group.with_fields(vec![of]).with_repetition(repetition).build();
+            Arc::new(built.expect("a group of one column"))
+        };
+        let number = |name: &str| one(name, Physical::DOUBLE, None, Repetition::OPTIONAL);
+        match self {
+            Kind::Whole => {
+                let whole = Some(LogicalType::integer(64, false));
+                one(name, Physical::INT64, whole, Repetition::REQUIRED)
+            }
+            Kind::Word(repetition) => {
+                one(name, Physical::BYTE_ARRAY, Some(LogicalType::String), repetition)
+            }
+            Kind::Number => number(name),
+            Kind::Numbers => {
+                let places = Type::group_type_builder("list");
+                let places = group(places, number("item"), Repetition::REPEATED);
+                let list =
+                    Type::group_type_builder(name).with_logical_type(Some(LogicalType::List));
+                group(list, places, Repetition::OPTIONAL)
+            }
+        }
+    }
+}
+
+/// The values of a column that are there.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Values {
+    /// Whole numbers: the bits of a `u64`.
+    Whole(Vec<i64>),
+    /// Numbers.
+    Numbers(Vec<f64>),
+    /// Words in UTF-8.
+    Words(Vec<ByteArray>),
+}
+
+/// Some rows of a column.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Column {
+    pub values: Values,
+    /// Of each place its definition level; empty if a value is in every row.
+    pub definitions: Vec<i16>,
+    /// Of each place its repetition level; empty unless the column holds lists.
+    repetitions: Vec<i16>,
+}
+
+impl Column {
+    /// No rows.
+    fn empty(values: Values) -> Self {
+        Column { values, definitions: Vec::new(), repetitions: Vec::new() }
+    }
+
+    /// Whole numbers.
+    pub fn whole(numbers: impl Iterator<Item = u64>) -> Self {
+        Column::empty(Values::Whole(numbers.map(u64::cast_signed).collect()))
+    }
+
+    /// A word in every row.
+    pub fn words<'a>(words: impl Iterator<Item = &'a str>) -> Self {
+        Column::empty(Values::Words(words.map(ByteArray::from).collect()))
+    }
+
+    /// A word in some rows.
+    pub fn some_words(words: impl Iterator<Item = Option<String>>) -> Self {
+        let mut all = Vec::new();
+        let mut definitions = Vec::new();
+        for word in words {
+            definitions.push(i16::from(word.is_some()));
+            all.extend(word.map(|word| ByteArray::from(word.into_bytes())));
+        }
+        Column { definitions, ..Column::empty(Values::Words(all)) }
+    }
+
+    /// Numbers; what is not a number is left out.
+    pub fn numbers(numbers: impl Iterator<Item = f64>) -> Self {
+        let mut values = Vec::new();
+        let mut definitions = Vec::new();
+        for number in numbers {
+            definitions.push(i16::from(!number.is_nan()));
+            values.extend((!number.is_nan()).then_some(number));
+        }
+        Column { definitions, ..Column::empty(Values::Numbers(values)) }
+    }
+
+    /// Lists of numbers, or none.
+    pub fn lists<'a>(lists: impl Iterator<Item = Option<&'a [f64]>>) -> Self {
+        let mut values = Vec::new();
+        let (mut definitions, mut repetitions) = (Vec::new(), Vec::new());
+        for list in lists {
+            match list {
+                None | Some([]) => {
+                    definitions.push(i16::from(list.is_some()));
+                    repetitions.push(0);
+                }
+                Some(numbers) => {
+                    values.extend_from_slice(numbers);
+                    definitions.extend(numbers.iter().map(|_| 3));
+                    repetitions.extend((0..numbers.len()).map(|i| i16::from(i > 0)));
+                }
+            }
+        }
+        Column { values: Values::Numbers(values), definitions, repetitions }
+    }
+
+    /// No rows of what a reader reads.
+    pub fn before(reader: &ColumnReader) -> Result<Self> {
+        Ok(Column::empty(match reader {
+            ColumnReader::Int64ColumnReader(_) => Values::Whole(Vec::new()),
+            ColumnReader::DoubleColumnReader(_) => Values::Numbers(Vec::new()),
+            ColumnReader::ByteArrayColumnReader(_) => Values::Words(Vec::new()),
+            _ => return Err(foreign()),
+        }))
+    }
+
+    /// Goes on with the next rows of a reader, which has so many.
+    pub fn read(&mut self, reader: &mut ColumnReader, count: usize) -> Result<()> {
+        let levels = (Some(&mut self.definitions), Some(&mut self.repetitions));
+        let (rows, _, _) = match (reader, &mut self.values) {
+            (ColumnReader::Int64ColumnReader(reader), Values::Whole(values)) => {
+                reader.read_records(count, levels.0, levels.1, values)?
+            }
+            (ColumnReader::DoubleColumnReader(reader), Values::Numbers(values)) => {
+                reader.read_records(count, levels.0, levels.1, values)?
+            }
+            (ColumnReader::ByteArrayColumnReader(reader), Values::Words(values)) => {
+                reader.read_records(count, levels.0, levels.1, values)?
+            }
+            _ => return Err(foreign()),
+        };
+        if rows == count {
+            Ok(())
+        } else {
+            Err(ParquetError::EOF(format!("{count} rows are stated, {rows} are there")))
+        }
+    }
+
+    /// Forgets all rows.
+    pub fn clear(&mut self) {
+        match &mut self.values {
+            Values::Whole(values) => values.clear(),
+            Values::Numbers(values) => values.clear(),
+            Values::Words(values) => values.clear(),
+        }
+        self.definitions.clear();
+        self.repetitions.clear();
+    }
+
+    /// Hands all rows over at once.
+    pub fn write(&self, writer: &mut ColumnWriter) -> Result<()> {
+        let definitions = Some(&*self.definitions).filter(|levels| !levels.is_empty());
+        let repetitions = Some(&*self.repetitions).filter(|levels| !levels.is_empty());
+        match (writer, &self.values) {
+            (ColumnWriter::Int64ColumnWriter(writer), Values::Whole(values)) => {
+                writer.write_batch(values, definitions, repetitions)?
+            }
+            (ColumnWriter::DoubleColumnWriter(writer), Values::Numbers(values)) => {
+                writer.write_batch(values, definitions, repetitions)?
+            }
+            (ColumnWriter::ByteArrayColumnWriter(writer), Values::Words(values)) => {
+                writer.write_batch(values, definitions, repetitions)?
+            }
+            _ => return Err(foreign()),
+        };
+        Ok(())
+    }
+}
+
+/// A column of a kind that results do not have.
+fn foreign() -> ParquetError {
+    ParquetError::General("a column that is not one of results of a study".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The levels of the format's own example of nested lists, cut down to one list: a list, an empty one, none.
+    #[test]
+    fn levels_of_lists() {
+        let lists = [Some(&[1.0, 2.0][..]), Some(&[]), None, Some(&[3.0])];
+        let Column { values, definitions, repetitions } = Column::lists(lists.into_iter());
+        assert_eq!(values, Values::Numbers(vec![1.0, 2.0, 3.0]));
+        assert_eq!(definitions, [3, 3, 1, 0, 3]);
+        assert_eq!(repetitions, [0, 1, 0, 0, 0]);
+    }
+
+    #[test]
+    fn what_is_not_a_number_is_left_out() {
+        let column = Column::numbers([1.0, f64::NAN, f64::INFINITY].into_iter());
+        assert_eq!(column.values, Values::Numbers(vec![1.0, f64::INFINITY]));
+        assert_eq!(column.definitions, [1, 0, 1]);
+    }
+}

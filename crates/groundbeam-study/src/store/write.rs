@@ -1,0 +1,130 @@
+//! Files of results, written: rows as they come, of which always as many are compressed together.
+//!
+//! A file is written under another name, brought to the disk and renamed: what has its name is whole.
+
+use super::StoreError;
+use super::column::Column;
+use super::read::Results;
+use super::table::{Head, Table};
+use parquet::basic::Compression;
+use parquet::errors::{ParquetError, Result as Done};
+use parquet::file::metadata::KeyValue;
+use parquet::file::properties::{EnabledStatistics, WriterProperties};
+use parquet::file::writer::SerializedFileWriter;
+use parquet::schema::types::ColumnPath;
+use std::fs::{self, File};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Rows that are compressed together.
+const ROWS_IN_A_GROUP: usize = 1 << 16;
+
+/// A file of results that is being written.
+pub struct Writer<'a> {
+    /// What it will be called.
+    path: &'a Path,
+    /// What it is called until then.
+    unfinished: PathBuf,
+    file: SerializedFileWriter<File>,
+    /// Rows to be written. Where pages end depends on how rows are handed over: always as many at once.
+    waiting: Vec<Column>,
+    rows: usize,
+}
+
+impl<'a> Writer<'a> {
+    /// A new file.
+    pub fn new(path: &'a Path, table: &Table) -> Result<Self, StoreError> {
+        let unfinished = beside(path, ".unfinished");
+        let file =
+            File::create(&unfinished).map_err(|error| StoreError::io(&unfinished, &error))?;
+        let schema = Arc::clone(&table.schema);
+        let file = SerializedFileWriter::new(file, schema, Arc::new(properties(&table.head)));
+        let file = file.map_err(|error| StoreError::parquet(&unfinished, &error))?;
+        Ok(Writer { path, unfinished, file, waiting: Vec::new(), rows: 0 })
+    }
+
+    /// Rows, no more than are compressed together, in a new file.
+    pub fn write(&mut self, columns: Vec<Column>, rows: usize) -> Result<(), StoreError> {
+        (self.waiting, self.rows) = (columns, rows);
+        self.hand_over()
+    }
+
+    /// Goes on with all rows of another file.
+    pub fn copy(&mut self, results: &Results) -> Result<(), StoreError> {
+        let wrong = |error: ParquetError| results.wrong(&error);
+        if results.schema().get_fields() != self.file.schema_descr().root_schema().get_fields() {
+            return Err(wrong(ParquetError::General("it has other columns".to_owned())));
+        }
+        for group in 0..results.groups() {
+            let (mut readers, mut left) = results.group(group).map_err(wrong)?;
+            if self.waiting.is_empty() {
+                let empty = readers.iter().map(Column::before);
+                self.waiting = empty.collect::<Done<_>>().map_err(wrong)?;
+            }
+            while left > 0 {
+                let rows = left.min(ROWS_IN_A_GROUP - self.rows);
+                for (column, reader) in self.waiting.iter_mut().zip(&mut readers) {
+                    column.read(reader, rows).map_err(wrong)?;
+                }
+                left -= rows;
+                self.rows += rows;
+                if self.rows == ROWS_IN_A_GROUP {
+                    self.hand_over()?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes what waits.
+    fn hand_over(&mut self) -> Result<(), StoreError> {
+        let write = |file: &mut SerializedFileWriter<File>, columns: &mut [Column]| -> Done<()> {
+            let mut group = file.next_row_group()?;
+            for column in columns {
+                if let Some(mut writer) = group.next_column()? {
+                    column.write(writer.untyped())?;
+                    writer.close()?;
+                }
+                column.clear();
+            }
+            group.close().map(|_| ())
+        };
+        self.rows = 0;
+        write(&mut self.file, &mut self.waiting)
+            .map_err(|error| StoreError::parquet(&self.unfinished, &error))
+    }
+
+    /// Ends the file and gives it its name.
+    pub fn finish(mut self) -> Result<(), StoreError> {
+        if self.rows > 0 {
+            self.hand_over()?;
+        }
+        let unfinished = &self.unfinished;
+        let file = self.file.into_inner();
+        let file = file.map_err(|error| StoreError::parquet(unfinished, &error))?;
+        let renamed = file.sync_all().and_then(|()| fs::rename(unfinished, self.path));
+        renamed.map_err(|error| StoreError::io(self.path, &error))
+    }
+}
+
+/// How results are packed, and what stands at their head.
+fn properties(head: &Head) -> WriterProperties {
+    let pairs = head.pairs.iter();
+    let pairs = pairs.map(|(key, value)| KeyValue::new(key.clone(), value.clone())).collect();
+    WriterProperties::builder()
+        .set_compression(Compression::SNAPPY)
+        // Numbers of which hardly two are equal; words of which nearly all are.
+        .set_dictionary_enabled(false)
+        .set_column_dictionary_enabled(ColumnPath::from("status"), true)
+        .set_column_dictionary_enabled(ColumnPath::from("message"), true)
+        .set_statistics_enabled(EnabledStatistics::Chunk)
+        .set_key_value_metadata(Some(pairs))
+        .build()
+}
+
+/// A path of which the name has a further ending.
+pub fn beside(path: &Path, ending: &str) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(ending);
+    PathBuf::from(name)
+}
