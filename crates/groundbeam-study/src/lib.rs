@@ -19,6 +19,7 @@ mod fields;
 mod points;
 mod row;
 mod run;
+mod statistics;
 mod store;
 mod summary;
 mod symmetric;

@@ -2,6 +2,7 @@
 
 use crate::draws::Draws;
 use crate::row::Status;
+use crate::statistics::{Moments, Statistics};
 use crate::store::{StoreError, Table, Whole};
 use groundbeam::sensitivity::{LoadNumber, Parameter, Property};
 use groundbeam::{Load, Model};
@@ -12,8 +13,6 @@ use std::path::Path;
 
 /// The probability with which an interval holds what it is about.
 const CONFIDENCE: f64 = 0.95;
-/// A histogram has so many parts at most.
-const MOST_PARTS: usize = 40;
 /// From so many times on that something happened, the scatter of replicates tells its error.
 const ENOUGH: u64 = 10;
 
@@ -27,47 +26,22 @@ pub fn summary(draws: &Draws, out: &Path) -> Result<Study, StoreError> {
     let plan = draws.plan();
     let missing = || StoreError::File(out.to_owned(), "there are no results yet".to_owned());
     let whole = Whole::of(out, &table.head, &(0..plan.samples))?.ok_or_else(missing)?;
-    let statuses = statuses(&whole)?;
-    let count = |status: Status| statuses.iter().filter(|s| **s == status).count() as u64;
-    let lifted = whole.numbers("lifted_share")?;
-    let mut events = vec![
-        estimate("no equilibrium", None, &statuses, plan, |_| false),
-        estimate("some of the beam lifts off", None, &statuses, plan, |i| lifted[i] > 0.0),
-    ];
-    let mut spreads = Vec::new();
-    let model = &draws.study().document.model;
-    for random in &draws.study().random {
-        spreads.extend(spread(
-            &random.name,
-            kind(random.target, model),
-            whole.numbers(&random.name)?,
-        ));
-    }
-    spreads.extend(spread("lifted_share", None, lifted));
-    for end in ["left", "right"] {
-        spreads.extend(spread(end, Some(Kind::Force), whole.numbers(end)?));
-    }
-    for field in &table.wanted.extremes {
-        for part in ["min", "max"] {
-            let name = format!("{}_{part}", field.name());
-            let values = whole.numbers(&name)?;
-            spreads.extend(spread(&name, Some(Kind::of(*field)), values));
+    let numbers = numbers(draws, &table);
+    let mut tally = Tally::of(draws, &numbers);
+    let mut moments = vec![Moments::new(); numbers.len()];
+    let mut gaps = Moments::new();
+    for group in 0..whole.groups() {
+        let statuses = statuses(&whole, group)?;
+        let columns: Vec<Vec<f64>> =
+            numbers.iter().map(|number| number.of.read(&whole, group)).collect::<Result<_, _>>()?;
+        for (moments, column) in moments.iter_mut().zip(&columns) {
+            column.iter().for_each(|value| moments.add(*value));
         }
+        whole.numbers(group, "relative_gap")?.into_iter().for_each(|gap| gaps.add(gap));
+        tally.add(&statuses, &columns);
     }
-    for event in &draws.study().events {
-        let (quantity, values) = judged(event.of, &whole)?;
-        let above = event.side == Exceeds::Above;
-        let happened =
-            |i: usize| if above { values[i] > event.limit } else { values[i] < event.limit };
-        let limit = Limit { quantity: quantity.clone(), above, limit: event.limit };
-        events.push(estimate(&event.name, Some(limit), &statuses, plan, happened));
-        if let Judged::Difference(field) = event.of
-            && spreads.iter().all(|spread: &Spread| spread.name != quantity)
-        {
-            spreads.extend(spread(&quantity, Some(Kind::of(field)), values));
-        }
-    }
-    let largest_gap = whole.numbers("relative_gap")?.into_iter().fold(0.0, f64::max);
+    let spreads = spreads(&whole, numbers, moments)?;
+    let count = |status: Status| tally.statuses[status as usize];
     Ok(Study {
         title: draws.study().title.clone(),
         samples: plan.samples,
@@ -80,36 +54,77 @@ pub fn summary(draws: &Draws, out: &Path) -> Result<Study, StoreError> {
         without_equilibrium: count(Status::NoEquilibrium),
         not_converged: count(Status::NotConverged),
         wrong: count(Status::Wrong),
-        largest_gap,
-        events,
+        largest_gap: gaps.largest().map_or(0.0, |gap| gap.max(0.0)),
+        events: tally.happenings.into_iter().map(|happening| happening.estimate(plan)).collect(),
         spreads,
     })
 }
 
-fn statuses(whole: &Whole) -> Result<Vec<Status>, StoreError> {
-    let mut all = Vec::new();
-    whole.words("status", |word| {
-        let known = Status::ALL.into_iter().find(|status| status.name() == word);
-        all.push(known.unwrap_or(Status::Wrong));
-    })?;
-    Ok(all)
+/// A number that every sample has.
+struct Number {
+    name: String,
+    kind: Option<Kind>,
+    of: Columns,
 }
 
-/// The number that an event is judged by, of each sample, and what it is called.
-fn judged(of: Judged, whole: &Whole) -> Result<(String, Vec<f64>), StoreError> {
-    let column = |name: String| Ok((name.clone(), whole.numbers(&name)?));
-    let extreme = |field: groundbeam::Field, part| column(format!("{}_{part}", field.name()));
-    match of {
-        Judged::LiftedShare => column("lifted_share".to_owned()),
-        Judged::EndForce(0) => column("left".to_owned()),
-        Judged::EndForce(_) => column("right".to_owned()),
-        Judged::Smallest(field) => extreme(field, "min"),
-        Judged::Largest(field) => extreme(field, "max"),
-        Judged::Difference(field) => {
-            let ((_, min), (_, max)) = (extreme(field, "min")?, extreme(field, "max")?);
-            let difference = max.iter().zip(&min).map(|(max, min)| max - min).collect();
-            Ok((format!("{}_range", field.name()), difference))
+/// Of which columns it is.
+enum Columns {
+    One(String),
+    /// The first less the second.
+    Difference(String, String),
+}
+
+impl Columns {
+    fn read(&self, whole: &Whole, group: usize) -> Result<Vec<f64>, StoreError> {
+        match self {
+            Columns::One(name) => whole.numbers(group, name),
+            Columns::Difference(more, less) => {
+                let less = whole.numbers(group, less)?;
+                let more = whole.numbers(group, more)?;
+                Ok(more.iter().zip(less).map(|(more, less)| more - less).collect())
+            }
         }
+    }
+}
+
+/// The numbers of which it is told how they scatter, and by which events are judged.
+fn numbers(draws: &Draws, table: &Table) -> Vec<Number> {
+    let one = |name: &str, kind| Number {
+        name: name.to_owned(),
+        kind,
+        of: Columns::One(name.to_owned()),
+    };
+    let study = draws.study();
+    let model = &study.document.model;
+    let mut all: Vec<Number> =
+        study.random.iter().map(|random| one(&random.name, kind(random.target, model))).collect();
+    all.push(one("lifted_share", None));
+    all.extend(["left", "right"].map(|end| one(end, Some(Kind::Force))));
+    for field in &table.wanted.extremes {
+        let kind = Some(Kind::of(*field));
+        all.extend(["min", "max"].map(|part| one(&format!("{}_{part}", field.name()), kind)));
+    }
+    for event in &study.events {
+        if let Judged::Difference(field) = event.of
+            && all.iter().all(|number| number.name != judged(event.of))
+        {
+            let [min, max] = ["min", "max"].map(|part| format!("{}_{part}", field.name()));
+            let (name, kind) = (judged(event.of), Some(Kind::of(field)));
+            all.push(Number { name, kind, of: Columns::Difference(max, min) });
+        }
+    }
+    all
+}
+
+/// The name of the number that an event is judged by.
+fn judged(of: Judged) -> String {
+    match of {
+        Judged::LiftedShare => "lifted_share".to_owned(),
+        Judged::EndForce(0) => "left".to_owned(),
+        Judged::EndForce(_) => "right".to_owned(),
+        Judged::Smallest(field) => format!("{}_min", field.name()),
+        Judged::Largest(field) => format!("{}_max", field.name()),
+        Judged::Difference(field) => format!("{}_range", field.name()),
     }
 }
 
@@ -135,49 +150,112 @@ fn kind(of: Parameter, model: &Model) -> Option<Kind> {
     }
 }
 
-/// How probable something is. A beam without equilibrium is one with which it has happened; of a sample without an answer
-/// it is not known, and the interval reaches from none of them to all.
-fn estimate(
-    name: &str,
+/// How the samples of a group went.
+fn statuses(whole: &Whole, group: usize) -> Result<Vec<Status>, StoreError> {
+    let mut all = Vec::new();
+    whole.words(group, "status", |word| {
+        let known = Status::ALL.into_iter().find(|status| status.name() == word);
+        all.push(known.unwrap_or(Status::Wrong));
+    })?;
+    Ok(all)
+}
+
+/// How often what has happened.
+struct Tally {
+    /// Samples by their status.
+    statuses: [u64; Status::ALL.len()],
+    happenings: Vec<Happening>,
+    samples: u64,
+    /// How many samples a replicate has.
+    each: u64,
+}
+
+/// Something that may happen, and in how many samples of each replicate it has.
+struct Happening {
+    name: String,
     limit: Option<Limit>,
-    statuses: &[Status],
-    plan: Plan,
-    happened: impl Fn(usize) -> bool,
-) -> Estimate {
-    let is = |i: usize| match statuses[i] {
-        Status::Solved => happened(i),
-        status => status == Status::NoEquilibrium,
-    };
-    let is_open = |i: usize| matches!(statuses[i], Status::NotConverged | Status::Wrong);
-    let samples = statuses.len();
-    let count = (0..samples).filter(|i| is(*i)).count() as u64;
-    let open = (0..samples).filter(|i| is_open(*i)).count() as u64;
-    let total = samples as u64;
-    let mut interval =
-        if plan.sampling == Sampling::MonteCarlo || plan.replicates < 2 || count < ENOUGH {
+    /// By which of the numbers it is judged; nothing but the loss of equilibrium by none.
+    by: Option<usize>,
+    /// In how many it has, and of how many it is not known.
+    counts: Vec<[u64; 2]>,
+}
+
+impl Tally {
+    fn of(draws: &Draws, numbers: &[Number]) -> Self {
+        let plan = draws.plan();
+        let place = |name: &str| numbers.iter().position(|number| number.name == name);
+        let happening = |name: &str, limit, by| Happening {
+            name: name.to_owned(),
+            limit,
+            by,
+            counts: Vec::new(),
+        };
+        let above_zero = Limit { quantity: String::new(), above: true, limit: 0.0 };
+        let mut happenings = vec![
+            happening("no equilibrium", None, None),
+            happening("some of the beam lifts off", Some(above_zero), place("lifted_share")),
+        ];
+        for event in &draws.study().events {
+            let (quantity, above) = (judged(event.of), event.side == Exceeds::Above);
+            let by = place(&quantity);
+            let limit = Limit { quantity, above, limit: event.limit };
+            happenings.push(happening(&event.name, Some(limit), by));
+        }
+        let each = (plan.samples / plan.replicates.max(1)).max(1);
+        Tally { statuses: [0; Status::ALL.len()], happenings, samples: 0, each }
+    }
+
+    /// Some more samples, in their order. A beam without equilibrium is one with which everything has happened; of a
+    /// sample without an answer it is not known.
+    fn add(&mut self, statuses: &[Status], columns: &[Vec<f64>]) {
+        for (i, status) in statuses.iter().enumerate() {
+            self.statuses[*status as usize] += 1;
+            let replicate = usize::try_from(self.samples / self.each).unwrap_or(usize::MAX);
+            self.samples += 1;
+            for happening in &mut self.happenings {
+                if happening.counts.len() <= replicate {
+                    happening.counts.resize(replicate + 1, [0; 2]);
+                }
+                let has = match status {
+                    Status::Solved => happening.has(columns, i),
+                    Status::NoEquilibrium => true,
+                    Status::NotConverged | Status::Wrong => {
+                        happening.counts[replicate][1] += 1;
+                        continue;
+                    }
+                };
+                happening.counts[replicate][0] += u64::from(has);
+            }
+        }
+    }
+}
+
+impl Happening {
+    fn has(&self, columns: &[Vec<f64>], i: usize) -> bool {
+        let (Some(limit), Some(by)) = (&self.limit, self.by) else { return false };
+        if limit.above { columns[by][i] > limit.limit } else { columns[by][i] < limit.limit }
+    }
+
+    /// How probable it is. Where of samples it is not known, the interval reaches from none of them to all.
+    fn estimate(self, plan: Plan) -> Estimate {
+        let [count, open] = [0, 1].map(|i| self.counts.iter().map(|own| own[i]).sum::<u64>());
+        let total = plan.samples;
+        let alone = plan.sampling == Sampling::MonteCarlo || plan.replicates < 2 || count < ENOUGH;
+        let mut interval = if alone {
             of_counts(count, count + open, total)
         } else {
-            let each = samples / usize::try_from(plan.replicates).unwrap_or(1).max(1);
-            let part = |counts: &dyn Fn(usize) -> bool| -> Vec<f64> {
-                let parts = (0..samples).step_by(each.max(1));
-                parts
-                    .map(|from| {
-                        (from..(from + each).min(samples)).filter(|i| counts(*i)).count() as f64
-                            / each as f64
-                    })
-                    .collect()
+            let each = (total / plan.replicates) as f64;
+            let part = |of: fn(&[u64; 2]) -> u64| -> Vec<f64> {
+                self.counts.iter().map(|own| of(own) as f64 / each).collect()
             };
-            let low = of_replicates(&part(&is))[0];
-            let high = of_replicates(&part(&|i| is(i) || is_open(i)))[1];
+            let low = of_replicates(&part(|own| own[0]))[0];
+            let high = of_replicates(&part(|own| own[0] + own[1]))[1];
             Interval { bounds: [low, high], by: Way::Replicates }
         };
-    interval.bounds = interval.bounds.map(|bound| bound.clamp(0.0, 1.0));
-    Estimate {
-        name: name.to_owned(),
-        limit,
-        count,
-        probability: count as f64 / total as f64,
-        interval,
+        interval.bounds = interval.bounds.map(|bound| bound.clamp(0.0, 1.0));
+        let probability = count as f64 / total as f64;
+        let limit = self.limit.filter(|limit| !limit.quantity.is_empty());
+        Estimate { name: self.name, limit, count, probability, interval }
     }
 }
 
@@ -204,44 +282,27 @@ fn of_replicates(values: &[f64]) -> [f64; 2] {
     [mean - half, mean + half]
 }
 
-/// Mean, deviation and quantiles of what is known; none if nothing is.
-fn spread(name: &str, kind: Option<Kind>, values: Vec<f64>) -> Option<Spread> {
-    let mut known: Vec<f64> = values.into_iter().filter(|value| !value.is_nan()).collect();
-    if known.is_empty() {
-        return None;
+/// How numbers scatter, those that no sample has left out: two more passes.
+fn spreads(
+    whole: &Whole,
+    numbers: Vec<Number>,
+    moments: Vec<Moments>,
+) -> Result<Vec<Spread>, StoreError> {
+    let mut all = Vec::new();
+    for (number, moments) in numbers.into_iter().zip(moments) {
+        let Some(mut counted) = moments.counted() else { continue };
+        for group in 0..whole.groups() {
+            number.of.read(whole, group)?.into_iter().for_each(|value| counted.add(value));
+        }
+        let mut ranked = counted.ranked();
+        for group in 0..whole.groups() {
+            number.of.read(whole, group)?.into_iter().for_each(|value| ranked.add(value));
+        }
+        let Number { name, kind, .. } = number;
+        let Statistics { mean, deviation, quantiles, histogram } = ranked.finish();
+        all.push(Spread { name, kind, mean, deviation, quantiles, histogram });
     }
-    let count = known.len() as f64;
-    let mean = known.iter().sum::<f64>() / count;
-    let squares: f64 = known.iter().map(|value| (value - mean).powi(2)).sum();
-    let deviation = if known.len() < 2 { 0.0 } else { (squares / (count - 1.0)).sqrt() };
-    known.sort_by(f64::total_cmp);
-    // Linear between the order statistics: Hyndman and Fan's type 7.
-    let quantile = |part: f64| {
-        let place = part * (count - 1.0);
-        let below = place.floor() as usize;
-        let above = (below + 1).min(known.len() - 1);
-        known[below] + (place - place.floor()) * (known[above] - known[below])
-    };
-    let quantiles = [0.0, 0.05, 0.5, 0.95, 1.0].map(quantile);
-    let quartiles = [0.25, 0.75].map(quantile);
-    let histogram = histogram(&known, quartiles);
-    Some(Spread { name: name.to_owned(), kind, mean, deviation, quantiles, histogram })
-}
-
-/// How many of the sorted numbers lie in each of equal parts from the smallest to the largest, as many as Freedman and
-/// Diaconis advise: twice the distance of the quartiles over the cube root of the count.
-fn histogram(sorted: &[f64], [lower, upper]: [f64; 2]) -> Vec<u64> {
-    let [Some(&least), Some(&most)] = [sorted.first(), sorted.last()] else { return Vec::new() };
-    let width = 2.0 * (upper - lower) / (sorted.len() as f64).cbrt();
-    // Where most are the same, as in a share that is zero, quartiles tell nothing.
-    let advised = if width > 0.0 { (most - least) / width } else { MOST_PARTS as f64 };
-    let parts = if least < most { (advised.ceil() as usize).clamp(1, MOST_PARTS) } else { 1 };
-    let mut counts = vec![0; parts];
-    for value in sorted {
-        let part = (value - least) / (most - least) * parts as f64;
-        counts[(part as usize).min(parts - 1)] += 1;
-    }
-    counts
+    Ok(all)
 }
 
 #[cfg(test)]
@@ -277,14 +338,27 @@ mod tests {
     #[test]
     fn what_is_not_known_widens_the_interval() {
         let plan = Plan { samples: 100, seed: 0, sampling: Sampling::MonteCarlo, replicates: 1 };
+        let limit = Limit { quantity: "e".to_owned(), above: false, limit: 20.0 };
+        let estimate = |statuses: &[Status]| {
+            let happening = Happening {
+                name: "e".to_owned(),
+                limit: Some(limit.clone()),
+                by: Some(0),
+                counts: Vec::new(),
+            };
+            let happenings = vec![happening];
+            let mut tally = Tally { statuses: [0; 4], happenings, samples: 0, each: 100 };
+            tally.add(statuses, &[(0..100).map(f64::from).collect()]);
+            tally.happenings.remove(0).estimate(plan)
+        };
         let mut statuses = vec![Status::Solved; 100];
-        let all_known = estimate("e", None, &statuses, plan, |i| i < 20);
+        let all_known = estimate(&statuses);
         statuses[50..60].fill(Status::NotConverged);
-        let some = estimate("e", None, &statuses, plan, |i| i < 20);
+        let some = estimate(&statuses);
         assert_eq!(some.count, 20);
         assert_eq!(some.interval.bounds[0], all_known.interval.bounds[0]);
         assert!(some.interval.bounds[1] > all_known.interval.bounds[1] + 0.09);
         statuses[99] = Status::NoEquilibrium;
-        assert_eq!(estimate("e", None, &statuses, plan, |i| i < 20).count, 21);
+        assert_eq!(estimate(&statuses).count, 21);
     }
 }

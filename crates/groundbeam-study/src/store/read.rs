@@ -119,40 +119,40 @@ impl Whole {
         Ok(Some(Whole { results }))
     }
 
-    /// A column of numbers; where there is none it is not a number.
-    pub fn numbers(&self, name: &str) -> Result<Vec<f64>, StoreError> {
-        let mut all = Vec::new();
-        self.each(name, |column| {
-            if let Values::Numbers(numbers) = column.values {
-                let mut numbers = numbers.into_iter();
-                let number = |level: &i16| if *level > 0 { numbers.next() } else { None };
-                all.extend(
-                    column.definitions.iter().map(number).map(|number| number.unwrap_or(f64::NAN)),
-                );
-            }
-        })?;
-        Ok(all)
+    /// In how many groups its rows are read.
+    pub fn groups(&self) -> usize {
+        self.results.groups()
     }
 
-    /// A column of words.
-    pub fn words(&self, name: &str, mut take: impl FnMut(&str)) -> Result<(), StoreError> {
-        self.each(name, |column| {
-            if let Values::Words(words) = column.values {
-                words.iter().for_each(|word| take(word.as_utf8().unwrap_or_default()));
-            }
-        })
+    /// A column of numbers in a group of rows; where there is none it is not a number.
+    pub fn numbers(&self, group: usize, name: &str) -> Result<Vec<f64>, StoreError> {
+        let Column { values, definitions, .. } = self.column(group, name)?;
+        let Values::Numbers(numbers) = values else { return Ok(Vec::new()) };
+        let mut numbers = numbers.into_iter();
+        let number = |level: &i16| if *level > 0 { numbers.next() } else { None };
+        Ok(definitions.iter().map(number).map(|number| number.unwrap_or(f64::NAN)).collect())
     }
 
-    fn each(&self, name: &str, mut take: impl FnMut(Column)) -> Result<(), StoreError> {
+    /// A column of words in a group of rows.
+    pub fn words(
+        &self,
+        group: usize,
+        name: &str,
+        mut take: impl FnMut(&str),
+    ) -> Result<(), StoreError> {
+        if let Values::Words(words) = self.column(group, name)?.values {
+            words.iter().for_each(|word| take(word.as_utf8().unwrap_or_default()));
+        }
+        Ok(())
+    }
+
+    fn column(&self, group: usize, name: &str) -> Result<Column, StoreError> {
         let Results { path, file } = &self.results;
         let columns = self.results.metadata().file_metadata().schema_descr().columns();
         let place = columns.iter().position(|column| column.path().parts() == [name]);
         let missing = || StoreError::File(path.clone(), format!("there is no column {name:?}"));
-        let place = place.ok_or_else(missing)?;
-        for (group, metadata) in file.metadata().row_groups().iter().enumerate() {
-            let column = self.results.column(group, place, rows(metadata.num_rows()));
-            take(column.map_err(|error| self.results.wrong(&error))?);
-        }
-        Ok(())
+        let most = rows(file.metadata().row_group(group).num_rows());
+        let column = self.results.column(group, place.ok_or_else(missing)?, most);
+        column.map_err(|error| self.results.wrong(&error))
     }
 }
