@@ -17,15 +17,15 @@ fn solved(model: &Model) -> Solution {
 
 /// Every number of a model.
 fn parameters(model: &Model) -> Vec<Parameter> {
-    use Property::{BendingStiffness, Shear, Spring};
+    use Property::{BendingStiffness, Shear, ShearStiffness, Spring};
     let mut all = vec![Parameter::AxialForce, Parameter::LoadFactor];
     let neighbours = model.loads.iter().any(Load::is_on_ground);
-    for property in [BendingStiffness, Spring, Shear] {
-        if neighbours && property != BendingStiffness {
+    for property in [BendingStiffness, Spring, Shear, ShearStiffness] {
+        if neighbours && matches!(property, Spring | Shear) {
             continue;
         }
         let segments = match property {
-            BendingStiffness => model.beam.segments.len(),
+            BendingStiffness | ShearStiffness => model.beam.segments.len(),
             _ => model.foundation.segments.len(),
         };
         let own = [Extent::Whole, Extent::OutsideSegments].into_iter();
@@ -334,7 +334,8 @@ fn compare(family: Family, number: u64, counts: &mut Counts) {
 fn derivatives_are_limits_of_differences() {
     let mut all = Counts::default();
     let too_stiff = |family: &Family| matches!(family, Family::Hard | Family::Long);
-    for family in Family::ALL.into_iter().filter(|family| !too_stiff(family)) {
+    let families = Family::ALL.into_iter().chain([Family::Shearing]);
+    for family in families.filter(|family| !too_stiff(family)) {
         for number in 0..75 {
             compare(family, number, &mut all);
         }

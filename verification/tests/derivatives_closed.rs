@@ -58,6 +58,49 @@ fn influence_lines_of_a_beam_on_two_supports() {
     reaction.iter().zip(exact).for_each(|(found, exact)| near(*found, exact));
 }
 
+/// The same of a beam that shears: the force adds F a b/(S l) (1 at its place, straight from the supports) to the
+/// deflection, and w' falls by F/S there (Timoshenko and Gere, *Mechanics of Materials*, 1972, sec. 12.12).
+#[test]
+fn a_beam_on_two_supports_that_shears() {
+    let (l, ei, s, a, force, x) = (6.0, 7.0, 3.0, 2.0, 1.5, 4.0);
+    let beam = Beam::uniform(l, ei).with_shear_stiffness(s);
+    let model = Model::new(beam, Foundation::winkler(1.0))
+        .with_gap(0.0, 1e3)
+        .with_support(Support::pinned(0.0))
+        .with_support(Support::pinned(l))
+        .with_load(Load::point(force, a));
+    let solution = solved(&model);
+    let by = [
+        Parameter::Load(0, LoadNumber::Size),
+        Parameter::Load(0, LoadNumber::At),
+        Parameter::Value(Property::BendingStiffness, Extent::Whole),
+        Parameter::Value(Property::ShearStiffness, Extent::Whole),
+    ];
+    let b = l - x;
+    let bends = |a: f64| a * b * (l * l - a * a - b * b) / (6.0 * ei * l);
+    let shears = |a: f64| a * b / (s * l);
+    let by_a = b * (l * l - 3.0 * a * a - b * b) / (6.0 * ei * l) + b / (s * l);
+    let deflection = derivatives(&solution, Output::Value(Field::Deflection, x, Side::Left), &by);
+    let exact =
+        [bends(a) + shears(a), force * by_a, -force * bends(a) / ei, -force * shears(a) / s];
+    deflection.iter().zip(exact).for_each(|(found, exact)| near(*found, exact));
+    // Beside the force w' differs by F/S, which the slope of the supports' line shares.
+    let slope = |side| derivatives(&solution, Output::Value(Field::Slope, a, side), &by[..1])[0];
+    near(slope(Side::Left) - slope(Side::Right), 1.0 / s);
+    // The energy −F w/2 at the force.
+    let (c, own) = (l - a, force * force);
+    let energy = derivatives(&solution, Output::PotentialEnergy, &by);
+    let under = a * a * c * c / (3.0 * ei * l) + a * c / (s * l);
+    let moved = (2.0 * a * c * c - 2.0 * a * a * c) / (3.0 * ei * l) + (c - a) / (s * l);
+    let exact = [
+        -force * under,
+        -0.5 * own * moved,
+        0.5 * own * a * a * c * c / (3.0 * ei * ei * l),
+        0.5 * own * a * c / (s * s * l),
+    ];
+    energy.iter().zip(exact).for_each(|(found, exact)| near(*found, exact));
+}
+
 /// An even load q on even ground: w = q/k, whatever the beam; the energy is −q²l/2k.
 #[test]
 fn an_even_load_on_even_springs() {
@@ -103,12 +146,19 @@ fn the_edge_under_a_rigid_beam() {
 #[test]
 fn homogeneous_functions() {
     let mut models = 0;
-    for family in
-        [Family::Plain, Family::Tension, Family::Segments, Family::Winkler, Family::Varying]
-    {
+    for family in [
+        Family::Plain,
+        Family::Tension,
+        Family::Segments,
+        Family::Winkler,
+        Family::Varying,
+        Family::Shearing,
+    ] {
         for number in 100..140 {
             let model = model(family, number);
-            if !model.gap.is_empty() || !model.supports.is_empty() {
+            let curls = model.loads.iter().any(|load| matches!(load, Load::Curvature { .. }));
+            let imposed = !model.gap.is_empty() || curls;
+            if imposed || !model.supports.is_empty() || !model.hinges.is_empty() {
                 continue;
             }
             models += 1;
@@ -119,7 +169,9 @@ fn homogeneous_functions() {
                 Parameter::Factor(Property::BendingStiffness, Extent::Whole),
                 Parameter::Factor(Property::Spring, Extent::Whole),
                 Parameter::Factor(Property::Shear, Extent::Whole),
+                Parameter::Factor(Property::ShearStiffness, Extent::Whole),
             ];
+            let by = if model.beam.shears() { &by[..] } else { &by[..5] };
             let x = 0.37 * model.beam.length;
             let outputs = [
                 (Output::Value(Field::Deflection, x, Side::Left), 1.0, -1.0),
@@ -129,11 +181,13 @@ fn homogeneous_functions() {
                 (Output::PotentialEnergy, 2.0, -1.0),
             ];
             for (output, in_loads, in_stiffness) in outputs {
-                let found = solution.gradients(&[output], &by).expect("derivatives").remove(0);
-                let [by_loads, by_axial, by_ei, by_k, by_mu] = found.derivatives[..] else {
+                let found = solution.gradients(&[output], by).expect("derivatives").remove(0);
+                let (by_loads, by_axial) = (found.derivatives[0], found.derivatives[1]);
+                let [by_ei, by_k, by_mu, ..] = found.derivatives[2..] else {
                     panic!("five derivatives")
                 };
-                let by_stiffness = by_axial * model.beam.axial_force + by_ei + by_k + by_mu;
+                let by_ga = found.derivatives.get(5).copied().unwrap_or(0.0);
+                let by_stiffness = by_axial * model.beam.axial_force + by_ei + by_k + by_mu + by_ga;
                 let size = [by_ei, by_k, by_mu, found.value, by_loads];
                 let size = size.iter().fold(0.0_f64, |size, part| size.max(part.abs()));
                 let apart = |found: f64, exact: f64| (found - exact).abs() <= 1e-7 * size;

@@ -25,6 +25,7 @@ pub type Change<'a> = (Parameter, &'a [f64]);
 /// k, μ or EI of the whole beam, which may also be given at points along it.
 pub fn along_the_beam(parameter: Parameter) -> Option<Property> {
     match parameter {
+        Parameter::Value(Property::ShearStiffness, _) => None,
         Parameter::Value(property, Extent::Whole) => Some(property),
         _ => None,
     }
@@ -32,12 +33,12 @@ pub fn along_the_beam(parameter: Parameter) -> Option<Property> {
 
 /// Whether a model cannot be solved unless this number is positive.
 pub(crate) fn must_be_positive(parameter: Parameter) -> bool {
-    use Property::{BendingStiffness, Spring};
-    matches!(
-        parameter,
-        Parameter::Value(Spring | BendingStiffness, _)
-            | Parameter::Factor(Spring | BendingStiffness, _)
-    )
+    match parameter {
+        Parameter::Value(property, _) | Parameter::Factor(property, _) => {
+            property != Property::Shear
+        }
+        _ => false,
+    }
 }
 
 /// Why a number of a file's model cannot be changed, if it cannot; `name` is what it was called.
@@ -56,6 +57,12 @@ pub fn problem(parameter: Parameter, name: &str, document: &Document) -> Option<
         return None;
     }
     Some(match parameter {
+        Parameter::Value(Property::ShearStiffness, _)
+        | Parameter::Factor(Property::ShearStiffness, _)
+            if !model.beam.shears() =>
+        {
+            "the beam only bends: give it `shear_stiffness`, `G` or `nu`".to_owned()
+        }
         Parameter::Value(_, Extent::Whole) => {
             format!("the model gives it by segments; `{name}_factor` multiplies it in all of them")
         }
@@ -70,7 +77,7 @@ pub(crate) fn kind(parameter: Parameter, model: &Model) -> &'static Kind {
         Parameter::Value(Property::Spring, _) => &SPRING_PER_LENGTH,
         Parameter::Value(Property::Shear, _) => &SHEAR_CONSTANT,
         Parameter::Value(Property::BendingStiffness, _) => &BENDING_STIFFNESS,
-        Parameter::AxialForce => &FORCE,
+        Parameter::AxialForce | Parameter::Value(Property::ShearStiffness, _) => &FORCE,
         Parameter::Load(_, LoadNumber::At | LoadNumber::From | LoadNumber::To) => &POSITION,
         Parameter::Load(index, _) => match model.loads.get(index) {
             Some(Load::PointForce { .. } | Load::GroundForce { .. }) => &FORCE,
@@ -104,7 +111,7 @@ pub fn change<'a>(
             Some(Property::Spring) => ground[0] = Some(row),
             Some(Property::Shear) => ground[1] = Some(row),
             Some(Property::BendingStiffness) => vary_stiffness(&mut model.beam, course, row),
-            None => {}
+            Some(Property::ShearStiffness) | None => {}
         }
     }
     vary_ground(model, course, ground);

@@ -119,7 +119,7 @@ fn kind(of: Parameter, model: &Model) -> Option<Kind> {
         Parameter::AxialForce => Some(Kind::Force),
         Parameter::Value(Property::BendingStiffness, _) => Some(Kind::BendingStiffness),
         Parameter::Value(Property::Spring, _) => Some(Kind::Spring),
-        Parameter::Value(Property::Shear, _) => Some(Kind::Constant),
+        Parameter::Value(Property::Shear | Property::ShearStiffness, _) => Some(Kind::Constant),
         Parameter::Load(_, LoadNumber::At | LoadNumber::From | LoadNumber::To) => {
             Some(Kind::Position)
         }

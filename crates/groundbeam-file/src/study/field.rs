@@ -104,6 +104,7 @@ impl FieldOf {
             Property::Spring => "k",
             Property::Shear => "mu",
             Property::BendingStiffness => "EI",
+            Property::ShearStiffness => "GA",
         }
     }
 }

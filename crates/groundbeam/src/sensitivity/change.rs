@@ -2,13 +2,14 @@
 
 use super::linearised::{Linearised, Piece};
 use super::parameter::{Extent, LoadNumber, Parameter, Property, SupportNumber, of_load};
-use crate::model::{Foundation, Load, Model, Profile};
+use crate::model::{BeamSegment, Foundation, Load, Model, Profile};
 
 /// By how much everything that may change does, for a unit of the parameter.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Change {
-    /// EI, k and μ of every element, relative to their own; nothing where none changes.
+    /// EI, S, k and μ of every element, relative to their own; nothing where none changes.
     stiffness: Vec<f64>,
+    shear_stiffness: Vec<f64>,
     spring: Vec<f64>,
     shear: Vec<f64>,
     /// k and μ of the layers beyond the left and the right end, in the same way.
@@ -47,13 +48,15 @@ struct Spread {
 pub(super) enum Against {
     /// w.
     Deflection,
-    /// w'.
-    Slope,
+    /// φ, which is w' where the beam does not shear.
+    Rotation,
     /// w', of a force that moves: from the side to which it does.
     SlopeBeside,
-    /// w″, in the same way.
+    /// φ, of the end of a spread moment that moves, in the same way.
+    RotationBeside,
+    /// φ', in the same way.
     BendBeside,
-    /// EI w″, in the same way.
+    /// EI φ', in the same way.
     CurlBeside,
     /// u.
     Settlement,
@@ -70,8 +73,9 @@ pub(super) struct PointChange {
 /// What changes at one place.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Rates {
-    /// EI, k and μ, relative to their own.
+    /// EI, S, k and μ, relative to their own.
     pub stiffness: f64,
+    pub shear_stiffness: f64,
     pub spring: f64,
     pub shear: f64,
     /// P \[N\].
@@ -122,12 +126,16 @@ impl Change {
 
     fn scale(&mut self, lin: &Linearised, property: Property, extent: Extent, rate: f64) {
         let (model, cells) = (&lin.model, &lin.mesh.cells);
-        let beam = property == Property::BendingStiffness;
+        let beam = matches!(property, Property::BendingStiffness | Property::ShearStiffness);
         let ground = &model.foundation;
         let holding = |x: f64| {
             let held = |from: f64, to: f64| from <= x && x < to;
             if beam {
-                model.beam.segments.iter().position(|s| held(s.from, s.to))
+                // A segment that says nothing of S has that of the beam.
+                let says = |s: &BeamSegment| {
+                    property == Property::BendingStiffness || s.shear_stiffness.is_some()
+                };
+                model.beam.segments.iter().position(|s| held(s.from, s.to) && says(s))
             } else {
                 ground.segments.iter().position(|s| held(s.from, s.to))
             }
@@ -143,6 +151,7 @@ impl Change {
         let rates = own.iter().map(|segment| rate_of(*segment)).collect();
         match property {
             Property::BendingStiffness => self.stiffness = rates,
+            Property::ShearStiffness => self.shear_stiffness = rates,
             Property::Spring => self.spring = rates,
             Property::Shear => self.shear = rates,
         }
@@ -167,7 +176,7 @@ impl Change {
     fn grow(&mut self, load: &Load) {
         let (kind, x, values) = match *load {
             Load::PointForce { at, force } => return self.point(at, Against::Deflection, force),
-            Load::PointMoment { at, moment } => return self.point(at, Against::Slope, moment),
+            Load::PointMoment { at, moment } => return self.point(at, Against::Rotation, moment),
             Load::GroundForce { at, force } => return self.point(at, Against::Settlement, force),
             Load::Distributed { from, to, start, end } => (Kind::Force, [from, to], [start, end]),
             Load::DistributedMoment { from, to, start, end } => {
@@ -197,7 +206,7 @@ impl Change {
                 return self.point(at, Against::BendBeside, moment);
             }
             (Load::PointForce { at, .. }, _) => return self.point(at, Against::Deflection, 1.0),
-            (Load::PointMoment { at, .. }, _) => return self.point(at, Against::Slope, 1.0),
+            (Load::PointMoment { at, .. }, _) => return self.point(at, Against::Rotation, 1.0),
             (Load::GroundForce { at, .. }, _) => return self.point(at, Against::Settlement, 1.0),
             (Load::Distributed { from, to, start, end }, _) => (Kind::Force, from, to, start, end),
             (Load::DistributedMoment { from, to, start, end }, _) => {
@@ -212,7 +221,7 @@ impl Change {
         };
         let rise = (end - start) / (to - from);
         let beside = match kind {
-            Kind::Moment => Against::SlopeBeside,
+            Kind::Moment => Against::RotationBeside,
             Kind::Curvature => Against::CurlBeside,
             _ => Against::Deflection,
         };
@@ -238,6 +247,7 @@ impl Change {
         let of = |rates: &[f64]| rates.get(piece.element).copied().unwrap_or(0.0);
         let mut rates = Rates {
             stiffness: of(&self.stiffness),
+            shear_stiffness: of(&self.shear_stiffness),
             spring: of(&self.spring),
             shear: of(&self.shear),
             axial: self.axial,

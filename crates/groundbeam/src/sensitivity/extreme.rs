@@ -16,6 +16,8 @@ pub(super) struct Place {
     pub value: f64,
     /// The field's derivative by x there; 0 where it is stationary.
     pub slope: f64,
+    /// Whether it is so whatever changes: the gap where they touch, the pressure where they do not.
+    pub always: bool,
     /// Another place at which it is as large.
     pub rival: Option<f64>,
 }
@@ -81,9 +83,12 @@ impl Linearised {
     pub fn leaves_others(&self, field: Quantity, place: &Place, change: &Change) -> Option<f64> {
         let x = change.moves.filter(|x| !self.stands_alone(*x))?;
         let here = self.mesh.node_at(x) == self.mesh.node_at(place.x);
-        let smooth = matches!(field, Quantity::Deflection | Quantity::Settlement | Quantity::Gap);
+        let kinks = self.shear_stiffness_at(self.spot(x, Side::Left)).is_some()
+            || self.shear_stiffness_at(self.spot(x, Side::Right)).is_some();
+        let smooth =
+            !kinks && matches!(field, Quantity::Deflection | Quantity::Settlement | Quantity::Gap);
         let tears = change.points.iter().any(|point| match point.against {
-            Against::SlopeBeside => field == Quantity::ShearForce,
+            Against::SlopeBeside => self.steps(field, x),
             Against::BendBeside => {
                 matches!(field, Quantity::Moment | Quantity::ShearForce | Quantity::Pressure)
             }
@@ -109,12 +114,15 @@ impl Solution {
             }
         }
         let Some((i, s, value)) = best else {
-            return Place { x: 0.0, side: Side::Right, value: 0.0, slope: 0.0, rival: None };
+            let (x, side) = (0.0, Side::Right);
+            return Place { x, side, value: 0.0, slope: 0.0, always: true, rival: None };
         };
         let (x, l) = (self.stretches[i].global(s), self.model().beam.length);
         let size = all.iter().map(|(_, value)| value.abs()).fold(0.0, f64::max);
         // Where they touch the gap is zero and where they do not the pressure is, whatever the parameters are.
-        let always = value == 0.0 && matches!(field, Quantity::Gap | Quantity::Pressure);
+        let touches = self.contact.iter().any(|region| region.from <= x && x <= region.to);
+        let closed = field == Quantity::Gap && !largest && touches;
+        let always = closed || value == 0.0 && matches!(field, Quantity::Gap | Quantity::Pressure);
         let rival = all
             .iter()
             .filter(|_| !always)
@@ -127,8 +135,8 @@ impl Solution {
         let end = self.stretches[i].x[usize::from(s > 0.0)];
         let x = if (x - end).abs() <= HERE * l { end } else { x };
         let side = if s > 0.0 { Side::Left } else { Side::Right };
-        let slope = if s.abs() < 1.0 { 0.0 } else { self.rise(i, s, field) };
-        Place { x, side, value, slope, rival }
+        let slope = if s.abs() < 1.0 || always { 0.0 } else { self.rise(i, s, field) };
+        Place { x, side, value, slope, always, rival }
     }
 
     /// The derivative of a field by x on a stretch.

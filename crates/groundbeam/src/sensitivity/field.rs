@@ -15,8 +15,8 @@ pub(super) const POINTS: usize = 12;
 pub(super) struct Field {
     /// The four of every element.
     pub shapes: Vec<[f64; 4]>,
-    /// w on every piece.
-    pub curves: Vec<Coefficients>,
+    /// w on every piece, and φ where the beam shears; nothing elsewhere.
+    pub curves: Vec<[Coefficients; 2]>,
     /// What the beam makes of u at the ends of the strips of every joint.
     pub heights: Vec<Vec<f64>>,
     /// The same at both ends of every piece off the ground.
@@ -33,7 +33,10 @@ pub(super) struct Point {
     /// w \[m\] and w'.
     pub w: f64,
     pub slope: f64,
-    /// w″ − κ₀ \[1/m\].
+    /// φ, which is w' where the beam does not shear, and w' − φ.
+    pub rotation: f64,
+    pub strain: f64,
+    /// φ' − κ₀ \[1/m\].
     pub bend: f64,
     /// u \[m\] and u'.
     pub u: f64,
@@ -68,7 +71,7 @@ impl Field {
     /// Open ground under a beam at rest, from u at both ends of a piece, at the points of quadrature.
     pub fn of_open_ground(piece: &Piece, ends: [f64; 2]) -> Vec<Point> {
         let field = Field {
-            curves: vec![Coefficients::zeros(1)],
+            curves: vec![[Coefficients::zeros(1), Coefficients::default()]],
             open: vec![ends],
             settled: vec![varying(piece, ends)],
             ..Field::default()
@@ -82,15 +85,24 @@ impl Field {
         for v in &mut field.shapes {
             *v = v.map(|v| -v);
         }
-        for c in field.curves.iter_mut().chain(&mut field.settled).flat_map(|c| c.iter_mut()) {
+        let curves = field.curves.iter_mut().flatten();
+        for c in curves.chain(&mut field.settled).flat_map(|c| c.iter_mut()) {
             *c = -*c;
         }
         for heights in field.heights.iter_mut().flatten().chain(field.open.iter_mut().flatten()) {
             *heights = -*heights;
         }
         for point in &mut field.points {
-            let Point { w, slope, bend, u, rise } = *point;
-            *point = Point { w: -w, slope: -slope, bend: -bend, u: -u, rise: -rise };
+            let Point { w, slope, rotation, strain, bend, u, rise } = *point;
+            *point = Point {
+                w: -w,
+                slope: -slope,
+                rotation: -rotation,
+                strain: -strain,
+                bend: -bend,
+                u: -u,
+                rise: -rise,
+            };
         }
         field
     }
@@ -98,10 +110,15 @@ impl Field {
     /// The field at s of a piece.
     pub fn look(&self, piece: &Piece, i: usize, s: f64, loaded: bool) -> Point {
         let (cell, half) = (&piece.cell, piece.half);
-        let [w, dw, ddw, _] = jet(&self.curves[i], s);
+        let [curve, turns] = &self.curves[i];
+        let [w, dw, ddw, _] = jet(curve, s);
         let (slope, bend) = (dw / half, ddw / (half * half));
         let linear = |[left, right]: [f64; 2]| 0.5 * (left + right) + 0.5 * (right - left) * s;
-        let mut point = Point { w, slope, bend, u: w, rise: slope };
+        let mut point = Point { w, slope, rotation: slope, strain: 0.0, bend, u: w, rise: slope };
+        if !turns.is_empty() {
+            let [turned, rate, ..] = jet(turns, s);
+            (point.rotation, point.strain, point.bend) = (turned, slope - turned, rate / half);
+        }
         if piece.touch == Touch::Open {
             [point.u, point.rise] = self.open_ground(piece, i, s);
             if loaded {

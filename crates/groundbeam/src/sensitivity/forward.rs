@@ -10,6 +10,7 @@ use super::linearised::{Linearised, dot, is_rigid};
 use super::output::Functional;
 use super::parameter::SupportNumber;
 use super::{NotDifferentiable, Output, Side, Solution};
+use crate::contact::deflection::Spot;
 use crate::elements::Touch;
 use crate::ground;
 use crate::model::SupportKind;
@@ -56,6 +57,9 @@ impl Solution {
         }
         let (functional, _) = self.functional(lin, output)?;
         let mut rate = lin.read(&functional, answer) + lin.direct(&functional, change);
+        if let Output::Edge(region, side) = output {
+            rate += self.edge_follows(lin, region, side, change);
+        }
         if let Output::Smallest(field) | Output::Largest(field) = output {
             let place = self.extreme(field, matches!(output, Output::Largest(_)));
             rate += place.slope * self.moves_forward(lin, &place, change, answer);
@@ -129,7 +133,7 @@ impl Linearised {
         let mut all = Vec::with_capacity(self.joints.len());
         for (j, joint) in self.joints.iter().enumerate() {
             if change.gap.is_some() {
-                let at = |end: Option<crate::contact::deflection::Spot>| {
+                let at = |end: Option<Spot>| {
                     let x = end.map(|spot| self.mesh.cells[spot.cell].global(spot.s));
                     x.map_or(0.0, |x| change.gap_at(&self.model, x))
                 };
@@ -191,10 +195,24 @@ impl Linearised {
             }
             let spot = self.spot(x, Side::Right);
             match point.against {
-                Against::Deflection => self.read_deflection(f, spot, weight),
-                Against::Slope => self.read_slope(f, spot, weight),
+                Against::Deflection => {
+                    self.read_deflection(f, spot, weight);
+                    if change.moves.is_some() && (x <= 0.0 || x >= l) {
+                        leaving.extend(f.push.loads.last().copied());
+                    }
+                }
+                Against::Rotation => self.read_rotation(f, spot, weight),
                 Against::SlopeBeside => {
-                    self.read_slope(f, spot, weight);
+                    let edge = self.edge_at_force(point.against, x);
+                    let within = if edge == Some(Side::Right) { Side::Left } else { Side::Right };
+                    self.read_slope(f, self.spot(x, within), weight);
+                    leaving.extend(f.push.loads.last().copied());
+                    if let Some(open) = edge {
+                        self.push_edge(f, x, open);
+                    }
+                }
+                Against::RotationBeside => {
+                    self.read_rotation(f, spot, weight);
                     leaving.extend(f.push.loads.last().copied());
                 }
                 Against::BendBeside => {
@@ -213,13 +231,25 @@ impl Linearised {
         leaving
     }
 
+    /// An edge of contact that moves with a force leaves a gap, where the ground falls away at an angle.
+    fn push_edge(&self, f: &mut Functional, x: f64, open: Side) {
+        let Some(zone) = self.zone_at(x, open) else { return };
+        let y = self.look(&self.state, self.spot(x, open), true);
+        let cell = &self.mesh.cells[self.spot(x, open).cell];
+        let mut parted = self.force_at_edge(zone, open);
+        parted.scale(y.rise + cell.gap_slope - y.slope);
+        f.push.loads.extend(parted.push.loads);
+        f.push.jumps.extend(parted.push.jumps);
+        f.push.parted.extend(parted.push.parted);
+    }
+
     fn push_held(&self, change: &Change, f: &mut Functional) {
         if let Some(hinge) = change.hinge.and_then(|i| self.model.hinges.get(i)) {
             let [left, right] = [Side::Left, Side::Right].map(|side| self.spot(hinge.at, side));
             let slope = |spot| self.at_node(&self.state, spot)[1];
             let turn = slope(right) - slope(left);
-            self.read_slope(f, right, -turn);
-            self.read_slope(f, left, turn);
+            self.read_rotation(f, right, -turn);
+            self.read_rotation(f, left, turn);
         }
         let Some((i, number)) = change.support else { return };
         let Some(support) = self.model.supports.get(i) else { return };
@@ -235,7 +265,7 @@ impl Linearised {
             (SupportNumber::Spring, _) => {
                 self.read_deflection(f, spot, support.settlement - w);
             }
-            (SupportNumber::RotationalSpring, _) => self.read_slope(f, spot, -slope),
+            (SupportNumber::RotationalSpring, _) => self.read_rotation(f, spot, -slope),
             _ => {}
         }
     }

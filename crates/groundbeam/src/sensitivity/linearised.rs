@@ -12,13 +12,13 @@ use crate::chain::{Chain, Loose};
 use crate::contact::deflection::{Spot, Zone};
 use crate::contact::glue::{Glue, Glued};
 use crate::contact::stretches::Stretch;
-use crate::elements::exact::ExactElement;
+use crate::elements::exact::{ExactElement, TERMS};
 use crate::elements::{Basis, Touch};
 use crate::ground;
 use crate::mesh::{Cell, Mesh};
 use crate::model::{Model, SupportKind};
-use crate::polynomial::rescale;
-use crate::solution::{Side, Solution};
+use crate::polynomial::{Coefficients, jet, rescale};
+use crate::solution::{ConcentratedForce, Side, Solution};
 
 /// A part of an element on which w and u are short power series.
 #[derive(Debug, Clone)]
@@ -46,6 +46,8 @@ pub(super) struct Linearised {
     pub joints: Vec<Joint>,
     /// The solution.
     pub state: Field,
+    /// Its concentrated forces on the ground.
+    pub atoms: Vec<ConcentratedForce>,
     /// The chain and its elements, without loads.
     pub chain: Chain,
     pub elements: Vec<ExactElement>,
@@ -77,8 +79,9 @@ impl Linearised {
         let pieces = pieces(&mesh, &loaded, &touch);
         let joints = joints(&mesh, &zones, &pieces);
         let state = Field::of(shapes);
+        let atoms = solution.concentrated_forces().to_vec();
         let mut linearised =
-            Linearised { model, mesh, zones, pieces, joints, state, chain, elements };
+            Linearised { model, mesh, zones, pieces, joints, state, atoms, chain, elements };
         let mut state = std::mem::take(&mut linearised.state);
         state.curves = linearised.curves(&loaded, &state.shapes);
         state.heights = linearised.heights(&state, true, &Push::default());
@@ -146,31 +149,32 @@ impl Linearised {
         }
     }
 
-    /// w on every piece.
-    fn curves(
-        &self,
-        elements: &[ExactElement],
-        shapes: &[[f64; 4]],
-    ) -> Vec<crate::polynomial::Coefficients> {
+    /// w on every piece, and φ where the beam shears.
+    fn curves(&self, elements: &[ExactElement], shapes: &[[f64; 4]]) -> Vec<[Coefficients; 2]> {
         let mut curves = Vec::with_capacity(self.pieces.len());
         let mut at = usize::MAX;
-        let mut unfolded = ([0.0; crate::elements::exact::TERMS], [0.0; 2]);
+        let mut unfolded = ([0.0; TERMS], [0.0; 2]);
+        let mut rotation = None;
         for piece in &self.pieces {
             let exact = &elements[piece.element];
             if piece.element != at {
                 at = piece.element;
                 unfolded = exact.unfold(&shapes[at]);
+                rotation = exact.rotation(&shapes[at]);
             }
             let [a, b] = piece.part;
-            let mut curve = if piece.part == [-1.0, 1.0] {
-                unfolded.0[..].into()
-            } else {
-                rescale(&unfolded.0, 0.5 * (a + b), 0.5 * (b - a))
+            let own = |whole: &[f64; TERMS]| -> Coefficients {
+                if piece.part == [-1.0, 1.0] {
+                    whole[..].into()
+                } else {
+                    rescale(whole, 0.5 * (a + b), 0.5 * (b - a))
+                }
             };
+            let mut curve = own(&unfolded.0);
             if let Some(layers) = &exact.layers {
                 layers.add(self.mesh.cells[at].x, unfolded.1, piece.cell.x, &mut curve);
             }
-            curves.push(curve);
+            curves.push([curve, rotation.as_ref().map_or_else(Coefficients::default, own)]);
         }
         curves
     }
@@ -205,8 +209,8 @@ impl Linearised {
         (spot.cell, self.elements[spot.cell].element.end_row(spot.s > 0.0))
     }
 
-    /// The same for w'.
-    pub fn slope_row(&self, spot: Spot) -> (usize, [f64; 4]) {
+    /// The same for φ.
+    pub fn rotation_row(&self, spot: Spot) -> (usize, [f64; 4]) {
         let row = match (spot.s > 0.0, self.elements[spot.cell].element.basis) {
             (false, _) => [0.0, 1.0, 0.0, 0.0],
             (true, Basis::Deformation) => [0.0, 1.0, 0.0, 1.0],
@@ -251,10 +255,18 @@ impl Linearised {
         field.look(&self.pieces[piece], piece, spot.s, loaded)
     }
 
-    /// w and w' of the chain's own at a node, on one side.
+    /// w and φ of the chain's own at a node, on one side.
     pub fn at_node(&self, field: &Field, spot: Spot) -> [f64; 2] {
         let v = &field.shapes[spot.cell];
-        [self.deflection_row(spot).1, self.slope_row(spot).1].map(|row| dot(&row, v))
+        [self.deflection_row(spot).1, self.rotation_row(spot).1].map(|row| dot(&row, v))
+    }
+
+    /// The shear stiffness of the beam at an end of an element, and by how much it grows with x; none where it does not
+    /// shear.
+    pub fn shear_stiffness_at(&self, spot: Spot) -> Option<[f64; 2]> {
+        let cell = &self.mesh.cells[spot.cell];
+        let [shear, by_s, ..] = jet(&cell.beam_shear?, spot.s);
+        Some([shear, by_s * 2.0 / cell.length()])
     }
 
     /// What holds the beam at a node up against an answer to `push`.

@@ -16,6 +16,7 @@ mod linearised;
 mod names;
 mod output;
 mod parameter;
+mod point;
 mod product;
 mod push;
 mod topology;
@@ -95,8 +96,6 @@ pub enum NotDifferentiable {
     Method(Method),
     /// The solution is one of many.
     NotUnique,
-    /// The beam shears: only of one that bends alone are derivatives known.
-    Shears,
     /// The model has no such number, or it is none that can be changed by itself.
     NoSuchParameter(Parameter),
     /// There is no such output.
@@ -117,9 +116,6 @@ impl fmt::Display for NotDifferentiable {
             ),
             NotDifferentiable::NotUnique => {
                 f.write_str("the equilibrium is one of many, and has no derivatives")
-            }
-            NotDifferentiable::Shears => {
-                f.write_str("the beam shears; derivatives are known of beams that bend alone")
             }
             NotDifferentiable::NoSuchParameter(parameter) => {
                 write!(f, "the model has no number {parameter:?} of its own")
@@ -217,9 +213,6 @@ impl Solution {
         if self.method() != Method::Exact {
             return Err(NotDifferentiable::Method(self.method()));
         }
-        if self.model().beam.shears() {
-            return Err(NotDifferentiable::Shears);
-        }
         let many = matches!(self.existence().verdict, Verdict::NotUnique(_));
         let lin = Linearised::at(self, &self.places(outputs)).filter(|_| !many);
         let lin = lin.ok_or(NotDifferentiable::NotUnique)?;
@@ -283,6 +276,11 @@ impl Solution {
         let (functional, value) = self.functional(lin, output)?;
         let mut derived = Derived { value, ..Derived::default() };
         derived.rates = self.rates(lin, &functional, changes)?;
+        if let Output::Edge(region, side) = output {
+            for (rate, change) in derived.rates.iter_mut().zip(changes) {
+                rate.value += self.edge_follows(lin, region, side, change);
+            }
+        }
         if let Output::Smallest(field) | Output::Largest(field) = output {
             let place = self.extreme(field, matches!(output, Output::Largest(_)));
             derived.rival = place.rival;
@@ -300,6 +298,13 @@ impl Solution {
         Ok(derived)
     }
 
+    /// How far an edge of contact goes with a load that moves.
+    fn edge_follows(&self, lin: &Linearised, region: usize, side: Side, change: &Change) -> f64 {
+        let Some(region) = self.contact().get(region) else { return 0.0 };
+        let x = if side == Side::Left { region.from } else { region.to };
+        lin.zone_at(x, side).map_or(0.0, |zone| lin.edge_moves(zone, side, change))
+    }
+
     /// An output as a functional, and its value.
     fn functional(
         &self,
@@ -315,7 +320,11 @@ impl Solution {
             Output::Value(..) => return Err(none),
             Output::Smallest(field) | Output::Largest(field) => {
                 let place = self.extreme(field, matches!(output, Output::Largest(_)));
-                (lin.field_at(field, place.x, place.side), place.value)
+                let functional = match place.always {
+                    true => Functional::default(),
+                    false => lin.field_at(field, place.x, place.side),
+                };
+                (functional, place.value)
             }
             Output::Edge(region, side) => {
                 let region = self.contact().get(region).ok_or(none)?;

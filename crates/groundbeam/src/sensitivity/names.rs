@@ -5,7 +5,7 @@ use crate::solution::{Field, Side};
 
 impl Parameter {
     /// How names are written: `k`, `mu_factor`, `EI[0]`, `load[1].at`, …
-    pub const NAMES: &str = "k, mu, EI, axial_force, k_factor, mu_factor, EI_factor, load_factor; of segments k[0], \
+    pub const NAMES: &str = "k, mu, EI, GA, axial_force, k_factor, mu_factor, EI_factor, GA_factor, load_factor; of segments k[0], \
                              k_factor[0] and so on, of what is outside them k[]; of loads load[0], load[0].at, \
                              load[0].from, load[0].to, load[0].start, load[0].end; support[0].settlement, \
                              support[0].spring, support[0].rotational_spring, hinge[0], gap[0]";
@@ -26,6 +26,7 @@ impl Parameter {
                 "k" => Property::Spring,
                 "mu" => Property::Shear,
                 "EI" => Property::BendingStiffness,
+                "GA" => Property::ShearStiffness,
                 _ => return None,
             })
         };

@@ -54,6 +54,8 @@ struct Term {
 
 #[derive(Debug, Clone, Copy)]
 enum What {
+    /// (S + N) w' − Sφ − T, where the beam shears.
+    Slope,
     /// μψ', where ψ = w − g₀.
     GroundFlux,
     /// ψ itself, and ψ in the air.
@@ -68,7 +70,7 @@ enum What {
     Pressure,
     /// k_s (w − δ) of the support with a number.
     Spring(usize),
-    /// k_φ w' of one.
+    /// k_φ φ of one.
     RotationalSpring(usize),
 }
 
@@ -79,10 +81,29 @@ impl Linearised {
         functional.push.loads.push((element, row.map(|r| r * weight)));
     }
 
-    /// Adds weight·w'.
-    pub fn read_slope(&self, functional: &mut Functional, spot: Spot, weight: f64) {
-        let (element, row) = self.slope_row(spot);
+    /// Adds weight·φ.
+    pub fn read_rotation(&self, functional: &mut Functional, spot: Spot, weight: f64) {
+        let (element, row) = self.rotation_row(spot);
         functional.push.loads.push((element, row.map(|r| r * weight)));
+    }
+
+    /// Adds weight·w': φ, or where the beam shears what (S + N) w' = Sφ + T makes of it, T = S (w' − φ) + N w' being the
+    /// vertical force, with what the ground takes along where it touches, N = P + μ there.
+    pub fn read_slope(&self, functional: &mut Functional, spot: Spot, weight: f64) {
+        let Some([shear, _]) = self.shear_stiffness_at(spot) else {
+            return self.read_rotation(functional, spot, weight);
+        };
+        let part = weight / (shear + self.tension_at(spot));
+        self.read_rotation(functional, spot, part * shear);
+        self.read_pull(functional, spot, part);
+        functional.terms.push(Term { what: What::Slope, spot, weight: part });
+    }
+
+    /// N.
+    pub fn tension_at(&self, spot: Spot) -> f64 {
+        let touches = self.pieces[self.piece_at(spot)].touch == Touch::Contact;
+        let [_, mu] = self.mesh.cells[spot.cell].ground_at(spot.s);
+        self.model.beam.axial_force + if touches { mu } else { 0.0 }
     }
 
     /// Adds weight·M: what the element demands of an end that turns.
@@ -138,11 +159,21 @@ impl Linearised {
                 self.read_ground(&mut f, spot, 1.0);
             }
             Quantity::Pressure if touches => {
-                // kψ − μ'ψ' − μ w″ with w″ = κ₀ − M/EI.
+                // kψ − μ'ψ' − μ w″ with w″ = κ₀ − M/EI; where the beam shears with
+                // (S + N) w″ = kψ − μ'ψ' − f − S' (w' − φ) + S (κ₀ − M/EI).
                 let [k, mu, rise] = cell.ground_rising_at(spot.s);
-                self.read_deflection(&mut f, spot, k);
-                self.read_slope(&mut f, spot, -rise * 2.0 / cell.length());
-                self.read_moment(&mut f, spot, mu / self.stiffness_at(spot));
+                let rise = rise * 2.0 / cell.length();
+                let mut bent = mu;
+                let mut kept = 1.0;
+                if let Some([shear, grows]) = self.shear_stiffness_at(spot) {
+                    let part = mu / (shear + self.tension_at(spot));
+                    (bent, kept) = (part * shear, 1.0 - part);
+                    self.read_slope(&mut f, spot, part * grows);
+                    self.read_rotation(&mut f, spot, -part * grows);
+                }
+                self.read_deflection(&mut f, spot, kept * k);
+                self.read_slope(&mut f, spot, -kept * rise);
+                self.read_moment(&mut f, spot, bent / self.stiffness_at(spot));
                 f.terms.push(Term { what: What::Pressure, spot, weight: 1.0 });
             }
             Quantity::Pressure => {}
@@ -242,7 +273,7 @@ impl Linearised {
 
     /// w″ of the solution.
     fn second_rise(&self, piece: usize, spot: Spot) -> f64 {
-        let [_, _, bend, _] = jet(&self.state.curves[piece], spot.s);
+        let [_, _, bend, _] = jet(&self.state.curves[piece][0], spot.s);
         bend / (self.pieces[piece].half * self.pieces[piece].half)
     }
 
@@ -294,7 +325,7 @@ impl Linearised {
                 f.terms.push(Term { what: What::Spring(number), spot, weight: 1.0 });
             }
             (SupportKind::Spring { rotational_spring, .. }, true) => {
-                self.read_slope(&mut f, spot, -rotational_spring);
+                self.read_rotation(&mut f, spot, -rotational_spring);
                 f.terms.push(Term { what: What::RotationalSpring(number), spot, weight: -1.0 });
             }
         }
@@ -322,11 +353,18 @@ impl Linearised {
             Some(match (what, term.what) {
                 (Settlement, What::Spring(_)) => -spring,
                 (Spring, What::Spring(_)) => y.w - support.settlement,
-                (RotationalSpring, What::RotationalSpring(_)) => y.slope,
+                (RotationalSpring, What::RotationalSpring(_)) => y.rotation,
                 _ => 0.0,
             })
         };
+        let touches = piece.touch == Touch::Contact;
         match term.what {
+            What::Slope => {
+                let shear = self.shear_stiffness_at(spot).map_or(0.0, |[shear, _]| shear);
+                let flux =
+                    if touches { mu * (rates.gap_slope - rates.shear * y.rise) } else { 0.0 };
+                flux - rates.axial * y.slope - rates.shear_stiffness * shear * y.strain
+            }
             What::GroundFlux => rates.shear * mu * y.rise - mu * rates.gap_slope,
             What::Obstacle => -rates.gap,
             What::GroundForce => {
@@ -340,12 +378,20 @@ impl Linearised {
             What::SpreadMoment => rates.moment,
             What::Pressure => {
                 let bend = self.second_rise(i, spot);
-                let kappa = self.pieces[i].cell.curvature[usize::from(spot.s > 0.0)];
-                k * (rates.spring * y.u - rates.gap) - rates.shear * (rise * y.rise + mu * bend)
-                    + rise * rates.gap_slope
-                    - mu * rates.curvature
-                    - rates.ground
-                    + rates.stiffness * mu * (bend - kappa)
+                let carried = k * (rates.spring * y.u - rates.gap) - rates.shear * rise * y.rise
+                    + rise * rates.gap_slope;
+                let pressed = carried - rates.shear * mu * bend - rates.ground;
+                let curls = rates.curvature - rates.stiffness * y.bend;
+                let Some([shear, grows]) = self.shear_stiffness_at(spot) else {
+                    return pressed - mu * curls;
+                };
+                // w″ by its own equation, where the beam shears.
+                let turns = y.bend + self.pieces[i].cell.curvature[usize::from(spot.s > 0.0)];
+                let sheared = shear * (turns - bend) - grows * y.strain;
+                let stretched = (rates.axial + rates.shear * mu) * bend;
+                let pushed = carried - rates.force - rates.ground + shear * curls - stretched
+                    + rates.shear_stiffness * sheared;
+                pressed - mu / (shear + self.tension_at(spot)) * pushed
             }
             What::Spring(number) | What::RotationalSpring(number) => spring(number).unwrap_or(0.0),
         }
@@ -353,7 +399,7 @@ impl Linearised {
 }
 
 impl Functional {
-    fn scale(&mut self, factor: f64) {
+    pub fn scale(&mut self, factor: f64) {
         let push = &mut self.push;
         for (_, row) in push.loads.iter_mut().chain(&mut push.jumps) {
             *row = row.map(|r| r * factor);

@@ -7,6 +7,8 @@ use crate::model::{Load, Model};
 pub enum Property {
     /// EI \[N·m²\].
     BendingStiffness,
+    /// S = κGA of a beam that shears \[N\].
+    ShearStiffness,
     /// k \[N/m²\].
     Spring,
     /// μ \[N\].
@@ -85,7 +87,7 @@ impl Parameter {
     pub fn value(self, model: &Model) -> Option<f64> {
         match self {
             Parameter::Value(property, extent) => constant(model, property, extent),
-            Parameter::Factor(_, Extent::Segment(i)) if i >= segments(model, self) => None,
+            Parameter::Factor(property, extent) if !has(model, property, extent) => None,
             Parameter::Factor(..) | Parameter::LoadFactor => Some(1.0),
             Parameter::AxialForce => Some(model.beam.axial_force),
             Parameter::Load(i, number) => of_load(model.loads.get(i)?, number),
@@ -151,10 +153,18 @@ impl Parameter {
     }
 }
 
-fn segments(model: &Model, parameter: Parameter) -> usize {
-    match parameter {
-        Parameter::Factor(Property::BendingStiffness, _) => model.beam.segments.len(),
-        _ => model.foundation.segments.len(),
+/// Whether there is any of a property.
+fn has(model: &Model, property: Property, extent: Extent) -> bool {
+    let beam = &model.beam;
+    match (property, extent) {
+        (Property::BendingStiffness, Extent::Segment(i)) => i < beam.segments.len(),
+        (Property::ShearStiffness, Extent::Segment(i)) => {
+            beam.segments.get(i).is_some_and(|segment| segment.shear_stiffness.is_some())
+        }
+        (Property::ShearStiffness, Extent::OutsideSegments) => beam.shear_stiffness.is_some(),
+        (Property::ShearStiffness, Extent::Whole) => beam.shears(),
+        (_, Extent::Segment(i)) => i < model.foundation.segments.len(),
+        _ => true,
     }
 }
 
@@ -164,6 +174,16 @@ fn constant(model: &Model, property: Property, extent: Extent) -> Option<f64> {
     let (own, profile) = match property {
         Property::BendingStiffness => {
             (beam.bending_stiffness, beam.segments.iter().map(|s| s.bending_stiffness).collect())
+        }
+        Property::ShearStiffness => {
+            let own = beam.segments.iter().filter_map(|s| s.shear_stiffness);
+            match extent {
+                Extent::Segment(i) => {
+                    let profile = beam.segments.get(i)?.shear_stiffness?;
+                    return profile.is_constant().then(|| profile.start());
+                }
+                Extent::Whole | Extent::OutsideSegments => (beam.shear_stiffness?, own.collect()),
+            }
         }
         Property::Spring => {
             (ground.spring, ground.segments.iter().map(|s| s.spring).collect::<Vec<_>>())
@@ -187,6 +207,11 @@ fn set_property(model: &mut Model, property: Property, extent: Extent, to: f64) 
                 segment.bending_stiffness = to.into();
             }
         }
+        (Property::ShearStiffness, Extent::Segment(i)) => {
+            if let Some(segment) = beam.segments.get_mut(i) {
+                segment.shear_stiffness = Some(to.into());
+            }
+        }
         (Property::Spring, Extent::Segment(i)) => {
             if let Some(segment) = ground.segments.get_mut(i) {
                 segment.spring = to.into();
@@ -198,6 +223,7 @@ fn set_property(model: &mut Model, property: Property, extent: Extent, to: f64) 
             }
         }
         (Property::BendingStiffness, _) => beam.bending_stiffness = to,
+        (Property::ShearStiffness, _) => beam.shear_stiffness = Some(to),
         (Property::Spring, _) => ground.spring = to,
         (Property::Shear, _) => ground.shear = to,
     }
@@ -208,6 +234,9 @@ fn scale(model: &mut Model, property: Property, extent: Extent, factor: f64) {
     if !matches!(extent, Extent::Segment(_)) {
         match property {
             Property::BendingStiffness => beam.bending_stiffness *= factor,
+            Property::ShearStiffness => {
+                beam.shear_stiffness = beam.shear_stiffness.map(|own| own * factor);
+            }
             Property::Spring => ground.spring *= factor,
             Property::Shear => ground.shear *= factor,
         }
@@ -217,6 +246,11 @@ fn scale(model: &mut Model, property: Property, extent: Extent, factor: f64) {
         Property::BendingStiffness => {
             for (_, segment) in beam.segments.iter_mut().enumerate().filter(|(i, _)| meant(*i)) {
                 segment.bending_stiffness = segment.bending_stiffness.scaled(factor);
+            }
+        }
+        Property::ShearStiffness => {
+            for (_, segment) in beam.segments.iter_mut().enumerate().filter(|(i, _)| meant(*i)) {
+                segment.shear_stiffness = segment.shear_stiffness.map(|own| own.scaled(factor));
             }
         }
         _ => {

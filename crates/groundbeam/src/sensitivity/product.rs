@@ -1,6 +1,6 @@
 //! What a change does to an output: the change of the equations at the solution, against the output's dual field.
 
-use super::change::{Against, Change, PointChange};
+use super::change::Change;
 use super::field::{Field, POINTS, Point};
 use super::linearised::{Linearised, is_rigid};
 use super::parameter::SupportNumber;
@@ -23,9 +23,6 @@ pub(super) struct Dual<'a> {
     /// It is minus the solution itself: of the energy, whose forms count half.
     pub energy: bool,
 }
-
-/// Two sides of a place at which something moves differ by more than this part: the derivative is one-sided.
-const SAME: f64 = 1e-9;
 
 /// So many decay lengths from the beam its ground does not move.
 const FAR: f64 = 50.0;
@@ -75,9 +72,12 @@ impl Linearised {
             };
             let [k, mu] = cell.ground_at(s);
             let mut form = rates.stiffness * stiffness * y.bend * z.bend;
+            if let Some(shear) = &cell.beam_shear {
+                form += rates.shear_stiffness * value(shear, s) * y.strain * z.strain;
+            }
             form += rates.axial * y.slope * z.slope;
             form += rates.spring * k * y.u * z.u + rates.shear * mu * y.rise * z.rise;
-            let mut work = rates.force * z.w + rates.moment * z.slope;
+            let mut work = rates.force * z.w + rates.moment * z.rotation;
             work += rates.curvature * stiffness * z.bend + rates.ground * z.u;
             if piece.touch == Touch::Contact {
                 work += k * rates.gap * z.u + mu * rates.gap_slope * z.rise;
@@ -191,70 +191,8 @@ impl Linearised {
         (number == SupportNumber::Settlement && is_rigid(support.kind)).then_some(support.at)
     }
 
-    /// What changes at a point.
-    fn add_point(&self, point: &PointChange, moves: bool, dual: &Dual, rate: &mut Rate) {
-        let PointChange { x, against, weight } = *point;
-        let l = self.model.beam.length;
-        if against == Against::Settlement {
-            rate.value += weight * self.settlement(dual.field, x);
-            return;
-        }
-        let sides = [Side::Left, Side::Right].map(|side| self.spot(x, side));
-        // The output looks from one side: what it does not see moves away from it.
-        let node = |x: f64| self.mesh.node_at(x);
-        let looked = dual.looks.filter(|(_, at, _)| node(*at) == node(x));
-        // A field that jumps where a load stands jumps when it has passed, and one that kinks there tells the sides apart.
-        let tells_sides = |(field, ..): (Quantity, f64, Side)| match against {
-            Against::Deflection => moves && field == Quantity::ShearForce,
-            Against::SlopeBeside => field == Quantity::ShearForce,
-            _ => matches!(field, Quantity::ShearForce | Quantity::Moment | Quantity::Pressure),
-        };
-        if weight != 0.0 && against != Against::Slope && looked.is_some_and(tells_sides) {
-            rate.jumps_at = Some(x);
-        }
-        if matches!(against, Against::Deflection | Against::Slope) {
-            let [w, slope] = self.at_node(dual.field, sides[1]);
-            rate.value += weight * if against == Against::Deflection { w } else { slope };
-            return;
-        }
-        let seen = |spot: Spot| {
-            // Of the energy: an imposed curvature bends nothing that it has not bent already.
-            let point = if dual.energy && against == Against::CurlBeside {
-                let y = self.look(&self.state, spot, true);
-                Point { bend: -y.bend, ..Point::default() }
-            } else {
-                self.look(dual.field, spot, false)
-            };
-            match against {
-                Against::SlopeBeside => point.slope,
-                Against::BendBeside => point.bend,
-                _ => point.bend * self.stiffness_at(spot),
-            }
-        };
-        let [left, right] = sides.map(seen);
-        let (inner, from_left) = (x > 0.0 && x < l, matches!(looked, Some((.., Side::Right))));
-        let value = match (dual.energy, x <= 0.0, x >= l) {
-            // A moment that moves takes half of its own bend with it, on either side; beyond the end there is none.
-            (true, false, false) => 0.5 * (left + right),
-            (true, ..) if against == Against::BendBeside => 0.5 * right,
-            (_, _, true) => left,
-            _ if from_left => left,
-            _ => right,
-        };
-        rate.value += weight * value;
-        let size = dual.field.points.iter().map(|z| match against {
-            Against::SlopeBeside => z.slope.abs(),
-            _ => z.bend.abs(),
-        });
-        let size = size.fold(left.abs().max(right.abs()), f64::max);
-        let jump = inner && !dual.energy && (left - right).abs() > SAME * size;
-        if weight != 0.0 && jump {
-            rate.jumps_at = Some(x);
-        }
-    }
-
     /// u of a dual field anywhere.
-    fn settlement(&self, field: &Field, x: f64) -> f64 {
+    pub fn settlement(&self, field: &Field, x: f64) -> f64 {
         let l = self.model.beam.length;
         if x < 0.0 || x > l {
             let (right, out) = (x > l, if x > l { x - l } else { -x });
