@@ -198,6 +198,7 @@ mod tests {
         let apart = words.data().iter().zip(shapes.data()).map(|(a, b)| a.abs_diff(*b));
         let (most, dark) = (apart.max().unwrap(), words.data().iter().min().unwrap());
         assert!(*dark < 60, "nothing is drawn");
-        assert!(most <= 8, "{most} of 255 apart");
+        // Two of the sixteen steps in which a pixel at an edge is covered.
+        assert!(most <= 32, "{most} of 255 apart");
     }
 }

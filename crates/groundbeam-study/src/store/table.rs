@@ -116,8 +116,7 @@ impl Table {
 
     /// Rows of consecutive samples as columns.
     pub fn rows(&self, first: u64, rows: &[(Draw, Row)]) -> Vec<Column> {
-        let numbers =
-            |of: &dyn Fn(&(Draw, Row)) -> f64| Column::numbers(rows.iter().map(|row| of(row)));
+        let numbers = |of: &dyn Fn(&(Draw, Row)) -> f64| Column::numbers(rows.iter().map(of));
         let mut columns = vec![
             Column::whole(first..first + rows.len() as u64),
             Column::words(rows.iter().map(|(_, row)| row.status.name())),
