@@ -52,13 +52,15 @@ pub enum Family {
     Shearing = 30,
     /// All of it but tension, under compression that the ground must help to bear.
     Compressed = 21,
+    /// The same on beams that shear, on supports that act in one direction alone, or both, with hinges now and then.
+    CompressedToo = 22,
     /// All of it at its worst: λl up to 10⁴, up to a hundred loads, some pulling, resultants near an end.
     Extreme = 20,
 }
 
 impl Family {
     /// Every family that takes milliseconds a model and that every method solves; `Extreme` takes seconds at times, and
-    /// `Compressed` and `Shearing` are solved by the exact method alone.
+    /// `Compressed`, `CompressedToo` and `Shearing` are solved by the exact method alone.
     pub const ALL: [Family; 16] = [
         Family::Plain,
         Family::Tension,
@@ -87,7 +89,9 @@ pub fn model(family: Family, number: u64) -> Model {
         let model = draw(family, &mut rng);
         let Ok(existence) = exists(&model) else { continue };
         if match family {
-            Family::Compressed => matches!(existence.verdict, Verdict::Local(_)),
+            Family::Compressed | Family::CompressedToo => {
+                matches!(existence.verdict, Verdict::Local(_))
+            }
             _ => existence.verdict == Verdict::Unique,
         } {
             return model;
@@ -135,7 +139,8 @@ impl<R: Rng> Dice<'_, R> {
 fn draw(family: Family, rng: &mut impl Rng) -> Model {
     let dice = &mut Dice(rng);
     let extreme = family == Family::Extreme;
-    let compressed = family == Family::Compressed;
+    let too = family == Family::CompressedToo;
+    let compressed = too || family == Family::Compressed;
     let mixed = extreme || compressed || family == Family::Mixed;
     let hard = extreme || family == Family::Hard;
     let curled = family == Family::Curled;
@@ -200,15 +205,17 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         beam = vary_beam(beam, stiffness, dice);
         ground = vary_ground(ground, length, dice);
     }
-    if shearing {
+    // A beam that shears, supports that act one way, or both.
+    let kind = if too { 1 + dice.up_to(2) } else { 0 };
+    if shearing || kind & 1 > 0 {
         beam = shear_beam(beam, lambda_l, dice);
     }
     let mut model = Model::new(beam, ground);
     let alone = shearing && model.foundation.segments.is_empty();
-    if hinged || dice.now_and_then(one_way || alone) {
+    if hinged || dice.now_and_then(one_way || alone || too) {
         model = hinge(model, dice);
     }
-    if one_way || dice.now_and_then(shearing) {
+    if one_way || dice.now_and_then(shearing) || kind & 2 > 0 {
         model = bearings(model, dice);
     }
     if family == Family::Supported

@@ -1,16 +1,39 @@
-//! Compression by brute force: a mesh of cubic elements on nodal springs that only push, Newton's method step by step.
+//! Compression by brute force: a mesh of cubic elements on nodal springs that act one way, Newton's method step by step.
 //!
 //! Nothing here is shared with the library: stiffness and geometric stiffness as textbooks print them, the
 //! ground as one spring per node, stability by Cholesky's elimination of the whole matrix. For uniform
 //! beams on uniform separate springs, of which it is an approximation of second order.
 
 use crate::element;
-use groundbeam::{Load, Model};
+use groundbeam::{Acts, Load, Model, SupportKind};
 
 /// Newton's steps that one compression may take.
 const MOST_STEPS: usize = 40;
 
-/// A uniform beam on springs at its nodes.
+/// A spring at a node, against deflections beyond a place.
+#[derive(Debug, Clone, Copy)]
+struct Spring {
+    node: usize,
+    constant: f64,
+    place: f64,
+    acts: Acts,
+}
+
+impl Spring {
+    fn acts_at(&self, w: &[f64]) -> bool {
+        let pressed = w[2 * self.node] - self.place;
+        match self.acts {
+            Acts::Both => true,
+            Acts::Up => pressed > 0.0,
+            Acts::Down => pressed < 0.0,
+        }
+    }
+}
+
+/// The spring constant of a rigid support, as a multiple of EI/h³.
+const RIGID: f64 = 1e4;
+
+/// A uniform beam on springs at its nodes: first the ground's, then those of the supports.
 #[derive(Debug, Clone)]
 pub struct Meshed {
     length: f64,
@@ -18,16 +41,15 @@ pub struct Meshed {
     bending: Vec<[f64; WIDTH]>,
     geometric: Vec<[f64; WIDTH]>,
     load: Vec<f64>,
-    /// Spring constant of every node, and its clearance.
-    springs: Vec<[f64; 2]>,
+    springs: Vec<Spring>,
 }
 
 /// The lower band of a symmetric matrix, row by row: the diagonal stands last.
 const WIDTH: usize = 4;
 
 impl Meshed {
-    /// The mesh of a model that has uniform beam and ground, μ = 0, no supports, and even loads or forces
-    /// and moments at nodes.
+    /// The mesh of a model that has uniform beam and ground, μ = 0, even loads or forces and moments at nodes, and
+    /// pins or springs against deflection there.
     pub fn new(model: &Model, elements: usize) -> Self {
         let length = model.beam.length;
         let h = length / elements as f64;
@@ -63,9 +85,19 @@ impl Meshed {
         }
         let spring = |i: usize| {
             let share = if i == 0 || i == elements { 0.5 } else { 1.0 };
-            [share * h * model.foundation.spring, clearance(model, i as f64 * h)]
+            let constant = share * h * model.foundation.spring;
+            let place = clearance(model, i as f64 * h);
+            Spring { node: i, constant, place, acts: Acts::Up }
         };
-        let springs = (0..=elements).map(spring).collect();
+        let mut springs: Vec<Spring> = (0..=elements).map(spring).collect();
+        for support in &model.supports {
+            let constant = match support.kind {
+                SupportKind::Spring { spring, .. } => spring,
+                SupportKind::Pinned | SupportKind::Fixed => RIGID * ei / h.powi(3),
+            };
+            let (node, place) = (node(support.at), support.settlement);
+            springs.push(Spring { node, constant, place, acts: support.acts });
+        }
         Meshed { length, elements, bending, geometric, load, springs }
     }
 
@@ -75,8 +107,7 @@ impl Meshed {
         let mut w = start.to_vec();
         let mut touching: Option<Vec<bool>> = None;
         for _ in 0..MOST_STEPS {
-            let now: Vec<bool> =
-                self.springs.iter().enumerate().map(|(i, [_, gap])| w[2 * i] > *gap).collect();
+            let now: Vec<bool> = self.springs.iter().map(|spring| spring.acts_at(&w)).collect();
             if touching.as_ref() == Some(&now) {
                 return Some(w);
             }
@@ -98,25 +129,32 @@ impl Meshed {
             }
         }
         let mut force = self.load.clone();
-        for (i, [spring, gap]) in self.springs.iter().enumerate() {
-            if touching[i] {
-                matrix[2 * i][WIDTH - 1] += spring;
-                force[2 * i] += spring * gap;
-            }
+        for (spring, _) in self.springs.iter().zip(touching).filter(|(_, touches)| **touches) {
+            let Spring { node, constant, place, .. } = *spring;
+            matrix[2 * node][WIDTH - 1] += constant;
+            force[2 * node] += constant * place;
         }
         (matrix, force)
     }
 
-    /// Whether the beam glued to springs where a function says so is stable.
-    pub fn is_stable(&self, compression: f64, touches: impl Fn(f64) -> bool) -> bool {
+    /// Whether the beam glued to the ground where a function says so, and to the supports of which another one does,
+    /// is stable.
+    pub fn is_stable(
+        &self,
+        compression: f64,
+        touches: impl Fn(f64) -> bool,
+        acts: impl Fn(usize) -> bool,
+    ) -> bool {
         let h = self.length / self.elements as f64;
-        let touching: Vec<bool> = (0..=self.elements).map(|i| touches(i as f64 * h)).collect();
+        let ground = (0..=self.elements).map(|i| touches(i as f64 * h));
+        let supports = (0..self.springs.len() - self.elements - 1).map(acts);
+        let touching: Vec<bool> = ground.chain(supports).collect();
         cholesky(self.glued(compression, &touching).0).is_some()
     }
 
     /// w and θ where nothing acts and nothing is pressed: the start without compression.
     pub fn at_rest(&self) -> Vec<f64> {
-        let deepest = self.springs.iter().map(|[_, gap]| *gap).fold(0.0, f64::max);
+        let deepest = self.springs.iter().map(|spring| spring.place).fold(0.0, f64::max);
         (0..self.load.len()).map(|i| if i % 2 == 0 { deepest + 1.0 } else { 0.0 }).collect()
     }
 

@@ -30,7 +30,7 @@ fn combinations(family: Family, number: u64) -> Vec<Solution> {
 }
 
 fn families() -> impl Iterator<Item = (Family, Vec<Solution>)> {
-    Family::ALL.into_iter().flat_map(|family| {
+    Family::ALL.into_iter().chain([Family::Shearing]).flat_map(|family| {
         let count = if matches!(family, Family::Long | Family::Hard) { 3 } else { 8 };
         (0..count).map(move |number| (family, combinations(family, number)))
     })

@@ -133,3 +133,22 @@ fn less_ground_gives_more() {
     }
     assert!((free - held).abs() < 1e-12, "{free} {held} {endless}");
 }
+
+/// Springs under a beam's end are not tied to a shear layer beside it: their surface may jump there.
+#[test]
+fn a_layer_beside_springs_does_nothing() {
+    let springs = Model::new(Beam::uniform(10.0, 10.0), Foundation::winkler(5.0))
+        .with_load(Load::uniform(1.0, 0.0, 10.0))
+        .with_load(Load::point(1.0, 0.0));
+    let mut beside = springs.clone();
+    beside.foundation =
+        beside.foundation.with_segment(-1.0, 0.0, 50.0, 20.0).with_segment(10.0, 12.0, 5.0, 3.0);
+    let [alone, beside] = [&springs, &beside].map(solved);
+    assert!(beside.certificate().relative_gap < 1e-20);
+    assert_eq!(beside.end_forces().left, 0.0);
+    for i in 0..=20 {
+        let x = 0.5 * f64::from(i);
+        let [a, b] = [&alone, &beside].map(|s| s.value(Field::Deflection, x));
+        assert_eq!(a.to_bits(), b.to_bits());
+    }
+}

@@ -125,7 +125,8 @@ fn a_slab_tips_where_the_statics_say() {
 }
 
 fn random() -> impl Iterator<Item = (String, Model)> {
-    [Family::Plain, Family::Winkler, Family::Segments, Family::Supported, Family::Curled]
+    use Family::{Curled, Plain, Segments, Shearing, Supported, Winkler};
+    [Plain, Winkler, Segments, Supported, Curled, Shearing]
         .into_iter()
         .flat_map(|family| (0..2).map(move |i| (format!("{family:?} {i}"), model(family, i))))
 }

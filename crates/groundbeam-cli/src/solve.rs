@@ -203,10 +203,12 @@ impl Growing {
     ) -> Result<LoadFactors, Failure> {
         let on_soil = context.ground.filter(|ground| ground.bed.is_some());
         let model = on_soil.map_or_else(|| model.clone(), |g| g.subgrade.under(model));
-        // Without a case named, forces grow: a temperature or a camber stays what it is.
+        // Without a case named, loads on the beam grow: a temperature or a camber stays what it is, and so do
+        // neighbours on the ground.
         let stays = |load: usize| {
-            let curls = matches!(model.loads.get(load), Some(Load::Curvature { .. }));
-            self.cases.is_empty() && curls
+            let load = model.loads.get(load);
+            let curls = matches!(load, Some(Load::Curvature { .. }));
+            self.cases.is_empty() && (curls || load.is_some_and(Load::is_on_ground))
         };
         let grows = |load: usize| self.grows.get(load).is_some_and(|&grows| grows && !stays(load));
         groundbeam::load_factors(&model, grows).map_err(|error| match error {

@@ -124,3 +124,39 @@ def test_segments_and_supports_in_batches_too() -> None:
         exact = model.solve().gradient("deflection", at=0.0, with_respect_to=[name])
         assert exact.value == middle
         assert exact.derivatives[0] == pytest.approx((high - low) / (2.0 * step), rel=1e-6)
+
+
+def test_a_beam_that_shears() -> None:
+    """w = F l³/48EI + F l/4S in the middle of a beam on two supports; phi leaves the slope where the shear force is."""
+    length, force, bending, shear = 6.0, 1.5, 7.0, 3.0
+    model = gb.loads(
+        f"""
+        [beam]
+        length = {length}
+        EI = {bending}
+        GA = {shear}
+        [foundation]
+        k = 1
+        [[gap]]
+        at = 0
+        value = 1000
+        [[support]]
+        at = 0
+        type = "pinned"
+        [[support]]
+        at = {length}
+        type = "pinned"
+        [[load]]
+        point = {force}
+        at = {length / 2}
+        """
+    )
+    solution = model.solve()
+    found = solution.gradient("deflection", at=length / 2, with_respect_to=["GA", "EI", "GA_factor"])
+    assert found.value == pytest.approx(force * length**3 / 48 / bending + force * length / 4 / shear)
+    by_shear = -force * length / 4 / shear**2
+    by_bending = -force * length**3 / 48 / bending**2
+    np.testing.assert_allclose(found.derivatives, [by_shear, by_bending, shear * by_shear], rtol=1e-10)
+    at = solution.at([1.0, 4.0])
+    np.testing.assert_allclose(at.slope - at.rotation, np.array([0.5, -0.5]) * force / shear, rtol=1e-10)
+    assert solution.rotation(1.0) == at.rotation[0]  # type: ignore[index]

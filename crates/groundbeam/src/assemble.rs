@@ -2,7 +2,7 @@
 
 use crate::certificate::{Claim, ClaimedPiece, certify};
 use crate::contact::active_set::{Found, Pressure};
-use crate::contact::deflection::{Spot, pressure_of};
+use crate::contact::deflection::{Spot, pressure_under};
 use crate::contact::recover;
 use crate::contact::surface::{Atom, Surface};
 use crate::existence::Existence;
@@ -138,14 +138,7 @@ fn stretches(found: &Found, surface: &Surface, stretches: &mut Vec<Stretch>) {
         };
         let touching = part.open.is_none() && found.pressure == Pressure::Distributed;
         let pressure = if touching {
-            let mut obstacle = deflection;
-            obstacle[0] -= 0.5 * (cell.gap[0] + cell.gap[1]);
-            obstacle[1] -= cell.gap_slope * half;
-            let mut pressure = pressure_of(&cell, half, &obstacle);
-            let [left, right] = cell.ground_load;
-            pressure[0] -= 0.5 * (left + right);
-            pressure[1] -= 0.5 * (right - left);
-            pressure
+            pressure_under(&cell, half, &deflection)
         } else {
             Coefficients::default()
         };

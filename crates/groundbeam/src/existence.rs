@@ -220,6 +220,11 @@ pub(crate) fn rays(model: &Model) -> Vec<(Sum, RigidMotion)> {
     mechanism.free_groups().into_iter().map(ray).collect()
 }
 
+/// How large the loads are \[N\], whatever they cancel.
+pub(crate) fn size_of_loads(model: &Model) -> f64 {
+    static_reactions(&model.loads, &Mechanism::of(model).nodes).iter().map(|sum| sum.size).sum()
+}
+
 /// What the cost of the extreme rays says.
 fn judge(rays: &[(Sum, RigidMotion)]) -> Verdict {
     let worst = rays.iter().filter(|(cost, _)| cost.is_negative());

@@ -36,6 +36,7 @@ mod elements;
 mod envelope;
 mod existence;
 mod factors;
+mod fineness;
 mod free;
 mod free_spans;
 mod ground;

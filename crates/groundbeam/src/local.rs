@@ -12,6 +12,7 @@ use crate::contact::stretches::Stretch;
 use crate::existence::{Buckling, Existence, Local, RigidMotion, Verdict, existence};
 use crate::mesh::Mesh;
 use crate::model::{Load, Model};
+use crate::one_way;
 use crate::polynomial::{jet, value};
 use crate::solve::{Checked, Error, Method, NotConverged, Outcome, solve};
 use crate::stability::glued_buckling_load;
@@ -30,7 +31,7 @@ pub(crate) fn check(model: &Model) -> Result<Checked, Error> {
     let known = |verdict| Checked {
         existence: Existence { verdict, ..statics },
         stability: 1.0,
-        contact: None,
+        local: None,
     };
     // What may turn or rise without compression is not held against the least of it.
     let loose = |motion: RigidMotion| Verdict::Buckles(Buckling::at_once(model, motion));
@@ -46,10 +47,11 @@ pub(crate) fn check(model: &Model) -> Result<Checked, Error> {
         return Ok(known(loose(motion)));
     }
     let contact = solution.contact().iter().map(|region| [region.from, region.to]).collect();
-    let Branch { wanted, last, end } = follow(model, contact);
+    let acts = one_way::acting(model, &solution);
+    let Branch { wanted, last, end } = follow(model, State { compression: 0.0, contact, acts });
     // Towards its end the branch is ever less stable, or it ends where a point lets go.
     if end == End::Unsettled {
-        let margin = 1.0 - last.compression / glued_buckling_load(model, &last.contact);
+        let margin = 1.0 - last.compression / glued_buckling_load(&last.held(model), &last.contact);
         if margin > SPENT {
             return Err(Error::NotConverged(NotConverged {
                 method: Method::Exact,
@@ -60,13 +62,14 @@ pub(crate) fn check(model: &Model) -> Result<Checked, Error> {
             }));
         }
     }
-    let Some(State { compression, contact }) = wanted else {
-        return Ok(known(Verdict::Buckles(buckling(model, &last))));
+    let Some(state) = wanted else {
+        return Ok(known(Verdict::Buckles(buckling(model, last, end))));
     };
-    let stability_margin = 1.0 - compression / glued_buckling_load(model, &contact);
+    let buckles = glued_buckling_load(&state.held(model), &state.contact);
+    let stability_margin = 1.0 - state.compression / buckles;
     let critical_compression = last.compression;
     let verdict = Verdict::Local(Local { stability_margin, critical_compression });
-    Ok(Checked { contact: Some(contact), stability: stability_margin, ..known(verdict) })
+    Ok(Checked { local: Some(state), stability: stability_margin, ..known(verdict) })
 }
 
 impl Buckling {
@@ -79,10 +82,12 @@ impl Buckling {
     }
 }
 
-/// How the beam buckles at the end of its branch.
-fn buckling(model: &Model, end: &State) -> Buckling {
-    let critical_compression = end.compression;
-    let (at, [left, right], work) = mode(model, &end.contact).unwrap_or_default();
+/// How the beam buckles at the end of its branch: where a support lets go there, without it.
+fn buckling(model: &Model, last: State, end: End) -> Buckling {
+    let critical_compression = last.compression;
+    let acts = if let End::Loose(acts) = end { acts } else { last.acts };
+    let last = State { acts, ..last };
+    let (at, [left, right], work) = mode(&last.held(model), &last.contact).unwrap_or_default();
     Buckling { critical_compression, at, left, right, work }
 }
 

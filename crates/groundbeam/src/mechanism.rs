@@ -157,7 +157,8 @@ pub(crate) fn held_rigidly(model: &Model) -> bool {
 pub(crate) struct Sum {
     pub sum: f64,
     compensation: f64,
-    size: f64,
+    /// The sum of the sizes of all terms.
+    pub size: f64,
 }
 
 impl Sum {

@@ -18,7 +18,7 @@
 
 use crate::assemble;
 use crate::existence::{Existence, Verdict};
-use crate::model::Model;
+use crate::model::{Model, Support};
 use crate::solution::{Side, Solution};
 
 /// Solves that end the search, on supports that rounding makes act and not act in turn.
@@ -51,16 +51,7 @@ pub(crate) fn solve<E>(
                 let rate = |i: usize| -supports[i].acts.sign() * motion.at(&now, supports[i].at);
                 ((0..supports.len()).map(rate).collect::<Vec<f64>>(), true)
             }
-            (_, Some(solution)) => {
-                let size = largest_deflection(solution);
-                let clearance = |i: usize| {
-                    let support = &supports[i];
-                    let w = solution.at(support.at, Side::Right).deflection - support.settlement;
-                    let clearance = -supports[i].acts.sign() * w;
-                    if clearance.abs() <= ROUNDING * size { 0.0 } else { clearance }
-                };
-                ((0..supports.len()).map(clearance).collect(), false)
-            }
+            (_, Some(solution)) => (clearances(model, solution).0, false),
             (_, None) => return Ok(step),
         };
         let part = |i: usize| {
@@ -84,14 +75,10 @@ pub(crate) fn solve<E>(
             clear[i] = towards[i];
         }
         let Some(solution) = kept.as_deref() else { return Ok(step) };
-        let mut reactions = solution.reactions().iter();
-        let mut forces = vec![0.0; supports.len()];
-        for i in (0..supports.len()).filter(|i| acts[*i]) {
-            forces[i] = reactions.next().map_or(0.0, |reaction| reaction.force);
-        }
-        let all: f64 = forces.iter().map(|force| force.abs()).sum();
-        let pushes = |i: &usize| supports[*i].acts.sign() * forces[*i];
-        let wrong = |i: &usize| acts[*i] && pushes(i) < -ROUNDING * all;
+        let (forces, all) = forces(model, &acts, solution);
+        let pushes = |i: &usize| forces[*i];
+        let wrong =
+            |i: &usize| supports[*i].is_one_way() && acts[*i] && pushes(i) < -ROUNDING * all;
         let mut wrong = (0..supports.len()).filter(wrong);
         let released = if step > PATIENCE {
             wrong.next()
@@ -112,7 +99,45 @@ pub(crate) fn solve<E>(
     Ok(MOST_SOLVES)
 }
 
-fn largest_deflection(solution: &Solution) -> f64 {
+/// How far the beam is from each support, 0 where that is rounding, and how large its deflections are.
+pub(crate) fn clearances(model: &Model, solution: &Solution) -> (Vec<f64>, f64) {
     let range = solution.range(crate::Field::Deflection);
-    range.min.value.abs().max(range.max.value.abs())
+    let size = range.min.value.abs().max(range.max.value.abs());
+    let clearance = |support: &Support| {
+        let w = solution.at(support.at, Side::Right).deflection - support.settlement;
+        let clearance = -support.acts.sign() * w;
+        if clearance.abs() <= ROUNDING * size { 0.0 } else { clearance }
+    };
+    (model.supports.iter().map(clearance).collect(), size)
+}
+
+/// What each support that acts pushes with in the direction in which it alone may act, from the solution on those that
+/// act, and the sum of all reactions.
+pub(crate) fn forces(model: &Model, acts: &[bool], solution: &Solution) -> (Vec<f64>, f64) {
+    let mut reactions = solution.reactions().iter();
+    let all: f64 = solution.reactions().iter().map(|reaction| reaction.force.abs()).sum();
+    let each = model.supports.iter().zip(acts).map(|(support, acts)| {
+        let reaction = if *acts { reactions.next() } else { None };
+        reaction.map_or(0.0, |reaction| support.acts.sign() * reaction.force)
+    });
+    (each.collect(), all)
+}
+
+/// Which supports push in a solution; those that act in both directions act in any case.
+pub(crate) fn acting(model: &Model, solution: &Solution) -> Vec<bool> {
+    let (forces, all) = forces(model, &vec![true; model.supports.len()], solution);
+    let pushes = forces.iter().map(|force| *force > ROUNDING * all);
+    model.supports.iter().zip(pushes).map(|(s, pushes)| pushes || !s.is_one_way()).collect()
+}
+
+/// The supports that act by what the solution on those that are said to act shows: of these those that push, of the
+/// others those beyond which the beam would lie. One that pushes with nothing holds nothing.
+pub(crate) fn asked_for(model: &Model, acts: &[bool], solution: &Solution) -> Vec<bool> {
+    let (forces, all) = forces(model, acts, solution);
+    let (clear, _) = clearances(model, solution);
+    let support = |(i, support): (usize, &Support)| {
+        let asked = if acts[i] { forces[i] > ROUNDING * all } else { clear[i] < 0.0 };
+        !support.is_one_way() || asked
+    };
+    model.supports.iter().enumerate().map(support).collect()
 }

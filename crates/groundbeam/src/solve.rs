@@ -1,18 +1,20 @@
 //! The road from a model to a certified answer, on one page.
 
-use crate::assemble::assemble;
+use crate::assemble::{self, assemble};
 use crate::contact::active_set::{Found, Pressure, Stalled};
+use crate::contact::branch::State;
 use crate::contact::exact::Proof;
-use crate::contact::stretches::Stretch;
 use crate::contact::uzawa::{self, Relaxation};
 use crate::contact::{balanced, exact, nested};
 use crate::existence::{Existence, Verdict, existence};
+use crate::fineness::too_fine;
 use crate::local;
 use crate::mesh::Mesh;
 use crate::model::{Load, Model, Part, Problem};
 use crate::one_way;
 use crate::solution::{ContactRegion, Solution};
 use crate::stability::convexity;
+use std::borrow::Cow;
 use std::fmt;
 
 /// How the contact problem is solved.
@@ -202,12 +204,12 @@ pub(crate) fn solve_in(
     likely: Option<&[ContactRegion]>,
     kept: &mut Option<Box<Solution>>,
 ) -> Result<Existence, Error> {
-    let Checked { existence, stability, contact } = check(model)?;
+    let Checked { existence, stability, local } = check(model)?;
     if !existence.verdict.stands() {
         *kept = None;
         return Ok(existence);
     }
-    if model.has_one_way_supports() {
+    if local.is_none() && model.has_one_way_supports() {
         let solve = |model: &Model, kept: &mut _| solve_in(model, options, None, kept);
         let steps = one_way::solve(model, existence, stability, kept, solve)?;
         if let Some(solution) = kept {
@@ -222,17 +224,24 @@ pub(crate) fn solve_in(
             what: "which supports act",
         }));
     }
-    if contact.is_some() && options.method != Method::Exact {
+    if options.method == Method::Exact
+        && let Some(problem) = too_fine(model)
+    {
+        return Err(Error::Unsupported(problem));
+    }
+    if local.is_some() && options.method != Method::Exact {
         return Err(Error::Unsupported(Problem::local_by_another_method()));
     }
+    // What holds a local equilibrium is known.
+    let held = local.as_ref().map_or(Cow::Borrowed(model), |state| state.held(model));
     let mut assembled = |found: &Found| {
         let memory = kept.take();
-        let solution = assemble(model, options.method, existence, stability, found, memory);
+        let solution = assemble(&held, options.method, existence, stability, found, memory);
         let certificate = kept.insert(solution).certificate();
         Proof { gap: certificate.relative_gap, violation: certificate.violation() }
     };
-    let found = match contact {
-        Some(contact) => exact::from_stable(model, &contact, &mut assembled)
+    let found = match &local {
+        Some(state) => exact::from_stable(&held, &state.contact, &mut assembled)
             .map_err(|stalled| not_converged(options.method, stalled))?,
         None => find(model, options, existence, likely, &mut assembled)?,
     };
@@ -242,6 +251,11 @@ pub(crate) fn solve_in(
     }
     if let Some(solution) = kept {
         solution.history = found.history;
+        if let Some(state) = local
+            && model.has_one_way_supports()
+        {
+            assemble::on_one_way_supports(solution, model, &state.acts, existence, stability);
+        }
         certified(solution, options)?;
     }
     Ok(existence)
@@ -262,8 +276,8 @@ pub(crate) struct Checked {
     /// How much of the energy's convexity compression leaves, where it touches if that is local: 1 + P/P_cr;
     /// 1 without compression.
     pub stability: f64,
-    /// Where a local equilibrium touches the ground.
-    pub contact: Option<Vec<Stretch>>,
+    /// Where a local equilibrium touches the ground, and which supports act in it.
+    pub local: Option<State>,
 }
 
 /// Refuses a model that is wrong, and tells what its equilibrium is like.
@@ -273,12 +287,11 @@ pub(crate) fn check(model: &Model) -> Result<Checked, Error> {
         return Err(Error::Invalid(problems));
     }
     match convexity(model) {
-        Some(stability) => Ok(Checked { existence: existence(model), stability, contact: None }),
-        None if model.beam.shears() => Err(Error::Unsupported(Problem::local_with_shear())),
-        None if model.has_one_way_supports() => {
-            Err(Error::Unsupported(Problem::local_on_one_way_supports(&model.supports)))
-        }
-        None => local::check(model),
+        Some(stability) => Ok(Checked { existence: existence(model), stability, local: None }),
+        None => match too_fine(model) {
+            Some(problem) => Err(Error::Unsupported(problem)),
+            None => local::check(model),
+        },
     }
 }
 

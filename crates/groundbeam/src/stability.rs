@@ -3,7 +3,7 @@
 
 use crate::chain::{Chain, ChainCell, ChainNode};
 use crate::contact::branch::compressed;
-use crate::contact::glue::Glue;
+use crate::contact::glue::{Glue, folds};
 use crate::contact::stretches::Stretch;
 use crate::elements::exact::{ExactElement, parts};
 use crate::elements::{Operator, Touch};
@@ -71,8 +71,7 @@ fn least_unstable(model: &Model, is_stable: impl Fn(f64) -> bool) -> f64 {
 pub(crate) const MOST: f64 = 1e11;
 
 fn is_stable(model: &Model, compression: f64) -> bool {
-    // Compression that takes all stiffness against shear folds the beam in waves however short.
-    if compression >= model.beam.softest_in_shear() {
+    if folds(&compressed(model, compression), &[], &|_: &_| Touch::Open) {
         return false;
     }
     let operator = |cell: &_| Operator::of(cell, -compression, Touch::Open);

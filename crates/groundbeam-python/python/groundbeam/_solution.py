@@ -89,6 +89,7 @@ class Fields(NamedTuple):
     settlement: Union[float, Array]
     gap: Union[float, Array]
     pressure: Union[float, Array]
+    rotation: Union[float, Array]
 
 
 class Gradient(NamedTuple):
@@ -193,6 +194,14 @@ class Solution:
         return self._field("slope", x, side)
 
     @overload
+    def rotation(self, x: Position, side: str = "right") -> float: ...  # type: ignore[overload-overlap]
+    @overload
+    def rotation(self, x: Positions, side: str = "right") -> Array: ...
+    def rotation(self, x: Union[Position, Positions], side: str = "right") -> Union[float, Array]:
+        """The rotation phi of the sections: the slope, but of a beam that shears [rad]."""
+        return self._field("rotation", x, side)
+
+    @overload
     def moment(self, x: Position, side: str = "right") -> float: ...  # type: ignore[overload-overlap]
     @overload
     def moment(self, x: Positions, side: str = "right") -> Array: ...
@@ -239,7 +248,7 @@ class Solution:
     def at(self, x: Union[Position, Positions], side: str = "right") -> Fields:
         """All fields at positions on the beam; where a field jumps, just to the ``right`` or to the ``left``."""
         at = self._positions(x)
-        values = [self._field(name, at, side) for name in FIELDS]
+        values = [self._field(name, at, side) for name in (*FIELDS, "rotation")]
         return Fields(float(at) if at.ndim == 0 else at, *values)
 
     def range(self, field: str) -> Range:

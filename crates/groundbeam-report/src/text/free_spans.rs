@@ -23,23 +23,27 @@ pub(super) fn table(sheet: &mut Sheet, lifted: &[LiftOff], units: Units, sizes: 
     let largest = |open: &LiftOff| sizes.extreme(Field::Gap, open.largest_gap);
     let most = shown.iter().fold(0.0_f64, |most, open| most.max(largest(open).value));
     let height = units.unit(Kind::Deflection, most);
-    sheet.heading(&format!(
-        "{:<13}{:>10}{:>10}{:>10}{:>13} {:<10} reaches",
-        "", "from", "to", "length", "largest gap", "at"
-    ));
-    for open in &shown {
+    let row = |open: &&LiftOff| {
         let largest = largest(open);
         let x = |x: f64| place.write(sizes.position(x), 5);
-        let ends = ends(open);
-        sheet.line(&format!(
-            "{:<13}{:>10}{:>10}{:>10}{:>13} {:<10} {ends}",
-            "",
-            x(open.from),
-            x(open.to),
-            x(open.length()),
-            height.write(largest.value, 5),
-            x(largest.x)
-        ));
+        let gap = height.write(largest.value, 5);
+        [x(open.from), x(open.to), x(open.length()), gap, x(largest.x), ends(open).to_owned()]
+    };
+    let rows: Vec<[String; 6]> = shown.iter().map(row).collect();
+    let heads = ["from", "to", "length", "largest gap", "at", "reaches"].map(str::to_owned);
+    // As wide as what stands in them.
+    let width = |column: usize, least: usize| {
+        let longest = rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+        least.max(longest + 1)
+    };
+    let [from, to, length, gap, at] =
+        [width(0, 10), width(1, 10), width(2, 10), width(3, 13), width(4, 11)];
+    let written = |[a, b, c, d, e, f]: &[String; 6]| {
+        format!("{:13}{a:>from$}{b:>to$}{c:>length$}{d:>gap$} {e:<at$}{f}", "")
+    };
+    sheet.heading(&written(&heads));
+    for row in &rows {
+        sheet.line(&written(row));
     }
     if count > MOST_ROWS {
         sheet.row("", &format!("and {} shorter ones", count - MOST_ROWS));
@@ -112,4 +116,30 @@ fn clean(moving: &Moving, opened: Opened) -> Opened {
     let [from, to] = [from, to].map(|x| sizes.position(x));
     let largest_gap = sizes.extreme(Field::Gap, largest_gap);
     Opened { stretch: LiftOff { from, to, largest_gap, reaches }, ..opened }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use groundbeam::{Beam, Extreme, Foundation, Load, Model, Outcome, solve};
+
+    #[test]
+    fn columns_are_as_wide_as_their_numbers() {
+        let l = 12_345_678.25;
+        let model = Model::new(Beam::uniform(l, 1.0), Foundation::winkler(1.0))
+            .with_load(Load::uniform(1.0, 0.0, l));
+        let Ok(Outcome::Equilibrium(solution)) = solve(&model) else { panic!("it stands") };
+        let open = |from: f64| LiftOff {
+            from,
+            to: from + 1.234_567_8e-7,
+            largest_gap: Extreme { x: from, value: 1.234_567_8e-9 },
+            reaches: [false, true],
+        };
+        let mut sheet = Sheet::new(false);
+        table(&mut sheet, &[open(0.123e-5), open(0.9e7)], Units::Plain, &Sizes::of(&solution));
+        let text = sheet.finish();
+        let rows: Vec<Vec<&str>> =
+            text.lines().skip(2).map(|line| line.split_whitespace().collect()).collect();
+        assert!(rows.len() == 2 && rows.iter().all(|row| row.len() == 7), "{text}");
+    }
 }

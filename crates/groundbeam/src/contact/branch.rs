@@ -8,14 +8,20 @@
 //! equilibria under growing compression are one curve, which ends where it no longer is: at a limit
 //! point, where the curve turns back, or at a bifurcation.
 
+use super::active_set::Found;
 use super::edges;
 use super::glue::Glue;
 use super::majorant;
 use super::stretches::{Stretch, distance, joined, positions};
+use crate::assemble::assemble;
 use crate::chain::Loose;
+use crate::existence::Existence;
 use crate::mesh::Mesh;
 use crate::model::Model;
+use crate::one_way;
+use crate::solve::Method;
 use crate::stability::MOST;
+use std::borrow::Cow;
 
 /// The first step, as a part of the compression that is wanted.
 const FIRST: f64 = 0.25;
@@ -23,6 +29,8 @@ const FIRST: f64 = 0.25;
 const LAST: f64 = 1e-10;
 /// Newton's steps that a step in compression may take.
 const MOST_STEPS: usize = 10;
+/// Changes of the supports that act, which it may make as well.
+const MOST_CHANGES: usize = 10;
 /// A move of the edges, relative to the beam's length, that is rounding, and one that may be, if the steps make it
 /// no smaller.
 const STILL: f64 = 1e-13;
@@ -40,6 +48,18 @@ pub(crate) struct State {
     /// −P \[N\].
     pub compression: f64,
     pub contact: Vec<Stretch>,
+    /// Which supports act; those that act in both directions do.
+    pub acts: Vec<bool>,
+}
+
+impl State {
+    /// The model on the supports that act.
+    pub fn held<'a>(&self, model: &'a Model) -> Cow<'a, Model> {
+        if !model.has_one_way_supports() {
+            return Cow::Borrowed(model);
+        }
+        Cow::Owned(model.with_supports_that(|i, _| self.acts[i]))
+    }
 }
 
 /// What was found on the way.
@@ -54,10 +74,10 @@ pub(crate) struct Branch {
 }
 
 /// What ends a step in compression, however small.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum End {
-    /// The second variation is not positive there.
-    Loose,
+    /// The second variation is not positive there, on these supports.
+    Loose(Vec<bool>),
     /// Newton's steps do not come to rest: beyond a limit point, or not knowing which zones touch.
     Unsettled,
 }
@@ -69,17 +89,17 @@ pub(crate) fn compressed(model: &Model, compression: f64) -> Model {
     model
 }
 
-/// From the contact of the beam without compression through the wanted compression to the branch's end.
-pub(crate) fn follow(model: &Model, contact: Vec<Stretch>) -> Branch {
+/// From the equilibrium of the beam without compression through the wanted compression to the branch's end.
+pub(crate) fn follow(model: &Model, begin: State) -> Branch {
     let wanted = -model.beam.axial_force;
     let l = model.beam.length;
     let most = MOST * model.beam.stiffest() / (l * l);
     let places: Vec<f64> = Mesh::build(model, &[], |_| 1).nodes.iter().map(|n| n.x).collect();
     let mut found = None;
-    let mut last = State { compression: 0.0, contact: joined(contact, l) };
+    let mut last = State { contact: joined(begin.contact, l), ..begin };
     let mut step = FIRST * wanted;
     let mut failed = false;
-    let mut end = End::Loose;
+    let mut end = End::Loose(last.acts.clone());
     while step > LAST * if found.is_none() { wanted } else { last.compression } {
         let mut target = last.compression + step;
         if found.is_none() {
@@ -113,47 +133,69 @@ pub(crate) fn follow(model: &Model, contact: Vec<Stretch>) -> Branch {
 /// The next equilibrium on the branch. Of two that are on one branch each is found from the other; of two next to
 /// each other that need not be seen.
 fn next(model: &Model, places: &[f64], last: &State, compression: f64) -> Result<State, End> {
-    let next = settled(model, places, compression, &last.contact)?;
-    if last.compression == 0.0 || distance(&next.contact, &last.contact) <= NEXT * model.beam.length
-    {
+    let next = settled(model, places, compression, last)?;
+    let near = distance(&next.contact, &last.contact) <= NEXT * model.beam.length;
+    if last.compression == 0.0 || (near && next.acts == last.acts) {
         return Ok(next);
     }
-    let back = settled(model, places, last.compression, &next.contact)?;
-    let same = distance(&back.contact, &last.contact) <= SAME * model.beam.length;
+    let back = settled(model, places, last.compression, &next)?;
+    let same = distance(&back.contact, &last.contact) <= SAME * model.beam.length
+        && back.acts == last.acts;
     if same { Ok(next) } else { Err(End::Unsettled) }
 }
 
 /// The equilibrium that Newton's steps find from the contact of a neighbour, all of them where the second
 /// variation is positive.
-fn settled(
-    model: &Model,
-    places: &[f64],
-    compression: f64,
-    near: &[Stretch],
-) -> Result<State, End> {
+fn settled(model: &Model, places: &[f64], compression: f64, near: &State) -> Result<State, End> {
     let model = compressed(model, compression);
-    let mut glue = Glue::new(&model);
-    let mut contact = near.to_vec();
-    let mut before = f64::INFINITY;
-    for _ in 0..MOST_STEPS {
-        let found = glue.on(&contact, None).map_err(|Loose| End::Loose)?;
-        // Each edge by itself, until the scan of the whole beam agrees.
-        let alone = edges::moved(&found.deflection(), &found.zones);
-        let by_edges = alone
-            .filter(|next| (CLOSE..NEAR).contains(&(distance(&contact, next) / model.beam.length)));
-        let scan = || {
-            joined(
-                positions(&found.mesh, &majorant::contact(&found.deflection()), places),
-                model.beam.length,
-            )
-        };
-        let next = by_edges.unwrap_or_else(scan);
-        let moved = distance(&contact, &next) / model.beam.length;
-        contact = next;
-        if moved <= STILL || (moved <= ROUNDING && moved >= 0.25 * before) {
-            return Ok(State { compression, contact });
+    let mut contact = near.contact.clone();
+    let mut acts = near.acts.clone();
+    let mut held = near.held(&model);
+    'supports: for _ in 0..=MOST_CHANGES {
+        let mut glue = Glue::new(&held);
+        let mut before = f64::INFINITY;
+        // Whether edges may be moved by themselves: not where they move each other more than that.
+        let mut alone = true;
+        for _ in 0..MOST_STEPS {
+            let found = glue.on(&contact, None).map_err(|Loose| End::Loose(acts.clone()))?;
+            // Each edge by itself, until the scan of the whole beam agrees.
+            let by_themselves =
+                if alone { edges::moved(&found.deflection(), &found.zones) } else { None };
+            let by_edges = by_themselves.filter(|next| {
+                (CLOSE..NEAR).contains(&(distance(&contact, next) / model.beam.length))
+            });
+            let scan = || {
+                joined(
+                    positions(&found.mesh, &majorant::contact(&found.deflection()), places),
+                    model.beam.length,
+                )
+            };
+            let next = by_edges.unwrap_or_else(scan);
+            let moved = distance(&contact, &next) / model.beam.length;
+            contact = next;
+            if moved <= STILL || (moved <= ROUNDING && moved >= 0.25 * before) {
+                let state = State { compression, contact, acts };
+                let Some(asked) = other_supports(&model, &held, &state, &found) else {
+                    return Ok(state);
+                };
+                held = asked.held(&model);
+                (contact, acts) = (asked.contact, asked.acts);
+                continue 'supports;
+            }
+            alone &= moved <= 0.5 * before;
+            before = moved;
         }
-        before = moved;
+        break;
     }
     Err(End::Unsettled)
+}
+
+/// The same state on the supports that it asks for, where those are others.
+fn other_supports(model: &Model, held: &Model, state: &State, found: &Found) -> Option<State> {
+    if !model.has_one_way_supports() {
+        return None;
+    }
+    let solution = assemble(held, Method::Exact, Existence::default(), 1.0, found, None);
+    let acts = one_way::asked_for(model, &state.acts, &solution);
+    (acts != state.acts).then(|| State { acts, ..state.clone() })
 }

@@ -107,3 +107,16 @@ pub(crate) fn pressure_of(cell: &Cell, half: f64, obstacle: &[f64]) -> Coefficie
     }
     pressure
 }
+
+/// The coefficients of the pressure k(w − g₀) − (μ(w − g₀)')' − q under a beam that touches, from those of w on a
+/// stretch of half length `half`.
+pub(crate) fn pressure_under(cell: &Cell, half: f64, deflection: &Coefficients) -> Coefficients {
+    let mut obstacle = *deflection;
+    obstacle[0] -= 0.5 * (cell.gap[0] + cell.gap[1]);
+    obstacle[1] -= cell.gap_slope * half;
+    let mut pressure = pressure_of(cell, half, &obstacle);
+    let [left, right] = cell.ground_load;
+    pressure[0] -= 0.5 * (left + right);
+    pressure[1] -= 0.5 * (right - left);
+    pressure
+}

@@ -47,6 +47,18 @@ fn touch_of(stretches: &[Stretch]) -> impl Fn(&Cell) -> Touch + '_ {
     }
 }
 
+/// Whether compression takes all stiffness against shear from a beam with nodes at given places somewhere, so that it
+/// folds in waves however short.
+pub(crate) fn folds(model: &Model, places: &[f64], touch: &impl Fn(&Cell) -> Touch) -> bool {
+    let axial = model.beam.axial_force;
+    if axial >= 0.0 || !model.beam.shears() {
+        return false;
+    }
+    let stands =
+        |cell: &Cell| Operator::of(cell, axial, touch(cell)).bears_shear(model.beam.length);
+    !Mesh::build(model, places, |_| 1).cells.iter().all(stands)
+}
+
 impl<'a> Glue<'a> {
     pub fn new(model: &'a Model) -> Self {
         Glue { model, known: Vec::new() }
@@ -55,13 +67,11 @@ impl<'a> Glue<'a> {
     /// The beam glued to the ground on given stretches.
     pub fn on(&mut self, stretches: &[Stretch], held: Option<Held>) -> Result<Found, Loose> {
         let model = self.model;
-        let Glued { mesh, zones, mut chain } = self.lay(stretches, &[]);
-        let axial = model.beam.axial_force;
         let touch = touch_of(stretches);
-        let stiff = |cell: &Cell| Operator::of(cell, axial, touch(cell)).is_stiff_in_shear();
-        if axial < 0.0 && model.beam.shears() && !mesh.cells.iter().all(stiff) {
+        if folds(model, stretches.as_flattened(), &touch) {
             return Err(Loose);
         }
+        let Glued { mesh, zones, mut chain } = self.lay(stretches, &[]);
         if let Some(held) = held {
             let node = if held.left { 0 } else { chain.nodes.len() - 1 };
             let spring = model.beam.bending_stiffness / model.beam.length;

@@ -14,6 +14,7 @@ mod shear;
 use crate::mesh::{Cell, GROUND};
 use crate::model::Profile;
 use crate::polynomial::value;
+use crate::stability::MOST;
 use shear::Shearing;
 
 /// What an element's four numbers v are.
@@ -189,9 +190,11 @@ impl Operator {
         }
     }
 
-    /// Whether the beam keeps its shape in shear, S + N > 0, which compression may take from it.
-    pub fn is_stiff_in_shear(&self) -> bool {
-        self.shearing.is_none_or(|shearing| shearing.is_stiff())
+    /// Whether a beam of some length keeps its shape in shear, S + N > 0, which compression may take from it; as good
+    /// as lost is what leaves it waves too short to be looked at.
+    pub fn bears_shear(&self, length: f64) -> bool {
+        let shortest = MOST.sqrt();
+        self.shearing.is_none_or(|s| s.is_stiff() && self.wave_number() * length <= shortest)
     }
 
     /// A bound of the largest |r| with EI r⁴ − N r² + κ = 0 \[1/m\]; where they vary, of the worst of it.

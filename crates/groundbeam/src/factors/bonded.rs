@@ -2,7 +2,7 @@
 
 use crate::chain::Loose;
 use crate::contact::active_set::Found;
-use crate::contact::deflection::pressure_of;
+use crate::contact::deflection::pressure_under;
 use crate::contact::glue::Glue;
 use crate::contact::surface::Surface;
 use crate::mesh::Cell;
@@ -134,16 +134,17 @@ pub(super) fn watched(staying: &Found, growing: &Found) -> Vec<Watched> {
 /// Positions closer than this part of the length are one.
 const SAME_PLACE: f64 = 16.0 * f64::EPSILON;
 
-/// p = kψ − μψ″ with ψ = w − g₀ on a part of a cell.
+/// p = k(w − g₀) − μ(w − g₀)″ − q on a part of a cell.
 fn pressure(found: &Found, i: usize, x: [f64; 2]) -> Side {
     let cell = &found.mesh.cells[i];
     let half = 0.5 * cell.length();
-    let obstacle = found.deflection().obstacle(i);
-    let whole = pressure_of(cell, half, &obstacle);
+    let deflection = Coefficients::from(found.deflection().cell(i));
+    let whole = pressure_under(cell, half, &deflection);
     let factor = cell.shear / (half * half);
     let term =
         |(j, c): (usize, &f64)| (cell.spring + factor * (j * j.saturating_sub(1)) as f64) * c.abs();
-    let size = obstacle.iter().enumerate().map(term).sum();
+    let [gap, load] = [cell.gap, cell.ground_load].map(|ends| ends[0].abs().max(ends[1].abs()));
+    let size = deflection.iter().enumerate().map(term).sum::<f64>() + cell.spring * gap + load;
     let coefficients = if x == cell.x {
         whole
     } else {

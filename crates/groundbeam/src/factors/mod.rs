@@ -7,19 +7,19 @@
 //!   along exactly while none of them is negative: they then are the multiplier of the contact problem, which
 //!   has no other solution. The least of p_D + λ p_G over the beam is a concave function of λ, so the factors
 //!   at which all of them push are an interval, and Newton's method from above goes down to its upper end
-//!   without ever passing it ([`Watched`]).
+//!   without ever passing it ([`bonded::Watched`]). With supports that act one way it is linear piece by piece
+//!   ([`pieces`]).
 //! * *Loss of equilibrium.* Each free rigid motion must cost work ([`existence`](crate::existence)), and
 //!   the work of the loads is linear in λ: the first root of a few linear functions.
 
 mod bonded;
+mod pieces;
 
-use crate::assemble::assemble;
-use crate::certificate::Certificate;
 use crate::existence::{RigidMotion, Verdict, existence, rays};
+use crate::fineness::too_fine;
 use crate::model::{Load, Model, Problem};
-use crate::solve::{Error, Method, NotConverged};
+use crate::solve::Error;
 use crate::stability::convexity;
-use bonded::{Watched, glued_all_along, watched};
 
 /// What becomes of a model whose loads grow. See [`load_factors`].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -93,21 +93,18 @@ pub fn load_factors(model: &Model, grows: impl Fn(usize) -> bool) -> Result<Load
     if !problems.is_empty() {
         return Err(Error::Invalid(problems));
     }
-    if model.has_one_way_supports() {
-        return Err(Error::Unsupported(Problem::factors_with_one_way_supports(&model.supports)));
-    }
-    if let Some(load) = model.loads.iter().position(Load::is_on_ground) {
-        return Err(Error::Unsupported(Problem::no_factors(load)));
-    }
     let Some(stability) = convexity(model) else {
         return Err(Error::Unsupported(Problem::factors_of_a_local_equilibrium()));
     };
+    if let Some(problem) = too_fine(model) {
+        return Err(Error::Unsupported(problem));
+    }
     let parts = Parts::of(model, grows);
     let loss_of_equilibrium = parts.loss_of_equilibrium();
     let first_lift_off = match loss_of_equilibrium {
         LossOfEquilibrium::AtOnce(_) => FirstLiftOff::AtOnce,
-        LossOfEquilibrium::At { factor, .. } => parts.first_lift_off(factor, stability)?,
-        LossOfEquilibrium::Never => parts.first_lift_off(f64::INFINITY, stability)?,
+        LossOfEquilibrium::At { factor, .. } => pieces::first_lift_off(&parts, factor, stability)?,
+        LossOfEquilibrium::Never => pieces::first_lift_off(&parts, f64::INFINITY, stability)?,
     };
     Ok(LoadFactors { first_lift_off, loss_of_equilibrium })
 }
@@ -179,53 +176,11 @@ impl<'a> Parts<'a> {
             _ => first,
         }
     }
-
-    fn first_lift_off(&self, loss: f64, stability: f64) -> Result<FirstLiftOff, Error> {
-        let staying = glued_all_along(&self.staying()).map_err(|_| not_found(f64::NAN))?;
-        let growing = glued_all_along(&self.growing()).map_err(|_| not_found(f64::NAN))?;
-        let all = watched(&staying, &growing);
-        if all.iter().any(Watched::pulls_at_first) {
-            return Ok(FirstLiftOff::AtOnce);
-        }
-        let mut least = f64::INFINITY;
-        let mut found = FirstLiftOff::Never;
-        for place in &all {
-            let Some((factor, x)) = place.first_pull_below(least) else { continue };
-            if place.is_nothing(factor) {
-                return Ok(FirstLiftOff::AtOnce);
-            }
-            least = factor;
-            // A beam in equilibrium under a pressure has one: rounding alone can say otherwise.
-            found = FirstLiftOff::At { factor: factor.min(loss), x };
-        }
-        if least.is_finite() {
-            self.prove(least.min(loss), stability)?;
-        }
-        Ok(found)
-    }
-
-    /// The fields at the factor hold their certificate: the beam touches all along up to there.
-    fn prove(&self, factor: f64, stability: f64) -> Result<(), Error> {
-        let model = self.at(factor);
-        let found = glued_all_along(&model).map_err(|_| not_found(f64::NAN))?;
-        let solution = assemble(&model, Method::Exact, existence(&model), stability, &found, None);
-        let certificate = solution.certificate();
-        if certificate.holds() { Ok(()) } else { Err(not_found(certificate.violation())) }
-    }
-}
-
-fn not_found(reached: f64) -> Error {
-    Error::NotConverged(NotConverged {
-        method: Method::Exact,
-        iterations: 0,
-        tolerance: Certificate::TOLERANCE,
-        reached,
-        what: "at the factor of first lift-off, the certificate's largest violation",
-    })
 }
 
 #[cfg(test)]
 mod tests {
+    use super::bonded::glued_all_along;
     use super::*;
     use crate::model::{Beam, Foundation, Support};
 

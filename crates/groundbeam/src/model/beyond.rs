@@ -71,8 +71,12 @@ impl Beyond {
 
 impl Foundation {
     /// The ground to the left of a beam of length `l`, or to the right of it, with k and μ of the beam's end: it
-    /// goes on as it is, outward, until a segment says otherwise.
+    /// goes on as it is, outward, until a segment says otherwise. None is tied to separate springs under the beam's
+    /// end: their surface is free to jump there.
     pub(crate) fn beyond(&self, right: bool, l: f64, [spring, shear]: [f64; 2]) -> Beyond {
+        if shear == 0.0 {
+            return Beyond::default();
+        }
         // Not −x, which would be −0 at the beam's end.
         let outward = |x: f64| if right { x - l } else { 0.0 - x };
         let mut stretches = vec![(0.0, spring, shear)];
@@ -136,6 +140,7 @@ mod tests {
         for right in [false, true] {
             let beyond = at_both_ends.beyond(right, 10.0, [1.0, 2.0]);
             assert_eq!(beyond.layers.iter().map(|layer| layer.spring).collect::<Vec<_>>(), [3.0]);
+            assert_eq!(at_both_ends.beyond(right, 10.0, [1.0, 0.0]), Beyond::default());
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Rules for hinges and for supports that act in one direction alone.
 
 use super::validate::{Part, Problem, describe, in_range, remedy};
-use super::{Load, Model, Support, SupportKind};
+use super::{Load, Model, SupportKind};
 
 impl Model {
     pub(super) fn check_hinges(&self, found: &mut Vec<Problem>) {
@@ -76,18 +76,6 @@ impl Model {
 const SAME_PLACE: f64 = 16.0 * f64::EPSILON;
 
 impl Problem {
-    /// The first lift-off of a beam that may also leave its supports.
-    pub(crate) fn factors_with_one_way_supports(supports: &[Support]) -> Self {
-        let first = supports.iter().position(Support::is_one_way).unwrap_or(0);
-        Problem::new(
-            "GB608",
-            Part::Support(first),
-            "acts",
-            "load factors are not known for supports that act in one direction alone",
-            "let the support act in both directions, or solve at one factor after another",
-        )
-    }
-
     /// Values at nodes are for beams that bend all along.
     pub(crate) fn nodal_with_hinges() -> Self {
         Problem::new(

@@ -1,6 +1,6 @@
 //! What is right but not solved, or not by every method.
 
-use super::{Beam, Part, Problem, Support};
+use super::{Beam, Part, Problem};
 
 impl Problem {
     /// Nodal pressures where nothing spreads them.
@@ -36,17 +36,6 @@ impl Problem {
         )
     }
 
-    /// Load factors of loads on the ground.
-    pub(crate) fn no_factors(load: usize) -> Self {
-        Problem::new(
-            "GB610",
-            Part::Load(load),
-            "at",
-            "load factors are for loads on the beam alone",
-            "leave the loads on the ground out, or solve combinations with factors of your own",
-        )
-    }
-
     /// A local equilibrium is followed from edge to edge.
     pub(crate) fn local_by_another_method() -> Self {
         Problem::new(
@@ -72,18 +61,6 @@ impl Problem {
         )
     }
 
-    /// A branch is followed on supports that act all the way.
-    pub(crate) fn local_on_one_way_supports(supports: &[Support]) -> Self {
-        let first = supports.iter().position(Support::is_one_way).unwrap_or(0);
-        Problem::new(
-            "GB613",
-            Part::Support(first),
-            "acts",
-            "the ground must help to bear this compression, and a support acts in one direction alone",
-            "let the support act in both directions, or leave it out where the beam lifts from it",
-        )
-    }
-
     /// Only the exact element shears.
     pub(crate) fn shear_by_another_method(beam: &Beam) -> Self {
         let segment = beam.segments.iter().position(|segment| segment.shear_stiffness.is_some());
@@ -97,14 +74,23 @@ impl Problem {
         )
     }
 
-    /// The branch of equilibria in compression is followed for beams that only bend.
-    pub(crate) fn local_with_shear() -> Self {
+    /// Series about as long as a wave are too many.
+    pub(crate) fn too_fine(part: Part, needed: usize) -> Self {
+        let field = match part {
+            Part::FoundationSegment(_) => "shear",
+            _ => "bending_stiffness",
+        };
+        let needed = needed as f64;
         Problem::new(
-            "GB615",
-            Part::Beam,
-            "axial_force",
-            "the ground must help to bear this compression, and the beam shears",
-            "leave the shear stiffness out, or let supports hold the beam by themselves",
+            "GB616",
+            part,
+            field,
+            format!(
+                "where beam or ground vary, or the beam shears, its shortest waves would need {needed:.0e} \
+                 elements"
+            ),
+            "the bending stiffness is very small beside the shear layer, the springs or the tension: make it larger, \
+             or leave out what varies or shears",
         )
     }
 
