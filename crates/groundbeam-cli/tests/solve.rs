@@ -116,6 +116,11 @@ fn a_model_that_is_not_solved_is_shown_at_its_line() {
     done.fails(2, "error[GB611]");
     done.fails(2, "--> model.toml:4:15");
     folder.run(&["solve", "model.toml", "--factors"]).fails(2, "error[GB612]");
+    // Boundary layers of a millionth of the length, which varying ground would need elements for.
+    let folder = Folder::with(&LIFTS.replace("mu = 1", "mu = [1e12, 2e12]"));
+    let done = folder.run(&["solve", "model.toml"]);
+    done.fails(2, "error[GB616]: where beam or ground vary");
+    done.fails(2, "mu = [1e12, 2e12]");
     let folder = Folder::with(FOOTING);
     let arguments = ["solve", "model.toml", "--method", "active-set", "--pressure", "dirac"];
     folder.run(&arguments).fails(2, "error[GB603]");

@@ -129,7 +129,7 @@ def test_segments_and_supports_in_batches_too() -> None:
 def test_a_beam_that_shears() -> None:
     """w = F l³/48EI + F l/4S in the middle of a beam on two supports; phi leaves the slope where the shear force is."""
     length, force, bending, shear = 6.0, 1.5, 7.0, 3.0
-    model = gb.loads(
+    model = gb.Model.from_toml(
         f"""
         [beam]
         length = {length}

@@ -10,7 +10,7 @@ use crate::mesh::{Cell, Mesh};
 use crate::model::{Model, Part, Problem};
 
 /// Elements of one series each that a beam may need.
-const MOST: usize = 100_000;
+const MOST: usize = 30_000;
 
 /// Why a model is not solved in closed forms, if it is not.
 pub(crate) fn too_fine(model: &Model) -> Option<Problem> {
