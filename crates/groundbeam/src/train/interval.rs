@@ -2,45 +2,70 @@
 
 use super::sweep::Position;
 use super::{SAME_PLACE, Train};
+use crate::model::{Load, Model};
 
-/// Where [`Field::ShearForce`] stands in [`Field::ALL`].
+/// Where [`Field::Slope`] and [`Field::ShearForce`] stand in [`Field::ALL`].
+const SLOPE: usize = 1;
 const SHEAR: usize = 3;
 
 /// Of each field the values just left and just right of an axle, as it passes a section.
 pub(super) type Beside = [[f64; 7]; 2];
 
+/// An axle on the beam: the fields beside it, and by how much each jumps for its sake.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Under {
+    pub beside: Beside,
+    jump: [f64; 7],
+}
+
+impl Under {
+    /// Of the axle with a number, at x. The shear force jumps by all of its force; a beam that shears has a kink, of which
+    /// the ground may take part of the force.
+    pub fn of(beside: Beside, model: &Model, train: &Train, axle: usize, x: f64) -> Self {
+        let mut jump = [0.0; 7];
+        let own = force(train, axle);
+        jump[SHEAR] = own;
+        if model.beam.shears() {
+            let here = |at: f64| (at - x).abs() <= SAME_PLACE * model.beam.length;
+            let fixed = model.loads.iter().map(|load| match *load {
+                Load::PointForce { at, force } if here(at) => force,
+                _ => 0.0,
+            });
+            let all = own + fixed.sum::<f64>();
+            let share = if all == 0.0 { 0.0 } else { own / all };
+            for field in [SLOPE, SHEAR] {
+                jump[field] = share * (beside[0][field] - beside[1][field]);
+            }
+        }
+        Under { beside, jump }
+    }
+
+    /// Beside an axle that goes on to the right. Where it stands on a fixed load, that one is then behind it: only the
+    /// axle's own jumps are taken along.
+    fn leaving(&self) -> Beside {
+        let [_, right] = self.beside;
+        [std::array::from_fn(|field| right[field] + self.jump[field]), right]
+    }
+
+    /// The same for an axle that comes from the left.
+    fn arriving(&self) -> Beside {
+        let [left, _] = self.beside;
+        [left, std::array::from_fn(|field| left[field] - self.jump[field])]
+    }
+}
+
 /// The fields beside an axle that stands between two solved positions, a share t of the way from the left to the right
 /// one; none where it is off the beam.
-pub(super) fn beside_axle(
-    ends: [&Position; 2],
-    train: &Train,
-    axle: usize,
-    t: f64,
-) -> Option<Beside> {
+pub(super) fn beside_axle(ends: [&Position; 2], axle: usize, t: f64) -> Option<Beside> {
     let [start, end] = ends.map(|end| end.under.get(axle).copied().flatten());
-    let (start, end) = (leaving(start?, train, axle), arriving(end?, train, axle));
+    let (start, end) = (start?.leaving(), end?.arriving());
     Some([0, 1].map(|side| {
         std::array::from_fn(|field| (1.0 - t) * start[side][field] + t * end[side][field])
     }))
 }
 
-/// Beside an axle that goes on to the right. Where it stands on a fixed load, that one is then behind it: only the axle's
-/// own jump of the shear force is taken along.
-fn leaving([_, right]: Beside, train: &Train, axle: usize) -> Beside {
-    let mut left = right;
-    left[SHEAR] += jump(train, axle);
-    [left, right]
-}
-
-/// The same for an axle that comes from the left.
-fn arriving([left, _]: Beside, train: &Train, axle: usize) -> Beside {
-    let mut right = left;
-    right[SHEAR] -= jump(train, axle);
-    [left, right]
-}
-
 /// The force of all axles at an axle's place.
-fn jump(train: &Train, axle: usize) -> f64 {
+fn force(train: &Train, axle: usize) -> f64 {
     let behind = train.axles[axle].behind;
     train.axles.iter().filter(|other| other.behind == behind).map(|other| other.force).sum()
 }
@@ -96,7 +121,7 @@ pub(super) fn passing(
     let next = found.partition_point(|position| position.first_axle <= at);
     let [left, right] = [found.get(next.checked_sub(1)?)?, found.get(next)?];
     let t = (at - left.first_axle) / (right.first_axle - left.first_axle);
-    Some((at, beside_axle([left, right], train, axle, t)?))
+    Some((at, beside_axle([left, right], axle, t)?))
 }
 
 /// How far the middle of an interval sticks out of the envelope, or is predicted to within the interval, relative to each
@@ -126,8 +151,8 @@ pub(super) fn sticks_out(
     }
     for (axle, _) in train.axles.iter().enumerate() {
         let here = middle.under.get(axle).copied().flatten();
-        if let (Some(here), Some(between)) = (here, beside_axle(ends, train, axle, 0.5)) {
-            for (here, between) in here.iter().zip(&between) {
+        if let (Some(here), Some(between)) = (here, beside_axle(ends, axle, 0.5)) {
+            for (here, between) in here.beside.iter().zip(&between) {
                 (0..7).for_each(|field| note(field, (here[field] - between[field]).abs()));
             }
         }
@@ -162,8 +187,8 @@ mod tests {
     use crate::solution::Field;
 
     #[test]
-    fn the_shear_force_stands_where_it_is_looked_for() {
-        assert_eq!(Field::ALL[SHEAR], Field::ShearForce);
+    fn fields_stand_where_they_are_looked_for() {
+        assert_eq!([SLOPE, SHEAR].map(|i| Field::ALL[i]), [Field::Slope, Field::ShearForce]);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Which positions of a train are solved: where axles meet what the model has, an even grid, and more where it matters.
 
 use super::bounds::{Passage, Reach};
-use super::interval::{Table, sticks_out};
+use super::interval::{Table, Under, sticks_out};
 use super::{Train, edges, marks};
 use crate::existence::Existence;
 use crate::model::Model;
@@ -57,8 +57,8 @@ pub struct Position {
     pub answer: Answer,
     /// Values at the stations from the left and from the right; none without an equilibrium.
     pub(super) samples: Vec<[f64; 7]>,
-    /// Of each axle on the beam the fields just left and just right of it.
-    pub(super) under: Vec<Option<[[f64; 7]; 2]>>,
+    /// Of each axle on the beam the fields beside it.
+    pub(super) under: Vec<Option<Under>>,
     /// Of each field.
     pub(super) ranges: Option<[Range; 7]>,
 }
@@ -230,8 +230,10 @@ impl<'a> Sweep<'a> {
         let both = |x: f64| [Side::Left, Side::Right].map(|side| values(solution.at(x, side)));
         let samples = self.stations.iter().flat_map(|&x| both(x)).collect();
         let axles = 0..self.train.axles.len();
-        let under =
-            axles.map(|i| self.train.axle_at(i, first_axle, self.model).map(both)).collect();
+        let of = |i: usize, x: f64| Under::of(both(x), self.model, self.train, i, x);
+        let under = axles
+            .map(|i| self.train.axle_at(i, first_axle, self.model).map(|x| of(i, x)))
+            .collect();
         let ranges = Some(Field::ALL.map(|field| solution.range(field)));
         Position { first_axle, answer, samples, under, ranges }
     }
