@@ -59,12 +59,18 @@ pub(crate) const GROUND: usize = Foundation::MOST_CONTROL_VALUES;
 const FREE: f64 = 10.0;
 
 impl Cell {
-    /// The coefficients of ψ = w − g₀ − u₀, from those of w.
-    pub fn obstacle(&self, deflection: &[f64]) -> Coefficients {
+    /// The coefficients of w − g₀, which is u where they touch, from those of w.
+    pub fn touched(&self, deflection: &[f64]) -> Coefficients {
         let mut c = Coefficients::from(deflection);
         let [left, right] = self.gap;
         c[0] -= 0.5 * (left + right);
         c[1] -= 0.5 * (right - left);
+        c
+    }
+
+    /// The coefficients of ψ = w − g₀ − u₀, from those of w.
+    pub fn obstacle(&self, deflection: &[f64]) -> Coefficients {
+        let mut c = self.touched(deflection);
         if self.is_sunk() {
             let settled = self.settled();
             c = c.at_least(settled.len());
