@@ -7,7 +7,7 @@ use crate::output::{draw, print, standard_error_has_colour, standard_output_has_
 use crate::request::{Merge, Study};
 use groundbeam_file::study::{StudyError, read_study};
 use groundbeam_report::{Context, json, png, svg, text};
-use groundbeam_study::{Draws, Finished, Progress, Shard, StoreError};
+use groundbeam_study::{Draws, Finished, Progress, Shard, Stage, StoreError};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::ops::ControlFlow;
@@ -21,48 +21,33 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// Runs what of a study is left, and says what follows from it.
 pub fn run(request: &Study) -> Result<Status, Failure> {
     let draws = read(request)?;
-    let stop = Arc::new(AtomicBool::new(false));
-    let pressed = Arc::clone(&stop);
-    let handled = ctrlc::set_handler(move || {
-        if pressed.swap(true, Ordering::Relaxed) {
-            // Pressed twice: at once.
-            std::process::exit(i32::from(Status::Interrupted as u8));
-        }
-    });
-    handled.map_err(|error| Failure::usage(error.to_string()))?;
-    let begun = Instant::now();
-    let mut bar = Bar::new(begun);
-    let finished = groundbeam_study::run(
-        &draws,
-        &request.out,
-        request.shard,
-        request.restart,
-        request.threads,
-        &mut |progress| {
-            bar.show(progress);
-            match stop.load(Ordering::Relaxed) {
-                true => ControlFlow::Break(()),
-                false => ControlFlow::Continue(()),
-            }
-        },
-    );
-    bar.end();
+    let mut watcher = Watcher::new()?;
+    let Study { out, shard: part, restart, threads, .. } = request;
+    let watch = &mut |progress| watcher.look(progress);
+    let finished = groundbeam_study::run(&draws, out, *part, *restart, *threads, watch);
+    let seconds = watcher.end();
     let solved = match finished.map_err(|error| failed(&error))? {
         Finished::Whole(solved) => solved,
         Finished::Stopped(Progress { done, of, .. }) => {
-            let out = request.out.display();
-            let said = format!(
-                "stopped: {done} of {of} samples are kept; the same command goes on with {out}\n"
-            );
-            return Err(Failure::reported(said, Status::Interrupted));
+            let out = out.display();
+            return Err(stopped(&format!(
+                "{done} of {of} samples are kept; the same command goes on with {out}"
+            )));
         }
     };
     if request.shard != Shard::WHOLE {
         return shard(request, &draws);
     }
-    let seconds = (solved == draws.plan().samples).then(|| begun.elapsed().as_secs_f64());
-    let summary =
-        groundbeam_study::summary(&draws, &request.out).map_err(|error| failed(&error))?;
+    let summary = groundbeam_study::summary(&draws, out, &mut |progress| watcher.look(progress));
+    watcher.end();
+    let summary = summary.map_err(|error| match error {
+        StoreError::Stopped => {
+            let out = out.display();
+            stopped(&format!("all samples are in {out}; the same command sums them up"))
+        }
+        error => failed(&error),
+    })?;
+    let seconds = (solved == draws.plan().samples).then_some(seconds);
     let units = units(draws.study().document.units);
     let context = Context { seconds, ..Context::new(units) };
     let (svg, png) = (|| svg::study(&summary, &context), || png::study(&summary, &context));
@@ -76,8 +61,14 @@ pub fn run(request: &Study) -> Result<Status, Failure> {
 
 /// Puts shards together.
 pub fn merge(request: &Merge) -> Result<Status, Failure> {
-    let merged = groundbeam_study::merge(&request.files, &request.out);
-    let merged = merged.map_err(|error| failed(&error))?;
+    let mut watcher = Watcher::new()?;
+    let watch = &mut |progress| watcher.look(progress);
+    let merged = groundbeam_study::merge(&request.files, &request.out, watch);
+    watcher.end();
+    let merged = merged.map_err(|error| match error {
+        StoreError::Stopped => stopped("nothing is put together"),
+        error => failed(&error),
+    })?;
     print(&format!(
         "{} samples of {} files in {}\n",
         merged.samples,
@@ -123,41 +114,77 @@ fn failed(error: &StoreError) -> Failure {
     Failure::usage(error.to_string())
 }
 
-/// How far it is, for whoever waits at a terminal.
-struct Bar {
-    begun: Instant,
-    drawn: Option<ProgressBar>,
-    wanted: bool,
+fn stopped(what_is_kept: &str) -> Failure {
+    Failure::reported(format!("stopped: {what_is_kept}\n"), Status::Interrupted)
 }
 
-impl Bar {
-    fn new(begun: Instant) -> Self {
-        Bar { begun, drawn: None, wanted: std::io::stderr().is_terminal() }
-    }
+/// Tells whoever waits at a terminal how far it is, and stops where Ctrl-C is pressed.
+struct Watcher {
+    stop: Arc<AtomicBool>,
+    begun: Instant,
+    wanted: bool,
+    drawn: Option<(Stage, ProgressBar)>,
+}
 
-    fn show(&mut self, progress: Progress) {
-        if !self.wanted || self.begun.elapsed() < PATIENCE {
-            return;
-        }
-        let bar = self.drawn.get_or_insert_with(|| {
-            let bar = ProgressBar::new(progress.of);
-            let template = match standard_error_has_colour() {
-                true => "{bar:24.cyan} {human_pos} of {human_len}, {per_sec}, {eta} left",
-                false => "{bar:24} {human_pos} of {human_len}, {per_sec}, {eta} left",
-            };
-            let style = ProgressStyle::with_template(template);
-            let bar = bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-            // The rate is that of now: what earlier runs did counts as done but took no time.
-            bar.set_position(progress.before);
-            bar.reset_eta();
-            bar
+impl Watcher {
+    fn new() -> Result<Self, Failure> {
+        let stop = Arc::new(AtomicBool::new(false));
+        let pressed = Arc::clone(&stop);
+        let handled = ctrlc::set_handler(move || {
+            if pressed.swap(true, Ordering::Relaxed) {
+                // Pressed twice: at once.
+                std::process::exit(i32::from(Status::Interrupted as u8));
+            }
         });
-        bar.set_position(progress.done);
+        handled.map_err(|error| Failure::usage(error.to_string()))?;
+        let wanted = std::io::stderr().is_terminal();
+        Ok(Watcher { stop, begun: Instant::now(), wanted, drawn: None })
     }
 
-    fn end(self) {
-        if let Some(bar) = self.drawn {
+    fn look(&mut self, progress: Progress) -> ControlFlow<()> {
+        if self.wanted && self.begun.elapsed() > PATIENCE {
+            self.show(progress);
+        }
+        if self.stop.load(Ordering::Relaxed) {
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn show(&mut self, Progress { stage, done, before, of }: Progress) {
+        if self.drawn.as_ref().is_none_or(|(drawn, _)| *drawn != stage) {
+            self.clear();
+            let bar = ProgressBar::new(of).with_style(style(stage));
+            // The rate is that of now: what earlier runs did counts as done but took no time.
+            bar.set_position(before);
+            bar.reset_eta();
+            self.drawn = Some((stage, bar));
+        }
+        if let Some((_, bar)) = &self.drawn {
+            bar.set_position(done);
+        }
+    }
+
+    fn clear(&mut self) {
+        if let Some((_, bar)) = self.drawn.take() {
             bar.finish_and_clear();
         }
     }
+
+    /// How many seconds it took.
+    fn end(&mut self) -> f64 {
+        self.clear();
+        self.begun.elapsed().as_secs_f64()
+    }
+}
+
+fn style(stage: Stage) -> ProgressStyle {
+    let bar = if standard_error_has_colour() { "{bar:24.cyan}" } else { "{bar:24}" };
+    let words = match stage {
+        Stage::Solving => "{human_pos} of {human_len}, {per_sec}, {eta} left",
+        Stage::Merging => "putting together, {percent} %, {eta} left",
+        Stage::Summarizing => "summing up, {percent} %, {eta} left",
+    };
+    let style = ProgressStyle::with_template(&format!("{bar} {words}"));
+    style.unwrap_or_else(|_| ProgressStyle::default_bar())
 }

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::model::units;
 use groundbeam_file::study::{StudyError, read_study};
 use groundbeam_report::{Context, json, svg};
-use groundbeam_study::{Draws, Finished, Shard, StoreError};
+use groundbeam_study::{Draws, Finished, Shard, Stage, StoreError, Watch};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -88,37 +88,20 @@ impl Study {
         progress: Option<Py<PyAny>>,
     ) -> PyResult<u64> {
         let shard = Shard { number: shard.0, of: shard.1 };
-        let mut raised = None;
-        let finished = py.detach(|| {
-            groundbeam_study::run(&self.draws, &out, shard, restart, threads, &mut |now| {
-                let told = Python::attach(|py| {
-                    py.check_signals()?;
-                    if let Some(progress) = &progress {
-                        progress.call1(py, (now.done, now.of))?;
-                    }
-                    Ok(())
-                });
-                match told {
-                    Ok(()) => ControlFlow::Continue(()),
-                    Err(error) => {
-                        raised = raised.take().or(Some(error));
-                        ControlFlow::Break(())
-                    }
-                }
-            })
-        });
-        match (finished.map_err(|error| lost(&error))?, raised) {
-            (_, Some(error)) => Err(error),
-            (Finished::Whole(solved), None) => Ok(solved),
-            (Finished::Stopped(_), None) => Ok(0),
+        let finished = watched(py, progress, |watch| {
+            groundbeam_study::run(&self.draws, &out, shard, restart, threads, watch)
+        })?;
+        match finished {
+            Finished::Whole(solved) => Ok(solved),
+            Finished::Stopped(_) => Ok(0),
         }
     }
 
     /// What follows from all samples, as a document and as a picture.
     fn summary(&self, py: Python<'_>, out: PathBuf) -> PyResult<(String, String)> {
         let context = Context::new(units(self.draws.study().document.units));
-        let summary = py.detach(|| groundbeam_study::summary(&self.draws, &out));
-        let summary = summary.map_err(|error| lost(&error))?;
+        let summary =
+            watched(py, None, |watch| groundbeam_study::summary(&self.draws, &out, watch))?;
         Ok((json::study(&summary, &context), svg::study(&summary, &context)))
     }
 }
@@ -126,6 +109,36 @@ impl Study {
 /// Puts the shards of a study together; how many samples there are.
 #[pyfunction]
 pub fn merge(py: Python<'_>, files: Vec<PathBuf>, out: PathBuf) -> PyResult<u64> {
-    let merged = py.detach(|| groundbeam_study::merge(&files, &out));
-    Ok(merged.map_err(|error| lost(&error))?.samples)
+    Ok(watched(py, None, |watch| groundbeam_study::merge(&files, &out, watch))?.samples)
+}
+
+/// Work without the interpreter's lock that Ctrl-C stops, and of which a function is told how many samples are solved.
+fn watched<T: Send>(
+    py: Python<'_>,
+    progress: Option<Py<PyAny>>,
+    work: impl Send + FnOnce(&mut Watch) -> Result<T, StoreError>,
+) -> PyResult<T> {
+    let mut raised = None;
+    let result = py.detach(|| {
+        work(&mut |now| {
+            let told = Python::attach(|py| {
+                py.check_signals()?;
+                if let (Some(progress), Stage::Solving) = (&progress, now.stage) {
+                    progress.call1(py, (now.done, now.of))?;
+                }
+                Ok(())
+            });
+            match told {
+                Ok(()) => ControlFlow::Continue(()),
+                Err(error) => {
+                    raised = raised.take().or(Some(error));
+                    ControlFlow::Break(())
+                }
+            }
+        })
+    });
+    match raised {
+        Some(error) => Err(error),
+        None => result.map_err(|error| lost(&error)),
+    }
 }

@@ -73,6 +73,16 @@ pub struct Interval {
     pub by: Way,
 }
 
+impl Interval {
+    /// With how many significant digits its bounds are written, so that two of them tell its width.
+    pub(crate) fn digits(&self) -> usize {
+        let [low, high] = self.bounds;
+        let digits = 2.0 + (high / (high - low)).log10().ceil();
+        // Not a number where both are zero.
+        if digits >= 3.0 { digits.min(6.0) as usize } else { 3 }
+    }
+}
+
 /// How an interval of confidence is found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Way {

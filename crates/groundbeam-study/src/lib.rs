@@ -16,7 +16,9 @@
 mod distribution;
 mod draws;
 mod fields;
+mod interval;
 mod points;
+mod progress;
 mod row;
 mod run;
 mod statistics;
@@ -25,7 +27,8 @@ mod summary;
 mod symmetric;
 
 pub use draws::{Draw, Draws, Impossible};
+pub use progress::{Progress, Stage, Watch};
 pub use row::{Row, Status, Trouble, Wanted};
-pub use run::{Finished, Progress, Shard, run};
+pub use run::{Finished, Shard, run};
 pub use store::{Merged, StoreError, merge};
 pub use summary::summary;

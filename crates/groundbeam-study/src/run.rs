@@ -1,6 +1,7 @@
 //! A study from its first sample to its last: on all processors, part by part, to be gone on with at any time.
 
 use crate::draws::{Draw, Draws};
+use crate::progress::{Progress, Stage, Watch};
 use crate::row::Row;
 use crate::store::{Parts, StoreError, Table, Whole};
 use groundbeam::{Options, Solver};
@@ -44,17 +45,6 @@ impl Shard {
     }
 }
 
-/// How far the work is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Progress {
-    /// Samples that are solved, those of earlier runs too.
-    pub done: u64,
-    /// Of these, how many were there when the work was begun.
-    pub before: u64,
-    /// How many there are to be.
-    pub of: u64,
-}
-
 /// How the work ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Finished {
@@ -79,7 +69,7 @@ pub fn run(
     shard: Shard,
     restart: bool,
     threads: usize,
-    watch: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    watch: &mut Watch,
 ) -> Result<Finished, StoreError> {
     let table = Table::of(draws);
     let samples = shard.samples(draws.plan().samples);
@@ -104,14 +94,16 @@ pub fn run(
         stop: AtomicBool::new(false),
     };
     let before = of - left;
-    let progress = |done: u64| Progress { done: before + done, before, of };
+    let progress = |done: u64| Progress { stage: Stage::Solving, done: before + done, before, of };
     work.on(threads, &mut |done| watch(progress(done)))?;
     let done = work.done.load(Ordering::Relaxed);
     if done < left {
         return Ok(Finished::Stopped(progress(done)));
     }
-    parts.finish(&table)?;
-    Ok(Finished::Whole(done))
+    match parts.finish(&table, watch) {
+        Err(StoreError::Stopped) => Ok(Finished::Stopped(progress(done))),
+        finished => finished.map(|()| Finished::Whole(done)),
+    }
 }
 
 /// Ranges in pieces of at most a size.

@@ -1,6 +1,8 @@
 //! What follows from all samples: probabilities with their intervals, means, deviations and quantiles.
 
 use crate::draws::Draws;
+use crate::interval::{of_counts, of_replicates};
+use crate::progress::{Progress, Stage, Watch};
 use crate::row::Status;
 use crate::statistics::{Moments, Statistics};
 use crate::store::{StoreError, Table, Whole};
@@ -8,11 +10,8 @@ use groundbeam::sensitivity::{LoadNumber, Parameter, Property};
 use groundbeam::{Load, Model};
 use groundbeam_file::study::{Exceeds, Judged, Plan, Sampling};
 use groundbeam_report::{Estimate, Interval, Kind, Limit, Spread, Study, Way};
-use statrs::distribution::{Beta, ContinuousCDF, StudentsT};
 use std::path::Path;
 
-/// The probability with which an interval holds what it is about.
-const CONFIDENCE: f64 = 0.95;
 /// From so many times on that something happened, the scatter of replicates tells its error.
 const ENOUGH: u64 = 10;
 
@@ -20,8 +19,9 @@ const ENOUGH: u64 = 10;
 ///
 /// # Errors
 ///
-/// A file that cannot be read, or does not hold all samples of the study.
-pub fn summary(draws: &Draws, out: &Path) -> Result<Study, StoreError> {
+/// A file that cannot be read, or does not hold all samples of the study; [`StoreError::Stopped`] if `watch` wants no
+/// more.
+pub fn summary(draws: &Draws, out: &Path, watch: &mut Watch) -> Result<Study, StoreError> {
     let table = Table::of(draws);
     let plan = draws.plan();
     let missing = || StoreError::File(out.to_owned(), "there are no results yet".to_owned());
@@ -30,6 +30,14 @@ pub fn summary(draws: &Draws, out: &Path) -> Result<Study, StoreError> {
     let mut tally = Tally::of(draws, &numbers);
     let mut moments = vec![Moments::new(); numbers.len()];
     let mut gaps = Moments::new();
+    // Each number is read three times.
+    let of = (3 * numbers.len() * whole.groups()) as u64;
+    let mut done = 0;
+    let mut read = |columns: usize| {
+        done += columns as u64;
+        let now = Progress { stage: Stage::Summarizing, done, before: 0, of };
+        if watch(now).is_break() { Err(StoreError::Stopped) } else { Ok(()) }
+    };
     for group in 0..whole.groups() {
         let statuses = statuses(&whole, group)?;
         let columns: Vec<Vec<f64>> =
@@ -39,8 +47,9 @@ pub fn summary(draws: &Draws, out: &Path) -> Result<Study, StoreError> {
         }
         whole.numbers(group, "relative_gap")?.into_iter().for_each(|gap| gaps.add(gap));
         tally.add(&statuses, &columns);
+        read(columns.len())?;
     }
-    let spreads = spreads(&whole, numbers, moments)?;
+    let spreads = spreads(&whole, numbers, moments, &mut read)?;
     let count = |status: Status| tally.statuses[status as usize];
     Ok(Study {
         title: draws.study().title.clone(),
@@ -259,44 +268,24 @@ impl Happening {
     }
 }
 
-/// Clopper and Pearson's interval, which holds the probability at least so often: its lower end for one count, its upper
-/// end for another.
-fn of_counts(low: u64, high: u64, total: u64) -> Interval {
-    let tail = 0.5 * (1.0 - CONFIDENCE);
-    let quantile = |a: u64, b: u64, at: f64| {
-        Beta::new(a as f64, b as f64).map_or(f64::NAN, |beta| beta.inverse_cdf(at))
-    };
-    let lower = if low == 0 { 0.0 } else { quantile(low, total - low + 1, tail) };
-    let upper = if high >= total { 1.0 } else { quantile(high + 1, total - high, 1.0 - tail) };
-    Interval { bounds: [lower, upper], by: Way::Counts }
-}
-
-/// Student's interval of a mean.
-fn of_replicates(values: &[f64]) -> [f64; 2] {
-    let count = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / count;
-    let variance = values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / (count - 1.0);
-    let t = StudentsT::new(0.0, 1.0, count - 1.0);
-    let t = t.map_or(f64::NAN, |t| t.inverse_cdf(0.5 + 0.5 * CONFIDENCE));
-    let half = t * (variance / count).sqrt();
-    [mean - half, mean + half]
-}
-
 /// How numbers scatter, those that no sample has left out: two more passes.
 fn spreads(
     whole: &Whole,
     numbers: Vec<Number>,
     moments: Vec<Moments>,
+    read: &mut dyn FnMut(usize) -> Result<(), StoreError>,
 ) -> Result<Vec<Spread>, StoreError> {
     let mut all = Vec::new();
     for (number, moments) in numbers.into_iter().zip(moments) {
         let Some(mut counted) = moments.counted() else { continue };
         for group in 0..whole.groups() {
             number.of.read(whole, group)?.into_iter().for_each(|value| counted.add(value));
+            read(1)?;
         }
         let mut ranked = counted.ranked();
         for group in 0..whole.groups() {
             number.of.read(whole, group)?.into_iter().for_each(|value| ranked.add(value));
+            read(1)?;
         }
         let Number { name, kind, .. } = number;
         let Statistics { mean, deviation, quantiles, histogram } = ranked.finish();
@@ -308,32 +297,6 @@ fn spreads(
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// Clopper and Pearson, *Biometrika* 26 (1934): 95 % intervals as `scipy.stats.binomtest(k, n).proportion_ci()` gives them.
-    #[test]
-    fn exact_intervals() {
-        for (count, total, low, high) in [
-            (0, 20, 0.0, 0.168_433_470_983_085_4),
-            (3, 50, 0.012_548_587_835_334_06, 0.165_481_946_603_772_9),
-            (20, 20, 0.831_566_529_016_914_7, 1.0),
-        ] {
-            let Interval { bounds, .. } = of_counts(count, count, total);
-            assert!(
-                (bounds[0] - low).abs() < 1e-9 && (bounds[1] - high).abs() < 1e-9,
-                "{bounds:?}"
-            );
-        }
-    }
-
-    /// t = 2.776445 for four degrees of freedom.
-    #[test]
-    fn intervals_of_replicates() {
-        let bounds = of_replicates(&[0.1, 0.2, 0.3, 0.4, 0.5]);
-        let half = 2.776_445_105_197_8 * (0.025_f64 / 5.0).sqrt();
-        assert!(
-            (bounds[0] - (0.3 - half)).abs() < 1e-10 && (bounds[1] - (0.3 + half)).abs() < 1e-10
-        );
-    }
 
     #[test]
     fn what_is_not_known_widens_the_interval() {

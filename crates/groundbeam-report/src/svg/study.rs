@@ -24,7 +24,7 @@ const TOP: f64 = 24.0;
 /// From one event to the next.
 const ROW: f64 = 24.0;
 /// Where the scale of probabilities begins and ends.
-const SCALE: [f64; 2] = [LEFT + 270.0, RIGHT - 170.0];
+const SCALE: [f64; 2] = [LEFT + 270.0, RIGHT - 200.0];
 
 /// Probabilities of events with their intervals, and histograms of random numbers and results, as an SVG file.
 pub fn study(study: &Study, context: &Context) -> String {
@@ -68,7 +68,7 @@ fn events(study: &Study, metrics: &Metrics) -> Canvas {
     for power in decades.rev().step_by(every) {
         let at = x(10.0_f64.powi(power));
         canvas.line([at, 10.0], [at, bottom], &format!(r#"stroke="{RULE}" stroke-width="1""#));
-        canvas.text([at, bottom + 15.0], Anchor::Middle, TICK, &percent(10.0_f64.powi(power)));
+        canvas.text([at, bottom + 15.0], Anchor::Middle, TICK, &percent(10.0_f64.powi(power), 1));
     }
     for (i, event) in study.events.iter().enumerate() {
         let y = 10.0 + ROW * (i as f64 + 0.5);
@@ -90,8 +90,10 @@ fn events(study: &Study, metrics: &Metrics) -> Canvas {
                 &format!(r##"fill="{LOAD}" stroke="#ffffff" stroke-width="1""##),
             );
         }
-        let [low, high] = interval.bounds.map(percent);
-        let words = format!("{} ({low} to {high})", percent(*probability));
+        // There is room for no more.
+        let digits = interval.digits().min(4);
+        let [low, high] = interval.bounds.map(|bound| significant(100.0 * bound, digits));
+        let words = format!("{} ({low} to {high})", percent(*probability, digits));
         canvas.text([right + 12.0, y + 4.0], Anchor::Start, LABEL, &words);
     }
     canvas.reserve(bottom + 20.0);
@@ -239,6 +241,6 @@ fn fitting(words: &str, room: f64, style: Style, metrics: &Metrics) -> String {
     shortened.trim_end().to_owned() + "…"
 }
 
-fn percent(part: f64) -> String {
-    format!("{} %", significant(100.0 * part, 3))
+fn percent(part: f64, digits: usize) -> String {
+    format!("{} %", significant(100.0 * part, digits))
 }

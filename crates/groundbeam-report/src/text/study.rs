@@ -39,9 +39,10 @@ pub fn study(study: &Study, context: &Context, colour: bool) -> String {
         "Event", "samples", "probability", "95 % interval"
     ));
     for Estimate { name, count, probability, interval, .. } in &study.events {
-        let [low, high] = interval.bounds.map(|bound| significant(bound, 3));
+        let digits = interval.digits();
+        let [low, high] = interval.bounds.map(|bound| significant(bound, digits));
         let name = shortened(&clean(name), 33);
-        let probability = significant(*probability, 4);
+        let probability = significant(*probability, digits.max(4));
         sheet.line(&format!(
             "{name:<34}{count:>10}{probability:>12}{:>23}",
             format!("{low} to {high}")

@@ -4,6 +4,7 @@ use super::StoreError;
 use super::parts::assembled;
 use super::read::Results;
 use super::table::{Head, Table};
+use crate::progress::Watch;
 use parquet::schema::types::TypePtr;
 use std::path::{Path, PathBuf};
 
@@ -20,8 +21,9 @@ pub struct Merged {
 ///
 /// # Errors
 ///
-/// Files that cannot be read or written, are not of the same study, overlap, or leave samples out.
-pub fn merge(paths: &[PathBuf], out: &Path) -> Result<Merged, StoreError> {
+/// Files that cannot be read or written, are not of the same study, overlap, or leave samples out; [`StoreError::Stopped`]
+/// if `watch` wants no more.
+pub fn merge(paths: &[PathBuf], out: &Path, watch: &mut Watch) -> Result<Merged, StoreError> {
     let mut shards: Vec<(u64, u64, &Path)> = Vec::new();
     let mut known: Option<(Head, TypePtr, &Path)> = None;
     for path in paths {
@@ -67,6 +69,6 @@ pub fn merge(paths: &[PathBuf], out: &Path) -> Result<Merged, StoreError> {
     }
     let table = Table::read(head, schema);
     let paths: Vec<&Path> = shards.iter().map(|shard| shard.2).collect();
-    assembled(out, &table, &paths)?;
+    assembled(out, &table, &paths, samples, watch)?;
     Ok(Merged { samples, files: paths.len() })
 }

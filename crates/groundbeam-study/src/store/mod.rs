@@ -28,6 +28,8 @@ pub enum StoreError {
     Busy(PathBuf),
     /// These files do not make one study.
     Unlike(String),
+    /// Whoever watched has stopped it.
+    Stopped,
 }
 
 impl StoreError {
@@ -54,6 +56,7 @@ impl fmt::Display for StoreError {
                 write!(f, "{}: another process is at work on these results", path.display())
             }
             StoreError::Unlike(what) => f.write_str(what),
+            StoreError::Stopped => f.write_str("stopped"),
         }
     }
 }

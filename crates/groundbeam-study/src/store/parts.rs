@@ -7,6 +7,7 @@ use super::read::Results;
 use super::table::Table;
 use super::write::{Writer, beside};
 use crate::draws::Draw;
+use crate::progress::{Progress, Stage, Watch};
 use crate::row::Row;
 use std::fs::{self, File, TryLockError};
 use std::ops::Range;
@@ -102,19 +103,38 @@ impl Parts {
     }
 
     /// Makes one file of all parts, and removes them.
-    pub fn finish(self, table: &Table) -> Result<(), StoreError> {
+    pub fn finish(self, table: &Table, watch: &mut Watch) -> Result<(), StoreError> {
         let all = self.all()?;
         let paths: Vec<&Path> = all.iter().map(|(_, path)| &**path).collect();
-        assembled(&self.out, table, &paths)?;
+        let samples = all.iter().map(|(range, _)| range.end - range.start).sum();
+        assembled(&self.out, table, &paths, samples, watch)?;
         fs::remove_dir_all(&self.folder).map_err(|error| StoreError::io(&self.folder, &error))
     }
 }
 
-/// One file of several, row after row.
-pub fn assembled(out: &Path, table: &Table, paths: &[&Path]) -> Result<(), StoreError> {
+/// One file of several, row after row: so many samples. Nothing is left of one that is not finished.
+pub fn assembled(
+    out: &Path,
+    table: &Table,
+    paths: &[&Path],
+    samples: u64,
+    watch: &mut Watch,
+) -> Result<(), StoreError> {
     let mut writer = Writer::new(out, table)?;
-    for path in paths {
-        writer.copy(&Results::open(path)?)?;
+    let unfinished = writer.unfinished().to_owned();
+    let mut done = 0;
+    let mut copied = |rows: usize| {
+        done += rows as u64;
+        let now = Progress { stage: Stage::Merging, done, before: 0, of: samples };
+        if watch(now).is_break() { Err(StoreError::Stopped) } else { Ok(()) }
+    };
+    let mut results = paths.iter().map(|path| Results::open(path));
+    let finished = results
+        .try_for_each(|results| writer.copy(&results?, &mut copied))
+        .and_then(|()| writer.finish());
+    if finished.is_err() {
+        // What was wrong is told, not that this cannot be removed either.
+        let _ = fs::remove_file(unfinished);
     }
-    writer.finish()
+    finished
 }

@@ -43,14 +43,23 @@ impl<'a> Writer<'a> {
         Ok(Writer { path, unfinished, file, waiting: Vec::new(), rows: 0 })
     }
 
+    /// What it is called until it is whole.
+    pub fn unfinished(&self) -> &Path {
+        &self.unfinished
+    }
+
     /// Rows, no more than are compressed together, in a new file.
     pub fn write(&mut self, columns: Vec<Column>, rows: usize) -> Result<(), StoreError> {
         (self.waiting, self.rows) = (columns, rows);
         self.hand_over()
     }
 
-    /// Goes on with all rows of another file.
-    pub fn copy(&mut self, results: &Results) -> Result<(), StoreError> {
+    /// Goes on with all rows of another file; `copied` is told how many more there are, again and again.
+    pub fn copy(
+        &mut self,
+        results: &Results,
+        copied: &mut dyn FnMut(usize) -> Result<(), StoreError>,
+    ) -> Result<(), StoreError> {
         let wrong = |error: ParquetError| results.wrong(&error);
         if results.schema().get_fields() != self.file.schema_descr().root_schema().get_fields() {
             return Err(wrong(ParquetError::General("it has other columns".to_owned())));
@@ -71,6 +80,7 @@ impl<'a> Writer<'a> {
                 if self.rows == ROWS_IN_A_GROUP {
                     self.hand_over()?;
                 }
+                copied(rows)?;
             }
         }
         Ok(())

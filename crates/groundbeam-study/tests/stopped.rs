@@ -1,0 +1,92 @@
+//! Whoever waits may stop a study at any stage: nothing half-written is left, and the same call goes on.
+
+use groundbeam_file::study::read_study;
+use groundbeam_study::{
+    Draws, Finished, Progress, Shard, Stage, StoreError, Watch, merge, run, summary,
+};
+use std::fs;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+/// Hypercubes of the same size need a multiple of their number, 8.
+const SAMPLES: u64 = 2400;
+
+fn draws() -> Draws {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/random-ground.toml");
+    let study = read_study(&path).unwrap();
+    let plan = study.plan.with(Some(SAMPLES), None);
+    Draws::new(study, plan).unwrap()
+}
+
+/// An empty folder of this test alone.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("stopped").join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> =
+        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+fn stop_at(stage: Stage) -> impl FnMut(Progress) -> ControlFlow<()> {
+    move |now| if now.stage == stage { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+}
+
+fn on(draws: &Draws, out: &Path, watch: &mut Watch) -> Finished {
+    run(draws, out, Shard::WHOLE, false, 2, watch).unwrap()
+}
+
+#[test]
+fn stopped_while_parts_are_put_together() {
+    let (draws, folder) = (draws(), folder("parts"));
+    let [undisturbed, out] = ["undisturbed.parquet", "stopped.parquet"].map(|n| folder.join(n));
+    on(&draws, &undisturbed, &mut |_| ControlFlow::Continue(()));
+    let Finished::Stopped(Progress { done, of, .. }) =
+        on(&draws, &out, &mut stop_at(Stage::Merging))
+    else {
+        panic!("it was not stopped");
+    };
+    assert_eq!((done, of), (SAMPLES, SAMPLES));
+    assert_eq!(names(&folder), ["stopped.parquet.parts", "undisturbed.parquet"]);
+    // Nothing is left to be solved.
+    assert_eq!(on(&draws, &out, &mut |_| ControlFlow::Continue(())), Finished::Whole(0));
+    assert_eq!(fs::read(&out).unwrap(), fs::read(&undisturbed).unwrap());
+}
+
+#[test]
+fn a_stopped_merge_and_summary_leave_nothing() {
+    let (draws, folder) = (draws(), folder("merge"));
+    let [out, merged] = ["all.parquet", "merged.parquet"].map(|name| folder.join(name));
+    on(&draws, &out, &mut |_| ControlFlow::Continue(()));
+    let stopped = merge(std::slice::from_ref(&out), &merged, &mut stop_at(Stage::Merging));
+    assert!(matches!(stopped, Err(StoreError::Stopped)));
+    assert_eq!(names(&folder), ["all.parquet"]);
+    let stopped = summary(&draws, &out, &mut stop_at(Stage::Summarizing));
+    assert!(matches!(stopped, Err(StoreError::Stopped)));
+}
+
+/// What is done never shrinks and ends with all there is.
+#[test]
+fn progress_reaches_its_end() {
+    let (draws, folder) = (draws(), folder("progress"));
+    let out = folder.join("all.parquet");
+    let mut seen: Vec<Progress> = Vec::new();
+    let mut see = |now| {
+        seen.push(now);
+        ControlFlow::Continue(())
+    };
+    on(&draws, &out, &mut see);
+    summary(&draws, &out, &mut see).unwrap();
+    for stage in [Stage::Solving, Stage::Merging, Stage::Summarizing] {
+        let own: Vec<&Progress> = seen.iter().filter(|now| now.stage == stage).collect();
+        assert!(own.is_sorted_by_key(|now| now.done), "{stage:?}: {own:?}");
+        let last = own.last().unwrap();
+        assert_eq!((last.done, stage), (last.of, stage));
+    }
+}
