@@ -2,16 +2,19 @@
 
 use crate::clock::side_by_side;
 use crate::table::{Table, short};
-use groundbeam::{Model, Solver};
+use groundbeam::{Field, Model, Solver};
 use groundbeam_file::study::read_study;
 use groundbeam_study::{Draws, Finished, Shard};
 use std::ops::ControlFlow;
 use std::path::Path;
 
-/// The study in `bench/study`, under a number of samples.
-fn draws(samples: u64) -> Draws {
+/// The study in `bench/study`, under a number of samples; with `kept`, with the extremes of these fields alone.
+fn draws(samples: u64, kept: Option<&[Field]>) -> Draws {
     let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/study/footings.toml"));
-    let study = read_study(path).expect("a study that is right");
+    let mut study = read_study(path).expect("a study that is right");
+    if let Some(kept) = kept {
+        study.keep.extremes = kept.to_vec();
+    }
     let plan = study.plan.with(Some(samples), None);
     Draws::new(study, plan).expect("a study that can be drawn")
 }
@@ -33,37 +36,50 @@ fn bare(models: &[Model], threads: usize) {
 
 /// Samples drawn, solved, certified and written, beside the solver alone.
 pub fn table(samples: u64) -> String {
-    let draws = draws(samples);
-    let models: Vec<Model> = (0..samples).map(|sample| draws.model(&draws.draw(sample))).collect();
+    let (all, least) = (draws(samples, None), draws(samples, Some(&[Field::Pressure])));
+    let models: Vec<Model> = (0..samples).map(|sample| all.model(&all.draw(sample))).collect();
     let out = std::env::temp_dir().join(format!("groundbeam-bench-{}.parquet", std::process::id()));
     let mut table = Table::new(
         &format!(
             "{samples} random footings: drawn, solved, certified and written (`groundbeam study`)"
         ),
-        &["threads", "study / bare solver", "study, footings a second", "bare, footings a second"],
+        &[
+            "extremes kept",
+            "threads",
+            "study / bare solver",
+            "study, footings a second",
+            "bare, footings a second",
+        ],
     );
-    for threads in [1, 2] {
-        let [all, alone] = side_by_side(
-            3,
+    let cases = [
+        ("of pressure", &least, 1),
+        ("of pressure", &least, 2),
+        ("of four fields", &all, 1),
+        ("of four fields", &all, 2),
+    ];
+    for (kept, draws, threads) in cases {
+        let [study, alone] = side_by_side(
+            5,
             [
                 &mut || {
                     let never = &mut |_| ControlFlow::Continue(());
                     let done =
-                        groundbeam_study::run(&draws, &out, Shard::WHOLE, true, threads, never);
+                        groundbeam_study::run(draws, &out, Shard::WHOLE, true, threads, never);
                     assert_eq!(done.expect("a file that can be written"), Finished::Whole(samples));
                 },
                 &mut || bare(&models, threads),
             ],
         );
         table.row(&[
+            kept.to_owned(),
             threads.to_string(),
-            format!("**{:.2}**", all.least / alone.least),
-            short(samples as f64 / all.least),
+            format!("**{:.2}**", study.least / alone.least),
+            short(samples as f64 / study.least),
             short(samples as f64 / alone.least),
         ]);
     }
     let size = std::fs::metadata(&out).map_or(0, |file| file.len());
     // What cannot be removed is not what is measured.
     let _ = std::fs::remove_file(&out);
-    table.finish(&format!("{} bytes a footing in the file.", size / samples))
+    table.finish(&format!("{} bytes a footing in the file of four fields.", size / samples))
 }

@@ -3,7 +3,7 @@
 use crate::draws::{Draw, Draws};
 use crate::progress::{Progress, Stage, Watch};
 use crate::row::Row;
-use crate::store::{Parts, StoreError, Table, Whole};
+use crate::store::{Column, Parts, StoreError, Table, Whole};
 use groundbeam::{Options, Solver};
 use std::collections::VecDeque;
 use std::ops::{ControlFlow, Range};
@@ -14,11 +14,13 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::{Duration, Instant};
 
 /// A part has at most so many samples, …
-const MOST_IN_A_PART: u64 = 4096;
+const MOST_IN_A_PART: u64 = 16_384;
 /// … at least so many, …
 const FEWEST_IN_A_PART: u64 = 16;
 /// … and is written when it has taken so long, however many it has by then.
 const LONGEST: Duration = Duration::from_secs(2);
+/// Rows become columns while they are at hand.
+const ROWS_AT_ONCE: usize = 64;
 /// How often whoever watches is told how far it is.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(100);
 
@@ -181,7 +183,8 @@ impl Work<'_> {
     fn piece(&self, piece: Range<u64>, solver: &mut Solver) -> Result<(), StoreError> {
         let options = Options::default();
         let Table { wanted, .. } = self.table;
-        let mut rows: Vec<(Draw, Row)> = Vec::new();
+        let mut rows: Vec<(Draw, Row)> = Vec::with_capacity(ROWS_AT_ONCE);
+        let mut columns: Vec<Column> = Vec::new();
         let (mut first, mut begun) = (piece.start, Instant::now());
         for sample in piece.clone() {
             let draw = self.draws.draw(sample);
@@ -189,10 +192,15 @@ impl Work<'_> {
             let row = Row::solve(&model, &self.draws.study().document, &options, wanted, solver);
             rows.push((draw, row));
             let stops = self.stop.load(Ordering::Relaxed);
-            if sample + 1 == piece.end || stops || begun.elapsed() > LONGEST {
-                self.parts.keep(self.table, first, &rows)?;
-                self.done.fetch_add(rows.len() as u64, Ordering::Relaxed);
+            let ends = sample + 1 == piece.end || stops || begun.elapsed() > LONGEST;
+            if ends || rows.len() == ROWS_AT_ONCE {
+                self.table.append(&mut columns, sample + 1 - rows.len() as u64, &rows);
                 rows.clear();
+            }
+            if ends {
+                let done = first..sample + 1;
+                self.parts.keep(self.table, done.clone(), std::mem::take(&mut columns))?;
+                self.done.fetch_add(done.end - done.start, Ordering::Relaxed);
                 (first, begun) = (sample + 1, Instant::now());
             }
             if stops {

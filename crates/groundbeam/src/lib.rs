@@ -35,6 +35,7 @@ mod contact;
 mod elements;
 mod envelope;
 mod existence;
+mod extremes;
 mod factors;
 mod fineness;
 mod free;

@@ -84,6 +84,11 @@ pub(crate) fn value(c: &[f64], s: f64) -> f64 {
     c.iter().rev().fold(0.0, |sum, &a| sum * s + a)
 }
 
+/// f(s) and f'(s), the latter with respect to s.
+pub(crate) fn with_slope(c: &[f64], s: f64) -> [f64; 2] {
+    c.iter().rev().fold([0.0, 0.0], |[f, d1], &a| [f * s + a, d1 * s + f])
+}
+
 /// f(s), f'(s), f''(s), f'''(s), all with respect to s.
 pub(crate) fn jet(c: &[f64], s: f64) -> [f64; 4] {
     let (mut f, mut d1, mut d2, mut d3) = (0.0, 0.0, 0.0, 0.0);
@@ -201,7 +206,14 @@ pub(crate) fn is_free_of_zeros(c: &[f64], radius: f64) -> bool {
 /// alone: |f(s)| ≥ |c₀| − Σ|cⱼ|. Nothing is sampled. A double root, where f touches zero without
 /// changing sign, is not reported.
 pub(crate) fn sign_changes(c: &[f64], roots: &mut Vec<f64>) {
-    isolate(c, -1.0, 1.0, 0, roots);
+    // What is added up for nothing: high powers far below the rounding of all the others.
+    let mut negligible = f64::EPSILON / 16.0 * c.iter().map(|a| a.abs()).sum::<f64>();
+    let mut count = c.len();
+    while count > 1 && c[count - 1].abs() <= negligible {
+        count -= 1;
+        negligible -= c[count].abs();
+    }
+    isolate(&c[..count], -1.0, 1.0, 0, roots);
 }
 
 /// Halvings after which an interval is a point.
@@ -209,25 +221,44 @@ const DEEPEST: u32 = 40;
 
 fn isolate(c: &[f64], low: f64, high: f64, depth: u32, roots: &mut Vec<f64>) {
     let Some((&constant, rest)) = c.split_first() else { return };
-    let spread: f64 = rest.iter().map(|a| a.abs()).sum();
+    let (mut spread, mut slope, mut bend) = (0.0, 0.0, 0.0);
+    for (a, j) in rest.iter().map(|a| a.abs()).zip(1_u8..) {
+        let j = f64::from(j);
+        spread += a;
+        slope += j * a;
+        bend += j * (j - 1.0) * a;
+    }
     let sum = constant.abs() + spread;
     if constant.abs() > spread || sum == 0.0 || sum.is_nan() {
         return;
     }
-    let [left, right] = [value(c, -1.0), value(c, 1.0)];
-    let slope_spread: f64 =
-        rest.iter().enumerate().skip(1).map(|(j, a)| (j + 1) as f64 * a.abs()).sum();
-    let monotone = rest[0].abs() > slope_spread;
-    if monotone || depth >= DEEPEST {
-        if left * right < 0.0 || (left == 0.0 && low > -1.0 && crosses_at_left_end(c)) {
-            let s = monotone_root(c, left);
-            roots.push(low + 0.5 * (high - low) * (s + 1.0));
+    let first = rest.first().map_or(0.0, |a| a.abs());
+    let place = |s: f64| low + 0.5 * (high - low) * (s + 1.0);
+    if first > slope - first || depth >= DEEPEST {
+        let left = value(c, -1.0);
+        let begins = left == 0.0 && low > -1.0 && crosses_at_left_end(c);
+        if begins || left * value(c, 1.0) < 0.0 {
+            roots.push(place(monotone_root(c, [-1.0, 1.0], left)));
         }
         return;
     }
-    let middle = 0.5 * (low + high);
-    isolate(&rescale(c, -0.5, 0.5), low, middle, depth + 1, roots);
-    isolate(&rescale(c, 0.5, 0.5), middle, high, depth + 1, roots);
+    for middle in [-0.5, 0.5] {
+        // Taylor's formula about the middle of a half, with all that it leaves out.
+        let [f, slope] = with_slope(c, middle);
+        if f.abs() > 0.5 * slope.abs() + 0.125 * bend {
+            continue;
+        }
+        let [from, to] = [middle - 0.5, middle + 0.5];
+        if slope.abs() > 0.5 * bend {
+            let left = value(c, from);
+            let begins = left == 0.0 && place(from) > -1.0;
+            if begins || left * value(c, to) < 0.0 {
+                roots.push(place(monotone_root(c, [from, to], left)));
+            }
+        } else {
+            isolate(&rescale(c, middle, 0.5), place(from), place(to), depth + 1, roots);
+        }
+    }
 }
 
 /// Whether a root exactly at s = −1 is of odd order.
@@ -236,15 +267,14 @@ fn crosses_at_left_end(c: &[f64]) -> bool {
     about_end.iter().position(|&a| a != 0.0).is_some_and(|order| order % 2 == 1)
 }
 
-/// The root of a function monotone on \[−1, 1\] that changes sign there: Newton within a bracket.
-fn monotone_root(c: &[f64], left: f64) -> f64 {
+/// The root of a function monotone between two points that changes sign there: Newton within a bracket.
+fn monotone_root(c: &[f64], [mut low, mut high]: [f64; 2], left: f64) -> f64 {
     if left == 0.0 {
-        return -1.0;
+        return low;
     }
-    let (mut low, mut high) = (-1.0_f64, 1.0_f64);
-    let mut s = 0.0;
+    let mut s = 0.5 * (low + high);
     for _ in 0..100 {
-        let [f, slope, ..] = jet(c, s);
+        let [f, slope] = with_slope(c, s);
         if f == 0.0 {
             return s;
         }
@@ -254,9 +284,12 @@ fn monotone_root(c: &[f64], left: f64) -> f64 {
             high = s;
         }
         let newton = s - f / slope;
-        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-        if next == s || high - low < 1e-16 {
-            break;
+        let is_inside = newton > low && newton < high;
+        let next = if is_inside { newton } else { 0.5 * (low + high) };
+        // Newton's next step would be the square of this one.
+        let last = is_inside && (next - s).abs() < 1e-10;
+        if next == s || last || high - low < 1e-16 {
+            return next;
         }
         s = next;
     }
@@ -303,6 +336,43 @@ mod tests {
         for (i, r) in roots.iter().rev().enumerate() {
             let exact = ((2 * i + 1) as f64 * std::f64::consts::PI / 20.0).cos();
             assert!((r - exact).abs() < 1e-13, "{r} {exact}");
+        }
+    }
+
+    /// Products of real roots, at least 0.01 apart, and of pairs beside the axis.
+    #[test]
+    fn all_roots_of_random_products() {
+        let mut state = 1_u64;
+        let mut random = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        for _ in 0..3000 {
+            let mut c = Coefficients::from(&[1.0][..]);
+            let mut inside: Vec<f64> = Vec::new();
+            for _ in 0..(8.0 * random()) as usize {
+                let root = 3.0 * random() - 1.5;
+                if inside.iter().all(|other| (other - root).abs() > 0.01)
+                    && (root.abs() - 1.0).abs() > 1e-6
+                {
+                    c = product(&c, &[-root, 1.0]);
+                    inside.push(root);
+                }
+            }
+            for _ in 0..(4.0 * random()) as usize {
+                let (re, im) = (4.0 * random() - 2.0, 0.01 + random());
+                c = product(&c, &[re * re + im * im, -2.0 * re, 1.0]);
+            }
+            inside.retain(|root| root.abs() < 1.0);
+            inside.sort_by(f64::total_cmp);
+            let mut roots = vec![];
+            sign_changes(&c, &mut roots);
+            assert_eq!(roots.len(), inside.len(), "{c:?}: {roots:?}, not {inside:?}");
+            for (root, exact) in roots.iter().zip(&inside) {
+                assert!((root - exact).abs() < 1e-7, "{c:?}: {roots:?}, not {inside:?}");
+            }
         }
     }
 

@@ -7,7 +7,7 @@ use crate::free;
 use crate::ground;
 use crate::mesh::Cell;
 use crate::model::{Beyond, Model};
-use crate::polynomial::{Coefficients, derivative, jet, sign_changes, value};
+use crate::polynomial::{Coefficients, jet, value};
 use crate::solve::Method;
 
 /// A stretch of contact between beam and ground; of a single point, both ends are equal.
@@ -244,61 +244,6 @@ impl Stretch {
         }
     }
 
-    /// Where a field may be largest or smallest: its ends and where its derivative vanishes.
-    pub(crate) fn candidates(&self, field: Field) -> Vec<f64> {
-        let mut s = vec![-1.0];
-        let differentiated =
-            |c: &[f64], times: usize| (0..times).fold(Coefficients::from(c), |c, _| derivative(&c));
-        match field {
-            Field::Deflection => sign_changes(&differentiated(&self.deflection, 1), &mut s),
-            Field::Slope => sign_changes(&differentiated(&self.deflection, 2), &mut s),
-            Field::Moment => sign_changes(&differentiated(&self.moment, 1), &mut s),
-            Field::ShearForce => sign_changes(&differentiated(&self.moment, 2), &mut s),
-            Field::Pressure => sign_changes(&differentiated(&self.pressure, 1), &mut s),
-            Field::Settlement if self.open.is_none() => {
-                let mut c = differentiated(&self.deflection, 1);
-                c[0] -= self.cell.gap_slope * self.half;
-                sign_changes(&c, &mut s);
-            }
-            // Open ground is convex where it is positive: one lowest point at most.
-            Field::Settlement => {
-                self.turning_points(|st, at| st.settlement(at, 0.0, 0.0)[1], &mut s)
-            }
-            Field::Gap if self.open.is_some() => {
-                let slope = |st: &Stretch, at: f64| {
-                    let [_, dw, ..] = jet(&st.deflection, at);
-                    st.settlement(at, 0.0, 0.0)[1] + st.cell.gap_slope - dw / st.half
-                };
-                self.turning_points(slope, &mut s);
-            }
-            Field::Gap => {}
-        }
-        s.push(1.0);
-        s
-    }
-
-    /// Sign changes of a derivative that has no polynomial, between points close enough for one each.
-    fn turning_points(&self, slope: impl Fn(&Stretch, f64) -> f64, found: &mut Vec<f64>) {
-        const CUTS: usize = 16;
-        let at = |i: usize| 2.0 * i as f64 / CUTS as f64 - 1.0;
-        for i in 0..CUTS {
-            let (mut low, mut high) = (at(i), at(i + 1));
-            let sign = slope(self, low);
-            if sign * slope(self, high) >= 0.0 {
-                continue;
-            }
-            for _ in 0..60 {
-                let middle = 0.5 * (low + high);
-                if slope(self, middle) * sign > 0.0 {
-                    low = middle;
-                } else {
-                    high = middle;
-                }
-            }
-            found.push(0.5 * (low + high));
-        }
-    }
-
     pub(crate) fn local(&self, x: f64) -> f64 {
         let [from, to] = self.x;
         let s = if x - from <= to - x {
@@ -453,46 +398,6 @@ impl Solution {
             self.stretches[0].cell.ground_at(-1.0)
         };
         self.model.foundation.beyond(right, self.model.beam.length, at_end)
-    }
-
-    /// The smallest and largest value of a field, located by the roots of its derivative.
-    pub fn range(&self, field: Field) -> Range {
-        let mut range: Option<Range> = None;
-        for stretch in &self.stretches {
-            for s in stretch.candidates(field) {
-                let here = Extreme { x: stretch.global(s), value: stretch.fields(s).get(field) };
-                let range = range.get_or_insert(Range { min: here, max: here });
-                if here.value < range.min.value {
-                    range.min = here;
-                }
-                if here.value > range.max.value {
-                    range.max = here;
-                }
-            }
-        }
-        let nothing = Extreme { x: 0.0, value: 0.0 };
-        range.unwrap_or(Range { min: nothing, max: nothing })
-    }
-
-    /// The smallest and largest rotation of the sections; that of the slope where the beam does not shear.
-    pub fn rotation_range(&self) -> Range {
-        let mut all: Vec<Extreme> = Vec::new();
-        for stretch in &self.stretches {
-            let mut s = stretch.candidates(Field::Slope);
-            if !stretch.rotation.is_empty() {
-                s = vec![-1.0, 1.0];
-                sign_changes(&derivative(&stretch.rotation), &mut s);
-            }
-            let at = |s: f64| Extreme { x: stretch.global(s), value: stretch.fields(s).rotation };
-            all.extend(s.into_iter().map(at));
-        }
-        all.sort_by(|a, b| a.x.total_cmp(&b.x));
-        let nothing = Extreme { x: 0.0, value: 0.0 };
-        let pick = |better: fn(f64, f64) -> bool| {
-            let best = |a: Extreme, b: &Extreme| if better(b.value, a.value) { *b } else { a };
-            all.iter().fold(all.first().copied().unwrap_or(nothing), best)
-        };
-        Range { min: pick(|a, b| a < b), max: pick(|a, b| a > b) }
     }
 
     /// Positions at which the fields are worth listing: `even` equal steps, every load, support, joint and

@@ -138,6 +138,18 @@ impl Column {
         Column { values: Values::Numbers(values), definitions, repetitions }
     }
 
+    /// Goes on with the rows of another, of the same kind.
+    pub fn append(&mut self, other: Column) {
+        match (&mut self.values, other.values) {
+            (Values::Whole(all), Values::Whole(more)) => all.extend(more),
+            (Values::Numbers(all), Values::Numbers(more)) => all.extend(more),
+            (Values::Words(all), Values::Words(more)) => all.extend(more),
+            _ => debug_assert!(false, "columns of two kinds"),
+        }
+        self.definitions.extend(other.definitions);
+        self.repetitions.extend(other.repetitions);
+    }
+
     /// No rows of what a reader reads.
     pub fn before(reader: &ColumnReader) -> Result<Self> {
         Ok(Column::empty(match reader {

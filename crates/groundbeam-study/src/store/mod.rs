@@ -7,6 +7,7 @@ mod read;
 mod table;
 mod write;
 
+pub(crate) use column::Column;
 pub use merge::{Merged, merge};
 pub(crate) use parts::Parts;
 pub(crate) use read::Whole;

@@ -3,12 +3,11 @@
 //! Which samples a part holds stands in its name. Whoever works here holds a lock that ends with the process.
 
 use super::StoreError;
+use super::column::Column;
 use super::read::Results;
 use super::table::Table;
-use super::write::{Writer, beside};
-use crate::draws::Draw;
+use super::write::{Packing, Writer, beside};
 use crate::progress::{Progress, Stage, Watch};
-use crate::row::Row;
 use std::fs::{self, File, TryLockError};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -93,12 +92,17 @@ impl Parts {
     }
 
     /// Keeps the rows of consecutive samples.
-    pub fn keep(&self, table: &Table, first: u64, rows: &[(Draw, Row)]) -> Result<(), StoreError> {
-        let range = first..first + rows.len() as u64;
+    pub fn keep(
+        &self,
+        table: &Table,
+        range: Range<u64>,
+        columns: Vec<Column>,
+    ) -> Result<(), StoreError> {
+        let rows = usize::try_from(range.end - range.start).unwrap_or(0);
         // So many digits that names sort as numbers do.
         let path = self.folder.join(format!("{:015}-{:015}.parquet", range.start, range.end));
-        let mut writer = Writer::new(&path, table)?;
-        writer.write(table.rows(first, rows), rows.len())?;
+        let mut writer = Writer::new(&path, table, Packing::Passing)?;
+        writer.write(columns, rows)?;
         writer.finish()
     }
 
@@ -120,7 +124,7 @@ pub fn assembled(
     samples: u64,
     watch: &mut Watch,
 ) -> Result<(), StoreError> {
-    let mut writer = Writer::new(out, table)?;
+    let mut writer = Writer::new(out, table, Packing::Kept)?;
     let unfinished = writer.unfinished().to_owned();
     let mut done = 0;
     let mut copied = |rows: usize| {

@@ -114,8 +114,18 @@ impl Table {
         Table { head, schema, wanted: Wanted::default(), ground: false }
     }
 
+    /// Goes on with rows of consecutive samples.
+    pub fn append(&self, columns: &mut Vec<Column>, first: u64, rows: &[(Draw, Row)]) {
+        let more = self.rows(first, rows);
+        if columns.is_empty() {
+            *columns = more;
+        } else {
+            columns.iter_mut().zip(more).for_each(|(column, more)| column.append(more));
+        }
+    }
+
     /// Rows of consecutive samples as columns.
-    pub fn rows(&self, first: u64, rows: &[(Draw, Row)]) -> Vec<Column> {
+    fn rows(&self, first: u64, rows: &[(Draw, Row)]) -> Vec<Column> {
         let numbers = |of: &dyn Fn(&(Draw, Row)) -> f64| Column::numbers(rows.iter().map(of));
         let mut columns = vec![
             Column::whole(first..first + rows.len() as u64),

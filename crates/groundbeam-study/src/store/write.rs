@@ -19,6 +19,15 @@ use std::sync::Arc;
 /// Rows that are compressed together.
 const ROWS_IN_A_GROUP: usize = 1 << 16;
 
+/// How much work is put into the packing of a file.
+#[derive(Debug, Clone, Copy)]
+pub enum Packing {
+    /// Of a file that stays.
+    Kept,
+    /// Of one that is soon a part of another.
+    Passing,
+}
+
 /// A file of results that is being written.
 pub struct Writer<'a> {
     /// What it will be called.
@@ -33,12 +42,13 @@ pub struct Writer<'a> {
 
 impl<'a> Writer<'a> {
     /// A new file.
-    pub fn new(path: &'a Path, table: &Table) -> Result<Self, StoreError> {
+    pub fn new(path: &'a Path, table: &Table, packing: Packing) -> Result<Self, StoreError> {
         let unfinished = beside(path, ".unfinished");
         let file =
             File::create(&unfinished).map_err(|error| StoreError::io(&unfinished, &error))?;
         let schema = Arc::clone(&table.schema);
-        let file = SerializedFileWriter::new(file, schema, Arc::new(properties(&table.head)));
+        let file =
+            SerializedFileWriter::new(file, schema, Arc::new(properties(&table.head, packing)));
         let file = file.map_err(|error| StoreError::parquet(&unfinished, &error))?;
         Ok(Writer { path, unfinished, file, waiting: Vec::new(), rows: 0 })
     }
@@ -117,17 +127,21 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// How results are packed, and what stands at their head.
-fn properties(head: &Head) -> WriterProperties {
+/// How a file is packed, and what stands at its head.
+fn properties(head: &Head, packing: Packing) -> WriterProperties {
     let pairs = head.pairs.iter();
     let pairs = pairs.map(|(key, value)| KeyValue::new(key.clone(), value.clone())).collect();
+    let (compression, statistics) = match packing {
+        Packing::Kept => (Compression::SNAPPY, EnabledStatistics::Chunk),
+        Packing::Passing => (Compression::UNCOMPRESSED, EnabledStatistics::None),
+    };
     WriterProperties::builder()
-        .set_compression(Compression::SNAPPY)
+        .set_compression(compression)
         // Numbers of which hardly two are equal; words of which nearly all are.
         .set_dictionary_enabled(false)
         .set_column_dictionary_enabled(ColumnPath::from("status"), true)
         .set_column_dictionary_enabled(ColumnPath::from("message"), true)
-        .set_statistics_enabled(EnabledStatistics::Chunk)
+        .set_statistics_enabled(statistics)
         .set_key_value_metadata(Some(pairs))
         .build()
 }
