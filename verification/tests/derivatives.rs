@@ -282,9 +282,12 @@ fn compare(family: Family, number: u64, counts: &mut Counts) {
         for (i, row) in rows[p].iter().enumerate() {
             let stands_there = |why: &OneSided| matches!(why, OneSided::Place { parameter, .. } if *parameter == p);
             let apart = (exact(i) - row).abs() * scale(i);
-            if apart > 1e-6 && !gradients[i].one_sided.iter().any(stands_there) {
+            let output = all[i].0;
+            // The edge of a region on which next to nothing presses: its movement is nothing divided by nothing, and
+            // marked.
+            let is_idle = matches!(output, Output::Edge(..)) && is_one_sided(&gradients[i], p);
+            if apart > 1e-6 && !is_idle && !gradients[i].one_sided.iter().any(stands_there) {
                 counts.wrong += 1;
-                let output = all[i].0;
                 println!("{family:?} {number}: {output:?} by {parameter:?} forward {apart:.1e}");
             }
         }

@@ -9,28 +9,34 @@ use crate::solution::{Extreme, Field, Range, Solution, Stretch};
 impl Solution {
     /// The smallest and largest value of a field, located by the roots of its derivative.
     pub fn range(&self, field: Field) -> Range {
+        let hulls: Vec<Hull> = self.stretches.iter().map(|stretch| stretch.hull(field)).collect();
+        let [mut least, mut most] = [f64::INFINITY, f64::NEG_INFINITY];
+        for end in hulls.iter().flat_map(|hull| hull.ends) {
+            (least, most) = (least.min(end), most.max(end));
+        }
         let mut found: Option<[Spot; 2]> = None;
-        let mut open: Vec<(usize, [f64; 2])> = Vec::new();
-        for (i, stretch) in self.stretches.iter().enumerate() {
-            let Hull { ends, bounds } = stretch.hull(field);
-            let [least, most] = widened(&mut found, i, [-1.0, 1.0].into_iter().zip(ends));
-            if bounds[0] < least || bounds[1] > most {
-                open.push((i, bounds));
+        for (i, (hull, stretch)) in hulls.iter().zip(&self.stretches).enumerate() {
+            for (s, end) in [-1.0, 1.0].into_iter().zip(hull.ends) {
+                if end <= least + 2.0 * hull.rounding || end >= most - 2.0 * hull.rounding {
+                    widen(&mut found, Spot { stretch: i, s, value: stretch.one(field, s) });
+                }
             }
         }
         let mut inside = Vec::new();
-        for (i, bounds) in open {
-            if found.is_some_and(|[min, max]| min.value <= bounds[0] && bounds[1] <= max.value) {
+        for (i, (hull, stretch)) in hulls.iter().zip(&self.stretches).enumerate() {
+            let [low, high] = hull.bounds;
+            if found.is_some_and(|[min, max]| min.value <= low && high <= max.value) {
                 continue;
             }
-            let stretch = &self.stretches[i];
             inside.clear();
             stretch.turning_points(field, &mut inside);
-            widened(&mut found, i, inside.iter().map(|&s| (s, stretch.one(field, s))));
+            for &s in &inside {
+                widen(&mut found, Spot { stretch: i, s, value: stretch.one(field, s) });
+            }
         }
-        let extreme = |Spot { stretch, s, .. }: Spot| {
-            let stretch = &self.stretches[stretch];
-            Extreme { x: stretch.global(s), value: stretch.one(field, s) }
+        let extreme = |Spot { stretch, s, value }: Spot| Extreme {
+            x: self.stretches[stretch].global(s),
+            value,
         };
         found.map_or(NOTHING, |[min, max]| Range { min: extreme(min), max: extreme(max) })
     }
@@ -44,7 +50,9 @@ impl Solution {
                 true => stretch.turning_points(Field::Slope, &mut all),
                 false => sign_changes(&derivative(&stretch.rotation), &mut all),
             }
-            widened(&mut found, i, all.iter().map(|&s| (s, stretch.fields(s).rotation)));
+            for s in all {
+                widen(&mut found, Spot { stretch: i, s, value: stretch.fields(s).rotation });
+            }
         }
         let extreme = |Spot { stretch, s, value }: Spot| Extreme {
             x: self.stretches[stretch].global(s),
@@ -66,31 +74,24 @@ struct Spot {
     value: f64,
 }
 
-/// Lets the smallest and the largest value take note of values on a stretch; which they are then. Of equal ones the
-/// leftmost counts.
-fn widened(
-    found: &mut Option<[Spot; 2]>,
-    stretch: usize,
-    values: impl Iterator<Item = (f64, f64)>,
-) -> [f64; 2] {
-    for (s, value) in values {
-        let here = Spot { stretch, s, value };
-        let [min, max] = found.get_or_insert([here; 2]);
-        let is_left = |of: &Spot| value == of.value && (stretch, s) < (of.stretch, of.s);
-        if value < min.value || is_left(min) {
-            *min = here;
-        }
-        if value > max.value || is_left(max) {
-            *max = here;
-        }
+/// Lets the smallest and the largest value take note of another. Of equal ones the leftmost counts.
+fn widen(found: &mut Option<[Spot; 2]>, here: Spot) {
+    let [min, max] = found.get_or_insert([here; 2]);
+    let is_left = |of: &Spot| here.value == of.value && (here.stretch, here.s) < (of.stretch, of.s);
+    if here.value < min.value || is_left(min) {
+        *min = here;
     }
-    found.map_or([0.0; 2], |spots| spots.map(|spot| spot.value))
+    if here.value > max.value || is_left(max) {
+        *max = here;
+    }
 }
 
 /// A field at the ends of a stretch, but for rounding, and between which values it lies on all of it.
 struct Hull {
     ends: [f64; 2],
     bounds: [f64; 2],
+    /// So much the ends may be wrong.
+    rounding: f64,
 }
 
 impl Hull {
@@ -110,11 +111,13 @@ impl Hull {
         let (even, odd) = (first + even, second + odd);
         let ends = [even - odd, even + odd];
         let bounds = [ends[0].min(ends[1]) - above - apart, ends[0].max(ends[1]) + below + apart];
-        Hull { ends, bounds }
+        let size = first.abs() + second.abs() + above + below + apart;
+        Hull { ends, bounds, rounding: c.len() as f64 * f64::EPSILON * size }
     }
 
     fn times(self, factor: f64) -> Self {
-        Hull { ends: self.ends.map(|end| end * factor), bounds: self.bounds.map(|b| b * factor) }
+        let [ends, bounds] = [self.ends, self.bounds].map(|pair| pair.map(|of| of * factor));
+        Hull { ends, bounds, rounding: self.rounding * factor }
     }
 }
 
@@ -141,16 +144,18 @@ impl Stretch {
             Field::ShearForce => Hull::of(&derivative(&self.moment)).times(per_length),
             Field::Pressure => Hull::of(&self.pressure),
             Field::Settlement if self.open.is_none() => {
-                let Hull { ends, bounds: [least, most] } = Hull::of(&self.deflection);
+                let Hull { ends, bounds: [least, most], rounding } = Hull::of(&self.deflection);
                 let [a, b] = self.cell.gap;
                 let bounds = [least - a.max(b), most - a.min(b)];
-                Hull { ends: [ends[0] - a, ends[1] - b], bounds }
+                let rounding = rounding + f64::EPSILON * (a.abs() + b.abs());
+                Hull { ends: [ends[0] - a, ends[1] - b], bounds, rounding }
             }
             Field::Gap if self.open.is_none() => Hull::of(&[]),
             // No polynomial.
             Field::Settlement | Field::Gap => Hull {
                 ends: [-1.0, 1.0].map(|s| self.one(field, s)),
                 bounds: [f64::NEG_INFINITY, f64::INFINITY],
+                rounding: 0.0,
             },
         }
     }
