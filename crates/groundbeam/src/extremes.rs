@@ -10,14 +10,16 @@ impl Solution {
     /// The smallest and largest value of a field, located by the roots of its derivative.
     pub fn range(&self, field: Field) -> Range {
         let hulls: Vec<Hull> = self.stretches.iter().map(|stretch| stretch.hull(field)).collect();
-        let [mut least, mut most] = [f64::INFINITY, f64::NEG_INFINITY];
-        for end in hulls.iter().flat_map(|hull| hull.ends) {
-            (least, most) = (least.min(end), most.max(end));
-        }
+        let ends = hulls.iter().flat_map(|hull| hull.ends);
+        let [least, most] = ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], end| {
+            [least.min(end), most.max(end)]
+        });
+        let rounding = hulls.iter().map(|hull| hull.rounding).fold(0.0, f64::max);
         let mut found: Option<[Spot; 2]> = None;
         for (i, (hull, stretch)) in hulls.iter().zip(&self.stretches).enumerate() {
             for (s, end) in [-1.0, 1.0].into_iter().zip(hull.ends) {
-                if end <= least + 2.0 * hull.rounding || end >= most - 2.0 * hull.rounding {
+                // All that may be the least or the most but for rounding are seen exactly.
+                if end <= least + 2.0 * rounding || end >= most - 2.0 * rounding {
                     widen(&mut found, Spot { stretch: i, s, value: stretch.one(field, s) });
                 }
             }
@@ -34,11 +36,7 @@ impl Solution {
                 widen(&mut found, Spot { stretch: i, s, value: stretch.one(field, s) });
             }
         }
-        let extreme = |Spot { stretch, s, value }: Spot| Extreme {
-            x: self.stretches[stretch].global(s),
-            value,
-        };
-        found.map_or(NOTHING, |[min, max]| Range { min: extreme(min), max: extreme(max) })
+        self.between(found)
     }
 
     /// The smallest and largest rotation of the sections; that of the slope where the beam does not shear.
@@ -54,9 +52,13 @@ impl Solution {
                 widen(&mut found, Spot { stretch: i, s, value: stretch.fields(s).rotation });
             }
         }
-        let extreme = |Spot { stretch, s, value }: Spot| Extreme {
-            x: self.stretches[stretch].global(s),
-            value,
+        self.between(found)
+    }
+
+    fn between(&self, found: Option<[Spot; 2]>) -> Range {
+        let extreme = |Spot { stretch, s, value }: Spot| {
+            let x = self.stretches[stretch].global(s);
+            Extreme { x, value }
         };
         found.map_or(NOTHING, |[min, max]| Range { min: extreme(min), max: extreme(max) })
     }
