@@ -40,13 +40,8 @@ pub fn run(request: &Study) -> Result<Status, Failure> {
     }
     let summary = groundbeam_study::summary(&draws, out, &mut |progress| watcher.look(progress));
     watcher.end();
-    let summary = summary.map_err(|error| match error {
-        StoreError::Stopped => {
-            let out = out.display();
-            stopped(&format!("all samples are in {out}; the same command sums them up"))
-        }
-        error => failed(&error),
-    })?;
+    let kept = || format!("all samples are in {}; the same command sums them up", out.display());
+    let summary = summary.map_err(|error| ended(&error, kept))?;
     let seconds = (solved == draws.plan().samples).then_some(seconds);
     let units = units(draws.study().document.units);
     let context = Context { seconds, ..Context::new(units) };
@@ -65,10 +60,8 @@ pub fn merge(request: &Merge) -> Result<Status, Failure> {
     let watch = &mut |progress| watcher.look(progress);
     let merged = groundbeam_study::merge(&request.files, &request.out, watch);
     watcher.end();
-    let merged = merged.map_err(|error| match error {
-        StoreError::Stopped => stopped("nothing is put together"),
-        error => failed(&error),
-    })?;
+    let kept = || "nothing is put together".to_owned();
+    let merged = merged.map_err(|error| ended(&error, kept))?;
     print(&format!(
         "{} samples of {} files in {}\n",
         merged.samples,
@@ -112,6 +105,14 @@ fn shard(request: &Study, draws: &Draws) -> Result<Status, Failure> {
 
 fn failed(error: &StoreError) -> Failure {
     Failure::usage(error.to_string())
+}
+
+/// Stopped, or failed.
+fn ended(error: &StoreError, what_is_kept: impl Fn() -> String) -> Failure {
+    match error {
+        StoreError::Stopped => stopped(&what_is_kept()),
+        error => failed(error),
+    }
 }
 
 fn stopped(what_is_kept: &str) -> Failure {
