@@ -2,6 +2,7 @@
 
 use groundbeam_verification::architecture::{Source, crates, map, sources};
 use groundbeam_verification::documents;
+use groundbeam_verification::imports::Imports;
 
 /// What each crate may depend on within the workspace.
 const ARROWS: [(&str, &[&str]); 9] = [
@@ -26,6 +27,23 @@ const ARROWS: [(&str, &[&str]); 9] = [
     ),
     ("groundbeam-bench", &["groundbeam", "groundbeam-file", "groundbeam-study"]),
     ("groundbeam-verification", &["groundbeam", "groundbeam-file", "groundbeam-report"]),
+];
+
+/// The floors of the core. A folder or file imports only from lower floors.
+const FLOORS: [&[&str]; 13] = [
+    &["lib"],
+    &["load_factors", "nodal_solver", "soil", "train"],
+    &["solver"],
+    &["solve"],
+    &["equilibrium"],
+    &["derivatives", "design", "envelope", "outcome", "sensitivity"],
+    &["solution"],
+    &["contact"],
+    &["chain", "nodal", "supported"],
+    &["element"],
+    &["mesh"],
+    &["certificate", "error", "existence", "ground"],
+    &["model"],
 ];
 
 /// Lines of a file, its tests at the end not counted.
@@ -126,9 +144,41 @@ fn the_core_is_pure() {
 fn the_certificate_shares_nothing_with_the_methods() {
     for source in sources("crates/groundbeam/src/certificate") {
         for line in source.code().lines().filter(|line| line.contains("crate::")) {
-            let shared = ["crate::model", "crate::polynomial"].iter().any(|m| line.contains(m));
+            let shared = ["crate::certificate", "crate::model", "crate::numeric"]
+                .iter()
+                .any(|m| line.contains(m));
             assert!(shared, "{}: {line}", source.path);
         }
+    }
+}
+
+#[test]
+fn no_file_of_the_core_imports_itself_through_others() {
+    let cycles = Imports::of_crate("crates/groundbeam").cycles();
+    assert!(cycles.is_empty(), "{cycles:#?}");
+}
+
+#[test]
+fn the_core_imports_downwards() {
+    let lowest: &[&str] = &["numeric", "options"];
+    let floor = |room: &str| {
+        let floors = FLOORS.iter().chain([&lowest]);
+        floors
+            .clone()
+            .position(|rooms| rooms.contains(&room))
+            .unwrap_or_else(|| panic!("{room} has no floor"))
+    };
+    let imports = Imports::of_crate("crates/groundbeam").between_rooms();
+    let upward = imports.iter().filter(|(from, to, _)| floor(from) >= floor(to));
+    let faults: Vec<&str> = upward.map(|(.., text)| text.as_str()).collect();
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn no_folder_imports_itself_through_others() {
+    for (name, (folder, _)) in crates() {
+        let cycles = Imports::of_crate(&folder).cycles_of_rooms();
+        println!("{name}: {cycles:#?}");
     }
 }
 

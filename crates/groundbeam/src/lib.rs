@@ -26,59 +26,60 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
-mod assemble;
-mod cell;
 mod certificate;
 mod chain;
-mod checks;
 mod contact;
-mod elements;
+mod design;
+mod element;
 mod envelope;
+mod equilibrium;
+mod error;
 mod existence;
-mod extremes;
-mod factors;
-mod fineness;
-mod free;
-mod free_spans;
 mod ground;
-mod local;
-mod mechanism;
+mod load_factors;
 mod mesh;
 mod nodal;
-mod one_way;
-mod polynomial;
+mod nodal_solver;
+mod numeric;
+mod options;
+mod outcome;
 pub mod sensitivity;
 mod solution;
 mod solve;
 mod solver;
-mod stability;
-mod turns;
 
 pub mod model;
 pub mod soil;
 pub mod train;
 
+pub use crate::contact::state::Step;
+pub use crate::error::{Error, NotConverged};
+pub use crate::load_factors::parts::FirstLiftOff;
+pub use crate::load_factors::parts::LossOfEquilibrium;
+pub use crate::nodal::newton::Work;
+pub use crate::nodal::solution::NodalCheck;
+pub use crate::nodal::solution::NodalSolution;
+pub use crate::nodal_solver::NodalSolver;
+pub use crate::options::Pressure;
+pub use crate::options::{Method, Options, Start};
+pub use crate::outcome::Outcome;
 pub use certificate::Certificate;
-pub use checks::{Check, Checked, Limits, overturning};
-pub use contact::active_set::{Pressure, Step};
+pub use design::checks::{Check, Checked, Limits, overturning};
 pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
-pub use existence::{
+pub use equilibrium::buckling::own_buckling_load;
+pub use existence::existence::{
     Buckling, Existence, Local, RigidMotion, Verdict, static_reactions_of as static_reactions,
 };
-pub use factors::{FirstLiftOff, LoadFactors, LossOfEquilibrium, load_factors};
-pub use free_spans::LiftOff;
+pub use load_factors::{LoadFactors, load_factors};
 pub use model::{
     Acts, Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, GroundEnd, Hinge, Load,
     Model, Profile, Support, SupportKind,
 };
-pub use nodal::{NodalCheck, NodalSolution, NodalSolver, Work};
-pub use solution::{
+pub use solution::hinges::HingeTurn;
+pub use solution::lift_off::LiftOff;
+pub use solution::solution::{
     ConcentratedForce, ContactRegion, EndForces, Extreme, Field, Fields, Range, Reaction, Side,
     Solution,
 };
-pub use solve::{
-    Error, Method, NotConverged, Options, Outcome, Start, exists, solve, solve_near, solve_with,
-};
+pub use solve::{exists, solve, solve_near, solve_with};
 pub use solver::{Answer, Solver};
-pub use stability::own_buckling_load;
-pub use turns::HingeTurn;

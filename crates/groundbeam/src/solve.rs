@@ -1,159 +1,25 @@
 //! The road from a model to a certified answer, on one page.
 
-use crate::assemble::{self, assemble};
-use crate::contact::active_set::{Found, Pressure, Stalled};
-use crate::contact::branch::State;
-use crate::contact::exact::Proof;
+use crate::contact::state::{Found, Stalled};
+use crate::contact::stopping::Proof;
+use crate::contact::stretches::Stretch;
 use crate::contact::uzawa::{self, Relaxation};
 use crate::contact::{balanced, exact, nested};
-use crate::existence::{Existence, Verdict, existence};
-use crate::fineness::too_fine;
-use crate::local;
-use crate::mesh::Mesh;
+use crate::equilibrium::buckling::convexity;
+use crate::equilibrium::fineness::too_fine;
+use crate::equilibrium::local;
+use crate::equilibrium::local::Checked;
+use crate::equilibrium::one_way;
+use crate::error::{Error, NotConverged};
+use crate::existence::existence::{Existence, Verdict, existence};
+use crate::mesh::mesh::Mesh;
 use crate::model::{Load, Model, Part, Problem};
-use crate::one_way;
-use crate::solution::{ContactRegion, Solution};
-use crate::stability::convexity;
+use crate::options::Pressure;
+use crate::options::{Method, Options, Start};
+use crate::outcome::Outcome;
+use crate::solution::assemble::{self, assemble};
+use crate::solution::solution::Solution;
 use std::borrow::Cow;
-use std::fmt;
-
-/// How the contact problem is solved.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Method {
-    /// Closed forms between the edges of contact, which are the unknowns. No mesh.
-    #[default]
-    Exact,
-    /// Cubic elements (5.1), Newton's method on the convex energy.
-    ActiveSet,
-    /// The paper's (5.17) with (5.18), projected successive over-relaxation.
-    Psor,
-    /// The paper's iteration (5.14)–(5.17), after Uzawa.
-    Uzawa,
-}
-
-impl Method {
-    /// All methods, the default first.
-    pub const ALL: [Method; 4] = [Method::Exact, Method::ActiveSet, Method::Psor, Method::Uzawa];
-
-    /// The name that commands and results use: `exact`, `active-set`, `psor`, `uzawa`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Method::Exact => "exact",
-            Method::ActiveSet => "active-set",
-            Method::Psor => "psor",
-            Method::Uzawa => "uzawa",
-        }
-    }
-}
-
-/// Choices for [`solve_with`]. The default needs none.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Options {
-    /// How to solve.
-    pub method: Method,
-    /// Equal elements along the beam for the methods with a mesh; more are added where the model needs a
-    /// node. Not used by [`Method::Exact`].
-    pub elements: usize,
-    /// How the mesh represents the contact pressure. `Uzawa` and `Psor` are always [`Pressure::Dirac`].
-    pub pressure: Pressure,
-    /// Where `Uzawa` and `Psor` begin.
-    pub start: Start,
-    /// Sweeps after which `Uzawa` and `Psor` give up.
-    pub most_sweeps: usize,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Options {
-            method: Method::Exact,
-            elements: 100,
-            pressure: Pressure::Distributed,
-            start: Start::Bilateral,
-            most_sweeps: 1_000_000,
-        }
-    }
-}
-
-/// The first pressure of Uzawa's iteration, (5.15).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Start {
-    /// The pressure of the bilateral problem, its pulls left out.
-    #[default]
-    Bilateral,
-    /// None.
-    Zero,
-}
-
-/// What mechanics says.
-#[derive(Debug, Clone)]
-pub enum Outcome {
-    /// An equilibrium, certified.
-    Equilibrium(Box<Solution>),
-    /// There is none, or in compression none next to the unloaded state. The verdict holds the motion that
-    /// shows it.
-    NoEquilibrium(Existence),
-}
-
-/// Why there is no answer.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum Error {
-    /// The model is wrong; every [`Problem`] says what would be right.
-    Invalid(Vec<Problem>),
-    /// The model is right but lies outside what is solved; the problem says why.
-    Unsupported(Problem),
-    /// The method did not reach its own tolerance.
-    NotConverged(NotConverged),
-}
-
-/// A method that did not reach its tolerance, and what it reached.
-#[derive(Debug, Clone, PartialEq)]
-pub struct NotConverged {
-    /// The method.
-    pub method: Method,
-    /// Steps taken.
-    pub iterations: usize,
-    /// What was asked for and what was reached, both relative.
-    pub tolerance: f64,
-    /// See `tolerance`.
-    pub reached: f64,
-    /// What was not reached, in words.
-    pub what: &'static str,
-}
-
-impl fmt::Display for NotConverged {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "the method `{}` stopped after {} iterations: {} is {:.1e}, above its tolerance {:.1e}",
-            self.method.name(),
-            self.iterations,
-            self.what,
-            self.reached,
-            self.tolerance
-        )
-    }
-}
-
-impl fmt::Display for Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Error::Invalid(problems) => {
-                for (i, problem) in problems.iter().enumerate() {
-                    if i > 0 {
-                        writeln!(f)?;
-                    }
-                    write!(f, "{problem}")?;
-                }
-                Ok(())
-            }
-            Error::Unsupported(problem) => problem.fmt(f),
-            Error::NotConverged(what) => what.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for Error {}
 
 /// Solves the unilateral contact problem (2.3), (2.10)–(2.13) exactly.
 ///
@@ -189,7 +55,8 @@ pub fn solve_near(
     near: Option<&Solution>,
 ) -> Result<Outcome, Error> {
     let mut kept = None;
-    let existence = solve_in(model, options, near.map(Solution::contact), &mut kept)?;
+    let likely = near.map(Solution::contact_positions);
+    let existence = solve_in(model, options, likely.as_deref(), &mut kept)?;
     Ok(match kept {
         Some(solution) => Outcome::Equilibrium(solution),
         None => Outcome::NoEquilibrium(existence),
@@ -201,7 +68,7 @@ pub fn solve_near(
 pub(crate) fn solve_in(
     model: &Model,
     options: &Options,
-    likely: Option<&[ContactRegion]>,
+    likely: Option<&[Stretch]>,
     kept: &mut Option<Box<Solution>>,
 ) -> Result<Existence, Error> {
     let Checked { existence, stability, local } = check(model)?;
@@ -270,16 +137,6 @@ pub fn exists(model: &Model) -> Result<Existence, Error> {
     Ok(check(model)?.existence)
 }
 
-/// What is known of a model before it is solved.
-pub(crate) struct Checked {
-    pub existence: Existence,
-    /// How much of the energy's convexity compression leaves, where it touches if that is local: 1 + P/P_cr;
-    /// 1 without compression.
-    pub stability: f64,
-    /// Where a local equilibrium touches the ground, and which supports act in it.
-    pub local: Option<State>,
-}
-
 /// Refuses a model that is wrong, and tells what its equilibrium is like.
 pub(crate) fn check(model: &Model) -> Result<Checked, Error> {
     let problems = model.problems();
@@ -290,7 +147,7 @@ pub(crate) fn check(model: &Model) -> Result<Checked, Error> {
         Some(stability) => Ok(Checked { existence: existence(model), stability, local: None }),
         None => match too_fine(model) {
             Some(problem) => Err(Error::Unsupported(problem)),
-            None => local::check(model),
+            None => local::check(model, solve),
         },
     }
 }
@@ -299,7 +156,7 @@ fn find(
     model: &Model,
     options: &Options,
     existence: Existence,
-    likely: Option<&[ContactRegion]>,
+    likely: Option<&[Stretch]>,
     judge: impl FnMut(&Found) -> Proof,
 ) -> Result<Found, Error> {
     let method = options.method;

@@ -11,10 +11,10 @@
 //! joint is about. Rounding leaves ε μψ/h of the differences and ε h (kψ + μψ″) of the integrals: whichever
 //! is less decides.
 
-use super::deflection::{Deflection, Spot};
-use crate::cell::Cell;
-use crate::ground::{Link, between, settled};
-use crate::polynomial::value;
+use crate::ground::link::{Link, between, settled};
+use crate::mesh::cell::Cell;
+use crate::mesh::deflection::{Deflection, Spot};
+use crate::numeric::polynomial::value;
 
 /// The most cells a narrow joint reaches into; three are a gap and the cells beside it.
 const MOST_CELLS: usize = 4;

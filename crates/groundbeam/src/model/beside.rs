@@ -1,7 +1,7 @@
 //! The rules for ground beside the beam, and for what acts on the ground.
 
-use super::validate::{finite, in_range};
 use super::{FoundationSegment, GroundEnd, Model, Part, Problem};
+use crate::model::problem::in_range;
 
 impl Model {
     pub(super) fn check_ground_ends(&self, found: &mut Vec<Problem>) {
@@ -51,15 +51,5 @@ impl Model {
             let hint = "it ends where `left` and `right` say";
             found.push(Problem::new("GB208", part, field, message, hint));
         }
-    }
-}
-
-/// A load on the ground presses.
-pub(super) fn down(found: &mut Vec<Problem>, part: Part, field: &'static str, value: f64) {
-    finite(found, part, field, value);
-    if value < 0.0 {
-        let message = "a load on the ground pulls it up";
-        let hint = "it must press down";
-        found.push(Problem::new("GB211", part, field, message, hint));
     }
 }

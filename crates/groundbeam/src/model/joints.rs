@@ -1,7 +1,7 @@
 //! Rules for hinges and for supports that act in one direction alone.
 
-use super::validate::{Part, Problem, describe, in_range, remedy};
 use super::{Load, Model, SupportKind};
+use crate::model::problem::{Part, Problem, describe, in_range, remedy};
 
 impl Model {
     pub(super) fn check_hinges(&self, found: &mut Vec<Problem>) {

@@ -6,7 +6,7 @@
 //! without looking anywhere in between; seen in a mirror they only change their order; and every part of the
 //! curve has control values of its own, sums of given ones with positive weights.
 
-use crate::polynomial::{jet, value};
+use crate::numeric::polynomial::{jet, value};
 
 /// A quantity along a segment from its left end to its right one.
 ///

@@ -1,8 +1,9 @@
 //! What a parameter changes in the equations, ∂ of a(y, z) − F(z).
 
-use super::linearised::{Linearised, Piece};
+use super::linearised::Linearised;
 use super::parameter::{Extent, LoadNumber, Parameter, Property, SupportNumber, of_load};
 use crate::model::{BeamSegment, Foundation, Load, Model, Profile};
+use crate::sensitivity::piece::Piece;
 
 /// By how much everything that may change does, for a unit of the parameter.
 #[derive(Debug, Clone, Default)]

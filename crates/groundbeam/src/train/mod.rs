@@ -4,11 +4,13 @@ mod bounds;
 mod edges;
 mod free_spans;
 mod interval;
+pub(crate) mod position;
 mod sweep;
 
+pub use crate::train::position::{Answer, Position};
 pub use bounds::{Located, Passage, Reach, Uplift};
 pub use free_spans::{FreeSpans, Opened};
-pub use sweep::{Answer, Position, Sweep};
+pub use sweep::Sweep;
 
 use crate::model::{Load, Model};
 

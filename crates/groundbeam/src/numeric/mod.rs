@@ -1,0 +1,4 @@
+//! Numerical tools that know no beam.
+
+pub(crate) mod line_search;
+pub(crate) mod polynomial;
