@@ -273,7 +273,7 @@ fn balanced_without_a_layer(model: &Model, motion: RigidMotion) -> Verdict {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Beam, Foundation, Hinge, Load, Support};
+    use crate::model::{Acts, Beam, Foundation, Hinge, Load, Support};
 
     fn beam() -> Model {
         Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0))
@@ -459,5 +459,212 @@ mod tests {
         model.beam.axial_force = 5.0;
         let Verdict::None(motion) = existence(&model).verdict else { panic!() };
         assert_eq!((motion.left, motion.right, motion.work), (-1.0, -1.0, 1.0));
+    }
+
+    #[test]
+    fn what_each_verdict_says() {
+        let motion = RigidMotion { left: -1.0, right: 0.0, work: 0.5, lifted: None };
+        let local = Local { stability_margin: 0.5, critical_compression: 2.0 };
+        let buckling =
+            Buckling { critical_compression: 2.0, at: 1.0, left: -0.25, right: 0.75, work: 3.0 };
+        for (verdict, stands, moves) in [
+            (Verdict::Unique, true, None),
+            (Verdict::NotUnique(motion), true, Some([-1.0, 0.0, 0.5])),
+            (Verdict::Local(local), true, None),
+            (Verdict::None(motion), false, Some([-1.0, 0.0, 0.5])),
+            (Verdict::Buckles(buckling), false, Some([-0.25, 0.75, 3.0])),
+        ] {
+            assert_eq!((verdict.stands(), verdict.motion()), (stands, moves), "{verdict:?}");
+        }
+    }
+
+    #[test]
+    fn a_motion_is_straight_between_ends_and_hinges() {
+        let whole = RigidMotion { left: -1.0, right: 0.5, work: 0.0, lifted: None };
+        assert_eq!([0.0, 1.0, 3.0, 4.0].map(|x| whole.at(&beam(), x)), [-1.0, -0.625, 0.125, 0.5]);
+        let hinged = beam().with_hinge(Hinge::free(1.0)).with_hinge(Hinge::free(2.0));
+        let at = |lifted: [f64; 2]| {
+            let motion = RigidMotion { lifted: Some(lifted), ..whole };
+            [0.0, 0.25, 1.0, 1.5, 2.0, 3.5, 4.0].map(|x| motion.at(&hinged, x))
+        };
+        assert_eq!(at([0.0, 0.0]), [-1.0, -0.75, 0.0, 0.0, 0.0, 0.0, 0.0]);
+        assert_eq!(at([1.0, 1.0]), [0.0, -0.25, -1.0, -0.5, 0.0, 0.0, 0.0]);
+        assert_eq!(at([1.0, 2.0]), [0.0, -0.25, -1.0, -1.0, -1.0, -0.25, 0.0]);
+        assert_eq!(at([4.0, 4.0]), [0.0, 0.0, 0.0, 0.0, 0.0, -0.75, -1.0]);
+    }
+
+    /// F acts at a of a beam of length 4: R₀ = F (1 − a/4) and R_l = F a/4.
+    #[test]
+    fn the_resultant_and_its_position_follow_from_the_static_reactions() {
+        let found = existence(&beam().with_load(Load::point(4.0, 1.0)));
+        assert_eq!(found.static_reactions, [3.0, 1.0]);
+        assert_eq!((found.resultant(), found.resultant_position(4.0)), (4.0, Some(1.0)));
+        // A couple alone has no position.
+        let couple = existence(&beam().with_load(Load::moment(2.0, 1.0)));
+        assert_eq!(couple.static_reactions, [-0.5, 0.5]);
+        assert_eq!((couple.resultant(), couple.resultant_position(4.0)), (0.0, None));
+    }
+
+    /// A rigid piece from a to b takes F (b − x)/(b − a) to a; a moment M takes −M/(b − a) there and M/(b − a) to b.
+    #[test]
+    fn each_end_and_hinge_has_its_static_reaction() {
+        let hinged = beam().with_hinge(Hinge::free(2.0));
+        let loaded = hinged.with_load(Load::point(1.0, 3.5)).with_load(Load::moment(-3.0, 1.0));
+        assert_eq!(static_reactions_of(&loaded), [(0.0, 1.5), (2.0, -1.25), (4.0, 0.75)]);
+        // Sizes do not cancel: 0.25 + 0.75 of the force, twice 3/2 of the moment.
+        assert_eq!(size_of_loads(&loaded), 4.0);
+        assert_eq!(size_of_loads(&loaded.with_load(Load::point(-1.0, 3.5))), 5.0);
+    }
+
+    #[test]
+    fn the_extreme_rays_lift_each_group_of_nodes() {
+        // A spring against rotation at 2 makes the hinges at 1 and 3 lift as one.
+        let model = beam()
+            .with_hinge(Hinge::free(1.0))
+            .with_hinge(Hinge::free(3.0))
+            .with_support(Support::spring(2.0, 0.0, 1.0))
+            .with_load(Load::uniform(1.0, 0.0, 4.0));
+        let found = rays(&model).into_iter().map(|(cost, motion)| (cost.sum, motion));
+        let ray = |left: f64, right: f64, cost: f64, lifted: [f64; 2]| {
+            (cost, RigidMotion { left, right, work: -cost, lifted: Some(lifted) })
+        };
+        let wanted = [
+            ray(-1.0, 0.0, 0.5, [0.0, 0.0]),
+            ray(0.0, 0.0, 3.0, [1.0, 3.0]),
+            ray(0.0, -1.0, 0.5, [4.0, 4.0]),
+        ];
+        assert_eq!(found.collect::<Vec<_>>(), wanted);
+    }
+
+    /// Of several motions that prove that nothing stands, the one with the largest work is named.
+    #[test]
+    fn the_worst_motion_is_the_proof() {
+        let model = |left: f64, right: f64| {
+            let loads = beam().with_load(Load::point(left, 0.0));
+            existence(&loads.with_load(Load::point(right, 4.0))).verdict
+        };
+        let motion =
+            |left: f64, right: f64, work: f64| RigidMotion { left, right, work, lifted: None };
+        assert_eq!(model(-1.0, -3.0), Verdict::None(motion(0.0, -1.0, 3.0)));
+        assert_eq!(model(-3.0, -1.0), Verdict::None(motion(-1.0, 0.0, 3.0)));
+        assert_eq!(model(0.0, -1.0), Verdict::None(motion(0.0, -1.0, 1.0)));
+        assert_eq!(model(1.0, 1.0), Verdict::Unique);
+        // The first of those that cost nothing, and the work is 0, not −0.
+        let Verdict::NotUnique(found) = model(0.0, 0.0) else { panic!() };
+        assert_eq!((found, found.work.is_sign_positive()), (motion(-1.0, 0.0, 0.0), true));
+    }
+
+    fn with_contact(model: &Model, contact: &[[f64; 2]]) -> Verdict {
+        let contact = contact.iter().map(|[from, to]| ContactRegion { from: *from, to: *to });
+        let stands = Existence { verdict: Verdict::Unique, static_reactions: [1.0, 2.0] };
+        let found = stands.with_contact(model, &contact.collect::<Vec<_>>());
+        assert_eq!(found.static_reactions, [1.0, 2.0]);
+        found.verdict
+    }
+
+    #[test]
+    fn a_beam_on_one_point_turns_about_it() {
+        let turns = |left: f64, right: f64| {
+            Verdict::NotUnique(RigidMotion { left, right, work: 0.0, lifted: None })
+        };
+        let beam = beam();
+        // The end further from the point moves by 1.
+        assert_eq!(with_contact(&beam, &[[1.0; 2]]), turns(-1.0 / 3.0, 1.0));
+        assert_eq!(with_contact(&beam, &[[3.0; 2]]), turns(-1.0, 1.0 / 3.0));
+        assert_eq!(with_contact(&beam, &[[1.0; 2], [3.0; 2]]), Verdict::Unique);
+        assert_eq!(with_contact(&beam, &[[1.0, 1.5]]), Verdict::Unique);
+        let pinned = beam.clone().with_support(Support::pinned(1.0));
+        assert_eq!(with_contact(&pinned, &[]), turns(-1.0 / 3.0, 1.0));
+        assert_eq!(with_contact(&pinned, &[[3.0; 2]]), Verdict::Unique);
+        let mut tied = beam.clone();
+        tied.beam.axial_force = 1.0;
+        assert_eq!(with_contact(&tied, &[[1.0; 2]]), Verdict::Unique);
+        // What does not stand does not stand on a point either.
+        let falls = existence(&beam.clone().with_load(Load::point(-1.0, 2.0)));
+        let point = [ContactRegion { from: 1.0, to: 1.0 }];
+        assert_eq!(falls.with_contact(&beam, &point), falls);
+    }
+
+    #[test]
+    fn a_piece_that_nothing_holds_may_move() {
+        let hinged = beam().with_hinge(Hinge::free(2.0));
+        let loose = |from: f64, to: f64| {
+            let lifted = Some([from, to]);
+            Verdict::NotUnique(RigidMotion { left: 0.0, right: 0.0, work: 0.0, lifted })
+        };
+        assert_eq!(with_contact(&hinged, &[[0.5, 1.0]]), loose(2.0, 4.0));
+        assert_eq!(with_contact(&hinged, &[[2.0, 3.0]]), loose(0.0, 2.0));
+        assert_eq!(with_contact(&hinged, &[]), loose(0.0, 2.0));
+        // Contact over the hinge holds the hinge as well, and so both pieces.
+        assert_eq!(with_contact(&hinged, &[[1.0, 3.0]]), Verdict::Unique);
+        assert_eq!(with_contact(&hinged, &[[1.0, 2.0], [3.0; 2]]), Verdict::Unique);
+    }
+
+    /// A force over an end or a hinge of an unloaded beam on springs sinks without end, unless a shear layer begins or
+    /// ends there, or a bearing stands there: these alone carry a concentrated force.
+    #[test]
+    fn a_force_over_a_node_needs_a_layer_or_a_bearing() {
+        let over = |x: f64, layer: [f64; 2]| {
+            let [from, to] = layer;
+            let ground = Foundation::winkler(1.0).with_segment(from, to, 1.0, 1.0);
+            Model::new(Beam::uniform(4.0, 1.0), ground)
+                .with_hinge(Hinge::free(2.0))
+                .with_load(Load::point(1.0, x))
+        };
+        let stands = |model: &Model| matches!(existence(model).verdict, Verdict::NotUnique(_));
+        for (x, layer, carried) in [
+            (2.0, [1.0, 2.0], true),
+            (2.0, [2.0, 3.0], true),
+            (2.0, [0.0, 1.0], false),
+            (2.0, [3.0, 4.0], false),
+            (0.0, [0.0, 1.0], true),
+            (0.0, [1.0, 4.0], false),
+            (4.0, [3.0, 4.0], true),
+            (4.0, [0.0, 3.0], false),
+        ] {
+            assert_eq!(stands(&over(x, layer)), carried, "{x} {layer:?}");
+            assert_eq!(exists(&over(x, layer)), carried, "{x} {layer:?}");
+        }
+        let bearing = |at: f64| Support::pinned(at).acting(Acts::Up);
+        let springs = over(2.0, [0.0, 1.0]);
+        // Positions closer than 4 ε l are one.
+        let apart = 4.0 * f64::EPSILON * 4.0;
+        for (at, carried) in [
+            (2.0, true),
+            (2.0 + apart, true),
+            (2.0 - apart, true),
+            (2.0 + 1.5 * apart, false),
+            (2.0 - 1.5 * apart, false),
+            (1.0, false),
+            (4.0, false),
+        ] {
+            assert_eq!(stands(&springs.clone().with_support(bearing(at))), carried, "{at}");
+        }
+    }
+
+    /// A loaded piece beside the node presses on its springs, and carries what is over the node with them.
+    #[test]
+    fn a_loaded_piece_carries_the_node_beside_it() {
+        let springs = Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(1.0))
+            .with_hinge(Hinge::free(1.0))
+            .with_hinge(Hinge::free(3.0));
+        let verdict = |loads: &[Load]| {
+            let mut model = springs.clone();
+            model.loads = loads.to_vec();
+            existence(&model).verdict
+        };
+        let middle = Load::uniform(1.0, 1.0, 3.0);
+        for x in [1.0, 2.0, 3.0] {
+            let both = verdict(&[middle, Load::point(1.0, x)]);
+            assert!(matches!(both, Verdict::NotUnique(m) if m.lifted == Some([0.0; 2])), "{x}");
+        }
+        // A force inside the middle piece presses that piece; a force over its end presses no piece.
+        assert!(matches!(verdict(&[Load::point(1.0, 2.0)]), Verdict::NotUnique(_)));
+        assert!(matches!(verdict(&[Load::point(1.0, 1.0)]), Verdict::None(_)));
+        assert!(matches!(verdict(&[Load::point(1.0, 3.0)]), Verdict::None(_)));
+        // A piece that may not turn carries a force over its end with all of its springs.
+        let model = springs.with_support(Support::spring(2.0, 0.0, 1.0));
+        let stiff = existence(&model.with_load(Load::point(1.0, 1.0))).verdict;
+        assert!(matches!(stiff, Verdict::NotUnique(_)));
     }
 }
