@@ -579,6 +579,8 @@ mod tests {
         let mut tied = beam.clone();
         tied.beam.axial_force = 1.0;
         assert_eq!(with_contact(&tied, &[[1.0; 2]]), Verdict::Unique);
+        // Without a point there is nothing to turn about.
+        assert_eq!(with_contact(&beam, &[]), Verdict::Unique);
         // What does not stand does not stand on a point either.
         let falls = existence(&beam.clone().with_load(Load::point(-1.0, 2.0)));
         let point = [ContactRegion { from: 1.0, to: 1.0 }];
@@ -600,34 +602,51 @@ mod tests {
         assert_eq!(with_contact(&hinged, &[[1.0, 2.0], [3.0; 2]]), Verdict::Unique);
     }
 
-    /// A force over an end or a hinge of an unloaded beam on springs sinks without end, unless a shear layer begins or
-    /// ends there, or a bearing stands there: these alone carry a concentrated force.
+    /// A force over an end or a hinge of an unloaded beam on springs sinks without end, unless a shear layer reaches that
+    /// place: it alone carries a concentrated force. The unit of length does not matter.
     #[test]
-    fn a_force_over_a_node_needs_a_layer_or_a_bearing() {
-        let over = |x: f64, layer: [f64; 2]| {
-            let [from, to] = layer;
-            let ground = Foundation::winkler(1.0).with_segment(from, to, 1.0, 1.0);
-            Model::new(Beam::uniform(4.0, 1.0), ground)
-                .with_hinge(Hinge::free(2.0))
-                .with_load(Load::point(1.0, x))
+    fn a_force_over_a_node_needs_a_shear_layer() {
+        let over = |unit: f64, x: f64, shear: [f64; 2], [from, to]: [f64; 2]| {
+            let [inside, outside] = shear;
+            let ground = Foundation::pasternak(1.0, outside).with_segment(
+                from * unit,
+                to * unit,
+                1.0,
+                inside,
+            );
+            Model::new(Beam::uniform(4.0 * unit, 1.0), ground)
+                .with_hinge(Hinge::free(2.0 * unit))
+                .with_load(Load::point(1.0, x * unit))
         };
-        let stands = |model: &Model| matches!(existence(model).verdict, Verdict::NotUnique(_));
-        for (x, layer, carried) in [
-            (2.0, [1.0, 2.0], true),
-            (2.0, [2.0, 3.0], true),
-            (2.0, [0.0, 1.0], false),
-            (2.0, [3.0, 4.0], false),
-            (0.0, [0.0, 1.0], true),
-            (0.0, [1.0, 4.0], false),
-            (4.0, [3.0, 4.0], true),
-            (4.0, [0.0, 3.0], false),
-        ] {
-            assert_eq!(stands(&over(x, layer)), carried, "{x} {layer:?}");
-            assert_eq!(exists(&over(x, layer)), carried, "{x} {layer:?}");
+        for unit in [1.0, 2.0_f64.powi(-40), 2.0_f64.powi(40)] {
+            for (x, segment, layered, bare) in [
+                (2.0, [1.0, 2.0], true, true),
+                (2.0, [2.0, 3.0], true, true),
+                (2.0, [1.0, 3.0], true, false),
+                (2.0, [0.0, 1.0], false, true),
+                (2.0, [3.0, 4.0], false, true),
+                (0.0, [0.0, 1.0], true, false),
+                (0.0, [1.0, 4.0], false, true),
+                (4.0, [3.0, 4.0], true, false),
+                (4.0, [0.0, 3.0], false, true),
+            ] {
+                // A layer along the segment alone, and everywhere else alone.
+                for (shear, carried) in [([1.0, 0.0], layered), ([0.0, 1.0], bare)] {
+                    let verdict = existence(&over(unit, x, shear, segment)).verdict;
+                    let stands = matches!(verdict, Verdict::NotUnique(_));
+                    assert_eq!(stands, carried, "{x} {segment:?} {shear:?} {verdict:?}");
+                    assert_eq!(verdict.stands(), carried);
+                }
+            }
         }
-        let bearing = |at: f64| Support::pinned(at).acting(Acts::Up);
-        let springs = over(2.0, [0.0, 1.0]);
-        // Positions closer than 4 ε l are one.
+    }
+
+    /// A bearing that only pushes up carries a force over it as well. Positions closer than 4 ε l are one.
+    #[test]
+    fn a_force_over_a_node_needs_a_bearing_at_that_node() {
+        let springs = Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(1.0))
+            .with_hinge(Hinge::free(2.0))
+            .with_load(Load::point(1.0, 2.0));
         let apart = 4.0 * f64::EPSILON * 4.0;
         for (at, carried) in [
             (2.0, true),
@@ -638,7 +657,9 @@ mod tests {
             (1.0, false),
             (4.0, false),
         ] {
-            assert_eq!(stands(&springs.clone().with_support(bearing(at))), carried, "{at}");
+            let bearing = Support::pinned(at).acting(Acts::Up);
+            let verdict = existence(&springs.clone().with_support(bearing)).verdict;
+            assert_eq!(verdict.stands(), carried, "{at}");
         }
     }
 
