@@ -54,7 +54,7 @@ impl Watched {
             let [stays, grows] =
                 [&self.staying, &self.growing].map(|side| value(&side.coefficients, s));
             let next = (stays / -grows).max(0.0);
-            if grows >= 0.0 || next >= factor {
+            if next >= factor {
                 break;
             }
             factor = next;
@@ -222,4 +222,258 @@ fn forces_of(found: &Found) -> Vec<(f64, Side)> {
         (cell.global(atom.spot.s), Side { coefficients: [atom.force][..].into(), size })
     };
     surface.atoms.iter().map(force).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::deflection::{Spot, Zone};
+    use crate::elements::exact::TERMS;
+    use crate::mesh::Mesh;
+    use crate::model::{Beam, Foundation, Support};
+
+    fn side(coefficients: &[f64], size: f64) -> Side {
+        Side { coefficients: coefficients.into(), size }
+    }
+
+    /// staying + λ·growing on the beam from 1 to 5, of terms of size 1.
+    fn between_1_and_5(staying: &[f64], growing: &[f64]) -> Watched {
+        Watched { x: [1.0, 5.0], staying: side(staying, 1.0), growing: side(growing, 1.0) }
+    }
+
+    #[track_caller]
+    fn near(found: f64, wanted: f64) {
+        assert!((found - wanted).abs() <= 1e-14 * wanted.abs().max(1.0), "{found} {wanted}");
+    }
+
+    #[test]
+    fn the_least_value_of_a_polynomial_is_at_an_end_or_where_it_turns() {
+        assert_eq!(lowest(&[-2.0]), (-1.0, -2.0));
+        assert_eq!(lowest(&[1.0, 2.0]), (-1.0, -1.0));
+        assert_eq!(lowest(&[1.0, -2.0]), (1.0, -1.0));
+        assert_eq!(lowest(&[-1.0, 0.0, 1.0]), (0.0, -1.0));
+        // s⁴ − s²/2 is −1/16 at s = ±1/2; the left one counts.
+        let (s, least) = lowest(&[0.0, 0.0, -0.5, 0.0, 1.0]);
+        near(s, -0.5);
+        near(least, -0.0625);
+        // 3 − |1| − |−1| bounds it from below: it is not negative, and not looked for.
+        assert_eq!(lowest(&[3.0, 1.0, -1.0]), (-1.0, 1.0));
+        assert_eq!(lowest(&[]), (-1.0, 0.0));
+    }
+
+    /// 2 − λ (1 + s) is first zero at s = 1, for λ = 1. 1 + s² − λ (1 + s) is least at s = λ/2, where it is
+    /// 1 − λ − λ²/4: zero for λ = 2√2 − 2.
+    #[test]
+    fn the_first_pull_is_a_root_in_closed_form() {
+        let at = |of: &Watched, from: f64| of.first_pull_below(from).expect("a pull");
+        let falling = between_1_and_5(&[2.0, 0.0], &[-1.0, -1.0]);
+        for from in [f64::INFINITY, 8.0] {
+            assert_eq!(at(&falling, from), (1.0, 5.0));
+            assert_eq!(at(&between_1_and_5(&[2.0, 0.0], &[-1.0, 1.0]), from), (1.0, 1.0));
+            for mirror in [1.0, -1.0] {
+                let parabola = between_1_and_5(&[1.0, 0.0, 1.0], &[-1.0, -mirror, 0.0]);
+                let root = 2.0 * 2.0_f64.sqrt() - 2.0;
+                let (factor, x) = at(&parabola, from);
+                near(factor, root);
+                // Newton's method knows the place to the root of its precision.
+                assert!((x - (3.0 + mirror * root)).abs() < 1e-7, "{x}");
+            }
+        }
+        // Up to λ = 1/2 the ground need not pull, nor ever where both parts push.
+        assert_eq!(falling.first_pull_below(0.5), None);
+        assert_eq!(between_1_and_5(&[1.0], &[1.0]).first_pull_below(f64::INFINITY), None);
+        // −1 + 2λ pulls below λ = 1/2: there is no factor up to which it pushes.
+        assert_eq!(between_1_and_5(&[-1.0], &[2.0]).first_pull_below(0.25), None);
+        // Where both parts pull, the factor is 0.
+        assert_eq!(at(&between_1_and_5(&[-1.0], &[-1.0]), 3.0), (0.0, 1.0));
+    }
+
+    /// A pull is more than 256 ε of the sizes of all terms: those that stay, and λ times those that grow.
+    #[test]
+    fn a_pull_is_more_than_rounding() {
+        let pulls = |part: f64| {
+            let [staying, growing] = [side(&[-ROUNDING * part], 2.0), side(&[0.0], 3.0)];
+            Watched { x: [0.0, 1.0], staying, growing }
+        };
+        assert!(!pulls(1.9).pulls_at_first() && pulls(2.1).pulls_at_first());
+        assert_eq!(pulls(13.9).pulled_at(4.0), None);
+        assert_eq!(pulls(14.1).pulled_at(4.0), Some(-1.0));
+        let grows = |part: f64| {
+            let [staying, growing] = [side(&[1.0], 2.0), side(&[-ROUNDING * part], 3.0)];
+            Watched { x: [0.0, 1.0], staying, growing }
+        };
+        assert_eq!(grows(2.9).pulled_at(f64::INFINITY), None);
+        assert_eq!(grows(3.1).pulled_at(f64::INFINITY), Some(-1.0));
+        // A factor is nothing where λ times 3 is at most 256 ε of 2.
+        assert!(pulls(0.0).is_nothing(ROUNDING * 0.66));
+        assert!(!pulls(0.0).is_nothing(ROUNDING * 0.67));
+        // Nothing at all is no pull.
+        let nothing =
+            Watched { x: [0.0, 1.0], staying: side(&[0.0], 0.0), growing: side(&[0.0], 0.0) };
+        assert!(!nothing.pulls_at_first() && nothing.is_nothing(0.0));
+        assert_eq!([1.0, f64::INFINITY].map(|factor| nothing.pulled_at(factor)), [None; 2]);
+    }
+
+    /// The ends of a part are its own to the last bit, whatever half its length is rounded to.
+    #[test]
+    fn positions_keep_the_ends() {
+        let x = [0.2, 0.9];
+        let of = Watched { x, ..between_1_and_5(&[1.0], &[1.0]) };
+        assert_eq!([-1.0, 1.0].map(|s| of.position(s)), x);
+        let of = between_1_and_5(&[1.0], &[1.0]);
+        assert_eq!([-1.0, -0.5, 0.0, 0.5, 1.0].map(|s| of.position(s)), [1.0, 2.0, 3.0, 4.0, 5.0]);
+    }
+
+    /// (1 + s)(2 + 3s + s²) and (1 − s)(2 + 3s + s²).
+    #[test]
+    fn a_known_root_is_divided_out() {
+        for (end, c) in [(-1.0, [2.0, 5.0, 4.0, 1.0]), (1.0, [2.0, 1.0, -2.0, -1.0])] {
+            let mut left = Coefficients::from(&c[..]);
+            without_root(&mut left, end);
+            assert_eq!(left[..], [2.0, 3.0, 1.0], "{end}");
+        }
+    }
+
+    /// A beam on a mesh with nodes at more places, deflected by a polynomial in x, glued all along.
+    fn found(model: &Model, more: &[f64], deflection: &[f64]) -> Found {
+        let mesh = Mesh::build(model, more, |_| 1);
+        let own = |cell: &Cell| {
+            let [from, to] = cell.x;
+            let c = rescale(deflection, 0.5 * (from + to), 0.5 * (to - from));
+            c.at_least(TERMS).to_vec()
+        };
+        let coefficients = mesh.cells.iter().flat_map(own).collect();
+        let end = Spot { cell: mesh.cells.len() - 1, s: 1.0 };
+        let zones = vec![Zone { from: Spot { cell: 0, s: -1.0 }, to: end }];
+        Found::exact(mesh, coefficients, Vec::new(), zones)
+    }
+
+    fn on(ground: Foundation) -> Model {
+        Model::new(Beam::uniform(4.0, 1.0), ground)
+    }
+
+    /// w = 1 + x + x² on ground with k = 3, μ = 5: p = 3w − 10. From 1 to 4 w = 9.75 + 9 s + 2.25 s², and the size of the terms
+    /// is 3 (9.75 + 9 + 2.25) and 5/1.5² · 2 · 2.25, and that of the gap and of the load on the ground with them.
+    #[test]
+    fn the_pressure_on_a_part_of_a_cell_and_its_size() {
+        let model = on(Foundation::pasternak(3.0, 5.0));
+        let mut of = found(&model, &[1.0], &[1.0, 1.0, 1.0]);
+        let p = |x: f64| 3.0 * (1.0 + x + x * x) - 10.0;
+        for x in [[1.0, 4.0], [1.0, 2.0], [2.0, 3.0], [3.5, 4.0]] {
+            let Side { coefficients, size } = pressure(&of, 1, x);
+            near(size, 63.0 + 10.0);
+            for s in [-1.0, -0.25, 0.0, 1.0] {
+                near(value(&coefficients, s), p(0.5 * (x[0] + x[1]) + 0.5 * (x[1] - x[0]) * s));
+            }
+        }
+        of.mesh.cells[1].gap = [0.5, -0.75];
+        of.mesh.cells[1].ground_load = [-2.0, 1.0];
+        near(pressure(&of, 1, [1.0, 4.0]).size, 73.0 + 3.0 * 0.75 + 2.0);
+    }
+
+    /// Nodes of the two deflections at different places: p = k w, on separate springs, on each part between any two.
+    #[test]
+    fn two_meshes_are_merged_at_all_of_their_nodes() {
+        let model = on(Foundation::winkler(2.0));
+        let merged = |first: &[f64], second: &[f64]| {
+            let staying = found(&model, first, &[1.0, 2.0, 3.0]);
+            let growing = found(&model, second, &[-1.0, 0.5]);
+            let all = watched(&staying, &growing);
+            for Watched { x, staying, growing } in &all {
+                for (s, x) in [-1.0, 1.0].into_iter().zip(*x) {
+                    let [stays, grows] =
+                        [2.0 * (1.0 + 2.0 * x + 3.0 * x * x), 2.0 * (0.5 * x - 1.0)];
+                    // A place may be 16 ε of the length beside.
+                    assert!((value(&staying.coefficients, s) - stays).abs() < 1e-11);
+                    assert!((value(&growing.coefficients, s) - grows).abs() < 1e-12);
+                }
+            }
+            all.into_iter().map(|watched| watched.x).collect::<Vec<_>>()
+        };
+        let wanted = [[0.0, 1.0], [1.0, 2.0], [2.0, 3.0], [3.0, 4.0]];
+        assert_eq!(merged(&[1.0, 3.0], &[2.0, 3.0]), wanted);
+        assert_eq!(merged(&[2.0, 3.0], &[1.0, 3.0]), wanted);
+        assert_eq!(merged(&[1.0, 2.0, 3.0], &[]), wanted);
+        assert_eq!(merged(&[], &[1.0, 2.0, 3.0]), wanted);
+        // Places closer than 16 ε of the length are one.
+        let unit = 4.0 * f64::EPSILON;
+        assert_eq!(merged(&[1.0], &[1.0 + 15.0 * unit]), [[0.0, 1.0], [1.0, 4.0]]);
+        assert_eq!(merged(&[1.0 + 15.0 * unit], &[1.0]).len(), 2);
+        assert_eq!(merged(&[1.0], &[1.0 + 17.0 * unit]).len(), 3);
+    }
+
+    /// On separate springs a pin takes the pressure away at its place, and a clamp its slope with it, unless the ground is
+    /// further up or down there, or a shear layer takes part.
+    #[test]
+    fn supports_at_undeformed_ground_are_roots_of_the_pressure() {
+        let roots = |model: &Model, x: [f64; 2]| {
+            let of = found(model, &[2.0], &[0.0]);
+            let cell = of.mesh.cells.iter().find(|cell| cell.x[0] <= x[0] && x[1] <= cell.x[1]);
+            known_roots(&of, x, cell.expect("a cell"))
+        };
+        let springs = || on(Foundation::winkler(1.0));
+        let [pin, clamp] = [Support::pinned, Support::fixed];
+        let (left, right) = ([0.0, 2.0], [2.0, 4.0]);
+        assert_eq!(roots(&springs(), left), []);
+        assert_eq!(roots(&springs().with_support(pin(0.0)), left), [(-1.0, 1)]);
+        assert_eq!(roots(&springs().with_support(clamp(0.0)), left), [(-1.0, 2)]);
+        assert_eq!(roots(&springs().with_support(pin(0.0)), right), []);
+        assert_eq!(roots(&springs().with_support(pin(2.0)), left), [(1.0, 1)]);
+        assert_eq!(roots(&springs().with_support(pin(2.0)), right), [(-1.0, 1)]);
+        let both = springs().with_support(clamp(2.0)).with_support(pin(4.0));
+        assert_eq!(roots(&both, right), [(-1.0, 2), (1.0, 1)]);
+        // A part of a cell has only those ends of its own.
+        assert_eq!(roots(&both, [2.5, 4.0]), [(1.0, 1)]);
+        assert_eq!(roots(&both, [2.0, 3.5]), [(-1.0, 2)]);
+        assert_eq!(roots(&springs().with_support(Support::spring(0.0, 1.0, 1.0)), left), []);
+        // Settled by as much as the gap, the ground there is touched without pressure; by less or more it is not.
+        let settled = |down: f64| springs().with_support(pin(0.0).settled(down));
+        assert_eq!(roots(&settled(0.5), left), []);
+        assert_eq!(roots(&settled(0.5).with_gap(0.0, 0.5), left), [(-1.0, 1)]);
+        assert_eq!(roots(&settled(0.0).with_gap(0.0, 0.5), left), []);
+        // Where the gap slopes, a clamped beam leaves the ground at an angle.
+        let sloping = springs().with_support(clamp(0.0)).with_gap(0.0, 0.0).with_gap(4.0, 1.0);
+        assert_eq!(roots(&sloping, left), [(-1.0, 1)]);
+        let pinned = springs().with_support(pin(0.0)).with_gap(0.0, 0.0).with_gap(4.0, 0.0);
+        assert_eq!(roots(&pinned, left), [(-1.0, 1)]);
+        let layer = on(Foundation::pasternak(1.0, 1.0)).with_support(pin(0.0));
+        assert_eq!(roots(&layer, left), []);
+    }
+
+    /// Under the ends of a beam on ground with √(kμ) = 6 and μ = 9 stand √(kμ) w ∓ μ w′. The terms in them are 6 |c| of
+    /// each coefficient and j μ/half more of that of sʲ.
+    #[test]
+    fn forces_under_the_ends_and_their_sizes() {
+        // w = 3 + x = 5 + 2 s.
+        let of = found(&on(Foundation::pasternak(4.0, 9.0)), &[], &[3.0, 1.0]);
+        let [(a, left), (b, right)] = &forces_of(&of)[..] else { panic!("two ends") };
+        assert_eq!((*a, *b), (0.0, 4.0));
+        near(left.coefficients[0], 6.0 * 3.0 - 9.0);
+        near(right.coefficients[0], 6.0 * 7.0 + 9.0);
+        for end in [left, right] {
+            near(end.size, 6.0 * (5.0 + 2.0) + 4.5 * 2.0);
+        }
+        assert_eq!(forces_of(&found(&on(Foundation::winkler(4.0)), &[], &[1.0])).len(), 0);
+    }
+
+    /// A corner of the ground carries a force where the gap acts, with the loads that stay, and none with those that grow;
+    /// the same the other way round. The corner opens by g₀′ = 1 after 0: its force is μ.
+    #[test]
+    fn forces_of_one_deflection_alone() {
+        let even = on(Foundation::pasternak(4.0, 9.0));
+        let corner = even.clone().with_gap(0.0, 0.0).with_gap(2.0, 0.0).with_gap(4.0, 2.0);
+        let [even, corner] = [even, corner].map(|model| found(&model, &[], &[1.0]));
+        let both = |staying: &Found, growing: &Found| {
+            let mut all = forces(staying, growing);
+            all.sort_by(|a, b| a.x[0].total_cmp(&b.x[0]));
+            let of = |side: &Side| side.coefficients[0];
+            all.iter().map(|at| (at.x, of(&at.staying), of(&at.growing))).collect::<Vec<_>>()
+        };
+        // Under the right end w − g₀ = −1, and it turns by −1.
+        let [left, middle, right] = [6.0, 9.0, -6.0 - 9.0];
+        let wanted = [([0.0; 2], left, 6.0), ([2.0; 2], middle, 0.0), ([4.0; 2], right, 6.0)];
+        assert_eq!(both(&corner, &even), wanted);
+        assert_eq!(both(&even, &corner), wanted.map(|(x, a, b)| (x, b, a)));
+        assert_eq!(both(&even, &even).len(), 2);
+    }
 }

@@ -402,4 +402,28 @@ mod tests {
         pushed.beam.axial_force = -1.0;
         assert!(matches!(load_factors(&pushed, |_| true), Err(Error::Unsupported(_))));
     }
+
+    /// Both static reactions of an even load vanish at one factor: of the two motions the first is named.
+    #[test]
+    fn of_two_motions_lost_together_the_first_is_named() {
+        let model = unit().with_load(Load::point(2.0, 0.5)).with_load(Load::point(-1.0, 0.5));
+        let LossOfEquilibrium::At { factor, motion } = last(&model).loss_of_equilibrium else {
+            panic!()
+        };
+        assert_eq!((factor, motion.left, motion.right), (2.0, -1.0, 0.0));
+        assert_eq!(motion.work.to_bits(), 0);
+    }
+
+    /// Nothing ever acts on the right piece, which may lift at no cost: whether the left one stands decides. It does up
+    /// to the factor that takes the load from its left end: ql/4 for q on [0, l/2].
+    #[test]
+    fn a_piece_that_is_never_loaded_does_not_decide() {
+        for q in [0.125, 1.0, 8.0, 64.0] {
+            let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::winkler(1.0))
+                .with_hinge(crate::model::Hinge::free(0.5))
+                .with_load(Load::uniform(q, 0.0, 0.5))
+                .with_load(Load::point(-1.0, 0.0));
+            near(loss(last(&model)), 0.25 * q, 1e-15);
+        }
+    }
 }
