@@ -196,25 +196,34 @@ impl Stretch {
         }
     }
 
-    /// Sign changes of a derivative that has no polynomial, between points close enough for one each.
+    /// Sign changes of a derivative that has no polynomial, between points close enough for one each. A zero at such a
+    /// point is a sign change if the signs beside it differ.
     fn turns(&self, slope: impl Fn(f64) -> f64, found: &mut Vec<f64>) {
         const CUTS: usize = 16;
-        let at = |i: usize| 2.0 * i as f64 / CUTS as f64 - 1.0;
-        for i in 0..CUTS {
-            let (mut low, mut high) = (at(i), at(i + 1));
-            let sign = slope(low);
-            if sign * slope(high) >= 0.0 {
-                continue;
-            }
-            for _ in 0..60 {
-                let middle = 0.5 * (low + high);
-                if slope(middle) * sign > 0.0 {
-                    low = middle;
-                } else {
-                    high = middle;
+        // −1, 0 or 1: the product of two small slopes would underflow.
+        let sign = |s: f64| {
+            let slope = slope(s);
+            i8::from(slope > 0.0) - i8::from(slope < 0.0)
+        };
+        let (mut from, mut before) = (-1.0, sign(-1.0));
+        for i in 1..=CUTS {
+            let to = 2.0 * i as f64 / CUTS as f64 - 1.0;
+            let after = sign(to);
+            if before * after < 0 {
+                let (mut low, mut high) = (from, to);
+                for _ in 0..60 {
+                    let middle = 0.5 * (low + high);
+                    if sign(middle) == before {
+                        low = middle;
+                    } else {
+                        high = middle;
+                    }
                 }
+                found.push(0.5 * (low + high));
             }
-            found.push(0.5 * (low + high));
+            if after != 0 {
+                (from, before) = (to, after);
+            }
         }
     }
 }
@@ -365,6 +374,7 @@ mod tests {
         // u = w − g₀ under contact: dw/ds = 3s² − 3/16 is half the length times the gap's slope.
         of.cell.gap_slope = (3.0 * 0.25 - 0.1875) / 2.0;
         near(&turning_points(&of, Field::Settlement), &[-0.5, 0.5]);
+        // The gap is zero all along: no place of it counts more than another.
         near(&turning_points(&of, Field::Gap), &[]);
         near(&of.candidates(Field::Gap), &[-1.0, 1.0]);
     }
@@ -391,6 +401,25 @@ mod tests {
         near(&turning_points(&falling, Field::Settlement), &[]);
     }
 
+    /// A beam pressed down over its ends and lifted off between them is lowest ground in its middle, where the derivative of
+    /// the ground's surface is exactly zero if both edges of contact are equally deep to the last bit.
+    #[test]
+    fn symmetric_open_ground_is_lowest_in_its_middle() {
+        let mut of = stretch([0.0, 4.0]);
+        of.open = Some([1.0; 2]);
+        near(&turning_points(&of, Field::Settlement), &[0.0]);
+        let model = Model::new(Beam::uniform(5.0, 1.0), Foundation::pasternak(4.0, 1.0))
+            .with_load(Load::point(1.0, 0.0))
+            .with_load(Load::point(1.0, 5.0))
+            .with_load(Load::uniform(0.01, 0.0, 5.0));
+        let mut solver = Solver::new();
+        let Ok(Answer::Equilibrium(solution)) = solver.solve(&model) else { panic!("it stands") };
+        let middle = solution.value(Field::Settlement, 2.5);
+        let least = solution.range(Field::Settlement).min;
+        assert!((least.value - middle).abs() < 1e-12 * middle, "{least:?} {middle}");
+        assert!((least.x - 2.5).abs() < 1e-6, "{least:?}");
+    }
+
     #[test]
     fn sign_changes_of_any_function_are_bisected() {
         let turns = |slope: &dyn Fn(f64) -> f64| {
@@ -401,6 +430,15 @@ mod tests {
         near(&turns(&|s| (s - 0.3) * (s + 0.77)), &[-0.77, 0.3]);
         near(&turns(&|s| (0.3 - s) * (s + 0.99)), &[-0.99, 0.3]);
         near(&turns(&|s| (s - 0.3) * (s - 0.99)), &[0.3, 0.99]);
+        // Zeros at multiples of 1/8, between which signs are compared.
+        near(&turns(&|s| (s - 0.25) * (s + 0.5)), &[-0.5, 0.25]);
+        near(&turns(&|s| s), &[0.0]);
+        near(&turns(&|s| 1e-200 * (s - 0.3)), &[0.3]);
+        // Ground so far from any pressure that it underflows is lowest where that begins.
+        near(&turns(&|s| if s.abs() < 0.3 { 0.0 } else { s }), &[-0.3]);
+        near(&turns(&|s| -s), &[0.0]);
+        near(&turns(&|s| 1.0 - s * s), &[]);
+        near(&turns(&|s| s * s), &[]);
         near(&turns(&|_| 1.0), &[]);
         near(&turns(&|_| -1.0), &[]);
         near(&turns(&|_| 0.0), &[]);
