@@ -439,6 +439,7 @@ mod tests {
         near(&turns(&|s| -s), &[0.0]);
         near(&turns(&|s| 1.0 - s * s), &[]);
         near(&turns(&|s| s * s), &[]);
+        near(&turns(&|s| -s * s), &[]);
         near(&turns(&|_| 1.0), &[]);
         near(&turns(&|_| -1.0), &[]);
         near(&turns(&|_| 0.0), &[]);
