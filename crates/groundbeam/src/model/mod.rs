@@ -11,6 +11,7 @@ mod gap;
 mod hinge;
 mod joints;
 mod load;
+mod places;
 mod profile;
 mod refused;
 mod support;

@@ -1,6 +1,7 @@
 //! Every rule a model must obey, each with what would be right.
 
 use super::beside::down;
+use super::places;
 use super::{Foundation, Load, Model, Profile, SupportKind};
 use std::fmt;
 
@@ -220,7 +221,9 @@ impl Model {
     }
 
     fn check_supports(&self, found: &mut Vec<Problem>) {
-        for (i, support) in self.supports.iter().enumerate() {
+        let positions = self.supports.iter().map(|support| support.at);
+        let repeated = places::repeated(positions, places::near(self.beam.length));
+        for ((i, support), other) in self.supports.iter().enumerate().zip(repeated) {
             let part = Part::Support(i);
             self.check_position(found, part, support.at);
             finite(found, part, "settlement", support.settlement);
@@ -239,7 +242,7 @@ impl Model {
                 constant("spring", spring);
                 constant("rotational_spring", rotational_spring);
             }
-            if let Some(other) = self.supports[..i].iter().position(|s| s.at == support.at) {
+            if let Some(other) = other {
                 let message = format!("there is a support at {{0}} already (number {})", other + 1);
                 let hint = "say in one support all that it holds";
                 let problem = Problem::new("GB403", part, "at", message, hint);
@@ -382,17 +385,12 @@ pub(super) fn check_order(found: &mut Vec<Problem>, part: Part, from: f64, to: f
 }
 
 fn overlaps(found: &mut Vec<Problem>, spans: &[(f64, f64)], part: impl Fn(usize) -> Part) {
-    for (i, &(from, to)) in spans.iter().enumerate() {
-        for (j, &(other_from, other_to)) in spans[..i].iter().enumerate() {
-            if from < other_to && other_from < to {
-                let message = format!(
-                    "this segment, {{0}} to {{1}}, overlaps segment {}, {{2}} to {{3}}",
-                    j + 1
-                );
-                let hint = "segments may touch but not overlap";
-                let problem = Problem::new("GB304", part(i), "from", message, hint);
-                found.push(problem.with_numbers(&[from, to, other_from, other_to]));
-            }
-        }
+    for (i, j) in places::overlapping(spans) {
+        let ((from, to), (other_from, other_to)) = (spans[i], spans[j]);
+        let message =
+            format!("this segment, {{0}} to {{1}}, overlaps segment {}, {{2}} to {{3}}", j + 1);
+        let hint = "segments may touch but not overlap";
+        let problem = Problem::new("GB304", part(i), "from", message, hint);
+        found.push(problem.with_numbers(&[from, to, other_from, other_to]));
     }
 }
