@@ -8,6 +8,7 @@ pub mod dense;
 pub mod documents;
 mod element;
 pub mod linear;
+pub mod many;
 pub mod random;
 pub mod reference;
 pub mod upheaval;

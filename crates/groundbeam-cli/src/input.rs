@@ -70,6 +70,7 @@ impl Input {
         match error {
             Error::Invalid(problems) => self.wrong(problems),
             Error::Unsupported(problem) => self.wrong(std::slice::from_ref(problem)),
+            Error::TooLarge(refused) => self.wrong(std::slice::from_ref(&refused.problem)),
             Error::NotConverged(reached) => {
                 let shown =
                     text::not_converged(reached, crate::output::standard_error_has_colour());

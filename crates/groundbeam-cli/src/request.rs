@@ -114,6 +114,7 @@ pub struct Compare {
     pub json: bool,
     pub elements: usize,
     pub most_sweeps: usize,
+    pub memory_limit: u64,
 }
 
 /// Write a model file to begin with.
@@ -186,6 +187,7 @@ impl Request {
                 json: compare.json,
                 elements: compare.elements as usize,
                 most_sweeps: usize::try_from(compare.most_sweeps).unwrap_or(usize::MAX),
+                memory_limit: compare.memory_limit,
             }),
             Command::New(new) => Request::New(New { file: new.file, kind: new.kind }),
             Command::Serve(typed::Serve { file, port, no_open }) => {
@@ -218,6 +220,7 @@ impl Solve {
                 typed::Start::Zero => groundbeam::Start::Zero,
             },
             most_sweeps: usize::try_from(typed.most_sweeps).unwrap_or(usize::MAX),
+            memory_limit: typed.memory_limit,
         };
         let plot = typed.plot.map(Plot::of).transpose()?;
         let paper = typed.paper.map(|paper| match paper {

@@ -126,6 +126,21 @@ fn a_model_that_is_not_solved_is_shown_at_its_line() {
     folder.run(&arguments).fails(2, "error[GB603]");
 }
 
+#[test]
+fn a_model_that_needs_more_memory_than_the_limit_is_refused_at_once() {
+    let folder = Folder::with(&FOOTING.replace("12 m", "1e10 m"));
+    let done = folder.run(&["solve", "model.toml"]);
+    done.fails(2, "error[GB617]: the method `exact` would need about");
+    done.fails(2, "more than the limit of 4 GB");
+    let folder = Folder::with(FOOTING);
+    let meshed = ["solve", "model.toml", "--method", "active-set", "--elements", "5000000"];
+    folder.run(&meshed).fails(2, "error[GB617]: the method `active-set` would need about 18 GB");
+    let little = ["solve", "model.toml", "--memory-limit", "1 kB"];
+    folder.run(&little).fails(2, "more than the limit of 1 kB");
+    folder.run(&["solve", "model.toml", "--memory-limit", "1 MB"]).is_clean(0);
+    folder.run(&["solve", "model.toml", "--memory-limit", "8"]).fails(2, "a size has a unit");
+}
+
 /// A heavy beam in compression that the springs under it must help to bear.
 const PRESSED: &str = "\
 [beam]

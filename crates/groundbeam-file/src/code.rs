@@ -117,6 +117,7 @@ pub const CODES: &[Code] = &[
     while_solving("GB612", "load factors of a local equilibrium"),
     while_solving("GB614", "a beam that shears is solved by the exact method alone"),
     while_solving("GB616", "what varies or shears must not have too many waves"),
+    while_solving("GB617", "a solve must not need more memory than the limit"),
     row(FIRST_AXLE, "a train is measured backward from its first axle", "first-axle.toml"),
     in_study(RANGE, "a number of a study is outside its range"),
 ];

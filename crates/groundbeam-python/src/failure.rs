@@ -63,6 +63,7 @@ impl Failure {
             Error::NotConverged(reached) => return Failure::NotConverged(reached),
             Error::Invalid(problems) => problems,
             Error::Unsupported(problem) => vec![problem],
+            Error::TooLarge(refused) => vec![refused.problem],
             other => return Failure::Asked(other.to_string()),
         };
         let located = problems.iter().map(|problem| document.diagnostic_for(problem));

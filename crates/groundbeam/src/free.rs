@@ -150,38 +150,47 @@ fn beside(model: &Model, beyond: &Beyond, right: bool) -> (Vec<Strip>, bool) {
     let mut from = 0.0;
     for layer in &beyond.layers {
         let to = from + layer.length;
-        let inside = cuts.iter().copied().filter(|cut| *cut > from && *cut < to);
+        let first = cuts.partition_point(|cut| *cut <= from);
+        let inside = cuts[first..].iter().copied().take_while(|cut| *cut < to);
         let ends: Vec<f64> = [from].into_iter().chain(inside).chain([to]).collect();
         for pair in ends.windows(2) {
             let place = |d: f64| if right { l + d } else { -d };
             let mut x = [place(pair[0]), place(pair[1])];
             x.sort_by(f64::total_cmp);
-            let load =
-                if x[0].is_finite() && x[1].is_finite() { spread(model, x) } else { [0.0; 2] };
-            strips.push(Strip { x, spring: layer.spring, shear: layer.shear, load });
+            strips.push(Strip { x, spring: layer.spring, shear: layer.shear, load: [0.0; 2] });
         }
         from = to;
     }
+    load_strips(model, &mut strips, right);
     (strips, beyond.held)
 }
 
-/// The loads spread on the ground along a stretch within which none ends, at both its ends.
-pub(crate) fn spread(model: &Model, x: [f64; 2]) -> [f64; 2] {
-    let middle = 0.5 * (x[0] + x[1]);
-    let mut sum = [0.0; 2];
+/// The ends of a stretch within which a load on the ground neither begins nor ends: adds the load there to a sum.
+pub(crate) fn add_spread(sum: &mut [f64; 2], load: &Load, x: [f64; 2]) {
+    let Load::GroundDistributed { from, to, start, end } = *load else { return };
+    for (sum, x) in sum.iter_mut().zip(x) {
+        let even = start == end;
+        *sum += if even { start } else { (start * (to - x) + end * (x - from)) / (to - from) };
+    }
+}
+
+/// Adds to each of some strips, ordered outward from the beam, the loads spread on the ground there.
+fn load_strips(model: &Model, strips: &mut [Strip], right: bool) {
+    let middle = |strip: &Strip| 0.5 * (strip.x[0] + strip.x[1]);
     for load in &model.loads {
-        if let Load::GroundDistributed { from, to, start, end } = *load
-            && from < middle
-            && middle < to
-        {
-            for (sum, x) in sum.iter_mut().zip(x) {
-                let even = start == end;
-                *sum +=
-                    if even { start } else { (start * (to - x) + end * (x - from)) / (to - from) };
-            }
+        let Load::GroundDistributed { from, to, .. } = *load else { continue };
+        let within = if right {
+            let first = strips.partition_point(|strip| middle(strip) <= from);
+            first..strips.partition_point(|strip| middle(strip) < to).max(first)
+        } else {
+            let first = strips.partition_point(|strip| middle(strip) >= to);
+            first..strips.partition_point(|strip| middle(strip) > from).max(first)
+        };
+        // A strip without an end bears nothing.
+        for strip in strips[within].iter_mut().filter(|s| s.x.iter().all(|x| x.is_finite())) {
+            add_spread(&mut strip.load, load, strip.x);
         }
     }
-    sum
 }
 
 /// e at both ends of each strip.

@@ -37,7 +37,6 @@ mod envelope;
 mod existence;
 mod extremes;
 mod factors;
-mod fineness;
 mod free;
 mod free_spans;
 mod ground;
@@ -48,6 +47,7 @@ mod nodal;
 mod one_way;
 mod polynomial;
 pub mod sensitivity;
+mod size;
 mod solution;
 mod solve;
 mod solver;
@@ -72,6 +72,7 @@ pub use model::{
     Model, Profile, Support, SupportKind,
 };
 pub use nodal::{NodalCheck, NodalSolution, NodalSolver, Work};
+pub use size::{TooLarge, memory_estimate};
 pub use solution::{
     ConcentratedForce, ContactRegion, EndForces, Extreme, Field, Fields, Range, Reaction, Side,
     Solution,

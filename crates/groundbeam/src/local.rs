@@ -14,7 +14,7 @@ use crate::mesh::Mesh;
 use crate::model::{Load, Model};
 use crate::one_way;
 use crate::polynomial::{jet, value};
-use crate::solve::{Checked, Error, Method, NotConverged, Outcome, solve};
+use crate::solve::{Checked, Error, Method, NotConverged, Options, Outcome, solve_with};
 use crate::stability::glued_buckling_load;
 
 /// How near its buckling load a beam is taken that is to show its buckling mode.
@@ -25,7 +25,7 @@ const SPENT: f64 = 1e-3;
 const POINTS: usize = 16;
 
 /// What is known of a model in compression whose energy is not convex.
-pub(crate) fn check(model: &Model) -> Result<Checked, Error> {
+pub(crate) fn check(model: &Model, options: &Options) -> Result<Checked, Error> {
     let without = compressed(model, 0.0);
     let statics = existence(&without);
     let known = |verdict| Checked {
@@ -37,7 +37,7 @@ pub(crate) fn check(model: &Model) -> Result<Checked, Error> {
     let loose = |motion: RigidMotion| Verdict::Buckles(Buckling::at_once(model, motion));
     let solution = match statics.verdict {
         Verdict::NotUnique(motion) => return Ok(known(loose(motion))),
-        Verdict::Unique => match solve(&without)? {
+        Verdict::Unique => match solve_with(&without, options)? {
             Outcome::Equilibrium(solution) => solution,
             Outcome::NoEquilibrium(existence) => return Ok(known(existence.verdict)),
         },

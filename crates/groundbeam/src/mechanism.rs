@@ -48,7 +48,7 @@ impl Mechanism {
                     (spring > 0.0, rotational_spring > 0.0)
                 }
             };
-            if holds && !mechanism.held.contains(&support.at) {
+            if holds {
                 mechanism.held.push(support.at);
             }
             if stops_turning {
@@ -255,5 +255,8 @@ fn cut(nodes: &[f64], [from, to]: [f64; 2], ends: [f64; 2]) -> Vec<(usize, [f64;
         let x = [node[0].max(from), node[1].min(to)];
         (x[0] < x[1]).then(|| (piece, x, x.map(at)))
     };
-    nodes.windows(2).enumerate().filter_map(part).collect()
+    let first = nodes.partition_point(|node| *node <= from).saturating_sub(1);
+    let end = nodes.partition_point(|node| *node < to).max(first + 1);
+    let pieces = nodes[first..nodes.len().min(end + 1)].windows(2);
+    pieces.enumerate().filter_map(|(i, ends)| part((first + i, ends))).collect()
 }

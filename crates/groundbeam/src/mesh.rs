@@ -63,7 +63,18 @@ impl Mesh {
 
     /// The same, and what varies so much that it is no short power series is halved before it is cut.
     pub fn graded(model: &Model, more: &[f64], parts: impl Fn(&Cell) -> usize) -> Self {
-        Self::cut(model, more, |cell, x| graded(cell, &parts, MOST_HALVINGS, x))
+        Self::cut(model, more, |cell, x| graded(cell, &parts, x))
+    }
+
+    /// Calls `each` with every cell of a [graded](Self::graded) mesh of one part to a cell, and with the number of
+    /// pieces into which it is cut because the ground settles by itself. Returns how many cells the model itself has.
+    pub fn each_graded(model: &Model, mut each: impl FnMut(&Cell, usize)) -> usize {
+        let coarse = cells_between(model, &positions(model, &[]));
+        for cell in &coarse {
+            let settles = pieces_of_settled(cell);
+            each_smooth(cell, MOST_HALVINGS, &mut |cell| each(cell, settles));
+        }
+        coarse.len()
     }
 
     /// Cuts each interval between two of the fewest nodes, and `more` of them, at positions of its own.
@@ -72,10 +83,7 @@ impl Mesh {
         let mut x = Vec::with_capacity(2 * coarse.len());
         x.push(0.0);
         for cell in &coarse {
-            // Where the ground settles by itself, its surface is a short power series in each cell.
-            let fades = (cell.spring / cell.shear).sqrt() * cell.length();
-            let pieces =
-                if cell.is_sunk() && cell.shear > 0.0 { fades.ceil().max(1.0) as usize } else { 1 };
+            let pieces = pieces_of_settled(cell);
             for i in 0..pieces {
                 let s = [i, i + 1].map(|i| 2.0 * i as f64 / pieces as f64 - 1.0);
                 let part = if pieces == 1 { *cell } else { cell.part(s) };
@@ -221,13 +229,32 @@ fn into_equal(cell: &Cell, parts: usize, x: &mut Vec<f64>) {
     x.extend((1..parts).map(|i| cell.global(2.0 * i as f64 / parts as f64 - 1.0)));
 }
 
-fn graded(cell: &Cell, parts: &impl Fn(&Cell) -> usize, halvings: u32, x: &mut Vec<f64>) {
+fn graded(cell: &Cell, parts: &impl Fn(&Cell) -> usize, x: &mut Vec<f64>) {
+    let mut first = true;
+    each_smooth(cell, MOST_HALVINGS, &mut |part| {
+        if !std::mem::take(&mut first) {
+            x.push(part.x[0]);
+        }
+        into_equal(part, parts(part), x);
+    });
+}
+
+/// The parts of a cell, from left to right, that are smooth after as many halvings as are needed.
+fn each_smooth(cell: &Cell, halvings: u32, each: &mut impl FnMut(&Cell)) {
     if halvings == 0 || cell.is_smooth() {
-        return into_equal(cell, parts(cell), x);
+        return each(cell);
     }
-    graded(&cell.part([-1.0, 0.0]), parts, halvings - 1, x);
-    x.push(cell.global(0.0));
-    graded(&cell.part([0.0, 1.0]), parts, halvings - 1, x);
+    each_smooth(&cell.part([-1.0, 0.0]), halvings - 1, each);
+    each_smooth(&cell.part([0.0, 1.0]), halvings - 1, each);
+}
+
+/// Into how many pieces a cell is cut where the ground settles by itself: its surface is a short power series in each.
+fn pieces_of_settled(cell: &Cell) -> usize {
+    if !cell.is_sunk() || cell.shear == 0.0 {
+        return 1;
+    }
+    let fades = (cell.spring / cell.shear).sqrt() * cell.length();
+    fades.ceil().max(1.0) as usize
 }
 
 /// Where the model itself needs a node, with `more`: sorted, each place once.
@@ -309,7 +336,8 @@ fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
         .collect();
     for segment in &model.beam.segments {
         for cell in within(&mut cells, segment.from, segment.to) {
-            let shear = model.beam.shear_stiffness_on(cell.x);
+            let own = segment.shear_stiffness.map(|s| s.on([segment.from, segment.to], cell.x));
+            let shear = own.or(model.beam.shear_stiffness.map(Course::constant));
             cell.set_beam(&segment.course(cell.x), shear.as_ref());
         }
     }
@@ -343,18 +371,28 @@ fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
 
 /// What acts on the ground, and how far it settles under it without the beam.
 fn load_ground(model: &Model, cells: &mut [Cell]) {
-    for cell in cells.iter_mut() {
-        cell.ground_load = free::spread(model, cell.x);
-    }
+    let middle = |cell: &Cell| 0.5 * (cell.x[0] + cell.x[1]);
     for load in &model.loads {
-        if let Load::GroundForce { at, force } = *load
-            && let Some(cell) = cells
-                .iter_mut()
-                .skip(1)
-                .min_by(|a, b| (a.x[0] - at).abs().total_cmp(&(b.x[0] - at).abs()))
-            && (cell.x[0] - at).abs() <= SAME_PLACE * model.beam.length
-        {
-            cell.ground_force += force;
+        match *load {
+            Load::GroundDistributed { from, to, .. } => {
+                let first = cells.partition_point(|cell| middle(cell) <= from);
+                let end = cells.partition_point(|cell| middle(cell) < to).max(first);
+                for cell in &mut cells[first..end] {
+                    free::add_spread(&mut cell.ground_load, load, cell.x);
+                }
+            }
+            Load::GroundForce { at, force } => {
+                // The nearest left end inside the beam; of two as near the left one.
+                let right = cells.partition_point(|cell| cell.x[0] < at).max(1);
+                let distance =
+                    |i: usize| cells.get(i).map_or(f64::INFINITY, |c| (c.x[0] - at).abs());
+                let left = (right - 1).max(1);
+                let nearest = if distance(left) <= distance(right) { left } else { right };
+                if distance(nearest) <= SAME_PLACE * model.beam.length {
+                    cells[nearest].ground_force += force;
+                }
+            }
+            _ => {}
         }
     }
     free::settle(model, cells);

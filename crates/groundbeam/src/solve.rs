@@ -7,11 +7,11 @@ use crate::contact::exact::Proof;
 use crate::contact::uzawa::{self, Relaxation};
 use crate::contact::{balanced, exact, nested};
 use crate::existence::{Existence, Verdict, existence};
-use crate::fineness::too_fine;
 use crate::local;
 use crate::mesh::Mesh;
 use crate::model::{Load, Model, Part, Problem};
 use crate::one_way;
+use crate::size::{self, TooLarge};
 use crate::solution::{ContactRegion, Solution};
 use crate::stability::convexity;
 use std::borrow::Cow;
@@ -60,6 +60,9 @@ pub struct Options {
     pub start: Start,
     /// Sweeps after which `Uzawa` and `Psor` give up.
     pub most_sweeps: usize,
+    /// The memory that a solve may need \[bytes\], by [estimate](crate::memory_estimate()); a model that needs more is
+    /// refused.
+    pub memory_limit: u64,
 }
 
 impl Default for Options {
@@ -70,6 +73,7 @@ impl Default for Options {
             pressure: Pressure::Distributed,
             start: Start::Bilateral,
             most_sweeps: 1_000_000,
+            memory_limit: 4_000_000_000,
         }
     }
 }
@@ -102,6 +106,8 @@ pub enum Error {
     Invalid(Vec<Problem>),
     /// The model is right but lies outside what is solved; the problem says why.
     Unsupported(Problem),
+    /// The model is right but needs more memory than [`Options::memory_limit`].
+    TooLarge(Box<TooLarge>),
     /// The method did not reach its own tolerance.
     NotConverged(NotConverged),
 }
@@ -148,6 +154,7 @@ impl fmt::Display for Error {
                 Ok(())
             }
             Error::Unsupported(problem) => problem.fmt(f),
+            Error::TooLarge(refused) => refused.problem.fmt(f),
             Error::NotConverged(what) => what.fmt(f),
         }
     }
@@ -159,8 +166,8 @@ impl std::error::Error for Error {}
 ///
 /// # Errors
 ///
-/// [`Error::Invalid`] for a model that breaks a rule, [`Error::NotConverged`] if no certified answer was
-/// reached.
+/// [`Error::Invalid`] for a model that breaks a rule, [`Error::TooLarge`] for one that needs more memory than
+/// [`Options::memory_limit`] and [`Error::NotConverged`] if no certified answer was reached.
 pub fn solve(model: &Model) -> Result<Outcome, Error> {
     solve_with(model, &Options::default())
 }
@@ -204,10 +211,13 @@ pub(crate) fn solve_in(
     likely: Option<&[ContactRegion]>,
     kept: &mut Option<Box<Solution>>,
 ) -> Result<Existence, Error> {
-    let Checked { existence, stability, local } = check(model)?;
+    let Checked { existence, stability, local } = check(model, options)?;
     if !existence.verdict.stands() {
         *kept = None;
         return Ok(existence);
+    }
+    if local.is_none() {
+        size::check(model, options)?;
     }
     if local.is_none() && model.has_one_way_supports() {
         let solve = |model: &Model, kept: &mut _| solve_in(model, options, None, kept);
@@ -223,11 +233,6 @@ pub(crate) fn solve_in(
             reached: f64::NAN,
             what: "which supports act",
         }));
-    }
-    if options.method == Method::Exact
-        && let Some(problem) = too_fine(model)
-    {
-        return Err(Error::Unsupported(problem));
     }
     if local.is_some() && options.method != Method::Exact {
         return Err(Error::Unsupported(Problem::local_by_another_method()));
@@ -267,7 +272,7 @@ pub(crate) fn solve_in(
 ///
 /// As [`solve`], but [`Error::NotConverged`] only for compression that the ground must help to bear.
 pub fn exists(model: &Model) -> Result<Existence, Error> {
-    Ok(check(model)?.existence)
+    Ok(check(model, &Options::default())?.existence)
 }
 
 /// What is known of a model before it is solved.
@@ -281,17 +286,18 @@ pub(crate) struct Checked {
 }
 
 /// Refuses a model that is wrong, and tells what its equilibrium is like.
-pub(crate) fn check(model: &Model) -> Result<Checked, Error> {
+pub(crate) fn check(model: &Model, options: &Options) -> Result<Checked, Error> {
     let problems = model.problems();
     if !problems.is_empty() {
         return Err(Error::Invalid(problems));
     }
     match convexity(model) {
         Some(stability) => Ok(Checked { existence: existence(model), stability, local: None }),
-        None => match too_fine(model) {
-            Some(problem) => Err(Error::Unsupported(problem)),
-            None => local::check(model),
-        },
+        None => {
+            let exact = Options { memory_limit: options.memory_limit, ..Options::default() };
+            size::check(model, &exact)?;
+            local::check(model, &exact)
+        }
     }
 }
 

@@ -27,6 +27,10 @@ pub fn comparison(comparison: &Comparison, context: &Context, colour: bool) -> S
                 sheet.line(&line(name, ["none", "", "", "", "", "", ""]));
                 failures.push(format!("{name}: {}", problem.message));
             }
+            Err(Error::TooLarge(refused)) => {
+                sheet.line(&line(name, ["none", "", "", "", "", "", ""]));
+                failures.push(format!("{name}: {}", refused.problem.message));
+            }
             Err(error) => {
                 sheet.line(&line(name, ["none", "", "", "", "", "", &duration(*seconds)]));
                 failures.push(format!("{name}: {error}"));

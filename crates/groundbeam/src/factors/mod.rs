@@ -16,9 +16,9 @@ mod bonded;
 mod pieces;
 
 use crate::existence::{RigidMotion, Verdict, existence, rays};
-use crate::fineness::too_fine;
 use crate::model::{Load, Model, Problem};
-use crate::solve::Error;
+use crate::size;
+use crate::solve::{Error, Options};
 use crate::stability::convexity;
 
 /// What becomes of a model whose loads grow. See [`load_factors`].
@@ -96,9 +96,7 @@ pub fn load_factors(model: &Model, grows: impl Fn(usize) -> bool) -> Result<Load
     let Some(stability) = convexity(model) else {
         return Err(Error::Unsupported(Problem::factors_of_a_local_equilibrium()));
     };
-    if let Some(problem) = too_fine(model) {
-        return Err(Error::Unsupported(problem));
-    }
+    size::check(model, &Options::default())?;
     let parts = Parts::of(model, grows);
     let loss_of_equilibrium = parts.loss_of_equilibrium();
     let first_lift_off = match loss_of_equilibrium {

@@ -93,7 +93,8 @@ impl Turning {
     }
 
     fn at(&self, x: f64, near: f64) -> Option<String> {
-        let moment = self.moments.first_at(x, near).map(|i| format!("the moment of load {}", i + 1));
+        let moment =
+            self.moments.first_at(x, near).map(|i| format!("the moment of load {}", i + 1));
         moment.or_else(|| self.supports.first_at(x, near).map(|i| format!("support {}", i + 1)))
     }
 }

@@ -51,6 +51,11 @@ impl Places {
         let here = Place(at - near)..=Place(at + near);
         self.0.range(here).map(|(_, number)| *number).min()
     }
+
+    /// The number of the last position that is `at` or left of it.
+    pub fn last_up_to(&self, at: f64) -> Option<usize> {
+        self.0.range(..=Place(at + 0.0)).next_back().map(|(_, number)| *number)
+    }
 }
 
 /// Of each position the number of another, earlier in the list, that is at the same place.

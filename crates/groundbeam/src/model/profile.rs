@@ -130,7 +130,7 @@ impl Profile {
     }
 
     /// On a stretch x of a segment with the given ends, by s ∈ \[−1, 1\] along the stretch.
-    pub(super) fn on(&self, ends: [f64; 2], x: [f64; 2]) -> Course {
+    pub(crate) fn on(&self, ends: [f64; 2], x: [f64; 2]) -> Course {
         if self.is_constant() {
             return Course::constant(self.start());
         }

@@ -175,6 +175,7 @@ impl Model {
     }
 
     fn check_loads(&self, found: &mut Vec<Problem>) {
+        let begins = self.ground_begins();
         for (i, load) in self.loads.iter().enumerate() {
             let part = Part::Load(i);
             match *load {
@@ -197,7 +198,7 @@ impl Model {
                     finite(found, part, "at", at);
                     self.check_on_ground(found, part, "at", [at, at]);
                     down(found, part, "force", force);
-                    if self.ground_has_no_layer(at) {
+                    if self.ground_has_no_layer(&begins, at) {
                         let message = "a force at a point of the ground needs a shear layer";
                         let hint = "spread it: distributed with from and to";
                         found.push(Problem::new("GB209", part, "at", message, hint));

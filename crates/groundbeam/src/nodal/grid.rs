@@ -218,6 +218,13 @@ pub(super) struct Grid {
 impl Grid {
     /// About `elements` equal elements, and a node at every place of the model.
     pub fn new(model: &Model, elements: usize, ground: Ground) -> Self {
+        let mut grid = Self::of(model, ground);
+        grid.cut(elements as f64 / model.beam.length);
+        grid
+    }
+
+    /// Without elements.
+    pub fn of(model: &Model, ground: Ground) -> Self {
         let mesh = Mesh::build(model, &[], |_| 1);
         let mut grid = Grid {
             runs: mesh.cells.iter().map(Run::new).collect(),
@@ -229,7 +236,6 @@ impl Grid {
             flat: model.gap.is_empty(),
         };
         grid.chain();
-        grid.cut(elements as f64 / model.beam.length);
         grid
     }
 
@@ -277,6 +283,12 @@ impl Grid {
     /// The largest wave number of the beam on its ground.
     pub fn wave_number(&self) -> f64 {
         self.runs.iter().map(|run| run.wave_number(self.axial_force)).fold(0.0, f64::max)
+    }
+
+    /// The fewest elements it may have: those into which an open beam must be cut.
+    pub fn fewest(&self) -> usize {
+        let pieces = self.runs.iter().map(|run| run.pieces(self.axial_force, run.length()));
+        pieces.fold(0, usize::saturating_add)
     }
 
     /// What lifting the whole ground by one takes.

@@ -26,7 +26,8 @@ pub use newton::Work;
 
 use crate::existence::{Existence, Verdict};
 use crate::model::{Load, Model, Problem};
-use crate::solve::{Error, Method, NotConverged, exists};
+use crate::size;
+use crate::solve::{Error, Method, NotConverged, Options, exists};
 use grid::{Grid, Ground};
 use hull::Hull;
 use newton::Workspace;
@@ -92,16 +93,17 @@ impl NodalSolver {
         elements: usize,
         into: &mut NodalSolution,
     ) -> Result<Existence, Error> {
-        self.where_it_stands(model, |solver| solver.search(model, elements, into))
+        self.where_it_stands(model, elements, |solver| solver.search(model, elements, into))
     }
 
     /// Solves if there is an equilibrium.
     fn where_it_stands(
         &mut self,
         model: &Model,
+        elements: usize,
         solve: impl FnOnce(&mut Self) -> Result<(), Error>,
     ) -> Result<Existence, Error> {
-        let existence = checked(model)?;
+        let existence = checked(model, elements)?;
         if existence.verdict.stands() {
             solve(self)?;
         }
@@ -135,7 +137,7 @@ impl NodalSolver {
         elements: usize,
         into: &mut NodalSolution,
     ) -> Result<Existence, Error> {
-        self.where_it_stands(model, |solver| solver.search_near(model, elements, into))
+        self.where_it_stands(model, elements, |solver| solver.search_near(model, elements, into))
     }
 
     /// From the contact of the answer that `into` holds, or else from coarse grids.
@@ -193,7 +195,7 @@ impl NodalSolver {
         elements: usize,
         into: &mut NodalSolution,
     ) -> Result<(), Error> {
-        checked(model)?;
+        checked(model, elements)?;
         let grid = Grid::new(model, elements.max(1), Ground::Nodal);
         let workspace = &mut self.workspace;
         workspace.bond(&grid);
@@ -217,8 +219,9 @@ pub(crate) fn edges(model: &Model) -> Option<Vec<[f64; 2]>> {
     if held || model.varying_part().is_some() {
         return None;
     }
-    let waves = Grid::new(model, 1, Ground::Spread).wave_number() * model.beam.length;
-    if waves.is_nan() || waves > MOST_WAVES {
+    let grid = Grid::of(model, Ground::Spread);
+    let waves = grid.wave_number() * model.beam.length;
+    if waves.is_nan() || waves > MOST_WAVES || grid.fewest() as f64 > PER_WAVE * MOST_WAVES {
         return None;
     }
     let mut grids = Vec::new();
@@ -243,7 +246,7 @@ fn stalled(iterations: usize) -> Error {
     })
 }
 
-fn checked(model: &Model) -> Result<Existence, Error> {
+fn checked(model: &Model, elements: usize) -> Result<Existence, Error> {
     let existence = exists(model)?;
     if let Verdict::Local(_) = existence.verdict {
         return Err(Error::Unsupported(Problem::local_by_another_method()));
@@ -266,6 +269,8 @@ fn checked(model: &Model) -> Result<Existence, Error> {
     if let Some(part) = crate::solve::without_shear_layer(model) {
         return Err(Error::Unsupported(Problem::nodal_forces_on_springs(part)));
     }
+    let fewest = Grid::of(model, Ground::Nodal).fewest();
+    size::check_nodes(fewest.saturating_add(elements), Options::default().memory_limit)?;
     Ok(existence)
 }
 
