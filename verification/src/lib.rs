@@ -7,6 +7,7 @@ pub mod crossing;
 pub mod dense;
 pub mod documents;
 mod element;
+pub mod hostile;
 pub mod linear;
 pub mod many;
 pub mod random;
