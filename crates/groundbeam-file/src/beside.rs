@@ -1,5 +1,6 @@
 //! Files beside the model file: tables of numbers that it names.
 
+use crate::files::read_file;
 use crate::source::Source;
 use csv::{ReaderBuilder, StringRecord, Trim};
 use std::ops::Range;
@@ -43,7 +44,7 @@ impl Table {
     /// before comments.
     pub fn read(folder: &Path, file: &str) -> Result<Table, String> {
         let path = folder.join(file);
-        let bytes = std::fs::read(&path).map_err(|error| error.to_string())?;
+        let bytes = read_file(&path).map_err(|error| error.to_string())?;
         let text = String::from_utf8_lossy(&bytes).into_owned();
         let source = Source::new(&text);
         let start = text.len() - text.trim_start_matches('\u{feff}').len();

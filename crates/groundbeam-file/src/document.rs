@@ -141,6 +141,11 @@ impl Places {
         self.fields.entry(part).or_default().push((name, place));
     }
 
+    /// Where the part with a problem stands.
+    pub fn part_of(&self, problem: &Problem) -> Option<Range<usize>> {
+        self.parts.get(&problem.part).cloned()
+    }
+
     /// The place of a problem, unless it only follows from what has been reported already.
     pub fn of(&self, problem: &Problem) -> Option<Range<usize>> {
         if problem.numbers.iter().any(|number| number.is_nan()) {

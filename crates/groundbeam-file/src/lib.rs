@@ -40,9 +40,12 @@ mod combination;
 mod diagnostic;
 mod document;
 mod fault;
+mod files;
+mod lists;
 mod materials;
 mod number;
 mod positions;
+mod printable;
 mod profile;
 mod quantity;
 mod reader;
@@ -68,8 +71,10 @@ pub use code::{CODES, Code};
 pub use combination::{Combination, LoadCase};
 pub use diagnostic::{Diagnostic, Diagnostics, Related, Severity};
 pub use document::{Document, MovingTrain, Quantity};
+pub use files::{open_file, read_bounded, read_file};
 pub use materials::{Material, materials};
 pub use positions::parse_positions;
+pub use printable::printable;
 pub use sets::{CombinationSet, combination_sets};
 pub use target::{Change, Course, along_the_beam, change, problem};
 pub use trains::{TrainSet, train_sets};
@@ -137,17 +142,27 @@ fn read(text: &str, folder: Option<&Path>, bare_is_si: bool) -> Result<Document,
     let contents = section::read(&mut reader, &root);
     let Contents { title, model, ground, limits, cases, recipes, trains } = contents;
     let before = reader.found.len();
-    let units = reader.unit_system();
+    let units = reader.unit_system().unwrap_or(UnitSystem::Plain);
     let is_mixed = reader.found.len() > before;
     // Lengths of which only some are in metres cannot be compared.
     if !is_mixed {
-        for problem in model.problems() {
-            if let Some(span) = reader.places.of(&problem) {
-                reader.found.push(document::diagnostic(&source, span, &problem, units));
+        let problems = model.problems();
+        for problem in &problems {
+            if let Some(span) = reader.places.of(problem) {
+                reader.found.push(document::diagnostic(&source, span, problem, units));
             }
         }
+        // A model with a problem is never accepted: where no cause of it has been told, it is told of its part.
+        if reader.found.is_empty() {
+            let told = problems.iter().map(|problem| {
+                let span = reader.places.part_of(problem).unwrap_or(0..0);
+                document::diagnostic(&source, span, problem, units)
+            });
+            let told: Vec<Diagnostic> = told.collect();
+            reader.found.extend(told);
+        }
     }
-    let quantities = reader.located();
+    let quantities = reader.located(units);
     let Reader { found, places, .. } = reader;
     if found.is_empty() {
         let Ground { bed, width, band, .. } = ground;

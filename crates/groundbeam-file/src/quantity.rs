@@ -199,9 +199,8 @@ impl Kind {
             }
             (number.times(&unit.scale), true)
         };
-        if value.is_infinite() || (value == 0.0 && !number.is_zero()) {
-            let size = if value == 0.0 { "small" } else { "large" };
-            return Err(out_of_reach(size, start..start + trimmed.len()));
+        if !is_within_reach(value) || (value == 0.0 && !number.is_zero()) {
+            return Err(out_of_reach(value, start..start + trimmed.len()));
         }
         Ok(Written { value, has_unit })
     }
@@ -279,11 +278,20 @@ pub(crate) fn not_finite(written: &str, at: std::ops::Range<usize>) -> Fault {
     Fault::new(code::NOT_FINITE, at, message, "", "give a finite number, or leave the key out")
 }
 
-/// A number outside the range of 64-bit floating point.
-pub(crate) fn out_of_reach(size: &str, at: std::ops::Range<usize>) -> Fault {
-    let message = format!("this number is too {size} to be held");
-    let hint = "numbers between 1e-60 and 1e60, their negatives and 0 can be computed with";
-    Fault::new(code::NOT_FINITE, at, message, "", hint)
+/// Whether a number can be computed with: products of a few such numbers, and their powers, are finite.
+pub(crate) fn is_within_reach(value: f64) -> bool {
+    value == 0.0 || (1e-60..=1e60).contains(&value.abs())
+}
+
+/// Which numbers can be computed with.
+pub(crate) const REACH: &str =
+    "numbers between 1e-60 and 1e60, their negatives and 0 can be computed with";
+
+/// A number that cannot be computed with, as near to it as 64-bit floating point comes.
+pub(crate) fn out_of_reach(value: f64, at: std::ops::Range<usize>) -> Fault {
+    let size = if value.abs() < 1.0 { "small" } else { "large" };
+    let message = format!("this number is too {size} to be computed with");
+    Fault::new(code::NOT_FINITE, at, message, "", REACH)
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ use crate::code;
 use crate::diagnostic::Diagnostic;
 use crate::document::Places;
 use crate::fault::Fault;
+use crate::lists::List;
 use crate::quantity::{self, Kind, Written};
 use crate::source::Source;
 use crate::table::{Section, suggestion};
@@ -153,13 +154,9 @@ impl<'s> Reader<'s> {
         }
     }
 
-    /// The tables `[[key]]`, none if there are none.
-    pub fn tables<'a>(
-        &mut self,
-        parent: &Section<'a>,
-        key: &str,
-        name: &'static str,
-    ) -> Vec<Section<'a>> {
+    /// The tables of a list, none if there are none.
+    pub fn tables<'a>(&mut self, parent: &Section<'a>, list: &List) -> Vec<Section<'a>> {
+        let List { key, name } = *list;
         let Some(value) = parent.value(key) else { return vec![] };
         let DeValue::Array(array) = value.get_ref() else {
             let message = format!("there can be several {name}, so it is written as a list");
@@ -251,7 +248,9 @@ impl<'s> Reader<'s> {
                 // A plain number has no unit in either kind of file.
                 if kind.dimension != Dimension::NONE {
                     let key = key.to_owned();
-                    self.quantities.push(Seen { key, kind, has_unit, span: span.clone() });
+                    let is_bare_zero = value == 0.0 && !has_unit;
+                    let span = span.clone();
+                    self.quantities.push(Seen { key, kind, has_unit, is_bare_zero, span });
                 }
                 Field::new(value, span)
             }
@@ -289,7 +288,7 @@ fn bare_integer(integer: &DeInteger, kind: &Kind) -> Result<Written, Fault> {
     }
     match i128::from_str_radix(integer.as_str(), integer.radix()) {
         Ok(value) => Ok(Written { value: value as f64, has_unit: false }),
-        Err(_) => Err(quantity::out_of_reach("large", 0..0)),
+        Err(_) => Err(quantity::out_of_reach(f64::INFINITY, 0..0)),
     }
 }
 

@@ -4,6 +4,7 @@ use super::{band, soil};
 use crate::band::Band;
 use crate::code;
 use crate::fault::Fault;
+use crate::lists;
 use crate::profile::{Along, Values, left_out};
 use crate::quantity::{
     AREA_SHEAR, POSITION, SHEAR_CONSTANT, SPRING_PER_LENGTH, SUBGRADE_MODULUS, WIDTH,
@@ -123,8 +124,7 @@ fn constants(reader: &mut Reader, table: &Section, beam_length: f64) -> Ground {
     let parent = Parent { given, spring: known, shear, of_area, length: beam_length };
 
     let mut segments = Vec::new();
-    for (i, segment) in reader.tables(table, "segment", "[[foundation.segment]]").iter().enumerate()
-    {
+    for (i, segment) in reader.tables(table, &lists::FOUNDATION_SEGMENT).iter().enumerate() {
         let part = Part::FoundationSegment(i);
         segments.push(read_segment(reader, segment, part, &parent));
     }

@@ -1,6 +1,7 @@
 //! `[[gap]]` and `[[gap_trough]]`.
 
 use super::survey;
+use crate::lists;
 use crate::quantity::{CLEARANCE, POSITION, WIDTH};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
@@ -21,7 +22,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section, length: f64) -> Vec<GapP
         gap = survey::read(reader, &table, length);
         place_all(reader, gap.len(), &table);
     }
-    let tables = reader.tables(root, "gap_trough", "[[gap_trough]]");
+    let tables = reader.tables(root, &lists::GAP_TROUGH);
     let troughs: Vec<Trough> = tables.iter().map(|table| Trough::read(reader, table)).collect();
     let readable = |trough: &Trough| !(trough.at + trough.settlement + trough.width).is_nan();
     if let Some(first) = tables.first()
@@ -36,7 +37,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section, length: f64) -> Vec<GapP
 }
 
 fn corners(reader: &mut Reader, root: &Section) -> Vec<GapPoint> {
-    let tables = reader.tables(root, "gap", "[[gap]]");
+    let tables = reader.tables(root, &lists::GAP);
     let mut gap = Vec::new();
     for (i, table) in tables.iter().enumerate() {
         reader.refuse_unknown(table, KEYS);

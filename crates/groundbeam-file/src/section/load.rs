@@ -4,6 +4,7 @@ use super::curl;
 use super::curl::Curls;
 use crate::code;
 use crate::fault::Fault;
+use crate::lists;
 use crate::quantity::{
     CURVATURE, FORCE, Kind, LOAD_PER_LENGTH, MOMENT, MOMENT_PER_LENGTH, POSITION, STRAIN,
     TEMPERATURE,
@@ -48,7 +49,7 @@ pub(super) fn read(
     beam_length: f64,
     curls: &Curls,
 ) -> (Vec<Load>, Vec<Option<String>>) {
-    let tables = reader.tables(root, "load", "[[load]]");
+    let tables = reader.tables(root, &lists::LOAD);
     let mut loads = Vec::new();
     let mut cases = Vec::new();
     for (i, table) in tables.iter().enumerate() {
@@ -76,7 +77,7 @@ pub(super) fn read_on_ground(
     root: &Section,
     first: usize,
 ) -> Vec<(Load, Option<String>)> {
-    let tables = reader.tables(root, "ground_load", "[[ground_load]]");
+    let tables = reader.tables(root, &lists::GROUND_LOAD);
     let mut loads = Vec::new();
     for (i, table) in tables.iter().enumerate() {
         let load = on_ground(reader, table, Part::Load(first + i));

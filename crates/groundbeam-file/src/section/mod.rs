@@ -20,9 +20,10 @@ mod weight;
 
 use crate::combination::Recipe;
 use crate::document::MovingTrain;
-use crate::reader::Reader;
+use crate::reader::{Field, Reader};
 use crate::table::Section;
 use curl::Curls;
+use groundbeam::model::Part;
 use groundbeam::{Limits, Model};
 
 const TABLES: &[&str] = &[
@@ -64,7 +65,14 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     let ground = foundation::read(reader, root, &beam);
     let curls = Curls { depths, expansion };
     let (mut loads, mut cases) = load::read(reader, root, beam.length, &curls);
-    for (load, case) in own {
+    for beam::OwnLoad { load, case, span } in own {
+        let part = Part::Load(loads.len());
+        reader.places.part(part, &span);
+        reader.places.field(part, "start", &Field::new(0.0, span.clone()));
+        // Where it begins and ends the segments say, and what is wrong there is told of them.
+        for end in ["from", "to"] {
+            reader.places.field(part, end, &Field::unreadable(span.clone()));
+        }
         loads.push(load);
         cases.push(case);
     }

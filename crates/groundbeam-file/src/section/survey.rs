@@ -140,7 +140,7 @@ impl Columns<'_, '_, '_> {
             }
             (_, Some(_)) if self.reader.is_plain() => {
                 let message = "this column has a unit, but the model gives none";
-                let hint = "a file gives every quantity a unit, zeros too, or none at all";
+                let hint = "a file gives every quantity a unit, or none at all";
                 self.report(Fault::new(code::MIXED, at, message, "a unit here", hint));
                 return None;
             }
@@ -199,11 +199,10 @@ impl Columns<'_, '_, '_> {
         match Decimal::read(text) {
             Some((number, length)) if length == text.len() => {
                 let value = column.scale.map_or(number.to_f64(), |scale| number.times(&scale));
-                if value.is_finite() && (value == 0.0 || (1e-60..=1e60).contains(&value.abs())) {
+                if quantity::is_within_reach(value) && (value != 0.0 || number.is_zero()) {
                     return Some(value);
                 }
-                let size = if value.abs() < 1.0 { "small" } else { "large" };
-                self.report(quantity::out_of_reach(size, at));
+                self.report(quantity::out_of_reach(value, at));
             }
             found => {
                 let message = if text.is_empty() {

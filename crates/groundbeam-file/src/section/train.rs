@@ -3,7 +3,8 @@
 use crate::code;
 use crate::document::MovingTrain;
 use crate::fault::Fault;
-use crate::quantity::{FORCE, LOAD_PER_LENGTH, POSITION, RATIO};
+use crate::lists;
+use crate::quantity::{self, FORCE, LOAD_PER_LENGTH, POSITION, RATIO, REACH};
 use crate::reader::Reader;
 use crate::suggest::nearest;
 use crate::table::Section;
@@ -16,7 +17,7 @@ const KEYS: &[&str] = &["name", "set", "axles", "uniform", "from", "to", "factor
 
 /// The trains of a file, each of which passes alone.
 pub(super) fn read(reader: &mut Reader, root: &Section, beam_length: f64) -> Vec<MovingTrain> {
-    let tables = reader.tables(root, "train", "[[train]]");
+    let tables = reader.tables(root, &lists::TRAIN);
     let mut trains: Vec<MovingTrain> = Vec::new();
     for (i, table) in tables.iter().enumerate() {
         let train = read_one(reader, table, beam_length);
@@ -52,10 +53,9 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64) -> MovingTra
     let factor = match reader.quantity(table, "factor", &RATIO) {
         Some(factor) => {
             let scaled = train.clone().scaled(factor.value);
-            if factor.value.is_finite() && is_finite(&train) && !is_finite(&scaled) {
-                let message = "with this factor a load of the train is too large to hold";
-                let hint = "numbers reach up to about 1.8e308";
-                reader.report(Fault::new(code::NOT_FINITE, factor.span, message, "", hint));
+            if factor.value.is_finite() && is_finite(&train) && !is_within_reach(&scaled) {
+                let message = "with this factor a load of the train cannot be computed with";
+                reader.report(Fault::new(code::NOT_FINITE, factor.span, message, "", REACH));
             }
             factor.value
         }
@@ -98,7 +98,8 @@ fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Tr
     let Some((written, span)) = reader.words(table, "set", "LM71") else { return (None, train) };
     // The loads of a set have units, so that the rest of the file must have them.
     let key = "set".to_owned();
-    reader.quantities.push(Seen { key, kind: &FORCE, has_unit: true, span: span.clone() });
+    let (kind, has_unit, is_bare_zero) = (&FORCE, true, false);
+    reader.quantities.push(Seen { key, kind, has_unit, is_bare_zero, span: span.clone() });
     let found = trains::find(written.trim());
     match found {
         Some(set) => train = set.train.clone(),
@@ -119,7 +120,7 @@ fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Tr
 fn axles(reader: &mut Reader, table: &Section) -> Vec<Axle> {
     let mut axles = Vec::new();
     let mut first: Option<(f64, Range<usize>)> = None;
-    let list = reader.tables(table, "axles", "an axle");
+    let list = reader.tables(table, &lists::AXLES);
     for axle in &list {
         reader.refuse_unknown(axle, &["at", "force"]);
         let at = reader.required(axle, "at", &POSITION);
@@ -146,7 +147,7 @@ fn axles(reader: &mut Reader, table: &Section) -> Vec<Axle> {
 /// `uniform = [{ from = "5.6 m", load = "80 kN/m" }, …]`; left out, an end is infinitely far away.
 fn uniform(reader: &mut Reader, table: &Section) -> Vec<UniformPart> {
     let mut parts = Vec::new();
-    for part in reader.tables(table, "uniform", "a spread load") {
+    for part in reader.tables(table, &lists::UNIFORM) {
         reader.refuse_unknown(&part, &["from", "to", "load"]);
         let from = reader.quantity(&part, "from", &POSITION);
         let to = reader.quantity(&part, "to", &POSITION);
@@ -187,6 +188,14 @@ fn backward(reader: &mut Reader, message: &str, span: &Range<usize>, hint: &str)
 }
 
 fn is_finite(train: &Train) -> bool {
-    train.axles.iter().all(|axle| axle.force.is_finite())
-        && train.uniform.iter().all(|part| part.intensity.is_finite())
+    sizes(train).all(f64::is_finite)
+}
+
+fn is_within_reach(train: &Train) -> bool {
+    sizes(train).all(quantity::is_within_reach)
+}
+
+fn sizes(train: &Train) -> impl Iterator<Item = f64> {
+    let axles = train.axles.iter().map(|axle| axle.force);
+    axles.chain(train.uniform.iter().map(|part| part.intensity))
 }

@@ -15,6 +15,8 @@ pub use sampling::{Plan, Sampling};
 use crate::diagnostic::Diagnostics;
 use crate::document::Document;
 use crate::fault::Fault;
+use crate::files::read_file;
+use crate::printable::printable;
 use crate::reader::Reader;
 use crate::source::Source;
 use crate::table::Section;
@@ -67,8 +69,7 @@ pub struct StudyFile {
 ///
 /// A file that cannot be read, and everything that is wrong with it; of a model that is wrong, what is wrong there.
 pub fn read_study(path: &Path) -> Result<StudyFile, StudyError> {
-    let bytes =
-        std::fs::read(path).map_err(|error| StudyError::Unreadable(path.to_owned(), error))?;
+    let bytes = read_file(path).map_err(|error| StudyError::Unreadable(path.to_owned(), error))?;
     let wrong = |found| StudyError::wrong(found, path, &bytes);
     let text = text_of(&bytes).map_err(wrong)?;
     match parse(text, path.parent().unwrap_or(Path::new(""))) {
@@ -122,10 +123,10 @@ fn parse(text: &str, folder: &Path) -> Result<StudyFile, At> {
     if random.is_empty() && field.is_none() && reader.found.is_empty() {
         reader.missing(&root, &["random", "field"], "random quantity", "[[random]] or [field]");
     }
-    let has_quantities = !reader.quantities.is_empty();
-    let span = reader.quantities.first().map_or(0..0, |quantity| quantity.span.clone());
+    let first = reader.quantities.iter().find(|quantity| !quantity.is_bare_zero);
+    let span = first.map_or(0..0, |quantity| quantity.span.clone());
     let units = reader.unit_system();
-    if has_quantities && units != document.units && reader.found.is_empty() {
+    if units.is_some_and(|units| units != document.units) && reader.found.is_empty() {
         let message = match document.units {
             crate::UnitSystem::Si => {
                 "the model's quantities have units, so those of its study need them too"
@@ -162,7 +163,9 @@ impl StudyError {
 impl std::fmt::Display for StudyError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            StudyError::Unreadable(path, error) => write!(f, "{}: {error}", path.display()),
+            StudyError::Unreadable(path, error) => {
+                write!(f, "{}: {error}", printable(&path.to_string_lossy()))
+            }
             StudyError::Wrong(found, ..) => found.fmt(f),
         }
     }
@@ -183,7 +186,7 @@ fn model(
         return Ok(None);
     };
     let path = folder.join(name);
-    let bytes = match std::fs::read(&path) {
+    let bytes = match read_file(&path) {
         Ok(bytes) => bytes,
         Err(error) => {
             let message = format!("`{name}` cannot be read: {error}");
