@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::input::units;
 use crate::output::{draw, print, standard_error_has_colour, standard_output_has_colour};
 use crate::request::{Merge, Study};
+use groundbeam_file::printable;
 use groundbeam_file::study::{StudyError, read_study};
 use groundbeam_report::{Context, json, png, svg, text};
 use groundbeam_study::{Draws, Finished, Progress, Shard, Stage, StoreError};
@@ -66,7 +67,7 @@ pub fn merge(request: &Merge) -> Result<Status, Failure> {
         "{} samples of {} files in {}\n",
         merged.samples,
         merged.files,
-        request.out.display()
+        printable(&request.out.to_string_lossy())
     ))?;
     Ok(Status::Done)
 }
@@ -86,7 +87,7 @@ fn read(request: &Study) -> Result<Draws, Failure> {
 fn shard(request: &Study, draws: &Draws) -> Result<Status, Failure> {
     let Shard { number, of } = request.shard;
     let samples = request.shard.samples(draws.plan().samples);
-    let out = request.out.display();
+    let out = printable(&request.out.to_string_lossy()).into_owned();
     if request.json {
         let (first, end) = (samples.start, samples.end);
         print(&format!(
@@ -116,7 +117,7 @@ fn ended(error: &StoreError, what_is_kept: impl Fn() -> String) -> Failure {
 }
 
 fn stopped(what_is_kept: &str) -> Failure {
-    Failure::reported(format!("stopped: {what_is_kept}\n"), Status::Interrupted)
+    Failure::reported(format!("stopped: {}\n", printable(what_is_kept)), Status::Interrupted)
 }
 
 /// Tells whoever waits at a terminal how far it is, and stops where Ctrl-C is pressed.

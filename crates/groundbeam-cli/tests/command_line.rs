@@ -115,3 +115,36 @@ fn nothing_is_coloured_without_a_terminal() {
     let done = command.env_remove("NO_COLOR").env("TERM", "xterm-256color").output().unwrap();
     assert!(!done.stderr.contains(&0x1b) && done.stdout.is_empty());
 }
+
+/// Nothing that never ends is read, and no pipe is waited for: only regular files, and standard input up to 64 MB.
+#[cfg(target_os = "linux")]
+#[test]
+fn only_files_are_read() {
+    let folder = Folder::new();
+    let pipe = folder.path("pipe");
+    assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    let survey = |file: &str| {
+        let model =
+            "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n[[load]]\npoint = 1\nat = 0\n";
+        format!("{model}[gap_survey]\nfile = \"{file}\"\n")
+    };
+    let said = "it is a pipe or a device, not a file";
+    for file in ["/dev/zero", "pipe"] {
+        for command in ["solve", "check", "compare", "serve"] {
+            folder.run(&[command, file]).fails(2, said);
+        }
+        folder.run(&["study", file, "--out", "out"]).fails(2, said);
+        folder.run(&["merge", file, "--out", "out"]).fails(2, said);
+        folder.write("survey.toml", survey(file).as_bytes());
+        folder.run(&["solve", "survey.toml"]).fails(2, said);
+        folder.write("study.toml", format!("model = \"{file}\"\n").as_bytes());
+        folder.run(&["study", "study.toml", "--out", "out"]).fails(2, said);
+    }
+    let endless = std::fs::File::open("/dev/zero").unwrap();
+    let done = folder.command(&["solve", "-"]).stdin(endless).output().unwrap();
+    let said = String::from_utf8_lossy(&done.stderr).into_owned();
+    assert_eq!(
+        (done.status.code(), &*said),
+        (Some(2), "error: <stdin>: it is longer than 64 MB\n")
+    );
+}

@@ -17,7 +17,7 @@ mod study;
 mod train;
 
 use crate::characteristics::Characteristics;
-use crate::context::Context;
+use crate::context::{Context, is_plain};
 use certificate::Proof;
 pub use combinations::{checked_combinations, combinations, envelope_stations};
 pub use comparison::comparison;
@@ -73,9 +73,21 @@ pub fn not_converged(reached: &NotConverged, context: &Context) -> String {
     text(&Stopped::of(reached, context))
 }
 
-/// Plain structs of numbers and words can always be written.
+/// Plain structs of numbers and words can always be written. Characters of words that would steer a terminal are
+/// written as escapes, which a reader of the document turns back.
 fn text(document: &impl Serialize) -> String {
-    serde_json::to_string_pretty(document).unwrap_or_default() + "\n"
+    let written = serde_json::to_string_pretty(document).unwrap_or_default() + "\n";
+    if written.chars().all(|c| c == '\n' || is_plain(c)) {
+        return written;
+    }
+    let mut escaped = String::with_capacity(written.len());
+    for c in written.chars() {
+        match c == '\n' || is_plain(c) {
+            true => escaped.push(c),
+            false => escaped += &format!("\\u{:04x}", u32::from(c)),
+        }
+    }
+    escaped
 }
 
 #[derive(Serialize)]

@@ -28,7 +28,8 @@ pub struct Start {
 
 impl Start {
     fn read(path: &Path) -> Result<Self, Failure> {
-        let bytes = std::fs::read(path).map_err(|error| Failure::file(path, &error))?;
+        let bytes =
+            groundbeam_file::read_file(path).map_err(|error| Failure::file(path, &error))?;
         let name = path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
         Ok(Start { name, text: String::from_utf8_lossy(&bytes).into_owned() })
     }

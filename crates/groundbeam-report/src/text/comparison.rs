@@ -1,10 +1,11 @@
 //! The answers of several methods to one model, a line each.
 
 use super::sheet::Sheet;
-use super::{duration, title};
+use super::title;
 use crate::comparison::{Compared, Comparison, Errors};
 use crate::context::Context;
 use crate::number::order;
+use crate::quantity::duration;
 use groundbeam::{Error, Solution};
 
 /// The report of a comparison; with `colour`, with escape codes for a terminal.

@@ -16,7 +16,7 @@ pub(crate) mod train;
 use crate::characteristics::Characteristics;
 use crate::context::Context;
 use crate::number::significant;
-use crate::quantity::{Kind, Units};
+use crate::quantity::{Kind, Units, duration};
 use crate::size::Sizes;
 use crate::verdict;
 pub use combinations::combinations;
@@ -428,14 +428,4 @@ fn method(sheet: &mut Sheet, solution: &Solution, context: &Context) {
         words += &format!(", {}", duration(seconds));
     }
     sheet.row("Method", &words);
-}
-
-pub(crate) fn duration(seconds: f64) -> String {
-    if seconds < 1e-3 {
-        format!("{:.0} µs", seconds * 1e6)
-    } else if seconds < 1.0 {
-        format!("{} ms", significant(seconds * 1e3, 2))
-    } else {
-        format!("{} s", significant(seconds, 3))
-    }
 }

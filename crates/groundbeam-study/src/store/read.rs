@@ -3,6 +3,7 @@
 use super::StoreError;
 use super::column::{Column, Values};
 use super::table::Head;
+use groundbeam_file::open_file;
 use parquet::column::reader::ColumnReader;
 use parquet::errors::{ParquetError, Result as Done};
 use parquet::file::metadata::ParquetMetaData;
@@ -20,7 +21,7 @@ pub struct Results {
 
 impl Results {
     pub fn open(path: &Path) -> Result<Self, StoreError> {
-        let file = File::open(path).map_err(|error| StoreError::io(path, &error))?;
+        let file = open_file(path).map_err(|error| StoreError::io(path, &error))?;
         let file = SerializedFileReader::new(file);
         let file = file.map_err(|error| StoreError::parquet(path, &error))?;
         Ok(Results { path: path.to_owned(), file })
