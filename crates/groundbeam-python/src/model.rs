@@ -4,11 +4,11 @@ use crate::combinations::Combinations;
 use crate::derivatives::parameter;
 use crate::failure::{Failure, Tipping};
 use crate::solution::{Soil, Solution};
+use crate::threads;
 use groundbeam::{Error, Method, Options, Outcome, Verdict};
 use groundbeam_file::{Combination, Document, UnitSystem};
 use groundbeam_report::{Context, Units, sentence};
 use pyo3::prelude::*;
-use rayon::prelude::*;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
@@ -218,23 +218,24 @@ impl Model {
         })
     }
 
-    /// Solves every combination, each by itself and in its place, on all processors.
+    /// Solves every combination, each by itself and in its place.
     fn solve_combinations(
         &self,
         py: Python<'_>,
         method: &str,
         elements: usize,
-    ) -> Result<Combinations, Failure> {
+        threads: usize,
+    ) -> PyResult<Combinations> {
         let options = options(method, elements)?;
         py.detach(|| {
             let started = Instant::now();
             let all = self.read.document.combinations();
-            let answers = all.into_par_iter().map(|combination| {
-                let answer = self.read.answer(combination.clone(), &options);
-                (combination, answer)
-            });
-            let answers = answers.collect();
-            Combinations::new(self.read.clone(), answers, started.elapsed().as_secs_f64())
+            let answer =
+                |(): &mut (), number: usize| self.read.answer(all[number].clone(), &options);
+            let answers = threads::map(all.len(), threads, None, || (), answer)?;
+            let answers = all.into_iter().zip(answers).collect();
+            let seconds = started.elapsed().as_secs_f64();
+            Ok(Combinations::new(self.read.clone(), answers, seconds)?)
         })
     }
 

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::model::units;
+use crate::threads;
 use groundbeam_file::study::{StudyError, read_study};
 use groundbeam_report::{Context, json, svg};
 use groundbeam_study::{Draws, Finished, Shard, Stage, StoreError, Watch};
@@ -88,6 +89,7 @@ impl Study {
         progress: Option<Py<PyAny>>,
     ) -> PyResult<u64> {
         let shard = Shard { number: shard.0, of: shard.1 };
+        let threads = threads::number(threads);
         let finished = watched(py, progress, |watch| {
             groundbeam_study::run(&self.draws, &out, shard, restart, threads, watch)
         })?;

@@ -12,6 +12,7 @@ import numpy.typing as npt
 from . import _native
 from ._model import Model
 from ._solution import Array, Positions, positions_of
+from ._threads import number_of
 
 if TYPE_CHECKING:
     import pandas
@@ -147,8 +148,6 @@ def solve_many(
     A model that fails does not stop the others. ``progress=True`` draws a bar; a function is called with how many are
     done and how many there are.
     """
-    if threads is not None and threads < 1:
-        raise ValueError("it takes at least one thread")
     several = [models] if isinstance(models, Model) else list(models)
     rows = {name: _rows(name, values) for name, values in (parameters or {}).items()}
     counts = {} if isinstance(models, Model) else {"models": len(several)}
@@ -173,7 +172,7 @@ def solve_many(
         list(extremes),
         method,
         elements,
-        threads or 0,
+        number_of(threads),
         _Bar() if progress is True else progress or None,
     )
     return Batch(table, positions, fields, extremes)

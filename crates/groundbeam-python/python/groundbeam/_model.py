@@ -7,6 +7,7 @@ from typing import NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _native, _parts, _tables
 from ._combinations import Combinations
+from ._threads import number_of
 from ._solution import Solution
 
 
@@ -154,12 +155,16 @@ class Model:
             for name, factors in self._inner.combinations()
         ]
 
-    def solve_combinations(self, method: str = "exact", *, elements: int = 100) -> Combinations:
-        """Solves every combination by itself, on all processors. Those without an answer are kept as what
-        ``solve`` would raise for them."""
+    def solve_combinations(
+        self, method: str = "exact", *, elements: int = 100, threads: Optional[int] = None
+    ) -> Combinations:
+        """Solves every combination by itself. Those without an answer are kept as what ``solve`` would raise for them.
+
+        ``threads`` defaults to the number of processors; the answers have the same bits with any number.
+        """
         if not self._inner.combinations():
             raise ValueError("the model has no combinations: use solve()")
-        return Combinations(self._inner.solve_combinations(method, elements))
+        return Combinations(self._inner.solve_combinations(method, elements, number_of(threads)))
 
     def __repr__(self) -> str:
         title = f" {self.title!r}" if self.title else ""

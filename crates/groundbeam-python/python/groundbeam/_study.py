@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Sequence, Tuple, Un
 from . import _native
 from ._batch import Progress, _Bar
 from ._solution import Array
+from ._threads import number_of
 
 if TYPE_CHECKING:
     import pandas
@@ -149,10 +150,8 @@ class Study:
         """
         if not 1 <= shard[0] <= shard[1]:
             raise ValueError("a shard is (i, n), from 1 to n")
-        if threads is not None and threads < 1:
-            raise ValueError("it takes at least one thread")
         bar = _Bar() if progress is True else progress or None
-        self._inner.run(out, shard, restart, threads or 0, bar)
+        self._inner.run(out, shard, restart, number_of(threads), bar)
         return self.summary(out) if shard[1] == 1 else None
 
     def summary(self, out: File) -> Summary:

@@ -44,7 +44,7 @@ pub fn solve_many<'py>(
     let parameters = parameters?;
     parameter::agree(&parameters)?;
     let task = Task { models, parameters, wanted, options };
-    let rows = py.detach(|| run(&task, count, threads, progress))?;
+    let rows = py.detach(|| run(&task, count, threads, progress.as_ref()))?;
     columns(py, &task.wanted, rows)
 }
 
