@@ -71,7 +71,7 @@ pub use document::{Document, MovingTrain, Quantity};
 pub use materials::{Material, materials};
 pub use positions::parse_positions;
 pub use sets::{CombinationSet, combination_sets};
-pub use target::{Change, Course, along_the_beam, change, problem};
+pub use target::{Change, Course, Shape, along_the_beam, change, most_control_values, problem};
 pub use trains::{TrainSet, train_sets};
 pub use units::UnitSystem;
 pub use write::write_toml;

@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::model::units;
 use crate::threads;
+use groundbeam_file::Course;
 use groundbeam_file::study::{StudyError, read_study};
 use groundbeam_report::{Context, json, svg};
 use groundbeam_study::{Draws, Finished, Shard, Stage, StoreError, Watch};
@@ -76,6 +77,15 @@ impl Study {
             table.set_item(of.name(), array)?;
         }
         Ok(table)
+    }
+
+    /// The class whose objects `solve_many` takes for the fields of a draw.
+    #[getter]
+    fn shape(&self) -> &'static str {
+        match self.draws.study().field.as_ref().map(|field| field.course) {
+            Some(Course::Steps) => "Steps",
+            Some(Course::Lines) | None => "Points",
+        }
     }
 
     /// Solves what is left of the study; how many samples were solved now.

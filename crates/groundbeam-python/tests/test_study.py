@@ -76,7 +76,9 @@ def test_what_is_drawn_is_what_is_solved(study: gb.Study, tmp_path: Path) -> Non
     drawn = study.draw()
     assert drawn["k"].shape == (600, 9)
     np.testing.assert_array_equal(table["load[0]"], drawn["load[0]"])
-    batch = gb.solve_many(gb.load(study.model_path), drawn, at=[0, 12], extremes=["moment"])
+    batch = gb.solve_many(
+        gb.load(study.model_path), study.parameters(), at=[0, 12], extremes=["moment"]
+    )
     np.testing.assert_array_equal(table["moment_max"], batch.extremes["moment"].max)
     np.testing.assert_array_equal(table["deflection@12"], batch["deflection"][:, 1])
     np.testing.assert_array_equal(table["lifted_share"], batch.lifted_share)
@@ -91,6 +93,17 @@ def test_what_is_drawn_is_what_is_solved(study: gb.Study, tmp_path: Path) -> Non
     np.testing.assert_allclose(spread.histogram, counts, atol=1)
     assert sum(spread.histogram) == 600 and len(spread.histogram) > 5
     assert summary.to_svg().startswith("<svg") and "heavy" in summary._repr_html_()
+
+
+def test_a_field_of_steps_is_solved_as_steps(study: gb.Study, tmp_path: Path) -> None:
+    study.path.write_text(STUDY.replace("points = 9", 'points = 9\nbetween = "steps"'))
+    steps = gb.Study(study.path, samples=20)
+    steps.run(tmp_path / "r.parquet")
+    table = steps.to_pandas(tmp_path / "r.parquet")
+    parameters = steps.parameters()
+    assert isinstance(parameters["k"], gb.Steps)
+    batch = gb.solve_many(gb.load(steps.model_path), parameters, at=[12])
+    np.testing.assert_array_equal(table["deflection@12"], batch["deflection"][:, 0])
 
 
 def test_moments_and_correlations_of_what_is_drawn(study: gb.Study) -> None:

@@ -2,7 +2,7 @@
 
 from os import PathLike
 from pathlib import Path
-from typing import Callable, Optional, Sequence, Tuple, Union, final
+from typing import Callable, Literal, Optional, Sequence, Tuple, Union, final
 
 import numpy as np
 import numpy.typing as npt
@@ -112,6 +112,8 @@ class Study:
     def seed(self) -> int: ...
     @property
     def model_path(self) -> Path: ...
+    @property
+    def shape(self) -> Literal["Points", "Steps"]: ...
     def draw(self, first: int, count: int) -> dict[str, _Array]: ...
     def run(
         self,
@@ -128,7 +130,7 @@ def text_of(bytes: bytes, name: str) -> str: ...
 def solve_many(
     models: Sequence[Model],
     count: int,
-    parameters: Sequence[Tuple[str, _Array]],
+    parameters: Sequence[Tuple[str, Optional[str], _Array]],
     at: _Array,
     fields: Sequence[str],
     extremes: Sequence[str],

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _native
+from ._along import Along, Points, Steps
 from ._batch import Progress, _Bar
 from ._solution import Array
 from ._threads import number_of
@@ -125,14 +126,19 @@ class Study:
         return self._inner.model_path
 
     def draw(self, first: int = 0, count: Optional[int] = None) -> dict[str, Array]:
-        """The random numbers of consecutive samples, and the random fields as arrays of samples by points.
-
-        They are what ``solve_many`` takes for parameters.
-        """
+        """The random numbers of consecutive samples, and the random fields as arrays of samples by points."""
         count = self.samples - first if count is None else count
         if first < 0 or count < 0 or first + count > self.samples:
             raise IndexError(f"there are {self.samples} samples")
         return self._inner.draw(first, count)
+
+    def parameters(
+        self, first: int = 0, count: Optional[int] = None
+    ) -> dict[str, Union[Array, Along]]:
+        """What ``draw`` gives, in the form that ``solve_many`` takes: fields say what their values mean."""
+        shape: type[Along] = {"Points": Points, "Steps": Steps}[self._inner.shape]
+        drawn = self.draw(first, count)
+        return {name: shape(each) if each.ndim == 2 else each for name, each in drawn.items()}
 
     def run(
         self,
