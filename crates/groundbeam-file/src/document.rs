@@ -1,6 +1,7 @@
 //! A model file that was read: the model, and where in the file each part of it stands.
 
 use crate::band::Band;
+use crate::beside::OtherFile;
 use crate::combination::Recipe;
 use crate::diagnostic::Diagnostic;
 use crate::fault::Fault;
@@ -13,6 +14,7 @@ use groundbeam::train::Train;
 use groundbeam::{Error, Limits, Model, Options, Outcome};
 use std::collections::HashMap;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// A model file that was read and found right.
 #[derive(Debug, Clone)]
@@ -39,6 +41,8 @@ pub struct Document {
     pub trains: Vec<MovingTrain>,
     /// Every quantity of the file, in the order of the text: what a program changes to change the model.
     pub quantities: Vec<Quantity>,
+    /// The files that the model names, as they were read.
+    pub files: Vec<Arc<OtherFile>>,
     pub(crate) recipes: Vec<Recipe>,
     pub(crate) source: Source,
     pub(crate) places: Places,

@@ -62,7 +62,7 @@ mod units;
 mod write;
 
 pub use band::Band;
-pub use beside::OtherFile;
+pub use beside::{Beside, OtherFile};
 pub use cases::parse_cases;
 pub use code::{CODES, Code};
 pub use combination::{Combination, LoadCase};
@@ -80,7 +80,6 @@ use fault::Fault;
 use reader::Reader;
 use section::{Contents, Ground};
 use source::Source;
-use std::path::Path;
 use table::Section;
 use toml::de::DeTable;
 
@@ -94,16 +93,19 @@ pub fn parse(text: &str) -> Result<Document, Diagnostics> {
     read(text, None, false)
 }
 
-/// Reads a model file that stands in a folder, and what it names beside itself.
+/// Reads a model file that stands in a folder, and the files that it names.
 ///
 /// # Errors
 ///
 /// As [`parse`]; what is wrong with a file that it names is told at its place in that file.
-pub fn parse_beside(text: &str, folder: &Path) -> Result<Document, Diagnostics> {
-    read(text, Some(folder), false)
+pub fn parse_beside<'a>(
+    text: &str,
+    beside: impl Into<Beside<'a>>,
+) -> Result<Document, Diagnostics> {
+    read(text, Some(beside.into()), false)
 }
 
-/// Reads a model that a program wrote, in a folder if it names files beside itself: a number without a unit is in SI
+/// Reads a model that a program wrote, beside the files that it names if it names any: a number without a unit is in SI
 /// units, and may stand beside quantities with one.
 ///
 /// ```
@@ -117,11 +119,11 @@ pub fn parse_beside(text: &str, folder: &Path) -> Result<Document, Diagnostics> 
 /// # Errors
 ///
 /// As [`parse_beside`].
-pub fn parse_si(text: &str, folder: Option<&Path>) -> Result<Document, Diagnostics> {
-    read(text, folder, true)
+pub fn parse_si(text: &str, beside: Option<Beside>) -> Result<Document, Diagnostics> {
+    read(text, beside, true)
 }
 
-fn read(text: &str, folder: Option<&Path>, bare_is_si: bool) -> Result<Document, Diagnostics> {
+fn read(text: &str, beside: Option<Beside>, bare_is_si: bool) -> Result<Document, Diagnostics> {
     let source = Source::new(text);
     let (table, errors) = DeTable::parse_recoverable(text);
     let syntax = syntax::explain(&source, table.get_ref(), &errors);
@@ -132,7 +134,7 @@ fn read(text: &str, folder: Option<&Path>, bare_is_si: bool) -> Result<Document,
     if root.table.is_empty() {
         return Err(Diagnostic::new(&source, no_model()).into());
     }
-    let mut reader = Reader::new(&source, &root, folder, bare_is_si);
+    let mut reader = Reader::new(&source, &root, beside, bare_is_si);
     reader.found = syntax.found;
     let contents = section::read(&mut reader, &root);
     let Contents { title, model, ground, limits, cases, recipes, trains } = contents;
@@ -148,7 +150,7 @@ fn read(text: &str, folder: Option<&Path>, bare_is_si: bool) -> Result<Document,
         }
     }
     let quantities = reader.located();
-    let Reader { found, places, .. } = reader;
+    let Reader { found, places, others, .. } = reader;
     if found.is_empty() {
         let Ground { bed, width, band, .. } = ground;
         Ok(Document {
@@ -162,6 +164,7 @@ fn read(text: &str, folder: Option<&Path>, bare_is_si: bool) -> Result<Document,
             recipes,
             trains,
             quantities,
+            files: others,
             units,
             source,
             places,

@@ -3,7 +3,7 @@
 //! Nothing stops at the first fault. A value that cannot be read is NaN from then on, which no
 //! value in a file can be; whatever depends on it is then NaN too and is not reported again.
 
-use crate::beside::OtherFile;
+use crate::beside::{Beside, OtherFile};
 use crate::code;
 use crate::diagnostic::Diagnostic;
 use crate::document::Places;
@@ -14,7 +14,6 @@ use crate::table::{Section, suggestion};
 use crate::unit::Dimension;
 use crate::units::Seen;
 use std::ops::Range;
-use std::path::Path;
 use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeInteger, DeValue};
@@ -41,7 +40,9 @@ impl Field {
 pub(crate) struct Reader<'s> {
     pub source: &'s Source,
     /// Where files that the model names stand; none if it can name none.
-    pub folder: Option<&'s Path>,
+    pub beside: Option<Beside<'s>>,
+    /// Those that were read.
+    pub others: Vec<Arc<OtherFile>>,
     pub found: Vec<Diagnostic>,
     pub quantities: Vec<Seen>,
     pub places: Places,
@@ -57,12 +58,13 @@ impl<'s> Reader<'s> {
     pub fn new(
         source: &'s Source,
         root: &Section,
-        folder: Option<&'s Path>,
+        beside: Option<Beside<'s>>,
         bare_is_si: bool,
     ) -> Self {
         Reader {
             source,
-            folder,
+            beside,
+            others: vec![],
             found: vec![],
             quantities: vec![],
             places: Places::default(),

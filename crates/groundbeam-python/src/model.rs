@@ -6,7 +6,7 @@ use crate::failure::{Failure, Tipping};
 use crate::solution::{Soil, Solution};
 use crate::threads;
 use groundbeam::{Error, Method, Options, Outcome, Verdict};
-use groundbeam_file::{Combination, Document, UnitSystem};
+use groundbeam_file::{Beside, Combination, Document, OtherFile, UnitSystem};
 use groundbeam_report::{Context, Units, sentence};
 use pyo3::prelude::*;
 use std::path::Path;
@@ -116,6 +116,11 @@ pub fn verdict(verdict: Verdict) -> &'static str {
     }
 }
 
+/// Files in memory, of names and texts.
+pub fn held(files: Vec<(String, String)>) -> Vec<OtherFile> {
+    files.into_iter().map(|(name, text)| OtherFile { name, text }).collect()
+}
+
 /// A model file's text, which must be UTF-8.
 #[pyfunction]
 pub fn text_of(bytes: &[u8], name: &str) -> Result<String, Failure> {
@@ -132,15 +137,27 @@ impl Model {
         name: &str,
         bare_is_si: bool,
         folder: Option<&str>,
+        files: Option<Vec<(String, String)>>,
     ) -> Result<Self, Failure> {
-        let folder = folder.map(Path::new);
-        let document = py.detach(|| match folder {
-            folder if bare_is_si => groundbeam_file::parse_si(text, folder),
-            Some(folder) => groundbeam_file::parse_beside(text, folder),
+        let files = files.map(held);
+        let beside = folder.map(Path::new).map(|folder| match &files {
+            Some(files) => Beside::held(folder, files),
+            None => Beside::from(folder),
+        });
+        let document = py.detach(|| match beside {
+            beside if bare_is_si => groundbeam_file::parse_si(text, beside),
+            Some(beside) => groundbeam_file::parse_beside(text, beside),
             None => groundbeam_file::parse(text),
         });
         let document = document.map_err(|found| Failure::wrong(found, name, text))?;
         Ok(Model { read: Arc::new(Read { document, name: name.to_owned() }) })
+    }
+
+    /// The names and texts of the files that the model names, as they were read.
+    #[getter]
+    fn files(&self) -> Vec<(String, String)> {
+        let files = self.read.document.files.iter();
+        files.map(|file| (file.name.clone(), file.text.clone())).collect()
     }
 
     #[getter]

@@ -1,10 +1,10 @@
 //! Studies: samples drawn, solved and kept, without Python in the loop.
 
 use crate::failure::Failure;
-use crate::model::units;
+use crate::model::{held, units};
 use crate::threads;
 use groundbeam_file::Course;
-use groundbeam_file::study::{StudyError, read_study};
+use groundbeam_file::study::{StudyError, read_held_study, read_study};
 use groundbeam_report::{Context, json, svg};
 use groundbeam_study::{Draws, Finished, Shard, Stage, StoreError, Watch};
 use numpy::{PyArray1, PyArray2};
@@ -26,8 +26,17 @@ fn lost(error: &StoreError) -> PyErr {
 #[pymethods]
 impl Study {
     #[new]
-    fn new(path: PathBuf, samples: Option<u64>, seed: Option<u64>) -> PyResult<Self> {
-        let study = read_study(&path).map_err(|error| match error {
+    fn new(
+        path: PathBuf,
+        samples: Option<u64>,
+        seed: Option<u64>,
+        files: Option<Vec<(String, String)>>,
+    ) -> PyResult<Self> {
+        let study = match files {
+            None => read_study(&path),
+            Some(files) => read_held_study(&path, &held(files)),
+        };
+        let study = study.map_err(|error| match error {
             StudyError::Unreadable(_, error) => error.into(),
             StudyError::Wrong(found, path, text) => {
                 PyErr::from(Failure::wrong(found, &path.display().to_string(), &text))
@@ -53,6 +62,23 @@ impl Study {
     #[getter]
     fn seed(&self) -> u64 {
         self.draws.plan().seed
+    }
+
+    /// The names and texts of all files of the study, as they were read.
+    #[getter]
+    fn files(&self) -> Vec<(String, String)> {
+        self.draws.study().files().into_iter().map(|file| (file.name, file.text)).collect()
+    }
+
+    #[getter]
+    fn digest(&self) -> String {
+        self.draws.digest()
+    }
+
+    /// Whether a file holds all results of a shard.
+    fn is_done(&self, out: PathBuf, shard: (u64, u64)) -> PyResult<bool> {
+        let shard = Shard { number: shard.0, of: shard.1 };
+        groundbeam_study::is_done(&self.draws, &out, shard).map_err(|error| lost(&error))
     }
 
     #[getter]

@@ -3,6 +3,7 @@
 use crate::distribution::{lognormal, normal_of, of_normal};
 use crate::fields::Field;
 use crate::points::Points;
+use crate::store::Head;
 use crate::symmetric::Symmetric;
 use groundbeam::Model;
 use groundbeam::sensitivity::{Extent, Parameter, Property};
@@ -96,6 +97,12 @@ impl Draws {
     /// The study that is sampled.
     pub fn study(&self) -> &StudyFile {
         &self.study
+    }
+
+    /// Of the study, its model, the files that the model names, the plan and this version of the program: results with
+    /// the same digest are the same.
+    pub fn digest(&self) -> String {
+        Head::of(self).get("digest").unwrap_or_default().to_owned()
     }
 
     /// How many samples there are, and how they are drawn.

@@ -29,6 +29,6 @@ mod symmetric;
 pub use draws::{Draw, Draws, Impossible};
 pub use progress::{Progress, Stage, Watch};
 pub use row::{Row, Status, Trouble, Wanted};
-pub use run::{Finished, Shard, run};
+pub use run::{Finished, Shard, is_done, run};
 pub use store::{Merged, StoreError, merge};
 pub use summary::summary;

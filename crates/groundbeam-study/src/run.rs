@@ -3,7 +3,7 @@
 use crate::draws::{Draw, Draws};
 use crate::progress::{Progress, Stage, Watch};
 use crate::row::Row;
-use crate::store::{Column, Parts, StoreError, Table, Whole};
+use crate::store::{Column, Head, Parts, StoreError, Table, Whole};
 use groundbeam::{Options, Solver};
 use std::collections::VecDeque;
 use std::ops::{ControlFlow, Range};
@@ -75,7 +75,7 @@ pub fn run(
 ) -> Result<Finished, StoreError> {
     let table = Table::of(draws);
     let samples = shard.samples(draws.plan().samples);
-    if !restart && !Parts::wait(out) && Whole::of(out, &table.head, &samples)?.is_some() {
+    if !restart && is_done(draws, out, shard)? {
         return Ok(Finished::Whole(0));
     }
     let parts = Parts::open(out, &table, restart)?;
@@ -106,6 +106,16 @@ pub fn run(
         Err(StoreError::Stopped) => Ok(Finished::Stopped(progress(done))),
         finished => finished.map(|()| Finished::Whole(done)),
     }
+}
+
+/// Whether a file holds all results of a shard.
+///
+/// # Errors
+///
+/// A file that cannot be read, or holds other results.
+pub fn is_done(draws: &Draws, out: &Path, shard: Shard) -> Result<bool, StoreError> {
+    let samples = shard.samples(draws.plan().samples);
+    Ok(!Parts::wait(out) && Whole::of(out, &Head::of(draws), &samples)?.is_some())
 }
 
 /// Ranges in pieces of at most a size.

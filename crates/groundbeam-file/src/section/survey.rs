@@ -35,13 +35,13 @@ pub(super) fn read(reader: &mut Reader, table: &Section, length: f64) -> Vec<Gap
         let hint = "clearances are measured from the beam; only levels have a datum";
         reader.exclusive(("clearance", clearance), ("datum", &datum.span), hint);
     }
-    let Some(folder) = reader.folder else {
+    let Some(beside) = reader.beside else {
         let message = "this model stands by itself: no file can be read beside it";
         let hint = "write the corners in the model, as [[gap]], or solve it from a file";
         reader.report(Fault::new(code::FILE, span, message, "", hint));
         return Vec::new();
     };
-    let survey = match Table::read(folder, file) {
+    let survey = match Table::read(beside, file) {
         Ok(survey) => survey,
         Err(error) => {
             let message = format!("`{file}` cannot be read: {error}");
@@ -50,6 +50,7 @@ pub(super) fn read(reader: &mut Reader, table: &Section, length: f64) -> Vec<Gap
             return Vec::new();
         }
     };
+    reader.others.push(survey.file.clone());
     let is_level = clearance.is_none();
     let heights = level.or(clearance);
     let mut columns = Columns { reader, survey: &survey, wrong: false };

@@ -11,6 +11,10 @@ from ._threads import number_of
 from ._solution import Solution
 
 
+_Files = Optional[Sequence[Tuple[str, str]]]
+"""Names and texts of files that are not read from the disk."""
+
+
 class Existence(NamedTuple):
     """What the statics say about equilibrium, before anything is solved."""
 
@@ -37,6 +41,7 @@ class Model:
     _name: str
     _bare_is_si: bool
     _folder: Optional[str]
+    _files: list[Tuple[str, str]]
     _inner: _native.Model
 
     def __init__(
@@ -56,14 +61,24 @@ class Model:
         made = _parts.tables(beam, foundation, several, gap, title)
         self._read(_tables.write(made), "model", True, None)
 
-    def _read(self, text: str, name: str, bare_is_si: bool, folder: Optional[str]) -> None:
+    def _read(
+        self, text: str, name: str, bare_is_si: bool, folder: Optional[str], files: _Files = None
+    ) -> None:
         self._text, self._name, self._bare_is_si, self._folder = text, name, bare_is_si, folder
-        self._inner = _native.Model(text, name, bare_is_si, folder)
+        self._inner = _native.Model(text, name, bare_is_si, folder, files)
+        self._files = self._inner.files
 
     @classmethod
-    def _of(cls, text: str, name: str, bare_is_si: bool, folder: Optional[str] = None) -> Model:
+    def _of(
+        cls,
+        text: str,
+        name: str,
+        bare_is_si: bool,
+        folder: Optional[str] = None,
+        files: _Files = None,
+    ) -> Model:
         model = cls.__new__(cls)
-        model._read(text, name, bare_is_si, folder)
+        model._read(text, name, bare_is_si, folder, files)
         return model
 
     @classmethod
@@ -78,7 +93,7 @@ class Model:
 
     def _with(self, heading: str, part: _parts.Part) -> Model:
         text = self._text.rstrip("\n") + "\n\n" + _tables.write({heading: [part.table]})
-        return Model._of(text, self._name, self.units == "SI", self._folder)
+        return Model._of(text, self._name, self.units == "SI", self._folder, self._files)
 
     def with_load(self, load: _parts.Load) -> Model:
         """The same model with one load more."""
@@ -171,16 +186,18 @@ class Model:
         unit = " m" if self.units == "SI" else ""
         return f"<groundbeam.Model{title}: {self.length:g}{unit}, {self._inner.load_count} loads>"
 
+    def _made_of(self) -> Tuple[str, bool, Tuple[str, ...]]:
+        return self._text, self._bare_is_si, tuple(text for _, text in self._files)
+
     def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Model):
-            return NotImplemented
-        return (self._text, self._bare_is_si) == (other._text, other._bare_is_si)
+        return self._made_of() == other._made_of() if isinstance(other, Model) else NotImplemented
 
     def __hash__(self) -> int:
-        return hash((self._text, self._bare_is_si))
+        return hash(self._made_of())
 
-    def __reduce__(self) -> Tuple[object, Tuple[str, str, bool, Optional[str]]]:
-        return Model._of, (self._text, self._name, self._bare_is_si, self._folder)
+    def __reduce__(self) -> Tuple[object, Tuple[str, str, bool, Optional[str], _Files]]:
+        # With the files that it names, which another machine need not have.
+        return Model._of, (self._text, self._name, self._bare_is_si, self._folder, self._files)
 
 
 def load(path: Union[str, "os.PathLike[str]"]) -> Model:

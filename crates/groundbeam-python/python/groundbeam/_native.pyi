@@ -18,8 +18,15 @@ __version__: str
 @final
 class Model:
     def __new__(
-        cls, text: str, name: str, bare_is_si: bool, folder: Optional[str]
+        cls,
+        text: str,
+        name: str,
+        bare_is_si: bool,
+        folder: Optional[str],
+        files: Optional[Sequence[Tuple[str, str]]],
     ) -> Model: ...
+    @property
+    def files(self) -> list[Tuple[str, str]]: ...
     @property
     def title(self) -> Optional[str]: ...
     @property
@@ -102,8 +109,17 @@ class Combinations:
 @final
 class Study:
     def __new__(
-        cls, path: Union[str, PathLike[str]], samples: Optional[int], seed: Optional[int]
+        cls,
+        path: Union[str, PathLike[str]],
+        samples: Optional[int],
+        seed: Optional[int],
+        files: Optional[Sequence[Tuple[str, str]]],
     ) -> Study: ...
+    @property
+    def files(self) -> list[Tuple[str, str]]: ...
+    @property
+    def digest(self) -> str: ...
+    def is_done(self, out: Union[str, PathLike[str]], shard: Tuple[int, int]) -> bool: ...
     @property
     def title(self) -> Optional[str]: ...
     @property

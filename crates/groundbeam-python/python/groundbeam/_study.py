@@ -103,7 +103,18 @@ class Study:
         self, path: File, *, samples: Optional[int] = None, seed: Optional[int] = None
     ) -> None:
         self.path = Path(path)
-        self._inner = _native.Study(self.path, samples, seed)
+        self._inner = _native.Study(self.path, samples, seed, None)
+
+    @classmethod
+    def _of(cls, path: str, samples: int, seed: int, files: Sequence[Tuple[str, str]]) -> Study:
+        study = cls.__new__(cls)
+        study.path = Path(path)
+        study._inner = _native.Study(path, samples, seed, files)
+        return study
+
+    def __reduce__(self) -> Tuple[object, Tuple[str, int, int, Sequence[Tuple[str, str]]]]:
+        # With its files as they were read, which another machine need not have.
+        return Study._of, (os.fspath(self.path), self.samples, self.seed, self._inner.files)
 
     @property
     def title(self) -> Optional[str]:

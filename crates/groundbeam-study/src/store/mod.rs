@@ -11,7 +11,7 @@ pub(crate) use column::Column;
 pub use merge::{Merged, merge};
 pub(crate) use parts::Parts;
 pub(crate) use read::Whole;
-pub(crate) use table::Table;
+pub(crate) use table::{Head, Table};
 
 use parquet::errors::ParquetError;
 use std::fmt;
@@ -49,7 +49,7 @@ impl fmt::Display for StoreError {
             StoreError::File(path, what) => write!(f, "{}: {what}", path.display()),
             StoreError::Foreign(path) => write!(
                 f,
-                "{}: these results are of another study, model, seed or version of the program; \
+                "{}: these results are of another study, model, survey, seed or version of the program; \
                  name another file, or --restart to begin anew",
                 path.display()
             ),
