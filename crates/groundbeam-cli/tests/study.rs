@@ -143,7 +143,7 @@ fn a_killed_study_goes_on_and_ends_with_the_same_bytes() {
     folder.write("r.parquet.parts/000000000039000-000000000040000.unfinished", b"PAR1");
     // What waits is of this study alone.
     let other = folder.run(&["study", "study.toml", "--out", "r.parquet", "--seed", "9"]);
-    other.fails(2, "another study, model, seed");
+    other.fails(2, "another study, model, survey, seed");
     folder.run(&[&all[..], &["--out", "r.parquet"]].concat()).is_clean(0);
     assert!(bytes(&folder, "r.parquet") == bytes(&folder, "whole.parquet"));
     assert!(!folder.path("r.parquet.parts").exists());

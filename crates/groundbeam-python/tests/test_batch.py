@@ -9,6 +9,7 @@ from typing import Mapping
 import groundbeam as gb
 import numpy as np
 import numpy.typing as npt
+import pandas
 import pytest
 from groundbeam._batch import Parameters
 from groundbeam._solution import Array
@@ -226,6 +227,7 @@ def test_factors_multiply_what_the_model_has() -> None:
         ({"load[0]": gb.Points([1.0, 2.0, 3.0])}, "one number for each model"),
         ({"k": [1.0, 2.0], "mu": gb.Points(np.ones((3, 4)))}, "differ in length: k: 2, mu: 3"),
         ({"k": [[[1.0]]]}, "a row along the beam"),
+        ({"k": ["40 MN/m^2"]}, "`k`: takes numbers in SI units"),
     ],
 )
 def test_wrong_parameters_are_refused(
@@ -233,6 +235,25 @@ def test_wrong_parameters_are_refused(
 ) -> None:
     with pytest.raises(ValueError, match=re.sub(r"([\[(])", r"\\\1", words).replace("values)", r"values\)")):
         gb.solve_many(footing, parameters)
+
+
+def test_a_table_of_pandas_holds_parameters(footing: gb.Model) -> None:
+    table = pandas.DataFrame({"k": [4e7, 5e7], "mu": [9e6, 8e6]})
+    of_table = gb.solve_many(footing, table, at=[1.0], fields="moment", extremes="moment")
+    of_arrays = gb.solve_many(footing, {"k": [4e7, 5e7], "mu": [9e6, 8e6]}, at=[1.0])
+    np.testing.assert_array_equal(of_table["moment"], of_arrays["moment"])
+    assert list(of_table) == list(of_table.extremes) == ["moment"]
+
+
+def test_positions_off_the_beam_are_refused(footing: gb.Model) -> None:
+    for off in (-0.1, 12.1, float("nan")):
+        with pytest.raises(ValueError, match="off the beam"):
+            gb.solve_many(footing, at=[1.0, off])
+    beside = gb.solve_many(footing, at=[12.5], fields="settlement")
+    assert beside["settlement"][0, 0] == footing.solve().settlement(12.5)
+    longer = gb.Model(gb.Beam(15.0, 1e9), gb.Foundation(4e7), loads=[gb.Load.point(1e5, 7.0)])
+    both = gb.solve_many([footing, longer], at=[13.0])
+    assert np.isnan(both["moment"][0, 0]) and np.isfinite(both["moment"][1, 0])
 
 
 def test_progress_is_told_and_may_stop_the_work(footing: gb.Model) -> None:

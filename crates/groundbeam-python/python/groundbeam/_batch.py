@@ -23,7 +23,7 @@ STATUSES = np.array(["solved", "no-equilibrium", "not-converged", "wrong"])
 
 Progress = Union[None, bool, Callable[[int, int], object]]
 
-Parameters = Mapping[str, Union[npt.ArrayLike, Along]]
+Parameters = Union[Mapping[str, Union[npt.ArrayLike, Along]], "pandas.DataFrame"]
 """Names of parameters with a number for all models, a number for each, or values along the beam."""
 
 
@@ -130,8 +130,8 @@ def solve_many(
     parameters: Optional[Parameters] = None,
     *,
     at: Union[Positions, float] = (),
-    fields: Sequence[str] = ("deflection", "moment", "pressure"),
-    extremes: Sequence[str] = (),
+    fields: Union[str, Sequence[str]] = ("deflection", "moment", "pressure"),
+    extremes: Union[str, Sequence[str]] = (),
     method: str = "exact",
     elements: int = 100,
     threads: Optional[int] = None,
@@ -139,7 +139,8 @@ def solve_many(
 ) -> Batch:
     """Solves a list of models, or one model under many sets of parameters, with no Python in the loop.
 
-    A parameter is one number for all models, or an array of one number for each. All are in SI units:
+    A parameter is one number for all models, or an array of one number for each; the columns of a table of pandas are such
+    arrays. All are in SI units:
 
     * ``k``, ``mu``, ``EI``, ``GA``, ``axial_force``;
     * ``k_factor``, ``mu_factor``, ``EI_factor``, ``GA_factor`` and ``load_factor``, which multiply what the model has;
@@ -154,14 +155,15 @@ def solve_many(
     for all models, or an array of models by values. An array of models by two values needs no shape: it runs linearly from
     end to end. A row of three or more values without a shape is a ``ValueError``.
 
-    ``at`` are the positions of ``fields``; ``extremes`` names fields of which the smallest and the largest values are
+    ``at`` are the positions of ``fields``, on the beam; a model whose beam ends before a position has NaN there. ``extremes`` names fields of which the smallest and the largest values are
     located. ``threads`` defaults to as many as there are processors; the answers have the same bits with any number.
     A model that fails does not stop the others. ``progress=True`` draws a bar; a function is called with how many are
     done and how many there are.
     """
     several = [models] if isinstance(models, Model) else list(models)
-    parameters = parameters or {}
-    rows = {name: _rows(name, values) for name, values in parameters.items()}
+    given = {} if parameters is None else {str(name): each for name, each in parameters.items()}
+    fields, extremes = _names(fields), _names(extremes)
+    rows = {name: _rows(name, values) for name, values in given.items()}
     counts = {} if isinstance(models, Model) else {"models": len(several)}
     counts |= {name: len(values) for name, values in rows.items() if len(values) != 1}
     count = next(iter(counts.values()), 1)
@@ -173,21 +175,30 @@ def solve_many(
     positions = np.ascontiguousarray(np.atleast_1d(positions_of(None, at)))
     if positions.ndim != 1:
         raise ValueError("positions are one list")
+    beside = not set(fields) - {"settlement"}
+    length = max((model.length for model in several), default=0.0)
+    if not beside and not ((positions >= 0.0) & (positions <= length)).all():
+        raise ValueError(f"a position lies off the beam, which goes from 0 to {length:g}")
     if not several:
         count = 0
     table = _native.solve_many(
         [model._inner for model in several],
         count,
-        [(name, _shape(parameters[name]), values) for name, values in rows.items()],
+        [(name, _shape(given[name]), values) for name, values in rows.items()],
         positions,
-        list(fields),
-        list(extremes),
+        fields,
+        extremes,
         method,
         elements,
         number_of(threads),
         _Bar() if progress is True else progress or None,
     )
     return Batch(table, positions, fields, extremes)
+
+
+def _names(names: Union[str, Sequence[str]]) -> list[str]:
+    """A list of names; one name may stand alone."""
+    return [names] if isinstance(names, str) else list(names)
 
 
 def _shape(values: Union[npt.ArrayLike, Along]) -> Optional[str]:
@@ -199,7 +210,10 @@ def _rows(name: str, values: Union[npt.ArrayLike, Along]) -> Array:
     """A row for each model, or one for all."""
     if isinstance(values, Along):
         return np.ascontiguousarray(values.values)
-    array = np.asarray(values, dtype=np.float64)
+    try:
+        array = np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"parameter `{name}`: takes numbers in SI units ({error})") from None
     if array.ndim > 2:
         raise ValueError(f"parameter `{name}`: one number for each model, or a row along the beam")
     array = array.reshape(-1, 1) if array.ndim < 2 else array
