@@ -18,7 +18,7 @@ from test_study import MODEL, study
 
 __all__ = ["study"]
 
-LONGEST = 120.0
+LONGEST = 300.0
 """Seconds after which a call counts as one that never returns."""
 
 METHODS = multiprocessing.get_all_start_methods()
