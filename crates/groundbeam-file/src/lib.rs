@@ -42,6 +42,7 @@ mod document;
 mod fault;
 mod materials;
 mod number;
+pub mod output;
 mod positions;
 mod profile;
 mod quantity;
