@@ -1,10 +1,12 @@
 //! `groundbeam study` and `groundbeam merge`
 
 use crate::Status;
+use crate::distinct;
 use crate::failure::Failure;
 use crate::input::units;
 use crate::output::{draw, print, standard_error_has_colour, standard_output_has_colour};
 use crate::request::{Merge, Study};
+use groundbeam_file::output::Target;
 use groundbeam_file::study::{StudyError, read_study};
 use groundbeam_report::{Context, json, png, svg, text};
 use groundbeam_study::{Draws, Finished, Progress, Shard, Stage, StoreError};
@@ -21,6 +23,7 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// Runs what of a study is left, and says what follows from it.
 pub fn run(request: &Study) -> Result<Status, Failure> {
     let draws = read(request)?;
+    distinct::check(request.outputs(), draws.study().files())?;
     let mut watcher = Watcher::new()?;
     let Study { out, shard: part, restart, threads, .. } = request;
     let watch = &mut |progress| watcher.look(progress);
@@ -62,6 +65,10 @@ pub fn merge(request: &Merge) -> Result<Status, Failure> {
     watcher.end();
     let kept = || "nothing is put together".to_owned();
     let merged = merged.map_err(|error| ended(&error, kept))?;
+    if Target::of(&request.out).is_ok_and(|target| target == Target::StandardOutput) {
+        // The reader of standard output wants the file alone.
+        return Ok(Status::Done);
+    }
     print(&format!(
         "{} samples of {} files in {}\n",
         merged.samples,
@@ -182,6 +189,7 @@ impl Watcher {
 fn style(stage: Stage) -> ProgressStyle {
     let bar = if standard_error_has_colour() { "{bar:24.cyan}" } else { "{bar:24}" };
     let words = match stage {
+        Stage::Verifying => "verifying, {percent} %, {eta} left",
         Stage::Solving => "{human_pos} of {human_len}, {per_sec}, {eta} left",
         Stage::Merging => "putting together, {percent} %, {eta} left",
         Stage::Summarizing => "summing up, {percent} %, {eta} left",

@@ -13,6 +13,7 @@ use groundbeam::train::Train;
 use groundbeam::{Error, Limits, Model, Options, Outcome};
 use std::collections::HashMap;
 use std::ops::Range;
+use std::path::PathBuf;
 
 /// A model file that was read and found right.
 #[derive(Debug, Clone)]
@@ -39,6 +40,8 @@ pub struct Document {
     pub trains: Vec<MovingTrain>,
     /// Every quantity of the file, in the order of the text: what a program changes to change the model.
     pub quantities: Vec<Quantity>,
+    /// The files beside the model file that were read.
+    pub files: Vec<PathBuf>,
     pub(crate) recipes: Vec<Recipe>,
     pub(crate) source: Source,
     pub(crate) places: Places,

@@ -149,7 +149,7 @@ fn read(text: &str, folder: Option<&Path>, bare_is_si: bool) -> Result<Document,
         }
     }
     let quantities = reader.located();
-    let Reader { found, places, .. } = reader;
+    let Reader { found, places, files, .. } = reader;
     if found.is_empty() {
         let Ground { bed, width, band, .. } = ground;
         Ok(Document {
@@ -163,6 +163,7 @@ fn read(text: &str, folder: Option<&Path>, bare_is_si: bool) -> Result<Document,
             recipes,
             trains,
             quantities,
+            files,
             units,
             source,
             places,

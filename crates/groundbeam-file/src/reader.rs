@@ -14,7 +14,7 @@ use crate::table::{Section, suggestion};
 use crate::unit::Dimension;
 use crate::units::Seen;
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeInteger, DeValue};
@@ -45,6 +45,8 @@ pub(crate) struct Reader<'s> {
     pub found: Vec<Diagnostic>,
     pub quantities: Vec<Seen>,
     pub places: Places,
+    /// The files beside the model file that were read.
+    pub files: Vec<PathBuf>,
     /// Whether numbers without a unit are in SI units and may stand beside others.
     pub bare_is_si: bool,
     /// Whether the file seems to give no units, so that advice fits it.
@@ -66,6 +68,7 @@ impl<'s> Reader<'s> {
             found: vec![],
             quantities: vec![],
             places: Places::default(),
+            files: vec![],
             bare_is_si,
             plain: !bare_is_si && root.has_bare_numbers_only(),
             meant: vec![],

@@ -97,6 +97,11 @@ impl Study {
         }
     }
 
+    /// Compares a file of results with its checksums.
+    fn verify(&self, py: Python<'_>, out: PathBuf) -> PyResult<u64> {
+        watched(py, None, |watch| groundbeam_study::verify(&out, watch))
+    }
+
     /// What follows from all samples, as a document and as a picture.
     fn summary(&self, py: Python<'_>, out: PathBuf) -> PyResult<(String, String)> {
         let context = Context::new(units(self.draws.study().document.units));

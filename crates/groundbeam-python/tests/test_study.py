@@ -125,6 +125,22 @@ def test_shards_and_threads_change_no_byte(study: gb.Study, tmp_path: Path) -> N
         gb.merge(names[:2], tmp_path / "bad.parquet")
 
 
+def test_damaged_results_are_refused(study: gb.Study, tmp_path: Path) -> None:
+    out = tmp_path / "r.parquet"
+    study.run(out)
+    # Other programs read the file as any Parquet file.
+    assert len(pandas.read_parquet(out)) == len(study.to_pandas(out)) == 600
+    whole = out.read_bytes()
+    for at in range(0, len(whole), 997):
+        out.write_bytes(whole[:at] + bytes([whole[at] ^ 16]) + whole[at + 1 :])
+        for read in (study.to_pandas, study.summary, study.run):
+            with pytest.raises(ValueError, match="r.parquet: .*delete"):
+                read(out)
+    out.unlink()
+    study.run(out)
+    assert out.read_bytes() == whole
+
+
 def test_what_is_wrong(study: gb.Study, tmp_path: Path) -> None:
     study.path.write_text(STUDY.replace("gumbel", "gumble").replace("rho = 0.6", "rho = 6"))
     with pytest.raises(gb.ModelError) as caught:

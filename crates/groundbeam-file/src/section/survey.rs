@@ -41,6 +41,7 @@ pub(super) fn read(reader: &mut Reader, table: &Section, length: f64) -> Vec<Gap
         reader.report(Fault::new(code::FILE, span, message, "", hint));
         return Vec::new();
     };
+    reader.files.push(folder.join(file));
     let survey = match Table::read(folder, file) {
         Ok(survey) => survey,
         Err(error) => {

@@ -39,6 +39,8 @@ const TABLES: &[&str] = &[
 /// A study file that was read, with the model it is about.
 #[derive(Debug, Clone)]
 pub struct StudyFile {
+    /// The study file, as it can be opened from where the program runs.
+    pub path: PathBuf,
     /// What the file calls itself.
     pub title: Option<String>,
     /// Its text.
@@ -61,6 +63,14 @@ pub struct StudyFile {
     pub events: Vec<Event>,
 }
 
+impl StudyFile {
+    /// All files that were read: the study, its model, and the tables that the model names.
+    pub fn files(&self) -> impl Iterator<Item = &Path> {
+        let model = [&self.path, &self.model_path];
+        model.into_iter().chain(&self.document.files).map(PathBuf::as_path)
+    }
+}
+
 /// Reads a study file, and the model that it names.
 ///
 /// # Errors
@@ -72,7 +82,7 @@ pub fn read_study(path: &Path) -> Result<StudyFile, StudyError> {
     let wrong = |found| StudyError::wrong(found, path, &bytes);
     let text = text_of(&bytes).map_err(wrong)?;
     match parse(text, path.parent().unwrap_or(Path::new(""))) {
-        Ok(study) => Ok(study),
+        Ok(study) => Ok(StudyFile { path: path.to_owned(), ..study }),
         Err(At::Study(found)) => Err(wrong(found)),
         Err(At::Model(error)) => Err(error),
     }
@@ -141,7 +151,20 @@ fn parse(text: &str, folder: &Path) -> Result<StudyFile, At> {
         return Err(Diagnostics::new(reader.found).into());
     }
     let text = text.to_owned();
-    Ok(StudyFile { title, text, model_path, document, plan, random, joined, field, keep, events })
+    let path = PathBuf::new();
+    Ok(StudyFile {
+        path,
+        title,
+        text,
+        model_path,
+        document,
+        plan,
+        random,
+        joined,
+        field,
+        keep,
+        events,
+    })
 }
 
 /// Why there is no study.

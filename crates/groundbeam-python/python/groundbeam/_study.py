@@ -161,9 +161,13 @@ class Study:
         return Summary(json.loads(document), picture)
 
     def to_pandas(self, out: File) -> pandas.DataFrame:
-        """The results as a table; needs pyarrow."""
+        """The results as a table, compared with their checksums first; needs pyarrow.
+
+        A damaged file is a ``ValueError``.
+        """
         import pandas
 
+        self._inner.verify(out)
         return pandas.read_parquet(out)
 
     def __repr__(self) -> str:

@@ -1,5 +1,6 @@
 //! The columns of results, and what stands at the head of a file of them.
 
+use super::checksum::hex;
 use super::column::{Column, Kind};
 use crate::draws::{Draw, Draws};
 use crate::row::{Row, Trouble, Wanted};
@@ -43,8 +44,7 @@ impl Head {
                 digest.update(part);
             }
         }
-        let hex: String = digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
-        pairs.push(("groundbeam.digest".to_owned(), hex));
+        pairs.push(("groundbeam.digest".to_owned(), hex(digest)));
         Head { pairs }
     }
 
