@@ -12,21 +12,17 @@ use std::path::{Path, PathBuf};
 const MOST_LINKS: usize = 40;
 
 /// An output that is being written. Dropped before [`Output::finish`], it leaves the file as it was.
-#[derive(Debug)]
 pub struct Output {
     sink: Sink,
 }
 
-#[derive(Debug)]
 enum Sink {
-    StandardOutput(io::Stdout),
-    StandardError(io::Stderr),
-    Direct(File),
+    /// A standard stream, a device or a pipe.
+    Direct(Box<dyn Write + Send>),
     Replacement(Replacement),
 }
 
 /// A file beside the target, which takes its place in the end.
-#[derive(Debug)]
 struct Replacement {
     /// Locked until the work ends.
     file: File,
@@ -54,9 +50,11 @@ impl Output {
     /// A path that cannot be written, a loop of links, or a file that another process writes now.
     pub fn create(path: &Path) -> io::Result<Self> {
         let sink = match Target::of(path)? {
-            Target::StandardOutput => Sink::StandardOutput(io::stdout()),
-            Target::StandardError => Sink::StandardError(io::stderr()),
-            Target::Direct(path) => Sink::Direct(OpenOptions::new().append(true).open(path)?),
+            Target::StandardOutput => Sink::Direct(Box::new(io::stdout())),
+            Target::StandardError => Sink::Direct(Box::new(io::stderr())),
+            Target::Direct(path) => {
+                Sink::Direct(Box::new(OpenOptions::new().append(true).open(path)?))
+            }
             Target::File(target) => Sink::Replacement(Replacement::of(target)?),
         };
         Ok(Output { sink })
@@ -69,31 +67,26 @@ impl Output {
     /// Errors of the file system; the old file is then still there.
     pub fn finish(self) -> io::Result<()> {
         match self.sink {
-            Sink::StandardOutput(mut stream) => stream.flush(),
-            Sink::StandardError(mut stream) => stream.flush(),
-            Sink::Direct(mut file) => file.flush(),
+            Sink::Direct(mut sink) => sink.flush(),
             Sink::Replacement(replacement) => replacement.finish(),
+        }
+    }
+
+    fn sink(&mut self) -> &mut dyn Write {
+        match &mut self.sink {
+            Sink::Direct(sink) => sink,
+            Sink::Replacement(replacement) => &mut replacement.file,
         }
     }
 }
 
 impl Write for Output {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        match &mut self.sink {
-            Sink::StandardOutput(stream) => stream.write(bytes),
-            Sink::StandardError(stream) => stream.write(bytes),
-            Sink::Direct(file) => file.write(bytes),
-            Sink::Replacement(replacement) => replacement.file.write(bytes),
-        }
+        self.sink().write(bytes)
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        match &mut self.sink {
-            Sink::StandardOutput(stream) => stream.flush(),
-            Sink::StandardError(stream) => stream.flush(),
-            Sink::Direct(file) => file.flush(),
-            Sink::Replacement(replacement) => replacement.file.flush(),
-        }
+        self.sink().flush()
     }
 }
 

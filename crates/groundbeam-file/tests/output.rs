@@ -39,7 +39,7 @@ fn one_process_writes_a_file_at_a_time() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.csv");
     let mut first = Output::create(&path).unwrap();
-    let second = Output::create(&path).unwrap_err();
+    let second = Output::create(&path).err().unwrap();
     assert_eq!(second.to_string(), "another process is writing this file");
     first.write_all(b"first").unwrap();
     first.finish().unwrap();

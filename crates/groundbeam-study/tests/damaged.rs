@@ -216,7 +216,7 @@ fn results_do_not_replace_what_they_are_made_of() {
     finish(&draws, &out).unwrap();
     let before = fs::read(&out).unwrap();
     let spelled = folder.join("../inputs/r.parquet");
-    let message = merge(&[out.clone()], &spelled, &mut never).unwrap_err().to_string();
+    let message = merge(std::slice::from_ref(&out), &spelled, &mut never).unwrap_err().to_string();
     assert!(message.contains("one of the files that are merged"), "{message}");
     assert_eq!(fs::read(&out).unwrap(), before);
 }
