@@ -2,6 +2,7 @@
 
 use crate::band::Band;
 use crate::combination::Recipe;
+use crate::demand::{Place, Sign};
 use crate::diagnostic::Diagnostic;
 use crate::fault::Fault;
 use crate::reader::Field;
@@ -70,6 +71,12 @@ pub struct Quantity {
     pub number: Range<usize>,
     /// What the number counts, in SI units; 1 where it has no unit.
     pub unit: f64,
+    /// The signs that the number may have.
+    pub sign: Sign,
+    /// The body on which the number is a position; none for other quantities.
+    pub place: Option<Place>,
+    /// A usual value of such a quantity, in SI units.
+    pub usual: f64,
 }
 
 impl Document {

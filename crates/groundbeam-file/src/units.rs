@@ -52,8 +52,15 @@ impl Seen {
         let (_, length) = Decimal::read(inner.trim())?;
         let unit = inner.trim()[length..].trim();
         let one = if unit.is_empty() { 1.0 } else { Unit::read(unit).ok()?.scale.to_f64() };
-        let (key, span) = (self.key.clone(), self.span.clone());
-        Some(Quantity { key, span, number: start..start + length, unit: one })
+        Some(Quantity {
+            key: self.key.clone(),
+            span: self.span.clone(),
+            number: start..start + length,
+            unit: one,
+            sign: self.kind.sign,
+            place: self.kind.place,
+            usual: self.kind.listed(self.kind.example),
+        })
     }
 }
 

@@ -6,7 +6,8 @@ use crate::code;
 use crate::fault::Fault;
 use crate::profile::{Along, Values, left_out};
 use crate::quantity::{
-    AREA_SHEAR, POSITION, SHEAR_CONSTANT, SPRING_PER_LENGTH, SUBGRADE_MODULUS, WIDTH,
+    AREA_SHEAR, GROUND_POSITION, POSITION, SHEAR_CONSTANT, SPRING_PER_LENGTH, SUBGRADE_MODULUS,
+    WIDTH,
 };
 use crate::reader::{Field, Reader};
 use crate::stiffness::{Given, Keys, Stiffness, cover};
@@ -158,7 +159,7 @@ fn ground_end(
 ) -> GroundEnd {
     let Some(end) = reader.table(table, key, name) else { return GroundEnd::Endless };
     reader.refuse_unknown(&end, END_KEYS);
-    let at = reader.required(&end, "ends", &POSITION);
+    let at = reader.required(&end, "ends", &GROUND_POSITION);
     reader.places.field(Part::Foundation, key, &at);
     let at = at.value;
     match reader.words(&end, "as", "free") {

@@ -1,7 +1,7 @@
 //! `[[gap]]` and `[[gap_trough]]`.
 
 use super::survey;
-use crate::quantity::{CLEARANCE, POSITION, WIDTH};
+use crate::quantity::{CLEARANCE, GROUND_POSITION, POSITION, WIDTH};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 use groundbeam::GapPoint;
@@ -70,7 +70,7 @@ struct Trough {
 impl Trough {
     fn read(reader: &mut Reader, table: &Section) -> Self {
         reader.refuse_unknown(table, TROUGH_KEYS);
-        let at = reader.required(table, "at", &POSITION).value;
+        let at = reader.required(table, "at", &GROUND_POSITION).value;
         let settlement = reader.required(table, "settlement", &CLEARANCE).value;
         let width = reader.required(table, "width", &WIDTH);
         let width = reader.positive("width", width).value;

@@ -5,7 +5,7 @@ use crate::code;
 use crate::fault::Fault;
 use crate::number::Decimal;
 use crate::profile::Values;
-use crate::quantity::{self, POSITION};
+use crate::quantity::{self, OFFSET};
 use crate::reader::Reader;
 use crate::table::{Section, suggestion};
 use crate::unit::{Dimension, Scale, Unit};
@@ -17,8 +17,8 @@ const KEYS: &[&str] = &["file", "x", "level", "clearance", "datum", "start"];
 /// Reads the survey's corners, cut to the beam.
 pub(super) fn read(reader: &mut Reader, table: &Section, length: f64) -> Vec<GapPoint> {
     reader.refuse_unknown(table, KEYS);
-    let start = reader.quantity(table, "start", &POSITION).map_or(0.0, |start| start.value);
-    let datum = reader.along(table, "datum", &POSITION, Values::Linear);
+    let start = reader.quantity(table, "start", &OFFSET).map_or(0.0, |start| start.value);
+    let datum = reader.along(table, "datum", &OFFSET, Values::Linear);
     let [x, level, clearance] = [("x", "KP"), ("level", "z"), ("clearance", "gap")]
         .map(|(key, example)| reader.words(table, key, example));
     let Some((file, span)) = reader.words(table, "file", "seabed.csv") else {

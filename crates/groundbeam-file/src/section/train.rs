@@ -3,7 +3,7 @@
 use crate::code;
 use crate::document::MovingTrain;
 use crate::fault::Fault;
-use crate::quantity::{FORCE, LOAD_PER_LENGTH, POSITION, RATIO};
+use crate::quantity::{BEHIND, FORCE, LOAD_PER_LENGTH, OFFSET, RATIO};
 use crate::reader::Reader;
 use crate::suggest::nearest;
 use crate::table::Section;
@@ -71,7 +71,7 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64) -> MovingTra
     MovingTrain { name, set, factor, train: train.scaled(factor), range }
 }
 
-/// The axles and spread loads: of a set, or as they are written.
+/// The axles and distributed loads: of a set, or as they are written.
 fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Train) {
     let mut train = Train::default();
     let Some(set) = table.value("set") else {
@@ -80,7 +80,7 @@ fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Tr
             train.axles = axles(reader, table);
         } else {
             let force = reader.line("force", &FORCE);
-            let at = reader.line("at", &POSITION);
+            let at = reader.line("at", &BEHIND);
             let example = format!("set = \"LM71\", or axles = [{{ {at}, {force} }}, …]");
             reader.missing(table, &["set", "axles"], "axles", &example);
         }
@@ -122,7 +122,7 @@ fn axles(reader: &mut Reader, table: &Section) -> Vec<Axle> {
     let list = reader.tables(table, "axles", "an axle");
     for axle in &list {
         reader.refuse_unknown(axle, &["at", "force"]);
-        let at = reader.required(axle, "at", &POSITION);
+        let at = reader.required(axle, "at", &BEHIND);
         let force = reader.required(axle, "force", &FORCE);
         if first.as_ref().is_none_or(|(least, _)| at.value < *least || at.value.is_nan()) {
             first = Some((at.value, at.span));
@@ -146,16 +146,16 @@ fn axles(reader: &mut Reader, table: &Section) -> Vec<Axle> {
 /// `uniform = [{ from = "5.6 m", load = "80 kN/m" }, …]`; left out, an end is infinitely far away.
 fn uniform(reader: &mut Reader, table: &Section) -> Vec<UniformPart> {
     let mut parts = Vec::new();
-    for part in reader.tables(table, "uniform", "a spread load") {
+    for part in reader.tables(table, "uniform", "a distributed load") {
         reader.refuse_unknown(&part, &["from", "to", "load"]);
-        let from = reader.quantity(&part, "from", &POSITION);
-        let to = reader.quantity(&part, "to", &POSITION);
+        let from = reader.quantity(&part, "from", &OFFSET);
+        let to = reader.quantity(&part, "to", &OFFSET);
         let load = reader.required(&part, "load", &LOAD_PER_LENGTH);
         if let (Some(from), Some(to)) = (&from, &to)
             && to.value <= from.value
         {
             let hint = "both are measured backward from the first axle; `to` is farther back";
-            backward(reader, "a spread load of the train has no length", &to.span, hint);
+            backward(reader, "a distributed load of the train has no length", &to.span, hint);
         }
         parts.push(UniformPart {
             from: from.map_or(f64::NEG_INFINITY, |from| from.value),
@@ -169,8 +169,8 @@ fn uniform(reader: &mut Reader, table: &Section) -> Vec<UniformPart> {
 /// Where the first axle goes; left out, until the last one has left the beam.
 fn range(reader: &mut Reader, table: &Section, train: &Train, beam_length: f64) -> [f64; 2] {
     let [start, end] = train.passage(beam_length);
-    let from = reader.quantity(table, "from", &POSITION);
-    let to = reader.quantity(table, "to", &POSITION);
+    let from = reader.quantity(table, "from", &OFFSET);
+    let to = reader.quantity(table, "to", &OFFSET);
     let place = to.as_ref().or(from.as_ref()).map(|field| field.span.clone());
     let range = [from.map_or(start, |from| from.value), to.map_or(end, |to| to.value)];
     if let Some(span) = place
