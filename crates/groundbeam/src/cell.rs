@@ -166,7 +166,7 @@ impl Cell {
         ends(&self.curling_moment())
     }
 
-    /// The coefficients of a spread moment that does the work of EI κ₀ on w″, but for the part of EI κ₀ that
+    /// The coefficients of a distributed moment that does the work of EI κ₀ on w″, but for the part of EI κ₀ that
     /// is linear between the cell's ends: there is more than that where EI varies alone.
     pub fn curling_moment_load(&self) -> [f64; Profile::MOST] {
         let mut load = [0.0; Profile::MOST];

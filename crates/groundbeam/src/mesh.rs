@@ -1,7 +1,7 @@
 //! The model cut into cells within which everything given is a polynomial, most of it constant or linear.
 //!
 //! Nodes stand where the physics needs them: at loads, supports, hinges, the ends of segments and of
-//! spread loads, the corners of the initial gap. A method adds its own.
+//! distributed loads, the corners of the initial gap. A method adds its own.
 
 use crate::cell::Varies;
 pub(crate) use crate::cell::{Cell, GROUND};

@@ -137,7 +137,7 @@ def solve_many(
     A parameter is one number for all models, or an array of one number for each: ``k``, ``mu``, ``EI``, ``GA``,
     ``axial_force``; ``k_factor``, ``mu_factor``, ``EI_factor``, ``GA_factor`` and ``load_factor``, which multiply what
     the model has; and of the loads,
-    which count from 0, ``load[0]`` (its size), ``load[0].at``, and of spread loads ``load[0].from``, ``.to``, ``.start``
+    which count from 0, ``load[0]`` (its size), ``load[0].at``, and of distributed loads ``load[0].from``, ``.to``, ``.start``
     and ``.end``; of segments ``k[0]``, ``mu_factor[1]`` and so on, of what is outside them ``k[]``; ``support[0].settlement``,
     ``.spring`` and ``.rotational_spring``, ``hinge[0]``, ``gap[0]``. ``k``, ``mu`` and ``EI`` may also be fields along the beam: arrays of models by points, which stand evenly
     from end to end, with straight lines between. All are in SI units.

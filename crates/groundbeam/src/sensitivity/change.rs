@@ -26,7 +26,7 @@ pub(super) struct Change {
     pub moves: Option<f64>,
 }
 
-/// What a spread load is conjugate to.
+/// What a distributed load is conjugate to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Force,
@@ -35,7 +35,7 @@ enum Kind {
     Ground,
 }
 
-/// A spread load, linear between its ends.
+/// A distributed load, linear between its ends.
 #[derive(Debug, Clone, Copy)]
 struct Spread {
     kind: Kind,
@@ -52,7 +52,7 @@ pub(super) enum Against {
     Rotation,
     /// w', of a force that moves: from the side to which it does.
     SlopeBeside,
-    /// φ, of the end of a spread moment that moves, in the same way.
+    /// φ, of the end of a distributed moment that moves, in the same way.
     RotationBeside,
     /// φ', in the same way.
     BendBeside,

@@ -16,7 +16,7 @@ use crate::model::{Load, Model};
 /// or an end stands there.
 const SAME_PLACE: f64 = 1e-9;
 
-/// Axles and spread loads at fixed distances, which move along the beam together.
+/// Axles and distributed loads at fixed distances, which move along the beam together.
 ///
 /// It is placed by its first axle, the one farthest to the right; everything is measured backward from there.
 ///
@@ -35,7 +35,7 @@ const SAME_PLACE: f64 = 1e-9;
 pub struct Train {
     /// Single forces.
     pub axles: Vec<Axle>,
-    /// Spread loads.
+    /// Distributed loads.
     pub uniform: Vec<UniformPart>,
 }
 

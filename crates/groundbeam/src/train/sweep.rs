@@ -254,7 +254,7 @@ fn values(fields: Fields) -> [f64; 7] {
     Field::ALL.map(|field| fields.get(field))
 }
 
-/// Even steps, and where an axle or the end of a spread load meets a mark of the model; at the ends of the beam also
+/// Even steps, and where an axle or the end of a distributed load meets a mark of the model; at the ends of the beam also
 /// just off them.
 pub(super) fn first_positions(model: &Model, train: &Train, [from, to]: [f64; 2]) -> Vec<f64> {
     let l = model.beam.length;
