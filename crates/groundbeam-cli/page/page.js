@@ -42,8 +42,15 @@ function query(form) {
   return asked;
 }
 
-const post = (address, body, signal) =>
-  fetch(address, { method: "POST", headers: { "Content-Type": "application/toml" }, body, signal });
+class Unreachable extends Error {}
+
+async function post(address, body, signal) {
+  try {
+    return await fetch(address, { method: "POST", headers: { "Content-Type": "application/toml" }, body, signal });
+  } catch {
+    throw new Unreachable("the program behind this page has ended; start `groundbeam serve` again");
+  }
+}
 
 /// One request at a time; of the questions that come up meanwhile only the last one is asked.
 async function look() {
@@ -66,9 +73,7 @@ async function ask(asked) {
     patience = PATIENCE;
   } catch (error) {
     if (controller.signal.aborted) patience *= 2;
-    else if (error instanceof TypeError) {
-      verdict("Nobody answers", "the program behind this page has ended; start `groundbeam serve` again", "wrong");
-    } else verdict("No answer", error.message, "wrong");
+    else verdict(error instanceof Unreachable ? "Nobody answers" : "No answer", error.message, "wrong");
   } finally {
     clearTimeout(request.timer);
     request = null;
@@ -241,7 +246,7 @@ async function download(form) {
     if (reply.ok) keep(await reply.blob(), `${name}.${form}`);
     else note((await answerOf(reply)).message);
   } catch (error) {
-    note(error instanceof TypeError ? "nobody answers: start `groundbeam serve` again" : error.message);
+    note(error.message);
   }
 }
 
