@@ -6,7 +6,7 @@ use crate::mesh::{Cell, Mesh};
 use crate::polynomial::{Coefficients, jet, value};
 
 /// A point of the beam: a cell and its coordinate s ∈ \[−1, 1\].
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub(crate) struct Spot {
     pub cell: usize,
     pub s: f64,

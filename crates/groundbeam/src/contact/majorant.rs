@@ -272,6 +272,13 @@ impl<'a> Scan<'a> {
 
     /// Trims both ends in turn until neither moves.
     fn tighten(&self, joint: &mut Joint, left_limit: Spot, right_limit: Spot) {
+        let opened = joint.left.zip(joint.right).and_then(|(a, b)| narrow::opened(self.w, [a, b]));
+        if let Some([a, b]) = opened
+            && left_limit < a
+            && b < right_limit
+        {
+            (joint.left, joint.right) = (Some(a), Some(b));
+        }
         for _ in 0..60 {
             let before = (joint.left, joint.right);
             self.trim_left(joint, left_limit);
