@@ -10,4 +10,5 @@ mod element;
 pub mod linear;
 pub mod random;
 pub mod reference;
+pub mod troughs;
 pub mod upheaval;

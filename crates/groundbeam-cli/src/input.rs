@@ -52,7 +52,8 @@ impl Input {
     /// Title and units, as reports want them.
     pub fn context(&self) -> Context<'_> {
         let context = Context::new(units(self.document.units)).with_limits(&self.document.limits);
-        Context { title: self.document.title.as_deref(), ..context }
+        let Document { title, chords, .. } = &self.document;
+        Context { title: title.as_deref(), chords: *chords, ..context }
     }
 
     /// Problems found while solving, at their places in the file.

@@ -387,3 +387,18 @@ fn no_drawing_in_pipes() {
     let done = Folder::with(LIFTS).run(&["solve", "model.toml"]);
     assert!(!done.stdout.contains('░') && !done.stdout.contains('━'));
 }
+
+#[test]
+fn the_chords_of_a_trough_are_told() {
+    let text = "[beam]\nlength = '120 m'\nEI = '150 MN m^2'\n[foundation]\nk = '20 MN/m^2'\n
+        [[load]]\ndistributed = '20 kN/m'\n
+        [[gap_trough]]\nat = '60 m'\nsettlement = '20 mm'\nwidth = '8 m'\n";
+    let folder = Folder::with(text);
+    let found = folder.run(&["solve", "model.toml", "--json"]).json();
+    let chords = found["trough_chords"].as_u64().unwrap();
+    let told = format!("curve replaced by {chords} chords; the answer is for this polygon");
+    let done = folder.run(&["solve", "model.toml", "--report", "out.html"]);
+    done.is_clean(0);
+    assert!(done.stdout.contains(&format!("Trough       {told}")), "{}", done.stdout);
+    assert!(folder.read("out.html").contains(&told));
+}

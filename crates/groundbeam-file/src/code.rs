@@ -9,6 +9,7 @@ pub(crate) const EXCLUSIVE: &str = "GB006";
 pub(crate) const INCOMPLETE: &str = "GB007";
 pub(crate) const MISPLACED: &str = "GB008";
 pub(crate) const UNKNOWN_WORD: &str = "GB009";
+pub(crate) const CHORDS: &str = "GB502";
 pub(crate) const TOO_MANY: &str = "GB010";
 pub(crate) const NUMBER: &str = "GB011";
 pub(crate) const NOT_FINITE: &str = "GB012";
@@ -107,6 +108,7 @@ pub const CODES: &[Code] = &[
     row("GB407", "nothing at a hinge may act on the slope", "hinge-and-moment.toml"),
     row("GB408", "only a force can act in one direction alone", "one-way-clamp.toml"),
     row("GB501", "the gap's corners must go from left to right", "gap-order.toml"),
+    row(CHORDS, "settlement troughs need too many chords", "trough-chords.toml"),
     while_solving("GB603", "concentrated pressures need a shear layer"),
     while_solving("GB604", "answers at nodes alone are for beams without supports"),
     while_solving("GB605", "answers at nodes alone are for segments along which nothing varies"),

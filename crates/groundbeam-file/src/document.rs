@@ -21,6 +21,8 @@ pub struct Document {
     pub title: Option<String>,
     /// The model under all of its loads as they are written, in SI units or in the file's own consistent system.
     pub model: Model,
+    /// How many chords of the model's gap replace the curve of settlement troughs, if the file has troughs.
+    pub chords: Option<usize>,
     /// The soil from which the model's ground was made, if the file gives one; a ground that depends on the
     /// solution is in the model as it is before anything is solved.
     pub bed: Option<Bed>,

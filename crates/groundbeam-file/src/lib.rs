@@ -135,7 +135,7 @@ fn read(text: &str, folder: Option<&Path>, bare_is_si: bool) -> Result<Document,
     let mut reader = Reader::new(&source, &root, folder, bare_is_si);
     reader.found = syntax.found;
     let contents = section::read(&mut reader, &root);
-    let Contents { title, model, ground, limits, cases, recipes, trains } = contents;
+    let Contents { title, model, chords, ground, limits, cases, recipes, trains } = contents;
     let before = reader.found.len();
     let units = reader.unit_system();
     let is_mixed = reader.found.len() > before;
@@ -154,6 +154,7 @@ fn read(text: &str, folder: Option<&Path>, bare_is_si: bool) -> Result<Document,
         Ok(Document {
             title,
             model,
+            chords,
             bed,
             width,
             band,

@@ -46,7 +46,8 @@ impl Read {
     /// Title, units and limits, as reports want them.
     pub fn context(&self) -> Context<'_> {
         let context = Context::new(self.units()).with_limits(&self.document.limits);
-        Context { title: self.document.title.as_deref(), ..context }
+        let Document { title, chords, .. } = &self.document;
+        Context { title: title.as_deref(), chords: *chords, ..context }
     }
 
     pub fn refused(&self, error: Error) -> Failure {

@@ -19,6 +19,8 @@ pub struct Context<'a> {
     pub ground: Option<Ground<'a>>,
     /// What the design must keep to; left out where nobody asked.
     pub limits: Option<&'a Limits>,
+    /// How many chords of the initial gap replace settlement troughs; left out where there are no troughs.
+    pub chords: Option<usize>,
 }
 
 /// A ground whose constants are those of an area times a width, or were made of soil.
@@ -66,7 +68,15 @@ pub struct Factors<'a> {
 impl<'a> Context<'a> {
     /// No title, no time.
     pub fn new(units: Units) -> Self {
-        Context { title: None, units, seconds: None, factors: None, ground: None, limits: None }
+        Context {
+            title: None,
+            units,
+            seconds: None,
+            factors: None,
+            ground: None,
+            limits: None,
+            chords: None,
+        }
     }
 
     /// The same with a title.

@@ -223,11 +223,18 @@ struct Head {
     #[serde(skip_serializing_if = "Option::is_none")]
     title: Option<String>,
     units: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    trough_chords: Option<usize>,
 }
 
 impl Head {
     fn new(status: &'static str, context: &Context) -> Self {
-        Head { status, title: context.title.map(str::to_owned), units: context.units.name() }
+        Head {
+            status,
+            title: context.title.map(str::to_owned),
+            units: context.units.name(),
+            trough_chords: context.chords,
+        }
     }
 }
 

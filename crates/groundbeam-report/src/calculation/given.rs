@@ -31,7 +31,7 @@ pub(super) fn section(
     blocks.extend(segments(model, units));
     blocks.extend(supports(model, units));
     blocks.extend(hinges(model, units));
-    blocks.extend(gap(model, units));
+    blocks.extend(gap(model, context));
     blocks.extend(loads(source, units));
     Section::new("Input", blocks)
 }
@@ -127,7 +127,12 @@ fn hinges(model: &Model, units: Units) -> Option<Block> {
     (!table.rows.is_empty()).then_some(Block::Table(table))
 }
 
-fn gap(model: &Model, units: Units) -> Option<Block> {
+/// The corners of the gap; those of chords follow from the troughs of the input file.
+fn gap(model: &Model, context: &Context) -> Option<Block> {
+    if context.chords.is_some() {
+        return None;
+    }
+    let units = context.units;
     let deepest = model.gap.iter().fold(0.0_f64, |most, corner| most.max(corner.value.abs()));
     let (position, x) = unit_name(units, Kind::Position, model.beam.length);
     let (depth, clearance) = unit_name(units, Kind::Deflection, deepest);

@@ -56,6 +56,8 @@ struct All<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     title: Option<String>,
     units: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    trough_chords: Option<usize>,
     combinations: Vec<One<'a>>,
     cases: Vec<Case<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -75,6 +77,7 @@ impl<'a> All<'a> {
             status,
             title: context.title.map(str::to_owned),
             units: context.units.name(),
+            trough_chords: context.chords,
             combinations: Vec::new(),
             cases: combinations.alone.iter().map(|case| Case::of(case, context)).collect(),
             envelope: None,

@@ -197,6 +197,10 @@ pub(crate) fn structure(
         sheet.row("", &format!("{side} it ends, {words}"));
     }
 
+    if let Some(chords) = context.chords {
+        let words = format!("curve replaced by {chords} chords; the answer is for this polygon");
+        sheet.row("Trough", &words);
+    }
     let beta = range(units, Kind::PerLength, found.beta);
     let beta_length = significant(found.beta_length, 4);
     sheet.row("Stiffness", &format!("β = {beta}, βl = {beta_length}: {}", found.class()));
