@@ -42,8 +42,8 @@ pub(super) fn read(
         }
         Err(chords) => {
             let message = format!("the troughs need {chords:.0} chords, more than {MOST_CHORDS}");
-            let hint = "check the trough's `settlement` and the loads, which are small beside k times the settlement; \
-                        or give corners of your own as [[gap]]";
+            let hint = "check `settlement`, the loads, EI, k and mu: chords are short under a light load or a flexible beam \
+                        on stiff ground; or give corners of your own as [[gap]]";
             reader.report(Fault::new(code::CHORDS, first.span.clone(), message, "", hint));
             None
         }
