@@ -7,6 +7,7 @@ pub mod crossing;
 pub mod dense;
 pub mod documents;
 mod element;
+pub mod frozen;
 pub mod linear;
 pub mod random;
 pub mod reference;
