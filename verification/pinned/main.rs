@@ -41,7 +41,7 @@ const FAMILIES: [Family; 20] = [
 /// The first models of every family are frozen.
 const FIRST: u64 = 200;
 /// The first models of every family, and the named ones, are frozen with the fields at every position.
-const IN_FULL: u64 = 50;
+const IN_FULL: u64 = 40;
 
 /// Models of each family that measurements, documents or tests name by number.
 const NAMED: [(Family, &[u64]); 14] = [
