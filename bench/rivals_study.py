@@ -45,7 +45,9 @@ def main(count):
     spent = failed = 0.0
     worst = 0.0
     stiffness = 30e9 * 1.5 * 0.6**3 / 12
-    batch = gb.solve_many(gb.load(study.model_path), drawn, at=x, fields=["deflection"], threads=1)
+    batch = gb.solve_many(
+        gb.load(study.model_path), study.parameters(), at=x, fields=["deflection"], threads=1
+    )
     for i in range(count):
         # In units of the bending stiffness and millimetres: with numbers of 10⁹ it takes twenty times as long.
         unit = stiffness * drawn["EI_factor"][i]

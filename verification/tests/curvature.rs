@@ -48,7 +48,7 @@ fn an_even_curvature_is_a_pair_of_moments() {
     }
 }
 
-/// Where EI and κ₀ run linearly, EI κ₀ is a parabola: a spread moment −(EI κ₀)' besides.
+/// Where EI and κ₀ run linearly, EI κ₀ is a parabola: a distributed moment −(EI κ₀)' besides.
 #[test]
 fn a_varying_curvature_of_a_varying_beam_is_a_spread_moment() {
     let (l, ei, curvature) = (4.0, |x: f64| 2.0 - 0.25 * x, |x: f64| 0.1 + 0.05 * x);

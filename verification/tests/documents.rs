@@ -77,7 +77,7 @@ fn every_spelling_in_the_notation_exists() {
     let files = text("crates/groundbeam-file/src");
     let results = text("crates/groundbeam-report/src/json")
         + &read("crates/groundbeam-report/src/json.rs")
-        + &read("crates/groundbeam/src/solution.rs");
+        + &text("crates/groundbeam/src/solution");
     let notation = read("docs/notation.md");
     let mut part = "";
     let mut count = 0;

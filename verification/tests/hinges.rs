@@ -190,6 +190,7 @@ fn what_is_refused() {
     assert_eq!(code(&hinged(0.0)), "GB404");
     assert_eq!(code(&model.clone().with_hinge(Hinge::elastic(2.0, -1.0))), "GB405");
     assert_eq!(code(&hinged(2.0).with_hinge(Hinge::free(2.0))), "GB406");
+    assert_eq!(code(&hinged(2.0).with_hinge(Hinge::free(2.0_f64.next_up()))), "GB406");
     assert_eq!(code(&hinged(2.0).with_load(Load::moment(1.0, 2.0))), "GB407");
     assert_eq!(code(&hinged(2.0).with_support(groundbeam::Support::fixed(2.0))), "GB407");
     // Two pins hold a beam, but not one with a hinge between them: there the ground must help.
@@ -205,5 +206,22 @@ fn what_is_refused() {
         let options = Options { method, ..Options::default() };
         let refused = solve_with(&hinged(2.0), &options);
         assert!(matches!(refused, Err(Error::Unsupported(problem)) if problem.code == "GB607"));
+    }
+}
+
+/// Positions closer than 16 ε l are one place: a hinge there is at the end, and has no beam on one side.
+#[test]
+fn a_hinge_that_rounding_moves_to_an_end_is_refused() {
+    let l = 1e16;
+    for at in [3.0, 35.0, l - 4.0, l - 34.0] {
+        let model = Model::new(Beam::uniform(l, 1.0), Foundation::winkler(4.0))
+            .with_hinge(Hinge::elastic(at, 0.5))
+            .with_load(Load::point(1.0, at))
+            .with_load(Load::uniform(1.0, 0.0, l));
+        let refused = solve(&model);
+        assert!(
+            matches!(&refused, Err(Error::Invalid(p)) if p.len() == 1 && p[0].code == "GB404"),
+            "{at}: {refused:?}"
+        );
     }
 }

@@ -11,12 +11,17 @@ const note = (words) => {
 };
 
 let name = "model";
-/// What of the file is looked at.
-const choice = { combination: null, train: 0, firstAxle: null };
+/// The part of the file that is shown. `train` is a number, or "all"; null until an answer tells the trains.
+const choice = { combination: null, train: null, firstAxle: null };
 /// The last answer, and the text it belongs to.
 let shown = null;
 let wanted = false;
-let asking = false;
+/// The request that waits for its answer: when it began, and how it is aborted.
+let request = null;
+/// A newer question aborts a request that is older than this [ms]. It doubles with every abort until an answer arrives:
+/// a drag on a slow model shows a picture now and then.
+const PATIENCE = 300;
+let patience = PATIENCE;
 
 const text = new Text(() => {
   the("undo").disabled = !text.canUndo;
@@ -25,37 +30,71 @@ const text = new Text(() => {
 });
 const picture = new Picture({ begin, position, move, grow });
 
-function query(more = {}) {
-  const asked = new URLSearchParams(more);
+/// The choice as a query; a report is about the whole file and takes no train.
+function query(form) {
+  const asked = new URLSearchParams();
+  if (form === "view" && picture.width > 0) asked.set("width", picture.width);
   if (choice.combination) asked.set("combination", choice.combination);
-  if (choice.train !== null) {
+  if (choice.train !== null && form !== "html") {
     asked.set("train", choice.train);
-    if (choice.firstAxle !== null) asked.set("first_axle", choice.firstAxle);
+    if (choice.firstAxle !== null && choice.train !== "all") asked.set("first_axle", choice.firstAxle);
   }
   return asked;
 }
 
-const post = (address, body) =>
-  fetch(address, { method: "POST", headers: { "Content-Type": "application/toml" }, body });
+class Unreachable extends Error {}
 
-/// One question at a time; of those that come up meanwhile only the last one is asked.
+async function post(address, body, signal) {
+  try {
+    return await fetch(address, { method: "POST", headers: { "Content-Type": "application/toml" }, body, signal });
+  } catch {
+    throw new Unreachable("the program behind this page has ended; start `groundbeam serve` again");
+  }
+}
+
+/// One request at a time; of the questions that come up meanwhile only the last one is asked.
 async function look() {
   wanted = true;
   document.body.dataset.state = "waiting";
-  if (asking) return;
-  asking = true;
+  if (request) return replaceRequest();
   while (wanted) {
     wanted = false;
-    const asked = text.value;
-    try {
-      const answer = await (await post(`/api/view?${query({ width: picture.width })}`, asked)).json();
-      show(answer, asked);
-    } catch {
-      verdict("Nobody answers", "the program behind this page has ended; start `groundbeam serve` again", "wrong");
-    }
+    await ask(text.value);
   }
-  asking = false;
   document.body.dataset.state = "settled";
+}
+
+async function ask(asked) {
+  const controller = new AbortController();
+  request = { controller, began: performance.now(), timer: null };
+  try {
+    const reply = await post(`/api/view?${query("view")}`, asked, controller.signal);
+    show(await answerOf(reply), asked);
+    patience = PATIENCE;
+  } catch (error) {
+    if (controller.signal.aborted) patience *= 2;
+    else verdict(error instanceof Unreachable ? "Nobody answers" : "No answer", error.message, "wrong");
+  } finally {
+    clearTimeout(request.timer);
+    request = null;
+  }
+}
+
+/// Aborts the running request as soon as it is old enough.
+function replaceRequest() {
+  const { controller, began } = request;
+  clearTimeout(request.timer);
+  request.timer = setTimeout(() => controller.abort(), began + patience - performance.now());
+}
+
+/// The JSON of an answer; an error with the status and the words of any other.
+async function answerOf(reply) {
+  const words = await reply.text();
+  try {
+    return JSON.parse(words);
+  } catch {
+    throw new Error(`the program answers ${reply.status} ${reply.statusText}: ${words.slice(0, 300)}`);
+  }
 }
 
 function verdict(head, words, state) {
@@ -67,12 +106,8 @@ function verdict(head, words, state) {
 }
 
 function show(answer, asked) {
-  if (answer.status === "refused" || answer.status === "wrong-model") {
-    if (choice.combination && answer.message?.includes("no combination is called")) {
-      choice.combination = null;
-      wanted = true;
-      return;
-    }
+  if (answer.status === "refused") return refused(answer);
+  if (answer.status === "wrong-model") {
     const faults = answer.diagnostics ?? [];
     const first = faults[0];
     const words = first ? `line ${first.line}: ${first.message}` : answer.message;
@@ -94,6 +129,14 @@ function show(answer, asked) {
   document.title = answer.title ? `${answer.title}: groundbeam` : "groundbeam";
   choices(answer);
   sliders(shown, { begin, set: setNumber, replace });
+}
+
+/// A choice that the text no longer has is given up; everything else is told.
+function refused({ query: at, message }) {
+  const forget = { combination: ["combination"], train: ["train", "firstAxle"], first_axle: ["firstAxle"] }[at?.key] ?? [];
+  if (forget.every((key) => choice[key] === null)) return verdict("The request is refused", message, "wrong");
+  for (const key of forget) choice[key] = null;
+  wanted = true;
 }
 
 function results(rows) {
@@ -127,8 +170,9 @@ function choices({ combinations, trains, has_units: hasUnits }) {
     [["", `all ${combinations.length}: the envelope`], ...combinations.map((name) => [name, name])],
     choice.combination ?? "",
   );
+  if (trains.length > 0) choice.train ??= 0;
   const onWay = trains.map((train, i) => [`${i}`, `${train.name}, at one position`]);
-  fill(the("train"), [...onWay, ["", "all positions: the envelope"]], choice.train === null ? "" : `${choice.train}`);
+  fill(the("train"), [...onWay, ["all", "all positions: the envelope"]], `${choice.train}`);
   const train = trains[choice.train];
   the("combination-choice").hidden = combinations.length === 0;
   the("train-choice").hidden = trains.length === 0;
@@ -189,7 +233,7 @@ function grow(gesture, handle, factor) {
 }
 
 function open(model) {
-  Object.assign(choice, { combination: null, train: 0, firstAxle: null });
+  Object.assign(choice, { combination: null, train: null, firstAxle: null });
   name = model.name.replace(/\.toml$/, "").replace(/[^\w.-]+/g, "-") || "model";
   text.set(model.text);
 }
@@ -197,9 +241,13 @@ function open(model) {
 async function download(form) {
   note("");
   if (form === "toml") return keep(new Blob([text.value], { type: "application/toml" }), `${name}.toml`);
-  const answer = await post(`/api/file/${form}?${query()}`, text.value);
-  if (!answer.ok) return note((await answer.json()).message);
-  keep(await answer.blob(), `${name}.${form}`);
+  try {
+    const reply = await post(`/api/file/${form}?${query(form)}`, text.value);
+    if (reply.ok) keep(await reply.blob(), `${name}.${form}`);
+    else note((await answerOf(reply)).message);
+  } catch (error) {
+    note(error.message);
+  }
 }
 
 async function share() {
@@ -242,12 +290,13 @@ the("combination").addEventListener("change", ({ target }) => {
   look();
 });
 the("train").addEventListener("change", ({ target }) => {
-  choice.train = target.value === "" ? null : Number(target.value);
+  choice.train = target.value === "all" ? "all" : Number(target.value);
+  choice.firstAxle = null;
   look();
 });
 the("axle").addEventListener("input", ({ target }) => {
   const { from, to } = shown.trains[choice.train];
-  choice.firstAxle = from + ((to - from) * target.value) / 1000;
+  choice.firstAxle = Math.min(to, from + ((to - from) * target.value) / 1000);
   look();
 });
 document.addEventListener("keydown", (event) => {

@@ -2,20 +2,6 @@
 
 const MOST = 60;
 const STEPS = 1000;
-const NAMES = {
-  mu: "μ",
-  axial_force: "P, axial force",
-  subgrade_modulus: "subgrade modulus",
-  rotational_spring: "rotational spring",
-  distributed_moment: "spread moment",
-  distributed: "spread load",
-  point: "force",
-  unit_weight: "unit weight",
-};
-const POSITIONS = ["at", "from", "to"];
-/// May not be negative or zero.
-const POSITIVE = ["length", "E", "I", "EI", "k", "subgrade_modulus", "C1", "width", "height"];
-
 /// Ranges stay as they are while a slider moves, or it would run away from the pointer.
 const ranges = new Map();
 let signature = "";
@@ -61,7 +47,7 @@ function build(numbers) {
     const row = document.createElement("div");
     row.className = "number";
     const label = document.createElement("span");
-    label.textContent = NAMES[number.key] ?? number.key;
+    label.textContent = number.key.replaceAll("_", " ");
     const slider = Object.assign(document.createElement("input"), { type: "range", min: 0, max: STEPS, step: "any" });
     const field = Object.assign(document.createElement("input"), { type: "text", spellcheck: false });
     for (const input of [slider, field]) input.setAttribute("aria-label", `${group} ${label.textContent}`);
@@ -126,21 +112,22 @@ function update({ slider, field, isHeld }, number) {
   if (document.activeElement !== field) field.value = words;
 }
 
-function rangeOf({ key, unit, size, table }, value) {
-  if (POSITIONS.includes(key) && !table.startsWith("[[train")) {
+/// From what a number may be, as the program tells, and from how large it is.
+function rangeOf({ unit, size, sign, place, usual }, value) {
+  if (place) {
     // The ground goes on beside the beam.
-    const beside = table === "[[ground_load]]" ? (0.5 * shown.length) / size : 0;
+    const beside = place === "ground" ? (0.5 * shown.length) / size : 0;
     return { unit, low: Math.min(-beside, value), high: Math.max(shown.length / size + beside, value) };
   }
-  if (POSITIVE.includes(key) && value > 0) return { unit, low: value / 10, high: value * 10, log: true };
-  if (value === 0) {
-    const force = Math.abs(shown.document.characteristics?.resultant?.force ?? 0) / size;
-    const high = key === "at" ? shown.length / size : 5 * force || 100;
-    return { unit, low: key === "mu" ? 0 : -high, high };
-  }
-  const high = 3 * Math.abs(value);
-  const signed = ["point", "moment", "axial_force", "distributed", "distributed_moment"].includes(key);
-  return { unit, low: signed ? -high : 0, high };
+  if (sign === "positive") return { unit, low: value / 10, high: value * 10, log: true };
+  const high = value === 0 ? wide(usual / size, size) : 3 * Math.abs(value);
+  return { unit, low: sign === "any" ? -high : 0, high };
+}
+
+/// The range of a number that is zero. Without units no number is usual: the loads tell how large numbers are.
+function wide(usual, size) {
+  if (shown.has_units) return 5 * usual;
+  return (5 * Math.abs(shown.document.characteristics?.resultant?.force ?? 0)) / size || 100;
 }
 
 const to = (value, { low, high, log }) =>

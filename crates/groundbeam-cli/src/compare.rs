@@ -34,7 +34,8 @@ pub fn run(request: &Compare) -> Result<Status, Failure> {
             while_working(words, Audience::Caller, || solved_one(&input, &as_written, &options));
         (outcome.map(|(outcome, _)| outcome), started.elapsed().as_secs_f64())
     };
-    let (outcome, seconds) = timed("exact", Options::default());
+    let memory_limit = request.memory_limit;
+    let (outcome, seconds) = timed("exact", Options { memory_limit, ..Options::default() });
     let context = input.context();
     let exact = match outcome {
         Ok(Outcome::Equilibrium(solution)) => solution,
@@ -48,15 +49,14 @@ pub fn run(request: &Compare) -> Result<Status, Failure> {
     let mut answers: Vec<(&str, Result<Box<Solution>, Error>, f64)> = Vec::new();
     for (name, method, pressure) in OTHERS {
         let (elements, most_sweeps) = (request.elements, request.most_sweeps);
-        let options = Options { method, pressure, elements, most_sweeps, ..Options::default() };
+        let options =
+            Options { method, pressure, elements, most_sweeps, memory_limit, ..Options::default() };
         match timed(name, options) {
             (Ok(Outcome::Equilibrium(solution)), seconds) => {
                 answers.push((name, Ok(solution), seconds));
             }
-            (Err(error @ (Error::NotConverged(_) | Error::Unsupported(_))), seconds) => {
-                answers.push((name, Err(error), seconds));
-            }
-            (Err(error), _) => return Err(refused(&input, &error)),
+            (Err(error @ Error::Invalid(_)), _) => return Err(refused(&input, &error)),
+            (Err(error), seconds) => answers.push((name, Err(error), seconds)),
             // Existence is decided before any method.
             (Ok(Outcome::NoEquilibrium(_)), _) => {}
         }

@@ -2,7 +2,7 @@
 
 use crate::Status;
 use crate::output::standard_error_has_colour;
-use groundbeam_file::{Diagnostic, Diagnostics};
+use groundbeam_file::{Diagnostic, Diagnostics, printable};
 use std::fmt::Display;
 use std::path::Path;
 use std::process::ExitCode;
@@ -69,6 +69,7 @@ impl Failure {
 }
 
 fn headline(message: &str) -> String {
+    let message = printable(message);
     if standard_error_has_colour() {
         format!("\u{1b}[1;31merror\u{1b}[0m: {message}\n")
     } else {

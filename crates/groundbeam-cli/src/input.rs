@@ -3,9 +3,8 @@
 use crate::failure::Failure;
 use groundbeam::model::Problem;
 use groundbeam::{Error, Existence, Model};
-use groundbeam_file::{Diagnostics, Document, UnitSystem};
+use groundbeam_file::{Diagnostics, Document, UnitSystem, read_bounded, read_file};
 use groundbeam_report::{Context, Units, calculation, text};
-use std::io::Read;
 use std::path::Path;
 
 /// A model with the name of where it came from.
@@ -20,9 +19,9 @@ impl Input {
     /// Reads and parses a file; `-` is standard input, beside which stands what is in the current folder.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let (name, bytes) = if path.as_os_str() == "-" {
-            ("<stdin>".to_owned(), read_standard_input())
+            ("<stdin>".to_owned(), read_bounded(std::io::stdin().lock()))
         } else {
-            (path.display().to_string(), std::fs::read(path))
+            (path.display().to_string(), read_file(path))
         };
         let bytes = bytes.map_err(|error| Failure::file(Path::new(&name), &error))?;
         Input::of(&bytes, name, Some(path.parent().unwrap_or(Path::new(""))))
@@ -52,7 +51,8 @@ impl Input {
     /// Title and units, as reports want them.
     pub fn context(&self) -> Context<'_> {
         let context = Context::new(units(self.document.units)).with_limits(&self.document.limits);
-        Context { title: self.document.title.as_deref(), ..context }
+        let Document { title, chords, .. } = &self.document;
+        Context { title: title.as_deref(), chords: *chords, ..context }
     }
 
     /// Problems found while solving, at their places in the file.
@@ -70,6 +70,7 @@ impl Input {
         match error {
             Error::Invalid(problems) => self.wrong(problems),
             Error::Unsupported(problem) => self.wrong(std::slice::from_ref(problem)),
+            Error::TooLarge(refused) => self.wrong(std::slice::from_ref(&refused.problem)),
             Error::NotConverged(reached) => {
                 let shown =
                     text::not_converged(reached, crate::output::standard_error_has_colour());
@@ -83,12 +84,6 @@ impl Input {
         let found = Diagnostics::from(self.document.diagnostic_for(problem));
         Failure::diagnostics(&found, &self.name, self.document.text())
     }
-}
-
-fn read_standard_input() -> std::io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    std::io::stdin().lock().read_to_end(&mut bytes)?;
-    Ok(bytes)
 }
 
 /// How results of a file are written: as its quantities are.

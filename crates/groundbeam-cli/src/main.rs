@@ -4,6 +4,7 @@
 mod check;
 mod combinations;
 mod compare;
+mod distinct;
 mod failure;
 mod input;
 mod output;

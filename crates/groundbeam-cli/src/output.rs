@@ -1,13 +1,12 @@
-//! Where results go: standard output, and files that are never half-written.
+//! Where results go: standard output, and files that are written whole or not at all.
 
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::request::{Format, Plot, Report, Setting};
 use groundbeam_report::{Context, Found, html};
 use std::fmt::Display;
-use std::fs;
 use std::io::{self, ErrorKind, IsTerminal, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Whether a person reads standard output.
 pub fn standard_output_is_a_terminal() -> bool {
@@ -75,43 +74,10 @@ pub fn report(
     write(path, &bytes)
 }
 
-/// Writes a file at once: beside it first, then in its place.
+/// Writes an output whole. A reader that has seen enough is no failure.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    // What a link leads to is replaced, not the link.
-    let target = path.canonicalize().unwrap_or_else(|_| path.to_owned());
-    let is_special = fs::metadata(&target).is_ok_and(|found| !found.is_file());
-    let written = if is_special {
-        // A device or a pipe cannot be replaced; a folder says so itself.
-        fs::OpenOptions::new().write(true).open(&target).and_then(|mut f| f.write_all(bytes))
-    } else {
-        replace(&target, bytes)
-    };
-    match written {
+    match groundbeam_file::output::write(path, bytes) {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         written => written.map_err(|error| Failure::file(path, &error)),
     }
-}
-
-fn replace(target: &Path, bytes: &[u8]) -> io::Result<()> {
-    let beside = beside(target)?;
-    let written = fs::OpenOptions::new()
-        .write(true)
-        .create_new(true)
-        .open(&beside)
-        .and_then(|mut file| file.write_all(bytes))
-        .and_then(|()| fs::rename(&beside, target));
-    if written.is_err() {
-        // The first error is the one to tell.
-        let _ = fs::remove_file(&beside);
-    }
-    written
-}
-
-/// A name in the same folder, so that renaming stays within one file system.
-fn beside(target: &Path) -> io::Result<PathBuf> {
-    let name = target.file_name().ok_or(ErrorKind::InvalidInput)?;
-    let mut hidden = std::ffi::OsString::from(".");
-    hidden.push(name);
-    hidden.push(format!(".{}.part", std::process::id()));
-    Ok(target.with_file_name(hidden))
 }

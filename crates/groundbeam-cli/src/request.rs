@@ -1,5 +1,6 @@
 //! What was typed means this: every choice made, every output known.
 
+use crate::distinct::Output;
 use crate::failure::Failure;
 use crate::typed::{self, Command, Typed};
 use crate::waiting::Audience;
@@ -7,7 +8,7 @@ use clap_complete::Shell;
 use groundbeam::Options;
 use groundbeam_report::calculation::Paper;
 use groundbeam_study::Shard;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// What is to be done.
 pub enum Request {
@@ -114,6 +115,7 @@ pub struct Compare {
     pub json: bool,
     pub elements: usize,
     pub most_sweeps: usize,
+    pub memory_limit: u64,
 }
 
 /// Write a model file to begin with.
@@ -152,6 +154,12 @@ pub struct Merge {
 }
 
 impl Study {
+    /// The options that name outputs.
+    pub fn outputs(&self) -> impl Iterator<Item = Output<'_>> {
+        let plot = self.plot.as_ref().map(|plot| ("--plot", plot.path.as_path()));
+        [("--out", self.out.as_path())].into_iter().chain(plot)
+    }
+
     fn of(typed: typed::Study) -> Result<Self, Failure> {
         let shard = match &typed.shard {
             None => Shard::WHOLE,
@@ -186,6 +194,7 @@ impl Request {
                 json: compare.json,
                 elements: compare.elements as usize,
                 most_sweeps: usize::try_from(compare.most_sweeps).unwrap_or(usize::MAX),
+                memory_limit: compare.memory_limit,
             }),
             Command::New(new) => Request::New(New { file: new.file, kind: new.kind }),
             Command::Serve(typed::Serve { file, port, no_open }) => {
@@ -218,6 +227,7 @@ impl Solve {
                 typed::Start::Zero => groundbeam::Start::Zero,
             },
             most_sweeps: usize::try_from(typed.most_sweeps).unwrap_or(usize::MAX),
+            memory_limit: typed.memory_limit,
         };
         let plot = typed.plot.map(Plot::of).transpose()?;
         let paper = typed.paper.map(|paper| match paper {
@@ -225,7 +235,7 @@ impl Solve {
             typed::Paper::Letter => Paper::Letter,
         });
         let report = typed.report.map(|path| Report::of(path, paper)).transpose()?;
-        let solve = Solve {
+        Ok(Solve {
             file: typed.file,
             json: typed.json,
             csv: typed.csv,
@@ -238,37 +248,21 @@ impl Solve {
             drawing: !typed.no_drawing,
             options,
             audience: Audience::Caller,
-        };
-        solve.check_outputs()?;
-        Ok(solve)
+        })
     }
 
-    fn outputs(&self) -> impl Iterator<Item = &Path> {
+    /// The options that name outputs.
+    pub fn outputs(&self) -> impl Iterator<Item = Output<'_>> {
         let plot = self.plot.as_ref().map(|plot| &plot.path);
         let report = self.report.as_ref().map(|report| &report.path);
-        let all = [self.csv.as_ref(), plot, report, self.history.as_ref()];
-        all.into_iter().flatten().map(PathBuf::as_path)
+        let all = [
+            ("--csv", self.csv.as_ref()),
+            ("--plot", plot),
+            ("--report", report),
+            ("--history", self.history.as_ref()),
+        ];
+        all.into_iter().filter_map(|(option, path)| Some((option, path?.as_path())))
     }
-
-    /// No output may replace the model or another output.
-    fn check_outputs(&self) -> Result<(), Failure> {
-        let outputs: Vec<&Path> = self.outputs().collect();
-        for (i, &output) in outputs.iter().enumerate() {
-            if is_same_file(output, &self.file) {
-                let shown = output.display();
-                return Err(Failure::usage(format!("`{shown}` is the model itself")));
-            }
-            if outputs[..i].contains(&output) {
-                let shown = output.display();
-                return Err(Failure::usage(format!("`{shown}` is given for two outputs")));
-            }
-        }
-        Ok(())
-    }
-}
-
-fn is_same_file(a: &Path, b: &Path) -> bool {
-    matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b && a.is_file())
 }
 
 impl Report {

@@ -2,6 +2,7 @@
 
 use crate::Status;
 use crate::combinations;
+use crate::distinct;
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{
@@ -16,10 +17,13 @@ use groundbeam_file::{
     Combination, Diagnostic, Diagnostics, Severity, parse_cases, parse_positions,
 };
 use groundbeam_report::{Context, Factors, Found, Ground, csv, text};
+use std::path::Path;
 use std::time::Instant;
 
 pub fn run(request: &Solve) -> Result<Status, Failure> {
     let input = Input::read(&request.file)?;
+    let files = input.document.files.iter().map(|file| Path::new(&file.name));
+    distinct::check(request.outputs(), files.chain([request.file.as_path()]))?;
     let stations = request.at.as_deref().map(|list| positions(&input, list)).transpose()?;
     let stations = stations.as_deref();
     answered(&input, request, |found, context| deliver(found, &input, request, stations, context))

@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::output::print;
 use crate::request::New;
 use crate::typed::Starter;
+use groundbeam_file::printable;
 use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
 
@@ -13,7 +14,7 @@ pub fn run(request: &New) -> Result<Status, Failure> {
     let path = &request.file;
     let opened = OpenOptions::new().write(true).create_new(true).open(path);
     let written = opened.and_then(|mut file| file.write_all(text(request.kind).as_bytes()));
-    let shown = path.display();
+    let shown = printable(&path.to_string_lossy()).into_owned();
     match written {
         Ok(()) => {
             print(&format!("wrote {shown}; next: groundbeam solve {shown}\n"))?;

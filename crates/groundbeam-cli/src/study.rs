@@ -1,16 +1,20 @@
 //! `groundbeam study` and `groundbeam merge`
 
 use crate::Status;
+use crate::distinct;
 use crate::failure::Failure;
 use crate::input::units;
 use crate::output::{draw, print, standard_error_has_colour, standard_output_has_colour};
 use crate::request::{Merge, Study};
+use groundbeam_file::output::Target;
+use groundbeam_file::printable;
 use groundbeam_file::study::{StudyError, read_study};
 use groundbeam_report::{Context, json, png, svg, text};
 use groundbeam_study::{Draws, Finished, Progress, Shard, Stage, StoreError};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::ops::ControlFlow;
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -21,6 +25,8 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// Runs what of a study is left, and says what follows from it.
 pub fn run(request: &Study) -> Result<Status, Failure> {
     let draws = read(request)?;
+    let files = draws.study().files();
+    distinct::check(request.outputs(), files.iter().map(|file| Path::new(&file.name)))?;
     let mut watcher = Watcher::new()?;
     let Study { out, shard: part, restart, threads, .. } = request;
     let watch = &mut |progress| watcher.look(progress);
@@ -62,11 +68,15 @@ pub fn merge(request: &Merge) -> Result<Status, Failure> {
     watcher.end();
     let kept = || "nothing is put together".to_owned();
     let merged = merged.map_err(|error| ended(&error, kept))?;
+    if Target::of(&request.out).is_ok_and(|target| target == Target::StandardOutput) {
+        // The reader of standard output wants the file alone.
+        return Ok(Status::Done);
+    }
     print(&format!(
         "{} samples of {} files in {}\n",
         merged.samples,
         merged.files,
-        request.out.display()
+        printable(&request.out.to_string_lossy())
     ))?;
     Ok(Status::Done)
 }
@@ -86,7 +96,7 @@ fn read(request: &Study) -> Result<Draws, Failure> {
 fn shard(request: &Study, draws: &Draws) -> Result<Status, Failure> {
     let Shard { number, of } = request.shard;
     let samples = request.shard.samples(draws.plan().samples);
-    let out = request.out.display();
+    let out = printable(&request.out.to_string_lossy()).into_owned();
     if request.json {
         let (first, end) = (samples.start, samples.end);
         print(&format!(
@@ -116,7 +126,7 @@ fn ended(error: &StoreError, what_is_kept: impl Fn() -> String) -> Failure {
 }
 
 fn stopped(what_is_kept: &str) -> Failure {
-    Failure::reported(format!("stopped: {what_is_kept}\n"), Status::Interrupted)
+    Failure::reported(format!("stopped: {}\n", printable(what_is_kept)), Status::Interrupted)
 }
 
 /// Tells whoever waits at a terminal how far it is, and stops where Ctrl-C is pressed.
@@ -182,6 +192,7 @@ impl Watcher {
 fn style(stage: Stage) -> ProgressStyle {
     let bar = if standard_error_has_colour() { "{bar:24.cyan}" } else { "{bar:24}" };
     let words = match stage {
+        Stage::Verifying => "verifying, {percent} %, {eta} left",
         Stage::Solving => "{human_pos} of {human_len}, {per_sec}, {eta} left",
         Stage::Merging => "putting together, {percent} %, {eta} left",
         Stage::Summarizing => "summing up, {percent} %, {eta} left",

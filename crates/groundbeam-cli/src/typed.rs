@@ -126,6 +126,10 @@ pub struct Solve {
     /// Sweeps after which `psor` and `uzawa` give up
     #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = clap::value_parser!(u64).range(1..))]
     pub most_sweeps: u64,
+
+    /// The memory that the solve may need, as in "8 GB"; a model that needs more is refused before it is solved
+    #[arg(long, value_name = "SIZE", default_value = "4 GB", value_parser = bytes)]
+    pub memory_limit: u64,
 }
 
 #[derive(Debug, Args)]
@@ -165,6 +169,10 @@ pub struct Compare {
     /// Sweeps after which `psor` and `uzawa` give up
     #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = clap::value_parser!(u64).range(1..))]
     pub most_sweeps: u64,
+
+    /// The memory that the solve may need, as in "8 GB"; a model that needs more is refused before it is solved
+    #[arg(long, value_name = "SIZE", default_value = "4 GB", value_parser = bytes)]
+    pub memory_limit: u64,
 }
 
 #[derive(Debug, Args)]
@@ -282,6 +290,25 @@ pub enum Start {
     Zero,
 }
 
+/// A number of bytes, as in `8 GB` or `500MB`.
+fn bytes(written: &str) -> Result<u64, String> {
+    let written = written.trim();
+    let split = written.find(|c: char| c.is_ascii_alphabetic()).unwrap_or(written.len());
+    let (number, unit) = written.split_at(split);
+    let scale = match unit.trim() {
+        "B" => 1.0,
+        "kB" => 1e3,
+        "MB" => 1e6,
+        "GB" => 1e9,
+        "TB" => 1e12,
+        _ => return Err("a size has a unit: B, kB, MB, GB or TB, as in \"8 GB\"".into()),
+    };
+    match number.trim().parse::<f64>() {
+        Ok(number) if number > 0.0 && number.is_finite() => Ok((number * scale) as u64),
+        _ => Err("a size is a positive number with a unit, as in \"8 GB\"".into()),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -290,5 +317,13 @@ mod tests {
     #[test]
     fn the_command_line_is_consistent() {
         Typed::command().debug_assert();
+    }
+
+    #[test]
+    fn sizes_have_a_unit() {
+        assert_eq!([bytes("8 GB"), bytes(" 0.5kB ")], [Ok(8_000_000_000), Ok(500)]);
+        for wrong in ["8", "GB", "-1 GB", "8 gb", "inf GB", ""] {
+            assert!(bytes(wrong).is_err(), "{wrong}");
+        }
     }
 }

@@ -41,6 +41,9 @@ fn a_wrong_model_comes_back_with_its_diagnostics() {
     let fault = &reply.json()["diagnostics"][0];
     let seen = ["code", "line", "column", "hint"].map(|key| fault[key].clone());
     assert_eq!(seen, [json!("GB003"), json!(3), json!(1), json!("did you mean `length`?")]);
+    let many = server.post("/api/solve", &"[[load]]\n".repeat(2000)).json();
+    assert_eq!(many["diagnostics"].as_array().unwrap().len(), 1000);
+    assert!(many["count"].as_u64() > Some(1999), "{}", many["count"]);
     for body in [&b""[..], b"\xff\xfe\x00", b"{}", b"[beam", b"\x00\x01\x02", b"--boundary\r\n"] {
         let reply = server.ask("POST", "/api/solve", &[], body);
         assert_eq!(reply.status, 422, "{body:?}: {}", reply.text());
@@ -71,8 +74,128 @@ fn what_is_no_model_file_is_refused() {
     assert_eq!(server.get("/nowhere").status, 404);
     assert_eq!(server.get("/../Cargo.toml").status, 404);
     assert_eq!(server.post("/api/file/exe", LIFTS).status, 404);
-    assert_eq!(server.post("/api/view?width=wide", LIFTS).status, 400);
     assert_eq!(server.say("nonsense\r\n\r\n", b"").status, 400);
+    assert_eq!(server.post("/api/solve", LIFTS).status, 200);
+}
+
+/// Two trains, the first of which goes from 1 m to 4 m, and two combinations.
+fn trains() -> String {
+    let axle = "axles = [{ at = '0 m', force = '90 kN' }]\n";
+    format!(
+        "{FOOTING}[[train]]\nfrom = '1 m'\nto = '4 m'\n{axle}[[train]]\nname = 'second'\n{axle}\
+         [[load]]\npoint = '5 kN'\nat = '2 m'\ncase = 'Q'\n\
+         [[combination]]\nname = 'one'\nfactors = {{ Q = 1.0 }}\n\
+         [[combination]]\nname = 'two & more'\nfactors = {{ Q = 0.5 }}\n"
+    )
+}
+
+#[test]
+fn a_wrong_query_is_refused_with_its_key_its_value_and_what_is_allowed() {
+    let server = Server::start(None);
+    let trains = trains();
+    let refused = |path: &str, model: &str, words: &[&str]| {
+        let reply = server.post(path, model);
+        assert_eq!(reply.status, 400, "{path}: {}", reply.text());
+        assert!(reply.head.contains("content-type: application/json"), "{}", reply.head);
+        let answer = reply.json();
+        assert_eq!(answer["status"], "refused");
+        let message = answer["message"].as_str().unwrap();
+        let key = answer["query"]["key"].as_str().unwrap();
+        let value = answer["query"]["value"].as_str().unwrap();
+        assert!(message.contains(&format!("`{key}={value}`")), "{message}");
+        for word in words {
+            assert!(message.contains(word), "{path}: {message}");
+        }
+    };
+    for address in ["/api/solve", "/api/view", "/api/file/svg", "/api/file/json"] {
+        for (query, words) in [
+            ("first_axle=nan&train=0", &["first_axle", "a finite number"][..]),
+            ("first_axle=inf&train=0", &["a finite number"]),
+            ("first_axle=&train=0", &["a finite number"]),
+            ("first_axle=2", &["together with the place of one `train`"]),
+            ("first_axle=2&train=all", &["together with the place of one `train`"]),
+            ("first_axle=0.9&train=0", &["from 1 to 4 for this train"]),
+            ("train=99", &["train=99", "0 to 1 or `all`: this file has 2 trains"]),
+            ("train=2", &["0 to 1"]),
+            ("train=-1", &["from 0, or `all`"]),
+            ("train=0.5", &["from 0, or `all`"]),
+            ("train=", &["from 0, or `all`"]),
+            ("train=99999999999999999999999", &["from 0, or `all`"]),
+            ("train=0&train=1", &["given once"]),
+            ("combination=three", &["combination=three", "one of: one, two & more"]),
+            ("combination=two%20%26%20less", &["combination=two & less"]),
+            ("combination=%ff", &["one of: one"]),
+            ("combination=", &["one of: one"]),
+            ("trian=0", &["trian", "combination, train, first_axle"]),
+            ("%00=%0a", &["the keys of this address are"]),
+        ] {
+            refused(&format!("{address}?{query}"), &trains, words);
+        }
+        refused(&format!("{address}?train=0"), FOOTING, &["this file has none"]);
+        refused(&format!("{address}?combination=one"), FOOTING, &["this file has none"]);
+    }
+    for width in ["wide", "nan", "0", "-100", "1e999", ""] {
+        refused(&format!("/api/view?width={width}"), FOOTING, &["a positive number"]);
+    }
+    refused("/api/solve?width=700", FOOTING, &["combination, train, first_axle"]);
+    refused("/api/file/html?train=0", &trains, &["the keys of this address are combination"]);
+    // A query that no file allows is refused before the file is read.
+    refused("/api/solve?train=x", "[beam", &["from 0"]);
+    for path in ["/api/start?x=1", "/?train=0", "/page.js?v=2"] {
+        let reply = server.get(path);
+        assert_eq!((reply.status, &reply.json()["status"]), (400, &json!("refused")), "{path}");
+    }
+    assert_eq!(server.post("/api/file/%ff", FOOTING).json()["status"], "refused");
+    // Right ones are answered.
+    for query in
+        ["", "train=0", "train=1&first_axle=0.5", "train=all", "combination=two+%26%20more"]
+    {
+        let path = format!("/api/solve?{query}");
+        assert_eq!(server.post(&path, &trains).status, 200, "{path}");
+    }
+    assert_eq!(server.post("/api/view?width=1e9", &trains).status, 200);
+}
+
+#[test]
+fn a_view_of_trains_begins_with_one_position() {
+    let server = Server::start(None);
+    let view = |query: &str| {
+        let reply = server.post(&format!("/api/view{query}"), &trains());
+        reply.json()["picture"]["svg"]
+            .as_str()
+            .unwrap_or_else(|| panic!("{}", reply.text()))
+            .to_owned()
+    };
+    assert_eq!(view(""), view("?train=0&first_axle=2.5"));
+    assert_ne!(view(""), view("?train=all"));
+}
+
+/// Open connections on which little or nothing arrives.
+#[test]
+fn slow_connections_do_not_stop_others() {
+    use std::io::{Read, Write};
+    let server = Server::start(None);
+    let open = |sent: &str| {
+        let mut stream = std::net::TcpStream::connect(("127.0.0.1", server.port)).unwrap();
+        stream.write_all(sent.as_bytes()).unwrap();
+        stream.set_read_timeout(Some(std::time::Duration::from_secs(120))).unwrap();
+        stream
+    };
+    let body = format!(
+        "POST /api/solve HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nContent-Length: 99\r\n\r\n[",
+        server.port
+    );
+    let sent = ["", "GET", "POST /api/solve HTTP/1.1\r\n", &body];
+    let slow: Vec<_> = (0..400).map(|i| open(sent[i % 3])).collect();
+    let bodies: Vec<_> = (0..20).map(|_| open(&body)).collect();
+    assert_eq!(server.post("/api/solve", LIFTS).status, 200);
+    // The program closes each of them.
+    for mut stream in slow {
+        let mut rest = Vec::new();
+        let ended = stream.read_to_end(&mut rest);
+        assert!(ended.is_ok_and(|_| rest.is_empty()), "{rest:?}");
+    }
+    drop(bodies);
     assert_eq!(server.post("/api/solve", LIFTS).status, 200);
 }
 
@@ -99,9 +222,15 @@ fn other_pages_and_other_names_are_refused() {
     let under = |host: &str| server.say(&format!("GET / HTTP/1.1\r\n{host}\r\n\r\n"), b"").status;
     assert_eq!(under(&format!("Host: 127.0.0.1:{port}")), 200);
     assert_eq!(under(&format!("Host: LOCALHOST:{port}")), 200);
-    let rebound = [format!("Host: example.org:{port}"), "Host: 127.0.0.1".to_owned()];
+    let own = format!("Host: 127.0.0.1:{port}");
+    let rebound = [
+        format!("Host: example.org:{port}"),
+        "Host: 127.0.0.1".to_owned(),
+        format!("{own}\r\nHost: example.org:{port}"),
+        format!("{own}\r\nOrigin: http://127.0.0.1:{port}\r\nOrigin: http://example.org"),
+    ];
     for host in rebound.iter().chain(&[format!("Host: 0.0.0.0:{port}"), "X: y".to_owned()]) {
-        assert!([400, 421].contains(&under(host)), "{host}");
+        assert!([400, 403, 421].contains(&under(host)), "{host}");
     }
     let elsewhere = format!("GET http://example.org/ HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\n\r\n");
     assert_eq!(server.say(&elsewhere, b"").status, 421);

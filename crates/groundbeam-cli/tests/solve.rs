@@ -126,6 +126,21 @@ fn a_model_that_is_not_solved_is_shown_at_its_line() {
     folder.run(&arguments).fails(2, "error[GB603]");
 }
 
+#[test]
+fn a_model_that_needs_more_memory_than_the_limit_is_refused_at_once() {
+    let folder = Folder::with(&FOOTING.replace("12 m", "1e10 m"));
+    let done = folder.run(&["solve", "model.toml"]);
+    done.fails(2, "error[GB617]: the method `exact` would need about");
+    done.fails(2, "more than the limit of 4 GB");
+    let folder = Folder::with(FOOTING);
+    let meshed = ["solve", "model.toml", "--method", "active-set", "--elements", "5000000"];
+    folder.run(&meshed).fails(2, "error[GB617]: the method `active-set` would need about 18 GB");
+    let little = ["solve", "model.toml", "--memory-limit", "1 kB"];
+    folder.run(&little).fails(2, "more than the limit of 1 kB");
+    folder.run(&["solve", "model.toml", "--memory-limit", "1 MB"]).is_clean(0);
+    folder.run(&["solve", "model.toml", "--memory-limit", "8"]).fails(2, "a size has a unit");
+}
+
 /// A heavy beam in compression that the springs under it must help to bear.
 const PRESSED: &str = "\
 [beam]
@@ -386,4 +401,19 @@ fn a_calculation_report() {
 fn no_drawing_in_pipes() {
     let done = Folder::with(LIFTS).run(&["solve", "model.toml"]);
     assert!(!done.stdout.contains('░') && !done.stdout.contains('━'));
+}
+
+#[test]
+fn the_chords_of_a_trough_are_told() {
+    let text = "[beam]\nlength = '120 m'\nEI = '150 MN m^2'\n[foundation]\nk = '20 MN/m^2'\n
+        [[load]]\ndistributed = '20 kN/m'\n
+        [[gap_trough]]\nat = '60 m'\nsettlement = '20 mm'\nwidth = '8 m'\n";
+    let folder = Folder::with(text);
+    let found = folder.run(&["solve", "model.toml", "--json"]).json();
+    let chords = found["trough_chords"].as_u64().unwrap();
+    let told = format!("curve replaced by {chords} chords; the answer is for this polygon");
+    let done = folder.run(&["solve", "model.toml", "--report", "out.html"]);
+    done.is_clean(0);
+    assert!(done.stdout.contains(&format!("Trough       {told}")), "{}", done.stdout);
+    assert!(folder.read("out.html").contains(&told));
 }

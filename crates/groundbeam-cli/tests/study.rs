@@ -102,6 +102,33 @@ fn the_bytes_are_those_of_the_study_alone() {
     assert!(bytes(&folder, "other.parquet") != bytes(&folder, "shard-2.parquet"));
 }
 
+/// A merge to standard output is the file alone; a damaged shard is refused there and in the study.
+#[test]
+fn damage_is_told_and_standard_output_holds_the_file_alone() {
+    let folder = folder();
+    let study = |more: &[&str]| {
+        folder.run(
+            &[&["study", "study.toml", "--samples", "64", "--out", "r.parquet"], more].concat(),
+        )
+    };
+    study(&[]).is_clean(0);
+    let merged = folder.command(&["merge", "r.parquet", "--out", "/dev/stdout"]).output().unwrap();
+    assert!(merged.status.success() && merged.stdout == bytes(&folder, "r.parquet"));
+    let mut damaged = bytes(&folder, "r.parquet");
+    damaged[1000] ^= 4;
+    folder.write("r.parquet", &damaged);
+    let what = "error: r.parquet: rows 0 to 63 are damaged: the checksum differs from the one that was written; \
+                delete this file and run the study again, which computes its samples again";
+    study(&[]).fails(2, what);
+    folder.run(&["merge", "r.parquet", "--out", "m.parquet"]).fails(2, what);
+    assert_eq!(folder.names(), ["model.toml", "r.parquet", "study.toml"]);
+    std::fs::remove_file(folder.path("r.parquet")).unwrap();
+    study(&[]).is_clean(0);
+    folder
+        .run(&["merge", "r.parquet", "--out", "./r.parquet"])
+        .fails(2, "one of the files that are merged");
+}
+
 /// The same without the fields: thousands of samples in a moment, and more rows than go on a page of the file.
 fn many() -> Folder {
     let folder = folder();
@@ -143,7 +170,7 @@ fn a_killed_study_goes_on_and_ends_with_the_same_bytes() {
     folder.write("r.parquet.parts/000000000039000-000000000040000.unfinished", b"PAR1");
     // What waits is of this study alone.
     let other = folder.run(&["study", "study.toml", "--out", "r.parquet", "--seed", "9"]);
-    other.fails(2, "another study, model, seed");
+    other.fails(2, "another study, model, survey, seed");
     folder.run(&[&all[..], &["--out", "r.parquet"]].concat()).is_clean(0);
     assert!(bytes(&folder, "r.parquet") == bytes(&folder, "whole.parquet"));
     assert!(!folder.path("r.parquet.parts").exists());

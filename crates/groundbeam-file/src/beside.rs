@@ -1,9 +1,11 @@
-//! Files beside the model file: tables of numbers that it names.
+//! Files beside the model file: where they are read, and the tables of numbers in them.
 
+use crate::files::read_file;
 use crate::source::Source;
 use csv::{ReaderBuilder, StringRecord, Trim};
+use std::io::{self, ErrorKind};
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// A file that a model file names.
@@ -13,6 +15,47 @@ pub struct OtherFile {
     pub name: String,
     /// Its text, with U+FFFD for what is not UTF-8.
     pub text: String,
+}
+
+/// Where the files are that a file names.
+#[derive(Debug, Clone, Copy)]
+pub struct Beside<'a> {
+    folder: &'a Path,
+    held: Option<&'a [OtherFile]>,
+}
+
+impl<'a> Beside<'a> {
+    /// In memory: files that were read in this folder before, here or on another machine. No other file is read.
+    pub fn held(folder: &'a Path, files: &'a [OtherFile]) -> Self {
+        Beside { folder, held: Some(files) }
+    }
+
+    /// The same files, named from another folder.
+    pub(crate) fn from(self, folder: &'a Path) -> Self {
+        Beside { folder, ..self }
+    }
+
+    /// The path of a file that is named from the folder, and its bytes if it can be read.
+    pub(crate) fn read(&self, name: &str) -> (PathBuf, io::Result<Vec<u8>>) {
+        let path = self.folder.join(name);
+        let bytes = self.read_path(&path);
+        (path, bytes)
+    }
+
+    /// The bytes of a file.
+    pub(crate) fn read_path(&self, path: &Path) -> io::Result<Vec<u8>> {
+        let Some(files) = self.held else { return read_file(path) };
+        let name = path.display().to_string();
+        let file = files.iter().find(|file| file.name == name);
+        file.map(|file| file.text.clone().into_bytes()).ok_or(ErrorKind::NotFound.into())
+    }
+}
+
+impl<'a, P: AsRef<Path> + ?Sized> From<&'a P> for Beside<'a> {
+    /// On the disk, in a folder.
+    fn from(folder: &'a P) -> Self {
+        Beside { folder: folder.as_ref(), held: None }
+    }
 }
 
 /// A table: its header and its rows, every cell with its place.
@@ -41,9 +84,9 @@ impl Row {
 impl Table {
     /// Reads a file of values separated by semicolons, tabs or commas, whichever its first row has, with `#`
     /// before comments.
-    pub fn read(folder: &Path, file: &str) -> Result<Table, String> {
-        let path = folder.join(file);
-        let bytes = std::fs::read(&path).map_err(|error| error.to_string())?;
+    pub fn read(beside: Beside, file: &str) -> Result<Table, String> {
+        let (path, bytes) = beside.read(file);
+        let bytes = bytes.map_err(|error| error.to_string())?;
         let text = String::from_utf8_lossy(&bytes).into_owned();
         let source = Source::new(&text);
         let start = text.len() - text.trim_start_matches('\u{feff}').len();

@@ -9,6 +9,7 @@ pub(crate) const EXCLUSIVE: &str = "GB006";
 pub(crate) const INCOMPLETE: &str = "GB007";
 pub(crate) const MISPLACED: &str = "GB008";
 pub(crate) const UNKNOWN_WORD: &str = "GB009";
+pub(crate) const CHORDS: &str = "GB502";
 pub(crate) const TOO_MANY: &str = "GB010";
 pub(crate) const NUMBER: &str = "GB011";
 pub(crate) const NOT_FINITE: &str = "GB012";
@@ -35,7 +36,8 @@ pub struct Code {
     pub code: &'static str,
     /// The rule that is broken.
     pub meaning: &'static str,
-    /// A file in `cases/errors/` that breaks it; none for what is found while solving.
+    /// A file in `cases/errors/` that breaks it; none for what is found while solving, in a
+    /// study, or in a model that no file made.
     pub example: Option<&'static str>,
 }
 
@@ -43,11 +45,7 @@ const fn row(code: &'static str, meaning: &'static str, example: &'static str) -
     Code { code, meaning, example: Some(example) }
 }
 
-const fn while_solving(code: &'static str, meaning: &'static str) -> Code {
-    Code { code, meaning, example: None }
-}
-
-const fn in_study(code: &'static str, meaning: &'static str) -> Code {
+const fn elsewhere(code: &'static str, meaning: &'static str) -> Code {
     Code { code, meaning, example: None }
 }
 
@@ -64,7 +62,11 @@ pub const CODES: &[Code] = &[
     row(UNKNOWN_WORD, "a word is none of those that can stand here", "unknown-word.toml"),
     row(TOO_MANY, "more combinations than are solved", "too-many-combinations.toml"),
     row(NUMBER, "a number cannot be read", "number.toml"),
-    row(NOT_FINITE, "a number is not finite, or too large or small to hold", "not-finite.toml"),
+    row(
+        NOT_FINITE,
+        "a number is not finite, or too large or small to be computed with",
+        "not-finite.toml",
+    ),
     row(UNIT_SYNTAX, "a unit cannot be read", "unit-syntax.toml"),
     row(UNKNOWN_UNIT, "a unit is not known", "unknown-unit.toml"),
     row(WRONG_UNIT, "a unit is of the wrong kind", "wrong-unit.toml"),
@@ -78,7 +80,7 @@ pub const CODES: &[Code] = &[
     row(COLUMN, "a column of a table is missing", "survey-column.toml"),
     row("GB101", "the beam's length must be positive", "beam-length.toml"),
     row("GB102", "the bending stiffness EI must be positive", "bending-stiffness.toml"),
-    row("GB103", "the axial force must be a finite number", "axial-force.toml"),
+    elsewhere("GB103", "the axial force must be a finite number"),
     row("GB104", "the shear stiffness of the beam must be positive", "beam-shear.toml"),
     row("GB201", "the spring constant k must be positive", "foundation-spring.toml"),
     row("GB202", "the shear constant mu must be zero or positive", "foundation-shear.toml"),
@@ -107,16 +109,18 @@ pub const CODES: &[Code] = &[
     row("GB407", "nothing at a hinge may act on the slope", "hinge-and-moment.toml"),
     row("GB408", "only a force can act in one direction alone", "one-way-clamp.toml"),
     row("GB501", "the gap's corners must go from left to right", "gap-order.toml"),
-    while_solving("GB603", "concentrated pressures need a shear layer"),
-    while_solving("GB604", "answers at nodes alone are for beams without supports"),
-    while_solving("GB605", "answers at nodes alone are for segments along which nothing varies"),
-    while_solving("GB606", "answers at nodes alone are for beams without hinges"),
-    while_solving("GB607", "the paper's iteration is for beams without hinges"),
-    while_solving("GB609", "loads on the ground are solved by the exact method alone"),
-    while_solving("GB611", "a local equilibrium is found by the method `exact` alone"),
-    while_solving("GB612", "load factors of a local equilibrium"),
-    while_solving("GB614", "a beam that shears is solved by the exact method alone"),
-    while_solving("GB616", "what varies or shears must not have too many waves"),
+    row(CHORDS, "settlement troughs need too many chords", "trough-chords.toml"),
+    elsewhere("GB603", "concentrated pressures need a shear layer"),
+    elsewhere("GB604", "answers at nodes alone are for beams without supports"),
+    elsewhere("GB605", "answers at nodes alone are for segments along which nothing varies"),
+    elsewhere("GB606", "answers at nodes alone are for beams without hinges"),
+    elsewhere("GB607", "the paper's iteration is for beams without hinges"),
+    elsewhere("GB609", "loads on the ground are solved by the exact method alone"),
+    elsewhere("GB611", "a local equilibrium is found by the method `exact` alone"),
+    elsewhere("GB612", "load factors of a local equilibrium"),
+    elsewhere("GB614", "a beam that shears is solved by the exact method alone"),
+    elsewhere("GB616", "what varies or shears must not have too many waves"),
+    elsewhere("GB617", "a solve must not need more memory than the limit"),
     row(FIRST_AXLE, "a train is measured backward from its first axle", "first-axle.toml"),
-    in_study(RANGE, "a number of a study is outside its range"),
+    elsewhere(RANGE, "a number of a study is outside its range"),
 ];

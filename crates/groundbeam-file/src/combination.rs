@@ -20,6 +20,16 @@ pub(crate) struct Recipe {
     pub factors: Vec<(String, f64)>,
 }
 
+impl Recipe {
+    /// By what the loads of a case are multiplied; loads without a case count once.
+    pub fn factor(&self, case: Option<&str>) -> f64 {
+        case.map_or(1.0, |case| {
+            let named = self.factors.iter().find(|(name, _)| name == case);
+            named.map_or(0.0, |(_, factor)| *factor)
+        })
+    }
+}
+
 /// One of the combinations of a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Combination {
@@ -123,14 +133,7 @@ impl Document {
     /// ```
     pub fn combinations(&self) -> Vec<Combination> {
         let combined = |recipe: &Recipe| {
-            let factor = |case: &Option<String>| match case {
-                None => 1.0,
-                Some(case) => {
-                    let named = recipe.factors.iter().find(|(name, _)| name == case);
-                    named.map_or(0.0, |(_, factor)| *factor)
-                }
-            };
-            let (model, loads) = self.under(factor);
+            let (model, loads) = self.under(|case| recipe.factor(case.as_deref()));
             let (name, factors) = (recipe.name.clone(), recipe.factors.clone());
             Combination { name, factors, model, loads, ground: None, bed: self.bed.clone() }
         };

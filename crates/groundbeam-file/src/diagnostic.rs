@@ -2,6 +2,7 @@
 
 use crate::beside::OtherFile;
 use crate::fault::Fault;
+use crate::printable::printable;
 use crate::source::Source;
 use std::fmt;
 use std::ops::Range;
@@ -85,10 +86,11 @@ impl fmt::Display for Diagnostic {
     /// `14:6: [GB015] message (hint)`
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(file) = &self.file {
-            write!(f, "{}:", file.name)?;
+            write!(f, "{}:", printable(&file.name))?;
         }
-        write!(f, "{}:{}: [{}] {}", self.line, self.column, self.code, self.message)?;
-        if self.hint.is_empty() { Ok(()) } else { write!(f, " ({})", self.hint) }
+        let message = printable(&self.message);
+        write!(f, "{}:{}: [{}] {message}", self.line, self.column, self.code)?;
+        if self.hint.is_empty() { Ok(()) } else { write!(f, " ({})", printable(&self.hint)) }
     }
 }
 

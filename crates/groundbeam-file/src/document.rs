@@ -1,7 +1,9 @@
 //! A model file that was read: the model, and where in the file each part of it stands.
 
 use crate::band::Band;
+use crate::beside::OtherFile;
 use crate::combination::Recipe;
+use crate::demand::{Place, Sign};
 use crate::diagnostic::Diagnostic;
 use crate::fault::Fault;
 use crate::reader::Field;
@@ -13,6 +15,7 @@ use groundbeam::train::Train;
 use groundbeam::{Error, Limits, Model, Options, Outcome};
 use std::collections::HashMap;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// A model file that was read and found right.
 #[derive(Debug, Clone)]
@@ -21,6 +24,8 @@ pub struct Document {
     pub title: Option<String>,
     /// The model under all of its loads as they are written, in SI units or in the file's own consistent system.
     pub model: Model,
+    /// How many chords of the model's gap replace the curve of settlement troughs, if the file has troughs.
+    pub chords: Option<usize>,
     /// The soil from which the model's ground was made, if the file gives one; a ground that depends on the
     /// solution is in the model as it is before anything is solved.
     pub bed: Option<Bed>,
@@ -39,6 +44,8 @@ pub struct Document {
     pub trains: Vec<MovingTrain>,
     /// Every quantity of the file, in the order of the text: what a program changes to change the model.
     pub quantities: Vec<Quantity>,
+    /// The files that the model names, as they were read.
+    pub files: Vec<Arc<OtherFile>>,
     pub(crate) recipes: Vec<Recipe>,
     pub(crate) source: Source,
     pub(crate) places: Places,
@@ -70,6 +77,12 @@ pub struct Quantity {
     pub number: Range<usize>,
     /// What the number counts, in SI units; 1 where it has no unit.
     pub unit: f64,
+    /// The signs that the number may have.
+    pub sign: Sign,
+    /// The body on which the number is a position; none for other quantities.
+    pub place: Option<Place>,
+    /// A usual value of such a quantity, in SI units.
+    pub usual: f64,
 }
 
 impl Document {
@@ -139,6 +152,11 @@ impl Places {
     pub fn field(&mut self, part: Part, name: &'static str, field: &Field) {
         let place = (!field.value.is_nan()).then(|| field.span.clone());
         self.fields.entry(part).or_default().push((name, place));
+    }
+
+    /// Where the part with a problem stands.
+    pub fn part_of(&self, problem: &Problem) -> Option<Range<usize>> {
+        self.parts.get(&problem.part).cloned()
     }
 
     /// The place of a problem, unless it only follows from what has been reported already.

@@ -37,12 +37,17 @@ mod beside;
 mod cases;
 mod code;
 mod combination;
+mod demand;
 mod diagnostic;
 mod document;
 mod fault;
+mod files;
+mod lists;
 mod materials;
 mod number;
+pub mod output;
 mod positions;
+mod printable;
 mod profile;
 mod quantity;
 mod reader;
@@ -62,16 +67,19 @@ mod units;
 mod write;
 
 pub use band::Band;
-pub use beside::OtherFile;
+pub use beside::{Beside, OtherFile};
 pub use cases::parse_cases;
 pub use code::{CODES, Code};
 pub use combination::{Combination, LoadCase};
+pub use demand::{Place, Sign};
 pub use diagnostic::{Diagnostic, Diagnostics, Related, Severity};
 pub use document::{Document, MovingTrain, Quantity};
+pub use files::{open_file, read_bounded, read_file};
 pub use materials::{Material, materials};
 pub use positions::parse_positions;
+pub use printable::printable;
 pub use sets::{CombinationSet, combination_sets};
-pub use target::{Change, Course, along_the_beam, change, problem};
+pub use target::{Change, Course, Shape, along_the_beam, change, most_control_values, problem};
 pub use trains::{TrainSet, train_sets};
 pub use units::UnitSystem;
 pub use write::write_toml;
@@ -80,7 +88,6 @@ use fault::Fault;
 use reader::Reader;
 use section::{Contents, Ground};
 use source::Source;
-use std::path::Path;
 use table::Section;
 use toml::de::DeTable;
 
@@ -94,16 +101,19 @@ pub fn parse(text: &str) -> Result<Document, Diagnostics> {
     read(text, None, false)
 }
 
-/// Reads a model file that stands in a folder, and what it names beside itself.
+/// Reads a model file that stands in a folder, and the files that it names.
 ///
 /// # Errors
 ///
 /// As [`parse`]; what is wrong with a file that it names is told at its place in that file.
-pub fn parse_beside(text: &str, folder: &Path) -> Result<Document, Diagnostics> {
-    read(text, Some(folder), false)
+pub fn parse_beside<'a>(
+    text: &str,
+    beside: impl Into<Beside<'a>>,
+) -> Result<Document, Diagnostics> {
+    read(text, Some(beside.into()), false)
 }
 
-/// Reads a model that a program wrote, in a folder if it names files beside itself: a number without a unit is in SI
+/// Reads a model that a program wrote, beside the files that it names if it names any: a number without a unit is in SI
 /// units, and may stand beside quantities with one.
 ///
 /// ```
@@ -117,11 +127,11 @@ pub fn parse_beside(text: &str, folder: &Path) -> Result<Document, Diagnostics> 
 /// # Errors
 ///
 /// As [`parse_beside`].
-pub fn parse_si(text: &str, folder: Option<&Path>) -> Result<Document, Diagnostics> {
-    read(text, folder, true)
+pub fn parse_si(text: &str, beside: Option<Beside>) -> Result<Document, Diagnostics> {
+    read(text, beside, true)
 }
 
-fn read(text: &str, folder: Option<&Path>, bare_is_si: bool) -> Result<Document, Diagnostics> {
+fn read(text: &str, beside: Option<Beside>, bare_is_si: bool) -> Result<Document, Diagnostics> {
     let source = Source::new(text);
     let (table, errors) = DeTable::parse_recoverable(text);
     let syntax = syntax::explain(&source, table.get_ref(), &errors);
@@ -132,28 +142,39 @@ fn read(text: &str, folder: Option<&Path>, bare_is_si: bool) -> Result<Document,
     if root.table.is_empty() {
         return Err(Diagnostic::new(&source, no_model()).into());
     }
-    let mut reader = Reader::new(&source, &root, folder, bare_is_si);
+    let mut reader = Reader::new(&source, &root, beside, bare_is_si);
     reader.found = syntax.found;
     let contents = section::read(&mut reader, &root);
-    let Contents { title, model, ground, limits, cases, recipes, trains } = contents;
+    let Contents { title, model, chords, ground, limits, cases, recipes, trains } = contents;
     let before = reader.found.len();
-    let units = reader.unit_system();
+    let units = reader.unit_system().unwrap_or(UnitSystem::Plain);
     let is_mixed = reader.found.len() > before;
     // Lengths of which only some are in metres cannot be compared.
     if !is_mixed {
-        for problem in model.problems() {
-            if let Some(span) = reader.places.of(&problem) {
-                reader.found.push(document::diagnostic(&source, span, &problem, units));
+        let problems = model.problems();
+        for problem in &problems {
+            if let Some(span) = reader.places.of(problem) {
+                reader.found.push(document::diagnostic(&source, span, problem, units));
             }
         }
+        // A model with a problem is never accepted: where no cause of it has been told, it is told of its part.
+        if reader.found.is_empty() {
+            let told = problems.iter().map(|problem| {
+                let span = reader.places.part_of(problem).unwrap_or(0..0);
+                document::diagnostic(&source, span, problem, units)
+            });
+            let told: Vec<Diagnostic> = told.collect();
+            reader.found.extend(told);
+        }
     }
-    let quantities = reader.located();
-    let Reader { found, places, .. } = reader;
+    let quantities = reader.located(units);
+    let Reader { found, places, others, .. } = reader;
     if found.is_empty() {
         let Ground { bed, width, band, .. } = ground;
         Ok(Document {
             title,
             model,
+            chords,
             bed,
             width,
             band,
@@ -162,6 +183,7 @@ fn read(text: &str, folder: Option<&Path>, bare_is_si: bool) -> Result<Document,
             recipes,
             trains,
             quantities,
+            files: others,
             units,
             source,
             places,

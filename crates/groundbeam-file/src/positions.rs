@@ -8,13 +8,13 @@ use crate::source::Source;
 use crate::units::UnitSystem;
 
 /// Reads positions \[m, or plain\] separated by commas, under the rule of the file they belong
-/// to: each with a unit, or none with one.
+/// to: each with a unit, or none with one; 0 needs no unit.
 ///
 /// ```
 /// use groundbeam_file::{UnitSystem, parse_positions};
 ///
 /// assert_eq!(parse_positions("0, 0.5, 1", UnitSystem::Plain).unwrap(), [0.0, 0.5, 1.0]);
-/// assert_eq!(parse_positions("0 m, 50 cm", UnitSystem::Si).unwrap(), [0.0, 0.5]);
+/// assert_eq!(parse_positions("0, 50 cm", UnitSystem::Si).unwrap(), [0.0, 0.5]);
 /// ```
 ///
 /// # Errors
@@ -51,7 +51,7 @@ fn position(entry: &str, units: UnitSystem) -> Result<f64, Fault> {
     }
     let written = POSITION.read("at", entry, units == UnitSystem::Plain)?;
     match (units, written.has_unit) {
-        (UnitSystem::Si, false) => {
+        (UnitSystem::Si, false) if written.value != 0.0 => {
             let hint = format!("give every position a unit, {example}");
             let message = format!("`{trimmed}` has no unit, but the file gives units");
             Err(Fault::new(code::MIXED, at, message, "", hint))

@@ -1,6 +1,7 @@
 //! Quantities: a number and its unit, and the kinds of quantity a model is made of.
 
 use crate::code;
+use crate::demand::{Place, Sign};
 use crate::fault::Fault;
 use crate::number::Decimal;
 use crate::unit::{Dimension, Unit};
@@ -15,6 +16,10 @@ pub(crate) struct Kind {
     pub example: &'static str,
     /// A unit to write behind a bare number.
     pub unit: &'static str,
+    /// The signs that its number may have.
+    pub sign: Sign,
+    /// The body on which it is a position; none for other quantities.
+    pub place: Option<Place>,
     /// What someone who gives a quantity of another kind probably wants to do.
     mistaken: &'static [(Dimension, &'static str)],
 }
@@ -26,7 +31,17 @@ const fn kind(
     unit: &'static str,
     mistaken: &'static [(Dimension, &'static str)],
 ) -> Kind {
-    Kind { what, dimension, example, unit, mistaken }
+    Kind { what, dimension, example, unit, sign: Sign::Any, place: None, mistaken }
+}
+
+impl Kind {
+    const fn sign(self, sign: Sign) -> Kind {
+        Kind { sign, ..self }
+    }
+
+    const fn on(self, place: Place) -> Kind {
+        Kind { place: Some(place), ..self }
+    }
 }
 
 const LINE_LOAD: Dimension = Dimension::new(1, -1);
@@ -35,10 +50,22 @@ const MODULUS: Dimension = Dimension::new(1, -3);
 const STIFFNESS: Dimension = Dimension::new(1, 2);
 const SECOND_MOMENT: Dimension = Dimension::new(0, 4);
 
-pub(crate) const LENGTH: Kind = kind("a length", Dimension::LENGTH, "12 m", "m", &[]);
-pub(crate) const POSITION: Kind = kind("a length", Dimension::LENGTH, "1 m", "m", &[]);
-pub(crate) const WIDTH: Kind = kind("a length", Dimension::LENGTH, "1 m", "m", &[]);
+pub(crate) const LENGTH: Kind =
+    kind("a length", Dimension::LENGTH, "12 m", "m", &[]).sign(Sign::Positive);
+pub(crate) const POSITION: Kind =
+    kind("a length", Dimension::LENGTH, "1 m", "m", &[]).on(Place::Beam);
+pub(crate) const GROUND_POSITION: Kind =
+    kind("a length", Dimension::LENGTH, "1 m", "m", &[]).on(Place::Ground);
+/// A length from a place that is no end of the beam: from the first axle of a train, from the level of the sea.
+pub(crate) const OFFSET: Kind = kind("a length", Dimension::LENGTH, "1 m", "m", &[]);
+/// A length behind the first axle of a train.
+pub(crate) const BEHIND: Kind =
+    kind("a length", Dimension::LENGTH, "1 m", "m", &[]).sign(Sign::NotNegative);
+pub(crate) const WIDTH: Kind =
+    kind("a length", Dimension::LENGTH, "1 m", "m", &[]).sign(Sign::Positive);
 pub(crate) const CLEARANCE: Kind = kind("a length", Dimension::LENGTH, "2 mm", "mm", &[]);
+pub(crate) const SETTLEMENT_LIMIT: Kind =
+    kind("a length", Dimension::LENGTH, "2 mm", "mm", &[]).sign(Sign::Positive);
 pub(crate) const FORCE: Kind = kind("a force", Dimension::FORCE, "600 kN", "kN", &[]);
 pub(crate) const MOMENT: Kind = kind("a moment", Dimension::new(1, 1), "50 kN m", "kN m", &[]);
 pub(crate) const LOAD_PER_LENGTH: Kind = kind(
@@ -59,60 +86,72 @@ pub(crate) const BENDING_STIFFNESS: Kind = kind(
         (STRESS, "an elastic modulus is `E`; give it together with `I` or `section`"),
         (SECOND_MOMENT, "a second moment of area is `I`; give it together with `E`"),
     ],
-);
+)
+.sign(Sign::Positive);
 pub(crate) const ELASTIC_MODULUS: Kind = kind(
     "an elastic modulus",
     STRESS,
     "30 GPa",
     "GPa",
     &[(STIFFNESS, "a bending stiffness is `EI`; then leave `E` and `I` out")],
-);
+)
+.sign(Sign::Positive);
 pub(crate) const SECOND_MOMENT_OF_AREA: Kind =
-    kind("a second moment of area", SECOND_MOMENT, "0.04 m^4", "m^4", &[]);
+    kind("a second moment of area", SECOND_MOMENT, "0.04 m^4", "m^4", &[]).sign(Sign::Positive);
 pub(crate) const SHEAR_STIFFNESS: Kind = kind(
     "a force (a shear stiffness)",
     Dimension::FORCE,
     "900 MN",
     "MN",
     &[(STRESS, "a shear modulus is `G`; give it together with `shear_area` or a `section`")],
-);
-pub(crate) const SHEAR_MODULUS: Kind = kind("a shear modulus", STRESS, "12.5 GPa", "GPa", &[]);
-pub(crate) const SHEAR_AREA: Kind = kind("an area", Dimension::new(0, 2), "0.4 m^2", "m^2", &[]);
+)
+.sign(Sign::Positive);
+pub(crate) const SHEAR_MODULUS: Kind =
+    kind("a shear modulus", STRESS, "12.5 GPa", "GPa", &[]).sign(Sign::Positive);
+pub(crate) const SHEAR_AREA: Kind =
+    kind("an area", Dimension::new(0, 2), "0.4 m^2", "m^2", &[]).sign(Sign::Positive);
 pub(crate) const SPRING_PER_LENGTH: Kind = kind(
     "a force per length and deflection",
     STRESS,
     "40 MN/m^2",
     "MN/m^2",
     &[(MODULUS, "a force per volume is a `subgrade_modulus`; give it together with `width`")],
-);
+)
+.sign(Sign::Positive);
 pub(crate) const SUBGRADE_MODULUS: Kind = kind(
     "a force per area and deflection",
     MODULUS,
     "40 MN/m^3",
     "MN/m^3",
     &[(STRESS, "a force per length of beam and deflection is `k`; then leave `width` out")],
-);
+)
+.sign(Sign::Positive);
 pub(crate) const SHEAR_CONSTANT: Kind =
-    kind("a force (the ground's shear constant)", Dimension::FORCE, "9 MN", "MN", &[]);
+    kind("a force (the ground's shear constant)", Dimension::FORCE, "9 MN", "MN", &[])
+        .sign(Sign::NotNegative);
 pub(crate) const AREA_SHEAR: Kind = kind(
     "a force per length (the shear constant of an area)",
     LINE_LOAD,
     "9 MN/m",
     "MN/m",
     &[(Dimension::FORCE, "the shear constant per length of beam is `mu`; then leave `C2` out")],
-);
+)
+.sign(Sign::NotNegative);
 pub(crate) const UNIT_WEIGHT: Kind =
-    kind("a force per volume", MODULUS, "25 kN/m^3", "kN/m^3", &[]);
-pub(crate) const STRESS_LIMIT: Kind = kind("a pressure", STRESS, "200 kPa", "kPa", &[]);
+    kind("a force per volume", MODULUS, "25 kN/m^3", "kN/m^3", &[]).sign(Sign::Positive);
+pub(crate) const STRESS_LIMIT: Kind =
+    kind("a pressure", STRESS, "200 kPa", "kPa", &[]).sign(Sign::Positive);
 pub(crate) const RATIO: Kind = kind("a plain number", Dimension::NONE, "0.3", "", &[]);
-pub(crate) const SPRING: Kind = kind("a force per deflection", LINE_LOAD, "10 MN/m", "MN/m", &[]);
+pub(crate) const SPRING: Kind =
+    kind("a force per deflection", LINE_LOAD, "10 MN/m", "MN/m", &[]).sign(Sign::NotNegative);
 pub(crate) const ROTATIONAL_SPRING: Kind = kind(
     "a moment per angle",
     Dimension { angle: -1, ..Dimension::new(1, 1) },
     "5 MN m/rad",
     "MN m/rad",
     &[],
-);
+)
+.sign(Sign::NotNegative);
 
 pub(crate) const CURVATURE: Kind = kind(
     "a curvature",
@@ -132,9 +171,11 @@ pub(crate) const EXPANSION: Kind = kind(
     "1e-5 1/K",
     "1/K",
     &[],
-);
+)
+.sign(Sign::Positive);
 pub(crate) const STRAIN: Kind = kind("a strain", Dimension::NONE, "300e-6", "", &[]);
-pub(crate) const DEPTH: Kind = kind("a length", Dimension::LENGTH, "0.2 m", "m", &[]);
+pub(crate) const DEPTH: Kind =
+    kind("a length", Dimension::LENGTH, "0.2 m", "m", &[]).sign(Sign::Positive);
 pub(crate) const CAMBER: Kind = kind("a length", Dimension::LENGTH, "20 mm", "mm", &[]);
 
 impl Kind {
@@ -199,9 +240,8 @@ impl Kind {
             }
             (number.times(&unit.scale), true)
         };
-        if value.is_infinite() || (value == 0.0 && !number.is_zero()) {
-            let size = if value == 0.0 { "small" } else { "large" };
-            return Err(out_of_reach(size, start..start + trimmed.len()));
+        if !is_within_reach(value) || (value == 0.0 && !number.is_zero()) {
+            return Err(out_of_reach(value, start..start + trimmed.len()));
         }
         Ok(Written { value, has_unit })
     }
@@ -279,11 +319,20 @@ pub(crate) fn not_finite(written: &str, at: std::ops::Range<usize>) -> Fault {
     Fault::new(code::NOT_FINITE, at, message, "", "give a finite number, or leave the key out")
 }
 
-/// A number outside the range of 64-bit floating point.
-pub(crate) fn out_of_reach(size: &str, at: std::ops::Range<usize>) -> Fault {
-    let message = format!("this number is too {size} to be held");
-    let hint = "numbers between 1e-60 and 1e60, their negatives and 0 can be computed with";
-    Fault::new(code::NOT_FINITE, at, message, "", hint)
+/// Whether a number can be computed with: products of a few such numbers, and their powers, are finite.
+pub(crate) fn is_within_reach(value: f64) -> bool {
+    value == 0.0 || (1e-60..=1e60).contains(&value.abs())
+}
+
+/// Which numbers can be computed with.
+pub(crate) const REACH: &str =
+    "numbers between 1e-60 and 1e60, their negatives and 0 can be computed with";
+
+/// A number that cannot be computed with, as near to it as 64-bit floating point comes.
+pub(crate) fn out_of_reach(value: f64, at: std::ops::Range<usize>) -> Fault {
+    let size = if value.abs() < 1.0 { "small" } else { "large" };
+    let message = format!("this number is too {size} to be computed with");
+    Fault::new(code::NOT_FINITE, at, message, "", REACH)
 }
 
 #[cfg(test)]
@@ -345,8 +394,12 @@ mod tests {
         let kinds = [
             LENGTH,
             POSITION,
+            GROUND_POSITION,
+            OFFSET,
+            BEHIND,
             WIDTH,
             CLEARANCE,
+            SETTLEMENT_LIMIT,
             FORCE,
             MOMENT,
             LOAD_PER_LENGTH,

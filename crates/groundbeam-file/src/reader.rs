@@ -3,18 +3,18 @@
 //! Nothing stops at the first fault. A value that cannot be read is NaN from then on, which no
 //! value in a file can be; whatever depends on it is then NaN too and is not reported again.
 
-use crate::beside::OtherFile;
+use crate::beside::{Beside, OtherFile};
 use crate::code;
 use crate::diagnostic::Diagnostic;
 use crate::document::Places;
 use crate::fault::Fault;
+use crate::lists::List;
 use crate::quantity::{self, Kind, Written};
 use crate::source::Source;
 use crate::table::{Section, suggestion};
 use crate::unit::Dimension;
 use crate::units::Seen;
 use std::ops::Range;
-use std::path::Path;
 use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeInteger, DeValue};
@@ -41,7 +41,9 @@ impl Field {
 pub(crate) struct Reader<'s> {
     pub source: &'s Source,
     /// Where files that the model names stand; none if it can name none.
-    pub folder: Option<&'s Path>,
+    pub beside: Option<Beside<'s>>,
+    /// Those that were read.
+    pub others: Vec<Arc<OtherFile>>,
     pub found: Vec<Diagnostic>,
     pub quantities: Vec<Seen>,
     pub places: Places,
@@ -57,12 +59,13 @@ impl<'s> Reader<'s> {
     pub fn new(
         source: &'s Source,
         root: &Section,
-        folder: Option<&'s Path>,
+        beside: Option<Beside<'s>>,
         bare_is_si: bool,
     ) -> Self {
         Reader {
             source,
-            folder,
+            beside,
+            others: vec![],
             found: vec![],
             quantities: vec![],
             places: Places::default(),
@@ -153,13 +156,9 @@ impl<'s> Reader<'s> {
         }
     }
 
-    /// The tables `[[key]]`, none if there are none.
-    pub fn tables<'a>(
-        &mut self,
-        parent: &Section<'a>,
-        key: &str,
-        name: &'static str,
-    ) -> Vec<Section<'a>> {
+    /// The tables of a list, none if there are none.
+    pub fn tables<'a>(&mut self, parent: &Section<'a>, list: &List) -> Vec<Section<'a>> {
+        let List { key, name } = *list;
         let Some(value) = parent.value(key) else { return vec![] };
         let DeValue::Array(array) = value.get_ref() else {
             let message = format!("there can be several {name}, so it is written as a list");
@@ -251,7 +250,9 @@ impl<'s> Reader<'s> {
                 // A plain number has no unit in either kind of file.
                 if kind.dimension != Dimension::NONE {
                     let key = key.to_owned();
-                    self.quantities.push(Seen { key, kind, has_unit, span: span.clone() });
+                    let is_bare_zero = value == 0.0 && !has_unit;
+                    let span = span.clone();
+                    self.quantities.push(Seen { key, kind, has_unit, is_bare_zero, span });
                 }
                 Field::new(value, span)
             }
@@ -289,7 +290,7 @@ fn bare_integer(integer: &DeInteger, kind: &Kind) -> Result<Written, Fault> {
     }
     match i128::from_str_radix(integer.as_str(), integer.radix()) {
         Ok(value) => Ok(Written { value: value as f64, has_unit: false }),
-        Err(_) => Err(quantity::out_of_reach("large", 0..0)),
+        Err(_) => Err(quantity::out_of_reach(f64::INFINITY, 0..0)),
     }
 }
 

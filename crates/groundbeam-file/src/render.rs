@@ -1,6 +1,7 @@
 //! Diagnostics as a person reads them: file, line and column, the line itself, a mark, a hint.
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
+use crate::printable::{is_unprintable, printable};
 use crate::source::BYTE_ORDER_MARK;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use std::ops::Range;
@@ -42,18 +43,19 @@ impl Diagnostics {
                 Some(file) => (file.name.as_str(), file.text.as_str()),
                 None => (file_name, text),
             };
-            let group = group(diagnostic, name, text);
-            rendered.push_str(&renderer.render(&[group]));
+            rendered.push_str(&renderer.render(&[group(diagnostic, name, text)]));
             rendered.push('\n');
         }
         if let Some(more) = self.as_slice().len().checked_sub(MOST_SHOWN).filter(|&more| more > 0) {
-            rendered.push_str(&format!("\n... and {more} more in {file_name}\n"));
+            rendered.push_str(&format!("\n... and {more} more in {}\n", printable(file_name)));
         }
         rendered
     }
 }
 
-fn group<'t>(diagnostic: &'t Diagnostic, file_name: &'t str, text: &'t str) -> Group<'t> {
+/// A diagnostic as the renderer takes it. What stands in the file or in its name is escaped here: the renderer prints
+/// paths, labels and hints as they are.
+fn group<'t>(diagnostic: &'t Diagnostic, file_name: &'t str, text: &str) -> Group<'t> {
     // Columns are counted without the mark, so the text is shown without it.
     let shown = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
     let mark = text.len() - shown.len();
@@ -71,29 +73,37 @@ fn group<'t>(diagnostic: &'t Diagnostic, file_name: &'t str, text: &'t str) -> G
     let first_line = diagnostic.related.iter().map(|r| r.line).fold(diagnostic.line, usize::min);
     let place = |span: &Range<usize>| {
         let span = inside(span);
-        span.start - start..span.end - start
+        let place = |offset: usize| visible(&shown[start..offset]).len();
+        place(span.start)..place(span.end)
     };
 
     let level = match diagnostic.severity {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
     };
-    let label = |text: &'t str| (!text.is_empty()).then_some(text);
+    let label = |text: &'t str| (!text.is_empty()).then(|| printable(text));
     let primary = AnnotationKind::Primary.span(place(&diagnostic.span));
-    let snippet = Snippet::source(&shown[start..end])
+    let snippet = Snippet::source(visible(&shown[start..end]))
         .line_start(first_line)
-        .path(file_name)
+        .path(printable(file_name))
         .annotation(primary.label(label(&diagnostic.label)))
         .annotations(diagnostic.related.iter().map(|related| {
             AnnotationKind::Context.span(place(&related.span)).label(label(&related.label))
         }));
-    let title = level.primary_title(&*diagnostic.message).id(diagnostic.code);
+    let title = level.primary_title(printable(&diagnostic.message)).id(diagnostic.code);
     let group = title.element(snippet);
     if diagnostic.hint.is_empty() {
         group
     } else {
-        group.element(Level::HELP.message(&*diagnostic.hint))
+        group.element(Level::HELP.message(printable(&diagnostic.hint)))
     }
+}
+
+/// Lines of the file with one sign in place of each character that is not to be printed, so that columns stay. The
+/// renderer itself does this for the control characters of ASCII, and it knows the ends of lines.
+fn visible(lines: &str) -> String {
+    let sign = |c: char| if is_unprintable(c) && !c.is_ascii() { '\u{fffd}' } else { c };
+    lines.chars().map(sign).collect()
 }
 
 /// The character boundary at or before `offset`; the caller's text may not be the one parsed.

@@ -3,12 +3,10 @@
 use crate::code;
 use crate::diagnostic::Diagnostic;
 use crate::fault::Fault;
+use crate::lists;
 use crate::source::Source;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue, Error};
-
-/// Tables of which there can be several; the last names of `[[beam.segment]]` and the like.
-const LISTS: [&str; 7] = ["load", "support", "hinge", "gap", "segment", "case", "combination"];
 
 /// What is wrong with the file as TOML.
 pub(crate) struct SyntaxFaults {
@@ -50,7 +48,7 @@ fn fault(source: &Source, span: Range<usize>, said: &str) -> (Fault, bool) {
         Fault::new(code::SYNTAX, span.clone(), message, label, hint)
     };
     if said.starts_with("duplicate key") {
-        let is_list = LISTS.contains(&written);
+        let is_list = lists::may_be_several(written);
         let in_header = line_so_far.trim_start().starts_with('[');
         let hint = if is_list && in_header {
             "there can be several of these: write each with double brackets, as in [[load]]"
@@ -72,6 +70,14 @@ fn fault(source: &Source, span: Range<usize>, said: &str) -> (Fault, bool) {
             let message = "text, and a number with its unit, stand in quotes";
             (new(message, "no quotes", hint), true)
         };
+    }
+    if said.contains("expected `inf`") || said.contains("expected `nan`") {
+        // A word without quotes that begins as one of these two does.
+        let hint = "write it in quotes, as in \"pinned\" or \"1.5 kN\"".to_owned();
+        return (
+            new("text, and a number with its unit, stand in quotes", "no quotes", hint),
+            false,
+        );
     }
     let advice = if said.starts_with("invalid float") || said.starts_with("invalid integer") {
         "a number with its unit stands in quotes, as in \"1.5 kN\""

@@ -7,7 +7,7 @@ use crate::quantity::{
     SPRING_PER_LENGTH,
 };
 use groundbeam::sensitivity::{Extent, LoadNumber, Parameter, Property, SupportNumber};
-use groundbeam::{Beam, Load, Model, Profile};
+use groundbeam::{Beam, Foundation, Load, Model, Profile};
 
 /// How a quantity runs between numbers at even points from one end of the beam to the other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -19,8 +19,25 @@ pub enum Course {
     Steps,
 }
 
-/// A number for a parameter, or several along the beam.
-pub type Change<'a> = (Parameter, &'a [f64]);
+/// What several numbers for a quantity along the beam mean.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shape {
+    /// They stand at even points.
+    Even(Course),
+    /// They are the control values of one curve, as a model file writes it ([`Profile`]).
+    Curve,
+}
+
+/// A number for a parameter, or several along the beam and what they mean.
+pub type Change<'a> = (Parameter, Shape, &'a [f64]);
+
+/// The most control values of a curve of a property.
+pub fn most_control_values(property: Property) -> usize {
+    match property {
+        Property::Spring | Property::Shear => Foundation::MOST_CONTROL_VALUES,
+        Property::BendingStiffness | Property::ShearStiffness => Profile::MOST,
+    }
+}
 
 /// k, μ or EI of the whole beam, which may also be given at points along it.
 pub fn along_the_beam(parameter: Parameter) -> Option<Property> {
@@ -94,73 +111,95 @@ pub(crate) fn kind(parameter: Parameter, model: &Model) -> &'static Kind {
 }
 
 /// The model with numbers changed: what is set is set first, then what multiplies multiplies.
-pub fn change<'a>(
-    model: &mut Model,
-    course: Course,
-    changes: impl Iterator<Item = Change<'a>> + Clone,
-) {
+pub fn change<'a>(model: &mut Model, changes: impl Iterator<Item = Change<'a>> + Clone) {
     let multiplies =
         |parameter: Parameter| matches!(parameter, Parameter::Factor(..) | Parameter::LoadFactor);
-    let numbers = changes.clone().filter(|(_, row)| row.len() == 1);
-    for (parameter, row) in numbers.clone().filter(|(parameter, _)| !multiplies(*parameter)) {
+    let numbers = changes.clone().filter(|(.., row)| row.len() == 1);
+    for (parameter, _, row) in numbers.clone().filter(|(parameter, ..)| !multiplies(*parameter)) {
         parameter.assign(model, row[0]);
     }
-    let mut ground: [Option<&[f64]>; 2] = [None, None];
-    for (parameter, row) in changes.filter(|(_, row)| row.len() > 1) {
+    let mut ground: [Option<Along>; 2] = [None, None];
+    for (parameter, shape, values) in changes.filter(|(.., row)| row.len() > 1) {
+        let along = Along { shape, values };
         match along_the_beam(parameter) {
-            Some(Property::Spring) => ground[0] = Some(row),
-            Some(Property::Shear) => ground[1] = Some(row),
-            Some(Property::BendingStiffness) => vary_stiffness(&mut model.beam, course, row),
+            Some(Property::Spring) => ground[0] = Some(along),
+            Some(Property::Shear) => ground[1] = Some(along),
+            Some(Property::BendingStiffness) => vary_stiffness(&mut model.beam, along),
             Some(Property::ShearStiffness) | None => {}
         }
     }
-    vary_ground(model, course, ground);
-    for (parameter, row) in numbers.filter(|(parameter, _)| multiplies(*parameter)) {
+    vary_ground(model, ground);
+    for (parameter, _, row) in numbers.filter(|(parameter, ..)| multiplies(*parameter)) {
         parameter.assign(model, row[0]);
     }
 }
 
-impl Course {
+impl Shape {
     /// How many stretches so many numbers make.
-    fn stretches(self, numbers: usize) -> usize {
+    pub fn stretches(self, numbers: usize) -> usize {
         match self {
-            Course::Lines => numbers - 1,
-            Course::Steps => numbers,
-        }
-    }
-
-    /// The course of a stretch.
-    fn of(self, values: &[f64], stretch: usize) -> Profile {
-        match self {
-            Course::Lines => Profile::linear(values[stretch], values[stretch + 1]),
-            Course::Steps => Profile::constant(values[stretch]),
+            Shape::Even(Course::Lines) => numbers - 1,
+            Shape::Even(Course::Steps) => numbers,
+            Shape::Curve => 1,
         }
     }
 }
 
-fn vary_stiffness(beam: &mut Beam, course: Course, values: &[f64]) {
+/// Numbers along the beam.
+#[derive(Clone, Copy)]
+struct Along<'a> {
+    shape: Shape,
+    values: &'a [f64],
+}
+
+impl Along<'_> {
+    fn stretches(self) -> usize {
+        self.shape.stretches(self.values.len())
+    }
+
+    /// On one of `count` equal stretches: as many as its own, or any number if it has one.
+    fn on(self, stretch: usize, count: usize) -> Profile {
+        let own = self.stretches();
+        if own == count {
+            return self.own(stretch);
+        }
+        let [from, to] = ends(1.0, stretch, count);
+        self.own(0).part(from, to)
+    }
+
+    /// On one of its own stretches.
+    fn own(self, stretch: usize) -> Profile {
+        let values = self.values;
+        match self.shape {
+            Shape::Even(Course::Lines) => Profile::linear(values[stretch], values[stretch + 1]),
+            Shape::Even(Course::Steps) => Profile::constant(values[stretch]),
+            Shape::Curve => {
+                let curve = Profile::by_control_values(values);
+                curve.unwrap_or(Profile::constant(f64::NAN))
+            }
+        }
+    }
+}
+
+fn vary_stiffness(beam: &mut Beam, along: Along) {
     let length = beam.length;
-    let count = course.stretches(values.len());
+    let count = along.stretches();
     for i in 0..count {
         let [from, to] = ends(length, i, count);
-        *beam = std::mem::replace(beam, Beam::uniform(length, values[0])).with_varying_segment(
-            from,
-            to,
-            course.of(values, i),
-        );
+        *beam = std::mem::replace(beam, Beam::uniform(length, along.values[0]))
+            .with_varying_segment(from, to, along.on(i, count));
     }
 }
 
-fn vary_ground(model: &mut Model, course: Course, ground: [Option<&[f64]>; 2]) {
-    let Some(points) = ground.iter().flatten().map(|values| values.len()).next() else { return };
+fn vary_ground(model: &mut Model, ground: [Option<Along>; 2]) {
+    let Some(count) = ground.iter().flatten().map(|along| along.stretches()).max() else { return };
     let length = model.beam.length;
     let mut foundation = model.foundation.clone();
     let elsewhere = [foundation.spring, foundation.shear];
-    let count = course.stretches(points);
     for i in 0..count {
         let [from, to] = ends(length, i, count);
         let [spring, shear] = [0, 1].map(|which| match ground[which] {
-            Some(values) => course.of(values, i),
+            Some(along) => along.on(i, count),
             None => Profile::constant(elsewhere[which]),
         });
         foundation = foundation.with_varying_segment(from, to, spring, shear);

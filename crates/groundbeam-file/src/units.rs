@@ -1,4 +1,4 @@
-//! A file gives every quantity a unit, or none.
+//! A file gives every quantity a unit, or none; 0 needs no unit.
 
 use crate::code;
 use crate::document::Quantity;
@@ -40,6 +40,8 @@ pub(crate) struct Seen {
     pub key: String,
     pub kind: &'static Kind,
     pub has_unit: bool,
+    /// Whether it is 0 without a unit, which fits files of both kinds.
+    pub is_bare_zero: bool,
     pub span: Range<usize>,
 }
 
@@ -52,27 +54,38 @@ impl Seen {
         let (_, length) = Decimal::read(inner.trim())?;
         let unit = inner.trim()[length..].trim();
         let one = if unit.is_empty() { 1.0 } else { Unit::read(unit).ok()?.scale.to_f64() };
-        let (key, span) = (self.key.clone(), self.span.clone());
-        Some(Quantity { key, span, number: start..start + length, unit: one })
+        Some(Quantity {
+            key: self.key.clone(),
+            span: self.span.clone(),
+            number: start..start + length,
+            unit: one,
+            sign: self.kind.sign,
+            place: self.kind.place,
+            usual: self.kind.listed(self.kind.example),
+        })
     }
 }
 
 impl Reader<'_> {
-    /// Every quantity that was read, in the order of the text.
-    pub fn located(&self) -> Vec<Quantity> {
-        let all = self.quantities.iter().filter_map(|seen| seen.located(&self.source.text));
+    /// Every quantity that was read, in the order of the text. Among quantities with units, a bare 0 is left out: another
+    /// number in its place would want a unit.
+    pub fn located(&self, units: UnitSystem) -> Vec<Quantity> {
+        let fits = |seen: &&Seen| units == UnitSystem::Plain || !seen.is_bare_zero;
+        let all = self.quantities.iter().filter(fits);
+        let all = all.filter_map(|seen| seen.located(&self.source.text));
         let mut all: Vec<Quantity> = all.collect();
         all.sort_by_key(|quantity| quantity.span.start);
         all.dedup_by_key(|quantity| quantity.span.start);
         all
     }
 
-    /// Which of the two the file is; a mixture is reported at the first of the fewer.
-    pub fn unit_system(&mut self) -> UnitSystem {
+    /// Which of the two the file is, if it gives any quantity but 0; a mixture is reported at the first of the fewer.
+    pub fn unit_system(&mut self) -> Option<UnitSystem> {
         if self.bare_is_si {
-            return UnitSystem::Si;
+            return Some(UnitSystem::Si);
         }
-        let mut seen = std::mem::take(&mut self.quantities);
+        let mut seen: Vec<Seen> =
+            self.quantities.iter().filter(|seen| !seen.is_bare_zero).cloned().collect();
         seen.sort_by_key(|quantity| quantity.span.start);
         let with = seen.iter().filter(|quantity| quantity.has_unit).count();
         let without = seen.len() - with;
@@ -80,7 +93,7 @@ impl Reader<'_> {
         let odd_one = seen.iter().find(|quantity| quantity.has_unit != units_prevail);
         let usual_one = seen.iter().find(|quantity| quantity.has_unit == units_prevail);
         if let (Some(odd), Some(usual)) = (odd_one, usual_one) {
-            let rule = "a file gives every quantity a unit, zeros too, or none at all";
+            let rule = "a file gives every quantity but 0 a unit, or none at all";
             let (message, label, other, hint) = if units_prevail {
                 let number = self.source.text[odd.span.clone()].trim_matches(['"', '\'']);
                 let line = format!("{} = \"{} {}\"", odd.key, number.trim(), odd.kind.unit);
@@ -103,8 +116,8 @@ impl Reader<'_> {
             let fault = Fault::new(code::MIXED, odd.span.clone(), message, label, hint);
             self.report_with(fault, usual.span.clone(), other);
         }
-        self.quantities = seen;
-        if with > 0 { UnitSystem::Si } else { UnitSystem::Plain }
+        let units = if with > 0 { UnitSystem::Si } else { UnitSystem::Plain };
+        (!seen.is_empty()).then_some(units)
     }
 }
 

@@ -67,6 +67,13 @@ impl Writer {
         self.line(key, &number);
     }
 
+    /// A quantity that is 0 where the file leaves it out; −0 is another number.
+    fn unless_left_out(&mut self, key: &str, value: f64, unit: &str) {
+        if value.to_bits() != 0 {
+            self.quantity(key, value, unit);
+        }
+    }
+
     fn beam(&mut self, model: &Model) {
         let beam = &model.beam;
         self.heading("[beam]");
@@ -147,9 +154,7 @@ impl Writer {
                     self.quantity("rotational_spring", rotational_spring, "N m/rad");
                 }
             }
-            if support.settlement != 0.0 {
-                self.quantity("settlement", support.settlement, "m");
-            }
+            self.unless_left_out("settlement", support.settlement, "m");
             match support.acts {
                 Acts::Both => {}
                 Acts::Up => self.line("acts", "\"up\""),
@@ -159,9 +164,7 @@ impl Writer {
         for hinge in &model.hinges {
             self.heading("[[hinge]]");
             self.quantity("at", hinge.at, "m");
-            if hinge.rotational_spring != 0.0 {
-                self.quantity("rotational_spring", hinge.rotational_spring, "N m/rad");
-            }
+            self.unless_left_out("rotational_spring", hinge.rotational_spring, "N m/rad");
         }
     }
 

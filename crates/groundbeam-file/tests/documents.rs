@@ -2,7 +2,7 @@
 
 use groundbeam::model::{Part, Problem};
 use groundbeam::{Acts, Load, Support, SupportKind};
-use groundbeam_file::{Document, UnitSystem, parse};
+use groundbeam_file::{Document, UnitSystem, parse, write_toml};
 
 #[track_caller]
 fn read(text: &str) -> Document {
@@ -286,4 +286,42 @@ fn own_weight_follows_the_sections() {
     assert_eq!(third, along(6.0, 12.0, 18_750.0, 25_000.0));
     let cases: Vec<_> = document.cases.iter().map(Option::as_deref).collect();
     assert_eq!(cases, [Some("Q"), Some("G"), Some("G"), Some("G")]);
+}
+
+const TROUGH: &str = "[beam]\nlength = '120 m'\nEI = '150 MN m^2'\n[foundation]\nk = '20 MN/m^2'\n
+    [[load]]\ndistributed = '1.5 kN/m'\ncase = 'G'\n
+    [[gap_trough]]\nat = '60 m'\nsettlement = '0.2 m'\nwidth = '20 m'\n";
+
+#[test]
+fn chords_follow_from_ground_and_loads() {
+    let chords = |more: &str| read(&format!("{TROUGH}{more}")).chords.unwrap();
+    let plain = chords("");
+    assert_eq!(read(TROUGH).model.gap.len(), plain + 1);
+    // 1/h grows with the square root of k, and falls with that of the load.
+    let doubled = 2.0_f64.sqrt() * plain as f64;
+    for more in [
+        "[foundation.band]\nk = [0.5, 2]\n",
+        "[[combination]]\nname = 'low'\nfactors = { G = 0.5 }\n",
+    ] {
+        assert!((chords(more) as f64 / doubled - 1.0).abs() < 0.1, "{more}: {}", chords(more));
+    }
+    assert_eq!(
+        chords(
+            "[[combination]]\nname = 'none'\nfactors = {}\n[[combination]]\nname = 'one'\nfactors = { G = 1 }\n"
+        ),
+        plain
+    );
+}
+
+#[test]
+fn a_trough_written_back_is_the_same_polygon() {
+    let document = read(TROUGH);
+    let again = read(&write_toml(&document.model, None, document.units));
+    assert_eq!((again.model, again.chords), (document.model, None));
+}
+
+#[test]
+fn a_trough_far_from_the_beam_is_no_error() {
+    let document = read(&TROUGH.replace("at = '60 m'", "at = '-500 m'"));
+    assert!(document.model.gap.iter().all(|corner| corner.value < 1e-60));
 }

@@ -1,31 +1,12 @@
 //! What holds for every text and every model.
 
+mod common;
+
+use common::well_placed;
 use groundbeam::model::{Part, Problem};
 use groundbeam::{Acts, Beam, Foundation, Hinge, Load, Model, Profile, Support, SupportKind};
-use groundbeam_file::{Diagnostics, UnitSystem, parse, parse_positions, text_of, write_toml};
+use groundbeam_file::{UnitSystem, parse, parse_positions, text_of, write_toml};
 use proptest::prelude::*;
-
-/// Whatever is found lies in the text, in order, and can be shown.
-fn well_placed(diagnostics: &Diagnostics, text: &str) {
-    assert!(!diagnostics.as_slice().is_empty());
-    let mut last = 0;
-    for diagnostic in diagnostics {
-        assert!(text.get(diagnostic.span.clone()).is_some(), "{diagnostic:?}");
-        assert!(diagnostic.span.start >= last);
-        last = diagnostic.span.start;
-        let line = text.split('\n').nth(diagnostic.line - 1).unwrap();
-        assert!(diagnostic.column <= line.chars().count() + 1);
-    }
-    let shown = diagnostics.render("file.toml", text, false);
-    for diagnostic in diagnostics.iter().take(100) {
-        // The position is counted here and by the renderer; a carriage return at the very end of a
-        // line is the one place they may see differently.
-        let position = format!("file.toml:{}:{}", diagnostic.line, diagnostic.column);
-        let at_carriage_return = text[diagnostic.span.start..].starts_with('\r');
-        assert!(at_carriage_return || shown.contains(&position), "{position} not in\n{shown}");
-    }
-    diagnostics.render("file.toml", text, true);
-}
 
 fn never_panics(text: &str) {
     match parse(text) {

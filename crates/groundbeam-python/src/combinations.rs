@@ -3,7 +3,7 @@
 use crate::failure::{Failure, Tipping};
 use crate::model::Read;
 use crate::solution::{Solution, field};
-use groundbeam::{Envelope, Existence, NotConverged};
+use groundbeam::{Envelope, Existence, Stopped};
 use groundbeam_file::{Combination, LoadCase};
 use groundbeam_report::{Alone, Answer, Combined, csv, json, svg, text};
 use numpy::{PyArray1, PyReadonlyArray1};
@@ -22,7 +22,7 @@ pub struct Combinations {
 enum Found {
     Equilibrium(Py<Solution>),
     NoEquilibrium(Tipping, Existence),
-    NotConverged(NotConverged),
+    NotConverged(Stopped),
 }
 
 impl Combinations {

@@ -1,6 +1,6 @@
 //! Why there is no answer, as an exception of `groundbeam._errors`.
 
-use groundbeam::{Error, Existence, Model, NotConverged, Verdict, static_reactions};
+use groundbeam::{Error, Existence, Model, Stopped, Verdict, static_reactions};
 use groundbeam_file::{Diagnostic, Diagnostics, Document};
 use groundbeam_report::{Units, sentence};
 use pyo3::prelude::*;
@@ -13,7 +13,7 @@ pub enum Failure {
     /// There is no equilibrium.
     NoEquilibrium(Tipping),
     /// The method did not reach its tolerance.
-    NotConverged(NotConverged),
+    NotConverged(Stopped),
     /// Something else was asked for that cannot be.
     Asked(String),
 }
@@ -63,6 +63,7 @@ impl Failure {
             Error::NotConverged(reached) => return Failure::NotConverged(reached),
             Error::Invalid(problems) => problems,
             Error::Unsupported(problem) => vec![problem],
+            Error::TooLarge(refused) => vec![refused.problem],
             other => return Failure::Asked(other.to_string()),
         };
         let located = problems.iter().map(|problem| document.diagnostic_for(problem));
@@ -91,10 +92,12 @@ impl Failure {
                 raise("NoEquilibrium", arguments.into_pyobject(py)?)
             }
             Failure::NotConverged(reached) => {
-                let NotConverged { method, iterations, tolerance, reached: came_to, what } =
-                    reached;
+                let Stopped { method, iterations, why } = reached;
+                let (tolerance, came_to) = (why.tolerance(), why.reached());
+                let nan = |value: Option<f64>| value.unwrap_or(f64::NAN);
+                let shown = reached.to_string();
                 let arguments =
-                    (reached.to_string(), method.name(), *iterations, *tolerance, *came_to, *what);
+                    (shown, method.name(), *iterations, nan(tolerance), nan(came_to), why.what());
                 raise("NotConverged", arguments.into_pyobject(py)?)
             }
             Failure::Asked(message) => Ok(pyo3::exceptions::PyValueError::new_err(message.clone())),

@@ -12,6 +12,7 @@ mod failure;
 mod model;
 mod solution;
 mod study;
+mod threads;
 
 use pyo3::prelude::*;
 

@@ -4,11 +4,11 @@ use crate::combinations::Combinations;
 use crate::derivatives::parameter;
 use crate::failure::{Failure, Tipping};
 use crate::solution::{Soil, Solution};
+use crate::threads;
 use groundbeam::{Error, Method, Options, Outcome, Verdict};
-use groundbeam_file::{Combination, Document, UnitSystem};
+use groundbeam_file::{Beside, Combination, Document, OtherFile, UnitSystem};
 use groundbeam_report::{Context, Units, sentence};
 use pyo3::prelude::*;
-use rayon::prelude::*;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
@@ -46,7 +46,8 @@ impl Read {
     /// Title, units and limits, as reports want them.
     pub fn context(&self) -> Context<'_> {
         let context = Context::new(self.units()).with_limits(&self.document.limits);
-        Context { title: self.document.title.as_deref(), ..context }
+        let Document { title, chords, .. } = &self.document;
+        Context { title: title.as_deref(), chords: *chords, ..context }
     }
 
     pub fn refused(&self, error: Error) -> Failure {
@@ -116,6 +117,11 @@ pub fn verdict(verdict: Verdict) -> &'static str {
     }
 }
 
+/// Files in memory, of names and texts.
+pub fn held(files: Vec<(String, String)>) -> Vec<OtherFile> {
+    files.into_iter().map(|(name, text)| OtherFile { name, text }).collect()
+}
+
 /// A model file's text, which must be UTF-8.
 #[pyfunction]
 pub fn text_of(bytes: &[u8], name: &str) -> Result<String, Failure> {
@@ -132,15 +138,27 @@ impl Model {
         name: &str,
         bare_is_si: bool,
         folder: Option<&str>,
+        files: Option<Vec<(String, String)>>,
     ) -> Result<Self, Failure> {
-        let folder = folder.map(Path::new);
-        let document = py.detach(|| match folder {
-            folder if bare_is_si => groundbeam_file::parse_si(text, folder),
-            Some(folder) => groundbeam_file::parse_beside(text, folder),
+        let files = files.map(held);
+        let beside = folder.map(Path::new).map(|folder| match &files {
+            Some(files) => Beside::held(folder, files),
+            None => Beside::from(folder),
+        });
+        let document = py.detach(|| match beside {
+            beside if bare_is_si => groundbeam_file::parse_si(text, beside),
+            Some(beside) => groundbeam_file::parse_beside(text, beside),
             None => groundbeam_file::parse(text),
         });
         let document = document.map_err(|found| Failure::wrong(found, name, text))?;
         Ok(Model { read: Arc::new(Read { document, name: name.to_owned() }) })
+    }
+
+    /// The names and texts of the files that the model names, as they were read.
+    #[getter]
+    fn files(&self) -> Vec<(String, String)> {
+        let files = self.read.document.files.iter();
+        files.map(|file| (file.name.clone(), file.text.clone())).collect()
     }
 
     #[getter]
@@ -218,23 +236,24 @@ impl Model {
         })
     }
 
-    /// Solves every combination, each by itself and in its place, on all processors.
+    /// Solves every combination, each by itself and in its place.
     fn solve_combinations(
         &self,
         py: Python<'_>,
         method: &str,
         elements: usize,
-    ) -> Result<Combinations, Failure> {
+        threads: usize,
+    ) -> PyResult<Combinations> {
         let options = options(method, elements)?;
         py.detach(|| {
             let started = Instant::now();
             let all = self.read.document.combinations();
-            let answers = all.into_par_iter().map(|combination| {
-                let answer = self.read.answer(combination.clone(), &options);
-                (combination, answer)
-            });
-            let answers = answers.collect();
-            Combinations::new(self.read.clone(), answers, started.elapsed().as_secs_f64())
+            let answer =
+                |(): &mut (), number: usize| self.read.answer(all[number].clone(), &options);
+            let answers = threads::map(all.len(), threads, None, || (), answer)?;
+            let answers = all.into_iter().zip(answers).collect();
+            let seconds = started.elapsed().as_secs_f64();
+            Ok(Combinations::new(self.read.clone(), answers, seconds)?)
         })
     }
 

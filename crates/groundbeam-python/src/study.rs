@@ -1,8 +1,10 @@
 //! Studies: samples drawn, solved and kept, without Python in the loop.
 
 use crate::failure::Failure;
-use crate::model::units;
-use groundbeam_file::study::{StudyError, read_study};
+use crate::model::{held, units};
+use crate::threads;
+use groundbeam_file::Course;
+use groundbeam_file::study::{StudyError, read_held_study, read_study};
 use groundbeam_report::{Context, json, svg};
 use groundbeam_study::{Draws, Finished, Shard, Stage, StoreError, Watch};
 use numpy::{PyArray1, PyArray2};
@@ -24,8 +26,17 @@ fn lost(error: &StoreError) -> PyErr {
 #[pymethods]
 impl Study {
     #[new]
-    fn new(path: PathBuf, samples: Option<u64>, seed: Option<u64>) -> PyResult<Self> {
-        let study = read_study(&path).map_err(|error| match error {
+    fn new(
+        path: PathBuf,
+        samples: Option<u64>,
+        seed: Option<u64>,
+        files: Option<Vec<(String, String)>>,
+    ) -> PyResult<Self> {
+        let study = match files {
+            None => read_study(&path),
+            Some(files) => read_held_study(&path, &held(files)),
+        };
+        let study = study.map_err(|error| match error {
             StudyError::Unreadable(_, error) => error.into(),
             StudyError::Wrong(found, path, text) => {
                 PyErr::from(Failure::wrong(found, &path.display().to_string(), &text))
@@ -53,6 +64,23 @@ impl Study {
         self.draws.plan().seed
     }
 
+    /// The names and texts of all files of the study, as they were read.
+    #[getter]
+    fn files(&self) -> Vec<(String, String)> {
+        self.draws.study().files().into_iter().map(|file| (file.name, file.text)).collect()
+    }
+
+    #[getter]
+    fn digest(&self) -> String {
+        groundbeam_study::digest(&self.draws)
+    }
+
+    /// Whether a file holds all results of a shard.
+    fn is_done(&self, out: PathBuf, shard: (u64, u64)) -> PyResult<bool> {
+        let shard = Shard { number: shard.0, of: shard.1 };
+        groundbeam_study::is_done(&self.draws, &out, shard).map_err(|error| lost(&error))
+    }
+
     #[getter]
     fn model_path(&self) -> &Path {
         &self.draws.study().model_path
@@ -77,6 +105,15 @@ impl Study {
         Ok(table)
     }
 
+    /// The class whose objects `solve_many` takes for the fields of a draw.
+    #[getter]
+    fn shape(&self) -> &'static str {
+        match self.draws.study().field.as_ref().map(|field| field.course) {
+            Some(Course::Steps) => "Steps",
+            Some(Course::Lines) | None => "Points",
+        }
+    }
+
     /// Solves what is left of the study; how many samples were solved now.
     fn run(
         &self,
@@ -88,6 +125,7 @@ impl Study {
         progress: Option<Py<PyAny>>,
     ) -> PyResult<u64> {
         let shard = Shard { number: shard.0, of: shard.1 };
+        let threads = threads::number(threads);
         let finished = watched(py, progress, |watch| {
             groundbeam_study::run(&self.draws, &out, shard, restart, threads, watch)
         })?;
@@ -95,6 +133,11 @@ impl Study {
             Finished::Whole(solved) => Ok(solved),
             Finished::Stopped(_) => Ok(0),
         }
+    }
+
+    /// Compares a file of results with its checksums.
+    fn verify(&self, py: Python<'_>, out: PathBuf) -> PyResult<u64> {
+        watched(py, None, |watch| groundbeam_study::verify(&out, watch))
     }
 
     /// What follows from all samples, as a document and as a picture.

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import re
 import time
 from typing import Mapping
 
 import groundbeam as gb
 import numpy as np
 import numpy.typing as npt
+import pandas
 import pytest
+from groundbeam._batch import Parameters
 from groundbeam._solution import Array
 from groundbeam._tables import Value
 
@@ -112,7 +115,7 @@ def test_fields_along_the_beam() -> None:
     mu = np.array([[1e6, 2e6, 1e6]])
     stiffness = np.array([[1e8, 1e8, 2e8, 1e8, 3e8], [1e8, 2e8, 1e8, 1e8, 1e8]])
     x = np.linspace(0.0, 10.0, 11)
-    batch = gb.solve_many(bare, {"k": k, "mu": mu, "EI": stiffness}, at=x)
+    batch = gb.solve_many(bare, {"k": gb.Points(k), "mu": gb.Points(mu), "EI": gb.Points(stiffness)}, at=x)
     assert batch.solved.all()
     for number in range(2):
         ground: list[Mapping[str, Value]] = [
@@ -130,10 +133,67 @@ def test_fields_along_the_beam() -> None:
         )
         # A model file names each side of a joint by itself; the numbers here are the same.
         np.testing.assert_array_equal(batch["moment"][number], model.solve().moment(x))
-    constant = gb.solve_many(bare, {"k": np.full((1, 9), 1e7)}, at=x)
+    constant = gb.solve_many(bare, {"k": gb.Points(np.full(9, 1e7))}, at=x)
     np.testing.assert_allclose(
         constant["moment"][0], bare.solve().moment(x), rtol=0, atol=1e-9 * 1e5
     )
+
+
+LOADS = [gb.Load.point(1e5, 3.0), gb.Load.uniform(1e3, 0.0, 10.0)]
+X = np.linspace(0.0, 10.0, 11)
+
+
+def solved(parameters: Parameters) -> Array:
+    model = gb.Model(gb.Beam(10.0, 1e8), gb.Foundation(1e7, 1e6), loads=LOADS)
+    return gb.solve_many(model, parameters, at=X)["deflection"]
+
+
+def test_control_values_are_those_of_a_model() -> None:
+    rows = np.array([[40e6, 8e6, 40e6], [40e6, 10e6, 20e6]])
+    found = solved({"k": gb.ControlValues(rows)})
+    stiff = np.array([[1e8, 3e8, 2e8, 1e8], [2e8, 1e8, 2e8, 4e8]])
+    of_beam = solved({"EI": gb.ControlValues(stiff)})
+    for number in range(2):
+        model = gb.Model(gb.Beam(10.0, 1e8), gb.Foundation(rows[number], 1e6), loads=LOADS)
+        np.testing.assert_array_equal(found[number], model.solve().deflection(X))
+        model = gb.Model(gb.Beam(10.0, stiff[number]), gb.Foundation(1e7, 1e6), loads=LOADS)
+        np.testing.assert_array_equal(of_beam[number], model.solve().deflection(X))
+    points = solved({"k": gb.Points(rows)})
+    assert (np.abs(points / found - 1.0).max(axis=1) > 0.05).all(), "the shapes differ"
+    one_for_all = solved({"k": gb.ControlValues(rows[0]), "mu": np.array([1e6, 2e6])})
+    np.testing.assert_array_equal(one_for_all[0], found[0])
+
+
+def test_two_values_mean_the_same_with_and_without_a_shape() -> None:
+    k = np.array([[1e7, 4e7], [4e7, 2e7]])
+    bare = solved({"k": k})
+    np.testing.assert_array_equal(solved({"k": gb.Points(k)}), bare)
+    np.testing.assert_array_equal(solved({"k": gb.ControlValues(k)}), bare)
+    model = gb.Model(gb.Beam(10.0, 1e8), gb.Foundation(k[1], 1e6), loads=LOADS)
+    np.testing.assert_array_equal(bare[1], model.solve().deflection(X))
+
+
+def test_one_curve_of_k_with_another_shape_of_mu() -> None:
+    k, mu = [40e6, 8e6, 40e6], [1e6, 2e6]
+    found = solved({"k": gb.ControlValues(k), "mu": np.array([mu])})
+    model = gb.Model(gb.Beam(10.0, 1e8), gb.Foundation(k, mu), loads=LOADS)
+    np.testing.assert_array_equal(found[0], model.solve().deflection(X))
+    steps = [1e6, 2e6, 3e6, 2e6]
+    found = solved({"k": gb.ControlValues(k), "mu": gb.Steps(steps)})
+    segments: list[Mapping[str, Value]] = [
+        {"from": 2.5 * i, "to": 2.5 * (i + 1), "mu": each} for i, each in enumerate(steps)
+    ]
+    model = gb.Model(gb.Beam(10.0, 1e8), gb.Foundation(k, segments=segments), loads=LOADS)
+    np.testing.assert_array_equal(found[0], model.solve().deflection(X))
+
+
+def test_steps_are_segments() -> None:
+    k = [1e7, 4e7, 2e7, 3e7]
+    segments: list[Mapping[str, Value]] = [
+        {"from": 2.5 * i, "to": 2.5 * (i + 1), "k": each, "mu": 1e6} for i, each in enumerate(k)
+    ]
+    model = gb.Model(gb.Beam(10.0, 1e8), gb.Foundation(1e7, 1e6, segments=segments), loads=LOADS)
+    np.testing.assert_array_equal(solved({"k": gb.Steps(k)})[0], model.solve().deflection(X))
 
 
 def test_factors_multiply_what_the_model_has() -> None:
@@ -159,15 +219,41 @@ def test_factors_multiply_what_the_model_has() -> None:
         ({"load[0].from": [1.0]}, "no such number"),
         ({"load[0]": [[1.0, 2.0]]}, "one number for each model"),
         ({"k": [1.0, 2.0], "mu": [1.0, 2.0, 3.0]}, "differ in length: k: 2, mu: 3"),
-        ({"k": [[1.0, 2.0]], "mu": [[1.0, 2.0, 3.0]]}, "2 points along the beam and `mu` has 3"),
+        ({"k": gb.Points([1.0, 2.0, 3.0]), "mu": gb.Steps([[1.0, 2.0, 3.0]])}, "2 stretches along the beam and `mu` has 3"),
+        ({"k": [[1.0, 2.0, 3.0]]}, "groundbeam.Points(values) .* groundbeam.ControlValues(values)"),
+        ({"EI": np.ones((4, 3))}, "groundbeam.Points(values) .* groundbeam.ControlValues(values)"),
+        ({"mu": gb.ControlValues([1.0, 2.0, 3.0, 4.0])}, "at most 3 control values, and these are 4"),
+        ({"EI": gb.ControlValues(np.ones((2, 7)))}, "at most 6 control values, and these are 7"),
+        ({"load[0]": gb.Points([1.0, 2.0, 3.0])}, "one number for each model"),
+        ({"k": [1.0, 2.0], "mu": gb.Points(np.ones((3, 4)))}, "differ in length: k: 2, mu: 3"),
         ({"k": [[[1.0]]]}, "a row along the beam"),
+        ({"k": ["40 MN/m^2"]}, "`k`: takes numbers in SI units"),
     ],
 )
 def test_wrong_parameters_are_refused(
-    footing: gb.Model, parameters: dict[str, list[float]], words: str
+    footing: gb.Model, parameters: Parameters, words: str
 ) -> None:
-    with pytest.raises(ValueError, match=words.replace("[", r"\[")):
+    with pytest.raises(ValueError, match=re.sub(r"([\[(])", r"\\\1", words).replace("values)", r"values\)")):
         gb.solve_many(footing, parameters)
+
+
+def test_a_table_of_pandas_holds_parameters(footing: gb.Model) -> None:
+    table = pandas.DataFrame({"k": [4e7, 5e7], "mu": [9e6, 8e6]})
+    of_table = gb.solve_many(footing, table, at=[1.0], fields="moment", extremes="moment")
+    of_arrays = gb.solve_many(footing, {"k": [4e7, 5e7], "mu": [9e6, 8e6]}, at=[1.0])
+    np.testing.assert_array_equal(of_table["moment"], of_arrays["moment"])
+    assert list(of_table) == list(of_table.extremes) == ["moment"]
+
+
+def test_positions_off_the_beam_are_refused(footing: gb.Model) -> None:
+    for off in (-0.1, 12.1, float("nan")):
+        with pytest.raises(ValueError, match="off the beam"):
+            gb.solve_many(footing, at=[1.0, off])
+    beside = gb.solve_many(footing, at=[12.5], fields="settlement")
+    assert beside["settlement"][0, 0] == footing.solve().settlement(12.5)
+    longer = gb.Model(gb.Beam(15.0, 1e9), gb.Foundation(4e7), loads=[gb.Load.point(1e5, 7.0)])
+    both = gb.solve_many([footing, longer], at=[13.0])
+    assert np.isnan(both["moment"][0, 0]) and np.isfinite(both["moment"][1, 0])
 
 
 def test_progress_is_told_and_may_stop_the_work(footing: gb.Model) -> None:

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-import os
-import signal
-import threading
-import time
+import pickle
+import shutil
 from pathlib import Path
 
-import distributed
 import groundbeam as gb
 import numpy as np
 import pandas
 import pytest
-from groundbeam.dask import run as run_on_dask
 
 MODEL = """
 [beam]
@@ -76,7 +72,9 @@ def test_what_is_drawn_is_what_is_solved(study: gb.Study, tmp_path: Path) -> Non
     drawn = study.draw()
     assert drawn["k"].shape == (600, 9)
     np.testing.assert_array_equal(table["load[0]"], drawn["load[0]"])
-    batch = gb.solve_many(gb.load(study.model_path), drawn, at=[0, 12], extremes=["moment"])
+    batch = gb.solve_many(
+        gb.load(study.model_path), study.parameters(), at=[0, 12], extremes=["moment"]
+    )
     np.testing.assert_array_equal(table["moment_max"], batch.extremes["moment"].max)
     np.testing.assert_array_equal(table["deflection@12"], batch["deflection"][:, 1])
     np.testing.assert_array_equal(table["lifted_share"], batch.lifted_share)
@@ -91,6 +89,17 @@ def test_what_is_drawn_is_what_is_solved(study: gb.Study, tmp_path: Path) -> Non
     np.testing.assert_allclose(spread.histogram, counts, atol=1)
     assert sum(spread.histogram) == 600 and len(spread.histogram) > 5
     assert summary.to_svg().startswith("<svg") and "heavy" in summary._repr_html_()
+
+
+def test_a_field_of_steps_is_solved_as_steps(study: gb.Study, tmp_path: Path) -> None:
+    study.path.write_text(STUDY.replace("points = 9", 'points = 9\nbetween = "steps"'))
+    steps = gb.Study(study.path, samples=20)
+    steps.run(tmp_path / "r.parquet")
+    table = steps.to_pandas(tmp_path / "r.parquet")
+    parameters = steps.parameters()
+    assert isinstance(parameters["k"], gb.Steps)
+    batch = gb.solve_many(gb.load(steps.model_path), parameters, at=[12])
+    np.testing.assert_array_equal(table["deflection@12"], batch["deflection"][:, 0])
 
 
 def test_moments_and_correlations_of_what_is_drawn(study: gb.Study) -> None:
@@ -123,6 +132,22 @@ def test_shards_and_threads_change_no_byte(study: gb.Study, tmp_path: Path) -> N
     assert (tmp_path / "all.parquet").read_bytes() == (tmp_path / "whole.parquet").read_bytes()
     with pytest.raises(ValueError, match="missing"):
         gb.merge(names[:2], tmp_path / "bad.parquet")
+
+
+def test_damaged_results_are_refused(study: gb.Study, tmp_path: Path) -> None:
+    out = tmp_path / "r.parquet"
+    study.run(out)
+    # Other programs read the file as any Parquet file.
+    assert len(pandas.read_parquet(out)) == len(study.to_pandas(out)) == 600
+    whole = out.read_bytes()
+    for at in range(0, len(whole), 997):
+        out.write_bytes(whole[:at] + bytes([whole[at] ^ 16]) + whole[at + 1 :])
+        for read in (study.to_pandas, study.summary, study.run):
+            with pytest.raises(ValueError, match="r.parquet: .*delete"):
+                read(out)
+    out.unlink()
+    study.run(out)
+    assert out.read_bytes() == whole
 
 
 def test_what_is_wrong(study: gb.Study, tmp_path: Path) -> None:
@@ -159,30 +184,66 @@ def test_stopped_by_whoever_watches_it_goes_on(study: gb.Study, tmp_path: Path) 
     assert (tmp_path / "r.parquet").read_bytes() == (tmp_path / "whole.parquet").read_bytes()
 
 
-def test_a_cluster_of_which_a_worker_dies(study: gb.Study, tmp_path: Path) -> None:
-    many = gb.Study(study.path, samples=20_000)
-    many.run(tmp_path / "alone.parquet")
-    with distributed.LocalCluster(
-        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
-    ) as cluster, distributed.Client(cluster) as client:
-        pids = list(client.run(_pid).values())
-        killer = _kill_soon(pids[0])
-        summary = run_on_dask(client, many, tmp_path / "cluster.parquet", shards=12)
-        killer.join()
-    assert summary.samples == 20_000
-    assert (tmp_path / "cluster.parquet").read_bytes() == (tmp_path / "alone.parquet").read_bytes()
-    assert not (tmp_path / "cluster.parquet.shards").exists()
+SURVEY = "x [m];clearance [mm]\n0;0\n6;2\n12;1\n"
 
 
-def _pid() -> int:
-    return os.getpid()
+def with_survey(place: Path) -> gb.Study:
+    """A study whose model is in another folder, and that model's survey below it; the survey is no `.csv` file."""
+    (place / "studies" / "own").mkdir(parents=True)
+    (place / "models" / "levels").mkdir(parents=True)
+    (place / "models" / "levels" / "seabed.txt").write_text(SURVEY)
+    survey = "[gap_survey]\nfile = 'levels/seabed.txt'\nclearance = 'clearance'\n"
+    (place / "models" / "footing.toml").write_text(WITH_UNITS + survey)
+    path = place / "studies" / "own" / "study.toml"
+    path.write_text(OF_SURVEY)
+    return gb.Study(path)
 
 
-def _kill_soon(pid: int) -> threading.Thread:
-    def kill() -> None:
-        time.sleep(0.3)
-        os.kill(pid, signal.SIGKILL)
+WITH_UNITS = """
+[beam]
+length = "12 m"
+EI = "1.28 GN m^2"
+[foundation]
+k = "40 MN/m^2"
+mu = "9 MN"
+[[load]]
+point = "900 kN"
+at = "1.5 m"
+"""
+OF_SURVEY = """
+model = "../../models/footing.toml"
+samples = 300
+seed = 3
+[[random]]
+what = "load[0]"
+distribution = "gumbel"
+cov = 0.2
+"""
 
-    thread = threading.Thread(target=kill)
-    thread.start()
-    return thread
+
+def test_a_survey_that_changes_makes_another_study(tmp_path: Path) -> None:
+    study = with_survey(tmp_path)
+    out = tmp_path / "r.parquet"
+    study.run(out)
+    survey = tmp_path / "models" / "levels" / "seabed.txt"
+    survey.write_text(SURVEY.replace("6;2", "6;30"))
+    with pytest.raises(ValueError, match="another study"):
+        gb.Study(study.path).run(out)
+    before = out.read_bytes()
+    gb.Study(study.path).run(out, restart=True)
+    assert out.read_bytes() != before
+
+
+def test_a_study_and_a_model_can_be_pickled_with_their_files(tmp_path: Path) -> None:
+    study = with_survey(tmp_path)
+    model = gb.load(study.model_path)
+    study.run(tmp_path / "before.parquet")
+    deflection = model.solve().deflection(6.0)
+    kept = pickle.dumps((study, model))
+    shutil.rmtree(tmp_path / "models")
+    shutil.rmtree(tmp_path / "studies")
+    study, same = pickle.loads(kept)
+    assert same == model and same.solve().deflection(6.0) == deflection
+    assert same.with_load(gb.Load.point("1 kN", at="2 m")).solve().deflection(6.0) != deflection
+    study.run(tmp_path / "after.parquet")
+    assert (tmp_path / "after.parquet").read_bytes() == (tmp_path / "before.parquet").read_bytes()

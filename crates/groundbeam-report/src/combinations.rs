@@ -2,7 +2,7 @@
 
 use crate::context::Ground;
 use crate::size::Sizes;
-use groundbeam::{Envelope, Existence, Model, NotConverged, Solution};
+use groundbeam::{Envelope, Existence, Model, Solution, Stopped};
 
 /// All combinations of a file with their answers, and every load case by itself.
 #[derive(Debug, Clone, Default)]
@@ -40,7 +40,7 @@ pub enum Answer<'a> {
     /// There is none.
     NoEquilibrium(&'a Existence),
     /// The method did not reach its tolerance.
-    NotConverged(&'a NotConverged),
+    NotConverged(&'a Stopped),
 }
 
 /// A load case by itself.

@@ -19,6 +19,8 @@ pub struct Context<'a> {
     pub ground: Option<Ground<'a>>,
     /// What the design must keep to; left out where nobody asked.
     pub limits: Option<&'a Limits>,
+    /// How many chords of the initial gap replace settlement troughs; left out where there are no troughs.
+    pub chords: Option<usize>,
 }
 
 /// A ground whose constants are those of an area times a width, or were made of soil.
@@ -66,7 +68,15 @@ pub struct Factors<'a> {
 impl<'a> Context<'a> {
     /// No title, no time.
     pub fn new(units: Units) -> Self {
-        Context { title: None, units, seconds: None, factors: None, ground: None, limits: None }
+        Context {
+            title: None,
+            units,
+            seconds: None,
+            factors: None,
+            ground: None,
+            limits: None,
+            chords: None,
+        }
     }
 
     /// The same with a title.
@@ -102,15 +112,26 @@ impl<'a> Context<'a> {
 
 /// Words of a file on one line, without characters that would steer a terminal or break XML.
 pub(crate) fn clean(words: &str) -> String {
-    let plain: String = words.chars().map(|c| if is_plain(c) { c } else { ' ' }).collect();
-    plain.split_whitespace().collect::<Vec<_>>().join(" ")
+    printable(&words.split_whitespace().collect::<Vec<_>>().join(" "))
 }
 
-/// Neither a control character nor one that turns the direction of text, nor no character at all.
-fn is_plain(c: char) -> bool {
+/// A text with every character that would steer a terminal, or break XML, written as an escape: `\u{1b}`.
+pub(crate) fn printable(text: &str) -> String {
+    let mut printed = String::with_capacity(text.len());
+    for c in text.chars() {
+        match is_plain(c) {
+            true => printed.push(c),
+            false => printed.extend(c.escape_default()),
+        }
+    }
+    printed
+}
+
+/// Neither a control character nor one that turns the direction of text or ends a line, nor no character at all.
+pub(crate) fn is_plain(c: char) -> bool {
     !c.is_control()
-        && !matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
-        && !matches!(c, '\u{fffe}' | '\u{ffff}')
+        && !matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}')
+        && !matches!(c, '\u{2066}'..='\u{2069}' | '\u{fffe}' | '\u{ffff}')
 }
 
 #[cfg(test)]
@@ -120,7 +141,7 @@ mod tests {
     #[test]
     fn titles_cannot_steer_a_terminal() {
         let context = Context::new(Units::Si).with_title(" a\u{1b}[31m\tb\n ");
-        assert_eq!(context.clean_title().as_deref(), Some("a [31m b"));
+        assert_eq!(context.clean_title().as_deref(), Some(r"a\u{1b}[31m b"));
         assert_eq!(Context::new(Units::Si).with_title(" \n").clean_title(), None);
     }
 }

@@ -5,7 +5,7 @@ use crate::combinations::{Combinations, Overall};
 use crate::context::Context;
 use crate::trains::Passages;
 use crate::{csv, json, png, svg, text};
-use groundbeam::{Existence, Field, Model, NotConverged, Solution};
+use groundbeam::{Existence, Field, Model, Solution, Stopped};
 
 /// What came out of a file: of one model, of all its combinations, or of all positions of its trains.
 #[derive(Debug, Clone, Copy)]
@@ -15,7 +15,7 @@ pub enum Found<'a> {
     /// There is none.
     NoEquilibrium(&'a Model, &'a Existence),
     /// The method did not reach its tolerance.
-    NotConverged(&'a Model, &'a NotConverged),
+    NotConverged(&'a Model, &'a Stopped),
     /// The combinations of load cases.
     Combinations(&'a Combinations<'a>),
     /// Trains that pass.

@@ -17,7 +17,7 @@ mod study;
 mod train;
 
 use crate::characteristics::Characteristics;
-use crate::context::Context;
+use crate::context::{Context, is_plain};
 use certificate::Proof;
 pub use combinations::{checked_combinations, combinations, envelope_stations};
 pub use comparison::comparison;
@@ -25,8 +25,8 @@ use existence::Proven;
 use factors::Grown;
 use ground::Ground;
 use groundbeam::{
-    Acts, Certificate, Existence, Extreme, Field, LiftOff, Method, Model, NotConverged, Side,
-    Solution, Support,
+    Acts, Certificate, Existence, Extreme, Field, LiftOff, Method, Model, Side, Solution, Stopped,
+    Support,
 };
 use serde::Serialize;
 pub use study::study;
@@ -69,13 +69,25 @@ fn verdict(
 }
 
 /// The document of a method that did not reach its tolerance.
-pub fn not_converged(reached: &NotConverged, context: &Context) -> String {
-    text(&Stopped::of(reached, context))
+pub fn not_converged(reached: &Stopped, context: &Context) -> String {
+    text(&Unsolved::of(reached, context))
 }
 
-/// Plain structs of numbers and words can always be written.
+/// Plain structs of numbers and words can always be written. Characters of words that would steer a terminal are
+/// written as escapes, which a reader of the document turns back.
 fn text(document: &impl Serialize) -> String {
-    serde_json::to_string_pretty(document).unwrap_or_default() + "\n"
+    let written = serde_json::to_string_pretty(document).unwrap_or_default() + "\n";
+    if written.chars().all(|c| c == '\n' || is_plain(c)) {
+        return written;
+    }
+    let mut escaped = String::with_capacity(written.len());
+    for c in written.chars() {
+        match c == '\n' || is_plain(c) {
+            true => escaped.push(c),
+            false => escaped += &format!("\\u{:04x}", u32::from(c)),
+        }
+    }
+    escaped
 }
 
 #[derive(Serialize)]
@@ -189,27 +201,27 @@ impl Checked {
 }
 
 #[derive(Serialize)]
-struct Stopped {
+struct Unsolved {
     #[serde(flatten)]
     head: Head,
     method: &'static str,
     what: &'static str,
-    tolerance: f64,
-    reached: f64,
+    tolerance: Option<f64>,
+    reached: Option<f64>,
     iterations: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     load_factors: Option<Grown>,
     seconds: Option<f64>,
 }
 
-impl Stopped {
-    fn of(reached: &NotConverged, context: &Context) -> Self {
-        Stopped {
+impl Unsolved {
+    fn of(reached: &Stopped, context: &Context) -> Self {
+        Unsolved {
             head: Head::new("not-converged", context),
             method: Method::name(reached.method),
-            what: reached.what,
-            tolerance: reached.tolerance,
-            reached: reached.reached,
+            what: reached.why.what(),
+            tolerance: reached.why.tolerance(),
+            reached: reached.why.reached(),
             iterations: reached.iterations,
             load_factors: context.factors.map(|factors| Grown::of(factors, None)),
             seconds: context.seconds,
@@ -223,11 +235,18 @@ struct Head {
     #[serde(skip_serializing_if = "Option::is_none")]
     title: Option<String>,
     units: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    trough_chords: Option<usize>,
 }
 
 impl Head {
     fn new(status: &'static str, context: &Context) -> Self {
-        Head { status, title: context.title.map(str::to_owned), units: context.units.name() }
+        Head {
+            status,
+            title: context.title.map(str::to_owned),
+            units: context.units.name(),
+            trough_chords: context.chords,
+        }
     }
 }
 

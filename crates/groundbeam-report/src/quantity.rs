@@ -69,9 +69,21 @@ impl Unit {
     }
 }
 
-/// What a number measures.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+macro_rules! kinds {
+    ($($(#[$doc:meta])* $name:ident,)*) => {
+        /// What a number measures.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        pub enum Kind {
+            $($(#[$doc])* $name,)*
+        }
+
+        impl Kind {
+            const ALL: &[Kind] = &[$(Kind::$name),*];
+        }
+    };
+}
+
+kinds! {
     /// A position, or a length along the beam \[m\].
     Position,
     /// w, u, a gap: what people read in millimetres \[m\].
@@ -247,6 +259,33 @@ const fn rung(from: f64, size: f64, name: &'static str) -> Rung {
 }
 
 const BARE: Rung = rung(0.0, 1.0, "");
+
+/// The units of a time on a clock.
+const TIMES: [&str; 3] = ["µs", "ms", "s"];
+
+/// A time on a clock.
+pub(crate) fn duration(seconds: f64) -> String {
+    let [micro, milli, whole] = TIMES;
+    if seconds < 1e-3 {
+        format!("{:.0} {micro}", seconds * 1e6)
+    } else if seconds < 1.0 {
+        format!("{} {milli}", significant(seconds * 1e3, 2))
+    } else {
+        format!("{} {whole}", significant(seconds, 3))
+    }
+}
+
+/// Every unit that may be written behind a number.
+pub(crate) fn units() -> impl Iterator<Item = &'static str> {
+    let of_quantities = Kind::ALL.iter().flat_map(|kind| kind.ladder().iter());
+    of_quantities.map(|rung| rung.name).chain(TIMES)
+}
+
+/// Whether these words are a unit, or the first word of one; a moment may be one per radian.
+pub(crate) fn is_unit(words: &str) -> bool {
+    let words = words.strip_suffix("/rad").unwrap_or(words);
+    units().any(|unit| unit == words || unit.split(' ').next() == Some(words))
+}
 
 #[cfg(test)]
 mod tests {

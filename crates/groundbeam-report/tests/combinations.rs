@@ -4,7 +4,7 @@
 mod common;
 
 use common::{context, document};
-use groundbeam::{Error, Existence, Field, NotConverged, Options, Outcome};
+use groundbeam::{Error, Existence, Field, NotConverged, Options, Outcome, Stopped};
 use groundbeam_file::{Combination, Document, LoadCase};
 use groundbeam_report::{
     Alone, Answer, Combinations, Combined, Found, calculation, csv, html, json, png, svg, text,
@@ -82,12 +82,10 @@ fn the_report() {
 fn what_was_not_solved_is_told() {
     let found = solved("combinations");
     let mut all = found.all();
-    let reached = NotConverged {
+    let reached = Stopped {
         method: groundbeam::Method::Uzawa,
         iterations: 7,
-        tolerance: 1e-10,
-        reached: 1e-3,
-        what: "the relative change of the pressure",
+        why: NotConverged::Sweeps(1e-3),
     };
     all.combined[0].answer = Answer::NotConverged(&reached);
     let report = text::combinations(&all, &context(&found.document), false);

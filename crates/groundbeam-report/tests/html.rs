@@ -4,7 +4,7 @@
 mod common;
 
 use common::{SOLVABLE, context, document, solved};
-use groundbeam::{Method, NotConverged};
+use groundbeam::{Method, NotConverged, Stopped};
 use groundbeam_file::Document;
 use groundbeam_report::calculation::{Paper, Source};
 use groundbeam_report::{Context, Found, Units, calculation, html};
@@ -122,13 +122,7 @@ fn without_an_equilibrium_the_report_says_why() {
 #[test]
 fn without_a_certified_answer_there_are_no_results() {
     let document = document("footing");
-    let reached = NotConverged {
-        method: Method::Uzawa,
-        iterations: 10,
-        tolerance: 1e-9,
-        reached: 0.5,
-        what: "the change of the pressure",
-    };
+    let reached = Stopped { method: Method::Uzawa, iterations: 10, why: NotConverged::Sweeps(0.5) };
     let contents = Found::NotConverged(&document.model, &reached);
     let page = report(contents, &context(&document), &source(&document));
     is_well_formed(&page);

@@ -4,7 +4,7 @@
 mod common;
 
 use common::{SOLVABLE, context, document, solved};
-use groundbeam::{Field, Method, NotConverged};
+use groundbeam::{Field, Method, NotConverged, Stopped};
 use groundbeam_report::json;
 use serde_json::Value;
 
@@ -58,13 +58,8 @@ fn documents() {
     assert_eq!(failing, json::existence(&tips.model, &existence, &context_of_tips));
     snapshot("json-tips", &failing);
 
-    let reached = NotConverged {
-        method: Method::Uzawa,
-        iterations: 10,
-        tolerance: 1e-10,
-        reached: f64::NAN,
-        what: "the relative change of the pressure",
-    };
+    let reached =
+        Stopped { method: Method::Uzawa, iterations: 10, why: NotConverged::Sweeps(f64::NAN) };
     snapshot("json-not-converged", &json::not_converged(&reached, &context_of_tips));
 }
 

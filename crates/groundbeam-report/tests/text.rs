@@ -4,7 +4,7 @@
 mod common;
 
 use common::{SOLVABLE, context, document, solved};
-use groundbeam::{Method, NotConverged};
+use groundbeam::{Method, NotConverged, Stopped};
 use groundbeam_report::text;
 
 /// Without the certificate's figures, which are rounding, and the steps it took.
@@ -42,13 +42,8 @@ fn no_equilibrium() {
 
 #[test]
 fn not_converged() {
-    let reached = NotConverged {
-        method: Method::Uzawa,
-        iterations: 1_000_000,
-        tolerance: 1e-10,
-        reached: 3.2e-4,
-        what: "the relative change of the pressure",
-    };
+    let reached =
+        Stopped { method: Method::Uzawa, iterations: 1_000_000, why: NotConverged::Sweeps(3.2e-4) };
     insta::assert_snapshot!("text-not-converged", text::not_converged(&reached, false));
 }
 

@@ -7,7 +7,7 @@ use crate::symmetric::Symmetric;
 use groundbeam::Model;
 use groundbeam::sensitivity::{Extent, Parameter, Property};
 use groundbeam_file::study::{Plan, StudyFile};
-use groundbeam_file::{Change, Course, change};
+use groundbeam_file::{Change, Course, Shape, change};
 use std::fmt;
 
 /// Why samples cannot be drawn.
@@ -159,13 +159,14 @@ impl Draws {
         let StudyFile { document, random, field, .. } = &self.study;
         let mut model = document.model.clone();
         let numbers = random.iter().zip(&draw.numbers);
-        let numbers = numbers.map(|(random, number)| (random.target, std::slice::from_ref(number)));
+        let shape = Shape::Even(field.as_ref().map_or(Course::Lines, |field| field.course));
+        let numbers =
+            numbers.map(|(random, number)| (random.target, shape, std::slice::from_ref(number)));
         let fields = field.iter().flat_map(|field| &field.of).zip(&draw.fields);
         let fields = fields.map(|(of, values)| -> Change {
-            (Parameter::Value(of.property, Extent::Whole), values)
+            (Parameter::Value(of.property, Extent::Whole), shape, values)
         });
-        let course = field.as_ref().map_or(Course::Lines, |field| field.course);
-        change(&mut model, course, numbers.chain(fields));
+        change(&mut model, numbers.chain(fields));
         model
     }
 }

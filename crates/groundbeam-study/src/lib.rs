@@ -6,6 +6,7 @@
 //! | [`Wanted`], [`Row`] | what is kept of an answer |
 //! | [`run()`] | the samples solved, part by part, and written so that nothing is lost or done twice |
 //! | [`merge()`] | parts and shards put together |
+//! | [`verify()`] | a file of results compared with its checksums |
 //! | [`summary()`] | probabilities with their intervals, means and quantiles |
 //!
 //! A study file is read by [`groundbeam_file::study`].
@@ -29,6 +30,6 @@ mod symmetric;
 pub use draws::{Draw, Draws, Impossible};
 pub use progress::{Progress, Stage, Watch};
 pub use row::{Row, Status, Trouble, Wanted};
-pub use run::{Finished, Shard, run};
-pub use store::{Merged, StoreError, merge};
+pub use run::{Finished, Shard, digest, is_done, run};
+pub use store::{Merged, StoreError, merge, verify};
 pub use summary::summary;

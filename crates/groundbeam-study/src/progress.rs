@@ -5,6 +5,8 @@ use std::ops::ControlFlow;
 /// What is being done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stage {
+    /// Results that are there are verified against their checksums.
+    Verifying,
     /// Samples are solved.
     Solving,
     /// Parts are put together.
@@ -18,8 +20,8 @@ pub enum Stage {
 pub struct Progress {
     /// What is being done.
     pub stage: Stage,
-    /// How much of it is: samples that are solved, those of earlier runs too; samples that are put together; columns
-    /// of groups of samples that are read.
+    /// How much of it is: samples that are verified; samples that are solved, those of earlier runs too; samples that are
+    /// put together; columns of groups of samples that are read.
     pub done: u64,
     /// How much of it was when the work was begun.
     pub before: u64,

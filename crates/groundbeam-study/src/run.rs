@@ -3,8 +3,9 @@
 use crate::draws::{Draw, Draws};
 use crate::progress::{Progress, Stage, Watch};
 use crate::row::Row;
-use crate::store::{Column, Parts, StoreError, Table, Whole};
+use crate::store::{Column, Head, Parts, StoreError, Table, Whole};
 use groundbeam::{Options, Solver};
+use groundbeam_file::output::Identity;
 use std::collections::VecDeque;
 use std::ops::{ControlFlow, Range};
 use std::path::Path;
@@ -75,13 +76,31 @@ pub fn run(
 ) -> Result<Finished, StoreError> {
     let table = Table::of(draws);
     let samples = shard.samples(draws.plan().samples);
-    if !restart && !Parts::wait(out) && Whole::of(out, &table.head, &samples)?.is_some() {
-        return Ok(Finished::Whole(0));
+    let of = samples.end - samples.start;
+    refuse_inputs(draws, out)?;
+    if !restart
+        && !Parts::wait(out)
+        && let Some(whole) = Whole::of(out, &table.head, &samples)?
+    {
+        return match whole.verify(watch) {
+            Err(StoreError::Stopped) => Ok(Finished::Stopped(Progress {
+                stage: Stage::Verifying,
+                done: of,
+                before: of,
+                of,
+            })),
+            verified => verified.map(|()| Finished::Whole(0)),
+        };
     }
-    let parts = Parts::open(out, &table, restart)?;
+    let parts = Parts::open(out, restart)?;
     let missing = parts.missing(samples.clone())?;
     let left: u64 = missing.iter().map(|range| range.end - range.start).sum();
-    let of = samples.end - samples.start;
+    let before = of - left;
+    let progress = |done: u64| Progress { stage: Stage::Solving, done: before + done, before, of };
+    match parts.verify(&table, watch) {
+        Err(StoreError::Stopped) => return Ok(Finished::Stopped(progress(0))),
+        verified => verified?,
+    }
     let threads = match threads {
         0 => std::thread::available_parallelism().map_or(1, usize::from),
         threads => threads,
@@ -95,8 +114,6 @@ pub fn run(
         done: AtomicU64::new(0),
         stop: AtomicBool::new(false),
     };
-    let before = of - left;
-    let progress = |done: u64| Progress { stage: Stage::Solving, done: before + done, before, of };
     work.on(threads, &mut |done| watch(progress(done)))?;
     let done = work.done.load(Ordering::Relaxed);
     if done < left {
@@ -106,6 +123,39 @@ pub fn run(
         Err(StoreError::Stopped) => Ok(Finished::Stopped(progress(done))),
         finished => finished.map(|()| Finished::Whole(done)),
     }
+}
+
+/// Of the study, its model, the files that the model names, the plan and this version of the program: results with
+/// the same digest are the same.
+pub fn digest(draws: &Draws) -> String {
+    Head::of(draws).get("digest").unwrap_or_default().to_owned()
+}
+
+/// Whether a file holds all results of a shard.
+///
+/// # Errors
+///
+/// A file that cannot be read, or holds other results.
+pub fn is_done(draws: &Draws, out: &Path, shard: Shard) -> Result<bool, StoreError> {
+    let samples = shard.samples(draws.plan().samples);
+    Ok(!Parts::wait(out) && Whole::of(out, &Head::of(draws), &samples)?.is_some())
+}
+
+/// Refuses an output that is a file of the study, or that is no file and could not be read again.
+fn refuse_inputs(draws: &Draws, out: &Path) -> Result<(), StoreError> {
+    let wrong = |error: std::io::Error| StoreError::File(out.to_owned(), error.to_string());
+    let refused = |what: &str| Err(StoreError::File(out.to_owned(), what.to_owned()));
+    let Some(identity) = Identity::of(out).map_err(wrong)? else {
+        return refused("a study keeps its results in a file, not in a device or a pipe");
+    };
+    for file in draws.study().files() {
+        // A file that is gone since it was read is no file that the output could replace.
+        if Identity::of(Path::new(&file.name)).is_ok_and(|input| input.as_ref() == Some(&identity))
+        {
+            return refused("the study reads this file; name another file for its results");
+        }
+    }
+    Ok(())
 }
 
 /// Ranges in pieces of at most a size.

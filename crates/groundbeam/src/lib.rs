@@ -26,59 +26,61 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
-mod assemble;
-mod cell;
 mod certificate;
 mod chain;
-mod checks;
 mod contact;
-mod elements;
+mod design;
+mod element;
 mod envelope;
+mod equilibrium;
+mod error;
 mod existence;
-mod extremes;
-mod factors;
-mod fineness;
-mod free;
-mod free_spans;
 mod ground;
-mod local;
-mod mechanism;
+mod load_factors;
 mod mesh;
 mod nodal;
-mod one_way;
-mod polynomial;
+mod nodal_solver;
+mod numeric;
+mod options;
+mod outcome;
 pub mod sensitivity;
 mod solution;
 mod solve;
 mod solver;
-mod stability;
-mod turns;
 
 pub mod model;
 pub mod soil;
 pub mod train;
 
 pub use certificate::Certificate;
-pub use checks::{Check, Checked, Limits, overturning};
-pub use contact::active_set::{Pressure, Step};
+pub use contact::state::Step;
+pub use design::checks::{Check, Checked, Limits, overturning};
 pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
-pub use existence::{
+pub use equilibrium::buckling::own_buckling_load;
+pub use equilibrium::size::memory_estimate;
+pub use error::{Error, NotConverged, Stopped, TooLarge};
+pub use existence::existence::{
     Buckling, Existence, Local, RigidMotion, Verdict, static_reactions_of as static_reactions,
 };
-pub use factors::{FirstLiftOff, LoadFactors, LossOfEquilibrium, load_factors};
-pub use free_spans::LiftOff;
+pub use load_factors::parts::FirstLiftOff;
+pub use load_factors::parts::LossOfEquilibrium;
+pub use load_factors::{LoadFactors, load_factors};
 pub use model::{
     Acts, Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, GroundEnd, Hinge, Load,
     Model, Profile, Support, SupportKind,
 };
-pub use nodal::{NodalCheck, NodalSolution, NodalSolver, Work};
-pub use solution::{
+pub use nodal::newton::Work;
+pub use nodal::solution::NodalCheck;
+pub use nodal::solution::NodalSolution;
+pub use nodal_solver::NodalSolver;
+pub use options::Pressure;
+pub use options::{Method, Options, Start};
+pub use outcome::Outcome;
+pub use solution::hinges::HingeTurn;
+pub use solution::lift_off::LiftOff;
+pub use solution::solution::{
     ConcentratedForce, ContactRegion, EndForces, Extreme, Field, Fields, Range, Reaction, Side,
     Solution,
 };
-pub use solve::{
-    Error, Method, NotConverged, Options, Outcome, Start, exists, solve, solve_near, solve_with,
-};
+pub use solve::{exists, solve, solve_near, solve_with};
 pub use solver::{Answer, Solver};
-pub use stability::own_buckling_load;
-pub use turns::HingeTurn;

@@ -1,166 +1,33 @@
 //! The road from a model to a certified answer, on one page.
 
-use crate::assemble::{self, assemble};
-use crate::contact::active_set::{Found, Pressure, Stalled};
-use crate::contact::branch::State;
-use crate::contact::exact::Proof;
+use crate::contact::state::{Found, Stalled};
+use crate::contact::stopping::Proof;
+use crate::contact::stretches::Stretch;
 use crate::contact::uzawa::{self, Relaxation};
 use crate::contact::{balanced, exact, nested};
-use crate::existence::{Existence, Verdict, existence};
-use crate::fineness::too_fine;
-use crate::local;
-use crate::mesh::Mesh;
+use crate::equilibrium::buckling::convexity;
+use crate::equilibrium::local;
+use crate::equilibrium::local::Checked;
+use crate::equilibrium::one_way;
+use crate::equilibrium::size;
+use crate::error::{Error, NotConverged, Stopped};
+use crate::existence::existence::{Existence, Verdict, existence};
+use crate::mesh::mesh::Mesh;
 use crate::model::{Load, Model, Part, Problem};
-use crate::one_way;
-use crate::solution::{ContactRegion, Solution};
-use crate::stability::convexity;
+use crate::numeric::tolerance::GAP;
+use crate::options::Pressure;
+use crate::options::{Method, Options, Start};
+use crate::outcome::Outcome;
+use crate::solution::assemble::{self, assemble};
+use crate::solution::solution::Solution;
 use std::borrow::Cow;
-use std::fmt;
-
-/// How the contact problem is solved.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Method {
-    /// Closed forms between the edges of contact, which are the unknowns. No mesh.
-    #[default]
-    Exact,
-    /// Cubic elements (5.1), Newton's method on the convex energy.
-    ActiveSet,
-    /// The paper's (5.17) with (5.18), projected successive over-relaxation.
-    Psor,
-    /// The paper's iteration (5.14)–(5.17), after Uzawa.
-    Uzawa,
-}
-
-impl Method {
-    /// All methods, the default first.
-    pub const ALL: [Method; 4] = [Method::Exact, Method::ActiveSet, Method::Psor, Method::Uzawa];
-
-    /// The name that commands and results use: `exact`, `active-set`, `psor`, `uzawa`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Method::Exact => "exact",
-            Method::ActiveSet => "active-set",
-            Method::Psor => "psor",
-            Method::Uzawa => "uzawa",
-        }
-    }
-}
-
-/// Choices for [`solve_with`]. The default needs none.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Options {
-    /// How to solve.
-    pub method: Method,
-    /// Equal elements along the beam for the methods with a mesh; more are added where the model needs a
-    /// node. Not used by [`Method::Exact`].
-    pub elements: usize,
-    /// How the mesh represents the contact pressure. `Uzawa` and `Psor` are always [`Pressure::Dirac`].
-    pub pressure: Pressure,
-    /// Where `Uzawa` and `Psor` begin.
-    pub start: Start,
-    /// Sweeps after which `Uzawa` and `Psor` give up.
-    pub most_sweeps: usize,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Options {
-            method: Method::Exact,
-            elements: 100,
-            pressure: Pressure::Distributed,
-            start: Start::Bilateral,
-            most_sweeps: 1_000_000,
-        }
-    }
-}
-
-/// The first pressure of Uzawa's iteration, (5.15).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Start {
-    /// The pressure of the bilateral problem, its pulls left out.
-    #[default]
-    Bilateral,
-    /// None.
-    Zero,
-}
-
-/// What mechanics says.
-#[derive(Debug, Clone)]
-pub enum Outcome {
-    /// An equilibrium, certified.
-    Equilibrium(Box<Solution>),
-    /// There is none, or in compression none next to the unloaded state. The verdict holds the motion that
-    /// shows it.
-    NoEquilibrium(Existence),
-}
-
-/// Why there is no answer.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum Error {
-    /// The model is wrong; every [`Problem`] says what would be right.
-    Invalid(Vec<Problem>),
-    /// The model is right but lies outside what is solved; the problem says why.
-    Unsupported(Problem),
-    /// The method did not reach its own tolerance.
-    NotConverged(NotConverged),
-}
-
-/// A method that did not reach its tolerance, and what it reached.
-#[derive(Debug, Clone, PartialEq)]
-pub struct NotConverged {
-    /// The method.
-    pub method: Method,
-    /// Steps taken.
-    pub iterations: usize,
-    /// What was asked for and what was reached, both relative.
-    pub tolerance: f64,
-    /// See `tolerance`.
-    pub reached: f64,
-    /// What was not reached, in words.
-    pub what: &'static str,
-}
-
-impl fmt::Display for NotConverged {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "the method `{}` stopped after {} iterations: {} is {:.1e}, above its tolerance {:.1e}",
-            self.method.name(),
-            self.iterations,
-            self.what,
-            self.reached,
-            self.tolerance
-        )
-    }
-}
-
-impl fmt::Display for Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Error::Invalid(problems) => {
-                for (i, problem) in problems.iter().enumerate() {
-                    if i > 0 {
-                        writeln!(f)?;
-                    }
-                    write!(f, "{problem}")?;
-                }
-                Ok(())
-            }
-            Error::Unsupported(problem) => problem.fmt(f),
-            Error::NotConverged(what) => what.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for Error {}
 
 /// Solves the unilateral contact problem (2.3), (2.10)–(2.13) exactly.
 ///
 /// # Errors
 ///
-/// [`Error::Invalid`] for a model that breaks a rule, [`Error::NotConverged`] if no certified answer was
-/// reached.
+/// [`Error::Invalid`] for a model that breaks a rule, [`Error::TooLarge`] for one that needs more memory than
+/// [`Options::memory_limit`] and [`Error::NotConverged`] if no certified answer was reached.
 pub fn solve(model: &Model) -> Result<Outcome, Error> {
     solve_with(model, &Options::default())
 }
@@ -189,7 +56,8 @@ pub fn solve_near(
     near: Option<&Solution>,
 ) -> Result<Outcome, Error> {
     let mut kept = None;
-    let existence = solve_in(model, options, near.map(Solution::contact), &mut kept)?;
+    let likely = near.map(Solution::contact_positions);
+    let existence = solve_in(model, options, likely.as_deref(), &mut kept)?;
     Ok(match kept {
         Some(solution) => Outcome::Equilibrium(solution),
         None => Outcome::NoEquilibrium(existence),
@@ -201,13 +69,16 @@ pub fn solve_near(
 pub(crate) fn solve_in(
     model: &Model,
     options: &Options,
-    likely: Option<&[ContactRegion]>,
+    likely: Option<&[Stretch]>,
     kept: &mut Option<Box<Solution>>,
 ) -> Result<Existence, Error> {
-    let Checked { existence, stability, local } = check(model)?;
+    let Checked { existence, stability, local } = check(model, options)?;
     if !existence.verdict.stands() {
         *kept = None;
         return Ok(existence);
+    }
+    if local.is_none() {
+        size::check(model, options)?;
     }
     if local.is_none() && model.has_one_way_supports() {
         let solve = |model: &Model, kept: &mut _| solve_in(model, options, None, kept);
@@ -216,18 +87,8 @@ pub(crate) fn solve_in(
             certified(solution, options)?;
             return Ok(existence);
         }
-        return Err(Error::NotConverged(NotConverged {
-            method: options.method,
-            iterations: steps,
-            tolerance: 0.0,
-            reached: f64::NAN,
-            what: "which supports act",
-        }));
-    }
-    if options.method == Method::Exact
-        && let Some(problem) = too_fine(model)
-    {
-        return Err(Error::Unsupported(problem));
+        let (method, why) = (options.method, NotConverged::Supports);
+        return Err(Error::NotConverged(Stopped { method, iterations: steps, why }));
     }
     if local.is_some() && options.method != Method::Exact {
         return Err(Error::Unsupported(Problem::local_by_another_method()));
@@ -267,31 +128,22 @@ pub(crate) fn solve_in(
 ///
 /// As [`solve`], but [`Error::NotConverged`] only for compression that the ground must help to bear.
 pub fn exists(model: &Model) -> Result<Existence, Error> {
-    Ok(check(model)?.existence)
-}
-
-/// What is known of a model before it is solved.
-pub(crate) struct Checked {
-    pub existence: Existence,
-    /// How much of the energy's convexity compression leaves, where it touches if that is local: 1 + P/P_cr;
-    /// 1 without compression.
-    pub stability: f64,
-    /// Where a local equilibrium touches the ground, and which supports act in it.
-    pub local: Option<State>,
+    Ok(check(model, &Options::default())?.existence)
 }
 
 /// Refuses a model that is wrong, and tells what its equilibrium is like.
-pub(crate) fn check(model: &Model) -> Result<Checked, Error> {
+pub(crate) fn check(model: &Model, options: &Options) -> Result<Checked, Error> {
     let problems = model.problems();
     if !problems.is_empty() {
         return Err(Error::Invalid(problems));
     }
     match convexity(model) {
         Some(stability) => Ok(Checked { existence: existence(model), stability, local: None }),
-        None => match too_fine(model) {
-            Some(problem) => Err(Error::Unsupported(problem)),
-            None => local::check(model),
-        },
+        None => {
+            let exact = Options { memory_limit: options.memory_limit, ..Options::default() };
+            size::check(model, &exact)?;
+            local::check(model, |model| solve_with(model, &exact))
+        }
     }
 }
 
@@ -299,7 +151,7 @@ fn find(
     model: &Model,
     options: &Options,
     existence: Existence,
-    likely: Option<&[ContactRegion]>,
+    likely: Option<&[Stretch]>,
     judge: impl FnMut(&Found) -> Proof,
 ) -> Result<Found, Error> {
     let method = options.method;
@@ -350,8 +202,8 @@ fn find(
 }
 
 fn not_converged(method: Method, stalled: Stalled) -> Error {
-    let Stalled { iterations, tolerance, reached, what } = stalled;
-    Error::NotConverged(NotConverged { method, iterations, tolerance, reached, what })
+    let Stalled { iterations, why } = stalled;
+    Error::NotConverged(Stopped { method, iterations, why })
 }
 
 /// Whether a free beam's resultant is exactly over one end and pushes down.
@@ -374,24 +226,15 @@ pub(crate) fn without_shear_layer(model: &Model) -> Option<Part> {
 /// A solution leaves the library only with a certificate that holds.
 fn certified(solution: &Solution, options: &Options) -> Result<(), Error> {
     let certificate = solution.certificate();
-    let not = |what, reached, tolerance| {
-        Err(Error::NotConverged(NotConverged {
-            method: options.method,
-            iterations: solution.iterations(),
-            tolerance,
-            reached,
-            what,
-        }))
+    let not = |why| {
+        let iterations = solution.iterations();
+        Err(Error::NotConverged(Stopped { method: options.method, iterations, why }))
     };
     if !certificate.holds() {
-        let tolerance = crate::Certificate::TOLERANCE;
-        return not("the certificate's largest violation", certificate.violation(), tolerance);
+        return not(NotConverged::Certificate(certificate.violation()));
     }
-    if options.method == Method::Exact && certificate.relative_gap > EXACT_GAP {
-        return not("the certificate's relative gap", certificate.relative_gap, EXACT_GAP);
+    if options.method == Method::Exact && certificate.relative_gap > GAP {
+        return not(NotConverged::Gap(certificate.relative_gap));
     }
     Ok(())
 }
-
-/// The relative gap of energies that the exact method must prove.
-const EXACT_GAP: f64 = 1e-9;

@@ -1,9 +1,11 @@
 //! One model after another, in the same memory.
 
-use crate::existence::Existence;
+use crate::error::Error;
+use crate::existence::existence::Existence;
 use crate::model::Model;
-use crate::solution::Solution;
-use crate::solve::{Error, Options, solve_in};
+use crate::options::Options;
+use crate::solution::solution::Solution;
+use crate::solve::solve_in;
 
 /// Solves one model after another by the exact method, each in the memory of the one before.
 ///
@@ -77,7 +79,7 @@ impl Solver {
 
     fn solve_from(&mut self, model: &Model, next: bool) -> Result<Answer<'_>, Error> {
         let likely = self.kept.as_ref().filter(|_| next && self.holds);
-        let likely = likely.map(|solution| solution.contact().to_vec());
+        let likely = likely.map(|solution| solution.contact_positions());
         self.holds = false;
         let existence = solve_in(model, &Options::default(), likely.as_deref(), &mut self.kept)?;
         if !existence.verdict.stands() {

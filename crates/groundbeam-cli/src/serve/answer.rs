@@ -1,5 +1,6 @@
 //! A model file comes in, an answer goes out.
 
+use super::query::{Asked, Trains, WrongQuery};
 use super::view::View;
 use super::wrong::{document, refusal, wrong_model};
 use crate::failure::Failure;
@@ -12,21 +13,6 @@ use axum::response::{IntoResponse, Response};
 use groundbeam::{Error, Options, Outcome};
 use groundbeam_file::Combination;
 use groundbeam_report::{Context, Found, html};
-use serde::Deserialize;
-
-/// What of a file is asked for; with nothing said, what `groundbeam solve` gives.
-#[derive(Debug, Clone, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Asked {
-    /// One of the file's combinations.
-    pub combination: Option<String>,
-    /// One of the file's trains, by its place in the file.
-    pub train: Option<usize>,
-    /// Where the train's first axle stands \[m\].
-    pub first_axle: Option<f64>,
-    /// The width of the picture.
-    pub width: Option<f64>,
-}
 
 /// What a model file without a name is called.
 const NAME: &str = "model.toml";
@@ -76,9 +62,6 @@ pub fn result(model: &[u8], asked: &Asked) -> Response {
 
 /// A file to keep.
 pub fn file(model: &[u8], asked: &Asked, form: Form) -> Response {
-    // A report is of what the file says, and a file says nothing of one position of a train.
-    let anywhere = Asked { train: None, ..asked.clone() };
-    let asked = if form == Form::Html { &anywhere } else { asked };
     reply(found(model, asked, |input, found, context| {
         if !found.has_fields() && matches!(form, Form::Svg | Form::Png | Form::Csv) {
             let words = "there is no equilibrium to draw or to list";
@@ -101,23 +84,43 @@ pub fn file(model: &[u8], asked: &Asked, form: Form) -> Response {
 /// What the page shows.
 pub fn view(model: &[u8], asked: &Asked) -> Response {
     let read = Input::of(model, NAME.to_owned(), None);
-    reply(read.and_then(|input| {
-        let view = seen(&input, asked, |found, scene, context| {
-            Ok(View::of(&input, found, scene, asked, context))
+    reply(read.map_err(Refused::Model).and_then(|input| {
+        let mut asked = asked.clone();
+        if !input.document.trains.is_empty() && asked.first_axle.is_none() {
+            // All positions take long: a page begins with one.
+            asked.train = asked.train.or(Some(Trains::One(0)));
+        }
+        let view = seen(&input, &asked, |found, scene, context| {
+            Ok(View::of(&input, found, scene, &asked, context))
         })?;
         Ok(document(StatusCode::OK, serde_json::to_string(&view).unwrap_or_default()))
     }))
 }
 
-fn reply(answer: Result<Response, Failure>) -> Response {
-    answer.unwrap_or_else(|failure| wrong_model(&failure))
+/// Why a question has no answer.
+enum Refused {
+    Query(WrongQuery),
+    Model(Failure),
+}
+
+impl From<Failure> for Refused {
+    fn from(failure: Failure) -> Self {
+        Refused::Model(failure)
+    }
+}
+
+fn reply(answer: Result<Response, Refused>) -> Response {
+    answer.unwrap_or_else(|refused| match refused {
+        Refused::Query(wrong) => wrong.into_response(),
+        Refused::Model(failure) => wrong_model(&failure),
+    })
 }
 
 fn found(
     model: &[u8],
     asked: &Asked,
     deliver: impl FnOnce(&Input, &Found, &Context) -> Result<Response, Failure>,
-) -> Result<Response, Failure> {
+) -> Result<Response, Refused> {
     let input = Input::of(model, NAME.to_owned(), None)?;
     seen(&input, asked, |found, _, context| deliver(&input, found, context))
 }
@@ -130,18 +133,20 @@ fn seen<T>(
     input: &Input,
     asked: &Asked,
     deliver: impl FnOnce(&Found, Scene, &Context) -> Result<T, Failure>,
-) -> Result<T, Failure> {
+) -> Result<T, Refused> {
     let document = &input.document;
-    let train = asked.train.and_then(|train| document.trains.get(train));
-    let Some(train) = train else {
+    asked.check(document).map_err(Refused::Query)?;
+    let Some(Trains::One(train)) = asked.train else {
         let request = Solve::for_page(asked.combination.clone());
         let alone = match &asked.combination {
             Some(name) => document.combination(name).ok(),
             None => (!document.has_combinations()).then(|| document.as_written()),
         };
         let alone = alone.filter(|_| document.trains.is_empty());
-        return answered(input, &request, |found, context| deliver(found, alone.as_ref(), context));
+        let deliver = |found: &Found, context: &Context| deliver(found, alone.as_ref(), context);
+        return Ok(answered(input, &request, deliver)?);
     };
+    let train = &document.trains[train];
     let mut alone = match &asked.combination {
         Some(name) => document
             .combination(name)
@@ -149,10 +154,10 @@ fn seen<T>(
         None => document.as_written(),
     };
     let first_axle = asked.first_axle.unwrap_or(0.5 * (train.range[0] + train.range[1]));
-    alone.model = train.train.on(&alone.model, first_axle.clamp(train.range[0], train.range[1]));
+    alone.model = train.train.on(&alone.model, first_axle);
     let context = input.context();
     let outcome = solved_one(input, &alone, &Options::default());
-    match outcome {
+    let given = match outcome {
         Ok((Outcome::Equilibrium(solution), ground)) => {
             let context = Context { ground, ..context };
             deliver(&Found::Equilibrium(&solution), Some(&alone), &context)
@@ -164,5 +169,6 @@ fn seen<T>(
             deliver(&Found::NotConverged(&alone.model, &reached), Some(&alone), &context)
         }
         Err(error) => Err(input.refused(&error)),
-    }
+    };
+    Ok(given?)
 }

@@ -51,15 +51,15 @@ fn fault(request: &Request, port: u16) -> Option<(StatusCode, String)> {
     let names = [format!("127.0.0.1:{port}"), format!("localhost:{port}")];
     let is_here = |host: &str| names.iter().any(|name| name.eq_ignore_ascii_case(host));
     let host = request.uri().authority().map(|a| a.as_str()).or(header(HOST)).unwrap_or_default();
-    // Both, where a request line names a host as well.
-    if !is_here(host) || header(HOST).is_some_and(|host| !is_here(host)) {
+    // A request line may name a host as well, and a header may be given twice: all of them count.
+    let all = |name| request.headers().get_all(name).iter().map(|v| v.to_str().unwrap_or_default());
+    let foreign = all(HOST).find(|host| !is_here(host));
+    if let Some(host) = foreign.or((!is_here(host)).then_some(host)) {
         let message = format!("this is {}, not `{host}`", names[0]);
         return Some((StatusCode::MISDIRECTED_REQUEST, message));
     }
-    let origin = request.headers().get(ORIGIN).map(|value| value.to_str().unwrap_or_default());
-    if let Some(origin) = origin
-        && !origin.strip_prefix("http://").is_some_and(is_here)
-    {
+    let is_own = |origin: &str| origin.strip_prefix("http://").is_some_and(is_here);
+    if let Some(origin) = all(ORIGIN).find(|origin| !is_own(origin)) {
         let message = format!("pages of `{origin}` have no business here");
         return Some((StatusCode::FORBIDDEN, message));
     }

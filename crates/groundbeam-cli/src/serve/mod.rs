@@ -3,7 +3,9 @@
 mod answer;
 mod assets;
 mod browser;
+mod connection;
 mod guard;
+mod query;
 mod routes;
 mod view;
 mod written;
@@ -13,6 +15,7 @@ use crate::Status;
 use crate::failure::Failure;
 use crate::output::print;
 use crate::request::Serve;
+use connection::LIMITS;
 use std::net::Ipv4Addr;
 use std::path::Path;
 use tokio::net::TcpListener;
@@ -28,7 +31,8 @@ pub struct Start {
 
 impl Start {
     fn read(path: &Path) -> Result<Self, Failure> {
-        let bytes = std::fs::read(path).map_err(|error| Failure::file(path, &error))?;
+        let bytes =
+            groundbeam_file::read_file(path).map_err(|error| Failure::file(path, &error))?;
         let name = path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
         Ok(Start { name, text: String::from_utf8_lossy(&bytes).into_owned() })
     }
@@ -43,7 +47,7 @@ pub fn run(request: &Serve) -> Result<Status, Failure> {
     };
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .worker_threads(2)
-        .enable_io()
+        .enable_all()
         .build()
         .map_err(broken)?;
     runtime.block_on(async {
@@ -55,7 +59,7 @@ pub fn run(request: &Serve) -> Result<Status, Failure> {
         if request.opens_browser {
             browser::open(&url);
         }
-        axum::serve(listener, routes::all(start, port)).await.map_err(broken)?;
+        connection::accept(listener, routes::all(start, port, routes::BODY), LIMITS).await;
         Ok(Status::Done)
     })
 }

@@ -1,14 +1,15 @@
 //! The addresses of the page, and what is answered there.
 
 use super::Start;
-use super::answer::{Asked, Form, file, result, view};
+use super::answer::{Form, file, result, view};
 use super::assets::{ASSETS, examples};
 use super::guard::guard;
+use super::query::{Asked, Pairs, REPORT, SOLVE, VIEW, WrongQuery};
 use super::wrong::{document, refusal};
 use axum::Router;
 use axum::body::Bytes;
-use axum::extract::rejection::BytesRejection;
-use axum::extract::{DefaultBodyLimit, Path, Query, State};
+use axum::extract::rejection::PathRejection;
+use axum::extract::{DefaultBodyLimit, FromRef, FromRequest, Path, Request, State};
 use axum::http::StatusCode;
 use axum::http::header::CONTENT_TYPE;
 use axum::middleware::from_fn_with_state;
@@ -16,29 +17,39 @@ use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 use serde_json::json;
 use std::sync::Arc;
+use std::time::Duration;
 use tokio::sync::Semaphore;
 
 /// A longer model file nobody has written \[bytes\].
 pub const LONGEST: usize = 4 << 20;
 
-/// What all answers share: no more of them are worked on at a time than there are processors.
+/// The time within which a model file must arrive.
+pub const BODY: Duration = Duration::from_secs(30);
+
+/// What all answers share.
 #[derive(Clone)]
 struct Desk {
     start: Option<Arc<Start>>,
-    seats: Arc<Semaphore>,
+    /// One permit for every processor: no more models are worked on at a time.
+    permits: Arc<Semaphore>,
+    /// The time within which a model file must arrive.
+    body: Duration,
 }
 
 /// All addresses, behind the guard.
-pub fn all(start: Option<Start>, port: u16) -> Router {
+pub fn all(start: Option<Start>, port: u16, body: Duration) -> Router {
     let processors = std::thread::available_parallelism().map_or(1, usize::from);
-    let desk = Desk { start: start.map(Arc::new), seats: Arc::new(Semaphore::new(processors)) };
+    let permits = Arc::new(Semaphore::new(processors));
+    let desk = Desk { start: start.map(Arc::new), permits, body };
     let mut router = Router::new()
         .route("/api/start", get(begin))
         .route("/api/solve", post(solve))
         .route("/api/view", post(look))
         .route("/api/file/{form}", post(download));
     for asset in &ASSETS {
-        let answer = || async { ([(CONTENT_TYPE, asset.kind)], asset.bytes) };
+        let answer = move |pairs: Pairs| async move {
+            pairs.read(&[]).map(|_| ([(CONTENT_TYPE, asset.kind)], asset.bytes))
+        };
         router = router.route(asset.path, get(answer));
     }
     router
@@ -52,56 +63,83 @@ pub fn all(start: Option<Start>, port: u16) -> Router {
 }
 
 /// The model to begin with, and the examples.
-async fn begin(State(desk): State<Desk>) -> Response {
+async fn begin(State(desk): State<Desk>, pairs: Pairs) -> Result<Response, WrongQuery> {
+    pairs.read(&[])?;
     let start = desk.start.as_ref().map(|s| json!({ "name": s.name, "text": s.text }));
     let examples: Vec<_> =
         examples().map(|(name, text)| json!({ "name": name, "text": text })).collect();
     let text = json!({ "start": start, "examples": examples }).to_string();
-    document(StatusCode::OK, text)
+    Ok(document(StatusCode::OK, text))
 }
 
-type Body = Result<Bytes, BytesRejection>;
-
-async fn solve(State(desk): State<Desk>, Query(asked): Query<Asked>, body: Body) -> Response {
-    desk.answer(body, move |model| result(model, &asked)).await
+async fn solve(State(desk): State<Desk>, pairs: Pairs, model: Model) -> Response {
+    desk.answer(pairs.read(SOLVE), model, result).await
 }
 
-async fn look(State(desk): State<Desk>, Query(asked): Query<Asked>, body: Body) -> Response {
-    desk.answer(body, move |model| view(model, &asked)).await
+async fn look(State(desk): State<Desk>, pairs: Pairs, model: Model) -> Response {
+    desk.answer(pairs.read(VIEW), model, view).await
 }
 
 async fn download(
     State(desk): State<Desk>,
-    Path(form): Path<String>,
-    Query(asked): Query<Asked>,
-    body: Body,
+    form: Result<Path<String>, PathRejection>,
+    pairs: Pairs,
+    model: Model,
 ) -> Response {
-    let Some(form) = Form::named(&form) else {
+    let Some(form) = form.ok().and_then(|Path(form)| Form::named(&form)) else {
         return refusal(StatusCode::NOT_FOUND, "a file is svg, png, csv, json, txt or html");
     };
-    desk.answer(body, move |model| file(model, &asked, form)).await
+    // A report is about a whole file, in which no train stands at one position.
+    let keys = if form == Form::Html { REPORT } else { SOLVE };
+    desk.answer(pairs.read(keys), model, move |model, asked| file(model, asked, form)).await
+}
+
+/// The model file in the body of a request.
+struct Model(Bytes);
+
+impl<S: Send + Sync> FromRequest<S> for Model
+where
+    Desk: FromRef<S>,
+{
+    type Rejection = Response;
+
+    async fn from_request(request: Request, state: &S) -> Result<Self, Response> {
+        let limit = Desk::from_ref(state).body;
+        match tokio::time::timeout(limit, Bytes::from_request(request, state)).await {
+            Ok(Ok(model)) => Ok(Model(model)),
+            Ok(Err(rejection)) => Err(refusal(rejection.status(), &rejection.body_text())),
+            Err(_) => {
+                let message = format!("the model file did not arrive within {limit:?}");
+                Err(refusal(StatusCode::REQUEST_TIMEOUT, &message))
+            }
+        }
+    }
 }
 
 impl Desk {
     /// Works on a model away from the threads that listen.
     async fn answer(
         &self,
-        body: Body,
-        work: impl FnOnce(&[u8]) -> Response + Send + 'static,
+        asked: Result<Asked, WrongQuery>,
+        Model(model): Model,
+        work: impl FnOnce(&[u8], &Asked) -> Response + Send + 'static,
     ) -> Response {
-        let model = match body {
-            Ok(model) => model,
-            Err(rejection) => return refusal(rejection.status(), &rejection.body_text()),
+        let asked = match asked {
+            Ok(asked) => asked,
+            Err(wrong) => return wrong.into_response(),
         };
-        let Ok(_seat) = self.seats.acquire().await else {
-            return StatusCode::SERVICE_UNAVAILABLE.into_response();
+        let Ok(permit) = Arc::clone(&self.permits).acquire_owned().await else {
+            return refusal(StatusCode::SERVICE_UNAVAILABLE, "the program ends");
         };
-        let done = tokio::task::spawn_blocking(move || work(&model)).await;
-        done.unwrap_or_else(|_| {
-            refusal(
-                StatusCode::INTERNAL_SERVER_ERROR,
-                "this model broke the program: a fault of it",
-            )
+        let done = tokio::task::spawn_blocking(move || {
+            let answer = work(&model, &asked);
+            // Work goes on where a browser aborts the request, and keeps the permit for that long.
+            drop(permit);
+            answer
+        });
+        done.await.unwrap_or_else(|_| {
+            let message = "the program broke down on this model: this is a fault of the program";
+            refusal(StatusCode::INTERNAL_SERVER_ERROR, message)
         })
     }
 }

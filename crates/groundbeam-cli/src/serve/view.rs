@@ -1,13 +1,14 @@
 //! Everything the page shows of a model, in one answer.
 
-use super::answer::{Asked, Scene};
+use super::answer::Scene;
+use super::query::Asked;
 use super::written::Number;
 use crate::input::Input;
 use groundbeam::Load;
 use groundbeam::model::Part;
 use groundbeam_file::Combination;
 use groundbeam_report::svg::{self, Grip, Handle};
-use groundbeam_report::{Context, Found, Overall, sentence, text};
+use groundbeam_report::{Context, Found, Overall, load_name, sentence, text};
 use serde::Serialize;
 
 /// Everything the page shows of a model.
@@ -179,21 +180,19 @@ fn held(input: &Input, scene: &Combination, handle: &Handle) -> Option<Held> {
     let (part, field, size, name) = match handle.grip {
         Grip::Load(i) | Grip::From(i) | Grip::To(i) => {
             let i = *scene.loads.get(i)?;
-            let (kind, size) = match document.model.loads[i] {
-                Load::PointForce { .. } => ("force", "force"),
-                Load::PointMoment { .. } => ("moment", "moment"),
-                Load::Distributed { .. } => ("spread load", "start"),
-                Load::DistributedMoment { .. } => ("spread moment", "start"),
-                Load::Curvature { .. } => ("curvature", "start"),
-                Load::GroundForce { .. } => ("force on the ground", "force"),
-                Load::GroundDistributed { .. } => ("spread load on the ground", "start"),
+            let load = &document.model.loads[i];
+            let size = match load {
+                Load::PointForce { .. } | Load::GroundForce { .. } => "force",
+                Load::PointMoment { .. } => "moment",
+                _ => "start",
             };
+            let kind = load_name(load);
             let (field, end) = match handle.grip {
                 Grip::From(_) => ("from", ", its beginning"),
                 Grip::To(_) => ("to", ", its end"),
                 _ => ("at", ""),
             };
-            (Part::Load(i), field, Some(size), format!("load {}, a {kind}{end}", i + 1))
+            (Part::Load(i), field, Some(size), format!("load {}: {kind}{end}", i + 1))
         }
         Grip::Hinge(i) => (Part::Hinge(i), "at", None, format!("hinge {}", i + 1)),
         Grip::Support(i) => (Part::Support(i), "at", None, format!("support {}", i + 1)),

@@ -1,8 +1,9 @@
 //! Where in the text the page changes a number: the text is the only thing that is changed.
 
 use groundbeam::model::Part;
-use groundbeam_file::{Document, Quantity};
+use groundbeam_file::{Document, Place, Quantity, Sign};
 use serde::Serialize;
+use std::collections::HashMap;
 
 /// A quantity of the text, with places as a browser counts them.
 #[derive(Debug, Serialize)]
@@ -19,6 +20,12 @@ pub struct Number {
     unit: String,
     /// What the number counts, in SI units.
     size: f64,
+    /// The signs that the file format allows.
+    sign: &'static str,
+    /// The body on which it is a position.
+    place: Option<&'static str>,
+    /// A usual value, in SI units.
+    usual: f64,
 }
 
 impl Number {
@@ -26,11 +33,15 @@ impl Number {
     pub fn all(document: &Document) -> Vec<Number> {
         let text = document.text();
         let units = Utf16::of(text);
-        document.quantities.iter().map(|quantity| Number::of(quantity, text, &units)).collect()
+        let mut headings = Headings::of(text);
+        let of = |quantity: &Quantity| {
+            let (table, which) = headings.above(quantity.span.start);
+            Number::of(quantity, text, &units, table, which)
+        };
+        document.quantities.iter().map(of).collect()
     }
 
-    fn of(quantity: &Quantity, text: &str, units: &Utf16) -> Number {
-        let (table, which) = heading(text, quantity.span.start);
+    fn of(quantity: &Quantity, text: &str, units: &Utf16, table: &str, which: usize) -> Number {
         let behind = text[quantity.number.end..quantity.span.end].trim_end_matches(['"', '\'']);
         Number {
             key: quantity.key.clone(),
@@ -40,28 +51,62 @@ impl Number {
             to: units.at(quantity.number.end),
             unit: behind.trim().to_owned(),
             size: quantity.unit,
+            sign: match quantity.sign {
+                Sign::Any => "any",
+                Sign::NotNegative => "not negative",
+                Sign::Positive => "positive",
+            },
+            place: quantity.place.map(|place| match place {
+                Place::Beam => "beam",
+                Place::Ground => "ground",
+            }),
+            usual: quantity.usual,
         }
     }
 
     /// Which of the quantities a field of the model was read from.
     pub fn behind(document: &Document, part: Part, field: &str) -> Option<usize> {
         let span = document.field_span(part, field)?;
-        document.quantities.iter().position(|quantity| quantity.span == span)
+        let quantities = &document.quantities;
+        let found = quantities.binary_search_by_key(&span.start, |quantity| quantity.span.start);
+        found.ok().filter(|&i| quantities[i].span == span)
     }
 }
 
-/// The last heading above a place, and which of its kind it is.
-fn heading(text: &str, place: usize) -> (&str, usize) {
-    let headings = text[..place].lines().filter_map(|line| {
-        let line = line.trim();
-        let end = line.rfind(']')?;
-        let is_list = line[..end].contains(['=', ',', '"', '\'']);
-        (line.starts_with('[') && !is_list).then_some(&line[..=end])
-    });
-    let headings: Vec<&str> = headings.collect();
-    let Some(&last) = headings.last() else { return ("", 0) };
-    let which = headings.iter().filter(|heading| **heading == last).count();
-    (last, if last.starts_with("[[") { which } else { 0 })
+/// The headings of a text, read line by line from its beginning.
+struct Headings<'t> {
+    lines: std::iter::Peekable<std::str::SplitInclusive<'t, char>>,
+    /// How far the lines are read.
+    end: usize,
+    last: &'t str,
+    counts: HashMap<&'t str, usize>,
+}
+
+impl<'t> Headings<'t> {
+    fn of(text: &'t str) -> Self {
+        let lines = text.split_inclusive('\n').peekable();
+        Headings { lines, end: 0, last: "", counts: HashMap::new() }
+    }
+
+    /// The last heading above a place, and which of its kind it is; places come in the order of the text.
+    fn above(&mut self, place: usize) -> (&'t str, usize) {
+        while let Some(line) = self.lines.next_if(|line| self.end + line.len() <= place) {
+            self.end += line.len();
+            if let Some(heading) = heading(line.trim()) {
+                self.last = heading;
+                *self.counts.entry(heading).or_default() += 1;
+            }
+        }
+        let which = self.counts.get(self.last).copied().unwrap_or_default();
+        (self.last, if self.last.starts_with("[[") { which } else { 0 })
+    }
+}
+
+/// `[beam]` of `[beam] # the footing`; none where a list goes on.
+fn heading(line: &str) -> Option<&str> {
+    let end = line.rfind(']')?;
+    let is_list = line[..end].contains(['=', ',', '"', '\'']);
+    (line.starts_with('[') && !is_list).then_some(&line[..=end])
 }
 
 /// From bytes of a text to the units that a browser counts.
@@ -118,5 +163,33 @@ mod tests {
         let document = groundbeam_file::parse(plain).unwrap();
         let all = Number::all(&document);
         assert_eq!((all[1].key.as_str(), all[1].size), ("EI", 1.0));
+    }
+    /// The time to find all numbers of a file with `count` loads and the one behind each position \[s\].
+    fn time(count: usize) -> f64 {
+        let load = "[[load]]\npoint = \"5 kN\"\nat = \"1 m\"\n".repeat(count);
+        let text = format!(
+            "[beam]\nlength = \"12 m\"\nEI = \"1 MN m^2\"\n[foundation]\nk = \"40 MPa\"\n{load}"
+        );
+        let document = groundbeam_file::parse(&text).unwrap();
+        let started = std::time::Instant::now();
+        let all = Number::all(&document);
+        let behind = (0..count).map(|i| Number::behind(&document, Part::Load(i), "at"));
+        assert!(behind.enumerate().all(|(i, found)| found == Some(3 + 2 * i + 1)));
+        assert_eq!((all.len(), all[all.len() - 1].which), (3 + 2 * count, count));
+        started.elapsed().as_secs_f64()
+    }
+
+    /// 16 times as many loads take about 16 times as long, where quadratic growth takes 256 times. Other programs
+    /// may interrupt a run: the shortest of several counts.
+    #[test]
+    fn the_time_grows_with_the_number_of_loads() {
+        let mut least = [f64::INFINITY; 2];
+        for _ in 0..50 {
+            least = [least[0].min(time(250)), least[1].min(time(4_000))];
+            if least[1] < 80.0 * least[0] {
+                return;
+            }
+        }
+        panic!("{least:?}");
     }
 }

@@ -24,11 +24,18 @@ pub fn wrong_model(failure: &Failure) -> Response {
     document(StatusCode::UNPROCESSABLE_ENTITY, faults(failure) + "\n")
 }
 
-/// `{"status": "wrong-model", "diagnostics": […]}`
-pub fn faults(failure: &Failure) -> String {
-    let diagnostics: Vec<Fault> = failure.found().iter().map(Fault::of).collect();
-    let message = failure.message();
-    json!({ "status": "wrong-model", "message": message, "diagnostics": diagnostics }).to_string()
+/// The most faults of a file that are listed: a file of 4 MiB may have a million.
+const MOST: usize = 1000;
+
+/// `{"status": "wrong-model", "diagnostics": […], "count": 1}`
+fn faults(failure: &Failure) -> String {
+    let found = failure.found();
+    let diagnostics: Vec<Fault> = found.iter().take(MOST).map(Fault::of).collect();
+    let (message, count) = (failure.message(), found.len());
+    let answer = json!({
+        "status": "wrong-model", "message": message, "diagnostics": diagnostics, "count": count
+    });
+    answer.to_string()
 }
 
 #[derive(Serialize)]

@@ -5,6 +5,7 @@ use super::material;
 use super::shape::{self, Shape};
 use super::shear::{self, Shear};
 use super::weight::{self, Area};
+use crate::lists;
 use crate::profile::{Along, Values, left_out};
 use crate::quantity::{
     BENDING_STIFFNESS, ELASTIC_MODULUS, FORCE, LENGTH, POSITION, SECOND_MOMENT_OF_AREA,
@@ -14,6 +15,7 @@ use crate::stiffness::{Given, Keys, Stiffness, cover};
 use crate::table::Section;
 use groundbeam::model::Part;
 use groundbeam::{Beam, BeamSegment, Load, Profile};
+use std::ops::Range;
 
 const KEYS: &[&str] = &[
     "length",
@@ -36,11 +38,19 @@ const STIFFNESS: Keys = Keys {
     instead: " or a `section`",
 };
 
+/// A load that follows from what `[beam]` says of itself.
+pub(super) struct OwnLoad {
+    pub load: Load,
+    pub case: Option<String>,
+    /// From what it follows.
+    pub span: Range<usize>,
+}
+
 /// What `[beam]` says.
 pub(super) struct Read {
     pub beam: Beam,
-    /// Its own weight and its camber, if the file gives them, each with its load case.
-    pub loads: Vec<(Load, Option<String>)>,
+    /// Its own weight and its camber, if the file gives them.
+    pub loads: Vec<OwnLoad>,
     pub depths: Vec<Depth>,
     /// The expansion of its material, if that is one all along.
     pub expansion: Option<f64>,
@@ -77,7 +87,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Read {
     let mut depths = Vec::new();
     let mut one_material = true;
     let mut segments = Vec::new();
-    for (i, segment) in reader.tables(&table, "segment", "[[beam.segment]]").iter().enumerate() {
+    for (i, segment) in reader.tables(&table, &lists::BEAM_SEGMENT).iter().enumerate() {
         let part = Part::BeamSegment(i);
         let (read, own) = read_segment(reader, segment, part, &whole, length.value);
         let way = [read.from / length.value, read.to / length.value];
@@ -93,7 +103,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Read {
     let base = shape.filter(|_| !gives_stiffness(&table));
     let (area, depth) = base.map_or((None, None), |shape| (Some(shape.area), shape.depth));
     let mut loads = weight::read(reader, &table, length.value, material, area, areas);
-    loads.extend(curl::camber(reader, &table, length.value).map(|camber| (camber, None)));
+    loads.extend(curl::camber(reader, &table, length.value));
     let depths = curl::all(length.value, depth, depths);
 
     let stiffness = given.resolve(reader, &Given::default(), &STIFFNESS);

@@ -2,7 +2,7 @@
 
 use crate::code;
 use crate::fault::Fault;
-use crate::quantity::{CLEARANCE, RATIO, STRESS_LIMIT, WIDTH};
+use crate::quantity::{RATIO, SETTLEMENT_LIMIT, STRESS_LIMIT, WIDTH};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 use groundbeam::Limits;
@@ -22,7 +22,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section, width: Option<f64>) -> L
     };
     let pressure = limit("bearing_pressure", &STRESS_LIMIT);
     let own_width = limit("width", &WIDTH);
-    let settlement = limit("settlement", &CLEARANCE);
+    let settlement = limit("settlement", &SETTLEMENT_LIMIT);
     let overturning = limit("overturning", &RATIO);
     let lifted_share = lifted_share(reader, &table);
     let eccentricity = eccentricity(reader, &table);

@@ -3,7 +3,9 @@
 use crate::code;
 use crate::combination::{MOST, Recipe};
 use crate::fault::Fault;
+use crate::lists;
 use crate::number::Decimal;
+use crate::quantity::{self, REACH};
 use crate::reader::Reader;
 use crate::sets::{self, Acting, Made, Practice, Set};
 use crate::suggest::nearest;
@@ -44,7 +46,7 @@ pub(super) fn read(
         File { loads, cases, names, described, most, wanting: Vec::new(), made: Vec::new() };
     let mut recipes: Vec<Recipe> = Vec::new();
     let mut taken: Vec<(String, Range<usize>)> = Vec::new();
-    for table in reader.tables(root, "combination", "[[combination]]") {
+    for table in reader.tables(root, &lists::COMBINATION) {
         reader.refuse_unknown(&table, KEYS);
         let name = named(reader, &table, "ULS 1", &mut taken);
         match (table.value("set"), table.value("factors")) {
@@ -91,7 +93,7 @@ fn describe<'a>(reader: &mut Reader, root: &Section<'a>, names: &[&str]) -> Vec<
     let mut described = Vec::new();
     let mut taken = Vec::new();
     let actions = sets::actions();
-    for table in reader.tables(root, "case", "[[case]]") {
+    for table in reader.tables(root, &lists::CASE) {
         reader.refuse_unknown(&table, CASE_KEYS);
         let name = named(reader, &table, "Q", &mut taken);
         if table.value("name").is_none() {
@@ -195,11 +197,10 @@ impl<'a> File<'a> {
         let factor = number(reader, name, value)?;
         let of_it = self.cases.iter().zip(self.loads);
         let mut of_it = of_it.filter(|(case, _)| case.as_deref() == Some(name));
-        if of_it.any(|(_, load)| is_finite(load) && !is_finite(&load.scaled(factor))) {
+        if of_it.any(|(_, load)| is_finite(load) && !is_within_reach(&load.scaled(factor))) {
             let message =
-                format!("with this factor a load of the case `{name}` is too large to hold");
-            let hint = "numbers reach up to about 1.8e308";
-            reader.report(Fault::new(code::NOT_FINITE, value.span(), message, "", hint));
+                format!("with this factor a load of the case `{name}` cannot be computed with");
+            reader.report(Fault::new(code::NOT_FINITE, value.span(), message, "", REACH));
         }
         Some((name.to_owned(), factor))
     }
@@ -323,14 +324,22 @@ fn number(reader: &mut Reader, name: &str, value: &Spanned<DeValue>) -> Option<f
 }
 
 fn is_finite(load: &Load) -> bool {
+    sizes(load).into_iter().all(f64::is_finite)
+}
+
+fn is_within_reach(load: &Load) -> bool {
+    sizes(load).into_iter().all(quantity::is_within_reach)
+}
+
+/// The numbers that a factor multiplies.
+fn sizes(load: &Load) -> [f64; 2] {
     match *load {
-        Load::PointForce { force: size, .. } | Load::PointMoment { moment: size, .. } => {
-            size.is_finite()
-        }
-        Load::GroundForce { force, .. } => force.is_finite(),
+        Load::PointForce { force: size, .. }
+        | Load::PointMoment { moment: size, .. }
+        | Load::GroundForce { force: size, .. } => [size; 2],
         Load::Distributed { start, end, .. }
         | Load::DistributedMoment { start, end, .. }
         | Load::Curvature { start, end, .. }
-        | Load::GroundDistributed { start, end, .. } => start.is_finite() && end.is_finite(),
+        | Load::GroundDistributed { start, end, .. } => [start, end],
     }
 }

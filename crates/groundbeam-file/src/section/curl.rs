@@ -1,10 +1,11 @@
 //! Imposed curvature from temperature, shrinkage and camber, by the depth of the beam's section.
 
+use super::beam::OwnLoad;
 use crate::code;
 use crate::fault::Fault;
 use crate::profile::{Along, left_out};
 use crate::quantity::{CAMBER, DEPTH, EXPANSION};
-use crate::reader::Reader;
+use crate::reader::{Field, Reader};
 use crate::table::Section;
 use groundbeam::Load;
 
@@ -97,8 +98,9 @@ fn depth(reader: &mut Reader, table: &Section, [from, to]: [f64; 2], depths: &[D
 }
 
 /// The curvature of a camber: a parabola that rises by it at mid-length, w = −4 c x (l − x)/l².
-pub(super) fn camber(reader: &mut Reader, table: &Section, length: f64) -> Option<Load> {
-    let camber = reader.quantity(table, "camber", &CAMBER)?.value;
+pub(super) fn camber(reader: &mut Reader, table: &Section, length: f64) -> Option<OwnLoad> {
+    let Field { value: camber, span } = reader.quantity(table, "camber", &CAMBER)?;
     let known = !camber.is_nan() && length > 0.0;
-    known.then(|| Load::curvature(8.0 * camber / (length * length), 0.0, length))
+    let load = || Load::curvature(8.0 * camber / (length * length), 0.0, length);
+    known.then(|| OwnLoad { load: load(), case: None, span })
 }

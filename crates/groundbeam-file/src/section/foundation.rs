@@ -4,9 +4,11 @@ use super::{band, soil};
 use crate::band::Band;
 use crate::code;
 use crate::fault::Fault;
+use crate::lists;
 use crate::profile::{Along, Values, left_out};
 use crate::quantity::{
-    AREA_SHEAR, POSITION, SHEAR_CONSTANT, SPRING_PER_LENGTH, SUBGRADE_MODULUS, WIDTH,
+    AREA_SHEAR, GROUND_POSITION, POSITION, SHEAR_CONSTANT, SPRING_PER_LENGTH, SUBGRADE_MODULUS,
+    WIDTH,
 };
 use crate::reader::{Field, Reader};
 use crate::stiffness::{Given, Keys, Stiffness, cover};
@@ -123,8 +125,7 @@ fn constants(reader: &mut Reader, table: &Section, beam_length: f64) -> Ground {
     let parent = Parent { given, spring: known, shear, of_area, length: beam_length };
 
     let mut segments = Vec::new();
-    for (i, segment) in reader.tables(table, "segment", "[[foundation.segment]]").iter().enumerate()
-    {
+    for (i, segment) in reader.tables(table, &lists::FOUNDATION_SEGMENT).iter().enumerate() {
         let part = Part::FoundationSegment(i);
         segments.push(read_segment(reader, segment, part, &parent));
     }
@@ -158,7 +159,7 @@ fn ground_end(
 ) -> GroundEnd {
     let Some(end) = reader.table(table, key, name) else { return GroundEnd::Endless };
     reader.refuse_unknown(&end, END_KEYS);
-    let at = reader.required(&end, "ends", &POSITION);
+    let at = reader.required(&end, "ends", &GROUND_POSITION);
     reader.places.field(Part::Foundation, key, &at);
     let at = at.value;
     match reader.words(&end, "as", "free") {

@@ -1,42 +1,70 @@
 //! `[[gap]]` and `[[gap_trough]]`.
 
+use super::chords::Spacing;
 use super::survey;
-use crate::quantity::{CLEARANCE, POSITION, WIDTH};
+use super::trough::{MOST_CHORDS, Trough, sunk};
+use crate::band::Band;
+use crate::code;
+use crate::fault::Fault;
+use crate::lists;
+use crate::quantity::{CLEARANCE, POSITION};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
-use groundbeam::GapPoint;
 use groundbeam::model::Part;
+use groundbeam::{GapPoint, Model};
 
 const KEYS: &[&str] = &["at", "value"];
-const TROUGH_KEYS: &[&str] = &["at", "settlement", "width"];
 
-/// The corners of the initial gap: those given, or those of a survey, and the troughs added to them.
-pub(super) fn read(reader: &mut Reader, root: &Section, length: f64) -> Vec<GapPoint> {
-    let mut gap = corners(reader, root);
-    if let Some(table) = reader.table(root, "gap_survey", "[gap_survey]") {
-        if let Some((name, _)) = root.table.get_key_value("gap") {
-            let hint = "give the gap's corners, or the survey from which they follow";
-            reader.exclusive(("gap", &name.span()), ("gap_survey", &table.span), hint);
-        }
-        gap = survey::read(reader, &table, length);
-        place_all(reader, gap.len(), &table);
-    }
-    let tables = reader.tables(root, "gap_trough", "[[gap_trough]]");
+/// Gives the model its initial gap: the corners of the file, or those of a survey, and the troughs added to them.
+/// Returns the number of chords if there are troughs. `pressures` are the mean loads of all answers asked for.
+pub(super) fn read(
+    reader: &mut Reader,
+    root: &Section,
+    model: &mut Model,
+    band: Option<Band>,
+    pressures: impl Iterator<Item = f64>,
+) -> Option<usize> {
+    model.gap = given(reader, root, model.beam.length);
+    let tables = reader.tables(root, &lists::GAP_TROUGH);
     let troughs: Vec<Trough> = tables.iter().map(|table| Trough::read(reader, table)).collect();
-    let readable = |trough: &Trough| !(trough.at + trough.settlement + trough.width).is_nan();
-    if let Some(first) = tables.first()
-        && troughs.iter().all(readable)
-        && length > 0.0
-        && gap.iter().all(|corner| corner.at.is_finite() && corner.value.is_finite())
-    {
-        gap = sunk(&gap, &troughs, length);
-        place_all(reader, gap.len(), first);
+    let first = tables.first()?;
+    if !troughs.iter().all(Trough::is_readable) || !model.problems().is_empty() {
+        return None;
     }
+    let multiples = band.map_or([[1.0; 2]; 2], |band| [band.spring, band.shear]);
+    let pressure = pressures.filter(|pressure| *pressure > 0.0).fold(f64::INFINITY, f64::min);
+    let spacing = Spacing::new(model, multiples, pressure, &troughs);
+    match sunk(model, &troughs, &spacing) {
+        Ok(gap) => {
+            place_all(reader, gap.len(), first);
+            let chords = gap.len() - 1;
+            model.gap = gap;
+            Some(chords)
+        }
+        Err(chords) => {
+            let message = format!("the troughs need {chords:.0} chords, more than {MOST_CHORDS}");
+            let hint = "check `settlement`, the loads, EI, k and mu: chords are short under a light load or a flexible beam \
+                        on stiff ground; or give corners of your own as [[gap]]";
+            reader.report(Fault::new(code::CHORDS, first.span.clone(), message, "", hint));
+            None
+        }
+    }
+}
+
+fn given(reader: &mut Reader, root: &Section, length: f64) -> Vec<GapPoint> {
+    let gap = corners(reader, root);
+    let Some(table) = reader.table(root, "gap_survey", "[gap_survey]") else { return gap };
+    if let Some((name, _)) = root.table.get_key_value("gap") {
+        let hint = "give the gap's corners, or the survey from which they follow";
+        reader.exclusive(("gap", &name.span()), ("gap_survey", &table.span), hint);
+    }
+    let gap = survey::read(reader, &table, length);
+    place_all(reader, gap.len(), &table);
     gap
 }
 
 fn corners(reader: &mut Reader, root: &Section) -> Vec<GapPoint> {
-    let tables = reader.tables(root, "gap", "[[gap]]");
+    let tables = reader.tables(root, &lists::GAP);
     let mut gap = Vec::new();
     for (i, table) in tables.iter().enumerate() {
         reader.refuse_unknown(table, KEYS);
@@ -56,67 +84,4 @@ fn place_all(reader: &mut Reader, corners: usize, table: &Section) {
         reader.places.part(Part::Gap(i), &table.span);
         reader.places.field(Part::Gap(i), "at", &Field::new(0.0, table.span.clone()));
     }
-}
-
-/// A settlement trough as over a tunnel: S exp(−(x − x₀)²/2i²), Peck (1969).
-struct Trough {
-    at: f64,
-    /// S, down.
-    settlement: f64,
-    /// i, from the middle to the point of inflection.
-    width: f64,
-}
-
-impl Trough {
-    fn read(reader: &mut Reader, table: &Section) -> Self {
-        reader.refuse_unknown(table, TROUGH_KEYS);
-        let at = reader.required(table, "at", &POSITION).value;
-        let settlement = reader.required(table, "settlement", &CLEARANCE).value;
-        let width = reader.required(table, "width", &WIDTH);
-        let width = reader.positive("width", width).value;
-        Trough { at, settlement, width }
-    }
-
-    fn depth(&self, x: f64) -> f64 {
-        let t = (x - self.at) / self.width;
-        self.settlement * (-0.5 * t * t).exp()
-    }
-
-    /// Corners between which a straight line is nowhere off by more than S/1000: |S″| is at most S/i², so a
-    /// step h is off by at most S h²/8i². Beyond 4i less than S/2000 is left.
-    fn places(&self) -> impl Iterator<Item = f64> {
-        const STEPS: i32 = 45;
-        const REACH: f64 = 4.0;
-        let step = REACH * self.width / f64::from(STEPS);
-        let at = self.at;
-        (-STEPS..=STEPS).map(move |i| at + f64::from(i) * step)
-    }
-}
-
-/// The gap with the troughs added, linear between the corners of both.
-fn sunk(gap: &[GapPoint], troughs: &[Trough], length: f64) -> Vec<GapPoint> {
-    let base = |x: f64| {
-        let right = gap.partition_point(|corner| corner.at < x);
-        match (right.checked_sub(1).map(|i| gap[i]), gap.get(right)) {
-            (Some(a), Some(b)) => (a.value * (b.at - x) + b.value * (x - a.at)) / (b.at - a.at),
-            (Some(only), None) => only.value,
-            (None, Some(only)) => only.value,
-            (None, None) => 0.0,
-        }
-    };
-    let own = gap.iter().map(|corner| corner.at);
-    let mut places: Vec<f64> =
-        own.chain([0.0, length]).chain(troughs.iter().flat_map(Trough::places)).collect();
-    places.retain(|x| (0.0..=length).contains(x));
-    places.sort_by(f64::total_cmp);
-    // Corners closer than rounding would be slopes of nothing.
-    places.dedup_by(|next, last| {
-        let same = *next - *last <= 1e-9 * length;
-        if same && *next == length {
-            *last = length;
-        }
-        same
-    });
-    let depth = |x: f64| troughs.iter().map(|trough| trough.depth(x)).sum::<f64>();
-    places.into_iter().map(|at| GapPoint { at, value: base(at) + depth(at) }).collect()
 }

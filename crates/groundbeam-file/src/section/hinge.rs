@@ -1,5 +1,6 @@
 //! `[[hinge]]`.
 
+use crate::lists;
 use crate::quantity::{POSITION, ROTATIONAL_SPRING};
 use crate::reader::Reader;
 use crate::table::Section;
@@ -9,7 +10,7 @@ use groundbeam::model::Part;
 const KEYS: &[&str] = &["at", "rotational_spring"];
 
 pub(super) fn read(reader: &mut Reader, root: &Section) -> Vec<Hinge> {
-    let tables = reader.tables(root, "hinge", "[[hinge]]");
+    let tables = reader.tables(root, &lists::HINGE);
     let mut hinges = Vec::new();
     for (i, table) in tables.iter().enumerate() {
         let part = Part::Hinge(i);

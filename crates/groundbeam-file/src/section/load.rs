@@ -4,9 +4,10 @@ use super::curl;
 use super::curl::Curls;
 use crate::code;
 use crate::fault::Fault;
+use crate::lists;
 use crate::quantity::{
-    CURVATURE, FORCE, Kind, LOAD_PER_LENGTH, MOMENT, MOMENT_PER_LENGTH, POSITION, STRAIN,
-    TEMPERATURE,
+    CURVATURE, FORCE, GROUND_POSITION, Kind, LOAD_PER_LENGTH, MOMENT, MOMENT_PER_LENGTH, POSITION,
+    STRAIN, TEMPERATURE,
 };
 use crate::reader::{Field, Reader};
 use crate::table::Section;
@@ -48,7 +49,7 @@ pub(super) fn read(
     beam_length: f64,
     curls: &Curls,
 ) -> (Vec<Load>, Vec<Option<String>>) {
-    let tables = reader.tables(root, "load", "[[load]]");
+    let tables = reader.tables(root, &lists::LOAD);
     let mut loads = Vec::new();
     let mut cases = Vec::new();
     for (i, table) in tables.iter().enumerate() {
@@ -76,7 +77,7 @@ pub(super) fn read_on_ground(
     root: &Section,
     first: usize,
 ) -> Vec<(Load, Option<String>)> {
-    let tables = reader.tables(root, "ground_load", "[[ground_load]]");
+    let tables = reader.tables(root, &lists::GROUND_LOAD);
     let mut loads = Vec::new();
     for (i, table) in tables.iter().enumerate() {
         let load = on_ground(reader, table, Part::Load(first + i));
@@ -95,7 +96,8 @@ fn on_ground(reader: &mut Reader, table: &Section, part: Part) -> Load {
                 let hint = "give each load a [[ground_load]] of its own";
                 reader.exclusive(("point", &value.span()), ("distributed", &other.span()), hint);
             }
-            let (at, force) = point(reader, table, part, "point", value, &FORCE);
+            let (at, force) =
+                point(reader, table, part, &GROUND_POSITION, ("point", value, &FORCE));
             reader.places.field(part, "force", &force);
             Load::GroundForce { at: at.value, force: force.value }
         }
@@ -108,7 +110,7 @@ fn on_ground(reader: &mut Reader, table: &Section, part: Part) -> Load {
                 "a distributed load has `from` and `to`",
             );
             let ends = ["from", "to"].map(|key| {
-                let end = reader.required(table, key, &POSITION);
+                let end = reader.required(table, key, &GROUND_POSITION);
                 reader.places.field(part, key, &end);
                 end.value
             });
@@ -145,12 +147,12 @@ fn read_one(
     }
     match kind {
         "point" => {
-            let (at, force) = point(reader, table, part, kind, value, &FORCE);
+            let (at, force) = point(reader, table, part, &POSITION, (kind, value, &FORCE));
             reader.places.field(part, "force", &force);
             Load::PointForce { at: at.value, force: force.value }
         }
         "moment" => {
-            let (at, moment) = point(reader, table, part, kind, value, &MOMENT);
+            let (at, moment) = point(reader, table, part, &POSITION, (kind, value, &MOMENT));
             reader.places.field(part, "moment", &moment);
             Load::PointMoment { at: at.value, moment: moment.value }
         }
@@ -193,12 +195,11 @@ fn point(
     reader: &mut Reader,
     table: &Section,
     part: Part,
-    kind: &str,
-    value: &Spanned<DeValue>,
-    wanted: &'static Kind,
+    position: &'static Kind,
+    (kind, value, wanted): (&str, &Spanned<DeValue>, &'static Kind),
 ) -> (Field, Field) {
     misplaced(reader, table, kind, &["from", "to"], "a load at a point has `at`");
-    let at = reader.required(table, "at", &POSITION);
+    let at = reader.required(table, "at", position);
     reader.places.field(part, "at", &at);
     (at, reader.field(kind, value, wanted))
 }

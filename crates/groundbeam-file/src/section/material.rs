@@ -25,6 +25,7 @@ pub(super) fn modulus(reader: &mut Reader, table: &Section, given: Option<Along>
         key,
         kind: &ELASTIC_MODULUS,
         has_unit: true,
+        is_bare_zero: false,
         span: value.clone(),
     });
     Some(match named(reader, table) {

@@ -3,6 +3,7 @@
 mod band;
 mod beam;
 mod checks;
+mod chords;
 mod combination;
 mod curl;
 mod foundation;
@@ -16,13 +17,15 @@ mod soil;
 mod support;
 mod survey;
 mod train;
+mod trough;
 mod weight;
 
 use crate::combination::Recipe;
 use crate::document::MovingTrain;
-use crate::reader::Reader;
+use crate::reader::{Field, Reader};
 use crate::table::Section;
 use curl::Curls;
+use groundbeam::model::Part;
 use groundbeam::{Limits, Model};
 
 const TABLES: &[&str] = &[
@@ -46,6 +49,8 @@ const TABLES: &[&str] = &[
 pub(crate) struct Contents {
     pub title: Option<String>,
     pub model: Model,
+    /// How many chords replace settlement troughs; none without troughs.
+    pub chords: Option<usize>,
     pub ground: Ground,
     pub limits: Limits,
     /// The load case of each of the model's loads.
@@ -64,7 +69,14 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     let ground = foundation::read(reader, root, &beam);
     let curls = Curls { depths, expansion };
     let (mut loads, mut cases) = load::read(reader, root, beam.length, &curls);
-    for (load, case) in own {
+    for beam::OwnLoad { load, case, span } in own {
+        let part = Part::Load(loads.len());
+        reader.places.part(part, &span);
+        reader.places.field(part, "start", &Field::new(0.0, span.clone()));
+        // Where it begins and ends the segments say, and what is wrong there is told of them.
+        for end in ["from", "to"] {
+            reader.places.field(part, end, &Field::unreadable(span.clone()));
+        }
         loads.push(load);
         cases.push(case);
     }
@@ -74,12 +86,24 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     }
     let supports = support::read(reader, root);
     let hinges = hinge::read(reader, root);
-    let gap = gap::read(reader, root, beam.length);
+    let foundation = ground.foundation.clone();
+    let mut model = Model { beam, foundation, loads, supports, hinges, gap: Vec::new() };
     let limits = checks::read(reader, root, ground.width);
     let grounds = ground.band.map_or(1, |band| band.grounds().len());
-    let recipes = combination::read(reader, root, &loads, &cases, grounds);
-    let trains = train::read(reader, root, beam.length);
-    let foundation = ground.foundation.clone();
-    let model = Model { beam, foundation, loads, supports, hinges, gap };
-    Contents { title, model, ground, limits, cases, recipes, trains }
+    let recipes = combination::read(reader, root, &model.loads, &cases, grounds);
+    let pressures = mean_loads(&model, &cases, &recipes);
+    let chords = gap::read(reader, root, &mut model, ground.band, pressures.into_iter());
+    let trains = train::read(reader, root, model.beam.length);
+    Contents { title, model, chords, ground, limits, cases, recipes, trains }
+}
+
+/// The load per length of every answer that the file asks for.
+fn mean_loads(model: &Model, cases: &[Option<String>], recipes: &[Recipe]) -> Vec<f64> {
+    let mean =
+        |factor: &dyn Fn(usize) -> f64| chords::mean_load(&model.loads, model.beam.length, factor);
+    if recipes.is_empty() {
+        return vec![mean(&|_| 1.0)];
+    }
+    let of = |recipe: &Recipe| mean(&|load| recipe.factor(cases[load].as_deref()));
+    recipes.iter().map(of).collect()
 }

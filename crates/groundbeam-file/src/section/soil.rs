@@ -2,6 +2,7 @@
 
 use crate::code;
 use crate::fault::Fault;
+use crate::lists;
 use crate::quantity::{ELASTIC_MODULUS, Kind, LENGTH, RATIO, SUBGRADE_MODULUS, WIDTH};
 use crate::reader::{Field, Reader};
 use crate::suggest::nearest;
@@ -71,7 +72,7 @@ fn method(reader: &mut Reader, table: &Section) -> Option<&'static Method> {
 }
 
 fn layers(reader: &mut Reader, table: &Section) -> LayeredSoil {
-    let tables = reader.tables(table, "layer", "[[foundation.soil.layer]]");
+    let tables = reader.tables(table, &lists::LAYER);
     if tables.is_empty() && table.value("layer").is_none() {
         let example =
             "[[foundation.soil.layer]] with `E`, `nu` and `thickness`, the uppermost first";

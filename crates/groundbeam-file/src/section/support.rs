@@ -2,6 +2,7 @@
 
 use crate::code;
 use crate::fault::Fault;
+use crate::lists;
 use crate::quantity::{CLEARANCE, POSITION, ROTATIONAL_SPRING, SPRING};
 use crate::reader::{Field, Reader};
 use crate::suggest::nearest;
@@ -12,7 +13,7 @@ use groundbeam::{Acts, Support, SupportKind};
 const KEYS: &[&str] = &["at", "type", "spring", "rotational_spring", "settlement", "acts"];
 
 pub(super) fn read(reader: &mut Reader, root: &Section) -> Vec<Support> {
-    let tables = reader.tables(root, "support", "[[support]]");
+    let tables = reader.tables(root, &lists::SUPPORT);
     let mut supports = Vec::new();
     for (i, table) in tables.iter().enumerate() {
         supports.push(read_one(reader, table, Part::Support(i)));

@@ -5,7 +5,7 @@ use crate::code;
 use crate::fault::Fault;
 use crate::number::Decimal;
 use crate::profile::Values;
-use crate::quantity::{self, POSITION};
+use crate::quantity::{self, OFFSET};
 use crate::reader::Reader;
 use crate::table::{Section, suggestion};
 use crate::unit::{Dimension, Scale, Unit};
@@ -17,8 +17,8 @@ const KEYS: &[&str] = &["file", "x", "level", "clearance", "datum", "start"];
 /// Reads the survey's corners, cut to the beam.
 pub(super) fn read(reader: &mut Reader, table: &Section, length: f64) -> Vec<GapPoint> {
     reader.refuse_unknown(table, KEYS);
-    let start = reader.quantity(table, "start", &POSITION).map_or(0.0, |start| start.value);
-    let datum = reader.along(table, "datum", &POSITION, Values::Linear);
+    let start = reader.quantity(table, "start", &OFFSET).map_or(0.0, |start| start.value);
+    let datum = reader.along(table, "datum", &OFFSET, Values::Linear);
     let [x, level, clearance] = [("x", "KP"), ("level", "z"), ("clearance", "gap")]
         .map(|(key, example)| reader.words(table, key, example));
     let Some((file, span)) = reader.words(table, "file", "seabed.csv") else {
@@ -35,13 +35,13 @@ pub(super) fn read(reader: &mut Reader, table: &Section, length: f64) -> Vec<Gap
         let hint = "clearances are measured from the beam; only levels have a datum";
         reader.exclusive(("clearance", clearance), ("datum", &datum.span), hint);
     }
-    let Some(folder) = reader.folder else {
+    let Some(beside) = reader.beside else {
         let message = "this model stands by itself: no file can be read beside it";
         let hint = "write the corners in the model, as [[gap]], or solve it from a file";
         reader.report(Fault::new(code::FILE, span, message, "", hint));
         return Vec::new();
     };
-    let survey = match Table::read(folder, file) {
+    let survey = match Table::read(beside, file) {
         Ok(survey) => survey,
         Err(error) => {
             let message = format!("`{file}` cannot be read: {error}");
@@ -50,6 +50,7 @@ pub(super) fn read(reader: &mut Reader, table: &Section, length: f64) -> Vec<Gap
             return Vec::new();
         }
     };
+    reader.others.push(survey.file.clone());
     let is_level = clearance.is_none();
     let heights = level.or(clearance);
     let mut columns = Columns { reader, survey: &survey, wrong: false };
@@ -140,7 +141,7 @@ impl Columns<'_, '_, '_> {
             }
             (_, Some(_)) if self.reader.is_plain() => {
                 let message = "this column has a unit, but the model gives none";
-                let hint = "a file gives every quantity a unit, zeros too, or none at all";
+                let hint = "a file gives every quantity a unit, or none at all";
                 self.report(Fault::new(code::MIXED, at, message, "a unit here", hint));
                 return None;
             }
@@ -199,11 +200,10 @@ impl Columns<'_, '_, '_> {
         match Decimal::read(text) {
             Some((number, length)) if length == text.len() => {
                 let value = column.scale.map_or(number.to_f64(), |scale| number.times(&scale));
-                if value.is_finite() && (value == 0.0 || (1e-60..=1e60).contains(&value.abs())) {
+                if quantity::is_within_reach(value) && (value != 0.0 || number.is_zero()) {
                     return Some(value);
                 }
-                let size = if value.abs() < 1.0 { "small" } else { "large" };
-                self.report(quantity::out_of_reach(size, at));
+                self.report(quantity::out_of_reach(value, at));
             }
             found => {
                 let message = if text.is_empty() {

@@ -3,7 +3,8 @@
 use crate::code;
 use crate::document::MovingTrain;
 use crate::fault::Fault;
-use crate::quantity::{FORCE, LOAD_PER_LENGTH, POSITION, RATIO};
+use crate::lists;
+use crate::quantity::{self, BEHIND, FORCE, LOAD_PER_LENGTH, OFFSET, RATIO, REACH};
 use crate::reader::Reader;
 use crate::suggest::nearest;
 use crate::table::Section;
@@ -16,7 +17,7 @@ const KEYS: &[&str] = &["name", "set", "axles", "uniform", "from", "to", "factor
 
 /// The trains of a file, each of which passes alone.
 pub(super) fn read(reader: &mut Reader, root: &Section, beam_length: f64) -> Vec<MovingTrain> {
-    let tables = reader.tables(root, "train", "[[train]]");
+    let tables = reader.tables(root, &lists::TRAIN);
     let mut trains: Vec<MovingTrain> = Vec::new();
     for (i, table) in tables.iter().enumerate() {
         let train = read_one(reader, table, beam_length);
@@ -52,10 +53,9 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64) -> MovingTra
     let factor = match reader.quantity(table, "factor", &RATIO) {
         Some(factor) => {
             let scaled = train.clone().scaled(factor.value);
-            if factor.value.is_finite() && is_finite(&train) && !is_finite(&scaled) {
-                let message = "with this factor a load of the train is too large to hold";
-                let hint = "numbers reach up to about 1.8e308";
-                reader.report(Fault::new(code::NOT_FINITE, factor.span, message, "", hint));
+            if factor.value.is_finite() && is_finite(&train) && !is_within_reach(&scaled) {
+                let message = "with this factor a load of the train cannot be computed with";
+                reader.report(Fault::new(code::NOT_FINITE, factor.span, message, "", REACH));
             }
             factor.value
         }
@@ -71,7 +71,7 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64) -> MovingTra
     MovingTrain { name, set, factor, train: train.scaled(factor), range }
 }
 
-/// The axles and spread loads: of a set, or as they are written.
+/// The axles and distributed loads: of a set, or as they are written.
 fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Train) {
     let mut train = Train::default();
     let Some(set) = table.value("set") else {
@@ -80,7 +80,7 @@ fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Tr
             train.axles = axles(reader, table);
         } else {
             let force = reader.line("force", &FORCE);
-            let at = reader.line("at", &POSITION);
+            let at = reader.line("at", &BEHIND);
             let example = format!("set = \"LM71\", or axles = [{{ {at}, {force} }}, …]");
             reader.missing(table, &["set", "axles"], "axles", &example);
         }
@@ -98,7 +98,8 @@ fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Tr
     let Some((written, span)) = reader.words(table, "set", "LM71") else { return (None, train) };
     // The loads of a set have units, so that the rest of the file must have them.
     let key = "set".to_owned();
-    reader.quantities.push(Seen { key, kind: &FORCE, has_unit: true, span: span.clone() });
+    let (kind, has_unit, is_bare_zero) = (&FORCE, true, false);
+    reader.quantities.push(Seen { key, kind, has_unit, is_bare_zero, span: span.clone() });
     let found = trains::find(written.trim());
     match found {
         Some(set) => train = set.train.clone(),
@@ -119,10 +120,10 @@ fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Tr
 fn axles(reader: &mut Reader, table: &Section) -> Vec<Axle> {
     let mut axles = Vec::new();
     let mut first: Option<(f64, Range<usize>)> = None;
-    let list = reader.tables(table, "axles", "an axle");
+    let list = reader.tables(table, &lists::AXLES);
     for axle in &list {
         reader.refuse_unknown(axle, &["at", "force"]);
-        let at = reader.required(axle, "at", &POSITION);
+        let at = reader.required(axle, "at", &BEHIND);
         let force = reader.required(axle, "force", &FORCE);
         if first.as_ref().is_none_or(|(least, _)| at.value < *least || at.value.is_nan()) {
             first = Some((at.value, at.span));
@@ -146,16 +147,16 @@ fn axles(reader: &mut Reader, table: &Section) -> Vec<Axle> {
 /// `uniform = [{ from = "5.6 m", load = "80 kN/m" }, …]`; left out, an end is infinitely far away.
 fn uniform(reader: &mut Reader, table: &Section) -> Vec<UniformPart> {
     let mut parts = Vec::new();
-    for part in reader.tables(table, "uniform", "a spread load") {
+    for part in reader.tables(table, &lists::UNIFORM) {
         reader.refuse_unknown(&part, &["from", "to", "load"]);
-        let from = reader.quantity(&part, "from", &POSITION);
-        let to = reader.quantity(&part, "to", &POSITION);
+        let from = reader.quantity(&part, "from", &OFFSET);
+        let to = reader.quantity(&part, "to", &OFFSET);
         let load = reader.required(&part, "load", &LOAD_PER_LENGTH);
         if let (Some(from), Some(to)) = (&from, &to)
             && to.value <= from.value
         {
             let hint = "both are measured backward from the first axle; `to` is farther back";
-            backward(reader, "a spread load of the train has no length", &to.span, hint);
+            backward(reader, "a distributed load of the train has no length", &to.span, hint);
         }
         parts.push(UniformPart {
             from: from.map_or(f64::NEG_INFINITY, |from| from.value),
@@ -169,8 +170,8 @@ fn uniform(reader: &mut Reader, table: &Section) -> Vec<UniformPart> {
 /// Where the first axle goes; left out, until the last one has left the beam.
 fn range(reader: &mut Reader, table: &Section, train: &Train, beam_length: f64) -> [f64; 2] {
     let [start, end] = train.passage(beam_length);
-    let from = reader.quantity(table, "from", &POSITION);
-    let to = reader.quantity(table, "to", &POSITION);
+    let from = reader.quantity(table, "from", &OFFSET);
+    let to = reader.quantity(table, "to", &OFFSET);
     let place = to.as_ref().or(from.as_ref()).map(|field| field.span.clone());
     let range = [from.map_or(start, |from| from.value), to.map_or(end, |to| to.value)];
     if let Some(span) = place
@@ -187,6 +188,14 @@ fn backward(reader: &mut Reader, message: &str, span: &Range<usize>, hint: &str)
 }
 
 fn is_finite(train: &Train) -> bool {
-    train.axles.iter().all(|axle| axle.force.is_finite())
-        && train.uniform.iter().all(|part| part.intensity.is_finite())
+    sizes(train).all(f64::is_finite)
+}
+
+fn is_within_reach(train: &Train) -> bool {
+    sizes(train).all(quantity::is_within_reach)
+}
+
+fn sizes(train: &Train) -> impl Iterator<Item = f64> {
+    let axles = train.axles.iter().map(|axle| axle.force);
+    axles.chain(train.uniform.iter().map(|part| part.intensity))
 }

@@ -1,5 +1,6 @@
 //! The beam's own weight: `unit_weight` times the area of its sections.
 
+use super::beam::OwnLoad;
 use crate::code;
 use crate::fault::Fault;
 use crate::materials::Material;
@@ -42,7 +43,7 @@ pub(super) fn read(
     material: Option<&Material>,
     base: Option<Along>,
     mut areas: Vec<Area>,
-) -> Vec<(Load, Option<String>)> {
+) -> Vec<OwnLoad> {
     let case = reader.words(table, "weight_case", "G").map(|(name, _)| name.trim().to_owned());
     let Some(weight) = unit_weight(reader, table, material) else {
         if let Some((key, _)) = table.table.get_key_value("weight_case") {
@@ -75,7 +76,9 @@ pub(super) fn read(
                 // A stretch without a length, or one that cannot be read, has been reported.
                 let known = area.is_readable() && !weight.value.is_nan();
                 if known && from < to {
-                    loads.push((Load::Distributed { from, to, start, end }, case.clone()));
+                    let load = Load::Distributed { from, to, start, end };
+                    let (case, span) = (case.clone(), weight.span.clone());
+                    loads.push(OwnLoad { load, case, span });
                 }
                 continue;
             }

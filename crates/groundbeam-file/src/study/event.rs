@@ -3,6 +3,7 @@
 use super::keep::field;
 use crate::code;
 use crate::fault::Fault;
+use crate::lists;
 use crate::quantity::{CLEARANCE, FORCE, Kind, LOAD_PER_LENGTH, MOMENT, RATIO};
 use crate::reader::Reader;
 use crate::table::Section;
@@ -96,7 +97,7 @@ impl Judged {
 
 pub(super) fn read(reader: &mut Reader, root: &Section) -> Vec<Event> {
     let mut events: Vec<Event> = Vec::new();
-    for table in reader.tables(root, "event", "[[event]]") {
+    for table in reader.tables(root, &lists::EVENT) {
         reader.refuse_unknown(&table, &["name", "quantity", "above", "below"]);
         let of = judged(reader, &table);
         let kind = of.map_or(&RATIO, Judged::kind);

@@ -12,9 +12,11 @@ pub use keep::Keep;
 pub use random::{Distribution, Joined, Random};
 pub use sampling::{Plan, Sampling};
 
+use crate::beside::{Beside, OtherFile};
 use crate::diagnostic::Diagnostics;
 use crate::document::Document;
 use crate::fault::Fault;
+use crate::printable::printable;
 use crate::reader::Reader;
 use crate::source::Source;
 use crate::table::Section;
@@ -39,6 +41,8 @@ const TABLES: &[&str] = &[
 /// A study file that was read, with the model it is about.
 #[derive(Debug, Clone)]
 pub struct StudyFile {
+    /// The study file, as it can be opened from where the program runs.
+    pub path: PathBuf,
     /// What the file calls itself.
     pub title: Option<String>,
     /// Its text.
@@ -61,20 +65,50 @@ pub struct StudyFile {
     pub events: Vec<Event>,
 }
 
-/// Reads a study file, and the model that it names.
+/// Reads a study file, the model that it names, and the files that the model names.
 ///
 /// # Errors
 ///
 /// A file that cannot be read, and everything that is wrong with it; of a model that is wrong, what is wrong there.
 pub fn read_study(path: &Path) -> Result<StudyFile, StudyError> {
-    let bytes =
-        std::fs::read(path).map_err(|error| StudyError::Unreadable(path.to_owned(), error))?;
+    read(path, folder_of(path).into())
+}
+
+/// Reads a study from its files in memory, as [`StudyFile::files`] gives them.
+///
+/// # Errors
+///
+/// As [`read_study`].
+pub fn read_held_study(path: &Path, files: &[OtherFile]) -> Result<StudyFile, StudyError> {
+    read(path, Beside::held(folder_of(path), files))
+}
+
+fn folder_of(path: &Path) -> &Path {
+    path.parent().unwrap_or(Path::new(""))
+}
+
+fn read(path: &Path, beside: Beside) -> Result<StudyFile, StudyError> {
+    let unreadable = |error| StudyError::Unreadable(path.to_owned(), error);
+    let bytes = beside.read_path(path).map_err(unreadable)?;
     let wrong = |found| StudyError::wrong(found, path, &bytes);
     let text = text_of(&bytes).map_err(wrong)?;
-    match parse(text, path.parent().unwrap_or(Path::new(""))) {
+    match parse(path, text, beside) {
         Ok(study) => Ok(study),
         Err(At::Study(found)) => Err(wrong(found)),
         Err(At::Model(error)) => Err(error),
+    }
+}
+
+impl StudyFile {
+    /// All files of the study, as they were read: the study itself, its model, and the files that the model names.
+    pub fn files(&self) -> Vec<OtherFile> {
+        let of = |path: &Path, text: &str| OtherFile {
+            name: path.display().to_string(),
+            text: text.to_owned(),
+        };
+        let own = [of(&self.path, &self.text), of(&self.model_path, self.document.text())];
+        let others = self.document.files.iter().map(|file| OtherFile::clone(file));
+        own.into_iter().chain(others).collect()
     }
 }
 
@@ -90,7 +124,7 @@ impl From<Diagnostics> for At {
     }
 }
 
-fn parse(text: &str, folder: &Path) -> Result<StudyFile, At> {
+fn parse(path: &Path, text: &str, beside: Beside) -> Result<StudyFile, At> {
     let source = Source::new(text);
     let (table, errors) = DeTable::parse_recoverable(text);
     let syntax = syntax::explain(&source, table.get_ref(), &errors);
@@ -104,12 +138,12 @@ fn parse(text: &str, folder: &Path) -> Result<StudyFile, At> {
         let fault = Fault { hint: hint.to_owned(), ..fault };
         return Err(Diagnostics::from(crate::Diagnostic::new(&source, fault)).into());
     }
-    let mut reader = Reader::new(&source, &root, Some(folder), false);
+    let mut reader = Reader::new(&source, &root, Some(beside), false);
     reader.found = syntax.found;
     reader.refuse_unknown(&root, TABLES);
     let title = reader.words(&root, "title", "Footing on random ground");
     let title = title.map(|(title, _)| title.to_owned());
-    let model = model(&mut reader, &root, folder)?;
+    let model = model(&mut reader, &root, beside)?;
     let plan = sampling::read(&mut reader, &root);
     let Some((model_path, document)) = model else {
         return Err(Diagnostics::new(reader.found).into());
@@ -122,10 +156,10 @@ fn parse(text: &str, folder: &Path) -> Result<StudyFile, At> {
     if random.is_empty() && field.is_none() && reader.found.is_empty() {
         reader.missing(&root, &["random", "field"], "random quantity", "[[random]] or [field]");
     }
-    let has_quantities = !reader.quantities.is_empty();
-    let span = reader.quantities.first().map_or(0..0, |quantity| quantity.span.clone());
+    let first = reader.quantities.iter().find(|quantity| !quantity.is_bare_zero);
+    let span = first.map_or(0..0, |quantity| quantity.span.clone());
     let units = reader.unit_system();
-    if has_quantities && units != document.units && reader.found.is_empty() {
+    if units.is_some_and(|units| units != document.units) && reader.found.is_empty() {
         let message = match document.units {
             crate::UnitSystem::Si => {
                 "the model's quantities have units, so those of its study need them too"
@@ -140,8 +174,20 @@ fn parse(text: &str, folder: &Path) -> Result<StudyFile, At> {
     if !reader.found.is_empty() {
         return Err(Diagnostics::new(reader.found).into());
     }
-    let text = text.to_owned();
-    Ok(StudyFile { title, text, model_path, document, plan, random, joined, field, keep, events })
+    let (path, text) = (path.to_owned(), text.to_owned());
+    Ok(StudyFile {
+        title,
+        path,
+        text,
+        model_path,
+        document,
+        plan,
+        random,
+        joined,
+        field,
+        keep,
+        events,
+    })
 }
 
 /// Why there is no study.
@@ -162,7 +208,9 @@ impl StudyError {
 impl std::fmt::Display for StudyError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            StudyError::Unreadable(path, error) => write!(f, "{}: {error}", path.display()),
+            StudyError::Unreadable(path, error) => {
+                write!(f, "{}: {error}", printable(&path.to_string_lossy()))
+            }
             StudyError::Wrong(found, ..) => found.fmt(f),
         }
     }
@@ -174,7 +222,7 @@ impl std::error::Error for StudyError {}
 fn model(
     reader: &mut Reader,
     root: &Section,
-    folder: &Path,
+    beside: Beside,
 ) -> Result<Option<(PathBuf, Document)>, At> {
     let Some((name, span)) = reader.words(root, "model", "strip-footing.toml") else {
         if root.value("model").is_none() {
@@ -182,8 +230,8 @@ fn model(
         }
         return Ok(None);
     };
-    let path = folder.join(name);
-    let bytes = match std::fs::read(&path) {
+    let (path, bytes) = beside.read(name);
+    let bytes = match bytes {
         Ok(bytes) => bytes,
         Err(error) => {
             let message = format!("`{name}` cannot be read: {error}");
@@ -192,8 +240,8 @@ fn model(
             return Ok(None);
         }
     };
-    let beside = path.parent().unwrap_or(Path::new("")).to_owned();
-    let read = text_of(&bytes).and_then(|text| parse_beside(text, &beside));
+    let beside = beside.from(folder_of(&path));
+    let read = text_of(&bytes).and_then(|text| parse_beside(text, beside));
     match read {
         Ok(document) => {
             let several = match () {

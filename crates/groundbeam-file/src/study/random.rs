@@ -3,6 +3,7 @@
 use crate::code;
 use crate::document::Document;
 use crate::fault::Fault;
+use crate::lists;
 use crate::quantity::{Kind, RATIO};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
@@ -78,7 +79,7 @@ const KEYS: &[&str] = &["what", "distribution", "mean", "cov", "deviation", "fro
 
 pub(super) fn read(reader: &mut Reader, root: &Section, document: &Document) -> Vec<Random> {
     let mut all: Vec<Random> = Vec::new();
-    for table in reader.tables(root, "random", "[[random]]") {
+    for table in reader.tables(root, &lists::RANDOM) {
         reader.refuse_unknown(&table, KEYS);
         let what = target(reader, &table, document);
         let kind =
@@ -256,13 +257,13 @@ impl Distribution {
 
 pub(super) fn read_joined(reader: &mut Reader, root: &Section, random: &[Random]) -> Vec<Joined> {
     let mut all: Vec<Joined> = Vec::new();
-    let written = reader.tables(root, "random", "[[random]]");
+    let written = reader.tables(root, &lists::RANDOM);
     let written: Vec<&str> = written
         .iter()
         .filter_map(|table| table.value("what")?.get_ref().as_str())
         .map(str::trim)
         .collect();
-    for table in reader.tables(root, "correlated", "[[correlated]]") {
+    for table in reader.tables(root, &lists::CORRELATED) {
         reader.refuse_unknown(&table, &["what", "rho"]);
         let rho = reader.required(&table, "rho", &RATIO);
         if rho.value.abs() >= 1.0 {

@@ -14,6 +14,7 @@
 Deflections, forces and settlements are positive down, positions are measured from the left end, moments are sagging.
 """
 
+from ._along import ControlValues, Points, Steps
 from ._batch import Batch, solve_many
 from ._calibrate import Calibration, calibrate
 from ._combinations import Bound, Combinations, Envelope
@@ -44,6 +45,7 @@ __all__ = [
     "Certificate",
     "Combination",
     "Combinations",
+    "ControlValues",
     "Diagnostic",
     "EndForces",
     "Envelope",
@@ -63,10 +65,12 @@ __all__ = [
     "ModelError",
     "NoEquilibrium",
     "NotConverged",
+    "Points",
     "Range",
     "Reaction",
     "Solution",
     "Spread",
+    "Steps",
     "Study",
     "Summary",
     "Support",

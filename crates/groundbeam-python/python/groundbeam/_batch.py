@@ -10,8 +10,10 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _native
+from ._along import Along
 from ._model import Model
 from ._solution import Array, Positions, positions_of
+from ._threads import number_of
 
 if TYPE_CHECKING:
     import pandas
@@ -20,6 +22,9 @@ STATUSES = np.array(["solved", "no-equilibrium", "not-converged", "wrong"])
 """How it went, by the numbers of the compiled half."""
 
 Progress = Union[None, bool, Callable[[int, int], object]]
+
+Parameters = Union[Mapping[str, Union[npt.ArrayLike, Along]], "pandas.DataFrame"]
+"""Names of parameters with a number for all models, a number for each, or values along the beam."""
 
 
 class Extremes(NamedTuple):
@@ -122,11 +127,11 @@ class Batch(Mapping[str, Array]):
 
 def solve_many(
     models: Union[Model, Sequence[Model]],
-    parameters: Optional[Mapping[str, npt.ArrayLike]] = None,
+    parameters: Optional[Parameters] = None,
     *,
     at: Union[Positions, float] = (),
-    fields: Sequence[str] = ("deflection", "moment", "pressure"),
-    extremes: Sequence[str] = (),
+    fields: Union[str, Sequence[str]] = ("deflection", "moment", "pressure"),
+    extremes: Union[str, Sequence[str]] = (),
     method: str = "exact",
     elements: int = 100,
     threads: Optional[int] = None,
@@ -134,23 +139,31 @@ def solve_many(
 ) -> Batch:
     """Solves a list of models, or one model under many sets of parameters, with no Python in the loop.
 
-    A parameter is one number for all models, or an array of one number for each: ``k``, ``mu``, ``EI``, ``GA``,
-    ``axial_force``; ``k_factor``, ``mu_factor``, ``EI_factor``, ``GA_factor`` and ``load_factor``, which multiply what
-    the model has; and of the loads,
-    which count from 0, ``load[0]`` (its size), ``load[0].at``, and of spread loads ``load[0].from``, ``.to``, ``.start``
-    and ``.end``; of segments ``k[0]``, ``mu_factor[1]`` and so on, of what is outside them ``k[]``; ``support[0].settlement``,
-    ``.spring`` and ``.rotational_spring``, ``hinge[0]``, ``gap[0]``. ``k``, ``mu`` and ``EI`` may also be fields along the beam: arrays of models by points, which stand evenly
-    from end to end, with straight lines between. All are in SI units.
+    A parameter is one number for all models, or an array of one number for each; the columns of a table of pandas are such
+    arrays. All are in SI units:
 
-    ``at`` are the positions of ``fields``; ``extremes`` names fields of which the smallest and the largest values are
+    * ``k``, ``mu``, ``EI``, ``GA``, ``axial_force``;
+    * ``k_factor``, ``mu_factor``, ``EI_factor``, ``GA_factor`` and ``load_factor``, which multiply what the model has;
+    * of the loads, which count from 0, ``load[0]`` (its size), ``load[0].at``, and of distributed loads ``load[0].from``,
+      ``.to``, ``.start`` and ``.end``;
+    * of segments ``k[0]``, ``mu_factor[1]`` and so on, of what is outside them ``k[]``;
+    * ``support[0].settlement``, ``.spring`` and ``.rotational_spring``, ``hinge[0]``, ``gap[0]``.
+
+    ``k``, ``mu`` and ``EI`` may also vary along the beam. The values of a row then have a shape: ``Points(values)`` are
+    values at even points with straight lines between them, ``Steps(values)`` values of equal stretches,
+    ``ControlValues(values)`` the control values of one curve, as ``Foundation(k=[...])`` takes them. ``values`` is one row
+    for all models, or an array of models by values. An array of models by two values needs no shape: it runs linearly from
+    end to end. A row of three or more values without a shape is a ``ValueError``.
+
+    ``at`` are the positions of ``fields``, on the beam; a model whose beam ends before a position has NaN there. ``extremes`` names fields of which the smallest and the largest values are
     located. ``threads`` defaults to as many as there are processors; the answers have the same bits with any number.
     A model that fails does not stop the others. ``progress=True`` draws a bar; a function is called with how many are
     done and how many there are.
     """
-    if threads is not None and threads < 1:
-        raise ValueError("it takes at least one thread")
     several = [models] if isinstance(models, Model) else list(models)
-    rows = {name: _rows(name, values) for name, values in (parameters or {}).items()}
+    given = {} if parameters is None else {str(name): each for name, each in parameters.items()}
+    fields, extremes = _names(fields), _names(extremes)
+    rows = {name: _rows(name, values) for name, values in given.items()}
     counts = {} if isinstance(models, Model) else {"models": len(several)}
     counts |= {name: len(values) for name, values in rows.items() if len(values) != 1}
     count = next(iter(counts.values()), 1)
@@ -162,26 +175,45 @@ def solve_many(
     positions = np.ascontiguousarray(np.atleast_1d(positions_of(None, at)))
     if positions.ndim != 1:
         raise ValueError("positions are one list")
+    beside = not set(fields) - {"settlement"}
+    length = max((model.length for model in several), default=0.0)
+    if not beside and not ((positions >= 0.0) & (positions <= length)).all():
+        raise ValueError(f"a position lies off the beam, which goes from 0 to {length:g}")
     if not several:
         count = 0
     table = _native.solve_many(
         [model._inner for model in several],
         count,
-        list(rows.items()),
+        [(name, _shape(given[name]), values) for name, values in rows.items()],
         positions,
-        list(fields),
-        list(extremes),
+        fields,
+        extremes,
         method,
         elements,
-        threads or 0,
+        number_of(threads),
         _Bar() if progress is True else progress or None,
     )
     return Batch(table, positions, fields, extremes)
 
 
-def _rows(name: str, values: npt.ArrayLike) -> Array:
+def _names(names: Union[str, Sequence[str]]) -> list[str]:
+    """A list of names; one name may stand alone."""
+    return [names] if isinstance(names, str) else list(names)
+
+
+def _shape(values: Union[npt.ArrayLike, Along]) -> Optional[str]:
+    """What the values of a row mean, if that is said."""
+    return type(values).__name__ if isinstance(values, Along) else None
+
+
+def _rows(name: str, values: Union[npt.ArrayLike, Along]) -> Array:
     """A row for each model, or one for all."""
-    array = np.asarray(values, dtype=np.float64)
+    if isinstance(values, Along):
+        return np.ascontiguousarray(values.values)
+    try:
+        array = np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"parameter `{name}`: takes numbers in SI units ({error})") from None
     if array.ndim > 2:
         raise ValueError(f"parameter `{name}`: one number for each model, or a row along the beam")
     array = array.reshape(-1, 1) if array.ndim < 2 else array

@@ -7,7 +7,12 @@ from typing import NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _native, _parts, _tables
 from ._combinations import Combinations
+from ._threads import number_of
 from ._solution import Solution
+
+
+_Files = Optional[Sequence[Tuple[str, str]]]
+"""Names and texts of files that are not read from the disk."""
 
 
 class Existence(NamedTuple):
@@ -36,6 +41,7 @@ class Model:
     _name: str
     _bare_is_si: bool
     _folder: Optional[str]
+    _files: list[Tuple[str, str]]
     _inner: _native.Model
 
     def __init__(
@@ -55,14 +61,24 @@ class Model:
         made = _parts.tables(beam, foundation, several, gap, title)
         self._read(_tables.write(made), "model", True, None)
 
-    def _read(self, text: str, name: str, bare_is_si: bool, folder: Optional[str]) -> None:
+    def _read(
+        self, text: str, name: str, bare_is_si: bool, folder: Optional[str], files: _Files = None
+    ) -> None:
         self._text, self._name, self._bare_is_si, self._folder = text, name, bare_is_si, folder
-        self._inner = _native.Model(text, name, bare_is_si, folder)
+        self._inner = _native.Model(text, name, bare_is_si, folder, files)
+        self._files = self._inner.files
 
     @classmethod
-    def _of(cls, text: str, name: str, bare_is_si: bool, folder: Optional[str] = None) -> Model:
+    def _of(
+        cls,
+        text: str,
+        name: str,
+        bare_is_si: bool,
+        folder: Optional[str] = None,
+        files: _Files = None,
+    ) -> Model:
         model = cls.__new__(cls)
-        model._read(text, name, bare_is_si, folder)
+        model._read(text, name, bare_is_si, folder, files)
         return model
 
     @classmethod
@@ -77,7 +93,7 @@ class Model:
 
     def _with(self, heading: str, part: _parts.Part) -> Model:
         text = self._text.rstrip("\n") + "\n\n" + _tables.write({heading: [part.table]})
-        return Model._of(text, self._name, self.units == "SI", self._folder)
+        return Model._of(text, self._name, self.units == "SI", self._folder, self._files)
 
     def with_load(self, load: _parts.Load) -> Model:
         """The same model with one load more."""
@@ -154,28 +170,34 @@ class Model:
             for name, factors in self._inner.combinations()
         ]
 
-    def solve_combinations(self, method: str = "exact", *, elements: int = 100) -> Combinations:
-        """Solves every combination by itself, on all processors. Those without an answer are kept as what
-        ``solve`` would raise for them."""
+    def solve_combinations(
+        self, method: str = "exact", *, elements: int = 100, threads: Optional[int] = None
+    ) -> Combinations:
+        """Solves every combination by itself. Those without an answer are kept as what ``solve`` would raise for them.
+
+        ``threads`` defaults to the number of processors; the answers have the same bits with any number.
+        """
         if not self._inner.combinations():
             raise ValueError("the model has no combinations: use solve()")
-        return Combinations(self._inner.solve_combinations(method, elements))
+        return Combinations(self._inner.solve_combinations(method, elements, number_of(threads)))
 
     def __repr__(self) -> str:
         title = f" {self.title!r}" if self.title else ""
         unit = " m" if self.units == "SI" else ""
         return f"<groundbeam.Model{title}: {self.length:g}{unit}, {self._inner.load_count} loads>"
 
+    def _made_of(self) -> Tuple[str, bool, Tuple[str, ...]]:
+        return self._text, self._bare_is_si, tuple(text for _, text in self._files)
+
     def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Model):
-            return NotImplemented
-        return (self._text, self._bare_is_si) == (other._text, other._bare_is_si)
+        return self._made_of() == other._made_of() if isinstance(other, Model) else NotImplemented
 
     def __hash__(self) -> int:
-        return hash((self._text, self._bare_is_si))
+        return hash(self._made_of())
 
-    def __reduce__(self) -> Tuple[object, Tuple[str, str, bool, Optional[str]]]:
-        return Model._of, (self._text, self._name, self._bare_is_si, self._folder)
+    def __reduce__(self) -> Tuple[object, Tuple[str, str, bool, Optional[str], _Files]]:
+        # With the files that it names, which another machine need not have.
+        return Model._of, (self._text, self._name, self._bare_is_si, self._folder, self._files)
 
 
 def load(path: Union[str, "os.PathLike[str]"]) -> Model:

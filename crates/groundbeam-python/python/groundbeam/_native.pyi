@@ -2,7 +2,7 @@
 
 from os import PathLike
 from pathlib import Path
-from typing import Callable, Optional, Sequence, Tuple, Union, final
+from typing import Callable, Literal, Optional, Sequence, Tuple, Union, final
 
 import numpy as np
 import numpy.typing as npt
@@ -18,8 +18,15 @@ __version__: str
 @final
 class Model:
     def __new__(
-        cls, text: str, name: str, bare_is_si: bool, folder: Optional[str]
+        cls,
+        text: str,
+        name: str,
+        bare_is_si: bool,
+        folder: Optional[str],
+        files: Optional[Sequence[Tuple[str, str]]],
     ) -> Model: ...
+    @property
+    def files(self) -> list[Tuple[str, str]]: ...
     @property
     def title(self) -> Optional[str]: ...
     @property
@@ -32,7 +39,7 @@ class Model:
     def trains(self) -> list[str]: ...
     def combinations(self) -> list[Tuple[str, list[Tuple[str, float]]]]: ...
     def solve(self, method: str, elements: int, combination: Optional[str]) -> Solution: ...
-    def solve_combinations(self, method: str, elements: int) -> Combinations: ...
+    def solve_combinations(self, method: str, elements: int, threads: int) -> Combinations: ...
     def check(
         self, combination: Optional[str]
     ) -> Tuple[str, list[float], Optional[Tuple[float, float, float]], str]: ...
@@ -102,8 +109,17 @@ class Combinations:
 @final
 class Study:
     def __new__(
-        cls, path: Union[str, PathLike[str]], samples: Optional[int], seed: Optional[int]
+        cls,
+        path: Union[str, PathLike[str]],
+        samples: Optional[int],
+        seed: Optional[int],
+        files: Optional[Sequence[Tuple[str, str]]],
     ) -> Study: ...
+    @property
+    def files(self) -> list[Tuple[str, str]]: ...
+    @property
+    def digest(self) -> str: ...
+    def is_done(self, out: Union[str, PathLike[str]], shard: Tuple[int, int]) -> bool: ...
     @property
     def title(self) -> Optional[str]: ...
     @property
@@ -112,6 +128,8 @@ class Study:
     def seed(self) -> int: ...
     @property
     def model_path(self) -> Path: ...
+    @property
+    def shape(self) -> Literal["Points", "Steps"]: ...
     def draw(self, first: int, count: int) -> dict[str, _Array]: ...
     def run(
         self,
@@ -122,13 +140,14 @@ class Study:
         progress: Optional[Callable[[int, int], object]],
     ) -> int: ...
     def summary(self, out: Union[str, PathLike[str]]) -> Tuple[str, str]: ...
+    def verify(self, out: Union[str, PathLike[str]]) -> int: ...
 
 def merge(files: Sequence[Union[str, PathLike[str]]], out: Union[str, PathLike[str]]) -> int: ...
 def text_of(bytes: bytes, name: str) -> str: ...
 def solve_many(
     models: Sequence[Model],
     count: int,
-    parameters: Sequence[Tuple[str, _Array]],
+    parameters: Sequence[Tuple[str, Optional[str], _Array]],
     at: _Array,
     fields: Sequence[str],
     extremes: Sequence[str],

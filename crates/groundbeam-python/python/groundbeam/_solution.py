@@ -147,7 +147,7 @@ def positions_of(native: Union[_native.Model, None], x: Union[Position, Position
 
 
 def _read(native: Union[_native.Model, None], text: str) -> float:
-    reader = native or _native.Model("[beam]\nlength=1\nEI=1\n[foundation]\nk=1\n", "x", True, None)
+    reader = native or _native.Model("[beam]\nlength=1\nEI=1\n[foundation]\nk=1\n", "x", True, None, None)
     [number] = reader.positions(text)
     return number
 

@@ -8,8 +8,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _native
+from ._along import Along, Points, Steps
 from ._batch import Progress, _Bar
 from ._solution import Array
+from ._threads import number_of
 
 if TYPE_CHECKING:
     import pandas
@@ -101,7 +103,18 @@ class Study:
         self, path: File, *, samples: Optional[int] = None, seed: Optional[int] = None
     ) -> None:
         self.path = Path(path)
-        self._inner = _native.Study(self.path, samples, seed)
+        self._inner = _native.Study(self.path, samples, seed, None)
+
+    @classmethod
+    def _of(cls, path: str, samples: int, seed: int, files: Sequence[Tuple[str, str]]) -> Study:
+        study = cls.__new__(cls)
+        study.path = Path(path)
+        study._inner = _native.Study(path, samples, seed, files)
+        return study
+
+    def __reduce__(self) -> Tuple[object, Tuple[str, int, int, Sequence[Tuple[str, str]]]]:
+        # With its files as they were read, which another machine need not have.
+        return Study._of, (os.fspath(self.path), self.samples, self.seed, self._inner.files)
 
     @property
     def title(self) -> Optional[str]:
@@ -124,14 +137,19 @@ class Study:
         return self._inner.model_path
 
     def draw(self, first: int = 0, count: Optional[int] = None) -> dict[str, Array]:
-        """The random numbers of consecutive samples, and the random fields as arrays of samples by points.
-
-        They are what ``solve_many`` takes for parameters.
-        """
+        """The random numbers of consecutive samples, and the random fields as arrays of samples by points."""
         count = self.samples - first if count is None else count
         if first < 0 or count < 0 or first + count > self.samples:
             raise IndexError(f"there are {self.samples} samples")
         return self._inner.draw(first, count)
+
+    def parameters(
+        self, first: int = 0, count: Optional[int] = None
+    ) -> dict[str, Union[Array, Along]]:
+        """What ``draw`` gives, in the form that ``solve_many`` takes: fields say what their values mean."""
+        shape: type[Along] = {"Points": Points, "Steps": Steps}[self._inner.shape]
+        drawn = self.draw(first, count)
+        return {name: shape(each) if each.ndim == 2 else each for name, each in drawn.items()}
 
     def run(
         self,
@@ -149,10 +167,8 @@ class Study:
         """
         if not 1 <= shard[0] <= shard[1]:
             raise ValueError("a shard is (i, n), from 1 to n")
-        if threads is not None and threads < 1:
-            raise ValueError("it takes at least one thread")
         bar = _Bar() if progress is True else progress or None
-        self._inner.run(out, shard, restart, threads or 0, bar)
+        self._inner.run(out, shard, restart, number_of(threads), bar)
         return self.summary(out) if shard[1] == 1 else None
 
     def summary(self, out: File) -> Summary:
@@ -161,9 +177,13 @@ class Study:
         return Summary(json.loads(document), picture)
 
     def to_pandas(self, out: File) -> pandas.DataFrame:
-        """The results as a table; needs pyarrow."""
+        """The results as a table, compared with their checksums first; needs pyarrow.
+
+        A damaged file is a ``ValueError``.
+        """
         import pandas
 
+        self._inner.verify(out)
         return pandas.read_parquet(out)
 
     def __repr__(self) -> str:

@@ -5,16 +5,18 @@
 >>> with distributed.Client() as client:  # doctest: +SKIP
 ...     summary = run(client, gb.Study("study.toml"), "results.parquet")
 
-The workers need the package and nothing else: no shared disk. A shard comes back as the bytes of its file and is kept at
-once, so that a run that is killed goes on where it was; a shard on a worker that dies is done again by another.
+The workers need the package and nothing else, no shared disk: the study takes its files with it, as they were when it was
+read. A shard comes back as the bytes of its file and is kept at once, so that a run that is killed goes on where it was; a
+shard on a worker that dies is done again by another.
 """
 
 from __future__ import annotations
 
 import os
+import shutil
 import tempfile
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Optional, Tuple
 
 from ._study import File, Study, Summary, merge
 
@@ -34,65 +36,56 @@ def run(
     *,
     shards: Optional[int] = None,
     retries: int = 3,
+    restart: bool = False,
 ) -> Summary:
     """Solves the samples of a study on a cluster and keeps them in one Parquet file here.
 
     The file is, to the last byte, what ``study.run(out)`` writes. ``shards`` is in how many pieces the work goes to the
-    workers; each is begun again up to ``retries`` times where a worker fails.
+    workers; each is begun again up to ``retries`` times where a worker fails. If ``out`` holds results of another study,
+    that is a ``ValueError``; ``restart`` throws away all results that are there.
     """
     import distributed
 
     out = Path(out)
-    count = shards or max(1, -(-study.samples // SAMPLES_A_SHARD))
     folder = out.with_name(out.name + ".shards")
+    if restart:
+        shutil.rmtree(folder, ignore_errors=True)
+    elif study._inner.is_done(out, (1, 1)):
+        return study.summary(out)
+    count = shards or max(1, -(-study.samples // SAMPLES_A_SHARD))
     folder.mkdir(exist_ok=True)
-    # Of another division into shards, or of another study, nothing is taken over: the merge would refuse it.
-    names = {i: folder / f"{i}-of-{count}-{study.samples}-{study.seed}.parquet" for i in range(1, count + 1)}
-    files = _files(study)
+    digest = study._inner.digest
+    names = {i: folder / f"{i}-of-{count}-{digest}.parquet" for i in range(1, count + 1)}
     futures = {
-        client.submit(
-            _shard, files, study.path.name, study.samples, study.seed, i, count, pure=False, retries=retries
-        ): i
-        for i in names
-        if not names[i].exists()
+        client.submit(_shard, study, i, count, pure=False, retries=retries): i
+        for i, name in names.items()
+        if not _is_kept(study, name, (i, count))
     }
     for future in distributed.as_completed(list(futures)):
-        name = names[futures.pop(future)]
-        unfinished = name.with_suffix(".unfinished")
+        i = futures.pop(future)
+        unfinished = names[i].with_suffix(".unfinished")
         unfinished.write_bytes(future.result())
-        os.replace(unfinished, name)
+        # A worker with another version of the package makes other results.
+        study._inner.is_done(unfinished, (i, count))
+        os.replace(unfinished, names[i])
         # The cluster need not keep what is here.
         future.release()
     merge(list(names.values()), out)
-    for name in names.values():
-        name.unlink()
-    if not any(folder.iterdir()):
-        folder.rmdir()
+    shutil.rmtree(folder)
     return study.summary(out)
 
 
-def _files(study: Study) -> dict[str, bytes]:
-    """The study's file and those beside it that it needs, by their names from its folder on."""
-    folder = study.path.parent
-    files = {study.path.name: study.path.read_bytes()}
-    model = study.model_path
-    files[os.path.relpath(model, folder)] = model.read_bytes()
-    # A model may name tables beside itself.
-    for other in model.parent.glob("*.csv"):
-        files[os.path.relpath(other, folder)] = other.read_bytes()
-    return files
+def _is_kept(study: Study, name: Path, shard: Tuple[int, int]) -> bool:
+    """Whether an earlier run has kept this shard. A file with anything else in it does not count."""
+    try:
+        return study._inner.is_done(name, shard)
+    except ValueError:
+        return False
 
 
-def _shard(
-    files: dict[str, bytes], name: str, samples: int, seed: int, number: int, of: int, *_: Any
-) -> bytes:
-    """One shard, on a worker: its files into a folder of its own, its results back."""
+def _shard(study: Study, number: int, of: int) -> bytes:
+    """One shard, on a worker."""
     with tempfile.TemporaryDirectory() as place:
-        root = Path(place) / "a" / "b" / "c"
-        for path, content in files.items():
-            target = root / path
-            target.parent.mkdir(parents=True, exist_ok=True)
-            target.write_bytes(content)
         out = Path(place) / "shard.parquet"
-        Study(root / name, samples=samples, seed=seed).run(out, shard=(number, of), threads=1)
+        study.run(out, shard=(number, of), threads=1)
         return out.read_bytes()

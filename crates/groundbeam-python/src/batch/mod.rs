@@ -14,16 +14,19 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use run::{Answered, Task, run};
 
+/// A parameter: its name, the shape of a row if one is named, and its rows.
+type Given<'py> = (String, Option<String>, PyReadonlyArray2<'py, f64>);
+
 /// Solves `count` models: the given ones, or one under as many sets of parameters.
 ///
-/// `parameters` holds names with arrays of one row, or of one row for each model. What comes back is a dictionary of
+/// `parameters` have arrays of one row, or of one row for each model. What comes back is a dictionary of
 /// arrays, each of one row for each model.
 #[pyfunction]
 pub fn solve_many<'py>(
     py: Python<'py>,
     models: Vec<PyRef<'py, Model>>,
     count: usize,
-    parameters: Vec<(String, PyReadonlyArray2<'py, f64>)>,
+    parameters: Vec<Given<'py>>,
     at: PyReadonlyArray1<'py, f64>,
     fields: Vec<String>,
     extremes: Vec<String>,
@@ -39,12 +42,14 @@ pub fn solve_many<'py>(
     let models: Vec<_> = models.iter().map(|model| model.read.clone()).collect();
     let parameters: Result<Vec<Parameter>, Failure> = parameters
         .iter()
-        .map(|(name, values)| Parameter::read(name, values.as_array(), &models))
+        .map(|(name, shape, values)| {
+            Parameter::read(name, shape.as_deref(), values.as_array(), &models)
+        })
         .collect();
     let parameters = parameters?;
     parameter::agree(&parameters)?;
     let task = Task { models, parameters, wanted, options };
-    let rows = py.detach(|| run(&task, count, threads, progress))?;
+    let rows = py.detach(|| run(&task, count, threads, progress.as_ref()))?;
     columns(py, &task.wanted, rows)
 }
 

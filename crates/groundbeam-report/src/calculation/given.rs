@@ -5,6 +5,7 @@ use super::equations;
 use super::{Source, print};
 use crate::characteristics::Characteristics;
 use crate::context::{Context, clean};
+use crate::load::load_name;
 use crate::number::significant;
 use crate::quantity::{Kind, Units};
 use crate::svg::figures;
@@ -31,7 +32,7 @@ pub(super) fn section(
     blocks.extend(segments(model, units));
     blocks.extend(supports(model, units));
     blocks.extend(hinges(model, units));
-    blocks.extend(gap(model, units));
+    blocks.extend(gap(model, context));
     blocks.extend(loads(source, units));
     Section::new("Input", blocks)
 }
@@ -127,7 +128,12 @@ fn hinges(model: &Model, units: Units) -> Option<Block> {
     (!table.rows.is_empty()).then_some(Block::Table(table))
 }
 
-fn gap(model: &Model, units: Units) -> Option<Block> {
+/// The corners of the gap; those of chords follow from the troughs of the input file.
+fn gap(model: &Model, context: &Context) -> Option<Block> {
+    if context.chords.is_some() {
+        return None;
+    }
+    let units = context.units;
     let deepest = model.gap.iter().fold(0.0_f64, |most, corner| most.max(corner.value.abs()));
     let (position, x) = unit_name(units, Kind::Position, model.beam.length);
     let (depth, clearance) = unit_name(units, Kind::Deflection, deepest);
@@ -156,11 +162,11 @@ fn loads(source: &Source, units: Units) -> Option<Block> {
     let mut table = Table::new("Loads as they are written", columns);
     table.note = "Forces act downward; moments turn the right side down.".to_owned();
     for (i, load) in model.loads.iter().enumerate() {
-        let (kind, [from, to], size) = written(load, units);
+        let ([from, to], size) = written(load, units);
         let to = if from == to { String::new() } else { unit.number(to, 6) };
         let mut row = vec![
             (i + 1).to_string(),
-            kind.to_owned(),
+            load_name(load).to_owned(),
             unit.number(from, 6),
             to,
             print::words(&size),
@@ -174,7 +180,8 @@ fn loads(source: &Source, units: Units) -> Option<Block> {
     (!table.rows.is_empty()).then_some(Block::Table(table))
 }
 
-fn written(load: &Load, units: Units) -> (&'static str, [f64; 2], String) {
+/// Where a load begins and ends, and its size with the unit.
+fn written(load: &Load, units: Units) -> ([f64; 2], String) {
     let ends = |kind, start: f64, end: f64| {
         let unit = units.unit(kind, start.abs().max(end.abs()));
         match start == end {
@@ -183,27 +190,20 @@ fn written(load: &Load, units: Units) -> (&'static str, [f64; 2], String) {
         }
     };
     match *load {
-        Load::PointForce { at, force } => ("force", [at, at], units.write(Kind::Force, force, 6)),
-        Load::PointMoment { at, moment } => {
-            ("moment", [at, at], units.write(Kind::Moment, moment, 6))
+        Load::PointForce { at, force } | Load::GroundForce { at, force } => {
+            ([at, at], units.write(Kind::Force, force, 6))
         }
-        Load::Distributed { from, to, start, end } => {
-            ("spread force", [from, to], ends(Kind::Pressure, start, end))
+        Load::PointMoment { at, moment } => ([at, at], units.write(Kind::Moment, moment, 6)),
+        Load::Distributed { from, to, start, end }
+        | Load::GroundDistributed { from, to, start, end } => {
+            ([from, to], ends(Kind::Pressure, start, end))
         }
         Load::DistributedMoment { from, to, start, end } => {
             // A moment per length has the unit of a force.
             let per = if units == Units::Si { " (moment per length)" } else { "" };
-            ("spread moment", [from, to], ends(Kind::Force, start, end) + per)
+            ([from, to], ends(Kind::Force, start, end) + per)
         }
-        Load::GroundForce { at, force } => {
-            ("force on the ground", [at, at], units.write(Kind::Force, force, 6))
-        }
-        Load::GroundDistributed { from, to, start, end } => {
-            ("spread force on the ground", [from, to], ends(Kind::Pressure, start, end))
-        }
-        Load::Curvature { from, to, start, end } => {
-            ("imposed curvature", [from, to], ends(Kind::PerLength, start, end))
-        }
+        Load::Curvature { from, to, start, end } => ([from, to], ends(Kind::PerLength, start, end)),
     }
 }
 

@@ -1,10 +1,6 @@
 //! Words and numbers as print has them.
 
-/// Beside a number, a unit is not parted from it.
-const UNITS: [&str; 18] = [
-    "m", "mm", "mrad", "rad", "N", "kN", "MN", "GN", "N/m", "kN/m", "MN/m", "Pa", "kPa", "MPa",
-    "GPa", "%", "l", "µs",
-];
+use crate::quantity::is_unit;
 
 /// A sentence: true minus signs, powers of ten as powers, units beside their numbers, μ for mu.
 pub(super) fn words(said: &str) -> String {
@@ -13,10 +9,10 @@ pub(super) fn words(said: &str) -> String {
         let follows_number = printed.ends_with(|c: char| c.is_ascii_digit() || is_raised(c));
         if i > 0 {
             let bare = word.trim_end_matches([',', '.', ';', ':', ')']);
-            let joined =
-                follows_number && (UNITS.contains(&bare) || bare.contains(['²', '³', '/']));
+            let joined = follows_number && (is_unit(bare) || ["%", "l"].contains(&bare));
             // A unit of two parts, as in kN m.
-            let second = matches!(bare, "m" | "m²") && printed.ends_with('N');
+            let (_, before) = printed.rsplit_once(['\u{a0}', ' ']).unwrap_or(("", &printed));
+            let second = is_unit(&format!("{before} {bare}"));
             printed.push(if joined || second { '\u{a0}' } else { ' ' });
         }
         printed += &cell(&greek(word));
@@ -83,12 +79,18 @@ fn is_raised(c: char) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::quantity::units;
 
     #[test]
     fn numbers_as_print_has_them() {
         assert_eq!(cell("-1.5e-13"), "−1.5·10⁻¹³");
         assert_eq!(words("right to ± 7e-16 m everywhere"), "right to ± 7·10⁻¹⁶\u{a0}m everywhere");
         assert_eq!(words("mu = 9 MN, 65 kN m of"), "μ = 9\u{a0}MN, 65\u{a0}kN\u{a0}m of");
+        for unit in units().chain(["kN m/rad"]) {
+            let said = format!("of 12.5 {unit}, and");
+            let whole = format!("of 12.5\u{a0}{}, and", unit.replace(' ', "\u{a0}"));
+            assert_eq!(words(&said), whole);
+        }
         // No number: a name and a word.
         assert_eq!(words("pile-7 type e4, active-set"), "pile-7 type e4, active-set");
     }

@@ -8,9 +8,7 @@ use crate::size::Sizes;
 use crate::svg::figures;
 use crate::text;
 use crate::verdict;
-use groundbeam::{
-    Check, Existence, Extreme, Field, Model, NotConverged, Solution, Verdict as Stands,
-};
+use groundbeam::{Check, Existence, Extreme, Field, Model, Solution, Stopped, Verdict as Stands};
 
 /// The report of an equilibrium.
 pub(super) fn solved(solution: &Solution, context: &Context, source: &Source) -> Report {
@@ -66,7 +64,7 @@ pub(super) fn no_equilibrium(
 /// The report of a model that has no certified answer.
 pub(super) fn not_converged(
     model: &Model,
-    reached: &NotConverged,
+    reached: &Stopped,
     context: &Context,
     source: &Source,
 ) -> Report {

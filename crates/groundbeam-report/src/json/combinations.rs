@@ -1,7 +1,7 @@
 //! The document of a file with combinations: each with its own result, and the envelope of all.
 
 use super::existence::Proven;
-use super::{Checked, EVEN_STEPS, Point, Solved, Stopped, default_stations, text};
+use super::{Checked, EVEN_STEPS, Point, Solved, Unsolved, default_stations, text};
 use crate::band::Banded;
 use crate::combinations::{Alone, Answer, Combinations, Combined, Overall};
 use crate::context::Context;
@@ -56,6 +56,8 @@ struct All<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     title: Option<String>,
     units: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    trough_chords: Option<usize>,
     combinations: Vec<One<'a>>,
     cases: Vec<Case<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -75,6 +77,7 @@ impl<'a> All<'a> {
             status,
             title: context.title.map(str::to_owned),
             units: context.units.name(),
+            trough_chords: context.chords,
             combinations: Vec::new(),
             cases: combinations.alone.iter().map(|case| Case::of(case, context)).collect(),
             envelope: None,
@@ -129,7 +132,7 @@ impl Band {
 enum Result {
     Solved(Box<Solved>),
     Checked(Box<Checked>),
-    Stopped(Box<Stopped>),
+    Stopped(Box<Unsolved>),
 }
 
 fn each<'a>(
@@ -156,7 +159,7 @@ fn each<'a>(
                 Result::Checked(Box::new(Checked::of("no-equilibrium", model, existence, &context)))
             }
             Answer::NotConverged(reached) => {
-                Result::Stopped(Box::new(Stopped::of(reached, &context)))
+                Result::Stopped(Box::new(Unsolved::of(reached, &context)))
             }
         };
         let factors = factors.iter().map(|(case, factor)| (case.as_str(), *factor)).collect();

@@ -12,9 +12,10 @@ use serde::Serialize;
 /// passage it is that one's own.
 pub fn trains(passages: &Passages, stations: Option<&[f64]>, context: &Context) -> String {
     let (title, units) = (context.title, context.units.name());
+    let trough_chords = context.chords;
     if let [moving] = &passages.all[..] {
         let one = One::of(moving, stations);
-        return text(&Document { title, units, one, seconds: context.seconds });
+        return text(&Document { title, units, trough_chords, one, seconds: context.seconds });
     }
     let any = passages.all.iter().any(|moving| moving.passage.solved().next().is_some());
     let sections = || stations.map_or_else(|| passages.default_stations(), <[f64]>::to_vec);
@@ -22,6 +23,7 @@ pub fn trains(passages: &Passages, stations: Option<&[f64]>, context: &Context) 
         status: passages.overall().name(),
         title,
         units,
+        trough_chords,
         passages: passages.all.iter().map(|moving| One::of(moving, stations)).collect(),
         envelope: any.then(|| Table::of_all(passages, sections())),
         extremes: any.then(|| ByField::of(|field| passages.range(field).map(Extremes::of_all))),
@@ -42,6 +44,7 @@ pub fn checked_trains(checked: &[CheckedTrain], context: &Context) -> String {
         status: if falls { "no-equilibrium" } else { "equilibrium-exists" },
         title: context.title,
         units: context.units.name(),
+        trough_chords: context.chords,
         trains: checked.iter().map(of).collect(),
         seconds: context.seconds,
     })
@@ -53,6 +56,8 @@ struct CheckedAll<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     title: Option<&'a str>,
     units: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    trough_chords: Option<usize>,
     trains: Vec<CheckedOne>,
     seconds: Option<f64>,
 }
@@ -72,6 +77,8 @@ struct Several<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     title: Option<&'a str>,
     units: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    trough_chords: Option<usize>,
     passages: Vec<One<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     envelope: Option<Table>,
@@ -85,6 +92,8 @@ struct Document<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     title: Option<&'a str>,
     units: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    trough_chords: Option<usize>,
     #[serde(flatten)]
     one: One<'a>,
     seconds: Option<f64>,

@@ -11,7 +11,7 @@ use groundbeam::{FoundationSegment, GroundEnd, Load, Model, Profile};
 
 /// How high the largest force on the ground is drawn.
 const FORCE: f64 = 34.0;
-/// How high the largest spread force is drawn.
+/// How high the largest distributed load is drawn.
 const SPREAD: f64 = 18.0;
 /// How far a wall stands out of the ground.
 const WALL: f64 = 30.0;
@@ -239,7 +239,7 @@ impl GroundLoads<'_> {
         Word { at: [x, end], words, is_here: true }
     }
 
-    /// A spread force, parted where it goes on below the beam.
+    /// A distributed load, parted where it goes on below the beam.
     fn area(
         &self,
         canvas: &mut Canvas,

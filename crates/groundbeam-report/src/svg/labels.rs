@@ -1,6 +1,7 @@
 //! Where words go: beside what they name, and on nothing else.
 
 use crate::font::Metrics;
+use std::ops::RangeInclusive;
 
 /// A rectangle on the page.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -65,9 +66,49 @@ pub(super) struct Place {
 pub(super) struct Labels<'m> {
     metrics: &'m Metrics,
     page: Rect,
-    solid: Vec<Rect>,
-    lines: Vec<[[f64; 2]; 2]>,
+    solid: Columns<Rect>,
+    lines: Columns<[[f64; 2]; 2]>,
     left_out: usize,
+}
+
+/// Things on the page, by the upright strips of it in which they lie: thousands of loads take no longer than
+/// their number.
+struct Columns<T> {
+    left: f64,
+    width: f64,
+    /// Each thing with the first of its strips.
+    strips: Vec<Vec<(usize, T)>>,
+}
+
+impl<T: Copy> Columns<T> {
+    const COUNT: usize = 64;
+
+    fn of(page: &Rect) -> Self {
+        let width = (page.right - page.left) / Self::COUNT as f64;
+        Columns { left: page.left, width, strips: vec![Vec::new(); Self::COUNT] }
+    }
+
+    /// The strips from one position to another; those at the edges of the page go on for ever.
+    fn between(&self, left: f64, right: f64) -> RangeInclusive<usize> {
+        let strip = |x: f64| (((x - self.left) / self.width) as usize).min(Self::COUNT - 1);
+        strip(left)..=strip(right)
+    }
+
+    fn add(&mut self, left: f64, right: f64, thing: T) {
+        let strips = self.between(left, right);
+        let first = *strips.start();
+        self.strips[strips].iter_mut().for_each(|strip| strip.push((first, thing)));
+    }
+
+    /// All things that may lie between two positions, each once.
+    fn near(&self, left: f64, right: f64) -> impl Iterator<Item = &T> {
+        let strips = self.between(left, right);
+        let start = *strips.start();
+        strips.flat_map(move |i| {
+            let here = self.strips[i].iter().filter(move |(first, _)| start.max(*first) == i);
+            here.map(|(_, thing)| thing)
+        })
+    }
 }
 
 /// Room around a label.
@@ -75,17 +116,21 @@ const MARGIN: f64 = 2.0;
 
 impl<'m> Labels<'m> {
     pub fn new(metrics: &'m Metrics, page: Rect) -> Self {
-        Labels { metrics, page, solid: Vec::new(), lines: Vec::new(), left_out: 0 }
+        let (solid, lines) = (Columns::of(&page), Columns::of(&page));
+        Labels { metrics, page, solid, lines, left_out: 0 }
     }
 
     /// No label may overlap this.
     pub fn avoid(&mut self, solid: Rect) {
-        self.solid.push(solid);
+        self.solid.add(solid.left, solid.right, solid);
     }
 
     /// No label should lie on this line.
     pub fn avoid_line(&mut self, points: &[[f64; 2]]) {
-        self.lines.extend(points.windows(2).map(|pair| [pair[0], pair[1]]));
+        for pair in points.windows(2) {
+            let [a, b] = [pair[0], pair[1]];
+            self.lines.add(a[0].min(b[0]), a[0].max(b[0]), [a, b]);
+        }
     }
 
     /// Labels that found no place.
@@ -144,18 +189,19 @@ impl<'m> Labels<'m> {
                 && label.right <= page.right
                 && label.top >= page.top
                 && label.bottom <= page.bottom;
-            is_inside && !self.solid.iter().any(|solid| label.overlaps(solid))
+            is_inside
+                && !self.solid.near(label.left, label.right).any(|solid| label.overlaps(solid))
         };
         // Going on to the next place costs less than crossing a line, but many cost more.
         let cost = |(i, place): &(usize, &Place)| {
             let label = around(place);
-            let crossed = self.lines.iter().filter(|line| label.is_crossed_by(**line)).count();
-            i + 8 * crossed.min(4)
+            let lines = self.lines.near(label.left, label.right);
+            i + 8 * lines.filter(|line| label.is_crossed_by(**line)).take(4).count()
         };
         let possible = candidates.iter().enumerate().filter(|(_, place)| is_possible(place));
         let best = possible.min_by_key(cost).map(|(_, place)| *place);
         match best {
-            Some(place) => self.solid.push(around(&place)),
+            Some(place) => self.avoid(around(&place)),
             None => self.left_out += 1,
         }
         best
@@ -179,6 +225,29 @@ mod tests {
             for b in &placed[..i] {
                 assert!((a.x - b.x).abs() > 36.0 || (a.baseline - b.baseline).abs() > 12.0);
             }
+        }
+    }
+
+    #[test]
+    fn everything_that_may_lie_between_two_positions_is_found_once() {
+        let page = Rect { left: -5.0, top: 0.0, right: 300.0, bottom: 100.0 };
+        let mut columns = Columns::of(&page);
+        let things: Vec<[f64; 2]> = (0..400)
+            .map(|i| f64::from(i * 37 % 401) - 50.0)
+            .map(|x| [x, x + x.abs() % 90.0])
+            .collect();
+        things.iter().enumerate().for_each(|(i, [from, to])| columns.add(*from, *to, i));
+        for [left, right] in
+            [[-40.0, -20.0], [0.0, 30.0], [12.0, 12.0], [100.0, 290.0], [299.0, 400.0]]
+        {
+            let mut found: Vec<usize> = columns.near(left, right).copied().collect();
+            let count = found.len();
+            found.sort_unstable();
+            found.dedup();
+            assert_eq!(found.len(), count);
+            let inside =
+                (0..things.len()).filter(|&i| things[i][0] <= right && left <= things[i][1]);
+            assert!(inside.into_iter().all(|i| found.contains(&i)));
         }
     }
 

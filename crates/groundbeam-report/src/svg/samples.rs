@@ -6,6 +6,8 @@ use groundbeam::{Field, Fields, Solution};
 
 /// Even steps along the beam: finer than a screen.
 const EVEN_STEPS: usize = 1200;
+/// The most points of a line that are simplified together: the time may grow with the square of this number.
+const TOGETHER: usize = 4096;
 /// A point nearer than this to the line between its neighbours is left out, in page units.
 const FLAT: f64 = 0.04;
 
@@ -44,19 +46,24 @@ impl Samples {
     }
 }
 
-/// The same line with fewer points (Ramer, Douglas and Peucker).
+/// The same line with fewer points (Ramer, Douglas and Peucker); of a very long line each part by itself.
 pub(super) fn simplified(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    if points.len() < 3 {
-        return points.to_vec();
-    }
     let mut kept = vec![false; points.len()];
-    kept[0] = true;
-    kept[points.len() - 1] = true;
-    let mut open = vec![(0, points.len() - 1)];
+    for first in (0..points.len()).step_by(TOGETHER) {
+        keep(points, first, (first + TOGETHER).min(points.len() - 1), &mut kept);
+    }
+    points.iter().zip(kept).filter(|(_, kept)| *kept).map(|(point, _)| *point).collect()
+}
+
+/// Marks the points between two that the line needs, and these two.
+fn keep(points: &[[f64; 2]], first: usize, last: usize, kept: &mut [bool]) {
+    kept[first] = true;
+    kept[last] = true;
+    let mut open = vec![(first, last)];
     while let Some((first, last)) = open.pop() {
-        let farthest = (first + 1..last)
-            .map(|i| (i, distance(points[i], points[first], points[last])))
-            .max_by(|a, b| a.1.total_cmp(&b.1));
+        let distance = distance_to(points[first], points[last]);
+        let farthest =
+            (first + 1..last).map(|i| (i, distance(points[i]))).max_by(|a, b| a.1.total_cmp(&b.1));
         if let Some((i, distance)) = farthest
             && distance > FLAT
         {
@@ -65,17 +72,18 @@ pub(super) fn simplified(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
             open.push((i, last));
         }
     }
-    points.iter().zip(kept).filter(|(_, kept)| *kept).map(|(point, _)| *point).collect()
 }
 
 /// From a point to the line between two others.
-fn distance([x, y]: [f64; 2], [x1, y1]: [f64; 2], [x2, y2]: [f64; 2]) -> f64 {
+fn distance_to([x1, y1]: [f64; 2], [x2, y2]: [f64; 2]) -> impl Fn([f64; 2]) -> f64 {
     let [dx, dy] = [x2 - x1, y2 - y1];
     let length = dx.hypot(dy);
-    if length == 0.0 {
-        return (x - x1).hypot(y - y1);
+    move |[x, y]| {
+        if length == 0.0 {
+            return (x - x1).hypot(y - y1);
+        }
+        ((x - x1) * dy - (y - y1) * dx).abs() / length
     }
-    ((x - x1) * dy - (y - y1) * dx).abs() / length
 }
 
 #[cfg(test)]
@@ -88,5 +96,16 @@ mod tests {
         assert_eq!(simplified(&line), [[0.0, 0.0], [99.0, 198.0]]);
         let jump = [[0.0, 0.0], [1.0, 0.0], [1.0, 5.0], [2.0, 5.0]];
         assert_eq!(simplified(&jump), jump);
+        assert_eq!(simplified(&jump[..1]), jump[..1]);
+        assert_eq!(simplified(&[]), [[0.0; 2]; 0]);
+    }
+
+    #[test]
+    fn a_very_long_line_keeps_its_corners() {
+        let saw: Vec<_> = (0..3 * TOGETHER).map(|i| [i as f64, (i % 2) as f64]).collect();
+        assert_eq!(simplified(&saw), saw);
+        let straight: Vec<_> = (0..3 * TOGETHER).map(|i| [i as f64, 1.0]).collect();
+        let ends = [0, TOGETHER, 2 * TOGETHER, 3 * TOGETHER - 1];
+        assert_eq!(simplified(&straight), ends.map(|i| [i as f64, 1.0]));
     }
 }

@@ -42,9 +42,9 @@ pub struct Handle {
 pub enum Grip {
     /// The point at which a load acts.
     Load(usize),
-    /// Where a spread load begins.
+    /// Where a distributed load begins.
     From(usize),
-    /// Where a spread load ends.
+    /// Where a distributed load ends.
     To(usize),
     /// A support.
     Support(usize),

@@ -1,13 +1,13 @@
 //! The report of all combinations: a table of them, the envelope, and every load case by itself.
 
 use super::sheet::{Sheet, Tone};
-use super::{checks, duration, label, structure, title};
+use super::{checks, label, structure, title};
 use crate::band::Banded;
 use crate::characteristics::Characteristics;
 use crate::combinations::{Answer, Combinations, Combined, Numbered};
 use crate::context::{Context, clean};
 use crate::number::{order, significant};
-use crate::quantity::{Kind, Unit, Units};
+use crate::quantity::{Kind, Unit, Units, duration};
 use crate::verdict;
 use crate::verdict::falls;
 use groundbeam::{Envelope, Extreme, Field, Governing, Verdict};

@@ -1,10 +1,11 @@
 //! The answers of several methods to one model, a line each.
 
 use super::sheet::Sheet;
-use super::{duration, title};
+use super::title;
 use crate::comparison::{Compared, Comparison, Errors};
 use crate::context::Context;
 use crate::number::order;
+use crate::quantity::duration;
 use groundbeam::{Error, Solution};
 
 /// The report of a comparison; with `colour`, with escape codes for a terminal.
@@ -26,6 +27,10 @@ pub fn comparison(comparison: &Comparison, context: &Context, colour: bool) -> S
             Err(Error::Unsupported(problem)) => {
                 sheet.line(&line(name, ["none", "", "", "", "", "", ""]));
                 failures.push(format!("{name}: {}", problem.message));
+            }
+            Err(Error::TooLarge(refused)) => {
+                sheet.line(&line(name, ["none", "", "", "", "", "", ""]));
+                failures.push(format!("{name}: {}", refused.problem.message));
             }
             Err(error) => {
                 sheet.line(&line(name, ["none", "", "", "", "", "", &duration(*seconds)]));

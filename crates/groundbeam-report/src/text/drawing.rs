@@ -59,7 +59,7 @@ impl Picture<'_> {
         (BEYOND..WIDTH - BEYOND).contains(&column)
     }
 
-    /// Forces as arrows, moments as turning arrows, spread loads as what they rain from.
+    /// Forces as arrows, moments as turning arrows, distributed loads as what they rain from.
     fn loads(&self) -> String {
         let mut row = vec![' '; WIDTH];
         let loads = &self.solution.model().loads;

@@ -16,15 +16,15 @@ pub(crate) mod train;
 use crate::characteristics::Characteristics;
 use crate::context::Context;
 use crate::number::significant;
-use crate::quantity::{Kind, Units};
+use crate::quantity::{Kind, Units, duration};
 use crate::size::Sizes;
 use crate::verdict;
 pub use combinations::combinations;
 pub use comparison::comparison;
 pub use drawing::drawing;
 use groundbeam::{
-    Acts, ContactRegion, Existence, Extreme, Field, GroundEnd, Load, Model, NotConverged, Profile,
-    Range, Reaction, Solution, SupportKind, Verdict,
+    Acts, ContactRegion, Existence, Extreme, Field, GroundEnd, Load, Model, Profile, Range,
+    Reaction, Solution, Stopped, SupportKind, Verdict,
 };
 pub use passages::{checked_trains, trains};
 use sheet::{Sheet, Tone};
@@ -99,7 +99,7 @@ pub fn existence(model: &Model, existence: &Existence, context: &Context, colour
 }
 
 /// What a method reached that did not reach its tolerance.
-pub fn not_converged(reached: &NotConverged, colour: bool) -> String {
+pub fn not_converged(reached: &Stopped, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     sheet.toned_row("Not solved", &format!("no answer: {reached}"), Tone::Bad);
     sheet.row("", "no result is given, since none could be certified");
@@ -197,6 +197,10 @@ pub(crate) fn structure(
         sheet.row("", &format!("{side} it ends, {words}"));
     }
 
+    if let Some(chords) = context.chords {
+        let words = format!("curve replaced by {chords} chords; the answer is for this polygon");
+        sheet.row("Trough", &words);
+    }
     let beta = range(units, Kind::PerLength, found.beta);
     let beta_length = significant(found.beta_length, 4);
     sheet.row("Stiffness", &format!("β = {beta}, βl = {beta_length}: {}", found.class()));
@@ -428,14 +432,4 @@ fn method(sheet: &mut Sheet, solution: &Solution, context: &Context) {
         words += &format!(", {}", duration(seconds));
     }
     sheet.row("Method", &words);
-}
-
-pub(crate) fn duration(seconds: f64) -> String {
-    if seconds < 1e-3 {
-        format!("{:.0} µs", seconds * 1e6)
-    } else if seconds < 1.0 {
-        format!("{} ms", significant(seconds * 1e3, 2))
-    } else {
-        format!("{} s", significant(seconds, 3))
-    }
 }

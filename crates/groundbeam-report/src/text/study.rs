@@ -1,10 +1,10 @@
 //! The report of a study: probabilities with their intervals, means and quantiles.
 
 use super::sheet::Sheet;
-use super::{duration, title};
+use super::title;
 use crate::context::{Context, clean};
 use crate::number::{order, significant};
-use crate::quantity::Units;
+use crate::quantity::{Units, duration};
 use crate::study::{Estimate, Spread, Study, Way};
 
 /// The study as a report for the terminal; with `colour`, with escape codes.

@@ -1,10 +1,10 @@
 //! The report of one train's passage: the train, the envelope, uplift ahead of and behind the axles.
 
 use super::sheet::{Sheet, Tone};
-use super::{checks, duration, free_spans, label};
+use super::{checks, free_spans, label};
 use crate::context::{Context, clean};
 use crate::number::{order, significant};
-use crate::quantity::{Kind, Units};
+use crate::quantity::{Kind, Units, duration};
 use crate::size::Sizes;
 use crate::trains::Moving;
 use groundbeam::train::{Located, Passage};

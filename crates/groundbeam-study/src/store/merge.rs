@@ -5,6 +5,7 @@ use super::parts::assembled;
 use super::read::Results;
 use super::table::{Head, Table};
 use crate::progress::Watch;
+use groundbeam_file::output::Identity;
 use parquet::schema::types::TypePtr;
 use std::path::{Path, PathBuf};
 
@@ -26,8 +27,15 @@ pub struct Merged {
 pub fn merge(paths: &[PathBuf], out: &Path, watch: &mut Watch) -> Result<Merged, StoreError> {
     let mut shards: Vec<(u64, u64, &Path)> = Vec::new();
     let mut known: Option<(Head, TypePtr, &Path)> = None;
+    let replaced = Identity::of(out).map_err(|error| StoreError::io(out, &error))?;
     for path in paths {
         let results = Results::open(path)?;
+        if replaced.is_some()
+            && Identity::of(path).map_err(|error| StoreError::io(path, &error))? == replaced
+        {
+            let what = "this is one of the files that are merged; name another output";
+            return Err(StoreError::File(out.to_owned(), what.to_owned()));
+        }
         let (head, schema, rows) = (results.head(), results.schema(), results.rows());
         if head.get("digest").is_none() {
             return Err(StoreError::Unlike(format!(

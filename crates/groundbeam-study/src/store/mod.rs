@@ -1,5 +1,6 @@
-//! Results as Parquet: one row a sample, with the study, the model and the seed inside.
+//! Results as Parquet: one row a sample, with the study, the model, the seed and checksums inside.
 
+mod checksum;
 mod column;
 mod merge;
 mod parts;
@@ -11,7 +12,8 @@ pub(crate) use column::Column;
 pub use merge::{Merged, merge};
 pub(crate) use parts::Parts;
 pub(crate) use read::Whole;
-pub(crate) use table::Table;
+pub use read::verify;
+pub(crate) use table::{Head, Table};
 
 use parquet::errors::ParquetError;
 use std::fmt;
@@ -23,6 +25,8 @@ use std::path::{Path, PathBuf};
 pub enum StoreError {
     /// A file cannot be read or written.
     File(PathBuf, String),
+    /// A file of results is not as it was written: what of it.
+    Damaged(PathBuf, String),
     /// What is there belongs to another study.
     Foreign(PathBuf),
     /// Another process is at the same work.
@@ -47,9 +51,15 @@ impl fmt::Display for StoreError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             StoreError::File(path, what) => write!(f, "{}: {what}", path.display()),
+            StoreError::Damaged(path, what) => write!(
+                f,
+                "{}: {what} are damaged: the checksum differs from the one that was written; delete this file and \
+                 run the study again, which computes its samples again",
+                path.display()
+            ),
             StoreError::Foreign(path) => write!(
                 f,
-                "{}: these results are of another study, model, seed or version of the program; \
+                "{}: these results are of another study, model, survey, seed or version of the program; \
                  name another file, or --restart to begin anew",
                 path.display()
             ),

@@ -1,12 +1,12 @@
 //! Results on their way: parts of a study in a folder beside the file they will become.
 //!
-//! Which samples a part holds stands in its name. Whoever works here holds a lock that ends with the process.
+//! The name of a part states its samples. Whoever works here holds a lock that ends with the process.
 
 use super::StoreError;
 use super::column::Column;
-use super::read::Results;
+use super::read::{Results, counted};
 use super::table::Table;
-use super::write::{Packing, Writer, beside};
+use super::write::{Packing, Writer};
 use crate::progress::{Progress, Stage, Watch};
 use std::fs::{self, File, TryLockError};
 use std::ops::Range;
@@ -14,7 +14,9 @@ use std::path::{Path, PathBuf};
 
 /// Where the parts of a file of results are.
 fn folder(out: &Path) -> PathBuf {
-    beside(out, ".parts")
+    let mut name = out.as_os_str().to_owned();
+    name.push(".parts");
+    PathBuf::from(name)
 }
 
 /// The folder of parts of one file of results.
@@ -28,8 +30,8 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// Begins or goes on; with `restart`, whatever is there is thrown away.
-    pub fn open(out: &Path, table: &Table, restart: bool) -> Result<Self, StoreError> {
+    /// Begins or goes on; with `restart`, the parts that are there are removed.
+    pub fn open(out: &Path, restart: bool) -> Result<Self, StoreError> {
         let folder = folder(out);
         fs::create_dir_all(&folder).map_err(|error| StoreError::io(&folder, &error))?;
         let lock_path = folder.join("lock");
@@ -45,12 +47,31 @@ impl Parts {
                 fs::remove_file(&path).map_err(|error| StoreError::io(&path, &error))?;
             }
         }
-        if let Some((_, path)) = parts.all()?.first()
-            && Results::open(path)?.head().get("digest") != table.head.get("digest")
-        {
-            return Err(StoreError::Foreign(out.to_owned()));
-        }
         Ok(parts)
+    }
+
+    /// Verifies that each part is as it was written, of this study, and of the samples that its name states.
+    pub fn verify(&self, table: &Table, watch: &mut Watch) -> Result<(), StoreError> {
+        let all = self.all()?;
+        let samples = all.iter().map(|(range, _)| range.end.saturating_sub(range.start)).sum();
+        let mut verified = counted(samples, watch);
+        for (range, path) in all {
+            let results = Results::open(&path)?;
+            if results.head().get("digest") != table.head.get("digest") {
+                return Err(StoreError::Foreign(self.out.clone()));
+            }
+            results.verify(&mut verified)?;
+            let first = results.first()?.unwrap_or(range.start);
+            if (first, first + results.rows()) != (range.start, range.end) {
+                return Err(StoreError::Unlike(format!(
+                    "{}: it holds samples {first} to {}, not those of its name; delete this file and run the study \
+                     again, which computes them again",
+                    path.display(),
+                    (first + results.rows()).saturating_sub(1)
+                )));
+            }
+        }
+        Ok(())
     }
 
     /// Whether results wait here to be gone on with.
@@ -116,7 +137,7 @@ impl Parts {
     }
 }
 
-/// One file of several, row after row: so many samples. Nothing is left of one that is not finished.
+/// One file of several, row after row: so many samples.
 pub fn assembled(
     out: &Path,
     table: &Table,
@@ -125,7 +146,6 @@ pub fn assembled(
     watch: &mut Watch,
 ) -> Result<(), StoreError> {
     let mut writer = Writer::new(out, table, Packing::Kept)?;
-    let unfinished = writer.unfinished().to_owned();
     let mut done = 0;
     let mut copied = |rows: usize| {
         done += rows as u64;
@@ -133,12 +153,6 @@ pub fn assembled(
         if watch(now).is_break() { Err(StoreError::Stopped) } else { Ok(()) }
     };
     let mut results = paths.iter().map(|path| Results::open(path));
-    let finished = results
-        .try_for_each(|results| writer.copy(&results?, &mut copied))
-        .and_then(|()| writer.finish());
-    if finished.is_err() {
-        // What was wrong is told, not that this cannot be removed either.
-        let _ = fs::remove_file(unfinished);
-    }
-    finished
+    results.try_for_each(|results| writer.copy(&results?, &mut copied))?;
+    writer.finish()
 }

@@ -1,29 +1,36 @@
 //! Files of results, read again.
 
 use super::StoreError;
+use super::checksum::{self, Checksums};
 use super::column::{Column, Values};
 use super::table::Head;
+use crate::progress::{Progress, Stage, Watch};
+use groundbeam_file::open_file;
 use parquet::column::reader::ColumnReader;
 use parquet::errors::{ParquetError, Result as Done};
 use parquet::file::metadata::ParquetMetaData;
-use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
 use parquet::schema::types::TypePtr;
 use std::fs::File;
+use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// A file of results.
+/// A file of results. Nothing of it is decoded before it is verified.
 pub struct Results {
     path: PathBuf,
     file: SerializedFileReader<File>,
+    checksums: Checksums,
 }
 
 impl Results {
     pub fn open(path: &Path) -> Result<Self, StoreError> {
-        let file = File::open(path).map_err(|error| StoreError::io(path, &error))?;
+        let wrong = |error: io::Error| StoreError::io(path, &error);
+        let file = open_file(path).map_err(wrong)?;
+        let checksums = Checksums::open(path, file.try_clone().map_err(wrong)?)?;
         let file = SerializedFileReader::new(file);
         let file = file.map_err(|error| StoreError::parquet(path, &error))?;
-        Ok(Results { path: path.to_owned(), file })
+        Ok(Results { path: path.to_owned(), file, checksums })
     }
 
     fn metadata(&self) -> &ParquetMetaData {
@@ -38,7 +45,10 @@ impl Results {
     /// What it says of itself.
     pub fn head(&self) -> Head {
         let pairs = self.metadata().file_metadata().key_value_metadata();
-        let ours = pairs.into_iter().flatten().filter(|pair| pair.key.starts_with("groundbeam."));
+        let ours = pairs
+            .into_iter()
+            .flatten()
+            .filter(|pair| pair.key.starts_with("groundbeam.") && pair.key != checksum::KEY);
         let ours = ours.map(|pair| (pair.key.clone(), pair.value.clone().unwrap_or_default()));
         Head { pairs: ours.collect() }
     }
@@ -59,11 +69,35 @@ impl Results {
     }
 
     /// The columns of a group, to be read, and how many rows it has.
-    pub fn group(&self, group: usize) -> Done<(Vec<ColumnReader>, usize)> {
-        let group = self.file.get_row_group(group)?;
+    pub fn group(&self, group: usize) -> Result<(Vec<ColumnReader>, usize), StoreError> {
+        let group = self.verified(group)?;
         let columns = 0..group.metadata().num_columns();
-        let columns = columns.map(|column| group.get_column_reader(column)).collect::<Done<_>>()?;
+        let columns: Done<_> = columns.map(|column| group.get_column_reader(column)).collect();
+        let columns = columns.map_err(|error| self.wrong(&error))?;
         Ok((columns, rows(group.metadata().num_rows())))
+    }
+
+    /// A group of rows, once its bytes are verified.
+    fn verified(&self, group: usize) -> Result<Box<dyn RowGroupReader + '_>, StoreError> {
+        if !self.checksums.is_sound(group)? {
+            let counts = self.metadata().row_groups().iter().map(|group| group.num_rows());
+            let first: i64 = counts.clone().take(group).sum();
+            let end: i64 = counts.take(group + 1).sum();
+            let what = format!("rows {first} to {}", end - 1);
+            return Err(StoreError::Damaged(self.path.clone(), what));
+        }
+        self.file.get_row_group(group).map_err(|error| self.wrong(&error))
+    }
+
+    /// Verifies all rows; `verified` is told of each group how many rows it has.
+    pub fn verify(
+        &self,
+        verified: &mut dyn FnMut(u64) -> Result<(), StoreError>,
+    ) -> Result<(), StoreError> {
+        (0..self.groups()).try_for_each(|group| {
+            let rows = rows(self.verified(group)?.metadata().num_rows());
+            verified(rows as u64)
+        })
     }
 
     /// The number of its first sample.
@@ -71,19 +105,43 @@ impl Results {
         if self.groups() == 0 {
             return Ok(None);
         }
-        let first = self.column(0, 0, 1).map_err(|error| self.wrong(&error))?;
-        Ok(match first.values {
+        Ok(match self.column(0, 0, 1)?.values {
             Values::Whole(numbers) => numbers.first().copied().map(i64::cast_unsigned),
             _ => None,
         })
     }
 
     /// The first rows of a group in one column.
-    fn column(&self, group: usize, column: usize, most: usize) -> Done<Column> {
-        let mut reader = self.file.get_row_group(group)?.get_column_reader(column)?;
-        let mut rows = Column::before(&reader)?;
-        rows.read(&mut reader, most)?;
-        Ok(rows)
+    fn column(&self, group: usize, column: usize, most: usize) -> Result<Column, StoreError> {
+        let group = self.verified(group)?;
+        let read = || {
+            let mut reader = group.get_column_reader(column)?;
+            let mut rows = Column::before(&reader)?;
+            rows.read(&mut reader, most)?;
+            Ok(rows)
+        };
+        read().map_err(|error| self.wrong(&error))
+    }
+}
+
+/// Verifies a file of results, whatever its study, and returns how many samples it holds.
+///
+/// # Errors
+///
+/// A file that cannot be read, is damaged, or is not one of results; [`StoreError::Stopped`] if `watch` wants no more.
+pub fn verify(path: &Path, watch: &mut Watch) -> Result<u64, StoreError> {
+    let results = Results::open(path)?;
+    results.verify(&mut counted(results.rows(), watch))?;
+    Ok(results.rows())
+}
+
+/// Tells a watcher how many of so many rows are verified.
+pub fn counted(of: u64, watch: &mut Watch) -> impl FnMut(u64) -> Result<(), StoreError> {
+    let mut done = 0;
+    move |rows| {
+        done += rows;
+        let now = Progress { stage: Stage::Verifying, done, before: 0, of };
+        if watch(now).is_break() { Err(StoreError::Stopped) } else { Ok(()) }
     }
 }
 
@@ -119,6 +177,11 @@ impl Whole {
         Ok(Some(Whole { results }))
     }
 
+    /// Verifies all rows.
+    pub fn verify(&self, watch: &mut Watch) -> Result<(), StoreError> {
+        self.results.verify(&mut counted(self.results.rows(), watch))
+    }
+
     /// In how many groups its rows are read.
     pub fn groups(&self) -> usize {
         self.results.groups()
@@ -147,12 +210,11 @@ impl Whole {
     }
 
     fn column(&self, group: usize, name: &str) -> Result<Column, StoreError> {
-        let Results { path, file } = &self.results;
+        let Results { path, file, .. } = &self.results;
         let columns = self.results.metadata().file_metadata().schema_descr().columns();
         let place = columns.iter().position(|column| column.path().parts() == [name]);
         let missing = || StoreError::File(path.clone(), format!("there is no column {name:?}"));
         let most = rows(file.metadata().row_group(group).num_rows());
-        let column = self.results.column(group, place.ok_or_else(missing)?, most);
-        column.map_err(|error| self.results.wrong(&error))
+        self.results.column(group, place.ok_or_else(missing)?, most)
     }
 }

@@ -1,8 +1,10 @@
 //! The columns of results, and what stands at the head of a file of them.
 
+use super::checksum::hex;
 use super::column::{Column, Kind};
 use crate::draws::{Draw, Draws};
 use crate::row::{Row, Trouble, Wanted};
+use groundbeam_file::Document;
 use groundbeam_file::study::StudyFile;
 use parquet::basic::Repetition;
 use parquet::schema::types::{Type, TypePtr};
@@ -34,6 +36,7 @@ impl Head {
             ("model", document.text().to_owned()),
         ]
         .into_iter()
+        .chain(files_of(document).map(|files| ("files", files)))
         .map(|(key, value)| (format!("groundbeam.{key}"), value))
         .collect();
         let mut digest = Sha256::new();
@@ -43,8 +46,7 @@ impl Head {
                 digest.update(part);
             }
         }
-        let hex: String = digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
-        pairs.push(("groundbeam.digest".to_owned(), hex));
+        pairs.push(("groundbeam.digest".to_owned(), hex(digest)));
         Head { pairs }
     }
 
@@ -54,6 +56,14 @@ impl Head {
             self.pairs.iter().find(|(name, _)| name.strip_prefix("groundbeam.") == Some(key));
         pair.map(|(_, value)| &**value)
     }
+}
+
+/// The digests of the files that a model names, in the order in which it names them; none if it names none. Their names
+/// are in the model's text, and where they were read must not matter.
+fn files_of(document: &Document) -> Option<String> {
+    let digests = document.files.iter().map(|file| hex(Sha256::new_with_prefix(&file.text)));
+    let digests: Vec<String> = digests.collect();
+    (!digests.is_empty()).then(|| digests.join(" "))
 }
 
 /// The columns of a study.

@@ -1,19 +1,20 @@
 //! Files of results, written: rows as they come, of which always as many are compressed together.
 //!
-//! A file is written under another name, brought to the disk and renamed: what has its name is whole.
+//! A file appears under its name when it is whole and on the disk ([`Output`]), with checksums of all its bytes.
 
 use super::StoreError;
+use super::checksum::Sealed;
 use super::column::Column;
 use super::read::Results;
 use super::table::{Head, Table};
+use groundbeam_file::output::Output;
 use parquet::basic::Compression;
 use parquet::errors::{ParquetError, Result as Done};
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::ColumnPath;
-use std::fs::{self, File};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 /// Rows that are compressed together.
@@ -30,11 +31,8 @@ pub enum Packing {
 
 /// A file of results that is being written.
 pub struct Writer<'a> {
-    /// What it will be called.
     path: &'a Path,
-    /// What it is called until then.
-    unfinished: PathBuf,
-    file: SerializedFileWriter<File>,
+    file: SerializedFileWriter<Sealed<Output>>,
     /// Rows to be written. Where pages end depends on how rows are handed over: always as many at once.
     waiting: Vec<Column>,
     rows: usize,
@@ -43,19 +41,12 @@ pub struct Writer<'a> {
 impl<'a> Writer<'a> {
     /// A new file.
     pub fn new(path: &'a Path, table: &Table, packing: Packing) -> Result<Self, StoreError> {
-        let unfinished = beside(path, ".unfinished");
-        let file =
-            File::create(&unfinished).map_err(|error| StoreError::io(&unfinished, &error))?;
+        let output = Output::create(path).map_err(|error| StoreError::io(path, &error))?;
         let schema = Arc::clone(&table.schema);
-        let file =
-            SerializedFileWriter::new(file, schema, Arc::new(properties(&table.head, packing)));
-        let file = file.map_err(|error| StoreError::parquet(&unfinished, &error))?;
-        Ok(Writer { path, unfinished, file, waiting: Vec::new(), rows: 0 })
-    }
-
-    /// What it is called until it is whole.
-    pub fn unfinished(&self) -> &Path {
-        &self.unfinished
+        let properties = Arc::new(properties(&table.head, packing));
+        let file = SerializedFileWriter::new(Sealed::new(output), schema, properties);
+        let file = file.map_err(|error| StoreError::parquet(path, &error))?;
+        Ok(Writer { path, file, waiting: Vec::new(), rows: 0 })
     }
 
     /// Rows, no more than are compressed together, in a new file.
@@ -75,7 +66,7 @@ impl<'a> Writer<'a> {
             return Err(wrong(ParquetError::General("it has other columns".to_owned())));
         }
         for group in 0..results.groups() {
-            let (mut readers, mut left) = results.group(group).map_err(wrong)?;
+            let (mut readers, mut left) = results.group(group)?;
             if self.waiting.is_empty() {
                 let empty = readers.iter().map(Column::before);
                 self.waiting = empty.collect::<Done<_>>().map_err(wrong)?;
@@ -98,7 +89,7 @@ impl<'a> Writer<'a> {
 
     /// Writes what waits.
     fn hand_over(&mut self) -> Result<(), StoreError> {
-        let write = |file: &mut SerializedFileWriter<File>, columns: &mut [Column]| -> Done<()> {
+        let write = |file: &mut SerializedFileWriter<_>, columns: &mut [Column]| -> Done<()> {
             let mut group = file.next_row_group()?;
             for column in columns {
                 if let Some(mut writer) = group.next_column()? {
@@ -107,11 +98,15 @@ impl<'a> Writer<'a> {
                 }
                 column.clear();
             }
-            group.close().map(|_| ())
+            group.close()?;
+            file.flush()?;
+            Ok(())
         };
         self.rows = 0;
         write(&mut self.file, &mut self.waiting)
-            .map_err(|error| StoreError::parquet(&self.unfinished, &error))
+            .map_err(|error| StoreError::parquet(self.path, &error))?;
+        self.file.inner_mut().end_block();
+        Ok(())
     }
 
     /// Ends the file and gives it its name.
@@ -119,11 +114,12 @@ impl<'a> Writer<'a> {
         if self.rows > 0 {
             self.hand_over()?;
         }
-        let unfinished = &self.unfinished;
-        let file = self.file.into_inner();
-        let file = file.map_err(|error| StoreError::parquet(unfinished, &error))?;
-        let renamed = file.sync_all().and_then(|()| fs::rename(unfinished, self.path));
-        renamed.map_err(|error| StoreError::io(self.path, &error))
+        let checksums = self.file.inner_mut().begin_tail();
+        self.file.append_key_value_metadata(checksums);
+        let sealed = self.file.into_inner();
+        let sealed = sealed.map_err(|error| StoreError::parquet(self.path, &error))?;
+        let finished = sealed.finish().and_then(Output::finish);
+        finished.map_err(|error| StoreError::io(self.path, &error))
     }
 }
 
@@ -144,11 +140,4 @@ fn properties(head: &Head, packing: Packing) -> WriterProperties {
         .set_statistics_enabled(statistics)
         .set_key_value_metadata(Some(pairs))
         .build()
-}
-
-/// A path of which the name has a further ending.
-pub fn beside(path: &Path, ending: &str) -> PathBuf {
-    let mut name = path.as_os_str().to_owned();
-    name.push(ending);
-    PathBuf::from(name)
 }

@@ -1,6 +1,6 @@
 //! What is claimed: the answer that is to be proven, piece by piece.
 
-use crate::polynomial::{jet, value};
+use crate::numeric::polynomial::{jet, value};
 
 /// What is claimed, from left to right.
 pub(crate) struct Claim<'a> {
@@ -39,13 +39,17 @@ impl Claim<'_> {
     }
 }
 
-/// Nothing in an answer can be changed unseen.
+/// Positions this close, as a part of the length, are the same: nodes within rounding of each other were
+/// one node.
+pub(crate) const NEAR: f64 = 16.0 * f64::EPSILON;
+
+/// A change of any part of an answer shows in its certificate.
 #[cfg(test)]
 mod tests {
     use super::super::{Certificate, certify};
     use super::{Claim, ClaimedPiece};
     use crate::model::{Acts, Beam, Foundation, Hinge, Load, Model, Profile, Support};
-    use crate::solution::Solution;
+    use crate::solution::solution::Solution;
     use crate::{Outcome, solve};
 
     fn models() -> Vec<(&'static str, Model)> {

@@ -1,6 +1,6 @@
 //! How far a smooth function may fall below zero on an interval: bounded, never sampled.
 
-use crate::polynomial::jet;
+use crate::numeric::polynomial::jet;
 
 /// A function of s ∈ \[−1, 1\] at one point, and what bounds it nearby.
 #[derive(Debug, Clone, Copy)]

@@ -26,8 +26,10 @@ mod supports;
 mod surface;
 mod unclaimed;
 
+use crate::certificate::claim::NEAR;
 use crate::model::{Hinge, Load, Model};
-use crate::polynomial::{jet, value};
+use crate::numeric::polynomial::{jet, value};
+use crate::numeric::tolerance::CERTIFICATE;
 use balance::{GivenBack, Remains, Segment};
 use beam::{Sums, beam_piece, work_at_points};
 pub(crate) use claim::{Claim, ClaimedPiece};
@@ -76,7 +78,7 @@ pub struct Certificate {
 
 impl Certificate {
     /// The relative violation above which a result is refused.
-    pub const TOLERANCE: f64 = 1e-7;
+    pub const TOLERANCE: f64 = CERTIFICATE;
 
     /// Whether every condition that no mesh excuses holds to rounding.
     pub fn holds(&self) -> bool {
@@ -98,10 +100,6 @@ impl Certificate {
         .fold(0.0, |worst, part| if part.is_nan() { f64::INFINITY } else { worst.max(part) })
     }
 }
-
-/// Positions this close, as a part of the length, are the same: nodes within rounding of each other were
-/// one node.
-const NEAR: f64 = 16.0 * f64::EPSILON;
 
 /// Certifies a claim.
 pub(crate) fn certify(model: &Model, claim: &Claim) -> Certificate {

@@ -1,6 +1,6 @@
 //! A piece's polynomials where the proof looks at them: at the points of quadrature and at both ends.
 
-use crate::polynomial::{Coefficients, derivative, ends};
+use crate::numeric::polynomial::{Coefficients, derivative, ends};
 
 /// Gauss–Legendre points on \[−1, 1\], exact to degree 23: to rounding for every integrand here.
 const GAUSS: [(f64, f64); 6] = [
@@ -95,7 +95,7 @@ pub(super) fn seen_bounds(c: &[f64], points: &AtPoints) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::polynomial::jet;
+    use crate::numeric::polynomial::jet;
 
     #[test]
     fn points_and_ends_are_where_they_are() {

@@ -3,7 +3,7 @@
 use super::balance::Remains;
 use super::{Claim, ClaimedPiece};
 use crate::model::{Load, Model};
-use crate::polynomial::{Coefficients, integral};
+use crate::numeric::polynomial::{Coefficients, integral};
 
 /// What acts at one point: force down, moment.
 #[derive(Debug, Clone, Copy)]

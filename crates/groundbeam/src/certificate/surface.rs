@@ -4,7 +4,7 @@ use super::ClaimedPiece;
 use super::curve::{Curve, Point, ROUNDING, fourth, rounding};
 use super::neighbours;
 use crate::model::{Course, Model};
-use crate::polynomial::{Coefficients, jet};
+use crate::numeric::polynomial::{Coefficients, jet};
 
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Under<'a> {

@@ -4,7 +4,7 @@
 //! θ behind it, S' = S − S e (eᵀS e + k_φ)⁻¹ eᵀS with e along θ: nothing is left of the row and the column
 //! of θ at a free hinge.
 
-use super::{Behind, ChainNode, Loose, THETA};
+use crate::chain::node::{Behind, ChainNode, Loose, THETA};
 
 /// How to come back across a hinge: θ_behind = constant − gain·(w, θ_ahead, u).
 #[derive(Debug, Clone, Copy)]

@@ -1,31 +1,7 @@
 //! Links of open ground within a cell, tied to the ground's own surface or to the beam.
 
-use super::ChainNode;
-use crate::ground::Link;
-
-/// What a link of the ground is tied to.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Tie {
-    /// The ground's own surface at the cell's left node.
-    SurfaceLeft,
-    /// The ground's own surface at the cell's right node.
-    SurfaceRight,
-    /// The beam at a point of the cell: u = row·v − gap.
-    Beam {
-        /// What multiplies the element's v.
-        row: [f64; 4],
-        /// g₀ there.
-        gap: f64,
-    },
-}
-
-/// A link of unloaded ground within one cell.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct TiedLink {
-    pub link: Link,
-    pub left: Tie,
-    pub right: Tie,
-}
+use crate::chain::node::ChainNode;
+use crate::chain::node::{Tie, TiedLink};
 
 /// u at both ends of a cell: what multiplies its six unknowns, and the gap to take off.
 pub(super) struct Surfaces {

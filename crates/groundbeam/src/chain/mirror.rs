@@ -1,8 +1,9 @@
 //! A cell seen in a mirror, so that one sweep serves both directions.
 
-use super::{ChainCell, Tie, TiedLink};
-use crate::elements::{Basis, Element};
-use crate::ground::Link;
+use crate::chain::node::ChainCell;
+use crate::chain::node::{Tie, TiedLink};
+use crate::element::element::{Basis, Element};
+use crate::ground::link::Link;
 
 /// The four numbers of an element from those of the element seen in a mirror, and back.
 pub(super) fn mirror_shape(v: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {

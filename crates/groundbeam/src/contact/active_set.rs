@@ -7,137 +7,31 @@
 //! convex and once continuously differentiable, with the contact pressure as the derivative of the last
 //! term. The inner minimum is the [majorant](super::majorant), found without iteration. Where it touches
 //! the ground acts as if glued to the beam, elsewhere not at all: Newton's step is one solve of the
-//! glued [chain](crate::chain). If the full step does not settle the slope of Φ along its line, the zero
+//! glued [chain](crate::chain::elimination). If the full step does not settle the slope of Φ along its line, the zero
 //! of that slope is searched for. Φ falls with every accepted step, so no deflection comes back; what that
 //! proves about the number of steps, and what it does not, is in `docs/methods.md`.
 
-use super::deflection::{Deflection, Zone};
-use super::forms::{Motion, beam_form, ground_work};
 use super::layout::Layout;
-use super::line::settle;
 use super::majorant;
 use super::surface::Surface;
-use crate::chain::{Chain, Loose};
-use crate::elements::Element;
-use crate::elements::exact;
-use crate::elements::hermite::{self, TERMS};
-use crate::mesh::{Cell, Mesh};
-use crate::polynomial::{Coefficients, derivative};
-
-/// How the contact pressure is represented.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Pressure {
-    /// Spread over the stretches of contact, with concentrated forces only where mechanics has them.
-    #[default]
-    Distributed,
-    /// Forces at the nodes, (5.5): the paper's choice. It needs a shear layer, and is right only while
-    /// b·h is small.
-    Dirac,
-}
-
-/// One step of an iteration.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Step {
-    /// Zones of contact after the step.
-    pub zones: usize,
-    /// The part of Newton's step that was taken; for Uzawa's iteration the parameter ρ.
-    pub step: f64,
-    /// How far the energy was from its least value, by Newton's estimate, relative to the strain energy;
-    /// for Uzawa's iteration the relative change of the pressure.
-    pub decrement: f64,
-}
-
-/// A beam's deflection on a mesh and where it touches.
-#[derive(Debug, Clone)]
-pub(crate) struct Found {
-    pub mesh: Mesh,
-    pub terms: usize,
-    /// (w_left, θ_left, d₁, d₂) of each cell.
-    pub shapes: Vec<[f64; 4]>,
-    /// `terms` coefficients of w(s) for each cell.
-    pub coefficients: Vec<f64>,
-    /// The same of φ(s), the rotation of the sections, if the beam shears anywhere; else none.
-    pub rotation: Vec<f64>,
-    pub zones: Vec<Zone>,
-    pub history: Vec<Step>,
-    pub pressure: Pressure,
-    /// The ground, where it is not the majorant of this deflection to the last digit.
-    pub surface: Option<Surface>,
-}
-
-impl Found {
-    /// A deflection of exact elements, with the ground's pressure spread.
-    pub fn exact(mesh: Mesh, coefficients: Vec<f64>, rotation: Vec<f64>, zones: Vec<Zone>) -> Self {
-        Found {
-            mesh,
-            terms: exact::TERMS,
-            shapes: Vec::new(),
-            coefficients,
-            rotation,
-            zones,
-            history: Vec::new(),
-            pressure: Pressure::Distributed,
-            surface: None,
-        }
-    }
-
-    pub fn deflection(&self) -> Deflection<'_> {
-        Deflection { mesh: &self.mesh, terms: self.terms, coefficients: &self.coefficients }
-    }
-
-    /// The whole motion of the beam.
-    pub fn motion(&self) -> Motion<'_> {
-        let Found { terms, coefficients, rotation, .. } = self;
-        Motion { terms: *terms, deflection: coefficients, rotation }
-    }
-
-    /// The coefficients of φ(s) in cell i: of w' where the beam does not shear.
-    pub fn rotation(&self, i: usize) -> Coefficients {
-        match self.rotation.get(i * self.terms..(i + 1) * self.terms) {
-            Some(rotation) => rotation.into(),
-            None => turned(&self.mesh.cells[i], self.deflection().cell(i)),
-        }
-    }
-}
-
-/// The coefficients of w'(s) in a cell from those of w(s).
-pub(crate) fn turned(cell: &Cell, deflection: &[f64]) -> Coefficients {
-    let per_half = 2.0 / cell.length();
-    let mut slope = derivative(deflection);
-    slope.iter_mut().for_each(|c| *c *= per_half);
-    slope
-}
-
-/// What a method says that did not reach its own tolerance.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Stalled {
-    pub iterations: usize,
-    pub what: &'static str,
-    pub tolerance: f64,
-    pub reached: f64,
-}
-
-impl Default for Stalled {
-    fn default() -> Self {
-        Stalled {
-            iterations: 0,
-            what: "the part of the energy left to fall",
-            tolerance: CLOSE,
-            reached: f64::NAN,
-        }
-    }
-}
+use crate::chain::elimination::Chain;
+use crate::chain::node::Loose;
+use crate::contact::state::{Found, Stalled, Step};
+use crate::element::cubic::{self, TERMS};
+use crate::element::element::Element;
+use crate::error::NotConverged;
+use crate::mesh::deflection::{Deflection, Zone};
+use crate::mesh::energy::{Motion, beam_form, ground_work};
+use crate::mesh::mesh::Mesh;
+use crate::numeric::line_search::settle;
+use crate::numeric::tolerance::ENERGY;
+use crate::options::Pressure;
 
 /// Steps before a solve is given up. A few dozen are the rule; soft beams hundreds of waves long, lifted to a
 /// million times what they settle, take up to a thousand.
 const MOST_STEPS: usize = 4000;
 /// The same on a mesh that only gives the next one its start.
 const COARSE_STEPS: usize = 200;
-/// Newton's decrement, relative to twice the strain energy, below which the steps go on only as long as
-/// each makes it at least twice as small.
-pub(crate) const CLOSE: f64 = 1e-15;
-/// The same on a mesh that only gives the next one its start.
-pub(crate) const COARSE_CLOSE: f64 = 1e-6;
 /// The decrement that rounding leaves: no step can be smaller.
 const LEAST: f64 = 1e-30;
 /// What is left to fall where rounding decides between two contacts that mean the same, as at a clamp that
@@ -157,9 +51,9 @@ pub(crate) fn solve(
     let newton = Newton::new(&mesh, pressure);
     let mut history = Vec::new();
     let mut now = match start {
-        Some(found) => newton.unfold(super::nested::interpolated(&mesh, found)),
+        Some(found) => newton.unfold(super::transfer::interpolated(&mesh, found)),
         None => {
-            let nothing_holds = |Loose| Stalled::default();
+            let nothing_holds = |Loose| Stalled::SINGULAR;
             newton.unfold(newton.glued(&newton.bonded(), None).map_err(nothing_holds)?)
         }
     };
@@ -167,13 +61,13 @@ pub(crate) fn solve(
     let mut before = f64::INFINITY;
     let mut least_damping = 0.0;
     let (mut least, mut since) = (f64::INFINITY, 0);
-    let most_steps = if close > CLOSE { COARSE_STEPS } else { MOST_STEPS };
+    let most_steps = if close > ENERGY { COARSE_STEPS } else { MOST_STEPS };
     for _ in 0..most_steps {
         let (next, damping) = newton.step(&now, &zones, least_damping)?;
         let target = newton.unfold(next);
         let line = Line::new(&newton, &now, &target, &zones, damping);
         history.push(Step { zones: zones.len(), step: 1.0, decrement: line.decrement });
-        let settled = before <= close && (close > CLOSE || line.decrement > 0.5 * before);
+        let settled = before <= close && (close > ENERGY || line.decrement > 0.5 * before);
         since = if line.decrement < 0.5 * least { 0 } else { since + 1 };
         least = least.min(line.decrement);
         let idle = since >= PATIENCE && least <= ROUNDED && line.decrement <= ROUNDED;
@@ -205,7 +99,7 @@ pub(crate) fn solve(
         zones = newton.contact(&now.coefficients);
     }
     let reached = history.last().map_or(f64::NAN, |step| step.decrement);
-    Err(Stalled { iterations: most_steps, reached, ..Stalled::default() })
+    Err(Stalled { iterations: most_steps, why: NotConverged::Energy(reached) })
 }
 
 /// The nodal pressures (5.5) of the bilateral problem, its pulls left out: a start for (5.15).
@@ -256,7 +150,7 @@ struct Newton<'a> {
 
 impl<'a> Newton<'a> {
     fn new(mesh: &'a Mesh, pressure: Pressure) -> Self {
-        let element = |cell| hermite::element(cell, mesh.axial_force);
+        let element = |cell| cubic::element(cell, mesh.axial_force);
         Newton { mesh, pressure, elements: mesh.cells.iter().map(element).collect() }
     }
 
@@ -274,7 +168,7 @@ impl<'a> Newton<'a> {
 
     fn unfold(&self, shapes: Vec<[f64; 4]>) -> State {
         let coefficients =
-            shapes.iter().zip(&self.mesh.cells).flat_map(|(v, c)| hermite::unfold(v, c.length()));
+            shapes.iter().zip(&self.mesh.cells).flat_map(|(v, c)| cubic::unfold(v, c.length()));
         State { coefficients: coefficients.collect(), shapes }
     }
 
@@ -286,14 +180,14 @@ impl<'a> Newton<'a> {
             let mut element = self.elements[i];
             for part in layout.parts(i) {
                 if part[1] > part[0] {
-                    hermite::add_ground(&mut element, cell, part);
+                    cubic::add_ground(&mut element, cell, part);
                 }
             }
             if let Some((weight, state)) = near {
                 damp(&mut element, self.mesh, i, weight, &state.shapes[i]);
             }
             layout.chain_cell(self.mesh, i, element, |s| {
-                hermite::deflection(0.5 * (1.0 + s), cell.length())
+                cubic::deflection(0.5 * (1.0 + s), cell.length())
             })
         });
         let cells = cells.collect();
@@ -322,7 +216,7 @@ impl<'a> Newton<'a> {
             }
             weight *= 100.0;
         }
-        Err(Stalled::default())
+        Err(Stalled::SINGULAR)
     }
 
     /// ψ = w − g₀ as coefficients.
@@ -352,7 +246,7 @@ fn damp(element: &mut Element, mesh: &Mesh, i: usize, weight: f64, about: &[f64;
     cell.gap = [0.0; 2];
     cell.gap_slope = 0.0;
     let mut extra = Element { length: element.length, ..Element::default() };
-    hermite::add_ground(&mut extra, &cell, [-1.0, 1.0]);
+    cubic::add_ground(&mut extra, &cell, [-1.0, 1.0]);
     let pull = extra.forces(about);
     for j in 0..4 {
         element.load[j] += pull[j];
@@ -424,7 +318,7 @@ impl<'a> Line<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::deflection::Spot;
+    use crate::mesh::deflection::Spot;
     use crate::model::{Beam, Foundation, Load, Model};
 
     /// The paper's own ten elements and nodal pressures: w(0) of cases I and IV as its figures' data give
@@ -436,7 +330,7 @@ mod tests {
                 .with_load(Load::point(1.0, 0.5))
                 .with_load(Load::moment(moment, 0.5));
             let mesh = Mesh::uniform(&model, 10);
-            let found = solve(mesh, Pressure::Dirac, None, CLOSE).expect("a solution");
+            let found = solve(mesh, Pressure::Dirac, None, ENERGY).expect("a solution");
             let end = found.deflection().obstacle_at(Spot { cell: 0, s: -1.0 });
             assert!((end - printed).abs() < 5.1e-6, "{end}");
         }

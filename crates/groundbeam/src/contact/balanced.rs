@@ -1,42 +1,16 @@
 //! A beam that stands on one point, and may turn there.
 
-use super::active_set::{Found, Stalled};
-use super::exact::{ENOUGH, Proof, solve, unsettled};
+use super::exact::solve;
 use super::glue::Glue;
-use super::stretches::Stretch;
+use crate::contact::glue::Held;
+use crate::contact::state::unsettled;
+use crate::contact::state::{Found, Stalled};
+use crate::contact::stopping::{ENOUGH, Proof};
 use crate::model::{Load, Model};
-use crate::polynomial::value;
+use crate::numeric::polynomial::value;
 
 /// How far from an end the resultant stands whose limit is taken, as a part of the length.
 const ALMOST: f64 = 1e-6;
-
-/// A rotation given at an end, by a spring that equilibrium leaves without a moment.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Held {
-    pub left: bool,
-    pub slope: f64,
-}
-
-impl Held {
-    /// The rotation that a deflection has at the left end.
-    pub fn as_in(found: &Found) -> Held {
-        Held { left: true, slope: value(&found.rotation(0), -1.0) }
-    }
-}
-
-/// A zone shorter than this, as a part of the length, beside a corner of the gap may be the corner alone.
-const NARROW: f64 = 1e-6;
-
-/// The beam on the corner of the gap at which its only, narrow zone begins or ends, held at the slope it has.
-pub(super) fn on_a_corner(glue: &mut Glue, found: &Found, zones: &[Stretch]) -> Option<Found> {
-    let [[from, to]] = *zones else { return None };
-    let model = glue.model;
-    if to - from > NARROW * model.beam.length {
-        return None;
-    }
-    let corner = model.gap.iter().map(|corner| corner.at).find(|at| *at == from || *at == to)?;
-    glue.on(&[[corner, corner]], Some(Held::as_in(found))).ok()
-}
 
 /// Solves a free beam whose resultant stands exactly over one of its ends. That end alone carries it, and
 /// the beam may stand on it at any angle beyond the one at which it leaves the ground tangentially, which

@@ -5,15 +5,15 @@
 //! has nearly vanished: both deflections are polynomials on the cells of both, and on a line between two
 //! deflections the slope of Φ is known exactly.
 
-use super::active_set::Found;
-use super::deflection::{Deflection, Spot, Zone};
-use super::forms::{Motion, beam_form, ground_work};
-use super::line::settle;
 use super::majorant;
-use crate::elements::exact::TERMS;
-use crate::mesh::Mesh;
+use crate::contact::state::Found;
+use crate::element::element::TERMS;
+use crate::mesh::deflection::{Deflection, Spot, Zone};
+use crate::mesh::energy::{Motion, beam_form, ground_work};
+use crate::mesh::mesh::Mesh;
 use crate::model::Model;
-use crate::polynomial::{Coefficients, rescale};
+use crate::numeric::line_search::settle;
+use crate::numeric::polynomial::{Coefficients, rescale};
 
 /// The relative fall that rounding leaves.
 const LEAST: f64 = 1e-26;

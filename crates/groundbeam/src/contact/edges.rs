@@ -6,12 +6,13 @@
 //! [scan](super::majorant) of the whole beam does, for a small part of its work. What only the scan sees
 //! (zones that split, appear or vanish) the certificate tells from an answer.
 
-use super::deflection::{Deflection, Spot, Zone};
 use super::narrow;
-use super::pieces::{Piece, pieces};
 use super::stretches::Stretch;
-use super::surface::{can_carry, open_link};
-use crate::ground::Link;
+use super::surface::can_carry;
+use crate::ground::link::Link;
+use crate::mesh::deflection::{Deflection, Spot, Zone};
+use crate::mesh::open_ground::open_link;
+use crate::mesh::pieces::{Piece, pieces};
 
 /// An edge may move by this part of the zone and of the open ground beside it.
 const NEAR: f64 = 0.25;
@@ -36,7 +37,7 @@ impl Joint {
 /// The stretches after a step on every edge of the given zones, whose ends are nodes. None where that is
 /// not for edges to tell: on separate springs, and where an end or a point of contact pulls or an edge
 /// goes far.
-pub(super) fn moved(w: &Deflection, zones: &[Zone]) -> Option<Vec<Stretch>> {
+pub(crate) fn moved(w: &Deflection, zones: &[Zone]) -> Option<Vec<Stretch>> {
     let pieces = pieces(w.mesh);
     let [piece] = pieces.as_slice() else { return None };
     if !piece.pasternak || zones.is_empty() {

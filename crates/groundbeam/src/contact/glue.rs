@@ -1,16 +1,20 @@
 //! The beam glued to the ground on given stretches, solved exactly.
 
-use super::active_set::{Found, turned};
-use super::balanced::Held;
-use super::deflection::Zone;
 use super::layout::Layout;
 use super::stretches::{Stretch, zones_of};
-use crate::chain::{Chain, ChainCell, Loose};
-use crate::elements::exact::{ExactElement, TERMS, parts};
-use crate::elements::{Operator, Touch};
-use crate::mesh::{Cell, Mesh};
+use crate::chain::elimination::Chain;
+use crate::chain::node::{ChainCell, Loose};
+use crate::contact::state::{Found, turned};
+use crate::element::courses::Touch;
+use crate::element::element::TERMS;
+use crate::element::operator::Operator;
+use crate::element::uniform::{ExactElement, parts};
+use crate::mesh::cell::Cell;
+use crate::mesh::deflection::Zone;
+use crate::mesh::mesh::Mesh;
 use crate::model::Model;
-use crate::polynomial::rescale;
+use crate::numeric::polynomial::rescale;
+use crate::numeric::polynomial::value;
 use std::borrow::Cow;
 
 /// One beam, glued on stretches that change from step to step.
@@ -201,11 +205,25 @@ impl<'a> Glue<'a> {
     }
 }
 
+/// A rotation given at an end, by a spring that equilibrium leaves without a moment.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Held {
+    pub left: bool,
+    pub slope: f64,
+}
+
+impl Held {
+    /// The rotation that a deflection has at the left end.
+    pub fn as_in(found: &Found) -> Held {
+        Held { left: true, slope: value(&found.rotation(0), -1.0) }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::model::{Beam, Foundation, Load};
-    use crate::polynomial::jet;
+    use crate::numeric::polynomial::jet;
 
     /// A gap of length h takes −π h off the ground's force and changes w by O(h), however short it is and
     /// wherever a node stands in it: 10⁻¹³ of w is left for rounding.

@@ -1,11 +1,15 @@
 //! Contact zones cell by cell: which parts of a cell touch, which nodes touch, what links remain.
 
-use super::deflection::Zone;
-use super::majorant::cell_part;
-use super::pieces::{Piece, pieces};
-use crate::chain::{ChainCell, ChainNode, Tie, TiedLink};
-use crate::elements::{Element, Operator, Touch};
-use crate::mesh::{Cell, Mesh};
+use crate::chain::node::{ChainCell, ChainNode};
+use crate::chain::node::{Tie, TiedLink};
+use crate::element::courses::Touch;
+use crate::element::element::Element;
+use crate::element::operator::Operator;
+use crate::mesh::cell::gap_at;
+use crate::mesh::deflection::Zone;
+use crate::mesh::mesh::Mesh;
+use crate::mesh::open_ground::cell_part;
+use crate::mesh::pieces::{Piece, pieces};
 use std::ops::Range;
 
 /// How near a point of contact is to a node that counts the surface from the beam, in wave lengths.
@@ -87,7 +91,7 @@ impl Layout {
             }
         }
         if best.0 <= f64::MIN_POSITIVE {
-            let held = |n: &crate::mesh::Node| n.clamped || n.pinned;
+            let held = |n: &crate::mesh::mesh::Node| n.clamped || n.pinned;
             if let Some(support) = mesh.nodes.iter().position(held) {
                 return support;
             }
@@ -226,19 +230,4 @@ impl Layout {
     ) -> ChainCell {
         ChainCell { element, links: self.links(mesh, i, row) }
     }
-}
-
-/// g₀ + u₀ at s of a cell.
-pub(crate) fn gap_at(cell: &Cell, s: f64) -> f64 {
-    initial_gap_at(cell, s) + cell.settled_at(s)[0]
-}
-
-/// g₀ at s of a cell.
-pub(crate) fn initial_gap_at(cell: &Cell, s: f64) -> f64 {
-    initial(cell.gap, s)
-}
-
-/// Linear between the values at both ends.
-pub(crate) fn initial([left, right]: [f64; 2], s: f64) -> f64 {
-    0.5 * (left + right) + 0.5 * (right - left) * s
 }

@@ -15,13 +15,13 @@
 //!
 //! Every arc is trimmed from its ends only and every cell passed over once: the scan is O(n).
 
-use super::deflection::{Deflection, Spot, Zone};
 use super::narrow;
-use super::pieces::{Piece, pieces};
-use super::varying;
-use crate::ground::Link;
-use crate::mesh::{Cell, Mesh};
-use crate::polynomial::{sign_changes, value};
+use crate::ground::link::Link;
+use crate::mesh::deflection::{Deflection, Spot, Zone};
+use crate::mesh::mesh::Mesh;
+use crate::mesh::open_ground::cell_part;
+use crate::mesh::pieces::{Piece, pieces};
+use crate::numeric::polynomial::{sign_changes, value};
 
 /// The stretches of contact, from left to right.
 pub(crate) fn contact(w: &Deflection) -> Vec<Zone> {
@@ -272,6 +272,13 @@ impl<'a> Scan<'a> {
 
     /// Trims both ends in turn until neither moves.
     fn tighten(&self, joint: &mut Joint, left_limit: Spot, right_limit: Spot) {
+        let opened = joint.left.zip(joint.right).and_then(|(a, b)| narrow::opened(self.w, [a, b]));
+        if let Some([a, b]) = opened
+            && left_limit < a
+            && b < right_limit
+        {
+            (joint.left, joint.right) = (Some(a), Some(b));
+        }
         for _ in 0..60 {
             let before = (joint.left, joint.right);
             self.trim_left(joint, left_limit);
@@ -421,14 +428,6 @@ fn chained(first: Option<Link>, second: Option<Link>) -> Option<Link> {
 
 fn point(spot: Spot) -> Zone {
     Zone { from: spot, to: spot }
-}
-
-/// The open ground of a part of a cell.
-pub(crate) fn cell_part(cell: &Cell, from: f64, to: f64) -> Link {
-    if cell.ground_varies() {
-        return varying::link(cell, [from, to]);
-    }
-    Link::uniform(cell.spring, cell.shear, 0.5 * (to - from) * cell.length())
 }
 
 /// `before`, then the whole cells of a range. Runs of equal ground are one link.

@@ -11,10 +11,10 @@
 //! joint is about. Rounding leaves ε μψ/h of the differences and ε h (kψ + μψ″) of the integrals: whichever
 //! is less decides.
 
-use super::deflection::{Deflection, Spot};
-use crate::cell::Cell;
-use crate::ground::{Link, between, settled};
-use crate::polynomial::value;
+use crate::ground::link::{Link, between, settled};
+use crate::mesh::cell::Cell;
+use crate::mesh::deflection::{Deflection, Spot};
+use crate::numeric::polynomial::value;
 
 /// The most cells a narrow joint reaches into; three are a gap and the cells beside it.
 const MOST_CELLS: usize = 4;
@@ -168,6 +168,25 @@ pub(super) fn end_forces(w: &Deflection, ends: [Option<Spot>; 2]) -> Option<[f64
         }
     }
     Some(forces)
+}
+
+/// A part of the joint that a corner opens between two arcs that meet there. On short even ground with a constant π
+/// both forces vanish where the joint reaches |c|/2π to each side of a corner that pulls with c; half of this still
+/// pulls at both ends, and the tangents are two or three steps away. None if the forces say otherwise.
+pub(super) fn opened(w: &Deflection, ends: [Spot; 2]) -> Option<[Spot; 2]> {
+    let [a, b] = ends;
+    if a.cell + 1 != b.cell || a.s < 1.0 || b.s > -1.0 {
+        return None;
+    }
+    let pressure = ends.map(|spot| w.pressing(spot)[2]);
+    let reach = -w.corner(b.cell) / (4.0 * pressure[0].max(pressure[1]));
+    let [before, after] = [a.cell, b.cell].map(|i| 2.0 * reach / w.mesh.cells[i].length());
+    if !(reach > 0.0 && before < 2.0 && after < 2.0) {
+        return None;
+    }
+    let spots = [Spot { s: 1.0 - before, ..a }, Spot { s: after - 1.0, ..b }];
+    let forces = end_forces(w, spots.map(Some))?;
+    (forces[0] < 0.0 && forces[1] < 0.0).then_some(spots)
 }
 
 /// What the terms of π in a cell add up to without their signs.

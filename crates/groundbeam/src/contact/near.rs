@@ -1,8 +1,7 @@
 //! Stretches of contact near the right ones, found without an iteration on edges.
 
-use crate::elements::wave_number;
+use crate::element::operator::wave_number;
 use crate::model::{FoundationSegment, Model};
-use crate::nodal;
 
 /// How long a beam may be, in units of 1/wave number, that needs no mesh to start from.
 const SHORT: f64 = 24.0;
@@ -13,7 +12,11 @@ pub(super) fn edges(model: &Model) -> Option<Vec<[f64; 2]>> {
     if !model.supports.is_empty() {
         return None;
     }
-    if is_short(model) { Some(vec![[0.0, model.beam.length]]) } else { nodal::edges(model) }
+    if is_short(model) {
+        Some(vec![[0.0, model.beam.length]])
+    } else {
+        crate::nodal::edges::edges(model)
+    }
 }
 
 /// Whether a beam is so short that no zone of contact lies far from another.

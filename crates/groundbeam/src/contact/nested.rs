@@ -6,11 +6,16 @@
 //! for the waves its elements are no beam at all. So the coarse meshes carry a beam just stiff enough for
 //! them, and every mesh starts from the deflection on the one before.
 
-use super::active_set::{self, CLOSE, COARSE_CLOSE, Found, Pressure, Stalled};
-use crate::elements::{Operator, Touch, hermite};
-use crate::mesh::{Cell, Mesh};
+use super::active_set;
+use crate::contact::state::{Found, Stalled};
+use crate::contact::stopping::COARSE_CLOSE;
+use crate::element::courses::Touch;
+use crate::element::operator::Operator;
+use crate::mesh::cell::Cell;
+use crate::mesh::mesh::Mesh;
 use crate::model::Model;
-use crate::polynomial::{jet, rescale};
+use crate::numeric::tolerance::ENERGY;
+use crate::options::Pressure;
 
 /// The most cells between two nodes of the model, for one cell per wave length.
 const MOST_COARSE: f64 = 64.0;
@@ -54,7 +59,7 @@ pub(crate) fn solve(
     let mut found: Option<Found> = None;
     let mut history = Vec::new();
     while let Some(mesh) = meshes.next() {
-        let close = if meshes.peek().is_some() { COARSE_CLOSE } else { CLOSE };
+        let close = if meshes.peek().is_some() { COARSE_CLOSE } else { ENERGY };
         match active_set::solve(mesh, pressure, found.as_ref(), close) {
             Ok(mut next) => {
                 history.append(&mut next.history);
@@ -65,31 +70,5 @@ pub(crate) fn solve(
             Err(_) => found = None,
         }
     }
-    found.map(|found| Found { history, ..found }).ok_or_else(Stalled::default)
-}
-
-/// The deflection of another mesh in the elements of this one: the same function where this one is finer,
-/// else one with the same values and slopes at the nodes.
-pub(crate) fn interpolated(mesh: &Mesh, found: &Found) -> Vec<[f64; 4]> {
-    let w = found.deflection();
-    let end = |x: f64, parent: usize| {
-        let cell = &found.mesh.cells[parent];
-        let [w, slope, ..] = jet(w.cell(parent), cell.local(x));
-        [w, slope * 2.0 / cell.length()]
-    };
-    let within = |cell: &Cell| {
-        let parent = found.mesh.cell_at(0.5 * (cell.x[0] + cell.x[1]));
-        let from = &found.mesh.cells[parent];
-        if from.x[0] <= cell.x[0] && cell.x[1] <= from.x[1] {
-            let [a, b] = cell.x.map(|x| from.local(x));
-            let c = rescale(w.cell(parent), 0.5 * (a + b), 0.5 * (b - a));
-            return hermite::fold(&c, cell.length());
-        }
-        // At a hinge each side has a slope of its own.
-        let before = found.mesh.cells.partition_point(|parent| parent.x[1] < cell.x[1]);
-        let [w, slope] = end(cell.x[0], found.mesh.cell_at(cell.x[0]));
-        let [next, next_slope] = end(cell.x[1], before.min(found.mesh.cells.len() - 1));
-        [w, slope, next - w - slope * cell.length(), next_slope - slope]
-    };
-    mesh.cells.iter().map(within).collect()
+    found.map(|found| Found { history, ..found }).ok_or(Stalled::SINGULAR)
 }

@@ -5,11 +5,11 @@
 //! the ends equilibrium itself gives shear and moment: T' = p − f, M' = T − P w' + g. An imposed curvature is in
 //! what the element demands already.
 
-use super::active_set::Found;
-use super::deflection::pressure_of;
 use super::surface::Part;
-use crate::elements::hermite;
-use crate::polynomial::{Coefficients, integral, rescale};
+use crate::contact::state::Found;
+use crate::element::cubic;
+use crate::mesh::deflection::pressure_of;
+use crate::numeric::polynomial::{Coefficients, integral, rescale};
 
 /// The coefficients of M(s) on each part, in the part's own coordinate.
 pub(crate) fn moments(
@@ -33,13 +33,13 @@ pub(crate) fn moments(
         } else {
             Coefficients::default()
         };
-        let mut demand = hermite::element(cell, mesh.axial_force).forces(&found.shapes[i]);
+        let mut demand = cubic::element(cell, mesh.axial_force).forces(&found.shapes[i]);
         for part in own.iter().filter(|part| spread && part.open.is_none()) {
-            hermite::add_work(&mut demand, h, part.s, &pressure);
+            cubic::add_work(&mut demand, h, part.s, &pressure);
         }
         let inside = point_forces.iter().filter(|(c, s, _)| *c == i && s.abs() < 1.0);
         for (_, s, force) in inside {
-            let z = hermite::deflection(0.5 * (1.0 + s), h);
+            let z = cubic::deflection(0.5 * (1.0 + s), h);
             for j in 0..4 {
                 demand[j] += force * z[j];
             }
@@ -83,5 +83,5 @@ pub(crate) fn moments(
 }
 
 fn distributed(found: &Found) -> bool {
-    found.pressure == super::active_set::Pressure::Distributed
+    found.pressure == crate::options::Pressure::Distributed
 }

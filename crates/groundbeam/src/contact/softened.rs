@@ -5,14 +5,18 @@
 //! runs hundreds of them while the stiffness falls by one per cent. So the edges are *followed*: each beam
 //! begins where the two before it point, and where it does not settle the step is halved.
 
-use super::active_set::{Found, Pressure, Stalled};
-use super::exact::{Goal, Proof, Start, refine, solve};
 use super::glue::Glue;
 use super::nested;
 use super::stretches::Stretch;
-use crate::elements::{Operator, Touch};
-use crate::mesh::{Cell, Mesh};
+use crate::contact::refine::{Goal, Start, refine};
+use crate::contact::state::{Found, Stalled, unsettled};
+use crate::contact::stopping::Proof;
+use crate::element::courses::Touch;
+use crate::element::operator::Operator;
+use crate::mesh::cell::Cell;
+use crate::mesh::mesh::Mesh;
 use crate::model::Model;
+use crate::options::Pressure;
 
 /// Cells of the first coarse mesh per wave length of the beam on its ground.
 const COARSE: f64 = 1.0;
@@ -55,9 +59,12 @@ pub(super) fn start(model: &Model, level: u32) -> Result<Found, Stalled> {
 }
 
 /// The same from the beam that only bends, by beams ever less stiff against shear.
-pub(super) fn from_bending(model: &Model) -> Result<Found, Stalled> {
+pub(super) fn from_bending(
+    model: &Model,
+    solve: impl FnOnce(&Model) -> Result<Found, Stalled>,
+) -> Result<Found, Stalled> {
     let bending = Model { beam: model.beam.clone().without_shear(), ..model.clone() };
-    let found = solve(&bending, None, |_| Proof::NONE)?;
+    let found = solve(&bending)?;
     let model_of = |doublings: f64| {
         let beam = model.beam.clone().stiffened_in_shear(doublings.exp2());
         Model { beam, ..model.clone() }
@@ -100,7 +107,7 @@ fn follow(
             Err(_) => step *= 0.5,
         }
     }
-    Err(Stalled::default())
+    Err(unsettled(0, f64::NAN))
 }
 
 /// Where edges on a beam of length l go on to that went from `before` to `here`, by so large a `part` of that

@@ -1,8 +1,9 @@
 //! Contact as positions, and as zones of a mesh with a node at each of them.
 
-use super::deflection::{Spot, Zone};
-use crate::elements::Touch;
-use crate::mesh::{Cell, Mesh};
+use crate::element::courses::Touch;
+use crate::mesh::cell::Cell;
+use crate::mesh::deflection::{Spot, Zone};
+use crate::mesh::mesh::Mesh;
 
 /// Edges this close to a place of the model's own, as a part of the length, are there.
 const SAME_PLACE: f64 = 64.0 * f64::EPSILON;
@@ -14,7 +15,7 @@ const SLIT: f64 = 1e-10;
 pub(crate) type Stretch = [f64; 2];
 
 /// Zones as positions. An edge within rounding of a place of the model's own is there.
-pub(super) fn positions(mesh: &Mesh, zones: &[Zone], places: &[f64]) -> Vec<Stretch> {
+pub(crate) fn positions(mesh: &Mesh, zones: &[Zone], places: &[f64]) -> Vec<Stretch> {
     let l = mesh.cells[mesh.cells.len() - 1].x[1];
     let at = |spot: Spot| at_place(mesh.cells[spot.cell].global(spot.s), places, l);
     // Without a shear layer a stretch that rounding made is no point of contact: it carries nothing.
@@ -26,7 +27,7 @@ pub(super) fn positions(mesh: &Mesh, zones: &[Zone], places: &[f64]) -> Vec<Stre
 
 /// Stretches without the slits that rounding leaves between them, on a beam of length l. A point stays: it may be
 /// the end of a shear layer beside separate springs.
-pub(super) fn joined(stretches: Vec<Stretch>, l: f64) -> Vec<Stretch> {
+pub(crate) fn joined(stretches: Vec<Stretch>, l: f64) -> Vec<Stretch> {
     let mut joined: Vec<Stretch> = Vec::with_capacity(stretches.len());
     for stretch in stretches {
         match joined.last_mut() {
@@ -44,14 +45,14 @@ pub(super) fn joined(stretches: Vec<Stretch>, l: f64) -> Vec<Stretch> {
 }
 
 /// A position on a beam of length l; within rounding of a place of the model's own that place.
-pub(super) fn at_place(x: f64, places: &[f64], l: f64) -> f64 {
+pub(crate) fn at_place(x: f64, places: &[f64], l: f64) -> f64 {
     let near = SAME_PLACE * l;
     let next = places.partition_point(|place| *place < x - near);
     places.get(next).copied().filter(|place| *place <= x + near).unwrap_or(x)
 }
 
 /// Stretches as zones of a mesh that has a node at each of their ends.
-pub(super) fn zones_of(
+pub(crate) fn zones_of(
     mesh: &Mesh,
     stretches: &[Stretch],
     touch: &impl Fn(&Cell) -> Touch,
@@ -91,7 +92,7 @@ pub(super) fn zones_of(
 }
 
 /// The largest move of an edge; infinite if a zone came or went.
-pub(super) fn distance(a: &[Stretch], b: &[Stretch]) -> f64 {
+pub(crate) fn distance(a: &[Stretch], b: &[Stretch]) -> f64 {
     if a.len() != b.len() {
         return f64::INFINITY;
     }

@@ -1,11 +1,12 @@
 //! The ground's surface and what it presses with, for a given w and given zones of contact.
 
-use super::deflection::{Deflection, Spot, Zone};
-use super::majorant::cell_part;
 use super::narrow;
-use super::pieces::{Piece, pieces};
-use crate::ground::Link;
-use crate::mesh::Mesh;
+use crate::ground::link::Link;
+use crate::mesh::deflection::{Deflection, Spot, Zone};
+use crate::mesh::mesh::Mesh;
+use crate::mesh::open_ground::cell_part;
+use crate::mesh::open_ground::{heights, open_link, open_links};
+use crate::mesh::pieces::{Piece, pieces};
 
 /// A part of a cell in which beam and ground touch all along or not at all.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -198,29 +199,6 @@ fn halved(
     halved([middle, to], short, halvings - 1, cuts);
 }
 
-/// u at the ends and the joints of links in a row, held at both ends; and all of them as one link.
-///
-/// Forward: the link from the start to each joint; backward: each joint between that link and the next
-/// part. Sums of positive numbers only.
-pub(crate) fn heights(links: &[Link], [start, end]: [f64; 2]) -> (Vec<f64>, Option<Link>) {
-    let mut so_far: Vec<Link> = Vec::with_capacity(links.len());
-    for link in links {
-        so_far.push(so_far.last().map_or(*link, |before| before.then(*link)));
-    }
-    let mut right = end;
-    let mut values = vec![0.0; links.len() + 1];
-    values[0] = start;
-    values[links.len()] = end;
-    for i in (1..links.len()).rev() {
-        let (before, next) = (so_far[i - 1], links[i]);
-        let pull = before.coupling * start + next.coupling * right;
-        let hold = before.coupling + before.leak_right + next.coupling + next.leak_left;
-        right = pull / hold;
-        values[i] = right;
-    }
-    (values, so_far.last().copied())
-}
-
 /// Whether mechanics allows a concentrated force at the end of a stretch of contact: at the ends of the
 /// beam and of the shear layer, at corners, at hinges and where a beam that shears has a kink. Elsewhere the ground leaves the beam tangentially.
 pub(crate) fn can_carry(mesh: &Mesh, spot: Spot) -> bool {
@@ -238,44 +216,4 @@ pub(crate) fn can_carry(mesh: &Mesh, spot: Spot) -> bool {
         || mesh.nodes[node].hinge.is_some()
         || mesh.nodes[node].kinked
         || right.ground_force != 0.0
-}
-
-/// All of the open ground between two spots as one link; none between spots that meet.
-pub(crate) fn open_link(
-    mesh: &Mesh,
-    piece: &Piece,
-    from: Option<Spot>,
-    to: Option<Spot>,
-) -> Option<Link> {
-    let links = open_links(mesh, piece, from, to);
-    links.into_iter().map(|(_, link)| link).reduce(Link::then)
-}
-
-/// The links of open ground between two spots, cell by cell; a missing spot is the ground beyond.
-fn open_links(
-    mesh: &Mesh,
-    piece: &Piece,
-    from: Option<Spot>,
-    to: Option<Spot>,
-) -> Vec<(Option<(usize, [f64; 2])>, Link)> {
-    let mut links = Vec::new();
-    let first = from.unwrap_or(Spot { cell: piece.cells.start, s: -1.0 });
-    let last = to.unwrap_or(Spot { cell: piece.cells.end - 1, s: 1.0 });
-    if from.is_none() {
-        let leak_right = piece.beyond[0];
-        links.push((None, Link { coupling: 0.0, leak_left: 0.0, leak_right }));
-    }
-    for cell in first.cell..=last.cell {
-        let start = if cell == first.cell { first.s } else { -1.0 };
-        let end = if cell == last.cell { last.s } else { 1.0 };
-        if end > start {
-            let link = cell_part(&mesh.cells[cell], start, end);
-            links.push((Some((cell, [start, end])), link));
-        }
-    }
-    if to.is_none() {
-        let leak_left = piece.beyond[1];
-        links.push((None, Link { coupling: 0.0, leak_left, leak_right: 0.0 }));
-    }
-    links
 }

@@ -11,17 +11,20 @@
 //! G is never formed. Beyond a node its column decays by a factor from node to node, so that a sweep
 //! carries one number along, and costs O(n).
 
-use super::active_set::{Found, Pressure, Stalled, Step};
-use super::deflection::Zone;
-use super::majorant::{self, cell_part};
+use super::majorant;
 use super::surface::{Atom, Part, Surface};
-use crate::chain::{Chain, ChainCell, ChainNode};
-use crate::elements::hermite::{self, TERMS};
-use crate::ground::Link;
-use crate::mesh::Mesh;
+use crate::chain::elimination::Chain;
+use crate::chain::node::{ChainCell, ChainNode};
+use crate::contact::state::{Found, Stalled, Step};
+use crate::element::cubic::{self, TERMS};
+use crate::error::NotConverged;
+use crate::ground::link::Link;
+use crate::mesh::deflection::Zone;
+use crate::mesh::mesh::Mesh;
+use crate::mesh::open_ground::cell_part;
+use crate::numeric::tolerance::SWEEPS;
+use crate::options::Pressure;
 
-/// The relative residual of (5.10) at which the iteration has converged.
-const TOLERANCE: f64 = 1e-11;
 /// How much of the greatest safe ρ is used.
 const SAFE: f64 = 0.95;
 
@@ -65,14 +68,13 @@ pub(crate) fn solve(
         let touching = pressure.windows(2).filter(|p| p[0] == 0.0 && p[1] > 0.0).count();
         let zones = touching + usize::from(pressure[0] > 0.0);
         history.push(Step { zones, step: rho[0], decrement: residual });
-        if residual <= TOLERANCE || !residual.is_finite() {
+        if residual <= SWEEPS || !residual.is_finite() {
             break;
         }
     }
-    if residual.is_nan() || residual > TOLERANCE {
-        let what = "the relative residual of the contact condition (5.10)";
+    if residual.is_nan() || residual > SWEEPS {
         let iterations = history.len();
-        return Err(Stalled { iterations, what, tolerance: TOLERANCE, reached: residual });
+        return Err(Stalled { iterations, why: NotConverged::Sweeps(residual) });
     }
     Ok(found(mesh.clone(), &ground, &beam, &pressure, rigid, history))
 }
@@ -298,7 +300,7 @@ impl<'a> FreeBeam<'a> {
         let cells: Vec<ChainCell> = mesh
             .cells
             .iter()
-            .map(|c| ChainCell { element: hermite::element(c, mesh.axial_force), links: vec![] })
+            .map(|c| ChainCell { element: cubic::element(c, mesh.axial_force), links: vec![] })
             .collect();
         let meeting = nodes.iter().position(|n| n.pinned || n.spring > 0.0).unwrap_or(0);
         let chain = Chain { nodes, cells, meeting };
@@ -395,7 +397,7 @@ fn found(
         }
     }
     let coefficients: Vec<f64> =
-        shapes.iter().zip(&mesh.cells).flat_map(|(v, c)| hermite::unfold(v, c.length())).collect();
+        shapes.iter().zip(&mesh.cells).flat_map(|(v, c)| cubic::unfold(v, c.length())).collect();
     let u = ground.settlement(pressure);
     let parts = (0..mesh.cells.len())
         .map(|cell| Part { cell, s: [-1.0, 1.0], open: Some([u[cell], u[cell + 1]]) })

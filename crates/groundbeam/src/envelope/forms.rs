@@ -1,8 +1,8 @@
 //! A field of several solutions as polynomials on common intervals.
 
-use crate::ground::{self, settled};
-use crate::polynomial::{Coefficients, derivative, rescale};
-use crate::solution::{Field, Solution, Stretch};
+use crate::ground::link::{self, settled};
+use crate::numeric::polynomial::{Coefficients, derivative, rescale};
+use crate::solution::solution::{Field, Solution, Stretch};
 
 /// One field of several solutions, ready to be cut.
 pub(super) struct Forms<'a> {
@@ -19,7 +19,7 @@ impl<'a> Forms<'a> {
             joints.extend(stretch.x);
             if matches!(field, Field::Settlement | Field::Gap) && is_exponential(stretch) {
                 let decay = (stretch.cell.shear / stretch.cell.spring).sqrt();
-                ground::cut(stretch.x, decay, &mut joints);
+                link::cut(stretch.x, decay, &mut joints);
             }
         }
         joints.sort_by(f64::total_cmp);
@@ -109,7 +109,7 @@ fn pressed_ground(stretch: &Stretch, [a, b]: [f64; 2]) -> Coefficients {
     let (k, mu) = (stretch.cell.spring, stretch.cell.shear);
     let half = 0.5 * (b - a) * stretch.half;
     // A piece this long lies far from both ends.
-    if 2.0 * half > 1.5 * ground::PIECE * (mu / k).sqrt() {
+    if 2.0 * half > 1.5 * link::PIECE * (mu / k).sqrt() {
         return Coefficients::zeros(1);
     }
     let ends = stretch.open.unwrap_or_default();

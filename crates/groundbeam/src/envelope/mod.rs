@@ -3,7 +3,7 @@
 mod forms;
 mod upper;
 
-use crate::solution::{Extreme, Field, Fields, Range, Side, Solution};
+use crate::solution::solution::{Extreme, Field, Fields, Range, Side, Solution};
 use forms::Forms;
 
 /// Smaller differences, relative to the field's largest value in all solutions, are rounding: the

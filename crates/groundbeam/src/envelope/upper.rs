@@ -1,6 +1,6 @@
 //! The upper line of several polynomials on one interval, and which of them it is.
 
-use crate::polynomial::{Coefficients, rescale, sign_changes, value};
+use crate::numeric::polynomial::{Coefficients, rescale, sign_changes, value};
 
 /// A part of the interval on which one polynomial is the largest.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,8 @@
 //! The rules for ground beside the beam, and for what acts on the ground.
 
-use super::validate::{finite, in_range};
+use super::places::Places;
 use super::{FoundationSegment, GroundEnd, Model, Part, Problem};
+use crate::model::problem::in_range;
 
 impl Model {
     pub(super) fn check_ground_ends(&self, found: &mut Vec<Problem>) {
@@ -29,11 +30,25 @@ impl Model {
         self.foundation.segments.iter().position(varies).map(Part::FoundationSegment)
     }
 
-    pub(super) fn ground_has_no_layer(&self, at: f64) -> bool {
+    /// Where segments of the ground begin.
+    pub(super) fn ground_begins(&self) -> Places {
+        let mut begins = Places::default();
+        for (i, segment) in self.foundation.segments.iter().enumerate() {
+            begins.add(segment.from, i);
+        }
+        begins
+    }
+
+    /// Whether the ground at and left of a place under the beam has no shear layer.
+    pub(super) fn ground_has_no_layer(&self, begins: &Places, at: f64) -> bool {
+        let ground = &self.foundation;
+        let shear = |x: f64| {
+            let segment = begins.last_up_to(x).map(|i| &ground.segments[i]);
+            let segment = segment.filter(|s| s.from <= x && x < s.to);
+            segment.map_or(ground.shear, |s| s.shear.at_position([s.from, s.to], x))
+        };
         let on_beam = at >= 0.0 && at <= self.beam.length;
-        let [(_, left), (_, right)] =
-            [at, at - f64::EPSILON * self.beam.length].map(|x| self.foundation.constants_at(x));
-        on_beam && left == 0.0 && right == 0.0
+        on_beam && [at, at - f64::EPSILON * self.beam.length].into_iter().all(|x| shear(x) == 0.0)
     }
 
     /// A load on the ground must stand where there is ground.
@@ -51,15 +66,5 @@ impl Model {
             let hint = "it ends where `left` and `right` say";
             found.push(Problem::new("GB208", part, field, message, hint));
         }
-    }
-}
-
-/// A load on the ground presses.
-pub(super) fn down(found: &mut Vec<Problem>, part: Part, field: &'static str, value: f64) {
-    finite(found, part, field, value);
-    if value < 0.0 {
-        let message = "a load on the ground pulls it up";
-        let hint = "it must press down";
-        found.push(Problem::new("GB211", part, field, message, hint));
     }
 }

@@ -1,42 +1,7 @@
 //! The ground beside the beam: where it ends, and of what it is.
 
 use super::foundation::Foundation;
-
-/// How the ground ends beyond an end of the beam.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum GroundEnd {
-    /// It goes on without end.
-    #[default]
-    Endless,
-    /// Its surface ends at `at` \[m\] and is free there, as beside a trench: μu' = 0.
-    Free {
-        /// Position \[m\], at the beam's end or beyond it.
-        at: f64,
-    },
-    /// Its surface is held at `at` \[m\], as by a wall: u = 0.
-    Held {
-        /// Position \[m\], beyond the beam's end.
-        at: f64,
-    },
-}
-
-impl GroundEnd {
-    /// The position, if there is one \[m\].
-    pub fn at(self) -> Option<f64> {
-        match self {
-            GroundEnd::Endless => None,
-            GroundEnd::Free { at } | GroundEnd::Held { at } => Some(at),
-        }
-    }
-
-    pub(super) fn mirrored(self, l: f64) -> Self {
-        match self {
-            GroundEnd::Endless => GroundEnd::Endless,
-            GroundEnd::Free { at } => GroundEnd::Free { at: l - at },
-            GroundEnd::Held { at } => GroundEnd::Held { at: l - at },
-        }
-    }
-}
+use crate::model::foundation::GroundEnd;
 
 /// A stretch of even ground with a shear layer beside the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]

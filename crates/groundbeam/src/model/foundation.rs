@@ -1,6 +1,5 @@
 //! The ground: k(x) and μ(x) by segments on the whole line, (2.2) and Remark 2.
 
-use super::beyond::GroundEnd;
 use super::profile::{Course, Profile};
 
 /// A Pasternak foundation; with `shear` = 0 a Winkler foundation.
@@ -117,5 +116,41 @@ impl FoundationSegment {
     /// k and μ on a stretch of the segment.
     pub(crate) fn courses(&self, x: [f64; 2]) -> [Course; 2] {
         [self.spring, self.shear].map(|constant| constant.on([self.from, self.to], x))
+    }
+}
+
+/// How the ground ends beyond an end of the beam.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum GroundEnd {
+    /// It goes on without end.
+    #[default]
+    Endless,
+    /// Its surface ends at `at` \[m\] and is free there, as beside a trench: μu' = 0.
+    Free {
+        /// Position \[m\], at the beam's end or beyond it.
+        at: f64,
+    },
+    /// Its surface is held at `at` \[m\], as by a wall: u = 0.
+    Held {
+        /// Position \[m\], beyond the beam's end.
+        at: f64,
+    },
+}
+
+impl GroundEnd {
+    /// The position, if there is one \[m\].
+    pub fn at(self) -> Option<f64> {
+        match self {
+            GroundEnd::Endless => None,
+            GroundEnd::Free { at } | GroundEnd::Held { at } => Some(at),
+        }
+    }
+
+    pub(super) fn mirrored(self, l: f64) -> Self {
+        match self {
+            GroundEnd::Endless => GroundEnd::Endless,
+            GroundEnd::Free { at } => GroundEnd::Free { at: l - at },
+            GroundEnd::Held { at } => GroundEnd::Held { at: l - at },
+        }
     }
 }

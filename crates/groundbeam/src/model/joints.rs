@@ -1,19 +1,28 @@
 //! Rules for hinges and for supports that act in one direction alone.
 
-use super::validate::{Part, Problem, describe, in_range, remedy};
+use super::places::{Places, near, repeated};
 use super::{Load, Model, SupportKind};
+use crate::model::problem::{Part, Problem, describe, in_range, remedy};
 
 impl Model {
     pub(super) fn check_hinges(&self, found: &mut Vec<Problem>) {
-        for (i, hinge) in self.hinges.iter().enumerate() {
+        let l = self.beam.length;
+        let near = near(l);
+        let turning = Turning::of(self);
+        let repeated = repeated(self.hinges.iter().map(|hinge| hinge.at), near);
+        for ((i, hinge), other) in self.hinges.iter().enumerate().zip(repeated) {
             let part = Part::Hinge(i);
             self.check_position(found, part, hinge.at);
             let mut report = |code, field, message: String, hint: String| {
                 let problem = Problem::new(code, part, field, message, hint);
                 found.push(problem.with_numbers(&[hinge.at, self.beam.length]));
             };
-            if hinge.at == 0.0 || hinge.at == self.beam.length {
-                let message = "the hinge at {0} stands at an end of the beam, where nothing hinges";
+            if hinge.at.abs() <= near || (l - hinge.at).abs() <= near {
+                let message = if hinge.at == 0.0 || hinge.at == l {
+                    "the hinge at {0} stands at an end of the beam, where nothing hinges"
+                } else {
+                    "the hinge at {0} is too near an end of the beam: rounding makes them one place"
+                };
                 let hint = "a hinge joins two parts: place it between 0 and {1}, or leave it out";
                 report("GB404", "at", message.into(), hint.into());
             }
@@ -23,12 +32,12 @@ impl Model {
                 let hint = remedy(spring, "it must be zero, for a free hinge, or positive");
                 report("GB405", "rotational_spring", message, hint);
             }
-            if let Some(other) = self.hinges[..i].iter().position(|h| h.at == hinge.at) {
+            if let Some(other) = other {
                 let message = format!("there is a hinge at {{0}} already (number {})", other + 1);
                 let hint = "two hinges at one place are one: leave one of them out";
                 report("GB406", "at", message, hint.into());
             }
-            if let Some(what) = self.turning_at(hinge.at) {
+            if let Some(what) = turning.at(hinge.at, near) {
                 let message =
                     format!("{what} at {{0}} acts on the slope, which jumps at the hinge");
                 let hint = "place one of the two a little to the side on which it is meant";
@@ -53,27 +62,42 @@ impl Model {
             found.push(Problem::new("GB408", Part::Support(i), "acts", message, hint));
         }
     }
+}
 
-    /// What acts on or holds the slope at a position.
-    fn turning_at(&self, x: f64) -> Option<String> {
-        let near = SAME_PLACE * self.beam.length;
-        let here = |at: f64| (at - x).abs() <= near;
-        let moment = self.loads.iter().position(
-            |load| matches!(load, Load::PointMoment { at, moment } if here(*at) && *moment != 0.0),
-        );
+/// What acts on or holds the slope: where, and the number of the load or support.
+struct Turning {
+    moments: Places,
+    supports: Places,
+}
+
+impl Turning {
+    fn of(model: &Model) -> Self {
+        let mut moments = Places::default();
+        for (i, load) in model.loads.iter().enumerate() {
+            if let Load::PointMoment { at, moment } = *load
+                && moment != 0.0
+            {
+                moments.add(at, i);
+            }
+        }
         let turns = |kind: SupportKind| match kind {
             SupportKind::Pinned => false,
             SupportKind::Fixed => true,
             SupportKind::Spring { rotational_spring, .. } => rotational_spring != 0.0,
         };
-        let support = self.supports.iter().position(|s| here(s.at) && turns(s.kind));
-        let moment = moment.map(|i| format!("the moment of load {}", i + 1));
-        moment.or(support.map(|i| format!("support {}", i + 1)))
+        let mut supports = Places::default();
+        for (i, support) in model.supports.iter().enumerate().filter(|(_, s)| turns(s.kind)) {
+            supports.add(support.at, i);
+        }
+        Turning { moments, supports }
+    }
+
+    fn at(&self, x: f64, near: f64) -> Option<String> {
+        let moment =
+            self.moments.first_at(x, near).map(|i| format!("the moment of load {}", i + 1));
+        moment.or_else(|| self.supports.first_at(x, near).map(|i| format!("support {}", i + 1)))
     }
 }
-
-/// Positions closer than this part of the beam's length are one node.
-const SAME_PLACE: f64 = 16.0 * f64::EPSILON;
 
 impl Problem {
     /// Values at nodes are for beams that bend all along.

@@ -11,13 +11,17 @@ mod gap;
 mod hinge;
 mod joints;
 mod load;
+mod places;
+pub(crate) mod problem;
 mod profile;
 mod refused;
+pub(crate) mod soil;
 mod support;
 mod validate;
 
+pub use crate::model::foundation::GroundEnd;
+pub use crate::model::problem::{Part, Problem};
 pub use beam::{Beam, BeamSegment};
-pub use beyond::GroundEnd;
 pub(crate) use beyond::{Beyond, Layer};
 pub use foundation::{Foundation, FoundationSegment};
 pub use gap::GapPoint;
@@ -26,7 +30,6 @@ pub use load::Load;
 pub(crate) use profile::Course;
 pub use profile::Profile;
 pub use support::{Acts, Support, SupportKind};
-pub use validate::{Part, Problem};
 
 /// A beam, the ground under it, and what acts on them.
 ///
@@ -151,4 +154,11 @@ impl Model {
             gap,
         }
     }
+}
+
+/// A model under a compression \[N\] that may not be its own.
+pub(crate) fn compressed(model: &Model, compression: f64) -> Model {
+    let mut model = model.clone();
+    model.beam.axial_force = -compression;
+    model
 }

@@ -6,7 +6,7 @@
 //! without looking anywhere in between; seen in a mirror they only change their order; and every part of the
 //! curve has control values of its own, sums of given ones with positive weights.
 
-use crate::polynomial::{jet, value};
+use crate::numeric::polynomial::{jet, value};
 
 /// A quantity along a segment from its left end to its right one.
 ///
@@ -130,7 +130,7 @@ impl Profile {
     }
 
     /// On a stretch x of a segment with the given ends, by s ∈ \[−1, 1\] along the stretch.
-    pub(super) fn on(&self, ends: [f64; 2], x: [f64; 2]) -> Course {
+    pub(crate) fn on(&self, ends: [f64; 2], x: [f64; 2]) -> Course {
         if self.is_constant() {
             return Course::constant(self.start());
         }

@@ -1,6 +1,7 @@
 //! What is right but not solved, or not by every method.
 
 use super::{Beam, Part, Problem};
+use crate::model::problem::Bytes;
 
 impl Problem {
     /// Nodal pressures where nothing spreads them.
@@ -92,6 +93,22 @@ impl Problem {
             "the bending stiffness is very small beside the shear layer, the springs or the tension: make it larger, \
              or leave out what varies or shears",
         )
+    }
+
+    /// More elements than fit into the memory that may be used.
+    pub(crate) fn too_large(method: &str, elements: usize, [needed, limit]: [Bytes; 2]) -> Self {
+        let message = format!(
+            "the method `{method}` would need about {needed} of memory for {elements} elements, more than the limit \
+             of {limit}"
+        );
+        let hint = match method {
+            "exact" => {
+                "the beam is very long beside its waves, or has very many parts: shorten it, or raise the limit, as in \
+                 --memory-limit \"8 GB\""
+            }
+            _ => "use fewer elements, or raise the limit, as in --memory-limit \"8 GB\"",
+        };
+        Problem::new("GB617", Part::Beam, "length", message, hint)
     }
 
     /// Rows of equal elements need one stiffness and one ground each.

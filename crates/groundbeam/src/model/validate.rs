@@ -1,90 +1,11 @@
 //! Every rule a model must obey, each with what would be right.
 
-use super::beside::down;
+use super::places;
 use super::{Foundation, Load, Model, Profile, SupportKind};
-use std::fmt;
-
-/// Which part of the model a [`Problem`] is about; numbers count from 0 in the order given.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Part {
-    /// The beam itself.
-    Beam,
-    /// One of the beam's segments.
-    BeamSegment(usize),
-    /// The foundation itself.
-    Foundation,
-    /// One of the foundation's segments.
-    FoundationSegment(usize),
-    /// One of the loads.
-    Load(usize),
-    /// One of the supports.
-    Support(usize),
-    /// One of the hinges.
-    Hinge(usize),
-    /// One corner of the initial gap.
-    Gap(usize),
-}
-
-/// One thing that is wrong with a model.
-///
-/// Positions that a reader should see in a unit of their own choice are in `numbers`, and stand in
-/// `message` and `hint` as `{0}`, `{1}`, …; [`Problem::fill`] writes them out.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Problem {
-    /// A fixed code, one for each rule, such as `GB101`.
-    pub code: &'static str,
-    /// The part of the model.
-    pub part: Part,
-    /// The field of that part, as the model names it: `length`, `at`, `from`, `spring`, …
-    pub field: &'static str,
-    /// What is wrong.
-    pub message: String,
-    /// What would be right.
-    pub hint: String,
-    /// Positions \[m\] that `message` and `hint` refer to as `{0}`, `{1}`, …
-    pub numbers: Vec<f64>,
-}
-
-impl Problem {
-    pub(super) fn new(
-        code: &'static str,
-        part: Part,
-        field: &'static str,
-        message: impl Into<String>,
-        hint: impl Into<String>,
-    ) -> Self {
-        Problem { code, part, field, message: message.into(), hint: hint.into(), numbers: vec![] }
-    }
-
-    pub(super) fn with_numbers(mut self, numbers: &[f64]) -> Self {
-        self.numbers = numbers.to_vec();
-        self
-    }
-
-    /// `text` with `{0}`, `{1}`, … replaced by the numbers, each written by `write`.
-    pub fn fill(&self, text: &str, write: impl Fn(f64) -> String) -> String {
-        let mut filled = text.to_owned();
-        for (i, &number) in self.numbers.iter().enumerate() {
-            filled = filled.replace(&format!("{{{i}}}"), &write(number));
-        }
-        filled
-    }
-}
-
-impl fmt::Display for Problem {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let plain = |x: f64| x.to_string();
-        write!(
-            f,
-            "[{}] {:?}, {}: {} ({})",
-            self.code,
-            self.part,
-            self.field,
-            self.fill(&self.message, plain),
-            self.fill(&self.hint, plain)
-        )
-    }
-}
+use crate::model::problem::down;
+use crate::model::problem::{
+    Part, Problem, describe, finite, in_range, positive, positive_along, remedy,
+};
 
 impl Model {
     /// Everything that is wrong with the model; empty when it can be solved.
@@ -174,6 +95,7 @@ impl Model {
     }
 
     fn check_loads(&self, found: &mut Vec<Problem>) {
+        let begins = self.ground_begins();
         for (i, load) in self.loads.iter().enumerate() {
             let part = Part::Load(i);
             match *load {
@@ -196,7 +118,7 @@ impl Model {
                     finite(found, part, "at", at);
                     self.check_on_ground(found, part, "at", [at, at]);
                     down(found, part, "force", force);
-                    if self.ground_has_no_layer(at) {
+                    if self.ground_has_no_layer(&begins, at) {
                         let message = "a force at a point of the ground needs a shear layer";
                         let hint = "spread it: distributed with from and to";
                         found.push(Problem::new("GB209", part, "at", message, hint));
@@ -220,7 +142,9 @@ impl Model {
     }
 
     fn check_supports(&self, found: &mut Vec<Problem>) {
-        for (i, support) in self.supports.iter().enumerate() {
+        let positions = self.supports.iter().map(|support| support.at);
+        let repeated = places::repeated(positions, places::near(self.beam.length));
+        for ((i, support), other) in self.supports.iter().enumerate().zip(repeated) {
             let part = Part::Support(i);
             self.check_position(found, part, support.at);
             finite(found, part, "settlement", support.settlement);
@@ -239,7 +163,7 @@ impl Model {
                 constant("spring", spring);
                 constant("rotational_spring", rotational_spring);
             }
-            if let Some(other) = self.supports[..i].iter().position(|s| s.at == support.at) {
+            if let Some(other) = other {
                 let message = format!("there is a support at {{0}} already (number {})", other + 1);
                 let hint = "say in one support all that it holds";
                 let problem = Problem::new("GB403", part, "at", message, hint);
@@ -287,64 +211,6 @@ impl Model {
     }
 }
 
-/// Numbers whose squares and cubes still fit are the ones mechanics can be done with.
-pub(super) fn in_range(value: f64) -> bool {
-    value == 0.0 || (value.is_finite() && (1e-60..=1e60).contains(&value.abs()))
-}
-
-pub(super) fn describe(value: f64) -> String {
-    if value.is_nan() {
-        "not a number".into()
-    } else if value.is_infinite() {
-        "infinite".into()
-    } else if value < 0.0 && in_range(value) {
-        "negative".into()
-    } else if value == 0.0 {
-        "zero".into()
-    } else {
-        format!("{value:e}, beyond what can be computed with")
-    }
-}
-
-/// What would be right: the rule, or the range of numbers where only that is broken.
-pub(super) fn remedy(value: f64, rule: &str) -> String {
-    if value.is_finite() && !in_range(value) {
-        "numbers between 1e-60 and 1e60, their negatives and 0 can be computed with".into()
-    } else {
-        rule.into()
-    }
-}
-
-fn positive(
-    found: &mut Vec<Problem>,
-    code: &'static str,
-    part: Part,
-    field: &'static str,
-    value: f64,
-    what: &str,
-) {
-    if !(in_range(value) && value > 0.0) {
-        let message = format!("{what} is {}", describe(value));
-        let hint = remedy(value, "it must be positive");
-        found.push(Problem::new(code, part, field, message, hint));
-    }
-}
-
-/// The control values must be positive: so is then what lies between them.
-fn positive_along(
-    found: &mut Vec<Problem>,
-    code: &'static str,
-    part: Part,
-    field: &'static str,
-    profile: &Profile,
-    what: &str,
-) {
-    let wrong = profile.control_values().iter().find(|value| !(in_range(**value) && **value > 0.0));
-    if let Some(value) = wrong {
-        positive(found, code, part, field, *value, what);
-    }
-}
-
 /// Zero all along, or positive all along: a shear layer that thins out to nothing has no end of its own.
 fn check_shear(found: &mut Vec<Problem>, part: Part, shear: &Profile) {
     let values = shear.control_values();
@@ -361,14 +227,6 @@ fn check_shear(found: &mut Vec<Problem>, part: Part, shear: &Profile) {
     }
 }
 
-pub(super) fn finite(found: &mut Vec<Problem>, part: Part, field: &'static str, value: f64) {
-    if !in_range(value) {
-        let message = format!("the value is {}", describe(value));
-        let hint = remedy(value, "give a finite number");
-        found.push(Problem::new("GB302", part, field, message, hint));
-    }
-}
-
 pub(super) fn check_order(found: &mut Vec<Problem>, part: Part, from: f64, to: f64) {
     if from >= to {
         let message = "the stretch from {0} to {1} has no length";
@@ -382,17 +240,12 @@ pub(super) fn check_order(found: &mut Vec<Problem>, part: Part, from: f64, to: f
 }
 
 fn overlaps(found: &mut Vec<Problem>, spans: &[(f64, f64)], part: impl Fn(usize) -> Part) {
-    for (i, &(from, to)) in spans.iter().enumerate() {
-        for (j, &(other_from, other_to)) in spans[..i].iter().enumerate() {
-            if from < other_to && other_from < to {
-                let message = format!(
-                    "this segment, {{0}} to {{1}}, overlaps segment {}, {{2}} to {{3}}",
-                    j + 1
-                );
-                let hint = "segments may touch but not overlap";
-                let problem = Problem::new("GB304", part(i), "from", message, hint);
-                found.push(problem.with_numbers(&[from, to, other_from, other_to]));
-            }
-        }
+    for (i, j) in places::overlapping(spans) {
+        let ((from, to), (other_from, other_to)) = (spans[i], spans[j]);
+        let message =
+            format!("this segment, {{0}} to {{1}}, overlaps segment {}, {{2}} to {{3}}", j + 1);
+        let hint = "segments may touch but not overlap";
+        let problem = Problem::new("GB304", part(i), "from", message, hint);
+        found.push(problem.with_numbers(&[from, to, other_from, other_to]));
     }
 }

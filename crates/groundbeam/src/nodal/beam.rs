@@ -6,20 +6,20 @@
 //!
 //! F₀ and F₁ those of (f − g')h⁴/EI at the left end and its rise. The same series serve tension and none.
 
-use super::grid::Given;
+use crate::mesh::cell::Cell;
 
 /// How long a beam may be for the series, as a part of 1/√(P/EI).
-pub(super) const REACH: f64 = 1.0;
+pub(crate) const REACH: f64 = 1.0;
 
 /// Coefficients of w(s): the first one left out is below 1/18! of the sum.
-pub(super) const TERMS: usize = 18;
+pub(crate) const TERMS: usize = 18;
 
 /// A term that does not matter, as a part of those that bend most.
 const LEAST: f64 = 1e-17;
 
 /// A beam, and what acts on it.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Beam {
+pub(crate) struct Beam {
     /// h.
     pub length: f64,
     /// EI/h³.
@@ -122,14 +122,63 @@ impl Beam {
     }
 }
 
+/// What is given along a stretch, linear between its two ends.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Given {
+    /// f, g, κ₀ and g₀.
+    pub load: [f64; 2],
+    pub moment_load: [f64; 2],
+    pub curvature: [f64; 2],
+    pub gap: [f64; 2],
+}
+
+impl Given {
+    pub fn of(cell: &Cell) -> Self {
+        Given {
+            load: cell.load,
+            moment_load: cell.moment_load,
+            curvature: cell.curvature,
+            gap: cell.gap,
+        }
+    }
+
+    pub fn is_even(&self) -> bool {
+        let all = [self.load, self.moment_load, self.curvature, self.gap];
+        all.iter().all(|v| v[0] == v[1])
+    }
+
+    /// From one fraction of the length to another.
+    pub fn part(&self, [a, b]: [f64; 2]) -> Self {
+        let linear = |v: [f64; 2]| [a, b].map(|t| v[0] + (v[1] - v[0]) * t);
+        Given {
+            load: linear(self.load),
+            moment_load: linear(self.moment_load),
+            curvature: linear(self.curvature),
+            gap: linear(self.gap),
+        }
+    }
+
+    /// Seen in a mirror.
+    pub fn mirrored(&self) -> Self {
+        let turned = |[a, b]: [f64; 2]| [b, a];
+        Given {
+            load: turned(self.load),
+            moment_load: turned(self.moment_load).map(|g| -g),
+            curvature: turned(self.curvature),
+            gap: turned(self.gap),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cell::Varies;
-    use crate::elements::exact::ExactElement;
-    use crate::elements::{Operator, Touch};
-    use crate::mesh::Cell;
-    use crate::polynomial::value;
+    use crate::element::courses::Touch;
+    use crate::element::operator::Operator;
+    use crate::element::uniform::ExactElement;
+    use crate::mesh::cell::Cell;
+    use crate::mesh::cell::Varies;
+    use crate::numeric::polynomial::value;
 
     /// The same beam by the power series about its middle.
     #[test]

@@ -1,20 +1,8 @@
 //! What holds at the nodes of a nodal solution, from its numbers and the model's own.
 
-use super::NodalSolution;
 use crate::model::{Load, Model};
-
-/// Balance and signs of a [`NodalSolution`].
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct NodalCheck {
-    /// |ΣF| relative to the sum of all forces' sizes.
-    pub force_balance: f64,
-    /// |ΣM| about the middle, relative to that sum times the length.
-    pub moment_balance: f64,
-    /// The smallest force of the ground relative to the largest: a pull would be negative.
-    pub smallest_force: f64,
-    /// The deepest w − u − g₀ relative to the largest deflection.
-    pub deepest_penetration: f64,
-}
+use crate::nodal::solution::NodalCheck;
+use crate::nodal::solution::NodalSolution;
 
 /// Nodes that are summed side by side: one sum would wait for itself.
 const WIDTH: usize = 4;
@@ -49,17 +37,7 @@ impl Sums {
     }
 }
 
-impl NodalCheck {
-    /// Whether all of it holds to rounding: [`Certificate::TOLERANCE`](crate::Certificate::TOLERANCE).
-    pub fn holds(&self) -> bool {
-        let NodalCheck { force_balance, moment_balance, smallest_force, deepest_penetration } =
-            *self;
-        let worst = [force_balance, moment_balance, -smallest_force, deepest_penetration];
-        worst.iter().all(|part| *part <= crate::Certificate::TOLERANCE)
-    }
-}
-
-pub(super) fn check(model: &Model, solution: &NodalSolution) -> NodalCheck {
+pub(crate) fn check(model: &Model, solution: &NodalSolution) -> NodalCheck {
     let middle = 0.5 * model.beam.length;
     let (mut force, mut moment, mut size) = (0.0, 0.0, 0.0);
     let mut act = |f: f64, x: f64| {

@@ -4,11 +4,11 @@
 //! from the right end, y = T⁻¹x' = (w' − Lθ', Lθ') is where the left end would be if the element were
 //! rigid, and e = y − x what its deformation makes of that: w = y₁ − e₁, Lθ = y₂ − e₂, w' − w = y₂ + e₁.
 
-use crate::ground::Link;
+use crate::ground::link::Link;
 
 /// An element's energy ½ᵗ(y₂, e) M (y₂, e) − q·(y₁, y₂, e₁, e₂), and the ground's springs under its ends.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Form {
+pub(crate) struct Form {
     /// L.
     pub length: f64,
     /// M: of y₂ with itself, with e₁, with e₂; and of e₁e₁, e₁e₂, e₂e₂.

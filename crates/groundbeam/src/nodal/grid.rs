@@ -3,65 +3,19 @@
 use super::beam::{Beam, REACH};
 use super::form::Form;
 use super::layer::Layer;
-use crate::elements::wave_number;
-use crate::ground::Link;
-use crate::mesh::{Cell, Mesh, Node};
+use crate::element::operator::wave_number;
+use crate::ground::link::Link;
+use crate::mesh::cell::Cell;
+use crate::mesh::mesh::{Mesh, Node};
 use crate::model::Model;
+use crate::nodal::beam::Given;
 
 /// EI over h²(N + kh²) of a stiffened beam: no more than its own where its waves are longer than h.
 const STIFF: f64 = 0.5;
 
-/// What is given along a stretch, linear between its two ends.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Given {
-    /// f, g, κ₀ and g₀.
-    pub load: [f64; 2],
-    pub moment_load: [f64; 2],
-    pub curvature: [f64; 2],
-    pub gap: [f64; 2],
-}
-
-impl Given {
-    fn of(cell: &Cell) -> Self {
-        Given {
-            load: cell.load,
-            moment_load: cell.moment_load,
-            curvature: cell.curvature,
-            gap: cell.gap,
-        }
-    }
-
-    fn is_even(&self) -> bool {
-        let all = [self.load, self.moment_load, self.curvature, self.gap];
-        all.iter().all(|v| v[0] == v[1])
-    }
-
-    /// From one fraction of the length to another.
-    fn part(&self, [a, b]: [f64; 2]) -> Self {
-        let linear = |v: [f64; 2]| [a, b].map(|t| v[0] + (v[1] - v[0]) * t);
-        Given {
-            load: linear(self.load),
-            moment_load: linear(self.moment_load),
-            curvature: linear(self.curvature),
-            gap: linear(self.gap),
-        }
-    }
-
-    /// Seen in a mirror.
-    pub fn mirrored(&self) -> Self {
-        let turned = |[a, b]: [f64; 2]| [b, a];
-        Given {
-            load: turned(self.load),
-            moment_load: turned(self.moment_load).map(|g| -g),
-            curvature: turned(self.curvature),
-            gap: turned(self.gap),
-        }
-    }
-}
-
 /// Equal elements between two places of the model.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Run {
+pub(crate) struct Run {
     /// The two places.
     pub x: [f64; 2],
     /// EI, k and μ.
@@ -192,7 +146,7 @@ impl Run {
 
 /// Where the ground presses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Ground {
+pub(crate) enum Ground {
     /// On the nodes alone, (5.5).
     Nodal,
     /// All along an element that is glued, to the accuracy of the trapezoidal rule.
@@ -201,7 +155,7 @@ pub(super) enum Ground {
 
 /// The runs from left to right, and what acts at the nodes between them.
 #[derive(Debug, Clone)]
-pub(super) struct Grid {
+pub(crate) struct Grid {
     pub runs: Vec<Run>,
     /// At the first node of each run, and at the last node of all.
     pub nodes: Vec<Node>,
@@ -218,6 +172,13 @@ pub(super) struct Grid {
 impl Grid {
     /// About `elements` equal elements, and a node at every place of the model.
     pub fn new(model: &Model, elements: usize, ground: Ground) -> Self {
+        let mut grid = Self::of(model, ground);
+        grid.cut(elements as f64 / model.beam.length);
+        grid
+    }
+
+    /// Without elements.
+    pub fn of(model: &Model, ground: Ground) -> Self {
         let mesh = Mesh::build(model, &[], |_| 1);
         let mut grid = Grid {
             runs: mesh.cells.iter().map(Run::new).collect(),
@@ -229,7 +190,6 @@ impl Grid {
             flat: model.gap.is_empty(),
         };
         grid.chain();
-        grid.cut(elements as f64 / model.beam.length);
         grid
     }
 
@@ -277,6 +237,12 @@ impl Grid {
     /// The largest wave number of the beam on its ground.
     pub fn wave_number(&self) -> f64 {
         self.runs.iter().map(|run| run.wave_number(self.axial_force)).fold(0.0, f64::max)
+    }
+
+    /// The fewest elements it may have: those into which an open beam must be cut.
+    pub fn fewest(&self) -> usize {
+        let pieces = self.runs.iter().map(|run| run.pieces(self.axial_force, run.length()));
+        pieces.fold(0, usize::saturating_add)
     }
 
     /// What lifting the whole ground by one takes.

@@ -5,13 +5,13 @@
 //! Forces at the ends of an arc are monotone along it, so each end is found by bisection.
 
 use super::grid::Grid;
-use crate::ground::Link;
+use crate::ground::link::Link;
 
 /// Nodes that touch, first and last.
-pub(super) type Zone = [usize; 2];
+pub(crate) type Zone = [usize; 2];
 
 /// ψ = w − g₀ at the nodes, and how the ground answers.
-pub(super) struct Hull<'a> {
+pub(crate) struct Hull<'a> {
     pub grid: &'a Grid,
     pub deflection: &'a [f64],
     /// Zones that may be near the right ones: where the search for each end begins.

@@ -4,7 +4,7 @@ use std::ops::{Add, Mul, Sub};
 
 /// One number for each sweep.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Lanes<const N: usize>(pub [f64; N]);
+pub(crate) struct Lanes<const N: usize>(pub [f64; N]);
 
 impl<const N: usize> Lanes<N> {
     /// One number each.

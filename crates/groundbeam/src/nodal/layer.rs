@@ -1,10 +1,10 @@
 //! The ground under one run: springs and a shear layer that do not vary.
 
-use crate::ground::Link;
+use crate::ground::link::Link;
 
 /// √(kμ) and √(k/μ).
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Layer {
+pub(crate) struct Layer {
     stiffness: f64,
     pub rate: f64,
 }

@@ -5,11 +5,11 @@ use super::grid::Grid;
 use super::hull::Zone;
 use super::span::Span;
 use super::sweep::{Loose, Side, Stand, Stretch};
-use crate::ground::Link;
+use crate::ground::link::Link;
 
 /// Springs that hold the beam's two ends where they are: what the ground does not hold.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Tether {
+pub(crate) struct Tether {
     pub spring: f64,
     /// w of the two ends.
     pub at: [f64; 2],
@@ -24,7 +24,7 @@ impl Tether {
 
 /// A span, the side that sweeps over it and the number of its stretch.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Placed {
+pub(crate) struct Placed {
     pub span: Span,
     pub side: usize,
     pub stretch: usize,
@@ -32,7 +32,7 @@ pub(super) struct Placed {
 
 /// The beam cut up for two sweeps that meet.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Layout {
+pub(crate) struct Layout {
     pub sides: [Side; 2],
     /// The node where they meet, and what stands there.
     pub meeting: usize,

@@ -20,7 +20,7 @@ const FEW: f64 = 3.5;
 /// Grids from one on which every wave of the beam is a few elements long to the wanted one; each finer
 /// one is as much finer as Newton's method, which squares errors, can make good in a step or two. Where the
 /// wanted one itself is too coarse for the beam, those before it are of stiffer beams.
-pub(super) fn grids(model: &Model, elements: usize, ground: Ground, grids: &mut Vec<Grid>) {
+pub(crate) fn grids(model: &Model, elements: usize, ground: Ground, grids: &mut Vec<Grid>) {
     grids.clear();
     let fine = Grid::new(model, elements, ground);
     let waves = model.beam.length * fine.wave_number();

@@ -4,7 +4,6 @@ use super::grid::Grid;
 use super::hull::{Hull, Zone};
 use super::layout::{Layout, Tether};
 use super::open;
-use super::search::Line;
 use super::sweep::{self, Fields, Loose};
 
 /// Steps on one grid that are taken whole; later ones are shortened where the energy asks for it.
@@ -31,7 +30,7 @@ pub struct Work {
 
 /// What ends the steps on one grid.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Goal {
+pub(crate) struct Goal {
     /// Steps before it is given up.
     pub steps: usize,
     /// The finest grid on which steps are shortened, which takes dozens of scans each.
@@ -41,24 +40,24 @@ pub(super) struct Goal {
 }
 
 /// An answer: nothing moves.
-pub(super) const ANSWER: Goal = Goal { steps: 200, searched: usize::MAX, moves: 0 };
+pub(crate) const ANSWER: Goal = Goal { steps: 200, searched: usize::MAX, moves: 0 };
 /// A start for another method.
-pub(super) const START: Goal = Goal { steps: 40, searched: 20_000, moves: 1 };
+pub(crate) const START: Goal = Goal { steps: 40, searched: 20_000, moves: 1 };
 
 /// The part of 1/√(k/μ) that an element must not exceed for its pressure to be a straight line.
 const FINE: f64 = 0.2;
 
 /// Everything that a solve needs and the next one can use again.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Workspace {
+pub(crate) struct Workspace {
     layout: Layout,
-    pub(super) arcs: Vec<Zone>,
-    pub(super) next: Vec<Zone>,
+    pub(crate) arcs: Vec<Zone>,
+    pub(crate) next: Vec<Zone>,
     pub zones: Vec<Zone>,
     pub deflection: Vec<f64>,
     pub slope: Vec<f64>,
     pub force: Vec<f64>,
-    pub(super) before: Line,
+    pub(crate) before: Line,
     pub work: Work,
 }
 
@@ -283,4 +282,14 @@ fn clear(force: &mut [f64], zones: &[Zone]) {
         open = to + 1;
     }
     force[open..].fill(0.0);
+}
+
+/// The deflections and forces before a step, and room for those on the way.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Line {
+    pub deflection: Vec<f64>,
+    pub force: Vec<f64>,
+    pub(crate) trial: Vec<f64>,
+    pub(crate) arcs: Vec<Zone>,
+    pub(crate) zones: Vec<Zone>,
 }

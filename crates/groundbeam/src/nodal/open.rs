@@ -5,7 +5,7 @@ use super::grid::{Grid, Run};
 use super::span::Span;
 
 /// Writes w or w' at the nodes of a span but its ends that touch.
-pub(super) fn beam(grid: &Grid, span: &Span, v: &[f64; 4], derivative: bool, into: &mut [f64]) {
+pub(crate) fn beam(grid: &Grid, span: &Span, v: &[f64; 4], derivative: bool, into: &mut [f64]) {
     let last = grid.last();
     span.unfold(v, |[from, to], length, series, terms| {
         // Every piece writes its left end unless that touches; the last one its right end too.
@@ -54,7 +54,7 @@ fn horner<const N: usize>(c: &[f64; TERMS], s: impl Fn(usize) -> f64, into: &mut
 
 /// Writes the settlement at the nodes strictly between two, of which those that touch are given by their
 /// ψ; a missing one is the ground beyond the beam.
-pub(super) fn ground(
+pub(crate) fn ground(
     grid: &Grid,
     [from, to]: [usize; 2],
     [left, right]: [Option<f64>; 2],

@@ -1,28 +1,19 @@
 //! How far along a step the energy falls.
 
 use super::grid::Grid;
-use super::hull::{Hull, Zone};
+use super::hull::Hull;
 use super::newton::Workspace;
-use crate::contact::line;
+use crate::nodal::newton::Line;
+use crate::numeric::line_search;
 
 /// The fall of the energy, relative to the work of the forces, that rounding leaves.
 const LEAST: f64 = 1e-28;
-
-/// The deflections and forces before a step, and room for those on the way.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Line {
-    pub deflection: Vec<f64>,
-    pub force: Vec<f64>,
-    trial: Vec<f64>,
-    arcs: Vec<Zone>,
-    zones: Vec<Zone>,
-}
 
 impl Workspace {
     /// Goes back on the way from the deflection before as far as the energy asks for. With K w = F − f for
     /// the forces f that a glued solve finds, and for mixtures of such w, the energy's slope along δ is
     /// Σ (p − f) δ with the ground's own answer p. True if nothing is left to fall.
-    pub(super) fn shorten(&mut self, grid: &Grid) -> bool {
+    pub(crate) fn shorten(&mut self, grid: &Grid) -> bool {
         let Line { deflection: w0, force: f0, trial, arcs, zones } = &mut self.before;
         let (w1, f1) = (&self.deflection, &self.force);
         trial.resize(w1.len(), 0.0);
@@ -45,7 +36,7 @@ impl Workspace {
             return true;
         }
         let slope = std::cell::RefCell::new(slope);
-        let t = line::settle(fall, |t| (slope.borrow_mut())(t));
+        let t = line_search::settle(fall, |t| (slope.borrow_mut())(t));
         if t != 1.0 {
             let Line { deflection: w0, force: f0, .. } = &self.before;
             for (now, before) in [(&mut self.deflection, w0), (&mut self.force, f0)] {

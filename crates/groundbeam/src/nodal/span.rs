@@ -25,7 +25,7 @@ struct Piece {
 
 /// The beam from one node to another, in the direction of its sweep.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Span {
+pub(crate) struct Span {
     pub from: usize,
     pub to: usize,
     pub mirrored: bool,

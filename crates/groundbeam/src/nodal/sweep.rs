@@ -17,7 +17,7 @@ type Gain = [f64; 6];
 
 /// Elements of one form in a row, in the direction of their sweep.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Stretch {
+pub(crate) struct Stretch {
     pub form: Form,
     pub count: usize,
     /// The first node.
@@ -35,7 +35,7 @@ struct Elements<'a> {
 
 /// What stands at a node: force, moment, and the ground beyond an end of the beam.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Stand {
+pub(crate) struct Stand {
     pub force: f64,
     pub moment: f64,
     pub spring: f64,
@@ -45,7 +45,7 @@ pub(super) struct Stand {
 
 /// All that is behind the meeting node on one side.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Side {
+pub(crate) struct Side {
     pub stretches: Vec<Stretch>,
     gains: Vec<Gain>,
     /// (w, θ) at the first node of each stretch and its deformation (d₁, d₂): of the last of its elements.
@@ -54,7 +54,7 @@ pub(super) struct Side {
 
 /// Where w, w' and the ground's forces go; these are added.
 #[derive(Debug)]
-pub(super) struct Fields<'a> {
+pub(crate) struct Fields<'a> {
     pub deflection: &'a mut [f64],
     pub slope: &'a mut [f64],
     pub force: &'a mut [f64],
@@ -62,7 +62,7 @@ pub(super) struct Fields<'a> {
 
 /// The elimination met a pivot that is not positive: the contact cannot hold the beam.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Loose;
+pub(crate) struct Loose;
 
 impl Side {
     pub fn clear(&mut self) {
@@ -85,7 +85,7 @@ impl Side {
 }
 
 /// Both sweeps towards the meeting node, and w and θ there; `stand` is what stands there.
-pub(super) fn inward(sides: &mut [Side; 2], stand: Stand) -> Result<[f64; 2], Loose> {
+pub(crate) fn inward(sides: &mut [Side; 2], stand: Stand) -> Result<[f64; 2], Loose> {
     for side in sides.iter_mut() {
         side.gains.resize(side.elements(), [0.0; 6]);
         side.shapes.resize(side.stretches.len(), [0.0; 4]);
@@ -103,7 +103,7 @@ pub(super) fn inward(sides: &mut [Side; 2], stand: Stand) -> Result<[f64; 2], Lo
 }
 
 /// From the meeting node to both ends. Returns the elements crossed.
-pub(super) fn outward(
+pub(crate) fn outward(
     sides: &mut [Side; 2],
     meeting: usize,
     stand: Stand,

@@ -1,8 +1,9 @@
 //! What a parameter changes in the equations, ∂ of a(y, z) − F(z).
 
-use super::linearised::{Linearised, Piece};
+use super::linearised::Linearised;
 use super::parameter::{Extent, LoadNumber, Parameter, Property, SupportNumber, of_load};
 use crate::model::{BeamSegment, Foundation, Load, Model, Profile};
+use crate::sensitivity::piece::Piece;
 
 /// By how much everything that may change does, for a unit of the parameter.
 #[derive(Debug, Clone, Default)]
@@ -26,7 +27,7 @@ pub(super) struct Change {
     pub moves: Option<f64>,
 }
 
-/// What a spread load is conjugate to.
+/// What a distributed load is conjugate to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Force,
@@ -35,7 +36,7 @@ enum Kind {
     Ground,
 }
 
-/// A spread load, linear between its ends.
+/// A distributed load, linear between its ends.
 #[derive(Debug, Clone, Copy)]
 struct Spread {
     kind: Kind,
@@ -52,7 +53,7 @@ pub(super) enum Against {
     Rotation,
     /// w', of a force that moves: from the side to which it does.
     SlopeBeside,
-    /// φ, of the end of a spread moment that moves, in the same way.
+    /// φ, of the end of a distributed moment that moves, in the same way.
     RotationBeside,
     /// φ', in the same way.
     BendBeside,

@@ -5,7 +5,7 @@ use super::linearised::Linearised;
 use super::output::Functional;
 use super::{NotDifferentiable, Quantity, Side, Solution};
 use crate::model::Load;
-use crate::polynomial::{derivative, jet, value};
+use crate::numeric::polynomial::{derivative, jet, value};
 
 /// The place of an extreme.
 #[derive(Debug, Clone, Copy)]

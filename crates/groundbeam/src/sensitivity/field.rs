@@ -1,11 +1,11 @@
 //! A deflection of beam and ground: the solution itself, or how it answers to a small change.
 
 use super::joint::Joint;
-use super::linearised::Piece;
 use crate::certificate::gauss;
-use crate::elements::Touch;
-use crate::ground::{between, settled, slope_between};
-use crate::polynomial::{Coefficients, jet};
+use crate::element::courses::Touch;
+use crate::ground::link::{between, settled, slope_between};
+use crate::numeric::polynomial::{Coefficients, jet};
+use crate::sensitivity::piece::Piece;
 
 /// Points of quadrature of a piece.
 pub(super) const POINTS: usize = 12;

@@ -10,9 +10,9 @@ use super::linearised::{Linearised, dot, is_rigid};
 use super::output::Functional;
 use super::parameter::SupportNumber;
 use super::{NotDifferentiable, Output, Side, Solution};
-use crate::contact::deflection::Spot;
-use crate::elements::Touch;
-use crate::ground;
+use crate::element::courses::Touch;
+use crate::ground::link;
+use crate::mesh::deflection::Spot;
 use crate::model::SupportKind;
 
 /// The answer to a change.
@@ -117,7 +117,7 @@ impl Linearised {
         for right in [false, true] {
             let y = self.at_the_end(&self.state, right);
             let rates = change.beyond[usize::from(right)].iter();
-            let parts = ground::energies_beside(&self.beyond(right));
+            let parts = link::energies_beside(&self.beyond(right));
             let taken = rates.zip(&parts).map(|(r, part)| r[0] * part[0] + r[1] * part[1]);
             let force = self.pressed_beside(change, right) - y * taken.sum::<f64>();
             self.push_at_the_end(&mut f, &mut on_ground, right, force);
@@ -189,7 +189,7 @@ impl Linearised {
             if point.against == Against::Settlement && !(0.0..=l).contains(&x) {
                 let right = x > l;
                 let out = if right { x - l } else { -x };
-                let u = ground::beside(&self.beyond(right), 1.0, out);
+                let u = link::beside(&self.beyond(right), 1.0, out);
                 self.push_at_the_end(f, on_ground, right, weight * u);
                 continue;
             }

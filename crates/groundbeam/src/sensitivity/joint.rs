@@ -1,13 +1,13 @@
 //! Open ground between two zones of contact, or between one and the ground beyond.
 
-use super::linearised::Piece;
-use crate::contact::deflection::{Spot, Zone};
-use crate::contact::majorant::cell_part;
-use crate::contact::pieces::pieces as grounds;
-use crate::contact::surface::heights;
-use crate::elements::Touch;
-use crate::ground::Link;
-use crate::mesh::Mesh;
+use crate::element::courses::Touch;
+use crate::ground::link::Link;
+use crate::mesh::deflection::{Spot, Zone};
+use crate::mesh::mesh::Mesh;
+use crate::mesh::open_ground::cell_part;
+use crate::mesh::open_ground::heights;
+use crate::mesh::pieces::pieces as grounds;
+use crate::sensitivity::piece::Piece;
 
 /// Open ground as a row of strips, each of them a piece or all that is beyond an end.
 #[derive(Debug, Clone)]

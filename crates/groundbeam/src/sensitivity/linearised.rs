@@ -8,32 +8,22 @@
 use super::field::{Field, Point};
 use super::joint::{Joint, joints};
 use super::push::Push;
-use crate::chain::{Chain, Loose};
-use crate::contact::deflection::{Spot, Zone};
+use crate::chain::elimination::Chain;
+use crate::chain::node::Loose;
 use crate::contact::glue::{Glue, Glued};
 use crate::contact::stretches::Stretch;
-use crate::elements::exact::{ExactElement, TERMS};
-use crate::elements::{Basis, Touch};
-use crate::ground;
-use crate::mesh::{Cell, Mesh};
+use crate::element::courses::Touch;
+use crate::element::element::Basis;
+use crate::element::element::TERMS;
+use crate::element::uniform::ExactElement;
+use crate::ground::link;
+use crate::mesh::cell::Cell;
+use crate::mesh::deflection::{Spot, Zone};
+use crate::mesh::mesh::Mesh;
 use crate::model::{Model, SupportKind};
-use crate::polynomial::{Coefficients, jet, rescale};
-use crate::solution::{ConcentratedForce, Side, Solution};
-
-/// A part of an element on which w and u are short power series.
-#[derive(Debug, Clone)]
-pub(super) struct Piece {
-    /// The element it lies in.
-    pub element: usize,
-    /// Its cell, cut to its ends.
-    pub cell: Cell,
-    /// Half its length \[m\].
-    pub half: f64,
-    /// Whether beam and ground touch.
-    pub touch: Touch,
-    /// Its ends in the element's own coordinate.
-    part: [f64; 2],
-}
+use crate::numeric::polynomial::{Coefficients, jet, rescale};
+use crate::sensitivity::piece::Piece;
+use crate::solution::solution::{ConcentratedForce, Side, Solution};
 
 /// Beam and ground glued on the contact of a solution.
 #[derive(Debug)]
@@ -185,7 +175,7 @@ impl Linearised {
             let Some(spot) = spot else { return 0.0 };
             let cell = &self.mesh.cells[spot.cell];
             let (element, row) = self.deflection_row(spot);
-            let clear = crate::contact::layout::gap_at(cell, spot.s);
+            let clear = crate::mesh::cell::gap_at(cell, spot.s);
             dot(&row, &field.shapes[element]) - if loaded { clear } else { 0.0 }
         };
         let of = |(i, joint): (usize, &Joint)| {
@@ -343,7 +333,7 @@ fn pieces(mesh: &Mesh, elements: &[ExactElement], touch: &[Touch]) -> Vec<Piece>
         }
         let open = touch[i] == Touch::Open && cell.shear > 0.0;
         if open && !cell.ground_varies() {
-            ground::cut(cell.x, (cell.shear / cell.spring).sqrt(), &mut cuts);
+            link::cut(cell.x, (cell.shear / cell.spring).sqrt(), &mut cuts);
         }
         if open && cell.ground_varies() {
             halve(cell, [-1.0, 1.0], MOST_HALVINGS, &mut cuts);

@@ -4,12 +4,12 @@ use super::change::Change;
 use super::field::Point;
 use super::linearised::Linearised;
 use super::push::Push;
-use crate::contact::deflection::Spot;
 use crate::contact::surface::can_carry;
-use crate::elements::Touch;
+use crate::element::courses::Touch;
+use crate::mesh::deflection::Spot;
 use crate::model::SupportKind;
-use crate::polynomial::jet;
-use crate::solution::{Field as Quantity, Side};
+use crate::numeric::polynomial::jet;
+use crate::solution::solution::{Field as Quantity, Side};
 
 /// A number of a solution.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -33,9 +33,9 @@ pub enum LoadNumber {
     Size,
     /// The position of a point load \[m\].
     At,
-    /// The left end of a spread load \[m\].
+    /// The left end of a distributed load \[m\].
     From,
-    /// The right end of a spread load \[m\].
+    /// The right end of a distributed load \[m\].
     To,
     /// The intensity at the left end.
     Start,

@@ -6,12 +6,12 @@ use super::linearised::{Linearised, is_rigid};
 use super::parameter::SupportNumber;
 use super::push::Push;
 use crate::certificate::gauss;
-use crate::contact::deflection::Spot;
-use crate::elements::Touch;
-use crate::ground;
+use crate::element::courses::Touch;
+use crate::ground::link;
+use crate::mesh::deflection::Spot;
 use crate::model::SupportKind;
-use crate::polynomial::value;
-use crate::solution::{Field as Quantity, Side};
+use crate::numeric::polynomial::value;
+use crate::solution::solution::{Field as Quantity, Side};
 
 /// A dual field, and what is special about it.
 #[derive(Debug, Clone, Copy)]
@@ -106,7 +106,7 @@ impl Linearised {
             }
             let half = if dual.energy { 0.5 } else { 1.0 };
             let [y, z] = [&self.state, dual.field].map(|field| self.at_the_end(field, right));
-            let parts = ground::energies_beside(&self.beyond(right));
+            let parts = link::energies_beside(&self.beyond(right));
             for (rate, part) in rates.iter().zip(&parts) {
                 sum -= half * y * z * (rate[0] * part[0] + rate[1] * part[1]);
             }
@@ -140,7 +140,7 @@ impl Linearised {
                 let mut x = [place(depth), place(depth + length)];
                 x.sort_by(f64::total_cmp);
                 cuts.extend(x);
-                ground::cut(x, decay, &mut cuts);
+                link::cut(x, decay, &mut cuts);
                 depth += layer.length;
             }
             cuts.retain(|x| *x >= ends[0] && *x <= ends[1]);
@@ -151,7 +151,7 @@ impl Linearised {
                     let x = middle + half * s;
                     let q = (start * (to - x) + end * (x - from)) / (to - from);
                     let out = if right { x - l } else { -x };
-                    sum += weight * half * q * ground::beside(&beyond, 1.0, out);
+                    sum += weight * half * q * link::beside(&beyond, 1.0, out);
                 }
             }
         }
@@ -196,7 +196,7 @@ impl Linearised {
         let l = self.model.beam.length;
         if x < 0.0 || x > l {
             let (right, out) = (x > l, if x > l { x - l } else { -x });
-            return ground::beside(&self.beyond(right), self.at_the_end(field, right), out);
+            return link::beside(&self.beyond(right), self.at_the_end(field, right), out);
         }
         // Where the beam stands on it, what steps between the two is beside that place.
         let (spot, node) = (self.spot(x, Side::Right), self.mesh.node_at(x));

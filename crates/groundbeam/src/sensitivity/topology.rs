@@ -3,8 +3,8 @@
 use super::linearised::Linearised;
 use super::{Side, Solution};
 use crate::contact::surface::can_carry;
-use crate::polynomial::{derivative, sign_changes, value};
-use crate::solution::Field as Quantity;
+use crate::numeric::polynomial::{derivative, sign_changes, value};
+use crate::solution::solution::Field as Quantity;
 
 /// What a change of contact would bring to zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -160,7 +160,7 @@ impl Solution {
             for node in from..=to {
                 let cell = node.min(lin.mesh.cells.len() - 1);
                 let s = if cell == node { -1.0 } else { 1.0 };
-                if can_carry(&lin.mesh, crate::contact::deflection::Spot { cell, s }) {
+                if can_carry(&lin.mesh, crate::mesh::deflection::Spot { cell, s }) {
                     places.push(lin.mesh.nodes[node].x);
                 }
             }

@@ -1,10 +1,10 @@
 //! What a passage of a train does to the beam: the envelope of all its positions.
 
 use super::interval::passing;
-use super::sweep::{Answer, Position};
 use super::{Train, marks};
 use crate::model::Model;
-use crate::solution::{Field, Side, Solution};
+use crate::solution::solution::{Field, Side, Solution};
+use crate::train::position::{Answer, Position};
 
 /// A value, where on the beam it is, and where the train stands then.
 #[derive(Debug, Clone, Copy, PartialEq)]

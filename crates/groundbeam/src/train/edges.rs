@@ -1,9 +1,10 @@
 //! Where along its way a train leaves the beam without an equilibrium.
 
 use super::Train;
-use super::sweep::first_positions;
+use crate::error::Error;
 use crate::model::Model;
-use crate::solve::{Error, exists};
+use crate::solve::exists;
+use crate::train::position::first_positions;
 
 /// Halvings of an interval: as many as a number has digits.
 const HALVINGS: usize = 52;

@@ -1,7 +1,7 @@
 //! Free spans under a train: the longest one and the one with the largest clearance, over all positions.
 
 use super::bounds::Passage;
-use crate::free_spans::LiftOff;
+use crate::solution::lift_off::LiftOff;
 
 /// A stretch of the beam that does not touch, and where the train then stands.
 #[derive(Debug, Clone, Copy, PartialEq)]

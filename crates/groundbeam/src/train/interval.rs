@@ -1,58 +1,8 @@
 //! Between two solved positions: what is interpolated there, and how far a third sticks out.
 
-use super::sweep::Position;
 use super::{SAME_PLACE, Train};
-use crate::model::{Load, Model};
-
-/// Where [`Field::Slope`] and [`Field::ShearForce`] stand in [`Field::ALL`].
-const SLOPE: usize = 1;
-const SHEAR: usize = 3;
-
-/// Of each field the values just left and just right of an axle, as it passes a section.
-pub(super) type Beside = [[f64; 7]; 2];
-
-/// An axle on the beam: the fields beside it, and by how much each jumps for its sake.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Under {
-    pub beside: Beside,
-    jump: [f64; 7],
-}
-
-impl Under {
-    /// Of the axle with a number, at x. The shear force jumps by all of its force; a beam that shears has a kink, of which
-    /// the ground may take part of the force.
-    pub fn of(beside: Beside, model: &Model, train: &Train, axle: usize, x: f64) -> Self {
-        let mut jump = [0.0; 7];
-        let own = force(train, axle);
-        jump[SHEAR] = own;
-        if model.beam.shears() {
-            let here = |at: f64| (at - x).abs() <= SAME_PLACE * model.beam.length;
-            let fixed = model.loads.iter().map(|load| match *load {
-                Load::PointForce { at, force } if here(at) => force,
-                _ => 0.0,
-            });
-            let all = own + fixed.sum::<f64>();
-            let share = if all == 0.0 { 0.0 } else { own / all };
-            for field in [SLOPE, SHEAR] {
-                jump[field] = share * (beside[0][field] - beside[1][field]);
-            }
-        }
-        Under { beside, jump }
-    }
-
-    /// Beside an axle that goes on to the right. Where it stands on a fixed load, that one is then behind it: only the
-    /// axle's own jumps are taken along.
-    fn leaving(&self) -> Beside {
-        let [_, right] = self.beside;
-        [std::array::from_fn(|field| right[field] + self.jump[field]), right]
-    }
-
-    /// The same for an axle that comes from the left.
-    fn arriving(&self) -> Beside {
-        let [left, _] = self.beside;
-        [left, std::array::from_fn(|field| left[field] - self.jump[field])]
-    }
-}
+use crate::train::position::Beside;
+use crate::train::position::Position;
 
 /// The fields beside an axle that stands between two solved positions, a share t of the way from the left to the right
 /// one; none where it is off the beam.
@@ -62,12 +12,6 @@ pub(super) fn beside_axle(ends: [&Position; 2], axle: usize, t: f64) -> Option<B
     Some([0, 1].map(|side| {
         std::array::from_fn(|field| (1.0 - t) * start[side][field] + t * end[side][field])
     }))
-}
-
-/// The force of all axles at an axle's place.
-fn force(train: &Train, axle: usize) -> f64 {
-    let behind = train.axles[axle].behind;
-    train.axles.iter().filter(|other| other.behind == behind).map(|other| other.force).sum()
 }
 
 /// The envelope at the stations, from the left and from the right: smallest and largest values.
@@ -184,7 +128,8 @@ fn crest(a: f64, middle: f64, b: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solution::Field;
+    use crate::solution::solution::Field;
+    use crate::train::position::{SHEAR, SLOPE};
 
     #[test]
     fn fields_stand_where_they_are_looked_for() {

@@ -4,11 +4,13 @@ mod bounds;
 mod edges;
 mod free_spans;
 mod interval;
+pub(crate) mod position;
 mod sweep;
 
+pub use crate::train::position::{Answer, Position};
 pub use bounds::{Located, Passage, Reach, Uplift};
 pub use free_spans::{FreeSpans, Opened};
-pub use sweep::{Answer, Position, Sweep};
+pub use sweep::Sweep;
 
 use crate::model::{Load, Model};
 
@@ -16,7 +18,7 @@ use crate::model::{Load, Model};
 /// or an end stands there.
 const SAME_PLACE: f64 = 1e-9;
 
-/// Axles and spread loads at fixed distances, which move along the beam together.
+/// Axles and distributed loads at fixed distances, which move along the beam together.
 ///
 /// It is placed by its first axle, the one farthest to the right; everything is measured backward from there.
 ///
@@ -35,7 +37,7 @@ const SAME_PLACE: f64 = 1e-9;
 pub struct Train {
     /// Single forces.
     pub axles: Vec<Axle>,
-    /// Spread loads.
+    /// Distributed loads.
     pub uniform: Vec<UniformPart>,
 }
 

@@ -1,67 +1,24 @@
 //! Which positions of a train are solved: where axles meet what the model has, an even grid, and more where it matters.
 
 use super::bounds::{Passage, Reach};
-use super::interval::{Table, Under, sticks_out};
+use super::interval::{Table, sticks_out};
 use super::{Train, edges, marks};
-use crate::existence::Existence;
+use crate::error::Error;
 use crate::model::Model;
-use crate::solution::{Field, Fields, Range, Side, Solution};
-use crate::solve::{Error, NotConverged, Outcome};
+use crate::outcome::Outcome;
+use crate::solution::solution::{Field, Side, Solution};
+use crate::train::position::Under;
+use crate::train::position::first_positions;
+use crate::train::position::{Answer, Position, values};
 
-/// Equal steps of the range in the first round.
-const EVEN_STEPS: usize = 32;
 /// Equal steps of the beam at whose ends envelopes are compared; marks of the model are added.
 const EVEN_STATIONS: usize = 96;
 /// Intervals shorter than this part of the beam's length are not halved.
 const SHORTEST: f64 = 1e-5;
 /// The same where at one end there is no equilibrium: close to where the beam tips, fields may grow beyond all bounds.
 const SHORTEST_AT_EDGE: f64 = 1e-3;
-/// So far from an end, relative to the beam's length, an axle stands that is about to come or has just left.
-const JUST_OFF: f64 = 1e-8;
 /// More positions are not solved.
 const MOST: usize = 20_000;
-
-/// What came out for one position of the train.
-#[derive(Debug, Clone)]
-pub enum Answer {
-    /// An equilibrium, solved.
-    Equilibrium(Box<Solution>),
-    /// There is none.
-    NoEquilibrium(Existence),
-    /// The method did not reach its tolerance.
-    NotConverged(NotConverged),
-}
-
-impl Answer {
-    /// The answer of a solve; any other error is not about a position.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Invalid`] and [`Error::Unsupported`], as they are.
-    pub fn of(solved: Result<Outcome, Error>) -> Result<Self, Error> {
-        match solved {
-            Ok(Outcome::Equilibrium(solution)) => Ok(Answer::Equilibrium(solution)),
-            Ok(Outcome::NoEquilibrium(existence)) => Ok(Answer::NoEquilibrium(existence)),
-            Err(Error::NotConverged(reached)) => Ok(Answer::NotConverged(reached)),
-            Err(other) => Err(other),
-        }
-    }
-}
-
-/// A position of the train and what came out there.
-#[derive(Debug, Clone)]
-pub struct Position {
-    /// Of the first axle \[m\].
-    pub first_axle: f64,
-    /// What came out.
-    pub answer: Answer,
-    /// Values at the stations from the left and from the right; none without an equilibrium.
-    pub(super) samples: Vec<[f64; 7]>,
-    /// Of each axle on the beam the fields beside it.
-    pub(super) under: Vec<Option<Under>>,
-    /// Of each field.
-    pub(super) ranges: Option<[Range; 7]>,
-}
 
 /// An interval between two neighbouring positions.
 #[derive(Debug, Clone, Copy)]
@@ -247,30 +204,6 @@ fn middle(ends: &[Position]) -> f64 {
 /// Whether one of two positions is an equilibrium and the other is none.
 fn is_edge(a: &Position, b: &Position) -> bool {
     a.ranges.is_some() != b.ranges.is_some()
-}
-
-/// All fields, in the order of [`Field::ALL`].
-fn values(fields: Fields) -> [f64; 7] {
-    Field::ALL.map(|field| fields.get(field))
-}
-
-/// Even steps, and where an axle or the end of a spread load meets a mark of the model; at the ends of the beam also
-/// just off them.
-pub(super) fn first_positions(model: &Model, train: &Train, [from, to]: [f64; 2]) -> Vec<f64> {
-    let l = model.beam.length;
-    let step = |i: usize| from + (to - from) * (i as f64 / EVEN_STEPS as f64);
-    let mut at: Vec<f64> = (0..EVEN_STEPS).map(step).collect();
-    at.push(to);
-    let ends = train.uniform.iter().flat_map(|part| [part.from, part.to]);
-    let behind = train.axles.iter().map(|axle| axle.behind).chain(ends);
-    for behind in behind.filter(|behind| behind.is_finite()) {
-        at.extend(marks(model).iter().map(|mark| mark + behind));
-        at.extend([behind - JUST_OFF * l, l + behind + JUST_OFF * l]);
-    }
-    at.retain(|x| (from..=to).contains(x));
-    at.sort_by(f64::total_cmp);
-    at.dedup_by(|a, b| *a - *b <= 0.1 * JUST_OFF * l);
-    at
 }
 
 /// The largest absolute value of each field. Uplift and settlement are seen beside the deflection.

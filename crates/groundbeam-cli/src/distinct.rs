@@ -1,0 +1,55 @@
+//! Refuses outputs that would replace one another or a file of the input, before anything is solved or written.
+
+use crate::failure::Failure;
+use groundbeam_file::output::{Identity, Target};
+use std::io;
+use std::path::Path;
+
+/// An option that names an output, and its path.
+pub type Output<'a> = (&'static str, &'a Path);
+
+/// Each output must be a file of its own, and no file of the input.
+pub fn check<'a>(
+    outputs: impl IntoIterator<Item = Output<'a>>,
+    inputs: impl IntoIterator<Item = &'a Path>,
+) -> Result<(), Failure> {
+    let mut faults = Vec::new();
+    let mut taken: Vec<(Identity, String)> = Vec::new();
+    for input in inputs {
+        let shown = format!("the input {}", input.display());
+        let input = if input.as_os_str() == "-" { Path::new("/dev/stdin") } else { input };
+        // An input without an identity is a pipe, or is gone: no output replaces it.
+        if let Ok(Some(identity)) = Identity::of(input) {
+            taken.push((identity, shown));
+        }
+    }
+    // Standard output that goes to a file.
+    if let Ok(Some(identity)) = Identity::of(Path::new("/dev/stdout")) {
+        taken.push((identity, "standard output".to_owned()));
+    }
+    for (option, path) in outputs {
+        let shown = format!("{option} {}", path.display());
+        match identity(path) {
+            Err(error) => faults.push(format!("{shown}: {error}")),
+            Ok(None) => {}
+            Ok(Some(identity)) => match taken.iter().find(|(other, _)| *other == identity) {
+                Some((_, other)) => faults.push(format!(
+                    "{shown}: this is the same file as {other}, and would replace it; name another file"
+                )),
+                None => taken.push((identity, shown)),
+            },
+        }
+    }
+    match faults.len() {
+        0 => Ok(()),
+        _ => Err(Failure::together(faults.into_iter().map(Failure::usage).collect())),
+    }
+}
+
+/// The file that an output would replace or create; none for a device, a pipe or a standard stream.
+fn identity(path: &Path) -> io::Result<Option<Identity>> {
+    match Target::of(path)? {
+        Target::File(_) => Identity::of(path),
+        _ => Ok(None),
+    }
+}

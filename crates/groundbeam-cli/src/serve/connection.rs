@@ -1,0 +1,142 @@
+//! Connections to the server: accepted one by one, each with a limit on the time for which it is silent.
+
+use axum::Router;
+use hyper::server::conn::http1;
+use hyper_util::rt::{TokioIo, TokioTimer};
+use hyper_util::service::TowerToHyperService;
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::net::{TcpListener, TcpStream};
+use tokio::sync::Semaphore;
+use tokio_io_timeout::TimeoutStream;
+
+/// The limits of a connection.
+#[derive(Debug, Clone, Copy)]
+pub struct Limits {
+    /// For the head of a request, from the end of the answer before it or from the beginning of the connection.
+    pub head: Duration,
+    /// For the other side to take the next bytes of an answer.
+    pub write: Duration,
+    /// The number of connections at a time; others wait.
+    pub open: usize,
+}
+
+pub const LIMITS: Limits =
+    Limits { head: Duration::from_secs(10), write: Duration::from_secs(30), open: 256 };
+
+/// The time after which a failed accept is tried again, for example when all file descriptors are in use.
+const PAUSE: Duration = Duration::from_millis(200);
+
+/// Accepts connections until the program ends.
+pub async fn accept(listener: TcpListener, router: Router, limits: Limits) {
+    let service = TowerToHyperService::new(router);
+    let free = Arc::new(Semaphore::new(limits.open));
+    while let Ok(permit) = Arc::clone(&free).acquire_owned().await {
+        let Ok((stream, _)) = listener.accept().await else {
+            tokio::time::sleep(PAUSE).await;
+            continue;
+        };
+        let service = service.clone();
+        tokio::spawn(async move {
+            serve(stream, service, limits).await;
+            drop(permit);
+        });
+    }
+}
+
+/// Answers the requests of one connection.
+async fn serve(stream: TcpStream, service: TowerToHyperService<Router>, limits: Limits) {
+    let mut stream = TimeoutStream::new(stream);
+    stream.set_write_timeout(Some(limits.write));
+    let mut builder = http1::Builder::new();
+    builder.timer(TokioTimer::new()).header_read_timeout(limits.head);
+    // A connection that breaks has nobody who could be told.
+    let _ = builder.serve_connection(TokioIo::new(Box::pin(stream)), service).await;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::routes;
+    use super::*;
+    use std::io::{Read, Write};
+    use std::net::{Ipv4Addr, SocketAddr};
+
+    const SHORT: Limits =
+        Limits { head: Duration::from_millis(300), write: Duration::from_millis(300), open: 4 };
+
+    /// A server with short limits; it ends with the test.
+    fn server() -> (tokio::runtime::Runtime, SocketAddr) {
+        let runtime = tokio::runtime::Builder::new_multi_thread()
+            .worker_threads(1)
+            .enable_all()
+            .build()
+            .unwrap();
+        let listener = runtime.block_on(TcpListener::bind((Ipv4Addr::LOCALHOST, 0))).unwrap();
+        let address = listener.local_addr().unwrap();
+        let router = routes::all(None, address.port(), Duration::from_millis(300));
+        runtime.spawn(accept(listener, router, SHORT));
+        (runtime, address)
+    }
+
+    /// Everything that a server sends after these bytes until it closes the connection.
+    #[track_caller]
+    fn answer(address: SocketAddr, sent: &str) -> String {
+        String::from_utf8_lossy(&bytes(address, sent)).into_owned()
+    }
+
+    #[track_caller]
+    fn bytes(address: SocketAddr, sent: &str) -> Vec<u8> {
+        let mut stream = std::net::TcpStream::connect(address).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
+        stream.write_all(sent.as_bytes()).unwrap();
+        let mut bytes = Vec::new();
+        stream.read_to_end(&mut bytes).expect("the server closes the connection");
+        bytes
+    }
+
+    #[test]
+    fn a_silent_connection_is_closed() {
+        let (_runtime, address) = server();
+        assert_eq!(answer(address, ""), "");
+        assert_eq!(answer(address, "POST /api/solve HTTP/1.1\r\nHost: "), "");
+        let host = format!("Host: {address}\r\n");
+        // Kept alive after an answer, and then silent.
+        let kept = answer(address, &format!("GET /text.js HTTP/1.1\r\n{host}\r\n"));
+        assert!(kept.starts_with("HTTP/1.1 200 OK"), "{kept}");
+        // A body that does not arrive.
+        let head = format!("POST /api/solve HTTP/1.1\r\n{host}Content-Length: 100\r\n\r\n[beam]");
+        let late = answer(address, &head);
+        assert!(late.starts_with("HTTP/1.1 408 "), "{late}");
+        assert!(late.contains(r#""status":"refused""#), "{late}");
+    }
+
+    #[test]
+    fn an_answer_that_nobody_takes_is_given_up() {
+        let (_runtime, address) = server();
+        let ask = format!("GET /inter.ttf HTTP/1.1\r\nHost: {address}\r\n\r\n");
+        let idle: Vec<_> = (0..SHORT.open)
+            .map(|_| {
+                let mut stream = std::net::TcpStream::connect(address).unwrap();
+                // More than the buffers of the system hold.
+                let _ = stream.write_all(ask.repeat(400).as_bytes());
+                stream
+            })
+            .collect();
+        // All connections are in use: this one is answered once the others are given up.
+        let last = ask.replace("\r\n\r\n", "\r\nConnection: close\r\n\r\n");
+        let taken = bytes(address, &last);
+        assert!(taken.starts_with(b"HTTP/1.1 200 OK") && taken.len() > 50_000);
+        drop(idle);
+    }
+
+    #[test]
+    fn silent_connections_do_not_shut_out_others() {
+        let (_runtime, address) = server();
+        let silent: Vec<_> =
+            (0..40).map(|_| std::net::TcpStream::connect(address).unwrap()).collect();
+        let ask = format!("GET /text.js HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\n\r\n");
+        let reply = answer(address, &ask);
+        assert!(reply.starts_with("HTTP/1.1 200 OK"), "{reply}");
+        drop(silent);
+    }
+}

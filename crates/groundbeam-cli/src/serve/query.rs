@@ -1,0 +1,169 @@
+//! The query of an address: every key and every value is checked, and none is ignored.
+
+use super::wrong::document;
+use axum::extract::rejection::QueryRejection;
+use axum::extract::{FromRequestParts, Query};
+use axum::http::StatusCode;
+use axum::http::request::Parts;
+use axum::response::{IntoResponse, Response};
+use groundbeam_file::Document;
+use serde_json::json;
+
+/// The part of a file that is asked for; with an empty query, all of it.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Asked {
+    /// One of the file's combinations.
+    pub combination: Option<String>,
+    /// Positions of the file's trains.
+    pub train: Option<Trains>,
+    /// The position of the train's first axle \[m\].
+    pub first_axle: Option<f64>,
+    /// The width of the picture.
+    pub width: Option<f64>,
+}
+
+/// The trains that are asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Trains {
+    /// All of them, at all positions.
+    All,
+    /// One at one position, by its place in the file, from 0.
+    One(usize),
+}
+
+/// The keys of the addresses that solve, of a calculation report, and of the view.
+pub const SOLVE: &[&str] = &["combination", "train", "first_axle"];
+pub const REPORT: &[&str] = &["combination"];
+pub const VIEW: &[&str] = &["combination", "train", "first_axle", "width"];
+
+/// A query that is refused.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct WrongQuery {
+    key: String,
+    value: String,
+    message: String,
+}
+
+impl WrongQuery {
+    /// A value that its key does not allow.
+    fn value(key: &str, value: &str, allowed: &str) -> Self {
+        let message = format!("`{key}={value}` in the query is refused: `{key}` is {allowed}");
+        WrongQuery { key: key.to_owned(), value: value.to_owned(), message }
+    }
+
+    fn key(key: &str, value: &str, keys: &[&str]) -> Self {
+        let allowed = match keys {
+            [] => "this address has no query".to_owned(),
+            keys => format!("the keys of this address are {}", keys.join(", ")),
+        };
+        let message = format!("`{key}={value}` in the query is refused: {allowed}");
+        WrongQuery { key: key.to_owned(), value: value.to_owned(), message }
+    }
+}
+
+impl IntoResponse for WrongQuery {
+    fn into_response(self) -> Response {
+        let WrongQuery { key, value, message } = self;
+        let query = json!({ "key": key, "value": value });
+        let text = json!({ "status": "refused", "message": message, "query": query }).to_string();
+        document(StatusCode::BAD_REQUEST, text + "\n")
+    }
+}
+
+/// The keys and values of a query in their order.
+pub struct Pairs(Vec<(String, String)>);
+
+impl<S: Send + Sync> FromRequestParts<S> for Pairs {
+    type Rejection = Response;
+
+    async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Response> {
+        let read: Result<Query<_>, QueryRejection> = Query::from_request_parts(parts, state).await;
+        match read {
+            Ok(Query(pairs)) => Ok(Pairs(pairs)),
+            Err(rejection) => {
+                Err(super::wrong::refusal(rejection.status(), &rejection.body_text()))
+            }
+        }
+    }
+}
+
+impl Pairs {
+    /// The values of `keys`, those that every file allows.
+    pub fn read(&self, keys: &[&str]) -> Result<Asked, WrongQuery> {
+        let mut asked = Asked::default();
+        for (i, (key, value)) in self.0.iter().enumerate() {
+            if !keys.contains(&key.as_str()) {
+                return Err(WrongQuery::key(key, value, keys));
+            }
+            if self.0[..i].iter().any(|(earlier, _)| earlier == key) {
+                return Err(WrongQuery::value(key, value, "given once"));
+            }
+            let refused = |allowed| WrongQuery::value(key, value, allowed);
+            match key.as_str() {
+                "combination" => asked.combination = Some(value.clone()),
+                "train" => {
+                    let allowed = "the place of a train in the file, from 0, or `all`";
+                    asked.train = Some(trains(value).ok_or_else(|| refused(allowed))?);
+                }
+                "first_axle" => {
+                    let at = number(value).ok_or_else(|| refused("a finite number"))?;
+                    asked.first_axle = Some(at);
+                }
+                _ => {
+                    let width = number(value).filter(|width| *width > 0.0);
+                    asked.width = Some(width.ok_or_else(|| refused("a positive number"))?);
+                }
+            }
+        }
+        Ok(asked)
+    }
+}
+
+fn trains(value: &str) -> Option<Trains> {
+    if value == "all" { Some(Trains::All) } else { value.parse().ok().map(Trains::One) }
+}
+
+fn number(value: &str) -> Option<f64> {
+    value.parse().ok().filter(|number: &f64| number.is_finite())
+}
+
+impl Asked {
+    /// Checks the values against a file: they must name what the file has.
+    pub fn check(&self, file: &Document) -> Result<(), WrongQuery> {
+        if let Some(name) = &self.combination {
+            let names = file.combination_names();
+            if !names.iter().any(|known| known == name) {
+                let allowed = match names.as_slice() {
+                    [] => "for a file with combinations, and this file has none".to_owned(),
+                    names => format!("one of: {}", names.join(", ")),
+                };
+                return Err(WrongQuery::value("combination", name, &allowed));
+            }
+        }
+        let count = file.trains.len();
+        let wrong = |value: &str| {
+            let allowed = match count {
+                0 => "for a file with trains, and this file has none".to_owned(),
+                1 => "0 or `all`: this file has one train".to_owned(),
+                _ => format!("0 to {} or `all`: this file has {count} trains", count - 1),
+            };
+            Err(WrongQuery::value("train", value, &allowed))
+        };
+        match self.train {
+            Some(Trains::All) if count == 0 => return wrong("all"),
+            Some(Trains::One(i)) if i >= count => return wrong(&i.to_string()),
+            _ => {}
+        }
+        let Some(at) = self.first_axle else { return Ok(()) };
+        let Some(Trains::One(i)) = self.train else {
+            let allowed = "only given together with the place of one `train`";
+            return Err(WrongQuery::value("first_axle", &at.to_string(), allowed));
+        };
+        let [from, to] = file.trains[i].range;
+        if at < from || at > to {
+            let allowed = format!("from {from} to {to} for this train");
+            return Err(WrongQuery::value("first_axle", &at.to_string(), &allowed));
+        }
+        Ok(())
+    }
+}

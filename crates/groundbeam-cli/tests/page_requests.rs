@@ -1,0 +1,128 @@
+//! The requests that the page of `groundbeam serve` sends, and the sliders that it makes of an answer.
+
+#[allow(dead_code)]
+mod common;
+#[allow(dead_code)]
+mod served;
+
+use common::{FOOTING, Folder};
+use served::Server;
+use served::browser::Browser;
+
+const HOME: char = '\u{e011}';
+const END: char = '\u{e010}';
+
+fn opened(browser: &Browser, server: &Server) {
+    browser.window(1280, 1000, "light");
+    browser.go(&server.url);
+    settled(browser, "document.querySelectorAll('#results tr').length > 3");
+}
+
+#[track_caller]
+fn settled(browser: &Browser, so: &str) {
+    browser.until(&format!("document.body.dataset.state === 'settled' && ({so})"));
+}
+
+/// Types a text into the pane.
+fn type_in(browser: &Browser, text: &str) {
+    let area = "document.getElementById('text')";
+    browser.eval(&format!("({area}.value = {text:?}, {area}.dispatchEvent(new Event('input')))"));
+}
+
+#[test]
+fn a_newer_question_aborts_the_one_before() {
+    let Some(browser) = Browser::start() else { return };
+    let folder = Folder::with(FOOTING);
+    let server = Server::start(Some(&folder.path("model.toml")));
+    opened(&browser, &server);
+    // The next request gets no answer.
+    browser.eval(
+        "(() => { const real = window.fetch; window.aborted = 0;
+            window.fetch = (address, { signal }) => { window.fetch = real;
+                return new Promise((_, reject) => signal.addEventListener('abort', () => {
+                    window.aborted += 1; reject(signal.reason); })); }; })()",
+    );
+    type_in(&browser, &FOOTING.replace("\"5 m\"", "\"4 m\""));
+    browser.until("document.body.dataset.state === 'waiting'");
+    assert_eq!(browser.eval("window.aborted"), 0);
+    type_in(&browser, &FOOTING.replace("\"5 m\"", "\"3 m\""));
+    settled(&browser, "window.aborted === 1");
+    browser.until("document.querySelector('.grip').getAttribute('aria-valuenow') === '3'");
+    assert!(browser.text("#verdict").starts_with("In equilibrium"));
+}
+
+#[test]
+fn the_page_shows_the_words_of_a_refusal() {
+    let Some(browser) = Browser::start() else { return };
+    let folder = Folder::with(FOOTING);
+    let server = Server::start(Some(&folder.path("model.toml")));
+    opened(&browser, &server);
+    browser.eval(
+        "(window.real = window.fetch, window.fetch = (address, options) =>
+            window.real(address.replace('?', '?width=wide&'), options))",
+    );
+    type_in(&browser, &format!("{FOOTING}\n"));
+    settled(&browser, "document.body.classList.contains('wrong')");
+    let said = browser.text("#verdict");
+    assert!(said.starts_with("The request is refused: `width=wide` in the query"), "{said}");
+    // Something that is no answer of the program at all.
+    browser.eval(
+        "(window.fetch = async () => new Response('busy', { status: 503, statusText: 'Busy' }))",
+    );
+    type_in(&browser, &format!("{FOOTING}\n\n"));
+    settled(&browser, "document.getElementById('verdict').textContent.includes('503')");
+    assert!(browser.text("#verdict").starts_with("No answer: the program answers 503 Busy: busy"));
+    // Nobody.
+    browser.eval("(window.fetch = window.real)");
+    drop(server);
+    type_in(&browser, FOOTING);
+    settled(&browser, "document.getElementById('verdict').textContent.startsWith('Nobody')");
+}
+
+/// A train and a combination that were chosen, and then are deleted from the text.
+#[test]
+fn a_choice_that_the_text_no_longer_has_is_given_up() {
+    let Some(browser) = Browser::start() else { return };
+    let train = "[[train]]\naxles = [{ at = \"0 m\", force = \"90 kN\" }]\n";
+    let both = format!("{FOOTING}{train}{train}name = \"second\"\n");
+    let folder = Folder::with(&both);
+    let server = Server::start(Some(&folder.path("model.toml")));
+    opened(&browser, &server);
+    settled(&browser, "document.getElementById('train').value === '0'");
+    browser.eval(
+        "(() => { const s = document.getElementById('train'); s.value = '1';
+            s.dispatchEvent(new Event('change')); })()",
+    );
+    settled(&browser, "document.getElementById('train').value === '1'");
+    type_in(&browser, &format!("{FOOTING}{train}"));
+    settled(&browser, "document.getElementById('train').value === '0'");
+    assert!(!browser.text("#verdict").contains("refused"), "{}", browser.text("#verdict"));
+    type_in(&browser, FOOTING);
+    settled(&browser, "document.getElementById('train-choice').hidden");
+    assert!(browser.text("#verdict").starts_with("In equilibrium"));
+}
+
+#[test]
+fn sliders_keep_to_the_signs_of_the_file_format() {
+    let Some(browser) = Browser::start() else { return };
+    let model = FOOTING.replace("[foundation]", "shear_stiffness = \"900 MN\"\n[foundation]")
+        + "[[load]]\ncurvature = \"1e-4 1/m\"\n[[gap]]\nat = \"1 m\"\nvalue = \"0 mm\"\n";
+    let folder = Folder::with(&model);
+    let server = Server::start(Some(&folder.path("model.toml")));
+    opened(&browser, &server);
+    let at = |key: &str, end: char| {
+        browser.eval(&format!("document.querySelector('[data-key={key:?}]').focus()"));
+        browser.keys(&[], &end.to_string());
+        settled(&browser, "true");
+        let value = browser.eval(&format!(
+            "parseFloat(document.querySelector('[data-key={key:?}] + input').value)"
+        ));
+        value.as_f64().unwrap()
+    };
+    assert_eq!(at("[beam].shear_stiffness", HOME), 90.0);
+    assert_eq!(at("[[load]]2.curvature", HOME), -3e-4);
+    assert_eq!(at("[[gap]]1.value", HOME), -10.0);
+    assert_eq!(at("[[gap]]1.value", END), 10.0);
+    assert_eq!(at("[[load]]1.at", HOME), 0.0);
+    assert!(!browser.eval("document.body.classList.contains('wrong')").as_bool().unwrap());
+}

@@ -1,0 +1,133 @@
+//! What a key demands of its number: the sign, and for a position the body on which it lies.
+
+/// The signs that a number may have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sign {
+    /// Negative, zero or positive.
+    Any,
+    /// Zero or positive.
+    NotNegative,
+    /// Positive.
+    Positive,
+}
+
+/// The body on which a position lies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// The beam, from 0 to its length.
+    Beam,
+    /// The ground, which goes on beside the beam.
+    Ground,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::Quantity;
+    use std::collections::BTreeSet;
+    use std::path::{Path, PathBuf};
+
+    /// Keys that the model files of the repository do not use.
+    const OTHERS: &str = "\
+[beam]
+length = \"12 m\"
+EI = \"1e5 kN m^2\"
+shear_stiffness = \"900 MN\"
+axial_force = \"0 kN\"
+[foundation]
+k = \"40 MN/m^2\"
+mu = \"9 MN\"
+left = { ends = \"-2 m\", as = \"free\" }
+[[hinge]]
+at = \"4 m\"
+rotational_spring = \"5 MN m/rad\"
+[[support]]
+at = \"9 m\"
+spring = \"10 MN/m\"
+rotational_spring = \"5 MN m/rad\"
+settlement = \"2 mm\"
+[[load]]
+curvature = \"1e-4 1/m\"
+[[load]]
+temperature_difference = \"15 K\"
+expansion = \"1e-5 1/K\"
+depth = \"0.5 m\"
+[[load]]
+distributed_moment = \"5 kN m/m\"
+[[ground_load]]
+point = \"20 kN\"
+at = \"14 m\"
+[[gap]]
+at = \"3 m\"
+value = \"2 mm\"
+[[train]]
+axles = [{ at = \"0 m\", force = \"50 kN\" }, { at = \"3 m\", force = \"60 kN\" }]
+uniform = [{ from = \"5 m\", to = \"9 m\", load = \"80 kN/m\" }]
+from = \"-1 m\"
+to = \"20 m\"
+[checks]
+bearing_pressure = \"200 kPa\"
+width = \"1 m\"
+settlement = \"20 mm\"
+";
+
+    /// All model files of `cases/` and `docs/` that are right, and the folders in which they stand.
+    fn files() -> Vec<(String, PathBuf)> {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+        let mut folders = vec![root.join("docs"), root.join("cases")];
+        let mut all = vec![(OTHERS.to_owned(), root)];
+        while let Some(folder) = folders.pop() {
+            for entry in std::fs::read_dir(&folder).unwrap() {
+                let path = entry.unwrap().path();
+                if path.is_dir() && !path.ends_with("errors") {
+                    folders.push(path);
+                } else if path.extension().is_some_and(|extension| extension == "toml") {
+                    all.push((std::fs::read_to_string(&path).unwrap(), folder.clone()));
+                }
+            }
+        }
+        all
+    }
+
+    /// Whether a file is refused at a quantity because of its sign when it has another number.
+    fn is_refused(text: &str, folder: &Path, quantity: &Quantity, number: &str) -> bool {
+        let at = quantity.number.clone();
+        let changed = format!("{}{number}{}", &text[..at.start], &text[at.end..]);
+        let Err(found) = crate::parse_beside(&changed, folder) else { return false };
+        found.iter().any(|fault| {
+            let words = format!("{} {}", fault.message, fault.hint);
+            fault.span.contains(&quantity.span.start) && words.contains("positive")
+        })
+    }
+
+    #[test]
+    fn the_signs_are_those_that_a_file_demands() {
+        let mut keys = BTreeSet::new();
+        let mut wrong = BTreeSet::new();
+        // A layer of which μ may not end in the middle of the beam refuses a zero there; another file takes it.
+        let (mut may_be_zero, mut was_zero) = (BTreeSet::new(), BTreeSet::new());
+        for (text, folder) in files() {
+            let Ok(document) = crate::parse_beside(&text, &folder) else { continue };
+            for quantity in &document.quantities {
+                let key = quantity.key.clone();
+                let [zero, negative] =
+                    ["0", "-3"].map(|number| is_refused(&text, &folder, quantity, number));
+                if negative != (quantity.sign != Sign::Any) {
+                    wrong.insert(format!("{key}: {:?}, -3", quantity.sign));
+                }
+                if !zero && quantity.sign == Sign::Positive {
+                    wrong.insert(format!("{key}: {:?}, 0", quantity.sign));
+                }
+                if !zero {
+                    was_zero.insert((key.clone(), quantity.sign == Sign::Positive));
+                }
+                may_be_zero.insert((key.clone(), quantity.sign == Sign::Positive));
+                keys.insert(key);
+            }
+        }
+        may_be_zero.retain(|(_, is_positive)| !is_positive);
+        assert!(keys.len() > 30, "{keys:?}");
+        assert!(wrong.is_empty(), "{wrong:#?}");
+        assert!(may_be_zero.is_subset(&was_zero), "{may_be_zero:?} {was_zero:?}");
+    }
+}

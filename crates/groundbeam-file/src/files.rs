@@ -1,0 +1,77 @@
+//! The bytes of files: of regular files alone, and no more than 64 MB of them.
+
+use std::fs::{File, Metadata, metadata};
+use std::io::{Error, ErrorKind, Read, Result};
+use std::path::Path;
+
+/// The most bytes that are read of one file: a million loads, or three million rows of a survey.
+const MOST: u64 = 64_000_000;
+
+/// Opens a regular file to read it. Folders, pipes and devices are refused, and so is what a link to them leads to.
+///
+/// # Errors
+///
+/// As [`File::open`], and where the path leads to no regular file.
+pub fn open_file(path: &Path) -> Result<File> {
+    // To open a pipe into which nobody writes would take for ever.
+    regular(&metadata(path)?)?;
+    let file = File::open(path)?;
+    regular(&file.metadata()?)?;
+    Ok(file)
+}
+
+/// Reads a regular file of at most 64 MB.
+///
+/// # Errors
+///
+/// As [`open_file`], and where the file is longer.
+pub fn read_file(path: &Path) -> Result<Vec<u8>> {
+    read_bounded(open_file(path)?)
+}
+
+/// Reads a stream of at most 64 MB to its end.
+///
+/// # Errors
+///
+/// What the stream reports, and [`ErrorKind::FileTooLarge`] where it is longer.
+pub fn read_bounded(stream: impl Read) -> Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    stream.take(MOST + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > MOST {
+        return Err(Error::new(ErrorKind::FileTooLarge, "it is longer than 64 MB"));
+    }
+    Ok(bytes)
+}
+
+fn regular(found: &Metadata) -> Result<()> {
+    if found.is_file() {
+        return Ok(());
+    }
+    let what = if found.is_dir() { "a folder" } else { "a pipe or a device" };
+    Err(Error::new(ErrorKind::InvalidInput, format!("it is {what}, not a file")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stream_without_an_end_is_refused() {
+        let error = read_bounded(std::io::repeat(b'#')).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::FileTooLarge);
+        let most = read_bounded(std::io::repeat(b'#').take(MOST)).unwrap();
+        assert_eq!(most.len() as u64, MOST);
+    }
+
+    #[test]
+    fn only_files_are_read() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+        assert!(read_file(&folder.join("Cargo.toml")).is_ok());
+        assert_eq!(read_file(folder).unwrap_err().to_string(), "it is a folder, not a file");
+        #[cfg(unix)]
+        for device in ["/dev/zero", "/dev/null"] {
+            let error = read_file(Path::new(device)).unwrap_err();
+            assert_eq!(error.to_string(), "it is a pipe or a device, not a file");
+        }
+    }
+}

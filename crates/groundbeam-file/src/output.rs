@@ -1,0 +1,300 @@
+//! Output files, each of which is written whole or not at all.
+//!
+//! An [`Output`] writes to a second file in the same folder, syncs it to disk and renames it. A link is followed, and the
+//! file that it names is replaced or created. A device, a pipe or a standard stream is written directly.
+
+use std::ffi::OsString;
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+/// The longest chain of links that is followed; Linux has the same limit.
+const MOST_LINKS: usize = 40;
+
+/// An output that is being written. Dropped before [`Output::finish`], it leaves the file as it was.
+pub struct Output {
+    sink: Sink,
+}
+
+enum Sink {
+    /// A standard stream, a device or a pipe.
+    Direct(Box<dyn Write + Send>),
+    Replacement(Replacement),
+}
+
+/// A file beside the target, which takes its place in the end.
+struct Replacement {
+    /// Locked until the work ends.
+    file: File,
+    unfinished: PathBuf,
+    target: PathBuf,
+    is_finished: bool,
+}
+
+/// Writes a whole file.
+///
+/// # Errors
+///
+/// As [`Output::create`] and [`Output::finish`].
+pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut output = Output::create(path)?;
+    output.write_all(bytes)?;
+    output.finish()
+}
+
+impl Output {
+    /// Opens an output. The permissions of a file that exists are kept.
+    ///
+    /// # Errors
+    ///
+    /// A path that cannot be written, a loop of links, or a file that another process writes now.
+    pub fn create(path: &Path) -> io::Result<Self> {
+        let sink = match Target::of(path)? {
+            Target::StandardOutput => Sink::Direct(Box::new(io::stdout())),
+            Target::StandardError => Sink::Direct(Box::new(io::stderr())),
+            Target::Direct(path) => {
+                Sink::Direct(Box::new(OpenOptions::new().append(true).open(path)?))
+            }
+            Target::File(target) => Sink::Replacement(Replacement::of(target)?),
+        };
+        Ok(Output { sink })
+    }
+
+    /// Syncs a file to disk, gives it its name, and syncs its folder.
+    ///
+    /// # Errors
+    ///
+    /// Errors of the file system; the old file is then still there.
+    pub fn finish(self) -> io::Result<()> {
+        match self.sink {
+            Sink::Direct(mut sink) => sink.flush(),
+            Sink::Replacement(replacement) => replacement.finish(),
+        }
+    }
+
+    fn sink(&mut self) -> &mut dyn Write {
+        match &mut self.sink {
+            Sink::Direct(sink) => sink,
+            Sink::Replacement(replacement) => &mut replacement.file,
+        }
+    }
+}
+
+impl Write for Output {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.sink().write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.sink().flush()
+    }
+}
+
+impl Replacement {
+    fn of(target: PathBuf) -> io::Result<Self> {
+        // Opening the old file for writing tells whether it may be written.
+        let permissions = match OpenOptions::new().write(true).open(&target) {
+            Ok(old) => Some(old.metadata()?.permissions()),
+            Err(error) if error.kind() == ErrorKind::NotFound => None,
+            Err(error) => return Err(error),
+        };
+        let unfinished = beside(&target)?;
+        let file = locked(&unfinished)?;
+        let replacement = Replacement { file, unfinished, target, is_finished: false };
+        if let Some(permissions) = permissions {
+            replacement.file.set_permissions(permissions)?;
+        }
+        Ok(replacement)
+    }
+
+    fn finish(mut self) -> io::Result<()> {
+        self.file.sync_all()?;
+        fs::rename(&self.unfinished, &self.target)?;
+        self.is_finished = true;
+        sync(folder(&self.target))
+    }
+}
+
+impl Drop for Replacement {
+    fn drop(&mut self) {
+        if !self.is_finished {
+            // The caller reports the first error; a second one adds nothing.
+            let _ = fs::remove_file(&self.unfinished);
+        }
+    }
+}
+
+/// The name of the file that is written first. The folder is the same, so that renaming stays within one file system.
+fn beside(target: &Path) -> io::Result<PathBuf> {
+    let name = target.file_name().ok_or_else(|| {
+        io::Error::new(ErrorKind::InvalidInput, "the path does not end with the name of a file")
+    })?;
+    let mut hidden = OsString::from(".");
+    hidden.push(name);
+    hidden.push(".unfinished");
+    Ok(target.with_file_name(hidden))
+}
+
+/// An empty file of this process alone. A process that was killed may have left one: it is used again.
+fn locked(path: &Path) -> io::Result<File> {
+    loop {
+        let file = OpenOptions::new().write(true).create(true).truncate(false).open(path)?;
+        match file.try_lock() {
+            // Some file systems have no locks.
+            Ok(()) | Err(TryLockError::Error(_)) => {}
+            Err(TryLockError::WouldBlock) => {
+                let message = "another process is writing this file";
+                return Err(io::Error::new(ErrorKind::WouldBlock, message));
+            }
+        }
+        // Another process may have renamed the file between the opening and the lock.
+        if is_at(&file, path) {
+            file.set_len(0)?;
+            return Ok(file);
+        }
+    }
+}
+
+#[cfg(unix)]
+fn is_at(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let place = |found: &fs::Metadata| (found.dev(), found.ino());
+    matches!((file.metadata(), fs::metadata(path)), (Ok(a), Ok(b)) if place(&a) == place(&b))
+}
+
+#[cfg(not(unix))]
+fn is_at(_: &File, path: &Path) -> bool {
+    path.exists()
+}
+
+/// Syncs the names of a folder to disk, on systems that can open a folder.
+fn sync(folder: &Path) -> io::Result<()> {
+    if !cfg!(unix) {
+        return Ok(());
+    }
+    match File::open(folder).and_then(|folder| folder.sync_all()) {
+        // Some file systems cannot sync a folder.
+        Err(error) if matches!(error.kind(), ErrorKind::InvalidInput | ErrorKind::Unsupported) => {
+            Ok(())
+        }
+        synced => synced,
+    }
+}
+
+/// The folder of a path.
+fn folder(path: &Path) -> &Path {
+    match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    }
+}
+
+/// Where an output goes once all links are followed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Target {
+    /// The standard output of this process.
+    StandardOutput,
+    /// Its standard error.
+    StandardError,
+    /// A device, a pipe or an open file of this process, under the path that was given.
+    Direct(PathBuf),
+    /// A file that exists or can be created.
+    File(PathBuf),
+}
+
+impl Target {
+    /// Follows the links of a path, the last of which may name a file that does not exist.
+    ///
+    /// # Errors
+    ///
+    /// A loop of links, a folder, or a path that cannot be read.
+    pub fn of(path: &Path) -> io::Result<Self> {
+        let mut target = path.to_owned();
+        for _ in 0..=MOST_LINKS {
+            match descriptor(&target) {
+                Some(1) => return Ok(Target::StandardOutput),
+                Some(2) => return Ok(Target::StandardError),
+                Some(_) => return Ok(Target::Direct(path.to_owned())),
+                None => {}
+            }
+            let found = match fs::symlink_metadata(&target) {
+                Ok(found) => found,
+                Err(error) if error.kind() == ErrorKind::NotFound => {
+                    return Ok(Target::File(target));
+                }
+                Err(error) => return Err(error),
+            };
+            if found.is_symlink() {
+                target = folder(&target).join(fs::read_link(&target)?);
+            } else if found.is_file() {
+                return Ok(Target::File(target));
+            } else if found.is_dir() {
+                return Err(io::Error::new(
+                    ErrorKind::IsADirectory,
+                    "this is a folder, not a file",
+                ));
+            } else {
+                return Ok(Target::Direct(path.to_owned()));
+            }
+        }
+        Err(io::Error::other("the links form a loop"))
+    }
+}
+
+/// The number of the open file of this process that a path like `/dev/fd/1` names.
+fn descriptor(path: &Path) -> Option<u32> {
+    let number = path.file_name()?.to_str()?.parse().ok()?;
+    let folder = folder(path).canonicalize().ok()?;
+    let names = ["/dev/fd", "/proc/self/fd"].map(|name| Path::new(name).canonicalize().ok());
+    names.contains(&Some(folder)).then_some(number)
+}
+
+/// The identity of a regular file: equal for all paths, links and hard links that lead to it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Identity(Key);
+
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Key {
+    #[cfg(unix)]
+    Number(u64, u64),
+    Path(PathBuf),
+}
+
+impl Identity {
+    /// The identity of a file that exists or that an output would create; none of a device or a pipe.
+    ///
+    /// # Errors
+    ///
+    /// As [`Target::of`].
+    pub fn of(path: &Path) -> io::Result<Option<Self>> {
+        match fs::metadata(path) {
+            Ok(found) if found.is_file() => {
+                return Ok(Some(Identity(Key::of_existing(path, &found)?)));
+            }
+            Ok(_) => return Target::of(path).map(|_| None),
+            Err(_) => {}
+        }
+        let Target::File(target) = Target::of(path)? else { return Ok(None) };
+        let Some(name) = target.file_name() else { return Ok(None) };
+        // The folder may be missing: then creating the file fails.
+        let folder = folder(&target);
+        let folder = folder.canonicalize().or_else(|_| std::path::absolute(folder))?;
+        let ignores_case = cfg!(any(windows, target_os = "macos"));
+        let name = if ignores_case { name.to_ascii_lowercase() } else { name.to_owned() };
+        Ok(Some(Identity(Key::Path(folder.join(name)))))
+    }
+}
+
+impl Key {
+    #[cfg(unix)]
+    #[expect(clippy::unnecessary_wraps, reason = "elsewhere it can fail")]
+    fn of_existing(_: &Path, found: &fs::Metadata) -> io::Result<Self> {
+        use std::os::unix::fs::MetadataExt;
+        Ok(Key::Number(found.dev(), found.ino()))
+    }
+
+    #[cfg(not(unix))]
+    fn of_existing(path: &Path, _: &fs::Metadata) -> io::Result<Self> {
+        path.canonicalize().map(Key::Path)
+    }
+}

@@ -1,0 +1,31 @@
+//! Text of a user in print: characters that a terminal would obey are written as escapes.
+
+use std::borrow::Cow;
+
+/// The text with every character that steers a terminal or hides the order of letters written as an escape, `\n` or
+/// `\u{1b}`: control characters, marks of the direction of text, separators of lines, and U+FFFE and U+FFFF.
+///
+/// ```
+/// assert_eq!(groundbeam_file::printable("a\u{1b}[31mb"), r"a\u{1b}[31mb");
+/// assert_eq!(groundbeam_file::printable("梁 1 – µm"), "梁 1 – µm");
+/// ```
+pub fn printable(text: &str) -> Cow<'_, str> {
+    if !text.contains(is_unprintable) {
+        return Cow::Borrowed(text);
+    }
+    let mut printed = String::with_capacity(text.len() + 8);
+    for c in text.chars() {
+        match is_unprintable(c) {
+            true => printed.extend(c.escape_default()),
+            false => printed.push(c),
+        }
+    }
+    Cow::Owned(printed)
+}
+
+/// Whether a terminal would obey the character instead of showing it.
+pub(crate) fn is_unprintable(c: char) -> bool {
+    c.is_control()
+        || matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}')
+        || matches!(c, '\u{2066}'..='\u{2069}' | '\u{fffe}' | '\u{ffff}')
+}

@@ -1,0 +1,191 @@
+//! The length of the chords that replace settlement troughs, from EI, S, P, k, μ and the loads.
+
+use super::trough::Trough;
+use groundbeam::{Beam, Load, Model};
+
+/// The part of a field's largest magnitude by which chords may change it.
+const TOLERANCE: f64 = 1e-3;
+
+/// Chords per width of a trough for the deflection and the moment, so many widths to both sides of its middle.
+const PER_WIDTH: f64 = 24.0;
+const NEAR: f64 = 5.0;
+/// Chords per length of the beam where the force of a corner moves the edges of contact.
+const PER_LENGTH: f64 = 600.0;
+
+/// The density of chords along the beam. docs/ground.md, *Settlement troughs*, derives the rules:
+///
+/// * deflection: h ≤ i/24, and less for a beam beside the trough;
+/// * moment: 3.3 T(2π/h) ≤ ε T(1/i), T the moment of a beam that stays on ground with the clearance cos qx;
+/// * pressure: h² (k + μ²/EI)|g″|/12 ≤ ε p̄, p̄ the load per length;
+/// * edges of contact: μ h|g″| ≤ ε p̄ l or h ≤ l/600.
+pub(super) struct Spacing<'a> {
+    troughs: &'a [Trough],
+    /// Of each trough, for deflection and moment.
+    even: Vec<Even>,
+    /// 1/h² per |g″|, for the pressure.
+    by_curvature: f64,
+    /// 1/h per |g″|, for the edges of contact.
+    by_corner: f64,
+    /// 1/h at most, for these edges.
+    most_for_corners: f64,
+}
+
+/// Chords of the same length near a trough.
+struct Even {
+    /// 1/h².
+    density: f64,
+    /// The square of the distance to which they are needed, in widths.
+    reach: f64,
+}
+
+impl<'a> Spacing<'a> {
+    /// For a model whose k and μ are multiplied by factors between two `multiples`, under a mean load of
+    /// `pressure`, infinite without loads: nothing presses then that a chord could change.
+    pub fn new(
+        model: &Model,
+        multiples: [[f64; 2]; 2],
+        pressure: f64,
+        troughs: &'a [Trough],
+    ) -> Self {
+        let ranges = Ranges::of(model, multiples);
+        let l = model.beam.length;
+        let even = troughs.iter().map(|trough| {
+            let of_field = PER_WIDTH / trough.width;
+            let of_moment = ranges.bonded().map(|bonded| 1.0 / bonded.longest(trough.width));
+            // A beam that lies beside the trough rests on its tail, which is as flat as i/t is long.
+            let away = ((trough.at.clamp(0.0, l) - trough.at) / trough.width).powi(2);
+            Even {
+                density: of_moment.fold(of_field, f64::max).powi(2) * (1.0 + away),
+                reach: NEAR * NEAR + away,
+            }
+        });
+        let (k, mu) = (ranges.spring[1], ranges.shear[1]);
+        let allowed = TOLERANCE * pressure;
+        Spacing {
+            even: even.collect(),
+            by_curvature: (k + mu * (mu / ranges.bending[0])) / 12.0 / allowed,
+            by_corner: mu / l / allowed,
+            most_for_corners: PER_LENGTH / l,
+            troughs,
+        }
+    }
+
+    /// 1/h.
+    pub fn chords_per_length(&self, x: f64) -> f64 {
+        let (mut density, mut curvature) = (0.0, 0.0);
+        for (trough, even) in self.troughs.iter().zip(&self.even) {
+            let t2 = ((x - trough.at) / trough.width).powi(2);
+            if t2 <= even.reach {
+                density += even.density;
+            }
+            curvature += trough.largest_curvature(t2);
+        }
+        let corners = (self.by_corner * curvature).min(self.most_for_corners);
+        (density + self.by_curvature * curvature + corners * corners).sqrt()
+    }
+}
+
+/// Forces and moments over the length, per length: what the beam presses with at least, about. Each load counts with
+/// its `factors`.
+pub(super) fn mean_load(loads: &[Load], l: f64, factors: impl Fn(usize) -> f64) -> f64 {
+    let size = |load: &Load| match *load {
+        Load::PointForce { force, .. } | Load::GroundForce { force, .. } => force.abs(),
+        Load::PointMoment { moment, .. } => moment.abs() / l,
+        Load::Distributed { from, to, start, end }
+        | Load::GroundDistributed { from, to, start, end } => {
+            (to - from) * 0.5 * (start.abs() + end.abs())
+        }
+        Load::DistributedMoment { from, to, start, end } => {
+            (to - from) * 0.5 * (start.abs() + end.abs()) / l
+        }
+        Load::Curvature { .. } => 0.0,
+    };
+    let sizes = loads.iter().enumerate().map(|(i, load)| factors(i).abs() * size(load));
+    sizes.sum::<f64>() / l
+}
+
+/// Between which values the constants along the beam lie.
+struct Ranges {
+    /// EI.
+    bending: [f64; 2],
+    /// The smallest S; none if the beam only bends.
+    shearing: Option<f64>,
+    /// P; 0 under compression.
+    tension: f64,
+    /// k.
+    spring: [f64; 2],
+    /// μ.
+    shear: [f64; 2],
+}
+
+impl Ranges {
+    fn of(model: &Model, multiples: [[f64; 2]; 2]) -> Self {
+        let Beam { length, axial_force, .. } = model.beam;
+        let range = |base: f64, others: &mut dyn Iterator<Item = [f64; 2]>| {
+            others.fold([base; 2], |[low, high], [least, most]| [low.min(least), high.max(most)])
+        };
+        let beam = &model.beam.segments;
+        let ground = || model.foundation.segments.iter().filter(|s| s.from < length && s.to > 0.0);
+        let ends = |profile: groundbeam::Profile| [profile.smallest(), profile.largest()];
+        let times = |[low, high]: [f64; 2], [a, b]: [f64; 2]| [low * a, high * b];
+        let shears = beam.iter().filter_map(|s| s.shear_stiffness).map(|s| s.smallest());
+        Ranges {
+            bending: range(
+                model.beam.bending_stiffness,
+                &mut beam.iter().map(|s| ends(s.bending_stiffness)),
+            ),
+            shearing: shears.chain(model.beam.shear_stiffness).reduce(f64::min),
+            tension: axial_force.max(0.0),
+            spring: times(
+                range(model.foundation.spring, &mut ground().map(|s| ends(s.spring))),
+                multiples[0],
+            ),
+            shear: times(
+                range(model.foundation.shear, &mut ground().map(|s| ends(s.shear))),
+                multiples[1],
+            ),
+        }
+    }
+
+    /// Beams with every combination of the smallest and the largest constants.
+    fn bonded(&self) -> impl Iterator<Item = Bonded> {
+        (0..8).map(|i| Bonded {
+            bending: self.bending[i & 1],
+            spring: self.spring[i >> 1 & 1],
+            shear: self.shear[i >> 2],
+            shearing: self.shearing,
+            tension: self.tension,
+        })
+    }
+}
+
+/// An endless beam that stays on its ground.
+struct Bonded {
+    bending: f64,
+    shearing: Option<f64>,
+    tension: f64,
+    spring: f64,
+    shear: f64,
+}
+
+impl Bonded {
+    /// M/g″ on ground with the clearance g = cos qx.
+    fn moment(&self, q: f64) -> f64 {
+        let q2 = q * q;
+        let bending = self.bending / (1.0 + self.shearing.map_or(0.0, |s| self.bending * q2 / s));
+        let ground = self.spring + self.shear * q2;
+        bending * (ground / (ground + q2 * (self.tension + bending * q2)))
+    }
+
+    /// The longest chord under which the moment differs by less than the tolerance.
+    fn longest(&self, width: f64) -> f64 {
+        // The first harmonic of a row of parabolas or of single forces, and π²/6 for the others.
+        let few = TOLERANCE * self.moment(1.0 / width) / 3.3;
+        let (mut short, mut long) = (0.0, width);
+        for _ in 0..60 {
+            let h = 0.5 * (short + long);
+            if self.moment(std::f64::consts::TAU / h) <= few { short = h } else { long = h }
+        }
+        long
+    }
+}

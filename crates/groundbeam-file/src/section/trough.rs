@@ -1,0 +1,139 @@
+//! `[[gap_trough]]`: the corners of the polygon that stands for settlement troughs.
+
+use super::chords::Spacing;
+use crate::quantity::{CLEARANCE, GROUND_POSITION, WIDTH};
+use crate::reader::Reader;
+use crate::table::Section;
+use groundbeam::{GapPoint, Model};
+
+const KEYS: &[&str] = &["at", "settlement", "width"];
+/// Corners added for troughs; more are refused.
+pub(super) const MOST_CHORDS: usize = 10_000;
+/// The density of chords is integrated in steps of this part of a width.
+const STEP: f64 = 1.0 / 16.0;
+/// Beyond this many widths from its middle a trough needs no corner: less than 1e-14 of its depth is left.
+const REACH: f64 = 8.0;
+
+/// The tail of a trough becomes zero below this number, the least that a model may have.
+const LEAST: f64 = 1e-60;
+
+/// A settlement trough as over a tunnel: S exp(−(x − x₀)²/2i²), Peck (1969).
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Trough {
+    pub at: f64,
+    /// S, down.
+    pub settlement: f64,
+    /// i, from the middle to the point of inflection.
+    pub width: f64,
+}
+
+impl Trough {
+    pub fn read(reader: &mut Reader, table: &Section) -> Self {
+        reader.refuse_unknown(table, KEYS);
+        let at = reader.required(table, "at", &GROUND_POSITION).value;
+        let settlement = reader.required(table, "settlement", &CLEARANCE).value;
+        let width = reader.required(table, "width", &WIDTH);
+        let width = reader.positive("width", width).value;
+        Trough { at, settlement, width }
+    }
+
+    pub fn is_readable(&self) -> bool {
+        (self.at + self.settlement + self.width).is_finite()
+    }
+
+    /// S√(t⁴ − t² + 1) exp(−t²/2)/i², from t²: |g″| is at most this, and this has no zero.
+    pub fn largest_curvature(&self, t2: f64) -> f64 {
+        let size = (self.settlement / (self.width * self.width)).abs();
+        size * (t2 * t2 - t2 + 1.0).sqrt() * (-0.5 * t2).exp()
+    }
+
+    fn depth(&self, x: f64) -> f64 {
+        let t = (x - self.at) / self.width;
+        self.settlement * (-0.5 * t * t).exp()
+    }
+
+    /// Places where the density of chords is sampled, symmetric about the middle.
+    fn grid(&self) -> impl Iterator<Item = f64> {
+        let steps = (REACH / STEP) as i32;
+        let Trough { at, width, .. } = *self;
+        (-steps..=steps).map(move |i| at + f64::from(i) * STEP * width)
+    }
+}
+
+/// The gap of the model with the troughs added, linear between corners; the number of chords if they are too many.
+pub(super) fn sunk(
+    model: &Model,
+    troughs: &[Trough],
+    spacing: &Spacing,
+) -> Result<Vec<GapPoint>, f64> {
+    let length = model.beam.length;
+    let depth = |x: f64| troughs.iter().map(|trough| trough.depth(x)).sum::<f64>();
+    let own = model.gap.iter().map(|corner| corner.at);
+    let kept = sorted(own.chain([0.0, length]), length);
+    let grid = sorted(kept.iter().copied().chain(troughs.iter().flat_map(Trough::grid)), length);
+    let mut places = vec![0.0];
+    let mut stretch = Vec::new();
+    let mut chords = 0.0;
+    let mut next = 1;
+    for pair in grid.windows(2) {
+        let density = spacing.chords_per_length(0.5 * (pair[0] + pair[1]));
+        stretch.push((pair[0], pair[1], density));
+        if pair[1] >= kept[next] {
+            chords += divide(&stretch, &mut places);
+            stretch.clear();
+            next += 1;
+        }
+    }
+    if chords > MOST_CHORDS as f64 {
+        return Err(chords);
+    }
+    let corner = |at: f64| {
+        let value = base(&model.gap, at) + depth(at);
+        GapPoint { at, value: if value.abs() < LEAST { 0.0 } else { value } }
+    };
+    Ok(places.into_iter().map(corner).collect())
+}
+
+/// Divides a stretch into chords: equal parts of the integral of their density. Returns how many corners it needs.
+fn divide(stretch: &[(f64, f64, f64)], places: &mut Vec<f64>) -> f64 {
+    let whole: f64 = stretch.iter().map(|(from, to, density)| (to - from) * density).sum();
+    let parts = whole.ceil().max(1.0);
+    if parts + places.len() as f64 <= 4.0 * MOST_CHORDS as f64 {
+        let (mut done, mut part) = (0.0, 1.0);
+        for (from, to, density) in stretch {
+            let step = (to - from) * density;
+            while part < parts && whole * (part / parts) <= done + step {
+                places.push(from + (whole * (part / parts) - done) / density);
+                part += 1.0;
+            }
+            done += step;
+        }
+    }
+    places.extend(stretch.last().map(|(_, to, _)| *to));
+    parts - 1.0
+}
+
+/// The gap without troughs.
+fn base(gap: &[GapPoint], x: f64) -> f64 {
+    let right = gap.partition_point(|corner| corner.at < x);
+    match (right.checked_sub(1).map(|i| gap[i]), gap.get(right)) {
+        (Some(a), Some(b)) => (a.value * (b.at - x) + b.value * (x - a.at)) / (b.at - a.at),
+        (Some(only), None) => only.value,
+        (None, Some(only)) => only.value,
+        (None, None) => 0.0,
+    }
+}
+
+/// Places on the beam from left to right, none closer to another than rounding.
+fn sorted(places: impl Iterator<Item = f64>, length: f64) -> Vec<f64> {
+    let mut places: Vec<f64> = places.filter(|x| (0.0..=length).contains(x)).collect();
+    places.sort_by(f64::total_cmp);
+    places.dedup_by(|next, last| {
+        let same = *next - *last <= 1e-9 * length;
+        if same && *next == length {
+            *last = length;
+        }
+        same
+    });
+    places
+}

@@ -1,0 +1,94 @@
+//! Work shared out to threads that end with the call, while Python may stop it.
+//!
+//! No thread outlives a call, so a process may fork between calls and the child starts threads of its own. The global
+//! pool of `rayon` must not be used here: its threads are missing in a forked process, and work given to it never ends.
+
+use crate::failure::Failure;
+use pyo3::prelude::*;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::thread;
+use std::time::Duration;
+
+/// How often Python is asked whether to stop, and told how far the work is.
+const BETWEEN_LOOKS: Duration = Duration::from_millis(100);
+
+/// How many threads a call uses: as many as it asks for. If it asks for 0, as many as the variable `RAYON_NUM_THREADS`
+/// says, which also holds for the program, or else as many as there are processors.
+pub fn number(asked: usize) -> usize {
+    let of_variable = || {
+        let variable = std::env::var("RAYON_NUM_THREADS").ok()?;
+        variable.parse().ok().filter(|&number: &usize| number > 0)
+    };
+    match asked {
+        0 => {
+            of_variable().unwrap_or_else(|| thread::available_parallelism().map_or(1, usize::from))
+        }
+        asked => asked,
+    }
+}
+
+/// The results of `work` for 0 to `count`, in this order. Each thread makes a state of its own, which `work` may use
+/// as memory; results must not depend on it.
+pub fn map<S, T: Send>(
+    count: usize,
+    threads: usize,
+    progress: Option<&Py<PyAny>>,
+    state: impl Fn() -> S + Sync,
+    work: impl Fn(&mut S, usize) -> T + Sync,
+) -> PyResult<Vec<T>> {
+    let (next, done, stop) = (AtomicUsize::new(0), AtomicUsize::new(0), AtomicBool::new(false));
+    let one_thread = || {
+        let (mut state, mut found) = (state(), Vec::new());
+        while !stop.load(Ordering::Relaxed) {
+            let number = next.fetch_add(1, Ordering::Relaxed);
+            if number >= count {
+                break;
+            }
+            found.push((number, work(&mut state, number)));
+            done.fetch_add(1, Ordering::Relaxed);
+        }
+        found
+    };
+    let parts = thread::scope(|scope| {
+        let (say, ended) = mpsc::channel();
+        for _ in 0..number(threads).min(count) {
+            let (say, one_thread) = (say.clone(), &one_thread);
+            // The receiver is gone if Python has stopped the work.
+            let thread = move || drop(say.send(one_thread()));
+            if let Err(error) = thread::Builder::new().spawn_scoped(scope, thread) {
+                stop.store(true, Ordering::Relaxed);
+                return Err(Failure::Asked(format!("a thread cannot be started: {error}")).into());
+            }
+        }
+        drop(say);
+        let mut parts = Vec::new();
+        loop {
+            match ended.recv_timeout(BETWEEN_LOOKS) {
+                Ok(found) => parts.push(found),
+                Err(RecvTimeoutError::Disconnected) => return Ok(parts),
+                Err(RecvTimeoutError::Timeout) => {
+                    if let Err(error) = tell(progress, done.load(Ordering::Relaxed), count) {
+                        stop.store(true, Ordering::Relaxed);
+                        return Err(error);
+                    }
+                }
+            }
+        }
+    })?;
+    tell(progress, count, count)?;
+    let mut all: Vec<(usize, T)> = parts.into_iter().flatten().collect();
+    all.sort_unstable_by_key(|(number, _)| *number);
+    Ok(all.into_iter().map(|(_, result)| result).collect())
+}
+
+/// Lets Python handle signals, Ctrl-C among them, and tells it how far the work is.
+fn tell(progress: Option<&Py<PyAny>>, done: usize, count: usize) -> PyResult<()> {
+    Python::attach(|py| {
+        py.check_signals()?;
+        if let Some(progress) = progress {
+            progress.call1(py, (done, count))?;
+        }
+        Ok(())
+    })
+}

@@ -1,0 +1,141 @@
+"""Studies on a Dask cluster: the same bytes as alone, and never those of another study."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import threading
+import time
+from pathlib import Path
+from typing import Iterator, NoReturn
+
+import distributed
+import groundbeam as gb
+import groundbeam.dask
+import pytest
+from groundbeam.dask import run
+from test_study import STUDY, study, with_survey
+
+__all__ = ["study"]
+
+
+@pytest.fixture(scope="module")
+def client() -> Iterator[distributed.Client]:
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+    ) as cluster, distributed.Client(cluster) as client:
+        yield client
+
+
+def alone(study: gb.Study, out: Path) -> bytes:
+    study.run(out)
+    return out.read_bytes()
+
+
+def stop_before_the_merge(monkeypatch: pytest.MonkeyPatch) -> None:
+    def stop(*_: object) -> NoReturn:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(groundbeam.dask, "merge", stop)
+
+
+def test_a_study_that_was_edited_takes_over_no_old_shards(
+    client: distributed.Client,
+    study: gb.Study,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    out = tmp_path / "cluster.parquet"
+    with monkeypatch.context() as stopped:
+        stop_before_the_merge(stopped)
+        with pytest.raises(KeyboardInterrupt):
+            run(client, study, out, shards=3)
+    assert len(list((tmp_path / "cluster.parquet.shards").iterdir())) == 3
+    study.path.write_text(STUDY.replace("cov = 0.2", "cov = 0.1"))
+    edited = gb.Study(study.path)
+    run(client, edited, out, shards=3)
+    assert out.read_bytes() == alone(edited, tmp_path / "alone.parquet")
+    assert not (tmp_path / "cluster.parquet.shards").exists()
+
+
+def test_shards_that_are_kept_are_taken_over_if_they_are_right(
+    client: distributed.Client,
+    study: gb.Study,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    out = tmp_path / "cluster.parquet"
+    with monkeypatch.context() as stopped:
+        stop_before_the_merge(stopped)
+        with pytest.raises(KeyboardInterrupt):
+            run(client, study, out, shards=4)
+    one, two, *others = sorted((tmp_path / "cluster.parquet.shards").iterdir())
+    shutil.copyfile(one, two)
+    others[0].write_bytes(b"not Parquet")
+    submitted: list[object] = []
+    submit = client.submit
+
+    def counted(*arguments: object, **more: object) -> object:
+        submitted.append(arguments)
+        return submit(*arguments, **more)
+
+    monkeypatch.setattr(client, "submit", counted)
+    run(client, study, out, shards=4)
+    assert len(submitted) == 2
+    assert out.read_bytes() == alone(study, tmp_path / "alone.parquet")
+
+
+def test_results_that_are_there_are_kept_unless_they_are_to_be_made_anew(
+    client: distributed.Client, study: gb.Study, tmp_path: Path
+) -> None:
+    out = tmp_path / "r.parquet"
+    before = alone(study, out)
+    assert run(client, study, out).samples == 600
+    study.path.write_text(STUDY.replace("cov = 0.2", "cov = 0.1"))
+    edited = gb.Study(study.path)
+    with pytest.raises(ValueError, match="another study"):
+        run(client, edited, out)
+    assert out.read_bytes() == before
+    run(client, edited, out, restart=True)
+    assert out.read_bytes() == alone(edited, tmp_path / "alone.parquet")
+
+
+def test_workers_get_every_file_as_it_was_read(
+    client: distributed.Client, tmp_path: Path
+) -> None:
+    study = with_survey(tmp_path)
+    expected = alone(study, tmp_path / "alone.parquet")
+    shutil.rmtree(tmp_path / "models")
+    shutil.rmtree(tmp_path / "studies")
+    run(client, study, tmp_path / "cluster.parquet", shards=3)
+    assert (tmp_path / "cluster.parquet").read_bytes() == expected
+
+
+def test_a_cluster_of_which_a_worker_dies(study: gb.Study, tmp_path: Path) -> None:
+    many = gb.Study(study.path, samples=20_000)
+    many.run(tmp_path / "alone.parquet")
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+    ) as cluster, distributed.Client(cluster) as client:
+        pids = list(client.run(_pid).values())
+        killer = _kill_soon(pids[0])
+        summary = run(client, many, tmp_path / "cluster.parquet", shards=12)
+        killer.join()
+    assert summary.samples == 20_000
+    assert (tmp_path / "cluster.parquet").read_bytes() == (tmp_path / "alone.parquet").read_bytes()
+    assert not (tmp_path / "cluster.parquet.shards").exists()
+
+
+def _pid() -> int:
+    return os.getpid()
+
+
+def _kill_soon(pid: int) -> threading.Thread:
+    def kill() -> None:
+        time.sleep(0.3)
+        os.kill(pid, signal.SIGKILL)
+
+    thread = threading.Thread(target=kill)
+    thread.start()
+    return thread

@@ -1,0 +1,228 @@
+//! Checksums of a file of results: SHA-256 of all its bytes, block by block, kept in the file's own metadata.
+//!
+//! A block holds one group of rows. The last block, the tail, holds the rest: the page index, the metadata and the footer.
+//! The metadata state the end and the digest of each block, and last the digest of the tail, which is computed with zeros
+//! in its own place. So each byte of the file is covered, each block is verified before it is decoded, and other programs
+//! read the file as any Parquet file.
+
+use super::StoreError;
+use parquet::file::metadata::KeyValue;
+use sha2::{Digest, Sha256};
+use std::cell::RefCell;
+use std::fmt::Write as _;
+use std::fs::File;
+use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+/// The key of the checksums in the metadata.
+pub const KEY: &str = "groundbeam.checksum";
+/// The first word of the checksums.
+const METHOD: &str = "sha-256";
+/// Characters of a digest.
+const DIGITS: usize = 64;
+/// The last bytes of a Parquet file: the length of the metadata in four bytes, and this.
+const MAGIC: &[u8; 4] = b"PAR1";
+/// Bytes that are read at once.
+const AT_ONCE: usize = 1 << 16;
+
+/// A sink that computes the checksums of what is written.
+pub struct Sealed<W> {
+    sink: W,
+    digest: Sha256,
+    written: u64,
+    /// What the metadata will state, but for the tail's digest.
+    stated: String,
+    /// The tail, held back until its digest is known.
+    tail: Option<Vec<u8>>,
+}
+
+impl<W: Write> Sealed<W> {
+    pub fn new(sink: W) -> Self {
+        let stated = METHOD.to_owned();
+        Sealed { sink, digest: Sha256::new(), written: 0, stated, tail: None }
+    }
+
+    /// Ends a block.
+    pub fn end_block(&mut self) {
+        let digest = hex(std::mem::take(&mut self.digest));
+        // Writing to a string does not fail.
+        let _ = write!(self.stated, " {} {digest}", self.written);
+    }
+
+    /// Begins the tail: what goes into its metadata.
+    pub fn begin_tail(&mut self) -> KeyValue {
+        self.tail = Some(Vec::new());
+        KeyValue::new(KEY.to_owned(), format!("{} {}", self.stated, "0".repeat(DIGITS)))
+    }
+
+    /// Writes the tail with its digest.
+    pub fn finish(mut self) -> io::Result<W> {
+        let mut tail = self.tail.take().unwrap_or_default();
+        let place = stated_in(&tail);
+        let place = place.ok_or_else(|| io::Error::other("the metadata hold no checksums"))?;
+        let digits = place.end - DIGITS..place.end;
+        self.digest.update(&tail);
+        tail[digits].copy_from_slice(hex(self.digest).as_bytes());
+        self.sink.write_all(&tail)?;
+        Ok(self.sink)
+    }
+}
+
+impl<W: Write> Write for Sealed<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if let Some(tail) = &mut self.tail {
+            return tail.write(bytes);
+        }
+        let count = self.sink.write(bytes)?;
+        self.digest.update(&bytes[..count]);
+        self.written += count as u64;
+        Ok(count)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.sink.flush()
+    }
+}
+
+/// The checksums of a file, of which the tail is verified.
+pub struct Checksums {
+    path: PathBuf,
+    file: File,
+    blocks: Vec<Block>,
+    /// The blocks that are verified.
+    verified: RefCell<Vec<bool>>,
+}
+
+struct Block {
+    bytes: Range<u64>,
+    digest: String,
+}
+
+impl Checksums {
+    /// Reads the checksums of a file, and verifies its tail.
+    pub fn open(path: &Path, file: File) -> Result<Self, StoreError> {
+        let wrong = |error: io::Error| StoreError::io(path, &error);
+        let length = file.metadata().map_err(wrong)?.len();
+        let last = metadata_of(&file, length).map_err(wrong)?.ok_or_else(|| unknown(path))?;
+        let place = stated_in(&last).ok_or_else(|| unknown(path))?;
+        let (blocks, digest) = blocks(&last[place.clone()]).ok_or_else(|| damaged_tail(path))?;
+        let first = length - last.len() as u64;
+        let tail = blocks.last().map_or(0, |block| block.bytes.end);
+        if tail > first {
+            return Err(damaged_tail(path));
+        }
+        let digits = first + (place.end - DIGITS) as u64;
+        let mut found = Sha256::new();
+        digest_on(&mut found, &file, tail..digits).map_err(wrong)?;
+        found.update([b'0'; DIGITS]);
+        digest_on(&mut found, &file, digits + DIGITS as u64..length).map_err(wrong)?;
+        if hex(found) != digest {
+            return Err(damaged_tail(path));
+        }
+        let verified = RefCell::new(vec![false; blocks.len()]);
+        Ok(Checksums { path: path.to_owned(), file, blocks, verified })
+    }
+
+    /// Whether a block is as it was written. It is read once, however often this is asked.
+    pub fn is_sound(&self, block: usize) -> Result<bool, StoreError> {
+        let Some(Block { bytes, digest }) = self.blocks.get(block) else { return Ok(false) };
+        if self.verified.borrow()[block] {
+            return Ok(true);
+        }
+        let mut found = Sha256::new();
+        digest_on(&mut found, &self.file, bytes.clone())
+            .map_err(|error| StoreError::io(&self.path, &error))?;
+        let is_sound = hex(found) == *digest;
+        self.verified.borrow_mut()[block] = is_sound;
+        Ok(is_sound)
+    }
+}
+
+/// The file is not one of results, or so damaged that it does not look like one.
+fn unknown(path: &Path) -> StoreError {
+    StoreError::Unlike(format!(
+        "{}: this is no file of results, or its metadata are damaged; if the study wrote it, delete it and run the \
+         study again, which computes its samples again",
+        path.display()
+    ))
+}
+
+fn damaged_tail(path: &Path) -> StoreError {
+    StoreError::Damaged(path.to_owned(), "its metadata".to_owned())
+}
+
+/// The metadata and the eight bytes after them.
+fn metadata_of(mut file: &File, length: u64) -> io::Result<Option<Vec<u8>>> {
+    let Some(end) = length.checked_sub(8) else { return Ok(None) };
+    let mut last = [0; 8];
+    file.seek(SeekFrom::Start(end))?;
+    file.read_exact(&mut last)?;
+    let [a, b, c, d, magic @ ..] = last;
+    let Some(start) = end.checked_sub(u32::from_le_bytes([a, b, c, d]).into()) else {
+        return Ok(None);
+    };
+    if &magic != MAGIC {
+        return Ok(None);
+    }
+    let mut all = Vec::new();
+    file.seek(SeekFrom::Start(start))?;
+    file.take(length - start).read_to_end(&mut all)?;
+    Ok(Some(all))
+}
+
+/// Where among the bytes of the metadata the checksums stand: after their key and their length (compact protocol of
+/// Thrift: a string is the byte 0x18, its length in groups of seven bits from the lowest on, its bytes). They are the last
+/// of the pairs: the texts of model and study, which may hold anything, stand before them.
+fn stated_in(metadata: &[u8]) -> Option<Range<usize>> {
+    let key = metadata.windows(KEY.len()).rposition(|bytes| bytes == KEY.as_bytes())?;
+    let mut place = key + KEY.len();
+    if metadata.get(place) != Some(&0x18) {
+        return None;
+    }
+    let (mut length, mut shift) = (0, 0);
+    loop {
+        place += 1;
+        let byte = *metadata.get(place)?;
+        length |= usize::from(byte & 0x7f).checked_shl(shift)?;
+        shift += 7;
+        if byte & 0x80 == 0 {
+            break;
+        }
+    }
+    let end = (place + 1).checked_add(length)?;
+    (length > DIGITS && end <= metadata.len()).then_some(place + 1..end)
+}
+
+/// The blocks that the metadata state, and the digest of the tail.
+fn blocks(stated: &[u8]) -> Option<(Vec<Block>, &str)> {
+    let mut words =
+        std::str::from_utf8(stated).ok()?.strip_prefix(METHOD)?.strip_prefix(' ')?.split(' ');
+    let tail = words.next_back().filter(|digest| digest.len() == DIGITS)?;
+    let mut blocks = Vec::new();
+    let mut start = 0;
+    while let Some(end) = words.next() {
+        let end = end.parse().ok().filter(|end| *end >= start)?;
+        blocks.push(Block { bytes: start..end, digest: words.next()?.to_owned() });
+        start = end;
+    }
+    Some((blocks, tail))
+}
+
+/// Goes on with the bytes of a part of a file.
+fn digest_on(digest: &mut Sha256, mut file: &File, bytes: Range<u64>) -> io::Result<()> {
+    file.seek(SeekFrom::Start(bytes.start))?;
+    let mut buffer = vec![0; AT_ONCE];
+    let mut rest = file.take(bytes.end - bytes.start);
+    loop {
+        match rest.read(&mut buffer)? {
+            0 => return Ok(()),
+            count => digest.update(&buffer[..count]),
+        }
+    }
+}
+
+/// The hexadecimal digits of a digest.
+pub fn hex(digest: Sha256) -> String {
+    digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+}

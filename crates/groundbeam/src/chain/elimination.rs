@@ -1,0 +1,419 @@
+//! One linear solve: beam and ground as a chain, swept from both ends to a meeting node.
+//!
+//! S (with r) is the stiffness (and force) that everything behind a node offers to the node's own
+//! x = (w, θ) and, where beam and ground have parted, u. Crossing an element, x' = T x + d, either x
+//! or d is eliminated in each of its two directions, whichever is held more stiffly, and never is a
+//! stiffness found as a small difference of large ones. Each element is crossed once on the way in
+//! and once on the way out: the cost is linear in the number of elements.
+//!
+//! In a narrow gap, or near the edge of a wide one, a short link of stiffness μ/h ties the surface to the
+//! beam. There the third of x is not u but r = u − ψ: in differences of neighbouring r the sinking of beam
+//! and ground has no part, and μ/h never stands beside the stiffness that holds them.
+
+use crate::chain::hinge::Turned;
+use crate::chain::links::{Surfaces, add_link, counted};
+use crate::chain::mirror::{mirror_cell, mirror_shape};
+use crate::chain::node::{Behind, ChainCell, ChainNode, Loose, THETA, U, W};
+use crate::chain::node::{Tie, TiedLink};
+use crate::element::element::{Basis, Element};
+
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Chain {
+    pub nodes: Vec<ChainNode>,
+    pub cells: Vec<ChainCell>,
+    /// The node at which the two sweeps meet: best where the beam is held.
+    pub meeting: usize,
+}
+
+/// How to come back across a cell: y_behind from y_ahead.
+#[derive(Debug, Clone, Copy, Default)]
+struct Return {
+    /// (v₁, v₂, u_left) = constant − gain·(w_right, θ_right, u_right).
+    gain: [[f64; 3]; 3],
+    constant: [f64; 3],
+    /// v = C (w_right, θ_right, v₁, v₂).
+    by_left: [bool; 2],
+    /// Whether the third unknown is u_right − u_left.
+    rise: bool,
+    /// u of the left node where it ends there: u = constant − gain·(w, θ).
+    ended: [f64; 3],
+    /// θ behind a hinge at the left node, from what is ahead of it.
+    turned: Option<Turned>,
+}
+
+impl Chain {
+    /// The four numbers of every cell's element.
+    pub fn solve(&self) -> Result<Vec<[f64; 4]>, Loose> {
+        let last = self.nodes.len() - 1;
+        let meet = self.meeting.min(last);
+        let (left, back_left) = self.sweep::<false>(0, meet)?;
+        let (right, back_right) = self.sweep::<true>(last, meet)?;
+        let mut both = left;
+        let turned = Turned::across(&self.nodes[meet], &mut both)?;
+        // The right sweep sees slopes with the other sign.
+        let sign = [1.0, -1.0, 1.0];
+        for i in 0..3 {
+            both.r[i] += sign[i] * right.r[i];
+            for j in 0..3 {
+                both.s[i][j] += sign[i] * sign[j] * right.s[i][j];
+            }
+        }
+        let node = &self.nodes[meet];
+        apply(node, &mut both, 1.0);
+        let at_meeting = solve_node(node, &both)?;
+        let mut shapes = vec![[0.0; 4]; self.cells.len()];
+        let mut y = Turned::behind(turned, at_meeting);
+        for (i, back) in (0..meet).zip(&back_left).rev() {
+            let Element { length, basis, .. } = self.cells[i].element;
+            y = back.cross(length, basis, y, &mut shapes[i]);
+            y = Turned::behind(back.turned, back.end(&self.nodes[i], y, true));
+        }
+        let mut y = at_meeting;
+        y[THETA] = -y[THETA];
+        for (i, back) in (meet..last).rev().zip(&back_right).rev() {
+            let Element { length, basis, .. } = self.cells[i].element;
+            let mut v = [0.0; 4];
+            y = back.cross(length, basis, y, &mut v);
+            shapes[i] = mirror_shape(&v, length, basis);
+            y = Turned::behind(back.turned, back.end(&self.nodes[i + 1], y, false));
+        }
+        Ok(shapes)
+    }
+
+    /// From an end towards the meeting node, which is not yet counted in.
+    fn sweep<const MIRRORED: bool>(
+        &self,
+        start: usize,
+        meet: usize,
+    ) -> Result<(Behind, Vec<Return>), Loose> {
+        let count = start.abs_diff(meet);
+        let mut returns = Vec::with_capacity(count);
+        let mut state = Behind::default();
+        for step in 0..count {
+            let [here, ahead] =
+                if MIRRORED { [start - step, start - step - 1] } else { [step, step + 1] };
+            let [node, next] = [&self.nodes[here], &self.nodes[ahead]];
+            apply(node, &mut state, if MIRRORED { -1.0 } else { 1.0 });
+            let turned = Turned::across(node, &mut state)?;
+            let mut back = Return { turned, ..Return::default() };
+            let sides = if MIRRORED { [1, 0] } else { [0, 1] };
+            if node.surface[sides[0]] && !node.surface[sides[1]] {
+                back.ended = end_surface(&mut state)?;
+            }
+            let cell = &self.cells[here.min(ahead)];
+            if MIRRORED {
+                let (element, links) = mirror_cell(cell);
+                state = cross(&element, &links, [node, next], &state, &mut back)?;
+            } else {
+                state = cross(&cell.element, &cell.links, [node, next], &state, &mut back)?;
+            }
+            returns.push(back);
+        }
+        Ok((state, returns))
+    }
+}
+
+/// Adds what acts on and holds one node. A sweep from the right sees slopes, and so moments, with the
+/// other `sign`.
+fn apply(node: &ChainNode, state: &mut Behind, sign: f64) {
+    state.s[W][W] += node.spring + node.ground_spring;
+    state.s[THETA][THETA] += node.rotational_spring;
+    state.s[U][U] += node.surface_spring;
+    state.r[W] += node.force + node.ground_spring * node.gap + node.spring * node.settlement;
+    state.r[THETA] += sign * node.moment;
+    if node.from_beam {
+        // The surface's own spring under u = w − g₀ + r.
+        state.s[U][W] += node.surface_spring;
+        state.s[W][U] += node.surface_spring;
+        state.s[W][W] += node.surface_spring;
+        state.r[W] += node.surface_spring * node.gap;
+        state.r[U] += node.surface_spring * node.gap;
+    }
+}
+
+/// Eliminates u at a node where the shear layer's own surface ends.
+fn end_surface(state: &mut Behind) -> Result<[f64; 3], Loose> {
+    let pivot = state.s[U][U];
+    if pivot <= 0.0 {
+        return Err(Loose);
+    }
+    let gain = [state.s[U][W] / pivot, state.s[U][THETA] / pivot, state.r[U] / pivot];
+    for i in [W, THETA] {
+        for j in [W, THETA] {
+            state.s[i][j] -= state.s[i][U] * gain[j];
+        }
+        state.r[i] -= state.s[i][U] * gain[2];
+    }
+    for i in 0..3 {
+        (state.s[i][U], state.s[U][i]) = (0.0, 0.0);
+    }
+    state.r[U] = 0.0;
+    Ok(gain)
+}
+
+/// The element's four from w_right, θ_right, v₁, v₂, where vᵢ is either the left value or dᵢ.
+fn transform(h: f64, basis: Basis, by_left: [bool; 2]) -> [[f64; 4]; 4] {
+    if basis == Basis::Ends {
+        return [
+            [0.0, 0.0, 1.0, 0.0],
+            [0.0, 0.0, 0.0, 1.0],
+            [1.0, 0.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0, 0.0],
+        ];
+    }
+    let [w_known, theta_known] = by_left;
+    let theta = if theta_known { [0.0, 0.0, 0.0, 1.0] } else { [0.0, 1.0, 0.0, -1.0] };
+    let d2 = if theta_known { [0.0, 1.0, 0.0, -1.0] } else { [0.0, 0.0, 0.0, 1.0] };
+    let other: [f64; 4] = std::array::from_fn(|i| [1.0, 0.0, -1.0, 0.0][i] - h * theta[i]);
+    let own = [0.0, 0.0, 1.0, 0.0];
+    if w_known { [own, theta, other, d2] } else { [other, theta, own, d2] }
+}
+
+/// Where the beam's four and the two surfaces stand among (w_r, θ_r, u_r | v₁, v₂, u_l).
+const ORDER: [usize; 6] = [0, 1, 3, 4, 5, 2];
+
+/// What multiplies those six, from what multiplies the element's own v and the surfaces.
+fn in_order(row: &[f64; 6], c: &[[f64; 4]; 4]) -> [f64; 6] {
+    let mut ordered = [0.0; 6];
+    for j in 0..4 {
+        ordered[ORDER[j]] = (0..4).map(|n| row[n] * c[n][j]).sum();
+    }
+    for j in [4, 5] {
+        ordered[ORDER[j]] = row[j];
+    }
+    ordered
+}
+
+fn cross(
+    element: &Element,
+    links: &[TiedLink],
+    [node, next]: [&ChainNode; 2],
+    state: &Behind,
+    back: &mut Return,
+) -> Result<Behind, Loose> {
+    // Everything behind the right node, in (w_l, θ_l, d₁, d₂ | u_l, u_r). Where open ground couples its
+    // ends more stiffly than anything holds them, as short ground does, its rise δ = u_r − u_l takes the
+    // place of u_l: that stiffness must not swallow the rest.
+    let stiff = |tied: &TiedLink| {
+        tied.left == Tie::SurfaceLeft
+            && tied.right == Tie::SurfaceRight
+            && tied.link.coupling > state.s[U][U]
+    };
+    back.rise = links.iter().any(stiff);
+    let surface_left =
+        if back.rise { [0.0, 0.0, 0.0, 0.0, -1.0, 1.0] } else { [0.0, 0.0, 0.0, 0.0, 1.0, 0.0] };
+    let surfaces = Surfaces {
+        left: counted(surface_left, node, element.end_row(false)),
+        right: counted([0.0, 0.0, 0.0, 0.0, 0.0, 1.0], next, element.end_row(true)),
+    };
+    let mut k = [[0.0; 6]; 6];
+    let mut q = [0.0; 6];
+    for i in 0..4 {
+        k[i][..4].copy_from_slice(&element.stiffness[i]);
+        q[i] = element.load[i];
+    }
+    for i in [W, THETA] {
+        q[i] += state.r[i];
+        for j in [W, THETA] {
+            k[i][j] += state.s[i][j];
+        }
+        for j in [4, 5] {
+            k[i][j] += state.s[i][U] * surface_left[j];
+            k[j][i] += state.s[i][U] * surface_left[j];
+        }
+    }
+    for i in [4, 5] {
+        q[i] += state.r[U] * surface_left[i];
+        for j in [4, 5] {
+            k[i][j] += state.s[U][U] * surface_left[i] * surface_left[j];
+        }
+    }
+
+    back.by_left = [
+        node.pinned || state.s[W][W] > element.stiffness[2][2],
+        node.clamped || state.s[THETA][THETA] > element.stiffness[3][3],
+    ];
+    let c = transform(element.length, element.basis, back.by_left);
+    // Congruence on the beam's four, then in the order (w_r, θ_r, u_r | v₁, v₂, u_l).
+    let mut half = [[0.0; 4]; 6];
+    for i in 0..6 {
+        for j in 0..4 {
+            half[i][j] = (0..4).map(|m| k[i][m] * c[m][j]).sum();
+        }
+    }
+    let mut m = [[0.0; 6]; 6];
+    let mut f = [0.0; 6];
+    for i in 0..4 {
+        let a = ORDER[i];
+        f[a] = (0..4).map(|n| c[n][i] * q[n]).sum();
+        for j in 0..4 {
+            m[a][ORDER[j]] = (0..4).map(|n| c[n][i] * half[n][j]).sum();
+        }
+        for surface in [4, 5] {
+            let at = ORDER[surface];
+            m[a][at] = half[surface][i];
+            m[at][a] = half[surface][i];
+        }
+    }
+    for i in [4, 5] {
+        f[ORDER[i]] = q[i];
+        for j in [4, 5] {
+            m[ORDER[i]][ORDER[j]] = k[i][j];
+        }
+    }
+    // What ties the surface to the right end sees w_r alone: added before the congruence, its rounding would hold
+    // a free beam's slope.
+    for tied in links {
+        add_link(tied, &surfaces, |row| in_order(row, &c), &mut m, &mut f);
+    }
+    let free = [!node.pinned, !node.clamped, node.surface[0] || node.surface[1]];
+    condense(&m, &f, free, node.settlement, back)
+}
+
+/// Eliminates the last three of (w_r, θ_r, u_r | v₁, v₂, u_l), those of them that are `free`; the others are
+/// zero, but for the first, which is the support's settlement then.
+fn condense(
+    m: &[[f64; 6]; 6],
+    f: &[f64; 6],
+    free: [bool; 3],
+    settlement: f64,
+    back: &mut Return,
+) -> Result<Behind, Loose> {
+    // LDLᵀ of the eliminated block with the six right-hand sides: three columns and the load.
+    let mut a = [[0.0; 3]; 3];
+    let mut b = [[0.0; 4]; 3];
+    for i in 0..3 {
+        for j in 0..3 {
+            a[i][j] = m[3 + i][3 + j];
+            b[i][j] = m[3 + i][j];
+        }
+        b[i][3] = f[3 + i];
+    }
+    let given = if free[0] { 0.0 } else { settlement };
+    if given != 0.0 {
+        for i in 1..3 {
+            b[i][3] -= a[i][0] * given;
+        }
+    }
+    for i in 0..3 {
+        if !free[i] || (i == 2 && a[2][2] == 0.0 && m[5].iter().all(|&x| x == 0.0)) {
+            a[i] = [0.0; 3];
+            for row in &mut a {
+                row[i] = 0.0;
+            }
+            a[i][i] = 1.0;
+            b[i] = [0.0; 4];
+        }
+    }
+    b[0][3] += given;
+    let size = [0, 1, 2].map(|i| a[i][i].abs());
+    for p in 0..3 {
+        let pivot = a[p][p];
+        if pivot.is_nan() || pivot <= 1e-15 * size[p] {
+            return Err(Loose);
+        }
+        for i in p + 1..3 {
+            let factor = a[i][p] / pivot;
+            for j in p + 1..3 {
+                a[i][j] -= factor * a[p][j];
+            }
+            for j in 0..4 {
+                b[i][j] -= factor * b[p][j];
+            }
+        }
+    }
+    for p in (0..3).rev() {
+        for j in 0..4 {
+            let sum: f64 = (p + 1..3).map(|i| a[p][i] * b[i][j]).sum();
+            b[p][j] = (b[p][j] - sum) / a[p][p];
+        }
+    }
+    for i in 0..3 {
+        back.gain[i].copy_from_slice(&b[i][..3]);
+        back.constant[i] = b[i][3];
+    }
+    let mut ahead = Behind::default();
+    for i in 0..3 {
+        ahead.r[i] = f[i] - (0..3).map(|e| m[3 + e][i] * b[e][3]).sum::<f64>();
+        for j in i..3 {
+            let less: f64 = (0..3).map(|e| m[3 + e][i] * b[e][j]).sum();
+            ahead.s[i][j] = m[i][j] - less;
+            ahead.s[j][i] = ahead.s[i][j];
+        }
+    }
+    Ok(ahead)
+}
+
+/// Solves S y = r at the meeting node.
+fn solve_node(node: &ChainNode, both: &Behind) -> Result<[f64; 3], Loose> {
+    let mut m = [[0.0; 6]; 6];
+    let mut f = [0.0; 6];
+    for i in 0..3 {
+        f[3 + i] = both.r[i];
+        for j in 0..3 {
+            m[3 + i][3 + j] = both.s[i][j];
+        }
+    }
+    let free = [!node.pinned, !node.clamped, node.surface[0] || node.surface[1]];
+    let mut back = Return::default();
+    condense(&m, &f, free, node.settlement, &mut back)?;
+    Ok(back.constant)
+}
+
+impl Return {
+    /// From (w, θ, u) of the right node to those of the left one and the cell's own v.
+    fn cross(&self, h: f64, basis: Basis, y: [f64; 3], v: &mut [f64; 4]) -> [f64; 3] {
+        let e: [f64; 3] = std::array::from_fn(|i| {
+            self.constant[i] - (0..3).map(|j| self.gain[i][j] * y[j]).sum::<f64>()
+        });
+        let c = transform(h, basis, self.by_left);
+        let z = [y[W], y[THETA], e[0], e[1]];
+        *v = std::array::from_fn(|i| (0..4).map(|j| c[i][j] * z[j]).sum());
+        [v[0], v[1], if self.rise { y[U] - e[2] } else { e[2] }]
+    }
+
+    /// u at a node where the unknown surface ends, seen from the cell just crossed.
+    fn end(&self, node: &ChainNode, mut y: [f64; 3], forward: bool) -> [f64; 3] {
+        let [behind, ahead] = if forward { [0, 1] } else { [1, 0] };
+        if node.surface[behind] && !node.surface[ahead] {
+            let [by_w, by_theta, constant] = self.ended;
+            y[U] = constant - by_w * y[W] - by_theta * y[THETA];
+        }
+        y
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::element::courses::Touch;
+    use crate::element::operator::Operator;
+    use crate::element::uniform::ExactElement;
+    use crate::mesh::mesh::Mesh;
+    use crate::model::{Beam, Foundation, Load, Model};
+
+    /// Nothing holds the slope of a beam that leaves the ground and ends free, to the last bit: it may rise to a
+    /// million times what the ground settles.
+    #[test]
+    fn a_free_beam_offers_no_stiffness() {
+        for i in 1..200 {
+            let length = 0.614 + 1e-3 * f64::from(i);
+            let model = Model::new(Beam::uniform(length, 1e-10), Foundation::pasternak(7.0, 0.02))
+                .with_load(Load::uniform(1.0, 0.0, length));
+            let cell = Mesh::build(&model, &[], |_| 1).cells[0];
+            let element = ExactElement::new(&Operator::of(&cell, 0.0, Touch::Open), length).element;
+            let tied = TiedLink {
+                link: crate::ground::link::Link::uniform(cell.spring, cell.shear, length),
+                left: Tie::SurfaceLeft,
+                right: Tie::Beam { row: element.end_row(true), gap: 0.0 },
+            };
+            let free = ChainNode { surface: [true; 2], surface_spring: 0.3, ..Default::default() };
+            let mut behind = Behind::default();
+            apply(&free, &mut behind, 1.0);
+            let nodes = [&free, &ChainNode::default()];
+            let ahead = cross(&element, &[tied], nodes, &behind, &mut Return::default());
+            let s = ahead.expect("a free end").s;
+            assert!(s[W][W] > 0.3 && s[W][THETA] == 0.0 && s[THETA][THETA] == 0.0, "{s:?}");
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! A node and a cell of the chain: loads, springs, supports, and the ground beside the beam.
+
+use crate::element::element::Element;
+use crate::ground::link::Link;
+
+/// A cell: its element and the links of open ground in it.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct ChainCell {
+    pub element: Element,
+    pub links: Vec<TiedLink>,
+}
+
+/// A node: what acts there, what holds it, and on which sides the ground's surface is an unknown.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct ChainNode {
+    pub force: f64,
+    pub moment: f64,
+    /// w is the settlement.
+    pub pinned: bool,
+    pub settlement: f64,
+    pub clamped: bool,
+    pub spring: f64,
+    pub rotational_spring: f64,
+    /// θ may jump, against this spring. Nothing else at the node then acts on or holds θ.
+    pub hinge: Option<f64>,
+    /// A spring of the ground under the beam at this node, and the initial gap there.
+    pub ground_spring: f64,
+    pub gap: f64,
+    /// A spring of the ground under its own surface at this node.
+    pub surface_spring: f64,
+    /// u is an unknown of the cell to the left, to the right.
+    pub surface: [bool; 2],
+    /// That unknown is r = u − ψ instead.
+    pub from_beam: bool,
+}
+
+/// The chain can move without work: the elimination met a pivot that is not positive.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Loose;
+
+/// Indices into (w, θ, u), where u may stand for r.
+pub(crate) const W: usize = 0;
+
+pub(crate) const THETA: usize = 1;
+
+pub(crate) const U: usize = 2;
+
+/// ½ yᵀSy − rᵀy for y = (w, θ, u) of a node, by everything behind it.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Behind {
+    pub s: [[f64; 3]; 3],
+    pub r: [f64; 3],
+}
+
+/// What a link of the ground is tied to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Tie {
+    /// The ground's own surface at the cell's left node.
+    SurfaceLeft,
+    /// The ground's own surface at the cell's right node.
+    SurfaceRight,
+    /// The beam at a point of the cell: u = row·v − gap.
+    Beam {
+        /// What multiplies the element's v.
+        row: [f64; 4],
+        /// g₀ there.
+        gap: f64,
+    },
+}
+
+/// A link of unloaded ground within one cell.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct TiedLink {
+    pub link: Link,
+    pub left: Tie,
+    pub right: Tie,
+}

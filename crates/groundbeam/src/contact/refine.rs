@@ -1,0 +1,217 @@
+//! Newton's iteration on the contact edges, from the deflection of a coarser problem.
+
+use crate::contact::descent::shorten;
+use crate::contact::edges;
+use crate::contact::glue::Glue;
+use crate::contact::glue::Held;
+use crate::contact::majorant;
+use crate::contact::state::unsettled;
+use crate::contact::state::{Found, Stalled, Step};
+use crate::contact::stopping::{
+    EDGES_CLOSE, LAST_STEPS, LOCAL, MOST_STRAYS, NEAR, NEAR_STEPS, PATIENCE, ROUGH, ROUNDS,
+    SQUARING, STILL, WALKING, WEAKEST,
+};
+use crate::contact::stopping::{ENOUGH, LAST, PROVEN, Proof};
+use crate::contact::stretches::{Stretch, at_place, distance, positions};
+use crate::mesh::mesh::Mesh;
+use crate::numeric::polynomial::jet;
+use std::rc::Rc;
+
+/// What a row of Newton steps is for.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Goal {
+    /// The answer, in so many steps at most.
+    Answer(usize),
+    /// A start for the next, softer beam.
+    Start,
+}
+
+/// A deflection, and the contact that it asks for.
+pub(crate) struct Start {
+    pub found: Found,
+    pub stretches: Vec<Stretch>,
+    /// Whether that is near the contact on which it was glued.
+    pub near: bool,
+}
+
+impl Start {
+    pub fn asked_by(found: Found) -> Self {
+        let stretches = positions(&found.mesh, &found.zones, &[]);
+        Start { found, stretches, near: false }
+    }
+}
+
+/// Newton's steps on the edges, from the deflection of a coarser problem.
+pub(crate) fn refine(
+    glue: &mut Glue,
+    start: Start,
+    goal: Goal,
+    judge: &mut dyn FnMut(&Found) -> Proof,
+) -> Result<Found, Stalled> {
+    let (rough, most_steps) = match goal {
+        Goal::Answer(most_steps) => (false, most_steps),
+        Goal::Start => (true, NEAR_STEPS),
+    };
+    let model = glue.model;
+    let places: Vec<f64> = Mesh::build(model, &[], |_| 1).nodes.iter().map(|n| n.x).collect();
+    let l = model.beam.length;
+    let placed = |stretches: Vec<Stretch>| -> Vec<Stretch> {
+        stretches.into_iter().map(|ends| ends.map(|x| at_place(x, &places, l))).collect()
+    };
+    let Start { found: mut start, stretches, near } = start;
+    let mut stretches = placed(stretches);
+    let mut history = std::mem::take(&mut start.history);
+    let mut moved = f64::INFINITY;
+    // Steps in a row that did not halve the move, how many have not so far, and whether the last step was
+    // taken whole.
+    let mut idle = 0;
+    let mut strays = 0;
+    let mut whole = true;
+    // Whether edges may be moved by themselves.
+    let mut alone = true;
+    // The deflection that asked for the stretches, and the last that equilibrium made.
+    let mut now = Rc::new(start);
+    let mut last: Option<Rc<Found>> = None;
+    for step in 0..most_steps {
+        let Ok(found) = glue.on(&stretches, None) else {
+            // A beam balanced on one point may turn about it, as far as no other point touches.
+            let held = glue.on(&stretches, Some(Held::as_in(&now))).ok();
+            let mut proven = |found: &Found| judge(found).is_within(LAST);
+            let found = match held.filter(&mut proven) {
+                Some(found) => Some(found),
+                None => last.map(Rc::unwrap_or_clone).filter(proven),
+            };
+            return match found {
+                Some(found) => Ok(Found { history, ..found }),
+                None => Err(unsettled(step, moved)),
+            };
+        };
+        let before = moved;
+        let near = before <= NEAR || (step == 0 && near);
+        let by_edges = if near && whole && alone && !rough {
+            edges::moved(&found.deflection(), &found.zones)
+        } else {
+            None
+        };
+        let by_scan = by_edges.is_none();
+        let mut zones = Vec::new();
+        let next = match by_edges {
+            Some(next) => placed(next),
+            None => {
+                zones = majorant::contact(&found.deflection());
+                positions(&found.mesh, &zones, &places)
+            }
+        };
+        moved = distance(&stretches, &next) / l;
+        history.push(Step { zones: next.len(), step: 1.0, decrement: moved });
+        // Quadratic convergence ends at rounding: no further step would make it smaller.
+        let settled = moved <= 1e-15 || (moved <= 1e-12 && moved >= 0.25 * before);
+        if rough && moved <= ROUGH {
+            return Ok(Found { history, zones, ..found });
+        }
+        let halved = moved <= 0.5 * before && moved.is_finite();
+        idle = if halved { 0 } else { idle + 1 };
+        let proof = match step {
+            _ if step > LAST_STEPS => LAST,
+            // Zones that come and go are more than the last digits of edges.
+            _ if moved.is_infinite() => PROVEN,
+            _ if idle > PATIENCE || step > ROUNDS * PATIENCE => ENOUGH,
+            _ => PROVEN,
+        };
+        let squaring = before.is_finite() && moved <= SQUARING * before;
+        // A zone that its own deflection does not ask for is none: rounding may take it away and bring it back.
+        let sheds = next.len() < stretches.len() && step <= LAST_STEPS;
+        if settled || moved <= EDGES_CLOSE || (step >= PATIENCE && !squaring && !sheds) {
+            // A zone too small for the energy is seen by the scan alone.
+            let asks_for_these = || {
+                let zones = majorant::contact(&found.deflection());
+                distance(&stretches, &positions(&found.mesh, &zones, &places)) <= LOCAL * l
+            };
+            if by_scan || asks_for_these() {
+                let shown = judge(&found);
+                if (settled && by_scan) || shown.is_within(proof) {
+                    return Ok(Found { history, ..found });
+                }
+            }
+            // Where edges by themselves come to rest at no answer, the scan goes on.
+            alone &= by_scan;
+        }
+        let patient = most_steps > NEAR_STEPS && step > 0;
+        if patient
+            && step.is_multiple_of(WALKING)
+            && let Some(found) = crate::contact::corner::on_a_corner(glue, &found, &next)
+            && judge(&found).is_within(LAST)
+        {
+            return Ok(Found { history, ..found });
+        }
+        if patient
+            && idle > 0
+            && idle.is_multiple_of(WALKING)
+            && let Some(start) = without_the_weakest(glue, &found, &next)
+            && let Ok(found) = refine(glue, Start::asked_by(start), Goal::Answer(NEAR_STEPS), judge)
+        {
+            return Ok(Found { history, ..found });
+        }
+        // Steps that shrink end by themselves. Once one has not, the energy decides how far each goes, but
+        // for those that square the error.
+        // A zone or two that nodes alone had told do not make the first step a stray.
+        let first_of_near = step == 0 && most_steps == NEAR_STEPS;
+        if !(first_of_near || halved && (before.is_finite() || step < 2)) {
+            strays += 1;
+        }
+        whole = strays == 0 || (strays <= MOST_STRAYS && squaring);
+        let mut between = None;
+        if !whole && moved > LOCAL {
+            let shortened = shorten(model, &now, &found);
+            if let Some(step) = history.last_mut() {
+                step.step = shortened.part;
+            }
+            between = shortened.between;
+        }
+        let found = Rc::new(found);
+        (now, stretches) = match between {
+            Some(between) => {
+                moved = f64::INFINITY;
+                let stretches = positions(&between.mesh, &between.zones, &places);
+                (Rc::new(between), stretches)
+            }
+            None => (Rc::clone(&found), next),
+        };
+        last = Some(found);
+    }
+    match last.filter(|found| judge(found).is_within(ENOUGH)) {
+        Some(found) => Ok(Found { history, ..Rc::unwrap_or_clone(found) }),
+        None => Err(unsettled(most_steps, moved)),
+    }
+}
+
+/// The beam glued to the ground where it presses most, if it asks for just that.
+///
+/// A step moves an end of contact by a wave length at most. Beyond the last load of a beam hundreds of waves
+/// long, zones each a thousand times weaker than the one before walk to the end of the beam that way, where
+/// in truth all of it lifts.
+pub(crate) fn without_the_weakest(
+    glue: &mut Glue,
+    found: &Found,
+    stretches: &[Stretch],
+) -> Option<Found> {
+    let weight = |[a, b]: &Stretch| {
+        let x = 0.5 * (a + b);
+        let cell = found.mesh.cell_at(x);
+        let [w, ..] = jet(found.deflection().cell(cell), found.mesh.cells[cell].local(x));
+        w.abs() * (b - a)
+    };
+    let weights: Vec<f64> = stretches.iter().map(weight).collect();
+    let mut ranked = weights.clone();
+    ranked.sort_by(|a, b| b.total_cmp(a));
+    let worth_keeping = |w: &&f64| **w > WEAKEST * ranked[0];
+    let most = ranked.iter().take_while(worth_keeping).count().min(stretches.len() - 1);
+    (1..=most).rev().find_map(|count| {
+        let strong = stretches.iter().zip(&weights).filter(|(_, w)| **w >= ranked[count - 1]);
+        let strong: Vec<Stretch> = strong.map(|(stretch, _)| *stretch).collect();
+        let found = glue.on(&strong, None).ok()?;
+        let zones = majorant::contact(&found.deflection());
+        let moved = distance(&strong, &positions(&found.mesh, &zones, &[]));
+        (moved <= STILL * glue.model.beam.length).then_some(Found { zones, ..found })
+    })
+}

@@ -1,0 +1,101 @@
+//! The state of a contact iteration: a deflection on its mesh, its contact zones, and the steps so far.
+
+use crate::contact::surface::Surface;
+use crate::element::element::TERMS;
+use crate::error::NotConverged;
+use crate::mesh::cell::Cell;
+use crate::mesh::deflection::{Deflection, Zone};
+use crate::mesh::energy::Motion;
+use crate::mesh::mesh::Mesh;
+use crate::numeric::polynomial::{Coefficients, derivative};
+use crate::options::Pressure;
+
+/// One step of an iteration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step {
+    /// Zones of contact after the step.
+    pub zones: usize,
+    /// The part of Newton's step that was taken; for Uzawa's iteration the parameter ρ.
+    pub step: f64,
+    /// How far the energy was from its least value, by Newton's estimate, relative to the strain energy;
+    /// for Uzawa's iteration the relative change of the pressure.
+    pub decrement: f64,
+}
+
+/// A beam's deflection on a mesh and where it touches.
+#[derive(Debug, Clone)]
+pub(crate) struct Found {
+    pub mesh: Mesh,
+    pub terms: usize,
+    /// (w_left, θ_left, d₁, d₂) of each cell.
+    pub shapes: Vec<[f64; 4]>,
+    /// `terms` coefficients of w(s) for each cell.
+    pub coefficients: Vec<f64>,
+    /// The same of φ(s), the rotation of the sections, if the beam shears anywhere; else none.
+    pub rotation: Vec<f64>,
+    pub zones: Vec<Zone>,
+    pub history: Vec<Step>,
+    pub pressure: Pressure,
+    /// The ground, where it is not the majorant of this deflection to the last digit.
+    pub surface: Option<Surface>,
+}
+
+impl Found {
+    /// A deflection of exact elements, with the ground's pressure spread.
+    pub fn exact(mesh: Mesh, coefficients: Vec<f64>, rotation: Vec<f64>, zones: Vec<Zone>) -> Self {
+        Found {
+            mesh,
+            terms: TERMS,
+            shapes: Vec::new(),
+            coefficients,
+            rotation,
+            zones,
+            history: Vec::new(),
+            pressure: Pressure::Distributed,
+            surface: None,
+        }
+    }
+
+    pub fn deflection(&self) -> Deflection<'_> {
+        Deflection { mesh: &self.mesh, terms: self.terms, coefficients: &self.coefficients }
+    }
+
+    /// The whole motion of the beam.
+    pub fn motion(&self) -> Motion<'_> {
+        let Found { terms, coefficients, rotation, .. } = self;
+        Motion { terms: *terms, deflection: coefficients, rotation }
+    }
+
+    /// The coefficients of φ(s) in cell i: of w' where the beam does not shear.
+    pub fn rotation(&self, i: usize) -> Coefficients {
+        match self.rotation.get(i * self.terms..(i + 1) * self.terms) {
+            Some(rotation) => rotation.into(),
+            None => turned(&self.mesh.cells[i], self.deflection().cell(i)),
+        }
+    }
+}
+
+/// The coefficients of w'(s) in a cell from those of w(s).
+pub(crate) fn turned(cell: &Cell, deflection: &[f64]) -> Coefficients {
+    let per_half = 2.0 / cell.length();
+    let mut slope = derivative(deflection);
+    slope.iter_mut().for_each(|c| *c *= per_half);
+    slope
+}
+
+/// An iteration that stopped without convergence.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Stalled {
+    pub iterations: usize,
+    pub why: NotConverged,
+}
+
+impl Stalled {
+    /// The beam is a mechanism on a trial contact.
+    pub const SINGULAR: Stalled = Stalled { iterations: 0, why: NotConverged::Singular };
+}
+
+/// Contact edges that still move, by `moved` relative to the beam's length.
+pub(crate) fn unsettled(iterations: usize, moved: f64) -> Stalled {
+    Stalled { iterations, why: NotConverged::Edges(moved) }
+}

@@ -1,0 +1,3 @@
+//! Design checks of a solution.
+
+pub(crate) mod checks;

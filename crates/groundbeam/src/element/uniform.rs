@@ -1,0 +1,599 @@
+//! The element whose functions solve EI w⁗ − N w″ + κ w = F − G' themselves, (2.11).
+//!
+//! About the middle of the element, with half length a and x = x_middle + a s, the equation turns into
+//! the recurrence
+//!
+//! (j+4)(j+3)(j+2)(j+1) c_{j+4} = α (j+2)(j+1) c_{j+2} − β c_j + ρ_j,
+//! α = N a²/EI, β = κ a⁴/EI, ρ = (F − G') a⁴/EI,
+//!
+//! for the coefficients of w = Σ cⱼ sʲ: a power series that converges like 1/j!, whatever the roots of
+//! EI r⁴ − N r² + κ are, real, double or complex. Even and odd j do not mix, so the element falls into
+//! two problems of two unknowns. No stiffness is found as a difference of large numbers.
+//!
+//! Where tension outweighs bending the roots lie far apart. Then EI (D² − r₁²)(D² − r₂²) w = F − G' falls
+//! into a slow shape, (D² − r₁²) w = −(F − G')/(EI r₂²), a series again, and the boundary layers
+//! cosh(r₂x) and sinh(r₂x): one element as long as the slow wave, whatever the layers' width.
+
+use crate::element::element::{Basis, Element};
+use crate::element::element::{REACH, TERMS};
+use crate::element::operator::Operator;
+use crate::element::series::Series;
+
+/// How many elements a stretch of `length` must be cut into.
+pub(crate) fn parts(operator: &Operator, length: f64) -> usize {
+    let wave = match Layers::of(operator, length) {
+        Some(layers) => layers.slow_squared.sqrt(),
+        None => operator.wave_number(),
+    };
+    (wave * length / REACH).ceil().max(1.0) as usize
+}
+
+/// Real roots so far apart that the larger one stands for boundary layers: r₂² ≥ `APART` r₁².
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Layers {
+    /// r₁² \[1/m²\].
+    pub slow_squared: f64,
+    /// r₂ \[1/m\].
+    pub fast: f64,
+}
+
+const APART: f64 = 100.0;
+
+impl Layers {
+    /// None where one series serves the whole length, the roots are close or complex, or they vary.
+    fn of(operator: &Operator, length: f64) -> Option<Self> {
+        let n = operator.tension / operator.stiffness;
+        let k = operator.spring / operator.stiffness;
+        let special = operator.courses.is_some() || operator.shearing.is_some();
+        if special || n <= 0.0 || n * n < 4.0 * k {
+            return None;
+        }
+        let fast_squared = 0.5 * (n + (n * n - 4.0 * k).sqrt());
+        let layers = Layers { slow_squared: k / fast_squared, fast: fast_squared.sqrt() };
+        let wanted = layers.fast * length > REACH && fast_squared >= APART * layers.slow_squared;
+        wanted.then_some(layers)
+    }
+}
+
+/// The element and what is needed to unfold its end values into w(s).
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ExactElement {
+    pub element: Element,
+    pub layers: Option<Layers>,
+    shapes: Shapes,
+    /// φ, where the beam shears.
+    rotation: Option<Series>,
+}
+
+/// The functions of an element.
+#[derive(Debug, Clone, Copy)]
+enum Shapes {
+    /// Even and odd ones.
+    Halves([Half; 2]),
+    /// Where EI, N or κ vary, and where the beam shears.
+    Whole(Series),
+}
+
+/// One parity: two solutions without load, the one with it, and the map from their amplitudes to the
+/// two boundary values of this parity.
+#[derive(Debug, Clone, Copy)]
+struct Half {
+    /// Coefficients c₀, c₂, … or c₁, c₃, … of the two free solutions and the loaded one. A layer has none.
+    series: [[f64; TERMS / 2]; 3],
+    /// Boundary values of the three.
+    boundary: [[f64; 2]; 3],
+    /// Boundary forces of the three.
+    force: [[f64; 2]; 3],
+}
+
+impl ExactElement {
+    pub fn new(operator: &Operator, length: f64) -> Self {
+        if let Some(shearing) = &operator.shearing {
+            let (element, [deflection, rotation]) = shearing.element(length);
+            let (shapes, rotation) = (Shapes::Whole(deflection), Some(rotation));
+            return ExactElement { element, layers: None, shapes, rotation };
+        }
+        if let Some(courses) = &operator.courses {
+            let (mut element, series) = Series::new(courses, length);
+            element.curl(operator.curling_moments);
+            return ExactElement {
+                element,
+                layers: None,
+                shapes: Shapes::Whole(series),
+                rotation: None,
+            };
+        }
+        let a = 0.5 * length;
+        let ei = operator.stiffness;
+        let alpha = operator.tension * a * a / ei;
+        let beta = operator.spring * a.powi(4) / ei;
+        let mean = |v: [f64; 2]| 0.5 * (v[0] + v[1]);
+        let rise = |v: [f64; 2]| 0.5 * (v[1] - v[0]);
+        let [force_even, force_odd] = [mean(operator.load), rise(operator.load)];
+        let [moment_even, moment_odd] = [mean(operator.moment_load), rise(operator.moment_load)];
+        let unit = a.powi(4) / ei;
+        let layers = Layers::of(operator, length);
+
+        // Even: rigid sinking w̄ and bending φ = (θ_right − θ_left)/2.
+        let solve_even = |c0, c2, rho| series::<0>(c0, c2, alpha, beta, rho);
+        let push_even = force_even - moment_odd / a;
+        let even = match layers {
+            None => [
+                solve_even(1.0, 0.0, 0.0),
+                solve_even(0.0, 0.5, 0.0),
+                solve_even(0.0, 0.0, push_even * unit),
+            ],
+            Some(layers) => layers.slow::<0>(a, push_even / ei),
+        };
+        let even = Half::new(even, |c, loaded| {
+            let [w, slope, bend, area] = sums(c, &EVEN_SUMS);
+            let push = if loaded { force_even } else { 0.0 };
+            let sink = 2.0 * a * (operator.spring * area - push);
+            ([w, slope / a], [sink, 2.0 * ei * bend / (a * a)])
+        });
+        let even = match layers {
+            None => even,
+            Some(Layers { fast, .. }) => {
+                // cosh(r₂x)/cosh(r₂a).
+                let tanh = (fast * a).tanh();
+                let sink = 2.0 * operator.spring * tanh / fast;
+                even.with_layer([1.0, fast * tanh], [sink, 2.0 * ei * fast * fast])
+            }
+        };
+
+        // Odd: rigid turning δ = (w_right − w_left)/2 and e = a θ̄ − δ.
+        let solve_odd = |c1, c3, rho| series::<1>(c1, c3, alpha, beta, rho);
+        let odd = match layers {
+            None => [
+                solve_odd(1.0, 0.0, 0.0),
+                solve_odd(0.0, 1.0 / 6.0, 0.0),
+                solve_odd(0.0, 0.0, force_odd * unit),
+            ],
+            Some(layers) => layers.slow::<1>(a, force_odd / ei),
+        };
+        let odd = Half::new(odd, |c, loaded| {
+            let [w, excess, bend, first] = sums(c, &ODD_SUMS);
+            let (push, turn) = if loaded { (force_odd / 3.0, moment_even) } else { (0.0, 0.0) };
+            // Virtual work of a rigid turn, so that the large bending terms never enter.
+            let turning =
+                2.0 * (operator.tension * w / a + operator.spring * first * a - push * a - turn);
+            ([w, excess], [turning, 2.0 * ei * bend / (a * a * a)])
+        });
+        let odd = match layers {
+            None => odd,
+            Some(Layers { fast, .. }) => {
+                // sinh(r₂x)/sinh(r₂a).
+                let z = fast * a;
+                let coth = 1.0 / z.tanh();
+                let turning =
+                    2.0 * (operator.tension / a + operator.spring * a * (coth - 1.0 / z) / z);
+                odd.with_layer([1.0, z * coth - 1.0], [turning, 2.0 * ei * fast * fast / a])
+            }
+        };
+        let basis = if layers.is_some() { Basis::Ends } else { Basis::Deformation };
+        let mut element = assemble(length, basis, &even.condensed(), &odd.condensed());
+        element.curl(operator.curling_moments);
+        ExactElement { element, layers, shapes: Shapes::Halves([even, odd]), rotation: None }
+    }
+
+    /// The coefficients of φ(s), the rotation of the sections, where the beam shears.
+    pub fn rotation(&self, v: &[f64; 4]) -> Option<[f64; TERMS]> {
+        self.rotation.map(|rotation| rotation.unfold(v))
+    }
+
+    /// w for the element's four numbers: the coefficients of w(s), and the heights of the boundary layers
+    /// at the left and the right end, which those do not hold.
+    pub fn unfold(&self, v: &[f64; 4]) -> ([f64; TERMS], [f64; 2]) {
+        let [even_half, odd_half] = match &self.shapes {
+            Shapes::Halves(halves) => halves,
+            Shapes::Whole(series) => return (series.unfold(v), [0.0; 2]),
+        };
+        let a = 0.5 * self.element.length;
+        let [even, odd] = parities(a, self.element.basis).map(|map| map.map(|row| dot(&row, v)));
+        let (even, cosh) = even_half.unfold(even);
+        let (odd, sinh) = odd_half.unfold(odd);
+        let series = std::array::from_fn(|j| if j % 2 == 0 { even[j / 2] } else { odd[j / 2] });
+        let Some(layers) = self.layers else { return (series, [0.0; 2]) };
+        // cosh(zs)/cosh(z) = (e^(−z(1−s)) + e^(−z(1+s)))/(1 + e^(−2z)), sinh with two minus signs.
+        let decay = (-layers.fast * self.element.length).exp();
+        let (cosh, sinh) = (cosh / (1.0 + decay), sinh / (1.0 - decay));
+        // What rounding alone makes of them.
+        let [w_left, left, w_right, right] = v.map(f64::abs);
+        let turned = left + right;
+        let sunk = layers.slow_squared * a * (w_left + w_right);
+        let rounding = 4.0 * f64::EPSILON * (turned + sunk) / layers.fast;
+        let height = |h: f64| if h.abs() > rounding { h } else { 0.0 };
+        (series, [height(cosh - sinh), height(cosh + sinh)])
+    }
+}
+
+impl Layers {
+    /// The slow shapes of one parity: one free, none, one under the load F − G' = EI `push` (s for the
+    /// odd one), (D² − r₁²) w = −push/r₂².
+    fn slow<const PARITY: usize>(self, a: f64, push: f64) -> [[f64; TERMS / 2]; 3] {
+        let ratio = self.slow_squared * a * a;
+        let series = |first: f64, load: f64| {
+            let mut c = [0.0; TERMS / 2];
+            c[0] = first;
+            for i in 0..TERMS / 2 - 1 {
+                let j = (2 * i + PARITY) as f64;
+                let load = if i == 0 { load } else { 0.0 };
+                c[i + 1] = (ratio * c[i] + load) / ((j + 2.0) * (j + 1.0));
+            }
+            c
+        };
+        let load = -push * a * a / (self.fast * self.fast);
+        [series(1.0, 0.0), [0.0; TERMS / 2], series(0.0, load)]
+    }
+
+    /// Where to cut an element with ends x so that each piece of a layer at its left or its right end is
+    /// a short series.
+    pub fn cuts(&self, x: [f64; 2], heights: [f64; 2]) -> Vec<f64> {
+        let length = x[1] - x[0];
+        let mut from_end = Vec::new();
+        let mut depth = 0.0;
+        while depth < LAYER {
+            // The lower the layer, the fewer terms are needed.
+            depth += REACH * (depth / 24.0).exp();
+            from_end.push(depth / self.fast);
+        }
+        let mut cuts = Vec::new();
+        if heights[0] != 0.0 {
+            cuts.extend(from_end.iter().filter(|d| **d < length).map(|d| x[0] + d));
+        }
+        if heights[1] != 0.0 {
+            cuts.extend(from_end.iter().filter(|d| **d < length).map(|d| x[1] - d));
+        }
+        cuts.sort_by(f64::total_cmp);
+        let near = 0.125 * REACH / self.fast;
+        cuts.dedup_by(|b, a| *b - *a < near);
+        cuts
+    }
+
+    /// Adds to the coefficients of w on a piece of an element with ends x what its layers are there.
+    pub fn add(&self, x: [f64; 2], heights: [f64; 2], piece: [f64; 2], c: &mut [f64]) {
+        let half = 0.5 * (piece[1] - piece[0]);
+        let ends = [piece[0] - x[0], x[1] - piece[1]];
+        for (height, distance, sign) in [(heights[0], ends[0], -1.0), (heights[1], ends[1], 1.0)] {
+            // Beyond its depth a layer is nothing; a piece there may be long.
+            if height == 0.0 || self.fast * distance > LAYER {
+                continue;
+            }
+            let mut term = height * (-self.fast * (distance + half)).exp();
+            for (j, c) in c.iter_mut().enumerate() {
+                *c += term;
+                term *= sign * self.fast * half / (j + 1) as f64;
+            }
+        }
+    }
+}
+
+/// The depth of a layer in units of 1/r₂: e⁻⁴⁰ is nothing beside 1.
+const LAYER: f64 = 40.0;
+
+/// The recurrence for one parity, from its first two coefficients.
+fn series<const PARITY: usize>(
+    first: f64,
+    second: f64,
+    alpha: f64,
+    beta: f64,
+    rho: f64,
+) -> [f64; TERMS / 2] {
+    let mut c = [0.0; TERMS / 2];
+    (c[0], c[1]) = (first, second);
+    let [by_two, by_four] = &const { falling::<PARITY>() };
+    c[2] = alpha * by_two[0] * c[1] - by_four[0] * (beta * first - rho);
+    for i in 1..TERMS / 2 - 2 {
+        c[i + 2] = alpha * by_two[i] * c[i + 1] - beta * by_four[i] * c[i];
+    }
+    c
+}
+
+/// 1/((j+4)(j+3)) and 1/((j+4)(j+3)(j+2)(j+1)) for every other j.
+const fn falling<const PARITY: usize>() -> [[f64; TERMS / 2]; 2] {
+    let mut all = [[0.0; TERMS / 2]; 2];
+    let mut i = 0;
+    while i < TERMS / 2 {
+        let j = (2 * i + PARITY) as f64;
+        all[0][i] = 1.0 / ((j + 4.0) * (j + 3.0));
+        all[1][i] = 1.0 / ((j + 4.0) * (j + 3.0) * (j + 2.0) * (j + 1.0));
+        i += 1;
+    }
+    all
+}
+
+/// What c_j counts in w, w' and w″ at s = 1 and in ∫w over the half, for even j.
+const EVEN_SUMS: [[f64; 4]; TERMS / 2] = {
+    let mut all = [[0.0; 4]; TERMS / 2];
+    let mut i = 0;
+    while i < TERMS / 2 {
+        let j = (2 * i) as f64;
+        all[i] = [1.0, j, j * (j - 1.0), 1.0 / (j + 1.0)];
+        i += 1;
+    }
+    all
+};
+
+/// The same for odd j, with w' − w in place of w' and ∫ws in place of ∫w.
+const ODD_SUMS: [[f64; 4]; TERMS / 2] = {
+    let mut all = [[0.0; 4]; TERMS / 2];
+    let mut i = 0;
+    while i < TERMS / 2 {
+        let j = (2 * i + 1) as f64;
+        all[i] = [1.0, j - 1.0, j * (j - 1.0), 1.0 / (j + 2.0)];
+        i += 1;
+    }
+    all
+};
+
+/// Sums of coefficients, each weighted in four ways, the small ones first.
+fn sums(c: &[f64; TERMS / 2], weights: &[[f64; 4]; TERMS / 2]) -> [f64; 4] {
+    let mut sums = [0.0; 4];
+    for (c, weights) in c.iter().zip(weights).rev() {
+        for (sum, weight) in sums.iter_mut().zip(weights) {
+            *sum += weight * c;
+        }
+    }
+    sums
+}
+
+impl Half {
+    fn new(
+        series: [[f64; TERMS / 2]; 3],
+        ends: impl Fn(&[f64; TERMS / 2], bool) -> ([f64; 2], [f64; 2]),
+    ) -> Self {
+        let ends = [0, 1, 2].map(|i| ends(&series[i], i == 2));
+        Half { series, boundary: ends.map(|e| e.0), force: ends.map(|e| e.1) }
+    }
+
+    /// With a layer as the second free solution.
+    fn with_layer(mut self, boundary: [f64; 2], force: [f64; 2]) -> Self {
+        (self.boundary[1], self.force[1]) = (boundary, force);
+        self
+    }
+
+    /// Amplitudes of the two free solutions for given boundary values.
+    fn amplitudes(&self, value: [f64; 2]) -> [f64; 2] {
+        let [p, q, _] = self.boundary;
+        let determinant = p[0] * q[1] - q[0] * p[1];
+        [
+            (value[0] * q[1] - q[0] * value[1]) / determinant,
+            (p[0] * value[1] - value[0] * p[1]) / determinant,
+        ]
+    }
+
+    /// Stiffness and load of this parity in its boundary values.
+    fn condensed(&self) -> ([[f64; 2]; 2], [f64; 2]) {
+        let columns = [self.amplitudes([1.0, 0.0]), self.amplitudes([0.0, 1.0])];
+        let loaded = self.amplitudes(self.boundary[2]);
+        let force = |amplitude: [f64; 2], i: usize| {
+            amplitude[0] * self.force[0][i] + amplitude[1] * self.force[1][i]
+        };
+        let cross = 0.5 * (force(columns[0], 1) + force(columns[1], 0));
+        let stiffness = [[force(columns[0], 0), cross], [cross, force(columns[1], 1)]];
+        (stiffness, [0, 1].map(|i| force(loaded, i) - self.force[2][i]))
+    }
+
+    /// The coefficients, and the second amplitude for itself.
+    fn unfold(&self, value: [f64; 2]) -> ([f64; TERMS / 2], f64) {
+        let [x, y] = self.boundary[2];
+        let [p, q] = self.amplitudes([value[0] - x, value[1] - y]);
+        let sum = |i: usize| p * self.series[0][i] + q * self.series[1][i] + self.series[2][i];
+        (std::array::from_fn(sum), q)
+    }
+}
+
+/// (w̄, φ) and (δ, e) from the element's four numbers.
+fn parities(a: f64, basis: Basis) -> [[[f64; 4]; 2]; 2] {
+    match basis {
+        Basis::Deformation => [
+            [[1.0, a, 0.5, 0.0], [0.0, 0.0, 0.0, 0.5]],
+            [[0.0, a, 0.5, 0.0], [0.0, 0.0, -0.5, 0.5 * a]],
+        ],
+        Basis::Ends => [
+            [[0.5, 0.0, 0.5, 0.0], [0.0, -0.5, 0.0, 0.5]],
+            [[-0.5, 0.0, 0.5, 0.0], [0.5, 0.5 * a, -0.5, 0.5 * a]],
+        ],
+    }
+}
+
+fn dot(row: &[f64; 4], v: &[f64; 4]) -> f64 {
+    row.iter().zip(v).map(|(a, b)| a * b).sum()
+}
+
+/// Stiffness and load in the element's four numbers.
+fn assemble(
+    length: f64,
+    basis: Basis,
+    even: &([[f64; 2]; 2], [f64; 2]),
+    odd: &([[f64; 2]; 2], [f64; 2]),
+) -> Element {
+    let maps = parities(0.5 * length, basis);
+    let mut element = Element { length, basis, ..Element::default() };
+    for (map, (stiffness, load)) in maps.iter().zip([even, odd]) {
+        for i in 0..4 {
+            let [a, b] = [map[0][i], map[1][i]];
+            element.load[i] += a * load[0] + b * load[1];
+            let row = [0, 1].map(|n| a * stiffness[0][n] + b * stiffness[1][n]);
+            for j in 0..4 {
+                element.stiffness[i][j] += row[0] * map[0][j] + row[1] * map[1][j];
+            }
+        }
+    }
+    element
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::polynomial::jet;
+
+    fn operator(n: f64, k: f64) -> Operator {
+        Operator {
+            stiffness: 1.0,
+            tension: n,
+            spring: k,
+            load: [0.0; 2],
+            moment_load: [0.0; 2],
+            curling_moments: [0.0; 2],
+            courses: None,
+            shearing: None,
+        }
+    }
+
+    /// K in the deflections and slopes of both ends, as books print it.
+    fn by_ends(e: &Element) -> [[f64; 4]; 4] {
+        let h = e.length;
+        // v = C (w_l, θ_l, w_r, θ_r): d₁ = w_r − w_l − h θ_l, d₂ = θ_r − θ_l.
+        let c = [
+            [1.0, 0.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0, 0.0],
+            [-1.0, -h, 1.0, 0.0],
+            [0.0, -1.0, 0.0, 1.0],
+        ];
+        std::array::from_fn(|i| {
+            std::array::from_fn(|j| {
+                let mut sum = 0.0;
+                for m in 0..4 {
+                    for n in 0..4 {
+                        sum += c[m][i] * e.stiffness[m][n] * c[n][j];
+                    }
+                }
+                sum
+            })
+        })
+    }
+
+    #[test]
+    fn without_ground_and_tension_it_is_the_hermite_element() {
+        let e = ExactElement::new(&operator(0.0, 0.0), 2.0).element;
+        let k = by_ends(&e);
+        let printed = [[1.5, 1.5, -1.5, 1.5], [1.5, 2.0, -1.5, 1.0]];
+        for i in 0..2 {
+            for j in 0..4 {
+                assert!((k[i][j] - printed[i][j]).abs() < 1e-14);
+            }
+        }
+    }
+
+    #[test]
+    fn razaqpur_and_shah_stiffness() {
+        // Razaqpur and Shah, Int. J. Solids Structures 27(4), 435–454 (1991): EI = 2000, k = 64,
+        // second parameter 800, L = 5, exact stiffness printed to two decimals.
+        let op = Operator { stiffness: 2000.0, ..operator(800.0, 64.0) };
+        let k = by_ends(&ExactElement::new(&op, 5.0).element);
+        let printed = [
+            [498.05, 626.62, -341.54, 514.45],
+            [626.62, 2131.05, -514.45, 659.46],
+            [-341.54, -514.45, 498.05, -626.62],
+            [514.45, 659.46, -626.62, 2131.05],
+        ];
+        for i in 0..4 {
+            for j in 0..4 {
+                assert!((k[i][j] - printed[i][j]).abs() < 0.0051, "{i}{j}: {}", k[i][j]);
+            }
+        }
+    }
+
+    #[test]
+    fn the_series_solves_the_equation_and_takes_its_end_values() {
+        for (n, k) in [(0.0, 0.0), (0.3, 0.0), (2.0, 1.0), (-0.5, 0.3), (0.1, 2.0), (4.0, 0.01)] {
+            let op = Operator { load: [1.0, -2.0], moment_load: [0.5, 0.1], ..operator(n, k) };
+            let h = REACH / op.wave_number().max(1.0);
+            let e = ExactElement::new(&op, h);
+            let v = [0.3, -0.2, 0.1, 0.4];
+            let (c, _) = e.unfold(&v);
+            let a = 0.5 * h;
+            let left = jet(&c, -1.0);
+            let right = jet(&c, 1.0);
+            assert!((left[0] - 0.3).abs() < 1e-15 && (left[1] / a + 0.2).abs() < 1e-14);
+            assert!((right[0] - (0.3 - 0.2 * h + 0.1)).abs() < 1e-15);
+            assert!((right[1] / a - 0.2).abs() < 1e-14);
+            for s in [-0.9, -0.3, 0.2, 0.8] {
+                let third: Vec<f64> = (1..TERMS).map(|j| j as f64 * c[j]).collect();
+                let fourth = jet(&third, s)[3] / a.powi(4);
+                let load = -0.5 - 1.5 * s - (-0.2 / a);
+                let rest = fourth - n * jet(&c, s)[2] / (a * a) + k * jet(&c, s)[0] - load;
+                assert!(rest.abs() < 1e-12 * (1.0 + load.abs()), "{n} {k} {s}: {rest}");
+            }
+            // The element's forces are the shear T and the moment at its ends.
+            let f = e.element.forces(&v);
+            let total = |j: [f64; 4], g: f64| -j[3] / a.powi(3) + n * j[1] / a - g;
+            let t = [total(left, 0.5), total(right, 0.1)];
+            assert!((f[2] - t[1]).abs() < 1e-12 * (1.0 + t[1].abs()), "{} {}", f[2], t[1]);
+            assert!((f[0] - (t[1] - t[0])).abs() < 1e-11 * (1.0 + t[0].abs()));
+            assert!((f[3] - right[2] / (a * a)).abs() < 1e-12 * (1.0 + f[3].abs()));
+        }
+    }
+
+    #[test]
+    fn an_element_with_layers_is_many_without() {
+        // N² ≫ 4κ EI: r₁ = 0.03, r₂ = 30; cut into short series, chained by their own stiffness.
+        let op = Operator {
+            load: [1.0, -2.0],
+            moment_load: [0.5, 0.1],
+            tension: 900.0,
+            spring: 1.0,
+            ..operator(900.0, 1.0)
+        };
+        let whole = ExactElement::new(&op, 2.0);
+        assert!(whole.layers.is_some());
+        let v = [0.3, -0.2, 0.0, 0.2];
+        let (series, heights) = whole.unfold(&v);
+        let at = |x: [f64; 2]| {
+            let (middle, half) = (0.5 * (x[0] + x[1]) - 1.0, 0.5 * (x[1] - x[0]));
+            let mut c = crate::numeric::polynomial::rescale(&series, middle, half);
+            whole.layers.expect("layers").add([0.0, 2.0], heights, x, &mut c);
+            c
+        };
+        let mut x = vec![0.0];
+        x.extend(whole.layers.expect("layers").cuts([0.0, 2.0], heights));
+        x.push(2.0);
+        assert!(x.len() < 30);
+        let mut before: Option<[f64; 4]> = None;
+        for pair in x.windows(2) {
+            let half = 0.5 * (pair[1] - pair[0]);
+            let c = at([pair[0], pair[1]]);
+            let unit = |j: [f64; 4]| [j[0], j[1] / half, j[2] / half.powi(2), j[3] / half.powi(3)];
+            let [left, right] = [unit(jet(&c, -1.0)), unit(jet(&c, 1.0))];
+            if let Some(before) = before {
+                for (i, (a, b)) in before.iter().zip(&left).enumerate() {
+                    assert!((a - b).abs() < 1e-13 * 30_f64.powi(i as i32), "{i}: {a} {b}");
+                }
+            }
+            before = Some(right);
+            // The equation itself in the middle of the piece.
+            let middle = 0.5 * (pair[0] + pair[1]);
+            let load = 1.0 - 1.5 * middle - (-0.2);
+            let fourth = 24.0 * c[4] / half.powi(4);
+            let rest = fourth - 900.0 * 2.0 * c[2] / half.powi(2) + c[0] - load;
+            assert!(rest.abs() < 1e-9 * (fourth.abs() + 900.0), "{pair:?} {rest} {fourth}");
+        }
+        let ends = [at([x[0], x[1]]), at([x[x.len() - 2], 2.0])];
+        let halves = [0.5 * (x[1] - x[0]), 0.5 * (2.0 - x[x.len() - 2])];
+        let [left, right] = [jet(&ends[0], -1.0), jet(&ends[1], 1.0)];
+        assert!((left[0] - 0.3).abs() < 1e-15 && (left[1] / halves[0] + 0.2).abs() < 1e-13);
+        assert!((right[0] - 0.0).abs() < 1e-15 && (right[1] / halves[1] - 0.2).abs() < 1e-13);
+        // Its forces: shear T = −EI w‴ + N w' − G and moment EI w″ at the ends.
+        let f = whole.element.forces(&v);
+        let total = |j: [f64; 4], h: f64, g: f64| -j[3] / h.powi(3) + 900.0 * j[1] / h - g;
+        let t = [total(left, halves[0], 0.5), total(right, halves[1], 0.1)];
+        assert!((f[2] - t[1]).abs() < 1e-13 * t[1].abs(), "{} {}", f[2], t[1]);
+        assert!((f[0] + t[0]).abs() < 1e-13 * t[0].abs(), "{} {t:?}", f[0]);
+        assert!((f[3] - right[2] / halves[1].powi(2)).abs() < 1e-13 * f[3].abs());
+        assert!((f[1] + left[2] / halves[0].powi(2)).abs() < 1e-13 * f[1].abs());
+    }
+
+    #[test]
+    fn short_elements_keep_the_digits_of_bending_and_ground() {
+        // Rigid terms are k h and k h²/2, bending 12/h³, each to the last digits, at any h.
+        for h in [1e-2, 1e-5, 1e-8] {
+            let e = ExactElement::new(&operator(0.0, 1.0), h).element;
+            // The next terms of the series are of relative size h⁴.
+            let small = h.powi(4) + 1e-15;
+            assert!((e.stiffness[0][0] / h - 1.0).abs() < small);
+            assert!((e.stiffness[0][1] / (h * h / 2.0) - 1.0).abs() < small);
+            assert!((e.stiffness[2][2] * h.powi(3) / 12.0 - 1.0).abs() < small);
+        }
+    }
+}

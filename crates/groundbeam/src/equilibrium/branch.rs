@@ -1,0 +1,195 @@
+//! The branch of equilibria that begins at the beam without compression, followed as the compression grows.
+//!
+//! The energy Φ of a deflection, the ground lying under it as it will, has a continuous derivative, and
+//! its second variation at an equilibrium is that of the beam *glued* to the ground where it touches: an
+//! edge of contact is where the ground leaves the beam tangentially, so that a move of the edge changes
+//! the energy in the third order only. A [glued solve](crate::contact::glue) is therefore a step of Newton's method
+//! on Φ, and its elimination tells whether the second variation is positive. As long as it is, the
+//! equilibria under growing compression are one curve, which ends where it no longer is: at a limit
+//! point, where the curve turns back, or at a bifurcation.
+
+use crate::chain::node::Loose;
+use crate::contact::edges;
+use crate::contact::glue::Glue;
+use crate::contact::majorant;
+use crate::contact::state::Found;
+use crate::contact::stretches::{Stretch, distance, joined, positions};
+use crate::element::element::MOST;
+use crate::equilibrium::one_way;
+use crate::existence::existence::Existence;
+use crate::mesh::mesh::Mesh;
+use crate::model::Model;
+use crate::model::compressed;
+use crate::options::Method;
+use crate::solution::assemble::assemble;
+use std::borrow::Cow;
+
+/// The first step, as a part of the compression that is wanted.
+const FIRST: f64 = 0.25;
+/// The last step, as a part of the compression reached: the accuracy of the branch's end.
+const LAST: f64 = 1e-10;
+/// Newton's steps that a step in compression may take.
+const MOST_STEPS: usize = 10;
+/// Changes of the supports that act, which it may make as well.
+const MOST_CHANGES: usize = 10;
+/// A move of the edges, relative to the beam's length, that is rounding, and one that may be, if the steps make it
+/// no smaller.
+const STILL: f64 = 1e-13;
+const ROUNDING: f64 = 1e-9;
+/// Moves of the edges, relative to the beam's length, between which they are moved by themselves.
+const CLOSE: f64 = 1e-9;
+const NEAR: f64 = 0.03;
+/// How near the way back must come to where the way began, and which equilibria are next to each other.
+const SAME: f64 = 1e-7;
+const NEXT: f64 = 1e-3;
+
+/// A stable equilibrium on the branch.
+#[derive(Debug, Clone)]
+pub(crate) struct State {
+    /// −P \[N\].
+    pub compression: f64,
+    pub contact: Vec<Stretch>,
+    /// Which supports act; those that act in both directions do.
+    pub acts: Vec<bool>,
+}
+
+impl State {
+    /// The model on the supports that act.
+    pub fn held<'a>(&self, model: &'a Model) -> Cow<'a, Model> {
+        if !model.has_one_way_supports() {
+            return Cow::Borrowed(model);
+        }
+        Cow::Owned(model.with_supports_that(|i, _| self.acts[i]))
+    }
+}
+
+/// What was found on the way.
+#[derive(Debug, Clone)]
+pub(crate) struct Branch {
+    /// The equilibrium under the model's own compression, if the branch goes so far.
+    pub wanted: Option<State>,
+    /// The last stable one; infinite compression if there is no last.
+    pub last: State,
+    /// Why there is no next one.
+    pub end: End,
+}
+
+/// What ends a step in compression, however small.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum End {
+    /// The second variation is not positive there, on these supports.
+    Loose(Vec<bool>),
+    /// Newton's steps do not come to rest: beyond a limit point, or not knowing which zones touch.
+    Unsettled,
+}
+
+/// From the equilibrium of the beam without compression through the wanted compression to the branch's end.
+pub(crate) fn follow(model: &Model, begin: State) -> Branch {
+    let wanted = -model.beam.axial_force;
+    let l = model.beam.length;
+    let most = MOST * model.beam.stiffest() / (l * l);
+    let places: Vec<f64> = Mesh::build(model, &[], |_| 1).nodes.iter().map(|n| n.x).collect();
+    let mut found = None;
+    let mut last = State { contact: joined(begin.contact, l), ..begin };
+    let mut step = FIRST * wanted;
+    let mut failed = false;
+    let mut end = End::Loose(last.acts.clone());
+    while step > LAST * if found.is_none() { wanted } else { last.compression } {
+        let mut target = last.compression + step;
+        if found.is_none() {
+            target = target.min(wanted);
+        }
+        if target > most {
+            let last = State { compression: f64::INFINITY, ..last };
+            return Branch { wanted: found, last, end };
+        }
+        match next(model, &places, &last, target) {
+            Ok(state) => {
+                if target == wanted {
+                    found = Some(state.clone());
+                }
+                last = state;
+                if !failed {
+                    step *= 2.0;
+                }
+                failed = false;
+            }
+            Err(why) => {
+                end = why;
+                step = 0.5 * (target - last.compression);
+                failed = true;
+            }
+        }
+    }
+    Branch { wanted: found, last, end }
+}
+
+/// The next equilibrium on the branch. Of two that are on one branch each is found from the other; of two next to
+/// each other that need not be seen.
+fn next(model: &Model, places: &[f64], last: &State, compression: f64) -> Result<State, End> {
+    let next = settled(model, places, compression, last)?;
+    let near = distance(&next.contact, &last.contact) <= NEXT * model.beam.length;
+    if last.compression == 0.0 || (near && next.acts == last.acts) {
+        return Ok(next);
+    }
+    let back = settled(model, places, last.compression, &next)?;
+    let same = distance(&back.contact, &last.contact) <= SAME * model.beam.length
+        && back.acts == last.acts;
+    if same { Ok(next) } else { Err(End::Unsettled) }
+}
+
+/// The equilibrium that Newton's steps find from the contact of a neighbour, all of them where the second
+/// variation is positive.
+fn settled(model: &Model, places: &[f64], compression: f64, near: &State) -> Result<State, End> {
+    let model = compressed(model, compression);
+    let mut contact = near.contact.clone();
+    let mut acts = near.acts.clone();
+    let mut held = near.held(&model);
+    'supports: for _ in 0..=MOST_CHANGES {
+        let mut glue = Glue::new(&held);
+        let mut before = f64::INFINITY;
+        // Whether edges may be moved by themselves: not where they move each other more than that.
+        let mut alone = true;
+        for _ in 0..MOST_STEPS {
+            let found = glue.on(&contact, None).map_err(|Loose| End::Loose(acts.clone()))?;
+            // Each edge by itself, until the scan of the whole beam agrees.
+            let by_themselves =
+                if alone { edges::moved(&found.deflection(), &found.zones) } else { None };
+            let by_edges = by_themselves.filter(|next| {
+                (CLOSE..NEAR).contains(&(distance(&contact, next) / model.beam.length))
+            });
+            let scan = || {
+                joined(
+                    positions(&found.mesh, &majorant::contact(&found.deflection()), places),
+                    model.beam.length,
+                )
+            };
+            let next = by_edges.unwrap_or_else(scan);
+            let moved = distance(&contact, &next) / model.beam.length;
+            contact = next;
+            if moved <= STILL || (moved <= ROUNDING && moved >= 0.25 * before) {
+                let state = State { compression, contact, acts };
+                let Some(asked) = other_supports(&model, &held, &state, &found) else {
+                    return Ok(state);
+                };
+                held = asked.held(&model);
+                (contact, acts) = (asked.contact, asked.acts);
+                continue 'supports;
+            }
+            alone &= moved <= 0.5 * before;
+            before = moved;
+        }
+        break;
+    }
+    Err(End::Unsettled)
+}
+
+/// The same state on the supports that it asks for, where those are others.
+fn other_supports(model: &Model, held: &Model, state: &State, found: &Found) -> Option<State> {
+    if !model.has_one_way_supports() {
+        return None;
+    }
+    let solution = assemble(held, Method::Exact, Existence::default(), 1.0, found, None);
+    let acts = one_way::asked_for(model, &state.acts, &solution);
+    (acts != state.acts).then(|| State { acts, ..state.clone() })
+}

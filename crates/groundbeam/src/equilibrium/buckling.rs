@@ -1,0 +1,156 @@
+//! Buckling loads: of the beam alone, which bounds the compression under which its energy is convex, and of
+//! the beam that the ground holds where it touches.
+
+use crate::chain::elimination::Chain;
+use crate::chain::node::{ChainCell, ChainNode};
+use crate::contact::glue::{Glue, folds};
+use crate::contact::stretches::Stretch;
+use crate::element::courses::Touch;
+use crate::element::element::MOST;
+use crate::element::operator::Operator;
+use crate::element::uniform::{ExactElement, parts};
+use crate::existence::rigid_motions::held_rigidly;
+use crate::mesh::mesh::Mesh;
+use crate::model::Model;
+use crate::model::compressed;
+
+/// The smallest compression \[N\] at which the beam on its supports, without ground, has a deflected state of
+/// no stiffness: a lower bound of it, right to twelve digits. Infinite if there is none.
+///
+/// Below it the energy of bending, springs and compression is positive definite, which is what the
+/// elimination of a chain finds out: all its pivots are positive.
+pub fn own_buckling_load(model: &Model) -> f64 {
+    least_unstable(model, |compression| is_stable(model, compression))
+}
+
+/// What compression leaves of the convexity of the energy, whatever touches: 1 + P/P_cr with the beam's own
+/// buckling load, 1 without compression. None where the energy is not convex.
+pub(crate) fn convexity(model: &Model) -> Option<f64> {
+    let axial = model.beam.axial_force;
+    if axial >= 0.0 {
+        return Some(1.0);
+    }
+    if !held_rigidly(model) {
+        return None;
+    }
+    // What the beam may leave does not hold it.
+    let held = model.with_supports_that(|_, support| !support.is_one_way());
+    let left = 1.0 + axial / own_buckling_load(&held);
+    (left > 0.0).then_some(left)
+}
+
+/// The smallest compression \[N\] at which the beam glued to the ground on given stretches has a deflected
+/// state of no stiffness, from below and to twelve digits.
+pub(crate) fn glued_buckling_load(model: &Model, contact: &[Stretch]) -> f64 {
+    least_unstable(model, |compression| {
+        Glue::new(&compressed(model, compression)).on(contact, None).is_ok()
+    })
+}
+
+/// The end of the compressions from zero on that are stable, from below.
+fn least_unstable(model: &Model, is_stable: impl Fn(f64) -> bool) -> f64 {
+    let l = model.beam.length;
+    let unit = model.beam.stiffest() / (l * l);
+    let mut low = 0.0;
+    let mut high = unit;
+    while is_stable(high) {
+        low = high;
+        high *= 2.0;
+        if high > MOST * unit {
+            return f64::INFINITY;
+        }
+    }
+    while high - low > 1e-13 * high {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            break;
+        }
+        if is_stable(middle) { low = middle } else { high = middle }
+    }
+    low
+}
+
+fn is_stable(model: &Model, compression: f64) -> bool {
+    if folds(&compressed(model, compression), &[], &|_: &_| Touch::Open) {
+        return false;
+    }
+    let operator = |cell: &_| Operator::of(cell, -compression, Touch::Open);
+    let mesh = Mesh::graded(model, &[], |cell| parts(&operator(cell), cell.length()));
+    let cell = |cell: &crate::mesh::cell::Cell| ChainCell {
+        element: ExactElement::new(&operator(cell), cell.length()).element,
+        links: Vec::new(),
+    };
+    let nodes = mesh.nodes.iter().map(|n| ChainNode {
+        pinned: n.pinned,
+        clamped: n.clamped,
+        spring: n.spring,
+        rotational_spring: n.rotational_spring,
+        hinge: n.hinge,
+        ..ChainNode::default()
+    });
+    let cells: Vec<ChainCell> = mesh.cells.iter().map(cell).collect();
+    let supported = mesh.nodes.iter().position(|n| n.clamped || n.pinned || n.spring > 0.0);
+    let chain = Chain { nodes: nodes.collect(), cells, meeting: supported.unwrap_or(0) };
+    chain.solve().is_ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Beam, Foundation, Hinge, Support};
+    use std::f64::consts::PI;
+
+    fn load(supports: &[Support]) -> f64 {
+        let mut model = Model::new(Beam::uniform(2.0, 3.0), Foundation::winkler(1.0));
+        model.supports = supports.to_vec();
+        own_buckling_load(&model) * 4.0 / 3.0
+    }
+
+    #[test]
+    fn eulers_four_columns() {
+        // P l²/EI = π²/4, π², 20.190728556426629…, 4π² (Timoshenko and Gere, Theory of Elastic
+        // Stability; the third is the first root of tan z = z, squared).
+        let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-11, "{a} {b}");
+        close(load(&[Support::fixed(0.0)]), PI * PI / 4.0);
+        close(load(&[Support::pinned(0.0), Support::pinned(2.0)]), PI * PI);
+        close(load(&[Support::fixed(0.0), Support::pinned(2.0)]), 20.190_728_556_426_63);
+        close(load(&[Support::fixed(0.0), Support::fixed(2.0)]), 4.0 * PI * PI);
+    }
+
+    /// A column with a spring C in a hinge at its middle: z tan z = C l/EI with z = l/2 √(P/EI).
+    #[test]
+    fn a_spring_in_the_middle() {
+        for z in [0.1, 0.5, PI / 4.0, 1.2, 1.5] {
+            let spring = 3.0 * z * f64::tan(z) / 2.0;
+            let model = Model::new(Beam::uniform(2.0, 3.0), Foundation::winkler(1.0))
+                .with_support(Support::pinned(0.0))
+                .with_support(Support::pinned(2.0))
+                .with_hinge(Hinge::elastic(1.0, spring));
+            let found = own_buckling_load(&model);
+            assert!((found / (3.0 * z * z) - 1.0).abs() < 1e-11, "{z}: {found}");
+        }
+    }
+
+    /// A cantilever that holds a bar on a pin: the bar is rigid against it, and pulls its tip off with P/b.
+    #[test]
+    fn a_cantilever_under_a_pinned_bar() {
+        // sin-cos solution of the cantilever with a lateral P w/b at its tip: tan z = z (1 + b/a).
+        let (a, b) = (1.0, 0.5);
+        let model = Model::new(
+            Beam::uniform(a + b, 2.0).with_segment(a, a + b, 2e9),
+            Foundation::winkler(1.0),
+        )
+        .with_support(Support::fixed(0.0))
+        .with_support(Support::pinned(a + b))
+        .with_hinge(Hinge::free(a));
+        let z = (own_buckling_load(&model) / 2.0).sqrt() * a;
+        assert!((f64::tan(z) - z * (1.0 + b / a)).abs() < 1e-6, "{z}");
+    }
+
+    #[test]
+    fn a_pin_on_a_rotational_spring() {
+        // A rigid bar would buckle at k_φ/l; a bar a thousand times stiffer than its spring comes close.
+        let p = load(&[Support::pinned(0.0), Support::spring(2.0, 0.0, 3e-3)]);
+        assert!((p / 2e-3 - 1.0).abs() < 1e-3, "{p}");
+    }
+}

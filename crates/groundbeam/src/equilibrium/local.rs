@@ -1,0 +1,144 @@
+//! Compression that the ground must help to bear: the stable equilibrium next to the unloaded state.
+//!
+//! A beam that lies on the ground is kept from buckling by it, but only as long as it lies there: its
+//! energy is not convex, and has no least value if the beam may rise. What is asked for then is the
+//! equilibrium that grows out of that without compression ([`branch`]), and whether the branch goes as
+//! far as the compression that is wanted.
+
+use crate::contact::glue::Glue;
+use crate::contact::stretches::Stretch;
+use crate::equilibrium::branch::{Branch, End, State, follow};
+use crate::equilibrium::buckling::glued_buckling_load;
+use crate::equilibrium::one_way;
+use crate::error::{Error, NotConverged, Stopped};
+use crate::existence::existence::{Buckling, Existence, Local, RigidMotion, Verdict, existence};
+use crate::mesh::energy::work_of_loads;
+use crate::mesh::mesh::Mesh;
+use crate::model::compressed;
+use crate::model::{Load, Model};
+use crate::numeric::polynomial::{jet, value};
+use crate::numeric::tolerance::BRANCH;
+use crate::options::Method;
+use crate::outcome::Outcome;
+
+/// How near its buckling load a beam is taken that is to show its buckling mode.
+const NEARLY: f64 = 1e-12;
+/// Points at which a mode is looked at, in each cell.
+const POINTS: usize = 16;
+
+/// What is known of a model in compression whose energy is not convex.
+pub(crate) fn check(
+    model: &Model,
+    solve: impl FnOnce(&Model) -> Result<Outcome, Error>,
+) -> Result<Checked, Error> {
+    let without = compressed(model, 0.0);
+    let statics = existence(&without);
+    let known = |verdict| Checked {
+        existence: Existence { verdict, ..statics },
+        stability: 1.0,
+        local: None,
+    };
+    // What may turn or rise without compression is not held against the least of it.
+    let loose = |motion: RigidMotion| Verdict::Buckles(Buckling::at_once(model, motion));
+    let solution = match statics.verdict {
+        Verdict::NotUnique(motion) => return Ok(known(loose(motion))),
+        Verdict::Unique => match solve(&without)? {
+            Outcome::Equilibrium(solution) => solution,
+            Outcome::NoEquilibrium(existence) => return Ok(known(existence.verdict)),
+        },
+        verdict => return Ok(known(verdict)),
+    };
+    if let Verdict::NotUnique(motion) = solution.existence().verdict {
+        return Ok(known(loose(motion)));
+    }
+    let contact = solution.contact().iter().map(|region| [region.from, region.to]).collect();
+    let acts = one_way::acting(model, &solution);
+    let Branch { wanted, last, end } = follow(model, State { compression: 0.0, contact, acts });
+    // Towards its end the branch is ever less stable, or it ends where a point lets go.
+    if end == End::Unsettled {
+        let margin = 1.0 - last.compression / glued_buckling_load(&last.held(model), &last.contact);
+        if margin > BRANCH {
+            let why = NotConverged::Branch(margin);
+            return Err(Error::NotConverged(Stopped { method: Method::Exact, iterations: 0, why }));
+        }
+    }
+    let Some(state) = wanted else {
+        return Ok(known(Verdict::Buckles(buckling(model, last, end))));
+    };
+    let buckles = glued_buckling_load(&state.held(model), &state.contact);
+    let stability_margin = 1.0 - state.compression / buckles;
+    let critical_compression = last.compression;
+    let verdict = Verdict::Local(Local { stability_margin, critical_compression });
+    Ok(Checked { local: Some(state), stability: stability_margin, ..known(verdict) })
+}
+
+impl Buckling {
+    /// A beam that a rigid motion takes away however small the compression.
+    fn at_once(model: &Model, motion: RigidMotion) -> Self {
+        let RigidMotion { left, right, work, lifted } = motion;
+        let end = if right.abs() > left.abs() { model.beam.length } else { 0.0 };
+        let at = lifted.map_or(end, |[first, _]| first);
+        Buckling { critical_compression: 0.0, at, left, right, work }
+    }
+}
+
+/// How the beam buckles at the end of its branch: where a support lets go there, without it.
+fn buckling(model: &Model, last: State, end: End) -> Buckling {
+    let critical_compression = last.compression;
+    let acts = if let End::Loose(acts) = end { acts } else { last.acts };
+    let last = State { acts, ..last };
+    let (at, [left, right], work) = mode(&last.held(model), &last.contact).unwrap_or_default();
+    Buckling { critical_compression, at, left, right, work }
+}
+
+/// Where the buckling mode of the beam glued to the ground on given stretches is largest, what it is at both
+/// ends, and the loads' work in it; up, and of size 1.
+///
+/// A beam next to its buckling load answers a load that no symmetry holds back with its mode.
+fn mode(model: &Model, contact: &[Stretch]) -> Option<(f64, [f64; 2], f64)> {
+    let load = glued_buckling_load(model, contact);
+    let mut loose = compressed(model, load * (1.0 - NEARLY));
+    for corner in &mut loose.gap {
+        corner.value = 0.0;
+    }
+    for load in &mut loose.loads {
+        *load = load.scaled(0.0);
+    }
+    for support in &mut loose.supports {
+        support.settlement = 0.0;
+    }
+    let l = model.beam.length;
+    // In no symmetry, and no polynomial along the beam: even loads leave even modes alone.
+    loose.loads.push(Load::Distributed { from: 0.0, to: 0.618 * l, start: 1.0, end: -0.37 });
+    let found = Glue::new(&loose).on(contact, None).ok()?;
+    let w = found.deflection();
+    let mut largest = (0.0, 0.0_f64);
+    for (i, cell) in found.mesh.cells.iter().enumerate() {
+        for point in 0..=POINTS {
+            let s = 2.0 * point as f64 / POINTS as f64 - 1.0;
+            let here = value(w.cell(i), s);
+            if here.abs() > largest.1.abs() {
+                largest = (cell.global(s), here);
+            }
+        }
+    }
+    let (at, size) = largest;
+    let [left, ..] = jet(w.cell(0), -1.0);
+    let [right, ..] = jet(w.cell(found.mesh.cells.len() - 1), 1.0);
+    let x: Vec<f64> = found.mesh.nodes.iter().map(|node| node.x).collect();
+    let mesh = Mesh::build(model, &x, |_| 1);
+    let same = mesh.cells.len() == found.mesh.cells.len();
+    let work = same.then(|| work_of_loads(&mesh, found.motion()))?;
+    // Scaled to −1 where it is largest; adding zero turns −0 into 0.
+    Some((at, [left, right].map(|w| -w / size + 0.0), -work / size + 0.0))
+}
+
+/// What is known of a model before it is solved.
+pub(crate) struct Checked {
+    pub existence: Existence,
+    /// How much of the energy's convexity compression leaves, where it touches if that is local: 1 + P/P_cr;
+    /// 1 without compression.
+    pub stability: f64,
+    /// Where a local equilibrium touches the ground, and which supports act in it.
+    pub local: Option<State>,
+}

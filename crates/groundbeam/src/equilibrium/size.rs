@@ -1,0 +1,183 @@
+//! How many elements and how much memory a solve needs, from the model and the options, before anything is solved.
+//!
+//! Two limits refuse a model. The memory that all elements need stays below [`Options::memory_limit`]. The elements that are
+//! power series, where stiffness or ground vary and where the beam shears, stay below a fixed number: each costs far more time than
+//! its memory says. A shear layer a billion times as stiff as the beam has boundary layers of 10⁻⁴ of the length, and
+//! every such element on it is as short as they are.
+
+use crate::element::courses::Touch;
+use crate::element::element::REACH;
+use crate::element::operator::{Operator, wave_number};
+use crate::element::uniform::parts;
+use crate::error::{Error, TooLarge};
+use crate::mesh::mesh::Mesh;
+use crate::model::problem::Bytes;
+use crate::model::{FoundationSegment, Model, Part, Problem};
+use crate::options::{Method, Options};
+
+/// The most elements that are power series.
+const MOST_SERIES: usize = 30_000;
+
+/// Bytes of memory per element, of the exact method, of the methods with a mesh and of a solution at nodes alone: the largest
+/// that `verification/tests/memory.rs` and `bench/` have measured, 7800, 2700 and 53, and something more.
+const EXACT: usize = 8_500;
+const MESH: usize = 3_500;
+const NODE: usize = 100;
+
+/// Elements that a model needs at most.
+#[derive(Debug, Clone, Copy, Default)]
+struct Count {
+    /// Cells of the model: stretches between loads, supports and ends of segments.
+    cells: usize,
+    /// Elements of the exact method.
+    elements: usize,
+    /// Those of them that are power series.
+    series: usize,
+}
+
+impl Count {
+    fn of(model: &Model) -> Self {
+        let axial = model.beam.axial_force;
+        let mut count = Count::default();
+        count.cells = Mesh::each_graded(model, |cell, settles| {
+            // Compression may take all stiffness against shear, and then no number of elements is enough.
+            let tension = if cell.beam_shear.is_some() { axial.max(0.0) } else { axial };
+            let needed = |touch: Touch| parts(&Operator::of(cell, tension, touch), cell.length());
+            let needed =
+                needed(Touch::Contact).max(needed(Touch::Open)).saturating_add(settles - 1);
+            count.elements = count.elements.saturating_add(needed);
+            if cell.beam_shear.is_some() || cell.beam_varies() || cell.ground_varies() {
+                count.series = count.series.saturating_add(needed);
+            }
+        });
+        count
+    }
+
+    fn memory(&self, options: &Options) -> u64 {
+        let each = if options.method == Method::Exact { EXACT } else { MESH };
+        self.elements_of(options).saturating_mul(each) as u64
+    }
+
+    fn elements_of(&self, options: &Options) -> usize {
+        match options.method {
+            Method::Exact => self.elements,
+            _ => options.elements.saturating_add(self.cells),
+        }
+    }
+}
+
+/// More than the elements of a beam that only bends, where nothing varies along a segment, from the shortest of all its waves: without
+/// cutting it into cells, which would take a good part of the time in which a small model is solved.
+fn few(model: &Model) -> Option<Count> {
+    let Model { beam, foundation, loads, supports, hinges, gap } = model;
+    if beam.shears() || model.varying_part().is_some() || model.has_ground_loads() {
+        return None;
+    }
+    let softest = beam.segments.iter().map(|segment| segment.bending_stiffness.smallest());
+    let softest = softest.fold(beam.bending_stiffness, f64::min);
+    let largest = |s: &FoundationSegment| [s.spring.largest(), s.shear.largest()];
+    let ground = foundation.segments.iter().map(largest);
+    let [spring, shear] = ground.fold([foundation.spring, foundation.shear], |[k, mu], other| {
+        [k.max(other[0]), mu.max(other[1])]
+    });
+    let waves = wave_number(softest, beam.axial_force.abs() + shear, spring) * beam.length;
+    let ends = 2 * (beam.segments.len() + foundation.segments.len() + loads.len());
+    let cells = 1 + ends + supports.len() + hinges.len() + gap.len();
+    // One for each cell that is begun.
+    let elements = cells.saturating_add((waves / REACH).ceil() as usize);
+    Some(Count { cells, elements, series: 0 })
+}
+
+/// The memory that solving a valid model takes at most \[bytes\]: an estimate from the number of elements.
+///
+/// ```
+/// use groundbeam::{Beam, Foundation, Method, Model, Options, memory_estimate};
+///
+/// let model = Model::new(Beam::uniform(10.0, 1.0), Foundation::winkler(1.0));
+/// let of = |elements: usize| {
+///     memory_estimate(&model, &Options { method: Method::ActiveSet, elements, ..Options::default() })
+/// };
+/// assert!(of(1_000_000) > 900 * of(1_000));
+/// ```
+pub fn memory_estimate(model: &Model, options: &Options) -> u64 {
+    Count::of(model).memory(options)
+}
+
+/// Refuses a model that is too large or too fine.
+pub(crate) fn check(model: &Model, options: &Options) -> Result<(), Error> {
+    if few(model).is_some_and(|count| count.memory(options) <= options.memory_limit) {
+        return Ok(());
+    }
+    let count = Count::of(model);
+    if options.method == Method::Exact && count.series > MOST_SERIES {
+        let part = model.varying_part().unwrap_or(Part::Beam);
+        return Err(Error::Unsupported(Problem::too_fine(part, count.series)));
+    }
+    let elements = count.elements_of(options);
+    within(options.method.name(), elements, count.memory(options), options.memory_limit)
+}
+
+/// Refuses a solution at too many nodes.
+pub(crate) fn check_nodes(nodes: usize, limit: u64) -> Result<(), Error> {
+    within("nodal", nodes, nodes.saturating_mul(NODE) as u64, limit)
+}
+
+fn within(method: &str, elements: usize, needed: u64, limit: u64) -> Result<(), Error> {
+    if needed <= limit {
+        return Ok(());
+    }
+    let problem = Problem::too_large(method, elements, [Bytes(needed), Bytes(limit)]);
+    Err(Error::TooLarge(Box::new(TooLarge { problem, elements, needed, limit })))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Beam, Foundation};
+    use crate::{solve, solve_with};
+
+    /// Waves of length 1 on 10¹⁵ of them.
+    fn endless() -> Model {
+        Model::new(Beam::uniform(1e15, 1.0), Foundation::winkler(4.0))
+            .with_load(crate::Load::uniform(1.0, 0.0, 1e15))
+    }
+
+    #[test]
+    fn a_model_beyond_the_limit_is_refused_with_the_estimate() {
+        let Err(Error::TooLarge(refused)) = solve(&endless()) else { panic!() };
+        assert!(refused.needed > refused.limit && refused.limit == Options::default().memory_limit);
+        let needed = Bytes(refused.needed).to_string();
+        assert!(refused.problem.message.contains(&needed), "{}", refused.problem);
+    }
+
+    #[test]
+    fn every_method_has_the_limit() {
+        let short = Model { beam: Beam::uniform(10.0, 1.0), ..endless() };
+        let short = Model { loads: vec![crate::Load::uniform(1.0, 0.0, 10.0)], ..short };
+        for method in Method::ALL {
+            let elements = if method == Method::Exact { 1 } else { usize::MAX };
+            let model = if method == Method::Exact { endless() } else { short.clone() };
+            let options = Options { method, elements, ..Options::default() };
+            assert!(matches!(solve_with(&model, &options), Err(Error::TooLarge(_))), "{method:?}");
+        }
+        let none = Options { memory_limit: 0, ..Options::default() };
+        assert!(matches!(solve_with(&short, &none), Err(Error::TooLarge(_))));
+    }
+
+    #[test]
+    fn the_quick_count_is_no_less_than_the_other() {
+        let beam = Beam::uniform(100.0, 3.0).with_segment(20.0, 40.0, 0.5).with_axial_force(7.0);
+        let ground = Foundation::pasternak(2.0, 1.0).with_segment(30.0, 60.0, 9.0, 5.0);
+        let loads = (0..50).map(|i| crate::Load::point(1.0, 2.0 * f64::from(i)));
+        let model = Model { loads: loads.collect(), ..Model::new(beam, ground) };
+        let (quick, count) = (few(&model).unwrap_or_default(), Count::of(&model));
+        assert!(count.elements > 100 && quick.elements >= count.elements, "{quick:?} {count:?}");
+        assert!(quick.cells >= count.cells);
+    }
+
+    #[test]
+    fn bytes_are_written_in_two_digits() {
+        let written = [999, 4_000_000_000, 12_345_678, u64::MAX].map(|n| Bytes(n).to_string());
+        assert_eq!(written, ["999 bytes", "4 GB", "12 MB", "18447 PB"]);
+    }
+}

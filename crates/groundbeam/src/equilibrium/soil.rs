@@ -1,0 +1,264 @@
+//! The modified Vlasov model: the rate at which the ground's surface varies is taken from the solution.
+//!
+//! k and μ of [layers](crate::model::soil::layers) depend on r = ∫u'²/∫u², and u depends on k and μ. Vallabhan and Das
+//! (*Modified Vlasov model for beams on elastic foundations*, J. Geotech. Eng. 117(6), 1991) iterate
+//! between the two; here every u is exact, on the whole line, beyond the beam and where it has lifted off.
+
+use crate::certificate::gauss;
+use crate::error::{Error, NotConverged, Stopped};
+use crate::ground::link::{between, cut, slope_between};
+use crate::model::soil::layers::squares;
+use crate::model::soil::{Bed, LayeredSoil, Soil, Subgrade};
+use crate::model::{Load, Model};
+use crate::numeric::polynomial::inner;
+use crate::numeric::tolerance::SOIL;
+use crate::options::Method;
+use crate::outcome::Outcome;
+use crate::solution::solution::{Solution, Stretch};
+
+const MOST_ROUNDS: usize = 100;
+
+/// An answer on soil.
+#[derive(Debug, Clone)]
+pub struct OnSoil {
+    /// What mechanics says, for the ground below.
+    pub outcome: Outcome,
+    /// k and μ of the ground that was solved.
+    pub subgrade: Subgrade,
+    /// γ, for layers.
+    pub gamma: Option<f64>,
+    /// Solutions it took: one, unless γ is taken from the solution.
+    pub rounds: usize,
+}
+
+/// Solves a beam on this soil; the model's own foundation is replaced. `solve` solves a model on given ground.
+pub(crate) fn solve(
+    bed: &Bed,
+    model: &Model,
+    method: Method,
+    solve: impl Fn(&Model) -> Result<Outcome, Error>,
+) -> Result<OnSoil, Error> {
+    if let Soil::ModifiedVlasov(layers) = &bed.soil {
+        return iterate(bed, model, layers, method, solve);
+    }
+    let subgrade = bed.subgrade(&model.beam);
+    let gamma = match bed.soil {
+        Soil::Vlasov(_, gamma) => Some(gamma),
+        _ => None,
+    };
+    let outcome = solve(&subgrade.under(model))?;
+    Ok(OnSoil { outcome, subgrade, gamma, rounds: 1 })
+}
+
+/// Iterates on r, from γ = 1, until the solution gives the r that its ground was made with.
+fn iterate(
+    bed: &Bed,
+    model: &Model,
+    layers: &LayeredSoil,
+    method: Method,
+    solve: impl Fn(&Model) -> Result<Outcome, Error>,
+) -> Result<OnSoil, Error> {
+    let mut rate = layers.rate(1.0);
+    let mut before: Option<[f64; 2]> = None;
+    for rounds in 1..=MOST_ROUNDS {
+        let subgrade = layers.subgrade(rate, bed.width).times(bed.factors);
+        let outcome = solve(&subgrade.under(model))?;
+        let found = match &outcome {
+            Outcome::Equilibrium(solution) => rate_of(solution),
+            Outcome::NoEquilibrium(_) => None,
+        };
+        let found = found.filter(|found| (found - rate).abs() > SOIL * rate);
+        let Some(found) = found else {
+            let gamma = Some(layers.gamma(rate));
+            return Ok(OnSoil { outcome, subgrade, gamma, rounds });
+        };
+        let next = accelerated(before, [rate, found]);
+        before = Some([rate, found]);
+        rate = next;
+    }
+    let reached = before.map_or(f64::NAN, |[rate, found]| (found / rate - 1.0).abs());
+    Err(Error::NotConverged(Stopped {
+        method,
+        iterations: MOST_ROUNDS,
+        why: NotConverged::Soil(reached),
+    }))
+}
+
+/// The secant through two rounds where it stays positive and near, else the plain iteration.
+fn accelerated(before: Option<[f64; 2]>, [rate, found]: [f64; 2]) -> f64 {
+    let Some([rate_0, found_0]) = before else { return found };
+    let slope = (found - found_0) / (rate - rate_0);
+    let next = rate + (found - rate) / (1.0 - slope);
+    let near = next > 0.25 * found.min(rate) && next < 4.0 * found.max(rate);
+    if near { next } else { found }
+}
+
+/// r = ∫u'²/∫u² over the whole line; none where the ground does not move.
+fn rate_of(solution: &Solution) -> Option<f64> {
+    let neighbours = solution.model().has_ground_loads();
+    let mut sums = [0.0; 2];
+    let mut add = |part: [f64; 2]| {
+        sums = [sums[0] + part[0], sums[1] + part[1]];
+    };
+    for stretch in &solution.stretches {
+        let loaded = neighbours && stretch.open.is_some();
+        add(if loaded { on_loaded(stretch) } else { on(stretch) });
+    }
+    for right in [false, true] {
+        add(beyond(solution, right));
+    }
+    (sums[0] > 0.0).then(|| sums[1] / sums[0])
+}
+
+/// ∫u² and ∫u'² beyond an end of the beam. A ground made of soil is endless; between loads u is two exponentials and
+/// q/k, beyond the last of them it falls like e^(−bx).
+fn beyond(solution: &Solution, right: bool) -> [f64; 2] {
+    let stretch = if right { solution.stretches.last() } else { solution.stretches.first() };
+    let Some(stretch) = stretch else { return [0.0; 2] };
+    let [spring, shear] = stretch.cell.ground_at(if right { 1.0 } else { -1.0 });
+    let b = (spring / shear).sqrt();
+    let l = solution.model().beam.length;
+    let place = |out: f64| if right { l + out } else { -out };
+    let out = |x: f64| if right { x - l } else { -x };
+    let loads = &solution.model().loads;
+    let marks = loads.iter().filter(|load| load.is_on_ground()).flat_map(|load| match *load {
+        Load::GroundDistributed { from, to, .. } => [out(from), out(to)],
+        Load::GroundForce { at, .. } => [out(at); 2],
+        _ => [0.0; 2],
+    });
+    let mut marks: Vec<f64> = marks.filter(|out| *out > 0.0).chain([0.0]).collect();
+    marks.sort_by(f64::total_cmp);
+    marks.dedup();
+    let mut sums = [0.0; 2];
+    for part in marks.windows(2).map(|part| [part[0], part[1]]) {
+        let middle = place(0.5 * (part[0] + part[1]));
+        let pressed = part.map(|out| pressure(loads, place(out), middle) / spring);
+        let h = part[1] - part[0];
+        let ends = [0, 1].map(|i| solution.settlement(place(part[i])) - pressed[i]);
+        let u = |s: f64| {
+            let t = 0.5 * (1.0 + s);
+            let straight = (1.0 - t) * pressed[0] + t * pressed[1];
+            let rises = (pressed[1] - pressed[0]) / h;
+            let bends = between(ends[0], ends[1], b * h, t);
+            [straight + bends, rises + b * slope_between(ends[0], ends[1], b * h, t)]
+        };
+        let part = quadrature(h, b, u);
+        sums = [sums[0] + part[0], sums[1] + part[1]];
+    }
+    let last = solution.settlement(place(marks[marks.len() - 1]));
+    [sums[0] + 0.5 * last * last / b, sums[1] + 0.5 * last * last * b]
+}
+
+/// The load spread on the ground at x, on the stretch in which `within` lies.
+fn pressure(loads: &[Load], x: f64, within: f64) -> f64 {
+    let each = loads.iter().map(|load| match *load {
+        Load::GroundDistributed { from, to, start, end } if from <= within && within <= to => {
+            (start * (to - x) + end * (x - from)) / (to - from)
+        }
+        _ => 0.0,
+    });
+    each.sum()
+}
+
+/// ∫u² and ∫u'² of open ground under the beam that loads settle.
+fn on_loaded(stretch: &Stretch) -> [f64; 2] {
+    let b = (stretch.cell.spring / stretch.cell.shear).sqrt();
+    quadrature(2.0 * stretch.half, b, |s| {
+        let fields = stretch.fields(s);
+        stretch.settlement(s, fields.deflection, fields.slope)
+    })
+}
+
+/// ∫u² and ∫u'² over a length, of u and u' at −1 ≤ s ≤ 1 of it: Gauss's points on pieces on which e^(bx) is a short series.
+fn quadrature(length: f64, b: f64, u: impl Fn(f64) -> [f64; 2]) -> [f64; 2] {
+    let mut cuts = vec![0.0, length];
+    cut([0.0, length], 1.0 / b, &mut cuts);
+    cuts.retain(|x| (0.0..=length).contains(x));
+    cuts.sort_by(f64::total_cmp);
+    let mut sums = [0.0; 2];
+    for part in cuts.windows(2) {
+        let (middle, half) = (0.5 * (part[0] + part[1]), 0.5 * (part[1] - part[0]));
+        for (s, weight) in gauss() {
+            let [u, slope] = u(2.0 * (middle + half * s) / length - 1.0);
+            sums = [sums[0] + weight * half * u * u, sums[1] + weight * half * slope * slope];
+        }
+    }
+    sums
+}
+
+/// ∫u² and ∫u'² on a stretch.
+fn on(stretch: &Stretch) -> [f64; 2] {
+    let half = stretch.half;
+    let of = |u: &[f64]| [half * inner(u, u, 0), inner(u, u, 1) / half];
+    match stretch.open {
+        None => of(&stretch.cell.touched(&stretch.deflection)),
+        Some(_) if !stretch.settlement.is_empty() => of(&stretch.settlement),
+        Some([left, right]) => {
+            let length = 2.0 * half;
+            let b = (stretch.cell.spring / stretch.cell.shear).sqrt();
+            let [u, slope] = squares(left, right, b * length);
+            [u * length, slope / length]
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Beam, Foundation};
+    use crate::soil::SoilLayer;
+    use crate::{Options, solve_with};
+
+    /// Vallabhan and Das (1991), feet and kips, a beam of 100 on soil 25 deep under an even load: γ = 0.395.
+    /// (Their force at the middle, 0.507, holds for ground that pulls: here the ends lift off.)
+    #[test]
+    fn vallabhan_and_das() {
+        let layer = SoilLayer { modulus: 144.0, poisson: 0.2, thickness: 25.0 };
+        let soil = LayeredSoil { layers: vec![layer] };
+        let bed = Bed::new(Soil::ModifiedVlasov(soil), 1.0);
+        let beam = || Model::new(Beam::uniform(100.0, 432_000.0 * 2.25), Foundation::winkler(1.0));
+        let solved = |load: Load| {
+            let model = beam().with_load(load);
+            let found = bed.solve(&model, &Options::default()).unwrap();
+            assert!(found.rounds < 8, "{}", found.rounds);
+            let Outcome::Equilibrium(solution) = found.outcome else { panic!("it stands") };
+            (found.gamma.unwrap(), solution.contact()[0].from)
+        };
+        let (gamma, from) = solved(Load::uniform(3.0, 0.0, 100.0));
+        assert!((gamma - 0.394_598).abs() < 5e-7 && from == 0.0, "{gamma}");
+        let (gamma, from) = solved(Load::point(20.0, 50.0));
+        assert!(gamma < 0.507 && from > 13.0, "{gamma} {from}");
+    }
+
+    /// ∫u² and ∫u'² against straight lines between very many points, in contact, off it and beyond the ends; without
+    /// loads on the ground, and with some beside the beam and below it.
+    #[test]
+    fn the_rate_by_brute_force() {
+        let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
+            .with_load(Load::point(1.0, 0.5))
+            .with_load(Load::moment(0.49, 0.5));
+        let neighbours = [
+            Load::GroundForce { at: 1.7, force: 0.6 },
+            Load::GroundForce { at: 0.1, force: 0.02 },
+            Load::GroundDistributed { from: 0.9, to: 2.4, start: 0.1, end: 0.3 },
+            Load::GroundDistributed { from: -9.0, to: -0.5, start: 0.2, end: 0.05 },
+        ];
+        let beside = neighbours.into_iter().fold(model.clone(), Model::with_load);
+        for model in [model, beside] {
+            let found = solve_with(&model, &Options::default()).unwrap();
+            let Outcome::Equilibrium(solution) = found else { panic!("it stands") };
+            let (from, to, cuts) = (-30.0, 30.0, 120_000);
+            let h = (to - from) / f64::from(cuts);
+            let u = |i: i32| solution.settlement(from + h * f64::from(i));
+            let mut sums = [0.0; 2];
+            let mut a = u(0);
+            for i in 0..cuts {
+                let b = u(i + 1);
+                sums = [sums[0] + h * (a * a + a * b + b * b) / 3.0, sums[1] + (b - a).powi(2) / h];
+                a = b;
+            }
+            let rate = rate_of(&solution).unwrap();
+            assert!((rate / (sums[1] / sums[0]) - 1.0).abs() < 1e-6, "{rate} {sums:?}");
+        }
+    }
+}

@@ -1,0 +1,171 @@
+//! Errors of a solve: an invalid model, an unsupported one, an iteration without convergence.
+
+use crate::model::Problem;
+use crate::numeric::tolerance;
+use crate::options::Method;
+use std::fmt;
+
+/// Why there is no answer.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Error {
+    /// The model is wrong; every [`Problem`] says what would be right.
+    Invalid(Vec<Problem>),
+    /// The model is right but lies outside what is solved; the problem says why.
+    Unsupported(Problem),
+    /// The model is right but needs more memory than [`Options::memory_limit`](crate::Options::memory_limit).
+    TooLarge(Box<TooLarge>),
+    /// The method stopped without an accepted solution.
+    NotConverged(Stopped),
+}
+
+/// A model that would need more memory than the limit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TooLarge {
+    /// The same in words, with what helps.
+    pub problem: Problem,
+    /// Elements of the mesh; of the exact method elements between edges of contact, at most.
+    pub elements: usize,
+    /// The estimated memory \[bytes\].
+    pub needed: u64,
+    /// The limit that was given \[bytes\].
+    pub limit: u64,
+}
+
+/// A method that stopped without an accepted solution.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stopped {
+    /// The method.
+    pub method: Method,
+    /// Iterations done.
+    pub iterations: usize,
+    /// Why it stopped.
+    pub why: NotConverged,
+}
+
+/// Why a method stopped without an accepted solution. All figures are relative.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum NotConverged {
+    /// The energy of the mesh problem can still fall by this part of the strain energy.
+    Energy(f64),
+    /// The residual of the contact condition (5.10) after the last sweep of Uzawa's iteration or of PSOR.
+    Sweeps(f64),
+    /// The last move of a contact edge, as a part of the beam's length.
+    Edges(f64),
+    /// The bonded system of a trial contact is singular: the beam is a mechanism on it.
+    Singular,
+    /// The set of contact nodes of a long beam still changes, or its solution fails the check at the nodes.
+    Nodes,
+    /// The set of active one-way supports still changes.
+    Supports,
+    /// The stability margin at which the path of equilibria under compression was lost.
+    Branch(f64),
+    /// At the factor of first lift-off the certificate is violated by this much.
+    LiftOff(f64),
+    /// The last change of the rate r = ∫u'²/∫u² of layered soil, from one solution to the next.
+    Soil(f64),
+    /// The largest violation of the certificate.
+    Certificate(f64),
+    /// The energy gap of the certificate.
+    Gap(f64),
+}
+
+impl NotConverged {
+    /// The quantity that did not reach its tolerance, in words.
+    pub fn what(&self) -> &'static str {
+        match self {
+            NotConverged::Energy(_) => "the decrease of the energy that is left",
+            NotConverged::Sweeps(_) => "the relative residual of the contact condition (5.10)",
+            NotConverged::Edges(_) => {
+                "the last move of a contact edge relative to the beam's length"
+            }
+            NotConverged::Singular => "the bonded system of a trial contact",
+            NotConverged::Nodes => "the set of contact nodes",
+            NotConverged::Supports => "the set of active one-way supports",
+            NotConverged::Branch(_) => "the stability margin where the path of equilibria ends",
+            NotConverged::LiftOff(_) => "the certificate's largest violation at first lift-off",
+            NotConverged::Soil(_) => "the relative change of the rate r = ∫u'²/∫u²",
+            NotConverged::Certificate(_) => "the certificate's largest violation",
+            NotConverged::Gap(_) => "the certificate's relative gap",
+        }
+    }
+
+    /// The value reached; `None` where the quantity is not a number.
+    pub fn reached(&self) -> Option<f64> {
+        match *self {
+            NotConverged::Singular | NotConverged::Nodes | NotConverged::Supports => None,
+            NotConverged::Energy(reached)
+            | NotConverged::Sweeps(reached)
+            | NotConverged::Edges(reached)
+            | NotConverged::Branch(reached)
+            | NotConverged::LiftOff(reached)
+            | NotConverged::Soil(reached)
+            | NotConverged::Certificate(reached)
+            | NotConverged::Gap(reached) => Some(reached).filter(|reached| reached.is_finite()),
+        }
+    }
+
+    /// The tolerance of that value; `None` where the quantity is not a number.
+    pub fn tolerance(&self) -> Option<f64> {
+        match self {
+            NotConverged::Singular | NotConverged::Nodes | NotConverged::Supports => None,
+            NotConverged::Energy(_) => Some(tolerance::ENERGY),
+            NotConverged::Sweeps(_) => Some(tolerance::SWEEPS),
+            NotConverged::Edges(_) => Some(tolerance::EDGES),
+            NotConverged::Branch(_) => Some(tolerance::BRANCH),
+            NotConverged::LiftOff(_) | NotConverged::Certificate(_) => Some(tolerance::CERTIFICATE),
+            NotConverged::Soil(_) => Some(tolerance::SOIL),
+            NotConverged::Gap(_) => Some(tolerance::GAP),
+        }
+    }
+}
+
+impl fmt::Display for NotConverged {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            NotConverged::Singular => {
+                return f.write_str("the beam is a mechanism on a trial contact");
+            }
+            NotConverged::Nodes | NotConverged::Supports => {
+                return write!(f, "{} did not settle", self.what());
+            }
+            _ => {}
+        }
+        match (self.reached(), self.tolerance()) {
+            (Some(reached), Some(tolerance)) => {
+                write!(f, "{} is {reached:.1e}; the tolerance is {tolerance:.1e}", self.what())
+            }
+            _ => write!(f, "{} could not be computed", self.what()),
+        }
+    }
+}
+
+impl fmt::Display for Stopped {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Stopped { method, iterations, why } = self;
+        let method = method.name();
+        write!(f, "the method `{method}` stopped after {iterations} iterations: {why}")
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Error::Invalid(problems) => {
+                for (i, problem) in problems.iter().enumerate() {
+                    if i > 0 {
+                        writeln!(f)?;
+                    }
+                    write!(f, "{problem}")?;
+                }
+                Ok(())
+            }
+            Error::Unsupported(problem) => problem.fmt(f),
+            Error::TooLarge(refused) => refused.problem.fmt(f),
+            Error::NotConverged(what) => what.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for Error {}

@@ -1,0 +1,687 @@
+//! Whether an equilibrium exists, before anything is solved. Section 4, sharpened.
+//!
+//! The energy is coercive, and so has a least value, exactly if every rigid motion r = a x + b ≤ 0 of the
+//! beam that presses nowhere on the ground, that the supports allow and the tension does not resist, costs
+//! work: F(r) < 0. For a free beam without tension these are all r with r(0) ≤ 0 and r(l) ≤ 0, and since
+//! F(r) = R₀ r(0) + R_l r(l) with the *static reactions* R₀ and R_l of the loads, both must be positive:
+//! that is (4.24)/(4.25), necessary as well as sufficient. Tension resists rotation, supports resist more;
+//! both shrink the set of free motions. Free hinges enlarge it: r may have a kink at each.
+
+use crate::existence::rigid_motions::{Mechanism, Sum, static_reactions};
+use crate::model::{Model, Support};
+use std::ops::Range;
+
+/// What the statics say about equilibrium.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Verdict {
+    /// There is exactly one equilibrium.
+    #[default]
+    Unique,
+    /// A static reaction is zero, or the beam stands on one point alone: equilibria may exist, and then not
+    /// one alone. The motion changes no energy.
+    NotUnique(RigidMotion),
+    /// There is none: the motion never presses on the ground and the loads gain work in it.
+    None(RigidMotion),
+    /// Compression that the ground helps to bear: there is a stable equilibrium next to the unloaded state, on
+    /// the branch that begins without compression. It is a local one: others, far from it, are not ruled out.
+    Local(Local),
+    /// The branch of stable equilibria that begins without compression ends before the compression is
+    /// reached: the beam buckles.
+    Buckles(Buckling),
+}
+
+/// How firmly a local equilibrium stands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Local {
+    /// The smallest eigenvalue of the second variation ∫(EI z″² + P z'²) + springs + ground where it touches,
+    /// measured by the same without P: between 0, where the beam buckles, and 1, without compression.
+    /// It is 1 + P/P_b with the buckling load P_b of the beam glued to the ground where it touches.
+    pub stability_margin: f64,
+    /// The compression at which the branch of stable equilibria ends as it grows, the loads staying as they
+    /// are \[N\].
+    pub critical_compression: f64,
+}
+
+/// Where the branch of stable equilibria ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Buckling {
+    /// The compression at which it ends, from below \[N\].
+    pub critical_compression: f64,
+    /// Where the buckling mode r is largest \[m\].
+    pub at: f64,
+    /// r(0), for r(`at`) = −1: up.
+    pub left: f64,
+    /// r(l).
+    pub right: f64,
+    /// F(r), the work of the loads in it \[N·m per m\].
+    pub work: f64,
+}
+
+impl Verdict {
+    /// Whether there is an equilibrium to be found: the only one, one of many, or a local one.
+    pub fn stands(&self) -> bool {
+        match self {
+            Verdict::Unique | Verdict::NotUnique(_) | Verdict::Local(_) => true,
+            Verdict::None(_) | Verdict::Buckles(_) => false,
+        }
+    }
+
+    /// Of the motion that the verdict rests on: r(0) and r(l), and F(r) \[N·m per m\].
+    pub fn motion(&self) -> Option<[f64; 3]> {
+        match self {
+            Verdict::None(motion) | Verdict::NotUnique(motion) => {
+                Some([motion.left, motion.right, motion.work])
+            }
+            Verdict::Buckles(mode) => Some([mode.left, mode.right, mode.work]),
+            Verdict::Unique | Verdict::Local(_) => None,
+        }
+    }
+}
+
+/// A rigid motion of the beam, r(x) = a x + b between its free hinges, scaled to a largest size of 1. It presses nowhere: r ≤ 0,
+/// unless the beam stands on one point inside and turns about it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RigidMotion {
+    /// r(0): 0 or −1; about a point inside, between −1 and 0.
+    pub left: f64,
+    /// r(l): 0 or −1; about a point inside, between 0 and 1.
+    pub right: f64,
+    /// F(r), the work of the loads in it \[N·m per m of lift\].
+    pub work: f64,
+    /// Of a beam with free hinges the first and the last of its ends and free hinges at which r = −1 \[m\]; it
+    /// is 0 at all others, and straight in between. None for a beam without.
+    pub lifted: Option<[f64; 2]>,
+}
+
+impl RigidMotion {
+    /// r at a position of a beam of this model.
+    ///
+    /// ```
+    /// use groundbeam::{Beam, Foundation, Hinge, Load, Model, Verdict, exists};
+    ///
+    /// let model = Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(1.0))
+    ///     .with_hinge(Hinge::free(2.0))
+    ///     .with_load(Load::point(1.0, 1.0))
+    ///     .with_load(Load::point(-0.25, 3.0))
+    ///     .with_load(Load::point(0.2, 2.0));
+    /// let Verdict::None(motion) = exists(&model)?.verdict else { panic!("it stands") };
+    /// assert_eq!([0.0, 2.0, 3.0, 4.0].map(|x| motion.at(&model, x)), [0.0, 0.0, -0.5, -1.0]);
+    /// # Ok::<(), groundbeam::Error>(())
+    /// ```
+    pub fn at(&self, model: &Model, x: f64) -> f64 {
+        let nodes = Mechanism::of(model).nodes;
+        let l = model.beam.length;
+        let Some([from, to]) = self.lifted else {
+            return (self.left * (l - x) + self.right * x) / l;
+        };
+        let value = |node: f64| if from <= node && node <= to { -1.0 } else { 0.0 };
+        let after = nodes.partition_point(|node| *node <= x).clamp(1, nodes.len() - 1);
+        let [a, b] = [nodes[after - 1], nodes[after]];
+        (value(a) * (b - x) + value(b) * (x - a)) / (b - a)
+    }
+}
+
+/// The verdict and the statics it rests on.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Existence {
+    /// Whether an equilibrium exists, and is the only one.
+    pub verdict: Verdict,
+    /// R₀ and R_l: what supports under the beam's two ends would carry if the beam were rigid and stood on
+    /// them alone, up positive \[N\].
+    pub static_reactions: [f64; 2],
+}
+
+impl Existence {
+    /// The loads' resultant, down positive \[N\].
+    pub fn resultant(&self) -> f64 {
+        self.static_reactions[0] + self.static_reactions[1]
+    }
+
+    /// Where the resultant acts on a beam of length `l` \[m\]; none if it is zero.
+    pub fn resultant_position(&self, l: f64) -> Option<f64> {
+        let total = self.resultant();
+        (total != 0.0).then(|| l * (self.static_reactions[1] / total))
+    }
+
+    /// The same once the contact is known: a beam that stands on a single point inside, and that neither
+    /// tension nor a support keeps from turning there, has more than one equilibrium.
+    pub(crate) fn with_contact(self, model: &Model, contact: &[[f64; 2]]) -> Existence {
+        let mechanism = Mechanism::of(model);
+        // Contact that goes on over a hinge holds both pieces.
+        let within = |&[from, to]: &[f64; 2]| {
+            let nodes = mechanism.nodes.iter().copied();
+            let inside: Vec<f64> = nodes.filter(|node| from < *node && *node < to).collect();
+            [from, to].into_iter().chain(inside)
+        };
+        let points: Vec<f64> = contact.iter().flat_map(within).collect();
+        let loose = mechanism.first_loose(&points);
+        let verdict = match (self.verdict, loose, mechanism.point_held(&points)) {
+            (Verdict::Unique, Some(_), Some(x)) if mechanism.nodes.len() == 2 => {
+                let l = model.beam.length;
+                let largest = x.max(l - x);
+                let (left, right) = (-x / largest, (l - x) / largest);
+                Verdict::NotUnique(RigidMotion { left, right, work: 0.0, lifted: None })
+            }
+            (Verdict::Unique, Some(piece), _) if mechanism.nodes.len() > 2 => {
+                let lifted = Some(piece);
+                Verdict::NotUnique(RigidMotion { left: 0.0, right: 0.0, work: 0.0, lifted })
+            }
+            (verdict, ..) => verdict,
+        };
+        Existence { verdict, ..self }
+    }
+}
+
+/// The verdict for a valid model with P ≥ 0, or whose energy is convex in spite of compression.
+pub fn existence(model: &Model) -> Existence {
+    let l = model.beam.length;
+    let whole = static_reactions(&model.loads, &[0.0, l]);
+    let verdict = match judge(&rays(model)) {
+        Verdict::NotUnique(motion) => balanced_without_a_layer(model, motion),
+        verdict => verdict,
+    };
+    Existence { verdict, static_reactions: [whole[0].sum, whole[1].sum] }
+}
+
+/// What supports under the ends and the free hinges of a beam would carry if it were rigid between them
+/// and stood on them alone: position \[m\] and force, up positive \[N\].
+///
+/// ```
+/// use groundbeam::{Beam, Foundation, Hinge, Load, Model, static_reactions};
+///
+/// let model = Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(1.0))
+///     .with_hinge(Hinge::free(2.0))
+///     .with_load(Load::point(1.0, 3.0));
+/// assert_eq!(static_reactions(&model), [(0.0, 0.0), (2.0, 0.5), (4.0, 0.5)]);
+/// ```
+pub fn static_reactions_of(model: &Model) -> Vec<(f64, f64)> {
+    let nodes = Mechanism::of(model).nodes;
+    let reactions = static_reactions(&model.loads, &nodes);
+    nodes.into_iter().zip(reactions).map(|(x, reaction)| (x, reaction.sum)).collect()
+}
+
+/// The extreme rays of the cone of free motions, each with the work −F(r) it costs: linear in the loads.
+/// Which rays there are does not depend on the loads.
+pub(crate) fn rays(model: &Model) -> Vec<(Sum, RigidMotion)> {
+    let mechanism = Mechanism::of(model);
+    let nodes = &mechanism.nodes;
+    let reactions = static_reactions(&model.loads, nodes);
+    let last = nodes.len() - 1;
+    let hinged = last > 1;
+    let ray = |group: Range<usize>| {
+        let own = reactions[group.clone()].iter().copied();
+        let cost = own.reduce(Sum::plus).unwrap_or_default();
+        let lifts = |node: usize| if group.contains(&node) { -1.0 } else { 0.0 };
+        let lifted = hinged.then(|| [nodes[group.start], nodes[group.end - 1]]);
+        (cost, RigidMotion { left: lifts(0), right: lifts(last), work: -cost.sum, lifted })
+    };
+    mechanism.free_groups().into_iter().map(ray).collect()
+}
+
+/// How large the loads are \[N\], whatever they cancel.
+pub(crate) fn size_of_loads(model: &Model) -> f64 {
+    static_reactions(&model.loads, &Mechanism::of(model).nodes).iter().map(|sum| sum.size).sum()
+}
+
+/// What the cost of the extreme rays says.
+fn judge(rays: &[(Sum, RigidMotion)]) -> Verdict {
+    let worst = rays.iter().filter(|(cost, _)| cost.is_negative());
+    if let Some((_, motion)) = worst.max_by(|a, b| a.1.work.total_cmp(&b.1.work)) {
+        return Verdict::None(*motion);
+    }
+    match rays.iter().find(|(cost, _)| cost.is_zero()) {
+        Some((_, motion)) => Verdict::NotUnique(RigidMotion { work: 0.0, ..*motion }),
+        None => Verdict::Unique,
+    }
+}
+
+/// Nothing can press on a piece that lifts at no cost but under a node at rest. What that node carries, if no
+/// other piece beside it can press, must be a concentrated force there. Only a shear layer has one, or a bearing
+/// that only pushes up; on separate springs the beam would sink and turn without end.
+fn balanced_without_a_layer(model: &Model, motion: RigidMotion) -> Verdict {
+    let mechanism = Mechanism::of(model);
+    let (nodes, groups) = (&mechanism.nodes, mechanism.free_groups());
+    let reactions = static_reactions(&model.loads, nodes);
+    let cost = |group: &Range<usize>| {
+        reactions[group.clone()].iter().copied().reduce(Sum::plus).unwrap_or_default()
+    };
+    let pieces = nodes.len() - 1;
+    let beside = |group: &Range<usize>| group.start.saturating_sub(1)..group.end.min(pieces);
+    let mut bare = vec![false; pieces];
+    for group in groups.iter().filter(|group| cost(group).is_zero()) {
+        bare[beside(group)].fill(true);
+    }
+    let l = model.beam.length;
+    let layered = |node: usize| {
+        let x = nodes[node];
+        let sides = [x - f64::EPSILON * l, x + f64::EPSILON * l];
+        let inside = sides.map(|x| x.clamp(f64::MIN_POSITIVE, l * (1.0 - f64::EPSILON)));
+        let bearing = |support: &Support| (support.at - x).abs() <= 4.0 * f64::EPSILON * l;
+        model.supports.iter().any(bearing)
+            || inside.iter().any(|x| model.foundation.constants_at(*x).1 > 0.0)
+    };
+    let sinks = |group: &Range<usize>| {
+        !cost(group).is_zero()
+            && bare[beside(group)].iter().all(|bare| *bare)
+            && !group.clone().any(layered)
+    };
+    if groups.iter().any(sinks) { Verdict::None(motion) } else { Verdict::NotUnique(motion) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Acts, Beam, Foundation, Hinge, Load, Support};
+
+    fn beam() -> Model {
+        Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0))
+    }
+
+    fn exists(model: &Model) -> bool {
+        !matches!(existence(model).verdict, Verdict::None(_))
+    }
+
+    #[test]
+    fn kikuchi_5_21() {
+        // ½ f₀ l > M₀ > −½ f₀ l.
+        let case = |m| beam().with_load(Load::point(1.0, 2.0)).with_load(Load::moment(m, 2.0));
+        assert!(exists(&case(1.99)) && exists(&case(-1.99)));
+        assert!(!exists(&case(2.01)) && !exists(&case(-2.01)));
+        assert!(matches!(existence(&case(2.0)).verdict, Verdict::NotUnique(m) if m.left == -1.0));
+        let Verdict::None(motion) = existence(&case(3.0)).verdict else { panic!() };
+        assert_eq!((motion.left, motion.right, motion.work), (-1.0, 0.0, 0.25));
+    }
+
+    #[test]
+    fn kikuchi_figure_2() {
+        // (a) an even load f₀ on a stretch of length a about the middle and a moment 2M₀ in all.
+        let (f0, a, l) = (3.0, 2.0, 4.0);
+        for m0 in [2.9, 3.1] {
+            let model = beam()
+                .with_load(Load::uniform(f0, 1.0, 3.0))
+                .with_load(Load::moment(m0, 1.0))
+                .with_load(Load::moment(m0, 3.0));
+            let condition =
+                f0 * a > 0.5 * f0 * a + 2.0 * m0 / l && 0.5 * f0 * a + 2.0 * m0 / l > 0.0;
+            assert_eq!(exists(&model), condition, "(a) {m0}");
+        }
+        // (b) the load on [0, a] and one moment M₀.
+        for m0 in [-7.0, -5.0, 17.0, 19.0] {
+            let model =
+                beam().with_load(Load::uniform(f0, 0.0, a)).with_load(Load::moment(m0, 3.0));
+            let middle = a / (2.0 * l) * f0 * a + m0 / l;
+            assert_eq!(exists(&model), f0 * a > middle && middle > 0.0, "(b) {m0}");
+        }
+        // (c) f₁ at the left end, f₂ upward a moment −f₂ a, f₃ at the right end.
+        for (f2, f3) in [(1.0, 0.3), (1.0, 0.2), (-1.0, 0.1)] {
+            let (f1, a) = (2.0, 1.0);
+            let model = beam()
+                .with_load(Load::point(f1, 0.0))
+                .with_load(Load::point(f2, 0.0))
+                .with_load(Load::moment(-f2 * a, 0.0))
+                .with_load(Load::point(f3, l));
+            let middle = (-f2 * a + f3 * l) / l;
+            assert_eq!(exists(&model), f1 + f2 + f3 > middle && middle > 0.0, "(c) {f2} {f3}");
+        }
+    }
+
+    #[test]
+    fn tension_and_supports_shrink_the_free_motions() {
+        let outside = beam().with_load(Load::point(1.0, 2.0)).with_load(Load::moment(2.8, 2.0));
+        assert!(!exists(&outside));
+        let mut tied = outside.clone();
+        tied.beam.axial_force = 2.0;
+        assert!(exists(&tied));
+        assert!(exists(&outside.clone().with_support(Support::pinned(1.0))));
+        assert!(exists(&outside.clone().with_support(Support::pinned(0.0))));
+        assert!(!exists(&outside.clone().with_support(Support::pinned(4.0))));
+        assert!(exists(&outside.clone().with_support(Support::fixed(4.0))));
+        assert!(exists(&outside.with_support(Support::spring(4.0, 1.0, 1.0))));
+    }
+
+    /// A motion r ≤ 0 through random values at the ends and hinges costs work, or the verdict is right that some
+    /// lift of a group of them does not.
+    #[test]
+    fn random_motions_of_hinged_beams() {
+        // A small generator of its own: x' = 16807 x mod 2³¹ − 1.
+        let mut seed = 1980_u64;
+        let mut dice = move || {
+            seed = seed * 16807 % 2_147_483_647;
+            seed as f64 / 2_147_483_647.0
+        };
+        let mut verdicts = [0; 2];
+        for _ in 0..2000 {
+            let mut model = beam();
+            for _ in 0..3 {
+                model = model.with_hinge(Hinge::free(4.0 * dice()));
+            }
+            for _ in 0..4 {
+                model = model.with_load(Load::point(dice() - 0.1, 4.0 * dice()));
+                let from = 3.0 * dice();
+                model = model.with_load(Load::uniform(dice() - 0.1, from, from + dice()));
+                model = model.with_load(Load::moment(0.2 * (dice() - 0.5), 4.0 * dice()));
+            }
+            let work = |r: &dyn Fn(f64) -> f64| -> f64 {
+                let each = model.loads.iter().map(|load| match *load {
+                    Load::PointForce { at, force } => force * r(at),
+                    Load::PointMoment { at, moment } => {
+                        moment * (r(at + 1e-7) - r(at - 1e-7)) / 2e-7
+                    }
+                    Load::Distributed { from, to, start, .. } => {
+                        let n = 2000;
+                        let step = (to - from) / f64::from(n);
+                        let x = |i: i32| from + (f64::from(i) + 0.5) * step;
+                        (0..n).map(|i| start * r(x(i)) * step).sum()
+                    }
+                    _ => 0.0,
+                });
+                each.sum()
+            };
+            let found = existence(&model).verdict;
+            verdicts[usize::from(matches!(found, Verdict::None(_)))] += 1;
+            if let Verdict::None(motion) = found {
+                let gained = work(&|x| motion.at(&model, x));
+                assert!(
+                    (gained - motion.work).abs() < 1e-5 && motion.work > 0.0,
+                    "{motion:?} {gained}"
+                );
+                continue;
+            }
+            let mut nodes: Vec<f64> = model.hinges.iter().map(|h| h.at).chain([0.0, 4.0]).collect();
+            nodes.sort_by(f64::total_cmp);
+            let values: Vec<f64> = nodes.iter().map(|_| -dice()).collect();
+            let r = |x: f64| {
+                let i = nodes.partition_point(|node| *node <= x).clamp(1, 4);
+                let t = (x - nodes[i - 1]) / (nodes[i] - nodes[i - 1]);
+                values[i - 1] + t * (values[i] - values[i - 1])
+            };
+            assert!(work(&r) < 1e-5, "{values:?} {model:?}");
+        }
+        assert!(verdicts.iter().all(|count| *count > 300), "{verdicts:?}");
+    }
+
+    #[test]
+    fn what_holds_a_hinged_beam() {
+        let slab = || {
+            beam()
+                .with_hinge(Hinge::free(1.0))
+                .with_hinge(Hinge::free(3.0))
+                .with_load(Load::uniform(1.0, 0.0, 4.0))
+        };
+        let pulled = |model: Model, x: f64| model.with_load(Load::point(-2.0, x));
+        assert!(exists(&slab()));
+        // A hinge lifts alone, an end does; a spring in the hinge keeps the beam straight.
+        for x in [0.0, 1.0, 4.0] {
+            assert!(!exists(&pulled(slab(), x)), "{x}");
+            assert!(!exists(&pulled(slab().with_hinge(Hinge::elastic(2.0, 1.0)), x)));
+        }
+        let mut stiff = slab();
+        stiff.hinges.iter_mut().for_each(|hinge| hinge.rotational_spring = 1.0);
+        assert!(exists(&pulled(stiff, 1.0)));
+        // A support within a piece holds both of its nodes, one at a hinge that hinge alone.
+        assert!(exists(&pulled(slab().with_support(Support::pinned(0.5)), 1.0)));
+        assert!(!exists(&pulled(slab().with_support(Support::pinned(0.5)), 3.0)));
+        assert!(exists(&pulled(slab().with_support(Support::pinned(1.0)), 1.0)));
+        assert!(!exists(&pulled(slab().with_support(Support::pinned(1.0)), 0.0)));
+        // What may not turn lifts as one: 4 of load against 2; tension keeps all of it straight.
+        let turned = |at: f64| slab().with_support(Support::spring(at, 0.0, 1.0));
+        assert!(exists(&pulled(turned(0.5), 1.0)) && !exists(&pulled(turned(3.5), 1.0)));
+        let mut tied = slab();
+        tied.beam.axial_force = 1.0;
+        assert!(exists(&pulled(tied.clone(), 4.0)));
+        assert!(!exists(&pulled(pulled(tied, 4.0), 0.0).with_load(Load::point(-0.1, 2.0))));
+    }
+
+    #[test]
+    fn an_unloaded_piece_may_lie_as_it_likes() {
+        let half = |ground| {
+            Model::new(Beam::uniform(4.0, 1.0), ground)
+                .with_hinge(Hinge::free(2.0))
+                .with_load(Load::uniform(1.0, 0.0, 2.0))
+        };
+        let springs = existence(&half(Foundation::winkler(1.0))).verdict;
+        assert!(matches!(springs, Verdict::NotUnique(m) if m.lifted == Some([4.0, 4.0])));
+        // All of the load over the hinge: only a shear layer carries it on a point.
+        let over = |ground| {
+            let mut model = half(ground);
+            model.loads = vec![Load::point(1.0, 2.0)];
+            existence(&model).verdict
+        };
+        assert!(matches!(over(Foundation::pasternak(1.0, 1.0)), Verdict::NotUnique(_)));
+        assert!(matches!(over(Foundation::winkler(1.0)), Verdict::None(m) if m.work == 0.0));
+    }
+
+    #[test]
+    fn a_lifting_resultant_is_refused_even_under_tension() {
+        let mut model = beam().with_load(Load::point(-1.0, 2.0));
+        model.beam.axial_force = 5.0;
+        let Verdict::None(motion) = existence(&model).verdict else { panic!() };
+        assert_eq!((motion.left, motion.right, motion.work), (-1.0, -1.0, 1.0));
+    }
+
+    #[test]
+    fn what_each_verdict_says() {
+        let motion = RigidMotion { left: -1.0, right: 0.0, work: 0.5, lifted: None };
+        let local = Local { stability_margin: 0.5, critical_compression: 2.0 };
+        let buckling =
+            Buckling { critical_compression: 2.0, at: 1.0, left: -0.25, right: 0.75, work: 3.0 };
+        for (verdict, stands, moves) in [
+            (Verdict::Unique, true, None),
+            (Verdict::NotUnique(motion), true, Some([-1.0, 0.0, 0.5])),
+            (Verdict::Local(local), true, None),
+            (Verdict::None(motion), false, Some([-1.0, 0.0, 0.5])),
+            (Verdict::Buckles(buckling), false, Some([-0.25, 0.75, 3.0])),
+        ] {
+            assert_eq!((verdict.stands(), verdict.motion()), (stands, moves), "{verdict:?}");
+        }
+    }
+
+    #[test]
+    fn a_motion_is_straight_between_ends_and_hinges() {
+        let whole = RigidMotion { left: -1.0, right: 0.5, work: 0.0, lifted: None };
+        assert_eq!([0.0, 1.0, 3.0, 4.0].map(|x| whole.at(&beam(), x)), [-1.0, -0.625, 0.125, 0.5]);
+        let hinged = beam().with_hinge(Hinge::free(1.0)).with_hinge(Hinge::free(2.0));
+        let at = |lifted: [f64; 2]| {
+            let motion = RigidMotion { lifted: Some(lifted), ..whole };
+            [0.0, 0.25, 1.0, 1.5, 2.0, 3.5, 4.0].map(|x| motion.at(&hinged, x))
+        };
+        assert_eq!(at([0.0, 0.0]), [-1.0, -0.75, 0.0, 0.0, 0.0, 0.0, 0.0]);
+        assert_eq!(at([1.0, 1.0]), [0.0, -0.25, -1.0, -0.5, 0.0, 0.0, 0.0]);
+        assert_eq!(at([1.0, 2.0]), [0.0, -0.25, -1.0, -1.0, -1.0, -0.25, 0.0]);
+        assert_eq!(at([4.0, 4.0]), [0.0, 0.0, 0.0, 0.0, 0.0, -0.75, -1.0]);
+    }
+
+    /// F acts at a of a beam of length 4: R₀ = F (1 − a/4) and R_l = F a/4.
+    #[test]
+    fn the_resultant_and_its_position_follow_from_the_static_reactions() {
+        let found = existence(&beam().with_load(Load::point(4.0, 1.0)));
+        assert_eq!(found.static_reactions, [3.0, 1.0]);
+        assert_eq!((found.resultant(), found.resultant_position(4.0)), (4.0, Some(1.0)));
+        // A couple alone has no position.
+        let couple = existence(&beam().with_load(Load::moment(2.0, 1.0)));
+        assert_eq!(couple.static_reactions, [-0.5, 0.5]);
+        assert_eq!((couple.resultant(), couple.resultant_position(4.0)), (0.0, None));
+    }
+
+    /// A rigid piece from a to b takes F (b − x)/(b − a) to a; a moment M takes −M/(b − a) there and M/(b − a) to b.
+    #[test]
+    fn each_end_and_hinge_has_its_static_reaction() {
+        let hinged = beam().with_hinge(Hinge::free(2.0));
+        let loaded = hinged.with_load(Load::point(1.0, 3.5)).with_load(Load::moment(-3.0, 1.0));
+        assert_eq!(static_reactions_of(&loaded), [(0.0, 1.5), (2.0, -1.25), (4.0, 0.75)]);
+        // Sizes do not cancel: 0.25 + 0.75 of the force, twice 3/2 of the moment.
+        assert_eq!(size_of_loads(&loaded), 4.0);
+        assert_eq!(size_of_loads(&loaded.with_load(Load::point(-1.0, 3.5))), 5.0);
+    }
+
+    #[test]
+    fn the_extreme_rays_lift_each_group_of_nodes() {
+        // A spring against rotation at 2 makes the hinges at 1 and 3 lift as one.
+        let model = beam()
+            .with_hinge(Hinge::free(1.0))
+            .with_hinge(Hinge::free(3.0))
+            .with_support(Support::spring(2.0, 0.0, 1.0))
+            .with_load(Load::uniform(1.0, 0.0, 4.0));
+        let found = rays(&model).into_iter().map(|(cost, motion)| (cost.sum, motion));
+        let ray = |left: f64, right: f64, cost: f64, lifted: [f64; 2]| {
+            (cost, RigidMotion { left, right, work: -cost, lifted: Some(lifted) })
+        };
+        let wanted = [
+            ray(-1.0, 0.0, 0.5, [0.0, 0.0]),
+            ray(0.0, 0.0, 3.0, [1.0, 3.0]),
+            ray(0.0, -1.0, 0.5, [4.0, 4.0]),
+        ];
+        assert_eq!(found.collect::<Vec<_>>(), wanted);
+    }
+
+    /// Of several motions that prove that nothing stands, the one with the largest work is named.
+    #[test]
+    fn the_worst_motion_is_the_proof() {
+        let model = |left: f64, right: f64| {
+            let loads = beam().with_load(Load::point(left, 0.0));
+            existence(&loads.with_load(Load::point(right, 4.0))).verdict
+        };
+        let motion =
+            |left: f64, right: f64, work: f64| RigidMotion { left, right, work, lifted: None };
+        assert_eq!(model(-1.0, -3.0), Verdict::None(motion(0.0, -1.0, 3.0)));
+        assert_eq!(model(-3.0, -1.0), Verdict::None(motion(-1.0, 0.0, 3.0)));
+        assert_eq!(model(0.0, -1.0), Verdict::None(motion(0.0, -1.0, 1.0)));
+        assert_eq!(model(1.0, 1.0), Verdict::Unique);
+        // The first of those that cost nothing, and the work is 0, not −0.
+        let Verdict::NotUnique(found) = model(0.0, 0.0) else { panic!() };
+        assert_eq!((found, found.work.is_sign_positive()), (motion(-1.0, 0.0, 0.0), true));
+    }
+
+    fn with_contact(model: &Model, contact: &[[f64; 2]]) -> Verdict {
+        let stands = Existence { verdict: Verdict::Unique, static_reactions: [1.0, 2.0] };
+        let found = stands.with_contact(model, contact);
+        assert_eq!(found.static_reactions, [1.0, 2.0]);
+        found.verdict
+    }
+
+    #[test]
+    fn a_beam_on_one_point_turns_about_it() {
+        let turns = |left: f64, right: f64| {
+            Verdict::NotUnique(RigidMotion { left, right, work: 0.0, lifted: None })
+        };
+        let beam = beam();
+        // The end further from the point moves by 1.
+        assert_eq!(with_contact(&beam, &[[1.0; 2]]), turns(-1.0 / 3.0, 1.0));
+        assert_eq!(with_contact(&beam, &[[3.0; 2]]), turns(-1.0, 1.0 / 3.0));
+        assert_eq!(with_contact(&beam, &[[1.0; 2], [3.0; 2]]), Verdict::Unique);
+        assert_eq!(with_contact(&beam, &[[1.0, 1.5]]), Verdict::Unique);
+        let pinned = beam.clone().with_support(Support::pinned(1.0));
+        assert_eq!(with_contact(&pinned, &[]), turns(-1.0 / 3.0, 1.0));
+        assert_eq!(with_contact(&pinned, &[[3.0; 2]]), Verdict::Unique);
+        let mut tied = beam.clone();
+        tied.beam.axial_force = 1.0;
+        assert_eq!(with_contact(&tied, &[[1.0; 2]]), Verdict::Unique);
+        // Without a point there is nothing to turn about.
+        assert_eq!(with_contact(&beam, &[]), Verdict::Unique);
+        // What does not stand does not stand on a point either.
+        let falls = existence(&beam.clone().with_load(Load::point(-1.0, 2.0)));
+        assert_eq!(falls.with_contact(&beam, &[[1.0; 2]]), falls);
+    }
+
+    #[test]
+    fn a_piece_that_nothing_holds_may_move() {
+        let hinged = beam().with_hinge(Hinge::free(2.0));
+        let loose = |from: f64, to: f64| {
+            let lifted = Some([from, to]);
+            Verdict::NotUnique(RigidMotion { left: 0.0, right: 0.0, work: 0.0, lifted })
+        };
+        assert_eq!(with_contact(&hinged, &[[0.5, 1.0]]), loose(2.0, 4.0));
+        assert_eq!(with_contact(&hinged, &[[2.0, 3.0]]), loose(0.0, 2.0));
+        assert_eq!(with_contact(&hinged, &[]), loose(0.0, 2.0));
+        // Contact over the hinge holds the hinge as well, and so both pieces.
+        assert_eq!(with_contact(&hinged, &[[1.0, 3.0]]), Verdict::Unique);
+        assert_eq!(with_contact(&hinged, &[[1.0, 2.0], [3.0; 2]]), Verdict::Unique);
+    }
+
+    /// A force over an end or a hinge of an unloaded beam on springs sinks without end, unless a shear layer reaches that
+    /// place: it alone carries a concentrated force. The unit of length does not matter.
+    #[test]
+    fn a_force_over_a_node_needs_a_shear_layer() {
+        let over = |unit: f64, x: f64, shear: [f64; 2], [from, to]: [f64; 2]| {
+            let [inside, outside] = shear;
+            let ground = Foundation::pasternak(1.0, outside).with_segment(
+                from * unit,
+                to * unit,
+                1.0,
+                inside,
+            );
+            Model::new(Beam::uniform(4.0 * unit, 1.0), ground)
+                .with_hinge(Hinge::free(2.0 * unit))
+                .with_load(Load::point(1.0, x * unit))
+        };
+        for unit in [1.0, 2.0_f64.powi(-40), 2.0_f64.powi(40)] {
+            for (x, segment, layered, bare) in [
+                (2.0, [1.0, 2.0], true, true),
+                (2.0, [2.0, 3.0], true, true),
+                (2.0, [1.0, 3.0], true, false),
+                (2.0, [0.0, 1.0], false, true),
+                (2.0, [3.0, 4.0], false, true),
+                (0.0, [0.0, 1.0], true, false),
+                (0.0, [1.0, 4.0], false, true),
+                (4.0, [3.0, 4.0], true, false),
+                (4.0, [0.0, 3.0], false, true),
+            ] {
+                // A layer along the segment alone, and everywhere else alone.
+                for (shear, carried) in [([1.0, 0.0], layered), ([0.0, 1.0], bare)] {
+                    let verdict = existence(&over(unit, x, shear, segment)).verdict;
+                    let stands = matches!(verdict, Verdict::NotUnique(_));
+                    assert_eq!(stands, carried, "{x} {segment:?} {shear:?} {verdict:?}");
+                    assert_eq!(verdict.stands(), carried);
+                }
+            }
+        }
+    }
+
+    /// A bearing that only pushes up carries a force over it as well. Positions closer than 4 ε l are one.
+    #[test]
+    fn a_force_over_a_node_needs_a_bearing_at_that_node() {
+        let springs = Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(1.0))
+            .with_hinge(Hinge::free(2.0))
+            .with_load(Load::point(1.0, 2.0));
+        let apart = 4.0 * f64::EPSILON * 4.0;
+        for (at, carried) in [
+            (2.0, true),
+            (2.0 + apart, true),
+            (2.0 - apart, true),
+            (2.0 + 1.5 * apart, false),
+            (2.0 - 1.5 * apart, false),
+            (1.0, false),
+            (4.0, false),
+        ] {
+            let bearing = Support::pinned(at).acting(Acts::Up);
+            let verdict = existence(&springs.clone().with_support(bearing)).verdict;
+            assert_eq!(verdict.stands(), carried, "{at}");
+        }
+    }
+
+    /// A loaded piece beside the node presses on its springs, and carries what is over the node with them.
+    #[test]
+    fn a_loaded_piece_carries_the_node_beside_it() {
+        let springs = Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(1.0))
+            .with_hinge(Hinge::free(1.0))
+            .with_hinge(Hinge::free(3.0));
+        let verdict = |loads: &[Load]| {
+            let mut model = springs.clone();
+            model.loads = loads.to_vec();
+            existence(&model).verdict
+        };
+        let middle = Load::uniform(1.0, 1.0, 3.0);
+        for x in [1.0, 2.0, 3.0] {
+            let both = verdict(&[middle, Load::point(1.0, x)]);
+            assert!(matches!(both, Verdict::NotUnique(m) if m.lifted == Some([0.0; 2])), "{x}");
+        }
+        // A force inside the middle piece presses that piece; a force over its end presses no piece.
+        assert!(matches!(verdict(&[Load::point(1.0, 2.0)]), Verdict::NotUnique(_)));
+        assert!(matches!(verdict(&[Load::point(1.0, 1.0)]), Verdict::None(_)));
+        assert!(matches!(verdict(&[Load::point(1.0, 3.0)]), Verdict::None(_)));
+        // A piece that may not turn carries a force over its end with all of its springs.
+        let model = springs.with_support(Support::spring(2.0, 0.0, 1.0));
+        let stiff = existence(&model.with_load(Load::point(1.0, 1.0))).verdict;
+        assert!(matches!(stiff, Verdict::NotUnique(_)));
+    }
+}

@@ -1,0 +1,331 @@
+//! The ground as a chain of links. Section 3 of the theory: the inverse of (5.8) is tridiagonal.
+//!
+//! Between two points where its surface is held, ground without load, −(μu')' + ku = 0, acts like a
+//! triangle of three springs: one between the points (`coupling`) and one under each (`leak`). For a
+//! uniform stretch of length h, with b = √(k/μ), these are √(kμ)/sinh(bh) and √(kμ)·tanh(bh/2). All
+//! three are positive, two links in a row make another by sums and products of positive numbers,
+//! and so no digit is ever lost, however short or long or uneven the ground.
+
+use crate::model::Beyond;
+use crate::numeric::polynomial::{Coefficients, jet, value};
+
+/// A stretch of unloaded ground between two points of its surface.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Link {
+    /// Spring between the two points \[N/m\].
+    pub coupling: f64,
+    /// Spring under the left point \[N/m\].
+    pub leak_left: f64,
+    /// Spring under the right point \[N/m\].
+    pub leak_right: f64,
+}
+
+impl Link {
+    /// A uniform stretch of length h: k > 0, μ > 0.
+    pub fn uniform(k: f64, mu: f64, h: f64) -> Self {
+        let stiffness = (k * mu).sqrt();
+        let bh = (k / mu).sqrt() * h;
+        // e^(−bh) rather than sinh: never overflows.
+        let decay = (-bh).exp();
+        let coupling = stiffness * 2.0 * decay / -(-2.0 * bh).exp_m1();
+        let leak = stiffness * (0.5 * bh).tanh();
+        Link { coupling, leak_left: leak, leak_right: leak }
+    }
+
+    /// A short stretch of length 2·`half` along which k and μ vary, by their coefficients in s ∈ \[−1, 1\].
+    pub fn varying(spring: &[f64], shear: &[f64], half: f64) -> Self {
+        Pair::new(spring, shear, half).link(shear, half)
+    }
+
+    /// Two links in a row, the point between them free.
+    pub fn then(self, next: Link) -> Self {
+        let loose = self.leak_right + next.leak_left;
+        let whole = self.coupling + next.coupling + loose;
+        if whole <= 0.0 {
+            return Link { coupling: 0.0, ..self };
+        }
+        Link {
+            coupling: self.coupling * (next.coupling / whole),
+            leak_left: self.leak_left + self.coupling * (loose / whole),
+            leak_right: next.leak_right + next.coupling * (loose / whole),
+        }
+    }
+
+    /// The force the ground takes at the left point, held at `left`, the other at `right`.
+    pub fn force_left(&self, left: f64, right: f64) -> f64 {
+        self.leak_left * left + self.coupling * (left - right)
+    }
+
+    /// The force the ground takes at the right point.
+    pub fn force_right(&self, left: f64, right: f64) -> f64 {
+        self.leak_right * right + self.coupling * (right - left)
+    }
+}
+
+/// Coefficients of u(s) where k or μ varies. With b·h ≤ 2 the first one left out is below 1/20!.
+const TERMS: usize = 20;
+
+/// The coefficients of u(s) on such a stretch, from its end values.
+pub(crate) fn settled(spring: &[f64], shear: &[f64], half: f64, ends: [f64; 2]) -> Coefficients {
+    Pair::new(spring, shear, half).between(ends)
+}
+
+/// Two solutions of −(μu')' + ku = 0 about the middle of a short stretch, 1 + … and s + …
+struct Pair {
+    one: [f64; TERMS],
+    rising: [f64; TERMS],
+}
+
+impl Pair {
+    fn new(spring: &[f64], shear: &[f64], half: f64) -> Self {
+        let solution = |first: [f64; 2]| {
+            let mut c = [0.0; TERMS];
+            c[..2].copy_from_slice(&first);
+            for j in 0..TERMS - 2 {
+                // (j+1) [μu']_(j+1) = a² [ku]_j, the flux known but for its newest coefficient.
+                let push: f64 = spring.iter().zip(c[..=j].iter().rev()).map(|(k, c)| k * c).sum();
+                let mut flux = half * half * push / (j + 1) as f64;
+                for (i, mu) in shear.iter().enumerate().skip(1).take_while(|(i, _)| *i <= j + 1) {
+                    flux -= mu * (j + 2 - i) as f64 * c[j + 2 - i];
+                }
+                c[j + 2] = flux / (shear[0] * (j + 2) as f64);
+            }
+            c
+        };
+        Pair { one: solution([1.0, 0.0]), rising: solution([0.0, 1.0]) }
+    }
+
+    /// The two amplitudes for given end values, over their determinant: no digit of a difference is lost.
+    fn amplitudes(&self, [left, right]: [f64; 2]) -> ([f64; 2], f64) {
+        let parts = |c: &[f64; TERMS]| {
+            let even: f64 = c.iter().step_by(2).sum();
+            let odd: f64 = c.iter().skip(1).step_by(2).sum();
+            [even, odd]
+        };
+        let ([one, tilt], [lift, rising]) = (parts(&self.one), parts(&self.rising));
+        let determinant = 2.0 * (one * rising - tilt * lift);
+        let level = rising * (left + right) - lift * (right - left);
+        let rise = one * (right - left) - tilt * (left + right);
+        ([level / determinant, rise / determinant], determinant)
+    }
+
+    fn between(&self, ends: [f64; 2]) -> Coefficients {
+        let ([level, rise], _) = self.amplitudes(ends);
+        self.one.iter().zip(&self.rising).map(|(a, b)| level * a + rise * b).collect()
+    }
+
+    /// μ (u₁u₂' − u₁'u₂) is the same everywhere: that is the coupling, but for the determinant.
+    fn link(&self, shear: &[f64], half: f64) -> Link {
+        let ([level, rise], determinant) = self.amplitudes([1.0; 2]);
+        let slope = |end: f64| {
+            let [_, one, ..] = jet(&self.one, end);
+            let [_, rising, ..] = jet(&self.rising, end);
+            (level * one + rise * rising) * value(shear, end) / half
+        };
+        Link {
+            coupling: shear[0] / (half * determinant),
+            leak_left: -slope(-1.0),
+            leak_right: slope(1.0),
+        }
+    }
+}
+
+/// What the ground beyond a beam's end adds under that end: one spring, √(kμ) where it is even and endless.
+pub(crate) fn outside(beyond: &Beyond) -> f64 {
+    stiffnesses(beyond)[0]
+}
+
+/// The spring that the ground from each of the layers on is, and at the end what holds the last one.
+fn stiffnesses(beyond: &Beyond) -> Vec<f64> {
+    let mut springs = vec![if beyond.held { f64::INFINITY } else { 0.0 }];
+    for layer in beyond.layers.iter().rev() {
+        let behind = springs[springs.len() - 1];
+        springs.push(if layer.length == f64::INFINITY {
+            (layer.spring * layer.shear).sqrt()
+        } else {
+            let link = Link::uniform(layer.spring, layer.shear, layer.length);
+            link.leak_left + link.coupling * (1.0 - follows(&link, behind))
+        });
+    }
+    springs.reverse();
+    springs
+}
+
+/// u at the right end of a link that a spring holds there, for u = 1 at its left end.
+fn follows(link: &Link, spring: f64) -> f64 {
+    if spring == f64::INFINITY {
+        return 0.0;
+    }
+    link.coupling / (link.coupling + (link.leak_right + spring))
+}
+
+/// ∫ku² and ∫μu'² of each layer beyond a beam's end, from there outward, where u = 1 at the beam's end.
+pub(crate) fn energies_beside(beyond: &Beyond) -> Vec<[f64; 2]> {
+    let springs = stiffnesses(beyond);
+    let mut u = 1.0;
+    let energies = beyond.layers.iter().zip(&springs[1..]).map(|(layer, &spring)| {
+        let stiffness = (layer.spring * layer.shear).sqrt();
+        if layer.length == f64::INFINITY {
+            return [0.5 * stiffness * u * u; 2];
+        }
+        let link = Link::uniform(layer.spring, layer.shear, layer.length);
+        let ends = [u, u * follows(&link, spring)];
+        u = ends[1];
+        // ∫(ku² + μu'²) is the work of both ends; μu'² − ku² is the same everywhere.
+        let forces = [link.force_left(ends[0], ends[1]), link.force_right(ends[0], ends[1])];
+        let sum = ends[0] * forces[0] + ends[1] * forces[1];
+        let difference = layer.length
+            * (forces[0] * (forces[0] / layer.shear) - layer.spring * ends[0] * ends[0]);
+        [0.5 * (sum - difference), 0.5 * (sum + difference)]
+    });
+    energies.collect()
+}
+
+/// u at a distance from the beam's end, where it is `u`.
+pub(crate) fn beside(beyond: &Beyond, mut u: f64, mut distance: f64) -> f64 {
+    let springs = stiffnesses(beyond);
+    for (layer, &spring) in beyond.layers.iter().zip(&springs[1..]) {
+        let b = (layer.spring / layer.shear).sqrt();
+        if layer.length == f64::INFINITY {
+            return u * (-b * distance).exp();
+        }
+        let link = Link::uniform(layer.spring, layer.shear, layer.length);
+        let next = u * follows(&link, spring);
+        // A layer's far end is there but for rounding.
+        if distance <= layer.length * (1.0 + 8.0 * f64::EPSILON) {
+            return between(u, next, b * layer.length, (distance / layer.length).min(1.0));
+        }
+        (u, distance) = (next, distance - layer.length);
+    }
+    0.0
+}
+
+/// Open ground is cut into pieces of so many decay lengths: on one of them u is a polynomial to the last digit.
+pub(crate) const PIECE: f64 = 2.0;
+/// So many decay lengths from what moves it, open ground does not move: e⁻⁴⁰ is less than rounding.
+const FAR: f64 = 40.0;
+
+/// Cuts open ground near both ends, where it bends.
+pub(crate) fn cut([from, to]: [f64; 2], decay: f64, cuts: &mut Vec<f64>) {
+    let reach = (FAR * decay).min(to - from);
+    let mut step = PIECE * decay;
+    while step < reach {
+        cuts.extend([from + step, to - step]);
+        step += PIECE * decay;
+    }
+    cuts.extend([from + reach, to - reach]);
+}
+
+/// u at a fraction `t` of an unloaded uniform stretch with bh = `length`, from its end values.
+pub(crate) fn between(left: f64, right: f64, length: f64, t: f64) -> f64 {
+    sinh_ratio(length, 1.0 - t) * left + sinh_ratio(length, t) * right
+}
+
+/// du/dx·(1/b) at a fraction `t` of that stretch.
+pub(crate) fn slope_between(left: f64, right: f64, length: f64, t: f64) -> f64 {
+    // (right cosh(t·bh) − left cosh((1−t)bh))/sinh(bh), written so that equal ends lose nothing.
+    let coupling = 2.0 * (-length).exp() / -(-2.0 * length).exp_m1();
+    let cosh_less_one = |z: f64| 2.0 * (0.5 * z).sinh().powi(2);
+    if length < 1.0 {
+        coupling
+            * ((right - left) + right * cosh_less_one(t * length)
+                - left * cosh_less_one((1.0 - t) * length))
+    } else {
+        let cosh_ratio = |r: f64| {
+            ((-(1.0 - r) * length).exp() + (-(1.0 + r) * length).exp()) / -(-2.0 * length).exp_m1()
+        };
+        cosh_ratio(t) * right - cosh_ratio(1.0 - t) * left
+    }
+}
+
+/// sinh(r·z)/sinh(z) for 0 ≤ r ≤ 1, for any z > 0 without overflow.
+fn sinh_ratio(z: f64, r: f64) -> f64 {
+    (-(1.0 - r) * z).exp() * (-2.0 * r * z).exp_m1() / (-2.0 * z).exp_m1()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Layer;
+
+    #[test]
+    fn two_halves_make_a_whole() {
+        for bh in [1e-9, 1e-3, 1.0, 30.0, 700.0] {
+            let whole = Link::uniform(2.0, 0.5, bh);
+            let parts = Link::uniform(2.0, 0.5, 0.3 * bh).then(Link::uniform(2.0, 0.5, 0.7 * bh));
+            for (a, b) in [
+                (whole.coupling, parts.coupling),
+                (whole.leak_left, parts.leak_left),
+                (whole.leak_right, parts.leak_right),
+            ] {
+                // exp(−bh) itself carries bh·ε of relative error.
+                assert!((a - b).abs() <= 4e-16 * (4.0 + 2.0 * bh) * a, "{bh}: {a} {b}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_series_with_nothing_varying_is_the_closed_form() {
+        let (k, mu, half) = (3.0, 0.7, 0.4);
+        let [uniform, series] =
+            [Link::uniform(k, mu, 2.0 * half), Link::varying(&[k], &[mu], half)];
+        assert!((uniform.coupling / series.coupling - 1.0).abs() < 1e-15);
+        assert!((uniform.leak_left / series.leak_left - 1.0).abs() < 1e-15);
+        assert!((uniform.leak_left / series.leak_right - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn ground_with_a_power_of_x_for_its_solution() {
+        // μ = x², k = 6x⁰: −(x²u')' + 6u = 0 is solved by x² and x⁻³, about x = 5 with half length ½.
+        let (middle, half) = (5.0, 0.5);
+        let shear = [middle * middle, 2.0 * middle * half, half * half];
+        let ends = [4.5_f64, 5.5];
+        let (a, b) = (0.3, -20.0);
+        let exact = |x: f64| a * x * x + b / (x * x * x);
+        let flux = |x: f64| x * x * (2.0 * a * x - 3.0 * b / x.powi(4));
+        let held = ends.map(exact);
+        let u = settled(&[6.0], &shear, half, held);
+        for s in [-1.0, -0.4, 0.0, 0.8] {
+            assert!((value(&u, s) - exact(middle + half * s)).abs() < 1e-14);
+        }
+        let link = Link::varying(&[6.0], &shear, half);
+        assert!((link.force_left(held[0], held[1]) + flux(4.5)).abs() < 1e-12);
+        assert!((link.force_right(held[0], held[1]) - flux(5.5)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn ground_beside_the_beam_is_one_spring() {
+        let layer = |length: f64, spring: f64, shear: f64| Layer { length, spring, shear };
+        let spring =
+            |layers: &[Layer], held: bool| outside(&Beyond { layers: layers.to_vec(), held });
+        let (k, mu, h) = (3.0_f64, 0.7_f64, 0.9);
+        let (stiffness, bh) = ((k * mu).sqrt(), (k / mu).sqrt() * h);
+        let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-15, "{a} {b}");
+        near(spring(&[layer(h, k, mu)], false), stiffness * bh.tanh());
+        near(spring(&[layer(h, k, mu)], true), stiffness / bh.tanh());
+        // Cut in two it is the same ground.
+        let cut = [layer(0.3, k, mu), layer(f64::INFINITY, k, mu)];
+        near(spring(&cut, false), stiffness);
+        let cut = [layer(0.3, k, mu), layer(0.6, k, mu)];
+        near(spring(&cut, false), stiffness * bh.tanh());
+        assert_eq!(spring(&[], false), 0.0);
+        let free = Beyond { layers: cut.to_vec(), held: false };
+        for x in [0.0, 0.2, 0.3, 0.7, 0.9] {
+            let exact = 2.0 * (bh * (1.0 - x / h)).cosh() / bh.cosh();
+            near(beside(&free, 2.0, x), exact);
+        }
+        assert_eq!(beside(&free, 2.0, 0.91), 0.0);
+    }
+
+    #[test]
+    fn a_link_is_the_differential_equation() {
+        let (k, mu, h) = (3.0, 0.7, 0.9);
+        let link = Link::uniform(k, mu, h);
+        let b = f64::sqrt(k / mu);
+        let slope = b * slope_between(0.4, -0.2, b * h, 0.0);
+        assert!((link.force_left(0.4, -0.2) + mu * slope).abs() < 1e-15);
+        let middle = between(0.4, -0.2, b * h, 0.5);
+        let exact = 0.1 / (0.5 * b * h).cosh();
+        assert!((middle - exact).abs() < 1e-16);
+    }
+}

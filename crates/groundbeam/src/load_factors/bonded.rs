@@ -1,0 +1,479 @@
+//! The beam glued to the ground along its whole length, and what must push there for it to touch.
+
+use crate::chain::node::Loose;
+use crate::contact::glue::Glue;
+use crate::contact::state::Found;
+use crate::contact::surface::Surface;
+use crate::mesh::cell::Cell;
+use crate::mesh::deflection::pressure_under;
+use crate::model::Model;
+use crate::numeric::polynomial::{Coefficients, derivative, rescale, sign_changes, value};
+
+/// The deflection of a beam that touches along its whole length, whether the ground pushes or pulls.
+pub(super) fn glued_all_along(model: &Model) -> Result<Found, Loose> {
+    Glue::new(model).on(&[[0.0, model.beam.length]], None)
+}
+
+/// What must not be negative on a stretch of the beam or at a point of it: the pressure there, or a
+/// concentrated force. It is the polynomial staying + λ·growing in s ∈ \[−1, 1\].
+#[derive(Debug, Clone)]
+pub(super) struct Watched {
+    x: [f64; 2],
+    staying: Side,
+    growing: Side,
+}
+
+/// One of the two, with the size of what was added up in it.
+#[derive(Debug, Clone, Default)]
+struct Side {
+    coefficients: Coefficients,
+    size: f64,
+}
+
+/// What rounding leaves of a sum of terms of size 1: a few dozen operations on each.
+const ROUNDING: f64 = 256.0 * f64::EPSILON;
+
+/// Newton's steps for one place; they end of themselves, long before.
+const MOST_STEPS: usize = 200;
+
+impl Watched {
+    /// Whether the ground would have to pull before the first load grows.
+    pub fn pulls_at_first(&self) -> bool {
+        lowest(&self.staying.coefficients).1 < -ROUNDING * self.staying.size
+    }
+
+    /// The largest factor below `factor` up to which the ground need not pull here, and where it then is
+    /// about to; none if it need not at `factor` itself, which may be infinite.
+    ///
+    /// Newton's method on the least value over s, which is concave in the factor: the steps go down, and
+    /// never below the root.
+    pub fn first_pull_below(&self, factor: f64) -> Option<(f64, f64)> {
+        let (mut factor, mut found) = (factor, None);
+        for _ in 0..MOST_STEPS {
+            let Some(s) = self.pulled_at(factor) else { break };
+            let [stays, grows] =
+                [&self.staying, &self.growing].map(|side| value(&side.coefficients, s));
+            let next = (stays / -grows).max(0.0);
+            if next >= factor {
+                break;
+            }
+            factor = next;
+            found = Some((factor, self.position(s)));
+        }
+        found
+    }
+
+    /// Whether a factor of this place is zero but for rounding.
+    pub fn is_nothing(&self, factor: f64) -> bool {
+        factor * self.growing.size <= ROUNDING * self.staying.size
+    }
+
+    /// Where the ground would have to pull most at a factor, if at all.
+    fn pulled_at(&self, factor: f64) -> Option<f64> {
+        let (stays, grows) = (&self.staying, &self.growing);
+        let (coefficients, size) = if factor.is_finite() {
+            let both = stays.coefficients.iter().zip(grows.coefficients.iter());
+            let sum = both.map(|(a, b)| a + factor * b).collect();
+            (sum, stays.size + factor * grows.size)
+        } else {
+            (grows.coefficients, grows.size)
+        };
+        let (s, lowest) = lowest(&coefficients);
+        (lowest < -ROUNDING * size).then_some(s)
+    }
+
+    fn position(&self, s: f64) -> f64 {
+        let [from, to] = self.x;
+        let half = 0.5 * (to - from);
+        if s <= 0.0 { from + half * (1.0 + s) } else { to - half * (1.0 - s) }
+    }
+}
+
+/// Where in \[−1, 1\] a polynomial is least, and how much that is; a bound, if that is not negative.
+fn lowest(c: &[f64]) -> (f64, f64) {
+    let spread: f64 = c.iter().skip(1).map(|a| a.abs()).sum();
+    let bound = c.first().map_or(0.0, |constant| constant - spread);
+    if bound >= 0.0 {
+        return (-1.0, bound);
+    }
+    let mut places = vec![-1.0];
+    sign_changes(&derivative(c), &mut places);
+    places.push(1.0);
+    let all = places.into_iter().map(|s| (s, value(c, s)));
+    all.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((-1.0, bound))
+}
+
+/// Pressures and concentrated forces along the whole beam, from left to right, of two deflections of one
+/// model under different loads. Their cells may differ: boundary layers are cut where there are any.
+pub(super) fn watched(staying: &Found, growing: &Found) -> Vec<Watched> {
+    let mut all = forces(staying, growing);
+    let l = staying.mesh.cells.last().map_or(0.0, |cell| cell.x[1]);
+    let (mut i, mut j, mut from) = (0, 0, 0.0);
+    while let (Some(a), Some(b)) = (staying.mesh.cells.get(i), growing.mesh.cells.get(j)) {
+        let same = (a.x[1] - b.x[1]).abs() <= SAME_PLACE * l;
+        let to = if same { a.x[1] } else { a.x[1].min(b.x[1]) };
+        let x = [from, to];
+        let mut sides = [pressure(staying, i, x), pressure(growing, j, x)];
+        for (end, root) in known_roots(staying, x, a) {
+            for side in &mut sides {
+                for _ in 0..root {
+                    without_root(&mut side.coefficients, end);
+                }
+            }
+        }
+        let [stays, grows] = sides;
+        all.push(Watched { x, staying: stays, growing: grows });
+        i += usize::from(same || a.x[1] < b.x[1]);
+        j += usize::from(same || b.x[1] < a.x[1]);
+        from = to;
+    }
+    all.sort_by(|a, b| a.x[0].total_cmp(&b.x[0]));
+    all
+}
+
+/// Positions closer than this part of the length are one.
+const SAME_PLACE: f64 = 16.0 * f64::EPSILON;
+
+/// p = k(w − g₀) − μ(w − g₀)″ − q on a part of a cell.
+fn pressure(found: &Found, i: usize, x: [f64; 2]) -> Side {
+    let cell = &found.mesh.cells[i];
+    let half = 0.5 * cell.length();
+    let deflection = Coefficients::from(found.deflection().cell(i));
+    let whole = pressure_under(cell, half, &deflection);
+    let factor = cell.shear / (half * half);
+    let term =
+        |(j, c): (usize, &f64)| (cell.spring + factor * (j * j.saturating_sub(1)) as f64) * c.abs();
+    let [gap, load] = [cell.gap, cell.ground_load].map(|ends| ends[0].abs().max(ends[1].abs()));
+    let size = deflection.iter().enumerate().map(term).sum::<f64>() + cell.spring * gap + load;
+    let coefficients = if x == cell.x {
+        whole
+    } else {
+        let [a, b] = x.map(|x| cell.local(x));
+        rescale(&whole, 0.5 * (a + b), 0.5 * (b - a))
+    };
+    Side { coefficients, size }
+}
+
+/// Where a support keeps the beam at the undeformed ground, separate springs press with nothing whatever the
+/// loads: what counts next to a pin is how fast the pressure rises from it, next to a clamp how it curves.
+/// The ends s = ∓1 of a part of a cell at which that is so, and the order of the root.
+fn known_roots(found: &Found, x: [f64; 2], cell: &Cell) -> Vec<(f64, usize)> {
+    if cell.shear > 0.0 {
+        return Vec::new();
+    }
+    let mut roots = Vec::new();
+    for (i, end) in [(0, -1.0), (1, 1.0)] {
+        let nodes = &found.mesh.nodes;
+        let at = nodes.partition_point(|node| node.x < x[i]);
+        let Some(node) = nodes.get(at).filter(|node| node.x == x[i] && node.pinned) else {
+            continue;
+        };
+        if x[i] == cell.x[i] && cell.gap[i] == node.settlement {
+            let flat = node.clamped && cell.gap_slope == 0.0;
+            roots.push((end, if flat { 2 } else { 1 }));
+        }
+    }
+    roots
+}
+
+/// Divides c(s) by 1 + s if `end` is −1, by 1 − s if it is 1: both are positive within.
+fn without_root(c: &mut Coefficients, end: f64) {
+    // From the highest power down; what remains at the end is the rounding of a zero.
+    let mut carried = 0.0;
+    for a in c.iter_mut().rev() {
+        let quotient = if end < 0.0 { *a - carried } else { carried - *a };
+        *a = carried;
+        carried = quotient;
+    }
+    c.pop();
+}
+
+/// The concentrated forces: under the ends of the beam and of the shear layer, at corners and at kinks.
+fn forces(staying: &Found, growing: &Found) -> Vec<Watched> {
+    let [stays, grows] = [staying, growing].map(forces_of);
+    let find = |all: &[(f64, Side)], x: f64| {
+        let nothing = Side { coefficients: Coefficients::zeros(1), size: 0.0 };
+        all.iter().find(|(at, _)| *at == x).map_or(nothing, |(_, side)| side.clone())
+    };
+    // Corners of the gap are corners only where the gap acts: with the loads that stay.
+    let all = stays.iter().map(|(x, side)| {
+        let growing = find(&grows, *x);
+        Watched { x: [*x; 2], staying: side.clone(), growing }
+    });
+    // A beam that shears has kinks under the forces that grow.
+    let kinks = grows.iter().filter(|(x, _)| stays.iter().all(|(at, _)| at != x));
+    let kinks = kinks.map(|(x, side)| {
+        let staying = find(&stays, *x);
+        Watched { x: [*x; 2], staying, growing: side.clone() }
+    });
+    all.chain(kinks).collect()
+}
+
+fn forces_of(found: &Found) -> Vec<(f64, Side)> {
+    let w = found.deflection();
+    let surface = Surface::of(&w, &found.zones);
+    let force = |atom: &crate::contact::surface::Atom| {
+        let cell = &found.mesh.cells[atom.spot.cell];
+        let slope = 2.0 * cell.shear / cell.length();
+        let outside = (cell.spring * cell.shear).sqrt();
+        let obstacle = w.obstacle(atom.spot.cell);
+        let terms = obstacle.iter().enumerate();
+        let size = terms.map(|(j, c)| (outside + slope * j as f64) * c.abs()).sum();
+        (cell.global(atom.spot.s), Side { coefficients: [atom.force][..].into(), size })
+    };
+    surface.atoms.iter().map(force).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::element::element::TERMS;
+    use crate::mesh::deflection::{Spot, Zone};
+    use crate::mesh::mesh::Mesh;
+    use crate::model::{Beam, Foundation, Support};
+
+    fn side(coefficients: &[f64], size: f64) -> Side {
+        Side { coefficients: coefficients.into(), size }
+    }
+
+    /// staying + λ·growing on the beam from 1 to 5, of terms of size 1.
+    fn between_1_and_5(staying: &[f64], growing: &[f64]) -> Watched {
+        Watched { x: [1.0, 5.0], staying: side(staying, 1.0), growing: side(growing, 1.0) }
+    }
+
+    #[track_caller]
+    fn near(found: f64, wanted: f64) {
+        assert!((found - wanted).abs() <= 1e-14 * wanted.abs().max(1.0), "{found} {wanted}");
+    }
+
+    #[test]
+    fn the_least_value_of_a_polynomial_is_at_an_end_or_where_it_turns() {
+        assert_eq!(lowest(&[-2.0]), (-1.0, -2.0));
+        assert_eq!(lowest(&[1.0, 2.0]), (-1.0, -1.0));
+        assert_eq!(lowest(&[1.0, -2.0]), (1.0, -1.0));
+        assert_eq!(lowest(&[-1.0, 0.0, 1.0]), (0.0, -1.0));
+        // s⁴ − s²/2 is −1/16 at s = ±1/2; the left one counts.
+        let (s, least) = lowest(&[0.0, 0.0, -0.5, 0.0, 1.0]);
+        near(s, -0.5);
+        near(least, -0.0625);
+        // 3 − |1| − |−1| bounds it from below: it is not negative, and not looked for.
+        assert_eq!(lowest(&[3.0, 1.0, -1.0]), (-1.0, 1.0));
+        assert_eq!(lowest(&[]), (-1.0, 0.0));
+    }
+
+    /// 2 − λ (1 + s) is first zero at s = 1, for λ = 1. 1 + s² − λ (1 + s) is least at s = λ/2, where it is
+    /// 1 − λ − λ²/4: zero for λ = 2√2 − 2.
+    #[test]
+    fn the_first_pull_is_a_root_in_closed_form() {
+        let at = |of: &Watched, from: f64| of.first_pull_below(from).expect("a pull");
+        let falling = between_1_and_5(&[2.0, 0.0], &[-1.0, -1.0]);
+        for from in [f64::INFINITY, 8.0] {
+            assert_eq!(at(&falling, from), (1.0, 5.0));
+            assert_eq!(at(&between_1_and_5(&[2.0, 0.0], &[-1.0, 1.0]), from), (1.0, 1.0));
+            for mirror in [1.0, -1.0] {
+                let parabola = between_1_and_5(&[1.0, 0.0, 1.0], &[-1.0, -mirror, 0.0]);
+                let root = 2.0 * 2.0_f64.sqrt() - 2.0;
+                let (factor, x) = at(&parabola, from);
+                near(factor, root);
+                // Newton's method knows the place to the root of its precision.
+                assert!((x - (3.0 + mirror * root)).abs() < 1e-7, "{x}");
+            }
+        }
+        // Up to λ = 1/2 the ground need not pull, nor ever where both parts push.
+        assert_eq!(falling.first_pull_below(0.5), None);
+        assert_eq!(between_1_and_5(&[1.0], &[1.0]).first_pull_below(f64::INFINITY), None);
+        // −1 + 2λ pulls below λ = 1/2: there is no factor up to which it pushes.
+        assert_eq!(between_1_and_5(&[-1.0], &[2.0]).first_pull_below(0.25), None);
+        // Where both parts pull, the factor is 0.
+        assert_eq!(at(&between_1_and_5(&[-1.0], &[-1.0]), 3.0), (0.0, 1.0));
+    }
+
+    /// A pull is more than 256 ε of the sizes of all terms: those that stay, and λ times those that grow.
+    #[test]
+    fn a_pull_is_more_than_rounding() {
+        let pulls = |part: f64| {
+            let [staying, growing] = [side(&[-ROUNDING * part], 2.0), side(&[0.0], 3.0)];
+            Watched { x: [0.0, 1.0], staying, growing }
+        };
+        assert!(!pulls(1.9).pulls_at_first() && pulls(2.1).pulls_at_first());
+        assert_eq!(pulls(13.9).pulled_at(4.0), None);
+        assert_eq!(pulls(14.1).pulled_at(4.0), Some(-1.0));
+        let grows = |part: f64| {
+            let [staying, growing] = [side(&[1.0], 2.0), side(&[-ROUNDING * part], 3.0)];
+            Watched { x: [0.0, 1.0], staying, growing }
+        };
+        assert_eq!(grows(2.9).pulled_at(f64::INFINITY), None);
+        assert_eq!(grows(3.1).pulled_at(f64::INFINITY), Some(-1.0));
+        // A factor is nothing where λ times 3 is at most 256 ε of 2.
+        assert!(pulls(0.0).is_nothing(ROUNDING * 0.66));
+        assert!(!pulls(0.0).is_nothing(ROUNDING * 0.67));
+        // Nothing at all is no pull.
+        let nothing =
+            Watched { x: [0.0, 1.0], staying: side(&[0.0], 0.0), growing: side(&[0.0], 0.0) };
+        assert!(!nothing.pulls_at_first() && nothing.is_nothing(0.0));
+        assert_eq!([1.0, f64::INFINITY].map(|factor| nothing.pulled_at(factor)), [None; 2]);
+    }
+
+    /// The ends of a part are its own to the last bit, whatever half its length is rounded to.
+    #[test]
+    fn positions_keep_the_ends() {
+        let x = [0.2, 0.9];
+        let of = Watched { x, ..between_1_and_5(&[1.0], &[1.0]) };
+        assert_eq!([-1.0, 1.0].map(|s| of.position(s)), x);
+        let of = between_1_and_5(&[1.0], &[1.0]);
+        assert_eq!([-1.0, -0.5, 0.0, 0.5, 1.0].map(|s| of.position(s)), [1.0, 2.0, 3.0, 4.0, 5.0]);
+    }
+
+    /// (1 + s)(2 + 3s + s²) and (1 − s)(2 + 3s + s²).
+    #[test]
+    fn a_known_root_is_divided_out() {
+        for (end, c) in [(-1.0, [2.0, 5.0, 4.0, 1.0]), (1.0, [2.0, 1.0, -2.0, -1.0])] {
+            let mut left = Coefficients::from(&c[..]);
+            without_root(&mut left, end);
+            assert_eq!(left[..], [2.0, 3.0, 1.0], "{end}");
+        }
+    }
+
+    /// A beam on a mesh with nodes at more places, deflected by a polynomial in x, glued all along.
+    fn found(model: &Model, more: &[f64], deflection: &[f64]) -> Found {
+        let mesh = Mesh::build(model, more, |_| 1);
+        let own = |cell: &Cell| {
+            let [from, to] = cell.x;
+            let c = rescale(deflection, 0.5 * (from + to), 0.5 * (to - from));
+            c.at_least(TERMS).to_vec()
+        };
+        let coefficients = mesh.cells.iter().flat_map(own).collect();
+        let end = Spot { cell: mesh.cells.len() - 1, s: 1.0 };
+        let zones = vec![Zone { from: Spot { cell: 0, s: -1.0 }, to: end }];
+        Found::exact(mesh, coefficients, Vec::new(), zones)
+    }
+
+    fn on(ground: Foundation) -> Model {
+        Model::new(Beam::uniform(4.0, 1.0), ground)
+    }
+
+    /// w = 1 + x + x² on ground with k = 3, μ = 5: p = 3w − 10. From 1 to 4 w = 9.75 + 9 s + 2.25 s², and the size of the terms
+    /// is 3 (9.75 + 9 + 2.25) and 5/1.5² · 2 · 2.25, and that of the gap and of the load on the ground with them.
+    #[test]
+    fn the_pressure_on_a_part_of_a_cell_and_its_size() {
+        let model = on(Foundation::pasternak(3.0, 5.0));
+        let mut of = found(&model, &[1.0], &[1.0, 1.0, 1.0]);
+        let p = |x: f64| 3.0 * (1.0 + x + x * x) - 10.0;
+        for x in [[1.0, 4.0], [1.0, 2.0], [2.0, 3.0], [3.5, 4.0]] {
+            let Side { coefficients, size } = pressure(&of, 1, x);
+            near(size, 63.0 + 10.0);
+            for s in [-1.0, -0.25, 0.0, 1.0] {
+                near(value(&coefficients, s), p(0.5 * (x[0] + x[1]) + 0.5 * (x[1] - x[0]) * s));
+            }
+        }
+        of.mesh.cells[1].gap = [0.5, -0.75];
+        of.mesh.cells[1].ground_load = [-2.0, 1.0];
+        near(pressure(&of, 1, [1.0, 4.0]).size, 73.0 + 3.0 * 0.75 + 2.0);
+    }
+
+    /// Nodes of the two deflections at different places: p = k w, on separate springs, on each part between any two.
+    #[test]
+    fn two_meshes_are_merged_at_all_of_their_nodes() {
+        let model = on(Foundation::winkler(2.0));
+        let merged = |first: &[f64], second: &[f64]| {
+            let staying = found(&model, first, &[1.0, 2.0, 3.0]);
+            let growing = found(&model, second, &[-1.0, 0.5]);
+            let all = watched(&staying, &growing);
+            for Watched { x, staying, growing } in &all {
+                for (s, x) in [-1.0, 1.0].into_iter().zip(*x) {
+                    let [stays, grows] =
+                        [2.0 * (1.0 + 2.0 * x + 3.0 * x * x), 2.0 * (0.5 * x - 1.0)];
+                    // A place may be 16 ε of the length beside.
+                    assert!((value(&staying.coefficients, s) - stays).abs() < 1e-11);
+                    assert!((value(&growing.coefficients, s) - grows).abs() < 1e-12);
+                }
+            }
+            all.into_iter().map(|watched| watched.x).collect::<Vec<_>>()
+        };
+        let wanted = [[0.0, 1.0], [1.0, 2.0], [2.0, 3.0], [3.0, 4.0]];
+        assert_eq!(merged(&[1.0, 3.0], &[2.0, 3.0]), wanted);
+        assert_eq!(merged(&[2.0, 3.0], &[1.0, 3.0]), wanted);
+        assert_eq!(merged(&[1.0, 2.0, 3.0], &[]), wanted);
+        assert_eq!(merged(&[], &[1.0, 2.0, 3.0]), wanted);
+        // Places closer than 16 ε of the length are one.
+        let unit = 4.0 * f64::EPSILON;
+        assert_eq!(merged(&[1.0], &[1.0 + 15.0 * unit]), [[0.0, 1.0], [1.0, 4.0]]);
+        assert_eq!(merged(&[1.0 + 15.0 * unit], &[1.0]).len(), 2);
+        assert_eq!(merged(&[1.0], &[1.0 + 17.0 * unit]).len(), 3);
+    }
+
+    /// On separate springs a pin takes the pressure away at its place, and a clamp its slope with it, unless the ground is
+    /// further up or down there, or a shear layer takes part.
+    #[test]
+    fn supports_at_undeformed_ground_are_roots_of_the_pressure() {
+        let roots = |model: &Model, x: [f64; 2]| {
+            let of = found(model, &[2.0], &[0.0]);
+            let cell = of.mesh.cells.iter().find(|cell| cell.x[0] <= x[0] && x[1] <= cell.x[1]);
+            known_roots(&of, x, cell.expect("a cell"))
+        };
+        let springs = || on(Foundation::winkler(1.0));
+        let [pin, clamp] = [Support::pinned, Support::fixed];
+        let (left, right) = ([0.0, 2.0], [2.0, 4.0]);
+        assert_eq!(roots(&springs(), left), []);
+        assert_eq!(roots(&springs().with_support(pin(0.0)), left), [(-1.0, 1)]);
+        assert_eq!(roots(&springs().with_support(clamp(0.0)), left), [(-1.0, 2)]);
+        assert_eq!(roots(&springs().with_support(pin(0.0)), right), []);
+        assert_eq!(roots(&springs().with_support(pin(2.0)), left), [(1.0, 1)]);
+        assert_eq!(roots(&springs().with_support(pin(2.0)), right), [(-1.0, 1)]);
+        let both = springs().with_support(clamp(2.0)).with_support(pin(4.0));
+        assert_eq!(roots(&both, right), [(-1.0, 2), (1.0, 1)]);
+        // A part of a cell has only those ends of its own.
+        assert_eq!(roots(&both, [2.5, 4.0]), [(1.0, 1)]);
+        assert_eq!(roots(&both, [2.0, 3.5]), [(-1.0, 2)]);
+        assert_eq!(roots(&springs().with_support(Support::spring(0.0, 1.0, 1.0)), left), []);
+        // Settled by as much as the gap, the ground there is touched without pressure; by less or more it is not.
+        let settled = |down: f64| springs().with_support(pin(0.0).settled(down));
+        assert_eq!(roots(&settled(0.5), left), []);
+        assert_eq!(roots(&settled(0.5).with_gap(0.0, 0.5), left), [(-1.0, 1)]);
+        assert_eq!(roots(&settled(0.0).with_gap(0.0, 0.5), left), []);
+        // Where the gap slopes, a clamped beam leaves the ground at an angle.
+        let sloping = springs().with_support(clamp(0.0)).with_gap(0.0, 0.0).with_gap(4.0, 1.0);
+        assert_eq!(roots(&sloping, left), [(-1.0, 1)]);
+        let pinned = springs().with_support(pin(0.0)).with_gap(0.0, 0.0).with_gap(4.0, 0.0);
+        assert_eq!(roots(&pinned, left), [(-1.0, 1)]);
+        let layer = on(Foundation::pasternak(1.0, 1.0)).with_support(pin(0.0));
+        assert_eq!(roots(&layer, left), []);
+    }
+
+    /// Under the ends of a beam on ground with √(kμ) = 6 and μ = 9 stand √(kμ) w ∓ μ w′. The terms in them are 6 |c| of
+    /// each coefficient and j μ/half more of that of sʲ.
+    #[test]
+    fn forces_under_the_ends_and_their_sizes() {
+        // w = 3 + x = 5 + 2 s.
+        let of = found(&on(Foundation::pasternak(4.0, 9.0)), &[], &[3.0, 1.0]);
+        let [(a, left), (b, right)] = &forces_of(&of)[..] else { panic!("two ends") };
+        assert_eq!((*a, *b), (0.0, 4.0));
+        near(left.coefficients[0], 6.0 * 3.0 - 9.0);
+        near(right.coefficients[0], 6.0 * 7.0 + 9.0);
+        for end in [left, right] {
+            near(end.size, 6.0 * (5.0 + 2.0) + 4.5 * 2.0);
+        }
+        assert_eq!(forces_of(&found(&on(Foundation::winkler(4.0)), &[], &[1.0])).len(), 0);
+    }
+
+    /// A corner of the ground carries a force where the gap acts, with the loads that stay, and none with those that grow;
+    /// the same the other way round. The corner opens by g₀′ = 1 after 0: its force is μ.
+    #[test]
+    fn forces_of_one_deflection_alone() {
+        let even = on(Foundation::pasternak(4.0, 9.0));
+        let corner = even.clone().with_gap(0.0, 0.0).with_gap(2.0, 0.0).with_gap(4.0, 2.0);
+        let [even, corner] = [even, corner].map(|model| found(&model, &[], &[1.0]));
+        let both = |staying: &Found, growing: &Found| {
+            let mut all = forces(staying, growing);
+            all.sort_by(|a, b| a.x[0].total_cmp(&b.x[0]));
+            let of = |side: &Side| side.coefficients[0];
+            all.iter().map(|at| (at.x, of(&at.staying), of(&at.growing))).collect::<Vec<_>>()
+        };
+        // Under the right end w − g₀ = −1, and it turns by −1.
+        let [left, middle, right] = [6.0, 9.0, -6.0 - 9.0];
+        let wanted = [([0.0; 2], left, 6.0), ([2.0; 2], middle, 0.0), ([4.0; 2], right, 6.0)];
+        assert_eq!(both(&corner, &even), wanted);
+        assert_eq!(both(&even, &corner), wanted.map(|(x, a, b)| (x, b, a)));
+        assert_eq!(both(&even, &even).len(), 2);
+    }
+}

@@ -1,0 +1,328 @@
+//! How far loads may grow before the beam first lifts off, and before no equilibrium is left.
+//!
+//! Some loads stay as they are, D; the others grow, λG. Both questions have closed answers.
+//!
+//! * *First lift-off.* As long as the beam touches along its whole length the problem is linear: pressure
+//!   and concentrated forces are p_D + λ p_G, with the initial gap in p_D ([`bonded`]). The beam touches all
+//!   along exactly while none of them is negative: they then are the multiplier of the contact problem, which
+//!   has no other solution. The least of p_D + λ p_G over the beam is a concave function of λ, so the factors
+//!   at which all of them push are an interval, and Newton's method from above goes down to its upper end
+//!   without ever passing it ([`bonded::Watched`]). With supports that act one way it is linear piece by piece
+//!   ([`pieces`]).
+//! * *Loss of equilibrium.* Each free rigid motion must cost work ([`existence`](crate::existence::existence)), and
+//!   the work of the loads is linear in λ: the first root of a few linear functions.
+
+mod bonded;
+pub(crate) mod parts;
+mod pieces;
+
+use crate::equilibrium::buckling::convexity;
+use crate::equilibrium::size;
+use crate::error::Error;
+use crate::load_factors::parts::LossOfEquilibrium;
+use crate::load_factors::parts::{FirstLiftOff, Parts};
+use crate::model::{Model, Problem};
+use crate::options::Options;
+
+/// What becomes of a model whose loads grow. See [`load_factors`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LoadFactors {
+    /// When the beam first leaves the ground.
+    pub first_lift_off: FirstLiftOff,
+    /// When no equilibrium is left.
+    pub loss_of_equilibrium: LossOfEquilibrium,
+}
+
+/// The factors λ > 0 of the loads for which `grows` says so, by their place in [`Model::loads`], at which
+/// the beam first lifts off and at which equilibrium is lost. The other loads, the gap, the supports and the
+/// axial force stay as they are.
+///
+/// ```
+/// use groundbeam::{Beam, FirstLiftOff, Foundation, Load, LossOfEquilibrium, Model, load_factors};
+///
+/// // Kikuchi's example: a force that stays, and a moment that grows.
+/// let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
+///     .with_load(Load::point(1.0, 0.5))
+///     .with_load(Load::moment(1.0, 0.5));
+/// let found = load_factors(&model, |load| load == 1)?;
+/// let FirstLiftOff::At { factor, x } = found.first_lift_off else { panic!() };
+/// assert_eq!((format!("{factor:.12}"), x), ("0.316105124527".to_owned(), 0.0));
+/// let LossOfEquilibrium::At { factor, motion } = found.loss_of_equilibrium else { panic!() };
+/// assert_eq!((factor, motion.left, motion.right), (0.5, -1.0, 0.0));
+/// # Ok::<(), groundbeam::Error>(())
+/// ```
+///
+/// # Errors
+///
+/// As [`solve`](crate::solve()); and [`Error::Unsupported`] for compression that the ground must help to bear. The factor of first lift-off is returned only if the certificate of the
+/// fields at that factor holds.
+pub fn load_factors(model: &Model, grows: impl Fn(usize) -> bool) -> Result<LoadFactors, Error> {
+    let problems = model.problems();
+    if !problems.is_empty() {
+        return Err(Error::Invalid(problems));
+    }
+    let Some(stability) = convexity(model) else {
+        return Err(Error::Unsupported(Problem::factors_of_a_local_equilibrium()));
+    };
+    size::check(model, &Options::default())?;
+    let parts = Parts::of(model, grows);
+    let loss_of_equilibrium = parts.loss_of_equilibrium();
+    let first_lift_off = match loss_of_equilibrium {
+        LossOfEquilibrium::AtOnce(_) => FirstLiftOff::AtOnce,
+        LossOfEquilibrium::At { factor, .. } => pieces::first_lift_off(&parts, factor, stability)?,
+        LossOfEquilibrium::Never => pieces::first_lift_off(&parts, f64::INFINITY, stability)?,
+    };
+    Ok(LoadFactors { first_lift_off, loss_of_equilibrium })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::bonded::glued_all_along;
+    use super::*;
+    use crate::existence::existence::RigidMotion;
+    use crate::model::Load;
+    use crate::model::{Beam, Foundation, Support};
+
+    fn unit() -> Model {
+        Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
+    }
+
+    fn rigid(ground: Foundation) -> Model {
+        Model::new(Beam::uniform(1.0, 1e9), ground)
+    }
+
+    fn all(model: &Model) -> LoadFactors {
+        load_factors(model, |_| true).expect("factors")
+    }
+
+    /// The last load grows, the others stay.
+    fn last(model: &Model) -> LoadFactors {
+        let last = model.loads.len() - 1;
+        load_factors(model, |load| load == last).expect("factors")
+    }
+
+    fn lift_off(found: LoadFactors) -> (f64, f64) {
+        match found.first_lift_off {
+            FirstLiftOff::At { factor, x } => (factor, x),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    fn loss(found: LoadFactors) -> f64 {
+        match found.loss_of_equilibrium {
+            LossOfEquilibrium::At { factor, .. } => factor,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[track_caller]
+    fn near(found: f64, wanted: f64, relative: f64) {
+        assert!((found - wanted).abs() <= relative * wanted.abs(), "{found} {wanted}");
+    }
+
+    #[test]
+    fn kikuchi() {
+        // p₀ is linear in M₀ while the beam touches all along: 60-digit values for M₀ = 0.1 and 0.3.
+        let model = unit().with_load(Load::point(1.0, 0.5)).with_load(Load::moment(1.0, 0.5));
+        let [p1, p3] = [0.195_935_998_890_952, 0.014_602_030_694_165];
+        let (factor, x) = lift_off(last(&model));
+        near(factor, 0.1 + 0.2 * p1 / (p1 - p3), 1e-14);
+        assert_eq!(x, 0.0);
+        let LossOfEquilibrium::At { factor, motion } = last(&model).loss_of_equilibrium else {
+            panic!()
+        };
+        assert_eq!(
+            (factor, motion),
+            (0.5, RigidMotion { left: -1.0, right: 0.0, work: 0.0, lifted: None })
+        );
+        // The other way round it tips over the other end.
+        let (factor, x) = lift_off(last(&model.mirrored()));
+        near(factor, 0.1 + 0.2 * p1 / (p1 - p3), 1e-14);
+        assert_eq!(x, 1.0);
+    }
+
+    #[test]
+    fn rigid_footings() {
+        // The kern of a rigid footing on springs is l/6; on Kikuchi's ground M₀ = (1/2 − 4/27) F l.
+        let footing = |ground| {
+            rigid(ground).with_load(Load::point(2.0, 0.5)).with_load(Load::moment(1.0, 0.3))
+        };
+        let springs = last(&footing(Foundation::winkler(1.0)));
+        near(lift_off(springs).0, 2.0 / 6.0, 1e-8);
+        near(loss(springs), 1.0, 1e-15);
+        let layer = last(&footing(Foundation::pasternak(1.0, 1.0)));
+        near(lift_off(layer).0, 2.0 * (0.5 - 4.0 / 27.0), 1e-8);
+        // A beam that bends concentrates the pressure under its force and lifts off earlier.
+        let mut before = 0.0;
+        for stiffness in [1e-2, 1e-1, 1.0, 10.0] {
+            let mut model = footing(Foundation::winkler(1.0));
+            model.beam.bending_stiffness = stiffness;
+            let (factor, _) = lift_off(last(&model));
+            assert!(before < factor && factor < 2.0 / 6.0, "{stiffness}: {factor}");
+            before = factor;
+        }
+    }
+
+    #[test]
+    fn a_heavy_endless_beam_under_a_force() {
+        // Weitsman (1970): F = 2 e^π q/β lifts the beam off at βx = π to each side.
+        let model = Model::new(Beam::uniform(60.0, 1.0), Foundation::winkler(4.0))
+            .with_load(Load::uniform(3.0, 0.0, 60.0))
+            .with_load(Load::point(1.0, 30.0));
+        let (factor, x) = lift_off(last(&model));
+        near(factor, 6.0 * std::f64::consts::PI.exp(), 1e-12);
+        near((x - 30.0).abs(), std::f64::consts::PI, 1e-7);
+        assert_eq!(last(&model).loss_of_equilibrium, LossOfEquilibrium::Never);
+    }
+
+    #[test]
+    fn a_weightless_beam_lifts_off_at_once_or_never() {
+        // Lovtsov (2025): with forces over both ends the middle lifts off if αl > π.
+        for (l, wanted) in [(3.1, FirstLiftOff::Never), (3.2, FirstLiftOff::AtOnce)] {
+            let model = Model::new(Beam::uniform(l, 1.0), Foundation::winkler(4.0))
+                .with_load(Load::point(1.0, 0.0))
+                .with_load(Load::point(1.0, l));
+            let found = all(&model);
+            assert_eq!(found.first_lift_off, wanted, "{l}");
+            assert_eq!(found.loss_of_equilibrium, LossOfEquilibrium::Never);
+        }
+        // A weightless beam under a moment alone never stands.
+        let tips = all(&unit().with_load(Load::moment(1.0, 0.2)));
+        assert_eq!(tips.first_lift_off, FirstLiftOff::AtOnce);
+        let motion = RigidMotion { left: -1.0, right: 0.0, work: 1.0, lifted: None };
+        assert_eq!(tips.loss_of_equilibrium, LossOfEquilibrium::AtOnce(motion));
+    }
+
+    #[test]
+    fn a_pressure_that_is_zero_at_an_end_is_no_pull() {
+        // On springs a triangle of load presses with itself, and so with nothing at one end.
+        for (start, end) in [(0.0, 2.0), (2.0, 0.0)] {
+            for (l, ei) in [(1.0, 1.0), (7.3, 1e-3), (0.1, 1e6)] {
+                let triangle = Load::Distributed { from: 0.0, to: l, start, end };
+                let model =
+                    Model::new(Beam::uniform(l, ei), Foundation::winkler(3.0)).with_load(triangle);
+                assert_eq!(all(&model).first_lift_off, FirstLiftOff::Never, "{l} {ei}");
+                // More of it changes nothing, less of it lifts the whole beam when nothing is left.
+                let less = model.clone().with_load(triangle.scaled(-0.25));
+                near(lift_off(last(&less)).0, 4.0, 1e-12);
+                near(loss(last(&less)), 4.0, 1e-14);
+                // Any pull lifts off the end without pressure.
+                let pulled = model.with_load(Load::uniform(-1e-3, 0.0, l));
+                assert_eq!(last(&pulled).first_lift_off, FirstLiftOff::AtOnce);
+            }
+        }
+    }
+
+    #[test]
+    fn next_to_a_pin_the_rise_of_the_pressure_decides() {
+        // On springs p = k w, zero at a pin: first lift-off is where the beam's slope there vanishes.
+        let model = Model::new(Beam::uniform(2.0, 1.0), Foundation::winkler(1.0))
+            .with_support(Support::pinned(0.0))
+            .with_support(Support::pinned(2.0))
+            .with_load(Load::uniform(1.0, 0.0, 2.0))
+            .with_load(Load::moment(-1.0, 0.0));
+        let (factor, x) = lift_off(last(&model));
+        assert_eq!(x, 0.0);
+        let slope = |factor: f64| {
+            let parts = Parts::of(&model, |load| load == 1);
+            let found = glued_all_along(&parts.at(factor)).expect("glued");
+            crate::numeric::polynomial::jet(found.deflection().cell(0), -1.0)[1]
+        };
+        assert!(slope(factor).abs() < 1e-14 * slope(0.0).abs(), "{:e}", slope(factor));
+        assert_eq!(last(&model).loss_of_equilibrium, LossOfEquilibrium::Never);
+        // A clamp holds the slope; then the curvature decides.
+        let mut clamped = model.clone();
+        clamped.supports[0] = Support::fixed(0.0);
+        clamped.loads[1] = Load::point(-1.0, 0.5);
+        let (factor, x) = lift_off(last(&clamped));
+        assert!(factor > 0.0 && x < 1.0);
+    }
+
+    #[test]
+    fn loads_that_stay_may_lift_it_off_by_themselves() {
+        let outside = unit().with_load(Load::point(1.0, 0.5)).with_load(Load::moment(0.6, 0.5));
+        let held = outside.with_load(Load::point(1.0, 0.0));
+        let found = last(&held);
+        let LossOfEquilibrium::AtOnce(motion) = found.loss_of_equilibrium else {
+            panic!("{found:?}")
+        };
+        assert_eq!((motion.left, motion.right), (-1.0, 0.0));
+        near(motion.work, 0.1, 1e-14);
+        assert_eq!(found.first_lift_off, FirstLiftOff::AtOnce);
+        // Tension resists turning: it stands, and under a larger moment on part of its length.
+        let mut tied = held;
+        tied.beam.axial_force = 2.0;
+        assert_eq!(last(&tied).loss_of_equilibrium, LossOfEquilibrium::Never);
+        assert_eq!(last(&tied).first_lift_off, FirstLiftOff::Never);
+        tied.loads[1] = Load::moment(1.5, 0.5);
+        assert_eq!(last(&tied).first_lift_off, FirstLiftOff::AtOnce);
+    }
+
+    #[test]
+    fn over_an_end_on_springs_nothing_stands() {
+        let over_the_end =
+            |ground| Model::new(Beam::uniform(1.0, 1.0), ground).with_load(Load::point(1.0, 0.0));
+        let springs = all(&over_the_end(Foundation::winkler(1.0)));
+        assert!(matches!(springs.loss_of_equilibrium, LossOfEquilibrium::AtOnce(_)));
+        let layer = all(&over_the_end(Foundation::pasternak(1.0, 1.0)));
+        assert_eq!(layer.loss_of_equilibrium, LossOfEquilibrium::Never);
+        assert_eq!(layer.first_lift_off, FirstLiftOff::AtOnce);
+    }
+
+    #[test]
+    fn a_gap_acts_with_the_loads_that_stay() {
+        // On springs pressed even by q, a shallow valley −g₀ below a rigid beam takes k g₀ from the pressure.
+        let ground = Foundation::winkler(1.0);
+        let footing = rigid(ground)
+            .with_load(Load::uniform(1.0, 0.0, 1.0))
+            .with_load(Load::moment(1.0, 0.5))
+            .with_gap(0.0, 0.1)
+            .with_gap(1.0, 0.1);
+        near(lift_off(last(&footing)).0, 1.0 / 6.0, 1e-8);
+        let mut deep = footing.clone();
+        deep.loads[0] = Load::point(1.0, 0.5);
+        deep.gap = vec![];
+        let deep = deep.with_gap(0.0, 3.0).with_gap(0.5, 0.0).with_gap(1.0, 3.0);
+        assert_eq!(last(&deep).first_lift_off, FirstLiftOff::AtOnce);
+        // All loads growing, a gap has still to be closed.
+        assert_eq!(all(&footing).first_lift_off, FirstLiftOff::AtOnce);
+    }
+
+    #[test]
+    fn nothing_grows_and_wrong_models() {
+        let model = unit().with_load(Load::point(1.0, 0.5));
+        let found = load_factors(&model, |_| false).expect("factors");
+        assert_eq!(found.first_lift_off, FirstLiftOff::Never);
+        assert_eq!(found.loss_of_equilibrium, LossOfEquilibrium::Never);
+        let mut wrong = model.clone();
+        wrong.beam.length = -1.0;
+        assert!(matches!(load_factors(&wrong, |_| true), Err(Error::Invalid(_))));
+        let mut pushed = model;
+        pushed.beam.axial_force = -1.0;
+        assert!(matches!(load_factors(&pushed, |_| true), Err(Error::Unsupported(_))));
+    }
+
+    /// Both static reactions of an even load vanish at one factor: of the two motions the first is named.
+    #[test]
+    fn of_two_motions_lost_together_the_first_is_named() {
+        let model = unit().with_load(Load::point(2.0, 0.5)).with_load(Load::point(-1.0, 0.5));
+        let LossOfEquilibrium::At { factor, motion } = last(&model).loss_of_equilibrium else {
+            panic!()
+        };
+        assert_eq!((factor, motion.left, motion.right), (2.0, -1.0, 0.0));
+        assert_eq!(motion.work.to_bits(), 0);
+    }
+
+    /// Nothing ever acts on the right piece, which may lift at no cost: whether the left one stands decides. It does up
+    /// to the factor that takes the load from its left end: ql/4 for q on [0, l/2].
+    #[test]
+    fn a_piece_that_is_never_loaded_does_not_decide() {
+        for q in [0.125, 1.0, 8.0, 64.0] {
+            let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::winkler(1.0))
+                .with_hinge(crate::model::Hinge::free(0.5))
+                .with_load(Load::uniform(q, 0.0, 0.5))
+                .with_load(Load::point(-1.0, 0.0));
+            near(loss(last(&model)), 0.25 * q, 1e-15);
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! The loads split into those that stay and those that grow.
+
+use crate::existence::existence::{RigidMotion, Verdict, existence, rays};
+use crate::model::{Load, Model};
+
+/// The factor at which a beam that touches along its whole length first leaves the ground.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FirstLiftOff {
+    /// However small the factor, the beam does not touch along its whole length. Without loads that stay
+    /// and without a gap the fields are proportional to the factor, so it is this or [`Self::Never`].
+    AtOnce,
+    /// The beam touches along its whole length up to this factor, and beyond it no more.
+    At {
+        /// λ > 0.
+        factor: f64,
+        /// Where the ground's pressure, or the concentrated force, is then zero \[m\].
+        x: f64,
+    },
+    /// The beam touches along its whole length however large the factor.
+    Never,
+}
+
+/// A model under the loads that stay, and under those that grow. Both have all positions of the whole model,
+/// and so the same cells; the gap and the supports' settlements act with the loads that stay.
+pub(crate) struct Parts<'a> {
+    pub model: &'a Model,
+    pub grows: Vec<bool>,
+}
+
+impl<'a> Parts<'a> {
+    pub fn of(model: &'a Model, grows: impl Fn(usize) -> bool) -> Self {
+        Parts { model, grows: (0..model.loads.len()).map(grows).collect() }
+    }
+
+    /// The whole model with the loads that grow at a factor.
+    pub fn at(&self, factor: f64) -> Model {
+        let mut model = self.model.clone();
+        model.loads = self.loads(|grows| if grows { factor } else { 1.0 });
+        model
+    }
+
+    /// What stays alone.
+    pub fn staying(&self) -> Model {
+        self.at(0.0)
+    }
+
+    /// What grows alone, at factor 1.
+    pub fn growing(&self) -> Model {
+        let mut model = self.model.clone();
+        model.loads = self.loads(|grows| if grows { 1.0 } else { 0.0 });
+        for corner in &mut model.gap {
+            corner.value = 0.0;
+        }
+        for support in &mut model.supports {
+            support.settlement = 0.0;
+        }
+        model
+    }
+
+    pub fn loads(&self, factor: impl Fn(bool) -> f64) -> Vec<Load> {
+        let each = self.model.loads.iter().zip(&self.grows);
+        each.map(|(load, &grows)| load.scaled(factor(grows))).collect()
+    }
+
+    pub fn loss_of_equilibrium(&self) -> LossOfEquilibrium {
+        let mut first = LossOfEquilibrium::Never;
+        let mut least = f64::INFINITY;
+        let mut undecided = false;
+        let staying = rays(&self.staying());
+        for ((stays, motion), (grows, growing)) in staying.into_iter().zip(rays(&self.growing())) {
+            if stays.is_negative() || (stays.is_zero() && grows.is_negative()) {
+                let work = if stays.is_negative() { motion.work } else { growing.work };
+                return LossOfEquilibrium::AtOnce(RigidMotion { work, ..motion });
+            }
+            undecided |= stays.is_zero() && grows.is_zero();
+            let factor = stays.sum / -grows.sum;
+            if grows.is_negative() && factor < least {
+                least = factor;
+                first =
+                    LossOfEquilibrium::At { factor, motion: RigidMotion { work: 0.0, ..motion } };
+            }
+        }
+        // A motion that never costs anything leaves the question to what stands under an end.
+        let within = if least.is_finite() { 0.5 * least } else { 1.0 };
+        match existence(&self.at(within)).verdict {
+            Verdict::None(motion) if undecided => LossOfEquilibrium::AtOnce(motion),
+            _ => first,
+        }
+    }
+}
+
+/// The factor beyond which no equilibrium exists.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum LossOfEquilibrium {
+    /// However small the factor, there is no equilibrium: the motion never presses on the ground and the
+    /// loads gain work in it. The work is that of the loads that stay or, where these do none, of those
+    /// that grow, at factor 1.
+    AtOnce(RigidMotion),
+    /// An equilibrium exists for every smaller factor, and for none a little larger.
+    At {
+        /// λ > 0.
+        factor: f64,
+        /// The motion in which the loads gain work beyond the factor. At the factor itself they do none.
+        motion: RigidMotion,
+    },
+    /// An equilibrium exists for every factor.
+    Never,
+}

@@ -1,0 +1,373 @@
+//! A stretch of beam and ground within which everything given is a polynomial.
+
+use crate::ground::link::{between, settled, slope_between};
+use crate::model::{Course, Foundation, Profile};
+use crate::numeric::polynomial::{
+    Coefficients, derivative, ends, is_free_of_zeros, jet, product, rescale, value,
+};
+
+/// A stretch of beam and ground with EI, k, μ of one kind and linear f, g, κ₀, g₀.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Cell {
+    /// Left and right end \[m\].
+    pub x: [f64; 2],
+    /// EI \[N·m²\], where it varies at the middle.
+    pub stiffness: f64,
+    /// k \[N/m²\], where it varies at the middle.
+    pub spring: f64,
+    /// μ \[N\], where it varies at the middle.
+    pub shear: f64,
+    /// The coefficients of the beam's own shear stiffness S(s) \[N\]; none where it does not shear.
+    pub beam_shear: Option<[f64; Profile::MOST]>,
+    /// By how much they vary.
+    pub varies: Varies,
+    /// f at both ends \[N/m\].
+    pub load: [f64; 2],
+    /// g at both ends \[N·m/m\].
+    pub moment_load: [f64; 2],
+    /// κ₀ at both ends \[1/m\].
+    pub curvature: [f64; 2],
+    /// g₀ at both ends \[m\].
+    pub gap: [f64; 2],
+    /// g₀', the same to the last bit in all cells between two corners.
+    pub gap_slope: f64,
+    /// A load on the ground: q at both ends \[N/m\].
+    pub ground_load: [f64; 2],
+    /// u₀ − q/k at both ends \[m\], where [u₀](crate::mesh::free_field) is how far the ground settles without the beam.
+    pub faded: [f64; 2],
+    /// A force on the ground at the cell's left end \[N\].
+    pub ground_force: f64,
+}
+
+/// What EI, k and μ are beyond their values at the middle of a cell: nothing where they are constant.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Varies {
+    /// Of the powers s, s², … in EI.
+    stiffness: [f64; Profile::MOST - 1],
+    /// The same of k and of μ.
+    spring: [f64; GROUND - 1],
+    shear: [f64; GROUND - 1],
+    /// Where μ varies, μ at both ends: to the last bit what the neighbours within a segment say.
+    shear_ends: Option<[f64; 2]>,
+}
+
+/// Coefficients of k(s) and μ(s).
+pub(crate) const GROUND: usize = Foundation::MOST_CONTROL_VALUES;
+
+/// How far from a cell's middle, in half lengths, EI and μ are free of zeros: their reciprocals are
+/// series that fall as fast as the powers of this.
+const FREE: f64 = 10.0;
+
+impl Cell {
+    /// The coefficients of w − g₀, which is u where they touch, from those of w.
+    pub fn touched(&self, deflection: &[f64]) -> Coefficients {
+        let mut c = Coefficients::from(deflection);
+        let [left, right] = self.gap;
+        c[0] -= 0.5 * (left + right);
+        c[1] -= 0.5 * (right - left);
+        c
+    }
+
+    /// The coefficients of ψ = w − g₀ − u₀, from those of w.
+    pub fn obstacle(&self, deflection: &[f64]) -> Coefficients {
+        let mut c = self.touched(deflection);
+        if self.is_sunk() {
+            let settled = self.settled();
+            c = c.at_least(settled.len());
+            for (c, u) in c.iter_mut().zip(settled.iter()) {
+                *c -= u;
+            }
+        }
+        c
+    }
+
+    /// Whether loads on the ground act here, or reach it.
+    pub fn is_sunk(&self) -> bool {
+        self.ground_load != [0.0; 2] || self.faded != [0.0; 2]
+    }
+
+    /// b·length of the ground.
+    fn fading(&self) -> f64 {
+        (self.spring / self.shear).sqrt() * self.length()
+    }
+
+    /// u₀ and u₀′ at s.
+    pub fn settled_at(&self, s: f64) -> [f64; 2] {
+        if !self.is_sunk() {
+            return [0.0; 2];
+        }
+        let [a, b] = self.ground_load.map(|q| q / self.spring);
+        let mut u = [0.5 * (a + b) + 0.5 * (b - a) * s, (b - a) / self.length()];
+        if self.shear > 0.0 {
+            let ([left, right], bh, t) = (self.faded, self.fading(), 0.5 * (1.0 + s));
+            u[0] += between(left, right, bh, t);
+            u[1] += bh / self.length() * slope_between(left, right, bh, t);
+        }
+        u
+    }
+
+    /// The coefficients of u₀(s): cells where the ground settles by itself are short.
+    pub fn settled(&self) -> Coefficients {
+        let mut c = if self.shear > 0.0 {
+            settled(&[self.spring], &[self.shear], 0.5 * self.length(), self.faded)
+        } else {
+            Coefficients::zeros(2)
+        };
+        let [a, b] = self.ground_load.map(|q| q / self.spring);
+        c[0] += 0.5 * (a + b);
+        c[1] += 0.5 * (b - a);
+        c
+    }
+
+    /// Whether EI varies.
+    pub fn beam_varies(&self) -> bool {
+        self.varies.stiffness.iter().any(|c| *c != 0.0)
+    }
+
+    /// Whether S varies.
+    pub fn beam_shear_varies(&self) -> bool {
+        self.beam_shear.is_some_and(|shear| shear[1..].iter().any(|c| *c != 0.0))
+    }
+
+    /// Whether k or μ varies.
+    pub fn ground_varies(&self) -> bool {
+        let Varies { spring, shear, .. } = &self.varies;
+        spring.iter().chain(shear).any(|c| *c != 0.0)
+    }
+
+    /// Whether another cell has the same ground and neither varies.
+    pub fn shares_even_ground(&self, other: &Cell) -> bool {
+        self.spring == other.spring
+            && self.shear == other.shear
+            && !self.ground_varies()
+            && !other.ground_varies()
+    }
+
+    /// Whether a curvature is imposed.
+    pub fn is_curled(&self) -> bool {
+        self.curvature != [0.0; 2]
+    }
+
+    /// The coefficients of EI κ₀, the moment that bends the beam straight again.
+    pub fn curling_moment(&self) -> Coefficients {
+        let [left, right] = self.curvature;
+        let curvature = [0.5 * (left + right), 0.5 * (right - left)];
+        if self.beam_varies() {
+            return product(&self.stiffness_course(), &curvature);
+        }
+        Coefficients::from(&curvature.map(|c| self.stiffness * c)[..])
+    }
+
+    /// EI κ₀ at both ends.
+    pub fn curling_moments(&self) -> [f64; 2] {
+        if !self.beam_varies() {
+            return self.curvature.map(|curvature| self.stiffness * curvature);
+        }
+        ends(&self.curling_moment())
+    }
+
+    /// The coefficients of a distributed moment that does the work of EI κ₀ on w″, but for the part of EI κ₀ that
+    /// is linear between the cell's ends: there is more than that where EI varies alone.
+    pub fn curling_moment_load(&self) -> [f64; Profile::MOST] {
+        let mut load = [0.0; Profile::MOST];
+        if self.is_curled() && self.beam_varies() {
+            let half = 0.5 * self.length();
+            let [left, right] = self.curling_moments();
+            load[0] = 0.5 * (right - left) / half;
+            for (load, rise) in load.iter_mut().zip(derivative(&self.curling_moment()).iter()) {
+                *load -= rise / half;
+            }
+        }
+        load
+    }
+
+    /// The coefficients of EI(s).
+    pub fn stiffness_course(&self) -> [f64; Profile::MOST] {
+        with_first(self.stiffness, &self.varies.stiffness)
+    }
+
+    /// The coefficients of k(s).
+    pub fn spring_course(&self) -> [f64; GROUND] {
+        with_first(self.spring, &self.varies.spring)
+    }
+
+    /// The coefficients of μ(s).
+    pub fn shear_course(&self) -> [f64; GROUND] {
+        with_first(self.shear, &self.varies.shear)
+    }
+
+    /// μ at the left and the right end.
+    pub fn shear_ends(&self) -> [f64; 2] {
+        self.varies.shear_ends.unwrap_or([self.shear; 2])
+    }
+
+    /// k and μ at s.
+    pub fn ground_at(&self, s: f64) -> [f64; 2] {
+        if !self.ground_varies() {
+            return [self.spring, self.shear];
+        }
+        [value(&self.spring_course(), s), value(&self.shear_course(), s)]
+    }
+
+    /// k, μ and dμ/ds at s.
+    pub fn ground_rising_at(&self, s: f64) -> [f64; 3] {
+        if !self.ground_varies() {
+            return [self.spring, self.shear, 0.0];
+        }
+        let [shear, rise, ..] = jet(&self.shear_course(), s);
+        [value(&self.spring_course(), s), shear, rise]
+    }
+
+    /// Whether what varies does so little enough for short power series.
+    pub fn is_smooth(&self) -> bool {
+        let uneven_shear = self.beam_shear.filter(|_| self.beam_shear_varies());
+        (!self.beam_varies() || is_free_of_zeros(&self.stiffness_course(), FREE))
+            && uneven_shear.is_none_or(|shear| is_free_of_zeros(&shear, FREE))
+            && (!self.ground_varies()
+                || (is_free_of_zeros(&self.spring_course(), FREE)
+                    && (self.shear == 0.0 || is_free_of_zeros(&self.shear_course(), FREE))))
+    }
+
+    /// Whether unloaded ground along the cell, 2·`half` long, is one short power series as well.
+    pub fn is_short_for_open_ground(&self, half: f64) -> bool {
+        if !self.ground_varies() || self.shear == 0.0 {
+            return true;
+        }
+        let squared = [-1.0, 0.0, 1.0].map(|s| {
+            let [k, mu] = self.ground_at(s);
+            k / mu * half * half
+        });
+        squared.into_iter().fold(0.0, f64::max) <= 1.0
+    }
+
+    /// The cell between two of its own coordinates.
+    pub fn part(&self, s: [f64; 2]) -> Self {
+        let linear = |v: [f64; 2]| s.map(|s| 0.5 * (v[0] + v[1]) + 0.5 * (v[1] - v[0]) * s);
+        let mut part = Cell {
+            x: s.map(|s| self.global(s)),
+            load: linear(self.load),
+            moment_load: linear(self.moment_load),
+            curvature: linear(self.curvature),
+            gap: linear(self.gap),
+            ground_load: linear(self.ground_load),
+            ground_force: if s[0] == -1.0 { self.ground_force } else { 0.0 },
+            ..*self
+        };
+        if self.faded != [0.0; 2] {
+            let [left, right] = self.faded;
+            part.faded = s.map(|s| between(left, right, self.fading(), 0.5 * (1.0 + s)));
+        }
+        let (middle, half) = (0.5 * (s[0] + s[1]), 0.5 * (s[1] - s[0]));
+        let course = |c: &[f64]| {
+            let mut coefficients = [0.0; Profile::MOST];
+            coefficients[..c.len()].copy_from_slice(&rescale(c, middle, half));
+            coefficients
+        };
+        if self.beam_varies() {
+            part.set_stiffness(&course(&self.stiffness_course()));
+        }
+        if self.beam_shear_varies() {
+            part.beam_shear = self.beam_shear.map(|shear| course(&shear));
+        }
+        if self.ground_varies() {
+            let ends = [0, 1].map(|i| {
+                if s[i].abs() == 1.0 {
+                    self.shear_ends()[i]
+                } else {
+                    value(&self.shear_course(), s[i])
+                }
+            });
+            let spring = course(&self.spring_course());
+            part.set_ground(&spring, &course(&self.shear_course()), ends);
+        }
+        part
+    }
+
+    fn set_stiffness(&mut self, coefficients: &[f64; Profile::MOST]) {
+        let [first, rest @ ..] = coefficients;
+        (self.stiffness, self.varies.stiffness) = (*first, *rest);
+    }
+
+    fn set_ground(
+        &mut self,
+        spring: &[f64; Profile::MOST],
+        shear: &[f64; Profile::MOST],
+        shear_ends: [f64; 2],
+    ) {
+        let first = |c: &[f64; Profile::MOST]| (c[0], std::array::from_fn(|i| c[i + 1]));
+        (self.spring, self.varies.spring) = first(spring);
+        (self.shear, self.varies.shear) = first(shear);
+        let varies = self.varies.shear.iter().any(|c| *c != 0.0);
+        self.varies.shear_ends = varies.then_some(shear_ends);
+    }
+
+    /// EI and S of a segment.
+    pub fn set_beam(&mut self, bending: &Course, shear: Option<&Course>) {
+        self.set_stiffness(&bending.coefficients);
+        self.beam_shear = shear.map(|course| course.coefficients);
+    }
+
+    /// k and μ of a segment.
+    pub fn set_courses(&mut self, [spring, shear]: &[Course; 2]) {
+        self.set_ground(&spring.coefficients, &shear.coefficients, shear.ends);
+    }
+
+    /// EI and S times a number.
+    pub fn stiffen(&mut self, times: f64) {
+        self.stiffness *= times;
+        self.varies.stiffness = self.varies.stiffness.map(|c| c * times);
+        self.beam_shear = self.beam_shear.map(|shear| shear.map(|c| c * times));
+    }
+
+    /// k and μ times a number.
+    pub fn stiffen_ground(&mut self, times: f64) {
+        self.spring *= times;
+        self.shear *= times;
+        let Varies { spring, shear, shear_ends, .. } = &mut self.varies;
+        (*spring, *shear) = (spring.map(|c| c * times), shear.map(|c| c * times));
+        *shear_ends = shear_ends.map(|ends| ends.map(|c| c * times));
+    }
+
+    pub fn length(&self) -> f64 {
+        self.x[1] - self.x[0]
+    }
+
+    /// The cell's own coordinate s ∈ \[−1, 1\] of a position x.
+    pub fn local(&self, x: f64) -> f64 {
+        let [from, to] = self.x;
+        // From the nearer end, so that both ends map to ±1 exactly.
+        let s = if x - from <= to - x {
+            2.0 * ((x - from) / (to - from)) - 1.0
+        } else {
+            1.0 - 2.0 * ((to - x) / (to - from))
+        };
+        s.clamp(-1.0, 1.0)
+    }
+
+    /// The position x of s ∈ \[−1, 1\].
+    pub fn global(&self, s: f64) -> f64 {
+        let half = 0.5 * self.length();
+        if s <= 0.0 { self.x[0] + half * (1.0 + s) } else { self.x[1] - half * (1.0 - s) }
+    }
+}
+
+fn with_first<const N: usize, const REST: usize>(first: f64, rest: &[f64; REST]) -> [f64; N] {
+    let mut all = [first; N];
+    all[1..].copy_from_slice(rest);
+    all
+}
+
+/// g₀ + u₀ at s of a cell.
+pub(crate) fn gap_at(cell: &Cell, s: f64) -> f64 {
+    initial_gap_at(cell, s) + cell.settled_at(s)[0]
+}
+
+/// g₀ at s of a cell.
+pub(crate) fn initial_gap_at(cell: &Cell, s: f64) -> f64 {
+    initial(cell.gap, s)
+}
+
+/// Linear between the values at both ends.
+pub(crate) fn initial([left, right]: [f64; 2], s: f64) -> f64 {
+    0.5 * (left + right) + 0.5 * (right - left) * s
+}

@@ -1,0 +1,123 @@
+//! A deflection in pieces, points of the beam, and what ψ = w − g₀ − u₀ asks of the ground.
+
+use crate::mesh::cell::Cell;
+use crate::mesh::cell::{gap_at, initial, initial_gap_at};
+use crate::mesh::mesh::Mesh;
+use crate::mesh::varying;
+use crate::numeric::polynomial::{Coefficients, jet, value};
+
+/// A point of the beam: a cell and its coordinate s ∈ \[−1, 1\].
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+pub(crate) struct Spot {
+    pub cell: usize,
+    pub s: f64,
+}
+
+/// A stretch of contact, or a point of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Zone {
+    pub from: Spot,
+    pub to: Spot,
+}
+
+/// w on a mesh, as polynomials of `terms` coefficients in each cell.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Deflection<'a> {
+    pub mesh: &'a Mesh,
+    pub terms: usize,
+    pub coefficients: &'a [f64],
+}
+
+impl Deflection<'_> {
+    pub fn cell(&self, i: usize) -> &[f64] {
+        &self.coefficients[i * self.terms..(i + 1) * self.terms]
+    }
+
+    /// The coefficients of ψ = w − g₀ in cell i.
+    pub fn obstacle(&self, i: usize) -> Coefficients {
+        self.mesh.cells[i].obstacle(self.cell(i))
+    }
+
+    /// ψ at a spot.
+    pub fn obstacle_at(&self, spot: Spot) -> f64 {
+        value(self.cell(spot.cell), spot.s) - gap_at(&self.mesh.cells[spot.cell], spot.s)
+    }
+
+    /// ψ, ψ' and π = kψ − (μψ')' at a spot.
+    pub fn pressing(&self, spot: Spot) -> [f64; 3] {
+        let cell = &self.mesh.cells[spot.cell];
+        let [f, d1, d2, _] = jet(self.cell(spot.cell), spot.s);
+        let [settled, sinks] = cell.settled_at(spot.s);
+        // w − g₀, of which the ground's own settlement is −(μu₀′)′ + ku₀ = q less.
+        let psi = f - initial_gap_at(cell, spot.s);
+        let per_length = 2.0 / cell.length();
+        let slope = d1 * per_length - cell.gap_slope;
+        let [k, mu, rise] = cell.ground_rising_at(spot.s);
+        let load = initial(cell.ground_load, spot.s);
+        let pressure =
+            k * psi - mu * d2 * per_length * per_length - rise * per_length * slope - load;
+        [psi - settled, slope - sinks, pressure]
+    }
+
+    /// The position of a spot.
+    pub fn position(&self, spot: Spot) -> f64 {
+        self.mesh.cells[spot.cell].global(spot.s)
+    }
+
+    /// μψ' at a spot.
+    pub fn flux(&self, spot: Spot) -> f64 {
+        let cell = &self.mesh.cells[spot.cell];
+        let slope = jet(self.cell(spot.cell), spot.s)[1] * 2.0 / cell.length() - cell.gap_slope;
+        cell.ground_at(spot.s)[1] * (slope - cell.settled_at(spot.s)[1])
+    }
+
+    /// −\[μψ'\] at the node to the left of cell i: positive where a corner presses into the ground.
+    pub fn corner(&self, i: usize) -> f64 {
+        let [a, b] = [&self.mesh.cells[i - 1], &self.mesh.cells[i]];
+        let ([_, before], [after, _]) = (a.shear_ends(), b.shear_ends());
+        if self.mesh.nodes[i].hinge.is_some() || self.mesh.nodes[i].kinked {
+            let [left, right] = [Spot { cell: i - 1, s: 1.0 }, Spot { cell: i, s: -1.0 }];
+            return self.flux(left) - self.flux(right);
+        }
+        if before == after && a.gap_slope == b.gap_slope {
+            return -b.ground_force;
+        }
+        let slope = jet(self.cell(i), -1.0)[1] * 2.0 / b.length();
+        (before - after) * slope - (before * a.gap_slope - after * b.gap_slope) - b.ground_force
+    }
+
+    /// The coefficients of π = kψ − (μψ')' in cell i.
+    pub fn pressure(&self, i: usize) -> Coefficients {
+        let cell = &self.mesh.cells[i];
+        pressure_of(cell, 0.5 * cell.length(), &self.obstacle(i))
+    }
+}
+
+/// The coefficients of kψ − (μψ')' from those of ψ on a stretch of half length `half`.
+pub(crate) fn pressure_of(cell: &Cell, half: f64, obstacle: &[f64]) -> Coefficients {
+    if cell.ground_varies() {
+        return varying::pressure(cell, half, obstacle);
+    }
+    let factor = cell.shear / (half * half);
+    let mut pressure = Coefficients::from(obstacle);
+    for c in pressure.iter_mut() {
+        *c *= cell.spring;
+    }
+    for (j, (pressure, c)) in pressure.iter_mut().zip(obstacle.iter().skip(2)).enumerate() {
+        *pressure -= factor * ((j + 2) * (j + 1)) as f64 * c;
+    }
+    pressure
+}
+
+/// The coefficients of the pressure k(w − g₀) − (μ(w − g₀)')' − q under a beam that touches, from those of w on a
+/// stretch of half length `half`.
+pub(crate) fn pressure_under(cell: &Cell, half: f64, deflection: &Coefficients) -> Coefficients {
+    let mut obstacle = *deflection;
+    obstacle[0] -= 0.5 * (cell.gap[0] + cell.gap[1]);
+    obstacle[1] -= cell.gap_slope * half;
+    let mut pressure = pressure_of(cell, half, &obstacle);
+    let [left, right] = cell.ground_load;
+    pressure[0] -= 0.5 * (left + right);
+    pressure[1] -= 0.5 * (right - left);
+    pressure
+}

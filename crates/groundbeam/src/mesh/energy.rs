@@ -1,0 +1,184 @@
+//! The energy's bilinear forms for deflections that are polynomials in each cell of a mesh.
+
+use crate::mesh::cell::Cell;
+use crate::mesh::deflection::{Spot, Zone};
+use crate::mesh::mesh::Mesh;
+use crate::mesh::open_ground::open_link;
+use crate::mesh::pieces::pieces;
+use crate::mesh::varying;
+use crate::numeric::polynomial::inner;
+use crate::numeric::polynomial::{derivative, jet, product, rescale, value};
+
+/// A motion of the beam in pieces: `terms` coefficients for each cell.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Motion<'a> {
+    pub terms: usize,
+    pub deflection: &'a [f64],
+    /// Of the sections; empty where it is w' everywhere.
+    pub rotation: &'a [f64],
+}
+
+impl Motion<'_> {
+    fn deflection(&self, cell: usize) -> &[f64] {
+        &self.deflection[cell * self.terms..(cell + 1) * self.terms]
+    }
+
+    /// The rotation in a cell of a beam that shears.
+    fn rotation(&self, cell: usize) -> Option<&[f64]> {
+        self.rotation.get(cell * self.terms..(cell + 1) * self.terms)
+    }
+
+    /// w and φ at s of a cell.
+    fn at(&self, mesh: &Mesh, cell: usize, s: f64) -> [f64; 2] {
+        let [w, d, ..] = jet(self.deflection(cell), s);
+        let slope = d * 2.0 / mesh.cells[cell].length();
+        [w, self.rotation(cell).map_or(slope, |rotation| value(rotation, s))]
+    }
+}
+
+/// ∫(EI φ'ψ' + S (w' − φ)(z' − ψ) + P w'z') and the springs at supports and in hinges, for w with φ and z with ψ;
+/// ∫(EI w″z″ + P w'z') where the beam does not shear.
+pub(crate) fn beam_form(mesh: &Mesh, a: Motion, b: Motion) -> f64 {
+    let mut sum = 0.0;
+    for (i, cell) in mesh.cells.iter().enumerate() {
+        let [f, g] = [a.deflection(i), b.deflection(i)];
+        let h = cell.length();
+        sum += match (cell.beam_shear, a.rotation(i), b.rotation(i)) {
+            (Some(shear), Some(p), Some(q)) => {
+                2.0 / h * turning(cell, p, q) + 0.5 * h * shearing(&shear, h, [f, p], [g, q])
+            }
+            _ => bending(cell, f, g) * 8.0 / (h * h * h),
+        };
+        if mesh.axial_force != 0.0 {
+            sum += energy_form(h, (0.0, mesh.axial_force), [-1.0, 1.0], f, g);
+        }
+    }
+    for (i, node) in mesh.nodes.iter().enumerate() {
+        if node.spring != 0.0 || node.rotational_spring != 0.0 {
+            let (cell, s) = if i == 0 { (0, -1.0) } else { (i - 1, 1.0) };
+            let ([w, d], [z, e]) = (a.at(mesh, cell, s), b.at(mesh, cell, s));
+            sum += node.spring * w * z + node.rotational_spring * d * e;
+        }
+        if let Some(spring) = node.hinge.filter(|spring| *spring > 0.0) {
+            let turned = |c: Motion| c.at(mesh, i, -1.0)[1] - c.at(mesh, i - 1, 1.0)[1];
+            sum += spring * turned(a) * turned(b);
+        }
+    }
+    sum
+}
+
+/// F(w): the work of the loads of a mesh.
+pub(crate) fn work_of_loads(mesh: &Mesh, motion: Motion) -> f64 {
+    let mut work = 0.0;
+    for (i, cell) in mesh.cells.iter().enumerate() {
+        let c = motion.deflection(i);
+        let line = |[left, right]: [f64; 2]| [0.5 * (left + right), 0.5 * (right - left)];
+        work += 0.5 * cell.length() * inner(&line(cell.load), c, 0);
+        let turned = match motion.rotation(i) {
+            Some(rotation) => 0.5 * cell.length() * inner(&line(cell.moment_load), rotation, 0),
+            None => inner(&line(cell.moment_load), &derivative(c), 0),
+        };
+        work += turned;
+    }
+    for (i, node) in mesh.nodes.iter().enumerate() {
+        let (cell, s) = if i == 0 { (0, -1.0) } else { (i - 1, 1.0) };
+        let [w, turned] = motion.at(mesh, cell, s);
+        work += node.force * w + node.moment * turned;
+    }
+    work
+}
+
+/// The work of the ground's forces under ψ (contact on `zones`) on a second field δ: the first variation
+/// of ½ min_{u ≥ ψ} b(u, u), where `zones` is the contact of ψ; the bilinear form of the glued ground
+/// otherwise. Both fields are polynomials on the same mesh; ψ already without the gap.
+pub(crate) fn ground_work(
+    mesh: &Mesh,
+    terms: usize,
+    zones: &[Zone],
+    psi: &[f64],
+    delta: &[f64],
+) -> f64 {
+    let of =
+        |c: &'_ [f64], spot: Spot| value(&c[spot.cell * terms..(spot.cell + 1) * terms], spot.s);
+    let mut work = 0.0;
+    for piece in pieces(mesh) {
+        let mut left: Option<Spot> = None;
+        let own = zones.iter().filter(|z| piece.cells.contains(&z.from.cell));
+        let mut any = false;
+        let mut across = |from: Option<Spot>, to: Option<Spot>| {
+            if let Some(link) = open_link(mesh, &piece, from, to) {
+                let [a, b] = [from, to].map(|spot| spot.map_or(0.0, |spot| of(psi, spot)));
+                let [da, db] = [from, to].map(|spot| spot.map_or(0.0, |spot| of(delta, spot)));
+                work += link.force_left(a, b) * da + link.force_right(a, b) * db;
+            }
+        };
+        let mut touching = 0.0;
+        for zone in own {
+            any = true;
+            if piece.pasternak {
+                across(left, Some(zone.from));
+            }
+            for cell in zone.from.cell..=zone.to.cell {
+                let start = if cell == zone.from.cell { zone.from.s } else { -1.0 };
+                let end = if cell == zone.to.cell { zone.to.s } else { 1.0 };
+                if end > start {
+                    let c = &mesh.cells[cell];
+                    let slice = cell * terms..(cell + 1) * terms;
+                    let [psi, delta] = [&psi[slice.clone()], &delta[slice]];
+                    let part = [start, end];
+                    touching += if c.ground_varies() {
+                        varying::energy_form(c, part, psi, delta)
+                    } else {
+                        energy_form(c.length(), (c.spring, c.shear), part, psi, delta)
+                    };
+                }
+            }
+            left = Some(zone.to);
+        }
+        if piece.pasternak && any {
+            across(left, None);
+        }
+        work += touching;
+    }
+    work
+}
+
+/// ∫ (κ f g + N f' g') dx over a part of a cell of length h, for polynomials f and g.
+pub(crate) fn energy_form(
+    h: f64,
+    (kappa, tension): (f64, f64),
+    [from, to]: [f64; 2],
+    f: &[f64],
+    g: &[f64],
+) -> f64 {
+    let (middle, quarter) = (0.5 * (from + to), 0.5 * (to - from));
+    let half = 0.5 * h * quarter;
+    let form =
+        |f: &[f64], g: &[f64]| kappa * half * inner(f, g, 0) + tension / half * inner(f, g, 1);
+    if [from, to] == [-1.0, 1.0] {
+        return form(f, g);
+    }
+    form(&rescale(f, middle, quarter), &rescale(g, middle, quarter))
+}
+
+/// ∫ EI f″ g″ ds over \[−1, 1\], with derivatives by s.
+fn bending(cell: &Cell, f: &[f64], g: &[f64]) -> f64 {
+    if cell.beam_varies() { varying::bending(cell, f, g) } else { cell.stiffness * inner(f, g, 2) }
+}
+
+/// ∫ EI φ'ψ' ds over \[−1, 1\], with derivatives by s.
+fn turning(cell: &Cell, f: &[f64], g: &[f64]) -> f64 {
+    inner(&product(&cell.stiffness_course(), &derivative(f)), &derivative(g), 0)
+}
+
+/// ∫ S (w' − φ)(z' − ψ) ds over \[−1, 1\] in a cell of length h.
+fn shearing(shear: &[f64], h: f64, a: [&[f64]; 2], b: [&[f64]; 2]) -> f64 {
+    let strain = |[w, rotation]: [&[f64]; 2]| {
+        let mut strain = derivative(w).at_least(rotation.len());
+        for (c, turned) in strain.iter_mut().zip(rotation) {
+            *c = 2.0 / h * *c - turned;
+        }
+        strain
+    };
+    inner(&product(shear, &strain(a)), &strain(b), 0)
+}

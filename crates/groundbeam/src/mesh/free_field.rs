@@ -1,0 +1,270 @@
+//! How far the ground settles by itself under loads that act on it, under the beam and beside it.
+//!
+//! u₀ solves −(μu₀′)′ + ku₀ = q on the whole line, without any beam. What the beam adds is G p, and it touches
+//! where G p = w − g₀ − u₀: to the beam u₀ is a clearance that is no straight line. On even ground
+//! u₀ = q/k + e, where q is linear and e, the ground without load, is known by its values at both ends.
+//!
+//! The line is a chain of [links](Link), with what q does between two nodes carried by them; sums and
+//! products of positive numbers only.
+
+use crate::ground::link::Link;
+use crate::mesh::cell::Cell;
+use crate::model::{Beyond, Load, Model};
+
+/// A stretch of even ground with a linear load.
+#[derive(Debug, Clone, Copy)]
+struct Strip {
+    x: [f64; 2],
+    spring: f64,
+    shear: f64,
+    load: [f64; 2],
+}
+
+/// What a strip's load presses its two ends with, these being held: ∫q φ, φ the ground that is 1 at one
+/// end and 0 at the other.
+fn carried(strip: &Strip, link: &Link) -> [f64; 2] {
+    let stiffness = (strip.spring * strip.shear).sqrt();
+    let z = (strip.spring / strip.shear).sqrt() * (strip.x[1] - strip.x[0]);
+    // 1/sinh z − 1/z.
+    let less = if z < 0.5 {
+        let square = z * z;
+        let terms =
+            [-1.0 / 6.0, 7.0 / 360.0, -31.0 / 15120.0, 127.0 / 604_800.0, -73.0 / 3_421_440.0];
+        z * terms.iter().rev().fold(0.0, |sum, term| sum * square + term)
+    } else {
+        2.0 * (-z).exp() / -(-2.0 * z).exp_m1() - 1.0 / z
+    };
+    let [a, b] = strip.load;
+    [(a, b), (b, a)].map(|(here, there)| {
+        (here * link.leak_left + (here - there) * stiffness * less) / strip.spring
+    })
+}
+
+/// u₀ of a model with loads on the ground: makes every cell know it.
+pub(crate) fn settle(model: &Model, cells: &mut [Cell]) {
+    let l = model.beam.length;
+    let (Some(first), Some(last)) = (cells.first(), cells.last()) else { return };
+    let ground = &model.foundation;
+    let left = ground.beyond(false, l, first.ground_at(-1.0));
+    let right = ground.beyond(true, l, last.ground_at(1.0));
+    let (mut strips, held_left) = beside(model, &left, false);
+    strips.reverse();
+    let begin = strips.len();
+    strips.extend(cells.iter().map(|cell| Strip {
+        x: cell.x,
+        spring: cell.spring,
+        shear: cell.shear,
+        load: cell.ground_load,
+    }));
+    let (outer, held_right) = beside(model, &right, true);
+    strips.extend(outer);
+    let faded = faded(model, &strips, [held_left, held_right]);
+    for (cell, faded) in cells.iter_mut().zip(&faded[begin..]) {
+        cell.faded = *faded;
+    }
+}
+
+/// u₀ at one place of the whole line, from where the beam's end is outward.
+pub(crate) fn at(
+    model: &Model,
+    beyond: &Beyond,
+    right: bool,
+    cells: &[Cell],
+    distance: f64,
+) -> f64 {
+    let l = model.beam.length;
+    let (mut strips, held) = beside(model, beyond, right);
+    let x = if right { l + distance } else { -distance };
+    let Some(i) = strips.iter().position(|s| s.x[0] <= x && x <= s.x[1]) else { return 0.0 };
+    // The field beyond, held at what it is at the beam's end.
+    let strip = strips[i];
+    if x > strip.x[0] && x < strip.x[1] {
+        let value = |at: f64| {
+            // Endless ground bears nothing out there.
+            if strip.load == [0.0; 2] {
+                return 0.0;
+            }
+            let t = (at - strip.x[0]) / (strip.x[1] - strip.x[0]);
+            strip.load[0] * (1.0 - t) + strip.load[1] * t
+        };
+        let parts = [[strip.x[0], x], [x, strip.x[1]]];
+        let mut parts = parts.map(|x| Strip { x, load: x.map(value), ..strip });
+        if !right {
+            parts.reverse();
+        }
+        strips.splice(i..=i, parts);
+    }
+    let inner = |cell: &Cell| Strip {
+        x: cell.x,
+        spring: cell.spring,
+        shear: cell.shear,
+        load: cell.ground_load,
+    };
+    let other = model.foundation.beyond(!right, l, {
+        let cell = if right { &cells[0] } else { &cells[cells.len() - 1] };
+        cell.ground_at(if right { -1.0 } else { 1.0 })
+    });
+    let (mut far, held_far) = beside(model, &other, !right);
+    far.reverse();
+    if right {
+        let begin = far.len() + cells.len();
+        far.extend(cells.iter().map(inner));
+        far.extend(strips);
+        value_at(model, &far, [held_far, held], x, begin)
+    } else {
+        strips.reverse();
+        strips.extend(cells.iter().map(inner));
+        far.reverse();
+        strips.extend(far);
+        value_at(model, &strips, [held, held_far], x, 0)
+    }
+}
+
+fn value_at(model: &Model, strips: &[Strip], held: [bool; 2], x: f64, begin: usize) -> f64 {
+    let faded = faded(model, strips, held);
+    let of = |i: usize, end: usize| faded[i][end] + strips[i].load[end] / strips[i].spring;
+    (begin..strips.len())
+        .find_map(|i| {
+            let ends = strips[i].x;
+            if ends[1] == x { Some(of(i, 1)) } else { (ends[0] == x).then(|| of(i, 0)) }
+        })
+        .unwrap_or(0.0)
+}
+
+/// The strips beyond an end of the beam, outward, cut where loads begin and end; whether the far end is held.
+fn beside(model: &Model, beyond: &Beyond, right: bool) -> (Vec<Strip>, bool) {
+    let l = model.beam.length;
+    let outward = |x: f64| if right { x - l } else { -x };
+    let mut cuts: Vec<f64> = Vec::new();
+    for load in &model.loads {
+        match *load {
+            Load::GroundForce { at, .. } => cuts.push(outward(at)),
+            Load::GroundDistributed { from, to, .. } => cuts.extend([outward(from), outward(to)]),
+            _ => {}
+        }
+    }
+    cuts.retain(|cut| *cut > 0.0);
+    cuts.sort_by(f64::total_cmp);
+    cuts.dedup();
+    let mut strips = Vec::new();
+    let mut from = 0.0;
+    for layer in &beyond.layers {
+        let to = from + layer.length;
+        let first = cuts.partition_point(|cut| *cut <= from);
+        let inside = cuts[first..].iter().copied().take_while(|cut| *cut < to);
+        let ends: Vec<f64> = [from].into_iter().chain(inside).chain([to]).collect();
+        for pair in ends.windows(2) {
+            let place = |d: f64| if right { l + d } else { -d };
+            let mut x = [place(pair[0]), place(pair[1])];
+            x.sort_by(f64::total_cmp);
+            strips.push(Strip { x, spring: layer.spring, shear: layer.shear, load: [0.0; 2] });
+        }
+        from = to;
+    }
+    load_strips(model, &mut strips, right);
+    (strips, beyond.held)
+}
+
+/// The ends of a stretch within which a load on the ground neither begins nor ends: adds the load there to a sum.
+pub(crate) fn add_spread(sum: &mut [f64; 2], load: &Load, x: [f64; 2]) {
+    let Load::GroundDistributed { from, to, start, end } = *load else { return };
+    for (sum, x) in sum.iter_mut().zip(x) {
+        let even = start == end;
+        *sum += if even { start } else { (start * (to - x) + end * (x - from)) / (to - from) };
+    }
+}
+
+/// Adds to each of some strips, ordered outward from the beam, the loads spread on the ground there.
+fn load_strips(model: &Model, strips: &mut [Strip], right: bool) {
+    let middle = |strip: &Strip| 0.5 * (strip.x[0] + strip.x[1]);
+    for load in &model.loads {
+        let Load::GroundDistributed { from, to, .. } = *load else { continue };
+        let within = if right {
+            let first = strips.partition_point(|strip| middle(strip) <= from);
+            first..strips.partition_point(|strip| middle(strip) < to).max(first)
+        } else {
+            let first = strips.partition_point(|strip| middle(strip) >= to);
+            first..strips.partition_point(|strip| middle(strip) > from).max(first)
+        };
+        // A strip without an end bears nothing.
+        for strip in strips[within].iter_mut().filter(|s| s.x.iter().all(|x| x.is_finite())) {
+            add_spread(&mut strip.load, load, strip.x);
+        }
+    }
+}
+
+/// e at both ends of each strip.
+fn faded(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<[f64; 2]> {
+    let mut faded = vec![[0.0; 2]; strips.len()];
+    let mut from = 0;
+    while from < strips.len() {
+        let layered = strips[from].shear > 0.0;
+        let run = strips[from..].iter().take_while(|s| (s.shear > 0.0) == layered).count();
+        let to = from + run;
+        if layered {
+            let held = [held[0] && from == 0, held[1] && to == strips.len()];
+            let u = chain(model, &strips[from..to], held);
+            for (i, strip) in strips[from..to].iter().enumerate() {
+                let ends = [u[i], u[i + 1]];
+                faded[from + i] = [0, 1].map(|e| ends[e] - strip.load[e] / strip.spring);
+            }
+        }
+        from = to;
+    }
+    faded
+}
+
+/// u₀ at the nodes of strips in a row.
+fn chain(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<f64> {
+    let n = strips.len();
+    // Stiffness to the ground at each node, coupling to the next, force.
+    let (mut own, mut coupling, mut force) = (vec![0.0; n + 1], vec![0.0; n], vec![0.0; n + 1]);
+    for (i, strip) in strips.iter().enumerate() {
+        if strip.x[0] == f64::NEG_INFINITY {
+            own[i + 1] += (strip.spring * strip.shear).sqrt();
+        } else if strip.x[1] == f64::INFINITY {
+            own[i] += (strip.spring * strip.shear).sqrt();
+        } else {
+            let link = Link::uniform(strip.spring, strip.shear, strip.x[1] - strip.x[0]);
+            own[i] += link.leak_left;
+            own[i + 1] += link.leak_right;
+            coupling[i] = link.coupling;
+            let [left, right] = carried(strip, &link);
+            force[i] += left;
+            force[i + 1] += right;
+        }
+    }
+    if held[0] {
+        own[0] = f64::INFINITY;
+    }
+    if held[1] {
+        own[n] = f64::INFINITY;
+    }
+    let nodes: Vec<f64> = strips.iter().map(|s| s.x[0]).chain([strips[n - 1].x[1]]).collect();
+    let l = model.beam.length;
+    for load in &model.loads {
+        let Load::GroundForce { at, force: load } = *load else { continue };
+        let near = 16.0 * f64::EPSILON * (at.abs() + l);
+        if at >= nodes[0] - near && at <= nodes[n] + near {
+            let right = nodes.partition_point(|x| *x < at).min(n);
+            let left = right.saturating_sub(1);
+            let node = if at - nodes[left] < nodes[right] - at { left } else { right };
+            force[node] += load;
+        }
+    }
+    // What is to the left of each node, as one spring and one force.
+    for i in 0..n {
+        let (spring, c) = (own[i], coupling[i]);
+        if c > 0.0 {
+            own[i + 1] += c / (1.0 + c / spring);
+            force[i + 1] += force[i] * (c / (spring + c));
+        }
+    }
+    let mut u = vec![0.0; n + 1];
+    for i in (0..=n).rev() {
+        let (c, next) = if i < n { (coupling[i], u[i + 1]) } else { (0.0, 0.0) };
+        let spring = own[i] + c;
+        u[i] = if spring > 0.0 { (force[i] + c * next) / spring } else { 0.0 };
+    }
+    u
+}

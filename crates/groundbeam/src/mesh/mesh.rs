@@ -1,0 +1,507 @@
+//! The model cut into cells within which everything given is a polynomial, most of it constant or linear.
+//!
+//! Nodes stand where the physics needs them: at loads, supports, hinges, the ends of segments and of
+//! distributed loads, the corners of the initial gap. A method adds its own.
+
+use crate::ground::link;
+use crate::mesh::cell::Cell;
+use crate::mesh::cell::Varies;
+use crate::mesh::free_field;
+use crate::model::{Course, Load, Model, SupportKind};
+use crate::numeric::polynomial::value;
+
+/// What acts on and holds the beam at one point.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Node {
+    /// Position \[m\].
+    pub x: f64,
+    /// Point force, down \[N\].
+    pub force: f64,
+    /// Point moment \[N·m\].
+    pub moment: f64,
+    /// w is the settlement.
+    pub pinned: bool,
+    /// How far what holds it has settled \[m\].
+    pub settlement: f64,
+    /// The sections' rotation is 0.
+    pub clamped: bool,
+    /// Spring against w less the settlement \[N/m\].
+    pub spring: f64,
+    /// Spring against the sections' rotation \[N·m/rad\].
+    pub rotational_spring: f64,
+    /// The sections' rotation may jump, against this spring \[N·m/rad\].
+    pub hinge: Option<f64>,
+    /// w' may jump though no hinge is there: a beam that shears has a kink where a force acts on it, and where its
+    /// own or the ground's stiffness against shear changes.
+    pub kinked: bool,
+}
+
+/// Nodes from left to right and the cells between them.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Mesh {
+    pub nodes: Vec<Node>,
+    pub cells: Vec<Cell>,
+    /// P \[N\].
+    pub axial_force: f64,
+    /// The spring that the ground beyond the left and the right end is \[N/m\]; √(kμ) where it is even and
+    /// endless.
+    pub outside: [f64; 2],
+}
+
+/// EI over h²(N + kh²) of a stiffened cell: no more than its own where its waves are longer than it.
+const STIFF: f64 = 0.5;
+
+/// Positions closer than this part of the beam's length are one position.
+const SAME_PLACE: f64 = 4.0 * f64::EPSILON;
+
+impl Mesh {
+    /// The fewest nodes, and `more` of them. Every interval between two of these is then cut into
+    /// as many equal cells as `parts` says of a cell.
+    pub fn build(model: &Model, more: &[f64], parts: impl Fn(&Cell) -> usize) -> Self {
+        Self::cut(model, more, |cell, x| into_equal(cell, parts(cell), x))
+    }
+
+    /// The same, and what varies so much that it is no short power series is halved before it is cut.
+    pub fn graded(model: &Model, more: &[f64], parts: impl Fn(&Cell) -> usize) -> Self {
+        Self::cut(model, more, |cell, x| graded(cell, &parts, x))
+    }
+
+    /// Calls `each` with every cell of a [graded](Self::graded) mesh of one part to a cell, and with the number of
+    /// pieces into which it is cut because the ground settles by itself. Returns how many cells the model itself has.
+    pub fn each_graded(model: &Model, mut each: impl FnMut(&Cell, usize)) -> usize {
+        let coarse = cells_between(model, &positions(model, &[]));
+        for cell in &coarse {
+            let settles = pieces_of_settled(cell);
+            each_smooth(cell, MOST_HALVINGS, &mut |cell| each(cell, settles));
+        }
+        coarse.len()
+    }
+
+    /// Cuts each interval between two of the fewest nodes, and `more` of them, at positions of its own.
+    fn cut(model: &Model, more: &[f64], cut: impl Fn(&Cell, &mut Vec<f64>)) -> Self {
+        let coarse = cells_between(model, &positions(model, more));
+        let mut x = Vec::with_capacity(2 * coarse.len());
+        x.push(0.0);
+        for cell in &coarse {
+            let pieces = pieces_of_settled(cell);
+            for i in 0..pieces {
+                let s = [i, i + 1].map(|i| 2.0 * i as f64 / pieces as f64 - 1.0);
+                let part = if pieces == 1 { *cell } else { cell.part(s) };
+                cut(&part, &mut x);
+                x.push(part.x[1]);
+            }
+        }
+        let cells = if x.len() == coarse.len() + 1 { coarse } else { cells_between(model, &x) };
+        let first = cells[0];
+        let last = cells[cells.len() - 1];
+        let ground = &model.foundation;
+        let l = model.beam.length;
+        let outside = [
+            ground.beyond(false, l, first.ground_at(-1.0)),
+            ground.beyond(true, l, last.ground_at(1.0)),
+        ];
+        let outside = outside.map(|beyond| link::outside(&beyond));
+        let mut mesh =
+            Mesh { nodes: nodes_of(&cells), cells, axial_force: model.beam.axial_force, outside };
+        mesh.place_loads_and_supports(model);
+        mesh.find_kinks();
+        mesh
+    }
+
+    /// Makes the beam so stiff that its waves on the ground are as long as the cells: a mesh that is too
+    /// coarse for the beam then solves a smooth problem of its own, a start for a finer one.
+    pub fn stiffen(&mut self) {
+        for cell in &mut self.cells {
+            let h = cell.length();
+            let tension = self.axial_force.max(0.0) + cell.shear;
+            let least = STIFF * h * h * (tension + cell.spring * h * h);
+            if cell.beam_varies() {
+                cell.stiffen((least / cell.stiffness).max(1.0));
+            } else {
+                cell.stiffness = cell.stiffness.max(least);
+            }
+        }
+    }
+
+    /// How many times the stiffest cell of a stiffened mesh exceeds its own beam.
+    pub fn stiffening(&self) -> f64 {
+        let mut stiff = self.clone();
+        stiff.stiffen();
+        let ratio = |(a, b): (&Cell, &Cell)| a.stiffness / b.stiffness;
+        stiff.cells.iter().zip(&self.cells).map(ratio).fold(1.0, f64::max)
+    }
+
+    /// The mesh with its beam `part` of the way, in the exponent, from stiffened to its own.
+    pub fn stiffened(&self, part: f64) -> Self {
+        let mut mesh = self.clone();
+        mesh.stiffen();
+        for (cell, own) in mesh.cells.iter_mut().zip(&self.cells) {
+            let times = (cell.stiffness / own.stiffness).powf(1.0 - part);
+            *cell = *own;
+            cell.stiffen(times);
+        }
+        mesh
+    }
+
+    /// `elements` equal elements, and a node wherever the model has one.
+    pub fn uniform(model: &Model, elements: usize) -> Self {
+        let l = model.beam.length;
+        let more: Vec<f64> = (1..elements).map(|i| l * (i as f64 / elements as f64)).collect();
+        Self::build(model, &more, |_| 1)
+    }
+
+    /// The cell that holds x; of two that meet there the right one.
+    pub fn cell_at(&self, x: f64) -> usize {
+        self.cells.partition_point(|cell| cell.x[1] <= x).min(self.cells.len() - 1)
+    }
+
+    /// The node nearest to x.
+    pub fn node_at(&self, x: f64) -> usize {
+        let right = self.nodes.partition_point(|node| node.x < x).min(self.nodes.len() - 1);
+        let left = right.saturating_sub(1);
+        if x - self.nodes[left].x < self.nodes[right].x - x { left } else { right }
+    }
+
+    /// Where w' may jump: the beam's own shear force S(w' − φ) does, or S itself.
+    fn find_kinks(&mut self) {
+        for i in 1..self.cells.len() {
+            let [left, right] = [&self.cells[i - 1], &self.cells[i]];
+            let at = |cell: &Cell, s: f64| cell.beam_shear.map_or(0.0, |shear| value(&shear, s));
+            if left.beam_shear.is_none() && right.beam_shear.is_none() {
+                continue;
+            }
+            let node = &self.nodes[i];
+            let pushed = node.force != 0.0 || node.pinned || node.spring != 0.0;
+            let jump = at(left, 1.0) - at(right, -1.0);
+            let stiffness_jumps = jump.abs() > ROUNDING * at(left, 1.0);
+            let ground_jumps = left.shear_ends()[1] != right.shear_ends()[0]
+                || left.gap_slope != right.gap_slope
+                || right.ground_force != 0.0;
+            self.nodes[i].kinked = pushed || stiffness_jumps || ground_jumps;
+        }
+    }
+
+    fn place_loads_and_supports(&mut self, model: &Model) {
+        for load in &model.loads {
+            match *load {
+                Load::PointForce { at, force } => {
+                    let i = self.node_at(at);
+                    self.nodes[i].force += force;
+                }
+                Load::PointMoment { at, moment } => {
+                    let i = self.node_at(at);
+                    self.nodes[i].moment += moment;
+                }
+                Load::Distributed { .. }
+                | Load::DistributedMoment { .. }
+                | Load::Curvature { .. }
+                | Load::GroundForce { .. }
+                | Load::GroundDistributed { .. } => {}
+            }
+        }
+        for hinge in &model.hinges {
+            let i = self.node_at(hinge.at);
+            self.nodes[i].hinge = Some(hinge.rotational_spring);
+        }
+        for support in &model.supports {
+            let i = self.node_at(support.at);
+            let node = &mut self.nodes[i];
+            node.settlement = support.settlement;
+            match support.kind {
+                SupportKind::Pinned => node.pinned = true,
+                SupportKind::Fixed => (node.pinned, node.clamped) = (true, true),
+                SupportKind::Spring { spring, rotational_spring } => {
+                    node.spring += spring;
+                    node.rotational_spring += rotational_spring;
+                }
+            }
+        }
+    }
+}
+
+/// The jump of a stiffness, relative to it, that is none.
+const ROUNDING: f64 = 1e-13;
+
+/// Halvings of a cell.
+const MOST_HALVINGS: u32 = 40;
+
+fn into_equal(cell: &Cell, parts: usize, x: &mut Vec<f64>) {
+    x.extend((1..parts).map(|i| cell.global(2.0 * i as f64 / parts as f64 - 1.0)));
+}
+
+fn graded(cell: &Cell, parts: &impl Fn(&Cell) -> usize, x: &mut Vec<f64>) {
+    let mut first = true;
+    each_smooth(cell, MOST_HALVINGS, &mut |part| {
+        if !std::mem::take(&mut first) {
+            x.push(part.x[0]);
+        }
+        into_equal(part, parts(part), x);
+    });
+}
+
+/// The parts of a cell, from left to right, that are smooth after as many halvings as are needed.
+fn each_smooth(cell: &Cell, halvings: u32, each: &mut impl FnMut(&Cell)) {
+    if halvings == 0 || cell.is_smooth() {
+        return each(cell);
+    }
+    each_smooth(&cell.part([-1.0, 0.0]), halvings - 1, each);
+    each_smooth(&cell.part([0.0, 1.0]), halvings - 1, each);
+}
+
+/// Into how many pieces a cell is cut where the ground settles by itself: its surface is a short power series in each.
+fn pieces_of_settled(cell: &Cell) -> usize {
+    if !cell.is_sunk() || cell.shear == 0.0 {
+        return 1;
+    }
+    let fades = (cell.spring / cell.shear).sqrt() * cell.length();
+    fades.ceil().max(1.0) as usize
+}
+
+/// Where the model itself needs a node, with `more`: sorted, each place once.
+fn positions(model: &Model, more: &[f64]) -> Vec<f64> {
+    let l = model.beam.length;
+    let most = 2 * (1 + model.beam.segments.len() + model.foundation.segments.len())
+        + 2 * model.loads.len()
+        + model.supports.len()
+        + model.hinges.len()
+        + model.gap.len()
+        + more.len();
+    // With whether it is the model's own.
+    let mut places: Vec<(f64, bool)> = Vec::with_capacity(most);
+    let mut own = |x: f64| places.push((x, true));
+    [0.0, l].into_iter().for_each(&mut own);
+    model.beam.segments.iter().flat_map(|s| [s.from, s.to]).for_each(&mut own);
+    model.foundation.segments.iter().flat_map(|s| [s.from, s.to]).for_each(&mut own);
+    for load in &model.loads {
+        match *load {
+            Load::PointForce { at, .. }
+            | Load::PointMoment { at, .. }
+            | Load::GroundForce { at, .. } => own(at),
+            Load::Distributed { from, to, .. }
+            | Load::DistributedMoment { from, to, .. }
+            | Load::Curvature { from, to, .. }
+            | Load::GroundDistributed { from, to, .. } => {
+                [from, to].into_iter().for_each(&mut own);
+            }
+        }
+    }
+    model.supports.iter().map(|s| s.at).for_each(&mut own);
+    model.hinges.iter().map(|h| h.at).for_each(&mut own);
+    model.gap.iter().map(|g| g.at).for_each(&mut own);
+    places.extend(more.iter().map(|&x| (x, false)));
+    places.retain(|&(x, _)| x >= 0.0 && x <= l);
+    places.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+    let near = SAME_PLACE * l;
+    places.dedup_by(|next, last| {
+        let same = next.0 - last.0 <= near;
+        // Of two spellings of one place the model's own stays.
+        if same && next.1 && !last.1 {
+            *last = *next;
+        }
+        same
+    });
+    while places.len() > 1 && l - places[places.len() - 1].0 <= near {
+        places.pop();
+    }
+    places[0].0 = 0.0;
+    places.into_iter().map(|(x, _)| x).chain([l]).collect()
+}
+
+fn nodes_of(cells: &[Cell]) -> Vec<Node> {
+    let first = cells.iter().take(1).map(|cell| cell.x[0]);
+    let x = first.chain(cells.iter().map(|cell| cell.x[1]));
+    x.map(|x| Node { x, ..Node::default() }).collect()
+}
+
+fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
+    let even = |stiffness: f64| Course::constant(stiffness).coefficients;
+    let mut cells: Vec<Cell> = x
+        .windows(2)
+        .map(|x| Cell {
+            x: [x[0], x[1]],
+            stiffness: model.beam.bending_stiffness,
+            spring: model.foundation.spring,
+            shear: model.foundation.shear,
+            beam_shear: model.beam.shear_stiffness.map(even),
+            varies: Varies::default(),
+            load: [0.0; 2],
+            moment_load: [0.0; 2],
+            curvature: [0.0; 2],
+            gap: [0.0; 2],
+            gap_slope: 0.0,
+            ground_load: [0.0; 2],
+            faded: [0.0; 2],
+            ground_force: 0.0,
+        })
+        .collect();
+    for segment in &model.beam.segments {
+        for cell in within(&mut cells, segment.from, segment.to) {
+            let own = segment.shear_stiffness.map(|s| s.on([segment.from, segment.to], cell.x));
+            let shear = own.or(model.beam.shear_stiffness.map(Course::constant));
+            cell.set_beam(&segment.course(cell.x), shear.as_ref());
+        }
+    }
+    for segment in &model.foundation.segments {
+        for cell in within(&mut cells, segment.from, segment.to) {
+            cell.set_courses(&segment.courses(cell.x));
+        }
+    }
+    for load in &model.loads {
+        match *load {
+            Load::Distributed { from, to, .. }
+            | Load::DistributedMoment { from, to, .. }
+            | Load::Curvature { from, to, .. } => {
+                within(&mut cells, from, to).iter_mut().for_each(|cell| add_spread(cell, load));
+            }
+            Load::GroundDistributed { .. } => {}
+            Load::PointForce { .. } | Load::PointMoment { .. } | Load::GroundForce { .. } => {}
+        }
+    }
+    if model.has_ground_loads() {
+        load_ground(model, &mut cells);
+    }
+    if !model.gap.is_empty() {
+        for cell in &mut cells {
+            cell.gap = cell.x.map(|x| initial_gap(model, x));
+            cell.gap_slope = gap_slope(model, 0.5 * (cell.x[0] + cell.x[1]));
+        }
+    }
+    cells
+}
+
+/// What acts on the ground, and how far it settles under it without the beam.
+fn load_ground(model: &Model, cells: &mut [Cell]) {
+    let middle = |cell: &Cell| 0.5 * (cell.x[0] + cell.x[1]);
+    for load in &model.loads {
+        match *load {
+            Load::GroundDistributed { from, to, .. } => {
+                let first = cells.partition_point(|cell| middle(cell) <= from);
+                let end = cells.partition_point(|cell| middle(cell) < to).max(first);
+                for cell in &mut cells[first..end] {
+                    free_field::add_spread(&mut cell.ground_load, load, cell.x);
+                }
+            }
+            Load::GroundForce { at, force } => {
+                // The nearest left end inside the beam; of two as near the left one.
+                let right = cells.partition_point(|cell| cell.x[0] < at).max(1);
+                let distance =
+                    |i: usize| cells.get(i).map_or(f64::INFINITY, |c| (c.x[0] - at).abs());
+                let left = (right - 1).max(1);
+                let nearest = if distance(left) <= distance(right) { left } else { right };
+                if distance(nearest) <= SAME_PLACE * model.beam.length {
+                    cells[nearest].ground_force += force;
+                }
+            }
+            _ => {}
+        }
+    }
+    free_field::settle(model, cells);
+}
+
+/// The cells between two positions.
+fn within(cells: &mut [Cell], from: f64, to: f64) -> &mut [Cell] {
+    let middle = |cell: &Cell| 0.5 * (cell.x[0] + cell.x[1]);
+    let first = cells.partition_point(|cell| middle(cell) < from);
+    let end = cells.partition_point(|cell| middle(cell) < to).max(first);
+    &mut cells[first..end]
+}
+
+fn add_spread(cell: &mut Cell, load: &Load) {
+    if let Load::Distributed { from, to, start, end }
+    | Load::DistributedMoment { from, to, start, end }
+    | Load::Curvature { from, to, start, end } = *load
+    {
+        let at = |x: f64| {
+            // Two sums of one kind of term each: a mirrored load is mirrored to the last bit.
+            (start * (to - x) + end * (x - from)) / (to - from)
+        };
+        let values = if start == end { [start; 2] } else { cell.x.map(at) };
+        let into = match load {
+            Load::Distributed { .. } => &mut cell.load,
+            Load::Curvature { .. } => &mut cell.curvature,
+            _ => &mut cell.moment_load,
+        };
+        for (sum, value) in into.iter_mut().zip(values) {
+            *sum += value;
+        }
+    }
+}
+
+/// g₀(x): linear between corners, constant beyond them.
+fn initial_gap(model: &Model, x: f64) -> f64 {
+    let corners = &model.gap;
+    let right = corners.partition_point(|corner| corner.at < x);
+    match (right.checked_sub(1).map(|i| corners[i]), corners.get(right)) {
+        (Some(a), Some(b)) => (a.value * (b.at - x) + b.value * (x - a.at)) / (b.at - a.at),
+        (Some(only), None) => only.value,
+        (None, Some(only)) => only.value,
+        (None, None) => 0.0,
+    }
+}
+
+/// g₀'(x) between corners, 0 beyond them.
+fn gap_slope(model: &Model, x: f64) -> f64 {
+    let right = model.gap.partition_point(|corner| corner.at < x);
+    match (right.checked_sub(1).map(|i| model.gap[i]), model.gap.get(right)) {
+        (Some(a), Some(b)) => (b.value - a.value) / (b.at - a.at),
+        _ => 0.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Beam, Foundation, Profile};
+    use crate::numeric::polynomial::value;
+
+    #[test]
+    fn nodes_stand_where_the_physics_needs_them() {
+        let model = Model::new(
+            Beam::uniform(10.0, 1.0).with_segment(2.0, 4.0, 5.0),
+            Foundation::winkler(1.0).with_segment(-5.0, 3.0, 7.0, 2.0),
+        )
+        .with_load(Load::point(1.0, 4.0))
+        .with_load(Load::Distributed { from: 1.0, to: 9.0, start: 0.0, end: 8.0 });
+        let mesh = Mesh::build(&model, &[], |_| 1);
+        let x: Vec<f64> = mesh.nodes.iter().map(|n| n.x).collect();
+        assert_eq!(x, [0.0, 1.0, 2.0, 3.0, 4.0, 9.0, 10.0]);
+        assert_eq!(mesh.cells[3].stiffness, 5.0);
+        assert_eq!((mesh.cells[2].spring, mesh.cells[3].spring), (7.0, 1.0));
+        assert_eq!(mesh.cells[4].load, [3.0, 8.0]);
+        assert_eq!(mesh.nodes[4].force, 1.0);
+        assert_eq!(mesh.outside, [f64::sqrt(14.0), 0.0]);
+    }
+
+    #[test]
+    fn what_varies_is_cut_finer_where_it_is_small() {
+        let thousandfold = Profile::linear(1.0, 1000.0);
+        let ground = Foundation::winkler(1.0).with_varying_segment(
+            -1.0,
+            6.0,
+            Profile::linear(1.0, 8.0),
+            Profile::linear(3.0, 10.0),
+        );
+        let beam = Beam::uniform(6.0, 1.0).with_varying_segment(0.0, 5.0, thousandfold);
+        let mesh = Mesh::graded(&Model::new(beam, ground), &[], |_| 1);
+        assert!(mesh.cells.iter().all(Cell::is_smooth));
+        assert!((30..80).contains(&mesh.cells.len()), "{}", mesh.cells.len());
+        let ends = |i: usize| mesh.cells[i].shear_ends();
+        assert!((1..mesh.cells.len()).all(|i| ends(i - 1)[1] == ends(i)[0]));
+        assert!((mesh.outside[0] - f64::sqrt(8.0)).abs() < 1e-15);
+        assert!((mesh.outside[1] - f64::sqrt(80.0)).abs() < 1e-14);
+        let part = mesh.cells[3].part([-0.5, 1.0]);
+        let course = thousandfold.at(part.global(0.3) / 5.0);
+        assert!((value(&part.stiffness_course(), 0.3) / course - 1.0).abs() < 1e-14);
+        assert_eq!(part.shear_ends()[1], ends(3)[1]);
+    }
+
+    #[test]
+    fn places_that_differ_by_rounding_are_one() {
+        let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::winkler(1.0))
+            .with_load(Load::point(1.0, 0.3))
+            .with_load(Load::point(1.0, 0.1 + 0.2));
+        let mesh = Mesh::build(&model, &[], |_| 1);
+        assert_eq!(mesh.nodes.len(), 3);
+        assert_eq!(mesh.nodes[1].force, 2.0);
+    }
+}

@@ -1,0 +1,10 @@
+//! The discrete problem: cells, nodes, the free field, deflections and their energies, (3.8), (3.9).
+
+pub(crate) mod cell;
+pub(crate) mod deflection;
+pub(crate) mod energy;
+pub(crate) mod free_field;
+pub(crate) mod mesh;
+pub(crate) mod open_ground;
+pub(crate) mod pieces;
+pub(crate) mod varying;

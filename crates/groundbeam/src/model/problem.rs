@@ -1,0 +1,180 @@
+//! A fault of a model: the part, what is wrong, and the remedy.
+
+use super::Profile;
+use std::fmt;
+
+/// Which part of the model a [`Problem`] is about; numbers count from 0 in the order given.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// The beam itself.
+    Beam,
+    /// One of the beam's segments.
+    BeamSegment(usize),
+    /// The foundation itself.
+    Foundation,
+    /// One of the foundation's segments.
+    FoundationSegment(usize),
+    /// One of the loads.
+    Load(usize),
+    /// One of the supports.
+    Support(usize),
+    /// One of the hinges.
+    Hinge(usize),
+    /// One corner of the initial gap.
+    Gap(usize),
+}
+
+/// One thing that is wrong with a model.
+///
+/// Positions that a reader should see in a unit of their own choice are in `numbers`, and stand in
+/// `message` and `hint` as `{0}`, `{1}`, …; [`Problem::fill`] writes them out.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Problem {
+    /// A fixed code, one for each rule, such as `GB101`.
+    pub code: &'static str,
+    /// The part of the model.
+    pub part: Part,
+    /// The field of that part, as the model names it: `length`, `at`, `from`, `spring`, …
+    pub field: &'static str,
+    /// What is wrong.
+    pub message: String,
+    /// What would be right.
+    pub hint: String,
+    /// Positions \[m\] that `message` and `hint` refer to as `{0}`, `{1}`, …
+    pub numbers: Vec<f64>,
+}
+
+impl Problem {
+    pub(super) fn new(
+        code: &'static str,
+        part: Part,
+        field: &'static str,
+        message: impl Into<String>,
+        hint: impl Into<String>,
+    ) -> Self {
+        Problem { code, part, field, message: message.into(), hint: hint.into(), numbers: vec![] }
+    }
+
+    pub(super) fn with_numbers(mut self, numbers: &[f64]) -> Self {
+        self.numbers = numbers.to_vec();
+        self
+    }
+
+    /// `text` with `{0}`, `{1}`, … replaced by the numbers, each written by `write`.
+    pub fn fill(&self, text: &str, write: impl Fn(f64) -> String) -> String {
+        let mut filled = text.to_owned();
+        for (i, &number) in self.numbers.iter().enumerate() {
+            filled = filled.replace(&format!("{{{i}}}"), &write(number));
+        }
+        filled
+    }
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let plain = |x: f64| x.to_string();
+        write!(
+            f,
+            "[{}] {:?}, {}: {} ({})",
+            self.code,
+            self.part,
+            self.field,
+            self.fill(&self.message, plain),
+            self.fill(&self.hint, plain)
+        )
+    }
+}
+
+/// Numbers whose squares and cubes still fit are the ones mechanics can be done with.
+pub(crate) fn in_range(value: f64) -> bool {
+    value == 0.0 || (value.is_finite() && (1e-60..=1e60).contains(&value.abs()))
+}
+
+pub(crate) fn describe(value: f64) -> String {
+    if value.is_nan() {
+        "not a number".into()
+    } else if value.is_infinite() {
+        "infinite".into()
+    } else if value < 0.0 && in_range(value) {
+        "negative".into()
+    } else if value == 0.0 {
+        "zero".into()
+    } else {
+        format!("{value:e}, beyond what can be computed with")
+    }
+}
+
+/// What would be right: the rule, or the range of numbers where only that is broken.
+pub(crate) fn remedy(value: f64, rule: &str) -> String {
+    if value.is_finite() && !in_range(value) {
+        "numbers between 1e-60 and 1e60, their negatives and 0 can be computed with".into()
+    } else {
+        rule.into()
+    }
+}
+
+pub(crate) fn positive(
+    found: &mut Vec<Problem>,
+    code: &'static str,
+    part: Part,
+    field: &'static str,
+    value: f64,
+    what: &str,
+) {
+    if !(in_range(value) && value > 0.0) {
+        let message = format!("{what} is {}", describe(value));
+        let hint = remedy(value, "it must be positive");
+        found.push(Problem::new(code, part, field, message, hint));
+    }
+}
+
+/// The control values must be positive: so is then what lies between them.
+pub(crate) fn positive_along(
+    found: &mut Vec<Problem>,
+    code: &'static str,
+    part: Part,
+    field: &'static str,
+    profile: &Profile,
+    what: &str,
+) {
+    let wrong = profile.control_values().iter().find(|value| !(in_range(**value) && **value > 0.0));
+    if let Some(value) = wrong {
+        positive(found, code, part, field, *value, what);
+    }
+}
+
+pub(crate) fn finite(found: &mut Vec<Problem>, part: Part, field: &'static str, value: f64) {
+    if !in_range(value) {
+        let message = format!("the value is {}", describe(value));
+        let hint = remedy(value, "give a finite number");
+        found.push(Problem::new("GB302", part, field, message, hint));
+    }
+}
+
+/// A load on the ground presses.
+pub(crate) fn down(found: &mut Vec<Problem>, part: Part, field: &'static str, value: f64) {
+    finite(found, part, field, value);
+    if value < 0.0 {
+        let message = "a load on the ground pulls it up";
+        let hint = "it must press down";
+        found.push(Problem::new("GB211", part, field, message, hint));
+    }
+}
+
+/// A number of bytes as a person reads it, in powers of ten: 4 GB, 2.5 MB.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Bytes(pub u64);
+
+impl fmt::Display for Bytes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let units =
+            [(1e15, "PB"), (1e12, "TB"), (1e9, "GB"), (1e6, "MB"), (1e3, "kB"), (1.0, "bytes")];
+        let bytes = self.0 as f64;
+        let (size, unit) =
+            units.into_iter().find(|(size, _)| bytes >= *size).unwrap_or((1.0, "bytes"));
+        // Two digits, and whole numbers in full.
+        let scaled = bytes / size;
+        let shown = if scaled < 10.0 { (scaled * 10.0).round() / 10.0 } else { scaled.round() };
+        write!(f, "{shown} {unit}")
+    }
+}

@@ -1,0 +1,95 @@
+//! k alone, from a modulus of the soil or from a plate load test.
+//!
+//! All are correlations for beams on deep soil, and per length of beam: the subgrade modulus k_s that a
+//! source gives times the width b. `stiffness` is the beam's EI.
+
+/// Vesić (1961), *Bending of beams resting on isotropic elastic solid*:
+/// k = 0.65 (E b⁴/EI)^(1/12) E/(1 − ν²). Made for beams of l (k/4EI)^(1/4) > 2.25; about right for moments
+/// of shorter ones.
+pub(crate) fn vesic(soil: &Elastic, width: f64, stiffness: f64) -> f64 {
+    0.65 * (soil.modulus * width.powi(4) / stiffness).powf(1.0 / 12.0) * plane(soil)
+}
+
+/// Biot (1937), *Bending of an infinite beam on an elastic foundation*:
+/// k = 0.95 (E b⁴/(1 − ν²)EI)^0.108 E/(1 − ν²). Matches the largest moment of an endless beam under one force.
+pub(crate) fn biot(soil: &Elastic, width: f64, stiffness: f64) -> f64 {
+    let plane = plane(soil);
+    0.95 * (plane * width.powi(4) / stiffness).powf(0.108) * plane
+}
+
+/// Meyerhof and Baike (1965): k = E/(1 − ν²), whatever the beam.
+pub(crate) fn meyerhof_baike(soil: &Elastic) -> f64 {
+    plane(soil)
+}
+
+/// Selvadurai (1984): k = 0.65 E/(1 − ν²), whatever the beam.
+pub(crate) fn selvadurai(soil: &Elastic) -> f64 {
+    0.65 * plane(soil)
+}
+
+/// Terzaghi (1955), *Evaluation of coefficients of subgrade reaction*, for stiff clay: a plate of width b₁
+/// gave k₁ \[N/m³\]. The settlement under the same pressure grows with the width, k_s = k₁ b₁/b, and a
+/// beam of length l > b is not a square: times (m + ½)/1.5m with m = l/b. k = k_s b.
+pub(crate) fn terzaghi_clay(plate: &PlateTest, width: f64, length: f64) -> f64 {
+    let m = (length / width).max(1.0);
+    plate.modulus * plate.width * (m + 0.5) / (1.5 * m)
+}
+
+/// The same for sand, which is stiffer where it is deeper under a wide beam: k_s = k₁ ((b + b₁)/2b)².
+pub(crate) fn terzaghi_sand(plate: &PlateTest, width: f64) -> f64 {
+    plate.modulus * ((width + plate.width) / (2.0 * width)).powi(2) * width
+}
+
+/// E/(1 − ν²).
+fn plane(soil: &Elastic) -> f64 {
+    soil.modulus / (1.0 - soil.poisson * soil.poisson)
+}
+
+/// Deep elastic soil.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Elastic {
+    /// Young's modulus \[Pa\].
+    pub modulus: f64,
+    /// Poisson's ratio.
+    pub poisson: f64,
+}
+
+/// What a square plate on the soil showed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlateTest {
+    /// Pressure over settlement \[N/m³\].
+    pub modulus: f64,
+    /// The plate's width \[m\].
+    pub width: f64,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A worksheet (scribd.com/document/680935098): concrete 30 620 MPa, 3 m wide and 0.5 m high, on soil of
+    /// E = 10 MPa, ν = 0.3; its k_s in kN/m³.
+    #[test]
+    fn a_published_worksheet() {
+        let (b, soil) = (3.0, Elastic { modulus: 10e6, poisson: 0.3 });
+        let stiffness = 30_620e6 * b * 0.5_f64.powi(3) / 12.0;
+        for (k, printed) in [
+            (vesic(&soil, b, stiffness), 2348.118e3),
+            (meyerhof_baike(&soil), 3663.004e3),
+            (selvadurai(&soil), 2380.952e3),
+        ] {
+            assert!((k / b - printed).abs() < 1.0, "{k} {printed}");
+        }
+    }
+
+    /// Terzaghi's plate of one foot under a square footing of its own size is the test itself.
+    #[test]
+    fn a_footing_like_the_plate() {
+        let plate = PlateTest { modulus: 40e6, width: 0.3 };
+        assert!((terzaghi_clay(&plate, 0.3, 0.3) - 40e6 * 0.3).abs() < 1.0);
+        assert!((terzaghi_sand(&plate, 0.3) - 40e6 * 0.3).abs() < 1.0);
+        // Wide on sand: a quarter of the plate's k_s. Long on clay: two thirds of the square's.
+        assert!((terzaghi_sand(&plate, 3e6) / 3e6 / 40e6 - 0.25).abs() < 1e-6);
+        assert!((terzaghi_clay(&plate, 1.0, 1e6) / 40e6 - 0.2).abs() < 1e-6);
+    }
+}

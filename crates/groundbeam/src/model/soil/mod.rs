@@ -1,0 +1,148 @@
+//! The ground's two constants k and μ from what is known of the soil.
+
+pub(crate) mod correlations;
+pub(crate) mod layers;
+
+use crate::model::soil::correlations as winkler;
+use crate::model::soil::correlations::{Elastic, PlateTest};
+use crate::model::{Beam, Foundation, Model};
+pub use layers::{LayeredSoil, SoilLayer, Subgrade};
+
+/// What is known of the soil, and by whose method it becomes a ground.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Soil {
+    /// Vlasov and Leontiev (1966): layers on rock, and γ.
+    Vlasov(LayeredSoil, f64),
+    /// Vallabhan and Das (1991): layers on rock, with γ from the solution.
+    ModifiedVlasov(LayeredSoil),
+    /// Vesić (1961).
+    Vesic(Elastic),
+    /// Biot (1937).
+    Biot(Elastic),
+    /// Meyerhof and Baike (1965).
+    MeyerhofBaike(Elastic),
+    /// Selvadurai (1984).
+    Selvadurai(Elastic),
+    /// Terzaghi (1955), stiff clay.
+    TerzaghiClay(PlateTest),
+    /// Terzaghi (1955), sand.
+    TerzaghiSand(PlateTest),
+}
+
+/// Soil under a beam that bears on a width of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bed {
+    /// The soil.
+    pub soil: Soil,
+    /// The width on which the beam bears \[m\].
+    pub width: f64,
+    /// What k and μ are multiplied by: `[1, 1]` as the method gives them, other numbers for soil that is not
+    /// well known.
+    pub factors: [f64; 2],
+}
+
+/// βl below which a beam is too short for the correlations that were made for long ones.
+const LONG: f64 = 2.25;
+/// From this Poisson's ratio on, E₀ tells more of ν than of the soil.
+const NEARLY_INCOMPRESSIBLE: f64 = 0.45;
+
+impl Bed {
+    /// Soil under a beam that bears on a `width` \[m\] of it.
+    pub fn new(soil: Soil, width: f64) -> Self {
+        Bed { soil, width, factors: [1.0; 2] }
+    }
+
+    /// k and μ under a beam, before anything is solved: for [`Soil::ModifiedVlasov`] those of γ = 1.
+    pub fn subgrade(&self, beam: &Beam) -> Subgrade {
+        let (width, length, stiffness) = (self.width, beam.length, beam.bending_stiffness);
+        let springs = |spring: f64| Subgrade { spring, shear: 0.0 };
+        let ground = match &self.soil {
+            Soil::Vlasov(layers, gamma) => layers.subgrade(layers.rate(*gamma), width),
+            Soil::ModifiedVlasov(layers) => layers.subgrade(layers.rate(1.0), width),
+            Soil::Vesic(soil) => springs(winkler::vesic(soil, width, stiffness)),
+            Soil::Biot(soil) => springs(winkler::biot(soil, width, stiffness)),
+            Soil::MeyerhofBaike(soil) => springs(winkler::meyerhof_baike(soil)),
+            Soil::Selvadurai(soil) => springs(winkler::selvadurai(soil)),
+            Soil::TerzaghiClay(plate) => springs(winkler::terzaghi_clay(plate, width, length)),
+            Soil::TerzaghiSand(plate) => springs(winkler::terzaghi_sand(plate, width)),
+        };
+        ground.times(self.factors)
+    }
+
+    /// Who published the method.
+    pub fn source(&self) -> &'static str {
+        match self.soil {
+            Soil::Vlasov(..) => "Vlasov and Leontiev (1966)",
+            Soil::ModifiedVlasov(_) => "Vallabhan and Das (1991), modified Vlasov",
+            Soil::Vesic(_) => "Vesić (1961)",
+            Soil::Biot(_) => "Biot (1937)",
+            Soil::MeyerhofBaike(_) => "Meyerhof and Baike (1965)",
+            Soil::Selvadurai(_) => "Selvadurai (1984)",
+            Soil::TerzaghiClay(_) => "Terzaghi (1955), stiff clay",
+            Soil::TerzaghiSand(_) => "Terzaghi (1955), sand",
+        }
+    }
+
+    /// Where the method is used outside the range it was made for: a sentence each, without a full stop.
+    pub fn doubts(&self, beam: &Beam) -> Vec<String> {
+        let mut doubts = Vec::new();
+        let spring = self.subgrade(beam).spring;
+        let waves = beam.length * (0.25 * spring / beam.bending_stiffness).powf(0.25);
+        match &self.soil {
+            Soil::Vesic(_) | Soil::Biot(_) if waves < LONG => doubts.push(format!(
+                "{} is made for long beams, βl > {LONG}, and this one has βl = {waves:.2}",
+                self.source()
+            )),
+            Soil::TerzaghiClay(plate) | Soil::TerzaghiSand(plate) if self.width < plate.width => {
+                doubts.push(format!(
+                    "{} goes from a plate to a wider beam, and this one is narrower",
+                    self.source()
+                ));
+            }
+            _ => {}
+        }
+        let nearly = |layers: &LayeredSoil| {
+            layers.layers.iter().any(|layer| layer.poisson >= NEARLY_INCOMPRESSIBLE)
+        };
+        if matches!(&self.soil, Soil::Vlasov(layers, _) | Soil::ModifiedVlasov(layers) if nearly(layers))
+        {
+            doubts.push(format!(
+                "soil with a Poisson's ratio of {NEARLY_INCOMPRESSIBLE} or more hardly gives way downwards \
+                 alone, as Vlasov's model has it: k grows without end as the ratio nears 0.5"
+            ));
+        }
+        doubts
+    }
+}
+
+impl Subgrade {
+    /// The same with k and μ multiplied.
+    pub fn times(self, [spring, shear]: [f64; 2]) -> Self {
+        Subgrade { spring: self.spring * spring, shear: self.shear * shear }
+    }
+
+    /// The model on this ground.
+    pub fn under(&self, model: &Model) -> Model {
+        let mut model = model.clone();
+        model.foundation = Foundation::pasternak(self.spring, self.shear);
+        model
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn short_beams_and_wide_plates_are_doubted() {
+        let beam = |stiffness| Beam::uniform(5.0, stiffness);
+        let bed = |soil| Bed::new(soil, 1.0);
+        let vesic = || bed(Soil::Vesic(Elastic { modulus: 20e6, poisson: 0.3 }));
+        assert!(vesic().doubts(&beam(1e6)).is_empty());
+        assert!(vesic().doubts(&beam(1e9))[0].contains("βl = 1.1"));
+        let plate = |width| bed(Soil::TerzaghiSand(PlateTest { modulus: 1e7, width }));
+        assert!(
+            plate(0.3).doubts(&beam(1.0)).is_empty() && !plate(1.5).doubts(&beam(1.0)).is_empty()
+        );
+    }
+}

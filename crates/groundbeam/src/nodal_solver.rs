@@ -1,0 +1,217 @@
+//! Long beams on meshes of up to millions of elements: the solver, and its solution at the nodes.
+
+use crate::equilibrium::size;
+use crate::error::{Error, NotConverged, Stopped};
+use crate::existence::existence::{Existence, Verdict};
+use crate::model::{Load, Model, Problem};
+use crate::nodal::grid::{Grid, Ground};
+use crate::nodal::hull::Hull;
+use crate::nodal::newton::Work;
+use crate::nodal::newton::Workspace;
+use crate::nodal::solution::NodalSolution;
+use crate::nodal::sweep::Loose;
+use crate::nodal::{check, levels, newton, open};
+use crate::options::{Method, Options};
+use crate::solve::exists;
+
+/// Solves on meshes, again and again in the same memory.
+#[derive(Debug, Clone, Default)]
+pub struct NodalSolver {
+    workspace: Workspace,
+    grids: Vec<Grid>,
+}
+
+impl NodalSolver {
+    /// One that has not solved anything yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Solves the contact problem on about `elements` elements, equal between any two places of the
+    /// model. Nothing is written if the verdict is that there is no equilibrium; what is written beside an error
+    /// is no answer.
+    ///
+    /// # Errors
+    ///
+    /// As [`solve`](crate::solve()); and [`Error::Unsupported`] for supports and hinges, for ground without a shear
+    /// layer, and where stiffness or ground varies along a segment.
+    pub fn solve_into(
+        &mut self,
+        model: &Model,
+        elements: usize,
+        into: &mut NodalSolution,
+    ) -> Result<Existence, Error> {
+        self.where_it_stands(model, elements, |solver| solver.search(model, elements, into))
+    }
+
+    /// Solves if there is an equilibrium.
+    fn where_it_stands(
+        &mut self,
+        model: &Model,
+        elements: usize,
+        solve: impl FnOnce(&mut Self) -> Result<(), Error>,
+    ) -> Result<Existence, Error> {
+        let existence = checked(model, elements)?;
+        if existence.verdict.stands() {
+            solve(self)?;
+        }
+        Ok(existence)
+    }
+
+    /// From coarse grids to the one that is wanted.
+    fn search(
+        &mut self,
+        model: &Model,
+        elements: usize,
+        into: &mut NodalSolution,
+    ) -> Result<(), Error> {
+        levels::grids(model, elements.max(1), Ground::Nodal, &mut self.grids);
+        let (workspace, grids) = (&mut self.workspace, &self.grids);
+        // Coarse grids in memory of their own: that of the answer keeps its length.
+        let found = workspace.approach(grids, newton::ANSWER);
+        found.map_err(|Loose| stalled(workspace.work.solves))?;
+        self.finish(model, into)
+    }
+
+    /// The same from a neighbour: `into` holds the answer for a model not far from this one. On as many nodes,
+    /// its contact is where the search begins, and no coarser grid is needed.
+    ///
+    /// # Errors
+    ///
+    /// As [`NodalSolver::solve_into`].
+    pub fn solve_near_into(
+        &mut self,
+        model: &Model,
+        elements: usize,
+        into: &mut NodalSolution,
+    ) -> Result<Existence, Error> {
+        self.where_it_stands(model, elements, |solver| solver.search_near(model, elements, into))
+    }
+
+    /// From the contact of the answer that `into` holds, or else from coarse grids.
+    fn search_near(
+        &mut self,
+        model: &Model,
+        elements: usize,
+        into: &mut NodalSolution,
+    ) -> Result<(), Error> {
+        let grid = Grid::new(model, elements.max(1), Ground::Nodal);
+        if into.contact.is_empty() || into.deflection.len() != grid.last() + 1 {
+            return self.search(model, elements, into);
+        }
+        self.grids.clear();
+        self.grids.push(grid);
+        self.workspace.work = Work::default();
+        self.workspace.zones.clone_from(&into.contact);
+        self.finish(model, into).or_else(|_| self.search(model, elements, into))
+    }
+
+    /// The answer on the last grid, from a guess at its contact.
+    fn finish(&mut self, model: &Model, into: &mut NodalSolution) -> Result<(), Error> {
+        let workspace = &mut self.workspace;
+        let swapped = |workspace: &mut Workspace, into: &mut NodalSolution| {
+            std::mem::swap(&mut workspace.deflection, &mut into.deflection);
+            std::mem::swap(&mut workspace.slope, &mut into.slope);
+            std::mem::swap(&mut workspace.force, &mut into.force);
+        };
+        let Some(grid) = self.grids.pop() else { return Err(stalled(0)) };
+        swapped(workspace, into);
+        if workspace.level(&grid, newton::ANSWER).is_err() {
+            swapped(workspace, into);
+            return Err(stalled(workspace.work.solves));
+        }
+        workspace.fill(&grid, true);
+        workspace.clear_open(&grid);
+        swapped(workspace, into);
+        into.contact.clone_from(&workspace.zones);
+        into.work = workspace.work;
+        settle_ground(&grid, into);
+        into.grid = Some(grid);
+        into.check = check::check(model, into);
+        if into.check.holds() { Ok(()) } else { Err(stalled(into.work.solves)) }
+    }
+
+    /// The beam bonded to the ground at every node, pulls and all: one sweep from each end. What the ground
+    /// pulls is not checked, and the settlement is that of the beam.
+    ///
+    /// # Errors
+    ///
+    /// As [`NodalSolver::solve_into`].
+    pub fn bonded_into(
+        &mut self,
+        model: &Model,
+        elements: usize,
+        into: &mut NodalSolution,
+    ) -> Result<(), Error> {
+        checked(model, elements)?;
+        let grid = Grid::new(model, elements.max(1), Ground::Nodal);
+        let workspace = &mut self.workspace;
+        workspace.bond(&grid);
+        workspace.room(&grid);
+        workspace.work = Work { grids: 1, ..Work::default() };
+        workspace.glue(&grid, None).map_err(|_| stalled(1))?;
+        std::mem::swap(&mut workspace.deflection, &mut into.deflection);
+        std::mem::swap(&mut workspace.slope, &mut into.slope);
+        std::mem::swap(&mut workspace.force, &mut into.force);
+        into.contact.clone_from(&workspace.zones);
+        into.work = workspace.work;
+        into.grid = Some(grid);
+        Ok(())
+    }
+}
+
+pub(crate) fn stalled(iterations: usize) -> Error {
+    let why = NotConverged::Nodes;
+    Error::NotConverged(Stopped { method: Method::ActiveSet, iterations, why })
+}
+
+pub(crate) fn checked(model: &Model, elements: usize) -> Result<Existence, Error> {
+    let existence = exists(model)?;
+    if let Verdict::Local(_) = existence.verdict {
+        return Err(Error::Unsupported(Problem::local_by_another_method()));
+    }
+    if !model.supports.is_empty() {
+        return Err(Error::Unsupported(Problem::nodal_with_supports()));
+    }
+    if !model.hinges.is_empty() {
+        return Err(Error::Unsupported(Problem::nodal_with_hinges()));
+    }
+    if model.beam.shears() {
+        return Err(Error::Unsupported(Problem::shear_by_another_method(&model.beam)));
+    }
+    if let Some(load) = model.loads.iter().position(Load::is_on_ground) {
+        return Err(Error::Unsupported(Problem::only_exactly(load)));
+    }
+    if let Some(part) = model.varying_part() {
+        return Err(Error::Unsupported(Problem::nodal_where_it_varies(part)));
+    }
+    if let Some(part) = crate::solve::without_shear_layer(model) {
+        return Err(Error::Unsupported(Problem::nodal_forces_on_springs(part)));
+    }
+    let fewest = Grid::of(model, Ground::Nodal).fewest();
+    size::check_nodes(fewest.saturating_add(elements), Options::default().memory_limit)?;
+    Ok(existence)
+}
+
+/// u at every node: ψ where the beam touches, the open ground's own elsewhere.
+pub(crate) fn settle_ground(grid: &Grid, into: &mut NodalSolution) {
+    let NodalSolution { deflection, settlement, contact, .. } = into;
+    settlement.resize(grid.last() + 1, 0.0);
+    let hull = Hull { grid, deflection, near: &[] };
+    let mut before: Option<(usize, f64)> = None;
+    for &[from, to] in contact.iter() {
+        if grid.flat {
+            settlement[from..=to].copy_from_slice(&deflection[from..=to]);
+        } else {
+            (from..=to).for_each(|node| settlement[node] = hull.psi(node));
+        }
+        let ends = [before.map(|b| b.1), Some(settlement[from])];
+        open::ground(grid, [before.map_or(0, |b| b.0), from], ends, settlement);
+        before = Some((to, settlement[to]));
+    }
+    if let Some((to, psi)) = before
+        && to < grid.last()
+    {
+        open::ground(grid, [to, grid.last()], [Some(psi), None], settlement);
+    }
+}

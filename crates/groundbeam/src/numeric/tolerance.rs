@@ -1,0 +1,18 @@
+//! The tolerances that solutions must meet. All are relative.
+
+/// Newton's decrement on a mesh relative to twice the strain energy. Below it the iteration goes on only while each step
+/// halves the decrement.
+pub(crate) const ENERGY: f64 = 1e-15;
+/// The residual of the contact condition (5.10) that ends Uzawa's iteration and PSOR.
+pub(crate) const SWEEPS: f64 = 1e-11;
+/// The move of a contact edge that is rounding error, as a part of the beam's length.
+pub(crate) const EDGES: f64 = 1e-12;
+/// The stability margin below which a path of equilibria has ended at a limit point: such a point is known to ten
+/// digits, and the margin falls with the square root of the distance.
+pub(crate) const BRANCH: f64 = 1e-3;
+/// The change of the soil's rate r from one solution to the next.
+pub(crate) const SOIL: f64 = 1e-12;
+/// The violation of balance, signs and complementarity above which a result is refused.
+pub(crate) const CERTIFICATE: f64 = 1e-7;
+/// The energy gap that the exact method must certify.
+pub(crate) const GAP: f64 = 1e-9;

@@ -1,0 +1,83 @@
+//! The method of solution and its options.
+
+/// How the contact pressure is represented.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Pressure {
+    /// Spread over the stretches of contact, with concentrated forces only where mechanics has them.
+    #[default]
+    Distributed,
+    /// Forces at the nodes, (5.5): the paper's choice. It needs a shear layer, and is right only while
+    /// b·h is small.
+    Dirac,
+}
+
+/// How the contact problem is solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Method {
+    /// Closed forms between the edges of contact, which are the unknowns. No mesh.
+    #[default]
+    Exact,
+    /// Cubic elements (5.1), Newton's method on the convex energy.
+    ActiveSet,
+    /// The paper's (5.17) with (5.18), projected successive over-relaxation.
+    Psor,
+    /// The paper's iteration (5.14)–(5.17), after Uzawa.
+    Uzawa,
+}
+
+impl Method {
+    /// All methods, the default first.
+    pub const ALL: [Method; 4] = [Method::Exact, Method::ActiveSet, Method::Psor, Method::Uzawa];
+
+    /// The name that commands and results use: `exact`, `active-set`, `psor`, `uzawa`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Exact => "exact",
+            Method::ActiveSet => "active-set",
+            Method::Psor => "psor",
+            Method::Uzawa => "uzawa",
+        }
+    }
+}
+
+/// Choices for [`solve_with`]. The default needs none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Options {
+    /// How to solve.
+    pub method: Method,
+    /// Equal elements along the beam for the methods with a mesh; more are added where the model needs a
+    /// node. Not used by [`Method::Exact`].
+    pub elements: usize,
+    /// How the mesh represents the contact pressure. `Uzawa` and `Psor` are always [`Pressure::Dirac`].
+    pub pressure: Pressure,
+    /// Where `Uzawa` and `Psor` begin.
+    pub start: Start,
+    /// Sweeps after which `Uzawa` and `Psor` give up.
+    pub most_sweeps: usize,
+    /// The memory that a solve may need \[bytes\], by [estimate](crate::memory_estimate()); a model that needs more is
+    /// refused.
+    pub memory_limit: u64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options {
+            method: Method::Exact,
+            elements: 100,
+            pressure: Pressure::Distributed,
+            start: Start::Bilateral,
+            most_sweeps: 1_000_000,
+            memory_limit: 4_000_000_000,
+        }
+    }
+}
+
+/// The first pressure of Uzawa's iteration, (5.15).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Start {
+    /// The pressure of the bilateral problem, its pulls left out.
+    #[default]
+    Bilateral,
+    /// None.
+    Zero,
+}

@@ -1,0 +1,571 @@
+//! Where fields are largest and smallest: at joints, and where derivatives vanish.
+//!
+//! Nothing is sampled: the roots of a polynomial are told from its coefficients. So is on which stretches a field may
+//! exceed what it is at their ends; on the others no root is sought.
+
+use crate::numeric::polynomial::{derivative, jet, sign_changes, value, with_slope};
+use crate::solution::solution::{Extreme, Field, Range, Solution, Stretch};
+
+impl Solution {
+    /// The smallest and largest value of a field, located by the roots of its derivative.
+    pub fn range(&self, field: Field) -> Range {
+        let hulls: Vec<Hull> = self.stretches.iter().map(|stretch| stretch.hull(field)).collect();
+        let ends = hulls.iter().flat_map(|hull| hull.ends);
+        let [least, most] = ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], end| {
+            [least.min(end), most.max(end)]
+        });
+        let rounding = hulls.iter().map(|hull| hull.rounding).fold(0.0, f64::max);
+        let mut found: Option<[Spot; 2]> = None;
+        for (i, (hull, stretch)) in hulls.iter().zip(&self.stretches).enumerate() {
+            for (s, end) in [-1.0, 1.0].into_iter().zip(hull.ends) {
+                // All that may be the least or the most but for rounding are seen exactly.
+                if end <= least + 2.0 * rounding || end >= most - 2.0 * rounding {
+                    widen(&mut found, Spot { stretch: i, s, value: stretch.one(field, s) });
+                }
+            }
+        }
+        let mut inside = Vec::new();
+        for (i, (hull, stretch)) in hulls.iter().zip(&self.stretches).enumerate() {
+            let [low, high] = hull.bounds;
+            if found.is_some_and(|[min, max]| min.value <= low && high <= max.value) {
+                continue;
+            }
+            inside.clear();
+            stretch.turning_points(field, &mut inside);
+            for &s in &inside {
+                widen(&mut found, Spot { stretch: i, s, value: stretch.one(field, s) });
+            }
+        }
+        self.between(found)
+    }
+
+    /// The smallest and largest rotation of the sections; that of the slope where the beam does not shear.
+    pub fn rotation_range(&self) -> Range {
+        let mut found: Option<[Spot; 2]> = None;
+        for (i, stretch) in self.stretches.iter().enumerate() {
+            let mut all = vec![-1.0, 1.0];
+            match stretch.rotation.is_empty() {
+                true => stretch.turning_points(Field::Slope, &mut all),
+                false => sign_changes(&derivative(&stretch.rotation), &mut all),
+            }
+            for s in all {
+                widen(&mut found, Spot { stretch: i, s, value: stretch.fields(s).rotation });
+            }
+        }
+        self.between(found)
+    }
+
+    fn between(&self, found: Option<[Spot; 2]>) -> Range {
+        let extreme = |Spot { stretch, s, value }: Spot| {
+            let x = self.stretches[stretch].global(s);
+            Extreme { x, value }
+        };
+        found.map_or(NOTHING, |[min, max]| Range { min: extreme(min), max: extreme(max) })
+    }
+}
+
+/// Of a beam without stretches.
+const NOTHING: Range =
+    Range { min: Extreme { x: 0.0, value: 0.0 }, max: Extreme { x: 0.0, value: 0.0 } };
+
+/// Where a value is.
+#[derive(Clone, Copy)]
+struct Spot {
+    stretch: usize,
+    s: f64,
+    value: f64,
+}
+
+/// Lets the smallest and the largest value take note of another. Of equal ones the leftmost counts.
+fn widen(found: &mut Option<[Spot; 2]>, here: Spot) {
+    let [min, max] = found.get_or_insert([here; 2]);
+    let is_left = |of: &Spot| here.value == of.value && (here.stretch, here.s) < (of.stretch, of.s);
+    if here.value < min.value || is_left(min) {
+        *min = here;
+    }
+    if here.value > max.value || is_left(max) {
+        *max = here;
+    }
+}
+
+/// A field at the ends of a stretch, but for rounding, and between which values it lies on all of it.
+struct Hull {
+    ends: [f64; 2],
+    bounds: [f64; 2],
+    /// So much the ends may be wrong.
+    rounding: f64,
+}
+
+impl Hull {
+    /// Between the ends a polynomial is a straight line and Σ cⱼ (sʲ − 1) for even j, Σ cⱼ (sʲ − s) for odd ones,
+    /// from j = 2 on; these factors lie between −1 and 0, and −1 and 1.
+    fn of(c: &[f64]) -> Self {
+        let [first, second] = [0, 1].map(|j| c.get(j).copied().unwrap_or(0.0));
+        let ([mut even, mut odd], [mut above, mut apart]) = ([0.0; 2], [0.0; 2]);
+        for pair in c.get(2..).unwrap_or_default().chunks(2).rev() {
+            let [a, b] = [pair[0], pair.get(1).copied().unwrap_or(0.0)];
+            even += a;
+            odd += b;
+            above += a.max(0.0);
+            apart += b.abs();
+        }
+        let below = above - even;
+        let (even, odd) = (first + even, second + odd);
+        let ends = [even - odd, even + odd];
+        let bounds = [ends[0].min(ends[1]) - above - apart, ends[0].max(ends[1]) + below + apart];
+        let size = first.abs() + second.abs() + above + below + apart;
+        Hull { ends, bounds, rounding: c.len() as f64 * f64::EPSILON * size }
+    }
+
+    fn times(self, factor: f64) -> Self {
+        let [ends, bounds] = [self.ends, self.bounds].map(|pair| pair.map(|of| of * factor));
+        Hull { ends, bounds, rounding: self.rounding * factor }
+    }
+}
+
+impl Stretch {
+    /// One field, to the bit what [`Stretch::fields`] says.
+    fn one(&self, field: Field, s: f64) -> f64 {
+        let per_length = 1.0 / self.half;
+        match field {
+            Field::Deflection => value(&self.deflection, s),
+            Field::Slope => with_slope(&self.deflection, s)[1] * per_length,
+            Field::Moment => value(&self.moment, s),
+            Field::ShearForce => with_slope(&self.moment, s)[1] * per_length,
+            Field::Pressure => value(&self.pressure, s),
+            Field::Settlement | Field::Gap => self.fields(s).get(field),
+        }
+    }
+
+    fn hull(&self, field: Field) -> Hull {
+        let per_length = 1.0 / self.half;
+        match field {
+            Field::Deflection => Hull::of(&self.deflection),
+            Field::Slope => Hull::of(&derivative(&self.deflection)).times(per_length),
+            Field::Moment => Hull::of(&self.moment),
+            Field::ShearForce => Hull::of(&derivative(&self.moment)).times(per_length),
+            Field::Pressure => Hull::of(&self.pressure),
+            Field::Settlement if self.open.is_none() => {
+                let Hull { ends, bounds: [least, most], rounding } = Hull::of(&self.deflection);
+                let [a, b] = self.cell.gap;
+                let bounds = [least - a.max(b), most - a.min(b)];
+                let rounding = rounding + f64::EPSILON * (a.abs() + b.abs());
+                Hull { ends: [ends[0] - a, ends[1] - b], bounds, rounding }
+            }
+            Field::Gap if self.open.is_none() => Hull::of(&[]),
+            // No polynomial.
+            Field::Settlement | Field::Gap => Hull {
+                ends: [-1.0, 1.0].map(|s| self.one(field, s)),
+                bounds: [f64::NEG_INFINITY, f64::INFINITY],
+                rounding: 0.0,
+            },
+        }
+    }
+
+    /// Where a field may be largest or smallest: its ends and where its derivative vanishes.
+    pub(crate) fn candidates(&self, field: Field) -> Vec<f64> {
+        let mut s = vec![-1.0];
+        self.turning_points(field, &mut s);
+        s.push(1.0);
+        s
+    }
+
+    /// Where the derivative of a field changes its sign inside, from left to right, appended to `found`.
+    fn turning_points(&self, field: Field, found: &mut Vec<f64>) {
+        match field {
+            Field::Deflection => sign_changes(&derivative(&self.deflection), found),
+            Field::Slope => sign_changes(&derivative(&derivative(&self.deflection)), found),
+            Field::Moment => sign_changes(&derivative(&self.moment), found),
+            Field::ShearForce => sign_changes(&derivative(&derivative(&self.moment)), found),
+            Field::Pressure => sign_changes(&derivative(&self.pressure), found),
+            Field::Settlement if self.open.is_none() => {
+                let mut c = derivative(&self.deflection);
+                c[0] -= self.cell.gap_slope * self.half;
+                sign_changes(&c, found);
+            }
+            // Open ground is convex where it is positive: one lowest point at most.
+            Field::Settlement => self.turns(|at| self.settlement(at, 0.0, 0.0)[1], found),
+            Field::Gap if self.open.is_some() => {
+                let slope = |at: f64| {
+                    let [_, dw, ..] = jet(&self.deflection, at);
+                    self.settlement(at, 0.0, 0.0)[1] + self.cell.gap_slope - dw / self.half
+                };
+                self.turns(slope, found);
+            }
+            Field::Gap => {}
+        }
+    }
+
+    /// Sign changes of a derivative that has no polynomial, between points close enough for one each. A zero at such a
+    /// point is a sign change if the signs beside it differ.
+    fn turns(&self, slope: impl Fn(f64) -> f64, found: &mut Vec<f64>) {
+        const CUTS: usize = 16;
+        // −1, 0 or 1: the product of two small slopes would underflow.
+        let sign = |s: f64| {
+            let slope = slope(s);
+            i8::from(slope > 0.0) - i8::from(slope < 0.0)
+        };
+        let (mut from, mut before) = (-1.0, sign(-1.0));
+        for i in 1..=CUTS {
+            let to = 2.0 * i as f64 / CUTS as f64 - 1.0;
+            let after = sign(to);
+            if before * after < 0 {
+                let (mut low, mut high) = (from, to);
+                for _ in 0..60 {
+                    let middle = 0.5 * (low + high);
+                    if sign(middle) == before {
+                        low = middle;
+                    } else {
+                        high = middle;
+                    }
+                }
+                found.push(0.5 * (low + high));
+            }
+            if after != 0 {
+                (from, before) = (to, after);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Answer, Beam, Foundation, Load, Model, Solver};
+
+    /// Loads, an open part and a stiff part: all fields, on a thousand points of each stretch.
+    #[test]
+    fn nothing_exceeds_a_range_and_ranges_are_reached() {
+        let (mut solver, mut solved) = (Solver::new(), 0);
+        for i in 0..60 {
+            let part = |j: u32| f64::from((i * (2 * j + 7) + 3 * j) % 23) / 23.0;
+            let stiffness = 10.0_f64.powf(-1.0 + 3.0 * part(1));
+            let ground = Foundation::pasternak(1.0, part(2));
+            let model = Model::new(Beam::uniform(10.0, stiffness), ground)
+                .with_load(Load::point(10.0 * part(4), 1.0 + part(3)))
+                .with_load(Load::point(4.0 + part(5), 2.0))
+                .with_load(Load::uniform(0.2 * part(6) + 0.01, 0.0, 10.0));
+            let Ok(Answer::Equilibrium(solution)) = solver.solve(&model) else { continue };
+            solved += 1;
+            for field in Field::ALL {
+                let Range { min, max } = solution.range(field);
+                let size = min.value.abs().max(max.value.abs());
+                let mut seen = [f64::INFINITY, f64::NEG_INFINITY];
+                for stretch in &solution.stretches {
+                    for at in 0..=1000 {
+                        let s = f64::from(at) / 500.0 - 1.0;
+                        let value = stretch.fields(s).get(field);
+                        assert_eq!(value.to_bits(), stretch.one(field, s).to_bits());
+                        seen = [seen[0].min(value), seen[1].max(value)];
+                    }
+                }
+                let reached = 1e-4 * (seen[1] - seen[0]);
+                assert!(seen[0] >= min.value - 1e-14 * size && seen[1] <= max.value + 1e-14 * size);
+                assert!(seen[0] - reached <= min.value && max.value <= seen[1] + reached);
+                for extreme in [min, max] {
+                    let at = |side| solution.at(extreme.x, side).get(field);
+                    let near = [crate::Side::Left, crate::Side::Right]
+                        .map(|side| (at(side) - extreme.value).abs());
+                    assert!(near[0].min(near[1]) <= 1e-12 * size, "{field:?} at {}", extreme.x);
+                }
+            }
+        }
+        assert!(solved > 30, "{solved}");
+    }
+
+    /// A stretch that touches ground with k = μ = 1 and no gap, all of whose fields are zero.
+    fn stretch(x: [f64; 2]) -> Stretch {
+        let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0));
+        let mut cell = crate::mesh::mesh::Mesh::build(&model, &[], |_| 1).cells[0];
+        cell.x = x;
+        let none = crate::numeric::polynomial::Coefficients::default();
+        let half = 0.5 * (x[1] - x[0]);
+        let [deflection, rotation, moment, pressure, settlement] = [none; 5];
+        Stretch { x, half, cell, deflection, rotation, moment, pressure, open: None, settlement }
+    }
+
+    fn solution(stretches: Vec<Stretch>) -> Solution {
+        let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0));
+        Solution { stretches, ..Solution::without_fields(model) }
+    }
+
+    fn turning_points(of: &Stretch, field: Field) -> Vec<f64> {
+        let mut found = Vec::new();
+        of.turning_points(field, &mut found);
+        found
+    }
+
+    #[track_caller]
+    fn near(found: &[f64], wanted: &[f64]) {
+        let all = found.len() == wanted.len();
+        let close = found.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-14);
+        assert!(all && close, "{found:?} {wanted:?}");
+    }
+
+    /// The powers s² and s⁴ with 3 and −5 take the line between the ends down by 3 at most and up by 5; s³ and s⁵ with −4
+    /// and 6 take it up or down by 10 at most.
+    #[test]
+    fn a_hull_is_the_line_between_the_ends_and_what_the_powers_add() {
+        let Hull { ends, bounds, rounding } = Hull::of(&[1.0, 2.0, 3.0, -4.0, -5.0, 6.0]);
+        assert_eq!((ends, bounds), ([-5.0, 3.0], [-18.0, 18.0]));
+        assert_eq!(rounding, 6.0 * f64::EPSILON * 21.0);
+        // In a mirror, with the other sign, and half as large.
+        let mirrored = Hull::of(&[1.0, -2.0, 3.0, 4.0, -5.0, -6.0]);
+        assert_eq!((mirrored.ends, mirrored.bounds), ([3.0, -5.0], [-18.0, 18.0]));
+        let below = Hull::of(&[-1.0, -2.0, -3.0, 4.0, 5.0, -6.0]);
+        assert_eq!((below.ends, below.bounds), ([5.0, -3.0], [-18.0, 18.0]));
+        let short = Hull::of(&[1.0, 2.0, 4.0]);
+        assert_eq!((short.ends, short.bounds), ([3.0, 7.0], [-1.0, 7.0]));
+        let half = short.times(0.5);
+        assert_eq!((half.ends, half.bounds), ([1.5, 3.5], [-0.5, 3.5]));
+        assert_eq!(half.rounding, 0.5 * 3.0 * f64::EPSILON * 7.0);
+        let constant = Hull::of(&[-7.0]);
+        assert_eq!((constant.ends, constant.bounds), ([-7.0; 2], [-7.0; 2]));
+        let zero = Hull::of(&[]);
+        assert_eq!((zero.ends, zero.bounds, zero.rounding), ([0.0; 2], [0.0; 2], 0.0));
+    }
+
+    /// Slope and shear force are derivatives in x: those in s over half the length. The settlement under contact is w − g₀.
+    #[test]
+    fn the_hull_of_each_field() {
+        let mut of = stretch([0.0, 4.0]);
+        of.deflection = [2.0, 0.0, 1.0, 4.0][..].into();
+        of.moment = [0.0, 3.0, 2.0][..].into();
+        of.pressure = [5.0, 1.0][..].into();
+        (of.cell.gap, of.cell.gap_slope) = ([0.5, -1.5], -0.5);
+        let hull = |field| {
+            let Hull { ends, bounds, rounding } = of.hull(field);
+            (ends, bounds, rounding / f64::EPSILON)
+        };
+        assert_eq!(hull(Field::Deflection), ([-1.0, 7.0], [-6.0, 11.0], 4.0 * 7.0));
+        // w′ = (2s + 12s²)/2.
+        assert_eq!(hull(Field::Slope), ([5.0, 7.0], [-1.0, 7.0], 0.5 * 3.0 * 14.0));
+        assert_eq!(hull(Field::Moment), ([-1.0, 5.0], [-3.0, 5.0], 3.0 * 5.0));
+        assert_eq!(hull(Field::ShearForce), ([-0.5, 3.5], [-0.5, 3.5], 0.5 * 2.0 * 7.0));
+        assert_eq!(hull(Field::Pressure), ([4.0, 6.0], [4.0, 6.0], 2.0 * 6.0));
+        assert_eq!(hull(Field::Settlement), ([-1.5, 8.5], [-6.5, 12.5], 28.0 + 2.0));
+        assert_eq!(hull(Field::Gap), ([0.0; 2], [0.0; 2], 0.0));
+        of.open = Some([1.0, 2.0]);
+        for (field, ends) in [(Field::Settlement, [1.0, 2.0]), (Field::Gap, [2.5, -6.5])] {
+            let open = of.hull(field);
+            near(&open.ends, &ends);
+            assert_eq!(open.bounds, [f64::NEG_INFINITY, f64::INFINITY]);
+            assert_eq!(open.rounding, 0.0);
+        }
+    }
+
+    /// Polynomials whose derivatives have known roots, on a stretch of length 4.
+    #[test]
+    fn fields_turn_where_their_derivatives_vanish() {
+        let mut of = stretch([1.0, 5.0]);
+        // w = s³ − 3/16 s: w′ vanishes at s = ±1/4, w″ at 0.
+        of.deflection = [0.0, -0.1875, 0.0, 1.0][..].into();
+        // M = (s − 1/2)² and (s − 1/2)³: V = M′ turns where M″ vanishes.
+        of.moment = [0.25, -1.0, 1.0][..].into();
+        of.pressure = [0.0, 1.0, 1.0][..].into();
+        near(&turning_points(&of, Field::Deflection), &[-0.25, 0.25]);
+        near(&turning_points(&of, Field::Slope), &[0.0]);
+        near(&turning_points(&of, Field::Moment), &[0.5]);
+        near(&turning_points(&of, Field::ShearForce), &[]);
+        near(&turning_points(&of, Field::Pressure), &[-0.5]);
+        near(&of.candidates(Field::Pressure), &[-1.0, -0.5, 1.0]);
+        of.moment = [-0.125, 0.75, -1.5, 1.0][..].into();
+        near(&turning_points(&of, Field::ShearForce), &[0.5]);
+        // u = w − g₀ under contact: dw/ds = 3s² − 3/16 is half the length times the gap's slope.
+        of.cell.gap_slope = (3.0 * 0.25 - 0.1875) / 2.0;
+        near(&turning_points(&of, Field::Settlement), &[-0.5, 0.5]);
+        // The gap is zero all along: no place of it counts more than another.
+        near(&turning_points(&of, Field::Gap), &[]);
+        near(&of.candidates(Field::Gap), &[-1.0, 1.0]);
+    }
+
+    /// Open ground with k = μ = 1 is u = cosh(x − a) for the ends cosh(a) and cosh(4 − a), lowest at a. The gap
+    /// u + g₀ − w is least where sinh(x − a) = w′ − g₀′.
+    #[test]
+    fn open_ground_turns_where_it_is_lowest() {
+        for a in [0.7_f64, 1.3, 3.9] {
+            let mut of = stretch([0.0, 4.0]);
+            of.open = Some([a.cosh(), (4.0 - a).cosh()]);
+            near(&turning_points(&of, Field::Settlement), &[0.5 * a - 1.0]);
+            // w = s, w′ = 1/2; g₀′ = 3/4.
+            of.deflection = [0.0, 1.0][..].into();
+            (of.cell.gap, of.cell.gap_slope) = ([0.0, 3.0], 0.75);
+            near(&turning_points(&of, Field::Gap), &[0.5 * (a + (-0.25_f64).asinh()) - 1.0]);
+            near(&turning_points(&of, Field::Settlement), &[0.5 * a - 1.0]);
+            let lowest = solution(vec![of]).range(Field::Settlement).min;
+            near(&[lowest.x, lowest.value], &[a, 1.0]);
+        }
+        // Ground that falls all along turns nowhere.
+        let mut falling = stretch([0.0, 4.0]);
+        falling.open = Some([1.0, (-4.0_f64).exp()]);
+        near(&turning_points(&falling, Field::Settlement), &[]);
+    }
+
+    /// A beam pressed down over its ends and lifted off between them is lowest ground in its middle, where the derivative of
+    /// the ground's surface is exactly zero if both edges of contact are equally deep to the last bit.
+    #[test]
+    fn symmetric_open_ground_is_lowest_in_its_middle() {
+        let mut of = stretch([0.0, 4.0]);
+        of.open = Some([1.0; 2]);
+        near(&turning_points(&of, Field::Settlement), &[0.0]);
+        let model = Model::new(Beam::uniform(5.0, 1.0), Foundation::pasternak(4.0, 1.0))
+            .with_load(Load::point(1.0, 0.0))
+            .with_load(Load::point(1.0, 5.0))
+            .with_load(Load::uniform(0.01, 0.0, 5.0));
+        let mut solver = Solver::new();
+        let Ok(Answer::Equilibrium(solution)) = solver.solve(&model) else { panic!("it stands") };
+        let middle = solution.value(Field::Settlement, 2.5);
+        let least = solution.range(Field::Settlement).min;
+        assert!((least.value - middle).abs() < 1e-12 * middle, "{least:?} {middle}");
+        assert!((least.x - 2.5).abs() < 1e-6, "{least:?}");
+    }
+
+    #[test]
+    fn sign_changes_of_any_function_are_bisected() {
+        let turns = |slope: &dyn Fn(f64) -> f64| {
+            let mut found = Vec::new();
+            stretch([0.0, 1.0]).turns(slope, &mut found);
+            found
+        };
+        near(&turns(&|s| (s - 0.3) * (s + 0.77)), &[-0.77, 0.3]);
+        near(&turns(&|s| (0.3 - s) * (s + 0.99)), &[-0.99, 0.3]);
+        near(&turns(&|s| (s - 0.3) * (s - 0.99)), &[0.3, 0.99]);
+        // Zeros at multiples of 1/8, between which signs are compared.
+        near(&turns(&|s| (s - 0.25) * (s + 0.5)), &[-0.5, 0.25]);
+        near(&turns(&|s| s), &[0.0]);
+        near(&turns(&|s| 1e-200 * (s - 0.3)), &[0.3]);
+        // Ground so far from any pressure that it underflows is lowest where that begins.
+        near(&turns(&|s| if s.abs() < 0.3 { 0.0 } else { s }), &[-0.3]);
+        near(&turns(&|s| -s), &[0.0]);
+        near(&turns(&|s| 1.0 - s * s), &[]);
+        near(&turns(&|s| s * s), &[]);
+        near(&turns(&|s| -s * s), &[]);
+        near(&turns(&|_| 1.0), &[]);
+        near(&turns(&|_| -1.0), &[]);
+        near(&turns(&|_| 0.0), &[]);
+    }
+
+    /// Of equal values the leftmost counts, whatever the order in which they are met.
+    #[test]
+    fn the_leftmost_of_equal_values_counts() {
+        let spots = [
+            (0, 1.0, 2.0),
+            (1, -1.0, 2.0),
+            (1, 0.5, 1.0),
+            (2, -0.5, 1.0),
+            (2, 0.0, 2.0),
+            (2, 0.5, 1.5),
+        ]
+        .map(|(stretch, s, value)| Spot { stretch, s, value });
+        for first in 0..spots.len() {
+            for step in [1, 5] {
+                let mut found = None;
+                (0..spots.len()).for_each(|i| widen(&mut found, spots[(first + i * step) % 6]));
+                let [min, max] =
+                    found.expect("spots").map(|spot| (spot.stretch, spot.s, spot.value));
+                assert_eq!((min, max), ((1, 0.5, 1.0), (0, 1.0, 2.0)));
+            }
+        }
+        // Within one stretch as well.
+        let mut found = None;
+        for s in [0.5, -0.5, 0.0] {
+            widen(&mut found, Spot { stretch: 0, s, value: 1.0 });
+        }
+        assert_eq!(found.expect("spots").map(|spot| spot.s), [-0.5; 2]);
+    }
+
+    /// The field's value at all ends and turning points of all stretches, one by one.
+    #[test]
+    fn a_range_is_the_least_and_the_largest_of_all_candidates() {
+        let mut seed = 7_u64;
+        // A digit from −4 to 4, by a small generator: x′ = 16807 x mod 2³¹ − 1.
+        let mut digit = move || {
+            seed = seed * 16807 % 2_147_483_647;
+            (seed % 9) as f64 - 4.0
+        };
+        for round in 0..400 {
+            let mut all: Vec<Stretch> =
+                (0..1 + round % 5).map(|i| stretch([i as f64, i as f64 + 1.0])).collect();
+            for of in &mut all {
+                // Every few stretches one is far below the others: no root of it is asked for.
+                let size = if digit() > 1.0 { 1.0 } else { 0.0625 };
+                let mut some = |least: usize| -> crate::numeric::polynomial::Coefficients {
+                    let count = least + (digit() + 4.0) as usize / 2;
+                    (0..count).map(|_| size * digit()).collect()
+                };
+                (of.deflection, of.moment, of.pressure) = (some(2), some(1), some(0));
+                (of.cell.gap, of.cell.gap_slope) = ([digit(), digit()], 0.0);
+                of.cell.gap_slope = of.cell.gap[1] - of.cell.gap[0];
+                if digit() > 2.0 {
+                    of.open = Some([digit().abs(), digit().abs()]);
+                }
+            }
+            let solution = solution(all);
+            for field in Field::ALL {
+                let Range { min, max } = solution.range(field);
+                let values = solution.stretches.iter().flat_map(|of| {
+                    let value = |s: f64| of.fields(s).get(field);
+                    of.candidates(field).into_iter().map(value)
+                });
+                let [least, most] = values
+                    .fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| [a.min(v), b.max(v)]);
+                assert_eq!([min.value, max.value], [least, most], "{field:?} {round}");
+            }
+        }
+    }
+
+    /// Ends that differ in their last bits alone are compared by their exact values.
+    #[test]
+    fn ends_within_rounding_of_the_least_are_seen_exactly() {
+        // 0.1 + 0.2 + 0.3 is rounded otherwise than 0.3 + 0.2 + 0.1.
+        let of = |from: f64, c: &[f64]| {
+            let mut of = stretch([from, from + 1.0]);
+            of.deflection = c.into();
+            of
+        };
+        let tenths = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7];
+        let mut turned = tenths;
+        turned.reverse();
+        let mut mixed = tenths;
+        mixed.swap(0, 3);
+        mixed.swap(2, 5);
+        for sign in [1.0, -1.0] {
+            for order in [[tenths, turned, mixed], [mixed, tenths, turned], [turned, mixed, tenths]]
+            {
+                let all = order.iter().enumerate().map(|(i, c)| of(i as f64, &c.map(|a| sign * a)));
+                let solution = solution(all.collect());
+                let Range { min, max } = solution.range(Field::Deflection);
+                let ends = solution.stretches.iter().flat_map(|of| {
+                    [(of.x[0], of.fields(-1.0).deflection), (of.x[1], of.fields(1.0).deflection)]
+                });
+                let ends: Vec<(f64, f64)> = ends.collect();
+                let most = ends.iter().map(|(_, w)| sign * w).fold(0.0, f64::max);
+                let leftmost = ends.iter().find(|(_, w)| sign * w == most).expect("an end");
+                let found = if sign > 0.0 { max } else { min };
+                assert_eq!((found.x, found.value), *leftmost);
+            }
+        }
+    }
+
+    #[test]
+    fn rotations_of_a_beam_that_shears_are_its_own() {
+        let mut bends = stretch([0.0, 4.0]);
+        // w′ = s + s²: least −1/4 at s = −1/2, largest 2 at the right end.
+        bends.deflection = [0.0, 0.0, 1.0, 2.0 / 3.0][..].into();
+        let Range { min, max } = solution(vec![bends.clone()]).rotation_range();
+        near(&[min.x, min.value, max.x, max.value], &[1.0, -0.25, 4.0, 2.0]);
+        let mut shears = stretch([4.0, 6.0]);
+        // φ = 3 − 12 s²: largest 3 at the middle, least −9 at both ends.
+        shears.rotation = [3.0, 0.0, -12.0][..].into();
+        shears.deflection = [0.0, 100.0][..].into();
+        let Range { min, max } = solution(vec![bends, shears]).rotation_range();
+        near(&[min.x, min.value, max.x, max.value], &[4.0, -9.0, 5.0, 3.0]);
+    }
+
+    #[test]
+    fn a_beam_without_stretches_has_ranges_of_zero() {
+        let none = Extreme { x: 0.0, value: 0.0 };
+        assert_eq!(solution(vec![]).range(Field::Moment), Range { min: none, max: none });
+        assert_eq!(solution(vec![]).rotation_range(), Range { min: none, max: none });
+    }
+}

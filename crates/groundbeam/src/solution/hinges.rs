@@ -1,0 +1,30 @@
+//! What the hinges of a solved beam do: how far each turns, and the moment it hands on.
+
+use crate::model::Hinge;
+use crate::solution::solution::{Side, Solution};
+
+/// What a hinge of the beam does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HingeTurn {
+    /// Position \[m\].
+    pub at: f64,
+    /// The jump of the sections' rotation, right less left: positive where the beam opens downward \[rad\].
+    pub rotation: f64,
+    /// The moment it hands on, M = −k_φ·rotation, sagging positive; none at a free hinge \[N·m\].
+    pub moment: f64,
+}
+
+impl Solution {
+    /// What the hinges do, in the order of the model's hinges.
+    pub fn hinges(&self) -> Vec<HingeTurn> {
+        let turn = |hinge: &Hinge| {
+            let [left, right] =
+                [Side::Left, Side::Right].map(|side| self.at(hinge.at, side).rotation);
+            let rotation = right - left;
+            // Adding zero turns −0 into 0.
+            let moment = 0.0 - hinge.rotational_spring * rotation + 0.0;
+            HingeTurn { at: hinge.at, rotation, moment }
+        };
+        self.model.hinges.iter().map(turn).collect()
+    }
+}

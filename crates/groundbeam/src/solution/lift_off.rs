@@ -1,0 +1,67 @@
+//! Where the beam does not touch: free spans, and ends that are in the air.
+
+use crate::solution::solution::{Extreme, Field, Solution};
+
+/// A stretch of the beam that does not touch: a free span, or an end that is in the air.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LiftOff {
+    /// Left end \[m\].
+    pub from: f64,
+    /// Right end \[m\].
+    pub to: f64,
+    /// Where beam and ground are farthest apart, and how far.
+    pub largest_gap: Extreme,
+    /// Whether it reaches the beam's left end, and the right one.
+    pub reaches: [bool; 2],
+}
+
+impl LiftOff {
+    /// Its length \[m\].
+    pub fn length(&self) -> f64 {
+        self.to - self.from
+    }
+}
+
+impl Solution {
+    /// The stretches that do not touch, each with its largest gap.
+    pub fn lift_off(&self) -> Vec<LiftOff> {
+        let mut found: Vec<LiftOff> = Vec::new();
+        // Nodal contact leaves slivers between touching nodes: within a region they are no lift-off.
+        let inside = |x: [f64; 2]| self.contact.iter().any(|c| c.from <= x[0] && x[1] <= c.to);
+        for stretch in &self.stretches {
+            if stretch.open.is_none() || inside(stretch.x) {
+                continue;
+            }
+            let mut largest = Extreme { x: stretch.x[0], value: f64::NEG_INFINITY };
+            for s in stretch.candidates(Field::Gap) {
+                let here = stretch.fields(s).gap;
+                if here > largest.value {
+                    largest = Extreme { x: stretch.global(s), value: here };
+                }
+            }
+            let [from, to] = stretch.x;
+            let parted = self.contact.iter().any(|c| c.from == c.to && c.from == from);
+            match found.last_mut() {
+                Some(last) if last.to == from && !parted => {
+                    last.to = to;
+                    if largest.value > last.largest_gap.value {
+                        last.largest_gap = largest;
+                    }
+                }
+                _ => {
+                    found.push(LiftOff { from, to, largest_gap: largest, reaches: [false; 2] });
+                }
+            }
+        }
+        for open in &mut found {
+            open.reaches = [open.from <= 0.0, open.to >= self.model.beam.length];
+        }
+        found
+    }
+
+    /// The part of the beam that does not touch, of its length.
+    pub fn lifted_share(&self) -> f64 {
+        let lifted: f64 = self.lift_off().iter().map(LiftOff::length).sum();
+        lifted / self.model.beam.length
+    }
+}

@@ -1,0 +1,7 @@
+//! A certified solution: fields everywhere, reactions, extremes, lift-off.
+
+pub(crate) mod assemble;
+pub(crate) mod extremes;
+pub(crate) mod hinges;
+pub(crate) mod lift_off;
+pub(crate) mod solution;

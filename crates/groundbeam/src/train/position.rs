@@ -1,0 +1,138 @@
+//! One position of a train and its result.
+
+use crate::error::Error;
+use crate::error::Stopped;
+use crate::existence::existence::Existence;
+use crate::model::{Load, Model};
+use crate::outcome::Outcome;
+use crate::solution::solution::{Field, Fields, Range, Solution};
+use crate::train::{SAME_PLACE, Train, marks};
+
+/// What came out for one position of the train.
+#[derive(Debug, Clone)]
+pub enum Answer {
+    /// An equilibrium, solved.
+    Equilibrium(Box<Solution>),
+    /// There is none.
+    NoEquilibrium(Existence),
+    /// The method did not reach its tolerance.
+    NotConverged(Stopped),
+}
+
+impl Answer {
+    /// The answer of a solve; any other error is not about a position.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Invalid`] and [`Error::Unsupported`], as they are.
+    pub fn of(solved: Result<Outcome, Error>) -> Result<Self, Error> {
+        match solved {
+            Ok(Outcome::Equilibrium(solution)) => Ok(Answer::Equilibrium(solution)),
+            Ok(Outcome::NoEquilibrium(existence)) => Ok(Answer::NoEquilibrium(existence)),
+            Err(Error::NotConverged(reached)) => Ok(Answer::NotConverged(reached)),
+            Err(other) => Err(other),
+        }
+    }
+}
+
+/// A position of the train and what came out there.
+#[derive(Debug, Clone)]
+pub struct Position {
+    /// Of the first axle \[m\].
+    pub first_axle: f64,
+    /// What came out.
+    pub answer: Answer,
+    /// Values at the stations from the left and from the right; none without an equilibrium.
+    pub(super) samples: Vec<[f64; 7]>,
+    /// Of each axle on the beam the fields beside it.
+    pub(super) under: Vec<Option<Under>>,
+    /// Of each field.
+    pub(super) ranges: Option<[Range; 7]>,
+}
+
+/// All fields, in the order of [`Field::ALL`].
+pub(crate) fn values(fields: Fields) -> [f64; 7] {
+    Field::ALL.map(|field| fields.get(field))
+}
+
+/// Where [`Field::Slope`] and [`Field::ShearForce`] stand in [`Field::ALL`].
+pub(crate) const SLOPE: usize = 1;
+
+pub(crate) const SHEAR: usize = 3;
+
+/// Of each field the values just left and just right of an axle, as it passes a section.
+pub(crate) type Beside = [[f64; 7]; 2];
+
+/// An axle on the beam: the fields beside it, and by how much each jumps for its sake.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Under {
+    pub beside: Beside,
+    jump: [f64; 7],
+}
+
+impl Under {
+    /// Of the axle with a number, at x. The shear force jumps by all of its force; a beam that shears has a kink, of which
+    /// the ground may take part of the force.
+    pub fn of(beside: Beside, model: &Model, train: &Train, axle: usize, x: f64) -> Self {
+        let mut jump = [0.0; 7];
+        let own = force(train, axle);
+        jump[SHEAR] = own;
+        if model.beam.shears() {
+            let here = |at: f64| (at - x).abs() <= SAME_PLACE * model.beam.length;
+            let fixed = model.loads.iter().map(|load| match *load {
+                Load::PointForce { at, force } if here(at) => force,
+                _ => 0.0,
+            });
+            let all = own + fixed.sum::<f64>();
+            let share = if all == 0.0 { 0.0 } else { own / all };
+            for field in [SLOPE, SHEAR] {
+                jump[field] = share * (beside[0][field] - beside[1][field]);
+            }
+        }
+        Under { beside, jump }
+    }
+
+    /// Beside an axle that goes on to the right. Where it stands on a fixed load, that one is then behind it: only the
+    /// axle's own jumps are taken along.
+    pub(crate) fn leaving(&self) -> Beside {
+        let [_, right] = self.beside;
+        [std::array::from_fn(|field| right[field] + self.jump[field]), right]
+    }
+
+    /// The same for an axle that comes from the left.
+    pub(crate) fn arriving(&self) -> Beside {
+        let [left, _] = self.beside;
+        [left, std::array::from_fn(|field| left[field] - self.jump[field])]
+    }
+}
+
+/// Equal steps of the range in the first round.
+pub(crate) const EVEN_STEPS: usize = 32;
+
+/// Even steps, and where an axle or the end of a distributed load meets a mark of the model; at the ends of the beam also
+/// just off them.
+pub(crate) fn first_positions(model: &Model, train: &Train, [from, to]: [f64; 2]) -> Vec<f64> {
+    let l = model.beam.length;
+    let step = |i: usize| from + (to - from) * (i as f64 / EVEN_STEPS as f64);
+    let mut at: Vec<f64> = (0..EVEN_STEPS).map(step).collect();
+    at.push(to);
+    let ends = train.uniform.iter().flat_map(|part| [part.from, part.to]);
+    let behind = train.axles.iter().map(|axle| axle.behind).chain(ends);
+    for behind in behind.filter(|behind| behind.is_finite()) {
+        at.extend(marks(model).iter().map(|mark| mark + behind));
+        at.extend([behind - JUST_OFF * l, l + behind + JUST_OFF * l]);
+    }
+    at.retain(|x| (from..=to).contains(x));
+    at.sort_by(f64::total_cmp);
+    at.dedup_by(|a, b| *a - *b <= 0.1 * JUST_OFF * l);
+    at
+}
+
+/// The force of all axles at an axle's place.
+pub(crate) fn force(train: &Train, axle: usize) -> f64 {
+    let behind = train.axles[axle].behind;
+    train.axles.iter().filter(|other| other.behind == behind).map(|other| other.force).sum()
+}
+
+/// So far from an end, relative to the beam's length, an axle stands that is about to come or has just left.
+pub(crate) const JUST_OFF: f64 = 1e-8;

@@ -1,0 +1,37 @@
+//! Does everything with models and model files that nobody would write on purpose, and lists those that panic:
+//! `… --example hostile_models -- 10000`. Behind the number may stand the number of the first.
+
+use groundbeam_verification::hostile::{exercise, exercise_text, model, mutated, panics, texts};
+use std::time::{Duration, Instant};
+
+fn main() {
+    let number = |i: usize| std::env::args().nth(i).and_then(|n| n.parse::<u64>().ok());
+    let count = number(1).unwrap_or(1000);
+    let first = number(2).unwrap_or(0);
+    let texts = texts();
+    let mut failed = 0;
+    let mut slowest = (Duration::ZERO, String::new());
+    let mut run = |name: String, exercise: &dyn Fn()| {
+        let start = Instant::now();
+        if let Some(panic) = panics(exercise) {
+            failed += 1;
+            println!("{name}: {panic}");
+        }
+        let time = start.elapsed();
+        if time > Duration::from_secs(5) {
+            println!("{name}: {:.1} s", time.as_secs_f64());
+        }
+        slowest = std::mem::take(&mut slowest).max((time, name));
+    };
+    for number in first..first + count {
+        run(format!("model {number}"), &|| exercise(&model(number)));
+        let text = &texts[number as usize % texts.len()];
+        run(format!("text {number}"), &|| exercise_text(&mutated(text, number)));
+    }
+    println!(
+        "{failed} of {} panicked; the slowest, {}: {:.1} s",
+        2 * count,
+        slowest.1,
+        slowest.0.as_secs_f64()
+    );
+}

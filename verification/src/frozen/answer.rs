@@ -1,0 +1,147 @@
+//! The text of an answer and of its certificate: one line for each quantity, every number to the last bit.
+
+use groundbeam::{Certificate, Error, Existence, Field, Outcome, Side, Solution, Verdict};
+use std::fmt::Write;
+
+/// Equal steps between the positions of the fields.
+pub const STEPS: usize = 40;
+/// The steps between the positions that are written where the fields are not written in full.
+const COARSE: usize = 10;
+
+/// The lines of an answer; the fields at all positions, or at five with a digest of all.
+pub fn text(outcome: &Result<Outcome, Error>, in_full: bool) -> String {
+    match outcome {
+        Ok(Outcome::Equilibrium(solution)) => {
+            "outcome equilibrium\n".to_owned() + &of_solution(solution, in_full)
+        }
+        Ok(Outcome::NoEquilibrium(existence)) => {
+            "outcome no-equilibrium\n".to_owned() + &verdict(existence)
+        }
+        Err(Error::Invalid(_)) => "outcome invalid\n".to_owned(),
+        Err(Error::NotConverged(_)) => "outcome not-converged\n".to_owned(),
+        Err(_) => "outcome unsupported\n".to_owned(),
+    }
+}
+
+fn of_solution(solution: &Solution, in_full: bool) -> String {
+    let contact = solution.contact().iter().flat_map(|zone| [zone.from, zone.to]);
+    verdict(solution.existence())
+        + &line("contact", &contact.collect::<Vec<_>>())
+        + &forces(solution)
+        + &of_fields(solution, in_full)
+}
+
+/// The lines of contact forces, reactions and hinges.
+pub fn forces(solution: &Solution) -> String {
+    let ends = solution.end_forces();
+    let forces = solution.concentrated_forces().iter().flat_map(|force| [force.at, force.force]);
+    let reactions = solution.reactions().iter().flat_map(|r| [r.at, r.force, r.moment]);
+    let hinges = solution.hinges();
+    let turns = hinges.iter().flat_map(|hinge| [hinge.at, hinge.rotation, hinge.moment]);
+    line("end_forces", &[ends.left, ends.right])
+        + &line("concentrated_forces", &forces.collect::<Vec<_>>())
+        + &line("reactions", &reactions.collect::<Vec<_>>())
+        + &line("hinges", &turns.collect::<Vec<_>>())
+}
+
+fn of_fields(solution: &Solution, in_full: bool) -> String {
+    let mut text = String::new();
+    let mut add = |key: &str, values: &[f64]| text += &line(key, values);
+    let shears = solution.model().beam.shears();
+    let rotation = shears.then(|| ("rotation", solution.rotation_range()));
+    let ranges = Field::ALL.map(|field| (field.name(), solution.range(field)));
+    for (name, range) in ranges.into_iter().chain(rotation) {
+        let values = [range.min.x, range.min.value, range.max.x, range.max.value];
+        add(&format!("extremes_{name}"), &values);
+    }
+    let l = solution.model().beam.length;
+    let at = |i: usize| solution.at(l * (i as f64 / STEPS as f64), Side::Right);
+    let fields: Vec<_> = (0..=STEPS).map(at).collect();
+    let all = |field: Field| fields.iter().map(|at| at.get(field)).collect::<Vec<f64>>();
+    let rotation = shears.then(|| ("rotation", fields.iter().map(|at| at.rotation).collect()));
+    let fields = Field::ALL.map(|field| (field.name(), all(field)));
+    let mut digest = Digest::default();
+    for (name, values) in fields.into_iter().chain(rotation) {
+        digest.add(&values);
+        let step = if in_full { 1 } else { COARSE };
+        let some: Vec<f64> = values.iter().copied().step_by(step).collect();
+        add(&format!("fields_{name}"), &some);
+    }
+    text + &format!("fields_digest {:016x}\n", digest.0)
+}
+
+/// The lines of a verdict and of the static reactions.
+pub fn verdict(existence: &Existence) -> String {
+    let verdict = match existence.verdict {
+        Verdict::Unique => line("verdict unique", &[]),
+        Verdict::NotUnique(motion) | Verdict::None(motion) => {
+            let word = match existence.verdict {
+                Verdict::None(_) => "verdict none",
+                _ => "verdict not-unique",
+            };
+            let lifted = motion.lifted.into_iter().flatten();
+            let values = [motion.left, motion.right, motion.work].into_iter().chain(lifted);
+            line(word, &values.collect::<Vec<_>>())
+        }
+        Verdict::Local(local) => {
+            line("verdict local", &[local.stability_margin, local.critical_compression])
+        }
+        Verdict::Buckles(mode) => line(
+            "verdict buckles",
+            &[mode.critical_compression, mode.at, mode.left, mode.right, mode.work],
+        ),
+    };
+    verdict + &line("static_reactions", &existence.static_reactions)
+}
+
+/// The lines of a certificate.
+pub fn certificate(solution: &Solution) -> String {
+    let Certificate {
+        primal_energy,
+        dual_energy,
+        gap,
+        relative_gap,
+        force_balance,
+        moment_balance,
+        smallest_pressure,
+        deepest_penetration,
+        continuity,
+        complementarity,
+        settlement_bound,
+        moment_bound,
+        moment_rms_bound,
+    } = *solution.certificate();
+    line("energies", &[primal_energy, dual_energy, gap, relative_gap])
+        + &line("bounds", &[settlement_bound, moment_bound, moment_rms_bound])
+        + &line("balances", &[force_balance, moment_balance])
+        + &line(
+            "violations",
+            &[smallest_pressure, deepest_penetration, continuity, complementarity],
+        )
+}
+
+/// A key and its numbers, each the shortest that is read back to the same bits.
+fn line(key: &str, values: &[f64]) -> String {
+    let mut line = key.to_owned();
+    for value in values {
+        write!(line, " {value:?}").expect("text");
+    }
+    line + "\n"
+}
+
+/// FNV-1a of the bits of numbers.
+struct Digest(u64);
+
+impl Default for Digest {
+    fn default() -> Self {
+        Digest(0xcbf2_9ce4_8422_2325)
+    }
+}
+
+impl Digest {
+    fn add(&mut self, values: &[f64]) {
+        for byte in values.iter().flat_map(|value| value.to_bits().to_le_bytes()) {
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3);
+        }
+    }
+}

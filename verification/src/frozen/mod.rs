@@ -1,0 +1,117 @@
+//! Frozen random models and their answers by the pinned program, to compare the present program with.
+//!
+//! The random families draw their models with the code under test, so a change in a last digit draws other models. The
+//! files in `verification/frozen` hold models as the program of one commit drew them, and that program's answers.
+
+pub mod answer;
+pub mod bits;
+pub mod bounds;
+pub mod model;
+pub mod record;
+
+use groundbeam::{Model, Outcome, solve};
+use record::Record;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// A frozen model with its answer and its certificate.
+#[derive(Debug, Clone)]
+pub struct Frozen {
+    /// The model.
+    pub model: Record,
+    /// The answer.
+    pub answer: Record,
+    /// The certificate; no lines where there is no solution.
+    pub certificate: Record,
+}
+
+/// The folder of the frozen files.
+pub fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("frozen")
+}
+
+/// The names of the families in a folder, in the order of the alphabet.
+///
+/// # Errors
+///
+/// A folder that cannot be read.
+pub fn families(folder: &Path) -> io::Result<Vec<String>> {
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(folder.join("models"))? {
+        let path = entry?.path();
+        names.extend(path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
+    }
+    names.sort();
+    Ok(names)
+}
+
+/// The file of a family: `kind` is `models`, `answers` or `certificates`.
+pub fn file(folder: &Path, kind: &str, family: &str) -> PathBuf {
+    folder.join(kind).join(family).with_extension("txt")
+}
+
+/// All frozen models of a family.
+///
+/// # Errors
+///
+/// A file that cannot be read, or files of different models.
+pub fn family(folder: &Path, family: &str) -> io::Result<Vec<Frozen>> {
+    let read = |kind: &str| Record::of_file(&file(folder, kind, family));
+    let [models, answers, certificates] =
+        [read("models")?, read("answers")?, read("certificates")?];
+    if models.len() != answers.len() || models.len() != certificates.len() {
+        return Err(io::Error::other(format!("{family}: files of different lengths")));
+    }
+    let parts = models.into_iter().zip(answers).zip(certificates);
+    let one = |((model, answer), certificate): ((Record, Record), Record)| {
+        if model.title != answer.title || model.title != certificate.title {
+            return Err(io::Error::other(format!("{}: no answer or certificate", model.title)));
+        }
+        Ok(Frozen { model, answer, certificate })
+    };
+    parts.map(one).collect()
+}
+
+impl Frozen {
+    /// The family and the number, `Hard 7371`.
+    pub fn title(&self) -> &str {
+        &self.model.title
+    }
+
+    /// The number within its family.
+    pub fn number(&self) -> u64 {
+        self.title().split_once(' ').and_then(|(_, number)| number.parse().ok()).unwrap_or(0)
+    }
+
+    /// The model.
+    ///
+    /// # Errors
+    ///
+    /// The first line that is no part of a model.
+    pub fn model(&self) -> Result<Model, String> {
+        model::read(&self.model)
+    }
+
+    /// Whether the answer has the fields at every position.
+    pub fn is_in_full(&self) -> bool {
+        self.answer.numbers("fields_deflection").len() > answer::STEPS
+    }
+
+    /// The same model with the answer of the present program.
+    ///
+    /// # Errors
+    ///
+    /// The first line that is no part of a model.
+    pub fn solved_again(&self) -> Result<Frozen, String> {
+        let outcome = solve(&self.model()?);
+        let certificate = match &outcome {
+            Ok(Outcome::Equilibrium(solution)) => answer::certificate(solution),
+            _ => String::new(),
+        };
+        Ok(Frozen {
+            model: self.model.clone(),
+            answer: Record::new(self.title(), &answer::text(&outcome, self.is_in_full())),
+            certificate: Record::new(self.title(), &certificate),
+        })
+    }
+}

@@ -1,0 +1,210 @@
+//! Writes a model as text and reads it back: one line for each part, every number to the last bit.
+
+use super::record::{Line, Record};
+use groundbeam::{
+    Acts, Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, GroundEnd, Hinge, Load,
+    Model, Profile, Support, SupportKind,
+};
+
+/// The lines of a model.
+pub fn text(model: &Model) -> String {
+    let Model { beam, foundation, loads, supports, hinges, gap } = model;
+    let mut lines = vec![of_beam(beam)];
+    lines.extend(beam.segments.iter().map(of_beam_segment));
+    lines.push(of_ground(foundation));
+    lines.extend(foundation.segments.iter().map(of_ground_segment));
+    lines.extend(loads.iter().map(of_load));
+    lines.extend(supports.iter().map(of_support));
+    lines.extend(
+        hinges
+            .iter()
+            .map(|Hinge { at, rotational_spring }| format!("hinge {at:?} {rotational_spring:?}")),
+    );
+    lines.extend(gap.iter().map(|GapPoint { at, value }| format!("gap {at:?} {value:?}")));
+    lines.iter().map(|line| format!("{line}\n")).collect()
+}
+
+fn of_beam(beam: &Beam) -> String {
+    let Beam { length, bending_stiffness, shear_stiffness, segments: _, axial_force } = beam;
+    let shear = shear_stiffness.map_or("-".to_owned(), |shear| format!("{shear:?}"));
+    format!("beam {length:?} {bending_stiffness:?} {shear} {axial_force:?}")
+}
+
+fn of_beam_segment(segment: &BeamSegment) -> String {
+    let BeamSegment { from, to, bending_stiffness, shear_stiffness } = segment;
+    let shear = shear_stiffness.map_or("-".to_owned(), |shear| of_profile(&shear));
+    format!("beam_segment {from:?} {to:?} {} {shear}", of_profile(bending_stiffness))
+}
+
+fn of_ground(foundation: &Foundation) -> String {
+    let Foundation { spring, shear, segments: _, ends } = foundation;
+    let [left, right] = ends.map(|end| match end {
+        GroundEnd::Endless => "endless".to_owned(),
+        GroundEnd::Free { at } => format!("free:{at:?}"),
+        GroundEnd::Held { at } => format!("held:{at:?}"),
+    });
+    format!("ground {spring:?} {shear:?} {left} {right}")
+}
+
+fn of_ground_segment(segment: &FoundationSegment) -> String {
+    let FoundationSegment { from, to, spring, shear } = segment;
+    format!("ground_segment {from:?} {to:?} {} {}", of_profile(spring), of_profile(shear))
+}
+
+fn of_profile(profile: &Profile) -> String {
+    let values: Vec<String> =
+        profile.control_values().iter().map(|value| format!("{value:?}")).collect();
+    values.join(",")
+}
+
+fn of_load(load: &Load) -> String {
+    match load {
+        Load::PointForce { at, force } => format!("point_force {at:?} {force:?}"),
+        Load::PointMoment { at, moment } => format!("point_moment {at:?} {moment:?}"),
+        Load::Distributed { from, to, start, end } => {
+            format!("distributed_force {from:?} {to:?} {start:?} {end:?}")
+        }
+        Load::DistributedMoment { from, to, start, end } => {
+            format!("distributed_moment {from:?} {to:?} {start:?} {end:?}")
+        }
+        Load::Curvature { from, to, start, end } => {
+            format!("curvature {from:?} {to:?} {start:?} {end:?}")
+        }
+        Load::GroundForce { at, force } => format!("ground_force {at:?} {force:?}"),
+        Load::GroundDistributed { from, to, start, end } => {
+            format!("ground_distributed {from:?} {to:?} {start:?} {end:?}")
+        }
+    }
+}
+
+fn of_support(support: &Support) -> String {
+    let Support { at, kind, settlement, acts } = support;
+    let kind = match kind {
+        SupportKind::Pinned => "pinned".to_owned(),
+        SupportKind::Fixed => "fixed".to_owned(),
+        SupportKind::Spring { spring, rotational_spring } => {
+            format!("spring:{spring:?}:{rotational_spring:?}")
+        }
+    };
+    let acts = match acts {
+        Acts::Both => "both",
+        Acts::Up => "up",
+        Acts::Down => "down",
+    };
+    format!("support {at:?} {kind} {settlement:?} {acts}")
+}
+
+/// The model of a record.
+///
+/// # Errors
+///
+/// The first line that is no part of a model.
+pub fn read(record: &Record) -> Result<Model, String> {
+    let mut model = Model::new(Beam::uniform(0.0, 0.0), Foundation::winkler(0.0));
+    for line in &record.lines {
+        let Line { key, words } = line;
+        let words: Vec<&str> = words.iter().map(String::as_str).collect();
+        add(&mut model, key, &words)
+            .ok_or_else(|| format!("{}: not a part of a model: {line:?}", record.title))?;
+    }
+    Ok(model)
+}
+
+fn add(model: &mut Model, key: &str, words: &[&str]) -> Option<()> {
+    let number = |i: usize| words.get(i)?.parse::<f64>().ok();
+    match key {
+        "beam" => {
+            model.beam.length = number(0)?;
+            model.beam.bending_stiffness = number(1)?;
+            model.beam.shear_stiffness = unless_none(words.get(2)?, |word| word.parse().ok())?;
+            model.beam.axial_force = number(3)?;
+        }
+        "beam_segment" => model.beam.segments.push(BeamSegment {
+            from: number(0)?,
+            to: number(1)?,
+            bending_stiffness: profile(words.get(2)?)?,
+            shear_stiffness: unless_none(words.get(3)?, profile)?,
+        }),
+        "ground" => {
+            model.foundation.spring = number(0)?;
+            model.foundation.shear = number(1)?;
+            model.foundation.ends = [ground_end(words.get(2)?)?, ground_end(words.get(3)?)?];
+        }
+        "ground_segment" => model.foundation.segments.push(FoundationSegment {
+            from: number(0)?,
+            to: number(1)?,
+            spring: profile(words.get(2)?)?,
+            shear: profile(words.get(3)?)?,
+        }),
+        "support" => model.supports.push(Support {
+            at: number(0)?,
+            kind: support_kind(words.get(1)?)?,
+            settlement: number(2)?,
+            acts: acts(words.get(3)?)?,
+        }),
+        "hinge" => model.hinges.push(Hinge { at: number(0)?, rotational_spring: number(1)? }),
+        "gap" => model.gap.push(GapPoint { at: number(0)?, value: number(1)? }),
+        load => model.loads.push(read_load(load, number)?),
+    }
+    Some(())
+}
+
+fn read_load(key: &str, number: impl Fn(usize) -> Option<f64>) -> Option<Load> {
+    match key {
+        "point_force" => Some(Load::PointForce { at: number(0)?, force: number(1)? }),
+        "point_moment" => Some(Load::PointMoment { at: number(0)?, moment: number(1)? }),
+        "ground_force" => Some(Load::GroundForce { at: number(0)?, force: number(1)? }),
+        _ => {
+            let [from, to] = [number(0)?, number(1)?];
+            let [start, end] = [number(2)?, number(3)?];
+            match key {
+                "distributed_force" => Some(Load::Distributed { from, to, start, end }),
+                "distributed_moment" => Some(Load::DistributedMoment { from, to, start, end }),
+                "curvature" => Some(Load::Curvature { from, to, start, end }),
+                "ground_distributed" => Some(Load::GroundDistributed { from, to, start, end }),
+                _ => None,
+            }
+        }
+    }
+}
+
+/// `-` stands for none.
+fn unless_none<T>(word: &str, read: impl Fn(&str) -> Option<T>) -> Option<Option<T>> {
+    if word == "-" { Some(None) } else { read(word).map(Some) }
+}
+
+fn profile(word: &str) -> Option<Profile> {
+    let values: Option<Vec<f64>> = word.split(',').map(|value| value.parse().ok()).collect();
+    Profile::by_control_values(&values?)
+}
+
+fn ground_end(word: &str) -> Option<GroundEnd> {
+    match word.split_once(':') {
+        None => (word == "endless").then_some(GroundEnd::Endless),
+        Some(("free", at)) => Some(GroundEnd::Free { at: at.parse().ok()? }),
+        Some(("held", at)) => Some(GroundEnd::Held { at: at.parse().ok()? }),
+        Some(_) => None,
+    }
+}
+
+fn support_kind(word: &str) -> Option<SupportKind> {
+    let parts: Vec<&str> = word.split(':').collect();
+    match parts[..] {
+        ["pinned"] => Some(SupportKind::Pinned),
+        ["fixed"] => Some(SupportKind::Fixed),
+        ["spring", spring, rotational_spring] => Some(SupportKind::Spring {
+            spring: spring.parse().ok()?,
+            rotational_spring: rotational_spring.parse().ok()?,
+        }),
+        _ => None,
+    }
+}
+
+fn acts(word: &str) -> Option<Acts> {
+    match word {
+        "both" => Some(Acts::Both),
+        "up" => Some(Acts::Up),
+        "down" => Some(Acts::Down),
+        _ => None,
+    }
+}

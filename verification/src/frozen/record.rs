@@ -1,0 +1,83 @@
+//! Reads and writes the records of the frozen files: a title and one line for each quantity.
+
+use std::path::Path;
+
+/// A title and its lines.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Record {
+    /// The family and the number of a model, `Hard 7371`.
+    pub title: String,
+    /// The lines, in the order of the file.
+    pub lines: Vec<Line>,
+}
+
+/// A key and the words behind it, most of them numbers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Line {
+    /// The first word.
+    pub key: String,
+    /// All others.
+    pub words: Vec<String>,
+}
+
+impl Line {
+    /// The words as numbers; a word that is none is NaN.
+    pub fn numbers(&self) -> Vec<f64> {
+        self.words.iter().map(|word| word.parse().unwrap_or(f64::NAN)).collect()
+    }
+}
+
+impl Record {
+    /// A record of a title and the text of its lines.
+    pub fn new(title: &str, lines: &str) -> Record {
+        let line = |line: &str| {
+            let mut words = line.split_whitespace().map(str::to_owned);
+            Some(Line { key: words.next()?, words: words.collect() })
+        };
+        Record { title: title.to_owned(), lines: lines.lines().filter_map(line).collect() }
+    }
+
+    /// All records of a text: empty lines part them.
+    pub fn all(text: &str) -> Vec<Record> {
+        let parts = text.split("\n\n").map(|part| part.trim_start_matches('\n'));
+        let record = |part: &str| {
+            let (title, lines) = part.split_once('\n').unwrap_or((part, ""));
+            Record::new(title, lines)
+        };
+        parts.filter(|part| !part.is_empty()).map(record).collect()
+    }
+
+    /// All records of a file.
+    pub fn of_file(path: &Path) -> std::io::Result<Vec<Record>> {
+        Ok(Record::all(&std::fs::read_to_string(path)?))
+    }
+
+    /// The text of the record with the empty line that ends it.
+    pub fn text(&self) -> String {
+        let mut text = self.title.clone() + "\n";
+        for line in &self.lines {
+            text += &line.key;
+            for word in &line.words {
+                text += " ";
+                text += word;
+            }
+            text += "\n";
+        }
+        text + "\n"
+    }
+
+    /// The line of a key.
+    pub fn line(&self, key: &str) -> Option<&Line> {
+        self.lines.iter().find(|line| line.key == key)
+    }
+
+    /// The numbers of a key; none if the record has no such line.
+    pub fn numbers(&self, key: &str) -> Vec<f64> {
+        self.line(key).map(Line::numbers).unwrap_or_default()
+    }
+
+    /// The first word of a key.
+    pub fn word(&self, key: &str) -> &str {
+        self.line(key).and_then(|line| line.words.first()).map_or("", String::as_str)
+    }
+}

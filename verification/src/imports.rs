@@ -1,0 +1,311 @@
+//! The imports between the source files of a crate, read from the sources: who uses which name of whom.
+//!
+//! A name that a module only re-exports counts for the file that defines it. Unit tests do not count. Calls of
+//! methods carry no path and do not count either.
+
+use crate::architecture::{Source, sources};
+use petgraph::algo::tarjan_scc;
+use petgraph::graph::DiGraph;
+use proc_macro2::{TokenStream, TokenTree};
+use quote::ToTokens;
+use std::collections::{BTreeMap, BTreeSet};
+use syn::{Attribute, Item, UseTree};
+
+type Path = Vec<String>;
+
+/// A source file: its module, the names that it defines, and the paths that it names.
+struct File {
+    name: String,
+    module: Path,
+    defined: BTreeSet<String>,
+    /// The leaves of `use`: the path, and the name under which the file knows it.
+    uses: Vec<(Path, String)>,
+    /// All other paths, the module in which they stand first.
+    paths: Vec<(Path, Path)>,
+}
+
+/// The imports between the files of one crate.
+pub struct Imports {
+    files: Vec<File>,
+    modules: BTreeMap<Path, usize>,
+    /// From a file to a file: the names.
+    edges: BTreeMap<(usize, usize), BTreeSet<String>>,
+}
+
+impl Imports {
+    /// Reads all files below `src` of a crate in `folder`.
+    pub fn of_crate(folder: &str) -> Self {
+        let prefix = format!("{folder}/src/");
+        let files: Vec<File> =
+            sources(&prefix).iter().map(|source| File::read(source, &prefix)).collect();
+        let modules = files.iter().enumerate().map(|(i, file)| (file.module.clone(), i)).collect();
+        let mut imports = Imports { files, modules, edges: BTreeMap::new() };
+        for i in 0..imports.files.len() {
+            imports.connect(i);
+        }
+        imports
+    }
+
+    /// The names of files that import each other in a cycle, one list a cycle.
+    pub fn cycles(&self) -> Vec<Vec<String>> {
+        let edges = self
+            .edges
+            .keys()
+            .map(|&(from, to)| (self.files[from].name.clone(), self.files[to].name.clone()));
+        cycles(edges)
+    }
+
+    /// Imports between rooms, the top folders and files of the crate: the two rooms, and `file -> file: names`.
+    pub fn between_rooms(&self) -> Vec<(String, String, String)> {
+        let mut found = Vec::new();
+        for (&(from, to), names) in &self.edges {
+            let [from, to] = [from, to].map(|i| self.files[i].name.as_str());
+            if room(from) != room(to) {
+                let names: Vec<&str> = names.iter().map(String::as_str).collect();
+                let text = format!("{from} -> {to}: {}", names.join(", "));
+                found.push((room(from).to_owned(), room(to).to_owned(), text));
+            }
+        }
+        found
+    }
+
+    /// The rooms that import each other in a cycle, one list a cycle.
+    pub fn cycles_of_rooms(&self) -> Vec<Vec<String>> {
+        cycles(self.between_rooms().into_iter().map(|(from, to, _)| (from, to)))
+    }
+
+    fn connect(&mut self, from: usize) {
+        let file = &self.files[from];
+        let mut found = BTreeSet::new();
+        for (path, alias) in &file.uses {
+            let whole = self.absolute(&file.module, path);
+            // A module that is imported by its name ties nothing; what is used of it does.
+            let is_module = whole.as_ref().is_some_and(|whole| self.modules.contains_key(whole));
+            if let Some(whole) = whole.filter(|_| !is_module && file.names(alias)) {
+                found.extend(self.origin(&whole, 0));
+            }
+        }
+        for (module, path) in &file.paths {
+            let known = file.uses.iter().find(|(_, alias)| *alias == path[0]);
+            let path: Path = match known {
+                Some((head, _)) => head.iter().chain(&path[1..]).cloned().collect(),
+                None => path.clone(),
+            };
+            if let Some(whole) = self.absolute(module, &path) {
+                found.extend(self.origin(&whole, 0));
+            }
+        }
+        for (to, name) in found.into_iter().filter(|(to, _)| *to != from) {
+            self.edges.entry((from, to)).or_default().insert(name);
+        }
+    }
+
+    /// A path from the root of the crate; `None` if it leads out of the crate.
+    fn absolute(&self, module: &Path, path: &Path) -> Option<Path> {
+        let mut base = module.clone();
+        let mut rest = path.as_slice();
+        match path[0].as_str() {
+            "crate" => return Some(path[1..].to_vec()),
+            "self" => rest = &rest[1..],
+            "super" => {
+                while rest.first().is_some_and(|part| part == "super") {
+                    base.pop();
+                    rest = &rest[1..];
+                }
+            }
+            child => {
+                let child: Path = base.iter().cloned().chain([child.to_owned()]).collect();
+                self.modules.get(&child)?;
+            }
+        }
+        Some(base.into_iter().chain(rest.iter().cloned()).collect())
+    }
+
+    /// The file that defines what a path names, and the name.
+    fn origin(&self, path: &[String], depth: usize) -> Option<(usize, String)> {
+        let cut = (0..=path.len()).rev().find(|cut| self.modules.contains_key(&path[..*cut]))?;
+        let at = self.modules[&path[..cut]];
+        let file = &self.files[at];
+        let name = path.get(cut)?;
+        if file.defined.contains(name) || depth > 8 {
+            return Some((at, name.clone()));
+        }
+        for (target, alias) in &file.uses {
+            let glob = target.last().is_some_and(|last| last == "*");
+            if alias != name && !glob {
+                continue;
+            }
+            let Some(mut whole) = self.absolute(&file.module, target) else { continue };
+            if glob {
+                whole.pop();
+                whole.push(name.clone());
+            }
+            if let Some(found) = self.origin(&whole, depth + 1)
+                && (!glob || self.files[found.0].defined.contains(&found.1))
+            {
+                return Some(found);
+            }
+        }
+        Some((at, name.clone()))
+    }
+}
+
+impl File {
+    fn read(source: &Source, prefix: &str) -> Self {
+        let name = source.path.strip_prefix(prefix).unwrap_or(&source.path).to_owned();
+        let mut module: Path = name.trim_end_matches(".rs").split('/').map(str::to_owned).collect();
+        let top = module.len() == 1 && ["lib", "main"].contains(&module[0].as_str());
+        if top || module.last().is_some_and(|last| last == "mod") {
+            module.pop();
+        }
+        let parsed = syn::parse_file(&source.text)
+            .unwrap_or_else(|error| panic!("{}: {error}", source.path));
+        let mut file =
+            File { name, module, defined: BTreeSet::new(), uses: Vec::new(), paths: Vec::new() };
+        let module = file.module.clone();
+        for item in &parsed.items {
+            file.add(item, &module);
+        }
+        file
+    }
+
+    fn add(&mut self, item: &Item, module: &Path) {
+        if attributes(item).iter().any(is_test) {
+            return;
+        }
+        match item {
+            Item::Use(item) => {
+                leaves(&item.tree, &mut Vec::new(), &mut self.uses);
+                return;
+            }
+            Item::Const(item) => self.define(&item.ident),
+            Item::Enum(item) => self.define(&item.ident),
+            Item::Fn(item) => self.define(&item.sig.ident),
+            Item::Static(item) => self.define(&item.ident),
+            Item::Struct(item) => self.define(&item.ident),
+            Item::Trait(item) => self.define(&item.ident),
+            Item::Type(item) => self.define(&item.ident),
+            Item::Macro(item) => {
+                if let Some(name) = &item.ident {
+                    self.define(name);
+                }
+            }
+            Item::Mod(item) => {
+                if let Some((_, items)) = &item.content {
+                    self.define(&item.ident);
+                    let inner: Path =
+                        module.iter().cloned().chain([item.ident.to_string()]).collect();
+                    items.iter().for_each(|item| self.add(item, &inner));
+                }
+                return;
+            }
+            _ => {}
+        }
+        self.paths_in(item.to_token_stream(), module);
+    }
+
+    fn define(&mut self, name: &impl ToString) {
+        self.defined.insert(name.to_string());
+    }
+
+    /// Whether the body of the file names something. A `pub use` that only hands a name on does not count.
+    fn names(&self, alias: &str) -> bool {
+        alias == "*" || self.paths.iter().any(|(_, path)| path[0] == alias)
+    }
+
+    /// The paths among tokens, those in calls of macros among them. A single name is a path of one part.
+    fn paths_in(&mut self, tokens: TokenStream, module: &Path) {
+        let mut path: Path = Vec::new();
+        let mut colons = 0;
+        for token in tokens {
+            match token {
+                TokenTree::Ident(name) => {
+                    if colons != 2 {
+                        self.keep(&mut path, module);
+                    }
+                    path.push(name.to_string());
+                    colons = 0;
+                }
+                TokenTree::Punct(mark) if mark.as_char() == ':' => colons += 1,
+                TokenTree::Group(group) => {
+                    self.keep(&mut path, module);
+                    self.paths_in(group.stream(), module);
+                    colons = 0;
+                }
+                _ => {
+                    self.keep(&mut path, module);
+                    colons = 0;
+                }
+            }
+        }
+        self.keep(&mut path, module);
+    }
+
+    fn keep(&mut self, path: &mut Path, module: &Path) {
+        if !path.is_empty() {
+            self.paths.push((module.clone(), std::mem::take(path)));
+        }
+    }
+}
+
+/// All leaves of a `use`, each with the name by which it is known.
+fn leaves(tree: &UseTree, before: &mut Path, found: &mut Vec<(Path, String)>) {
+    let mut leaf = |last: &str, alias: &str| {
+        let own = (last != "self").then(|| last.to_owned());
+        found.push((before.iter().cloned().chain(own).collect(), alias.to_owned()));
+    };
+    match tree {
+        UseTree::Name(name) => {
+            let name = name.ident.to_string();
+            let alias = if name == "self" { before.last().cloned() } else { None };
+            leaf(&name, &alias.unwrap_or(name.clone()));
+        }
+        UseTree::Rename(rename) => leaf(&rename.ident.to_string(), &rename.rename.to_string()),
+        UseTree::Glob(_) => leaf("*", "*"),
+        UseTree::Group(group) => group.items.iter().for_each(|tree| leaves(tree, before, found)),
+        UseTree::Path(path) => {
+            before.push(path.ident.to_string());
+            leaves(&path.tree, before, found);
+            before.pop();
+        }
+    }
+}
+
+/// The top folder or top file of the crate in which a file lies.
+pub fn room(file: &str) -> &str {
+    file.split('/').next().unwrap_or(file).trim_end_matches(".rs")
+}
+
+fn cycles(edges: impl Iterator<Item = (String, String)>) -> Vec<Vec<String>> {
+    let mut graph = DiGraph::new();
+    let mut nodes = BTreeMap::new();
+    for (from, to) in edges {
+        let [from, to] = [from, to]
+            .map(|name| *nodes.entry(name.clone()).or_insert_with(|| graph.add_node(name)));
+        graph.update_edge(from, to, ());
+    }
+    let components = tarjan_scc(&graph).into_iter().filter(|component| component.len() > 1);
+    let named = components.map(|component| {
+        let mut names: Vec<String> = component.iter().map(|node| graph[*node].clone()).collect();
+        names.sort();
+        names
+    });
+    named.collect()
+}
+
+fn attributes(item: &Item) -> &[Attribute] {
+    match item {
+        Item::Const(item) => &item.attrs,
+        Item::Fn(item) => &item.attrs,
+        Item::Impl(item) => &item.attrs,
+        Item::Mod(item) => &item.attrs,
+        Item::Struct(item) => &item.attrs,
+        Item::Use(item) => &item.attrs,
+        _ => &[],
+    }
+}
+
+fn is_test(attribute: &Attribute) -> bool {
+    attribute.path().is_ident("cfg")
+        && attribute.meta.to_token_stream().to_string().replace(' ', "") == "cfg(test)"
+}

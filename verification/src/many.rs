@@ -1,0 +1,64 @@
+//! Models with many parts of one kind.
+
+use groundbeam::{Beam, Foundation, Hinge, Load, Model, Support};
+
+/// Of what a model has many.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Forces at points.
+    Points,
+    /// Spread loads, one beside the other.
+    Spread,
+    /// Segments of the beam.
+    Beam,
+    /// Segments of the ground.
+    Ground,
+    /// Forces on the ground.
+    GroundForces,
+    /// Spread loads on the ground, one beside the other.
+    GroundSpread,
+    /// Pins.
+    Supports,
+    /// Elastic hinges.
+    Hinges,
+}
+
+/// All of them.
+pub const KINDS: [Kind; 8] = [
+    Kind::Points,
+    Kind::Spread,
+    Kind::Beam,
+    Kind::Ground,
+    Kind::GroundForces,
+    Kind::GroundSpread,
+    Kind::Supports,
+    Kind::Hinges,
+];
+
+/// A model with so many parts of a kind on a beam 1 km long.
+pub fn model(kind: Kind, count: usize) -> Model {
+    let length = 1000.0;
+    let beam = Beam::uniform(length, 1e12);
+    let mut model = Model::new(beam, Foundation::pasternak(40e6, 9e6))
+        .with_load(Load::uniform(5e3, 0.0, length));
+    for i in 0..count {
+        let at = |part: f64| length * (i as f64 + part) / count as f64;
+        let (from, at, to, size) = (at(0.0), at(0.5), at(1.0), (10 + i % 7) as f64);
+        let (start, end) = (1e3 * size, 1e3 * size);
+        match kind {
+            Kind::Points => model.loads.push(Load::point(start, at)),
+            Kind::Spread => model.loads.push(Load::Distributed { from, to, start, end }),
+            Kind::Beam => model.beam = model.beam.with_segment(from, to, 1e11 * size),
+            Kind::Ground => {
+                model.foundation = model.foundation.with_segment(from, to, 4e6 * size, 9e6);
+            }
+            Kind::GroundForces => model.loads.push(Load::GroundForce { at, force: start }),
+            Kind::GroundSpread => {
+                model.loads.push(Load::GroundDistributed { from, to, start, end });
+            }
+            Kind::Supports => model.supports.push(Support::pinned(at)),
+            Kind::Hinges => model.hinges.push(Hinge::elastic(at, 1e6 * size)),
+        }
+    }
+    model
+}

@@ -1,0 +1,239 @@
+//! Random models over settlement troughs, and what twice as many chords change in their results.
+
+use groundbeam::{Field, GapPoint, Model, Outcome, Range, Solution, solve};
+use groundbeam_file::{Diagnostics, Document, parse};
+use rand::{Rng, RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use std::fmt::Write;
+
+/// S exp(−(x − x₀)²/2i²).
+#[derive(Debug, Clone, Copy)]
+pub struct Trough {
+    /// x₀.
+    pub at: f64,
+    /// S.
+    pub settlement: f64,
+    /// i.
+    pub width: f64,
+}
+
+/// A model file and its troughs.
+#[derive(Debug)]
+pub struct Drawn {
+    /// The file.
+    pub text: String,
+    /// The curves that it describes.
+    pub troughs: Vec<Trough>,
+}
+
+/// The model of a number: always the same one. Stiffness, loads and troughs span what engineers give and far more.
+/// Even numbers have separate springs, odd ones a shear layer.
+pub fn drawn(number: u64) -> Drawn {
+    let mut random = ChaCha8Rng::seed_from_u64(number);
+    let r = &mut random;
+    let length = decades(r, 0.3, 3.3);
+    let k = decades(r, 4.0, 9.0);
+    let stiffness_length = length / decades(r, -0.5, 2.5);
+    let bending = k * stiffness_length.powi(4);
+    let layer = k * (length * decades(r, -3.0, 0.0)).powi(2);
+    let mu = if number.is_multiple_of(2) { 0.0 } else { layer };
+    let tension =
+        if one_of(r, 3) { 2.0 * (k * bending).sqrt() * decades(r, -3.0, 1.5) } else { 0.0 };
+    let mut text =
+        format!("[beam]\nlength = {length:e}\nEI = {bending:e}\naxial_force = {tension:e}\n");
+    if one_of(r, 6) {
+        let _ = writeln!(
+            text,
+            "shear_stiffness = {:e}",
+            bending / (length * decades(r, -2.0, 0.0)).powi(2)
+        );
+    }
+    if one_of(r, 4) {
+        let [from, to] = stretch(r, length);
+        let factor = decades(r, -1.0, 1.0);
+        let _ = writeln!(
+            text,
+            "[[beam.segment]]\nfrom = {from:e}\nto = {to:e}\nEI = {:e}",
+            bending * factor
+        );
+    }
+    let _ = writeln!(text, "[foundation]\nk = {k:e}\nmu = {mu:e}");
+    if one_of(r, 4) {
+        let [from, to] = stretch(r, length);
+        let [of_k, of_mu] = [decades(r, -1.0, 1.0), decades(r, -1.0, 1.0)];
+        let (k, mu) = (k * of_k, mu * of_mu);
+        let _ = writeln!(
+            text,
+            "[[foundation.segment]]\nfrom = {from:e}\nto = {to:e}\nk = {k:e}\nmu = {mu:e}"
+        );
+    }
+    let load = decades(r, 2.0, 6.0);
+    loads(r, length, load, &mut text);
+    if one_of(r, 5) {
+        let _ = writeln!(text, "[[support]]\nat = 0\ntype = 'pinned'");
+    }
+    let mut troughs = Vec::new();
+    for _ in 0..r.random_range(1..=3) {
+        let sign = if one_of(r, 8) { -1.0 } else { 1.0 };
+        let trough = Trough {
+            at: length * r.random_range(-0.3..1.3),
+            settlement: sign * load / k * decades(r, -2.0, 4.0),
+            width: length * decades(r, -2.0, 0.7),
+        };
+        let Trough { at, settlement, width } = trough;
+        let _ = writeln!(
+            text,
+            "[[gap_trough]]\nat = {at:e}\nsettlement = {settlement:e}\nwidth = {width:e}"
+        );
+        troughs.push(trough);
+        if one_of(r, 2) {
+            break;
+        }
+    }
+    Drawn { text, troughs }
+}
+
+fn loads(r: &mut impl Rng, length: f64, load: f64, text: &mut String) {
+    let uniform = !one_of(r, 4);
+    if uniform {
+        let _ = writeln!(text, "[[load]]\ndistributed = {load:e}");
+    }
+    for _ in 0..r.random_range(u32::from(!uniform)..4) {
+        let at = length * r.random_range(0.05..0.95);
+        let force = load * length * decades(r, -2.0, 0.0);
+        let _ = writeln!(text, "[[load]]\npoint = {force:e}\nat = {at:e}");
+    }
+    if one_of(r, 4) {
+        let at = length * r.random_range(0.05..0.95);
+        let moment = load * length * length * decades(r, -3.0, -1.0);
+        let _ = writeln!(text, "[[load]]\nmoment = {moment:e}\nat = {at:e}");
+    }
+}
+
+fn stretch(r: &mut impl Rng, length: f64) -> [f64; 2] {
+    let from = r.random_range(0.0..0.8);
+    [from * length, r.random_range(from + 0.05..1.0) * length]
+}
+
+fn one_of(r: &mut impl Rng, many: u32) -> bool {
+    r.random_range(0..many) == 0
+}
+
+fn decades(r: &mut impl Rng, from: f64, to: f64) -> f64 {
+    10.0_f64.powf(r.random_range(from..to))
+}
+
+/// The model with twice as many chords, each new corner on the curve.
+pub fn doubled(model: &Model, troughs: &[Trough]) -> Model {
+    let depth = |x: f64| {
+        let of = |trough: &Trough| {
+            let t = (x - trough.at) / trough.width;
+            trough.settlement * (-0.5 * t * t).exp()
+        };
+        troughs.iter().map(of).sum::<f64>()
+    };
+    let mut gap = Vec::new();
+    for pair in model.gap.windows(2) {
+        let at = 0.5 * (pair[0].at + pair[1].at);
+        let straight =
+            0.5 * (pair[0].value - depth(pair[0].at) + pair[1].value - depth(pair[1].at));
+        let value = straight + depth(at);
+        // Less than this cannot be computed with.
+        let value = if value.abs() < 1e-60 { 0.0 } else { value };
+        gap.extend([pair[0], GapPoint { at, value }]);
+    }
+    gap.extend(model.gap.last());
+    Model { gap, ..model.clone() }
+}
+
+/// What changes between two solutions: w, M and p by their largest magnitude, the edges of contact by the length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Changed {
+    /// Of deflection, moment and pressure.
+    pub fields: [f64; 3],
+    /// The largest distance of an edge of contact of one solution from the next edge of the other.
+    pub edges: f64,
+}
+
+/// The differences between two solutions.
+pub fn changed(coarse: &Solution, fine: &Solution) -> Changed {
+    let fields = [Field::Deflection, Field::Moment, Field::Pressure].map(|field| {
+        let [a, b]: [Range; 2] = [coarse, fine].map(|solution| solution.range(field));
+        let size = b.min.value.abs().max(b.max.value.abs());
+        let change = (a.min.value - b.min.value).abs().max((a.max.value - b.max.value).abs());
+        if change == 0.0 { 0.0 } else { change / size }
+    });
+    let edges = [coarse, fine].map(edges);
+    let apart = |from: &[f64], to: &[f64]| {
+        let nearest = |x: &f64| to.iter().map(|y| (x - y).abs()).fold(f64::INFINITY, f64::min);
+        from.iter().map(nearest).fold(0.0, f64::max)
+    };
+    let edges = apart(&edges[0], &edges[1]).max(apart(&edges[1], &edges[0]));
+    Changed { fields, edges: edges / fine.model().beam.length }
+}
+
+/// Where contact begins and ends. Above a shear layer the beam opens at every corner that points down, and rests on
+/// single corners that point up: a stretch without contact is left out where it is no longer than two chords.
+fn edges(solution: &Solution) -> Vec<f64> {
+    let model = solution.model();
+    let corners = |from: f64, to: f64| {
+        let [a, b] = [from, to]
+            .map(|x| model.gap.partition_point(|corner| corner.at <= x + 1e-9 * model.beam.length));
+        b - a
+    };
+    let mut edges: Vec<f64> = Vec::new();
+    for region in solution.contact() {
+        match edges.last_mut() {
+            Some(last) if model.foundation.shear > 0.0 && corners(*last, region.from) <= 2 => {
+                *last = region.to
+            }
+            _ => edges.extend([region.from, region.to]),
+        }
+    }
+    edges
+}
+
+/// What came of a model.
+#[derive(Debug)]
+pub enum Result {
+    /// The file is refused.
+    Refused(Diagnostics),
+    /// No equilibrium, whatever the ground's shape.
+    NoEquilibrium,
+    /// The method gave up.
+    Failed(String),
+    /// Solved with the chords of the file and with twice as many.
+    Solved {
+        /// Those of the file.
+        chords: usize,
+        /// Stretches of contact, with the chords of the file and with twice as many.
+        zones: [usize; 2],
+        /// The differences.
+        changed: Changed,
+        /// What the first solution took.
+        seconds: f64,
+    },
+}
+
+/// Solves the model of a number twice.
+pub fn result(number: u64) -> Result {
+    let Drawn { text, troughs } = drawn(number);
+    let Document { model, chords, .. } = match parse(&text) {
+        Ok(document) => document,
+        Err(refused) => return Result::Refused(refused),
+    };
+    let fine = doubled(&model, &troughs);
+    let start = std::time::Instant::now();
+    let coarse = solve(&model);
+    let seconds = start.elapsed().as_secs_f64();
+    match (coarse, solve(&fine)) {
+        (Ok(Outcome::Equilibrium(coarse)), Ok(Outcome::Equilibrium(fine))) => Result::Solved {
+            chords: chords.unwrap_or(0),
+            zones: [coarse.contact().len(), fine.contact().len()],
+            changed: changed(&coarse, &fine),
+            seconds,
+        },
+        (Err(error), _) | (_, Err(error)) => Result::Failed(error.to_string()),
+        _ => Result::NoEquilibrium,
+    }
+}

@@ -1,0 +1,111 @@
+//! The present program against the frozen answers of the pinned one.
+
+use groundbeam::{Options, Outcome, solve, solve_near};
+use groundbeam_verification::frozen::{
+    self, Frozen, bits, bounds, model as format, record::Record,
+};
+use groundbeam_verification::random::{Family, model};
+use rayon::prelude::*;
+
+/// Families of which a model may take seconds, and how many models of each are compared here. The command compares all.
+const SLOW: [(&str, u64); 3] = [("Compressed", 20), ("CompressedToo", 4), ("Extreme", 10)];
+/// Models of other families that take seconds.
+const SLOW_MODELS: [&str; 10] = [
+    "Hard 62",
+    "Hard 172",
+    "Hard 542",
+    "Hard 855",
+    "Hard 1617",
+    "Hard 2396",
+    "Hard 6164",
+    "Hard 7371",
+    "Settled 2606",
+    "Shearing 308",
+];
+
+fn all_frozen() -> Vec<Frozen> {
+    let folder = frozen::folder();
+    let families = frozen::families(&folder).expect("the folder of the frozen files");
+    let family = |name: &String| frozen::family(&folder, name).expect("the files of a family");
+    families.iter().flat_map(family).collect()
+}
+
+fn is_quick(one: &Frozen) -> bool {
+    let slow = SLOW.iter().find(|(family, _)| one.title().starts_with(&format!("{family} ")));
+    slow.is_none_or(|(_, count)| one.number() < *count) && !SLOW_MODELS.contains(&one.title())
+}
+
+#[test]
+fn answers_are_the_frozen_ones() {
+    let same_bits = std::env::var_os("GROUNDBEAM_SAME_BITS").is_some();
+    let quick: Vec<Frozen> = all_frozen().into_iter().filter(is_quick).collect();
+    let differences = |one: &Frozen| match same_bits {
+        true => bits::differences(one, &one.solved_again().expect("a model")),
+        false => bounds::differences(one, &solve(&one.model().expect("a model"))),
+    };
+    let found: Vec<String> =
+        quick.par_iter().flat_map_iter(differences).map(|one| one.to_string()).collect();
+    assert!(quick.len() > 3000, "{} models", quick.len());
+    assert!(found.is_empty(), "{} differences:\n{}", found.len(), found.join("\n"));
+}
+
+#[test]
+fn a_frozen_model_is_read_to_the_last_bit() {
+    for one in all_frozen() {
+        let read = one.model().expect("a model");
+        let again = Record::new(one.title(), &format::text(&read));
+        assert_eq!(again, one.model);
+    }
+}
+
+#[test]
+fn a_drawn_model_is_read_as_it_was_written() {
+    let families = [
+        Family::Segments,
+        Family::Supported,
+        Family::Gap,
+        Family::Long,
+        Family::Varying,
+        Family::Curled,
+        Family::Settled,
+        Family::Hinged,
+        Family::OneWay,
+        Family::Neighbours,
+        Family::Shearing,
+    ];
+    for family in families {
+        for number in 0..30 {
+            let drawn = model(family, number);
+            let written = Record::new("", &format::text(&drawn));
+            let read = format::read(&written).expect("a model");
+            assert_eq!(format!("{read:?}"), format!("{drawn:?}"), "{family:?} {number}");
+        }
+    }
+}
+
+#[test]
+fn what_is_no_model_is_refused() {
+    for line in ["beam 1.0 1.0", "point_force 0.5", "spring 1.0 2.0", "support 0.5 glued 0.0 both"]
+    {
+        assert!(format::read(&Record::new("", line)).is_err(), "{line}");
+    }
+}
+
+/// Another way to the same answer stays within the bounds, a model that differs by 10⁻⁵ does not.
+#[test]
+fn the_bounds_separate_rounding_from_a_change() {
+    let folder = frozen::folder();
+    for family in ["Plain", "Segments", "Varying", "Hinged"] {
+        for one in frozen::family(&folder, family).expect("the files of a family").iter().take(10) {
+            let model = one.model().expect("a model");
+            let Ok(Outcome::Equilibrium(near)) = solve(&model.clone().with_loads_scaled(1.01))
+            else {
+                panic!("{}: no answer", one.title())
+            };
+            let same = solve_near(&model, &Options::default(), Some(&near));
+            assert_eq!(bounds::differences(one, &same), [], "{}", one.title());
+            let other = solve(&model.with_loads_scaled(1.0 + 1e-5));
+            assert!(!bounds::differences(one, &other).is_empty(), "{}", one.title());
+        }
+    }
+}

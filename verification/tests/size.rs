@@ -1,0 +1,43 @@
+//! Models with many parts: the time to read, check and cut them into cells grows in proportion to their number.
+
+use groundbeam::{Options, exists, memory_estimate};
+use groundbeam_file::{UnitSystem, parse, write_toml};
+use groundbeam_verification::many::{KINDS, model};
+use std::time::Instant;
+
+/// The least seconds of a few runs.
+fn seconds(runs: usize, mut job: impl FnMut()) -> f64 {
+    let once = |_| {
+        let began = Instant::now();
+        job();
+        began.elapsed().as_secs_f64()
+    };
+    (0..runs).map(once).fold(f64::INFINITY, f64::min)
+}
+
+/// Ten times as many parts: 10 in proportion, 100 where each is compared with each.
+#[test]
+fn reading_is_in_proportion() {
+    for kind in KINDS {
+        let [few, many] = [(3_000, 5), (30_000, 2)].map(|(count, runs)| {
+            let text = write_toml(&model(kind, count), None, UnitSystem::Si);
+            seconds(runs, || drop(parse(&text).expect("a model")))
+        });
+        assert!(many < 40.0 * few, "{kind:?}: {few} s and {many} s");
+    }
+}
+
+/// Four times as many, both beyond the processor's memory: 4 in proportion, 16 where each is compared with each.
+#[test]
+fn checks_and_cells_are_in_proportion() {
+    for kind in KINDS {
+        let [few, many] = [40_000, 160_000].map(|count| {
+            let model = model(kind, count);
+            seconds(3, || {
+                assert!(exists(&model).is_ok_and(|existence| existence.verdict.stands()));
+                assert!(memory_estimate(&model, &Options::default()) > 0);
+            })
+        });
+        assert!(many < 10.0 * few, "{kind:?}: {few} s and {many} s");
+    }
+}

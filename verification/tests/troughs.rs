@@ -1,0 +1,48 @@
+//! Twice as many chords of a settlement trough change the results by less than a thousandth.
+
+use groundbeam::{Field, Outcome};
+use groundbeam_file::parse;
+use groundbeam_verification::troughs::{Result, result};
+
+/// Solves a model with its chords and with twice as many. Returns whether it was solved.
+#[track_caller]
+fn holds(number: u64) -> bool {
+    match result(number) {
+        Result::Solved { changed, .. } => {
+            let largest = changed.fields.into_iter().fold(changed.edges, f64::max);
+            assert!(largest < 1e-3, "{number}: {changed:?}");
+            true
+        }
+        Result::Failed(error) => panic!("{number}: {error}"),
+        Result::Refused(_) | Result::NoEquilibrium => false,
+    }
+}
+
+#[test]
+fn twice_as_many_chords_change_nothing_on_separate_springs() {
+    let solved = (0..160).step_by(2).filter(|number| holds(*number)).count();
+    assert!(solved >= 60, "{solved}");
+}
+
+#[test]
+fn twice_as_many_chords_change_nothing_above_a_shear_layer() {
+    let solved = SHEAR.into_iter().filter(|number| holds(*number)).count();
+    assert_eq!(solved, SHEAR.len());
+}
+
+/// Models above a shear layer that are solved in a second.
+const SHEAR: [u64; 23] =
+    [1, 9, 11, 13, 15, 23, 27, 29, 33, 45, 47, 53, 57, 59, 69, 77, 79, 81, 83, 91, 99, 101, 103];
+
+/// A pipe over a trough of 20 m: the curve presses at two places. The pressure is that of 40 000 equal chords.
+#[test]
+fn a_light_pipe_rests_on_both_sides_of_a_trough() {
+    let text = "[beam]\nlength = '120 m'\nEI = '150 MN m^2'\n[foundation]\nk = '20 MN/m^2'\n
+        [[load]]\ndistributed = '1.5 kN/m'\n
+        [[gap_trough]]\nat = '60 m'\nsettlement = '0.8 m'\nwidth = '20 m'\n";
+    let document = parse(text).unwrap();
+    let Ok(Outcome::Equilibrium(solution)) = document.solve(&Default::default()) else { panic!() };
+    assert_eq!(solution.contact().len(), 2);
+    let pressure = solution.range(Field::Pressure).max.value;
+    assert!((pressure / 3191.0 - 1.0).abs() < 1e-3, "{pressure}");
+}
