@@ -40,7 +40,7 @@ impl Method {
     }
 }
 
-/// Choices for [`solve_with`]. The default needs none.
+/// Choices for [`solve_with`](crate::solve_with). The default needs none.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options {
     /// How to solve.

@@ -60,7 +60,12 @@ fn every_code_of_the_core_is_in_the_table() {
     let source = sources(&root().join("crates/groundbeam/src"));
     assert!(source.contains("\"GB101\""));
     for piece in source.split("\"GB").skip(1) {
-        let code = format!("GB{}", piece.split('"').next().unwrap());
+        let number = piece.split('"').next().unwrap();
+        // `GB` alone is a unit of memory.
+        if number.is_empty() {
+            continue;
+        }
+        let code = format!("GB{number}");
         assert!(CODES.iter().any(|row| row.code == code), "{code} is not in the table");
     }
 }
