@@ -62,19 +62,16 @@ pub use error::{Error, NotConverged, Stopped, TooLarge};
 pub use existence::existence::{
     Buckling, Existence, Local, RigidMotion, Verdict, static_reactions_of as static_reactions,
 };
-pub use load_factors::parts::FirstLiftOff;
-pub use load_factors::parts::LossOfEquilibrium;
+pub use load_factors::parts::{FirstLiftOff, LossOfEquilibrium};
 pub use load_factors::{LoadFactors, load_factors};
 pub use model::{
     Acts, Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, GroundEnd, Hinge, Load,
     Model, Profile, Support, SupportKind,
 };
 pub use nodal::newton::Work;
-pub use nodal::solution::NodalCheck;
-pub use nodal::solution::NodalSolution;
+pub use nodal::solution::{NodalCheck, NodalSolution};
 pub use nodal_solver::NodalSolver;
-pub use options::Pressure;
-pub use options::{Method, Options, Start};
+pub use options::{Method, Options, Pressure, Start};
 pub use outcome::Outcome;
 pub use solution::hinges::HingeTurn;
 pub use solution::lift_off::LiftOff;

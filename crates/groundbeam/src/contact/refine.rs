@@ -1,5 +1,6 @@
 //! Newton's iteration on the contact edges, from the deflection of a coarser problem.
 
+use crate::contact::corner;
 use crate::contact::descent::shorten;
 use crate::contact::edges;
 use crate::contact::glue::Glue;
@@ -139,7 +140,7 @@ pub(crate) fn refine(
         let patient = most_steps > NEAR_STEPS && step > 0;
         if patient
             && step.is_multiple_of(WALKING)
-            && let Some(found) = crate::contact::corner::on_a_corner(glue, &found, &next)
+            && let Some(found) = corner::on_a_corner(glue, &found, &next)
             && judge(&found).is_within(LAST)
         {
             return Ok(Found { history, ..found });

@@ -19,8 +19,7 @@ mod pieces;
 use crate::equilibrium::buckling::convexity;
 use crate::equilibrium::size;
 use crate::error::Error;
-use crate::load_factors::parts::LossOfEquilibrium;
-use crate::load_factors::parts::{FirstLiftOff, Parts};
+use crate::load_factors::parts::{FirstLiftOff, LossOfEquilibrium, Parts};
 use crate::model::{Model, Problem};
 use crate::options::Options;
 
