@@ -2,6 +2,7 @@
 
 use groundbeam::{Options, exists, memory_estimate};
 use groundbeam_file::{UnitSystem, parse, write_toml};
+use groundbeam_report::Characteristics;
 use groundbeam_verification::many::{KINDS, model};
 use std::time::Instant;
 
@@ -35,7 +36,9 @@ fn checks_and_cells_are_in_proportion() {
         let [few, many] = [20_000, 320_000].map(|count| {
             let model = model(kind, count);
             seconds(3, || {
-                assert!(exists(&model).is_ok_and(|existence| existence.verdict.stands()));
+                let existence = exists(&model).expect("a valid model");
+                assert!(existence.verdict.stands());
+                assert!(Characteristics::of(&model, &existence).beta_length > 0.0);
                 assert!(memory_estimate(&model, &Options::default()) > 0);
             })
         });

@@ -35,6 +35,7 @@ function addable() {
 
 function build(numbers) {
   const groups = new Map();
+  const counts = new Map();
   rows = numbers.map((number, i) => {
     const group = `${number.table}${number.which > 0 ? ` ${number.which}` : ""}`;
     if (!groups.has(group)) {
@@ -51,7 +52,11 @@ function build(numbers) {
     const slider = Object.assign(document.createElement("input"), { type: "range", min: 0, max: STEPS, step: "any" });
     const field = Object.assign(document.createElement("input"), { type: "text", spellcheck: false });
     for (const input of [slider, field]) input.setAttribute("aria-label", `${group} ${label.textContent}`);
-    slider.dataset.key = `${number.table}${number.which || ""}.${number.key}`;
+    // Every number of a list has a range of its own.
+    const key = `${number.table}${number.which || ""}.${number.key}`;
+    const count = (counts.get(key) ?? 0) + 1;
+    counts.set(key, count);
+    slider.dataset.key = count > 1 ? `${key} ${count}` : key;
     let gesture = null;
     slider.addEventListener("input", () => {
       gesture ??= edits.begin();

@@ -126,3 +126,23 @@ fn sliders_keep_to_the_signs_of_the_file_format() {
     assert_eq!(at("[[load]]1.at", HOME), 0.0);
     assert!(!browser.eval("document.body.classList.contains('wrong')").as_bool().unwrap());
 }
+
+#[test]
+fn each_number_of_a_list_has_a_slider_of_its_own_range() {
+    let Some(browser) = Browser::start() else { return };
+    let k = "k = [\"40 MN/m^2\", \"2 MN/m^2\"]";
+    let lines: Vec<&str> =
+        FOOTING.lines().map(|line| if line.starts_with("k = ") { k } else { line }).collect();
+    let folder = Folder::with(&lines.join("\n"));
+    let server = Server::start(Some(&folder.path("model.toml")));
+    opened(&browser, &server);
+    let value = |key: &str| {
+        let field = format!("document.querySelector('[data-key={key:?}] + input').value");
+        browser.eval(&format!("parseFloat({field})")).as_f64().unwrap()
+    };
+    browser.eval("document.querySelector('[data-key=\"[foundation].k\"]').focus()");
+    browser.keys(&[], &END.to_string());
+    settled(&browser, "true");
+    assert_eq!(value("[foundation].k"), 400.0);
+    assert_eq!(value("[foundation].k 2"), 2.0);
+}

@@ -64,9 +64,9 @@ impl Diagnostic {
             code: fault.code,
             severity: Severity::Error,
             file: None,
-            message: fault.message,
-            label: fault.label,
-            hint: fault.hint,
+            message: shortened(fault.message),
+            label: shortened(fault.label),
+            hint: shortened(fault.hint),
             span,
             line,
             column,
@@ -80,6 +80,18 @@ impl Diagnostic {
         self.related.push(Related { span, line, column, label: label.to_owned() });
         self
     }
+}
+
+/// Characters of a text at most: a name of the file that stands in it may be as long as the file.
+const LONGEST: usize = 1000;
+
+/// The text, cut behind its first [`LONGEST`] characters.
+fn shortened(mut text: String) -> String {
+    if let Some((end, _)) = text.char_indices().nth(LONGEST) {
+        text.truncate(end);
+        text.push('…');
+    }
+    text
 }
 
 impl fmt::Display for Diagnostic {
@@ -155,3 +167,14 @@ impl fmt::Display for Diagnostics {
 }
 
 impl std::error::Error for Diagnostics {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_text_is_cut_between_characters() {
+        assert_eq!(shortened("µ".repeat(LONGEST)), "µ".repeat(LONGEST));
+        assert_eq!(shortened("µ".repeat(LONGEST + 1)), "µ".repeat(LONGEST) + "…");
+    }
+}

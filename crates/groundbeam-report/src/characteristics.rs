@@ -31,9 +31,15 @@ impl Characteristics {
         let mut beta = [f64::INFINITY, 0.0_f64];
         let mut shear_length = [f64::INFINITY, 0.0_f64];
         let mut beta_length = 0.0;
+        let (beam, ground) = (&model.beam, &model.foundation);
+        let beam_segments = Ordered::new(&beam.segments, |s| [s.from, s.to]);
+        let ground_segments = Ordered::new(&ground.segments, |s| [s.from, s.to]);
         let at = |x: f64| {
-            let stiffness = model.beam.bending_stiffness_at(x);
-            let (spring, shear) = model.foundation.constants_at(x);
+            let segment = beam_segments.at(x);
+            let stiffness = segment.map_or(beam.bending_stiffness, |s| s.bending_stiffness_at(x));
+            let segment = ground_segments.at(x);
+            let (spring, shear) =
+                segment.map_or((ground.spring, ground.shear), |s| s.constants_at(x));
             ((spring / (4.0 * stiffness)).sqrt().sqrt(), (shear / spring).sqrt())
         };
         let steps = if varies(model) { STEPS } else { 1 };
@@ -63,6 +69,26 @@ impl Characteristics {
         } else {
             "a long beam"
         }
+    }
+}
+
+/// Segments that do not overlap, from left to right: the one at a place is found by bisection.
+struct Ordered<'a, S> {
+    segments: Vec<&'a S>,
+    ends: fn(&S) -> [f64; 2],
+}
+
+impl<'a, S> Ordered<'a, S> {
+    fn new(segments: &'a [S], ends: fn(&S) -> [f64; 2]) -> Self {
+        let mut segments: Vec<&S> = segments.iter().collect();
+        segments.sort_by(|a, b| ends(a)[0].total_cmp(&ends(b)[0]));
+        Ordered { segments, ends }
+    }
+
+    fn at(&self, x: f64) -> Option<&'a S> {
+        let after = self.segments.partition_point(|s| (self.ends)(s)[0] <= x);
+        let last = self.segments[..after].last().copied();
+        last.filter(|s| x < (self.ends)(s)[1])
     }
 }
 

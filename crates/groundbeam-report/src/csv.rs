@@ -1,6 +1,7 @@
 //! Tables: all fields along the beam, the envelope of combinations, and the history of the iteration.
 
 use crate::combinations::Combinations;
+use crate::context::printable;
 use crate::curve::Jumps;
 use crate::quantity::Units;
 use crate::trains::{InPassage, Moving, Passages};
@@ -131,8 +132,9 @@ impl Rows {
         Rows(WriterBuilder::new().from_writer(Vec::new()))
     }
 
+    /// Names of the file are escaped: a table may go to a terminal.
     fn push(&mut self, cells: impl IntoIterator<Item = String>) {
-        let _ = self.0.write_record(cells);
+        let _ = self.0.write_record(cells.into_iter().map(|cell| printable(&cell)));
     }
 
     fn finish(self) -> String {

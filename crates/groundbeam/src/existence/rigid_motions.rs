@@ -5,10 +5,8 @@
 //! r ≤ 0 at every node.
 
 use crate::model::{Acts, Load, Model, SupportKind};
+use crate::numeric::tolerance::same_place;
 use std::ops::Range;
-
-/// Positions closer than this part of the beam's length are one position.
-const SAME_PLACE: f64 = 4.0 * f64::EPSILON;
 
 /// The nodes of a beam, and what keeps its pieces where they are.
 #[derive(Debug, Clone)]
@@ -67,7 +65,7 @@ impl Mechanism {
 
     fn is_at(&self, x: f64, node: usize) -> bool {
         let l = self.nodes[self.nodes.len() - 1];
-        (x - self.nodes[node]).abs() <= SAME_PLACE * l
+        (x - self.nodes[node]).abs() <= same_place(l)
     }
 
     /// The nodes that may lift, r < 0, without work against supports or tension and without pressing on the

@@ -8,6 +8,7 @@ use crate::mesh::cell::Cell;
 use crate::mesh::deflection::pressure_under;
 use crate::model::Model;
 use crate::numeric::polynomial::{Coefficients, derivative, rescale, sign_changes, value};
+use crate::numeric::tolerance::same_place;
 
 /// The deflection of a beam that touches along its whole length, whether the ground pushes or pulls.
 pub(super) fn glued_all_along(model: &Model) -> Result<Found, Loose> {
@@ -110,7 +111,7 @@ pub(super) fn watched(staying: &Found, growing: &Found) -> Vec<Watched> {
     let l = staying.mesh.cells.last().map_or(0.0, |cell| cell.x[1]);
     let (mut i, mut j, mut from) = (0, 0, 0.0);
     while let (Some(a), Some(b)) = (staying.mesh.cells.get(i), growing.mesh.cells.get(j)) {
-        let same = (a.x[1] - b.x[1]).abs() <= SAME_PLACE * l;
+        let same = (a.x[1] - b.x[1]).abs() <= same_place(l);
         let to = if same { a.x[1] } else { a.x[1].min(b.x[1]) };
         let x = [from, to];
         let mut sides = [pressure(staying, i, x), pressure(growing, j, x)];
@@ -130,9 +131,6 @@ pub(super) fn watched(staying: &Found, growing: &Found) -> Vec<Watched> {
     all.sort_by(|a, b| a.x[0].total_cmp(&b.x[0]));
     all
 }
-
-/// Positions closer than this part of the length are one.
-const SAME_PLACE: f64 = 16.0 * f64::EPSILON;
 
 /// p = k(w − g₀) − μ(w − g₀)″ − q on a part of a cell.
 fn pressure(found: &Found, i: usize, x: [f64; 2]) -> Side {

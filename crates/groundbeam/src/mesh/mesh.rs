@@ -9,6 +9,7 @@ use crate::mesh::cell::Varies;
 use crate::mesh::free_field;
 use crate::model::{Course, Load, Model, SupportKind};
 use crate::numeric::polynomial::value;
+use crate::numeric::tolerance::same_place;
 
 /// What acts on and holds the beam at one point.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -50,9 +51,6 @@ pub(crate) struct Mesh {
 
 /// EI over h²(N + kh²) of a stiffened cell: no more than its own where its waves are longer than it.
 const STIFF: f64 = 0.5;
-
-/// Positions closer than this part of the beam's length are one position.
-const SAME_PLACE: f64 = 4.0 * f64::EPSILON;
 
 impl Mesh {
     /// The fewest nodes, and `more` of them. Every interval between two of these is then cut into
@@ -291,7 +289,7 @@ fn positions(model: &Model, more: &[f64]) -> Vec<f64> {
     places.extend(more.iter().map(|&x| (x, false)));
     places.retain(|&(x, _)| x >= 0.0 && x <= l);
     places.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
-    let near = SAME_PLACE * l;
+    let near = same_place(l);
     places.dedup_by(|next, last| {
         let same = next.0 - last.0 <= near;
         // Of two spellings of one place the model's own stays.
@@ -388,7 +386,7 @@ fn load_ground(model: &Model, cells: &mut [Cell]) {
                     |i: usize| cells.get(i).map_or(f64::INFINITY, |c| (c.x[0] - at).abs());
                 let left = (right - 1).max(1);
                 let nearest = if distance(left) <= distance(right) { left } else { right };
-                if distance(nearest) <= SAME_PLACE * model.beam.length {
+                if distance(nearest) <= same_place(model.beam.length) {
                     cells[nearest].ground_force += force;
                 }
             }

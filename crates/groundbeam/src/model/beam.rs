@@ -107,8 +107,7 @@ impl Beam {
     /// Bending stiffness EI \[N·m²\] at `x`; at the joint of two segments that of the right one.
     pub fn bending_stiffness_at(&self, x: f64) -> f64 {
         let segment = self.segments.iter().find(|s| s.from <= x && x < s.to);
-        segment
-            .map_or(self.bending_stiffness, |s| s.bending_stiffness.at_position([s.from, s.to], x))
+        segment.map_or(self.bending_stiffness, |s| s.bending_stiffness_at(x))
     }
 
     /// Whether the beam shears anywhere.
@@ -194,6 +193,11 @@ impl Beam {
 }
 
 impl BeamSegment {
+    /// Bending stiffness EI \[N·m²\] at `x` on the segment.
+    pub fn bending_stiffness_at(&self, x: f64) -> f64 {
+        self.bending_stiffness.at_position([self.from, self.to], x)
+    }
+
     /// EI on a stretch of the segment.
     pub(crate) fn course(&self, x: [f64; 2]) -> Course {
         self.bending_stiffness.on([self.from, self.to], x)

@@ -82,10 +82,7 @@ impl Foundation {
     /// (k \[N/m²\], μ \[N\]) at `x` on the beam; at a joint of two segments those of the right one.
     pub fn constants_at(&self, x: f64) -> (f64, f64) {
         let segment = self.segments.iter().find(|s| s.from <= x && x < s.to);
-        segment.map_or((self.spring, self.shear), |s| {
-            let ends = [s.from, s.to];
-            (s.spring.at_position(ends, x), s.shear.at_position(ends, x))
-        })
+        segment.map_or((self.spring, self.shear), |s| s.constants_at(x))
     }
 
     /// k and μ on a stretch of the beam within which no segment ends.
@@ -113,6 +110,12 @@ impl Foundation {
 }
 
 impl FoundationSegment {
+    /// (k \[N/m²\], μ \[N\]) at `x` on the segment.
+    pub fn constants_at(&self, x: f64) -> (f64, f64) {
+        let ends = [self.from, self.to];
+        (self.spring.at_position(ends, x), self.shear.at_position(ends, x))
+    }
+
     /// k and μ on a stretch of the segment.
     pub(crate) fn courses(&self, x: [f64; 2]) -> [Course; 2] {
         [self.spring, self.shear].map(|constant| constant.on([self.from, self.to], x))

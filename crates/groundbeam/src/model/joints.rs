@@ -1,13 +1,14 @@
 //! Rules for hinges and for supports that act in one direction alone.
 
-use super::places::{Places, near, repeated};
+use super::places::{Places, repeated};
 use super::{Load, Model, SupportKind};
 use crate::model::problem::{Part, Problem, describe, in_range, remedy};
+use crate::numeric::tolerance::same_place;
 
 impl Model {
     pub(super) fn check_hinges(&self, found: &mut Vec<Problem>) {
         let l = self.beam.length;
-        let near = near(l);
+        let near = same_place(l);
         let turning = Turning::of(self);
         let repeated = repeated(self.hinges.iter().map(|hinge| hinge.at), near);
         for ((i, hinge), other) in self.hinges.iter().enumerate().zip(repeated) {

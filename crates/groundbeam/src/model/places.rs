@@ -3,15 +3,6 @@
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-/// Positions closer than this part of the beam's length are one place: a mesh may give them one node.
-const SAME_PLACE: f64 = 16.0 * f64::EPSILON;
-
-/// How close two positions are that are one place, on a beam of length `l`; 0 where the length is wrong.
-pub(super) fn near(l: f64) -> f64 {
-    let near = SAME_PLACE * l;
-    if near.is_finite() { near.max(0.0) } else { 0.0 }
-}
-
 /// A position with an order.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Place(f64);
@@ -98,13 +89,14 @@ pub(super) fn overlapping(stretches: &[(f64, f64)]) -> Vec<(usize, usize)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numeric::tolerance::same_place;
 
     #[test]
     fn a_place_repeats_within_rounding() {
         let positions = [0.3, 0.0, 0.1 + 0.2, -0.0, f64::NAN, f64::NAN, 0.4, 0.3];
-        let found: Vec<_> = repeated(positions.into_iter(), near(1.0)).collect();
+        let found: Vec<_> = repeated(positions.into_iter(), same_place(1.0)).collect();
         assert_eq!(found, [None, None, Some(0), Some(1), None, None, None, Some(0)]);
-        let at_wrong_lengths = [-1.0, f64::NAN, f64::INFINITY].map(near);
+        let at_wrong_lengths = [-1.0, f64::NAN, f64::INFINITY].map(same_place);
         assert_eq!(at_wrong_lengths, [0.0; 3]);
     }
 

@@ -6,6 +6,7 @@ use crate::model::problem::down;
 use crate::model::problem::{
     Part, Problem, describe, finite, in_range, positive, positive_along, remedy,
 };
+use crate::numeric::tolerance::same_place;
 
 impl Model {
     /// Everything that is wrong with the model; empty when it can be solved.
@@ -143,7 +144,7 @@ impl Model {
 
     fn check_supports(&self, found: &mut Vec<Problem>) {
         let positions = self.supports.iter().map(|support| support.at);
-        let repeated = places::repeated(positions, places::near(self.beam.length));
+        let repeated = places::repeated(positions, same_place(self.beam.length));
         for ((i, support), other) in self.supports.iter().enumerate().zip(repeated) {
             let part = Part::Support(i);
             self.check_position(found, part, support.at);

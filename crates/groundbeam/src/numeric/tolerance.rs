@@ -1,5 +1,12 @@
 //! The tolerances that solutions must meet. All are relative.
 
+/// The distance within which two positions are one place of a beam of length `l`, which a mesh may give one node: 16 units
+/// in the last place of `l`. It is 0 if `l` is no length.
+pub(crate) fn same_place(l: f64) -> f64 {
+    let distance = 16.0 * f64::EPSILON * l;
+    if distance.is_finite() { distance.max(0.0) } else { 0.0 }
+}
+
 /// Newton's decrement on a mesh relative to twice the strain energy. Below it the iteration goes on only while each step
 /// halves the decrement.
 pub(crate) const ENERGY: f64 = 1e-15;

@@ -10,6 +10,7 @@ use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{Spot, pressure_under};
 use crate::model::{Load, Model, Support, SupportKind};
 use crate::numeric::polynomial::{Coefficients, derivative, product, rescale};
+use crate::numeric::tolerance::same_place;
 use crate::options::Method;
 use crate::options::Pressure;
 use crate::solution::solution::{
@@ -259,7 +260,7 @@ fn lift(solution: &Solution, x: f64) -> f64 {
         let i = holding(0.5 * (x + span_right));
         (i, stretches[i].x[0], total(&stretches[i], -1.0, 0))
     };
-    let near = SAME_PLACE * l;
+    let near = same_place(l);
     let inside = |at: f64| from - near <= at && at <= to + near;
     let mut force = after - before;
     for stretch in stretches.get(first..end).unwrap_or_default() {
@@ -287,11 +288,8 @@ fn turn(solution: &Solution, x: f64) -> f64 {
     let before = if x <= 0.0 { 0.0 } else { solution.at(x, Side::Left).moment };
     let after = if x >= l { 0.0 } else { solution.at(x, Side::Right).moment };
     let loads = solution.model.loads.iter().map(|load| match *load {
-        Load::PointMoment { at, moment } if (at - x).abs() <= SAME_PLACE * l => moment,
+        Load::PointMoment { at, moment } if (at - x).abs() <= same_place(l) => moment,
         _ => 0.0,
     });
     after - before - loads.sum::<f64>()
 }
-
-/// Positions closer than this part of the length are one.
-const SAME_PLACE: f64 = 16.0 * f64::EPSILON;
