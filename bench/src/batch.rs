@@ -20,7 +20,7 @@ fn bits(models: &[Model]) -> Vec<u64> {
     let of = |model: &Model| {
         let solution = solved(model);
         let ends = solution.contact().iter().flat_map(|c| [c.from, c.to]);
-        let all = ends.chain([solution.end_forces().left, solution.certificate().primal_energy]);
+        let all = ends.chain([solution.end_forces().left, solution.certificate().primal_energy()]);
         all.map(f64::to_bits).collect::<Vec<_>>()
     };
     models.iter().flat_map(of).collect()
@@ -200,7 +200,7 @@ pub fn rails() -> String {
             short(1e3 * least),
             short(1e6 * least / axles),
             solution.iterations().to_string(),
-            format!("{:.0e}", solution.certificate().relative_gap),
+            format!("{:.0e}", solution.certificate().relative_gap()),
         ]);
     }
     let n = points.len() as f64;

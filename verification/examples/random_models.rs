@@ -28,7 +28,7 @@ fn main() {
             slowest = slowest.max((time, number));
             match outcome {
                 Ok(Outcome::Equilibrium(solution)) => {
-                    worst = worst.max(solution.certificate().relative_gap);
+                    worst = worst.max(solution.certificate().relative_gap());
                     zones = zones.max(solution.contact().len());
                 }
                 Ok(Outcome::NoEquilibrium(_)) => failed += 1,

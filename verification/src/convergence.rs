@@ -153,6 +153,6 @@ fn error(exact: &Solution, found: &Solution, elements: usize, quantity: Quantity
             let edge = |s: &Solution| s.contact().first().map_or(f64::NAN, |c| c.from);
             (edge(exact) - edge(found)).abs()
         }
-        Quantity::Gap => found.certificate().relative_gap,
+        Quantity::Gap => found.certificate().relative_gap(),
     }
 }

@@ -163,34 +163,35 @@ pub fn changed(coarse: &Solution, fine: &Solution) -> Changed {
         let change = (a.min.value - b.min.value).abs().max((a.max.value - b.max.value).abs());
         if change == 0.0 { 0.0 } else { change / size }
     });
-    let edges = [coarse, fine].map(edges);
-    let apart = |from: &[f64], to: &[f64]| {
-        let nearest = |x: &f64| to.iter().map(|y| (x - y).abs()).fold(f64::INFINITY, f64::min);
-        from.iter().map(nearest).fold(0.0, f64::max)
-    };
-    let edges = apart(&edges[0], &edges[1]).max(apart(&edges[1], &edges[0]));
+    let [a, b] = [coarse, fine].map(edges);
+    let edges = apart(&a, &b).max(apart(&b, &a));
     Changed { fields, edges: edges / fine.model().beam.length }
 }
 
-/// Where contact begins and ends. Above a shear layer the beam opens at every corner that points down, and rests on
-/// single corners that point up: a stretch without contact is left out where it is no longer than two chords.
-fn edges(solution: &Solution) -> Vec<f64> {
-    let model = solution.model();
-    let corners = |from: f64, to: f64| {
-        let [a, b] = [from, to]
-            .map(|x| model.gap.partition_point(|corner| corner.at <= x + 1e-9 * model.beam.length));
-        b - a
+/// An end of a stretch of contact.
+struct Edge {
+    at: f64,
+    /// The length of the opening on its other side.
+    opening: f64,
+}
+
+fn edges(solution: &Solution) -> Vec<Edge> {
+    let length = solution.model().beam.length;
+    let contact = solution.contact();
+    let before = [0.0].into_iter().chain(contact.iter().map(|zone| zone.to));
+    let after = contact.iter().map(|zone| zone.from).chain([length]);
+    let openings = before.zip(after).filter(|(from, to)| to > from);
+    let ends = |(from, to): (f64, f64)| [from, to].map(|at| Edge { at, opening: to - from });
+    openings.flat_map(ends).collect()
+}
+
+/// The largest distance of an edge of one solution from the edges of the other. Above a shear layer the beam opens at
+/// every corner that points down: an opening that has no counterpart moves the set of contact by half its length.
+fn apart(from: &[Edge], to: &[Edge]) -> f64 {
+    let distance = |edge: &Edge| {
+        to.iter().map(|other| (edge.at - other.at).abs()).fold(0.5 * edge.opening, f64::min)
     };
-    let mut edges: Vec<f64> = Vec::new();
-    for region in solution.contact() {
-        match edges.last_mut() {
-            Some(last) if model.foundation.shear > 0.0 && corners(*last, region.from) <= 2 => {
-                *last = region.to
-            }
-            _ => edges.extend([region.from, region.to]),
-        }
-    }
-    edges
+    from.iter().map(distance).fold(0.0, f64::max)
 }
 
 /// What came of a model.

@@ -40,7 +40,7 @@ const FLOORS: [&[&str]; 14] = [
     &["solution"],
     &["contact"],
     &["chain", "nodal"],
-    &["element"],
+    &["element", "supported"],
     &["mesh"],
     &["certificate", "error", "existence", "ground"],
     &["model"],

@@ -88,19 +88,20 @@ fn a_mesh_is_no_farther_off_than_its_certificate_says() {
 /// The bounds of the mesh's certificate, held against the exact answer.
 fn farther_off_than_proven(exact: &Solution, mesh: &Solution) -> Option<String> {
     let (proof, sharp) = (mesh.certificate(), exact.certificate());
-    let strain = sharp.primal_energy.abs() + sharp.gap / sharp.relative_gap.max(f64::MIN_POSITIVE);
-    let rounding = 1e-11 * if strain.is_finite() { strain } else { sharp.primal_energy.abs() };
-    let [low, high] = [proof.dual_energy - rounding, proof.primal_energy + rounding];
-    if !(low..=high).contains(&sharp.primal_energy) {
-        return Some(format!("energy {} is not in [{low}, {high}]", sharp.primal_energy));
+    let strain =
+        sharp.primal_energy().abs() + sharp.gap() / sharp.relative_gap().max(f64::MIN_POSITIVE);
+    let rounding = 1e-11 * if strain.is_finite() { strain } else { sharp.primal_energy().abs() };
+    let [low, high] = [proof.dual_energy() - rounding, proof.primal_energy() + rounding];
+    if !(low..=high).contains(&sharp.primal_energy()) {
+        return Some(format!("energy {} is not in [{low}, {high}]", sharp.primal_energy()));
     }
     let l = exact.model().beam.length;
     let size = |field| {
         let range = exact.range(field);
         range.max.value.abs().max(range.min.value.abs())
     };
-    let settlement = proof.settlement_bound + 1e-10 * size(Field::Settlement);
-    let moment = proof.moment_rms_bound + 1e-10 * size(Field::Moment);
+    let settlement = proof.settlement_bound() + 1e-10 * size(Field::Settlement);
+    let moment = proof.moment_rms_bound() + 1e-10 * size(Field::Moment);
     let mut squares = 0.0;
     const STATIONS: usize = 2000;
     for i in 0..STATIONS {

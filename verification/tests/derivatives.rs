@@ -108,7 +108,7 @@ fn outputs(solution: &Solution, rng: &mut ChaCha8Rng) -> Vec<(Output, f64)> {
         all.push((Output::SupportMoment(i), size_of(Field::Moment)));
     }
     if !solution.model().loads.iter().any(Load::is_on_ground) {
-        all.push((Output::PotentialEnergy, solution.certificate().primal_energy.abs()));
+        all.push((Output::PotentialEnergy, solution.certificate().primal_energy().abs()));
     }
     all.retain(|(_, size)| *size > 0.0);
     all
@@ -127,7 +127,7 @@ fn value(solution: &Solution, output: Output) -> Option<f64> {
         Output::EndForce(Side::Right) => solution.end_forces().right,
         Output::SupportForce(i) => solution.reactions()[i].force,
         Output::SupportMoment(i) => solution.reactions()[i].moment,
-        Output::PotentialEnergy => solution.certificate().primal_energy,
+        Output::PotentialEnergy => solution.certificate().primal_energy(),
         _ => return None,
     })
 }

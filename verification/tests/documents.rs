@@ -1,5 +1,6 @@
 //! The documents agree with each other and with the code.
 
+use groundbeam::supported::{Feature, Way, refusal};
 use groundbeam_verification::architecture::sources;
 use groundbeam_verification::crossing;
 use groundbeam_verification::documents::{expect, read, repository};
@@ -7,6 +8,34 @@ use groundbeam_verification::documents::{expect, read, repository};
 #[test]
 fn the_problem_is_stated_once() {
     expect("README.md", "problem", &read("crates/groundbeam/problem.md"));
+}
+
+/// The table of methods and features in `docs/methods.md`.
+#[test]
+fn the_table_of_methods_and_features_is_the_programs() {
+    let rows = Feature::ALL.map(|feature| {
+        let name = match feature {
+            Feature::LocalEquilibrium => "compression beyond the beam's own buckling load",
+            Feature::NoShearLayer => "μ = 0 somewhere under the beam",
+            Feature::BeamShear => "a beam that shears",
+            Feature::GroundLoads => "loads on the ground",
+            Feature::Supports => "supports, also those that act in one direction",
+            Feature::Hinges => "hinges",
+            Feature::Varying => "EI, k or μ that varies along a segment",
+        };
+        let cells = Way::ALL.map(|way| refusal(feature, way).unwrap_or("yes"));
+        format!("| {name} | {} |\n", cells.join(" | "))
+    });
+    let ways = Way::ALL.map(|way| match way {
+        Way::Exact => "`exact`",
+        Way::ActiveSet => "`active-set`",
+        Way::NodalForces => "`active-set` with forces at nodes (5.5)",
+        Way::Iteration => "`psor`, `uzawa`",
+        Way::Nodes => "nodes alone (section 10)",
+        Way::LoadFactors => "load factors",
+    });
+    let head = format!("| feature | {} |\n|---|{}\n", ways.join(" | "), "---|".repeat(ways.len()));
+    expect("docs/methods.md", "features", &(head + &rows.concat()));
 }
 
 #[test]

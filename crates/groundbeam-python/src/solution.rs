@@ -4,7 +4,7 @@ use crate::derivatives::{self, Asked};
 use crate::failure::Failure;
 use crate::model::{Read, verdict};
 use groundbeam::soil::{OnSoil, Subgrade};
-use groundbeam::{Certificate, Field, Side};
+use groundbeam::{Field, Side};
 use groundbeam_file::Combination;
 use groundbeam_report::{Context, Ground, csv, json, png, sentence, svg, text};
 use numpy::{PyArray1, PyReadonlyArray1, PyUntypedArrayMethods};
@@ -183,39 +183,10 @@ impl Solution {
         self.found.hinges().iter().map(|h| (h.at, h.rotation, h.moment)).collect()
     }
 
-    /// The numbers of the certificate, in the order of its fields.
+    /// The figures of the certificate, in their order.
     #[getter]
     fn certificate(&self) -> [f64; 13] {
-        let Certificate {
-            primal_energy,
-            dual_energy,
-            gap,
-            relative_gap,
-            force_balance,
-            moment_balance,
-            smallest_pressure,
-            deepest_penetration,
-            continuity,
-            complementarity,
-            settlement_bound,
-            moment_bound,
-            moment_rms_bound,
-        } = *self.found.certificate();
-        [
-            primal_energy,
-            dual_energy,
-            gap,
-            relative_gap,
-            force_balance,
-            moment_balance,
-            smallest_pressure,
-            deepest_penetration,
-            continuity,
-            complementarity,
-            settlement_bound,
-            moment_bound,
-            moment_rms_bound,
-        ]
+        self.found.certificate().figures().map(|(_, value)| value)
     }
 
     /// Values of outputs, their derivatives by parameters, one row for each output, and why they have one side.

@@ -18,7 +18,6 @@ mod train;
 
 use crate::characteristics::Characteristics;
 use crate::context::{Context, is_plain};
-use certificate::Proof;
 pub use combinations::{checked_combinations, combinations, envelope_stations};
 pub use comparison::comparison;
 use existence::Proven;
@@ -112,7 +111,7 @@ struct Solved {
     extremes: Extremes,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     checks: Vec<checks::Checked>,
-    #[serde(with = "Proof")]
+    #[serde(serialize_with = "certificate::figures")]
     certificate: Certificate,
     #[serde(skip_serializing_if = "Option::is_none")]
     load_factors: Option<Grown>,

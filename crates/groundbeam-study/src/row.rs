@@ -138,7 +138,7 @@ impl Row {
             trouble: None,
             end_forces: [ends.left, ends.right],
             lifted_share: solution.lifted_share(),
-            relative_gap: solution.certificate().relative_gap,
+            relative_gap: solution.certificate().relative_gap(),
             motion: [f64::NAN; 3],
             contact: solution.contact().iter().map(|c| [c.from, c.to]).collect(),
             extremes: extremes.collect(),

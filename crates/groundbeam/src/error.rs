@@ -169,3 +169,101 @@ impl fmt::Display for Error {
 }
 
 impl std::error::Error for Error {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::problem::Bytes;
+    use crate::model::{Beam, Foundation, Model, Part};
+
+    /// Every variant, with a figure that a solve may leave.
+    fn all(figure: f64) -> Vec<NotConverged> {
+        let all = vec![
+            NotConverged::Energy(figure),
+            NotConverged::Sweeps(figure),
+            NotConverged::Edges(figure),
+            NotConverged::Singular,
+            NotConverged::Nodes,
+            NotConverged::Supports,
+            NotConverged::Branch(figure),
+            NotConverged::LiftOff(figure),
+            NotConverged::Soil(figure),
+            NotConverged::Certificate(figure),
+            NotConverged::Gap(figure),
+        ];
+        // A new variant has a number here, and then an entry above.
+        let number = |why: &NotConverged| match why {
+            NotConverged::Energy(_) => 0,
+            NotConverged::Sweeps(_) => 1,
+            NotConverged::Edges(_) => 2,
+            NotConverged::Singular => 3,
+            NotConverged::Nodes => 4,
+            NotConverged::Supports => 5,
+            NotConverged::Branch(_) => 6,
+            NotConverged::LiftOff(_) => 7,
+            NotConverged::Soil(_) => 8,
+            NotConverged::Certificate(_) => 9,
+            NotConverged::Gap(_) => 10,
+        };
+        assert!(all.iter().enumerate().all(|(i, why)| number(why) == i));
+        all
+    }
+
+    fn written(figure: f64) -> String {
+        let stopped =
+            |why| Error::NotConverged(Stopped { method: Method::Uzawa, iterations: 7, why });
+        all(figure).into_iter().map(|why| format!("{}\n", stopped(why))).collect()
+    }
+
+    #[test]
+    fn every_end_of_an_iteration_has_its_message() {
+        let expected = "\
+the method `uzawa` stopped after 7 iterations: the decrease of the energy that is left is 1.2e-3; the tolerance is 1.0e-15
+the method `uzawa` stopped after 7 iterations: the relative residual of the contact condition (5.10) is 1.2e-3; the tolerance is 1.0e-11
+the method `uzawa` stopped after 7 iterations: the last move of a contact edge relative to the beam's length is 1.2e-3; the tolerance is 1.0e-12
+the method `uzawa` stopped after 7 iterations: the beam is a mechanism on a trial contact
+the method `uzawa` stopped after 7 iterations: the set of contact nodes did not settle
+the method `uzawa` stopped after 7 iterations: the set of active one-way supports did not settle
+the method `uzawa` stopped after 7 iterations: the stability margin where the path of equilibria ends is 1.2e-3; the tolerance is 1.0e-3
+the method `uzawa` stopped after 7 iterations: the certificate's largest violation at first lift-off is 1.2e-3; the tolerance is 1.0e-7
+the method `uzawa` stopped after 7 iterations: the relative change of the rate r = ∫u'²/∫u² is 1.2e-3; the tolerance is 1.0e-12
+the method `uzawa` stopped after 7 iterations: the certificate's largest violation is 1.2e-3; the tolerance is 1.0e-7
+the method `uzawa` stopped after 7 iterations: the certificate's relative gap is 1.2e-3; the tolerance is 1.0e-9
+";
+        assert_eq!(written(1.23e-3), expected);
+    }
+
+    #[test]
+    fn no_message_prints_a_figure_that_is_no_number() {
+        for figure in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let written = written(figure);
+            assert!(!written.contains("NaN") && !written.contains("inf"), "{written}");
+            assert_eq!(written.matches("could not be computed").count(), 8, "{written}");
+        }
+    }
+
+    #[test]
+    fn the_other_errors_have_their_messages() {
+        let mut model = Model::new(Beam::uniform(f64::NAN, 1.0), Foundation::winkler(-1.0));
+        model.beam.bending_stiffness = f64::INFINITY;
+        let invalid = Error::Invalid(model.problems()).to_string();
+        let expected = "\
+[GB101] Beam, length: the beam's length is not a number (it must be positive)
+[GB102] Beam, bending_stiffness: the bending stiffness EI is infinite (it must be positive)
+[GB201] Foundation, spring: the spring constant k is negative (it must be positive)";
+        assert_eq!(invalid, expected);
+        let too_fine = Error::Unsupported(Problem::too_fine(Part::Beam, 123_456));
+        let expected = "\
+[GB616] Beam, bending_stiffness: where beam or ground vary, or the beam shears, its shortest waves would need 1e5 \
+elements (the bending stiffness is very small beside the shear layer, the springs or the tension: make it larger, or \
+leave out what varies or shears)";
+        assert_eq!(too_fine.to_string(), expected);
+        let problem = Problem::too_large("exact", 5, [Bytes(7_000_000_000), Bytes(4_000_000_000)]);
+        let refused = TooLarge { problem, elements: 5, needed: 7, limit: 4 };
+        let expected = "\
+[GB617] Beam, length: the method `exact` would need about 7 GB of memory for 5 elements, more than the limit of 4 GB \
+(the beam is very long beside its waves, or has very many parts: shorten it, or raise the limit, as in --memory-limit \
+\"8 GB\")";
+        assert_eq!(Error::TooLarge(Box::new(refused)).to_string(), expected);
+    }
+}

@@ -3,7 +3,7 @@
 use crate::equilibrium::size;
 use crate::error::{Error, NotConverged, Stopped};
 use crate::existence::existence::{Existence, Verdict};
-use crate::model::{Load, Model, Problem};
+use crate::model::Model;
 use crate::nodal::grid::{Grid, Ground};
 use crate::nodal::hull::Hull;
 use crate::nodal::newton::Work;
@@ -13,6 +13,7 @@ use crate::nodal::sweep::Loose;
 use crate::nodal::{check, levels, newton, open};
 use crate::options::{Method, Options};
 use crate::solve::exists;
+use crate::supported::{self, Way};
 
 /// Solves on meshes, again and again in the same memory.
 #[derive(Debug, Clone, Default)]
@@ -33,8 +34,8 @@ impl NodalSolver {
     ///
     /// # Errors
     ///
-    /// As [`solve`](crate::solve()); and [`Error::Unsupported`] for supports and hinges, for ground without a shear
-    /// layer, and where stiffness or ground varies along a segment.
+    /// As [`solve`](crate::solve()); and [`Error::Unsupported`] for a feature that values at nodes do not
+    /// [support](crate::supported).
     pub fn solve_into(
         &mut self,
         model: &Model,
@@ -167,27 +168,8 @@ pub(crate) fn stalled(iterations: usize) -> Error {
 
 pub(crate) fn checked(model: &Model, elements: usize) -> Result<Existence, Error> {
     let existence = exists(model)?;
-    if let Verdict::Local(_) = existence.verdict {
-        return Err(Error::Unsupported(Problem::local_by_another_method()));
-    }
-    if !model.supports.is_empty() {
-        return Err(Error::Unsupported(Problem::nodal_with_supports()));
-    }
-    if !model.hinges.is_empty() {
-        return Err(Error::Unsupported(Problem::nodal_with_hinges()));
-    }
-    if model.beam.shears() {
-        return Err(Error::Unsupported(Problem::shear_by_another_method(&model.beam)));
-    }
-    if let Some(load) = model.loads.iter().position(Load::is_on_ground) {
-        return Err(Error::Unsupported(Problem::only_exactly(load)));
-    }
-    if let Some(part) = model.varying_part() {
-        return Err(Error::Unsupported(Problem::nodal_where_it_varies(part)));
-    }
-    if let Some(part) = crate::solve::without_shear_layer(model) {
-        return Err(Error::Unsupported(Problem::nodal_forces_on_springs(part)));
-    }
+    let is_local = matches!(existence.verdict, Verdict::Local(_));
+    supported::check(model, Way::Nodes, is_local)?;
     let fewest = Grid::of(model, Ground::Nodal).fewest();
     size::check_nodes(fewest.saturating_add(elements), Options::default().memory_limit)?;
     Ok(existence)

@@ -1,10 +1,12 @@
 //! The road from a model to a certified answer, on one page.
 
+use crate::certificate::Certificate;
 use crate::contact::state::{Found, Stalled};
 use crate::contact::stopping::Proof;
 use crate::contact::stretches::Stretch;
 use crate::contact::uzawa::{self, Relaxation};
 use crate::contact::{balanced, exact, nested};
+use crate::equilibrium::branch::State;
 use crate::equilibrium::buckling::convexity;
 use crate::equilibrium::local;
 use crate::equilibrium::local::Checked;
@@ -13,14 +15,13 @@ use crate::equilibrium::size;
 use crate::error::{Error, NotConverged, Stopped};
 use crate::existence::existence::{Existence, Verdict, existence};
 use crate::mesh::mesh::Mesh;
-use crate::model::{Load, Model, Part, Problem};
+use crate::model::Model;
 use crate::numeric::tolerance::GAP;
-use crate::options::Pressure;
 use crate::options::{Method, Options, Start};
 use crate::outcome::Outcome;
-use crate::solution::assemble::{self, assemble};
+use crate::solution::candidate::{Candidate, Workspace};
 use crate::solution::solution::Solution;
-use std::borrow::Cow;
+use crate::supported::{self, Way};
 
 /// Solves the unilateral contact problem (2.3), (2.10)–(2.13) exactly.
 ///
@@ -36,9 +37,8 @@ pub fn solve(model: &Model) -> Result<Outcome, Error> {
 ///
 /// # Errors
 ///
-/// As [`solve`]; and [`Error::Unsupported`] for the paper's pressures (5.5) on ground without a shear layer,
-/// and for its iteration on a beam with hinges; where the equilibrium is a local one and for a beam that shears, for any method but
-/// [`Method::Exact`].
+/// As [`solve`]; and [`Error::Unsupported`] for a feature of the model that the method does not
+/// [support](crate::supported).
 pub fn solve_with(model: &Model, options: &Options) -> Result<Outcome, Error> {
     solve_near(model, options, None)
 }
@@ -55,71 +55,131 @@ pub fn solve_near(
     options: &Options,
     near: Option<&Solution>,
 ) -> Result<Outcome, Error> {
-    let mut kept = None;
-    let likely = near.map(Solution::contact_positions);
-    let existence = solve_in(model, options, likely.as_deref(), &mut kept)?;
-    Ok(match kept {
-        Some(solution) => Outcome::Equilibrium(solution),
-        None => Outcome::NoEquilibrium(existence),
-    })
+    let likely = near.map(|solution| solution.candidate().contact_positions());
+    solve_in(model, options, likely.as_deref(), &mut Workspace::default())
 }
 
-/// Solves in the memory of a solution that is no longer needed; the exact method from the contact that is
-/// likely. What is kept is nothing if no equilibrium exists, and no solution if there is an error.
+/// Solves in the memory of a workspace; the exact method from the contact that is likely.
 pub(crate) fn solve_in(
     model: &Model,
     options: &Options,
     likely: Option<&[Stretch]>,
-    kept: &mut Option<Box<Solution>>,
-) -> Result<Existence, Error> {
-    let Checked { existence, stability, local } = check(model, options)?;
-    if !existence.verdict.stands() {
-        *kept = None;
-        return Ok(existence);
+    workspace: &mut Workspace,
+) -> Result<Outcome, Error> {
+    let checked = check(model, options)?;
+    if !checked.existence.verdict.stands() {
+        return Ok(Outcome::NoEquilibrium(checked.existence));
     }
-    if local.is_none() {
+    let solution = if let Some(state) = &checked.local {
+        solve_local(model, options, &checked, state, workspace)?
+    } else {
         size::check(model, options)?;
-    }
-    if local.is_none() && model.has_one_way_supports() {
-        let solve = |model: &Model, kept: &mut _| solve_in(model, options, None, kept);
-        let steps = one_way::solve(model, existence, stability, kept, solve)?;
-        if let Some(solution) = kept {
-            certified(solution, options)?;
-            return Ok(existence);
+        if model.has_one_way_supports() {
+            solve_one_way(model, options, &checked, workspace)?
+        } else {
+            solve_convex(model, options, &checked, likely, workspace)?
         }
-        let (method, why) = (options.method, NotConverged::Supports);
-        return Err(Error::NotConverged(Stopped { method, iterations: steps, why }));
-    }
-    if local.is_some() && options.method != Method::Exact {
-        return Err(Error::Unsupported(Problem::local_by_another_method()));
-    }
-    // What holds a local equilibrium is known.
-    let held = local.as_ref().map_or(Cow::Borrowed(model), |state| state.held(model));
-    let mut assembled = |found: &Found| {
-        let memory = kept.take();
-        let solution = assemble(&held, options.method, existence, stability, found, memory);
-        let certificate = kept.insert(solution).certificate();
-        Proof { gap: certificate.relative_gap, violation: certificate.violation() }
     };
-    let found = match &local {
-        Some(state) => exact::from_stable(&held, &state.contact, &mut assembled)
-            .map_err(|stalled| not_converged(options.method, stalled))?,
-        None => find(model, options, existence, likely, &mut assembled)?,
+    certified(&solution, options)?;
+    Ok(Outcome::Equilibrium(Box::new(solution)))
+}
+
+/// The equilibrium of a convex energy, on supports that act in both directions.
+fn solve_convex(
+    model: &Model,
+    options: &Options,
+    checked: &Checked,
+    likely: Option<&[Stretch]>,
+    workspace: &mut Workspace,
+) -> Result<Solution, Error> {
+    let Checked { existence, stability, .. } = *checked;
+    let mut judged = Judged::new(model, stability, workspace);
+    let found = find(model, options, existence, likely, |found| judged.judge(found))?;
+    let (candidate, certificate) = judged.last(&found);
+    Ok(Solution::new(candidate, certificate, existence, options.method, found.history))
+}
+
+/// The same on supports some of which act in one direction.
+fn solve_one_way(
+    model: &Model,
+    options: &Options,
+    checked: &Checked,
+    workspace: &mut Workspace,
+) -> Result<Solution, Error> {
+    let solve = |model: &Model| solve_in(model, options, None, workspace);
+    let ended = one_way::solve(model, solve)?;
+    let Some((solution, acts)) = ended.found else {
+        let (method, iterations) = (options.method, ended.solves);
+        return Err(Error::NotConverged(Stopped {
+            method,
+            iterations,
+            why: NotConverged::Supports,
+        }));
     };
-    // The exact method has had its answer judged.
-    if options.method != Method::Exact {
-        assembled(&found);
+    let (candidate, history) = solution.into_parts();
+    let candidate = candidate.on_one_way_supports(model, &acts);
+    let certificate = candidate.certify(checked.stability);
+    Ok(Solution::new(candidate, certificate, checked.existence, options.method, history))
+}
+
+/// The local equilibrium that was found on the path of growing compression, with its last digits.
+fn solve_local(
+    model: &Model,
+    options: &Options,
+    checked: &Checked,
+    state: &State,
+    workspace: &mut Workspace,
+) -> Result<Solution, Error> {
+    let Checked { existence, stability, .. } = *checked;
+    let method = options.method;
+    supported::check(model, Way::of(options), true)?;
+    // The supports that act are known.
+    let held = state.held(model);
+    let mut judged = Judged::new(&held, stability, workspace);
+    let found = exact::from_stable(&held, &state.contact, |found| judged.judge(found))
+        .map_err(|stalled| not_converged(method, stalled))?;
+    let (mut candidate, mut certificate) = judged.last(&found);
+    if model.has_one_way_supports() {
+        candidate = candidate.on_one_way_supports(model, &state.acts);
+        certificate = candidate.certify(stability);
     }
-    if let Some(solution) = kept {
-        solution.history = found.history;
-        if let Some(state) = local
-            && model.has_one_way_supports()
-        {
-            assemble::on_one_way_supports(solution, model, &state.acts, existence, stability);
+    Ok(Solution::new(candidate, certificate, existence, method, found.history))
+}
+
+/// The candidate that was judged last, with its certificate.
+struct Judged<'a> {
+    model: &'a Model,
+    stability: f64,
+    workspace: &'a mut Workspace,
+    last: Option<(Candidate, Certificate)>,
+}
+
+impl<'a> Judged<'a> {
+    fn new(model: &'a Model, stability: f64, workspace: &'a mut Workspace) -> Self {
+        Judged { model, stability, workspace, last: None }
+    }
+
+    /// What the certificate shows of a deflection with its contact.
+    fn judge(&mut self, found: &Found) -> Proof {
+        if let Some((candidate, _)) = self.last.take() {
+            self.workspace.recycle(candidate);
         }
-        certified(solution, options)?;
+        let (candidate, certificate) = self.certified(found);
+        let proof = Proof { gap: certificate.relative_gap(), violation: certificate.violation() };
+        self.last = Some((candidate, certificate));
+        proof
     }
-    Ok(existence)
+
+    /// The one judged last. The exact method has had its answer judged; those on a mesh have not.
+    fn last(mut self, found: &Found) -> (Candidate, Certificate) {
+        self.last.take().unwrap_or_else(|| self.certified(found))
+    }
+
+    fn certified(&mut self, found: &Found) -> (Candidate, Certificate) {
+        let candidate = Candidate::of(self.model, found, self.workspace);
+        let certificate = candidate.certify(self.stability);
+        (candidate, certificate)
+    }
 }
 
 /// Tells whether an equilibrium exists, without solving but where compression makes it a local one.
@@ -155,24 +215,9 @@ fn find(
     judge: impl FnMut(&Found) -> Proof,
 ) -> Result<Found, Error> {
     let method = options.method;
-    let nodal =
-        options.pressure == Pressure::Dirac || matches!(method, Method::Psor | Method::Uzawa);
-    if method != Method::Exact
-        && nodal
-        && let Some(part) = without_shear_layer(model)
-    {
-        return Err(Error::Unsupported(Problem::nodal_forces_on_springs(part)));
-    }
-    if method != Method::Exact && model.beam.shears() {
-        return Err(Error::Unsupported(Problem::shear_by_another_method(&model.beam)));
-    }
+    supported::check(model, Way::of(options), false)?;
     let elements = options.elements.max(1);
     let stalled = |stalled: Stalled| not_converged(method, stalled);
-    if method != Method::Exact
-        && let Some(load) = model.loads.iter().position(Load::is_on_ground)
-    {
-        return Err(Error::Unsupported(Problem::only_exactly(load)));
-    }
     match method {
         Method::Exact => match existence.verdict {
             Verdict::NotUnique(motion) if stands_on_an_end(model, existence) => {
@@ -185,9 +230,6 @@ fn find(
         Method::ActiveSet => {
             let mesh = Mesh::uniform(model, elements);
             nested::solve_on(model, mesh, options.pressure).map_err(stalled)
-        }
-        Method::Psor | Method::Uzawa if !model.hinges.is_empty() => {
-            Err(Error::Unsupported(Problem::iteration_with_hinges()))
         }
         Method::Psor | Method::Uzawa => {
             let relaxation = match method {
@@ -213,16 +255,6 @@ fn stands_on_an_end(model: &Model, existence: Existence) -> bool {
     free && one_piece && existence.resultant() > 0.0
 }
 
-/// The part of the model that gives ground without a shear layer under the beam.
-pub(crate) fn without_shear_layer(model: &Model) -> Option<Part> {
-    let ground = &model.foundation;
-    let mesh = Mesh::build(model, &[], |_| 1);
-    let cell = mesh.cells.iter().find(|cell| cell.shear == 0.0)?;
-    let middle = 0.5 * (cell.x[0] + cell.x[1]);
-    let segment = ground.segments.iter().position(|s| s.from <= middle && middle < s.to);
-    Some(segment.map_or(Part::Foundation, Part::FoundationSegment))
-}
-
 /// A solution leaves the library only with a certificate that holds.
 fn certified(solution: &Solution, options: &Options) -> Result<(), Error> {
     let certificate = solution.certificate();
@@ -233,8 +265,8 @@ fn certified(solution: &Solution, options: &Options) -> Result<(), Error> {
     if !certificate.holds() {
         return not(NotConverged::Certificate(certificate.violation()));
     }
-    if options.method == Method::Exact && certificate.relative_gap > GAP {
-        return not(NotConverged::Gap(certificate.relative_gap));
+    if options.method == Method::Exact && certificate.relative_gap() > GAP {
+        return not(NotConverged::Gap(certificate.relative_gap()));
     }
     Ok(())
 }

@@ -4,6 +4,8 @@ use crate::error::Error;
 use crate::existence::existence::Existence;
 use crate::model::Model;
 use crate::options::Options;
+use crate::outcome::Outcome;
+use crate::solution::candidate::{Candidate, Workspace};
 use crate::solution::solution::Solution;
 use crate::solve::solve_in;
 
@@ -31,9 +33,9 @@ use crate::solve::solve_in;
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct Solver {
-    kept: Option<Box<Solution>>,
-    /// Whether what is kept is a solution.
-    holds: bool,
+    /// The last solution; none if the last model had none.
+    last: Option<Box<Solution>>,
+    workspace: Workspace,
 }
 
 /// What mechanics says, lent by the [`Solver`] that knows it.
@@ -73,22 +75,19 @@ impl Solver {
 
     /// The last solution, to keep; none if the last model had none.
     pub fn take(&mut self) -> Option<Box<Solution>> {
-        let holds = std::mem::take(&mut self.holds);
-        self.kept.take().filter(|_| holds)
+        self.last.take()
     }
 
     fn solve_from(&mut self, model: &Model, next: bool) -> Result<Answer<'_>, Error> {
-        let likely = self.kept.as_ref().filter(|_| next && self.holds);
-        let likely = likely.map(|solution| solution.contact_positions());
-        self.holds = false;
-        let existence = solve_in(model, &Options::default(), likely.as_deref(), &mut self.kept)?;
-        if !existence.verdict.stands() {
-            return Ok(Answer::NoEquilibrium(existence));
+        let last = self.last.take().map(|solution| solution.into_parts().0);
+        let likely = last.as_ref().filter(|_| next).map(Candidate::contact_positions);
+        if let Some(last) = last {
+            self.workspace.recycle(last);
         }
-        self.holds = true;
-        match &self.kept {
-            Some(solution) => Ok(Answer::Equilibrium(solution)),
-            None => Ok(Answer::NoEquilibrium(existence)),
+        let options = Options::default();
+        match solve_in(model, &options, likely.as_deref(), &mut self.workspace)? {
+            Outcome::Equilibrium(solution) => Ok(Answer::Equilibrium(self.last.insert(solution))),
+            Outcome::NoEquilibrium(existence) => Ok(Answer::NoEquilibrium(existence)),
         }
     }
 }
@@ -97,7 +96,7 @@ impl Solver {
 mod tests {
     use super::*;
     use crate::model::{Beam, Foundation, Load};
-    use crate::{Outcome, solve};
+    use crate::solve;
 
     fn footing(moment: f64) -> Model {
         Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
@@ -108,7 +107,7 @@ mod tests {
     fn bits(solution: &Solution) -> Vec<u64> {
         let ends = solution.contact().iter().flat_map(|c| [c.from, c.to]);
         let forces = solution.end_forces();
-        let all = ends.chain([forces.left, forces.right, solution.certificate().gap]);
+        let all = ends.chain([forces.left, forces.right, solution.certificate().gap()]);
         all.map(f64::to_bits).collect()
     }
 
@@ -138,7 +137,7 @@ mod tests {
             for (a, b) in alone.contact().iter().zip(here.contact()) {
                 assert!((a.from - b.from).abs() < 1e-12 && (a.to - b.to).abs() < 1e-12);
             }
-            assert!(here.certificate().relative_gap < 1e-22, "{:?}", here.certificate());
+            assert!(here.certificate().relative_gap() < 1e-22, "{:?}", here.certificate());
             anew += alone.iterations();
             next += here.iterations();
         }

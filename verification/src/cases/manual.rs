@@ -59,7 +59,7 @@ fn section(text: &mut String, case: &Case) {
             return;
         }
     };
-    let gaps = answers.solutions().into_iter().map(|found| found.certificate().relative_gap);
+    let gaps = answers.solutions().into_iter().map(|found| found.certificate().relative_gap());
     let proof = match gaps.reduce(f64::max) {
         Some(gap) if gap < 1e-12 => "gap < 1e-12",
         Some(_) => "gap < 1e-9",

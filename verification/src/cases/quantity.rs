@@ -141,7 +141,7 @@ impl Quantity {
             }
             Quantity::Reaction(x) => vec![support(x)?.force],
             Quantity::ReactionMoment(x) => vec![support(x)?.moment],
-            Quantity::Energy => vec![solution.certificate().primal_energy],
+            Quantity::Energy => vec![solution.certificate().primal_energy()],
             Quantity::StaticReaction(_)
             | Quantity::FailingMotion
             | Quantity::FailingWork

@@ -1,6 +1,6 @@
 //! The text of an answer and of its certificate: one line for each quantity, every number to the last bit.
 
-use groundbeam::{Certificate, Error, Existence, Field, Outcome, Side, Solution, Verdict};
+use groundbeam::{Error, Existence, Field, Outcome, Side, Solution, Verdict};
 use std::fmt::Write;
 
 /// Equal steps between the positions of the fields.
@@ -96,28 +96,19 @@ pub fn verdict(existence: &Existence) -> String {
 
 /// The lines of a certificate.
 pub fn certificate(solution: &Solution) -> String {
-    let Certificate {
-        primal_energy,
-        dual_energy,
-        gap,
-        relative_gap,
-        force_balance,
-        moment_balance,
-        smallest_pressure,
-        deepest_penetration,
-        continuity,
-        complementarity,
-        settlement_bound,
-        moment_bound,
-        moment_rms_bound,
-    } = *solution.certificate();
-    line("energies", &[primal_energy, dual_energy, gap, relative_gap])
-        + &line("bounds", &[settlement_bound, moment_bound, moment_rms_bound])
-        + &line("balances", &[force_balance, moment_balance])
-        + &line(
-            "violations",
-            &[smallest_pressure, deepest_penetration, continuity, complementarity],
-        )
+    let proof = solution.certificate();
+    let energies = [proof.primal_energy(), proof.dual_energy(), proof.gap(), proof.relative_gap()];
+    let bounds = [proof.settlement_bound(), proof.moment_bound(), proof.moment_rms_bound()];
+    let violations = [
+        proof.smallest_pressure(),
+        proof.deepest_penetration(),
+        proof.continuity(),
+        proof.complementarity(),
+    ];
+    line("energies", &energies)
+        + &line("bounds", &bounds)
+        + &line("balances", &[proof.force_balance(), proof.moment_balance()])
+        + &line("violations", &violations)
 }
 
 /// A key and its numbers, each the shortest that is read back to the same bits.

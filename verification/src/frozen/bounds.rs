@@ -78,7 +78,7 @@ impl<'a> Comparison<'a> {
     fn new(frozen: &'a Frozen, solution: &'a Solution) -> Self {
         let gaps = [
             frozen.certificate.numbers("energies").get(3).copied().unwrap_or(f64::NAN),
-            solution.certificate().relative_gap,
+            solution.certificate().relative_gap(),
         ];
         let error = gaps.iter().map(|gap| gap.max(0.0).sqrt()).sum();
         let l = solution.model().beam.length;
@@ -248,7 +248,7 @@ impl<'a> Comparison<'a> {
                 &format!("settlement at {x:?} within its bound"),
                 old,
                 new,
-                bounds[0] + certificate.settlement_bound,
+                bounds[0] + certificate.settlement_bound(),
             );
             let moment =
                 self.solution.value(Field::Moment, x) - self.answer().numbers("fields_moment")[i];
@@ -259,7 +259,7 @@ impl<'a> Comparison<'a> {
             "root mean square of the difference of moments",
             0.0,
             rms,
-            bounds[2] + certificate.moment_rms_bound,
+            bounds[2] + certificate.moment_rms_bound(),
         );
     }
 
@@ -315,8 +315,8 @@ impl<'a> Comparison<'a> {
     fn energy(&mut self) {
         let energies = self.frozen.certificate.numbers("energies");
         let now = self.solution.certificate();
-        let limit = energies[2].max(now.gap) + FLOOR * energies[0].abs();
-        self.hold("primal energy", energies[0], now.primal_energy, limit);
+        let limit = energies[2].max(now.gap()) + FLOOR * energies[0].abs();
+        self.hold("primal energy", energies[0], now.primal_energy(), limit);
     }
 }
 

@@ -32,7 +32,7 @@ pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) ->
         let of = |solution| context.limits.map(|limits| limits.check(solution)).unwrap_or_default();
         let checks: Vec<Check> = solved().flat_map(|(_, solution)| of(solution)).collect();
         verdicts.extend(checked(&checks));
-        let gaps = solved().map(|(_, solution)| solution.certificate().relative_gap);
+        let gaps = solved().map(|(_, solution)| solution.certificate().relative_gap());
         verdicts.push(certified(gaps.fold(0.0, f64::max)));
         key = keys(passages, context.units);
         sections.push(envelope(passages, context.units));

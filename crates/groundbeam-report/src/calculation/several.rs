@@ -36,7 +36,7 @@ pub(super) fn combinations(all: &Combinations, context: &Context, source: &Sourc
             })
             .collect();
         verdicts.extend(checked(&checks));
-        let gaps = solved.iter().map(|row| row.solution.certificate().relative_gap);
+        let gaps = solved.iter().map(|row| row.solution.certificate().relative_gap());
         let gap = gaps.fold(0.0, f64::max);
         verdicts.push(certified(gap));
         key = keys(all, &solved, context.units);

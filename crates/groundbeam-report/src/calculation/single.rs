@@ -16,7 +16,7 @@ pub(super) fn solved(solution: &Solution, context: &Context, source: &Source) ->
     let checks = context.limits.map(|limits| limits.check(solution)).unwrap_or_default();
     let mut verdicts = vec![stands(model, existence, context.units)];
     verdicts.extend(checked(&checks));
-    verdicts.push(certified(solution.certificate().relative_gap));
+    verdicts.push(certified(solution.certificate().relative_gap()));
     let mut sections = vec![
         given::section(model, existence, None, context, source),
         given::assumptions(model, solution.method()),

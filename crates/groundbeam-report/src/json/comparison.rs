@@ -73,7 +73,7 @@ fn solved<'a>(
         method,
         status: "solved",
         errors,
-        relative_gap: Some(solution.certificate().relative_gap),
+        relative_gap: Some(solution.certificate().relative_gap()),
         elements: Some(solution.elements()),
         iterations: Some(solution.iterations()),
         seconds,

@@ -243,7 +243,8 @@ fn envelope(sheet: &mut Sheet, envelope: &Envelope, solved: &[Numbered], units: 
 }
 
 fn proof(sheet: &mut Sheet, solved: &[Numbered]) {
-    let gap = solved.iter().map(|row| row.solution.certificate().relative_gap).fold(0.0, f64::max);
+    let gap =
+        solved.iter().map(|row| row.solution.certificate().relative_gap()).fold(0.0, f64::max);
     let words = format!(
         "for each of the {} solved; energy gap at most {} of the strain energy",
         solved.len(),

@@ -52,7 +52,7 @@ pub fn comparison(comparison: &Comparison, context: &Context, colour: bool) -> S
 }
 
 fn of(name: &str, solution: &Solution, errors: Option<Errors>, seconds: f64) -> String {
-    let gap = order(solution.certificate().relative_gap);
+    let gap = order(solution.certificate().relative_gap());
     let steps = solution.iterations().to_string();
     let errors = errors.map_or([const { String::new() }; 4], |errors| {
         [errors.deflection, errors.moment, errors.settlement, errors.end_forces].map(order)

@@ -183,7 +183,7 @@ pub(crate) fn uplift(sheet: &mut Sheet, passage: &Passage, units: Units) {
 
 pub(crate) fn proof(sheet: &mut Sheet, all: &[&Moving], context: &Context) {
     let solved = || all.iter().flat_map(|moving| moving.passage.solved());
-    let gaps = solved().map(|(_, solution)| solution.certificate().relative_gap);
+    let gaps = solved().map(|(_, solution)| solution.certificate().relative_gap());
     let gap = order(gaps.fold(0.0, f64::max));
     let words = format!("for each position; energy gap at most {gap} of the strain energy");
     sheet.row("Certificate", &words);

@@ -12,6 +12,7 @@
 
 mod balance;
 mod beam;
+mod certificate;
 mod claim;
 mod curve;
 mod ground;
@@ -29,9 +30,9 @@ mod unclaimed;
 use crate::certificate::claim::NEAR;
 use crate::model::{Hinge, Load, Model};
 use crate::numeric::polynomial::{jet, value};
-use crate::numeric::tolerance::CERTIFICATE;
 use balance::{GivenBack, Remains, Segment};
 use beam::{Sums, beam_piece, work_at_points};
+pub use certificate::Certificate;
 pub(crate) use claim::{Claim, ClaimedPiece};
 use ground::GroundSums;
 use hinges::Hinges;
@@ -43,65 +44,7 @@ use statics::{Events, SpreadLoad};
 use supports::Supports;
 use surface::Under;
 
-/// The proof of a solution.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Certificate {
-    /// ½∫(EI (w″ − κ₀)² + P w'²) + ½b(u, u) − F(w): (3.8) and the ground's own energy \[N·m\].
-    pub primal_energy: f64,
-    /// The reciprocal energy ∫m κ₀ − ½∫m²/EI − ½∫P w'² − ½⟨p, Gp⟩ − ⟨p, g₀⟩ − Σ R δ \[N·m\].
-    pub dual_energy: f64,
-    /// Primal less dual energy, summed from parts none of which can be negative \[N·m\].
-    pub gap: f64,
-    /// `gap` relative to the strain energy of beam, ground and springs, and of bending straight what an imposed
-    /// curvature has bent, ½∫EI κ₀².
-    pub relative_gap: f64,
-    /// |ΣF| relative to the sum of all forces' sizes.
-    pub force_balance: f64,
-    /// |ΣM| relative to the sum of all moments' sizes.
-    pub moment_balance: f64,
-    /// The smallest contact pressure relative to the largest; negative would be a pull.
-    pub smallest_pressure: f64,
-    /// The deepest interpenetration w − u − g₀, relative to the largest deflection.
-    pub deepest_penetration: f64,
-    /// The largest jump of w, of w' or of a position where two pieces meet or a support holds, relative to
-    /// the largest w, w' or the length.
-    pub continuity: f64,
-    /// The largest |p (u + g₀ − w)| of a concentrated force, relative to largest force × deflection.
-    pub complementarity: f64,
-    /// |u − u*| is at most this, anywhere \[m\]. Nothing is claimed (infinity) without a shear layer.
-    pub settlement_bound: f64,
-    /// √∫(M − M*)²/EI is at most this \[√(N·m)\].
-    pub moment_bound: f64,
-    /// The root mean square over the beam of M − M* is at most this \[N·m\].
-    pub moment_rms_bound: f64,
-}
-
-impl Certificate {
-    /// The relative violation above which a result is refused.
-    pub const TOLERANCE: f64 = CERTIFICATE;
-
-    /// Whether every condition that no mesh excuses holds to rounding.
-    pub fn holds(&self) -> bool {
-        self.violation() <= Self::TOLERANCE
-    }
-
-    /// The largest relative violation of balance, signs, continuity and complementarity.
-    pub fn violation(&self) -> f64 {
-        let finite = if self.relative_gap.is_finite() { 0.0 } else { f64::INFINITY };
-        [
-            self.force_balance,
-            self.moment_balance,
-            -self.smallest_pressure,
-            self.continuity,
-            self.complementarity,
-            finite,
-        ]
-        .into_iter()
-        .fold(0.0, |worst, part| if part.is_nan() { f64::INFINITY } else { worst.max(part) })
-    }
-}
-
-/// Certifies a claim.
+/// The certificate of a claim. Nothing else makes one.
 pub(crate) fn certify(model: &Model, claim: &Claim) -> Certificate {
     let mut walk = Walk::new(model, claim);
     for (i, piece) in claim.pieces.iter().enumerate() {

@@ -2,7 +2,8 @@
 
 use crate::existence::rigid_motions::{Mechanism, static_reactions};
 use crate::model::Model;
-use crate::solution::solution::{Field, Solution};
+use crate::solution::fields::Field;
+use crate::solution::solution::Solution;
 
 /// Limits; none where nothing is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -2,7 +2,8 @@
 
 use crate::ground::link::{self, settled};
 use crate::numeric::polynomial::{Coefficients, derivative, rescale};
-use crate::solution::solution::{Field, Solution, Stretch};
+use crate::solution::fields::{Field, Stretch};
+use crate::solution::solution::Solution;
 
 /// One field of several solutions, ready to be cut.
 pub(super) struct Forms<'a> {
@@ -15,7 +16,7 @@ pub(super) struct Forms<'a> {
 impl<'a> Forms<'a> {
     pub fn of(solutions: &'a [&'a Solution], field: Field) -> Self {
         let mut joints = Vec::new();
-        for stretch in solutions.iter().flat_map(|solution| &solution.stretches) {
+        for stretch in solutions.iter().flat_map(|solution| solution.stretches()) {
             joints.extend(stretch.x);
             if matches!(field, Field::Settlement | Field::Gap) && is_exponential(stretch) {
                 let decay = (stretch.cell.shear / stretch.cell.spring).sqrt();
@@ -35,7 +36,7 @@ impl<'a> Forms<'a> {
             let ends = [ends[0], ends[1]];
             let mut curves = Vec::with_capacity(at.len());
             for (solution, at) in self.solutions.iter().zip(&mut at) {
-                let stretches = &solution.stretches;
+                let stretches = solution.stretches();
                 while *at + 1 < stretches.len() && stretches[*at].x[1] <= ends[0] {
                     *at += 1;
                 }

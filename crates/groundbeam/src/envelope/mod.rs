@@ -3,7 +3,8 @@
 mod forms;
 mod upper;
 
-use crate::solution::solution::{Extreme, Field, Fields, Range, Side, Solution};
+use crate::solution::fields::{Extreme, Field, Fields, Range, Side};
+use crate::solution::solution::Solution;
 use forms::Forms;
 
 /// Smaller differences, relative to the field's largest value in all solutions, are rounding: the

@@ -16,12 +16,10 @@ use crate::contact::state::Found;
 use crate::contact::stretches::{Stretch, distance, joined, positions};
 use crate::element::element::MOST;
 use crate::equilibrium::one_way;
-use crate::existence::existence::Existence;
 use crate::mesh::mesh::Mesh;
 use crate::model::Model;
 use crate::model::compressed;
-use crate::options::Method;
-use crate::solution::assemble::assemble;
+use crate::solution::candidate::{Candidate, Workspace};
 use std::borrow::Cow;
 
 /// The first step, as a part of the compression that is wanted.
@@ -189,7 +187,7 @@ fn other_supports(model: &Model, held: &Model, state: &State, found: &Found) -> 
     if !model.has_one_way_supports() {
         return None;
     }
-    let solution = assemble(held, Method::Exact, Existence::default(), 1.0, found, None);
-    let acts = one_way::asked_for(model, &state.acts, &solution);
+    let candidate = Candidate::of(held, found, &mut Workspace::default());
+    let acts = one_way::asked_for(model, &state.acts, &candidate);
     (acts != state.acts).then(|| State { acts, ..state.clone() })
 }

@@ -52,7 +52,7 @@ pub(crate) fn check(
         return Ok(known(loose(motion)));
     }
     let contact = solution.contact().iter().map(|region| [region.from, region.to]).collect();
-    let acts = one_way::acting(model, &solution);
+    let acts = one_way::acting(model, solution.candidate());
     let Branch { wanted, last, end } = follow(model, State { compression: 0.0, contact, acts });
     // Towards its end the branch is ever less stable, or it ends where a point lets go.
     if end == End::Unsettled {

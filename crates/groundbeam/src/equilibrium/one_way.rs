@@ -18,8 +18,10 @@
 
 use crate::existence::existence::{Existence, Verdict};
 use crate::model::{Model, Support};
-use crate::solution::assemble;
-use crate::solution::solution::{Side, Solution};
+use crate::outcome::Outcome;
+use crate::solution::candidate::Candidate;
+use crate::solution::fields::Side;
+use crate::solution::solution::Solution;
 
 /// Solves that end the search, on supports that rounding makes act and not act in turn.
 const MOST_SOLVES: usize = 1000;
@@ -28,32 +30,32 @@ const PATIENCE: usize = 50;
 /// A force the wrong way, relative to all reactions, and a clearance, relative to all deflections, that are rounding.
 const ROUNDING: f64 = 1e-13;
 
-/// Solves a model with such supports, by a method for one without. Nothing is kept if it does not end. The number
-/// of solves.
+/// Solves a model with such supports, by a method for one without. Returns the solution on the supports that act, which
+/// supports these are, and the number of solves; no solution if the search does not end.
 pub(crate) fn solve<E>(
     model: &Model,
-    existence: Existence,
-    stability: f64,
-    kept: &mut Option<Box<Solution>>,
-    mut solve: impl FnMut(&Model, &mut Option<Box<Solution>>) -> Result<Existence, E>,
-) -> Result<usize, E> {
+    mut solve: impl FnMut(&Model) -> Result<Outcome, E>,
+) -> Result<Ended, E> {
     let supports = &model.supports;
     let mut acts = vec![true; supports.len()];
     // How far the beam is from each, 0 where it acts.
     let mut clear = vec![0.0; supports.len()];
     for step in 1..=MOST_SOLVES {
         let now = model.with_supports_that(|i, _| acts[i]);
-        let stands = solve(&now, kept)?;
+        let outcome = solve(&now)?;
         let free = |i: &usize| supports[*i].is_one_way() && !acts[*i];
         // Where the way leads: the clearances at its end, or how they change on it without end.
-        let (towards, endless) = match (&stands.verdict, kept.as_deref()) {
-            (Verdict::None(motion), _) => {
-                let rate = |i: usize| -supports[i].acts.sign() * motion.at(&now, supports[i].at);
-                ((0..supports.len()).map(rate).collect::<Vec<f64>>(), true)
+        let (towards, solution) = match outcome {
+            Outcome::Equilibrium(solution) => {
+                (clearances(model, solution.candidate()).0, Some(solution))
             }
-            (_, Some(solution)) => (clearances(model, solution).0, false),
-            (_, None) => return Ok(step),
+            Outcome::NoEquilibrium(Existence { verdict: Verdict::None(motion), .. }) => {
+                let rate = |i: usize| -supports[i].acts.sign() * motion.at(&now, supports[i].at);
+                ((0..supports.len()).map(rate).collect::<Vec<f64>>(), None)
+            }
+            Outcome::NoEquilibrium(_) => return Ok(Ended { found: None, solves: step }),
         };
+        let endless = solution.is_none();
         let part = |i: usize| {
             let fall = if endless { -towards[i] } else { clear[i] - towards[i] };
             clear[i] / fall
@@ -67,15 +69,11 @@ pub(crate) fn solve<E>(
             (acts[first], clear[first]) = (true, 0.0);
             continue;
         }
-        if endless {
-            *kept = None;
-            return Ok(step);
-        }
+        let Some(solution) = solution else { return Ok(Ended { found: None, solves: step }) };
         for i in (0..supports.len()).filter(free) {
             clear[i] = towards[i];
         }
-        let Some(solution) = kept.as_deref() else { return Ok(step) };
-        let (forces, all) = forces(model, &acts, solution);
+        let (forces, all) = forces(model, &acts, solution.candidate());
         let pushes = |i: &usize| forces[*i];
         let wrong =
             |i: &usize| supports[*i].is_one_way() && acts[*i] && pushes(i) < -ROUNDING * all;
@@ -87,24 +85,26 @@ pub(crate) fn solve<E>(
         };
         match released {
             Some(i) => acts[i] = false,
-            None => {
-                if let Some(solution) = kept {
-                    assemble::on_one_way_supports(solution, model, &acts, existence, stability);
-                }
-                return Ok(step);
-            }
+            None => return Ok(Ended { found: Some((solution, acts)), solves: step }),
         }
     }
-    *kept = None;
-    Ok(MOST_SOLVES)
+    Ok(Ended { found: None, solves: MOST_SOLVES })
+}
+
+/// How the search ended.
+pub(crate) struct Ended {
+    /// The solution on the supports that act, and which supports these are; none if they still change.
+    pub found: Option<(Box<Solution>, Vec<bool>)>,
+    /// Solves of a model whose supports act in both directions.
+    pub solves: usize,
 }
 
 /// How far the beam is from each support, 0 where that is rounding, and how large its deflections are.
-pub(crate) fn clearances(model: &Model, solution: &Solution) -> (Vec<f64>, f64) {
-    let range = solution.range(crate::Field::Deflection);
+pub(crate) fn clearances(model: &Model, candidate: &Candidate) -> (Vec<f64>, f64) {
+    let range = candidate.range(crate::Field::Deflection);
     let size = range.min.value.abs().max(range.max.value.abs());
     let clearance = |support: &Support| {
-        let w = solution.at(support.at, Side::Right).deflection - support.settlement;
+        let w = candidate.at(support.at, Side::Right).deflection - support.settlement;
         let clearance = -support.acts.sign() * w;
         if clearance.abs() <= ROUNDING * size { 0.0 } else { clearance }
     };
@@ -113,9 +113,9 @@ pub(crate) fn clearances(model: &Model, solution: &Solution) -> (Vec<f64>, f64) 
 
 /// What each support that acts pushes with in the direction in which it alone may act, from the solution on those that
 /// act, and the sum of all reactions.
-pub(crate) fn forces(model: &Model, acts: &[bool], solution: &Solution) -> (Vec<f64>, f64) {
-    let mut reactions = solution.reactions().iter();
-    let all: f64 = solution.reactions().iter().map(|reaction| reaction.force.abs()).sum();
+pub(crate) fn forces(model: &Model, acts: &[bool], candidate: &Candidate) -> (Vec<f64>, f64) {
+    let mut reactions = candidate.reactions.iter();
+    let all: f64 = candidate.reactions.iter().map(|reaction| reaction.force.abs()).sum();
     let each = model.supports.iter().zip(acts).map(|(support, acts)| {
         let reaction = if *acts { reactions.next() } else { None };
         reaction.map_or(0.0, |reaction| support.acts.sign() * reaction.force)
@@ -124,17 +124,17 @@ pub(crate) fn forces(model: &Model, acts: &[bool], solution: &Solution) -> (Vec<
 }
 
 /// Which supports push in a solution; those that act in both directions act in any case.
-pub(crate) fn acting(model: &Model, solution: &Solution) -> Vec<bool> {
-    let (forces, all) = forces(model, &vec![true; model.supports.len()], solution);
+pub(crate) fn acting(model: &Model, candidate: &Candidate) -> Vec<bool> {
+    let (forces, all) = forces(model, &vec![true; model.supports.len()], candidate);
     let pushes = forces.iter().map(|force| *force > ROUNDING * all);
     model.supports.iter().zip(pushes).map(|(s, pushes)| pushes || !s.is_one_way()).collect()
 }
 
 /// The supports that act by what the solution on those that are said to act shows: of these those that push, of the
 /// others those beyond which the beam would lie. One that pushes with nothing holds nothing.
-pub(crate) fn asked_for(model: &Model, acts: &[bool], solution: &Solution) -> Vec<bool> {
-    let (forces, all) = forces(model, acts, solution);
-    let (clear, _) = clearances(model, solution);
+pub(crate) fn asked_for(model: &Model, acts: &[bool], candidate: &Candidate) -> Vec<bool> {
+    let (forces, all) = forces(model, acts, candidate);
+    let (clear, _) = clearances(model, candidate);
     let support = |(i, support): (usize, &Support)| {
         let asked = if acts[i] { forces[i] > ROUNDING * all } else { clear[i] < 0.0 };
         !support.is_one_way() || asked

@@ -14,7 +14,8 @@ use crate::numeric::polynomial::inner;
 use crate::numeric::tolerance::SOIL;
 use crate::options::Method;
 use crate::outcome::Outcome;
-use crate::solution::solution::{Solution, Stretch};
+use crate::solution::fields::Stretch;
+use crate::solution::solution::Solution;
 
 const MOST_ROUNDS: usize = 100;
 
@@ -100,7 +101,7 @@ fn rate_of(solution: &Solution) -> Option<f64> {
     let mut add = |part: [f64; 2]| {
         sums = [sums[0] + part[0], sums[1] + part[1]];
     };
-    for stretch in &solution.stretches {
+    for stretch in solution.stretches() {
         let loaded = neighbours && stretch.open.is_some();
         add(if loaded { on_loaded(stretch) } else { on(stretch) });
     }
@@ -113,7 +114,7 @@ fn rate_of(solution: &Solution) -> Option<f64> {
 /// ∫u² and ∫u'² beyond an end of the beam. A ground made of soil is endless; between loads u is two exponentials and
 /// q/k, beyond the last of them it falls like e^(−bx).
 fn beyond(solution: &Solution, right: bool) -> [f64; 2] {
-    let stretch = if right { solution.stretches.last() } else { solution.stretches.first() };
+    let stretch = if right { solution.stretches().last() } else { solution.stretches().first() };
     let Some(stretch) = stretch else { return [0.0; 2] };
     let [spring, shear] = stretch.cell.ground_at(if right { 1.0 } else { -1.0 });
     let b = (spring / shear).sqrt();

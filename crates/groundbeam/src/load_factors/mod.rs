@@ -20,8 +20,9 @@ use crate::equilibrium::buckling::convexity;
 use crate::equilibrium::size;
 use crate::error::Error;
 use crate::load_factors::parts::{FirstLiftOff, LossOfEquilibrium, Parts};
-use crate::model::{Model, Problem};
+use crate::model::Model;
 use crate::options::Options;
+use crate::supported::{self, Way};
 
 /// What becomes of a model whose loads grow. See [`load_factors`].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,9 +61,10 @@ pub fn load_factors(model: &Model, grows: impl Fn(usize) -> bool) -> Result<Load
     if !problems.is_empty() {
         return Err(Error::Invalid(problems));
     }
-    let Some(stability) = convexity(model) else {
-        return Err(Error::Unsupported(Problem::factors_of_a_local_equilibrium()));
-    };
+    let convexity = convexity(model);
+    supported::check(model, Way::LoadFactors, convexity.is_none())?;
+    // None is left where the table does not refuse: then the certificate bounds nothing.
+    let stability = convexity.unwrap_or(0.0);
     size::check(model, &Options::default())?;
     let parts = Parts::of(model, grows);
     let loss_of_equilibrium = parts.loss_of_equilibrium();

@@ -12,11 +12,11 @@ use super::bonded::{Watched, glued_all_along, watched};
 use crate::contact::state::Found;
 use crate::equilibrium::one_way;
 use crate::error::{Error, NotConverged, Stopped};
-use crate::existence::existence::{Existence, existence, size_of_loads};
+use crate::existence::existence::size_of_loads;
 use crate::load_factors::parts::{FirstLiftOff, Parts};
 use crate::model::{Model, Support};
 use crate::options::Method;
-use crate::solution::assemble::{self, assemble};
+use crate::solution::candidate::{Candidate, Workspace};
 
 /// Pieces, and changes of the supports at the beginning of one, that end the search.
 const MOST_PIECES: usize = 200;
@@ -122,9 +122,9 @@ struct Room {
 impl Room {
     fn of(model: &Model, found: &Found, acts: &[bool]) -> Self {
         let held = model.with_supports_that(|i, _| acts[i]);
-        let solution = assemble(&held, Method::Exact, Existence::default(), 1.0, found, None);
-        let (forces, all) = one_way::forces(model, acts, &solution);
-        let (clear, size) = one_way::clearances(model, &solution);
+        let candidate = Candidate::of(&held, found, &mut Workspace::default());
+        let (forces, all) = one_way::forces(model, acts, &candidate);
+        let (clear, size) = one_way::clearances(model, &candidate);
         let each = || 0..acts.len();
         let left = each().map(|i| if acts[i] { forces[i] } else { clear[i] });
         let all = all + size_of_loads(model);
@@ -146,12 +146,11 @@ fn prove(parts: &Parts, factor: f64, acts: &[bool], stability: f64) -> Result<()
     let model = parts.at(factor);
     let held = model.with_supports_that(|i, _| acts[i]);
     let found = glued_all_along(&held).map_err(|_| not_found(f64::NAN))?;
-    let stands = existence(&model);
-    let mut solution = assemble(&held, Method::Exact, stands, stability, &found, None);
+    let mut candidate = Candidate::of(&held, &found, &mut Workspace::default());
     if model.has_one_way_supports() {
-        assemble::on_one_way_supports(&mut solution, &model, acts, stands, stability);
+        candidate = candidate.on_one_way_supports(&model, acts);
     }
-    let certificate = solution.certificate();
+    let certificate = candidate.certify(stability);
     if certificate.holds() { Ok(()) } else { Err(not_found(certificate.violation())) }
 }
 

@@ -99,27 +99,3 @@ impl Turning {
         moment.or_else(|| self.supports.first_at(x, near).map(|i| format!("support {}", i + 1)))
     }
 }
-
-impl Problem {
-    /// Values at nodes are for beams that bend all along.
-    pub(crate) fn nodal_with_hinges() -> Self {
-        Problem::new(
-            "GB606",
-            Part::Hinge(0),
-            "at",
-            "a beam solved for its nodes alone cannot have hinges",
-            "use the method `exact` or `active-set`",
-        )
-    }
-
-    /// The paper's iteration knows two rigid motions.
-    pub(crate) fn iteration_with_hinges() -> Self {
-        Problem::new(
-            "GB607",
-            Part::Hinge(0),
-            "at",
-            "the paper's iteration (5.14)–(5.18) is for beams without hinges",
-            "use the method `exact` or `active-set`",
-        )
-    }
-}

@@ -14,7 +14,7 @@ mod load;
 mod places;
 pub(crate) mod problem;
 mod profile;
-mod refused;
+pub(crate) mod refused;
 pub(crate) mod soil;
 mod support;
 mod validate;

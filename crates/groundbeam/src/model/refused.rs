@@ -1,78 +1,74 @@
-//! What is right but not solved, or not by every method.
+//! Why a model that is right is not solved, or not by every method. `supported.rs` has the table of methods and features.
 
-use super::{Beam, Part, Problem};
+use super::{Part, Problem};
 use crate::model::problem::Bytes;
 
+/// Why a way of solving refuses a feature.
+#[derive(Debug)]
+pub(crate) struct Refusal {
+    pub code: &'static str,
+    message: &'static str,
+    hint: &'static str,
+}
+
+pub(crate) const NODAL_FORCES_ON_SPRINGS: Refusal = Refusal {
+    code: "GB603",
+    message: "the paper's concentrated pressures (5.5) need a shear layer (4.9), and mu is zero here",
+    hint: "use the method `exact`, or `active-set` with its own pressure",
+};
+
+pub(crate) const NODAL_WITH_SUPPORTS: Refusal = Refusal {
+    code: "GB604",
+    message: "a beam solved for its nodes alone cannot have supports",
+    hint: "use the method `exact` or `active-set`",
+};
+
+pub(crate) const NODAL_WHERE_IT_VARIES: Refusal = Refusal {
+    code: "GB605",
+    message: "a beam solved for its nodes alone cannot vary along a segment",
+    hint: "use the method `exact` or `active-set`, or many segments with a constant each",
+};
+
+pub(crate) const NODAL_WITH_HINGES: Refusal = Refusal {
+    code: "GB606",
+    message: "a beam solved for its nodes alone cannot have hinges",
+    hint: "use the method `exact` or `active-set`",
+};
+
+pub(crate) const ITERATION_WITH_HINGES: Refusal = Refusal {
+    code: "GB607",
+    message: "the paper's iteration (5.14)–(5.18) is for beams without hinges",
+    hint: "use the method `exact` or `active-set`",
+};
+
+pub(crate) const ONLY_EXACTLY: Refusal = Refusal {
+    code: "GB609",
+    message: "loads on the ground are solved by the exact method alone",
+    hint: "use the method `exact`",
+};
+
+pub(crate) const LOCAL_BY_ANOTHER_METHOD: Refusal = Refusal {
+    code: "GB611",
+    message: "the ground must help to bear this compression: the equilibrium is a local one, which a mesh does not follow",
+    hint: "use the method `exact`",
+};
+
+pub(crate) const FACTORS_OF_A_LOCAL_EQUILIBRIUM: Refusal = Refusal {
+    code: "GB612",
+    message: "the ground must help to bear this compression: how far loads may grow is not known from statics",
+    hint: "without load factors the result tells the critical compression, as far as which the axial force may grow",
+};
+
+pub(crate) const SHEAR_BY_ANOTHER_METHOD: Refusal = Refusal {
+    code: "GB614",
+    message: "a beam that shears is solved by the exact method alone",
+    hint: "use the method `exact`, or leave the shear stiffness out",
+};
+
 impl Problem {
-    /// Nodal pressures where nothing spreads them.
-    pub(crate) fn nodal_forces_on_springs(part: Part) -> Self {
-        Problem::new(
-            "GB603",
-            part,
-            "shear",
-            "the paper's concentrated pressures (5.5) need a shear layer (4.9), and mu is zero here",
-            "use the method `exact`, or `active-set` with its own pressure",
-        )
-    }
-
-    /// Values at nodes are for beams that the ground alone holds.
-    pub(crate) fn nodal_with_supports() -> Self {
-        Problem::new(
-            "GB604",
-            Part::Support(0),
-            "at",
-            "a beam solved for its nodes alone cannot have supports",
-            "use the method `exact` or `active-set`",
-        )
-    }
-
-    /// Loads on the ground bend its surface between nodes.
-    pub(crate) fn only_exactly(load: usize) -> Self {
-        Problem::new(
-            "GB609",
-            Part::Load(load),
-            "at",
-            "loads on the ground are solved by the exact method alone",
-            "use the method `exact`",
-        )
-    }
-
-    /// A local equilibrium is followed from edge to edge.
-    pub(crate) fn local_by_another_method() -> Self {
-        Problem::new(
-            "GB611",
-            Part::Beam,
-            "axial_force",
-            "the ground must help to bear this compression: the equilibrium is a local one, which a mesh \
-             does not follow",
-            "use the method `exact`",
-        )
-    }
-
-    /// Load factors rest on statics or on a convex energy.
-    pub(crate) fn factors_of_a_local_equilibrium() -> Self {
-        Problem::new(
-            "GB612",
-            Part::Beam,
-            "axial_force",
-            "the ground must help to bear this compression: how far loads may grow is not known from \
-             statics",
-            "without load factors the result tells the critical compression, as far as which the axial force \
-             may grow",
-        )
-    }
-
-    /// Only the exact element shears.
-    pub(crate) fn shear_by_another_method(beam: &Beam) -> Self {
-        let segment = beam.segments.iter().position(|segment| segment.shear_stiffness.is_some());
-        let part = if beam.shear_stiffness.is_some() { None } else { segment };
-        Problem::new(
-            "GB614",
-            part.map_or(Part::Beam, Part::BeamSegment),
-            "shear_stiffness",
-            "a beam that shears is solved by the exact method alone",
-            "use the method `exact`, or leave the shear stiffness out",
-        )
+    /// A feature that a way of solving does not support.
+    pub(crate) fn refused(why: &Refusal, part: Part, field: &'static str) -> Self {
+        Problem::new(why.code, part, field, why.message, why.hint)
     }
 
     /// Series about as long as a wave are too many.
@@ -109,20 +105,5 @@ impl Problem {
             _ => "use fewer elements, or raise the limit, as in --memory-limit \"8 GB\"",
         };
         Problem::new("GB617", Part::Beam, "length", message, hint)
-    }
-
-    /// Rows of equal elements need one stiffness and one ground each.
-    pub(crate) fn nodal_where_it_varies(part: Part) -> Self {
-        let field = match part {
-            Part::BeamSegment(_) => "bending_stiffness",
-            _ => "spring",
-        };
-        Problem::new(
-            "GB605",
-            part,
-            field,
-            "a beam solved for its nodes alone cannot vary along a segment",
-            "use the method `exact` or `active-set`, or many segments with a constant each",
-        )
     }
 }

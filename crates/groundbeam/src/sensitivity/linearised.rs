@@ -23,7 +23,8 @@ use crate::mesh::mesh::Mesh;
 use crate::model::{Model, SupportKind};
 use crate::numeric::polynomial::{Coefficients, jet, rescale};
 use crate::sensitivity::piece::Piece;
-use crate::solution::solution::{ConcentratedForce, Side, Solution};
+use crate::solution::fields::{ConcentratedForce, Side};
+use crate::solution::solution::Solution;
 
 /// Beam and ground glued on the contact of a solution.
 #[derive(Debug)]

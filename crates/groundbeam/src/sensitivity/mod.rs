@@ -25,7 +25,8 @@ mod topology;
 use crate::existence::existence::Verdict;
 use crate::model::Load;
 use crate::options::Method;
-use crate::solution::solution::{Field as Quantity, Side, Solution};
+use crate::solution::fields::{Field as Quantity, Side};
+use crate::solution::solution::Solution;
 use change::Change;
 use linearised::Linearised;
 use output::Functional;
@@ -345,7 +346,7 @@ impl Solution {
                 let functional = acting.map(|i| lin.support(i, moment)).unwrap_or_default();
                 (functional, if moment { reaction.moment } else { reaction.force })
             }
-            Output::PotentialEnergy => (Functional::default(), self.certificate().primal_energy),
+            Output::PotentialEnergy => (Functional::default(), self.certificate().primal_energy()),
         })
     }
 
@@ -389,7 +390,7 @@ impl Solution {
             rate
         };
         Derived {
-            value: self.certificate().primal_energy,
+            value: self.certificate().primal_energy(),
             rates: changes.iter().map(rate).collect(),
             rival: None,
         }

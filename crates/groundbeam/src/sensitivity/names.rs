@@ -1,7 +1,7 @@
 //! What parameters and outputs are called, wherever they are asked for by name.
 
 use super::{Extent, LoadNumber, Output, Parameter, Property, SupportNumber};
-use crate::solution::solution::{Field, Side};
+use crate::solution::fields::{Field, Side};
 
 impl Parameter {
     /// How names are written: `k`, `mu_factor`, `EI[0]`, `load[1].at`, …

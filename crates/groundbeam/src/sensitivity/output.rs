@@ -9,7 +9,7 @@ use crate::element::courses::Touch;
 use crate::mesh::deflection::Spot;
 use crate::model::SupportKind;
 use crate::numeric::polynomial::jet;
-use crate::solution::solution::{Field as Quantity, Side};
+use crate::solution::fields::{Field as Quantity, Side};
 
 /// A number of a solution.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -9,7 +9,7 @@ use super::linearised::Linearised;
 use super::product::{Dual, Rate};
 use crate::element::courses::Touch;
 use crate::mesh::deflection::Spot;
-use crate::solution::solution::{Field as Quantity, Side};
+use crate::solution::fields::{Field as Quantity, Side};
 
 /// Two sides of a place at which something moves differ by more than this part: the derivative is one-sided.
 const SAME: f64 = 1e-9;

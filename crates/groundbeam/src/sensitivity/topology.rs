@@ -4,7 +4,7 @@ use super::linearised::Linearised;
 use super::{Side, Solution};
 use crate::contact::surface::can_carry;
 use crate::numeric::polynomial::{derivative, sign_changes, value};
-use crate::solution::solution::Field as Quantity;
+use crate::solution::fields::Field as Quantity;
 
 /// What a change of contact would bring to zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -100,12 +100,12 @@ impl Solution {
         let mut add = |condition, at, size: f64| {
             all.push(Nearest { condition, at, margin: size.max(0.0) });
         };
-        for stretch in self.stretches.iter().filter(|stretch| stretch.open.is_none()) {
+        for stretch in self.stretches().iter().filter(|stretch| stretch.open.is_none()) {
             let winkler = stretch.cell.shear == 0.0;
             let edge = |x: f64| {
-                self.contact.iter().any(|region| region.from == x || region.to == x)
+                self.contact().iter().any(|region| region.from == x || region.to == x)
                     && x > 0.0
-                    && x < self.model.beam.length
+                    && x < self.model().beam.length
             };
             let mut candidates = vec![-1.0];
             sign_changes(&derivative(&stretch.pressure), &mut candidates);
@@ -122,7 +122,7 @@ impl Solution {
             }
         }
         // ψ' at edges on separate springs, against the largest ψ over the length.
-        let l = self.model.beam.length;
+        let l = self.model().beam.length;
         for zone in &lin.zones {
             for spot in [zone.from, zone.to] {
                 let cell = &lin.mesh.cells[spot.cell];
@@ -138,8 +138,8 @@ impl Solution {
 
     /// Concentrated forces, where they may stand.
     fn forces(&self, lin: &Linearised, all: &mut Vec<Nearest>) {
-        let l = self.model.beam.length;
-        let ends = self.end_forces;
+        let l = self.model().beam.length;
+        let ends = self.end_forces();
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * l;
         let force_at = |x: f64| {
             if near(x, 0.0) {
@@ -148,7 +148,7 @@ impl Solution {
             if near(x, l) {
                 return ends.right;
             }
-            self.concentrated.iter().find(|c| near(c.at, x)).map_or(0.0, |c| c.force)
+            self.concentrated_forces().iter().find(|c| near(c.at, x)).map_or(0.0, |c| c.force)
         };
         let mut places: Vec<f64> = Vec::new();
         for zone in &lin.zones {
@@ -166,7 +166,7 @@ impl Solution {
             }
         }
         let contact: f64 = self
-            .stretches
+            .stretches()
             .iter()
             .map(|stretch| {
                 let even = stretch.pressure.iter().step_by(2).enumerate();
@@ -186,7 +186,7 @@ impl Solution {
 
     /// Where the gap is least between regions of contact, and at the ends that are in the air.
     fn gaps(&self, all: &mut Vec<Nearest>) {
-        let l = self.model.beam.length;
+        let l = self.model().beam.length;
         let deflections = self.range(Quantity::Deflection);
         let gaps = self.range(Quantity::Gap).max.value;
         let scale = deflections.max.value.abs().max(deflections.min.value.abs()).max(gaps);
@@ -197,7 +197,7 @@ impl Solution {
         let mut open: Vec<(f64, f64)> = Vec::new();
         let mut add = |open: &mut Vec<(f64, f64)>| {
             let touches = |x: f64| {
-                self.contact.iter().any(|c| x >= c.from - HERE * l && x <= c.to + HERE * l)
+                self.contact().iter().any(|c| x >= c.from - HERE * l && x <= c.to + HERE * l)
             };
             let deepest = deepest_between_peaks(open, [0.0, l], ROUNDING * scale);
             for at in deepest.into_iter().filter(|at| !touches(open[*at].0)) {
@@ -206,8 +206,8 @@ impl Solution {
             }
             open.clear();
         };
-        for stretch in &self.stretches {
-            let parts = self.contact.iter().any(|c| c.from == c.to && c.from == stretch.x[0]);
+        for stretch in self.stretches() {
+            let parts = self.contact().iter().any(|c| c.from == c.to && c.from == stretch.x[0]);
             if stretch.open.is_none() || parts {
                 add(&mut open);
             }
@@ -221,9 +221,9 @@ impl Solution {
 
     /// Regions of contact and those between.
     fn lengths(&self, all: &mut Vec<Nearest>) {
-        let l = self.model.beam.length;
+        let l = self.model().beam.length;
         let mut at = None;
-        for region in &self.contact {
+        for region in self.contact() {
             if region.from < region.to {
                 let margin = (region.to - region.from) / l;
                 all.push(Nearest { condition: Condition::Length, at: region.from, margin });
@@ -243,7 +243,7 @@ impl Solution {
 
     /// Supports that act in one direction alone.
     fn one_way(&self, all: &mut Vec<Nearest>) {
-        let supports = || self.model.supports.iter().zip(&self.reactions);
+        let supports = || self.model().supports.iter().zip(self.reactions());
         let forces: f64 = supports().map(|(_, reaction)| reaction.force.abs()).sum();
         let range = self.range(Quantity::Deflection);
         let scale = range.max.value.abs().max(range.min.value.abs());

@@ -1,113 +1,60 @@
-//! From a deflection and its contact to a certified [`Solution`].
+//! From a deflection and its contact to the fields, contact zones and forces of a [`Candidate`].
 
-use crate::certificate::{Claim, ClaimedPiece, certify};
 use crate::contact::recover;
 use crate::contact::state::Found;
 use crate::contact::surface::{Atom, Surface};
-use crate::existence::existence::Existence;
 use crate::ground::link::settled;
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{Spot, pressure_under};
 use crate::model::{Load, Model, Support, SupportKind};
 use crate::numeric::polynomial::{Coefficients, derivative, product, rescale};
 use crate::numeric::tolerance::same_place;
-use crate::options::Method;
 use crate::options::Pressure;
-use crate::solution::solution::{
-    ConcentratedForce, ContactRegion, EndForces, Reaction, Side, Solution, Stretch,
+use crate::solution::candidate::{Candidate, Workspace};
+use crate::solution::fields::{
+    ConcentratedForce, ContactRegion, EndForces, Reaction, Side, Stretch,
 };
 
-/// Everything a solution holds, and its certificate, in the memory of one that is no longer needed.
-pub(crate) fn assemble(
-    model: &Model,
-    method: Method,
-    existence: Existence,
-    stability: f64,
-    found: &Found,
-    kept: Option<Box<Solution>>,
-) -> Box<Solution> {
-    let surface = match &found.surface {
-        Some(given) => given,
-        None => &Surface::of(&found.deflection(), &found.zones),
-    };
-    let mut solution = match kept {
-        Some(mut kept) => {
-            kept.model.become_like(model);
-            kept
-        }
-        None => Box::new(Solution::without_fields(model.clone())),
-    };
-    let mesh = &found.mesh;
-    let at = |atom: &Atom| mesh.cells[atom.spot.cell].global(atom.spot.s);
-    let l = model.beam.length;
-    // Adding zero turns −0 into 0.
-    let [left, right] = surface.end_forces(mesh).map(|force| force + 0.0);
-    let inner = surface.atoms.iter().filter(|atom| at(atom) > 0.0 && at(atom) < l);
-    let inner = inner.filter(|atom| atom.force != 0.0);
-    solution.concentrated.clear();
-    solution
-        .concentrated
-        .extend(inner.map(|atom| ConcentratedForce { at: at(atom), force: atom.force }));
-    regions(found, &mut solution.contact);
-    stretches(found, surface, &mut solution.stretches);
-    solution.method = method;
-    solution.existence = existence.with_contact(model, &solution.contact_positions());
-    solution.end_forces = EndForces { left, right };
-    solution.elements = found.mesh.cells.len();
-    solution.reactions = reactions(&solution);
-    solution.certificate = certify(model, &claim(&solution, stability));
-    solution
-}
+impl Candidate {
+    /// The fields of what was found, in the memory of a workspace.
+    pub fn of(model: &Model, found: &Found, workspace: &mut Workspace) -> Self {
+        let surface = match &found.surface {
+            Some(given) => given,
+            None => &Surface::of(&found.deflection(), &found.zones),
+        };
+        let mut candidate = workspace.blank(model);
+        let mesh = &found.mesh;
+        let at = |atom: &Atom| mesh.cells[atom.spot.cell].global(atom.spot.s);
+        let l = model.beam.length;
+        // Adding zero turns −0 into 0.
+        let [left, right] = surface.end_forces(mesh).map(|force| force + 0.0);
+        let inner = surface.atoms.iter().filter(|atom| at(atom) > 0.0 && at(atom) < l);
+        let inner = inner.filter(|atom| atom.force != 0.0);
+        let concentrated = &mut candidate.concentrated;
+        concentrated
+            .extend(inner.map(|atom| ConcentratedForce { at: at(atom), force: atom.force }));
+        regions(found, &mut candidate.contact);
+        stretches(found, surface, &mut candidate.stretches);
+        candidate.end_forces = EndForces { left, right };
+        candidate.elements = mesh.cells.len();
+        candidate.reactions = reactions(&candidate);
+        candidate
+    }
 
-/// From the solution on the supports that act to the one of the whole model, whose others do not.
-pub(crate) fn on_one_way_supports(
-    solution: &mut Solution,
-    model: &Model,
-    acts: &[bool],
-    existence: Existence,
-    stability: f64,
-) {
-    let mut acting = std::mem::take(&mut solution.reactions).into_iter();
-    let reaction = |(support, acts): (&Support, &bool)| {
-        let none = Reaction { at: support.at, force: 0.0, moment: 0.0 };
-        let mut reaction = if *acts { acting.next().unwrap_or(none) } else { none };
-        // What rounding alone makes act the wrong way.
-        if support.acts.sign() * reaction.force < 0.0 {
-            reaction.force = 0.0;
-        }
-        reaction
-    };
-    solution.reactions = model.supports.iter().zip(acts).map(reaction).collect();
-    let carries = |i: usize| solution.reactions[i].force != 0.0;
-    let holding = model.with_supports_that(|i, support| !support.is_one_way() || carries(i));
-    solution.existence = existence.with_contact(&holding, &solution.contact_positions());
-    solution.model.become_like(model);
-    solution.certificate = certify(model, &claim(solution, stability));
-}
-
-/// What the certificate is asked to prove.
-fn claim(solution: &Solution, stability: f64) -> Claim<'_> {
-    let EndForces { left, right } = solution.end_forces;
-    let l = solution.model.beam.length;
-    let mut forces = vec![(0.0, left)];
-    forces.extend(solution.concentrated.iter().map(|c| (c.at, c.force)));
-    forces.push((l, right));
-    let pieces = solution.stretches.iter().map(|stretch| ClaimedPiece {
-        x: stretch.x,
-        half: stretch.half,
-        deflection: &stretch.deflection,
-        rotation: &stretch.rotation,
-        pressure: &stretch.pressure,
-        open: stretch.open.map(|ends| {
-            let own = [-1.0, 1.0].map(|s| stretch.cell.settled_at(s)[0]);
-            [ends[0] + own[0], ends[1] + own[1]]
-        }),
-    });
-    Claim {
-        pieces: pieces.collect(),
-        forces,
-        reactions: solution.reactions.iter().map(|r| (r.at, r.force, r.moment)).collect(),
-        stability,
+    /// The fields of the whole model from those of the model on the supports that act.
+    pub fn on_one_way_supports(self, model: &Model, acts: &[bool]) -> Self {
+        let mut acting = self.reactions.into_iter();
+        let reaction = |(support, acts): (&Support, &bool)| {
+            let none = Reaction { at: support.at, force: 0.0, moment: 0.0 };
+            let mut reaction = if *acts { acting.next().unwrap_or(none) } else { none };
+            // What rounding alone makes act the wrong way.
+            if support.acts.sign() * reaction.force < 0.0 {
+                reaction.force = 0.0;
+            }
+            reaction
+        };
+        let reactions = model.supports.iter().zip(acts).map(reaction).collect();
+        Candidate { reactions, model: model.clone(), ..self }
     }
 }
 
@@ -126,7 +73,6 @@ fn stretches(found: &Found, surface: &Surface, stretches: &mut Vec<Stretch>) {
         recover::moments(found, &parts, &forces)
     };
     let mut recovered = recovered.into_iter();
-    stretches.clear();
     stretches.reserve(parts.len());
     for part in &parts {
         let [from, to] = part.s;
@@ -197,7 +143,6 @@ fn bent(cell: &Cell, half: f64, deflection: &[f64], rotation: &[f64]) -> Coeffic
 fn regions(found: &Found, regions: &mut Vec<ContactRegion>) {
     let mesh = &found.mesh;
     let position = |spot: Spot| mesh.cells[spot.cell].global(spot.s);
-    regions.clear();
     let mut last_node = None;
     for zone in &found.zones {
         let (from, to) = (position(zone.from), position(zone.to));
@@ -214,15 +159,15 @@ fn regions(found: &Found, regions: &mut Vec<ContactRegion>) {
 }
 
 /// From the equilibrium of the beam about each support, and the springs' own laws.
-fn reactions(solution: &Solution) -> Vec<Reaction> {
-    let supports = &solution.model.supports;
+fn reactions(candidate: &Candidate) -> Vec<Reaction> {
+    let supports = &candidate.model.supports;
     let reaction = |support: &Support| {
         let x = support.at;
         let (force, moment) = match support.kind {
-            SupportKind::Pinned => (lift(solution, x), 0.0),
-            SupportKind::Fixed => (lift(solution, x), turn(solution, x)),
+            SupportKind::Pinned => (lift(candidate, x), 0.0),
+            SupportKind::Fixed => (lift(candidate, x), turn(candidate, x)),
             SupportKind::Spring { spring, rotational_spring } => {
-                let here = solution.at(x, Side::Right);
+                let here = candidate.at(x, Side::Right);
                 let pressed = here.deflection - support.settlement;
                 (spring * pressed, -rotational_spring * here.rotation)
             }
@@ -235,8 +180,8 @@ fn reactions(solution: &Solution) -> Vec<Reaction> {
 /// The force of a support at x: what the beam between the middles of the spans on both sides of it lacks
 /// to be in equilibrium. Next to a pin, where the beam hardly does more than turn, an element's own shear
 /// has lost its digits; half a span away it has not.
-fn lift(solution: &Solution, x: f64) -> f64 {
-    let model = &solution.model;
+fn lift(candidate: &Candidate, x: f64) -> f64 {
+    let model = &candidate.model;
     let (axial, l) = (model.beam.axial_force, model.beam.length);
     let others = || model.supports.iter().map(|support| support.at);
     let span_left = others().filter(|&at| at < x).fold(0.0, f64::max);
@@ -246,7 +191,7 @@ fn lift(solution: &Solution, x: f64) -> f64 {
         let fields = stretch.fields(s);
         fields.shear_force + axial * fields.slope - stretch.cell.moment_load[end]
     };
-    let stretches = &solution.stretches;
+    let stretches = &candidate.stretches;
     let holding = |x: f64| stretches.partition_point(|s| s.x[1] < x).min(stretches.len() - 1);
     let (first, from, before) = if x <= 0.0 {
         (0, 0.0, 0.0)
@@ -276,18 +221,18 @@ fn lift(solution: &Solution, x: f64) -> f64 {
             force += load;
         }
     }
-    let EndForces { left, right } = solution.end_forces;
+    let EndForces { left, right } = candidate.end_forces;
     let ends = [(0.0, left), (l, right)];
-    let contact = solution.concentrated.iter().map(|c| (c.at, c.force)).chain(ends);
+    let contact = candidate.concentrated.iter().map(|c| (c.at, c.force)).chain(ends);
     force - contact.filter(|(at, _)| inside(*at)).map(|(_, force)| force).sum::<f64>()
 }
 
 /// The moment of a fixed support at x: the jump of the beam's own less the loads'.
-fn turn(solution: &Solution, x: f64) -> f64 {
-    let l = solution.model.beam.length;
-    let before = if x <= 0.0 { 0.0 } else { solution.at(x, Side::Left).moment };
-    let after = if x >= l { 0.0 } else { solution.at(x, Side::Right).moment };
-    let loads = solution.model.loads.iter().map(|load| match *load {
+fn turn(candidate: &Candidate, x: f64) -> f64 {
+    let l = candidate.model.beam.length;
+    let before = if x <= 0.0 { 0.0 } else { candidate.at(x, Side::Left).moment };
+    let after = if x >= l { 0.0 } else { candidate.at(x, Side::Right).moment };
+    let loads = candidate.model.loads.iter().map(|load| match *load {
         Load::PointMoment { at, moment } if (at - x).abs() <= same_place(l) => moment,
         _ => 0.0,
     });

@@ -4,9 +4,10 @@
 //! exceed what it is at their ends; on the others no root is sought.
 
 use crate::numeric::polynomial::{derivative, jet, sign_changes, value, with_slope};
-use crate::solution::solution::{Extreme, Field, Range, Solution, Stretch};
+use crate::solution::candidate::Candidate;
+use crate::solution::fields::{Extreme, Field, Range, Stretch};
 
-impl Solution {
+impl Candidate {
     /// The smallest and largest value of a field, located by the roots of its derivative.
     pub fn range(&self, field: Field) -> Range {
         let hulls: Vec<Hull> = self.stretches.iter().map(|stretch| stretch.hull(field)).collect();
@@ -231,6 +232,7 @@ impl Stretch {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solution::candidate::Workspace;
     use crate::{Answer, Beam, Foundation, Load, Model, Solver};
 
     /// Loads, an open part and a stiff part: all fields, on a thousand points of each stretch.
@@ -251,7 +253,7 @@ mod tests {
                 let Range { min, max } = solution.range(field);
                 let size = min.value.abs().max(max.value.abs());
                 let mut seen = [f64::INFINITY, f64::NEG_INFINITY];
-                for stretch in &solution.stretches {
+                for stretch in solution.stretches() {
                     for at in 0..=1000 {
                         let s = f64::from(at) / 500.0 - 1.0;
                         let value = stretch.fields(s).get(field);
@@ -284,9 +286,9 @@ mod tests {
         Stretch { x, half, cell, deflection, rotation, moment, pressure, open: None, settlement }
     }
 
-    fn solution(stretches: Vec<Stretch>) -> Solution {
+    fn candidate(stretches: Vec<Stretch>) -> Candidate {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0));
-        Solution { stretches, ..Solution::without_fields(model) }
+        Candidate { stretches, ..Workspace::default().blank(&model) }
     }
 
     fn turning_points(of: &Stretch, field: Field) -> Vec<f64> {
@@ -392,7 +394,7 @@ mod tests {
             (of.cell.gap, of.cell.gap_slope) = ([0.0, 3.0], 0.75);
             near(&turning_points(&of, Field::Gap), &[0.5 * (a + (-0.25_f64).asinh()) - 1.0]);
             near(&turning_points(&of, Field::Settlement), &[0.5 * a - 1.0]);
-            let lowest = solution(vec![of]).range(Field::Settlement).min;
+            let lowest = candidate(vec![of]).range(Field::Settlement).min;
             near(&[lowest.x, lowest.value], &[a, 1.0]);
         }
         // Ground that falls all along turns nowhere.
@@ -500,7 +502,7 @@ mod tests {
                     of.open = Some([digit().abs(), digit().abs()]);
                 }
             }
-            let solution = solution(all);
+            let solution = candidate(all);
             for field in Field::ALL {
                 let Range { min, max } = solution.range(field);
                 let values = solution.stretches.iter().flat_map(|of| {
@@ -533,7 +535,7 @@ mod tests {
             for order in [[tenths, turned, mixed], [mixed, tenths, turned], [turned, mixed, tenths]]
             {
                 let all = order.iter().enumerate().map(|(i, c)| of(i as f64, &c.map(|a| sign * a)));
-                let solution = solution(all.collect());
+                let solution = candidate(all.collect());
                 let Range { min, max } = solution.range(Field::Deflection);
                 let ends = solution.stretches.iter().flat_map(|of| {
                     [(of.x[0], of.fields(-1.0).deflection), (of.x[1], of.fields(1.0).deflection)]
@@ -552,20 +554,20 @@ mod tests {
         let mut bends = stretch([0.0, 4.0]);
         // w′ = s + s²: least −1/4 at s = −1/2, largest 2 at the right end.
         bends.deflection = [0.0, 0.0, 1.0, 2.0 / 3.0][..].into();
-        let Range { min, max } = solution(vec![bends.clone()]).rotation_range();
+        let Range { min, max } = candidate(vec![bends.clone()]).rotation_range();
         near(&[min.x, min.value, max.x, max.value], &[1.0, -0.25, 4.0, 2.0]);
         let mut shears = stretch([4.0, 6.0]);
         // φ = 3 − 12 s²: largest 3 at the middle, least −9 at both ends.
         shears.rotation = [3.0, 0.0, -12.0][..].into();
         shears.deflection = [0.0, 100.0][..].into();
-        let Range { min, max } = solution(vec![bends, shears]).rotation_range();
+        let Range { min, max } = candidate(vec![bends, shears]).rotation_range();
         near(&[min.x, min.value, max.x, max.value], &[4.0, -9.0, 5.0, 3.0]);
     }
 
     #[test]
     fn a_beam_without_stretches_has_ranges_of_zero() {
         let none = Extreme { x: 0.0, value: 0.0 };
-        assert_eq!(solution(vec![]).range(Field::Moment), Range { min: none, max: none });
-        assert_eq!(solution(vec![]).rotation_range(), Range { min: none, max: none });
+        assert_eq!(candidate(vec![]).range(Field::Moment), Range { min: none, max: none });
+        assert_eq!(candidate(vec![]).rotation_range(), Range { min: none, max: none });
     }
 }

@@ -1,7 +1,8 @@
 //! What the hinges of a solved beam do: how far each turns, and the moment it hands on.
 
 use crate::model::Hinge;
-use crate::solution::solution::{Side, Solution};
+use crate::solution::fields::Side;
+use crate::solution::solution::Solution;
 
 /// What a hinge of the beam does.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,6 +26,6 @@ impl Solution {
             let moment = 0.0 - hinge.rotational_spring * rotation + 0.0;
             HingeTurn { at: hinge.at, rotation, moment }
         };
-        self.model.hinges.iter().map(turn).collect()
+        self.model().hinges.iter().map(turn).collect()
     }
 }

@@ -1,6 +1,7 @@
 //! Where the beam does not touch: free spans, and ends that are in the air.
 
-use crate::solution::solution::{Extreme, Field, Solution};
+use crate::solution::fields::{Extreme, Field};
+use crate::solution::solution::Solution;
 
 /// A stretch of the beam that does not touch: a free span, or an end that is in the air.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,8 +28,8 @@ impl Solution {
     pub fn lift_off(&self) -> Vec<LiftOff> {
         let mut found: Vec<LiftOff> = Vec::new();
         // Nodal contact leaves slivers between touching nodes: within a region they are no lift-off.
-        let inside = |x: [f64; 2]| self.contact.iter().any(|c| c.from <= x[0] && x[1] <= c.to);
-        for stretch in &self.stretches {
+        let inside = |x: [f64; 2]| self.contact().iter().any(|c| c.from <= x[0] && x[1] <= c.to);
+        for stretch in self.stretches() {
             if stretch.open.is_none() || inside(stretch.x) {
                 continue;
             }
@@ -40,7 +41,7 @@ impl Solution {
                 }
             }
             let [from, to] = stretch.x;
-            let parted = self.contact.iter().any(|c| c.from == c.to && c.from == from);
+            let parted = self.contact().iter().any(|c| c.from == c.to && c.from == from);
             match found.last_mut() {
                 Some(last) if last.to == from && !parted => {
                     last.to = to;
@@ -54,7 +55,7 @@ impl Solution {
             }
         }
         for open in &mut found {
-            open.reaches = [open.from <= 0.0, open.to >= self.model.beam.length];
+            open.reaches = [open.from <= 0.0, open.to >= self.model().beam.length];
         }
         found
     }
@@ -62,6 +63,6 @@ impl Solution {
     /// The part of the beam that does not touch, of its length.
     pub fn lifted_share(&self) -> f64 {
         let lifted: f64 = self.lift_off().iter().map(LiftOff::length).sum();
-        lifted / self.model.beam.length
+        lifted / self.model().beam.length
     }
 }

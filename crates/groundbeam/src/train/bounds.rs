@@ -3,7 +3,8 @@
 use super::interval::passing;
 use super::{Train, marks};
 use crate::model::Model;
-use crate::solution::solution::{Field, Side, Solution};
+use crate::solution::fields::{Field, Side};
+use crate::solution::solution::Solution;
 use crate::train::position::{Answer, Position};
 
 /// A value, where on the beam it is, and where the train stands then.

@@ -128,7 +128,7 @@ fn crest(a: f64, middle: f64, b: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solution::solution::Field;
+    use crate::solution::fields::Field;
     use crate::train::position::{SHEAR, SLOPE};
 
     #[test]

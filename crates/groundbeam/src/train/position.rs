@@ -5,7 +5,8 @@ use crate::error::Stopped;
 use crate::existence::existence::Existence;
 use crate::model::{Load, Model};
 use crate::outcome::Outcome;
-use crate::solution::solution::{Field, Fields, Range, Solution};
+use crate::solution::fields::{Field, Fields, Range};
+use crate::solution::solution::Solution;
 use crate::train::{SAME_PLACE, Train, marks};
 
 /// What came out for one position of the train.

@@ -1,0 +1,116 @@
+//! The fields, contact zones and forces of an equilibrium before its certificate, and the memory for the next.
+
+use crate::certificate::{Certificate, Claim, ClaimedPiece, certify};
+use crate::existence::existence::Existence;
+use crate::model::Model;
+use crate::solution::fields::{
+    ConcentratedForce, ContactRegion, EndForces, Fields, Reaction, Side, Stretch,
+};
+
+/// Everything that a certificate judges.
+#[derive(Debug, Clone)]
+pub(crate) struct Candidate {
+    pub model: Model,
+    pub stretches: Vec<Stretch>,
+    pub contact: Vec<ContactRegion>,
+    pub end_forces: EndForces,
+    pub concentrated: Vec<ConcentratedForce>,
+    pub reactions: Vec<Reaction>,
+    pub elements: usize,
+}
+
+impl Candidate {
+    /// The contact zones as pairs of positions \[m\].
+    pub fn contact_positions(&self) -> Vec<[f64; 2]> {
+        self.contact.iter().map(|zone| [zone.from, zone.to]).collect()
+    }
+
+    /// All fields at a position of the beam; where a field jumps, from the given side.
+    pub fn at(&self, x: f64, side: Side) -> Fields {
+        let x = x.clamp(0.0, self.model.beam.length);
+        let stretch = self.stretch_at(x, side);
+        stretch.fields(stretch.local(x))
+    }
+
+    fn stretch_at(&self, x: f64, side: Side) -> &Stretch {
+        let i = match side {
+            Side::Right => self.stretches.partition_point(|s| s.x[1] <= x),
+            Side::Left => self.stretches.partition_point(|s| s.x[1] < x),
+        };
+        &self.stretches[i.min(self.stretches.len() - 1)]
+    }
+
+    /// Existence and uniqueness, with the contact known. Supports that act in one direction hold the beam only
+    /// where they push.
+    pub fn settled_existence(&self, existence: Existence) -> Existence {
+        let contact = self.contact_positions();
+        if !self.model.has_one_way_supports() {
+            return existence.with_contact(&self.model, &contact);
+        }
+        let carries = |i: usize| self.reactions[i].force != 0.0;
+        let holding = self.model.with_supports_that(|i, s| !s.is_one_way() || carries(i));
+        existence.with_contact(&holding, &contact)
+    }
+
+    /// The certificate, by the part of the energy's convexity that compression leaves.
+    pub fn certify(&self, stability: f64) -> Certificate {
+        let EndForces { left, right } = self.end_forces;
+        let mut forces = vec![(0.0, left)];
+        forces.extend(self.concentrated.iter().map(|c| (c.at, c.force)));
+        forces.push((self.model.beam.length, right));
+        let pieces = self.stretches.iter().map(|stretch| ClaimedPiece {
+            x: stretch.x,
+            half: stretch.half,
+            deflection: &stretch.deflection,
+            rotation: &stretch.rotation,
+            pressure: &stretch.pressure,
+            open: stretch.open.map(|ends| {
+                let own = [-1.0, 1.0].map(|s| stretch.cell.settled_at(s)[0]);
+                [ends[0] + own[0], ends[1] + own[1]]
+            }),
+        });
+        let claim = Claim {
+            pieces: pieces.collect(),
+            forces,
+            reactions: self.reactions.iter().map(|r| (r.at, r.force, r.moment)).collect(),
+            stability,
+        };
+        certify(&self.model, &claim)
+    }
+}
+
+/// The memory of candidates that are no longer needed.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Workspace {
+    model: Option<Model>,
+    stretches: Vec<Stretch>,
+    contact: Vec<ContactRegion>,
+    concentrated: Vec<ConcentratedForce>,
+}
+
+impl Workspace {
+    /// Takes over the memory of a candidate.
+    pub fn recycle(&mut self, candidate: Candidate) {
+        let Candidate { model, stretches, contact, concentrated, .. } = candidate;
+        *self = Workspace { model: Some(model), stretches, contact, concentrated };
+    }
+
+    /// A candidate for a model, all of whose lists are empty.
+    pub(super) fn blank(&mut self, model: &Model) -> Candidate {
+        let Workspace { model: memory, mut stretches, mut contact, mut concentrated } =
+            std::mem::take(self);
+        let model = match memory {
+            Some(mut memory) => {
+                memory.become_like(model);
+                memory
+            }
+            None => model.clone(),
+        };
+        stretches.clear();
+        contact.clear();
+        concentrated.clear();
+        let end_forces = EndForces { left: 0.0, right: 0.0 };
+        let (reactions, elements) = (Vec::new(), 0);
+        Candidate { model, stretches, contact, end_forces, concentrated, reactions, elements }
+    }
+}

@@ -1,0 +1,255 @@
+//! Fields, forces and contact zones of a solution, and the closed forms of the fields on a part of the beam.
+
+use crate::ground::link;
+use crate::mesh::cell::Cell;
+use crate::numeric::polynomial::{Coefficients, jet, value};
+
+/// A stretch of contact between beam and ground; of a single point, both ends are equal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactRegion {
+    /// Left end \[m\].
+    pub from: f64,
+    /// Right end \[m\].
+    pub to: f64,
+}
+
+/// The concentrated contact forces p₀ and p_l of (2.6), not negative, pushing the beam up \[N\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EndForces {
+    /// p₀, at x = 0.
+    pub left: f64,
+    /// p_l, at x = l.
+    pub right: f64,
+}
+
+/// A concentrated contact force inside the beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ConcentratedForce {
+    /// Position \[m\].
+    pub at: f64,
+    /// Force, pushing the beam up \[N\].
+    pub force: f64,
+}
+
+/// What a support does to the beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reaction {
+    /// Position \[m\].
+    pub at: f64,
+    /// Force, positive where it pushes the beam up \[N\].
+    pub force: f64,
+    /// Moment, positive where it turns the right side down \[N·m\].
+    pub moment: f64,
+}
+
+/// From which side a value is taken where a field jumps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// Just left of the position.
+    Left,
+    /// Just right of the position.
+    Right,
+}
+
+/// All fields at one point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fields {
+    /// w, down positive \[m\].
+    pub deflection: f64,
+    /// w' \[rad\].
+    pub slope: f64,
+    /// φ, the rotation of the sections: w' where the beam does not shear \[rad\].
+    pub rotation: f64,
+    /// M = −EI (φ' − κ₀), sagging positive, κ₀ the imposed curvature; φ' = w″ where the beam does not shear \[N·m\].
+    pub moment: f64,
+    /// V = M' \[N\].
+    pub shear_force: f64,
+    /// u, the ground's surface, down positive \[m\].
+    pub settlement: f64,
+    /// u + g₀ − w, not negative \[m\].
+    pub gap: f64,
+    /// p, not negative, pushing the beam up \[N/m\].
+    pub pressure: f64,
+}
+
+/// One of the fields.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Field {
+    /// w.
+    Deflection,
+    /// w'.
+    Slope,
+    /// M.
+    Moment,
+    /// V.
+    ShearForce,
+    /// u.
+    Settlement,
+    /// u + g₀ − w.
+    Gap,
+    /// p.
+    Pressure,
+}
+
+impl Field {
+    /// All of them, in the order results list them.
+    pub const ALL: [Field; 7] = [
+        Field::Deflection,
+        Field::Slope,
+        Field::Moment,
+        Field::ShearForce,
+        Field::Settlement,
+        Field::Gap,
+        Field::Pressure,
+    ];
+
+    /// Its place in [`Field::ALL`].
+    pub fn index(self) -> usize {
+        self as usize
+    }
+
+    /// The name that results use: `deflection`, `shear_force`, …
+    pub fn name(self) -> &'static str {
+        match self {
+            Field::Deflection => "deflection",
+            Field::Slope => "slope",
+            Field::Moment => "moment",
+            Field::ShearForce => "shear_force",
+            Field::Settlement => "settlement",
+            Field::Gap => "gap",
+            Field::Pressure => "pressure",
+        }
+    }
+}
+
+impl Fields {
+    /// The value of one field.
+    pub fn get(&self, field: Field) -> f64 {
+        match field {
+            Field::Deflection => self.deflection,
+            Field::Slope => self.slope,
+            Field::Moment => self.moment,
+            Field::ShearForce => self.shear_force,
+            Field::Settlement => self.settlement,
+            Field::Gap => self.gap,
+            Field::Pressure => self.pressure,
+        }
+    }
+}
+
+/// Where a field is largest or smallest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extreme {
+    /// Position \[m\]; of several the leftmost.
+    pub x: f64,
+    /// Value of the field there.
+    pub value: f64,
+}
+
+/// The smallest and the largest value of a field on the beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// The smallest value.
+    pub min: Extreme,
+    /// The largest value.
+    pub max: Extreme,
+}
+
+/// A part of the beam on which every field is one closed form.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Stretch {
+    /// Its ends \[m\].
+    pub x: [f64; 2],
+    /// Half its length \[m\]: not the difference of its ends, which are rounded.
+    pub half: f64,
+    /// The cell it lies in, cut to its ends: coefficients of ground, beam and loads.
+    pub cell: Cell,
+    /// Coefficients of w(s).
+    pub deflection: Coefficients,
+    /// Coefficients of φ(s); none where the beam does not shear.
+    pub rotation: Coefficients,
+    /// Coefficients of M(s).
+    pub moment: Coefficients,
+    /// Coefficients of p(s).
+    pub pressure: Coefficients,
+    /// Off contact, u at both ends.
+    pub open: Option<[f64; 2]>,
+    /// Off contact where the ground varies: coefficients of u(s).
+    pub settlement: Coefficients,
+}
+
+impl Stretch {
+    /// b·h of the open ground.
+    fn decay(&self) -> f64 {
+        (self.cell.spring / self.cell.shear).sqrt() * 2.0 * self.half
+    }
+
+    fn gap_at(&self, s: f64) -> f64 {
+        let [left, right] = self.cell.gap;
+        0.5 * (left + right) + 0.5 * (right - left) * s
+    }
+
+    /// u and u'.
+    pub(crate) fn settlement(&self, s: f64, w: f64, slope: f64) -> [f64; 2] {
+        match self.open {
+            None => [w - self.gap_at(s), slope - self.cell.gap_slope],
+            Some(ends) => {
+                let ([u, du], [own, sinks]) = (self.pressed(s, ends), self.cell.settled_at(s));
+                [u + own, du + sinks]
+            }
+        }
+    }
+
+    /// What the beam's pressure elsewhere adds to u and u' of open ground.
+    pub(crate) fn pressed(&self, s: f64, [left, right]: [f64; 2]) -> [f64; 2] {
+        if [left, right] == [0.0; 2] {
+            return [0.0; 2];
+        }
+        if !self.settlement.is_empty() {
+            let [u, du, ..] = jet(&self.settlement, s);
+            return [u, du / self.half];
+        }
+        let t = 0.5 * (1.0 + s);
+        let bh = self.decay();
+        let b = bh / (2.0 * self.half);
+        let slope = link::slope_between(left, right, bh, t);
+        [link::between(left, right, bh, t), b * slope]
+    }
+
+    pub(crate) fn fields(&self, s: f64) -> Fields {
+        let per_length = 1.0 / self.half;
+        let [w, dw, ..] = jet(&self.deflection, s);
+        let slope = dw * per_length;
+        let [moment, dm, ..] = jet(&self.moment, s);
+        let [settlement, _] = self.settlement(s, w, slope);
+        let gap = match self.open {
+            None => 0.0,
+            Some(_) => settlement + self.gap_at(s) - w,
+        };
+        Fields {
+            deflection: w,
+            slope,
+            rotation: if self.rotation.is_empty() { slope } else { value(&self.rotation, s) },
+            moment,
+            shear_force: dm * per_length,
+            settlement,
+            gap,
+            pressure: value(&self.pressure, s),
+        }
+    }
+
+    pub(crate) fn local(&self, x: f64) -> f64 {
+        let [from, to] = self.x;
+        let s = if x - from <= to - x {
+            (x - from) / self.half - 1.0
+        } else {
+            1.0 - (to - x) / self.half
+        };
+        s.clamp(-1.0, 1.0)
+    }
+
+    pub(crate) fn global(&self, s: f64) -> f64 {
+        let [from, to] = self.x;
+        if s <= 0.0 { from + self.half * (1.0 + s) } else { to - self.half * (1.0 - s) }
+    }
+}

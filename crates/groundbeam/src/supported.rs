@@ -1,0 +1,181 @@
+//! Which features of a model each way of solving supports: one table, the only source of "not supported".
+//!
+//! ```
+//! use groundbeam::supported::{Feature, Way, refusal};
+//!
+//! assert_eq!(refusal(Feature::BeamShear, Way::Exact), None);
+//! assert_eq!(refusal(Feature::BeamShear, Way::ActiveSet), Some("GB614"));
+//! ```
+
+use crate::error::Error;
+use crate::mesh::mesh::Mesh;
+use crate::model::refused::{self, Refusal};
+use crate::model::{Load, Model, Part, Problem};
+use crate::options::{Method, Options, Pressure};
+
+/// A way to solve a model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Way {
+    /// [`Method::Exact`].
+    Exact,
+    /// [`Method::ActiveSet`] with distributed pressure.
+    ActiveSet,
+    /// [`Method::ActiveSet`] with the paper's forces at nodes, (5.5).
+    NodalForces,
+    /// [`Method::Psor`] and [`Method::Uzawa`].
+    Iteration,
+    /// [`NodalSolver`](crate::NodalSolver): values at the nodes of a long beam.
+    Nodes,
+    /// [`load_factors`](crate::load_factors()).
+    LoadFactors,
+}
+
+impl Way {
+    /// All ways, in the order of the table's columns.
+    pub const ALL: [Way; 6] = [
+        Way::Exact,
+        Way::ActiveSet,
+        Way::NodalForces,
+        Way::Iteration,
+        Way::Nodes,
+        Way::LoadFactors,
+    ];
+
+    /// The way that options ask for.
+    pub(crate) fn of(options: &Options) -> Self {
+        match (options.method, options.pressure) {
+            (Method::Exact, _) => Way::Exact,
+            (Method::ActiveSet, Pressure::Distributed) => Way::ActiveSet,
+            (Method::ActiveSet, Pressure::Dirac) => Way::NodalForces,
+            (Method::Psor | Method::Uzawa, _) => Way::Iteration,
+        }
+    }
+}
+
+/// A feature of a model that not every way supports.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Feature {
+    /// Compression beyond the beam's own buckling load: the equilibrium is a local one.
+    LocalEquilibrium,
+    /// Ground without a shear layer somewhere under the beam, μ = 0.
+    NoShearLayer,
+    /// A beam that shears.
+    BeamShear,
+    /// Loads on the ground.
+    GroundLoads,
+    /// Supports.
+    Supports,
+    /// Hinges.
+    Hinges,
+    /// Stiffness or ground that varies along a segment.
+    Varying,
+}
+
+impl Feature {
+    /// All features, in the order of the table's rows, in which they are also looked for.
+    pub const ALL: [Feature; 7] = [
+        Feature::LocalEquilibrium,
+        Feature::NoShearLayer,
+        Feature::BeamShear,
+        Feature::GroundLoads,
+        Feature::Supports,
+        Feature::Hinges,
+        Feature::Varying,
+    ];
+
+    /// The row of the table: by the order of [`Way::ALL`], why the way refuses the feature; `None` where it supports it.
+    const fn row(self) -> [Option<&'static Refusal>; 6] {
+        use refused::*;
+        let yes = None;
+        match self {
+            Feature::LocalEquilibrium => {
+                let local = Some(&LOCAL_BY_ANOTHER_METHOD);
+                [yes, local, local, local, local, Some(&FACTORS_OF_A_LOCAL_EQUILIBRIUM)]
+            }
+            Feature::NoShearLayer => {
+                let forces = Some(&NODAL_FORCES_ON_SPRINGS);
+                [yes, yes, forces, forces, forces, yes]
+            }
+            Feature::BeamShear => {
+                let shear = Some(&SHEAR_BY_ANOTHER_METHOD);
+                [yes, shear, shear, shear, shear, yes]
+            }
+            Feature::GroundLoads => {
+                let only_exactly = Some(&ONLY_EXACTLY);
+                [yes, only_exactly, only_exactly, only_exactly, only_exactly, yes]
+            }
+            Feature::Supports => [yes, yes, yes, yes, Some(&NODAL_WITH_SUPPORTS), yes],
+            Feature::Hinges => {
+                [yes, yes, yes, Some(&ITERATION_WITH_HINGES), Some(&NODAL_WITH_HINGES), yes]
+            }
+            Feature::Varying => [yes, yes, yes, yes, Some(&NODAL_WHERE_IT_VARIES), yes],
+        }
+    }
+
+    /// The part of a model that has the feature, and the field of that part. A local equilibrium is known from
+    /// `is_local` alone.
+    fn of(self, model: &Model, is_local: bool) -> Option<(Part, &'static str)> {
+        match self {
+            Feature::LocalEquilibrium => is_local.then_some((Part::Beam, "axial_force")),
+            Feature::NoShearLayer => without_shear_layer(model).map(|part| (part, "shear")),
+            Feature::BeamShear => {
+                let beam = &model.beam;
+                let segment = beam.segments.iter().position(|s| s.shear_stiffness.is_some());
+                let segment = segment.filter(|_| beam.shear_stiffness.is_none());
+                let part = segment.map_or(Part::Beam, Part::BeamSegment);
+                beam.shears().then_some((part, "shear_stiffness"))
+            }
+            Feature::GroundLoads => {
+                let load = model.loads.iter().position(Load::is_on_ground);
+                load.map(|load| (Part::Load(load), "at"))
+            }
+            Feature::Supports => (!model.supports.is_empty()).then_some((Part::Support(0), "at")),
+            Feature::Hinges => (!model.hinges.is_empty()).then_some((Part::Hinge(0), "at")),
+            Feature::Varying => model.varying_part().map(|part| match part {
+                Part::BeamSegment(_) => (part, "bending_stiffness"),
+                _ => (part, "spring"),
+            }),
+        }
+    }
+}
+
+/// The code of the error with which a way refuses a feature; `None` where it supports the feature.
+pub fn refusal(feature: Feature, way: Way) -> Option<&'static str> {
+    feature.row()[way as usize].map(|refusal| refusal.code)
+}
+
+/// Refuses a model with a feature that the way does not support.
+pub(crate) fn check(model: &Model, way: Way, is_local: bool) -> Result<(), Error> {
+    for feature in Feature::ALL {
+        if let Some(refusal) = feature.row()[way as usize]
+            && let Some((part, field)) = feature.of(model, is_local)
+        {
+            return Err(Error::Unsupported(Problem::refused(refusal, part, field)));
+        }
+    }
+    Ok(())
+}
+
+/// The part of the model that gives ground without a shear layer under the beam.
+fn without_shear_layer(model: &Model) -> Option<Part> {
+    let ground = &model.foundation;
+    let mesh = Mesh::build(model, &[], |_| 1);
+    let cell = mesh.cells.iter().find(|cell| cell.shear == 0.0)?;
+    let middle = 0.5 * (cell.x[0] + cell.x[1]);
+    let segment = ground.segments.iter().position(|s| s.from <= middle && middle < s.to);
+    Some(segment.map_or(Part::Foundation, Part::FoundationSegment))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A way is its own column, and the exact method supports everything.
+    #[test]
+    fn the_table_has_a_column_for_each_way() {
+        for (column, way) in Way::ALL.into_iter().enumerate() {
+            assert_eq!(way as usize, column);
+        }
+        assert!(Feature::ALL.iter().all(|feature| refusal(*feature, Way::Exact).is_none()));
+    }
+}
