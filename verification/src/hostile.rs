@@ -33,7 +33,7 @@ pub fn exercise(model: &Model) {
         match solve_with(model, &options) {
             Ok(Outcome::Equilibrium(solution)) => show(&solution, &context),
             Ok(Outcome::NoEquilibrium(existence)) => {
-                json::no_equilibrium(model, &existence, &context);
+                json::existence(model, &existence, &context);
             }
             Err(error) => drop(error.to_string()),
         }

@@ -1,7 +1,9 @@
 //! Passages of trains against closed forms, brute force and the mirror.
 
-use groundbeam::train::{Axle, Passage, Sweep, Train};
-use groundbeam::{Beam, Field, Foundation, Load, Model, Options, Outcome, Side, solve, solve_near};
+use groundbeam::model::{Axle, Train};
+use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, Side, solve};
+use groundbeam_file::MovingTrain;
+use groundbeam_run::{Answers, OneThread, Run};
 use groundbeam_verification::random::{Family, model};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -26,10 +28,13 @@ fn beta() -> f64 {
     (K / (4.0 * EI)).powf(0.25)
 }
 
-fn passage(model: &Model, train: &Train, range: [f64; 2]) -> Passage {
-    Sweep::new(model, train, range, 1e-3)
-        .run(|model, near| solve_near(model, &Options::default(), near))
-        .unwrap()
+fn run(model: &Model, train: &Train, range: [f64; 2]) -> Run {
+    let (name, train) = ("train".to_owned(), train.clone());
+    Run::train(model.clone().into(), MovingTrain { name, set: None, factor: 1.0, train, range })
+}
+
+fn answers(model: &Model, train: &Train, range: [f64; 2]) -> Answers {
+    run(model, train, range).solve(&OneThread).unwrap()
 }
 
 /// Zimmermann, Die Berechnung des Eisenbahnoberbaues (1888), and Hetényi, Beams on Elastic Foundation (1946), § 3: under
@@ -37,7 +42,8 @@ fn passage(model: &Model, train: &Train, range: [f64; 2]) -> Passage {
 #[test]
 fn a_wheel_on_a_long_rail_that_its_weight_holds_down() {
     let (force, weight) = (100e3, 40e3);
-    let passage = passage(&rail(20.0, weight), &single(force), [0.0, 20.0]);
+    let answers = answers(&rail(20.0, weight), &single(force), [0.0, 20.0]);
+    let passage = answers.passages().all[0];
     assert!(passage.reach().largest() <= 1e-3, "{:?}", passage.reach());
     assert_eq!(passage.uplift().ahead, None);
     let moment = force / (4.0 * beta());
@@ -60,7 +66,10 @@ fn a_wheel_on_a_long_rail_that_its_weight_holds_down() {
 fn a_rail_lifts_ahead_of_the_wheel_and_behind_it() {
     let weight = 3e3;
     let limit = 2.0 * weight * PI.exp() / beta();
-    let uplift = |force: f64| passage(&rail(30.0, weight), &single(force), [12.0, 18.0]).uplift();
+    let uplift = |force: f64| {
+        let answers = answers(&rail(30.0, weight), &single(force), [12.0, 18.0]);
+        answers.passages().all[0].uplift()
+    };
     let before = uplift(0.999 * limit);
     assert_eq!((before.ahead, before.between, before.behind), (None, None, None));
     let after = uplift(1.01 * limit);
@@ -75,7 +84,8 @@ fn a_rail_lifts_ahead_of_the_wheel_and_behind_it() {
 #[test]
 fn free_spans_are_those_of_the_positions() {
     let (model, train) = (rail(30.0, 3e3), single(250e3));
-    let passage = passage(&model, &train, [0.0, 30.0]);
+    let answers = answers(&model, &train, [0.0, 30.0]);
+    let passage = answers.passages().all[0];
     let found = passage.free_spans().unwrap();
     let [_, highest] = passage.range(Field::Gap).unwrap();
     let gap = found.highest.stretch.largest_gap;
@@ -101,10 +111,9 @@ fn free_spans_are_those_of_the_positions() {
     assert!((found.longest.stretch.length() - longest).abs() <= 2.0 * step, "{longest} {found:?}");
     assert!(gap.value >= largest && gap.value < 1.01 * largest, "{largest} {found:?}");
     // A wheel that nothing lifts from.
-    let light = Sweep::new(&rail(30.0, 40e3), &single(1e3), [10.0, 20.0], 1e-2)
-        .run(|model, near| solve_near(model, &Options::default(), near))
-        .unwrap();
-    assert_eq!(light.free_spans(), None);
+    let light = run(&rail(30.0, 40e3), &single(1e3), [10.0, 20.0]).with_error(1e-2);
+    let light = light.solve(&OneThread).unwrap();
+    assert_eq!(light.passages().all[0].free_spans(), None);
 }
 
 /// A wheel down and one up 9 m behind it: a slab tips about its right end where the moments about it vanish,
@@ -115,7 +124,8 @@ fn a_slab_tips_where_the_statics_say() {
     let slab = Model::new(Beam::uniform(l, 1e9), Foundation::pasternak(40e6, 4e6))
         .with_load(Load::uniform(q, 0.0, l));
     let train = Train { axles: vec![axle(0.0, force), axle(9.0, -0.75 * force)], uniform: vec![] };
-    let passage = passage(&slab, &train, [9.0, 10.0]);
+    let answers = answers(&slab, &train, [9.0, 10.0]);
+    let passage = answers.passages().all[0];
     let edge = l - (0.75 * 9.0 * force - 0.5 * q * l * l) / (0.25 * force);
     let [[from, to]] = passage.without_equilibrium() else {
         panic!("{edge}: {:?}", passage.without_equilibrium())
@@ -148,13 +158,14 @@ fn brute_force_stays_within_the_envelope() {
     let mut faults = Vec::new();
     for (name, model) in random() {
         let (train, l) = (single(suited(&model).axles[0].force), model.beam.length);
-        let passage = passage(&model, &train, [0.2 * l, 0.8 * l]);
+        let answers = answers(&model, &train, [0.2 * l, 0.8 * l]);
+        let passage = answers.passages().all[0];
         let scale = Field::ALL.map(|field| {
             let [min, max] =
                 passage.range(field).map_or([0.0; 2], |r| r.map(|end| end.value.abs()));
             min.max(max)
         });
-        let count = (20 * passage.positions().len()).min(1500);
+        let count = (20 * passage.answers().len()).min(1500);
         let sections: Vec<f64> = (0..=24).map(|i| l * f64::from(i) / 24.0).collect();
         let bounds: Vec<_> = sections.iter().map(|&x| passage.at(x)).collect();
         let mut worst = (0.0_f64, Field::Deflection, 0.0, 0.0);
@@ -176,7 +187,7 @@ fn brute_force_stays_within_the_envelope() {
             }
         }
         let reach = passage.reach();
-        println!("{name}: {} positions, {reach:?}, {worst:?}", passage.positions().len());
+        println!("{name}: {} positions, {reach:?}, {worst:?}", passage.answers().len());
         if worst.0 > reach.asked.max(reach.of(worst.1)) {
             faults.push(format!("{name}: {worst:?} {reach:?}"));
         }
@@ -190,10 +201,12 @@ fn a_mirror_changes_nothing() {
     for (name, model) in random() {
         let (train, l) = (suited(&model), model.beam.length);
         let [from, to] = [0.2 * l, 0.8 * l];
-        let seen = passage(&model, &train, [from, to]);
+        let seen = answers(&model, &train, [from, to]);
+        let seen = seen.passages().all[0];
         // The last axle is the first.
         let mirrored = [to, from].map(|s| l - s + train.length());
-        let image = passage(&model.mirrored(), &train.mirrored(), mirrored);
+        let image = answers(&model.mirrored(), &train.mirrored(), mirrored);
+        let image = image.passages().all[0];
         for field in [Field::Deflection, Field::Moment, Field::Settlement] {
             let (Some(a), Some(b)) = (seen.range(field), image.range(field)) else {
                 assert!(seen.range(field).is_none() && image.range(field).is_none(), "{name}");

@@ -42,7 +42,7 @@ pub fn check<'a>(
     }
     match faults.len() {
         0 => Ok(()),
-        _ => Err(Failure::together(faults.into_iter().map(Failure::usage).collect())),
+        _ => Err(Failure::together(&faults.into_iter().map(Failure::usage).collect::<Vec<_>>())),
     }
 }
 

@@ -1,8 +1,8 @@
 //! Why there is no answer, on standard error.
 
-use crate::Status;
-use crate::output::standard_error_has_colour;
-use groundbeam_file::{Diagnostic, Diagnostics, printable};
+use crate::colour::standard_error_has_colour;
+use crate::status::Status;
+use groundbeam_file::{Diagnostics, printable};
 use std::fmt::Display;
 use std::path::Path;
 use std::process::ExitCode;
@@ -12,16 +12,12 @@ pub struct Failure {
     /// Ends in a newline.
     shown: String,
     status: Status,
-    /// The same in one line, without colour.
-    message: String,
-    /// The faults of the model file, where it is the file that is wrong.
-    found: Vec<Diagnostic>,
 }
 
 impl Failure {
     /// The command line is wrong.
     pub fn usage(message: String) -> Self {
-        Failure { shown: headline(&message), status: Status::Wrong, message, found: Vec::new() }
+        Failure { shown: headline(&message), status: Status::Wrong }
     }
 
     /// A file that cannot be read or written.
@@ -32,32 +28,18 @@ impl Failure {
     /// A text with faults at their places.
     pub fn diagnostics(found: &Diagnostics, name: &str, text: &str) -> Self {
         let shown = found.render(name, text, standard_error_has_colour());
-        let message = found.iter().next().map_or_else(String::new, ToString::to_string);
-        Failure { shown, status: Status::Wrong, message, found: found.as_slice().to_vec() }
+        Failure { shown, status: Status::Wrong }
     }
 
     /// A report that is no solution.
     pub fn reported(shown: String, status: Status) -> Self {
-        Failure { shown, status, message: String::new(), found: Vec::new() }
+        Failure { shown, status }
     }
 
     /// Several of one file as one.
-    pub fn together(all: Vec<Failure>) -> Self {
+    pub fn together(all: &[Failure]) -> Self {
         let shown: Vec<&str> = all.iter().map(|failure| failure.shown.as_str()).collect();
-        let shown = shown.join("\n");
-        let message = all.first().map_or_else(String::new, |failure| failure.message.clone());
-        let found = all.into_iter().flat_map(|failure| failure.found).collect();
-        Failure { shown, status: Status::Wrong, message, found }
-    }
-
-    /// What is wrong, in one line.
-    pub fn message(&self) -> &str {
-        &self.message
-    }
-
-    /// The faults of the model file, where it is the file that is wrong.
-    pub fn found(&self) -> &[Diagnostic] {
-        &self.found
+        Failure { shown: shown.join("\n"), status: Status::Wrong }
     }
 
     /// Shows it and gives the exit status.

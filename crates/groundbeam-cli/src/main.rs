@@ -2,10 +2,11 @@
 //! `groundbeam` and `groundbeam_report`.
 
 mod check;
-mod combinations;
+mod colour;
 mod compare;
 mod distinct;
 mod failure;
+mod host;
 mod input;
 mod output;
 mod pages;
@@ -13,15 +14,15 @@ mod request;
 mod serve;
 mod solve;
 mod starter;
+mod status;
 mod study;
-mod trains;
 mod typed;
 mod waiting;
 
 use clap::Parser;
 use failure::Failure;
-use groundbeam_report::Overall;
 use request::Request;
+use status::Status;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -32,37 +33,6 @@ fn main() -> ExitCode {
     match Request::of(typed).and_then(run) {
         Ok(status) => status.into(),
         Err(failure) => failure.report(),
-    }
-}
-
-/// What the program says to the one who called it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Status {
-    /// Solved, or whatever else was asked for is done.
-    Done = 0,
-    /// The input or the command line is wrong.
-    Wrong = 2,
-    /// The model is right and has no equilibrium.
-    NoEquilibrium = 3,
-    /// The solver did not meet its own tolerance.
-    NotConverged = 4,
-    /// Stopped from the keyboard; what is done is kept.
-    Interrupted = 130,
-}
-
-impl From<Overall> for Status {
-    fn from(overall: Overall) -> Self {
-        match overall {
-            Overall::Solved => Status::Done,
-            Overall::NoEquilibrium => Status::NoEquilibrium,
-            Overall::NotConverged => Status::NotConverged,
-        }
-    }
-}
-
-impl From<Status> for ExitCode {
-    fn from(status: Status) -> Self {
-        ExitCode::from(status as u8)
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::request::{Format, Plot, Report, Setting};
-use groundbeam_report::{Context, Found, html};
+use groundbeam_report::{Results, html};
 use std::fmt::Display;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::path::Path;
@@ -11,22 +11,6 @@ use std::path::Path;
 /// Whether a person reads standard output.
 pub fn standard_output_is_a_terminal() -> bool {
     io::stdout().is_terminal()
-}
-
-/// Whether standard output shows colour.
-pub fn standard_output_has_colour() -> bool {
-    io::stdout().is_terminal() && colour_is_wanted()
-}
-
-/// Whether standard error shows colour.
-pub fn standard_error_has_colour() -> bool {
-    io::stderr().is_terminal() && colour_is_wanted()
-}
-
-/// See no-color.org.
-fn colour_is_wanted() -> bool {
-    let unset = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
-    unset && std::env::var_os("TERM").is_none_or(|term| term != "dumb")
 }
 
 /// Prints to standard output. A reader that has seen enough is no failure.
@@ -56,14 +40,9 @@ pub fn draw<E: Display>(
 }
 
 /// Writes the calculation report, if one is asked for.
-pub fn report(
-    wanted: Option<&Report>,
-    found: &Found,
-    context: &Context,
-    input: &Input,
-) -> Result<(), Failure> {
+pub fn report(wanted: Option<&Report>, results: &Results, input: &Input) -> Result<(), Failure> {
     let Some(Report { path, setting }) = wanted else { return Ok(()) };
-    let report = found.calculation(context, &input.source());
+    let report = results.calculation(&input.source());
     let bytes = match *setting {
         Setting::Html(paper) => html::report(&report, paper)
             .map(String::into_bytes)

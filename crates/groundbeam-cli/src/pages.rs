@@ -1,8 +1,8 @@
 //! What the command line says about itself: completion scripts and the manual page.
 
-use crate::Status;
 use crate::failure::Failure;
 use crate::output::print;
+use crate::status::Status;
 use crate::typed::Typed;
 use clap::CommandFactory;
 use clap_complete::Shell;

@@ -3,7 +3,6 @@
 use crate::distinct::Output;
 use crate::failure::Failure;
 use crate::typed::{self, Command, Typed};
-use crate::waiting::Audience;
 use clap_complete::Shell;
 use groundbeam::Options;
 use groundbeam_report::calculation::Paper;
@@ -39,28 +38,9 @@ pub struct Solve {
     /// Whether a terminal shows the beam below the report.
     pub drawing: bool,
     pub options: Options,
-    pub audience: Audience,
 }
 
 impl Solve {
-    /// What a page asks for: the answer itself, by the default method.
-    pub fn for_page(combination: Option<String>) -> Self {
-        Solve {
-            file: PathBuf::new(),
-            json: true,
-            csv: None,
-            plot: None,
-            report: None,
-            history: None,
-            at: None,
-            factors: None,
-            combination,
-            drawing: false,
-            options: Options::default(),
-            audience: Audience::Page,
-        }
-    }
-
     /// The first option given that is about a single answer.
     pub fn about_one_answer(&self) -> Option<&'static str> {
         let history = self.history.as_ref().map(|_| "--history");
@@ -247,7 +227,6 @@ impl Solve {
             factors: typed.factors.map(|cases| cases.map_or(Grow::All, Grow::Cases)),
             drawing: !typed.no_drawing,
             options,
-            audience: Audience::Caller,
         })
     }
 

@@ -1,9 +1,9 @@
 //! `groundbeam new`: model files to begin with.
 
-use crate::Status;
 use crate::failure::Failure;
 use crate::output::print;
 use crate::request::New;
+use crate::status::Status;
 use crate::typed::Starter;
 use groundbeam_file::printable;
 use std::fs::OpenOptions;

@@ -1,11 +1,11 @@
 //! `groundbeam study` and `groundbeam merge`
 
-use crate::Status;
+use crate::colour::{standard_error_has_colour, standard_output_has_colour};
 use crate::distinct;
 use crate::failure::Failure;
-use crate::input::units;
-use crate::output::{draw, print, standard_error_has_colour, standard_output_has_colour};
+use crate::output::{draw, print};
 use crate::request::{Merge, Study};
+use crate::status::Status;
 use groundbeam_file::output::Target;
 use groundbeam_file::printable;
 use groundbeam_file::study::{StudyError, read_study};
@@ -49,7 +49,7 @@ pub fn run(request: &Study) -> Result<Status, Failure> {
     let kept = || format!("all samples are in {}; the same command sums them up", out.display());
     let summary = summary.map_err(|error| ended(&error, kept))?;
     let seconds = (solved == draws.plan().samples).then_some(seconds);
-    let units = units(draws.study().document.units);
+    let units = draws.study().document.units.into();
     let context = Context { seconds, ..Context::new(units) };
     let (svg, png) = (|| svg::study(&summary, &context), || png::study(&summary, &context));
     draw(request.plot.as_ref(), svg, png)?;

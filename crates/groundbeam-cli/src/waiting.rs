@@ -13,39 +13,16 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// Between two pictures.
 const TICK: Duration = Duration::from_millis(120);
 
-/// Who waits for an answer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Audience {
-    /// Whoever called the program, perhaps at a terminal.
-    Caller,
-    /// A page, which shows by itself that it waits.
-    Page,
-}
-
-impl Audience {
-    fn looks_at_terminal(self) -> bool {
-        self == Audience::Caller && std::io::stderr().is_terminal()
-    }
-}
-
-/// Does some work; if a person waits for it, shows that it goes on.
-pub fn while_working<T>(words: String, audience: Audience, work: impl FnOnce() -> T) -> T {
-    let sign = audience.looks_at_terminal().then(|| Sign::start(words, None));
-    let done = work();
-    drop(sign);
-    done
-}
-
-/// Does so many pieces of work, and calls what it is given after each; if a person waits, shows how many are done.
-pub fn while_counting<T>(
+/// Does some work, and calls what it is given after each piece. At a terminal it shows that work goes on, and of several
+/// pieces how many are done.
+pub fn while_working<T>(
     words: String,
     pieces: usize,
-    audience: Audience,
     work: impl FnOnce(&(dyn Fn() + Sync)) -> T,
 ) -> T {
     let count = Arc::new(AtomicU64::new(0));
-    let counted = Some((pieces as u64, Arc::clone(&count)));
-    let sign = audience.looks_at_terminal().then(|| Sign::start(words, counted));
+    let counted = (pieces > 1).then(|| (pieces as u64, Arc::clone(&count)));
+    let sign = std::io::stderr().is_terminal().then(|| Sign::start(words, counted));
     let done = work(&|| {
         count.fetch_add(1, Ordering::Relaxed);
     });

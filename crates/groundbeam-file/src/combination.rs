@@ -7,8 +7,8 @@ use crate::document::Document;
 use crate::fault::Fault;
 use crate::source::Source;
 use crate::suggest::nearest;
+use groundbeam::Model;
 use groundbeam::soil::Bed;
-use groundbeam::{Error, Model, Options, Outcome, Solution, solve_near};
 
 /// More combinations than this a file may not have.
 pub(crate) const MOST: usize = 1000;
@@ -48,35 +48,22 @@ pub struct Combination {
     pub bed: Option<Bed>,
 }
 
-impl Combination {
-    /// Solves it, on the ground that the solution itself makes of the soil where the file gives one.
-    ///
-    /// # Errors
-    ///
-    /// As [`groundbeam::solve_with`].
-    pub fn solve(&self, options: &Options) -> Result<Outcome, Error> {
-        self.solve_near(&self.model, options, None)
-    }
-
-    /// Solves another model on the same soil, of which a near one's solution may be known.
-    ///
-    /// # Errors
-    ///
-    /// As [`groundbeam::solve_near`].
-    pub fn solve_near(
-        &self,
-        model: &Model,
-        options: &Options,
-        near: Option<&Solution>,
-    ) -> Result<Outcome, Error> {
-        match &self.bed {
-            Some(bed) => Ok(bed.solve(model, options)?.outcome),
-            None => solve_near(model, options, near),
+impl From<Model> for Combination {
+    /// All loads of a model, as a combination without a name.
+    fn from(model: Model) -> Self {
+        let loads = (0..model.loads.len()).collect();
+        Combination {
+            name: String::new(),
+            factors: Vec::new(),
+            model,
+            loads,
+            ground: None,
+            bed: None,
         }
     }
 }
 
-/// A load case all by itself.
+/// A load case by itself.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadCase {
     /// Its name.
@@ -166,13 +153,14 @@ impl Document {
 
     /// Every load as it is written, on the ground as it is written: a combination without a name.
     pub fn as_written(&self) -> Combination {
-        Combination {
-            name: String::new(),
-            factors: Vec::new(),
-            model: self.model.clone(),
-            loads: (0..self.model.loads.len()).collect(),
-            ground: None,
-            bed: self.bed.clone(),
+        Combination { bed: self.bed.clone(), ..Combination::from(self.model.clone()) }
+    }
+
+    /// The title of results of one combination: `Footing: ULS 1`.
+    pub fn title_of(&self, combination: &Combination) -> String {
+        match &self.title {
+            Some(title) => format!("{title}: {}", combination.name),
+            None => combination.name.clone(),
         }
     }
 

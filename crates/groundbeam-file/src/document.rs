@@ -9,10 +9,9 @@ use crate::fault::Fault;
 use crate::reader::Field;
 use crate::source::Source;
 use crate::units::UnitSystem;
-use groundbeam::model::{Part, Problem};
+use groundbeam::model::{Part, Problem, Train};
 use groundbeam::soil::Bed;
-use groundbeam::train::Train;
-use groundbeam::{Error, Limits, Model, Options, Outcome};
+use groundbeam::{Error, Limits, Model};
 use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::Arc;
@@ -91,14 +90,15 @@ impl Document {
         &self.source.text
     }
 
-    /// Solves the model as it is written, on the ground that the solution itself makes of the soil where the
-    /// file gives one.
-    ///
-    /// # Errors
-    ///
-    /// As [`groundbeam::solve_with`].
-    pub fn solve(&self, options: &Options) -> Result<Outcome, Error> {
-        self.as_written().solve(options)
+    /// The faults that a solve found in the model, each at its place; none for an error that is not about the model.
+    pub fn diagnostics_for(&self, error: &Error) -> Vec<Diagnostic> {
+        let problems = match error {
+            Error::Invalid(problems) => &problems[..],
+            Error::Unsupported(problem) => std::slice::from_ref(problem),
+            Error::TooLarge(refused) => std::slice::from_ref(&refused.problem),
+            _ => &[],
+        };
+        problems.iter().map(|problem| self.diagnostic_for(problem)).collect()
     }
 
     /// Where the table of a part begins: the bytes of its heading.

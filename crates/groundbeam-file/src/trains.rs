@@ -1,7 +1,7 @@
 //! Trains of codes of practice: the data files in `trains/`.
 
 use crate::quantity::{FORCE, LOAD_PER_LENGTH, POSITION};
-use groundbeam::train::{Axle, Train, UniformPart};
+use groundbeam::model::{Axle, Train, UniformPart};
 use serde::Deserialize;
 use std::sync::LazyLock;
 

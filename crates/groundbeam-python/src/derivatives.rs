@@ -1,7 +1,8 @@
 //! Derivatives by name: what is asked for in words, and answered in arrays.
 
 use crate::failure::Failure;
-use crate::solution::{Solution, field, side};
+use crate::names::{field, side};
+use groundbeam::Solution;
 use groundbeam::sensitivity::{Output, Parameter};
 use groundbeam_report::Units;
 
@@ -33,9 +34,11 @@ pub fn parameter(name: &str) -> Result<Parameter, Failure> {
     })
 }
 
-/// Derivatives of all outputs by all parameters.
+/// Derivatives of all outputs by all parameters; those of the ground are refused where it is made of soil.
 pub fn gradients(
     solution: &Solution,
+    on_soil: bool,
+    units: Units,
     outputs: &[Asked],
     parameters: &[String],
 ) -> Result<Gradients, Failure> {
@@ -43,19 +46,19 @@ pub fn gradients(
     let by: Vec<Parameter> =
         parameters.iter().map(|name| parameter(name)).collect::<Result<_, _>>()?;
     for (name, parameter) in parameters.iter().zip(&by) {
-        if solution.combination.bed.is_some() && parameter.is_of_ground() {
+        if on_soil && parameter.is_of_ground() {
             let why = "the model's ground is made of its soil";
             return Err(Failure::Asked(format!("parameter `{name}`: {why}")));
         }
-        if parameter.value(solution.found.model()).is_none() {
+        if parameter.value(solution.model()).is_none() {
             let why =
                 "the model has no such number, or gives it by segments that vary: try a factor";
             return Err(Failure::Asked(format!("parameter `{name}`: {why}")));
         }
     }
-    let found = solution.found.gradients(&outputs, &by);
+    let found = solution.gradients(&outputs, &by);
     let found = found.map_err(|why| Failure::Asked(why.to_string()))?;
-    let si = solution.read.units() == Units::Si;
+    let si = units == Units::Si;
     let words = |one_sided: &[groundbeam::sensitivity::OneSided]| {
         one_sided.iter().map(|why| why.in_words(if si { " m" } else { "" })).collect()
     };

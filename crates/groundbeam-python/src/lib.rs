@@ -5,11 +5,13 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
+mod answers;
 mod batch;
-mod combinations;
 mod derivatives;
 mod failure;
 mod model;
+mod names;
+mod read;
 mod solution;
 mod study;
 mod threads;
@@ -19,9 +21,9 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _native {
     #[pymodule_export]
-    use super::batch::solve_many;
+    use super::answers::Answers;
     #[pymodule_export]
-    use super::combinations::Combinations;
+    use super::batch::solve_many;
     #[pymodule_export]
     use super::model::{Model, text_of};
     #[pymodule_export]

@@ -1,25 +1,19 @@
 //! A model as text, read; and what can be asked of it.
 
-use crate::combinations::Combinations;
+use crate::answers::Answers;
 use crate::derivatives::parameter;
-use crate::failure::{Failure, Tipping};
-use crate::solution::{Soil, Solution};
-use crate::threads;
-use groundbeam::{Error, Method, Options, Outcome, Verdict};
-use groundbeam_file::{Beside, Combination, Document, OtherFile, UnitSystem};
-use groundbeam_report::{Context, Units, sentence};
+use crate::failure::Failure;
+use crate::names::verdict;
+use crate::read::Read;
+use crate::solution::Solution;
+use crate::threads::Threads;
+use groundbeam::{Method, Options};
+use groundbeam_file::{Beside, Combination, OtherFile};
+use groundbeam_report::sentence;
+use groundbeam_run::{Compare, Host, Run};
 use pyo3::prelude::*;
 use std::path::Path;
 use std::sync::Arc;
-use std::time::Instant;
-
-/// How results of a text are written: as its quantities are.
-pub fn units(of: UnitSystem) -> Units {
-    match of {
-        UnitSystem::Si => Units::Si,
-        UnitSystem::Plain => Units::Plain,
-    }
-}
 
 /// A model that was read and found right.
 #[pyclass(frozen, module = "groundbeam._native")]
@@ -27,68 +21,17 @@ pub struct Model {
     pub read: Arc<Read>,
 }
 
-/// A text, what it is called, and what it says.
-pub struct Read {
-    pub document: Document,
-    pub name: String,
-}
-
-impl Read {
-    pub fn units(&self) -> Units {
-        units(self.document.units)
+impl Model {
+    /// The answers of a run.
+    fn answers(&self, run: &Run, threads: Option<usize>) -> PyResult<Answers> {
+        let (answers, seconds) = self.read.solve(run, threads)?;
+        Ok(Answers { read: self.read.clone(), answers, seconds })
     }
 
-    /// The system of units by the name that results use.
-    pub fn system(&self) -> &'static str {
-        self.units().name()
-    }
-
-    /// Title, units and limits, as reports want them.
-    pub fn context(&self) -> Context<'_> {
-        let context = Context::new(self.units()).with_limits(&self.document.limits);
-        let Document { title, chords, .. } = &self.document;
-        Context { title: title.as_deref(), chords: *chords, ..context }
-    }
-
-    pub fn refused(&self, error: Error) -> Failure {
-        Failure::refused(error, &self.document, &self.name)
-    }
-
-    /// What mechanics says of one of the text's combinations.
-    pub fn answer(
-        self: &Arc<Self>,
-        combination: Combination,
-        options: &Options,
-    ) -> Result<Solution, Failure> {
-        let started = Instant::now();
-        let (outcome, soil) = match &combination.bed {
-            None => (groundbeam::solve_with(&combination.model, options), None),
-            Some(bed) => match bed.solve(&combination.model, options) {
-                Ok(found) => {
-                    let soil = Soil::of(&found);
-                    (Ok(found.outcome), Some(soil))
-                }
-                Err(error) => (Err(error), None),
-            },
-        };
-        let seconds = started.elapsed().as_secs_f64();
-        match outcome.map_err(|error| self.refused(error))? {
-            Outcome::Equilibrium(found) => {
-                Ok(Solution { read: self.clone(), combination, found, soil, seconds })
-            }
-            Outcome::NoEquilibrium(existence) => {
-                let tipping = Tipping::of(&combination.model, &existence, self.units());
-                Err(Failure::NoEquilibrium(tipping))
-            }
-        }
-    }
-
-    /// The one that is called so; without a name the model as it is written.
-    fn combination(&self, name: Option<&str>) -> Result<Combination, Failure> {
-        let document = &self.document;
-        let Some(name) = name else { return Ok(document.as_written()) };
-        let wrong = |found| Failure::wrong(found, "combination", name);
-        document.combination(name).map_err(wrong)
+    /// The equilibrium of a combination under its own loads.
+    fn solution(&self, combination: Combination, options: Options) -> PyResult<Solution> {
+        let run = Run::without_trains(&self.read.document, combination).with_options(options);
+        self.answers(&run, None)?.only()
     }
 }
 
@@ -105,16 +48,6 @@ pub fn options(method: &str, elements: usize) -> Result<Options, Failure> {
         return Err(Failure::Asked("a mesh has at least one element".to_owned()));
     }
     Ok(Options { method, elements, ..Options::default() })
-}
-
-/// What the statics say, by the name that results use.
-pub fn verdict(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Unique => "unique",
-        Verdict::NotUnique(_) => "not-unique",
-        Verdict::Local(_) => "local",
-        Verdict::None(_) | Verdict::Buckles(_) => "none",
-    }
 }
 
 /// Files in memory, of names and texts.
@@ -199,10 +132,10 @@ impl Model {
         method: &str,
         elements: usize,
         combination: Option<&str>,
-    ) -> Result<Solution, Failure> {
+    ) -> PyResult<Solution> {
         let options = options(method, elements)?;
         let combination = self.read.combination(combination)?;
-        py.detach(|| self.read.answer(combination, &options))
+        py.detach(|| self.solution(combination, options))
     }
 
     /// Solves it with other numbers for some parameters, as they are called.
@@ -211,20 +144,20 @@ impl Model {
         py: Python<'_>,
         numbers: Vec<(String, f64)>,
         combination: Option<&str>,
-    ) -> Result<Solution, Failure> {
+    ) -> PyResult<Solution> {
         let mut combination = self.read.combination(combination)?;
         for (name, number) in numbers {
             let own = parameter(&name)?;
             if own.is_of_ground() && combination.bed.is_some() {
                 let why = "the model's ground is made of its soil";
-                return Err(Failure::Asked(format!("parameter `{name}`: {why}")));
+                return Err(Failure::Asked(format!("parameter `{name}`: {why}")).into());
             }
             let changed = own.set(&combination.model, number);
             combination.model = changed.ok_or_else(|| {
                 Failure::Asked(format!("parameter `{name}`: the model has no such number"))
             })?;
         }
-        py.detach(|| self.read.answer(combination, &Options::default()))
+        py.detach(|| self.solution(combination, Options::default()))
     }
 
     /// The number that a parameter has.
@@ -243,18 +176,46 @@ impl Model {
         method: &str,
         elements: usize,
         threads: usize,
-    ) -> PyResult<Combinations> {
-        let options = options(method, elements)?;
-        py.detach(|| {
-            let started = Instant::now();
-            let all = self.read.document.combinations();
-            let answer =
-                |(): &mut (), number: usize| self.read.answer(all[number].clone(), &options);
-            let answers = threads::map(all.len(), threads, None, || (), answer)?;
-            let answers = all.into_iter().zip(answers).collect();
-            let seconds = started.elapsed().as_secs_f64();
-            Ok(Combinations::new(self.read.clone(), answers, seconds)?)
-        })
+    ) -> PyResult<Answers> {
+        let run = Run::of_combinations(&self.read.document);
+        let run = run.with_options(options(method, elements)?);
+        py.detach(|| self.answers(&run, Some(threads)))
+    }
+
+    /// Moves every train over every combination, or over one.
+    fn solve_trains(
+        &self,
+        py: Python<'_>,
+        method: &str,
+        elements: usize,
+        combination: Option<&str>,
+        threads: usize,
+    ) -> PyResult<Answers> {
+        let document = &self.read.document;
+        let run = match combination {
+            None => Run::of(document),
+            Some(_) => Run::of_one(document, self.read.combination(combination)?),
+        };
+        let run = run.with_options(options(method, elements)?);
+        py.detach(|| self.answers(&run, Some(threads)))
+    }
+
+    /// Solves one model by every method.
+    fn compare(
+        &self,
+        py: Python<'_>,
+        elements: usize,
+        most_sweeps: usize,
+        combination: Option<&str>,
+    ) -> PyResult<Answers> {
+        options("exact", elements)?;
+        let combination = self.read.combination(combination)?;
+        let run = Run::without_trains(&self.read.document, combination);
+        let compare = Compare { elements, most_sweeps, ..Compare::default() };
+        let host = Threads::new(None);
+        let answers = py.detach(|| run.compare(compare, &host));
+        let answers = answers.map_err(|error| self.read.refused(error))?;
+        Ok(Answers { read: self.read.clone(), answers, seconds: host.seconds() })
     }
 
     /// The verdict, the static reactions, the motion that costs nothing or gains work, and a sentence.

@@ -1,57 +1,48 @@
 //! An equilibrium: its fields at any positions, its contact, its proof, and its reports.
 
 use crate::derivatives::{self, Asked};
-use crate::failure::Failure;
-use crate::model::{Read, verdict};
-use groundbeam::soil::{OnSoil, Subgrade};
-use groundbeam::{Field, Side};
-use groundbeam_file::Combination;
-use groundbeam_report::{Context, Ground, csv, json, png, sentence, svg, text};
+use crate::failure::{Failure, Tipping};
+use crate::names::{field, side, verdict};
+use crate::read::Read;
+use groundbeam::Field;
+use groundbeam_report::{Context, csv, json, png, sentence, svg, text};
+use groundbeam_run::{Answer, Found, Ground, Label};
 use numpy::{PyArray1, PyReadonlyArray1, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::sync::Arc;
 
-/// An equilibrium of a model, or of one of its combinations.
+/// An equilibrium of a model, of one of its combinations, or of a position of a train.
 #[pyclass(frozen, module = "groundbeam._native")]
 pub struct Solution {
     pub read: Arc<Read>,
-    pub combination: Combination,
-    pub found: Box<groundbeam::Solution>,
-    pub soil: Option<Soil>,
-    pub seconds: f64,
-}
-
-/// What a solution made of the soil under it.
-pub struct Soil {
-    subgrade: Subgrade,
-    gamma: Option<(f64, usize)>,
-}
-
-impl Soil {
-    pub fn of(found: &OnSoil) -> Self {
-        let gamma = found.gamma.map(|gamma| (gamma, found.rounds));
-        Soil { subgrade: found.subgrade, gamma }
-    }
+    pub label: Label,
+    pub found: Arc<groundbeam::Solution>,
+    ground: Option<Ground>,
+    seconds: f64,
 }
 
 impl Solution {
-    /// What a report says besides the result itself.
-    pub fn context(&self) -> Context<'_> {
-        let Combination { model, bed, .. } = &self.combination;
-        let ground = match (bed, &self.soil) {
-            (Some(bed), Some(Soil { subgrade, gamma })) => Some(Ground {
-                width: bed.width,
-                subgrade: *subgrade,
-                bed: Some(bed),
-                gamma: *gamma,
-            }),
-            _ => {
-                let width = self.read.document.width;
-                width.and_then(|width| Ground::of_area(&model.foundation, width))
+    /// The equilibrium of an answer, or why it has none.
+    pub fn of(read: &Arc<Read>, answer: &Answer) -> Result<Self, Failure> {
+        let Answer { label, found, ground, seconds, .. } = answer.clone();
+        match found {
+            Found::Equilibrium(found) => {
+                Ok(Solution { read: read.clone(), label, found, ground, seconds })
             }
-        };
-        Context { ground, ..self.read.context() }.with_seconds(self.seconds)
+            Found::Exists(existence) | Found::NoEquilibrium(existence) => {
+                let tipping = Tipping::of(&label.model(), &existence, read.units());
+                Err(Failure::NoEquilibrium(tipping))
+            }
+            Found::NotConverged(reached) => Err(Failure::NotConverged(reached)),
+            Found::Unsolved(error) => Err(read.refused(error)),
+        }
+    }
+
+    /// What a report says besides the result itself.
+    fn context(&self) -> Context<'_> {
+        let context = Context::of(&self.read.document).with_seconds(self.seconds);
+        Context { ground: self.ground.as_ref(), ..context }
     }
 
     fn stations_or(&self, at: Option<Vec<f64>>) -> Vec<f64> {
@@ -61,24 +52,6 @@ impl Solution {
 
 /// Values, derivatives row by row, and why they have one side.
 type GradientArrays<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Vec<Vec<String>>);
-
-/// A field by its name.
-pub fn field(name: &str) -> Result<Field, Failure> {
-    let known = Field::ALL.into_iter().find(|field| field.name() == name);
-    known.ok_or_else(|| {
-        let names = Field::ALL.map(Field::name).join(", ");
-        Failure::Asked(format!("no field is called `{name}`; the fields are {names}"))
-    })
-}
-
-/// A side by its name.
-pub fn side(name: &str) -> Result<Side, Failure> {
-    match name {
-        "left" => Ok(Side::Left),
-        "right" => Ok(Side::Right),
-        _ => Err(Failure::Asked(format!("`{name}` is no side: say `left` or `right`"))),
-    }
-}
 
 #[pymethods]
 impl Solution {
@@ -116,7 +89,7 @@ impl Solution {
 
     #[getter]
     fn combination(&self) -> Option<&str> {
-        Some(&*self.combination.name).filter(|name| !name.is_empty())
+        Some(&*self.label.combination.name).filter(|name| !name.is_empty())
     }
 
     #[getter]
@@ -196,7 +169,10 @@ impl Solution {
         outputs: Vec<Asked>,
         parameters: Vec<String>,
     ) -> Result<GradientArrays<'py>, Failure> {
-        let found = py.detach(|| derivatives::gradients(self, &outputs, &parameters));
+        let found = py.detach(|| {
+            let on_soil = self.label.combination.bed.is_some();
+            derivatives::gradients(&self.found, on_soil, self.read.units(), &outputs, &parameters)
+        });
         let (values, derivatives, one_sided) = found?;
         Ok((PyArray1::from_vec(py, values), PyArray1::from_vec(py, derivatives), one_sided))
     }

@@ -1,7 +1,7 @@
 //! Studies: samples drawn, solved and kept, without Python in the loop.
 
 use crate::failure::Failure;
-use crate::model::{held, units};
+use crate::model::held;
 use crate::threads;
 use groundbeam_file::Course;
 use groundbeam_file::study::{StudyError, read_held_study, read_study};
@@ -142,7 +142,7 @@ impl Study {
 
     /// What follows from all samples, as a document and as a picture.
     fn summary(&self, py: Python<'_>, out: PathBuf) -> PyResult<(String, String)> {
-        let context = Context::new(units(self.draws.study().document.units));
+        let context = Context::new(self.draws.study().document.units.into());
         let summary =
             watched(py, None, |watch| groundbeam_study::summary(&self.draws, &out, watch))?;
         Ok((json::study(&summary, &context), svg::study(&summary, &context)))

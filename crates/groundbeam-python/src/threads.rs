@@ -4,11 +4,12 @@
 //! pool of `rayon` must not be used here: its threads are missing in a forked process, and work given to it never ends.
 
 use crate::failure::Failure;
+use groundbeam_run::Host;
 use pyo3::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// How often Python is asked whether to stop, and told how far the work is.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(100);
@@ -91,4 +92,36 @@ fn tell(progress: Option<&Py<PyAny>>, done: usize, count: usize) -> PyResult<()>
         }
         Ok(())
     })
+}
+
+/// The threads of one call, for a run; none for the thread of the caller.
+pub struct Threads {
+    number: Option<usize>,
+    started: Instant,
+}
+
+impl Threads {
+    /// As many as are asked for, as [`number`] counts them.
+    pub fn new(number: Option<usize>) -> Self {
+        Threads { number, started: Instant::now() }
+    }
+}
+
+impl Host for Threads {
+    type Stop = PyErr;
+
+    fn map<T: Send>(
+        &self,
+        count: usize,
+        work: impl Fn(usize) -> T + Sync + Send,
+    ) -> PyResult<Vec<T>> {
+        match self.number {
+            None => Ok((0..count).map(work).collect()),
+            Some(threads) => map(count, threads, None, || (), |(), number| work(number)),
+        }
+    }
+
+    fn seconds(&self) -> f64 {
+        self.started.elapsed().as_secs_f64()
+    }
 }

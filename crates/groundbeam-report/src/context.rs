@@ -1,8 +1,9 @@
 //! What a report says besides the result itself.
 
 use crate::quantity::Units;
-use groundbeam::soil::{Bed, OnSoil, Subgrade};
-use groundbeam::{Beam, Foundation, Limits, LoadFactors};
+use groundbeam::Limits;
+use groundbeam_file::Document;
+use groundbeam_run::{Factors, Ground};
 
 /// What a report says besides the result itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,58 +15,26 @@ pub struct Context<'a> {
     /// How long it took \[s\]; left out where nobody measured it.
     pub seconds: Option<f64>,
     /// What becomes of the model as its loads grow; left out where nobody asked.
-    pub factors: Option<Factors<'a>>,
+    pub factors: Option<&'a Factors>,
     /// Where the model's ground comes from; left out where its constants were given per length of beam.
-    pub ground: Option<Ground<'a>>,
+    pub ground: Option<&'a Ground>,
     /// What the design must keep to; left out where nobody asked.
     pub limits: Option<&'a Limits>,
     /// How many chords of the initial gap replace settlement troughs; left out where there are no troughs.
     pub chords: Option<usize>,
 }
 
-/// A ground whose constants are those of an area times a width, or were made of soil.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ground<'a> {
-    /// The width on which the beam bears \[m\].
-    pub width: f64,
-    /// k and μ.
-    pub subgrade: Subgrade,
-    /// The soil, and the method.
-    pub bed: Option<&'a Bed>,
-    /// γ of layers, and how many solutions it took where it is taken from the solution.
-    pub gamma: Option<(f64, usize)>,
-}
-
-impl<'a> Ground<'a> {
-    /// The ground of an answer on soil.
-    pub fn of(bed: &'a Bed, found: &OnSoil) -> Self {
-        let gamma = found.gamma.map(|gamma| (gamma, found.rounds));
-        Ground { width: bed.width, subgrade: found.subgrade, bed: Some(bed), gamma }
-    }
-
-    /// The ground that a soil makes before anything is solved.
-    pub fn before(bed: &'a Bed, beam: &Beam) -> Self {
-        Ground { width: bed.width, subgrade: bed.subgrade(beam), bed: Some(bed), gamma: None }
-    }
-
-    /// A ground that is the same everywhere, under a beam of a known width.
-    pub fn of_area(foundation: &Foundation, width: f64) -> Option<Self> {
-        let subgrade = Subgrade { spring: foundation.spring, shear: foundation.shear };
-        let ground = Ground { width, subgrade, bed: None, gamma: None };
-        foundation.segments.is_empty().then_some(ground)
-    }
-}
-
-/// Load factors with the names of the load cases that grow.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Factors<'a> {
-    /// What was found.
-    pub found: &'a LoadFactors,
-    /// The load cases whose loads grow; empty where all loads do.
-    pub cases: &'a [String],
-}
-
 impl<'a> Context<'a> {
+    /// Title, units, limits and chords of a model file.
+    pub fn of(document: &'a Document) -> Self {
+        Context {
+            title: document.title.as_deref(),
+            limits: Some(&document.limits),
+            chords: document.chords,
+            ..Context::new(document.units.into())
+        }
+    }
+
     /// No title, no time.
     pub fn new(units: Units) -> Self {
         Context {
@@ -90,12 +59,12 @@ impl<'a> Context<'a> {
     }
 
     /// The same with load factors.
-    pub fn with_factors(self, factors: Factors<'a>) -> Self {
+    pub fn with_factors(self, factors: &'a Factors) -> Self {
         Context { factors: Some(factors), ..self }
     }
 
     /// The same with where the ground comes from.
-    pub fn with_ground(self, ground: Ground<'a>) -> Self {
+    pub fn with_ground(self, ground: &'a Ground) -> Self {
         Context { ground: Some(ground), ..self }
     }
 

@@ -1,12 +1,11 @@
 //! Tables: all fields along the beam, the envelope of combinations, and the history of the iteration.
 
-use crate::combinations::Combinations;
 use crate::context::printable;
 use crate::curve::Jumps;
 use crate::quantity::Units;
-use crate::trains::{InPassage, Moving, Passages};
 use ::csv::{Writer, WriterBuilder};
 use groundbeam::{Bounds, Field, Fields, Solution};
+use groundbeam_run::{Answers, InPassage, Passage, Passages};
 
 /// All fields at the given positions: `x_m, deflection_m, …`, without units in the header for plain numbers; of a
 /// beam that shears the rotation of its sections besides.
@@ -34,7 +33,7 @@ pub fn table(solution: &Solution, positions: &[f64], units: Units) -> String {
 /// deflection_governs_min, deflection_governs_max, …`.
 ///
 /// Where a field jumps, both sides count.
-pub fn envelope(combinations: &Combinations, positions: &[f64], units: Units) -> String {
+pub fn envelope(answers: &Answers, positions: &[f64], units: Units) -> String {
     let mut rows = Rows::new();
     let names = Field::ALL.into_iter().flat_map(|field| {
         let bound = |bound| column(&format!("{}_{bound}", field.name()), unit(field), units);
@@ -42,8 +41,8 @@ pub fn envelope(combinations: &Combinations, positions: &[f64], units: Units) ->
         [bound("min"), bound("max"), governs("min"), governs("max")]
     });
     rows.push(std::iter::once(column("x", "m", units)).chain(names));
-    let combined: Vec<&str> = combinations.solved().map(|(combined, _)| combined.name).collect();
-    let envelope = combinations.envelope();
+    let combined: Vec<&str> = answers.solved().map(|(answer, _)| answer.name()).collect();
+    let envelope = answers.envelope();
     for &x in positions {
         let cells = envelope.all_at(x).into_iter().flat_map(|Bounds { min, max }| {
             let [low, high] = [min, max].map(|governing| number(governing.extreme.value));
@@ -59,7 +58,7 @@ pub fn envelope(combinations: &Combinations, positions: &[f64], units: Units) ->
 /// of several passages also which of them, `deflection_in_min, deflection_in_max`.
 pub fn trains(passages: &Passages, sections: &[f64], units: Units) -> String {
     let mut rows = Rows::new();
-    let labels: Vec<String> = passages.all.iter().map(Moving::label).collect();
+    let labels: Vec<String> = passages.all.iter().map(Passage::label).collect();
     let several = labels.len() > 1;
     let names = Field::ALL.into_iter().flat_map(|field| {
         let bound = |bound| column(&format!("{}_{bound}", field.name()), unit(field), units);

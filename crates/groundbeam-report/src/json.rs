@@ -18,7 +18,7 @@ mod train;
 
 use crate::characteristics::Characteristics;
 use crate::context::{Context, is_plain};
-pub use combinations::{checked_combinations, combinations, envelope_stations};
+pub use combinations::{combinations, envelope_stations};
 pub use comparison::comparison;
 use existence::Proven;
 use factors::Grown;
@@ -45,25 +45,11 @@ pub fn solved(solution: &Solution, stations: &[f64], context: &Context) -> Strin
     text(&Solved::of(solution, stations, context))
 }
 
-/// The document of a model that has no equilibrium.
-pub fn no_equilibrium(model: &Model, existence: &Existence, context: &Context) -> String {
-    verdict("no-equilibrium", model, existence, context)
-}
-
-/// The document of a model that was checked but not solved: its `status` is `equilibrium-exists` or
-/// `no-equilibrium`.
+/// The document of a model that has no equilibrium, or was checked but not solved: its `status` is
+/// `equilibrium-exists` or `no-equilibrium`.
 pub fn existence(model: &Model, existence: &Existence, context: &Context) -> String {
     let stands = existence.verdict.stands();
     let status = if stands { "equilibrium-exists" } else { "no-equilibrium" };
-    verdict(status, model, existence, context)
-}
-
-fn verdict(
-    status: &'static str,
-    model: &Model,
-    existence: &Existence,
-    context: &Context,
-) -> String {
     text(&Checked::of(status, model, existence, context))
 }
 

@@ -22,30 +22,27 @@
 //! # Ok::<(), groundbeam::Error>(())
 //! ```
 //!
-//! Of the combinations of load cases, [`Combinations`], the functions named `combinations` make reports, documents and
-//! pictures that show the envelope.
-//! Of a train that passes, [`Moving`], those named `train` do; of several passages, [`Passages`], those named `trains`.
+//! [`Results`] makes all of them from the [`Answers`](groundbeam_run::Answers) to a file, whatever the file asks for. The
+//! functions named `combinations` show the envelope of combinations of load cases, those named `trains` that of
+//! [`Passages`](groundbeam_run::Passages).
 //!
 //! Nothing here reads a clock, a file or the environment, and equal results give equal bytes.
 
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
-mod band;
 mod characteristics;
 mod combinations;
-mod comparison;
 mod context;
 mod curve;
 mod font;
-mod found;
 mod load;
 mod number;
 mod outline;
 mod quantity;
+mod results;
 mod size;
 mod study;
-mod trains;
 mod verdict;
 
 pub mod calculation;
@@ -57,14 +54,10 @@ pub mod png;
 pub mod svg;
 pub mod text;
 
-pub use band::Banded;
 pub use characteristics::{Characteristics, Resultant};
-pub use combinations::{Alone, Answer, Combinations, Combined, Overall};
-pub use comparison::{Compared, Comparison, Errors};
-pub use context::{Context, Factors, Ground};
-pub use found::Found;
+pub use context::Context;
 pub use load::load_name;
 pub use quantity::{Kind, Units};
+pub use results::Results;
 pub use study::{Estimate, Interval, Limit, Spread, Study, Way};
-pub use trains::{CheckedTrain, InPassage, Moving, Passages};
 pub use verdict::sentence;

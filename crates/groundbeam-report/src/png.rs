@@ -1,11 +1,9 @@
 //! The picture as PNG.
 
-use crate::combinations::Combinations;
 use crate::context::Context;
 use crate::outline::outlined;
 use crate::study::Study;
 use crate::svg;
-use crate::trains::Passages;
 use groundbeam::Solution;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
@@ -35,24 +33,6 @@ pub fn picture(solution: &Solution, context: &Context) -> Result<Vec<u8>, Error>
     drawn(&svg::picture(solution, context))
 }
 
-/// The picture of [`svg::combinations`] in the same way.
-///
-/// # Errors
-///
-/// If memory for the pixels is lacking.
-pub fn combinations(all: &Combinations, context: &Context) -> Result<Vec<u8>, Error> {
-    drawn(&svg::combinations(all, context))
-}
-
-/// The picture of [`svg::trains`] in the same way.
-///
-/// # Errors
-///
-/// If memory for the pixels is lacking.
-pub fn trains(passages: &Passages, context: &Context) -> Result<Vec<u8>, Error> {
-    drawn(&svg::trains(passages, context))
-}
-
 /// The picture of [`svg::study`] in the same way.
 ///
 /// # Errors
@@ -62,7 +42,8 @@ pub fn study(study: &Study, context: &Context) -> Result<Vec<u8>, Error> {
     drawn(&svg::study(study, context))
 }
 
-fn drawn(picture: &str) -> Result<Vec<u8>, Error> {
+/// A picture in SVG as the bytes of a PNG file.
+pub(crate) fn drawn(picture: &str) -> Result<Vec<u8>, Error> {
     let tree = Tree::from_str(&outlined(picture), &Options::default());
     let tree = tree.map_err(|error| Error(error.to_string()))?;
     let size = tree.size();

@@ -2,6 +2,7 @@
 
 use crate::number::significant;
 use groundbeam::Field;
+use groundbeam_file::UnitSystem;
 
 /// How numbers are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -10,6 +11,16 @@ pub enum Units {
     Si,
     /// The numbers are one consistent system, whichever; no unit is written.
     Plain,
+}
+
+impl From<UnitSystem> for Units {
+    /// Results are written as the quantities of the file are.
+    fn from(of: UnitSystem) -> Self {
+        match of {
+            UnitSystem::Si => Units::Si,
+            UnitSystem::Plain => Units::Plain,
+        }
+    }
 }
 
 impl Units {

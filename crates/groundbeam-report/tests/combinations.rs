@@ -4,58 +4,27 @@
 mod common;
 
 use common::{context, document};
-use groundbeam::{Error, Existence, Field, NotConverged, Options, Outcome, Stopped};
-use groundbeam_file::{Combination, Document, LoadCase};
-use groundbeam_report::{
-    Alone, Answer, Combinations, Combined, Found, calculation, csv, html, json, png, svg, text,
-};
+use groundbeam::{Field, NotConverged, Stopped};
+use groundbeam_file::Document;
+use groundbeam_report::{Results, calculation, csv, html, json, svg, text};
+use groundbeam_run::{Answers, Found, OneThread, Run};
 use serde_json::{Value, json};
 
 /// A file, solved.
 struct Solved {
     document: Document,
-    combinations: Vec<Combination>,
-    outcomes: Vec<Result<Outcome, Error>>,
-    cases: Vec<(LoadCase, Existence)>,
+    answers: Answers,
 }
 
 fn solved(name: &str) -> Solved {
     let document = document(name);
-    let combinations = document.combinations();
-    let outcomes = combinations.iter().map(|c| c.solve(&Options::default())).collect();
-    let alone = |case: LoadCase| {
-        let existence = groundbeam::exists(&case.model).unwrap();
-        (case, existence)
-    };
-    let cases = document.load_cases().into_iter().map(alone).collect();
-    Solved { document, combinations, outcomes, cases }
+    let answers = Run::of(&document).solve(&OneThread).unwrap();
+    Solved { document, answers }
 }
 
 impl Solved {
-    fn all(&self) -> Combinations<'_> {
-        let combined = self.combinations.iter().zip(&self.outcomes).map(|(c, outcome)| Combined {
-            name: &c.name,
-            factors: &c.factors,
-            model: &c.model,
-            band: c.ground,
-            ground: None,
-            answer: match outcome {
-                Ok(Outcome::Equilibrium(solution)) => Answer::Equilibrium(solution),
-                Ok(Outcome::NoEquilibrium(existence)) => Answer::NoEquilibrium(existence),
-                Err(Error::NotConverged(reached)) => Answer::NotConverged(reached),
-                Err(error) => panic!("{error}"),
-            },
-        });
-        let alone = self.cases.iter().map(|(case, existence)| Alone {
-            name: &case.name,
-            model: &case.model,
-            existence,
-        });
-        Combinations { combined: combined.collect(), alone: alone.collect() }
-    }
-
     fn json(&self, stations: Option<&[f64]>) -> Value {
-        let text = json::combinations(&self.all(), stations, &context(&self.document));
+        let text = json::combinations(&self.answers, stations, &context(&self.document));
         serde_json::from_str(&text).unwrap()
     }
 }
@@ -69,25 +38,25 @@ fn steady(report: &str) -> String {
 #[test]
 fn the_report() {
     let found = solved("combinations");
-    let report = text::combinations(&found.all(), &context(&found.document), false);
+    let report = text::combinations(&found.answers, &context(&found.document), false);
     insta::assert_snapshot!("text-combinations", steady(&report));
     for line in report.lines() {
         assert!(line.chars().count() <= 80 && line == line.trim_end(), "{line}");
     }
-    let coloured = text::combinations(&found.all(), &context(&found.document), true);
+    let coloured = text::combinations(&found.answers, &context(&found.document), true);
     assert!(coloured.contains("\u{1b}[1;31mnone\u{1b}[0m"));
 }
 
 #[test]
 fn what_was_not_solved_is_told() {
     let found = solved("combinations");
-    let mut all = found.all();
+    let mut all = found.answers;
     let reached = Stopped {
         method: groundbeam::Method::Uzawa,
         iterations: 7,
         why: NotConverged::Sweeps(1e-3),
     };
-    all.combined[0].answer = Answer::NotConverged(&reached);
+    all.list[0].found = Found::NotConverged(reached);
     let report = text::combinations(&all, &context(&found.document), false);
     assert!(report.contains("   1         not solved: the method `uzawa` stopped after 7"));
     let document: Value =
@@ -95,7 +64,7 @@ fn what_was_not_solved_is_told() {
     // That one has no equilibrium says more.
     assert_eq!(document["status"], "no-equilibrium");
     assert_eq!(document["combinations"][0]["status"], "not-converged");
-    all.combined.pop();
+    all.list.pop();
     let document: Value =
         serde_json::from_str(&json::combinations(&all, None, &context(&found.document))).unwrap();
     assert_eq!(document["status"], "not-converged");
@@ -147,17 +116,18 @@ fn the_document() {
 fn the_table_and_the_picture() {
     let found = solved("combinations");
     let context = context(&found.document);
-    let table = csv::envelope(&found.all(), &[0.0, 6.0], context.units);
+    let table = csv::envelope(&found.answers, &[0.0, 6.0], context.units);
     assert!(table.starts_with("x_m,deflection_min_m,deflection_max_m,deflection_governs_min,"));
     assert_eq!(table.lines().count(), 3);
-    let picture = svg::combinations(&found.all(), &context);
-    assert_eq!(picture, svg::combinations(&found.all(), &context));
+    let picture = svg::combinations(&found.answers, &context);
+    assert_eq!(picture, svg::combinations(&found.answers, &context));
     assert!(
         !picture.contains("NaN") && picture.contains("envelope of 16 of 17 combinations; 1 not")
     );
-    let bytes = png::combinations(&found.all(), &context).unwrap();
+    let bytes = Results::new(&found.answers, context).png().unwrap();
     assert_eq!(bytes[..8], *b"\x89PNG\r\n\x1a\n");
-    let nothing = Combinations { combined: vec![found.all().combined[16]], alone: Vec::new() };
+    let mut nothing = found.answers.clone();
+    nothing.list.retain(|answer| answer.solution().is_none());
     assert!(svg::combinations(&nothing, &context).contains("0 of 1 combinations"));
     assert!(!json::combinations(&nothing, None, &context).contains("\"envelope\""));
 }
@@ -165,7 +135,7 @@ fn the_table_and_the_picture() {
 #[test]
 fn a_band_of_grounds_is_that_of_the_grounds_solved() {
     let solved = solved("band");
-    let bands = solved.all().bands().unwrap();
+    let bands = solved.answers.bands().unwrap();
     let [_, moment] = bands[Field::Moment.index()];
     // P/(4β) with β = (k/4EI)^(1/4): on half and on twice the ground.
     let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-9, "{a} {b}");
@@ -181,16 +151,14 @@ fn a_band_of_grounds_is_that_of_the_grounds_solved() {
 fn the_calculation_report_shows_all_of_them() {
     for name in ["combinations", "band"] {
         let solved = solved(name);
-        let all = solved.all();
         let Document { model, cases, .. } = &solved.document;
         let source =
             calculation::Source { name: "model.toml", text: solved.document.text(), model, cases };
-        let contents = Found::Combinations(&all);
-        let report = calculation::report(contents, &context(&solved.document), &source);
+        let report = calculation::report(&solved.answers, &context(&solved.document), &source);
         let page = html::report(&report, None).unwrap();
-        for combined in &all.combined {
-            let named = combined.name.replace('&', "&amp;").replace('/', "&#x2f;");
-            assert!(page.contains(&named), "{name}: {}", combined.name);
+        for answer in &solved.answers.list {
+            let named = answer.name().replace('&', "&amp;").replace('/', "&#x2f;");
+            assert!(page.contains(&named), "{name}: {}", answer.name());
         }
         // The model, the governing combination, and four envelopes.
         assert_eq!(page.matches("<figure>").count(), 6, "{name}");

@@ -3,26 +3,26 @@
 #[allow(dead_code)]
 mod common;
 
-use common::{SOLVABLE, context, document, solved};
+use common::{SOLVABLE, answers, context, document};
 use groundbeam::{Method, NotConverged, Stopped};
 use groundbeam_file::Document;
 use groundbeam_report::calculation::{Paper, Source};
-use groundbeam_report::{Context, Found, Units, calculation, html};
+use groundbeam_report::{Context, Units, calculation, html};
+use groundbeam_run::{Answers, Found};
 
 fn source(document: &Document) -> Source<'_> {
     let Document { model, cases, .. } = document;
     Source { name: "model.toml", text: document.text(), model, cases }
 }
 
-fn report(contents: Found, context: &Context, source: &Source) -> String {
-    html::report(&calculation::report(contents, context, source), None).unwrap()
+fn report(answers: &Answers, context: &Context, source: &Source) -> String {
+    html::report(&calculation::report(answers, context, source), None).unwrap()
 }
 
 fn made(name: &str) -> String {
     let document = document(name);
-    let contents = solved(&document);
     let context = context(&document).with_limits(&document.limits);
-    report(Found::Equilibrium(&contents), &context, &source(&document))
+    report(&answers(&document), &context, &source(&document))
 }
 
 /// The words of a page without its style and its figures, one block a line.
@@ -91,7 +91,7 @@ fn the_digest_is_that_of_the_file() {
     let expected = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
     let document = document("footing");
     let source = Source { text: "abc", ..source(&document) };
-    let page = report(Found::Equilibrium(&solved(&document)), &context(&document), &source);
+    let page = report(&answers(&document), &context(&document), &source);
     assert!(page.contains(expected));
 }
 
@@ -101,7 +101,7 @@ fn what_a_file_says_is_no_markup() {
     let evil = "</title><script>alert('&amp;')</script> -1e3 \\\"";
     let source = Source { name: evil, text: evil, ..source(&document) };
     let context = Context::new(Units::Si).with_title(evil);
-    let page = report(Found::Equilibrium(&solved(&document)), &context, &source);
+    let page = report(&answers(&document), &context, &source);
     is_well_formed(&page);
     assert!(!page.contains("<script"), "markup of the file is in the page");
     assert!(page.contains("&lt;script&gt;"));
@@ -110,9 +110,7 @@ fn what_a_file_says_is_no_markup() {
 #[test]
 fn without_an_equilibrium_the_report_says_why() {
     let document = document("tips");
-    let existence = groundbeam::exists(&document.model).unwrap();
-    let contents = Found::NoEquilibrium(&document.model, &existence);
-    let page = report(contents, &context(&document), &source(&document));
+    let page = report(&answers(&document), &context(&document), &source(&document));
     is_well_formed(&page);
     insta::assert_snapshot!("html-tips", words(&page));
     // The motion in which it tips is drawn.
@@ -123,8 +121,9 @@ fn without_an_equilibrium_the_report_says_why() {
 fn without_a_certified_answer_there_are_no_results() {
     let document = document("footing");
     let reached = Stopped { method: Method::Uzawa, iterations: 10, why: NotConverged::Sweeps(0.5) };
-    let contents = Found::NotConverged(&document.model, &reached);
-    let page = report(contents, &context(&document), &source(&document));
+    let mut answers = answers(&document);
+    answers.list[0].found = Found::NotConverged(reached);
+    let page = report(&answers, &context(&document), &source(&document));
     is_well_formed(&page);
     let words = words(&page);
     assert!(words.contains("Not solved the method `uzawa` stopped after 10 iterations"), "{words}");
@@ -134,9 +133,7 @@ fn without_a_certified_answer_there_are_no_results() {
 #[test]
 fn the_paper_is_that_which_is_wanted() {
     let document = document("footing");
-    let contents = solved(&document);
-    let of =
-        calculation::report(Found::Equilibrium(&contents), &context(&document), &source(&document));
+    let of = calculation::report(&answers(&document), &context(&document), &source(&document));
     let page = |paper| html::report(&of, paper).unwrap();
     assert!(page(Some(Paper::A4)).contains("@page { size: A4;"));
     assert!(page(Some(Paper::Letter)).contains("@page { size: letter;"));

@@ -4,13 +4,12 @@
 #[allow(dead_code)]
 mod common;
 
-use common::{SOLVABLE, context, document, solved};
-use groundbeam::train::{Answer, Passage, Sweep};
-use groundbeam_file::{Document, MovingTrain};
+use common::{SOLVABLE, answers, context, document, solved};
+use groundbeam_file::Document;
 use groundbeam_report::{
-    Combinations, Combined, Context, Estimate, Found, Interval, Kind, Limit, Moving, Passages,
-    Spread, Study, Units, Way, calculation, html, svg,
+    Context, Estimate, Interval, Kind, Limit, Spread, Study, Units, Way, calculation, html, svg,
 };
+use groundbeam_run::{Answers, OneThread, Run};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 use std::path::PathBuf;
@@ -83,8 +82,8 @@ fn source(document: &Document) -> calculation::Source<'_> {
     calculation::Source { name: "model.toml", text: document.text(), model, cases }
 }
 
-fn report(contents: Found, document: &Document) -> String {
-    let report = calculation::report(contents, &context(document), &source(document));
+fn report(answers: &Answers, document: &Document) -> String {
+    let report = calculation::report(answers, &context(document), &source(document));
     html::report(&report, None).unwrap()
 }
 
@@ -100,17 +99,13 @@ fn single_models() {
 fn figures_of_reports() {
     let document_of = document;
     let (document, tips) = (document_of("footing"), document_of("tips"));
-    let contents = solved(&document);
-    let contents = Found::Equilibrium(&contents);
-    let page = report(contents, &document);
+    let page = report(&answers(&document), &document);
     let found = figures(&page);
     assert_eq!(found.len(), 7);
     for (i, figure) in found.iter().enumerate() {
         looks_as_kept(&format!("report-footing-{}", i + 1), figure);
     }
-    let existence = groundbeam::exists(&tips.model).unwrap();
-    let contents = Found::NoEquilibrium(&tips.model, &existence);
-    let page = report(contents, &tips);
+    let page = report(&answers(&tips), &tips);
     let [figure] = &figures(&page)[..] else { panic!("one figure") };
     looks_as_kept("report-tips", figure);
 }
@@ -118,23 +113,9 @@ fn figures_of_reports() {
 #[test]
 fn combinations() {
     let document = document("combinations");
-    let combinations = document.combinations();
-    let outcomes: Vec<_> =
-        combinations.iter().map(|c| c.solve(&groundbeam::Options::default()).unwrap()).collect();
-    let together = combinations.iter().zip(&outcomes);
-    let combined = together.filter_map(|(combination, outcome)| match outcome {
-        groundbeam::Outcome::Equilibrium(solution) => Some(Combined {
-            name: &combination.name,
-            factors: &combination.factors,
-            model: &combination.model,
-            band: None,
-            ground: None,
-            answer: groundbeam_report::Answer::Equilibrium(solution),
-        }),
-        groundbeam::Outcome::NoEquilibrium(_) => None,
-    });
-    let all = Combinations { combined: combined.collect(), alone: Vec::new() };
-    let picture = svg::combinations(&all, &context(&document));
+    let mut answers = answers(&document);
+    answers.list.retain(|answer| answer.solution().is_some());
+    let picture = svg::combinations(&answers, &context(&document));
     looks_as_kept("combinations", &picture);
     insta::assert_snapshot!("svg-combinations", picture);
 }
@@ -142,28 +123,11 @@ fn combinations() {
 #[test]
 fn trains() {
     let document = document("train");
-    let MovingTrain { name, train, range, .. } = &document.trains[0];
-    let mut sweep = Sweep::new(&document.model, train, *range, 1e-2);
-    while !sweep.wanted().is_empty() {
-        let place = |&at: &f64| Answer::of(groundbeam::solve(&train.on(&document.model, at)));
-        let solved: Result<Vec<Answer>, _> = sweep.wanted().iter().map(place).collect();
-        sweep.give(solved.unwrap());
-    }
-    let passage: Passage = sweep.finish();
-    let moving = Moving {
-        combination: None,
-        name,
-        set: None,
-        factor: 1.0,
-        range: *range,
-        passage: &passage,
-    };
-    let passages = Passages { all: vec![moving] };
-    let picture = svg::trains(&passages, &context(&document));
+    let answers = Run::of(&document).with_error(1e-2).solve(&OneThread).unwrap();
+    let picture = svg::trains(&answers.passages(), &context(&document));
     looks_as_kept("train", &picture);
     insta::assert_snapshot!("svg-train", picture);
-    let contents = Found::Trains(&passages);
-    let page = report(contents, &document);
+    let page = report(&answers, &document);
     let found = figures(&page);
     // The model, the train where it bends the beam most, four envelopes.
     assert_eq!(found.len(), 6);

@@ -1,9 +1,8 @@
 //! What is kept of one answer of many.
 
-use groundbeam::{
-    Answer, Error, Existence, Field, Method, Model, Options, Outcome, Side, Solution, Solver,
-};
+use groundbeam::{Error, Existence, Field, Model, Options, Side, Solution, Solver};
 use groundbeam_file::Document;
+use groundbeam_run::{Repeated, repeated};
 
 /// What is to be kept of every answer.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -87,16 +86,10 @@ impl Row {
         wanted: &Wanted,
         solver: &mut Solver,
     ) -> Self {
-        if document.bed.is_none() && options.method == Method::Exact {
-            return match solver.solve(model) {
-                Ok(Answer::Equilibrium(solution)) => Row::of(solution, wanted),
-                Ok(Answer::NoEquilibrium(existence)) => Row::without(existence, wanted),
-                Err(error) => Row::failed(error, wanted),
-            };
-        }
-        match document.as_written().solve_near(model, options, None) {
-            Ok(Outcome::Equilibrium(solution)) => Row::of(&solution, wanted),
-            Ok(Outcome::NoEquilibrium(existence)) => Row::without(existence, wanted),
+        match repeated(document.bed.as_ref(), model, options, solver) {
+            Ok(Repeated::InMemory(solution)) => Row::of(solution, wanted),
+            Ok(Repeated::Equilibrium(solution)) => Row::of(&solution, wanted),
+            Ok(Repeated::NoEquilibrium(existence)) => Row::without(existence, wanted),
             Err(error) => Row::failed(error, wanted),
         }
     }

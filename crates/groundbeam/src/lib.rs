@@ -51,7 +51,6 @@ pub mod supported;
 
 pub mod model;
 pub mod soil;
-pub mod train;
 
 pub use crate::solution::fields::{
     ConcentratedForce, ContactRegion, EndForces, Extreme, Field, Fields, Range, Reaction, Side,

@@ -1,67 +1,34 @@
-//! The answers to a file: one, or one for each of its combinations with their envelope.
+//! What a case expects, beside the answers to its file.
 
 use super::expectation::{Expectation, Of, Value};
-use groundbeam::train::{Passage, Sweep};
-use groundbeam::{Envelope, Error, Options, Outcome, Solution};
+use groundbeam::{Error, Solution};
 use groundbeam_file::Document;
+use groundbeam_run::{self as run, Asked, Failed, Found, OneThread, Run};
 
-/// What comes out of a file.
-pub struct Answers {
-    /// With the names of combinations; a file without has one answer, without a name.
-    outcomes: Vec<(Option<String>, Outcome)>,
-    /// Of each train under each combination.
-    passages: Vec<Passage>,
-}
-
-/// The error of envelopes of trains, relative to each field's largest value.
-const ERROR: f64 = 1e-3;
+/// The answers to a file.
+pub struct Answers(run::Answers);
 
 impl Answers {
-    /// Solves all there is to solve.
+    /// Solves all that the file asks for.
     ///
     /// # Errors
     ///
-    /// The first that cannot be solved.
+    /// The first that cannot be solved; a train may have positions without a certified answer.
     pub fn of(document: &Document) -> Result<Answers, Error> {
-        let options = Options::default();
-        let mut outcomes = Vec::new();
-        let mut passages = Vec::new();
-        if !document.trains.is_empty() {
-            for combination in &document.wanted() {
-                for train in &document.trains {
-                    let sweep = Sweep::new(&combination.model, &train.train, train.range, ERROR);
-                    passages.push(
-                        sweep.run(|model, near| combination.solve_near(model, &options, near))?,
-                    );
-                }
-            }
-            return Ok(Answers { outcomes, passages });
+        let answers = Run::of(document).solve(&OneThread).map_err(Failed::refusal)?;
+        let stopped = answers.list.iter().find_map(|answer| match &answer.found {
+            Found::NotConverged(reached) => Some(Error::NotConverged(reached.clone())),
+            _ => None,
+        });
+        match stopped.filter(|_| answers.asked != Asked::Trains) {
+            Some(error) => Err(error),
+            None => Ok(Answers(answers)),
         }
-        for combination in document.combinations() {
-            let outcome = combination.solve(&options)?;
-            outcomes.push((Some(combination.name), outcome));
-        }
-        if !document.has_combinations() {
-            outcomes.push((None, document.solve(&options)?));
-        }
-        Ok(Answers { outcomes, passages })
     }
 
     /// The equilibria there are.
     pub fn solutions(&self) -> Vec<&Solution> {
-        let single = self.named().into_iter().map(|(_, solution)| solution);
-        let moving = self.passages.iter().flat_map(Passage::solved).map(|(_, solution)| solution);
-        single.chain(moving).collect()
-    }
-
-    fn named(&self) -> Vec<(&str, &Solution)> {
-        let named = self.outcomes.iter().filter_map(|(name, outcome)| match outcome {
-            Outcome::Equilibrium(solution) => {
-                Some((name.as_deref().unwrap_or_default(), &**solution))
-            }
-            Outcome::NoEquilibrium(_) => None,
-        });
-        named.collect()
+        self.0.solved().map(|(_, solution)| solution).collect()
     }
 
     /// What is found where something is expected.
@@ -70,25 +37,25 @@ impl Answers {
     ///
     /// If the answer has no such quantity, or the file no such combination.
     pub fn found(&self, expectation: &Expectation, document: &Document) -> Result<Value, String> {
-        let name = match &expectation.of {
-            Of::Envelope if !self.passages.is_empty() => {
-                return expectation.found_in_passages(&self.passages);
+        let Answers(answers) = self;
+        let name = match (&expectation.of, answers.asked) {
+            (Of::Envelope, Asked::Trains) => {
+                return expectation.found_in_passages(&answers.passages());
             }
-            Of::Envelope => {
-                let (names, solutions): (Vec<&str>, Vec<&Solution>) =
-                    self.named().into_iter().unzip();
-                return expectation.found_in_envelope(&Envelope::of(solutions), &names);
+            (Of::Envelope, _) => {
+                let names: Vec<&str> = answers.solved().map(|(answer, _)| answer.name()).collect();
+                return expectation.found_in_envelope(&answers.envelope(), &names);
             }
-            Of::File => None,
-            Of::Combination(name) => Some(name.as_str()),
+            (Of::File, _) => "",
+            (Of::Combination(name), _) => name,
         };
-        let outcome = self.outcomes.iter().find(|(other, _)| other.as_deref() == name);
-        match outcome {
-            Some((_, outcome)) => expectation.found(document, outcome),
-            None => Err(match name {
-                Some(name) => format!("the file has no combination `{name}`"),
-                None => "the file has combinations: say which, as in [ULS 1]".to_owned(),
-            }),
+        let mut all = answers.list.iter().filter(|_| answers.asked != Asked::Trains);
+        match all.find(|answer| answer.name() == name) {
+            Some(answer) => expectation.found(document, &answer.found),
+            None if name.is_empty() => {
+                Err("the file has combinations: say which, as in [ULS 1]".to_owned())
+            }
+            None => Err(format!("the file has no combination `{name}`")),
         }
     }
 

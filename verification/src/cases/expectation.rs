@@ -2,9 +2,9 @@
 
 use super::quantity::Quantity;
 use super::scale::{Kind, scale};
-use groundbeam::train::Passage;
-use groundbeam::{Envelope, Existence, Outcome, Side, Verdict};
+use groundbeam::{Envelope, Side, Verdict};
 use groundbeam_file::{Document, UnitSystem};
+use groundbeam_run::{Found, Passages};
 
 /// What a line expects.
 #[derive(Debug, Clone)]
@@ -143,43 +143,42 @@ impl Expectation {
     /// # Errors
     ///
     /// If the answer has no such quantity.
-    pub fn found(&self, document: &Document, outcome: &Outcome) -> Result<Value, String> {
-        let numbers = match (self.quantity, outcome) {
+    pub fn found(&self, document: &Document, found: &Found) -> Result<Value, String> {
+        let existence = found.existence().ok_or("there is no certified answer")?;
+        let numbers = match (self.quantity, found) {
             (Quantity::Growth(growth), _) => growth.of(&self.name, document)?,
             (Quantity::Verdict, _) => {
-                return Ok(Value::Word(word(existence(outcome).verdict).to_owned()));
+                return Ok(Value::Word(word(existence.verdict).to_owned()));
             }
             (Quantity::StaticReaction(side), _) => {
-                let [left, right] = existence(outcome).static_reactions;
+                let [left, right] = existence.static_reactions;
                 vec![if side == Side::Left { left } else { right }]
             }
-            (Quantity::FailingMotion | Quantity::FailingWork, _) => {
-                match existence(outcome).verdict {
-                    Verdict::None(motion) | Verdict::NotUnique(motion) => {
-                        if self.quantity == Quantity::FailingWork {
-                            vec![motion.work]
-                        } else {
-                            vec![motion.left, motion.right]
-                        }
+            (Quantity::FailingMotion | Quantity::FailingWork, _) => match existence.verdict {
+                Verdict::None(motion) | Verdict::NotUnique(motion) => {
+                    if self.quantity == Quantity::FailingWork {
+                        vec![motion.work]
+                    } else {
+                        vec![motion.left, motion.right]
                     }
-                    Verdict::Buckles(mode) if self.quantity == Quantity::FailingWork => {
-                        vec![mode.work]
-                    }
-                    Verdict::Buckles(mode) => vec![mode.left, mode.right],
-                    Verdict::Unique | Verdict::Local(_) => return Err("no motion fails".into()),
                 }
-            }
-            (Quantity::CriticalCompression, _) => match existence(outcome).verdict {
+                Verdict::Buckles(mode) if self.quantity == Quantity::FailingWork => {
+                    vec![mode.work]
+                }
+                Verdict::Buckles(mode) => vec![mode.left, mode.right],
+                Verdict::Unique | Verdict::Local(_) => return Err("no motion fails".into()),
+            },
+            (Quantity::CriticalCompression, _) => match existence.verdict {
                 Verdict::Local(local) => vec![local.critical_compression],
                 Verdict::Buckles(mode) => vec![mode.critical_compression],
                 _ => return Err("the ground need not help to bear the compression".into()),
             },
-            (Quantity::StabilityMargin, _) => match existence(outcome).verdict {
+            (Quantity::StabilityMargin, _) => match existence.verdict {
                 Verdict::Local(local) => vec![local.stability_margin],
                 _ => return Err("the equilibrium is no local one".into()),
             },
-            (quantity, Outcome::Equilibrium(solution)) => quantity.of(solution)?,
-            (_, Outcome::NoEquilibrium(_)) => return Err("there is no equilibrium".into()),
+            (quantity, Found::Equilibrium(solution)) => quantity.of(solution)?,
+            _ => return Err("there is no equilibrium".into()),
         };
         Ok(Value::Numbers(numbers.into_iter().map(|number| number / self.scale).collect()))
     }
@@ -214,15 +213,12 @@ impl Expectation {
     /// # Errors
     ///
     /// If such an envelope has no such quantity.
-    pub fn found_in_passages(&self, passages: &[Passage]) -> Result<Value, String> {
+    pub fn found_in_passages(&self, passages: &Passages) -> Result<Value, String> {
         let Quantity::Extreme { field, largest, position } = self.quantity else {
             return Err("the envelope of a train has extremes".to_owned());
         };
-        let all = passages.iter().filter_map(|passage| passage.range(field));
-        let sign = if largest { 1.0 } else { -1.0 };
-        let found = all.map(|range| range[usize::from(largest)]);
-        let most = found.max_by(|a, b| (sign * a.value).total_cmp(&(sign * b.value)));
-        let most = most.ok_or("nothing was solved")?;
+        let range = passages.range(field).ok_or("nothing was solved")?;
+        let most = range[usize::from(largest)].located;
         let number = if position { most.x } else { most.value };
         Ok(Value::Numbers(vec![number / self.scale]))
     }
@@ -281,13 +277,6 @@ fn shown(value: &Value) -> String {
     match value {
         Value::Word(word) => word.clone(),
         Value::Numbers(list) => format!("{list:?}"),
-    }
-}
-
-fn existence(outcome: &Outcome) -> &Existence {
-    match outcome {
-        Outcome::Equilibrium(solution) => solution.existence(),
-        Outcome::NoEquilibrium(existence) => existence,
     }
 }
 

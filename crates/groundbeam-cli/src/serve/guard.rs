@@ -3,8 +3,8 @@
 //! A browser sends requests of foreign pages too, and a foreign name may be made to mean this machine (DNS
 //! rebinding). Both give themselves away: by `Origin`, and by `Host`.
 
+use super::reply::refusal;
 use super::routes::LONGEST;
-use super::wrong::refusal;
 use axum::extract::{Request, State};
 use axum::http::header::{
     CACHE_CONTROL, CONTENT_LENGTH, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HOST, HeaderName, ORIGIN,

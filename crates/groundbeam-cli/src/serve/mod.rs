@@ -1,20 +1,16 @@
 //! `groundbeam serve`: a page on this machine, and the answers behind it.
 
-mod answer;
 mod assets;
 mod browser;
 mod connection;
 mod guard;
-mod query;
+mod reply;
 mod routes;
-mod view;
-mod written;
-mod wrong;
 
-use crate::Status;
 use crate::failure::Failure;
 use crate::output::print;
 use crate::request::Serve;
+use crate::status::Status;
 use connection::LIMITS;
 use std::net::Ipv4Addr;
 use std::path::Path;

@@ -1,20 +1,23 @@
 //! The addresses of the page, and what is answered there.
 
 use super::Start;
-use super::answer::{Form, file, result, view};
 use super::assets::{ASSETS, examples};
 use super::guard::guard;
-use super::query::{Asked, Pairs, REPORT, SOLVE, VIEW, WrongQuery};
-use super::wrong::{document, refusal};
+use super::reply::{refusal, sent};
+use crate::host::Threads;
 use axum::Router;
 use axum::body::Bytes;
 use axum::extract::rejection::PathRejection;
-use axum::extract::{DefaultBodyLimit, FromRef, FromRequest, Path, Request, State};
+use axum::extract::{
+    DefaultBodyLimit, FromRef, FromRequest, FromRequestParts, Path, Query, Request, State,
+};
 use axum::http::StatusCode;
 use axum::http::header::CONTENT_TYPE;
+use axum::http::request::Parts;
 use axum::middleware::from_fn_with_state;
-use axum::response::{IntoResponse, Response};
+use axum::response::Response;
 use axum::routing::{get, post};
+use groundbeam_page::{Asked, Form, REPORT, Reply, SOLVE, VIEW, WrongQuery, file, result, view};
 use serde_json::json;
 use std::sync::Arc;
 use std::time::Duration;
@@ -48,7 +51,7 @@ pub fn all(start: Option<Start>, port: u16, body: Duration) -> Router {
         .route("/api/file/{form}", post(download));
     for asset in &ASSETS {
         let answer = move |pairs: Pairs| async move {
-            pairs.read(&[]).map(|_| ([(CONTENT_TYPE, asset.kind)], asset.bytes))
+            pairs.read(&[]).map(|_| ([(CONTENT_TYPE, asset.kind)], asset.bytes)).map_err(sent)
         };
         router = router.route(asset.path, get(answer));
     }
@@ -63,21 +66,21 @@ pub fn all(start: Option<Start>, port: u16, body: Duration) -> Router {
 }
 
 /// The model to begin with, and the examples.
-async fn begin(State(desk): State<Desk>, pairs: Pairs) -> Result<Response, WrongQuery> {
-    pairs.read(&[])?;
+async fn begin(State(desk): State<Desk>, pairs: Pairs) -> Result<Response, Response> {
+    pairs.read(&[]).map_err(sent)?;
     let start = desk.start.as_ref().map(|s| json!({ "name": s.name, "text": s.text }));
     let examples: Vec<_> =
         examples().map(|(name, text)| json!({ "name": name, "text": text })).collect();
     let text = json!({ "start": start, "examples": examples }).to_string();
-    Ok(document(StatusCode::OK, text))
+    Ok(sent(Reply::document(200, text)))
 }
 
 async fn solve(State(desk): State<Desk>, pairs: Pairs, model: Model) -> Response {
-    desk.answer(pairs.read(SOLVE), model, result).await
+    desk.answer(pairs.read(SOLVE), model, |model, asked| result(model, asked, &host())).await
 }
 
 async fn look(State(desk): State<Desk>, pairs: Pairs, model: Model) -> Response {
-    desk.answer(pairs.read(VIEW), model, view).await
+    desk.answer(pairs.read(VIEW), model, |model, asked| view(model, asked, &host())).await
 }
 
 async fn download(
@@ -91,7 +94,33 @@ async fn download(
     };
     // A report is about a whole file, in which no train stands at one position.
     let keys = if form == Form::Html { REPORT } else { SOLVE };
-    desk.answer(pairs.read(keys), model, move |model, asked| file(model, asked, form)).await
+    desk.answer(pairs.read(keys), model, move |model, asked| file(model, asked, form, &host()))
+        .await
+}
+
+/// All processors, without a display of progress: the page shows that it waits.
+fn host() -> Threads<'static> {
+    Threads::new(&|| ())
+}
+
+/// The keys and values of a query in their order.
+struct Pairs(Vec<(String, String)>);
+
+impl<S: Send + Sync> FromRequestParts<S> for Pairs {
+    type Rejection = Response;
+
+    async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Response> {
+        match Query::from_request_parts(parts, state).await {
+            Ok(Query(pairs)) => Ok(Pairs(pairs)),
+            Err(rejection) => Err(refusal(rejection.status(), &rejection.body_text())),
+        }
+    }
+}
+
+impl Pairs {
+    fn read(&self, keys: &[&str]) -> Result<Asked, WrongQuery> {
+        Asked::read(&self.0, keys)
+    }
 }
 
 /// The model file in the body of a request.
@@ -122,17 +151,17 @@ impl Desk {
         &self,
         asked: Result<Asked, WrongQuery>,
         Model(model): Model,
-        work: impl FnOnce(&[u8], &Asked) -> Response + Send + 'static,
+        work: impl FnOnce(&[u8], &Asked) -> Reply + Send + 'static,
     ) -> Response {
         let asked = match asked {
             Ok(asked) => asked,
-            Err(wrong) => return wrong.into_response(),
+            Err(wrong) => return sent(wrong),
         };
         let Ok(permit) = Arc::clone(&self.permits).acquire_owned().await else {
             return refusal(StatusCode::SERVICE_UNAVAILABLE, "the program ends");
         };
         let done = tokio::task::spawn_blocking(move || {
-            let answer = work(&model, &asked);
+            let answer = sent(work(&model, &asked));
             // Work goes on where a browser aborts the request, and keeps the permit for that long.
             drop(permit);
             answer

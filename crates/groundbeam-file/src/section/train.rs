@@ -10,7 +10,7 @@ use crate::suggest::nearest;
 use crate::table::Section;
 use crate::trains::{self, TrainSet};
 use crate::units::Seen;
-use groundbeam::train::{Axle, Train, UniformPart};
+use groundbeam::model::{Axle, Train, UniformPart};
 use std::ops::Range;
 
 const KEYS: &[&str] = &["name", "set", "axles", "uniform", "from", "to", "factor"];

@@ -17,7 +17,8 @@ Deflections, forces and settlements are positive down, positions are measured fr
 from ._along import ControlValues, Points, Steps
 from ._batch import Batch, solve_many
 from ._calibrate import Calibration, calibrate
-from ._combinations import Bound, Combinations, Envelope
+from ._combinations import Band, Banded, Bound, Combinations, Envelope
+from ._comparison import Comparison, MethodAnswer, MethodErrors
 from ._errors import Diagnostic, GroundbeamError, ModelError, NoEquilibrium, NotConverged
 from ._model import Existence, Model, load
 from ._native import __version__
@@ -36,15 +37,19 @@ from ._solution import (
     Solution,
 )
 from ._study import Estimate, Spread, Study, Summary, merge
+from ._trains import MovingBound, MovingEnvelope, Passage, Passages
 
 __all__ = [
     "Batch",
     "Beam",
     "Bound",
+    "Band",
+    "Banded",
     "Calibration",
     "Certificate",
     "Combination",
     "Combinations",
+    "Comparison",
     "ControlValues",
     "Diagnostic",
     "EndForces",
@@ -62,9 +67,15 @@ __all__ = [
     "LiftOff",
     "Load",
     "Model",
+    "MethodAnswer",
+    "MethodErrors",
     "ModelError",
+    "MovingBound",
+    "MovingEnvelope",
     "NoEquilibrium",
     "NotConverged",
+    "Passage",
+    "Passages",
     "Points",
     "Range",
     "Reaction",

@@ -32,13 +32,28 @@ class Envelope(NamedTuple):
     max: Bound
 
 
+class Banded(NamedTuple):
+    """A number on the best ground, and the smallest and the largest on all grounds of a band that were solved."""
+
+    best: float
+    low: float
+    high: float
+
+
+class Band(NamedTuple):
+    """The smallest and the largest value of a field, each with its band over the grounds."""
+
+    min: Banded
+    max: Banded
+
+
 class Combinations(Mapping[str, Answer]):
     """The answer to each combination by its name; those that failed are there as what ``solve`` would raise."""
 
-    _inner: _native.Combinations
+    _inner: _native.Answers
     _answers: dict[str, Answer]
 
-    def __init__(self, native: _native.Combinations) -> None:
+    def __init__(self, native: _native.Answers) -> None:
         self._inner = native
         self._answers = {
             name: Solution(answer) if isinstance(answer, _native.Solution) else answer
@@ -78,6 +93,15 @@ class Combinations(Mapping[str, Answer]):
             Bound(values.reshape(at.shape), [names[i] for i in by]) for values, by in bounds
         )
         return Envelope(low, high)
+
+    def band(self, field: str) -> Band:
+        """The smallest and the largest value of a field over all combinations on one ground, with their bands over all
+        grounds. Nothing is proven of grounds between those that were solved."""
+        found = self._inner.band(field)
+        if found is None:
+            raise ValueError("the model has no band of grounds, or nothing was solved on the best ground")
+        low, high = found
+        return Band(Banded(*low), Banded(*high))
 
     def stations(self) -> Array:
         """Positions at which the envelope is worth listing, the changes of what governs among them."""

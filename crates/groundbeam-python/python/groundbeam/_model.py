@@ -7,8 +7,10 @@ from typing import NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _native, _parts, _tables
 from ._combinations import Combinations
+from ._comparison import Comparison
 from ._threads import number_of
 from ._solution import Solution
+from ._trains import Passages
 
 
 _Files = Optional[Sequence[Tuple[str, str]]]
@@ -155,7 +157,7 @@ class Model:
         if self._inner.trains:
             raise ValueError(
                 f"the train {self._inner.trains[0]!r} passes over the beam, and one answer would leave it out: "
-                "use the program, `groundbeam solve`, or solve_many() with positions of its axles"
+                "use solve_trains()"
             )
 
     def check(self, *, combination: Optional[str] = None) -> Existence:
@@ -180,6 +182,43 @@ class Model:
         if not self._inner.combinations():
             raise ValueError("the model has no combinations: use solve()")
         return Combinations(self._inner.solve_combinations(method, elements, number_of(threads)))
+
+    def solve_trains(
+        self,
+        method: str = "exact",
+        *,
+        elements: int = 100,
+        combination: Optional[str] = None,
+        threads: Optional[int] = None,
+    ) -> Passages:
+        """Moves every train of the model over every combination, or over one, and solves each position.
+
+        A model without combinations has its loads as they are written. The answers have the same bits with any number
+        of ``threads``.
+        """
+        if not self._inner.trains:
+            raise ValueError("the model has no trains: use solve()")
+        native = self._inner.solve_trains(method, elements, combination, number_of(threads))
+        return Passages(native)
+
+    def compare(
+        self,
+        *,
+        elements: int = 100,
+        most_sweeps: int = 1_000_000,
+        combination: Optional[str] = None,
+    ) -> Comparison:
+        """Solves the model, or one of its combinations, by every method.
+
+        ``elements`` are those of the methods with a mesh. ``most_sweeps`` limits their iterations.
+        """
+        if combination is None:
+            self._refuse_more_than_one_answer()
+        found = Comparison(self._inner.compare(elements, most_sweeps, combination))
+        exact = found["exact"].answer
+        if not isinstance(exact, Solution):
+            raise exact
+        return found
 
     def __repr__(self) -> str:
         title = f" {self.title!r}" if self.title else ""

@@ -5,7 +5,7 @@ mod run;
 
 use crate::failure::Failure;
 use crate::model::{Model, options};
-use crate::solution::field;
+use crate::names::field;
 use groundbeam::Field;
 use groundbeam_study::{Row, Wanted};
 use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};

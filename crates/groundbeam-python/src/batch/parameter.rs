@@ -2,7 +2,7 @@
 
 use crate::derivatives::parameter;
 use crate::failure::Failure;
-use crate::model::Read;
+use crate::read::Read;
 use groundbeam::Model;
 use groundbeam::sensitivity::{Parameter as Number, Property};
 use groundbeam_file::{Course, Shape, along_the_beam, change, most_control_values, problem};

@@ -2,7 +2,7 @@
 
 use super::parameter::{Parameter, apply};
 use crate::failure::Tipping;
-use crate::model::Read;
+use crate::read::Read;
 use groundbeam::{Options, Solver};
 use groundbeam_study::{Row, Trouble, Wanted};
 use pyo3::prelude::*;

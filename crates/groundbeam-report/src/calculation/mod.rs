@@ -13,9 +13,10 @@ mod several;
 mod single;
 
 use crate::context::{Context, clean};
-use crate::found::Found;
 pub use content::{Block, Column, Equation, Fact, Key, Report, Section, Table, Verdict};
 use groundbeam::Model;
+use groundbeam_file::Document;
+use groundbeam_run::{Answers, Asked, Found};
 
 /// Where a report's model comes from.
 #[derive(Debug, Clone, Copy)]
@@ -30,6 +31,13 @@ pub struct Source<'a> {
     pub cases: &'a [Option<String>],
 }
 
+impl<'a> Source<'a> {
+    /// A model file with what it is called.
+    pub fn of(document: &'a Document, name: &'a str, text: &'a str) -> Self {
+        Source { name, text, model: &document.model, cases: &document.cases }
+    }
+}
+
 /// The paper on which a report is set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Paper {
@@ -39,18 +47,24 @@ pub enum Paper {
     Letter,
 }
 
-/// The report of what was found. Equal results give equal reports, but for the time a context brings along.
-pub fn report(found: Found, context: &Context, source: &Source) -> Report {
-    let report = match found {
-        Found::Equilibrium(solution) => single::solved(solution, context, source),
-        Found::NoEquilibrium(model, existence) => {
-            single::no_equilibrium(model, existence, context, source)
+/// The report of the answers to a file. Equal results give equal reports, but for the time a context brings along.
+pub fn report(answers: &Answers, context: &Context, source: &Source) -> Report {
+    let report = match (answers.asked, answers.list.first()) {
+        (Asked::One, Some(one)) => {
+            let model = one.label.model();
+            match &one.found {
+                Found::Equilibrium(solution) => single::solved(solution, context, source),
+                Found::Exists(existence) | Found::NoEquilibrium(existence) => {
+                    single::no_equilibrium(&model, existence, context, source)
+                }
+                Found::NotConverged(reached) => {
+                    single::not_converged(&model, reached, context, source)
+                }
+                Found::Unsolved(_) => Report::default(),
+            }
         }
-        Found::NotConverged(model, reached) => {
-            single::not_converged(model, reached, context, source)
-        }
-        Found::Combinations(all) => several::combinations(all, context, source),
-        Found::Trains(passages) => passages::trains(passages, context, source),
+        (Asked::Trains, _) => passages::trains(&answers.passages(), context, source),
+        _ => several::combinations(answers, context, source),
     };
     Report {
         title: context.clean_title().unwrap_or_else(|| clean(source.name)),

@@ -3,32 +3,30 @@
 use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
 use super::single::{certified, checked, place};
 use super::{Source, given, print, proof};
-use crate::combinations::Overall;
 use crate::context::{Context, clean};
 use crate::quantity::{Kind, Units};
 use crate::svg::figures;
 use crate::text::{self, train};
-use crate::trains::{InPassage, Moving, Passages};
-use groundbeam::train::Located;
 use groundbeam::{Check, Field, Method};
+use groundbeam_run::{InPassage, Located, Overall, Passage, Passages};
 
 /// The report of passages.
 pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) -> Report {
-    let all: Vec<&Moving> = passages.all.iter().collect();
-    let first = all.iter().find_map(|moving| moving.passage.solved().next());
+    let all = &passages.all[..];
+    let first = all.iter().find_map(|passage| passage.solved().next());
     let model = first.map_or(source.model, |(_, solution)| solution.model());
     let existence = first.map(|(_, solution)| *solution.existence());
     let existence = existence.or_else(|| groundbeam::exists(source.model).ok()).unwrap_or_default();
     let mut given = given::section(model, &existence, None, context, source);
     given.blocks.extend(facts(|sheet| {
-        all.iter().for_each(|moving| train::head(sheet, moving, context.units));
+        all.iter().for_each(|passage| train::head(sheet, passage, context.units));
     }));
     let method = first.map_or(Method::Exact, |(_, solution)| solution.method());
-    let mut sections = vec![given, given::assumptions(model, method), ways(&all, context)];
+    let mut sections = vec![given, given::assumptions(model, method), ways(all, context)];
     let mut verdicts = vec![overall(passages)];
     let mut key = Vec::new();
     if first.is_some() {
-        let solved = || all.iter().flat_map(|moving| moving.passage.solved());
+        let solved = || all.iter().flat_map(Passage::solved);
         let of = |solution| context.limits.map(|limits| limits.check(solution)).unwrap_or_default();
         let checks: Vec<Check> = solved().flat_map(|(_, solution)| of(solution)).collect();
         verdicts.extend(checked(&checks));
@@ -37,11 +35,11 @@ pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) ->
         key = keys(passages, context.units);
         sections.push(envelope(passages, context.units));
         sections.push(diagrams(passages, context.units));
-        if let Some(block) = facts(|sheet| train::limits(sheet, &all, context)) {
+        if let Some(block) = facts(|sheet| train::limits(sheet, all, context)) {
             sections.push(Section::new("Checks", vec![block]));
         }
         let untimed = Context { seconds: None, ..*context };
-        sections.push(proof::certificates(|sheet| train::proof(sheet, &all, &untimed)));
+        sections.push(proof::certificates(|sheet| train::proof(sheet, all, &untimed)));
     }
     sections.extend(proof::provenance(context, source));
     Report {
@@ -54,7 +52,7 @@ pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) ->
 }
 
 fn overall(passages: &Passages) -> Verdict {
-    let count: usize = passages.all.iter().map(|moving| moving.passage.solved().count()).sum();
+    let count: usize = passages.all.iter().map(|passage| passage.solved().count()).sum();
     let solved = format!("in all {count} positions that were solved");
     let (tone, head, words) = match passages.overall() {
         Overall::NoEquilibrium => {
@@ -69,14 +67,14 @@ fn overall(passages: &Passages) -> Verdict {
 }
 
 /// Which positions were solved, and where there is no equilibrium.
-fn ways(all: &[&Moving], context: &Context) -> Section {
+fn ways(all: &[Passage], context: &Context) -> Section {
     let blocks = facts(|sheet| {
-        for (i, moving) in all.iter().enumerate() {
+        for (i, passage) in all.iter().enumerate() {
             if all.len() > 1 {
-                sheet.row("Passage", &format!("#{}, {}", i + 1, clean(&moving.label())));
+                sheet.row("Passage", &format!("#{}, {}", i + 1, clean(&passage.label())));
             }
-            train::positions(sheet, moving.passage);
-            train::failures(sheet, moving.passage, "", context.units);
+            train::positions(sheet, passage);
+            train::failures(sheet, passage, "", context.units);
         }
     });
     Section::new("Positions and equilibrium", blocks.into_iter().collect())
@@ -84,7 +82,7 @@ fn ways(all: &[&Moving], context: &Context) -> Section {
 
 /// The extremes of all, with the section, the position of the first axle, and the passage.
 fn envelope(passages: &Passages, units: Units) -> Section {
-    let length = passages.all.first().map_or(1.0, |moving| moving.passage.model().beam.length);
+    let length = passages.all.first().map_or(1.0, |passage| passage.model().beam.length);
     let x = units.unit(Kind::Position, length);
     let several = passages.all.len() > 1;
     let bound = |head: &str| {
@@ -114,14 +112,13 @@ fn envelope(passages: &Passages, units: Units) -> Section {
     }
     let mut blocks = vec![Block::Table(table)];
     blocks.extend(facts(|sheet| {
-        for (i, moving) in passages.all.iter().enumerate() {
+        for (i, passage) in passages.all.iter().enumerate() {
             if several {
                 sheet.row("Passage", &format!("#{}", i + 1));
             }
-            train::uplift(sheet, moving.passage, units);
+            train::uplift(sheet, passage, units);
         }
-        let all: Vec<&Moving> = passages.all.iter().collect();
-        text::free_spans::of_trains(sheet, &all, units);
+        text::free_spans::of_trains(sheet, &passages.all, units);
     }));
     Section::new("Envelope", blocks)
 }
@@ -129,7 +126,7 @@ fn envelope(passages: &Passages, units: Units) -> Section {
 /// A governing value without what is rounding, and the number of its passage.
 fn cleaned(passages: &Passages, field: Field, governing: InPassage) -> (Located, usize) {
     let InPassage { located, passage } = governing;
-    (train::cleaned(passages.all[passage].passage, field, located), passage + 1)
+    (train::cleaned(&passages.all[passage], field, located), passage + 1)
 }
 
 fn keys(passages: &Passages, units: Units) -> Vec<Key> {
@@ -156,12 +153,12 @@ fn keys(passages: &Passages, units: Units) -> Vec<Key> {
 /// The train where it bends the beam most, and the envelopes.
 fn diagrams(passages: &Passages, units: Units) -> Section {
     let governing = passages.largest_moment().and_then(|most| {
-        let moving = passages.all.get(most.passage)?;
-        let (first_axle, solution) = moving.passage.nearest(most.located.first_axle)?;
+        let passage = passages.all.get(most.passage)?;
+        let (first_axle, solution) = passage.nearest(most.located.first_axle)?;
         let at = units.position(first_axle);
         let caption = format!(
             "{} where it bends the beam most, first axle at {}",
-            clean(&moving.label()),
+            clean(&passage.label()),
             print::words(&at)
         );
         Some(Block::Figure { svg: figures::bent(solution, units), caption })

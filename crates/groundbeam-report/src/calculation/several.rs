@@ -3,7 +3,7 @@
 use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
 use super::single::{certified, checked, place};
 use super::{Source, given, print, proof};
-use crate::combinations::{Answer, Combinations, Combined, Numbered, Overall};
+use crate::combinations::{Numbered, noun, numbered};
 use crate::context::{Context, clean};
 use crate::number::significant;
 use crate::quantity::{Kind, Units};
@@ -13,19 +13,21 @@ use crate::verdict;
 use groundbeam::{
     Check, Existence, Extreme, Field, Governing, Method, Solution, Verdict as Stands,
 };
+use groundbeam_file::Combination;
+use groundbeam_run::{Answers, Found, Overall};
 
 /// The report of all combinations.
-pub(super) fn combinations(all: &Combinations, context: &Context, source: &Source) -> Report {
-    let Some(first) = all.combined.first() else { return Report::default() };
-    let existence = first.answer.existence().copied().unwrap_or_default();
-    let ground = first.ground.filter(|ground| ground.gamma.is_none());
+pub(super) fn combinations(all: &Answers, context: &Context, source: &Source) -> Report {
+    let Some(first) = all.list.first() else { return Report::default() };
+    let existence = first.existence().copied().unwrap_or_default();
+    let ground = first.ground.as_ref().filter(|ground| ground.gamma.is_none());
     let of_first = Context { ground, ..*context };
-    let mut given = given::section(first.model, &existence, None, &of_first, source);
+    let mut given = given::section(first.model(), &existence, None, &of_first, source);
     given.blocks.push(list(all));
-    let solved: Vec<Numbered> = all.numbered().collect();
+    let solved: Vec<Numbered> = numbered(all);
     let method = solved.first().map_or(Method::Exact, |row| row.solution.method());
     let mut sections =
-        vec![given, given::assumptions(first.model, method), statics(all, context.units)];
+        vec![given, given::assumptions(first.model(), method), statics(all, context.units)];
     let mut verdicts = vec![overall(all)];
     let mut key = Vec::new();
     if !solved.is_empty() {
@@ -44,7 +46,7 @@ pub(super) fn combinations(all: &Combinations, context: &Context, source: &Sourc
         sections.push(envelope(all, &solved, context.units));
         sections.push(diagrams(all, context.units));
         let named: Vec<(&str, &Solution)> =
-            solved.iter().map(|row| (all.combined[row.number - 1].name, row.solution)).collect();
+            solved.iter().map(|row| (all.list[row.number - 1].name(), row.solution)).collect();
         if let Some(block) = facts(|sheet| text::checks::worst_rows(sheet, &named, context)) {
             sections.push(Section::new("Checks", vec![block]));
         }
@@ -67,16 +69,16 @@ pub(super) fn combinations(all: &Combinations, context: &Context, source: &Sourc
     }
 }
 
-fn overall(all: &Combinations) -> Verdict {
-    let count = all.combined.len();
+fn overall(all: &Answers) -> Verdict {
+    let count = all.list.len();
     let (tone, head, words) = match all.overall() {
         Overall::Solved => ("good", "In equilibrium", format!("all {count} combinations")),
         Overall::NoEquilibrium => {
-            let none = all.combined.iter().filter(|c| matches!(c.answer, Answer::NoEquilibrium(_)));
+            let none = all.list.iter().filter(|c| matches!(c.found, Found::NoEquilibrium(_)));
             ("bad", "No equilibrium", format!("in {} of {count} combinations", none.count()))
         }
         Overall::NotConverged => {
-            let none = all.combined.iter().filter(|c| matches!(c.answer, Answer::NotConverged(_)));
+            let none = all.list.iter().filter(|c| matches!(c.found, Found::NotConverged(_)));
             ("bad", "Not solved", format!("{} of {count} combinations", none.count()))
         }
     };
@@ -84,16 +86,17 @@ fn overall(all: &Combinations) -> Verdict {
 }
 
 /// Names and factors.
-fn list(all: &Combinations) -> Block {
+fn list(all: &Answers) -> Block {
     let columns = vec![numbers("#", ""), wording("combination"), wording("load cases")];
-    let mut table = Table::new(all.noun(), columns);
-    for (i, Combined { name, factors, band, .. }) in all.combined.iter().enumerate() {
+    let mut table = Table::new(noun(all), columns);
+    for (i, answer) in all.list.iter().enumerate() {
+        let Combination { name, factors, ground, .. } = &*answer.label.combination;
         let terms = factors.iter().filter(|(_, factor)| *factor != 0.0);
         let terms: Vec<String> = terms
             .map(|(case, factor)| format!("{} {}", significant(*factor, 6), clean(case)))
             .collect();
         let mut words = terms.join(" + ").replace("+ -", "− ");
-        if let Some([spring, shear]) = band {
+        if let Some([spring, shear]) = ground {
             let [spring, shear] = [spring, shear].map(|factor| significant(*factor, 6));
             let ground = format!("ground {spring} k, {shear} μ");
             words = if words.is_empty() { ground } else { format!("{words}; {ground}") };
@@ -104,7 +107,7 @@ fn list(all: &Combinations) -> Block {
 }
 
 /// What statics says of every combination, and of every load case by itself.
-fn statics(all: &Combinations, units: Units) -> Section {
+fn statics(all: &Answers, units: Units) -> Section {
     let heads = |what: &str| {
         vec![
             numbers("#", ""),
@@ -133,12 +136,12 @@ fn statics(all: &Combinations, units: Units) -> Section {
         let [left, right] = existence.static_reactions.map(|force| unit.number(force, 5));
         [number.to_string(), clean(name), left, right, said]
     };
-    for (i, combined) in all.combined.iter().enumerate() {
-        match combined.answer.existence() {
-            Some(existence) => table.push(row(i + 1, combined.name, combined.model, existence)),
+    for (i, answer) in all.list.iter().enumerate() {
+        match answer.existence() {
+            Some(existence) => table.push(row(i + 1, answer.name(), answer.model(), existence)),
             None => table.push([
                 (i + 1).to_string(),
-                clean(combined.name),
+                clean(answer.name()),
                 String::new(),
                 String::new(),
                 "not solved".to_owned(),
@@ -150,20 +153,20 @@ fn statics(all: &Combinations, units: Units) -> Section {
         let mut alone = Table::new("Every load case by itself", heads("case"));
         alone.note = "A case that could not stand by itself is no physical state; combinations with it may be.".into();
         for (i, case) in all.alone.iter().enumerate() {
-            alone.push(row(i + 1, case.name, case.model, case.existence));
+            alone.push(row(i + 1, &case.case.name, &case.case.model, &case.existence));
         }
         blocks.push(Block::Table(alone));
     }
     Section::new("Equilibrium", blocks)
 }
 
-fn largest_reaction(all: &Combinations) -> f64 {
-    let each = all.combined.iter().filter_map(|combined| combined.answer.existence());
+fn largest_reaction(all: &Answers) -> f64 {
+    let each = all.list.iter().filter_map(|answer| answer.existence());
     each.flat_map(|existence| existence.static_reactions)
         .fold(0.0, |most, force| most.max(force.abs()))
 }
 
-fn force_unit(all: &Combinations, units: Units) -> &'static str {
+fn force_unit(all: &Answers, units: Units) -> &'static str {
     units.unit(Kind::Force, largest_reaction(all)).name
 }
 
@@ -177,7 +180,7 @@ const COLUMNS: [(Field, bool, &str); 5] = [
 ];
 
 /// Contact and extremes, a line each.
-fn each(all: &Combinations, solved: &[Numbered], units: Units) -> Section {
+fn each(all: &Answers, solved: &[Numbered], units: Units) -> Section {
     let value = |row: &Numbered, (field, largest): (Field, bool)| {
         let range = row.solution.range(field);
         row.sizes.extreme(field, if largest { range.max } else { range.min }).value
@@ -198,7 +201,7 @@ fn each(all: &Combinations, solved: &[Numbered], units: Units) -> Section {
         .extend(COLUMNS.iter().zip(in_units).map(|((_, _, head), unit)| numbers(head, unit.name)));
     columns.extend([numbers("p₀", force.name), numbers("p_l", force.name)]);
     let mut table = Table::new("Contact and extremes of every combination", columns);
-    let x = units.unit(Kind::Position, all.combined.first().map_or(1.0, |c| c.model.beam.length));
+    let x = units.unit(Kind::Position, all.list.first().map_or(1.0, |c| c.model().beam.length));
     for row in solved {
         let zones: Vec<String> = row
             .solution
@@ -225,9 +228,9 @@ fn each(all: &Combinations, solved: &[Numbered], units: Units) -> Section {
 }
 
 /// The extremes of all, each with the combination that has it.
-fn envelope(all: &Combinations, solved: &[Numbered], units: Units) -> Section {
+fn envelope(all: &Answers, solved: &[Numbered], units: Units) -> Section {
     let envelope = all.envelope();
-    let x = units.unit(Kind::Position, all.combined.first().map_or(1.0, |c| c.model.beam.length));
+    let x = units.unit(Kind::Position, all.list.first().map_or(1.0, |c| c.model().beam.length));
     let columns = vec![
         wording("quantity"),
         numbers("smallest", ""),
@@ -265,7 +268,7 @@ fn known(governing: Governing, field: Field, solved: &[Numbered]) -> (Extreme, u
     }
 }
 
-fn keys(all: &Combinations, solved: &[Numbered], units: Units) -> Vec<Key> {
+fn keys(all: &Answers, solved: &[Numbered], units: Units) -> Vec<Key> {
     let envelope = all.envelope();
     let largest = |label, field: Field| {
         let range = envelope.range(field);
@@ -284,7 +287,7 @@ fn keys(all: &Combinations, solved: &[Numbered], units: Units) -> Vec<Key> {
 }
 
 /// The envelopes, and the combination with the largest moment.
-fn diagrams(all: &Combinations, units: Units) -> Section {
+fn diagrams(all: &Answers, units: Units) -> Section {
     let captions = ["Deflection", "Contact pressure", "Bending moment", "Shear force"];
     let figures =
         figures::combinations(all, units).into_iter().zip(captions).map(|(svg, field)| {
@@ -296,9 +299,9 @@ fn diagrams(all: &Combinations, units: Units) -> Section {
     let range = all.envelope().range(Field::Moment);
     let most =
         if -range.min.extreme.value > range.max.extreme.value { range.min } else { range.max };
-    let governing = all.solved().nth(most.by).map(|(combined, solution)| Block::Figure {
+    let governing = all.solved().nth(most.by).map(|(answer, solution)| Block::Figure {
         svg: figures::bent(solution, units),
-        caption: format!("The beam under {}, which bends it most", clean(combined.name)),
+        caption: format!("The beam under {}, which bends it most", clean(answer.name())),
     });
     let blocks = governing.into_iter().chain(figures).collect();
     Section::new("Diagrams", blocks)

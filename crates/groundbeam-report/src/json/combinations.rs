@@ -2,52 +2,42 @@
 
 use super::existence::Proven;
 use super::{Checked, EVEN_STEPS, Point, Solved, Unsolved, default_stations, text};
-use crate::band::Banded;
-use crate::combinations::{Alone, Answer, Combinations, Combined, Overall};
 use crate::context::Context;
 use groundbeam::{Bound, Bounds, Change, Envelope, Field, Governing};
+use groundbeam_run::{Alone, Answer, Answers, Banded, Found, Overall};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// The document of all combinations, with the fields at the given positions; left out, each result and the
+/// The document of all combinations, solved or only checked, with the fields at the given positions; left out, each result and the
 /// envelope have those that suit them.
-pub fn combinations(
-    combinations: &Combinations,
-    stations: Option<&[f64]>,
-    context: &Context,
-) -> String {
-    let names: Vec<&str> = combinations.solved().map(|(combined, _)| combined.name).collect();
-    let envelope = combinations.envelope();
+pub fn combinations(answers: &Answers, stations: Option<&[f64]>, context: &Context) -> String {
+    let names: Vec<&str> = answers.solved().map(|(answer, _)| answer.name()).collect();
+    let envelope = answers.envelope();
     let of = Named { envelope: &envelope, names: &names };
     let stations_of_all = || match stations {
         Some(stations) => stations.to_vec(),
         None => envelope.stations(EVEN_STEPS),
     };
     let any = !names.is_empty();
+    let exists = answers.list.iter().any(|answer| matches!(answer.found, Found::Exists(_)));
+    let status = match answers.overall() {
+        Overall::Solved if exists => "equilibrium-exists",
+        overall => overall.name(),
+    };
     text(&All {
-        combinations: each(combinations, stations, context),
+        combinations: each(answers, stations, context),
         envelope: any.then(|| of.table(&stations_of_all())),
         extremes: any.then(|| ByField::of(|field| of.extremes(field))),
-        band: combinations.bands().map(|bands| ByField::of(|field| Band::of(bands[field.index()]))),
+        band: answers.bands().map(|bands| ByField::of(|field| Band::of(bands[field.index()]))),
         changes: any.then(|| ByField::of(|field| of.changes(field))),
-        ..All::head(combinations.overall().name(), combinations, context)
+        ..All::head(status, answers, context)
     })
 }
 
 /// Where an envelope is listed if nobody says: where each of the solutions would be, and where another combination
 /// begins to govern.
-pub fn envelope_stations(combinations: &Combinations) -> Vec<f64> {
-    combinations.envelope().stations(EVEN_STEPS)
-}
-
-/// The document of combinations that were checked but not solved.
-pub fn checked_combinations(combinations: &Combinations, context: &Context) -> String {
-    let status = match combinations.overall() {
-        Overall::NoEquilibrium => "no-equilibrium",
-        Overall::Solved | Overall::NotConverged => "equilibrium-exists",
-    };
-    let combined = each(combinations, None, context);
-    text(&All { combinations: combined, ..All::head(status, combinations, context) })
+pub fn envelope_stations(answers: &Answers) -> Vec<f64> {
+    answers.envelope().stations(EVEN_STEPS)
 }
 
 #[derive(Serialize)]
@@ -72,14 +62,14 @@ struct All<'a> {
 }
 
 impl<'a> All<'a> {
-    fn head(status: &'static str, combinations: &'a Combinations, context: &Context) -> Self {
+    fn head(status: &'static str, answers: &'a Answers, context: &Context) -> Self {
         All {
             status,
             title: context.title.map(str::to_owned),
             units: context.units.name(),
             trough_chords: context.chords,
             combinations: Vec::new(),
-            cases: combinations.alone.iter().map(|case| Case::of(case, context)).collect(),
+            cases: answers.alone.iter().map(|case| Case::of(case, context)).collect(),
             envelope: None,
             extremes: None,
             band: None,
@@ -133,40 +123,42 @@ enum Result {
     Solved(Box<Solved>),
     Checked(Box<Checked>),
     Stopped(Box<Unsolved>),
+    Refused { status: &'static str, why: String },
 }
 
-fn each<'a>(
-    combinations: &'a Combinations,
-    stations: Option<&[f64]>,
-    context: &Context,
-) -> Vec<One<'a>> {
+fn each<'a>(answers: &'a Answers, stations: Option<&[f64]>, context: &Context) -> Vec<One<'a>> {
     let context = Context::new(context.units);
-    let one = |combined: &'a Combined| {
-        let Combined { name, factors, model, band, ground, answer } = combined;
-        let context = Context { ground: *ground, ..context };
-        let result = match answer {
-            Answer::Equilibrium(solution) => {
+    let one = |answer: &'a Answer| {
+        let combination = &answer.label.combination;
+        let model = &combination.model;
+        let context = Context { ground: answer.ground.as_ref(), ..context };
+        let result = match &answer.found {
+            Found::Equilibrium(solution) => {
                 let own = stations.map_or_else(|| default_stations(solution), <[f64]>::to_vec);
                 Result::Solved(Box::new(Solved::of(solution, &own, &context)))
             }
-            Answer::Exists(existence) => Result::Checked(Box::new(Checked::of(
+            Found::Exists(existence) => Result::Checked(Box::new(Checked::of(
                 "equilibrium-exists",
                 model,
                 existence,
                 &context,
             ))),
-            Answer::NoEquilibrium(existence) => {
+            Found::NoEquilibrium(existence) => {
                 Result::Checked(Box::new(Checked::of("no-equilibrium", model, existence, &context)))
             }
-            Answer::NotConverged(reached) => {
+            Found::NotConverged(reached) => {
                 Result::Stopped(Box::new(Unsolved::of(reached, &context)))
             }
+            Found::Unsolved(error) => {
+                Result::Refused { status: "not-solved", why: error.to_string() }
+            }
         };
-        let factors = factors.iter().map(|(case, factor)| (case.as_str(), *factor)).collect();
-        let ground_factors = band.map(|[k, mu]| GroundFactors { k, mu });
-        One { name, factors, ground_factors, result }
+        let factors =
+            combination.factors.iter().map(|(case, factor)| (case.as_str(), *factor)).collect();
+        let ground_factors = combination.ground.map(|[k, mu]| GroundFactors { k, mu });
+        One { name: &combination.name, factors, ground_factors, result }
     };
-    combinations.combined.iter().map(one).collect()
+    answers.list.iter().map(one).collect()
 }
 
 #[derive(Serialize)]
@@ -182,10 +174,10 @@ impl<'a> Case<'a> {
     fn of(case: &'a Alone, context: &Context) -> Self {
         let stands = case.stands();
         Case {
-            name: case.name,
+            name: &case.case.name,
             stands_alone: stands,
             state: if stands { "physical" } else { "not a physical state" },
-            existence: Proven::new(case.model, case.existence, context),
+            existence: Proven::new(&case.case.model, &case.existence, context),
         }
     }
 }

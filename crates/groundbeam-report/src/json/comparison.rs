@@ -1,21 +1,21 @@
 //! The answers of several methods to one model, as a document.
 
-use crate::comparison::{Compared, Comparison, Errors};
 use crate::context::Context;
-use groundbeam::{Error, Solution};
+use groundbeam::Solution;
+use groundbeam_run::{Answer, Answers, Errors, Found};
 use serde::Serialize;
 
 #[derive(Serialize)]
-struct Document<'a> {
+struct Document {
     #[serde(skip_serializing_if = "Option::is_none")]
     title: Option<String>,
     units: &'static str,
-    methods: Vec<Row<'a>>,
+    methods: Vec<Row>,
 }
 
 #[derive(Serialize)]
-struct Row<'a> {
-    method: &'a str,
+struct Row {
+    method: &'static str,
     status: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     errors: Option<Relative>,
@@ -36,33 +36,32 @@ struct Relative {
     end_forces: f64,
 }
 
-/// The document of a comparison.
-pub fn comparison(comparison: &Comparison, context: &Context) -> String {
-    let exact = comparison.exact;
-    let mut methods = vec![solved("exact", exact, None, comparison.seconds)];
-    methods.extend(comparison.others.iter().map(
-        |&Compared { name, answer, seconds }| match answer {
-            Ok(solution) => solved(name, solution, Some(Errors::of(solution, exact)), seconds),
-            Err(error) => refused(name, error, seconds),
-        },
-    ));
+/// The document of the answers of several methods, of which the first is the exact one.
+pub fn comparison(answers: &Answers, context: &Context) -> String {
+    let exact = answers.list.first().and_then(Answer::solution);
+    let row = |(i, answer): (usize, &Answer)| {
+        let (method, seconds) = (answer.label.method, answer.seconds);
+        match answer.solution() {
+            Some(solution) => {
+                let errors = exact.filter(|_| i > 0).map(|exact| Errors::of(solution, exact));
+                solved(method, solution, errors, seconds)
+            }
+            None => refused(method, &answer.found, seconds),
+        }
+    };
+    let methods = answers.list.iter().enumerate().map(row).collect();
     super::text(&Document { title: context.clean_title(), units: context.units.name(), methods })
 }
 
-fn refused<'a>(method: &'a str, error: &Error, seconds: f64) -> Row<'a> {
-    let (status, iterations) = match error {
-        Error::NotConverged(reached) => ("not-converged", Some(reached.iterations)),
+fn refused(method: &'static str, found: &Found, seconds: f64) -> Row {
+    let (status, iterations) = match found {
+        Found::NotConverged(reached) => ("not-converged", Some(reached.iterations)),
         _ => ("not-for-this-model", None),
     };
     Row { method, status, errors: None, relative_gap: None, elements: None, iterations, seconds }
 }
 
-fn solved<'a>(
-    method: &'a str,
-    solution: &Solution,
-    errors: Option<Errors>,
-    seconds: f64,
-) -> Row<'a> {
+fn solved(method: &'static str, solution: &Solution, errors: Option<Errors>, seconds: f64) -> Row {
     let errors = errors.map(|Errors { deflection, moment, settlement, end_forces }| Relative {
         deflection,
         moment,

@@ -1,8 +1,8 @@
 //! Load factors in the result document.
 
 use super::existence::Motion;
-use crate::context::Factors;
 use groundbeam::{FirstLiftOff, LossOfEquilibrium, Model, RigidMotion};
+use groundbeam_run::Factors;
 use serde::Serialize;
 
 const AT_ONCE: &str = "at-once";
@@ -38,7 +38,7 @@ struct Loss {
 
 impl Grown {
     /// Without a model, as for one that was not solved, motions say nothing of hinges.
-    pub fn of(factors: Factors, model: Option<&Model>) -> Self {
+    pub fn of(factors: &Factors, model: Option<&Model>) -> Self {
         let moving = |motion: RigidMotion| Motion::of(model, motion);
         let first_lift_off = match factors.found.first_lift_off {
             FirstLiftOff::AtOnce => LiftOff { when: AT_ONCE, factor: None, x: None },

@@ -1,8 +1,8 @@
 //! Where the ground's constants come from, in the result document.
 
-use crate::context;
 use groundbeam::Model;
 use groundbeam::soil::Bed;
+use groundbeam_run as run;
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -25,10 +25,10 @@ pub(super) struct Ground {
 }
 
 impl Ground {
-    pub fn of(ground: context::Ground, model: &Model) -> Self {
+    pub fn of(ground: &run::Ground, model: &Model) -> Self {
         let (width, subgrade) = (ground.width, ground.subgrade);
         Ground {
-            source: ground.bed.map(Bed::source),
+            source: ground.bed.as_ref().map(Bed::source),
             width,
             k: subgrade.spring,
             mu: subgrade.shear,
@@ -36,7 +36,7 @@ impl Ground {
             area_shear: subgrade.shear / width,
             gamma: ground.gamma.map(|(gamma, _)| gamma),
             rounds: ground.gamma.map(|(_, rounds)| rounds),
-            warnings: ground.bed.map(|bed| bed.doubts(&model.beam)).unwrap_or_default(),
+            warnings: ground.bed.as_ref().map(|bed| bed.doubts(&model.beam)).unwrap_or_default(),
         }
     }
 }

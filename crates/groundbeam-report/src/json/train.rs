@@ -3,9 +3,9 @@
 use super::combinations::ByField;
 use super::{FreeSpan, text};
 use crate::context::Context;
-use crate::trains::{CheckedTrain, InPassage, Moving, Passages};
 use groundbeam::Field;
-use groundbeam::train::{Located, Opened};
+use groundbeam_file::MovingTrain;
+use groundbeam_run::{InPassage, Located, Opened, Overall, Passage, Passages};
 use serde::Serialize;
 
 /// The document of passages, with the envelopes at the given sections; left out, at those that suit them. Of a single
@@ -13,18 +13,18 @@ use serde::Serialize;
 pub fn trains(passages: &Passages, stations: Option<&[f64]>, context: &Context) -> String {
     let (title, units) = (context.title, context.units.name());
     let trough_chords = context.chords;
-    if let [moving] = &passages.all[..] {
-        let one = One::of(moving, stations);
+    if let [passage] = passages.all[..] {
+        let one = One::of(passage, stations);
         return text(&Document { title, units, trough_chords, one, seconds: context.seconds });
     }
-    let any = passages.all.iter().any(|moving| moving.passage.solved().next().is_some());
+    let any = passages.any_solved();
     let sections = || stations.map_or_else(|| passages.default_stations(), <[f64]>::to_vec);
     text(&Several {
         status: passages.overall().name(),
         title,
         units,
         trough_chords,
-        passages: passages.all.iter().map(|moving| One::of(moving, stations)).collect(),
+        passages: passages.all.iter().map(|&passage| One::of(passage, stations)).collect(),
         envelope: any.then(|| Table::of_all(passages, sections())),
         extremes: any.then(|| ByField::of(|field| passages.range(field).map(Extremes::of_all))),
         seconds: context.seconds,
@@ -32,20 +32,25 @@ pub fn trains(passages: &Passages, stations: Option<&[f64]>, context: &Context) 
 }
 
 /// The document of trains that were not solved for: where along their ways there is no equilibrium.
-pub fn checked_trains(checked: &[CheckedTrain], context: &Context) -> String {
-    let falls = checked.iter().any(|train| !train.without_equilibrium.is_empty());
-    let of = |train: &CheckedTrain| CheckedOne {
-        combination: train.combination.map(str::to_owned),
-        name: train.name.to_owned(),
-        range: Stretch::of(train.range),
-        without_equilibrium: train.without_equilibrium.iter().copied().map(Stretch::of).collect(),
+pub fn checked_trains(passages: &Passages, context: &Context) -> String {
+    let falls = passages.overall() == Overall::NoEquilibrium;
+    let of = |passage: &Passage| CheckedOne {
+        combination: passage.combination().map(str::to_owned),
+        name: passage.moving().name.clone(),
+        range: Stretch::of(passage.moving().range),
+        without_equilibrium: passage
+            .without_equilibrium()
+            .iter()
+            .copied()
+            .map(Stretch::of)
+            .collect(),
     };
     text(&CheckedAll {
         status: if falls { "no-equilibrium" } else { "equilibrium-exists" },
         title: context.title,
         units: context.units.name(),
         trough_chords: context.chords,
-        trains: checked.iter().map(of).collect(),
+        trains: passages.all.iter().map(of).collect(),
         seconds: context.seconds,
     })
 }
@@ -118,16 +123,15 @@ struct One<'a> {
 }
 
 impl<'a> One<'a> {
-    fn of(moving: &Moving<'a>, stations: Option<&[f64]>) -> Self {
-        let passage = moving.passage;
+    fn of(passage: Passage<'a>, stations: Option<&[f64]>) -> Self {
         let any = passage.solved().next().is_some();
-        let stations = || stations.map_or_else(|| moving.default_stations(), <[f64]>::to_vec);
+        let stations = || stations.map_or_else(|| passage.default_stations(), <[f64]>::to_vec);
         let uplift = passage.uplift();
         One {
-            status: moving.overall().name(),
-            combination: moving.combination,
-            train: Head::of(moving),
-            envelope: any.then(|| Table::of(moving, stations())),
+            status: passage.overall().name(),
+            combination: passage.combination(),
+            train: Head::of(passage),
+            envelope: any.then(|| Table::of(passage, stations())),
             extremes: any.then(|| ByField::of(|field| passage.range(field).map(Extremes::of))),
             uplift: any.then(|| Uplift {
                 ahead: uplift.ahead.map(Place::of),
@@ -196,20 +200,20 @@ struct Error {
 }
 
 impl<'a> Head<'a> {
-    fn of(moving: &Moving<'a>) -> Self {
-        let Moving { name, set, factor, range, passage, .. } = *moving;
-        let (train, reach) = (passage.train(), passage.reach());
+    fn of(passage: Passage<'a>) -> Self {
+        let MovingTrain { name, set, factor, range, train } = passage.moving();
+        let reach = passage.reach();
         Head {
             name,
-            set,
-            factor,
+            set: set.as_deref(),
+            factor: *factor,
             axles: train.axles.iter().map(|a| Axle { at: a.behind, force: a.force }).collect(),
             uniform: train
                 .uniform
                 .iter()
                 .map(|part| Part { from: part.from, to: part.to, load: part.intensity })
                 .collect(),
-            range: Stretch::of(range),
+            range: Stretch::of(*range),
             positions: passage.solved().count(),
             error: Error {
                 stated: reach.asked,
@@ -249,9 +253,9 @@ struct Lines {
 }
 
 impl Table {
-    fn of(moving: &Moving, x: Vec<f64>) -> Self {
+    fn of(passage: Passage, x: Vec<f64>) -> Self {
         let in_it = |located| InPassage { located, passage: 0 };
-        let at = |x| Some(moving.passage.at(x)?.map(|both| both.map(in_it)));
+        let at = |x| Some(passage.at(x)?.map(|both| both.map(in_it)));
         Table::by(x, at, false)
     }
 

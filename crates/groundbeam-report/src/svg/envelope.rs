@@ -5,21 +5,21 @@ use super::diagram::{Diagram, OF_ENVELOPES, worth_naming};
 use super::frame::{Frame, WIDTH};
 use super::samples::Samples;
 use super::{PANEL_SPACE, axis_of_x, header, numbers, stacked};
-use crate::combinations::Combinations;
 use crate::context::Context;
 use crate::font::Metrics;
 use crate::quantity::Units;
 use groundbeam::{Envelope, Field, Side, Solution};
+use groundbeam_run::Answers;
 
 /// Even steps along the beam: finer than a screen.
 const EVEN_STEPS: usize = 1200;
 
 /// The envelopes of all combinations that were solved, each combination a thin line, as an SVG file.
-pub fn combinations(combinations: &Combinations, context: &Context) -> String {
-    let solutions: Vec<&Solution> = combinations.solved().map(|(_, solution)| solution).collect();
+pub fn combinations(answers: &Answers, context: &Context) -> String {
+    let solutions: Vec<&Solution> = answers.solved().map(|(_, solution)| solution).collect();
     let title = context.clean_title();
     let mut page = Canvas::new();
-    let count = combinations.combined.len();
+    let count = answers.list.len();
     let note = match count - solutions.len() {
         0 => format!("envelope of {count} combinations"),
         lost => format!("envelope of {} of {count} combinations; {lost} not solved", count - lost),
@@ -32,7 +32,7 @@ pub fn combinations(combinations: &Combinations, context: &Context) -> String {
     let frame = Frame::of(first.model());
     let numbers = numbers(first, context.units);
     let mut y = header(&mut page, title.as_deref(), &[&numbers, &note]);
-    for diagram in diagrams(&combinations.envelope(), context.units) {
+    for diagram in diagrams(&answers.envelope(), context.units) {
         y = stacked(&mut page, &diagram.draw(&frame, &metrics), y);
     }
     axis_of_x(&mut page, &frame, context.units, y - PANEL_SPACE + 2.0);

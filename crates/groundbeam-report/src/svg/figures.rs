@@ -5,11 +5,10 @@ use super::diagram::{Diagram, worth_naming};
 use super::frame::Frame;
 use super::samples::Samples;
 use super::{PANEL_SPACE, axis_of_x, diagrams, edges, envelope, sketch, system, train};
-use crate::combinations::Combinations;
 use crate::font::Metrics;
 use crate::quantity::Units;
-use crate::trains::Passages;
 use groundbeam::{Field, Model, RigidMotion, Solution};
+use groundbeam_run::{Answers, Passages};
 
 /// The model as it is given; where there is no equilibrium, with the motion that proves it.
 pub(crate) fn model(model: &Model, motion: Option<RigidMotion>, units: Units) -> String {
@@ -47,20 +46,17 @@ pub(crate) fn fields(solution: &Solution, units: Units) -> Vec<String> {
 }
 
 /// The envelopes of combinations; none if nothing was solved.
-pub(crate) fn combinations(all: &Combinations, units: Units) -> Vec<String> {
+pub(crate) fn combinations(all: &Answers, units: Units) -> Vec<String> {
     let Some((_, first)) = all.solved().next() else { return Vec::new() };
     drawn(envelope::diagrams(&all.envelope(), units).into_iter(), first.model(), units)
 }
 
 /// The envelopes of passages; none if nothing was solved.
 pub(crate) fn trains(passages: &Passages, units: Units) -> Vec<String> {
-    let solved = |m: &crate::Moving| m.passage.solved().next().is_some();
-    let Some(moving) = passages.all.iter().find(|moving| solved(moving)) else {
-        return Vec::new();
-    };
-    let sizes = moving.passage.solved().next().map(|(_, solution)| Samples::of(solution).sizes);
-    let Some(sizes) = sizes else { return Vec::new() };
-    drawn(train::diagrams(passages, units, sizes).into_iter(), moving.passage.model(), units)
+    let first = passages.all.iter().find_map(|passage| Some((passage, passage.solved().next()?)));
+    let Some((passage, (_, solution))) = first else { return Vec::new() };
+    let sizes = Samples::of(solution).sizes;
+    drawn(train::diagrams(passages, units, sizes).into_iter(), passage.model(), units)
 }
 
 fn drawn<'a>(all: impl Iterator<Item = Diagram<'a>>, model: &Model, units: Units) -> Vec<String> {

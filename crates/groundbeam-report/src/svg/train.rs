@@ -10,8 +10,8 @@ use crate::context::{Context, clean};
 use crate::font::Metrics;
 use crate::quantity::Units;
 use crate::size::Sizes;
-use crate::trains::{InPassage, Passages};
 use groundbeam::Extreme;
+use groundbeam_run::{InPassage, Passages};
 
 /// Even steps along the beam.
 const EVEN_STEPS: usize = 400;
@@ -22,22 +22,22 @@ pub fn trains(passages: &Passages, context: &Context) -> String {
     let title = context.clean_title();
     let mut page = Canvas::new();
     let governing = passages.largest_moment().and_then(|most| {
-        let moving = passages.all.get(most.passage)?;
-        Some((moving, moving.passage.nearest(most.located.first_axle)?))
+        let passage = passages.all.get(most.passage)?;
+        Some((passage, passage.nearest(most.located.first_axle)?))
     });
-    let Some((moving, (first_axle, solution))) = governing else {
+    let Some((passage, (first_axle, solution))) = governing else {
         let y = header(&mut page, title.as_deref(), &["no position was solved"]);
         return page.finish(WIDTH, y, title.as_deref().unwrap_or("No position was solved"));
     };
     let metrics = Metrics::new();
-    let frame = Frame::of(moving.passage.model());
-    let count: usize = passages.all.iter().map(|moving| moving.passage.solved().count()).sum();
+    let frame = Frame::of(passage.model());
+    let count: usize = passages.all.iter().map(|passage| passage.solved().count()).sum();
     let at = units.position(first_axle);
     let whose = match passages.all.len() {
         1 => String::new(),
         passages => format!(" in {passages} passages"),
     };
-    let of = if passages.all.len() == 1 { String::new() } else { clean(&moving.label()) + ", " };
+    let of = if passages.all.len() == 1 { String::new() } else { clean(&passage.label()) + ", " };
     let note = format!(
         "{count} positions{whose}; drawn where the moment is largest, {of}first axle at {at}"
     );

@@ -2,55 +2,56 @@
 
 use super::sheet::{Sheet, Tone};
 use super::{checks, label, structure, title};
-use crate::band::Banded;
 use crate::characteristics::Characteristics;
-use crate::combinations::{Answer, Combinations, Combined, Numbered};
+use crate::combinations::{Numbered, noun, numbered};
 use crate::context::{Context, clean};
 use crate::number::{order, significant};
 use crate::quantity::{Kind, Unit, Units, duration};
 use crate::verdict;
 use crate::verdict::falls;
 use groundbeam::{Envelope, Extreme, Field, Governing, Verdict};
+use groundbeam_run::{Answer, Answers, Banded, Found};
 
 /// The report of all combinations, solved or only checked; with `colour`, with escape codes for a terminal.
-pub fn combinations(combinations: &Combinations, context: &Context, colour: bool) -> String {
+pub fn combinations(answers: &Answers, context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     title(&mut sheet, context);
-    let known = |combined: &Combined| {
-        let existence = *combined.answer.existence()?;
-        Some(Characteristics::of(combined.model, &existence))
+    let known = |answer: &Answer| {
+        let existence = *answer.existence()?;
+        Some(Characteristics::of(answer.model(), &existence))
     };
-    let first = combinations.combined.iter().find_map(|c| Some((c, known(c)?)));
-    if let Some((combined, found)) = first {
-        let ground = combined.ground.filter(|ground| ground.gamma.is_none());
-        structure(&mut sheet, combined.model, &found, &Context { ground, ..*context });
-        if combinations.combined.iter().any(|c| c.ground.is_some_and(|g| g.gamma.is_some())) {
+    let first = answers.list.iter().find_map(|answer| Some((answer, known(answer)?)));
+    if let Some((answer, found)) = first {
+        let ground = answer.ground.as_ref().filter(|ground| ground.gamma.is_none());
+        structure(&mut sheet, answer.model(), &found, &Context { ground, ..*context });
+        let of_solution = |a: &Answer| a.ground.as_ref().is_some_and(|g| g.gamma.is_some());
+        if answers.list.iter().any(of_solution) {
             let words = "k and mu of each combination are those that its own solution makes of it; \
                          above stands the ground before anything is solved";
             sheet.row("Soil", words);
         }
         sheet.blank();
     }
-    let solved: Vec<Numbered> = combinations.numbered().collect();
+    let solved: Vec<Numbered> = numbered(answers);
     if solved.is_empty() {
-        verdicts(&mut sheet, combinations, context.units);
+        verdicts(&mut sheet, answers, context.units);
     } else {
-        names(&mut sheet, combinations);
+        names(&mut sheet, answers);
         sheet.blank();
-        table(&mut sheet, combinations, &solved, context.units);
+        table(&mut sheet, answers, &solved, context.units);
     }
-    failures(&mut sheet, combinations, context.units);
-    alone(&mut sheet, combinations, context.units);
+    failures(&mut sheet, answers, context.units);
+    alone(&mut sheet, answers, context.units);
     if !solved.is_empty() {
         sheet.blank();
-        envelope(&mut sheet, &combinations.envelope(), &solved, context.units);
+        envelope(&mut sheet, &answers.envelope(), &solved, context.units);
         sheet.blank();
-        band(&mut sheet, combinations, context.units);
-        let named = |row: &Numbered<'_>| combinations.combined[row.number - 1].name;
+        band(&mut sheet, answers, context.units);
+        let named = |row: &Numbered<'_>| answers.list[row.number - 1].name();
         let all: Vec<_> = solved.iter().map(|row| (named(row), row.solution)).collect();
         checks::worst_rows(&mut sheet, &all, context);
         proof(&mut sheet, &solved);
-        method(&mut sheet, combinations, &solved, context);
+        method(&mut sheet, answers, &solved, context);
     }
     sheet.finish()
 }
@@ -64,16 +65,16 @@ const COLUMNS: [(Field, bool); 4] = [
 ];
 
 /// Numbers and names.
-fn names(sheet: &mut Sheet, combinations: &Combinations) {
-    for (i, combined) in combinations.combined.iter().enumerate() {
-        let name = format!("{:>4}  {}", i + 1, clean(combined.name));
-        sheet.row(if i == 0 { combinations.noun() } else { "" }, &name);
+fn names(sheet: &mut Sheet, answers: &Answers) {
+    for (i, answer) in answers.list.iter().enumerate() {
+        let name = format!("{:>4}  {}", i + 1, clean(answer.name()));
+        sheet.row(if i == 0 { noun(answers) } else { "" }, &name);
     }
 }
 
 /// What the engineer judges by, on the best ground and between which bounds on all of them.
-fn band(sheet: &mut Sheet, combinations: &Combinations, units: Units) {
-    let Some(bands) = combinations.bands() else { return };
+fn band(sheet: &mut Sheet, answers: &Answers, units: Units) {
+    let Some(bands) = answers.bands() else { return };
     let heading = format!("{:<31}{:>14}{:>18}", "Band of grounds", "best ground", "all of them");
     sheet.heading(&heading);
     for (field, largest) in COLUMNS {
@@ -90,17 +91,17 @@ fn band(sheet: &mut Sheet, combinations: &Combinations, units: Units) {
 }
 
 /// Numbers, verdicts and names, where there is nothing else to tell.
-fn verdicts(sheet: &mut Sheet, combinations: &Combinations, units: Units) {
+fn verdicts(sheet: &mut Sheet, answers: &Answers, units: Units) {
     sheet.heading("   #  equilibrium  combination");
-    for (i, combined) in combinations.combined.iter().enumerate() {
-        let outcome = outcome(combined, units);
+    for (i, answer) in answers.list.iter().enumerate() {
+        let outcome = outcome(answer, units);
         let verdict = outcome.split(':').next().unwrap_or_default();
-        sheet.line(&format!("{:>4}  {verdict:<13}{}", i + 1, clean(combined.name)));
+        sheet.line(&format!("{:>4}  {verdict:<13}{}", i + 1, clean(answer.name())));
     }
 }
 
 /// Verdict, contact and extremes, a line each.
-fn table(sheet: &mut Sheet, combinations: &Combinations, solved: &[Numbered], units: Units) {
+fn table(sheet: &mut Sheet, answers: &Answers, solved: &[Numbered], units: Units) {
     let extremes = |row: &Numbered| {
         COLUMNS.map(|(field, largest)| {
             let range = row.solution.range(field);
@@ -126,8 +127,8 @@ fn table(sheet: &mut Sheet, combinations: &Combinations, solved: &[Numbered], un
         sheet.heading(&line("", units_of_columns.map(|unit| unit.name.to_owned())));
     }
     let mut rows = solved.iter().zip(&values).peekable();
-    for (i, combined) in combinations.combined.iter().enumerate() {
-        let words = outcome(combined, units);
+    for (i, answer) in answers.list.iter().enumerate() {
+        let words = outcome(answer, units);
         let Some((row, values)) = rows.next_if(|(row, _)| row.number == i + 1) else {
             sheet.line(&format!("{:>4}  {words}", i + 1));
             continue;
@@ -141,8 +142,8 @@ fn table(sheet: &mut Sheet, combinations: &Combinations, solved: &[Numbered], un
 }
 
 /// `one`, `many`, `none: it tips about its left end`.
-fn outcome(combined: &Combined, units: Units) -> String {
-    match combined.answer.existence().map(|existence| existence.verdict) {
+fn outcome(answer: &Answer, units: Units) -> String {
+    match answer.existence().map(|existence| existence.verdict) {
         Some(Verdict::Unique) => "one".to_owned(),
         Some(Verdict::NotUnique(_)) => "not unique".to_owned(),
         Some(Verdict::None(motion)) => format!("none: {}", falls(motion, units)),
@@ -153,14 +154,15 @@ fn outcome(combined: &Combined, units: Units) -> String {
 }
 
 /// Why combinations have no answer, or more than one.
-fn failures(sheet: &mut Sheet, combinations: &Combinations, units: Units) {
+fn failures(sheet: &mut Sheet, answers: &Answers, units: Units) {
     let mut begun = false;
-    for (i, combined) in combinations.combined.iter().enumerate() {
+    for (i, answer) in answers.list.iter().enumerate() {
         let number = format!("{:>4}", i + 1);
-        let said = match combined.answer {
-            Answer::NotConverged(reached) => Some((format!("not solved: {reached}"), Tone::Bad)),
-            _ => combined.answer.existence().and_then(|existence| {
-                let sentence = verdict::sentence(combined.model, existence, units);
+        let said = match &answer.found {
+            Found::NotConverged(reached) => Some((format!("not solved: {reached}"), Tone::Bad)),
+            Found::Unsolved(error) => Some((format!("not solved: {error}"), Tone::Bad)),
+            _ => answer.existence().and_then(|existence| {
+                let sentence = verdict::sentence(answer.model(), existence, units);
                 match existence.verdict {
                     Verdict::Unique => None,
                     Verdict::Local(_) => Some((format!("local: {sentence}"), Tone::Doubtful)),
@@ -187,14 +189,14 @@ fn failures(sheet: &mut Sheet, combinations: &Combinations, units: Units) {
 }
 
 /// Whether each load case could stand by itself.
-fn alone(sheet: &mut Sheet, combinations: &Combinations, units: Units) {
-    for (i, case) in combinations.alone.iter().enumerate() {
+fn alone(sheet: &mut Sheet, answers: &Answers, units: Units) {
+    for (i, case) in answers.alone.iter().enumerate() {
         if i == 0 {
             sheet.blank();
         }
-        let sentence = verdict::sentence(case.model, case.existence, units);
+        let sentence = verdict::sentence(&case.case.model, &case.existence, units);
         let state = if case.stands() { "stands by itself" } else { "not a physical state" };
-        let words = format!("{}, {state}: {sentence}", clean(case.name));
+        let words = format!("{}, {state}: {sentence}", clean(&case.case.name));
         sheet.row(if i == 0 { "Cases alone" } else { "" }, &words);
     }
 }
@@ -253,8 +255,8 @@ fn proof(sheet: &mut Sheet, solved: &[Numbered]) {
     sheet.row("Certificate", &words);
 }
 
-fn method(sheet: &mut Sheet, combinations: &Combinations, solved: &[Numbered], context: &Context) {
-    let all = combinations.combined.len();
+fn method(sheet: &mut Sheet, answers: &Answers, solved: &[Numbered], context: &Context) {
+    let all = answers.list.len();
     let name = solved.first().map_or("", |row| row.solution.method().name());
     let mut words = format!("{name}, {} of {all} combinations solved", solved.len());
     if let Some(seconds) = context.seconds {

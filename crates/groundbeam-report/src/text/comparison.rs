@@ -2,41 +2,41 @@
 
 use super::sheet::Sheet;
 use super::title;
-use crate::comparison::{Compared, Comparison, Errors};
 use crate::context::Context;
 use crate::number::order;
 use crate::quantity::duration;
 use groundbeam::{Error, Solution};
+use groundbeam_run::{Answer, Answers, Errors, Found};
 
-/// The report of a comparison; with `colour`, with escape codes for a terminal.
-pub fn comparison(comparison: &Comparison, context: &Context, colour: bool) -> String {
+/// The report of the answers of several methods, of which the first is the exact one; with `colour`, with escape codes for a terminal.
+pub fn comparison(answers: &Answers, context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     title(&mut sheet, context);
     sheet.heading(&line("", ["error of", "", "", "", "energy", "", ""]));
     let heads = ["w", "M", "u", "ends", "gap", "steps", "time"];
     sheet.heading(&line("method", heads));
-    let exact = comparison.exact;
-    sheet.line(&of("exact", exact, None, comparison.seconds));
+    let exact = answers.list.first().and_then(Answer::solution);
     let mut failures = Vec::new();
-    for Compared { name, answer, seconds } in &comparison.others {
-        match answer {
-            Ok(solution) => {
-                let errors = Errors::of(solution, exact);
-                sheet.line(&of(name, solution, Some(errors), *seconds));
+    for (i, Answer { label, found, seconds, .. }) in answers.list.iter().enumerate() {
+        let name = label.method;
+        let (why, time) = match found {
+            Found::Equilibrium(solution) => {
+                let errors = exact.filter(|_| i > 0).map(|exact| Errors::of(solution, exact));
+                sheet.line(&of(name, solution, errors, *seconds));
+                continue;
             }
-            Err(Error::Unsupported(problem)) => {
-                sheet.line(&line(name, ["none", "", "", "", "", "", ""]));
-                failures.push(format!("{name}: {}", problem.message));
+            Found::Unsolved(Error::Unsupported(problem)) => {
+                (problem.message.clone(), String::new())
             }
-            Err(Error::TooLarge(refused)) => {
-                sheet.line(&line(name, ["none", "", "", "", "", "", ""]));
-                failures.push(format!("{name}: {}", refused.problem.message));
+            Found::Unsolved(Error::TooLarge(refused)) => {
+                (refused.problem.message.clone(), String::new())
             }
-            Err(error) => {
-                sheet.line(&line(name, ["none", "", "", "", "", "", &duration(*seconds)]));
-                failures.push(format!("{name}: {error}"));
-            }
-        }
+            Found::Unsolved(error) => (error.to_string(), duration(*seconds)),
+            Found::NotConverged(reached) => (reached.to_string(), duration(*seconds)),
+            Found::Exists(_) | Found::NoEquilibrium(_) => continue,
+        };
+        sheet.line(&line(name, ["none", "", "", "", "", "", &time]));
+        failures.push(format!("{name}: {why}"));
     }
     sheet.blank();
     for (i, failure) in failures.iter().enumerate() {

@@ -1,16 +1,17 @@
 //! Load factors, in words.
 
 use super::sheet::Sheet;
-use crate::context::{Context, Factors, clean};
+use crate::context::{Context, clean};
 use crate::number::significant;
 use crate::quantity::Units;
 use crate::verdict::falls;
 use groundbeam::{FirstLiftOff, LossOfEquilibrium};
+use groundbeam_run::Factors;
 
 /// The rows about load factors, if they were asked for.
 pub(crate) fn rows(sheet: &mut Sheet, context: &Context) {
     let Some(factors) = context.factors else { return };
-    let loads = Grows::of(&factors);
+    let loads = Grows::of(factors);
     sheet.row("Load factors", &lift_off(factors.found.first_lift_off, &loads, context.units));
     sheet.row("", &loss(factors.found.loss_of_equilibrium, &loads, context.units));
 }
@@ -70,10 +71,9 @@ mod tests {
 
     fn said(first_lift_off: FirstLiftOff, loss: LossOfEquilibrium, cases: &[&str]) -> String {
         let found = LoadFactors { first_lift_off, loss_of_equilibrium: loss };
-        let cases: Vec<String> = cases.iter().map(|&case| case.into()).collect();
-        let factors = Factors { found: &found, cases: &cases };
+        let factors = Factors { found, cases: cases.iter().map(|&case| case.into()).collect() };
         let mut sheet = Sheet::new(false);
-        rows(&mut sheet, &Context::new(Units::Si).with_factors(factors));
+        rows(&mut sheet, &Context::new(Units::Si).with_factors(&factors));
         sheet.finish()
     }
 

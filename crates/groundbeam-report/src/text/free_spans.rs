@@ -4,9 +4,8 @@ use super::MOST_ROWS;
 use super::sheet::Sheet;
 use crate::quantity::{Kind, Units};
 use crate::size::Sizes;
-use crate::trains::Moving;
-use groundbeam::train::Opened;
 use groundbeam::{Field, LiftOff};
+use groundbeam_run::{Opened, Passage};
 
 /// A line for each; of very many the longest.
 pub(super) fn table(sheet: &mut Sheet, lifted: &[LiftOff], units: Units, sizes: &Sizes) {
@@ -61,11 +60,11 @@ fn ends(open: &LiftOff) -> &'static str {
 }
 
 /// The longest free span and the largest clearance of all positions of trains; with their numbers, of several.
-pub(crate) fn of_trains(sheet: &mut Sheet, all: &[&Moving], units: Units) {
+pub(crate) fn of_trains(sheet: &mut Sheet, all: &[Passage], units: Units) {
     let each = || {
-        all.iter().enumerate().filter_map(|(i, moving)| {
-            let found = moving.passage.free_spans()?;
-            let cleaned = |opened: Opened| clean(moving, opened);
+        all.iter().enumerate().filter_map(|(i, passage)| {
+            let found = passage.free_spans()?;
+            let cleaned = |opened: Opened| clean(passage, opened);
             // What is nothing but rounding is no clearance.
             let highest = cleaned(found.highest);
             let is_open = highest.stretch.largest_gap.value > 0.0;
@@ -109,8 +108,8 @@ pub(crate) fn of_trains(sheet: &mut Sheet, all: &[&Moving], units: Units) {
 }
 
 /// Without what is rounding.
-fn clean(moving: &Moving, opened: Opened) -> Opened {
-    let Some((_, solution)) = moving.passage.nearest(opened.first_axle) else { return opened };
+fn clean(passage: &Passage, opened: Opened) -> Opened {
+    let Some((_, solution)) = passage.nearest(opened.first_axle) else { return opened };
     let sizes = Sizes::of(solution);
     let LiftOff { from, to, largest_gap, reaches } = opened.stretch;
     let [from, to] = [from, to].map(|x| sizes.position(x));

@@ -8,10 +8,10 @@ use groundbeam::Model;
 
 /// The method, the values of an area beside those of the beam, and what is to be doubted.
 pub fn rows(sheet: &mut Sheet, model: &Model, context: &Context) {
-    let Some(ground) = &context.ground else { return };
+    let Some(ground) = context.ground else { return };
     let units = context.units;
     let (width, subgrade) = (ground.width, ground.subgrade);
-    if let Some(bed) = ground.bed {
+    if let Some(bed) = &ground.bed {
         let mut words = format!("by {}", bed.source());
         if let Some((gamma, rounds)) = ground.gamma {
             words += &format!(", γ = {}", significant(gamma, 6));
@@ -28,7 +28,7 @@ pub fn rows(sheet: &mut Sheet, model: &Model, context: &Context) {
         values += &format!(", C2 = mu/b = {shear}");
     }
     sheet.row("", &values);
-    for doubt in ground.bed.map(|bed| bed.doubts(&model.beam)).unwrap_or_default() {
+    for doubt in ground.bed.as_ref().map(|bed| bed.doubts(&model.beam)).unwrap_or_default() {
         sheet.toned_row("Caution", &doubt, Tone::Doubtful);
     }
 }

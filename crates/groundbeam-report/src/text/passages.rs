@@ -4,20 +4,20 @@ use super::sheet::Sheet;
 use super::train::{cleaned, failures, limits, proof, ranges, train};
 use super::{free_spans, label, structure, title};
 use crate::characteristics::Characteristics;
-use crate::combinations::Overall;
-use crate::context::{Context, Ground, clean};
+use crate::context::{Context, clean};
 use crate::quantity::{Kind, Unit, Units};
-use crate::trains::{CheckedTrain, InPassage, Moving, Passages};
 use groundbeam::Field;
 use groundbeam::soil::{Bed, Soil};
+use groundbeam_run::{Ground, InPassage, Overall, Passage, Passages};
 
 /// The report of passages; with `colour`, with escape codes for a terminal.
 pub fn trains(passages: &Passages, context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     title(&mut sheet, context);
-    let first = passages.all.iter().find_map(|moving| {
-        let (_, solution) = moving.passage.solved().next()?;
-        Some((moving.passage.model(), solution))
+    let all = &passages.all[..];
+    let first = all.iter().find_map(|passage| {
+        let (_, solution) = passage.solved().next()?;
+        Some((passage.model(), solution))
     });
     if let Some((model, solution)) = first {
         structure(&mut sheet, model, &Characteristics::of(model, solution.existence()), context);
@@ -29,53 +29,52 @@ pub fn trains(passages: &Passages, context: &Context, colour: bool) -> String {
             sheet.row("Soil", words);
         }
     }
-    if let [moving] = &passages.all[..] {
-        train(&mut sheet, moving, context);
+    if let [passage] = all {
+        train(&mut sheet, passage, context);
         return sheet.finish();
     }
     sheet.blank();
-    let all: Vec<&Moving> = passages.all.iter().collect();
-    for (i, moving) in all.iter().enumerate() {
-        let name = format!("{:>4}  {}", i + 1, clean(&moving.label()));
+    for (i, passage) in all.iter().enumerate() {
+        let name = format!("{:>4}  {}", i + 1, clean(&passage.label()));
         sheet.row(if i == 0 { "Passages" } else { "" }, &name);
     }
     sheet.blank();
-    table(&mut sheet, &all, context.units);
+    table(&mut sheet, all, context.units);
     if passages.overall() != Overall::Solved {
         sheet.blank();
     }
-    for (i, moving) in all.iter().enumerate() {
-        failures(&mut sheet, moving.passage, &format!("#{}, ", i + 1), context.units);
+    for (i, passage) in all.iter().enumerate() {
+        failures(&mut sheet, passage, &format!("#{}, ", i + 1), context.units);
     }
     if first.is_some() {
         sheet.blank();
         envelope(&mut sheet, passages, context.units);
         sheet.blank();
-        uplift(&mut sheet, &all, context.units);
-        free_spans::of_trains(&mut sheet, &all, context.units);
+        uplift(&mut sheet, all, context.units);
+        free_spans::of_trains(&mut sheet, all, context.units);
         sheet.blank();
-        limits(&mut sheet, &all, context);
-        proof(&mut sheet, &all, context);
+        limits(&mut sheet, all, context);
+        proof(&mut sheet, all, context);
     }
     sheet.finish()
 }
 
 /// What statics says of the ways of trains; with `colour`, with escape codes for a terminal.
-pub fn checked_trains(checked: &[CheckedTrain], context: &Context, colour: bool) -> String {
+pub fn checked_trains(passages: &Passages, context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     title(&mut sheet, context);
-    for train in checked {
-        let mut words = clean(train.name);
-        if let Some(combination) = train.combination {
+    for passage in &passages.all {
+        let mut words = clean(&passage.moving().name);
+        if let Some(combination) = passage.combination() {
             words = format!("{words} under the combination {}", clean(combination));
         }
-        let [from, to] = train.range.map(|x| context.units.position(x));
+        let [from, to] = passage.moving().range.map(|x| context.units.position(x));
         words += &format!(": first axle from {from} to {to}");
-        if train.without_equilibrium.is_empty() {
+        if passage.without_equilibrium().is_empty() {
             words += ", an equilibrium in every position that was looked at";
         }
         sheet.row("Train", &words);
-        ranges(&mut sheet, &train.without_equilibrium, "", context.units);
+        ranges(&mut sheet, passage.without_equilibrium(), "", context.units);
     }
     sheet.finish()
 }
@@ -89,11 +88,11 @@ const COLUMNS: [(Field, bool); 4] = [
 ];
 
 /// Extremes of each passage, a line each.
-fn table(sheet: &mut Sheet, all: &[&Moving], units: Units) {
-    let extremes = |moving: &&Moving| {
+fn table(sheet: &mut Sheet, all: &[Passage], units: Units) {
+    let extremes = |passage: &Passage| {
         let of = |(field, largest): (Field, bool)| {
-            let range = moving.passage.range(field)?;
-            Some(cleaned(moving.passage, field, range[usize::from(largest)]).value)
+            let range = passage.range(field)?;
+            Some(cleaned(passage, field, range[usize::from(largest)]).value)
         };
         COLUMNS.map(of)
     };
@@ -115,8 +114,8 @@ fn table(sheet: &mut Sheet, all: &[&Moving], units: Units) {
     if units == Units::Si {
         sheet.heading(&line("", units_of_columns.map(|unit| unit.name.to_owned())));
     }
-    for (i, (moving, values)) in all.iter().zip(&values).enumerate() {
-        let count = moving.passage.solved().count();
+    for (i, (passage, values)) in all.iter().zip(&values).enumerate() {
+        let count = passage.solved().count();
         let first = format!("{:>4}{count:>12}", i + 1);
         let cells = [0, 1, 2, 3].map(|column| match values[column] {
             Some(value) => units_of_columns[column].number(value, 5),
@@ -138,7 +137,7 @@ fn envelope(sheet: &mut Sheet, passages: &Passages, units: Units) {
     for field in Field::ALL {
         let Some(range) = passages.range(field) else { continue };
         let known = range.map(|InPassage { located, passage }| {
-            let located = cleaned(passages.all[passage].passage, field, located);
+            let located = cleaned(&passages.all[passage], field, located);
             InPassage { located, passage }
         });
         let [min, max] = known.map(|governing| governing.located.value);
@@ -162,13 +161,13 @@ fn envelope(sheet: &mut Sheet, passages: &Passages, units: Units) {
 }
 
 /// The largest gaps ahead of, between and behind the axles of any.
-fn uplift(sheet: &mut Sheet, all: &[&Moving], units: Units) {
+fn uplift(sheet: &mut Sheet, all: &[Passage], units: Units) {
     let places = ["ahead of the axles", "between them", "behind them"];
     for (i, place) in places.into_iter().enumerate() {
-        let each = all.iter().enumerate().filter_map(|(number, moving)| {
-            let uplift = moving.passage.uplift();
+        let each = all.iter().enumerate().filter_map(|(number, passage)| {
+            let uplift = passage.uplift();
             let gap = [uplift.ahead, uplift.between, uplift.behind][i]?;
-            Some((number, cleaned(moving.passage, Field::Gap, gap)))
+            Some((number, cleaned(passage, Field::Gap, gap)))
         });
         // Of equals the first.
         let most =

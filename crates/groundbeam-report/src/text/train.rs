@@ -6,18 +6,17 @@ use crate::context::{Context, clean};
 use crate::number::{order, significant};
 use crate::quantity::{Kind, Units, duration};
 use crate::size::Sizes;
-use crate::trains::Moving;
-use groundbeam::train::{Located, Passage};
 use groundbeam::{Field, Solution};
+use groundbeam_file::MovingTrain;
+use groundbeam_run::{Located, Passage};
 
 /// More ranges of one kind than this are counted, not listed.
 const MOST_RANGES: usize = 8;
 
 /// The report of one passage, below the beam and the ground.
-pub(crate) fn train(sheet: &mut Sheet, moving: &Moving, context: &Context) {
-    let passage = moving.passage;
-    head(sheet, moving, context.units);
-    if let Some(combination) = moving.combination {
+pub(crate) fn train(sheet: &mut Sheet, passage: &Passage, context: &Context) {
+    head(sheet, passage, context.units);
+    if let Some(combination) = passage.combination() {
         sheet.row("", &format!("under the combination {}", clean(combination)));
     }
     positions(sheet, passage);
@@ -27,19 +26,19 @@ pub(crate) fn train(sheet: &mut Sheet, moving: &Moving, context: &Context) {
         envelope(sheet, passage, context.units);
         sheet.blank();
         uplift(sheet, passage, context.units);
-        free_spans::of_trains(sheet, &[moving], context.units);
+        free_spans::of_trains(sheet, std::slice::from_ref(passage), context.units);
         sheet.blank();
-        limits(sheet, &[moving], context);
-        proof(sheet, &[moving], context);
+        limits(sheet, std::slice::from_ref(passage), context);
+        proof(sheet, std::slice::from_ref(passage), context);
     }
 }
 
 /// Of every check the position that comes nearest to its limit, or passes it farthest.
-pub(crate) fn limits(sheet: &mut Sheet, all: &[&Moving], context: &Context) {
-    let named = all.iter().flat_map(|moving| {
-        moving.passage.solved().map(|(first_axle, solution)| {
+pub(crate) fn limits(sheet: &mut Sheet, all: &[Passage], context: &Context) {
+    let named = all.iter().flat_map(|passage| {
+        passage.solved().map(|(first_axle, solution)| {
             let at = format!("first axle at {}", context.units.position(first_axle));
-            let name = if all.len() > 1 { moving.label() + ", " + &at } else { at };
+            let name = if all.len() > 1 { passage.label() + ", " + &at } else { at };
             (name, solution)
         })
     });
@@ -49,15 +48,15 @@ pub(crate) fn limits(sheet: &mut Sheet, all: &[&Moving], context: &Context) {
 }
 
 /// Name, axles, and where it goes.
-pub(crate) fn head(sheet: &mut Sheet, moving: &Moving, units: Units) {
-    let train = moving.passage.train();
-    let name = clean(moving.name);
-    let mut words = match moving.set {
-        Some(set) if set != name => format!("{name}, set {set}"),
+pub(crate) fn head(sheet: &mut Sheet, passage: &Passage, units: Units) {
+    let MovingTrain { name, set, factor, train, range } = passage.moving();
+    let name = clean(name);
+    let mut words = match set {
+        Some(set) if *set != name => format!("{name}, set {set}"),
         _ => name,
     };
-    if moving.factor != 1.0 {
-        words += &format!(", factor {}", significant(moving.factor, 6));
+    if *factor != 1.0 {
+        words += &format!(", factor {}", significant(*factor, 6));
     }
     let force: f64 = train.axles.iter().map(|axle| axle.force).sum();
     let force = units.write(Kind::Force, force, 6);
@@ -78,7 +77,7 @@ pub(crate) fn head(sheet: &mut Sheet, moving: &Moving, units: Units) {
         }
     }
     sheet.row("Train", &words);
-    let [from, to] = moving.range.map(|x| units.position(x));
+    let [from, to] = range.map(|x| units.position(x));
     sheet.row("", &format!("the first axle goes from {from} to {to}"));
 }
 
@@ -181,8 +180,8 @@ pub(crate) fn uplift(sheet: &mut Sheet, passage: &Passage, units: Units) {
     }
 }
 
-pub(crate) fn proof(sheet: &mut Sheet, all: &[&Moving], context: &Context) {
-    let solved = || all.iter().flat_map(|moving| moving.passage.solved());
+pub(crate) fn proof(sheet: &mut Sheet, all: &[Passage], context: &Context) {
+    let solved = || all.iter().flat_map(Passage::solved);
     let gaps = solved().map(|(_, solution)| solution.certificate().relative_gap());
     let gap = order(gaps.fold(0.0, f64::max));
     let words = format!("for each position; energy gap at most {gap} of the strain energy");

@@ -3,6 +3,7 @@
 use groundbeam::{Outcome, Solution};
 use groundbeam_file::{Document, UnitSystem};
 use groundbeam_report::{Context, Units};
+use groundbeam_run::{Answers, OneThread, Run};
 
 /// Models that have an equilibrium.
 pub const SOLVABLE: [&str; 11] = [
@@ -38,4 +39,9 @@ pub fn solved(document: &Document) -> Solution {
         Outcome::Equilibrium(solution) => *solution,
         Outcome::NoEquilibrium(existence) => panic!("{existence:?}"),
     }
+}
+
+/// The answers to all that a file asks for.
+pub fn answers(document: &Document) -> Answers {
+    Run::of(document).solve(&OneThread).unwrap()
 }

@@ -17,6 +17,7 @@ mod profile;
 pub(crate) mod refused;
 pub(crate) mod soil;
 mod support;
+mod train;
 mod validate;
 
 pub use crate::model::foundation::GroundEnd;
@@ -30,6 +31,7 @@ pub use load::Load;
 pub(crate) use profile::Course;
 pub use profile::Profile;
 pub use support::{Acts, Support, SupportKind};
+pub use train::{Axle, Train, UniformPart};
 
 /// A beam, the ground under it, and what acts on them.
 ///

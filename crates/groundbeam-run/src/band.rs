@@ -1,6 +1,6 @@
 //! Results on ground that is not well known: with a band.
 
-use crate::combinations::Combinations;
+use crate::answers::Answers;
 use groundbeam::{Envelope, Field};
 
 /// A number on the best ground, and between which it lies on all grounds of a band that were solved.
@@ -17,12 +17,12 @@ pub struct Banded {
 /// The factors of the ground that is most likely.
 const BEST: [f64; 2] = [1.0, 1.0];
 
-impl Combinations<'_> {
+impl Answers {
     /// The smallest and the largest value of each field, in the order of [`Field::ALL`], over all combinations on a
     /// ground, with their bands over the grounds; none without a band, or with no solution on the best ground.
     pub fn bands(&self) -> Option<[[Banded; 2]; 7]> {
         let mut grounds = vec![BEST];
-        for ground in self.solved().filter_map(|(combined, _)| combined.band) {
+        for ground in self.solved().filter_map(|(answer, _)| answer.label.combination.ground) {
             if !grounds.contains(&ground) {
                 grounds.push(ground);
             }
@@ -43,7 +43,8 @@ impl Combinations<'_> {
 
     /// The smallest and the largest values on a ground; none if nothing is solved there.
     fn extremes_on(&self, ground: [f64; 2]) -> Option<[[f64; 2]; 7]> {
-        let here = self.solved().filter(|(combined, _)| combined.band == Some(ground));
+        let here =
+            self.solved().filter(|(answer, _)| answer.label.combination.ground == Some(ground));
         let solutions: Vec<_> = here.map(|(_, solution)| solution).collect();
         if solutions.is_empty() {
             return None;

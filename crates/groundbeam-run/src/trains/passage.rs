@@ -1,11 +1,13 @@
 //! What a passage of a train does to the beam: the envelope of all its positions.
 
 use super::interval::passing;
-use super::{Train, marks};
-use crate::model::Model;
-use crate::solution::fields::{Field, Side};
-use crate::solution::solution::Solution;
-use crate::train::position::{Answer, Position};
+use super::position::Section;
+use crate::answer::{Answer, Found, Overall};
+use groundbeam::model::Train;
+use groundbeam::{Field, Model, Side, Solution};
+use groundbeam_file::{Combination, MovingTrain};
+use std::ops::Range;
+use std::sync::Arc;
 
 /// A value, where on the beam it is, and where the train stands then.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,54 +54,105 @@ pub struct Uplift {
     pub behind: Option<Located>,
 }
 
-/// The passage of a train over a beam.
+/// What a sweep knows of a train's way besides the answers at its positions.
 #[derive(Debug, Clone)]
-pub struct Passage {
-    pub(super) model: Model,
-    pub(super) train: Train,
-    pub(super) positions: Vec<Position>,
-    pub(super) reach: Reach,
-    pub(super) none: Vec<[f64; 2]>,
+pub(crate) struct Swept {
+    pub combination: Arc<Combination>,
+    pub train: Arc<MovingTrain>,
+    /// Which of all answers are those at its positions.
+    pub answers: Range<usize>,
+    /// One for each of these answers.
+    pub sections: Vec<Section>,
+    pub reach: Reach,
+    /// Ranges of the first axle's position in which there is no equilibrium.
+    pub none: Vec<[f64; 2]>,
 }
 
-impl Passage {
+impl Swept {
+    pub fn passage<'a>(&'a self, all: &'a [Answer]) -> Passage<'a> {
+        Passage { swept: self, answers: all.get(self.answers.clone()).unwrap_or_default() }
+    }
+}
+
+/// The passage of a train over a beam: the answers at its positions, and their envelope.
+#[derive(Debug, Clone, Copy)]
+pub struct Passage<'a> {
+    swept: &'a Swept,
+    answers: &'a [Answer],
+}
+
+/// Even steps of the envelope in documents and tables.
+const EVEN_STEPS: usize = 100;
+
+impl<'a> Passage<'a> {
     /// The model without the train.
-    pub fn model(&self) -> &Model {
-        &self.model
+    pub fn model(&self) -> &'a Model {
+        &self.swept.combination.model
     }
 
-    /// The train.
-    pub fn train(&self) -> &Train {
-        &self.train
+    /// The name of the combination under which it passes; none where the loads are as they are written.
+    pub fn combination(&self) -> Option<&'a str> {
+        Some(&*self.swept.combination.name).filter(|name| !name.is_empty())
     }
 
-    /// Every position that was tried, from left to right.
-    pub fn positions(&self) -> &[Position] {
-        &self.positions
+    /// The train, and where it goes.
+    pub fn moving(&self) -> &'a MovingTrain {
+        &self.swept.train
+    }
+
+    /// The loads of the train.
+    pub fn train(&self) -> &'a Train {
+        &self.moving().train
+    }
+
+    /// The train, and the combination under which it passes.
+    pub fn label(&self) -> String {
+        match self.combination() {
+            Some(combination) => format!("{combination}; {}", self.moving().name),
+            None => self.moving().name.clone(),
+        }
+    }
+
+    /// The answers at every position that was tried, from left to right.
+    pub fn answers(&self) -> &'a [Answer] {
+        self.answers
     }
 
     /// The error that was asked for, and the one that was reached.
     pub fn reach(&self) -> Reach {
-        self.reach
+        self.swept.reach
     }
 
     /// Ranges of the first axle's position in which there is no equilibrium.
-    pub fn without_equilibrium(&self) -> &[[f64; 2]] {
-        &self.none
+    pub fn without_equilibrium(&self) -> &'a [[f64; 2]] {
+        &self.swept.none
+    }
+
+    fn each(&self) -> impl Iterator<Item = (f64, &'a Found)> {
+        let axles = self.swept.sections.iter().map(|section| section.first_axle);
+        axles.zip(self.answers.iter().map(|answer| &answer.found))
     }
 
     /// Positions at which the method did not reach its tolerance.
     pub fn not_converged(&self) -> impl Iterator<Item = f64> {
-        let failed = |p: &&Position| matches!(p.answer, Answer::NotConverged(_));
-        self.positions.iter().filter(failed).map(|position| position.first_axle)
+        let failed = |(_, found): &(f64, &Found)| matches!(found, Found::NotConverged(_));
+        self.each().filter(failed).map(|(first_axle, _)| first_axle)
     }
 
     /// The positions that were solved, with their solutions.
-    pub fn solved(&self) -> impl Iterator<Item = (f64, &Solution)> {
-        self.positions.iter().filter_map(|position| match &position.answer {
-            Answer::Equilibrium(solution) => Some((position.first_axle, &**solution)),
-            _ => None,
-        })
+    pub fn solved(&self) -> impl Iterator<Item = (f64, &'a Solution)> {
+        self.each().filter_map(|(first_axle, found)| Some((first_axle, found.solution()?)))
+    }
+
+    /// The result of all positions together.
+    pub fn overall(&self) -> Overall {
+        if !self.without_equilibrium().is_empty() {
+            Overall::NoEquilibrium
+        } else if self.not_converged().next().is_some() {
+            Overall::NotConverged
+        } else {
+            Overall::Solved
+        }
     }
 
     /// The smallest and the largest value of every field at a section, in the order of [`Field::ALL`]; none if nothing
@@ -122,8 +175,8 @@ impl Passage {
                 note(first_axle, Field::ALL.map(|field| fields.get(field)));
             }
         }
-        for axle in 0..self.train.axles.len() {
-            if let Some((first_axle, both)) = passing(&self.positions, &self.train, axle, x) {
+        for axle in 0..self.train().axles.len() {
+            if let Some((first_axle, both)) = passing(&self.swept.sections, self.train(), axle, x) {
                 both.into_iter().for_each(|values| note(first_axle, values));
             }
         }
@@ -134,9 +187,9 @@ impl Passage {
     /// solved.
     pub fn range(&self, field: Field) -> Option<[Located; 2]> {
         let mut bounds: Option<[Located; 2]> = None;
-        for position in &self.positions {
-            let Some(ranges) = &position.ranges else { continue };
-            let first_axle = position.first_axle;
+        for section in &self.swept.sections {
+            let Some(ranges) = &section.ranges else { continue };
+            let first_axle = section.first_axle;
             let new = [ranges[field.index()].min, ranges[field.index()].max]
                 .map(|extreme| Located { x: extreme.x, value: extreme.value, first_axle });
             widen(bounds.get_or_insert(new), new);
@@ -145,7 +198,7 @@ impl Passage {
     }
 
     /// The solution at a position that was solved, or else nearest to it.
-    pub fn nearest(&self, first_axle: f64) -> Option<(f64, &Solution)> {
+    pub fn nearest(&self, first_axle: f64) -> Option<(f64, &'a Solution)> {
         let away = |at: f64| (at - first_axle).abs();
         self.solved().min_by(|a, b| away(a.0).total_cmp(&away(b.0)))
     }
@@ -158,7 +211,7 @@ impl Passage {
                 let x = open.largest_gap.x;
                 let place = if x > first_axle {
                     &mut uplift.ahead
-                } else if x < first_axle - self.train.length() {
+                } else if x < first_axle - self.train().length() {
                     &mut uplift.behind
                 } else {
                     &mut uplift.between
@@ -172,11 +225,16 @@ impl Passage {
         uplift
     }
 
+    /// Sections at which the envelope is listed by default.
+    pub fn default_stations(&self) -> Vec<f64> {
+        self.stations(EVEN_STEPS)
+    }
+
     /// Sections at which the envelope is worth listing: `even` equal steps, corners of the model, and the extremes.
     pub fn stations(&self, even: usize) -> Vec<f64> {
-        let l = self.model.beam.length;
+        let l = self.model().beam.length;
         let mut x: Vec<f64> = (0..=even).map(|i| l * (i as f64 / even.max(1) as f64)).collect();
-        x.extend(marks(&self.model));
+        x.extend(self.model().marks());
         x.extend(Field::ALL.iter().filter_map(|&field| self.range(field)).flatten().map(|e| e.x));
         x.sort_by(f64::total_cmp);
         x.dedup();

@@ -1,54 +1,34 @@
 //! One position of a train and its result.
 
-use crate::error::Error;
-use crate::error::Stopped;
-use crate::existence::existence::Existence;
-use crate::model::{Load, Model};
-use crate::outcome::Outcome;
-use crate::solution::fields::{Field, Fields, Range};
-use crate::solution::solution::Solution;
-use crate::train::{SAME_PLACE, Train, marks};
+use crate::answer::Answer;
+use groundbeam::model::Train;
+use groundbeam::{Field, Fields, Load, Model, Range};
+use std::borrow::Borrow;
 
-/// What came out for one position of the train.
+/// A position of the train: its answer, and the values by which envelopes are compared.
 #[derive(Debug, Clone)]
-pub enum Answer {
-    /// An equilibrium, solved.
-    Equilibrium(Box<Solution>),
-    /// There is none.
-    NoEquilibrium(Existence),
-    /// The method did not reach its tolerance.
-    NotConverged(Stopped),
+pub(crate) struct Position {
+    pub answer: Answer,
+    pub section: Section,
+    /// Values at the stations from the left and from the right; none without an equilibrium.
+    pub samples: Vec<[f64; 7]>,
 }
 
-impl Answer {
-    /// The answer of a solve; any other error is not about a position.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Invalid`] and [`Error::Unsupported`], as they are.
-    pub fn of(solved: Result<Outcome, Error>) -> Result<Self, Error> {
-        match solved {
-            Ok(Outcome::Equilibrium(solution)) => Ok(Answer::Equilibrium(solution)),
-            Ok(Outcome::NoEquilibrium(existence)) => Ok(Answer::NoEquilibrium(existence)),
-            Err(Error::NotConverged(reached)) => Ok(Answer::NotConverged(reached)),
-            Err(other) => Err(other),
-        }
+impl Borrow<Section> for Position {
+    fn borrow(&self) -> &Section {
+        &self.section
     }
 }
 
-/// A position of the train and what came out there.
+/// What the envelope needs of a position besides its solution.
 #[derive(Debug, Clone)]
-pub struct Position {
-    /// Of the first axle \[m\].
+pub(crate) struct Section {
+    /// Position of the first axle \[m\].
     pub first_axle: f64,
-    /// What came out.
-    pub answer: Answer,
-    /// Values at the stations from the left and from the right; none without an equilibrium.
-    pub(super) samples: Vec<[f64; 7]>,
     /// Of each axle on the beam the fields beside it.
-    pub(super) under: Vec<Option<Under>>,
-    /// Of each field.
-    pub(super) ranges: Option<[Range; 7]>,
+    pub under: Vec<Option<Under>>,
+    /// Of each field; none without an equilibrium.
+    pub ranges: Option<[Range; 7]>,
 }
 
 /// All fields, in the order of [`Field::ALL`].
@@ -79,7 +59,7 @@ impl Under {
         let own = force(train, axle);
         jump[SHEAR] = own;
         if model.beam.shears() {
-            let here = |at: f64| (at - x).abs() <= SAME_PLACE * model.beam.length;
+            let here = |at: f64| (at - x).abs() <= Train::SAME_PLACE * model.beam.length;
             let fixed = model.loads.iter().map(|load| match *load {
                 Load::PointForce { at, force } if here(at) => force,
                 _ => 0.0,
@@ -120,7 +100,7 @@ pub(crate) fn first_positions(model: &Model, train: &Train, [from, to]: [f64; 2]
     let ends = train.uniform.iter().flat_map(|part| [part.from, part.to]);
     let behind = train.axles.iter().map(|axle| axle.behind).chain(ends);
     for behind in behind.filter(|behind| behind.is_finite()) {
-        at.extend(marks(model).iter().map(|mark| mark + behind));
+        at.extend(model.marks().iter().map(|mark| mark + behind));
         at.extend([behind - JUST_OFF * l, l + behind + JUST_OFF * l]);
     }
     at.retain(|x| (from..=to).contains(x));

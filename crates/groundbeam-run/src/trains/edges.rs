@@ -1,10 +1,8 @@
 //! Where along its way a train leaves the beam without an equilibrium.
 
-use super::Train;
-use crate::error::Error;
-use crate::model::Model;
-use crate::solve::exists;
-use crate::train::position::first_positions;
+use super::position::first_positions;
+use groundbeam::model::Train;
+use groundbeam::{Error, Model, exists};
 
 /// Halvings of an interval: as many as a number has digits.
 const HALVINGS: usize = 52;
@@ -36,30 +34,28 @@ pub(super) fn without_equilibrium(
 /// Each interval between first positions is looked at in so many places.
 const PARTS: usize = 8;
 
-impl Train {
-    /// Ranges of the first axle's position in which there is no equilibrium, without solving: told from statics at the
-    /// places where axles meet what the model has, on an even grid, and in between.
-    ///
-    /// # Errors
-    ///
-    /// As [`exists`].
-    pub fn without_equilibrium(
-        &self,
-        model: &Model,
-        range: [f64; 2],
-    ) -> Result<Vec<[f64; 2]>, Error> {
-        let first = first_positions(model, self, range);
-        let parts = first.windows(2).flat_map(|ends| {
-            let step = (ends[1] - ends[0]) / PARTS as f64;
-            (0..PARTS).map(move |i| ends[0] + step * i as f64)
-        });
-        let mut found = Vec::new();
-        for at in parts.chain(first.last().copied()) {
-            let existence = exists(&self.on(model, at))?;
-            found.push((at, existence.verdict.stands()));
-        }
-        Ok(without_equilibrium(model, self, found.into_iter()))
+/// Ranges of the first axle's position in which there is no equilibrium, without solving: told from statics at the
+/// places where axles meet what the model has, on an even grid, and in between.
+///
+/// # Errors
+///
+/// As [`exists`].
+pub(crate) fn checked(
+    model: &Model,
+    train: &Train,
+    range: [f64; 2],
+) -> Result<Vec<[f64; 2]>, Error> {
+    let first = first_positions(model, train, range);
+    let parts = first.windows(2).flat_map(|ends| {
+        let step = (ends[1] - ends[0]) / PARTS as f64;
+        (0..PARTS).map(move |i| ends[0] + step * i as f64)
+    });
+    let mut found = Vec::new();
+    for at in parts.chain(first.last().copied()) {
+        let existence = exists(&train.on(model, at))?;
+        found.push((at, existence.verdict.stands()));
     }
+    Ok(without_equilibrium(model, train, found.into_iter()))
 }
 
 /// The edge between a position with and one without an equilibrium.

@@ -1,11 +1,6 @@
 //! The query of an address: every key and every value is checked, and none is ignored.
 
-use super::wrong::document;
-use axum::extract::rejection::QueryRejection;
-use axum::extract::{FromRequestParts, Query};
-use axum::http::StatusCode;
-use axum::http::request::Parts;
-use axum::response::{IntoResponse, Response};
+use crate::reply::Reply;
 use groundbeam_file::Document;
 use serde_json::json;
 
@@ -31,9 +26,11 @@ pub enum Trains {
     One(usize),
 }
 
-/// The keys of the addresses that solve, of a calculation report, and of the view.
+/// The keys of the questions that solve.
 pub const SOLVE: &[&str] = &["combination", "train", "first_axle"];
+/// The keys of a calculation report.
 pub const REPORT: &[&str] = &["combination"];
+/// The keys of the view.
 pub const VIEW: &[&str] = &["combination", "train", "first_axle", "width"];
 
 /// A query that is refused.
@@ -61,41 +58,28 @@ impl WrongQuery {
     }
 }
 
-impl IntoResponse for WrongQuery {
-    fn into_response(self) -> Response {
-        let WrongQuery { key, value, message } = self;
+impl From<WrongQuery> for Reply {
+    fn from(wrong: WrongQuery) -> Self {
+        let WrongQuery { key, value, message } = wrong;
         let query = json!({ "key": key, "value": value });
         let text = json!({ "status": "refused", "message": message, "query": query }).to_string();
-        document(StatusCode::BAD_REQUEST, text + "\n")
+        Reply::document(400, text + "\n")
     }
 }
 
-/// The keys and values of a query in their order.
-pub struct Pairs(Vec<(String, String)>);
-
-impl<S: Send + Sync> FromRequestParts<S> for Pairs {
-    type Rejection = Response;
-
-    async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Response> {
-        let read: Result<Query<_>, QueryRejection> = Query::from_request_parts(parts, state).await;
-        match read {
-            Ok(Query(pairs)) => Ok(Pairs(pairs)),
-            Err(rejection) => {
-                Err(super::wrong::refusal(rejection.status(), &rejection.body_text()))
-            }
-        }
-    }
-}
-
-impl Pairs {
-    /// The values of `keys`, those that every file allows.
-    pub fn read(&self, keys: &[&str]) -> Result<Asked, WrongQuery> {
+impl Asked {
+    /// The values of `keys` among the pairs of a query.
+    ///
+    /// # Errors
+    ///
+    /// A key that is not one of `keys` or comes twice, or a value that no file allows.
+    pub fn read(pairs: &[(String, String)], keys: &[&str]) -> Result<Asked, WrongQuery> {
         let mut asked = Asked::default();
-        for (i, (key, value)) in self.0.iter().enumerate() {
+        for (i, (key, value)) in pairs.iter().enumerate() {
             if !keys.contains(&key.as_str()) {
                 return Err(WrongQuery::key(key, value, keys));
             }
-            if self.0[..i].iter().any(|(earlier, _)| earlier == key) {
+            if pairs[..i].iter().any(|(earlier, _)| earlier == key) {
                 return Err(WrongQuery::value(key, value, "given once"));
             }
             let refused = |allowed| WrongQuery::value(key, value, allowed);
@@ -129,7 +113,7 @@ fn number(value: &str) -> Option<f64> {
 
 impl Asked {
     /// Checks the values against a file: they must name what the file has.
-    pub fn check(&self, file: &Document) -> Result<(), WrongQuery> {
+    pub(crate) fn check(&self, file: &Document) -> Result<(), WrongQuery> {
         if let Some(name) = &self.combination {
             let names = file.combination_names();
             if !names.iter().any(|known| known == name) {

@@ -1,12 +1,12 @@
 //! Between two solved positions: what is interpolated there, and how far a third sticks out.
 
-use super::{SAME_PLACE, Train};
-use crate::train::position::Beside;
-use crate::train::position::Position;
+use super::position::{Beside, Position, Section};
+use groundbeam::model::Train;
+use std::borrow::Borrow;
 
 /// The fields beside an axle that stands between two solved positions, a share t of the way from the left to the right
 /// one; none where it is off the beam.
-pub(super) fn beside_axle(ends: [&Position; 2], axle: usize, t: f64) -> Option<Beside> {
+fn beside_axle(ends: [&Section; 2], axle: usize, t: f64) -> Option<Beside> {
     let [start, end] = ends.map(|end| end.under.get(axle).copied().flatten());
     let (start, end) = (start?.leaving(), end?.arriving());
     Some([0, 1].map(|side| {
@@ -29,7 +29,7 @@ impl Table {
             for (bounds, values) in table.bounds.iter_mut().zip(&position.samples) {
                 widen(bounds, values);
             }
-            for (field, range) in position.ranges.iter().flatten().enumerate() {
+            for (field, range) in position.section.ranges.iter().flatten().enumerate() {
                 let [min, max] = &mut table.all;
                 min[field] = min[field].min(range.min.value);
                 max[field] = max[field].max(range.max.value);
@@ -55,15 +55,15 @@ fn widen([min, max]: &mut [[f64; 7]; 2], values: &[f64; 7]) {
 }
 
 /// The fields beside an axle as it passes x, and the position of the first axle then.
-pub(super) fn passing(
-    found: &[Position],
+pub(super) fn passing<S: Borrow<Section>>(
+    found: &[S],
     train: &Train,
     axle: usize,
     x: f64,
 ) -> Option<(f64, Beside)> {
     let at = x + train.axles[axle].behind;
-    let next = found.partition_point(|position| position.first_axle <= at);
-    let [left, right] = [found.get(next.checked_sub(1)?)?, found.get(next)?];
+    let next = found.partition_point(|position| position.borrow().first_axle <= at);
+    let [left, right] = [found.get(next.checked_sub(1)?)?, found.get(next)?].map(Borrow::borrow);
     let t = (at - left.first_axle) / (right.first_axle - left.first_axle);
     Some((at, beside_axle([left, right], axle, t)?))
 }
@@ -94,14 +94,16 @@ pub(super) fn sticks_out(
         }
     }
     for (axle, _) in train.axles.iter().enumerate() {
-        let here = middle.under.get(axle).copied().flatten();
-        if let (Some(here), Some(between)) = (here, beside_axle(ends, axle, 0.5)) {
+        let here = middle.section.under.get(axle).copied().flatten();
+        if let (Some(here), Some(between)) =
+            (here, beside_axle(ends.map(|end| &end.section), axle, 0.5))
+        {
             for (here, between) in here.beside.iter().zip(&between) {
                 (0..7).for_each(|field| note(field, (here[field] - between[field]).abs()));
             }
         }
     }
-    for (field, range) in middle.ranges.iter().flatten().enumerate() {
+    for (field, range) in middle.section.ranges.iter().flatten().enumerate() {
         note(field, range.max.value - table.all[1][field]);
         note(field, table.all[0][field] - range.min.value);
     }
@@ -111,9 +113,9 @@ pub(super) fn sticks_out(
 
 /// Whether an axle passes a section somewhere between two positions, or stands there in one of them.
 fn is_passed(x: f64, [start, end]: [&Position; 2], train: &Train) -> bool {
-    let [from, to] = [start.first_axle, end.first_axle];
+    let [from, to] = [start, end].map(|position| position.section.first_axle);
     // An axle that stands there does so to rounding.
-    let rounding = SAME_PLACE * (from.abs() + to.abs());
+    let rounding = Train::SAME_PLACE * (from.abs() + to.abs());
     let passing = from - rounding..=to + rounding;
     train.axles.iter().any(|axle| passing.contains(&(x + axle.behind)))
 }
@@ -128,8 +130,8 @@ fn crest(a: f64, middle: f64, b: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solution::fields::Field;
-    use crate::train::position::{SHEAR, SLOPE};
+    use crate::trains::position::{SHEAR, SLOPE};
+    use groundbeam::Field;
 
     #[test]
     fn fields_stand_where_they_are_looked_for() {

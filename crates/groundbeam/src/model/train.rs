@@ -1,29 +1,13 @@
-//! Axle trains: loads that move along the beam together, and the envelope of all their positions.
-
-mod bounds;
-mod edges;
-mod free_spans;
-mod interval;
-pub(crate) mod position;
-mod sweep;
-
-pub use crate::train::position::{Answer, Position};
-pub use bounds::{Located, Passage, Reach, Uplift};
-pub use free_spans::{FreeSpans, Opened};
-pub use sweep::Sweep;
+//! Axle trains: loads at fixed distances that move along the beam together.
 
 use crate::model::{Load, Model};
-
-/// Positions closer than this part of the beam's length are one: an axle that comes so close to a load, a support
-/// or an end stands there.
-const SAME_PLACE: f64 = 1e-9;
 
 /// Axles and distributed loads at fixed distances, which move along the beam together.
 ///
 /// It is placed by its first axle, the one farthest to the right; everything is measured backward from there.
 ///
 /// ```
-/// use groundbeam::train::{Axle, Train};
+/// use groundbeam::model::{Axle, Train};
 /// use groundbeam::{Beam, Foundation, Load, Model};
 ///
 /// let axle = |behind| Axle { behind, force: 250e3 };
@@ -62,6 +46,10 @@ pub struct UniformPart {
 }
 
 impl Train {
+    /// Positions closer than this part of the beam's length are equal: an axle that comes so close to a load, a
+    /// support or an end stands there.
+    pub const SAME_PLACE: f64 = 1e-9;
+
     /// From the first axle to the last \[m\].
     pub fn length(&self) -> f64 {
         self.axles.iter().fold(0.0, |length, axle| length.max(axle.behind))
@@ -103,7 +91,7 @@ impl Train {
     /// A model with the train on it, its first axle at a position; what is off the beam carries nothing.
     pub fn on(&self, model: &Model, position: f64) -> Model {
         let l = model.beam.length;
-        let marks = marks(model);
+        let marks = model.marks();
         let mut loaded = model.clone();
         for axle in &self.axles {
             let at = snapped(position - axle.behind, &marks, l);
@@ -122,44 +110,46 @@ impl Train {
     }
 
     /// Where an axle stands if the first one is at a position; none off the beam.
-    pub(crate) fn axle_at(&self, axle: usize, position: f64, model: &Model) -> Option<f64> {
+    pub fn axle_at(&self, axle: usize, position: f64, model: &Model) -> Option<f64> {
         let l = model.beam.length;
-        let at = snapped(position - self.axles.get(axle)?.behind, &marks(model), l);
+        let at = snapped(position - self.axles.get(axle)?.behind, &model.marks(), l);
         (0.0..=l).contains(&at).then_some(at)
     }
 }
 
-/// Where the fields of a model have corners or jump: its ends, loads, supports, hinges, gap and segments.
-pub(crate) fn marks(model: &Model) -> Vec<f64> {
-    let l = model.beam.length;
-    let mut x = vec![0.0, l];
-    for load in &model.loads {
-        match *load {
-            Load::PointForce { at, .. }
-            | Load::PointMoment { at, .. }
-            | Load::GroundForce { at, .. } => x.push(at),
-            Load::Distributed { from, to, .. }
-            | Load::DistributedMoment { from, to, .. }
-            | Load::Curvature { from, to, .. }
-            | Load::GroundDistributed { from, to, .. } => {
-                x.extend([from, to]);
+impl Model {
+    /// Positions at which fields of a solution have corners or jump: ends, loads, supports, hinges, gap and segments.
+    pub fn marks(&self) -> Vec<f64> {
+        let l = self.beam.length;
+        let mut x = vec![0.0, l];
+        for load in &self.loads {
+            match *load {
+                Load::PointForce { at, .. }
+                | Load::PointMoment { at, .. }
+                | Load::GroundForce { at, .. } => x.push(at),
+                Load::Distributed { from, to, .. }
+                | Load::DistributedMoment { from, to, .. }
+                | Load::Curvature { from, to, .. }
+                | Load::GroundDistributed { from, to, .. } => {
+                    x.extend([from, to]);
+                }
             }
         }
+        x.extend(self.supports.iter().map(|support| support.at));
+        x.extend(self.hinges.iter().map(|hinge| hinge.at));
+        x.extend(self.gap.iter().map(|corner| corner.at));
+        x.extend(self.beam.segments.iter().flat_map(|segment| [segment.from, segment.to]));
+        x.extend(self.foundation.segments.iter().flat_map(|segment| [segment.from, segment.to]));
+        x.retain(|x| (0.0..=l).contains(x));
+        x.sort_by(f64::total_cmp);
+        x.dedup();
+        x
     }
-    x.extend(model.supports.iter().map(|support| support.at));
-    x.extend(model.hinges.iter().map(|hinge| hinge.at));
-    x.extend(model.gap.iter().map(|corner| corner.at));
-    x.extend(model.beam.segments.iter().flat_map(|segment| [segment.from, segment.to]));
-    x.extend(model.foundation.segments.iter().flat_map(|segment| [segment.from, segment.to]));
-    x.retain(|x| (0.0..=l).contains(x));
-    x.sort_by(f64::total_cmp);
-    x.dedup();
-    x
 }
 
 /// The mark that a position means, or the position itself.
 fn snapped(x: f64, marks: &[f64], beam_length: f64) -> f64 {
-    let near = marks.iter().find(|mark| (x - **mark).abs() <= SAME_PLACE * beam_length);
+    let near = marks.iter().find(|mark| (x - **mark).abs() <= Train::SAME_PLACE * beam_length);
     near.copied().unwrap_or(x)
 }
 

@@ -1,16 +1,16 @@
 //! Which positions of a train are solved: where axles meet what the model has, an even grid, and more where it matters.
 
-use super::bounds::{Passage, Reach};
+use super::edges;
 use super::interval::{Table, sticks_out};
-use super::{Train, edges, marks};
-use crate::error::Error;
-use crate::model::Model;
-use crate::outcome::Outcome;
-use crate::solution::fields::{Field, Side};
-use crate::solution::solution::Solution;
-use crate::train::position::Under;
-use crate::train::position::first_positions;
-use crate::train::position::{Answer, Position, values};
+use super::passage::{Reach, Swept};
+use super::position::{Position, Section, Under, first_positions, values};
+use crate::answer::{Answer, Found, Label, Placed};
+use crate::host::{Failed, Host};
+use crate::single::answered;
+use groundbeam::model::Train;
+use groundbeam::{Error, Field, Model, Options, Side, Solution};
+use groundbeam_file::{Combination, MovingTrain};
+use std::sync::Arc;
 
 /// Equal steps of the beam at whose ends envelopes are compared; marks of the model are added.
 const EVEN_STATIONS: usize = 96;
@@ -29,16 +29,19 @@ struct Between {
     open: bool,
 }
 
-/// A sweep of a train over a model, in rounds: [`wanted`](Sweep::wanted) names positions,
-/// [`give`](Sweep::give) takes what was solved there, until none is wanted any more.
+/// The error of an envelope that is asked for, relative to each field's largest value.
+pub(crate) const ERROR: f64 = 1e-3;
+
+/// A sweep of a train over a combination, in rounds: `wanted` holds the positions of the first axle to be solved next,
+/// from left to right, `give` takes their answers, until none is wanted.
 ///
 /// At a section of the beam a field changes smoothly while the train moves, except when an axle passes. Between two
 /// solved positions the fields beside each axle are therefore interpolated; elsewhere the envelope is that of the
 /// solved positions. The middle of an interval is solved, too, and the interval is halved for as long as its middle,
 /// or the crest of the parabola through it and its ends, sticks out of the envelope by more than the error.
-pub struct Sweep<'a> {
-    model: &'a Model,
-    train: &'a Train,
+pub(crate) struct Sweep {
+    combination: Arc<Combination>,
+    moving: Arc<MovingTrain>,
     error: f64,
     stations: Vec<f64>,
     found: Vec<Position>,
@@ -46,26 +49,56 @@ pub struct Sweep<'a> {
     wanted: Vec<f64>,
 }
 
-impl<'a> Sweep<'a> {
-    /// A sweep of the first axle from one position to another, to an error relative to each field's largest value.
-    pub fn new(model: &'a Model, train: &'a Train, range: [f64; 2], error: f64) -> Self {
+impl Sweep {
+    /// A sweep to an error relative to each field's largest value.
+    pub fn new(combination: Arc<Combination>, moving: Arc<MovingTrain>, error: f64) -> Self {
+        let model = &combination.model;
         let l = model.beam.length;
         let mut stations: Vec<f64> =
             (0..=EVEN_STATIONS).map(|i| l * (i as f64 / EVEN_STATIONS as f64)).collect();
-        stations.extend(marks(model));
+        stations.extend(model.marks());
         stations.sort_by(f64::total_cmp);
         stations.dedup();
-        let wanted = first_positions(model, train, range);
-        Sweep { model, train, error, stations, found: Vec::new(), between: Vec::new(), wanted }
+        let wanted = first_positions(model, &moving.train, moving.range);
+        let (found, between) = (Vec::new(), Vec::new());
+        Sweep { combination, moving, error, stations, found, between, wanted }
     }
 
-    /// The positions of the first axle to be solved next, from left to right; none when all is done.
-    pub fn wanted(&self) -> &[f64] {
-        &self.wanted
+    fn model(&self) -> &Model {
+        &self.combination.model
+    }
+
+    fn train(&self) -> &Train {
+        &self.moving.train
+    }
+
+    /// Solves all that is wanted. Each position is solved by itself, from a neighbour of the rounds before, and kept in
+    /// its place: the same bits on any number of threads.
+    pub fn run<H: Host>(
+        mut self,
+        options: &Options,
+        host: &H,
+    ) -> Result<(Vec<Answer>, Swept), Failed<H::Stop>> {
+        while !self.wanted.is_empty() {
+            let answers = host.map(self.wanted.len(), |i| self.solved(i, options, host));
+            let answers = answers.map_err(Failed::Stopped)?;
+            self.give(answers.into_iter().collect::<Result<Vec<Answer>, Error>>()?);
+        }
+        host.done();
+        Ok(self.finish())
+    }
+
+    fn solved(&self, wanted: usize, options: &Options, host: &impl Host) -> Result<Answer, Error> {
+        let first_axle = self.wanted[wanted];
+        let label = Label {
+            train: Some(Placed { train: self.moving.clone(), first_axle }),
+            ..Label::of(&self.combination, options.method)
+        };
+        answered(label, None, options, self.near(first_axle), host)
     }
 
     /// Takes the answers at the positions that were wanted, in their order.
-    pub fn give(&mut self, answers: impl IntoIterator<Item = Answer>) {
+    fn give(&mut self, answers: Vec<Answer>) {
         let wanted = std::mem::take(&mut self.wanted);
         let new: Vec<Position> =
             wanted.into_iter().zip(answers).map(|(at, answer)| self.sampled(at, answer)).collect();
@@ -83,60 +116,41 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// The solution of a given position next to one that is wanted, of two the one on the left: where to begin there.
-    pub fn near(&self, wanted: f64) -> Option<&Solution> {
-        let next = self.found.partition_point(|position| position.first_axle <= wanted);
+    /// The solution of a solved position next to one that is wanted, of two the one on the left: where to begin there.
+    fn near(&self, wanted: f64) -> Option<&Solution> {
+        let next = self.found.partition_point(|position| position.section.first_axle <= wanted);
         let sides = [next.checked_sub(1), Some(next)];
-        sides.into_iter().flatten().find_map(|i| match &self.found.get(i)?.answer {
-            Answer::Equilibrium(solution) => Some(&**solution),
-            _ => None,
-        })
+        sides.into_iter().flatten().find_map(|i| self.found.get(i)?.answer.solution())
     }
 
-    /// Solves all that is wanted, one position after the other; `solve` is given the loaded model and the solution of a
-    /// position near by, as [`solve_near`](crate::solve_near) wants them.
-    ///
-    /// # Errors
-    ///
-    /// The first that is not about one position alone.
-    pub fn run(
-        mut self,
-        solve: impl Fn(&Model, Option<&Solution>) -> Result<Outcome, Error>,
-    ) -> Result<Passage, Error> {
-        while !self.wanted.is_empty() {
-            let solved = self
-                .wanted
-                .iter()
-                .map(|&at| Answer::of(solve(&self.train.on(self.model, at), self.near(at))));
-            let answers: Result<Vec<Answer>, Error> = solved.collect();
-            self.give(answers?);
-        }
-        Ok(self.finish())
-    }
-
-    /// What is known now.
-    pub fn finish(self) -> Passage {
+    /// The answers, and what is known of the way besides them.
+    fn finish(self) -> (Vec<Answer>, Swept) {
         let each = self.between.iter().map(|between| between.error);
         let reached = each.fold([0.0_f64; 7], |most, error| {
             std::array::from_fn(|field| most[field].max(error[field]))
         });
         let stands = |position: &Position| {
-            (position.first_axle, !matches!(position.answer, Answer::NoEquilibrium(_)))
+            let falls = matches!(position.answer.found, Found::NoEquilibrium(_));
+            (position.section.first_axle, !falls)
         };
         let found = self.found.iter().map(stands);
-        let none = edges::without_equilibrium(self.model, self.train, found);
-        Passage {
-            model: self.model.clone(),
-            train: self.train.clone(),
-            positions: self.found,
+        let none = edges::without_equilibrium(self.model(), self.train(), found);
+        let found = self.found.into_iter().map(|position| (position.answer, position.section));
+        let (answers, sections): (Vec<Answer>, Vec<Section>) = found.unzip();
+        let swept = Swept {
+            combination: self.combination,
+            train: self.moving,
+            answers: 0..answers.len(),
+            sections,
             reach: Reach { asked: self.error, reached },
             none,
-        }
+        };
+        (answers, swept)
     }
 
     /// Puts the middles of all open intervals in their places and judges each.
     fn halve(&mut self, new: Vec<Position>) {
-        let table = Table::of(&self.found, self.train, &self.stations);
+        let table = Table::of(&self.found, self.train(), &self.stations);
         let scale = scale(self.found.iter().chain(&new));
         let mut middles = new.into_iter();
         let (mut found, mut between) = (Vec::new(), Vec::new());
@@ -152,8 +166,9 @@ impl<'a> Sweep<'a> {
                 continue;
             };
             let ends = [start, right];
-            let error = match ends.iter().chain(&[&middle]).all(|end| end.ranges.is_some()) {
-                true => sticks_out(&middle, ends, self.train, &self.stations, &table, &scale),
+            let error = match ends.iter().chain(&[&middle]).all(|end| end.section.ranges.is_some())
+            {
+                true => sticks_out(&middle, ends, self.train(), &self.stations, &table, &scale),
                 false => [0.0; 7],
             };
             let is_edge = is_edge(ends[0], &middle) || is_edge(&middle, ends[1]);
@@ -166,10 +181,10 @@ impl<'a> Sweep<'a> {
 
     /// Closes what is short, and what has no equilibrium at either end.
     fn close(&mut self) {
-        let l = self.model.beam.length;
+        let l = self.model().beam.length;
         for (between, ends) in self.between.iter_mut().zip(self.found.windows(2)) {
-            let length = ends[1].first_axle - ends[0].first_axle;
-            let solved = ends.iter().filter(|end| end.ranges.is_some()).count();
+            let length = ends[1].section.first_axle - ends[0].section.first_axle;
+            let solved = ends.iter().filter(|end| end.section.ranges.is_some()).count();
             let shortest = if solved == 2 { SHORTEST } else { SHORTEST_AT_EDGE };
             if length <= shortest * l || solved == 0 {
                 between.open = false;
@@ -182,29 +197,29 @@ impl<'a> Sweep<'a> {
     }
 
     fn sampled(&self, first_axle: f64, answer: Answer) -> Position {
-        let Answer::Equilibrium(solution) = &answer else {
-            return Position { first_axle, answer, samples: vec![], under: vec![], ranges: None };
+        let Some(solution) = answer.solution() else {
+            let section = Section { first_axle, under: Vec::new(), ranges: None };
+            return Position { answer, section, samples: Vec::new() };
         };
         let both = |x: f64| [Side::Left, Side::Right].map(|side| values(solution.at(x, side)));
         let samples = self.stations.iter().flat_map(|&x| both(x)).collect();
-        let axles = 0..self.train.axles.len();
-        let of = |i: usize, x: f64| Under::of(both(x), self.model, self.train, i, x);
-        let under = axles
-            .map(|i| self.train.axle_at(i, first_axle, self.model).map(|x| of(i, x)))
-            .collect();
+        let (model, train) = (self.model(), self.train());
+        let of = |i: usize, x: f64| Under::of(both(x), model, train, i, x);
+        let axles = 0..train.axles.len();
+        let under = axles.map(|i| train.axle_at(i, first_axle, model).map(|x| of(i, x))).collect();
         let ranges = Some(Field::ALL.map(|field| solution.range(field)));
-        Position { first_axle, answer, samples, under, ranges }
+        Position { section: Section { first_axle, under, ranges }, answer, samples }
     }
 }
 
 /// The middle of an interval.
 fn middle(ends: &[Position]) -> f64 {
-    0.5 * (ends[0].first_axle + ends[1].first_axle)
+    0.5 * (ends[0].section.first_axle + ends[1].section.first_axle)
 }
 
 /// Whether one of two positions is an equilibrium and the other is none.
 fn is_edge(a: &Position, b: &Position) -> bool {
-    a.ranges.is_some() != b.ranges.is_some()
+    a.section.ranges.is_some() != b.section.ranges.is_some()
 }
 
 /// The largest absolute value of each field. Uplift and settlement are seen beside the deflection.
@@ -212,7 +227,7 @@ fn scale<'p>(positions: impl Iterator<Item = &'p Position>) -> [f64; 7] {
     /// A field that is smaller than this part of the deflection is as good as zero.
     const NOTHING: f64 = 1e-6;
     let mut scale = [0.0_f64; 7];
-    for ranges in positions.filter_map(|position| position.ranges.as_ref()) {
+    for ranges in positions.filter_map(|position| position.section.ranges.as_ref()) {
         for (scale, range) in scale.iter_mut().zip(ranges) {
             *scale = scale.max(range.min.value.abs()).max(range.max.value.abs());
         }

@@ -1,7 +1,7 @@
 //! Free spans under a train: the longest one and the one with the largest clearance, over all positions.
 
-use super::bounds::Passage;
-use crate::solution::lift_off::LiftOff;
+use super::passage::Passage;
+use groundbeam::LiftOff;
 
 /// A stretch of the beam that does not touch, and where the train then stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,7 +21,7 @@ pub struct FreeSpans {
     pub highest: Opened,
 }
 
-impl Passage {
+impl Passage<'_> {
     /// The longest free span and the one with the largest clearance in all solved positions, ends in the air among them;
     /// of equals the first. None if the beam touches everywhere and always.
     pub fn free_spans(&self) -> Option<FreeSpans> {

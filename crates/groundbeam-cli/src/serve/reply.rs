@@ -1,0 +1,18 @@
+//! Replies of the page as responses of HTTP.
+
+use axum::http::StatusCode;
+use axum::http::header::CONTENT_TYPE;
+use axum::response::{IntoResponse, Response};
+use groundbeam_page::Reply;
+
+/// A reply as it is sent.
+pub fn sent(reply: impl Into<Reply>) -> Response {
+    let Reply { status, kind, bytes } = reply.into();
+    let status = StatusCode::from_u16(status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
+    (status, [(CONTENT_TYPE, kind)], bytes).into_response()
+}
+
+/// A question that is not answered.
+pub fn refusal(status: StatusCode, message: &str) -> Response {
+    sent(Reply::refusal(status.as_u16(), message))
+}

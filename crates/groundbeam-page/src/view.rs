@@ -1,0 +1,201 @@
+//! Everything the page shows of a model, in one answer.
+
+use crate::question::Asked;
+use crate::written::Number;
+use groundbeam::Load;
+use groundbeam::model::Part;
+use groundbeam_file::{Combination, Document, UnitSystem};
+use groundbeam_report::svg::{self, Grip, Handle};
+use groundbeam_report::{Results, load_name, sentence, text};
+use groundbeam_run::{Answer, Found, Overall, Passage};
+use serde::Serialize;
+
+/// Everything the page shows of a model.
+#[derive(Debug, Serialize)]
+pub struct View {
+    status: &'static str,
+    /// The verdict in words.
+    sentence: String,
+    title: Option<String>,
+    /// Labels and words beside the picture.
+    rows: Vec<(String, String)>,
+    picture: Option<Picture>,
+    /// The result document without stations, itself JSON.
+    document: String,
+    /// The whole report as text.
+    report: String,
+    numbers: Vec<Number>,
+    combinations: Vec<String>,
+    trains: Vec<Train>,
+    length: f64,
+    /// Whether positions are in metres.
+    has_units: bool,
+}
+
+#[derive(Debug, Serialize)]
+struct Picture {
+    svg: String,
+    width: f64,
+    height: f64,
+    left: f64,
+    scale: f64,
+    handles: Vec<Held>,
+}
+
+/// A place to take hold of, and the numbers of the text that it moves.
+#[derive(Debug, Serialize)]
+struct Held {
+    name: String,
+    x: f64,
+    y: f64,
+    at: f64,
+    /// Between which positions it may be moved.
+    range: [f64; 2],
+    /// Which of the numbers is its position.
+    position: usize,
+    /// Which of the numbers is its size.
+    size: Option<usize>,
+}
+
+#[derive(Debug, Serialize)]
+struct Train {
+    name: String,
+    from: f64,
+    to: f64,
+}
+
+impl View {
+    pub fn of(document: &Document, results: &Results, asked: &Asked) -> View {
+        let trains = document.trains.iter().map(|train| Train {
+            name: train.name.clone(),
+            from: train.range[0],
+            to: train.range[1],
+        });
+        let (sentence, rows) = said(results);
+        View {
+            status: results.answers().overall().name(),
+            sentence,
+            title: document.title.clone(),
+            rows,
+            picture: picture(document, results, asked),
+            document: results.json(Some(&[])),
+            report: results.text(false),
+            numbers: Number::all(document),
+            combinations: document.combination_names(),
+            trains: trains.collect(),
+            length: document.model.beam.length,
+            has_units: document.units == UnitSystem::Si,
+        }
+    }
+}
+
+/// The verdict in words, and what stands beside the picture.
+fn said(results: &Results) -> (String, Vec<(String, String)>) {
+    let (answers, context) = (results.answers(), results.context());
+    if let Some(one) = results.one() {
+        return match &one.found {
+            Found::Equilibrium(solution) => {
+                let said = sentence(solution.model(), solution.existence(), context.units);
+                (said, text::summary(solution, context))
+            }
+            Found::Exists(existence) | Found::NoEquilibrium(existence) => {
+                let model = one.label.model();
+                let rows = text::failing(&model, existence, context);
+                (sentence(&model, existence, context.units), rows)
+            }
+            Found::NotConverged(reached) => (reached.to_string(), Vec::new()),
+            Found::Unsolved(error) => (error.to_string(), Vec::new()),
+        };
+    }
+    let passages = answers.passages();
+    if !passages.all.is_empty() {
+        let said = match passages.overall() {
+            Overall::NoEquilibrium => "there are positions without an equilibrium",
+            Overall::NotConverged => "there are positions that could not be certified",
+            Overall::Solved => "every position is in equilibrium",
+        };
+        let row = |passage: &Passage| {
+            let count = passage.solved().count();
+            (passage.label(), format!("{count} positions: {}", passage.overall().name()))
+        };
+        return (said.to_owned(), passages.all.iter().map(row).collect());
+    }
+    let said = match answers.overall() {
+        Overall::Solved => "all of them are in equilibrium",
+        Overall::NoEquilibrium => "at least one of them has no equilibrium",
+        Overall::NotConverged => "at least one of them could not be certified",
+    };
+    let said = format!("{} combinations: {said}", answers.list.len());
+    let row = |answer: &Answer| {
+        let words = match answer.existence() {
+            Some(existence) => sentence(answer.model(), existence, context.units),
+            None => "no answer could be certified".to_owned(),
+        };
+        (answer.name().to_owned(), words)
+    };
+    (said, answers.list.iter().map(row).collect())
+}
+
+fn picture(document: &Document, results: &Results, asked: &Asked) -> Option<Picture> {
+    let (width, context) = (asked.width.unwrap_or(960.0), results.context());
+    let Some(one) = results.one() else {
+        return Some(Picture {
+            svg: results.svg(),
+            width: 960.0,
+            height: 0.0,
+            left: 0.0,
+            scale: 0.0,
+            handles: Vec::new(),
+        });
+    };
+    let drawn = match &one.found {
+        Found::Equilibrium(solution) => svg::view(solution, context, width),
+        Found::NoEquilibrium(existence) => {
+            svg::tipping(&one.label.model(), existence, context, width)
+        }
+        Found::Exists(_) | Found::NotConverged(_) | Found::Unsolved(_) => return None,
+    };
+    let held = |handle: &Handle| held(document, &one.label.combination, handle);
+    Some(Picture {
+        handles: drawn.handles.iter().filter_map(held).collect(),
+        width: drawn.size[0],
+        height: drawn.size[1],
+        left: drawn.left,
+        scale: drawn.scale,
+        svg: drawn.svg,
+    })
+}
+
+/// None where the text has no number of its own for the position, as for a train's axle.
+fn held(document: &Document, combination: &Combination, handle: &Handle) -> Option<Held> {
+    let (part, field, size, name) = match handle.grip {
+        Grip::Load(i) | Grip::From(i) | Grip::To(i) => {
+            let i = *combination.loads.get(i)?;
+            let load = &document.model.loads[i];
+            let size = match load {
+                Load::PointForce { .. } | Load::GroundForce { .. } => "force",
+                Load::PointMoment { .. } => "moment",
+                _ => "start",
+            };
+            let kind = load_name(load);
+            let (field, end) = match handle.grip {
+                Grip::From(_) => ("from", ", its beginning"),
+                Grip::To(_) => ("to", ", its end"),
+                _ => ("at", ""),
+            };
+            (Part::Load(i), field, Some(size), format!("load {}: {kind}{end}", i + 1))
+        }
+        Grip::Hinge(i) => (Part::Hinge(i), "at", None, format!("hinge {}", i + 1)),
+        Grip::Support(i) => (Part::Support(i), "at", None, format!("support {}", i + 1)),
+    };
+    let [x, y] = handle.place;
+    Some(Held {
+        name,
+        x,
+        y,
+        at: handle.at,
+        range: handle.range,
+        position: Number::behind(document, part, field)?,
+        size: size.and_then(|size| Number::behind(document, part, size)),
+    })
+}

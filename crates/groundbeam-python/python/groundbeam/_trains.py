@@ -1,0 +1,131 @@
+"""Trains that pass over the beam: the answers at their positions, and their envelope."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple, Optional, Sequence, Tuple, Union, overload
+
+import numpy as np
+
+from . import _native
+from ._frames import frame
+from ._solution import Array, Position, Positions, Solution, positions_of
+
+if TYPE_CHECKING:
+    import pandas
+
+
+class MovingBound(NamedTuple):
+    """One line of an envelope of trains: its values, where the first axle then stands, and in which passage."""
+
+    values: Array
+    first_axle: Array
+    passage: list[int]
+
+
+class MovingEnvelope(NamedTuple):
+    """The smallest and the largest values of a field over all positions of all trains."""
+
+    min: MovingBound
+    max: MovingBound
+
+
+class Passage:
+    """One train that passes over one combination."""
+
+    combination: Optional[str]
+    """The combination; none where the loads are as they are written."""
+    train: str
+    """The name of the train."""
+    range: Tuple[float, float]
+    """From where to where its first axle goes [m]."""
+    without_equilibrium: list[Tuple[float, float]]
+    """Ranges of the first axle's position in which there is no equilibrium [m]."""
+    not_converged: list[float]
+    """Positions of the first axle at which no answer could be certified [m]."""
+
+    def __init__(self, inner: _native.Answers, number: int) -> None:
+        self._inner, self._number = inner, number
+        combination, train, (start, end), none, failed = inner.passages()[number]
+        self.combination, self.train, self.range = combination, train, (start, end)
+        self.without_equilibrium = [(a, b) for a, b in none]
+        self.not_converged = failed
+
+    @property
+    def positions(self) -> Array:
+        """The positions of the first axle that were solved, from left to right [m]."""
+        return self._inner.positions(self._number)
+
+    def nearest(self, first_axle: float) -> Tuple[float, Solution]:
+        """The position that was solved nearest to one, and its solution."""
+        found = self._inner.nearest(self._number, first_axle)
+        if found is None:
+            raise ValueError("no position of the train was solved")
+        at, solution = found
+        return at, Solution(solution)
+
+    def __repr__(self) -> str:
+        under = f" under {self.combination!r}" if self.combination else ""
+        return f"<groundbeam.Passage: {self.train!r}{under}, {len(self.positions)} positions solved>"
+
+
+class Passages(Sequence[Passage]):
+    """The passages of all trains, for each combination in the order of the trains."""
+
+    _inner: _native.Answers
+    _all: list[Passage]
+
+    def __init__(self, native: _native.Answers) -> None:
+        self._inner = native
+        self._all = [Passage(native, number) for number in range(len(native.passages()))]
+
+    @overload
+    def __getitem__(self, number: int) -> Passage: ...
+    @overload
+    def __getitem__(self, number: slice) -> Sequence[Passage]: ...
+    def __getitem__(self, number: Union[int, slice]) -> Union[Passage, Sequence[Passage]]:
+        return self._all[number]
+
+    def __len__(self) -> int:
+        return len(self._all)
+
+    def envelope(self, field: str, x: Union[Position, Positions]) -> MovingEnvelope:
+        """The envelope of a field at positions on the beam; where it jumps, both sides count."""
+        at = np.atleast_1d(positions_of(None, x))
+        found = self._inner.moving_envelope(field, at.ravel())
+        if found is None:
+            raise ValueError("no position of a train was solved: there is no envelope")
+        low, high = (
+            MovingBound(values.reshape(at.shape), axle.reshape(at.shape), passage)
+            for values, axle, passage in found
+        )
+        return MovingEnvelope(low, high)
+
+    def stations(self) -> Array:
+        """Positions on the beam at which the envelope is worth listing."""
+        return self._inner.stations()
+
+    def to_json(self) -> str:
+        """The document, as ``groundbeam solve --json`` prints it."""
+        return self._inner.to_json(None)
+
+    def to_csv(self) -> str:
+        """The envelope as a table."""
+        return self._inner.to_csv(None)
+
+    def to_svg(self) -> str:
+        """A picture of the train where it bends the beam most, and of the envelopes."""
+        return self._inner.to_svg()
+
+    def to_png(self) -> bytes:
+        """The same picture in pixels."""
+        return self._inner.to_png()
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The table of ``to_csv`` as a data frame."""
+        return frame(self.to_csv())
+
+    def __str__(self) -> str:
+        return self._inner.report()
+
+    def __repr__(self) -> str:
+        return f"<groundbeam.Passages: {len(self)}>"

@@ -1,0 +1,213 @@
+//! The answers to several models: all combinations, trains, or methods.
+
+use crate::failure::Failure;
+use crate::names::field;
+use crate::read::Read;
+use crate::solution::Solution;
+use groundbeam_report::{Context, Results, json};
+use groundbeam_run::{self as run, Answer, Errors, InPassage, Passage};
+use numpy::{PyArray1, PyReadonlyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use std::sync::Arc;
+
+/// The answers to several models of a text.
+#[pyclass(frozen, module = "groundbeam._native")]
+pub struct Answers {
+    pub read: Arc<Read>,
+    pub answers: run::Answers,
+    pub seconds: f64,
+}
+
+impl Answers {
+    /// The equilibrium of the only answer.
+    pub fn only(&self) -> PyResult<Solution> {
+        let answer = self.answers.list.first();
+        let answer = answer.ok_or_else(|| Failure::Asked("nothing was solved".to_owned()))?;
+        Ok(Solution::of(&self.read, answer)?)
+    }
+
+    /// As reports want them.
+    fn results(&self) -> Results<'_> {
+        let context = Context::of(&self.read.document).with_seconds(self.seconds);
+        Results::new(&self.answers, context)
+    }
+
+    /// A solution, or the exception that solving it alone would raise.
+    fn answer(&self, py: Python<'_>, answer: &Answer) -> PyResult<Py<PyAny>> {
+        match Solution::of(&self.read, answer) {
+            Ok(solution) => Ok(Py::new(py, solution)?.into_any()),
+            Err(failure) => Ok(PyErr::from(failure).into_value(py).into_any()),
+        }
+    }
+
+    fn passage(&self, number: usize) -> PyResult<Passage<'_>> {
+        let found = self.answers.passages().all.get(number).copied();
+        Ok(found.ok_or_else(|| Failure::Asked(format!("there is no passage {number}")))?)
+    }
+}
+
+/// A bound of an envelope: its values, and the numbers of the combinations that govern.
+type Line<'py> = (Bound<'py, PyArray1<f64>>, Vec<usize>);
+
+/// A bound of an envelope of passages: its values, positions of the first axle, and numbers of the passages.
+type Moving<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Vec<usize>);
+
+/// On the best ground, the smallest and the largest on all grounds.
+type Banded = (f64, f64, f64);
+
+/// Errors of deflection, moment, settlement and end forces.
+type Apart = (f64, f64, f64, f64);
+
+#[pymethods]
+impl Answers {
+    /// Each combination's name with its solution, or with the exception that solving it alone would raise.
+    fn answers(&self, py: Python<'_>) -> PyResult<Vec<(String, Py<PyAny>)>> {
+        let each = self.answers.list.iter();
+        each.map(|answer| Ok((answer.name().to_owned(), self.answer(py, answer)?))).collect()
+    }
+
+    /// The load cases, and whether each could stand by itself.
+    fn load_cases(&self) -> Vec<(String, bool)> {
+        let each = self.answers.alone.iter();
+        each.map(|alone| (alone.case.name.clone(), alone.stands())).collect()
+    }
+
+    /// The smallest and the largest values of a field at positions on the beam, and the number of the solved
+    /// combination that has them.
+    fn envelope<'py>(
+        &self,
+        py: Python<'py>,
+        name: &str,
+        x: PyReadonlyArray1<'py, f64>,
+    ) -> Result<[Line<'py>; 2], Failure> {
+        let field = field(name)?;
+        let envelope = self.answers.envelope();
+        let bounds: Vec<_> = x.as_array().iter().map(|&x| envelope.at(field, x)).collect();
+        let values = |smallest: bool| {
+            let lines = bounds.iter().map(|b| if smallest { b.min } else { b.max });
+            let (values, by) = lines.map(|g| (g.extreme.value, g.by)).unzip();
+            (PyArray1::from_vec(py, values), by)
+        };
+        Ok([values(true), values(false)])
+    }
+
+    /// The smallest and the largest value of a field on the best ground of a band, each with its bounds on all grounds.
+    fn band(&self, name: &str) -> Result<Option<(Banded, Banded)>, Failure> {
+        let field = field(name)?;
+        let of = |band: run::Banded| (band.best, band.low, band.high);
+        Ok(self.answers.bands().map(|bands| {
+            let [min, max] = bands[field.index()];
+            (of(min), of(max))
+        }))
+    }
+
+    fn stations<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        let passages = self.answers.passages();
+        PyArray1::from_vec(
+            py,
+            match passages.all.is_empty() {
+                true => json::envelope_stations(&self.answers),
+                false => passages.default_stations(),
+            },
+        )
+    }
+
+    /// Of each passage the combination, the train, from where to where its first axle goes, the ranges without
+    /// equilibrium, and the positions at which the method did not reach its tolerance.
+    fn passages(&self) -> Vec<(Option<String>, String, [f64; 2], Vec<[f64; 2]>, Vec<f64>)> {
+        let each = self.answers.passages().all.into_iter().map(|passage| {
+            (
+                passage.combination().map(str::to_owned),
+                passage.moving().name.clone(),
+                passage.moving().range,
+                passage.without_equilibrium().to_vec(),
+                passage.not_converged().collect(),
+            )
+        });
+        each.collect()
+    }
+
+    /// The positions of the first axle that were solved in a passage.
+    fn positions<'py>(
+        &self,
+        py: Python<'py>,
+        passage: usize,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let passage = self.passage(passage)?;
+        let solved = passage.solved().map(|(first_axle, _)| first_axle).collect();
+        Ok(PyArray1::from_vec(py, solved))
+    }
+
+    /// The position that was solved nearest to one, and its solution.
+    fn nearest(&self, passage: usize, first_axle: f64) -> PyResult<Option<(f64, Solution)>> {
+        let passage = self.passage(passage)?;
+        let Some((first_axle, _)) = passage.nearest(first_axle) else { return Ok(None) };
+        let here = |answer: &&Answer| {
+            let train = answer.label.train.as_ref();
+            train.is_some_and(|placed| placed.first_axle == first_axle)
+        };
+        let answer = passage.answers().iter().find(here);
+        let solution = answer.map(|answer| Solution::of(&self.read, answer)).transpose()?;
+        Ok(solution.map(|solution| (first_axle, solution)))
+    }
+
+    /// The smallest and the largest values of a field at sections over all passages; nothing if nothing was solved.
+    fn moving_envelope<'py>(
+        &self,
+        py: Python<'py>,
+        name: &str,
+        x: PyReadonlyArray1<'py, f64>,
+    ) -> Result<Option<[Moving<'py>; 2]>, Failure> {
+        let index = field(name)?.index();
+        let passages = self.answers.passages();
+        let each = x.as_array().iter().map(|&x| Some(passages.at(x)?[index])).collect();
+        let Some::<Vec<[InPassage; 2]>>(bounds) = each else { return Ok(None) };
+        let line = |bound: usize| {
+            let all = || bounds.iter().map(move |both| both[bound]);
+            let values = all().map(|found| found.located.value).collect();
+            let axles = all().map(|found| found.located.first_axle).collect();
+            let numbers = all().map(|found| found.passage).collect();
+            (PyArray1::from_vec(py, values), PyArray1::from_vec(py, axles), numbers)
+        };
+        Ok(Some([line(0), line(1)]))
+    }
+
+    /// Of each method its name, its solution or why there is none, its errors against the first, and the time it took.
+    fn methods(
+        &self,
+        py: Python<'_>,
+    ) -> PyResult<Vec<(&'static str, Py<PyAny>, Option<Apart>, f64)>> {
+        let exact = self.answers.list.first().and_then(Answer::solution);
+        let each = self.answers.list.iter().map(|answer| {
+            let errors = answer.solution().zip(exact).map(|(solution, exact)| {
+                let errors = Errors::of(solution, exact);
+                (errors.deflection, errors.moment, errors.settlement, errors.end_forces)
+            });
+            Ok((answer.label.method, self.answer(py, answer)?, errors, answer.seconds))
+        });
+        each.collect()
+    }
+
+    fn to_json(&self, at: Option<Vec<f64>>) -> String {
+        self.results().json(at.as_deref())
+    }
+
+    fn to_csv(&self, at: Option<Vec<f64>>) -> String {
+        self.results().csv(at.as_deref())
+    }
+
+    fn to_svg(&self, py: Python<'_>) -> String {
+        py.detach(|| self.results().svg())
+    }
+
+    fn to_png<'py>(&self, py: Python<'py>) -> Result<Bound<'py, PyBytes>, Failure> {
+        let drawn = py.detach(|| self.results().png());
+        let drawn = drawn.map_err(|error| Failure::Asked(error.to_string()))?;
+        Ok(PyBytes::new(py, &drawn))
+    }
+
+    fn report(&self) -> String {
+        self.results().text(false)
+    }
+}

@@ -1,0 +1,32 @@
+//! What is called by a name: fields, sides, verdicts.
+
+use crate::failure::Failure;
+use groundbeam::{Field, Side, Verdict};
+
+/// A field by its name.
+pub fn field(name: &str) -> Result<Field, Failure> {
+    let known = Field::ALL.into_iter().find(|field| field.name() == name);
+    known.ok_or_else(|| {
+        let names = Field::ALL.map(Field::name).join(", ");
+        Failure::Asked(format!("no field is called `{name}`; the fields are {names}"))
+    })
+}
+
+/// A side by its name.
+pub fn side(name: &str) -> Result<Side, Failure> {
+    match name {
+        "left" => Ok(Side::Left),
+        "right" => Ok(Side::Right),
+        _ => Err(Failure::Asked(format!("`{name}` is no side: say `left` or `right`"))),
+    }
+}
+
+/// What the statics say, by the name that results use.
+pub fn verdict(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Unique => "unique",
+        Verdict::NotUnique(_) => "not-unique",
+        Verdict::Local(_) => "local",
+        Verdict::None(_) | Verdict::Buckles(_) => "none",
+    }
+}

@@ -1,0 +1,48 @@
+//! A model as text, read, and its runs.
+
+use crate::failure::Failure;
+use crate::threads::Threads;
+use groundbeam::Error;
+use groundbeam_file::{Combination, Document};
+use groundbeam_report::Units;
+use groundbeam_run::{Answers, Failed, Host, Run};
+use pyo3::prelude::*;
+
+/// A text, what it is called, and what it says.
+pub struct Read {
+    pub document: Document,
+    pub name: String,
+}
+
+impl Read {
+    pub fn units(&self) -> Units {
+        self.document.units.into()
+    }
+
+    /// The system of units by the name that results use.
+    pub fn system(&self) -> &'static str {
+        self.units().name()
+    }
+
+    pub fn refused(&self, error: Error) -> Failure {
+        Failure::refused(error, &self.document, &self.name)
+    }
+
+    /// Solves a run of this text; with the answers the time it took \[s\].
+    pub fn solve(&self, run: &Run, threads: Option<usize>) -> PyResult<(Answers, f64)> {
+        let host = Threads::new(threads);
+        match run.solve(&host) {
+            Ok(answers) => Ok((answers, host.seconds())),
+            Err(Failed::Refused(error)) => Err(self.refused(error).into()),
+            Err(Failed::Stopped(stop)) => Err(stop),
+        }
+    }
+
+    /// The one that is called so; without a name the model as it is written.
+    pub fn combination(&self, name: Option<&str>) -> Result<Combination, Failure> {
+        let document = &self.document;
+        let Some(name) = name else { return Ok(document.as_written()) };
+        let wrong = |found| Failure::wrong(found, "combination", name);
+        document.combination(name).map_err(wrong)
+    }
+}

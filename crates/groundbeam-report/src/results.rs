@@ -1,0 +1,145 @@
+//! The answers to a file in every form: text, document, table, picture, calculation report.
+
+use crate::calculation::{self, Report, Source};
+use crate::context::Context;
+use crate::{csv, json, png, svg, text};
+use groundbeam_run::{Answer, Answers, Asked, Found};
+
+/// The answers to a file, and what is said besides them.
+#[derive(Debug, Clone, Copy)]
+pub struct Results<'a> {
+    answers: &'a Answers,
+    context: Context<'a>,
+}
+
+impl<'a> Results<'a> {
+    /// The answers in a context. Ground and load factors are those of the answers; of one model the time is its own.
+    pub fn new(answers: &'a Answers, context: Context<'a>) -> Self {
+        let (ground, factors) = match (answers.asked, answers.list.first()) {
+            (Asked::One, Some(one)) => (one.ground.as_ref(), one.factors.as_ref()),
+            (Asked::Trains, _) => (answers.ground.as_ref(), None),
+            _ => (None, None),
+        };
+        let one = answers.list.first().filter(|_| answers.asked == Asked::One);
+        let seconds = one.map(|one| one.seconds).filter(|seconds| seconds.is_finite());
+        let seconds = seconds.or(context.seconds);
+        Results { answers, context: Context { ground, factors, seconds, ..context } }
+    }
+
+    /// The answers.
+    pub fn answers(&self) -> &'a Answers {
+        self.answers
+    }
+
+    /// The context, with ground and load factors.
+    pub fn context(&self) -> &Context<'a> {
+        &self.context
+    }
+
+    /// The answer, if one model was asked for.
+    pub fn one(&self) -> Option<&'a Answer> {
+        self.answers.list.first().filter(|_| self.answers.asked == Asked::One)
+    }
+
+    /// Whether there are fields to draw and to list.
+    pub fn has_fields(&self) -> bool {
+        self.answers.solved().next().is_some()
+    }
+
+    /// The result document.
+    pub fn json(&self, stations: Option<&[f64]>) -> String {
+        let (answers, context) = (self.answers, &self.context);
+        let Some(one) = self.one() else {
+            return match answers.asked {
+                Asked::Trains if answers.list.is_empty() => {
+                    json::checked_trains(&answers.passages(), context)
+                }
+                Asked::Trains => json::trains(&answers.passages(), stations, context),
+                Asked::Methods => json::comparison(answers, context),
+                _ => json::combinations(answers, stations, context),
+            };
+        };
+        match &one.found {
+            Found::Equilibrium(solution) => {
+                let own = || json::default_stations(solution);
+                let stations = stations.map_or_else(own, <[f64]>::to_vec);
+                json::solved(solution, &stations, context)
+            }
+            Found::Exists(existence) | Found::NoEquilibrium(existence) => {
+                json::existence(&one.label.model(), existence, context)
+            }
+            Found::NotConverged(reached) => json::not_converged(reached, context),
+            Found::Unsolved(_) => String::new(),
+        }
+    }
+
+    /// The report for a terminal.
+    pub fn text(&self, colour: bool) -> String {
+        let (answers, context) = (self.answers, &self.context);
+        let Some(one) = self.one() else {
+            return match answers.asked {
+                Asked::Trains if answers.list.is_empty() => {
+                    text::checked_trains(&answers.passages(), context, colour)
+                }
+                Asked::Trains => text::trains(&answers.passages(), context, colour),
+                Asked::Methods => text::comparison(answers, context, colour),
+                _ => text::combinations(answers, context, colour),
+            };
+        };
+        match &one.found {
+            Found::Equilibrium(solution) => text::solved(solution, context, colour),
+            Found::Exists(existence) | Found::NoEquilibrium(existence) => {
+                text::existence(&one.label.model(), existence, context, colour)
+            }
+            Found::NotConverged(reached) => {
+                text::not_converged(reached, colour) + &text::load_factors(context, colour)
+            }
+            Found::Unsolved(error) => error.to_string(),
+        }
+    }
+
+    /// The calculation report.
+    pub fn calculation(&self, source: &Source) -> Report {
+        calculation::report(self.answers, &self.context, source)
+    }
+
+    /// The table of fields; empty where there are none.
+    pub fn csv(&self, stations: Option<&[f64]>) -> String {
+        let (answers, units) = (self.answers, self.context.units);
+        let or = |default: &dyn Fn() -> Vec<f64>| stations.map_or_else(default, <[f64]>::to_vec);
+        let Some(one) = self.one() else {
+            return match answers.asked {
+                Asked::Trains => {
+                    let passages = answers.passages();
+                    csv::trains(&passages, &or(&|| passages.default_stations()), units)
+                }
+                _ => csv::envelope(answers, &or(&|| json::envelope_stations(answers)), units),
+            };
+        };
+        one.solution().map_or_else(String::new, |solution| {
+            csv::table(solution, &or(&|| json::default_stations(solution)), units)
+        })
+    }
+
+    /// The picture; empty where there is none.
+    pub fn svg(&self) -> String {
+        let (answers, context) = (self.answers, &self.context);
+        match (self.one(), answers.asked) {
+            (Some(one), _) => {
+                one.solution().map_or_else(String::new, |solution| svg::picture(solution, context))
+            }
+            (None, Asked::Trains) => svg::trains(&answers.passages(), context),
+            (None, _) => svg::combinations(answers, context),
+        }
+    }
+
+    /// The picture in pixels; empty where there is none.
+    ///
+    /// # Errors
+    ///
+    /// As [`png::picture`].
+    pub fn png(&self) -> Result<Vec<u8>, png::Error> {
+        let picture = self.svg();
+        if picture.is_empty() { Ok(Vec::new()) } else { png::drawn(&picture) }
+    }
+}

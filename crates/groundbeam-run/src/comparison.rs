@@ -1,0 +1,128 @@
+//! The answers of several methods to one model, and how far they are from the exact one.
+
+use crate::answer::{Answer, Found, Label};
+use crate::answers::{Answers, Asked};
+use crate::host::Host;
+use crate::run::Run;
+use crate::single::answered;
+use groundbeam::{Error, Field, Method, Options, Pressure, Side, Solution};
+
+/// The methods that are compared with `exact`, by name.
+const OTHERS: [(&str, Method, Pressure); 4] = [
+    ("active-set", Method::ActiveSet, Pressure::Distributed),
+    ("active-set, dirac", Method::ActiveSet, Pressure::Dirac),
+    ("psor", Method::Psor, Pressure::Dirac),
+    ("uzawa", Method::Uzawa, Pressure::Dirac),
+];
+
+/// The options of a comparison.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Compare {
+    /// Elements of the mesh.
+    pub elements: usize,
+    /// Sweeps after which an iteration stops.
+    pub most_sweeps: usize,
+    /// Bytes of memory that a solve may need.
+    pub memory_limit: u64,
+}
+
+impl Default for Compare {
+    fn default() -> Self {
+        let Options { elements, most_sweeps, memory_limit, .. } = Options::default();
+        Compare { elements, most_sweeps, memory_limit }
+    }
+}
+
+impl Compare {
+    /// How often [`Host::done`] is called.
+    pub const PIECES: usize = 1 + OTHERS.len();
+}
+
+impl Run {
+    /// Solves the first model by every method: first by `exact`, and if that gives an equilibrium by the others. A
+    /// method that cannot solve such a model gives [`Found::Unsolved`].
+    ///
+    /// # Errors
+    ///
+    /// If the model is refused by `exact`.
+    pub fn compare(&self, compare: Compare, host: &impl Host) -> Result<Answers, Error> {
+        let Compare { elements, most_sweeps, memory_limit } = compare;
+        let mut answers = Answers { asked: Asked::Methods, ..self.nothing() };
+        let Some(combination) = self.combinations.first() else { return Ok(answers) };
+        let solved = |method: &'static str, options: Options| {
+            let label = Label { method, ..Label::of(combination, options.method) };
+            let started = host.seconds();
+            let answer = answered(label.clone(), self.width, &options, None, host);
+            host.done();
+            (answer, label, host.seconds() - started)
+        };
+        let (exact, ..) = solved("exact", Options { memory_limit, ..Options::default() });
+        let exact = exact?;
+        let stands = exact.solution().is_some();
+        answers.list.push(exact);
+        for (name, method, pressure) in OTHERS.into_iter().filter(|_| stands) {
+            let options = Options {
+                method,
+                pressure,
+                elements,
+                most_sweeps,
+                memory_limit,
+                ..Options::default()
+            };
+            answers.list.push(match solved(name, options) {
+                (Ok(answer), ..) => answer,
+                (Err(error @ Error::Invalid(_)), ..) => return Err(error),
+                (Err(error), label, seconds) => {
+                    let found = Found::Unsolved(error);
+                    Answer { label, found, ground: None, factors: None, seconds }
+                }
+            });
+        }
+        Ok(answers)
+    }
+}
+
+/// How far an answer is from another: the largest difference anywhere along the beam over the largest value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Errors {
+    /// Of the deflection.
+    pub deflection: f64,
+    /// Of the moment.
+    pub moment: f64,
+    /// Of the settlement of the ground under the beam.
+    pub settlement: f64,
+    /// Of the larger end force over all loads that act down; the pressure itself jumps at edges of contact.
+    pub end_forces: f64,
+}
+
+/// Even steps along the beam at which answers are compared.
+const EVEN_STEPS: usize = 1000;
+
+impl Errors {
+    /// Those of an answer against the one that is taken for right.
+    pub fn of(found: &Solution, exact: &Solution) -> Self {
+        let stations = exact.stations(EVEN_STEPS);
+        let relative = |field: Field| {
+            let range = exact.range(field);
+            let size = range.min.value.abs().max(range.max.value.abs());
+            let apart = stations.iter().flat_map(|&x| {
+                [Side::Left, Side::Right]
+                    .map(|side| (found.at(x, side).get(field) - exact.at(x, side).get(field)).abs())
+            });
+            ratio(apart.fold(0.0, f64::max), size)
+        };
+        let (ends, right) = (found.end_forces(), exact.end_forces());
+        let apart = (ends.left - right.left).abs().max((ends.right - right.right).abs());
+        Errors {
+            deflection: relative(Field::Deflection),
+            moment: relative(Field::Moment),
+            settlement: relative(Field::Settlement),
+            end_forces: ratio(apart, exact.existence().resultant().abs()),
+        }
+    }
+}
+
+/// Nothing of nothing is nothing.
+fn ratio(part: f64, whole: f64) -> f64 {
+    if part == 0.0 { 0.0 } else { part / whole }
+}

@@ -1,0 +1,48 @@
+//! Load factors: which loads grow, and how far.
+
+use groundbeam::{Error, Load, LoadFactors, Model, load_factors};
+use groundbeam_file::Combination;
+
+/// The loads that grow.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Growing {
+    /// Names of load cases; none if all loads grow.
+    pub cases: Vec<String>,
+    /// In the order of the combination's loads.
+    grows: Vec<bool>,
+}
+
+/// Load factors with the names of the load cases that grow.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Factors {
+    /// What was found.
+    pub found: LoadFactors,
+    /// The load cases whose loads grow; empty where all loads do.
+    pub cases: Vec<String>,
+}
+
+impl Growing {
+    /// All loads of a combination grow.
+    pub fn all(combination: &Combination) -> Self {
+        Growing { cases: Vec::new(), grows: vec![true; combination.loads.len()] }
+    }
+
+    /// The loads of some cases grow. `of_file` tells of every load of the file whether it grows.
+    pub fn of_cases(cases: Vec<String>, of_file: &[bool], combination: &Combination) -> Self {
+        let grows = combination.loads.iter().map(|&load| of_file.get(load) == Some(&true));
+        Growing { cases, grows: grows.collect() }
+    }
+
+    /// The factors, on the foundation of the model.
+    pub(crate) fn factors(&self, model: &Model) -> Result<Factors, Error> {
+        // If no case is named, the loads on the beam grow. A temperature, a camber and loads on the ground beside the
+        // beam stay as they are.
+        let stays = |load: usize| {
+            let load = model.loads.get(load);
+            let curls = matches!(load, Some(Load::Curvature { .. }));
+            self.cases.is_empty() && (curls || load.is_some_and(Load::is_on_ground))
+        };
+        let grows = |load: usize| self.grows.get(load).is_some_and(|&grows| grows && !stays(load));
+        Ok(Factors { found: load_factors(model, grows)?, cases: self.cases.clone() })
+    }
+}

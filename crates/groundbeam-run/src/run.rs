@@ -1,0 +1,216 @@
+//! What is solved of a model file: its combinations, its trains, and by which options.
+
+use crate::answer::{Answer, Found, Ground, Label, Placed};
+use crate::answers::{Alone, Answers, Asked};
+use crate::growing::Growing;
+use crate::host::{Failed, Host};
+use crate::single::answered;
+use crate::trains::{ERROR, Reach, Sweep, Swept, checked};
+use groundbeam::{Error, Options, exists};
+use groundbeam_file::{Combination, Document, LoadCase, MovingTrain};
+use std::sync::Arc;
+
+/// The models of a file that are solved together.
+#[derive(Debug, Clone)]
+pub struct Run {
+    pub(crate) asked: Asked,
+    pub(crate) combinations: Vec<Arc<Combination>>,
+    trains: Vec<Arc<MovingTrain>>,
+    /// A single position of a train.
+    placed: Option<Placed>,
+    load_cases: Vec<LoadCase>,
+    pub(crate) width: Option<f64>,
+    options: Options,
+    growing: Option<Growing>,
+    error: f64,
+}
+
+impl Run {
+    /// All that a file asks for.
+    pub fn of(document: &Document) -> Self {
+        match (document.trains.is_empty(), document.has_combinations()) {
+            (false, _) => Run::new(document, Asked::Trains, document.wanted()),
+            (true, true) => Run::of_combinations(document),
+            (true, false) => Run::new(document, Asked::One, document.wanted()),
+        }
+    }
+
+    /// All combinations of a file under their own loads, whatever trains the file has.
+    pub fn of_combinations(document: &Document) -> Self {
+        let run = Run::new(document, Asked::Combinations, document.combinations());
+        Run { load_cases: document.load_cases(), ..run }
+    }
+
+    /// One combination of a file; with trains in the file, all positions of each over it.
+    pub fn of_one(document: &Document, combination: Combination) -> Self {
+        let asked = if document.trains.is_empty() { Asked::One } else { Asked::Trains };
+        Run::new(document, asked, vec![combination])
+    }
+
+    /// One combination of a file under its own loads, whatever trains the file has.
+    pub fn without_trains(document: &Document, combination: Combination) -> Self {
+        Run::new(document, Asked::One, vec![combination])
+    }
+
+    /// One combination of a file with one train at one position of its first axle \[m\].
+    pub fn at_position(
+        document: &Document,
+        combination: Combination,
+        train: &MovingTrain,
+        first_axle: f64,
+    ) -> Self {
+        let placed = Some(Placed { train: Arc::new(train.clone()), first_axle });
+        Run { placed, ..Run::new(document, Asked::One, vec![combination]) }
+    }
+
+    fn new(document: &Document, asked: Asked, combinations: Vec<Combination>) -> Self {
+        let trains = document.trains.iter().cloned().map(Arc::new);
+        Run {
+            trains: if asked == Asked::Trains { trains.collect() } else { Vec::new() },
+            width: document.width,
+            ..Run::on(asked, combinations)
+        }
+    }
+
+    /// A train over one model.
+    pub fn train(model: Combination, train: MovingTrain) -> Self {
+        Run { trains: vec![Arc::new(train)], ..Run::on(Asked::Trains, vec![model]) }
+    }
+
+    fn on(asked: Asked, combinations: Vec<Combination>) -> Self {
+        Run {
+            asked,
+            combinations: combinations.into_iter().map(Arc::new).collect(),
+            trains: Vec::new(),
+            placed: None,
+            load_cases: Vec::new(),
+            width: None,
+            options: Options::default(),
+            growing: None,
+            error: ERROR,
+        }
+    }
+
+    /// The same with other options.
+    pub fn with_options(self, options: Options) -> Self {
+        Run { options, ..self }
+    }
+
+    /// The same with load factors of one model.
+    pub fn with_growing(self, growing: Option<Growing>) -> Self {
+        Run { growing, ..self }
+    }
+
+    /// The same with another error of the envelopes of trains, relative to each field's largest value.
+    pub fn with_error(self, error: f64) -> Self {
+        Run { error, ..self }
+    }
+
+    /// What is asked for.
+    pub fn asked(&self) -> Asked {
+        self.asked
+    }
+
+    /// The combinations.
+    pub fn combinations(&self) -> &[Arc<Combination>] {
+        &self.combinations
+    }
+
+    /// How often [`Host::done`] is called: once for each combination, or for each train over each combination.
+    pub fn pieces(&self) -> usize {
+        self.combinations.len() * self.trains.len().max(1)
+    }
+
+    /// Solves it.
+    ///
+    /// # Errors
+    ///
+    /// If a model is refused, of several the first, or if the host stops the work.
+    pub fn solve<H: Host>(&self, host: &H) -> Result<Answers, Failed<H::Stop>> {
+        let mut answers = self.nothing();
+        if self.asked == Asked::Trains {
+            for (combination, train) in self.ways() {
+                let sweep = Sweep::new(combination.clone(), train.clone(), self.error);
+                let (list, swept) = sweep.run(&self.options, host)?;
+                let (from, to) = (answers.list.len(), answers.list.len() + list.len());
+                answers.list.extend(list);
+                answers.swept.push(Swept { answers: from..to, ..swept });
+            }
+            return Ok(answers);
+        }
+        // Each is solved by itself and kept in its place: the same bits on any number of threads.
+        let list = host.map(self.combinations.len(), |i| self.one(&self.combinations[i], host));
+        let list = list.map_err(Failed::Stopped)?;
+        answers.alone = self.alone()?;
+        answers.list = list.into_iter().collect::<Result<Vec<Answer>, Error>>()?;
+        Ok(answers)
+    }
+
+    /// Decides whether equilibria exist, without solving for them.
+    ///
+    /// # Errors
+    ///
+    /// As [`groundbeam::exists`].
+    pub fn check(&self) -> Result<Answers, Error> {
+        let mut answers = self.nothing();
+        for (combination, train) in self.ways() {
+            answers.swept.push(Swept {
+                none: checked(&combination.model, &train.train, train.range)?,
+                combination: combination.clone(),
+                train: train.clone(),
+                answers: 0..0,
+                sections: Vec::new(),
+                reach: Reach { asked: self.error, reached: [f64::NAN; 7] },
+            });
+        }
+        if self.asked != Asked::Trains {
+            let checked = self.combinations.iter().map(|combination| {
+                let label = Label::of(combination, self.options.method);
+                let found = Found::checked(exists(&combination.model)?);
+                Ok(Answer { label, found, ground: None, factors: None, seconds: f64::NAN })
+            });
+            answers.list = checked.collect::<Result<Vec<Answer>, Error>>()?;
+            answers.alone = self.alone()?;
+        }
+        Ok(answers)
+    }
+
+    /// No answers yet.
+    pub(crate) fn nothing(&self) -> Answers {
+        let first = self.combinations.first();
+        let ground = first.and_then(|first| match &first.bed {
+            Some(bed) => Some(Ground::before(bed, &first.model.beam)),
+            None => Ground::of_area(&first.model.foundation, self.width?),
+        });
+        let (list, alone, swept) = (Vec::new(), Vec::new(), Vec::new());
+        Answers { asked: self.asked, list, alone, ground, swept }
+    }
+
+    /// Each train over each combination.
+    fn ways(&self) -> impl Iterator<Item = (&Arc<Combination>, &Arc<MovingTrain>)> {
+        let over = |combination| self.trains.iter().map(move |train| (combination, train));
+        self.combinations.iter().flat_map(over)
+    }
+
+    fn one(&self, combination: &Arc<Combination>, host: &impl Host) -> Result<Answer, Error> {
+        let label =
+            Label { train: self.placed.clone(), ..Label::of(combination, self.options.method) };
+        let answer = answered(label, self.width, &self.options, None, host)?;
+        let growing = self.growing.as_ref();
+        let factors = growing.map(|growing| {
+            let on_soil = answer.ground.as_ref().filter(|ground| ground.bed.is_some());
+            let model = answer.model();
+            growing.factors(&on_soil.map_or_else(|| model.clone(), |g| g.subgrade.under(model)))
+        });
+        host.done();
+        Ok(Answer { factors: factors.transpose()?, ..answer })
+    }
+
+    fn alone(&self) -> Result<Vec<Alone>, Error> {
+        let each = self
+            .load_cases
+            .iter()
+            .map(|case| Ok(Alone { case: case.clone(), existence: exists(&case.model)? }));
+        each.collect()
+    }
+}

@@ -1,0 +1,14 @@
+//! Trains that move over a beam: which positions are solved, and the envelope of all.
+
+mod edges;
+mod free_spans;
+mod interval;
+mod passage;
+mod position;
+mod sweep;
+
+pub(crate) use edges::checked;
+pub use free_spans::{FreeSpans, Opened};
+pub(crate) use passage::Swept;
+pub use passage::{Located, Passage, Reach, Uplift};
+pub(crate) use sweep::{ERROR, Sweep};
