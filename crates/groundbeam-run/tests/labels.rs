@@ -1,0 +1,77 @@
+//! The labels of answers: combination, ground, train and position, method.
+
+use groundbeam_file::{Document, parse};
+use groundbeam_run::{Asked, Compare, Failed, Found, OneThread, Run};
+
+const BEAM: &str = "[beam]\nlength = 12\nEI = 1.2e9\n[foundation]\nk = 40e6\n";
+const CASES: &str = "[[load]]\npoint = 6e5\nat = 4\ncase = 'G'\n
+    [[load]]\npoint = -9e5\nat = 8\ncase = 'W'\n
+    [[combination]]\nname = 'a'\nfactors = { G = 1 }\n
+    [[combination]]\nname = 'b'\nfactors = { G = 1, W = 1 }\n";
+const TRAIN: &str = "[[train]]\nname = 'wheel'\naxles = [{ at = 0, force = 1e5 }]\n";
+
+fn document(parts: &[&str]) -> Document {
+    parse(&parts.concat()).unwrap()
+}
+
+#[test]
+fn every_combination_on_every_ground() {
+    let band = "[foundation.band]\nk = [0.5, 2]\n";
+    let answers = Run::of(&document(&[BEAM, band, CASES])).solve(&OneThread).unwrap();
+    assert_eq!(answers.asked, Asked::Combinations);
+    let label = |i: usize| {
+        let combination = &answers.list[i].label.combination;
+        (&*combination.name, combination.ground.unwrap()[0])
+    };
+    assert_eq!(answers.list.len(), 6);
+    assert_eq!([label(0), label(2)], [("a; best ground", 1.0), ("a; 2 k", 2.0)]);
+    // All upward: no ground holds it.
+    assert!(answers.list[3..].iter().all(|a| matches!(a.found, Found::NoEquilibrium(_))));
+    assert_eq!(answers.alone.iter().map(|alone| alone.stands()).collect::<Vec<_>>(), [true, false]);
+}
+
+#[test]
+fn every_position_of_a_train_has_its_label() {
+    let file = document(&[BEAM, CASES, TRAIN]);
+    let run = Run::of_one(&file, file.combination("a").unwrap());
+    assert_eq!((run.asked(), run.pieces(), Run::of(&file).pieces()), (Asked::Trains, 1, 2));
+    let answers = run.solve(&OneThread).unwrap();
+    let passages = answers.passages();
+    let [passage] = &passages.all[..] else { panic!("one passage") };
+    assert_eq!((passage.combination(), passage.answers().len()), (Some("a"), answers.list.len()));
+    for (answer, (first_axle, _)) in answers.list.iter().zip(passage.solved()) {
+        let placed = answer.label.train.as_ref().unwrap();
+        assert_eq!((&*placed.train.name, placed.first_axle), ("wheel", first_axle));
+        assert_eq!(*answer.label.model(), *answer.solution().unwrap().model());
+    }
+    // One position alone is the same model.
+    let train = &file.trains[0];
+    let alone = Run::at_position(&file, file.combination("a").unwrap(), train, 6.0);
+    let alone = alone.solve(&OneThread).unwrap();
+    assert_eq!((alone.asked, alone.list.len()), (Asked::One, 1));
+    assert_eq!(alone.list[0].label.model().loads.len(), 2);
+}
+
+#[test]
+fn every_method_has_its_name() {
+    let file = document(&[BEAM, "[[load]]\npoint = 6e5\nat = 6\n"]);
+    let compare = Compare { elements: 8, most_sweeps: 10, ..Compare::default() };
+    let answers = Run::of(&file).compare(compare, &OneThread).unwrap();
+    let names: Vec<&str> = answers.list.iter().map(|answer| answer.label.method).collect();
+    assert_eq!(names, ["exact", "active-set", "active-set, dirac", "psor", "uzawa"]);
+    assert_eq!(names.len(), Compare::PIECES);
+    // Separate springs have no concentrated forces, of which this method is made.
+    assert!(matches!(answers.list[4].found, Found::Unsolved(_)), "{:?}", answers.list[4].found);
+}
+
+#[test]
+fn a_check_solves_nothing_and_a_refused_model_has_no_answers() {
+    let answers = Run::of(&document(&[BEAM, CASES])).check().unwrap();
+    let founds: Vec<bool> =
+        answers.list.iter().map(|a| matches!(a.found, Found::Exists(_))).collect();
+    assert_eq!((founds, answers.solved().count()), (vec![true, false], 0));
+    let mut wrong = document(&[BEAM]);
+    wrong.model.beam.length = -1.0;
+    let refused = Run::of(&wrong).solve(&OneThread);
+    assert!(matches!(refused, Err(Failed::Refused(_))), "{refused:?}");
+}
