@@ -208,6 +208,7 @@ impl Solve {
             },
             most_sweeps: usize::try_from(typed.most_sweeps).unwrap_or(usize::MAX),
             memory_limit: typed.memory_limit,
+            ..Options::default()
         };
         let plot = typed.plot.map(Plot::of).transpose()?;
         let paper = typed.paper.map(|paper| match paper {

@@ -17,6 +17,8 @@ pub enum Error {
     TooLarge(Box<TooLarge>),
     /// The method stopped without an accepted solution.
     NotConverged(Stopped),
+    /// The solve was stopped by its [`Cancel`](crate::Cancel).
+    Cancelled,
 }
 
 /// A model that would need more memory than the limit.
@@ -164,6 +166,7 @@ impl fmt::Display for Error {
             Error::Unsupported(problem) => problem.fmt(f),
             Error::TooLarge(refused) => refused.problem.fmt(f),
             Error::NotConverged(what) => what.fmt(f),
+            Error::Cancelled => f.write_str("the solve was cancelled"),
         }
     }
 }
@@ -265,5 +268,6 @@ leave out what varies or shears)";
 (the beam is very long beside its waves, or has very many parts: shorten it, or raise the limit, as in --memory-limit \
 \"8 GB\")";
         assert_eq!(Error::TooLarge(Box::new(refused)).to_string(), expected);
+        assert_eq!(Error::Cancelled.to_string(), "the solve was cancelled");
     }
 }

@@ -26,6 +26,7 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
+mod cancel;
 mod certificate;
 mod chain;
 mod contact;
@@ -55,6 +56,7 @@ pub mod soil;
 pub use crate::solution::fields::{
     ConcentratedForce, ContactRegion, EndForces, Extreme, Field, Fields, Range, Reaction, Side,
 };
+pub use cancel::Cancel;
 pub use certificate::Certificate;
 pub use contact::state::Step;
 pub use design::checks::{Check, Checked, Limits, overturning};
@@ -66,7 +68,7 @@ pub use existence::existence::{
     Buckling, Existence, Local, RigidMotion, Verdict, static_reactions_of as static_reactions,
 };
 pub use load_factors::parts::{FirstLiftOff, LossOfEquilibrium};
-pub use load_factors::{LoadFactors, load_factors};
+pub use load_factors::{LoadFactors, load_factors, load_factors_with};
 pub use model::{
     Acts, Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, GroundEnd, Hinge, Load,
     Model, Profile, Support, SupportKind,

@@ -1,5 +1,7 @@
 //! The method of solution and its options.
 
+use crate::cancel::Cancel;
+
 /// How the contact pressure is represented.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Pressure {
@@ -41,7 +43,7 @@ impl Method {
 }
 
 /// Choices for [`solve_with`](crate::solve_with). The default needs none.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Options {
     /// How to solve.
     pub method: Method,
@@ -57,6 +59,8 @@ pub struct Options {
     /// The memory that a solve may need \[bytes\], by [estimate](crate::memory_estimate()); a model that needs more is
     /// refused.
     pub memory_limit: u64,
+    /// Stops the solve.
+    pub cancel: Cancel,
 }
 
 impl Default for Options {
@@ -68,6 +72,7 @@ impl Default for Options {
             start: Start::Bilateral,
             most_sweeps: 1_000_000,
             memory_limit: 4_000_000_000,
+            cancel: Cancel::default(),
         }
     }
 }

@@ -66,6 +66,17 @@ pub(crate) fn solve_in(
     likely: Option<&[Stretch]>,
     workspace: &mut Workspace,
 ) -> Result<Outcome, Error> {
+    let outcome = uncancelled(model, options, likely, workspace);
+    // Whatever a cancelled solve came to in the steps that it did not finish, it is no answer.
+    if options.cancel.is_cancelled() { Err(Error::Cancelled) } else { outcome }
+}
+
+fn uncancelled(
+    model: &Model,
+    options: &Options,
+    likely: Option<&[Stretch]>,
+    workspace: &mut Workspace,
+) -> Result<Outcome, Error> {
     let checked = check(model, options)?;
     if !checked.existence.verdict.stands() {
         return Ok(Outcome::NoEquilibrium(checked.existence));
@@ -136,8 +147,9 @@ fn solve_local(
     // The supports that act are known.
     let held = state.held(model);
     let mut judged = Judged::new(&held, stability, workspace);
-    let found = exact::from_stable(&held, &state.contact, |found| judged.judge(found))
-        .map_err(|stalled| not_converged(method, stalled))?;
+    let found =
+        exact::from_stable(&held, &state.contact, &options.cancel, |found| judged.judge(found))
+            .map_err(|stalled| not_converged(method, stalled))?;
     let (mut candidate, mut certificate) = judged.last(&found);
     if model.has_one_way_supports() {
         candidate = candidate.on_one_way_supports(model, &state.acts);
@@ -197,12 +209,16 @@ pub(crate) fn check(model: &Model, options: &Options) -> Result<Checked, Error> 
     if !problems.is_empty() {
         return Err(Error::Invalid(problems));
     }
-    match convexity(model) {
+    match convexity(model, &options.cancel) {
         Some(stability) => Ok(Checked { existence: existence(model), stability, local: None }),
         None => {
-            let exact = Options { memory_limit: options.memory_limit, ..Options::default() };
+            let exact = Options {
+                memory_limit: options.memory_limit,
+                cancel: options.cancel.clone(),
+                ..Options::default()
+            };
             size::check(model, &exact)?;
-            local::check(model, |model| solve_with(model, &exact))
+            local::check(model, &options.cancel, |model| solve_with(model, &exact))
         }
     }
 }
@@ -214,7 +230,8 @@ fn find(
     likely: Option<&[Stretch]>,
     judge: impl FnMut(&Found) -> Proof,
 ) -> Result<Found, Error> {
-    let method = options.method;
+    let Options { method, cancel, .. } = options;
+    let method = *method;
     supported::check(model, Way::of(options), false)?;
     let elements = options.elements.max(1);
     let stalled = |stalled: Stalled| not_converged(method, stalled);
@@ -222,14 +239,14 @@ fn find(
         Method::Exact => match existence.verdict {
             Verdict::NotUnique(motion) if stands_on_an_end(model, existence) => {
                 let over_left = motion.left == 0.0;
-                balanced::solve_over_an_end(model, existence.resultant(), over_left, judge)
+                balanced::solve_over_an_end(model, existence.resultant(), over_left, cancel, judge)
             }
-            _ => exact::solve(model, likely, judge),
+            _ => exact::solve(model, likely, cancel, judge),
         }
         .map_err(stalled),
         Method::ActiveSet => {
             let mesh = Mesh::uniform(model, elements);
-            nested::solve_on(model, mesh, options.pressure).map_err(stalled)
+            nested::solve_on(model, mesh, options.pressure, cancel).map_err(stalled)
         }
         Method::Psor | Method::Uzawa => {
             let relaxation = match method {
@@ -238,7 +255,8 @@ fn find(
             };
             let from_bilateral = options.start == Start::Bilateral;
             let mesh = Mesh::uniform(model, elements);
-            uzawa::solve(mesh, relaxation, from_bilateral, options.most_sweeps).map_err(stalled)
+            uzawa::solve(mesh, relaxation, from_bilateral, options.most_sweeps, cancel)
+                .map_err(stalled)
         }
     }
 }
@@ -269,4 +287,112 @@ fn certified(solution: &Solution, options: &Options) -> Result<(), Error> {
         return not(NotConverged::Gap(certificate.relative_gap()));
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cancel::Cancel;
+    use crate::equilibrium::branch;
+    use crate::equilibrium::buckling::glued_buckling_load;
+    use crate::model::{Acts, Beam, Foundation, Load, Support};
+    use crate::options::Pressure;
+    use crate::{Solver, load_factors_with, nodal};
+
+    /// A long beam that lifts off between its loads.
+    fn long() -> Model {
+        Model::new(Beam::uniform(60.0, 1.0), Foundation::pasternak(1.0, 0.1))
+            .with_load(Load::point(1.0, 10.0))
+            .with_load(Load::point(2.0, 45.0))
+    }
+
+    fn on_one_way_supports() -> Model {
+        long().with_support(Support::pinned(30.0).acting(Acts::Up))
+    }
+
+    fn compressed() -> Model {
+        let mut model = long().with_load(Load::uniform(1.0, 0.0, 60.0));
+        model.beam.axial_force = -0.1;
+        model
+    }
+
+    fn cancelled() -> Cancel {
+        let cancel = Cancel::new();
+        cancel.cancel();
+        cancel
+    }
+
+    #[test]
+    fn a_cancelled_solve_gives_no_answer() {
+        for method in Method::ALL {
+            let options = Options { method, cancel: cancelled(), ..Options::default() };
+            assert_eq!(solve_with(&long(), &options).err(), Some(Error::Cancelled), "{method:?}");
+        }
+        let options = Options { cancel: cancelled(), ..Options::default() };
+        for model in [long(), on_one_way_supports(), compressed()] {
+            assert!(solve(&model).is_ok());
+            assert_eq!(solve_with(&model, &options).err(), Some(Error::Cancelled));
+            let mut solver = Solver::with_options(options.clone());
+            assert_eq!(solver.solve(&model).err(), Some(Error::Cancelled));
+            assert!(solver.take().is_none());
+        }
+        let factors = load_factors_with(&long(), &options, |load| load == 1);
+        assert_eq!(factors.err(), Some(Error::Cancelled));
+    }
+
+    #[test]
+    fn a_flag_that_is_not_set_changes_no_bit() {
+        for model in [long(), on_one_way_supports(), compressed()] {
+            let options = Options { cancel: Cancel::new(), ..Options::default() };
+            let Ok(Outcome::Equilibrium(with)) = solve_with(&model, &options) else { panic!() };
+            let Ok(Outcome::Equilibrium(without)) = solve(&model) else { panic!() };
+            let bits = |solution: &Solution| {
+                solution.certificate().figures().map(|(_, figure)| figure.to_bits())
+            };
+            assert_eq!(bits(&with), bits(&without));
+            assert_eq!(with.history(), without.history());
+        }
+    }
+
+    /// Each loop ends at once, long before the end of the solve that would turn its result into an error.
+    #[test]
+    fn every_loop_looks_at_the_flag() {
+        let (model, never, now) = (long(), Cancel::default(), cancelled());
+        let mesh = || Mesh::uniform(&model, 100);
+        let sweeps = |cancel| uzawa::solve(mesh(), Relaxation::Diagonal, true, 3, cancel);
+        assert_eq!(sweeps(&never).map_err(|stalled| stalled.iterations).err(), Some(3));
+        assert_eq!(sweeps(&now).map_err(|stalled| stalled.iterations).err(), Some(0));
+        let on_mesh = |cancel| nested::solve_on(&model, mesh(), Pressure::Distributed, cancel);
+        assert!(on_mesh(&never).is_ok());
+        assert_eq!(on_mesh(&now).map_err(|stalled| stalled.iterations).err(), Some(0));
+        let at_nodes = |cancel| nodal::edges::edges(&model, cancel);
+        assert!(at_nodes(&never).is_some() && at_nodes(&now).is_none());
+        let mut judgements = 0;
+        let exactly = exact::solve(&model, None, &now, |_| {
+            judgements += 1;
+            Proof { gap: 0.0, violation: 0.0 }
+        });
+        assert!(exactly.is_err() && judgements == 0);
+        let begin = State { compression: 0.0, contact: vec![[0.0, 60.0]], acts: vec![] };
+        let path = |cancel| branch::follow(&compressed(), begin.clone(), cancel);
+        assert!(path(&never).wanted.is_some() && path(&now).wanted.is_none());
+        assert_eq!(path(&now).last.compression, 0.0);
+        let contact = [[0.0, 60.0]];
+        let buckling = |cancel| glued_buckling_load(&model, &contact, cancel);
+        assert!(buckling(&never) > 0.0 && buckling(&now) == 0.0);
+    }
+
+    #[test]
+    fn another_thread_stops_a_solve() {
+        let cancel = Cancel::new();
+        let (method, cancel_too) = (Method::Uzawa, cancel.clone());
+        let (elements, most_sweeps) = (3000, usize::MAX);
+        let options =
+            Options { method, elements, most_sweeps, cancel: cancel_too, ..Options::default() };
+        let solve = std::thread::spawn(move || solve_with(&long(), &options));
+        std::thread::sleep(std::time::Duration::from_millis(50));
+        assert!(!solve.is_finished(), "the solve takes minutes");
+        cancel.cancel();
+        assert_eq!(solve.join().expect("no panic").err(), Some(Error::Cancelled));
+    }
 }

@@ -36,6 +36,7 @@ pub struct Solver {
     /// The last solution; none if the last model had none.
     last: Option<Box<Solution>>,
     workspace: Workspace,
+    options: Options,
 }
 
 /// What mechanics says, lent by the [`Solver`] that knows it.
@@ -51,6 +52,11 @@ impl Solver {
     /// One that has not solved anything yet.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// One that solves with these options.
+    pub fn with_options(options: Options) -> Self {
+        Solver { options, ..Self::default() }
     }
 
     /// Solves a model as [`solve`](crate::solve()) does, to the same bits, whatever was solved before.
@@ -84,8 +90,7 @@ impl Solver {
         if let Some(last) = last {
             self.workspace.recycle(last);
         }
-        let options = Options::default();
-        match solve_in(model, &options, likely.as_deref(), &mut self.workspace)? {
+        match solve_in(model, &self.options, likely.as_deref(), &mut self.workspace)? {
             Outcome::Equilibrium(solution) => Ok(Answer::Equilibrium(self.last.insert(solution))),
             Outcome::NoEquilibrium(existence) => Ok(Answer::NoEquilibrium(existence)),
         }

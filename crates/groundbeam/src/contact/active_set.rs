@@ -14,6 +14,7 @@
 use super::layout::Layout;
 use super::majorant;
 use super::surface::Surface;
+use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
 use crate::chain::node::Loose;
 use crate::contact::state::{Found, Stalled, Step};
@@ -47,6 +48,7 @@ pub(crate) fn solve(
     pressure: Pressure,
     start: Option<&Found>,
     close: f64,
+    cancel: &Cancel,
 ) -> Result<Found, Stalled> {
     let newton = Newton::new(&mesh, pressure);
     let mut history = Vec::new();
@@ -63,6 +65,9 @@ pub(crate) fn solve(
     let (mut least, mut since) = (f64::INFINITY, 0);
     let most_steps = if close > ENERGY { COARSE_STEPS } else { MOST_STEPS };
     for _ in 0..most_steps {
+        if cancel.is_cancelled() {
+            break;
+        }
         let (next, damping) = newton.step(&now, &zones, least_damping)?;
         let target = newton.unfold(next);
         let line = Line::new(&newton, &now, &target, &zones, damping);
@@ -99,7 +104,7 @@ pub(crate) fn solve(
         zones = newton.contact(&now.coefficients);
     }
     let reached = history.last().map_or(f64::NAN, |step| step.decrement);
-    Err(Stalled { iterations: most_steps, why: NotConverged::Energy(reached) })
+    Err(Stalled { iterations: history.len(), why: NotConverged::Energy(reached) })
 }
 
 /// The nodal pressures (5.5) of the bilateral problem, its pulls left out: a start for (5.15).
@@ -330,7 +335,8 @@ mod tests {
                 .with_load(Load::point(1.0, 0.5))
                 .with_load(Load::moment(moment, 0.5));
             let mesh = Mesh::uniform(&model, 10);
-            let found = solve(mesh, Pressure::Dirac, None, ENERGY).expect("a solution");
+            let found =
+                solve(mesh, Pressure::Dirac, None, ENERGY, &Cancel::default()).expect("a solution");
             let end = found.deflection().obstacle_at(Spot { cell: 0, s: -1.0 });
             assert!((end - printed).abs() < 5.1e-6, "{end}");
         }

@@ -2,6 +2,7 @@
 
 use super::exact::solve;
 use super::glue::Glue;
+use crate::cancel::Cancel;
 use crate::contact::glue::Held;
 use crate::contact::state::unsettled;
 use crate::contact::state::{Found, Stalled};
@@ -19,12 +20,13 @@ pub(crate) fn solve_over_an_end(
     model: &Model,
     resultant: f64,
     over_left: bool,
+    cancel: &Cancel,
     mut judge: impl FnMut(&Found) -> Proof,
 ) -> Result<Found, Stalled> {
     let l = model.beam.length;
     let inward = if over_left { ALMOST } else { -ALMOST };
     let nearly = model.clone().with_load(Load::moment(inward * resultant * l, 0.5 * l));
-    let limit = solve(&nearly, None, |_| Proof::NONE)?;
+    let limit = solve(&nearly, None, cancel, |_| Proof::NONE)?;
     let last = limit.mesh.cells.len() - 1;
     let (cell, s) = if over_left { (0, -1.0) } else { (last, 1.0) };
     let w = value(limit.deflection().cell(cell), s);
@@ -35,7 +37,7 @@ pub(crate) fn solve_over_an_end(
     let slope = if over_left { tangent - beyond } else { tangent + beyond };
     let end = if over_left { 0.0 } else { l };
     let history = limit.history;
-    match Glue::new(model).on(&[[end, end]], Some(Held { left: over_left, slope })) {
+    match Glue::new(model, cancel).on(&[[end, end]], Some(Held { left: over_left, slope })) {
         Ok(found) if judge(&found).is_within(ENOUGH) => Ok(Found { history, ..found }),
         _ => Err(unsettled(history.len(), f64::NAN)),
     }

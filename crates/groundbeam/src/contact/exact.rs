@@ -19,6 +19,7 @@ use super::majorant;
 use super::near;
 use super::softened;
 use super::stretches::{Stretch, distance, joined, positions};
+use crate::cancel::Cancel;
 use crate::chain::node::Loose;
 use crate::contact::refine::{Goal, Start, refine};
 use crate::contact::state::unsettled;
@@ -37,17 +38,18 @@ use std::borrow::Cow;
 pub(crate) fn solve(
     model: &Model,
     likely: Option<&[Stretch]>,
+    cancel: &Cancel,
     mut judge: impl FnMut(&Found) -> Proof,
 ) -> Result<Found, Stalled> {
     let judge: &mut dyn FnMut(&Found) -> Proof = &mut judge;
-    let glue = &mut Glue::new(model);
+    let glue = &mut Glue::new(model, cancel);
     if let Some(likely) = likely
         && let Ok(found) = from_likely(glue, &on_the_beam(likely, model.beam.length), judge)
     {
         return Ok(found);
     }
     let nearly = sunk(model);
-    if let Some(stretches) = near::edges(&nearly)
+    if let Some(stretches) = near::edges(&nearly, cancel)
         && let Ok(found) = from_edges(glue, &stretches, judge)
     {
         return Ok(found);
@@ -55,7 +57,7 @@ pub(crate) fn solve(
     let mut last = Stalled::SINGULAR;
     let mut iterations = 0;
     for level in 0..=REFINEMENTS {
-        let start = softened::start(&nearly, level);
+        let start = softened::start(&nearly, level, cancel);
         let found = start.and_then(|start| {
             refine(glue, Start::asked_by(start), Goal::Answer(MOST_STEPS), judge)
         });
@@ -68,7 +70,9 @@ pub(crate) fn solve(
         }
         if level == 0
             && model.beam.shears()
-            && let Ok(start) = softened::from_bending(&nearly, |model| solve(model, None, unjudged))
+            && let Ok(start) = softened::from_bending(&nearly, cancel, |model| {
+                solve(model, None, cancel, unjudged)
+            })
             && let Ok(found) = refine(glue, Start::asked_by(start), Goal::Answer(MOST_STEPS), judge)
         {
             return Ok(found);
@@ -103,10 +107,11 @@ fn sunk(model: &Model) -> Cow<'_, Model> {
 pub(crate) fn from_stable(
     model: &Model,
     contact: &[Stretch],
+    cancel: &Cancel,
     mut judge: impl FnMut(&Found) -> Proof,
 ) -> Result<Found, Stalled> {
     let l = model.beam.length;
-    let glue = &mut Glue::new(model);
+    let glue = &mut Glue::new(model, cancel);
     let moved =
         |found: &Found| distance(contact, &joined(positions(&found.mesh, &found.zones, &[]), l));
     let moved = match from_edges(glue, contact, &mut judge) {
@@ -176,7 +181,8 @@ mod tests {
         let mut stretches = vec![[0.8, 1.0]];
         let mut errors = Vec::new();
         for _ in 0..4 {
-            let found = Glue::new(&model).on(&stretches, None).expect("a solution");
+            let found =
+                Glue::new(&model, &Cancel::default()).on(&stretches, None).expect("a solution");
             let zones = majorant::contact(&found.deflection());
             stretches = positions(&found.mesh, &zones, &[]);
             errors.push((stretches[0][0] - 0.811_326_256_449_155).abs());

@@ -2,6 +2,7 @@
 
 use super::layout::Layout;
 use super::stretches::{Stretch, zones_of};
+use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
 use crate::chain::node::{ChainCell, Loose};
 use crate::contact::state::{Found, turned};
@@ -21,6 +22,7 @@ use std::borrow::Cow;
 #[derive(Debug)]
 pub(crate) struct Glue<'a> {
     pub model: &'a Model,
+    cancel: &'a Cancel,
     /// The elements of the step before: most cells meet no edge, and are what they were.
     known: Vec<Known>,
 }
@@ -64,15 +66,15 @@ pub(crate) fn folds(model: &Model, places: &[f64], touch: &impl Fn(&Cell) -> Tou
 }
 
 impl<'a> Glue<'a> {
-    pub fn new(model: &'a Model) -> Self {
-        Glue { model, known: Vec::new() }
+    pub fn new(model: &'a Model, cancel: &'a Cancel) -> Self {
+        Glue { model, cancel, known: Vec::new() }
     }
 
-    /// The beam glued to the ground on given stretches.
+    /// The beam glued to the ground on given stretches. A cancelled solve has none: its steps end here.
     pub fn on(&mut self, stretches: &[Stretch], held: Option<Held>) -> Result<Found, Loose> {
         let model = self.model;
         let touch = touch_of(stretches);
-        if folds(model, stretches.as_flattened(), &touch) {
+        if self.cancel.is_cancelled() || folds(model, stretches.as_flattened(), &touch) {
             return Err(Loose);
         }
         let Glued { mesh, zones, mut chain } = self.lay(stretches, &[]);
@@ -234,7 +236,8 @@ mod tests {
             .with_load(Load::moment(0.1, 0.5));
         let solved = |stretches: &[Stretch], node: f64| {
             let model = model.clone().with_load(Load::point(f64::MIN_POSITIVE, node));
-            let found = Glue::new(&model).on(stretches, None).expect("a solution");
+            let found =
+                Glue::new(&model, &Cancel::default()).on(stretches, None).expect("a solution");
             let cell = found.mesh.cells.iter().position(|c| c.x[1] == 0.3).expect("a node");
             let [w, _, bend, _] = jet(found.deflection().cell(cell), 1.0);
             [w, bend / (0.5 * found.mesh.cells[cell].length()).powi(2)]

@@ -1,5 +1,6 @@
 //! Stretches of contact near the right ones, found without an iteration on edges.
 
+use crate::cancel::Cancel;
 use crate::element::operator::wave_number;
 use crate::model::{FoundationSegment, Model};
 
@@ -8,14 +9,14 @@ const SHORT: f64 = 24.0;
 
 /// All of a short beam, what the nodes of a mesh tell of a long one; none if they tell nothing. Beams on
 /// supports may leave stretches with hardly a pressure: they go the long way.
-pub(super) fn edges(model: &Model) -> Option<Vec<[f64; 2]>> {
+pub(super) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
     if !model.supports.is_empty() {
         return None;
     }
     if is_short(model) {
         Some(vec![[0.0, model.beam.length]])
     } else {
-        crate::nodal::edges::edges(model)
+        crate::nodal::edges::edges(model, cancel)
     }
 }
 

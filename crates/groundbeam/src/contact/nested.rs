@@ -7,6 +7,7 @@
 //! them, and every mesh starts from the deflection on the one before.
 
 use super::active_set;
+use crate::cancel::Cancel;
 use crate::contact::state::{Found, Stalled};
 use crate::contact::stopping::COARSE_CLOSE;
 use crate::element::courses::Touch;
@@ -41,32 +42,40 @@ pub(crate) fn coarse_meshes(model: &Model, per_wave: f64) -> impl Iterator<Item 
 
 /// Solves on a given mesh: from coarser ones to one as fine, and if that is too coarse for the beam's waves
 /// from a beam that it suits to the beam itself.
-pub(crate) fn solve_on(model: &Model, mesh: Mesh, pressure: Pressure) -> Result<Found, Stalled> {
+pub(crate) fn solve_on(
+    model: &Model,
+    mesh: Mesh,
+    pressure: Pressure,
+    cancel: &Cancel,
+) -> Result<Found, Stalled> {
     let stages = (mesh.stiffening().log2() / DOUBLINGS_PER_STAGE).ceil() as u32;
     let part = |i: u32| f64::from(i) / f64::from(stages);
     let count = mesh.cells.len();
     let coarser = coarse_meshes(model, 1.0).take_while(|coarse| coarse.cells.len() < count);
     let stiffened = (0..stages).map(|i| mesh.stiffened(part(i)));
-    solve(coarser.chain(stiffened).chain([mesh.clone()]), pressure)
+    solve(coarser.chain(stiffened).chain([mesh.clone()]), pressure, cancel)
 }
 
 /// Solves on the last of some meshes, each of which gives the next one its start.
 pub(crate) fn solve(
     meshes: impl Iterator<Item = Mesh>,
     pressure: Pressure,
+    cancel: &Cancel,
 ) -> Result<Found, Stalled> {
     let mut meshes = meshes.peekable();
     let mut found: Option<Found> = None;
     let mut history = Vec::new();
     while let Some(mesh) = meshes.next() {
         let close = if meshes.peek().is_some() { COARSE_CLOSE } else { ENERGY };
-        match active_set::solve(mesh, pressure, found.as_ref(), close) {
+        match active_set::solve(mesh, pressure, found.as_ref(), close, cancel) {
             Ok(mut next) => {
                 history.append(&mut next.history);
                 found = Some(next);
             }
             // The finer mesh begins on its own.
-            Err(stalled) if meshes.peek().is_none() => return Err(stalled),
+            Err(stalled) if meshes.peek().is_none() || cancel.is_cancelled() => {
+                return Err(stalled);
+            }
             Err(_) => found = None,
         }
     }

@@ -8,6 +8,7 @@
 use super::glue::Glue;
 use super::nested;
 use super::stretches::Stretch;
+use crate::cancel::Cancel;
 use crate::contact::refine::{Goal, Start, refine};
 use crate::contact::state::{Found, Stalled, unsettled};
 use crate::contact::stopping::Proof;
@@ -33,7 +34,7 @@ const SHEAR_STEP: f64 = 4.0;
 const MOST_BEAMS: usize = 400;
 
 /// A deflection of the beam itself or nearly so, its contact to be refined.
-pub(super) fn start(model: &Model, level: u32) -> Result<Found, Stalled> {
+pub(super) fn start(model: &Model, level: u32, cancel: &Cancel) -> Result<Found, Stalled> {
     let axial = model.beam.axial_force;
     let waves = |cell: &Cell| {
         Operator::of(cell, axial, Touch::Contact).wave_number() * cell.length() / MOST_WAVES
@@ -53,14 +54,15 @@ pub(super) fn start(model: &Model, level: u32) -> Result<Found, Stalled> {
     let mut stiff = model_of(stiffest);
     stiff.beam = stiff.beam.without_shear();
     let meshes = nested::coarse_meshes(&stiff, per_wave);
-    let found = nested::solve(meshes, Pressure::Distributed)?;
+    let found = nested::solve(meshes, Pressure::Distributed, cancel)?;
     let steps = (stiffest * f64::from(level + 1) / STEP).ceil();
-    follow(found, stiffest, stiffest / steps.max(1.0), model_of)
+    follow(found, stiffest, stiffest / steps.max(1.0), cancel, model_of)
 }
 
 /// The same from the beam that only bends, by beams ever less stiff against shear.
 pub(super) fn from_bending(
     model: &Model,
+    cancel: &Cancel,
     solve: impl FnOnce(&Model) -> Result<Found, Stalled>,
 ) -> Result<Found, Stalled> {
     let bending = Model { beam: model.beam.clone().without_shear(), ..model.clone() };
@@ -69,7 +71,7 @@ pub(super) fn from_bending(
         let beam = model.beam.clone().stiffened_in_shear(doublings.exp2());
         Model { beam, ..model.clone() }
     };
-    follow(found, MOST_DOUBLINGS, SHEAR_STEP, model_of)
+    follow(found, MOST_DOUBLINGS, SHEAR_STEP, cancel, model_of)
 }
 
 /// From the deflection of a beam that is 2^`doublings` times as stiff to that of the beam itself, in steps of
@@ -78,6 +80,7 @@ fn follow(
     mut found: Found,
     mut doublings: f64,
     longest: f64,
+    cancel: &Cancel,
     model_of: impl Fn(f64) -> Model,
 ) -> Result<Found, Stalled> {
     let mut step = longest;
@@ -97,13 +100,13 @@ fn follow(
             let l = softer.beam.length;
             start.stretches = ahead(stretches, &here, part, l).unwrap_or(start.stretches);
         }
-        match refine(&mut Glue::new(&softer), start, Goal::Start, &mut |_| Proof::NONE) {
+        match refine(&mut Glue::new(&softer, cancel), start, Goal::Start, &mut |_| Proof::NONE) {
             Ok(settled) => {
                 before = Some((doublings, here));
                 (found, doublings) = (settled, next);
                 step = longest.min(2.0 * step);
             }
-            Err(stalled) if step < LEAST_STEP => return Err(stalled),
+            Err(stalled) if step < LEAST_STEP || cancel.is_cancelled() => return Err(stalled),
             Err(_) => step *= 0.5,
         }
     }

@@ -13,6 +13,7 @@
 
 use super::majorant;
 use super::surface::{Atom, Part, Surface};
+use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
 use crate::chain::node::{ChainCell, ChainNode};
 use crate::contact::state::{Found, Stalled, Step};
@@ -46,6 +47,7 @@ pub(crate) fn solve(
     relaxation: Relaxation,
     from_bilateral: bool,
     most_sweeps: usize,
+    cancel: &Cancel,
 ) -> Result<Found, Stalled> {
     let ground = Column::of(&mesh);
     let beam = FreeBeam::of(&mesh);
@@ -61,6 +63,9 @@ pub(crate) fn solve(
     let mut history = Vec::new();
     let mut residual = f64::INFINITY;
     for _ in 0..most_sweeps {
+        if cancel.is_cancelled() {
+            break;
+        }
         let deflection = beam.deflection(&pressure);
         let next = sweep(&ground, &beam, &rho, &gap, &deflection, &pressure, &mut rigid);
         residual = change(&pressure, &next, &rho, &ground.diagonal);

@@ -8,6 +8,7 @@
 //! equilibria under growing compression are one curve, which ends where it no longer is: at a limit
 //! point, where the curve turns back, or at a bifurcation.
 
+use crate::cancel::Cancel;
 use crate::chain::node::Loose;
 use crate::contact::edges;
 use crate::contact::glue::Glue;
@@ -82,7 +83,7 @@ pub(crate) enum End {
 }
 
 /// From the equilibrium of the beam without compression through the wanted compression to the branch's end.
-pub(crate) fn follow(model: &Model, begin: State) -> Branch {
+pub(crate) fn follow(model: &Model, begin: State, cancel: &Cancel) -> Branch {
     let wanted = -model.beam.axial_force;
     let l = model.beam.length;
     let most = MOST * model.beam.stiffest() / (l * l);
@@ -92,7 +93,9 @@ pub(crate) fn follow(model: &Model, begin: State) -> Branch {
     let mut step = FIRST * wanted;
     let mut failed = false;
     let mut end = End::Loose(last.acts.clone());
-    while step > LAST * if found.is_none() { wanted } else { last.compression } {
+    while step > LAST * if found.is_none() { wanted } else { last.compression }
+        && !cancel.is_cancelled()
+    {
         let mut target = last.compression + step;
         if found.is_none() {
             target = target.min(wanted);
@@ -101,7 +104,7 @@ pub(crate) fn follow(model: &Model, begin: State) -> Branch {
             let last = State { compression: f64::INFINITY, ..last };
             return Branch { wanted: found, last, end };
         }
-        match next(model, &places, &last, target) {
+        match next(model, &places, &last, target, cancel) {
             Ok(state) => {
                 if target == wanted {
                     found = Some(state.clone());
@@ -124,13 +127,19 @@ pub(crate) fn follow(model: &Model, begin: State) -> Branch {
 
 /// The next equilibrium on the branch. Of two that are on one branch each is found from the other; of two next to
 /// each other that need not be seen.
-fn next(model: &Model, places: &[f64], last: &State, compression: f64) -> Result<State, End> {
-    let next = settled(model, places, compression, last)?;
+fn next(
+    model: &Model,
+    places: &[f64],
+    last: &State,
+    compression: f64,
+    cancel: &Cancel,
+) -> Result<State, End> {
+    let next = settled(model, places, compression, last, cancel)?;
     let near = distance(&next.contact, &last.contact) <= NEXT * model.beam.length;
     if last.compression == 0.0 || (near && next.acts == last.acts) {
         return Ok(next);
     }
-    let back = settled(model, places, last.compression, &next)?;
+    let back = settled(model, places, last.compression, &next, cancel)?;
     let same = distance(&back.contact, &last.contact) <= SAME * model.beam.length
         && back.acts == last.acts;
     if same { Ok(next) } else { Err(End::Unsettled) }
@@ -138,13 +147,19 @@ fn next(model: &Model, places: &[f64], last: &State, compression: f64) -> Result
 
 /// The equilibrium that Newton's steps find from the contact of a neighbour, all of them where the second
 /// variation is positive.
-fn settled(model: &Model, places: &[f64], compression: f64, near: &State) -> Result<State, End> {
+fn settled(
+    model: &Model,
+    places: &[f64],
+    compression: f64,
+    near: &State,
+    cancel: &Cancel,
+) -> Result<State, End> {
     let model = compressed(model, compression);
     let mut contact = near.contact.clone();
     let mut acts = near.acts.clone();
     let mut held = near.held(&model);
     'supports: for _ in 0..=MOST_CHANGES {
-        let mut glue = Glue::new(&held);
+        let mut glue = Glue::new(&held, cancel);
         let mut before = f64::INFINITY;
         // Whether edges may be moved by themselves: not where they move each other more than that.
         let mut alone = true;

@@ -1,6 +1,7 @@
 //! Buckling loads: of the beam alone, which bounds the compression under which its energy is convex, and of
 //! the beam that the ground holds where it touches.
 
+use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
 use crate::chain::node::{ChainCell, ChainNode};
 use crate::contact::glue::{Glue, folds};
@@ -20,12 +21,17 @@ use crate::model::compressed;
 /// Below it the energy of bending, springs and compression is positive definite, which is what the
 /// elimination of a chain finds out: all its pivots are positive.
 pub fn own_buckling_load(model: &Model) -> f64 {
-    least_unstable(model, |compression| is_stable(model, compression))
+    unsupported_buckling_load(model, &Cancel::default())
+}
+
+/// The buckling load of the beam without ground.
+fn unsupported_buckling_load(model: &Model, cancel: &Cancel) -> f64 {
+    least_unstable(model, |compression| !cancel.is_cancelled() && is_stable(model, compression))
 }
 
 /// What compression leaves of the convexity of the energy, whatever touches: 1 + P/P_cr with the beam's own
 /// buckling load, 1 without compression. None where the energy is not convex.
-pub(crate) fn convexity(model: &Model) -> Option<f64> {
+pub(crate) fn convexity(model: &Model, cancel: &Cancel) -> Option<f64> {
     let axial = model.beam.axial_force;
     if axial >= 0.0 {
         return Some(1.0);
@@ -35,15 +41,15 @@ pub(crate) fn convexity(model: &Model) -> Option<f64> {
     }
     // What the beam may leave does not hold it.
     let held = model.with_supports_that(|_, support| !support.is_one_way());
-    let left = 1.0 + axial / own_buckling_load(&held);
+    let left = 1.0 + axial / unsupported_buckling_load(&held, cancel);
     (left > 0.0).then_some(left)
 }
 
 /// The smallest compression \[N\] at which the beam glued to the ground on given stretches has a deflected
 /// state of no stiffness, from below and to twelve digits.
-pub(crate) fn glued_buckling_load(model: &Model, contact: &[Stretch]) -> f64 {
+pub(crate) fn glued_buckling_load(model: &Model, contact: &[Stretch], cancel: &Cancel) -> f64 {
     least_unstable(model, |compression| {
-        Glue::new(&compressed(model, compression)).on(contact, None).is_ok()
+        Glue::new(&compressed(model, compression), cancel).on(contact, None).is_ok()
     })
 }
 

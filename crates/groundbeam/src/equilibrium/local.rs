@@ -5,6 +5,7 @@
 //! equilibrium that grows out of that without compression ([`branch`]), and whether the branch goes as
 //! far as the compression that is wanted.
 
+use crate::cancel::Cancel;
 use crate::contact::glue::Glue;
 use crate::contact::stretches::Stretch;
 use crate::equilibrium::branch::{Branch, End, State, follow};
@@ -29,6 +30,7 @@ const POINTS: usize = 16;
 /// What is known of a model in compression whose energy is not convex.
 pub(crate) fn check(
     model: &Model,
+    cancel: &Cancel,
     solve: impl FnOnce(&Model) -> Result<Outcome, Error>,
 ) -> Result<Checked, Error> {
     let without = compressed(model, 0.0);
@@ -53,19 +55,21 @@ pub(crate) fn check(
     }
     let contact = solution.contact().iter().map(|region| [region.from, region.to]).collect();
     let acts = one_way::acting(model, solution.candidate());
-    let Branch { wanted, last, end } = follow(model, State { compression: 0.0, contact, acts });
+    let Branch { wanted, last, end } =
+        follow(model, State { compression: 0.0, contact, acts }, cancel);
     // Towards its end the branch is ever less stable, or it ends where a point lets go.
     if end == End::Unsettled {
-        let margin = 1.0 - last.compression / glued_buckling_load(&last.held(model), &last.contact);
+        let margin =
+            1.0 - last.compression / glued_buckling_load(&last.held(model), &last.contact, cancel);
         if margin > BRANCH {
             let why = NotConverged::Branch(margin);
             return Err(Error::NotConverged(Stopped { method: Method::Exact, iterations: 0, why }));
         }
     }
     let Some(state) = wanted else {
-        return Ok(known(Verdict::Buckles(buckling(model, last, end))));
+        return Ok(known(Verdict::Buckles(buckling(model, last, end, cancel))));
     };
-    let buckles = glued_buckling_load(&state.held(model), &state.contact);
+    let buckles = glued_buckling_load(&state.held(model), &state.contact, cancel);
     let stability_margin = 1.0 - state.compression / buckles;
     let critical_compression = last.compression;
     let verdict = Verdict::Local(Local { stability_margin, critical_compression });
@@ -83,11 +87,12 @@ impl Buckling {
 }
 
 /// How the beam buckles at the end of its branch: where a support lets go there, without it.
-fn buckling(model: &Model, last: State, end: End) -> Buckling {
+fn buckling(model: &Model, last: State, end: End, cancel: &Cancel) -> Buckling {
     let critical_compression = last.compression;
     let acts = if let End::Loose(acts) = end { acts } else { last.acts };
     let last = State { acts, ..last };
-    let (at, [left, right], work) = mode(&last.held(model), &last.contact).unwrap_or_default();
+    let (at, [left, right], work) =
+        mode(&last.held(model), &last.contact, cancel).unwrap_or_default();
     Buckling { critical_compression, at, left, right, work }
 }
 
@@ -95,8 +100,8 @@ fn buckling(model: &Model, last: State, end: End) -> Buckling {
 /// ends, and the loads' work in it; up, and of size 1.
 ///
 /// A beam next to its buckling load answers a load that no symmetry holds back with its mode.
-fn mode(model: &Model, contact: &[Stretch]) -> Option<(f64, [f64; 2], f64)> {
-    let load = glued_buckling_load(model, contact);
+fn mode(model: &Model, contact: &[Stretch], cancel: &Cancel) -> Option<(f64, [f64; 2], f64)> {
+    let load = glued_buckling_load(model, contact, cancel);
     let mut loose = compressed(model, load * (1.0 - NEARLY));
     for corner in &mut loose.gap {
         corner.value = 0.0;
@@ -110,7 +115,7 @@ fn mode(model: &Model, contact: &[Stretch]) -> Option<(f64, [f64; 2], f64)> {
     let l = model.beam.length;
     // In no symmetry, and no polynomial along the beam: even loads leave even modes alone.
     loose.loads.push(Load::Distributed { from: 0.0, to: 0.618 * l, start: 1.0, end: -0.37 });
-    let found = Glue::new(&loose).on(contact, None).ok()?;
+    let found = Glue::new(&loose, cancel).on(contact, None).ok()?;
     let w = found.deflection();
     let mut largest = (0.0, 0.0_f64);
     for (i, cell) in found.mesh.cells.iter().enumerate() {

@@ -1,5 +1,6 @@
 //! The beam glued to the ground along its whole length, and what must push there for it to touch.
 
+use crate::cancel::Cancel;
 use crate::chain::node::Loose;
 use crate::contact::glue::Glue;
 use crate::contact::state::Found;
@@ -11,8 +12,8 @@ use crate::numeric::polynomial::{Coefficients, derivative, rescale, sign_changes
 use crate::numeric::tolerance::same_place;
 
 /// The deflection of a beam that touches along its whole length, whether the ground pushes or pulls.
-pub(super) fn glued_all_along(model: &Model) -> Result<Found, Loose> {
-    Glue::new(model).on(&[[0.0, model.beam.length]], None)
+pub(super) fn glued_all_along(model: &Model, cancel: &Cancel) -> Result<Found, Loose> {
+    Glue::new(model, cancel).on(&[[0.0, model.beam.length]], None)
 }
 
 /// What must not be negative on a stretch of the beam or at a point of it: the pressure there, or a

@@ -21,7 +21,7 @@ use crate::equilibrium::size;
 use crate::error::Error;
 use crate::load_factors::parts::{FirstLiftOff, LossOfEquilibrium, Parts};
 use crate::model::Model;
-use crate::options::Options;
+use crate::options::{Method, Options};
 use crate::supported::{self, Way};
 
 /// What becomes of a model whose loads grow. See [`load_factors`].
@@ -57,21 +57,48 @@ pub struct LoadFactors {
 /// As [`solve`](crate::solve()); and [`Error::Unsupported`] for compression that the ground must help to bear. The factor of first lift-off is returned only if the certificate of the
 /// fields at that factor holds.
 pub fn load_factors(model: &Model, grows: impl Fn(usize) -> bool) -> Result<LoadFactors, Error> {
+    load_factors_with(model, &Options::default(), grows)
+}
+
+/// The same within the memory limit of the options, and stopped by their [`Cancel`](crate::Cancel).
+///
+/// # Errors
+///
+/// As [`load_factors`]; and [`Error::Cancelled`].
+pub fn load_factors_with(
+    model: &Model,
+    options: &Options,
+    grows: impl Fn(usize) -> bool,
+) -> Result<LoadFactors, Error> {
+    let found = factors(model, options, grows);
+    if options.cancel.is_cancelled() { Err(Error::Cancelled) } else { found }
+}
+
+fn factors(
+    model: &Model,
+    options: &Options,
+    grows: impl Fn(usize) -> bool,
+) -> Result<LoadFactors, Error> {
     let problems = model.problems();
     if !problems.is_empty() {
         return Err(Error::Invalid(problems));
     }
-    let convexity = convexity(model);
+    let convexity = convexity(model, &options.cancel);
     supported::check(model, Way::LoadFactors, convexity.is_none())?;
     // None is left where the table does not refuse: then the certificate bounds nothing.
     let stability = convexity.unwrap_or(0.0);
-    size::check(model, &Options::default())?;
+    let exact = Options { method: Method::Exact, ..options.clone() };
+    size::check(model, &exact)?;
     let parts = Parts::of(model, grows);
     let loss_of_equilibrium = parts.loss_of_equilibrium();
     let first_lift_off = match loss_of_equilibrium {
         LossOfEquilibrium::AtOnce(_) => FirstLiftOff::AtOnce,
-        LossOfEquilibrium::At { factor, .. } => pieces::first_lift_off(&parts, factor, stability)?,
-        LossOfEquilibrium::Never => pieces::first_lift_off(&parts, f64::INFINITY, stability)?,
+        LossOfEquilibrium::At { factor, .. } => {
+            pieces::first_lift_off(&parts, factor, stability, &options.cancel)?
+        }
+        LossOfEquilibrium::Never => {
+            pieces::first_lift_off(&parts, f64::INFINITY, stability, &options.cancel)?
+        }
     };
     Ok(LoadFactors { first_lift_off, loss_of_equilibrium })
 }
@@ -80,6 +107,7 @@ pub fn load_factors(model: &Model, grows: impl Fn(usize) -> bool) -> Result<Load
 mod tests {
     use super::bonded::glued_all_along;
     use super::*;
+    use crate::cancel::Cancel;
     use crate::existence::existence::RigidMotion;
     use crate::model::Load;
     use crate::model::{Beam, Foundation, Support};
@@ -226,7 +254,7 @@ mod tests {
         assert_eq!(x, 0.0);
         let slope = |factor: f64| {
             let parts = Parts::of(&model, |load| load == 1);
-            let found = glued_all_along(&parts.at(factor)).expect("glued");
+            let found = glued_all_along(&parts.at(factor), &Cancel::default()).expect("glued");
             crate::numeric::polynomial::jet(found.deflection().cell(0), -1.0)[1]
         };
         assert!(slope(factor).abs() < 1e-14 * slope(0.0).abs(), "{:e}", slope(factor));

@@ -9,6 +9,7 @@
 //! the next piece begins.
 
 use super::bonded::{Watched, glued_all_along, watched};
+use crate::cancel::Cancel;
 use crate::contact::state::Found;
 use crate::equilibrium::one_way;
 use crate::error::{Error, NotConverged, Stopped};
@@ -40,12 +41,13 @@ pub(super) fn first_lift_off(
     parts: &Parts,
     loss: f64,
     stability: f64,
+    cancel: &Cancel,
 ) -> Result<FirstLiftOff, Error> {
     let mut acts = vec![true; parts.model.supports.len()];
     let mut from = 0.0;
     let mut ended = None;
     for _ in 0..MOST_PIECES {
-        let piece = Piece::beginning(parts, from, ended, &mut acts)?;
+        let piece = Piece::beginning(parts, from, ended, &mut acts, cancel)?;
         let all = watched(&piece.staying, &piece.growing);
         if from == 0.0 && all.iter().any(Watched::pulls_at_first) {
             return Ok(FirstLiftOff::AtOnce);
@@ -62,7 +64,7 @@ pub(super) fn first_lift_off(
         if let Some(x) = found {
             // A beam in equilibrium under a pressure has one: rounding alone can say otherwise.
             let factor = (from + least).min(loss);
-            prove(parts, factor, &acts, stability)?;
+            prove(parts, factor, &acts, stability, cancel)?;
             return Ok(FirstLiftOff::At { factor, x });
         }
         if piece.growth == f64::INFINITY {
@@ -82,12 +84,13 @@ impl Piece {
         factor: f64,
         ended: Option<usize>,
         acts: &mut [bool],
+        cancel: &Cancel,
     ) -> Result<Self, Error> {
         let one_way: Vec<bool> = parts.model.supports.iter().map(Support::is_one_way).collect();
         let [stays, grows] = [parts.at(factor), parts.growing()];
         for _ in 0..MOST_CHANGES {
             let [staying, growing] = [&stays, &grows]
-                .map(|model| glued_all_along(&model.with_supports_that(|i, _| acts[i])));
+                .map(|model| glued_all_along(&model.with_supports_that(|i, _| acts[i]), cancel));
             let staying = staying.map_err(|_| not_found(f64::NAN))?;
             let growing = growing.map_err(|_| not_found(f64::NAN))?;
             if !one_way.contains(&true) {
@@ -142,10 +145,16 @@ impl Room {
 }
 
 /// The fields at the factor hold their certificate: the beam touches all along up to there.
-fn prove(parts: &Parts, factor: f64, acts: &[bool], stability: f64) -> Result<(), Error> {
+fn prove(
+    parts: &Parts,
+    factor: f64,
+    acts: &[bool],
+    stability: f64,
+    cancel: &Cancel,
+) -> Result<(), Error> {
     let model = parts.at(factor);
     let held = model.with_supports_that(|i, _| acts[i]);
-    let found = glued_all_along(&held).map_err(|_| not_found(f64::NAN))?;
+    let found = glued_all_along(&held, cancel).map_err(|_| not_found(f64::NAN))?;
     let mut candidate = Candidate::of(&held, &found, &mut Workspace::default());
     if model.has_one_way_supports() {
         candidate = candidate.on_one_way_supports(&model, acts);
@@ -292,7 +301,7 @@ mod tests {
             .with_support(Support::spring(1.0, 1e-12, 0.0));
         let acts = [true, false, true];
         let held = model.with_supports_that(|i, _| acts[i]);
-        let found = glued_all_along(&held).expect("glued");
+        let found = glued_all_along(&held, &Cancel::default()).expect("glued");
         let Room { left, zero } = Room::of(&model, &found, &acts);
         near(left[0], 0.5);
         near(left[1], 0.2);
@@ -315,7 +324,8 @@ mod tests {
         let model =
             weighted(RIGID).with_support(bearing(0.0, 0.4)).with_load(Load::point(1.0, LENGTH));
         let parts = Parts::of(&model, |load| load == 1);
-        let proves = |factor: f64, acts: bool| prove(&parts, factor, &[acts], 1.0);
+        let proves =
+            |factor: f64, acts: bool| prove(&parts, factor, &[acts], 1.0, &Cancel::default());
         assert_eq!(proves(0.4 * WEIGHT, false), Ok(()));
         let Err(Error::NotConverged(found)) = proves(0.6 * WEIGHT, false) else {
             panic!("it pulls")

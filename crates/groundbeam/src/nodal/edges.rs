@@ -1,5 +1,6 @@
 //! Contact edges of a free beam from its nodal problem: an initial guess for the exact edges.
 
+use crate::cancel::Cancel;
 use crate::model::Model;
 use crate::nodal::grid::{Grid, Ground};
 use crate::nodal::newton::Workspace;
@@ -7,7 +8,7 @@ use crate::nodal::{levels, newton};
 
 /// Where a free beam touches, to the accuracy of a mesh fine enough for its waves; none if it has supports or
 /// hinges, is too long and soft for a mesh, or anything varies along a segment.
-pub(crate) fn edges(model: &Model) -> Option<Vec<[f64; 2]>> {
+pub(crate) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
     let held = !(model.supports.is_empty() && model.hinges.is_empty());
     if held || model.varying_part().is_some() {
         return None;
@@ -20,6 +21,7 @@ pub(crate) fn edges(model: &Model) -> Option<Vec<[f64; 2]>> {
     let mut grids = Vec::new();
     levels::grids(model, (PER_WAVE * waves) as usize, Ground::Spread, &mut grids);
     let mut workspace = Workspace::default();
+    workspace.cancel.clone_from(cancel);
     workspace.contact(&grids, newton::START).ok()?;
     grids.last().map(|grid| workspace.edges(grid))
 }

@@ -5,6 +5,7 @@ use super::hull::{Hull, Zone};
 use super::layout::{Layout, Tether};
 use super::open;
 use super::sweep::{self, Fields, Loose};
+use crate::cancel::Cancel;
 
 /// Steps on one grid that are taken whole; later ones are shortened where the energy asks for it.
 const WHOLE_STEPS: usize = 8;
@@ -59,6 +60,8 @@ pub(crate) struct Workspace {
     pub force: Vec<f64>,
     pub(crate) before: Line,
     pub work: Work,
+    /// Stops the steps.
+    pub cancel: Cancel,
 }
 
 impl Workspace {
@@ -192,6 +195,9 @@ impl Workspace {
     fn settle(&mut self, grid: &Grid, goal: Goal, whole: usize) -> Result<(), Loose> {
         let mut whole = whole;
         for step in 0..goal.steps {
+            if self.cancel.is_cancelled() {
+                return Err(Loose);
+            }
             if step >= whole {
                 if grid.last() > goal.searched {
                     return Err(Loose);

@@ -8,6 +8,7 @@
 use super::field::{Field, Point};
 use super::joint::{Joint, joints};
 use super::push::Push;
+use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
 use crate::chain::node::Loose;
 use crate::contact::glue::{Glue, Glued};
@@ -54,13 +55,14 @@ impl Linearised {
         let stretches = contact_of(solution);
         let acts = |i: usize| solution.reactions()[i].force != 0.0;
         let model = solution.model().with_supports_that(|i, s| !s.is_one_way() || acts(i));
-        let mut glue = Glue::new(&model);
+        let never = Cancel::default();
+        let mut glue = Glue::new(&model, &never);
         let Glued { mesh, zones, chain } = glue.lay(&stretches, places);
         let shapes = chain.solve().ok()?;
         let (loaded, touch): (Vec<ExactElement>, Vec<Touch>) =
             glue.elements().map(|(element, touch)| (*element, touch)).unzip();
         let bare = without_loads(&model);
-        let mut glue = Glue::new(&bare);
+        let mut glue = Glue::new(&bare, &never);
         let nodes: Vec<f64> = mesh.nodes.iter().map(|node| node.x).collect();
         let Glued { mesh: same, chain, .. } = glue.lay(&stretches, &nodes);
         if same.nodes.len() != mesh.nodes.len() {
