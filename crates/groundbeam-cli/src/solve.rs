@@ -55,7 +55,7 @@ fn asked(input: &Input, request: &Solve) -> Result<(Run, Option<String>), Failur
         (Some(grow), [combination, ..]) => Some(growing(input, grow, combination)?),
         _ => None,
     };
-    Ok((run.with_options(request.options).with_growing(growing), title))
+    Ok((run.with_options(request.options.clone()).with_growing(growing), title))
 }
 
 /// The loads that grow.

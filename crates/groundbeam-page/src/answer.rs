@@ -3,6 +3,7 @@
 use crate::question::{Asked, Trains, WrongQuery};
 use crate::reply::{Reply, WrongModel};
 use crate::view::View;
+use groundbeam::Options;
 use groundbeam_file::Document;
 use groundbeam_report::calculation::Source;
 use groundbeam_report::{Context, Results, html};
@@ -179,6 +180,8 @@ fn seen(
         }
         _ => Run::of(document),
     };
+    let options = Options { cancel: asked.cancel.clone(), ..Options::default() };
+    let run = run.with_options(options);
     let started = host.seconds();
     let answers = run.solve(host).map_err(Failed::refusal).map_err(|error| {
         match &document.diagnostics_for(&error)[..] {

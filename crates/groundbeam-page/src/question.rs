@@ -1,6 +1,7 @@
 //! The query of an address: every key and every value is checked, and none is ignored.
 
 use crate::reply::Reply;
+use groundbeam::Cancel;
 use groundbeam_file::Document;
 use serde_json::json;
 
@@ -15,6 +16,8 @@ pub struct Asked {
     pub first_axle: Option<f64>,
     /// The width of the picture.
     pub width: Option<f64>,
+    /// Set once nobody waits for the answer.
+    pub cancel: Cancel,
 }
 
 /// The trains that are asked for.

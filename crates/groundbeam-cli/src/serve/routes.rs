@@ -17,6 +17,7 @@ use axum::http::request::Parts;
 use axum::middleware::from_fn_with_state;
 use axum::response::Response;
 use axum::routing::{get, post};
+use groundbeam::Cancel;
 use groundbeam_page::{Asked, Form, REPORT, Reply, SOLVE, VIEW, WrongQuery, file, result, view};
 use serde_json::json;
 use std::sync::Arc;
@@ -33,8 +34,10 @@ pub const BODY: Duration = Duration::from_secs(30);
 #[derive(Clone)]
 struct Desk {
     start: Option<Arc<Start>>,
-    /// One permit for every processor: no more models are worked on at a time.
+    /// One permit for every processor: no more models are solved for a result or a file at a time.
     permits: Arc<Semaphore>,
+    /// As many for the views of a page, which follow every keystroke and do not wait for a long solve.
+    quick: Arc<Semaphore>,
     /// The time within which a model file must arrive.
     body: Duration,
 }
@@ -42,8 +45,8 @@ struct Desk {
 /// All addresses, behind the guard.
 pub fn all(start: Option<Start>, port: u16, body: Duration) -> Router {
     let processors = std::thread::available_parallelism().map_or(1, usize::from);
-    let permits = Arc::new(Semaphore::new(processors));
-    let desk = Desk { start: start.map(Arc::new), permits, body };
+    let [permits, quick] = [0, 1].map(|_| Arc::new(Semaphore::new(processors)));
+    let desk = Desk { start: start.map(Arc::new), permits, quick, body };
     let mut router = Router::new()
         .route("/api/start", get(begin))
         .route("/api/solve", post(solve))
@@ -76,11 +79,13 @@ async fn begin(State(desk): State<Desk>, pairs: Pairs) -> Result<Response, Respo
 }
 
 async fn solve(State(desk): State<Desk>, pairs: Pairs, model: Model) -> Response {
-    desk.answer(pairs.read(SOLVE), model, |model, asked| result(model, asked, &host())).await
+    let work = |model: &[u8], asked: &Asked| result(model, asked, &host());
+    answer(&desk.permits, pairs.read(SOLVE), model, work).await
 }
 
 async fn look(State(desk): State<Desk>, pairs: Pairs, model: Model) -> Response {
-    desk.answer(pairs.read(VIEW), model, |model, asked| view(model, asked, &host())).await
+    let work = |model: &[u8], asked: &Asked| view(model, asked, &host());
+    answer(&desk.quick, pairs.read(VIEW), model, work).await
 }
 
 async fn download(
@@ -94,8 +99,8 @@ async fn download(
     };
     // A report is about a whole file, in which no train stands at one position.
     let keys = if form == Form::Html { REPORT } else { SOLVE };
-    desk.answer(pairs.read(keys), model, move |model, asked| file(model, asked, form, &host()))
-        .await
+    let work = move |model: &[u8], asked: &Asked| file(model, asked, form, &host());
+    answer(&desk.permits, pairs.read(keys), model, work).await
 }
 
 /// All processors, without a display of progress: the page shows that it waits.
@@ -145,30 +150,174 @@ where
     }
 }
 
-impl Desk {
-    /// Works on a model away from the threads that listen.
-    async fn answer(
-        &self,
-        asked: Result<Asked, WrongQuery>,
-        Model(model): Model,
-        work: impl FnOnce(&[u8], &Asked) -> Reply + Send + 'static,
-    ) -> Response {
-        let asked = match asked {
-            Ok(asked) => asked,
-            Err(wrong) => return sent(wrong),
+/// Cancels the work on an answer when it is dropped: with the answer, or with the connection of a client that has gone.
+struct Client(Cancel);
+
+impl Drop for Client {
+    fn drop(&mut self) {
+        self.0.cancel();
+    }
+}
+
+/// Works on a model away from the threads that listen. The work is cancelled if the client goes, and keeps its permit until
+/// it has ended.
+async fn answer(
+    permits: &Arc<Semaphore>,
+    asked: Result<Asked, WrongQuery>,
+    Model(model): Model,
+    work: impl FnOnce(&[u8], &Asked) -> Reply + Send + 'static,
+) -> Response {
+    let mut asked = match asked {
+        Ok(asked) => asked,
+        Err(wrong) => return sent(wrong),
+    };
+    asked.cancel = Cancel::new();
+    let client = Client(asked.cancel.clone());
+    let Ok(permit) = Arc::clone(permits).acquire_owned().await else {
+        return refusal(StatusCode::SERVICE_UNAVAILABLE, "the program ends");
+    };
+    let done = tokio::task::spawn_blocking(move || {
+        let answer = sent(work(&model, &asked));
+        drop(permit);
+        answer
+    });
+    let answer = done.await;
+    drop(client);
+    answer.unwrap_or_else(|_| {
+        let message = "the program broke down on this model: this is a fault of the program";
+        refusal(StatusCode::INTERNAL_SERVER_ERROR, message)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::connection::{LIMITS, accept};
+    use super::*;
+    use std::io::{Read, Write};
+    use std::net::{Ipv4Addr, SocketAddr, TcpStream};
+    use std::sync::atomic::{AtomicUsize, Ordering};
+    use std::time::Instant;
+    use tokio::runtime::Runtime;
+
+    /// How many works have begun and how many have ended.
+    #[derive(Default)]
+    struct Works {
+        begun: AtomicUsize,
+        ended: AtomicUsize,
+    }
+
+    impl Works {
+        /// Works until it is cancelled, and a while longer.
+        fn slow(&self, asked: &Asked) -> Reply {
+            self.begun.fetch_add(1, Ordering::SeqCst);
+            while !asked.cancel.is_cancelled() {
+                std::thread::sleep(Duration::from_millis(1));
+            }
+            std::thread::sleep(Duration::from_millis(50));
+            self.ended.fetch_add(1, Ordering::SeqCst);
+            Reply::refusal(409, "cancelled")
+        }
+
+        #[track_caller]
+        fn wait(&self, count: impl Fn(&Self) -> &AtomicUsize, wanted: usize) {
+            let start = Instant::now();
+            while count(self).load(Ordering::SeqCst) < wanted {
+                assert!(start.elapsed() < Duration::from_secs(60), "no work began or ended");
+                std::thread::sleep(Duration::from_millis(1));
+            }
+        }
+    }
+
+    /// A server on which `/slow` is work for one permit that ends only if it is cancelled, beside the page.
+    fn server(works: &Arc<Works>) -> (Runtime, SocketAddr, Arc<Semaphore>) {
+        let runtime = tokio::runtime::Builder::new_multi_thread()
+            .worker_threads(2)
+            .enable_all()
+            .build()
+            .unwrap();
+        let listener = (Ipv4Addr::LOCALHOST, 0);
+        let listener = runtime.block_on(tokio::net::TcpListener::bind(listener)).unwrap();
+        let address = listener.local_addr().unwrap();
+        let permits = Arc::new(Semaphore::new(1));
+        let desk = Desk {
+            start: None,
+            permits: Arc::clone(&permits),
+            quick: Arc::new(Semaphore::new(1)),
+            body: BODY,
         };
-        let Ok(permit) = Arc::clone(&self.permits).acquire_owned().await else {
-            return refusal(StatusCode::SERVICE_UNAVAILABLE, "the program ends");
+        let works = Arc::clone(works);
+        let slow = move |State(desk): State<Desk>, pairs: Pairs, model: Model| async move {
+            let work = move |_: &[u8], asked: &Asked| works.slow(asked);
+            answer(&desk.permits, pairs.read(&[]), model, work).await
         };
-        let done = tokio::task::spawn_blocking(move || {
-            let answer = sent(work(&model, &asked));
-            // Work goes on where a browser aborts the request, and keeps the permit for that long.
-            drop(permit);
-            answer
-        });
-        done.await.unwrap_or_else(|_| {
-            let message = "the program broke down on this model: this is a fault of the program";
-            refusal(StatusCode::INTERNAL_SERVER_ERROR, message)
-        })
+        let router = Router::new()
+            .route("/slow", post(slow))
+            .route("/api/solve", post(solve))
+            .route("/api/view", post(look))
+            .with_state(desk);
+        runtime.spawn(accept(listener, router, LIMITS));
+        (runtime, address, permits)
+    }
+
+    /// Sends a model to an address of the page.
+    fn ask(address: SocketAddr, path: &str) -> TcpStream {
+        let model = "[beam]\nlength = \"1 m\"\nEI = \"1 N m^2\"\n[foundation]\nk = \"1 N/m^2\"\n\
+            [[load]]\npoint = \"1 N\"\nat = \"0.5 m\"\n";
+        let mut stream = TcpStream::connect(address).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
+        let length = model.len();
+        let head = format!("POST {path} HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\n");
+        let request = format!("{head}Content-Length: {length}\r\n\r\n{model}");
+        stream.write_all(request.as_bytes()).unwrap();
+        stream
+    }
+
+    fn reply(mut stream: TcpStream) -> String {
+        let mut text = String::new();
+        stream.read_to_string(&mut text).expect("the server closes the connection");
+        text
+    }
+
+    #[test]
+    fn the_work_of_a_client_that_has_gone_is_cancelled() {
+        let works = Arc::new(Works::default());
+        let (_runtime, address, permits) = server(&works);
+        let aborted = ask(address, "/slow");
+        works.wait(|works| &works.begun, 1);
+        let waiting = ask(address, "/api/solve");
+        assert_eq!((permits.available_permits(), works.ended.load(Ordering::SeqCst)), (0, 0));
+        drop(aborted);
+        // Answered with the permit of the work, which has ended by then.
+        let reply = reply(waiting);
+        assert!(reply.starts_with("HTTP/1.1 200 OK"), "{reply}");
+        assert_eq!(works.ended.load(Ordering::SeqCst), 1);
+    }
+
+    #[test]
+    fn a_request_that_is_gone_before_its_turn_is_never_worked_on() {
+        let works = Arc::new(Works::default());
+        let (_runtime, address, permits) = server(&works);
+        let first = ask(address, "/slow");
+        works.wait(|works| &works.begun, 1);
+        drop(ask(address, "/slow"));
+        std::thread::sleep(Duration::from_millis(200));
+        drop(first);
+        works.wait(|works| &works.ended, 1);
+        let reply = reply(ask(address, "/api/solve"));
+        assert!(reply.starts_with("HTTP/1.1 200 OK"), "{reply}");
+        assert_eq!(works.begun.load(Ordering::SeqCst), 1);
+        assert_eq!(permits.available_permits(), 1);
+    }
+
+    #[test]
+    fn a_view_does_not_wait_for_a_slow_solve() {
+        let works = Arc::new(Works::default());
+        let (_runtime, address, permits) = server(&works);
+        let slow = ask(address, "/slow");
+        works.wait(|works| &works.begun, 1);
+        let reply = reply(ask(address, "/api/view"));
+        assert!(reply.starts_with("HTTP/1.1 200 OK"), "{reply}");
+        assert_eq!(permits.available_permits(), 0);
+        drop(slow);
     }
 }
