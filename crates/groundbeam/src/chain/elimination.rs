@@ -386,9 +386,8 @@ impl Return {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::element::courses::Touch;
-    use crate::element::operator::Operator;
-    use crate::element::uniform::ExactElement;
+    use crate::element::ExactElement;
+    use crate::element::operator::{Operator, Touch};
     use crate::mesh::mesh::Mesh;
     use crate::model::{Beam, Foundation, Load, Model};
 

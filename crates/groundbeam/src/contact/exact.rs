@@ -4,7 +4,7 @@
 //! the only unknowns are which stretches touch and where they end. A coarse [mesh](super::active_set)
 //! tells the first; then each step
 //!
-//! 1. puts a node at every edge and solves the glued chain with [exact elements](crate::element::uniform);
+//! 1. puts a node at every edge and solves the glued chain with [exact elements](crate::element);
 //! 2. lays the ground under the beam found, anew and exactly ([majorant](super::majorant)): its edges
 //!    are where the unloaded ground leaves the beam tangentially, u' = w' − g₀' (w = g₀ for μ = 0). Zones
 //!    split, merge, appear and vanish here of themselves.

@@ -6,10 +6,9 @@ use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
 use crate::chain::node::{ChainCell, Loose};
 use crate::contact::state::{Found, turned};
-use crate::element::courses::Touch;
 use crate::element::element::TERMS;
-use crate::element::operator::Operator;
-use crate::element::uniform::{ExactElement, parts};
+use crate::element::operator::{Operator, Touch};
+use crate::element::{ExactElement, parts};
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::Zone;
 use crate::mesh::mesh::Mesh;
@@ -85,7 +84,7 @@ impl<'a> Glue<'a> {
             chain.nodes[node].moment += spring * held.slope;
         }
         let shapes = chain.solve()?;
-        let layered = self.known.iter().any(|known| known.exact.layers.is_some());
+        let layered = self.known.iter().any(|known| known.exact.layers().is_some());
         let (mesh, coefficients, zones) = if layered {
             let (fine, coefficients) = self.in_layers(&mesh, &shapes);
             let zones = zones_of(&fine, stretches, &touch);
@@ -178,7 +177,7 @@ impl<'a> Glue<'a> {
         let mut x = Vec::new();
         for (known, (_, heights)) in self.known.iter().zip(&parts) {
             x.push(known.x[1]);
-            if let Some(layers) = &known.exact.layers {
+            if let Some(layers) = known.exact.layers() {
                 x.extend(layers.cuts(known.x, *heights));
             }
         }
@@ -198,7 +197,7 @@ impl<'a> Glue<'a> {
                 let [a, b] = piece.x.map(|x| cell.local(x));
                 rescale(series, 0.5 * (a + b), piece.length() / cell.length())
             };
-            if let Some(layers) = &self.known[i].exact.layers {
+            if let Some(layers) = self.known[i].exact.layers() {
                 layers.add(cell.x, *heights, piece.x, &mut c);
             }
             coefficients.extend_from_slice(&c);

@@ -2,9 +2,8 @@
 
 use crate::chain::node::{ChainCell, ChainNode};
 use crate::chain::node::{Tie, TiedLink};
-use crate::element::courses::Touch;
 use crate::element::element::Element;
-use crate::element::operator::Operator;
+use crate::element::operator::{Operator, Touch};
 use crate::mesh::cell::gap_at;
 use crate::mesh::deflection::Zone;
 use crate::mesh::mesh::Mesh;

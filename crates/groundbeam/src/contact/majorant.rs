@@ -28,7 +28,7 @@ pub(crate) fn contact(w: &Deflection) -> Vec<Zone> {
     let mut zones = Vec::new();
     for piece in pieces(w.mesh) {
         if piece.pasternak {
-            zones.extend(Scan::new(w, &piece).run());
+            zones.extend(Scan::new(w, &piece).run().into_iter().filter(|zone| !w.is_held(zone)));
         } else {
             zones.extend(winkler_contact(w, &piece));
         }

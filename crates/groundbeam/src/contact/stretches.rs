@@ -1,6 +1,6 @@
 //! Contact as positions, and as zones of a mesh with a node at each of them.
 
-use crate::element::courses::Touch;
+use crate::element::operator::Touch;
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{Spot, Zone};
 use crate::mesh::mesh::Mesh;

@@ -5,7 +5,6 @@
 
 use crate::element::element::Element;
 use crate::mesh::cell::Cell;
-use crate::model::Profile;
 use crate::numeric::polynomial::value;
 
 /// Coefficients of a cubic.
@@ -62,16 +61,6 @@ pub(crate) fn element(cell: &Cell, axial_force: f64) -> Element {
     let mut element = Element { length: h, ..Element::default() };
     if cell.beam_varies() {
         add_bending(&mut element, cell);
-        let curling = cell.curling_moment_load();
-        if curling != [0.0; Profile::MOST] {
-            let all = Spread {
-                spring: |_| 0.0,
-                tension: |_| 0.0,
-                load: |_| 0.0,
-                moment_load: |s| value(&curling, s),
-            };
-            add(&mut element, &GAUSS, cell, [-1.0, 1.0], &all);
-        }
     } else {
         element.stiffness[2][2] = 12.0 * e / (h * h);
         element.stiffness[2][3] = -6.0 * e / h;
@@ -85,7 +74,7 @@ pub(crate) fn element(cell: &Cell, axial_force: f64) -> Element {
         moment_load: |s| between(cell.moment_load, s),
     };
     add(&mut element, &GAUSS, cell, [-1.0, 1.0], &all);
-    element.curl(cell.curling_moments());
+    add_curvature(&mut element, cell);
     element
 }
 
@@ -100,6 +89,22 @@ fn add_bending(element: &mut Element, cell: &Cell) {
             for j in 2..4 {
                 element.stiffness[i][j] += weight * bend[i] * bend[j];
             }
+        }
+    }
+}
+
+/// ∫EI κ₀ w″: of degree 5 + 1 + 1 at most, exact with four points.
+fn add_curvature(element: &mut Element, cell: &Cell) {
+    if !cell.is_curled() {
+        return;
+    }
+    let h = cell.length();
+    let stiffness = cell.stiffness_course();
+    for (s, weight) in GAUSS {
+        let bend = curvature(0.5 * (1.0 + s), h);
+        let moment = 0.5 * weight * h * value(&stiffness, s) * between(cell.curvature, s);
+        for i in 2..4 {
+            element.load[i] += moment * bend[i];
         }
     }
 }

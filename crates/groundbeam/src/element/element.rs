@@ -40,23 +40,6 @@ impl Element {
         }
     }
 
-    /// An element that an imposed curvature bends: q gets the work of EI κ₀, linear between its values
-    /// `moments` at both ends, on w″. Rigid motions have no part in it.
-    pub fn curl(&mut self, moments: [f64; 2]) {
-        if moments == [0.0; 2] {
-            return;
-        }
-        let [left, right] = moments;
-        let rise = (right - left) / self.length;
-        let work = match self.basis {
-            Basis::Deformation => [0.0, 0.0, -rise, right],
-            Basis::Ends => [rise, -left, -rise, right],
-        };
-        for (load, work) in self.load.iter_mut().zip(work) {
-            *load += work;
-        }
-    }
-
     /// K v − q: what the element demands of its left end and of its deformation.
     pub fn forces(&self, v: &[f64; 4]) -> [f64; 4] {
         std::array::from_fn(|i| {

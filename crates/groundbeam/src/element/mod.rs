@@ -1,9 +1,79 @@
 //! The beam between two nodes: stiffness and load of one element, (2.11), (5.1).
+//!
+//! An element is exact: its functions solve (2.11). The [closed form](uniform) serves cells on which EI, N and κ are constant,
+//! the [series](series) all others and beams that shear. The [cubic element](cubic) is the paper's.
 
-pub(crate) mod courses;
 pub(crate) mod cubic;
 pub(crate) mod element;
 pub(crate) mod operator;
 pub(crate) mod series;
-pub(crate) mod shear;
 pub(crate) mod uniform;
+
+use element::{Element, REACH, TERMS};
+use operator::Operator;
+use series::Series;
+use uniform::{Layers, Uniform};
+
+/// How many elements a stretch of `length` must be cut into.
+pub(crate) fn parts(operator: &Operator, length: f64) -> usize {
+    let wave = match Layers::of(operator, length) {
+        Some(layers) => layers.slow_squared.sqrt(),
+        None => operator.wave_number(),
+    };
+    (wave * length / REACH).ceil().max(1.0) as usize
+}
+
+/// The element, and its functions, which turn its four numbers into w(s).
+#[derive(Debug, Clone)]
+pub(crate) struct ExactElement {
+    pub element: Element,
+    functions: Functions,
+}
+
+#[derive(Debug, Clone)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "elements are uniform nearly always, and solved fast"
+)]
+enum Functions {
+    Uniform(Uniform),
+    Series(Box<Series>),
+}
+
+impl ExactElement {
+    pub fn new(operator: &Operator, length: f64) -> Self {
+        if let Some(polynomials) = &operator.polynomials {
+            let (element, series) = Series::new(polynomials, length);
+            return ExactElement { element, functions: Functions::Series(Box::new(series)) };
+        }
+        let (element, uniform) = Uniform::new(operator, length);
+        ExactElement { element, functions: Functions::Uniform(uniform) }
+    }
+
+    /// The boundary layers that w holds beside its series.
+    pub fn layers(&self) -> Option<&Layers> {
+        match &self.functions {
+            Functions::Uniform(uniform) => uniform.layers.as_ref(),
+            Functions::Series(_) => None,
+        }
+    }
+
+    /// The coefficients of φ(s), the rotation of the sections, if the beam shears.
+    pub fn rotation(&self, v: &[f64; 4]) -> Option<[f64; TERMS]> {
+        match &self.functions {
+            Functions::Uniform(_) => None,
+            Functions::Series(series) => series.rotation(v),
+        }
+    }
+
+    /// w for the element's four numbers: the coefficients of its series w(s), and the heights of the boundary layers at the
+    /// left and the right end, which are not part of the series.
+    pub fn unfold(&self, v: &[f64; 4]) -> ([f64; TERMS], [f64; 2]) {
+        match &self.functions {
+            Functions::Uniform(uniform) => {
+                uniform.unfold(self.element.basis, self.element.length, v)
+            }
+            Functions::Series(series) => (series.deflection(v), [0.0; 2]),
+        }
+    }
+}

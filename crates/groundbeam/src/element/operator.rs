@@ -1,9 +1,18 @@
 //! The coefficients of the beam equation on a cell, in contact or off it: (EI w″)″ − (N w′)′ + κ w = F − G′.
 
-use crate::element::courses::{Courses, Touch};
 use crate::element::element::MOST;
-use crate::element::shear::Shearing;
-use crate::mesh::cell::Cell;
+use crate::mesh::cell::{Cell, GROUND};
+use crate::model::Profile;
+use crate::numeric::polynomial::value;
+
+/// Whether the beam rests on the ground along a whole cell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Touch {
+    /// u = w − g₀ all along.
+    Contact,
+    /// The ground is no part of the element.
+    Open,
+}
 
 /// The coefficients of (EI w″)″ − (N w')' + κ w = F − G' on a cell, in contact or off it.
 #[derive(Debug, Clone, Copy)]
@@ -20,11 +29,9 @@ pub(crate) struct Operator {
     pub moment_load: [f64; 2],
     /// EI κ₀ at both ends, of an imposed curvature κ₀.
     pub curling_moments: [f64; 2],
-    /// Where any of them varies otherwise than this says: all of them by s, the above being their values at
-    /// the middle and at the ends.
-    pub courses: Option<Courses>,
-    /// Where the beam shears: all of it by s.
-    pub shearing: Option<Shearing>,
+    /// All of them as polynomials, if EI, N or κ varies or the beam shears. The fields above are then their values at the
+    /// middle and at the ends.
+    pub polynomials: Option<Polynomials>,
 }
 
 impl Operator {
@@ -35,9 +42,8 @@ impl Operator {
             spring: 0.0,
             load: cell.load,
             moment_load: cell.moment_load,
-            curling_moments: cell.curling_moments(),
-            courses: Courses::of(cell, axial_force, touch),
-            shearing: Shearing::of(cell, axial_force, touch),
+            curling_moments: cell.curvature.map(|curvature| cell.stiffness * curvature),
+            polynomials: Polynomials::of(cell, axial_force, touch),
         };
         if touch == Touch::Open {
             return off;
@@ -51,23 +57,20 @@ impl Operator {
         }
     }
 
-    /// Whether a beam of some length keeps its shape in shear, S + N > 0, which compression may take from it; as good
-    /// as lost is what leaves it waves too short to be looked at.
+    /// Whether the beam resists shear under its axial force, S + N > 0. Without it the beam buckles in waves of any length. A
+    /// beam whose waves are too short to be solved counts as one that does not.
     pub fn bears_shear(&self, length: f64) -> bool {
+        let shears = self.polynomials.as_ref().filter(|all| all.shear.is_some());
         let shortest = MOST.sqrt();
-        self.shearing.is_none_or(|s| s.is_stiff() && self.wave_number() * length <= shortest)
+        shears.is_none_or(|all| all.resists_shear() && self.wave_number() * length <= shortest)
     }
 
-    /// A bound of the largest |r| with EI r⁴ − N r² + κ = 0 \[1/m\]; where they vary, of the worst of it.
-    /// A beam that shears has EI (1 + N/S) r⁴ − (N + EI κ/S) r² + κ = 0.
+    /// A bound of the largest |r| with EI r⁴ − N r² + κ = 0 \[1/m\]. If EI, N or κ varies, the bound is found from their
+    /// extremes. A beam that shears has EI (1 + N/S) r⁴ − (N + EI κ/S) r² + κ = 0.
     pub fn wave_number(&self) -> f64 {
-        if let Some(shearing) = &self.shearing {
-            let [tension, spring] = shearing.like_bending();
-            return wave_number(1.0, tension, spring);
-        }
-        let [stiffness, tension, spring] = match &self.courses {
+        let [stiffness, tension, spring] = match &self.polynomials {
             None => [self.stiffness, self.tension.abs(), self.spring],
-            Some(courses) => courses.extremes(),
+            Some(all) => all.extremes(),
         };
         wave_number(stiffness, tension, spring)
     }
@@ -79,3 +82,96 @@ pub(crate) fn wave_number(stiffness: f64, tension: f64, spring: f64) -> f64 {
     let k = spring / stiffness;
     (0.5 * (n + (n * n + 4.0 * k).sqrt())).sqrt()
 }
+
+/// The coefficients of the beam equation on a cell as polynomials of s ∈ \[−1, 1\], in contact or off it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Polynomials {
+    /// EI.
+    pub stiffness: [f64; Profile::MOST],
+    /// S, if the beam shears.
+    pub shear: Option<[f64; Profile::MOST]>,
+    /// N: P, and μ in contact.
+    pub tension: [f64; GROUND],
+    /// κ: k in contact, else 0.
+    pub spring: [f64; GROUND],
+    /// F: f, and k g₀ in contact.
+    pub load: [f64; GROUND + 1],
+    /// G, which does work on w′: μ g₀′ in contact.
+    pub slope_load: [f64; GROUND],
+    /// g, which does work on φ.
+    pub moment_load: [f64; 2],
+    /// κ₀.
+    pub curvature: [f64; 2],
+}
+
+impl Polynomials {
+    /// `None` if EI, N and κ are constant and the beam does not shear.
+    pub fn of(cell: &Cell, axial_force: f64, touch: Touch) -> Option<Self> {
+        let ground_varies = touch == Touch::Contact && cell.ground_varies();
+        let needed = cell.beam_shear.is_some() || cell.beam_varies() || ground_varies;
+        needed.then(|| Self::along(cell, axial_force, touch))
+    }
+
+    fn along(cell: &Cell, axial_force: f64, touch: Touch) -> Self {
+        let linear = |v: [f64; 2]| [0.5 * (v[0] + v[1]), 0.5 * (v[1] - v[0])];
+        let mut all = Polynomials {
+            stiffness: cell.stiffness_course(),
+            shear: cell.beam_shear,
+            tension: [0.0; GROUND],
+            spring: [0.0; GROUND],
+            load: [0.0; GROUND + 1],
+            slope_load: [0.0; GROUND],
+            moment_load: linear(cell.moment_load),
+            curvature: linear(cell.curvature),
+        };
+        all.tension[0] = axial_force;
+        all.load[..2].copy_from_slice(&linear(cell.load));
+        if touch == Touch::Contact {
+            all.spring = cell.spring_course();
+            let gap = linear(cell.gap);
+            for (load, q) in all.load.iter_mut().zip(linear(cell.ground_load)) {
+                *load += q;
+            }
+            for (i, mu) in cell.shear_course().into_iter().enumerate() {
+                all.tension[i] += mu;
+                all.slope_load[i] = mu * cell.gap_slope;
+            }
+            for (i, k) in all.spring.iter().enumerate() {
+                all.load[i] += k * gap[0];
+                all.load[i + 1] += k * gap[1];
+            }
+        }
+        all
+    }
+
+    /// Whether S + N > 0 at the ends and in the middle, if the beam shears.
+    fn resists_shear(&self) -> bool {
+        self.shear.as_ref().is_none_or(|shear| {
+            let both = |s| value(shear, s) + value(&self.tension, s);
+            ENDS_AND_MIDDLE.into_iter().all(|s| both(s) > 0.0)
+        })
+    }
+
+    /// EI, |N| and κ of a uniform element that only bends and whose waves are as short as the shortest of this one, from the
+    /// values at the ends and in the middle.
+    fn extremes(&self) -> [f64; 3] {
+        let at = |c: &[f64]| ENDS_AND_MIDDLE.map(|s| value(c, s));
+        let largest = |c: [f64; 3]| c.into_iter().map(f64::abs).fold(0.0, f64::max);
+        let [stiffness, tension, spring] =
+            [&self.stiffness[..], &self.tension, &self.spring].map(at);
+        let Some(shear) = &self.shear else {
+            let least = stiffness.into_iter().fold(f64::INFINITY, f64::min);
+            return [least, largest(tension), largest(spring)];
+        };
+        let shear = at(shear);
+        let [mut pull, mut press] = [[0.0; 3]; 2];
+        for i in 0..3 {
+            let part = 1.0 + tension[i] / shear[i];
+            pull[i] = (tension[i] / stiffness[i] + spring[i] / shear[i]) / part;
+            press[i] = spring[i] / stiffness[i] / part;
+        }
+        [1.0, largest(pull), largest(press)]
+    }
+}
+
+const ENDS_AND_MIDDLE: [f64; 3] = [-1.0, 0.0, 1.0];

@@ -1,125 +1,218 @@
-//! The element whose functions solve (EI w″)″ − (N w')' + κ w = F − G' where EI, N or κ vary, (2.11) with (4.1).
+//! The element with varying coefficients, for beams that bend and for beams that shear: power series of w, φ, m and τ.
 //!
-//! About the middle of the element, x = x_middle + a s, with EI, N, κ, F and G polynomials in s, the
-//! coefficients of w = Σ cⱼ sʲ follow one another through those of m = EI w″,
+//! About the middle of the element, x = x_middle + a s. The state is the deflection w, the rotation φ of the sections, the
+//! moment m = EI (φ′ − κ₀) and the vertical force τ = Q + N w′ − G, with the shear force Q = S γ. It solves (2.11) with
+//! (4.1) as a system of first order:
 //!
-//! (j+2)(j+1) m_{j+2} = a² (j+1) \[N w'\]_{j+1} − a⁴ \[κ w\]_j + a⁴ \[F − G'\]_j,
-//! EI₀ (j+4)(j+3) c_{j+4} = m_{j+2} − Σ_{i≥1} EIᵢ (j+4−i)(j+3−i) c_{j+4−i}.
+//! > w′ = φ + γ,  φ′ = m/EI + κ₀,  m′ = −(Q + g),  τ′ = κ w − F,  (S + N) γ = τ + G − N φ.
 //!
-//! The series converges up to the nearest zero of EI in the complex plane, which lies ten half lengths away
-//! or farther ([`Cell::is_smooth`](crate::mesh::cell::Cell::is_smooth)). As in the [uniform
-//! element](crate::element::uniform) rigid motions and deformations are kept apart, and so no stiffness is a
-//! difference of large numbers.
+//! A beam that does not shear has γ = 0 and Q = τ + G − N φ. Moment loads g act on φ. The slope load G = μ g₀′ acts on w′.
+//! EI, S, N, κ and the loads are polynomials of s, so each coefficient of the state follows from those before it.
+//!
+//! The series converges up to the nearest zero of EI or S + N in the complex plane. It lies ten half lengths away or farther
+//! ([`Cell::is_smooth`](crate::mesh::cell::Cell::is_smooth)). Four solutions without load and one under the load are found
+//! together. Rigid motions and deformations are kept apart, and γ is found by itself, so no stiffness is a difference of
+//! large numbers.
 
-use crate::element::courses::Courses;
-use crate::element::element::TERMS;
-use crate::element::element::{Basis, Element};
+use crate::element::element::{Basis, Element, TERMS};
+use crate::element::operator::Polynomials;
 
-/// w for each of the element's four numbers being 1 alone, and for none of them under the load.
+/// One number for each of the five solutions: four without load, and the one under the load.
+type Five = [f64; 5];
+
+/// The number of the solution under the load.
+const LOADED: usize = 4;
+
+/// The functions of an element.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Series {
-    solutions: [[f64; TERMS]; 5],
+    /// Coefficients of w of the five solutions.
+    deflection: [Five; TERMS],
+    /// Coefficients of φ, if the beam shears.
+    rotation: Option<[Five; TERMS]>,
+    /// How much of each solution without load makes each of the element's four numbers 1 and the others 0.
+    unit: [[f64; 4]; 4],
+    /// How much of each solution without load has the end values of the solution under the load.
+    held: [f64; 4],
 }
 
 impl Series {
-    /// By the functions themselves: those of the element's four numbers, and the loaded one.
-    pub fn of(solutions: [[f64; TERMS]; 5]) -> Self {
-        Series { solutions }
-    }
-
-    pub fn new(courses: &Courses, length: f64) -> (Element, Self) {
+    pub fn new(of: &Polynomials, length: f64) -> (Element, Self) {
         let a = 0.5 * length;
-        let solution = |first: usize, scale: f64| {
-            let mut c = [0.0; TERMS];
-            if let Some(c) = c.get_mut(first) {
-                *c = scale;
-            }
-            go_on(&mut c, courses, a, first >= 4);
-            c
-        };
-        let free = [solution(0, 1.0), solution(1, 1.0), solution(2, 0.5), solution(3, 1.0 / 6.0)];
-        let loaded = solution(4, 0.0);
-        let ends = free.map(|c| boundary(&c, a));
-        let held = boundary(&loaded, a);
-        let combined = |amplitudes: [f64; 4]| -> [f64; TERMS] {
-            std::array::from_fn(|j| free.iter().zip(amplitudes).map(|(c, by)| by * c[j]).sum())
-        };
-        let mut solutions = [[0.0; TERMS]; 5];
-        for (i, solution) in solutions.iter_mut().take(4).enumerate() {
+        let solutions = Solutions::new(of, a);
+        let (ends, forces) = (solutions.ends(a), solutions.forces(a));
+        let ([free @ .., loaded], [free_forces @ .., loaded_forces]) = (&ends, &forces);
+        let unit = [0, 1, 2, 3].map(|i| {
             let mut wanted = [0.0; 4];
             wanted[i] = 1.0;
-            *solution = combined(amplitudes(&ends, wanted));
-        }
-        let without = combined(amplitudes(&ends, held));
-        solutions[4] = std::array::from_fn(|j| loaded[j] - without[j]);
-
+            amplitudes(free, wanted)
+        });
+        let held = amplitudes(free, *loaded);
+        let demanded = unit.map(|unit| combined(free_forces, &unit));
+        let restraining = combined(free_forces, &held);
         let mut element = Element { length, basis: Basis::Deformation, ..Element::default() };
-        let forces = [0, 1, 2, 3].map(|i| forces(&solutions[i], courses, a, false));
-        let under_load = crate::element::series::forces(&solutions[4], courses, a, true);
         for i in 0..4 {
-            element.load[i] = -under_load[i];
+            element.load[i] = restraining[i] - loaded_forces[i];
             for j in 0..4 {
-                element.stiffness[i][j] = 0.5 * (forces[j][i] + forces[i][j]);
+                // Symmetric but for rounding.
+                element.stiffness[i][j] = 0.5 * (demanded[j][i] + demanded[i][j]);
             }
         }
-        (element, Series { solutions })
+        let rotation = of.shear.is_some().then_some(solutions.rotation);
+        (element, Series { deflection: solutions.deflection, rotation, unit, held })
     }
 
     /// The coefficients of w(s) for the element's four numbers.
-    pub fn unfold(&self, v: &[f64; 4]) -> [f64; TERMS] {
-        let [free @ .., loaded] = &self.solutions;
-        std::array::from_fn(|j| loaded[j] + free.iter().zip(v).map(|(c, v)| c[j] * v).sum::<f64>())
+    pub fn deflection(&self, v: &[f64; 4]) -> [f64; TERMS] {
+        self.unfold(v, &self.deflection)
+    }
+
+    /// The coefficients of φ(s), if the beam shears.
+    pub fn rotation(&self, v: &[f64; 4]) -> Option<[f64; TERMS]> {
+        self.rotation.as_ref().map(|rotation| self.unfold(v, rotation))
+    }
+
+    fn unfold(&self, v: &[f64; 4], coefficients: &[Five; TERMS]) -> [f64; TERMS] {
+        let by: [f64; 4] = std::array::from_fn(|j| {
+            self.unit.iter().zip(v).map(|(unit, v)| unit[j] * v).sum::<f64>() - self.held[j]
+        });
+        coefficients
+            .map(|[p, q, r, s, loaded]| loaded + (by[0] * p + by[1] * q + by[2] * r + by[3] * s))
     }
 }
 
-/// The coefficients of a solution from its first four.
-fn go_on(c: &mut [f64; TERMS], courses: &Courses, a: f64, loaded: bool) {
-    let Courses { stiffness, tension, spring, load, moment_load } = courses;
-    let squared = a * a;
-    for j in 0..TERMS - 4 {
-        let mut push = 0.0;
-        if loaded {
-            push += load.get(j).copied().unwrap_or(0.0);
-            push -= moment_load.get(j + 1).map_or(0.0, |g| (j + 1) as f64 * g / a);
-        }
-        for (i, k) in spring.iter().enumerate().take_while(|(i, _)| *i <= j) {
-            push -= k * c[j - i];
-        }
-        let mut pull = 0.0;
-        for (i, n) in tension.iter().enumerate().take_while(|(i, _)| *i <= j + 1) {
-            pull += n * (j + 2 - i) as f64 * c[j + 2 - i];
-        }
-        let below = ((j + 2) * (j + 1)) as f64;
-        let mut moment = squared * (pull / (j + 2) as f64 + squared * push / below);
-        for (i, e) in stiffness.iter().enumerate().skip(1).take_while(|(i, _)| *i <= j + 2) {
-            moment -= e * ((j + 4 - i) * (j + 3 - i)) as f64 * c[j + 4 - i];
-        }
-        c[j + 4] = moment / (stiffness[0] * ((j + 4) * (j + 3)) as f64);
-    }
+/// The five solutions.
+struct Solutions {
+    deflection: [Five; TERMS],
+    rotation: [Five; TERMS],
+    /// γ.
+    strain: [Five; TERMS],
+    moment: [Five; TERMS],
+    /// τ.
+    force: [Five; TERMS],
+    /// κ w − F, and the part N w′ − G − g of the virtual work of turning.
+    pressure: [Five; TERMS],
+    turning: [Five; TERMS],
 }
 
-/// w and w' at the left end, and the deformation.
-fn boundary(c: &[f64; TERMS], a: f64) -> [f64; 4] {
-    let (mut w, mut slope, mut d1, mut d2) = (0.0, 0.0, 0.0, 0.0);
-    for (j, c) in c.iter().enumerate().rev() {
-        let j_float = j as f64;
-        if j % 2 == 0 {
-            w += c;
-            slope -= j_float * c;
-            d1 += 2.0 * j_float * c;
-            d2 += 2.0 * j_float * c;
-        } else {
-            w -= c;
-            slope += j_float * c;
-            d1 += 2.0 * (1.0 - j_float) * c;
+impl Solutions {
+    /// All coefficients, from the state in the middle.
+    fn new(of: &Polynomials, a: f64) -> Self {
+        let zero = [[0.0; 5]; TERMS];
+        let mut all = Solutions {
+            deflection: zero,
+            rotation: zero,
+            strain: zero,
+            moment: zero,
+            force: zero,
+            pressure: zero,
+            turning: zero,
+        };
+        all.start(of, a);
+        let [stiffness, tension] = [trimmed(&of.stiffness), trimmed(&of.tension)];
+        let spring = trimmed(&of.spring);
+        let shear = of.shear.as_ref().map(|shear| {
+            let tension = of.tension.iter().chain(std::iter::repeat(&0.0));
+            let mut both = *shear;
+            both.iter_mut().zip(tension).for_each(|(both, n)| *both += n);
+            (trimmed(shear), both)
+        });
+        let given = |c: &[f64], j: usize| c.get(j).copied().unwrap_or_default();
+        let mut bend = zero;
+        for j in 0..TERMS - 1 {
+            let mut pull = product(tension, &all.rotation, j, 0);
+            pull[LOADED] -= given(&of.slope_load, j);
+            let mut shear_force = minus(&all.force[j], &pull);
+            if let Some((shear, both)) = &shear {
+                let rest = minus(&shear_force, &product(both, &all.strain, j, 1));
+                all.strain[j] = rest.map(|rest| rest / both[0]);
+                shear_force = product(shear, &all.strain, j, 0);
+                let more = product(tension, &all.strain, j, 0);
+                pull.iter_mut().zip(more).for_each(|(pull, more)| *pull += more);
+            }
+            let bent = minus(&all.moment[j], &product(stiffness, &bend, j, 1));
+            bend[j] = bent.map(|moment| moment / stiffness[0]);
+            all.pressure[j] = product(spring, &all.deflection, j, 0);
+            all.pressure[j][LOADED] -= given(&of.load, j);
+            let mut curvature = bend[j];
+            curvature[LOADED] += given(&of.curvature, j);
+            shear_force[LOADED] += given(&of.moment_load, j);
+            pull[LOADED] -= given(&of.moment_load, j);
+            all.turning[j] = pull;
+
+            let next = a / (j + 1) as f64;
+            for i in 0..5 {
+                all.deflection[j + 1][i] = next * (all.rotation[j][i] + all.strain[j][i]);
+                all.rotation[j + 1][i] = next * curvature[i];
+                all.moment[j + 1][i] = -next * shear_force[i];
+                all.force[j + 1][i] = next * all.pressure[j][i];
+            }
         }
+        all
     }
-    [w, slope / a, d1, d2 / a]
+
+    /// The state in the middle. The free solutions have a unit deflection, a unit slope, a curvature, and a shear force with
+    /// w′ = 0. The moment and the force of the loaded one balance imposed curvature and moment loads, so that these bend the
+    /// beam only where they vary.
+    fn start(&mut self, of: &Polynomials, a: f64) {
+        let [stiffness, tension] = [of.stiffness[0], of.tension[0]];
+        let shear_force = -stiffness / (a * a * a);
+        let turned = of.shear.map_or(0.0, |shear| -shear_force / shear[0]);
+        let [kappa, rise] = of.curvature;
+        let bent = -stiffness * kappa;
+        let balance = (stiffness * rise + of.stiffness[1] * kappa) / a - of.moment_load[0];
+        self.deflection[0] = [1.0, 0.0, 0.0, 0.0, 0.0];
+        self.rotation[0] = [0.0, 1.0 / a, 0.0, turned, 0.0];
+        self.moment[0] = [0.0, 0.0, stiffness / (a * a), 0.0, bent];
+        self.force[0] = [0.0, tension / a, 0.0, shear_force, balance - of.slope_load[0]];
+    }
+
+    /// w and φ at the left end, and the deformation: ∫γ + ∫(φ − φ_left) and φ_right − φ_left.
+    fn ends(&self, a: f64) -> [[f64; 4]; 5] {
+        let mut ends = [[0.0; 4]; 5];
+        for j in (0..TERMS).rev() {
+            let mean = 1.0 / (j + 1) as f64;
+            let sign = if j % 2 == 0 { 1.0 } else { -1.0 };
+            for (i, [w, rotation, d1, d2]) in ends.iter_mut().enumerate() {
+                let turned = self.rotation[j][i];
+                *w += sign * self.deflection[j][i];
+                *rotation += sign * turned;
+                if j % 2 == 0 {
+                    *d1 += 2.0 * a * (self.strain[j][i] * mean - turned * (j as f64 * mean));
+                } else {
+                    *d1 += 2.0 * a * turned;
+                    *d2 += 2.0 * turned;
+                }
+            }
+        }
+        ends
+    }
+
+    /// The forces on the element: the virtual work of rising and of turning about the left end, in which bending and
+    /// shearing have no part, then τ and m at the right end.
+    fn forces(&self, a: f64) -> [[f64; 4]; 5] {
+        let mut forces = [[0.0; 4]; 5];
+        for j in (0..TERMS).rev() {
+            let [mean, first] = [1, 2].map(|power| 2.0 * a / (j + power) as f64);
+            for (i, [rise, turn, force, moment]) in forces.iter_mut().enumerate() {
+                let pressure = self.pressure[j][i];
+                if j % 2 == 0 {
+                    *rise += mean * pressure;
+                    *turn += mean * (self.turning[j][i] + a * pressure);
+                } else {
+                    *turn += first * a * pressure;
+                }
+                *force += self.force[j][i];
+                *moment += self.moment[j][i];
+            }
+        }
+        forces
+    }
 }
 
 /// How much of each free solution gives wanted boundary values. The deformations belong to the third and
 /// the fourth, but for what ground and tension make of the first two.
-pub(crate) fn amplitudes(ends: &[[f64; 4]; 4], wanted: [f64; 4]) -> [f64; 4] {
+fn amplitudes(ends: &[[f64; 4]; 4], wanted: [f64; 4]) -> [f64; 4] {
     let solve = |m: [[f64; 2]; 2], r: [f64; 2]| {
         let determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
         [
@@ -147,56 +240,70 @@ pub(crate) fn amplitudes(ends: &[[f64; 4]; 4], wanted: [f64; 4]) -> [f64; 4] {
     [p, q, bending(0), bending(1)]
 }
 
-/// What a solution demands: the virtual work of rising and of turning about the left end, in which the large
-/// bending terms have no part, and shear T and moment at the right end.
-fn forces(c: &[f64; TERMS], courses: &Courses, a: f64, loaded: bool) -> [f64; 4] {
-    let Courses { stiffness, tension, spring, load, moment_load } = courses;
-    let slope: [f64; TERMS - 1] = std::array::from_fn(|j| (j + 1) as f64 * c[j + 1] / a);
-    let [mut pressed, pressed_first] = [0, 1].map(|power| work(spring, c, power));
-    let mut first = pressed_first;
-    let mut turning = work(tension, &slope, 0);
-    let mut end_moment = 0.0;
-    if loaded {
-        pressed -= work(load, &[1.0], 0);
-        first -= work(load, &[1.0], 1);
-        turning -= work(moment_load, &[1.0], 0);
-        end_moment = moment_load.iter().sum();
-    }
-    // EI w″ and its derivative at s = 1, the tension's part of T beside it.
-    let (mut bend, mut rise) = (0.0, 0.0);
-    for (i, e) in stiffness.iter().enumerate() {
-        for (j, c) in c.iter().enumerate().skip(2) {
-            let term = e * (j * (j - 1)) as f64 * c;
-            bend += term;
-            rise += (i + j - 2) as f64 * term;
-        }
-    }
-    let pull = tension.iter().sum::<f64>() * slope.iter().sum::<f64>();
-    [
-        a * pressed,
-        a * (turning + a * (pressed + first)),
-        pull - rise / (a * a * a) - end_moment,
-        bend / (a * a),
-    ]
+/// The forces of a sum of the free solutions.
+fn combined(forces: &[[f64; 4]; 4], by: &[f64; 4]) -> [f64; 4] {
+    std::array::from_fn(|i| by.iter().zip(forces).map(|(by, forces)| by * forces[i]).sum())
 }
 
-/// ∫ f g s^power ds over \[−1, 1\].
-pub(crate) fn work(f: &[f64], g: &[f64], power: usize) -> f64 {
-    let mut sum = 0.0;
-    for (i, f) in f.iter().enumerate().filter(|(_, f)| **f != 0.0) {
-        for (j, g) in g.iter().enumerate().filter(|(j, _)| (i + j + power).is_multiple_of(2)) {
-            sum += 2.0 * f * g / (i + j + power + 1) as f64;
+/// The polynomial without its highest coefficients that are zero.
+fn trimmed(c: &[f64]) -> &[f64] {
+    let count = c.iter().rposition(|c| *c != 0.0).map_or(0, |last| last + 1);
+    &c[..count]
+}
+
+/// The coefficient of s^j in f g for each solution g, without the first `skipped` powers of f.
+fn product(f: &[f64], g: &[Five; TERMS], j: usize, skipped: usize) -> Five {
+    let mut sum = [0.0; 5];
+    for (i, f) in f.iter().enumerate().take(j + 1).skip(skipped) {
+        for (sum, g) in sum.iter_mut().zip(&g[j - i]) {
+            *sum += f * g;
         }
     }
     sum
 }
 
+fn minus(a: &Five, b: &Five) -> Five {
+    std::array::from_fn(|i| a[i] - b[i])
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::element::ExactElement;
     use crate::element::operator::Operator;
-    use crate::element::uniform::ExactElement;
-    use crate::numeric::polynomial::{jet, value};
+    use crate::mesh::cell::GROUND;
+    use crate::model::Profile;
+    use crate::numeric::polynomial::{derivative, jet, product as times, value};
+
+    /// A cell of which everything varies, on ground of which everything varies.
+    fn varying(shear: Option<[f64; Profile::MOST]>) -> Polynomials {
+        Polynomials {
+            stiffness: [1.0, 0.08, 0.005, 0.0002, 0.0, 0.0],
+            shear,
+            tension: [0.7, 0.3, 0.1],
+            spring: [0.9, -0.4, 0.05],
+            load: [1.0, -2.0, 0.3, 0.1],
+            slope_load: [0.5, 0.1, 0.2],
+            moment_load: [0.3, -0.2],
+            curvature: [0.4, 0.7],
+        }
+    }
+
+    const SHEAR: [f64; Profile::MOST] = [3.0, 0.2, 0.01, 0.0, 0.0, 0.0];
+
+    /// The same numbers along the whole element.
+    fn uniform(stiffness: f64, tension: f64, spring: f64) -> Polynomials {
+        Polynomials {
+            stiffness: [stiffness, 0.0, 0.0, 0.0, 0.0, 0.0],
+            shear: None,
+            tension: [tension, 0.0, 0.0],
+            spring: [spring, 0.0, 0.0],
+            load: [0.0; GROUND + 1],
+            slope_load: [0.0; GROUND],
+            moment_load: [0.0; 2],
+            curvature: [0.0; 2],
+        }
+    }
 
     #[test]
     fn with_nothing_varying_it_is_the_uniform_element() {
@@ -207,72 +314,150 @@ mod tests {
                 spring: k,
                 load: [1.0, -2.0],
                 moment_load: [0.5, 0.1],
-                curling_moments: [0.0; 2],
-                courses: None,
-                shearing: None,
+                curling_moments: [0.6, -0.3],
+                polynomials: None,
             };
-            let uniform = ExactElement::new(&operator, 1.3);
-            let courses = Courses {
-                stiffness: [1.5, 0.0, 0.0, 0.0, 0.0, 0.0],
-                tension: [n, 0.0, 0.0],
-                spring: [k, 0.0, 0.0],
+            let closed = ExactElement::new(&operator, 1.3);
+            let all = Polynomials {
                 load: [-0.5, -1.5, 0.0, 0.0],
-                moment_load: [0.3, -0.2, 0.0, 0.0, 0.0, 0.0],
+                moment_load: [0.3, -0.2],
+                curvature: [0.1, -0.3],
+                ..uniform(1.5, n, k)
             };
-            let (element, series) = Series::new(&courses, 1.3);
+            let (element, series) = Series::new(&all, 1.3);
             for i in 0..4 {
-                let scale = uniform.element.stiffness[i][i];
-                assert!((element.load[i] - uniform.element.load[i]).abs() < 1e-14);
+                let scale = closed.element.stiffness[i][i];
+                assert!((element.load[i] - closed.element.load[i]).abs() < 1e-14);
                 for j in 0..4 {
-                    let difference = element.stiffness[i][j] - uniform.element.stiffness[i][j];
+                    let difference = element.stiffness[i][j] - closed.element.stiffness[i][j];
                     assert!(difference.abs() <= 4e-15 * (scale + 1.0), "{n} {k} {i}{j}");
                 }
             }
             let v = [0.3, -0.2, 0.1, 0.4];
-            for (a, b) in series.unfold(&v).iter().zip(uniform.unfold(&v).0) {
+            for (a, b) in series.deflection(&v).iter().zip(closed.unfold(&v).0) {
                 assert!((a - b).abs() < 1e-15);
             }
         }
     }
 
-    #[test]
-    fn the_series_solves_the_equation_and_takes_its_end_values() {
-        let courses = Courses {
-            stiffness: [1.0, 0.08, 0.005, 0.0002, 0.0, 0.0],
-            tension: [0.7, 0.3, 0.1],
-            spring: [0.9, -0.4, 0.05],
-            load: [1.0, -2.0, 0.3, 0.1],
-            moment_load: [0.5, 0.1, 0.2, 0.0, 0.0, 0.0],
-        };
-        let (h, a) = (1.4, 0.7);
-        let (element, series) = Series::new(&courses, h);
-        let v = [0.3, -0.2, 0.1, 0.4];
-        let c = series.unfold(&v);
-        let [left, right] = [-1.0, 1.0].map(|s| jet(&c, s));
-        assert!((left[0] - 0.3).abs() < 1e-15 && (left[1] / a + 0.2).abs() < 1e-15);
-        assert!((right[0] - (0.3 - 0.2 * h + 0.1)).abs() < 1e-15);
-        assert!((right[1] / a - 0.2).abs() < 1e-14);
-        let bend: Vec<f64> = (2..TERMS).map(|j| (j * (j - 1)) as f64 * c[j] / (a * a)).collect();
-        let moment = crate::numeric::polynomial::product(&courses.stiffness, &bend);
-        for s in [-0.9, -0.3, 0.2, 0.8] {
-            let [_, _, fourth, _] = jet(&moment, s);
-            let [n, dn, ..] = jet(&courses.tension, s);
-            let [w, dw, ddw, _] = jet(&c, s);
-            let tension = (n * ddw + dn * dw) / (a * a);
-            let load = value(&courses.load, s) - jet(&courses.moment_load, s)[1] / a;
-            let rest = fourth / (a * a) - tension + value(&courses.spring, s) * w - load;
-            assert!(rest.abs() < 1e-11, "{s}: {rest:e}");
+    /// The shear force Q from w, φ and m: S (w′ − φ), or without shear −m′ − g.
+    fn shear_force(of: &Polynomials, slope: &[f64], rotation: &[f64], rise: &[f64]) -> Vec<f64> {
+        if let Some(shear) = &of.shear {
+            let strain: Vec<f64> =
+                slope.iter().zip(rotation).map(|(d, turned)| d - turned).collect();
+            return times(shear, &strain).to_vec();
         }
-        let forces = element.forces(&v);
-        let total = |s: f64| {
-            let [_, dm, ..] = jet(&moment, s);
-            let [_, dw, ..] = jet(&c, s);
-            (value(&courses.tension, s) * dw - dm) / a - value(&courses.moment_load, s)
-        };
-        assert!((forces[2] - total(1.0)).abs() < 1e-12);
-        assert!((forces[0] - (total(1.0) - total(-1.0))).abs() < 1e-11);
-        assert!((forces[3] - value(&moment, 1.0)).abs() < 1e-13);
-        let turned = forces[1] - h * total(1.0) - value(&moment, 1.0) + value(&moment, -1.0);
-        assert!(turned.abs() < 1e-11, "{turned:e}");
+        let mut force: Vec<f64> = rise.iter().map(|rise| -rise).collect();
+        for (force, turning) in force.iter_mut().zip(of.moment_load) {
+            *force -= turning;
+        }
+        force
+    }
+
+    #[test]
+    fn the_series_solve_the_equations_and_take_their_end_values() {
+        let (h, a) = (1.4, 0.7);
+        for all in [varying(None), varying(Some(SHEAR))] {
+            let (element, series) = Series::new(&all, h);
+            let v = [0.3, -0.2, 0.1, 0.4];
+            let w = series.deflection(&v);
+            let by = |c: &[f64]| -> Vec<f64> { derivative(c).iter().map(|c| c / a).collect() };
+            let slope = by(&w);
+            let rotation = series.rotation(&v).map_or(slope.clone(), |own| own.to_vec());
+            assert!((value(&w, -1.0) - 0.3).abs() < 1e-15);
+            assert!((value(&rotation, -1.0) + 0.2).abs() < 1e-14);
+            assert!((value(&w, 1.0) - (0.3 - 0.2 * h + 0.1)).abs() < 1e-15);
+            assert!((value(&rotation, 1.0) - 0.2).abs() < 1e-14);
+            // m = EI (φ′ − κ₀) and τ = Q + N w′ − G as polynomials.
+            let mut bend = by(&rotation);
+            bend[0] -= all.curvature[0];
+            bend[1] -= all.curvature[1];
+            let moment = times(&all.stiffness, &bend);
+            let shear_force = shear_force(&all, &slope, &rotation, &by(&moment));
+            let pull = times(&all.tension, &slope);
+            let total =
+                |s: f64| value(&shear_force, s) + value(&pull, s) - value(&all.slope_load, s);
+            for s in [-0.9, -0.3, 0.2, 0.8] {
+                let rising = |c: &[f64]| jet(c, s)[1] / a;
+                let turns = rising(&moment) + value(&shear_force, s) + value(&all.moment_load, s);
+                assert!(turns.abs() < 1e-12, "{s}: {turns:e}");
+                let carried = rising(&shear_force) + rising(&pull) - rising(&all.slope_load);
+                let sinks = carried - value(&all.spring, s) * value(&w, s) + value(&all.load, s);
+                assert!(sinks.abs() < 1e-11, "{s}: {sinks:e}");
+            }
+            let forces = element.forces(&v);
+            assert!((forces[2] - total(1.0)).abs() < 1e-12, "{forces:?} {}", total(1.0));
+            assert!((forces[0] - (total(1.0) - total(-1.0))).abs() < 1e-11);
+            assert!((forces[3] - value(&moment, 1.0)).abs() < 1e-12);
+            let turned = forces[1] - h * total(1.0) - value(&moment, 1.0) + value(&moment, -1.0);
+            assert!(turned.abs() < 1e-11, "{turned:e}");
+        }
+    }
+
+    /// K follows from reciprocal theorems, not from a symmetric formula: what its two halves differ by is its error.
+    #[test]
+    fn the_stiffness_is_symmetric_to_rounding() {
+        for all in [varying(None), varying(Some(SHEAR))] {
+            for h in [1e-3, 0.1, 0.7] {
+                let solutions = Solutions::new(&all, 0.5 * h);
+                let (ends, forces) = (solutions.ends(0.5 * h), solutions.forces(0.5 * h));
+                let ([free @ .., _], [forces @ .., _]) = (&ends, &forces);
+                let column = |i: usize| {
+                    let unit = std::array::from_fn(|j| if i == j { 1.0 } else { 0.0 });
+                    combined(forces, &amplitudes(free, unit))
+                };
+                let k = [0, 1, 2, 3].map(column);
+                for i in 0..4 {
+                    for j in 0..4 {
+                        let scale = (k[i][i] * k[j][j]).sqrt();
+                        let difference = (k[i][j] - k[j][i]).abs();
+                        assert!(difference <= 1e-15 * scale, "{h} {i}{j}: {k:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    /// Without ground and tension, Przemieniecki (1968), Theory of Matrix Structural Analysis, eq. (5.116): with
+    /// Φ = 12 EI/(S h²) and in (w_left, θ_left, w_right, θ_right), K = EI/((1 + Φ) h³) (12, 6h, …; (4 + Φ) h², …).
+    #[test]
+    fn without_ground_it_is_the_books_element() {
+        for shear in [1e-6, 0.5, 40.0, 1e9] {
+            let all = Polynomials {
+                shear: Some([shear, 0.0, 0.0, 0.0, 0.0, 0.0]),
+                ..uniform(3.0, 0.0, 0.0)
+            };
+            let h = 1.7;
+            let k = Series::new(&all, h).0.stiffness;
+            let phi = 12.0 * 3.0 / (shear * h * h);
+            let unit = 3.0 / ((1.0 + phi) * h * h * h);
+            let book = [[12.0, -6.0 * h], [-6.0 * h, (4.0 + phi) * h * h]];
+            for i in 0..2 {
+                for j in 0..2 {
+                    let [own, book] = [k[2 + i][2 + j], unit * book[i][j]];
+                    assert!((own / book - 1.0).abs() < 1e-13, "{shear:?} {own} {book}");
+                    assert_eq!(k[i][j], 0.0);
+                }
+            }
+        }
+    }
+
+    /// A beam that hardly shears is one that only bends.
+    #[test]
+    fn with_a_large_shear_stiffness_it_only_bends() {
+        let stiff = varying(Some([1e18, 0.0, 0.0, 0.0, 0.0, 0.0]));
+        let [(element, shears), (other, bends)] =
+            [stiff, varying(None)].map(|all| Series::new(&all, 1.3));
+        for i in 0..4 {
+            assert!((element.load[i] - other.load[i]).abs() < 1e-14, "{i}");
+            for j in 0..4 {
+                let difference = element.stiffness[i][j] - other.stiffness[i][j];
+                assert!(difference.abs() < 1e-14 * element.stiffness[i][i], "{i}{j}");
+            }
+        }
+        let v = [0.3, -0.2, 0.1, 0.4];
+        for (a, b) in shears.deflection(&v).iter().zip(bends.deflection(&v)) {
+            assert!((a - b).abs() < 1e-15, "{a} {b}");
+        }
     }
 }

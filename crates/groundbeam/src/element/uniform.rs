@@ -17,16 +17,6 @@
 use crate::element::element::{Basis, Element};
 use crate::element::element::{REACH, TERMS};
 use crate::element::operator::Operator;
-use crate::element::series::Series;
-
-/// How many elements a stretch of `length` must be cut into.
-pub(crate) fn parts(operator: &Operator, length: f64) -> usize {
-    let wave = match Layers::of(operator, length) {
-        Some(layers) => layers.slow_squared.sqrt(),
-        None => operator.wave_number(),
-    };
-    (wave * length / REACH).ceil().max(1.0) as usize
-}
 
 /// Real roots so far apart that the larger one stands for boundary layers: r₂² ≥ `APART` r₁².
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,12 +30,11 @@ pub(crate) struct Layers {
 const APART: f64 = 100.0;
 
 impl Layers {
-    /// None where one series serves the whole length, the roots are close or complex, or they vary.
-    fn of(operator: &Operator, length: f64) -> Option<Self> {
+    /// `None` if one series serves the whole length, the roots are close or complex, or the element is a [series](crate::element::series).
+    pub fn of(operator: &Operator, length: f64) -> Option<Self> {
         let n = operator.tension / operator.stiffness;
         let k = operator.spring / operator.stiffness;
-        let special = operator.courses.is_some() || operator.shearing.is_some();
-        if special || n <= 0.0 || n * n < 4.0 * k {
+        if operator.polynomials.is_some() || n <= 0.0 || n * n < 4.0 * k {
             return None;
         }
         let fast_squared = 0.5 * (n + (n * n - 4.0 * k).sqrt());
@@ -55,23 +44,11 @@ impl Layers {
     }
 }
 
-/// The element and what is needed to unfold its end values into w(s).
+/// The functions of an element: even ones and odd ones.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct ExactElement {
-    pub element: Element,
+pub(crate) struct Uniform {
     pub layers: Option<Layers>,
-    shapes: Shapes,
-    /// φ, where the beam shears.
-    rotation: Option<Series>,
-}
-
-/// The functions of an element.
-#[derive(Debug, Clone, Copy)]
-enum Shapes {
-    /// Even and odd ones.
-    Halves([Half; 2]),
-    /// Where EI, N or κ vary, and where the beam shears.
-    Whole(Series),
+    halves: [Half; 2],
 }
 
 /// One parity: two solutions without load, the one with it, and the map from their amplitudes to the
@@ -86,23 +63,8 @@ struct Half {
     force: [[f64; 2]; 3],
 }
 
-impl ExactElement {
-    pub fn new(operator: &Operator, length: f64) -> Self {
-        if let Some(shearing) = &operator.shearing {
-            let (element, [deflection, rotation]) = shearing.element(length);
-            let (shapes, rotation) = (Shapes::Whole(deflection), Some(rotation));
-            return ExactElement { element, layers: None, shapes, rotation };
-        }
-        if let Some(courses) = &operator.courses {
-            let (mut element, series) = Series::new(courses, length);
-            element.curl(operator.curling_moments);
-            return ExactElement {
-                element,
-                layers: None,
-                shapes: Shapes::Whole(series),
-                rotation: None,
-            };
-        }
+impl Uniform {
+    pub fn new(operator: &Operator, length: f64) -> (Element, Self) {
         let a = 0.5 * length;
         let ei = operator.stiffness;
         let alpha = operator.tension * a * a / ei;
@@ -172,30 +134,22 @@ impl ExactElement {
         };
         let basis = if layers.is_some() { Basis::Ends } else { Basis::Deformation };
         let mut element = assemble(length, basis, &even.condensed(), &odd.condensed());
-        element.curl(operator.curling_moments);
-        ExactElement { element, layers, shapes: Shapes::Halves([even, odd]), rotation: None }
+        bend(&mut element, operator.curling_moments);
+        (element, Uniform { layers, halves: [even, odd] })
     }
 
-    /// The coefficients of φ(s), the rotation of the sections, where the beam shears.
-    pub fn rotation(&self, v: &[f64; 4]) -> Option<[f64; TERMS]> {
-        self.rotation.map(|rotation| rotation.unfold(v))
-    }
-
-    /// w for the element's four numbers: the coefficients of w(s), and the heights of the boundary layers
-    /// at the left and the right end, which those do not hold.
-    pub fn unfold(&self, v: &[f64; 4]) -> ([f64; TERMS], [f64; 2]) {
-        let [even_half, odd_half] = match &self.shapes {
-            Shapes::Halves(halves) => halves,
-            Shapes::Whole(series) => return (series.unfold(v), [0.0; 2]),
-        };
-        let a = 0.5 * self.element.length;
-        let [even, odd] = parities(a, self.element.basis).map(|map| map.map(|row| dot(&row, v)));
+    /// The coefficients of w(s) for the element's four numbers, and the heights of the boundary layers at the left and the
+    /// right end, which are not part of them.
+    pub fn unfold(&self, basis: Basis, length: f64, v: &[f64; 4]) -> ([f64; TERMS], [f64; 2]) {
+        let [even_half, odd_half] = &self.halves;
+        let a = 0.5 * length;
+        let [even, odd] = parities(a, basis).map(|map| map.map(|row| dot(&row, v)));
         let (even, cosh) = even_half.unfold(even);
         let (odd, sinh) = odd_half.unfold(odd);
         let series = std::array::from_fn(|j| if j % 2 == 0 { even[j / 2] } else { odd[j / 2] });
         let Some(layers) = self.layers else { return (series, [0.0; 2]) };
         // cosh(zs)/cosh(z) = (e^(−z(1−s)) + e^(−z(1+s)))/(1 + e^(−2z)), sinh with two minus signs.
-        let decay = (-layers.fast * self.element.length).exp();
+        let decay = (-layers.fast * length).exp();
         let (cosh, sinh) = (cosh / (1.0 + decay), sinh / (1.0 - decay));
         // What rounding alone makes of them.
         let [w_left, left, w_right, right] = v.map(f64::abs);
@@ -397,6 +351,23 @@ fn parities(a: f64, basis: Basis) -> [[[f64; 4]; 2]; 2] {
     }
 }
 
+/// Adds to q the work on w″ of the imposed curvature's moment EI κ₀, linear between its values `moments` at both ends. Rigid
+/// motions have no part in it.
+fn bend(element: &mut Element, moments: [f64; 2]) {
+    if moments == [0.0; 2] {
+        return;
+    }
+    let [left, right] = moments;
+    let rise = (right - left) / element.length;
+    let work = match element.basis {
+        Basis::Deformation => [0.0, 0.0, -rise, right],
+        Basis::Ends => [rise, -left, -rise, right],
+    };
+    for (load, work) in element.load.iter_mut().zip(work) {
+        *load += work;
+    }
+}
+
 fn dot(row: &[f64; 4], v: &[f64; 4]) -> f64 {
     row.iter().zip(v).map(|(a, b)| a * b).sum()
 }
@@ -426,6 +397,7 @@ fn assemble(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::element::ExactElement;
     use crate::numeric::polynomial::jet;
 
     fn operator(n: f64, k: f64) -> Operator {
@@ -436,8 +408,7 @@ mod tests {
             load: [0.0; 2],
             moment_load: [0.0; 2],
             curling_moments: [0.0; 2],
-            courses: None,
-            shearing: None,
+            polynomials: None,
         }
     }
 
@@ -537,17 +508,17 @@ mod tests {
             ..operator(900.0, 1.0)
         };
         let whole = ExactElement::new(&op, 2.0);
-        assert!(whole.layers.is_some());
+        assert!(whole.layers().is_some());
         let v = [0.3, -0.2, 0.0, 0.2];
         let (series, heights) = whole.unfold(&v);
         let at = |x: [f64; 2]| {
             let (middle, half) = (0.5 * (x[0] + x[1]) - 1.0, 0.5 * (x[1] - x[0]));
             let mut c = crate::numeric::polynomial::rescale(&series, middle, half);
-            whole.layers.expect("layers").add([0.0, 2.0], heights, x, &mut c);
+            whole.layers().expect("layers").add([0.0, 2.0], heights, x, &mut c);
             c
         };
         let mut x = vec![0.0];
-        x.extend(whole.layers.expect("layers").cuts([0.0, 2.0], heights));
+        x.extend(whole.layers().expect("layers").cuts([0.0, 2.0], heights));
         x.push(2.0);
         assert!(x.len() < 30);
         let mut before: Option<[f64; 4]> = None;

@@ -5,10 +5,9 @@
 //! its memory says. A shear layer a billion times as stiff as the beam has boundary layers of 10⁻⁴ of the length, and
 //! every such element on it is as short as they are.
 
-use crate::element::courses::Touch;
 use crate::element::element::REACH;
-use crate::element::operator::{Operator, wave_number};
-use crate::element::uniform::parts;
+use crate::element::operator::{Operator, Touch, wave_number};
+use crate::element::parts;
 use crate::error::{Error, TooLarge};
 use crate::mesh::mesh::Mesh;
 use crate::model::problem::Bytes;
@@ -19,8 +18,8 @@ use crate::options::{Method, Options};
 const MOST_SERIES: usize = 30_000;
 
 /// Bytes of memory per element, of the exact method, of the methods with a mesh and of a solution at nodes alone: the largest
-/// that `verification/tests/memory.rs` and `bench/` have measured, 7800, 3100 and 53, and something more.
-const EXACT: usize = 8_500;
+/// that `verification/tests/memory.rs` and `bench/` have measured, 6600, 3100 and 53, and something more.
+const EXACT: usize = 7_200;
 const MESH: usize = 3_500;
 const NODE: usize = 100;
 

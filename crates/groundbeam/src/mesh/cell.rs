@@ -2,9 +2,7 @@
 
 use crate::ground::link::{between, settled, slope_between};
 use crate::model::{Course, Foundation, Profile};
-use crate::numeric::polynomial::{
-    Coefficients, derivative, ends, is_free_of_zeros, jet, product, rescale, value,
-};
+use crate::numeric::polynomial::{Coefficients, is_free_of_zeros, jet, product, rescale, value};
 
 /// A stretch of beam and ground with EI, k, μ of one kind and linear f, g, κ₀, g₀.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -156,29 +154,6 @@ impl Cell {
             return product(&self.stiffness_course(), &curvature);
         }
         Coefficients::from(&curvature.map(|c| self.stiffness * c)[..])
-    }
-
-    /// EI κ₀ at both ends.
-    pub fn curling_moments(&self) -> [f64; 2] {
-        if !self.beam_varies() {
-            return self.curvature.map(|curvature| self.stiffness * curvature);
-        }
-        ends(&self.curling_moment())
-    }
-
-    /// The coefficients of a distributed moment that does the work of EI κ₀ on w″, but for the part of EI κ₀ that
-    /// is linear between the cell's ends: there is more than that where EI varies alone.
-    pub fn curling_moment_load(&self) -> [f64; Profile::MOST] {
-        let mut load = [0.0; Profile::MOST];
-        if self.is_curled() && self.beam_varies() {
-            let half = 0.5 * self.length();
-            let [left, right] = self.curling_moments();
-            load[0] = 0.5 * (right - left) / half;
-            for (load, rise) in load.iter_mut().zip(derivative(&self.curling_moment()).iter()) {
-                *load -= rise / half;
-            }
-        }
-        load
     }
 
     /// The coefficients of EI(s).

@@ -43,6 +43,19 @@ impl Deflection<'_> {
         value(self.cell(spot.cell), spot.s) - gap_at(&self.mesh.cells[spot.cell], spot.s)
     }
 
+    /// Whether a zone is one point that a rigid support holds on the ground, ψ = 0 but for rounding. The support carries what
+    /// acts there, so the sign of the rounding error does not make it a contact.
+    pub fn is_held(&self, zone: &Zone) -> bool {
+        let Spot { cell, s } = zone.from;
+        if zone.from != zone.to || s.abs() != 1.0 {
+            return false;
+        }
+        let node = &self.mesh.nodes[cell + usize::from(s > 0.0)];
+        let size: f64 = self.cell(cell).iter().map(|c| c.abs()).sum();
+        (node.pinned || node.clamped)
+            && self.obstacle_at(zone.from).abs() <= 8.0 * f64::EPSILON * size
+    }
+
     /// ψ, ψ' and π = kψ − (μψ')' at a spot.
     pub fn pressing(&self, spot: Spot) -> [f64; 3] {
         let cell = &self.mesh.cells[spot.cell];

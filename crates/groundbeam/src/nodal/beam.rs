@@ -173,9 +173,8 @@ impl Given {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::element::courses::Touch;
-    use crate::element::operator::Operator;
-    use crate::element::uniform::ExactElement;
+    use crate::element::ExactElement;
+    use crate::element::operator::{Operator, Touch};
     use crate::mesh::cell::Cell;
     use crate::mesh::cell::Varies;
     use crate::numeric::polynomial::value;

@@ -2,7 +2,7 @@
 
 use super::joint::Joint;
 use crate::certificate::gauss;
-use crate::element::courses::Touch;
+use crate::element::operator::Touch;
 use crate::ground::link::{between, settled, slope_between};
 use crate::numeric::polynomial::{Coefficients, jet};
 use crate::sensitivity::piece::Piece;

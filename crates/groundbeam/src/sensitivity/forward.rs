@@ -10,7 +10,7 @@ use super::linearised::{Linearised, dot, is_rigid};
 use super::output::Functional;
 use super::parameter::SupportNumber;
 use super::{NotDifferentiable, Output, Side, Solution};
-use crate::element::courses::Touch;
+use crate::element::operator::Touch;
 use crate::ground::link;
 use crate::mesh::deflection::Spot;
 use crate::model::SupportKind;

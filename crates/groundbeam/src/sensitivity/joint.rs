@@ -1,6 +1,6 @@
 //! Open ground between two zones of contact, or between one and the ground beyond.
 
-use crate::element::courses::Touch;
+use crate::element::operator::Touch;
 use crate::ground::link::Link;
 use crate::mesh::deflection::{Spot, Zone};
 use crate::mesh::mesh::Mesh;

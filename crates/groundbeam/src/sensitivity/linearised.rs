@@ -13,10 +13,10 @@ use crate::chain::elimination::Chain;
 use crate::chain::node::Loose;
 use crate::contact::glue::{Glue, Glued};
 use crate::contact::stretches::Stretch;
-use crate::element::courses::Touch;
+use crate::element::ExactElement;
 use crate::element::element::Basis;
 use crate::element::element::TERMS;
-use crate::element::uniform::ExactElement;
+use crate::element::operator::Touch;
 use crate::ground::link;
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{Spot, Zone};
@@ -60,7 +60,7 @@ impl Linearised {
         let Glued { mesh, zones, chain } = glue.lay(&stretches, places);
         let shapes = chain.solve().ok()?;
         let (loaded, touch): (Vec<ExactElement>, Vec<Touch>) =
-            glue.elements().map(|(element, touch)| (*element, touch)).unzip();
+            glue.elements().map(|(element, touch)| (element.clone(), touch)).unzip();
         let bare = without_loads(&model);
         let mut glue = Glue::new(&bare, &never);
         let nodes: Vec<f64> = mesh.nodes.iter().map(|node| node.x).collect();
@@ -68,7 +68,8 @@ impl Linearised {
         if same.nodes.len() != mesh.nodes.len() {
             return None;
         }
-        let elements: Vec<ExactElement> = glue.elements().map(|(element, _)| *element).collect();
+        let elements: Vec<ExactElement> =
+            glue.elements().map(|(element, _)| element.clone()).collect();
         let pieces = pieces(&mesh, &loaded, &touch);
         let joints = joints(&mesh, &zones, &pieces);
         let state = Field::of(shapes);
@@ -164,7 +165,7 @@ impl Linearised {
                 }
             };
             let mut curve = own(&unfolded.0);
-            if let Some(layers) = &exact.layers {
+            if let Some(layers) = exact.layers() {
                 layers.add(self.mesh.cells[at].x, unfolded.1, piece.cell.x, &mut curve);
             }
             curves.push([curve, rotation.as_ref().map_or_else(Coefficients::default, own)]);
@@ -331,7 +332,7 @@ fn pieces(mesh: &Mesh, elements: &[ExactElement], touch: &[Touch]) -> Vec<Piece>
     let mut pieces = Vec::with_capacity(mesh.cells.len());
     for (i, (cell, exact)) in mesh.cells.iter().zip(elements).enumerate() {
         let mut cuts: Vec<f64> = Vec::new();
-        if let Some(layers) = &exact.layers {
+        if let Some(layers) = exact.layers() {
             cuts.extend(layers.cuts(cell.x, [1.0; 2]));
         }
         let open = touch[i] == Touch::Open && cell.shear > 0.0;

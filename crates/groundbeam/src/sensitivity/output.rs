@@ -5,7 +5,7 @@ use super::field::Point;
 use super::linearised::Linearised;
 use super::push::Push;
 use crate::contact::surface::can_carry;
-use crate::element::courses::Touch;
+use crate::element::operator::Touch;
 use crate::mesh::deflection::Spot;
 use crate::model::SupportKind;
 use crate::numeric::polynomial::jet;

@@ -1,6 +1,6 @@
 //! A piece of the linearised beam: one element between two nodes.
 
-use crate::element::courses::Touch;
+use crate::element::operator::Touch;
 use crate::mesh::cell::Cell;
 
 /// A part of an element on which w and u are short power series.

@@ -7,7 +7,7 @@ use super::change::{Against, Change, PointChange};
 use super::field::Point;
 use super::linearised::Linearised;
 use super::product::{Dual, Rate};
-use crate::element::courses::Touch;
+use crate::element::operator::Touch;
 use crate::mesh::deflection::Spot;
 use crate::solution::fields::{Field as Quantity, Side};
 

@@ -6,7 +6,7 @@ use super::linearised::{Linearised, is_rigid};
 use super::parameter::SupportNumber;
 use super::push::Push;
 use crate::certificate::gauss;
-use crate::element::courses::Touch;
+use crate::element::operator::Touch;
 use crate::ground::link;
 use crate::mesh::deflection::Spot;
 use crate::model::SupportKind;
