@@ -1,6 +1,6 @@
 //! Load factors: which loads grow, and how far.
 
-use groundbeam::{Error, Load, LoadFactors, Model, load_factors};
+use groundbeam::{Error, Load, LoadFactors, Model, Options, load_factors_with};
 use groundbeam_file::Combination;
 
 /// The loads that grow.
@@ -34,7 +34,7 @@ impl Growing {
     }
 
     /// The factors, on the foundation of the model.
-    pub(crate) fn factors(&self, model: &Model) -> Result<Factors, Error> {
+    pub(crate) fn factors(&self, model: &Model, options: &Options) -> Result<Factors, Error> {
         // If no case is named, the loads on the beam grow. A temperature, a camber and loads on the ground beside the
         // beam stay as they are.
         let stays = |load: usize| {
@@ -43,6 +43,6 @@ impl Growing {
             self.cases.is_empty() && (curls || load.is_some_and(Load::is_on_ground))
         };
         let grows = |load: usize| self.grows.get(load).is_some_and(|&grows| grows && !stays(load));
-        Ok(Factors { found: load_factors(model, grows)?, cases: self.cases.clone() })
+        Ok(Factors { found: load_factors_with(model, options, grows)?, cases: self.cases.clone() })
     }
 }

@@ -6,7 +6,7 @@ use crate::growing::Growing;
 use crate::host::{Failed, Host};
 use crate::single::answered;
 use crate::trains::{ERROR, Reach, Sweep, Swept, checked};
-use groundbeam::{Error, Options, exists};
+use groundbeam::{Error, Options, check_memory, exists};
 use groundbeam_file::{Combination, Document, LoadCase, MovingTrain};
 use std::sync::Arc;
 
@@ -138,6 +138,9 @@ impl Run {
             }
             return Ok(answers);
         }
+        if self.combinations.len() > 1 {
+            check_memory(self.combinations.iter().map(|one| &one.model), &self.options)?;
+        }
         // Each is solved by itself and kept in its place: the same bits on any number of threads.
         let list = host.map(self.combinations.len(), |i| self.one(&self.combinations[i], host));
         let list = list.map_err(Failed::Stopped)?;
@@ -200,7 +203,8 @@ impl Run {
         let factors = growing.map(|growing| {
             let on_soil = answer.ground.as_ref().filter(|ground| ground.bed.is_some());
             let model = answer.model();
-            growing.factors(&on_soil.map_or_else(|| model.clone(), |g| g.subgrade.under(model)))
+            let model = on_soil.map_or_else(|| model.clone(), |g| g.subgrade.under(model));
+            growing.factors(&model, &self.options)
         });
         host.done();
         Ok(Answer { factors: factors.transpose()?, ..answer })

@@ -1,5 +1,6 @@
 //! The labels of answers: combination, ground, train and position, method.
 
+use groundbeam::{Error, Options, memory_estimate};
 use groundbeam_file::{Document, parse};
 use groundbeam_run::{Asked, Compare, Failed, Found, OneThread, Run};
 
@@ -74,4 +75,24 @@ fn a_check_solves_nothing_and_a_refused_model_has_no_answers() {
     wrong.model.beam.length = -1.0;
     let refused = Run::of(&wrong).solve(&OneThread);
     assert!(matches!(refused, Err(Failed::Refused(_))), "{refused:?}");
+}
+
+#[test]
+fn the_solutions_of_all_combinations_count_for_the_memory() {
+    let named =
+        |i: usize| format!("[[combination]]\nname = '{i}'\nfactors = {{ G = {} }}\n", i + 1);
+    let load = "[[load]]\npoint = 6e5\nat = 4\ncase = 'G'\n";
+    let many: String = (0..50).map(named).collect();
+    let run = Run::of(&document(&[BEAM, load, &many]));
+    let one = memory_estimate(&run.combinations()[0].model, &Options::default());
+    let limited = |memory_limit| {
+        let options = Options { memory_limit, ..Options::default() };
+        run.clone().with_options(options).solve(&OneThread)
+    };
+    // Each is within the limit, all together are not.
+    match limited(5 * one) {
+        Err(Failed::Refused(Error::TooLarge(refused))) => assert_eq!(refused.needed, 11 * one),
+        other => panic!("{other:?}"),
+    }
+    assert_eq!(limited(11 * one).unwrap().list.len(), 50);
 }

@@ -62,7 +62,7 @@ pub use contact::state::Step;
 pub use design::checks::{Check, Checked, Limits, overturning};
 pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
 pub use equilibrium::buckling::own_buckling_load;
-pub use equilibrium::size::memory_estimate;
+pub use equilibrium::size::{check_memory, memory_estimate};
 pub use error::{Error, NotConverged, Stopped, TooLarge};
 pub use existence::existence::{
     Buckling, Existence, Local, RigidMotion, Verdict, static_reactions_of as static_reactions,

@@ -277,7 +277,7 @@ mod tests {
     }
 
     /// The smallest distance that makes two positions of the beam different.
-    const APART: f64 = 5.0 * f64::EPSILON * 8.0;
+    const APART: f64 = 17.0 * f64::EPSILON * 8.0;
 
     #[test]
     fn nodes_are_the_ends_and_the_free_hinges_from_left_to_right() {
