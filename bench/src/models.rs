@@ -24,13 +24,16 @@ pub fn random_beams(count: usize) -> Vec<Model> {
         let shear = decade(rng, -2.0, 1.0);
         let mut model = Model::new(Beam::uniform(l, stiffness), Foundation::pasternak(1.0, shear));
         for _ in 0..rng.random_range(1..=12) {
-            model.loads.push(Load::point(rng.random_range(0.1..1.5), rng.random_range(0.0..l)));
+            let force = rng.random_range(0.1..1.5);
+            model.loads.push(Load::point_force(rng.random_range(0.0..l), force));
         }
         for _ in 0..rng.random_range(0..=4) {
-            model.loads.push(Load::point(-rng.random_range(0.05..0.4), rng.random_range(0.0..l)));
+            let force = -rng.random_range(0.05..0.4);
+            model.loads.push(Load::point_force(rng.random_range(0.0..l), force));
         }
         for _ in 0..rng.random_range(0..=2) {
-            model.loads.push(Load::moment(rng.random_range(-1.0..1.0), rng.random_range(0.0..l)));
+            let moment = rng.random_range(-1.0..1.0);
+            model.loads.push(Load::point_moment(rng.random_range(0.0..l), moment));
         }
         model
     })
@@ -49,12 +52,12 @@ pub fn footings(count: usize) -> Vec<Model> {
         let columns = rng.random_range(2..=4);
         for i in 0..columns {
             let at = l * (i as f64 + rng.random_range(0.2..0.8)) / f64::from(columns);
-            model.loads.push(Load::point(rng.random_range(1e5..1.5e6), at));
+            model.loads.push(Load::point_force(at, rng.random_range(1e5..1.5e6)));
             if rng.random_range(0..3) == 0 {
-                model.loads.push(Load::moment(rng.random_range(-1.5e6..1.5e6), at));
+                model.loads.push(Load::point_moment(at, rng.random_range(-1.5e6..1.5e6)));
             }
         }
-        model.loads.push(Load::uniform(24e3 * width * depth, 0.0, l));
+        model.loads.push(Load::uniform_force(0.0, l, 24e3 * width * depth));
         model.loads.truncate(6);
         model
     })
@@ -66,11 +69,11 @@ pub fn rail(length: f64, number: u64) -> Model {
     let mut rng = ChaCha8Rng::seed_from_u64(number);
     // UIC60 on ballast with a shear layer; its own weight with half the sleepers'.
     let mut model = Model::new(Beam::uniform(length, 6.4e6), Foundation::pasternak(30e6, 2e6));
-    model.loads.push(Load::uniform(2500.0, 0.0, length));
+    model.loads.push(Load::uniform_force(0.0, length, 2500.0));
     let mut at = 2.0;
     let mut axle = 0;
     while at < length - 1.0 {
-        model.loads.push(Load::point(rng.random_range(4e4..1.1e5), at));
+        model.loads.push(Load::point_force(at, rng.random_range(4e4..1.1e5)));
         // Wagons of four axles; now and then a longer gap between them.
         axle += 1;
         at += match axle % 4 {

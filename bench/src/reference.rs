@@ -4,7 +4,7 @@
 //! sign is looked at: no force pulls, and the beam lies nowhere below the ground. If all are right the set is the right one, whoever proposed it, since the problem is convex.
 
 use crate::quad::Quad;
-use groundbeam::{Load, Model};
+use groundbeam::{Action, Extent, Model};
 
 /// What came out.
 pub struct Reference {
@@ -226,14 +226,14 @@ fn loads(model: &Model, rows: &[Row], last: usize) -> (Vec<[Quad; 2]>, f64) {
     let mut even = 0.0;
     let node = |x: f64| rows.iter().find(|row| row.0 >= x * (1.0 - 1e-12)).map_or(last, |r| r.1);
     for load in &model.loads {
-        match *load {
-            Load::PointForce { at, force } => {
+        match (load.action(), load.extent()) {
+            (Action::Force, Extent::Point { at, size: force }) => {
                 at_nodes[node(at)][0] = at_nodes[node(at)][0] + Quad::from(force);
             }
-            Load::PointMoment { at, moment } => {
+            (Action::Moment, Extent::Point { at, size: moment }) => {
                 at_nodes[node(at)][1] = at_nodes[node(at)][1] + Quad::from(moment);
             }
-            Load::Distributed { start, .. } => even += start,
+            (Action::Force, Extent::Distributed { start, .. }) => even += start,
             _ => {}
         }
     }

@@ -11,8 +11,8 @@ pub const ELEMENTS: [usize; 6] = [10, 20, 40, 80, 160, 320];
 /// Kikuchi's example, l = EI = μ = k = 1 with f₀ = 1 and M₀ at mid-length.
 pub fn kikuchi(moment: f64) -> Model {
     Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
-        .with_load(Load::point(1.0, 0.5))
-        .with_load(Load::moment(moment, 0.5))
+        .with_load(Load::point_force(0.5, 1.0))
+        .with_load(Load::point_moment(0.5, moment))
 }
 
 /// The same beam on separate springs.

@@ -22,8 +22,8 @@ const DIAGRAM: f64 = 80.0;
 
 fn model(at: f64) -> Model {
     Model::new(Beam::uniform(LENGTH, 1.28e9), Foundation::pasternak(40e6, 9e6))
-        .with_load(Load::point(900e3, at))
-        .with_load(Load::uniform(10e3, 0.0, LENGTH))
+        .with_load(Load::point_force(at, 900e3))
+        .with_load(Load::uniform_force(0.0, LENGTH, 10e3))
 }
 
 /// The picture, an SVG file that a browser sets in motion by itself.

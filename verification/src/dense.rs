@@ -4,7 +4,7 @@
 //! stiffness by the deflections and slopes of both ends as textbooks print it, G by its formula (2.4).
 
 use crate::element;
-use groundbeam::{Load, Model};
+use groundbeam::{Action, Extent, Model};
 
 /// Minimise ½WᵀKW + ½uᵀAu − FᵀW subject to u ≥ w, with A = G⁻¹.
 #[derive(Debug, Clone)]
@@ -50,10 +50,12 @@ impl Dense {
         }
         let mut load = vec![0.0; size];
         for l in &model.loads {
-            match *l {
-                Load::PointForce { at, force } => load[2 * node(at)] += force,
-                Load::PointMoment { at, moment } => load[2 * node(at) + 1] += moment,
-                Load::Distributed { start, .. } => {
+            match (l.action(), l.extent()) {
+                (Action::Force, Extent::Point { at, size: force }) => load[2 * node(at)] += force,
+                (Action::Moment, Extent::Point { at, size: moment }) => {
+                    load[2 * node(at) + 1] += moment
+                }
+                (Action::Force, Extent::Distributed { start, .. }) => {
                     for e in 0..elements {
                         load[2 * e] += 0.5 * start * h;
                         load[2 * e + 1] += start * h * h / 12.0;
@@ -62,7 +64,7 @@ impl Dense {
                     }
                 }
                 // The moments EI κ₀ at both ends of each element, which turn them apart.
-                Load::Curvature { start, .. } => {
+                (Action::Curvature, Extent::Distributed { start, .. }) => {
                     for e in 0..elements {
                         load[2 * e + 1] -= ei * start;
                         load[2 * e + 3] += ei * start;

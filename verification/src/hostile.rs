@@ -169,7 +169,7 @@ pub fn model(number: u64) -> Model {
     ends(&mut ground, length, dice);
     let mut model = Model::new(beam, ground);
     if dice.happens(2) {
-        model = model.with_load(Load::uniform(force / length, 0.0, length));
+        model = model.with_load(Load::uniform_force(0.0, length, force / length));
     }
     for _ in 0..dice.up_to(5) {
         let load = load(length, places, dice);
@@ -234,21 +234,13 @@ fn load(length: f64, places: &mut Vec<f64>, dice: &mut Dice) -> Load {
     let [from, to] = dice.stretch(places);
     let (start, end) = (dice.signed() / length, dice.signed() / length);
     match dice.up_to(12) {
-        0..=3 => Load::PointForce { at, force: dice.signed() },
-        4 | 5 => Load::PointMoment { at, moment: dice.signed() * length },
-        6..=8 => Load::Distributed { from, to, start, end },
-        9 => Load::DistributedMoment { from, to, start: start * length, end: end * length },
-        10 => Load::Curvature { from, to, start, end },
-        11 => Load::GroundForce {
-            at: at + dice.one_of(&[0.0, 0.0, length, -length]),
-            force: dice.size(),
-        },
-        _ => Load::GroundDistributed {
-            from,
-            to,
-            start: dice.size() / length,
-            end: dice.size() / length,
-        },
+        0..=3 => Load::point_force(at, dice.signed()),
+        4 | 5 => Load::point_moment(at, dice.signed() * length),
+        6..=8 => Load::distributed_force(from, to, start, end),
+        9 => Load::distributed_moment(from, to, start * length, end * length),
+        10 => Load::distributed_curvature(from, to, start, end),
+        11 => Load::ground_force(at + dice.one_of(&[0.0, 0.0, length, -length]), dice.size()),
+        _ => Load::distributed_ground_force(from, to, dice.size() / length, dice.size() / length),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Beams that shear by elements of the plainest kind: w, φ and u linear between nodes, the shear strain at one point
 //! of each element (Hughes, Taylor and Kanoknukulchai 1977), contact at nodes, tried until it fits.
 
-use groundbeam::{Load, Model, SupportKind};
+use groundbeam::{Action, Extent, Model, SupportKind};
 
 /// A deflection at even nodes.
 #[derive(Debug, Clone)]
@@ -80,10 +80,14 @@ impl Mesh {
             ],
         };
         for load in &model.loads {
-            match *load {
-                Load::PointForce { at, force } => mesh.loads[node(at)][W] += force,
-                Load::PointMoment { at, moment } => mesh.loads[node(at)][TURN] += moment,
-                Load::Distributed { start, .. } => {
+            match (load.action(), load.extent()) {
+                (Action::Force, Extent::Point { at, size: force }) => {
+                    mesh.loads[node(at)][W] += force
+                }
+                (Action::Moment, Extent::Point { at, size: moment }) => {
+                    mesh.loads[node(at)][TURN] += moment
+                }
+                (Action::Force, Extent::Distributed { start, .. }) => {
                     for (i, loads) in mesh.loads.iter_mut().enumerate() {
                         let part = if i == 0 || i == elements { 0.5 } else { 1.0 };
                         loads[W] += part * h * start;

@@ -282,15 +282,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
 }
 
 fn size_of(load: &Load, length: f64) -> f64 {
-    match *load {
-        Load::PointForce { force, .. } => force.abs(),
-        Load::PointMoment { moment, .. } => moment.abs() / length,
-        Load::Distributed { from, to, start, end } => 0.5 * (start.abs() + end.abs()) * (to - from),
-        Load::DistributedMoment { from, to, start, end } => {
-            0.5 * (start.abs() + end.abs()) * (to - from) / length
-        }
-        Load::Curvature { .. } | Load::GroundForce { .. } | Load::GroundDistributed { .. } => 0.0,
-    }
+    if load.is_on_ground() { 0.0 } else { load.as_force(length) }
 }
 
 fn load<R: Rng>(model: &mut Model, family: Family, lambda_l: f64, dice: &mut Dice<R>) {
@@ -307,13 +299,13 @@ fn load<R: Rng>(model: &mut Model, family: Family, lambda_l: f64, dice: &mut Dic
                 let force = dice.even(0.2, 2.0);
                 let up = if matches!(family, Family::Long | Family::Extreme) { 0.2 } else { 0.15 };
                 let sign = if dice.happens(up) { -0.4 } else { 1.0 };
-                model.loads.push(Load::point(sign * force, at));
+                model.loads.push(Load::point_force(at, sign * force));
             }
             6 => {
                 let arm: f64 = if family == Family::Long { 0.01 } else { 0.2 };
                 let hard = matches!(family, Family::Hard | Family::Extreme);
                 let arm = if hard { arm.min(1.0 / lambda_l) } else { arm };
-                model.loads.push(Load::moment(dice.even(-1.0, 1.0) * arm * l, at));
+                model.loads.push(Load::point_moment(at, dice.even(-1.0, 1.0) * arm * l));
             }
             kind => {
                 let (mut from, mut to) = (dice.place(), dice.place());
@@ -328,9 +320,9 @@ fn load<R: Rng>(model: &mut Model, family: Family, lambda_l: f64, dice: &mut Dic
                 let (start, end) = (dice.even(-0.1, 1.0) * size, dice.even(-0.1, 1.0) * size);
                 model.loads.push(if kind == 9 {
                     let arm = 0.1 * l / lambda_l.max(1.0);
-                    Load::DistributedMoment { from, to, start: start * arm, end: end * arm }
+                    Load::distributed_moment(from, to, start * arm, end * arm)
                 } else {
-                    Load::Distributed { from, to, start, end }
+                    Load::distributed_force(from, to, start, end)
                 });
             }
         }
@@ -353,14 +345,14 @@ fn bring_to_the_edge<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     let wanted = total * share * l;
     let moment = wanted - existence.static_reactions[1] * l;
     let at = dice.place() * l;
-    model.loads.push(Load::moment(moment, at));
+    model.loads.push(Load::point_moment(at, moment));
 }
 
 /// Adds an even load, and the rest at a factor next to the one at which the beam first leaves the ground.
 fn bring_to_lift_off<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     let (l, own) = (model.beam.length, model.loads.len());
     let size: f64 = model.loads.iter().map(|load| size_of(load, l)).sum();
-    model.loads.push(Load::uniform(size / l * dice.decades(-1.0, 1.0), 0.0, l));
+    model.loads.push(Load::uniform_force(0.0, l, size / l * dice.decades(-1.0, 1.0)));
     let found = load_factors(model, |load| load < own);
     if let Ok(LoadFactors { first_lift_off: FirstLiftOff::At { factor, .. }, .. }) = found {
         let beside = dice.decades(-12.0, -2.0);

@@ -1,6 +1,6 @@
 //! The multiprecision answers in `reference/answers`, and how far a solution is from them.
 
-use groundbeam::{Field, Load, Model, Side, Solution};
+use groundbeam::{Extent, Field, Model, Side, Solution};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -83,9 +83,9 @@ impl Answer {
     }
 
     fn loaded_near(&self, x: f64, near: f64) -> bool {
-        self.parsed().loads.iter().any(|load| match *load {
-            Load::PointForce { at, .. } | Load::PointMoment { at, .. } => (at - x).abs() <= near,
-            _ => false,
+        self.parsed().beam_loads().any(|load| match load.extent() {
+            Extent::Point { at, .. } => (at - x).abs() <= near,
+            Extent::Distributed { .. } => false,
         })
     }
 

@@ -5,7 +5,7 @@
 //! beams on uniform separate springs, of which it is an approximation of second order.
 
 use crate::element;
-use groundbeam::{Acts, Load, Model, SupportKind};
+use groundbeam::{Action, Acts, Extent, Model, SupportKind};
 
 /// Newton's steps that one compression may take.
 const MOST_STEPS: usize = 40;
@@ -69,10 +69,12 @@ impl Meshed {
         }
         let node = |x: f64| (x / h).round() as usize;
         for l in &model.loads {
-            match *l {
-                Load::PointForce { at, force } => load[2 * node(at)] += force,
-                Load::PointMoment { at, moment } => load[2 * node(at) + 1] += moment,
-                Load::Distributed { start, .. } => {
+            match (l.action(), l.extent()) {
+                (Action::Force, Extent::Point { at, size: force }) => load[2 * node(at)] += force,
+                (Action::Moment, Extent::Point { at, size: moment }) => {
+                    load[2 * node(at) + 1] += moment
+                }
+                (Action::Force, Extent::Distributed { start, .. }) => {
                     for e in 0..elements {
                         load[2 * e] += 0.5 * start * h;
                         load[2 * e + 1] += start * h * h / 12.0;

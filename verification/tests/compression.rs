@@ -58,7 +58,7 @@ fn pinned_beams_buckle_in_waves() {
     let (ei, k, q) = (2.0, 3.0, 0.7);
     for (l, mu) in [(2.0, 0.0), (3.0, 0.4), (6.0, 0.0), (11.0, 5.0), (30.0, 0.1)] {
         let mut model = Model::new(Beam::uniform(l, ei), Foundation::pasternak(k, mu))
-            .with_load(Load::uniform(q, 0.0, l))
+            .with_load(Load::uniform_force(0.0, l, q))
             .with_support(Support::pinned(0.0))
             .with_support(Support::pinned(l))
             .with_gap(0.0, -q / k)
@@ -113,7 +113,7 @@ fn free_beams_buckle_as_hetenyi_says() {
         let root = |odd: bool| first_root(|p| determinant(p, odd), most / 4096.0);
         let wanted = root(true).min(root(false));
         let model = Model::new(Beam::uniform(l, ei), Foundation::winkler(k))
-            .with_load(Load::uniform(0.7, 0.0, l));
+            .with_load(Load::uniform_force(0.0, l, 0.7));
         near(critical(&compressed(&model, 0.1 * wanted)), wanted, 1e-8);
         let (solution, found) = local(&compressed(&model, 0.75 * wanted));
         near(found.stability_margin, 0.25, 1e-8);
@@ -147,7 +147,7 @@ fn hobbs_upheaval_over_a_prop() {
     let mut errors = Vec::new();
     for stiffness in [1e2, 1e3, 1e4, 1e5, 1e6] {
         let model = Model::new(Beam::uniform(l, ei), Foundation::winkler(stiffness * q / h))
-            .with_load(Load::uniform(q, 0.0, l))
+            .with_load(Load::uniform_force(0.0, l, q))
             .with_gap(0.5 * l - prop, 0.0)
             .with_gap(0.5 * l, -h)
             .with_gap(0.5 * l + prop, 0.0);
@@ -167,19 +167,25 @@ fn hobbs_upheaval_over_a_prop() {
 fn with_lift_off() -> Vec<Model> {
     let beam = |l: f64| Model::new(Beam::uniform(l, 1.0), Foundation::winkler(1.0));
     vec![
-        beam(5.0).with_load(Load::uniform(1.0, 0.0, 5.0)).with_load(Load::point(3.0, 2.0)),
-        beam(10.0).with_load(Load::uniform(1.0, 0.0, 10.0)).with_load(Load::moment(2.0, 3.0)),
-        beam(12.0).with_load(Load::uniform(0.3, 0.0, 12.0)).with_load(Load::point(1.0, 6.0)),
+        beam(5.0)
+            .with_load(Load::uniform_force(0.0, 5.0, 1.0))
+            .with_load(Load::point_force(2.0, 3.0)),
+        beam(10.0)
+            .with_load(Load::uniform_force(0.0, 10.0, 1.0))
+            .with_load(Load::point_moment(3.0, 2.0)),
         beam(12.0)
-            .with_load(Load::uniform(0.3, 0.0, 12.0))
+            .with_load(Load::uniform_force(0.0, 12.0, 0.3))
+            .with_load(Load::point_force(6.0, 1.0)),
+        beam(12.0)
+            .with_load(Load::uniform_force(0.0, 12.0, 0.3))
             .with_gap(0.0, 0.0)
             .with_gap(5.0, 0.0)
             .with_gap(6.0, -0.2)
             .with_gap(7.5, 0.0),
         beam(8.0)
-            .with_load(Load::point(1.0, 2.0))
-            .with_load(Load::point(1.0, 6.0))
-            .with_load(Load::point(-0.2, 4.0)),
+            .with_load(Load::point_force(2.0, 1.0))
+            .with_load(Load::point_force(6.0, 1.0))
+            .with_load(Load::point_force(4.0, -0.2)),
     ]
 }
 
@@ -245,7 +251,7 @@ fn the_energy_changes_by_the_shortening() {
 #[test]
 fn what_nothing_holds_buckles_at_once() {
     let beam = Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0));
-    let over_the_end = beam.clone().with_load(Load::point(1.0, 0.0));
+    let over_the_end = beam.clone().with_load(Load::point_force(0.0, 1.0));
     let unloaded = beam.clone();
     for model in [over_the_end, unloaded] {
         let Verdict::Buckles(mode) = exists(&compressed(&model, 1e-3)).expect("a verdict").verdict
@@ -254,7 +260,7 @@ fn what_nothing_holds_buckles_at_once() {
         };
         assert_eq!(mode.critical_compression, 0.0);
     }
-    let tips = beam.with_load(Load::point(1.0, 3.0)).with_load(Load::moment(2.0, 1.0));
+    let tips = beam.with_load(Load::point_force(3.0, 1.0)).with_load(Load::point_moment(1.0, 2.0));
     let found = exists(&compressed(&tips, 1e-3)).expect("a verdict").verdict;
     assert!(matches!(found, Verdict::None(motion) if motion.left == -1.0), "{found:?}");
 }

@@ -51,7 +51,7 @@ fn pinned_beams_that_shear_buckle_in_waves() {
             Beam::uniform(l, ei).with_shear_stiffness(shear),
             Foundation::pasternak(k, mu),
         )
-        .with_load(Load::uniform(q, 0.0, l))
+        .with_load(Load::uniform_force(0.0, l, q))
         .with_support(Support::pinned(0.0))
         .with_support(Support::pinned(l))
         .with_gap(0.0, -q / k)
@@ -80,7 +80,7 @@ fn a_beam_soft_in_shear_folds() {
         Beam::uniform(4.0, 2.0).with_shear_stiffness(shear),
         Foundation::pasternak(k, mu),
     )
-    .with_load(Load::uniform(1.0, 0.0, 4.0));
+    .with_load(Load::uniform_force(0.0, 4.0, 1.0));
     let found = critical(&compressed(&model, 0.1));
     assert!(found < shear + mu, "{found}");
     // The end of an endless beam is worse off than its middle.
@@ -158,8 +158,8 @@ fn free_beams_that_shear() {
             };
             let wanted = first(true).min(first(false));
             let beam = Beam::uniform(l, ei).with_shear_stiffness(shear);
-            let model =
-                Model::new(beam, Foundation::winkler(k)).with_load(Load::uniform(0.7, 0.0, l));
+            let model = Model::new(beam, Foundation::winkler(k))
+                .with_load(Load::uniform_force(0.0, l, 0.7));
             near(critical(&compressed(&model, 0.1 * wanted)), wanted, 1e-8);
             let (solution, found) = local(&compressed(&model, 0.75 * wanted));
             near(found.stability_margin, 0.25, 1e-8);
@@ -171,10 +171,14 @@ fn free_beams_that_shear() {
 fn with_lift_off() -> Vec<Model> {
     let beam = |l: f64| Model::new(Beam::uniform(l, 1.0), Foundation::pasternak(1.0, 0.3));
     vec![
-        beam(5.0).with_load(Load::uniform(1.0, 0.0, 5.0)).with_load(Load::point(3.0, 2.0)),
-        beam(10.0).with_load(Load::uniform(1.0, 0.0, 10.0)).with_load(Load::moment(2.0, 3.0)),
+        beam(5.0)
+            .with_load(Load::uniform_force(0.0, 5.0, 1.0))
+            .with_load(Load::point_force(2.0, 3.0)),
+        beam(10.0)
+            .with_load(Load::uniform_force(0.0, 10.0, 1.0))
+            .with_load(Load::point_moment(3.0, 2.0)),
         beam(12.0)
-            .with_load(Load::uniform(0.3, 0.0, 12.0))
+            .with_load(Load::uniform_force(0.0, 12.0, 0.3))
             .with_gap(0.0, 0.0)
             .with_gap(4.8, 0.0)
             .with_gap(6.0, -0.2)
@@ -232,12 +236,12 @@ fn linear_elements_find_the_same() {
 fn on_bearings() -> Vec<Model> {
     let beam = |l: f64| {
         Model::new(Beam::uniform(l, 1.0), Foundation::winkler(1.0))
-            .with_load(Load::uniform(1.0, 0.0, l))
+            .with_load(Load::uniform_force(0.0, l, 1.0))
     };
     vec![
         // A bearing that the beam leaves as it rises from it.
         beam(10.0)
-            .with_load(Load::moment(2.0, 3.0))
+            .with_load(Load::point_moment(3.0, 2.0))
             .with_support(Support::pinned(1.25).settled(0.65).acting(Acts::Up)),
         // A strap above the hump, met on the way.
         beam(12.0)
@@ -257,7 +261,7 @@ fn on_bearings() -> Vec<Model> {
         // A pipe over a bearing prop, and one under a force that lifts its end off a bearing.
         beam(16.0).with_support(Support::pinned(8.0).settled(-0.6).acting(Acts::Up)),
         beam(8.0)
-            .with_load(Load::point(4.0, 6.0))
+            .with_load(Load::point_force(6.0, 4.0))
             .with_support(Support::pinned(0.0).settled(1.0).acting(Acts::Up))
             .with_support(Support::pinned(8.0).settled(1.1).acting(Acts::Up)),
     ]
@@ -308,7 +312,7 @@ fn a_bearing_holds_no_beam_from_rising() {
         .with_gap(2.0, 1.0)
         .with_support(Support::pinned(0.0))
         .with_support(Support::pinned(2.0))
-        .with_load(Load::uniform(0.1, 0.0, 2.0));
+        .with_load(Load::uniform_force(0.0, 2.0, 0.1));
     let euler = 3.0 * PI * PI / 4.0;
     near(own_buckling_load(&column), euler, 1e-11);
     // With a bearing at midspan, which the weight presses: the second mode, where nothing leaves it.

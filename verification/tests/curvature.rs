@@ -39,10 +39,11 @@ fn alike(curled: &Solution, bent: &Solution, more: impl Fn(f64) -> [f64; 2]) {
 fn an_even_curvature_is_a_pair_of_moments() {
     for foundation in [Foundation::pasternak(1.0, 0.3), Foundation::winkler(2.0)] {
         let plain = Model::new(Beam::uniform(6.0, 1.5), foundation)
-            .with_load(Load::point(1.0, 2.0))
-            .with_load(Load::uniform(0.4, 0.0, 6.0));
-        let curled = solved(&plain.clone().with_load(Load::curvature(0.2, 1.0, 4.5)));
-        let moments = plain.with_load(Load::moment(-0.3, 1.0)).with_load(Load::moment(0.3, 4.5));
+            .with_load(Load::point_force(2.0, 1.0))
+            .with_load(Load::uniform_force(0.0, 6.0, 0.4));
+        let curled = solved(&plain.clone().with_load(Load::uniform_curvature(1.0, 4.5, 0.2)));
+        let moments =
+            plain.with_load(Load::point_moment(1.0, -0.3)).with_load(Load::point_moment(4.5, 0.3));
         alike(&curled, &solved(&moments), |x| [if x > 1.0 && x <= 4.5 { 0.3 } else { 0.0 }, 0.0]);
         assert!(curled.certificate().relative_gap() < 1e-26);
     }
@@ -54,16 +55,16 @@ fn a_varying_curvature_of_a_varying_beam_is_a_spread_moment() {
     let (l, ei, curvature) = (4.0, |x: f64| 2.0 - 0.25 * x, |x: f64| 0.1 + 0.05 * x);
     let beam = Beam::uniform(l, 1.0).with_varying_segment(0.0, l, Profile::linear(ei(0.0), ei(l)));
     let plain = Model::new(beam, Foundation::pasternak(1.5, 0.4))
-        .with_load(Load::point(0.7, 1.3))
-        .with_load(Load::uniform(0.3, 0.0, l));
-    let load = Load::Curvature { from: 0.0, to: l, start: curvature(0.0), end: curvature(l) };
+        .with_load(Load::point_force(1.3, 0.7))
+        .with_load(Load::uniform_force(0.0, l, 0.3));
+    let load = Load::distributed_curvature(0.0, l, curvature(0.0), curvature(l));
     let curled = plain.clone().with_load(load);
     let moment = |x: f64| ei(x) * curvature(x);
     let rise = |x: f64| 0.05 * ei(x) - 0.25 * curvature(x);
-    let spread = Load::DistributedMoment { from: 0.0, to: l, start: -rise(0.0), end: -rise(l) };
+    let spread = Load::distributed_moment(0.0, l, -rise(0.0), -rise(l));
     let bent = plain
-        .with_load(Load::moment(-moment(0.0), 0.0))
-        .with_load(Load::moment(moment(l), l))
+        .with_load(Load::point_moment(0.0, -moment(0.0)))
+        .with_load(Load::point_moment(l, moment(l)))
         .with_load(spread);
     alike(&solved(&curled), &solved(&bent), |x| [moment(x), rise(x)]);
     // On a mesh the two are the same mesh's answer as well.
@@ -82,10 +83,10 @@ fn the_end_of_a_long_slab_curls_as_westergaard_says() {
     let (l, k, lambda, curvature) = (60.0, 4.0, 1.0_f64, 0.1);
     let ei = k / (4.0 * lambda.powi(4));
     let slab = Model::new(Beam::uniform(l, ei), Foundation::winkler(k))
-        .with_load(Load::uniform(0.5, 0.0, l));
+        .with_load(Load::uniform_force(0.0, l, 0.5));
     for sign in [1.0, -1.0] {
         let curvature = sign * curvature;
-        let found = solved(&slab.clone().with_load(Load::curvature(curvature, 0.0, l)));
+        let found = solved(&slab.clone().with_load(Load::uniform_curvature(0.0, l, curvature)));
         assert_eq!(found.contact().len(), 1);
         close(found.contact()[0].to, l, 0.0);
         for i in 0..=100 {
@@ -105,8 +106,8 @@ fn the_end_of_a_long_slab_curls_as_westergaard_says() {
 fn a_curled_beam_stands_on_its_ends() {
     let (l, ei, q, curvature, k, mu) = (4.0_f64, 2.0, 0.03, 0.5, 40.0, 90.0);
     let model = Model::new(Beam::uniform(l, ei), Foundation::pasternak(k, mu))
-        .with_load(Load::uniform(q, 0.0, l))
-        .with_load(Load::curvature(curvature, 0.0, l));
+        .with_load(Load::uniform_force(0.0, l, q))
+        .with_load(Load::uniform_curvature(0.0, l, curvature));
     let found = solved(&model);
     assert_eq!(
         found.contact().iter().map(|c| (c.from, c.to)).collect::<Vec<_>>(),
@@ -132,7 +133,7 @@ fn supports_decide_what_a_curvature_does() {
     let with = |beam: &Beam, left: Support, right: Support| {
         let model = Model::new(beam.clone(), Foundation::winkler(1.0));
         let model = model.with_support(left).with_support(right);
-        solved(&model.with_load(Load::curvature(curvature, 0.0, l)))
+        solved(&model.with_load(Load::uniform_curvature(0.0, l, curvature)))
     };
     let even = Beam::uniform(l, 1.5);
     for beam in [&even, &haunched] {
@@ -159,8 +160,8 @@ fn supports_decide_what_a_curvature_does() {
 fn the_temperature_at_which_a_slab_first_lifts() {
     let (l, k, q) = (60.0, 4.0, 0.5);
     let slab = Model::new(Beam::uniform(l, 1.0), Foundation::winkler(k))
-        .with_load(Load::uniform(q, 0.0, l))
-        .with_load(Load::curvature(1.0, 0.0, l));
+        .with_load(Load::uniform_force(0.0, l, q))
+        .with_load(Load::uniform_curvature(0.0, l, 1.0));
     let found = load_factors(&slab, |load| load == 1).expect("factors");
     let groundbeam::FirstLiftOff::At { factor, .. } = found.first_lift_off else {
         panic!("{found:?}")

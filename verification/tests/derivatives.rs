@@ -3,7 +3,7 @@
 use groundbeam::sensitivity::{
     Extent, Gradient, LoadNumber, OneSided, Output, Parameter, Property, SupportNumber,
 };
-use groundbeam::{Field, Load, Model, Options, Outcome, Side, Solution, solve, solve_near};
+use groundbeam::{Action, Field, Load, Model, Options, Outcome, Side, Solution, solve, solve_near};
 use groundbeam_verification::random::{Family, model};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -58,17 +58,12 @@ fn largest(solution: &Solution, field: Field) -> f64 {
 }
 
 fn size_of(load: &Load, l: f64) -> f64 {
-    match *load {
-        Load::PointForce { force, .. } | Load::GroundForce { force, .. } => force.abs(),
-        Load::PointMoment { moment, .. } => moment.abs() / l,
-        Load::Distributed { from, to, start, end }
-        | Load::GroundDistributed { from, to, start, end } => {
-            (start.abs() + end.abs()) * (to - from)
-        }
-        Load::DistributedMoment { from, to, start, end } => {
-            (start.abs() + end.abs()) * (to - from) / l
-        }
-        Load::Curvature { .. } => 0.0,
+    let extent = load.extent();
+    let total = if extent.is_distributed() { 2.0 * extent.total() } else { extent.total() };
+    match load.action() {
+        Action::Force => total,
+        Action::Moment => total / l,
+        Action::Curvature => 0.0,
     }
 }
 
@@ -140,13 +135,10 @@ fn unit(solution: &Solution, parameter: Parameter) -> f64 {
     match parameter {
         Parameter::AxialForce => own.max(0.1 * model.beam.bending_stiffness / (l * l)),
         Parameter::Load(_, LoadNumber::At | LoadNumber::From | LoadNumber::To) => l,
-        Parameter::Load(i, _) => match model.loads[i] {
-            Load::Distributed { start, end, .. }
-            | Load::DistributedMoment { start, end, .. }
-            | Load::Curvature { start, end, .. }
-            | Load::GroundDistributed { start, end, .. } => start.abs().max(end.abs()),
-            _ => own,
-        },
+        Parameter::Load(i, _) if model.loads[i].extent().is_distributed() => {
+            model.loads[i].extent().largest()
+        }
+        Parameter::Load(..) => own,
         Parameter::Gap(_) | Parameter::Support(_, SupportNumber::Settlement) => {
             largest(solution, Field::Deflection)
         }

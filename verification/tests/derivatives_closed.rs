@@ -4,8 +4,8 @@ use groundbeam::sensitivity::{
     Extent, LoadNumber, NotDifferentiable, OneSided, Output, Parameter, Property, SupportNumber,
 };
 use groundbeam::{
-    Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Side, Solution, Support, solve,
-    solve_with,
+    Action, Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Side, Solution,
+    Support, solve, solve_with,
 };
 use groundbeam_verification::random::{Family, model};
 
@@ -33,7 +33,7 @@ fn influence_lines_of_a_beam_on_two_supports() {
         .with_gap(0.0, 1e3)
         .with_support(Support::pinned(0.0))
         .with_support(Support::pinned(l))
-        .with_load(Load::point(force, a));
+        .with_load(Load::point_force(a, force));
     let solution = solved(&model);
     let settles = |i| Parameter::Support(i, SupportNumber::Settlement);
     let by = [
@@ -68,7 +68,7 @@ fn a_beam_on_two_supports_that_shears() {
         .with_gap(0.0, 1e3)
         .with_support(Support::pinned(0.0))
         .with_support(Support::pinned(l))
-        .with_load(Load::point(force, a));
+        .with_load(Load::point_force(a, force));
     let solution = solved(&model);
     let by = [
         Parameter::Load(0, LoadNumber::Size),
@@ -106,7 +106,7 @@ fn a_beam_on_two_supports_that_shears() {
 fn an_even_load_on_even_springs() {
     let (l, k, q) = (3.0, 4.0, 2.0);
     let model = Model::new(Beam::uniform(l, 5.0), Foundation::winkler(k))
-        .with_load(Load::uniform(q, 0.0, l));
+        .with_load(Load::uniform_force(0.0, l, q));
     let solution = solved(&model);
     let by = [
         Parameter::Value(Property::Spring, Extent::Whole),
@@ -128,7 +128,7 @@ fn an_even_load_on_even_springs() {
 fn the_edge_under_a_rigid_beam() {
     let (l, e) = (6.0, 1.5);
     let model = Model::new(Beam::uniform(l, 1e9), Foundation::winkler(1.0))
-        .with_load(Load::point(2.0, 0.5 * l - e));
+        .with_load(Load::point_force(0.5 * l - e, 2.0));
     let solution = solved(&model);
     let by = [
         Parameter::Load(0, LoadNumber::At),
@@ -156,7 +156,7 @@ fn homogeneous_functions() {
     ] {
         for number in 100..140 {
             let model = model(family, number);
-            let curls = model.loads.iter().any(|load| matches!(load, Load::Curvature { .. }));
+            let curls = model.loads.iter().any(|load| load.action() == Action::Curvature);
             let imposed = !model.gap.is_empty() || curls;
             if imposed || !model.supports.is_empty() || !model.hinges.is_empty() {
                 continue;
@@ -208,8 +208,8 @@ fn homogeneous_functions() {
 fn what_is_about_to_change_is_said() {
     let at = |moment: f64| {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
-            .with_load(Load::point(1.0, 0.5))
-            .with_load(Load::moment(moment, 0.5));
+            .with_load(Load::point_force(0.5, 1.0))
+            .with_load(Load::point_moment(0.5, moment));
         let solution = solved(&model);
         let output = Output::EndForce(Side::Left);
         let gradient =
@@ -226,7 +226,7 @@ fn what_is_about_to_change_is_said() {
 #[test]
 fn what_has_no_derivatives_is_refused() {
     let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::winkler(1.0))
-        .with_load(Load::point(1.0, 0.5));
+        .with_load(Load::point_force(0.5, 1.0));
     let output = [Output::Largest(Field::Deflection)];
     let by = |parameter| solved(&model).gradients(&output, &[parameter]).map(|_| ());
     let mu = Parameter::Value(Property::Shear, Extent::Whole);

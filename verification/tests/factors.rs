@@ -22,7 +22,7 @@ fn weighted(family: Family, number: u64) -> Model {
     let depth = model.gap.iter().map(|corner| corner.value).fold(0.0, f64::max);
     let share = [0.01, 0.3, 3.0][number as usize % 3];
     let weight = 3.0 * model.foundation.spring * depth + share / l;
-    model.loads.push(Load::uniform(weight, 0.0, l));
+    model.loads.push(Load::uniform_force(0.0, l, weight));
     model
 }
 
@@ -222,9 +222,9 @@ fn a_bearing_is_left_before_the_ground_is() {
     let (l, q, k, down) = (2.0, 3.0, 5.0, 0.4);
     // The bearing holds the left end at δ < q/k, so that it carries some of the weight.
     let model = Model::new(Beam::uniform(l, 1e9), Foundation::winkler(k))
-        .with_load(Load::uniform(q, 0.0, l))
+        .with_load(Load::uniform_force(0.0, l, q))
         .with_support(Support::pinned(0.0).settled(down).acting(Acts::Up))
-        .with_load(Load::point(1.0, l));
+        .with_load(Load::point_force(l, 1.0));
     let found = load_factors(&model, |load| load == 1).expect("factors");
     // Without the bearing w(0) = q/k − 2F/(kl): it is left at F where that is δ, and the ground where it is 0.
     let wanted = 0.5 * q * l;
@@ -251,9 +251,9 @@ fn a_bearing_is_left_before_the_ground_is() {
 #[test]
 fn a_neighbour_that_grows() {
     let model = Model::new(Beam::uniform(4.0, 40.0), Foundation::pasternak(2.0, 3.0))
-        .with_load(Load::uniform(1.0, 0.0, 4.0))
-        .with_load(Load::GroundForce { at: -0.3, force: 1.0 })
-        .with_load(Load::moment(0.2, 1.0));
+        .with_load(Load::uniform_force(0.0, 4.0, 1.0))
+        .with_load(Load::ground_force(-0.3, 1.0))
+        .with_load(Load::point_moment(1.0, 0.2));
     let found = load_factors(&model, |load| load == 1).expect("factors");
     let FirstLiftOff::At { factor, x } = found.first_lift_off else { panic!("{found:?}") };
     assert_eq!(x, 0.0);

@@ -36,10 +36,12 @@ fn hinged(rng: &mut ChaCha8Rng, elements: usize) -> Model {
             model = model.with_hinge(Hinge { at: node(rng), rotational_spring: spring });
         }
         for _ in 0..rng.random_range(1..5) {
-            model.loads.push(Load::point(rng.random_range(-0.3..1.0), node(rng)));
+            let force = rng.random_range(-0.3..1.0);
+            model.loads.push(Load::point_force(node(rng), force));
         }
         if rng.random_bool(0.5) {
-            model.loads.push(Load::moment(l * rng.random_range(-0.1..0.1), node(rng)));
+            let moment = l * rng.random_range(-0.1..0.1);
+            model.loads.push(Load::point_moment(node(rng), moment));
         }
         if exists(&model).is_ok_and(|e| e.verdict == Verdict::Unique) {
             return model;
@@ -179,8 +181,8 @@ fn seen_in_a_mirror() {
 #[test]
 fn what_is_refused() {
     let model = Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0))
-        .with_load(Load::point(1.0, 1.0))
-        .with_load(Load::point(1.0, 3.0));
+        .with_load(Load::point_force(1.0, 1.0))
+        .with_load(Load::point_force(3.0, 1.0));
     let hinged = |at: f64| model.clone().with_hinge(Hinge::free(at));
     let code = |model: &Model| match solve(model) {
         Err(Error::Invalid(problems)) => problems[0].code,
@@ -191,7 +193,7 @@ fn what_is_refused() {
     assert_eq!(code(&model.clone().with_hinge(Hinge::elastic(2.0, -1.0))), "GB405");
     assert_eq!(code(&hinged(2.0).with_hinge(Hinge::free(2.0))), "GB406");
     assert_eq!(code(&hinged(2.0).with_hinge(Hinge::free(2.0_f64.next_up()))), "GB406");
-    assert_eq!(code(&hinged(2.0).with_load(Load::moment(1.0, 2.0))), "GB407");
+    assert_eq!(code(&hinged(2.0).with_load(Load::point_moment(2.0, 1.0))), "GB407");
     assert_eq!(code(&hinged(2.0).with_support(groundbeam::Support::fixed(2.0))), "GB407");
     // Two pins hold a beam, but not one with a hinge between them: there the ground must help.
     let mut mechanism = hinged(2.0);
@@ -216,8 +218,8 @@ fn a_hinge_that_rounding_moves_to_an_end_is_refused() {
     for at in [3.0, 35.0, l - 4.0, l - 34.0] {
         let model = Model::new(Beam::uniform(l, 1.0), Foundation::winkler(4.0))
             .with_hinge(Hinge::elastic(at, 0.5))
-            .with_load(Load::point(1.0, at))
-            .with_load(Load::uniform(1.0, 0.0, l));
+            .with_load(Load::point_force(at, 1.0))
+            .with_load(Load::uniform_force(0.0, l, 1.0));
         let refused = solve(&model);
         assert!(
             matches!(&refused, Err(Error::Invalid(p)) if p.len() == 1 && p[0].code == "GB404"),

@@ -37,15 +37,15 @@ fn a_hinge_where_rounding_is_longer_than_the_beam_before_it() {
     let beam = Beam::uniform(1e16, 1.0);
     let model = Model::new(beam, Foundation::winkler(4.0))
         .with_hinge(Hinge::elastic(3.0, 0.5))
-        .with_load(Load::point(1.0, 3.0))
-        .with_load(Load::uniform(1.0, 0.0, 1e16));
+        .with_load(Load::point_force(3.0, 1.0))
+        .with_load(Load::uniform_force(0.0, 1e16, 1.0));
     assert_eq!(panics(|| exercise(&model)), None);
 }
 
 #[test]
 fn nodes_beyond_all_numbers_are_refused() {
     let model = Model::new(Beam::uniform(1.0, 1e-60), Foundation::pasternak(1.0, 1.0))
-        .with_load(Load::uniform(1.0, 0.0, 1.0));
+        .with_load(Load::uniform_force(0.0, 1.0, 1.0));
     let stretched = Model { beam: model.beam.clone().with_axial_force(1e60), ..model.clone() };
     for (model, elements) in [(&model, usize::MAX), (&stretched, 1)] {
         let solved = NodalSolver::new().solve_into(model, elements, &mut NodalSolution::default());

@@ -12,22 +12,22 @@ const CASE: &str = "GROUNDBEAM_MEMORY_CASE";
 
 fn long(length: f64, shear: f64) -> Model {
     Model::new(Beam::uniform(length, 1.0), Foundation::pasternak(4.0, shear))
-        .with_load(Load::uniform(1.0, 0.0, length))
-        .with_load(Load::point(0.01 * length, 0.3 * length))
-        .with_load(Load::point(-2.0, 0.6 * length))
+        .with_load(Load::uniform_force(0.0, length, 1.0))
+        .with_load(Load::point_force(0.3 * length, 0.01 * length))
+        .with_load(Load::point_force(0.6 * length, -2.0))
 }
 
 fn cases() -> Vec<(&'static str, Model, Options)> {
     let mut many = Model::new(Beam::uniform(10.0, 1e3), Foundation::pasternak(4.0, 1.0))
         .with_support(Support::pinned(5.0));
     for i in 0..10_000 {
-        many.loads.push(Load::point(1.0, 1e-3 * (f64::from(i) + 0.5)));
+        many.loads.push(Load::point_force(1e-3 * (f64::from(i) + 0.5), 1.0));
     }
     let mut shears = long(8e3, 1.0);
     shears.beam.shear_stiffness = Some(10.0);
     let mut varies = long(8e3, 1.0);
     varies.beam = varies.beam.with_varying_segment(0.0, 8e3, Profile::linear(1.0, 2.0));
-    let loaded = Load::GroundDistributed { from: 0.0, to: 4e3, start: 1.0, end: 2.0 };
+    let loaded = Load::distributed_ground_force(0.0, 4e3, 1.0, 2.0);
     let exact = || Options { memory_limit: u64::MAX, ..Options::default() };
     let mesh = |method, pressure| Options {
         method,

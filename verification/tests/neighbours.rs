@@ -8,8 +8,8 @@ const SHEAR: f64 = 4.0;
 
 fn footing() -> Model {
     Model::new(Beam::uniform(10.0, 40.0), Foundation::pasternak(SPRING, SHEAR))
-        .with_load(Load::uniform(9.0, 0.0, 10.0))
-        .with_load(Load::point(5.0, 2.0))
+        .with_load(Load::uniform_force(0.0, 10.0, 9.0))
+        .with_load(Load::point_force(2.0, 5.0))
 }
 
 fn solved(model: &Model) -> Solution {
@@ -29,7 +29,7 @@ fn green(distance: f64) -> f64 {
 #[test]
 fn a_neighbour_is_an_initial_gap() {
     for (at, force) in [(-0.5, 14.0), (-3.0, 60.0), (10.0, 25.0), (11.5, 200.0)] {
-        let model = footing().with_load(Load::GroundForce { at, force });
+        let model = footing().with_load(Load::ground_force(at, force));
         let exact = solved(&model);
         const CORNERS: u32 = 2000;
         let mut given = footing();
@@ -64,9 +64,9 @@ fn works_are_mutual() {
         let base = Model { foundation: ground, ..footing() };
         let before = solved(&base);
         for x in [0.0, 2.5, 6.0, 10.0] {
-            let loaded = solved(&base.clone().with_load(Load::point(force, x)));
+            let loaded = solved(&base.clone().with_load(Load::point_force(x, force)));
             for y in [-4.5, -2.0, -0.25, 10.0, 11.25] {
-                let beside = base.clone().with_load(Load::GroundForce { at: y, force });
+                let beside = base.clone().with_load(Load::ground_force(y, force));
                 let beside = solved(&beside);
                 assert_eq!(beside.contact().len(), 1);
                 let sunk = loaded.settlement(y) - before.settlement(y);
@@ -81,9 +81,9 @@ fn works_are_mutual() {
 #[test]
 fn the_surface_beside_the_beam_is_greens() {
     let model = footing()
-        .with_load(Load::GroundForce { at: -1.5, force: 20.0 })
-        .with_load(Load::GroundForce { at: 5.0, force: 8.0 })
-        .with_load(Load::GroundDistributed { from: 9.0, to: 13.0, start: 1.0, end: 6.0 });
+        .with_load(Load::ground_force(-1.5, 20.0))
+        .with_load(Load::ground_force(5.0, 8.0))
+        .with_load(Load::distributed_ground_force(9.0, 13.0, 1.0, 6.0));
     let solution = solved(&model);
     assert!(!solution.lift_off().is_empty());
     let ends = solution.end_forces();
@@ -138,8 +138,8 @@ fn less_ground_gives_more() {
 #[test]
 fn a_layer_beside_springs_does_nothing() {
     let springs = Model::new(Beam::uniform(10.0, 10.0), Foundation::winkler(5.0))
-        .with_load(Load::uniform(1.0, 0.0, 10.0))
-        .with_load(Load::point(1.0, 0.0));
+        .with_load(Load::uniform_force(0.0, 10.0, 1.0))
+        .with_load(Load::point_force(0.0, 1.0));
     let mut beside = springs.clone();
     beside.foundation =
         beside.foundation.with_segment(-1.0, 0.0, 50.0, 20.0).with_segment(10.0, 12.0, 5.0, 3.0);

@@ -16,8 +16,8 @@ fn nodal(model: &Model, elements: usize) -> NodalSolution {
 
 fn kikuchi(moment: f64) -> Model {
     Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
-        .with_load(Load::point(1.0, 0.5))
-        .with_load(Load::moment(moment, 0.5))
+        .with_load(Load::point_force(0.5, 1.0))
+        .with_load(Load::point_moment(0.5, moment))
 }
 
 fn long_beam(axial_force: f64) -> Model {
@@ -48,12 +48,12 @@ fn varied() -> Model {
         .with_segment(-1.0, 1.5, 4.0, 1.0)
         .with_segment(6.0, 9.0, 0.5, 2.0);
     Model::new(beam, ground)
-        .with_load(Load::Distributed { from: 1.0, to: 4.0, start: 0.2, end: 1.0 })
-        .with_load(Load::Distributed { from: 0.0, to: 8.0, start: 0.05, end: 0.05 })
-        .with_load(Load::point(2.0, 6.5))
-        .with_load(Load::point(-0.4, 4.5))
-        .with_load(Load::moment(0.3, 2.5))
-        .with_load(Load::DistributedMoment { from: 5.5, to: 6.0, start: 0.1, end: -0.2 })
+        .with_load(Load::distributed_force(1.0, 4.0, 0.2, 1.0))
+        .with_load(Load::distributed_force(0.0, 8.0, 0.05, 0.05))
+        .with_load(Load::point_force(6.5, 2.0))
+        .with_load(Load::point_force(4.5, -0.4))
+        .with_load(Load::point_moment(2.5, 0.3))
+        .with_load(Load::distributed_moment(5.5, 6.0, 0.1, -0.2))
         .with_gap(0.0, 0.0)
         .with_gap(3.0, 0.02)
         .with_gap(7.0, -0.01)
@@ -153,7 +153,7 @@ fn a_neighbour_is_a_start() {
     let mut solver = NodalSolver::new();
     let mut found = nodal(&long_beam(0.0), 3000);
     let mut heavier = long_beam(0.0);
-    heavier.loads[0] = Load::point(1.3, 4.645674871334563);
+    heavier.loads[0] = Load::point_force(4.645674871334563, 1.3);
     solver.solve_near_into(&heavier, 3000, &mut found).expect("an answer");
     let (work, expected) = (found.work, nodal(&heavier, 3000));
     assert_eq!(found.contact, expected.contact);
@@ -191,11 +191,11 @@ fn the_work_of_the_exact_method() {
     let rail = |wagons: usize| {
         let l = 30.0 * wagons as f64;
         let mut model = Model::new(Beam::uniform(l, 6.4e6), Foundation::pasternak(30e6, 2e6))
-            .with_load(Load::uniform(2500.0, 0.0, l));
+            .with_load(Load::uniform_force(0.0, l, 2500.0));
         for i in 0..wagons {
             for at in [8.0, 9.8, 17.0, 18.8] {
                 let force = 8e4 + 1e3 * (i * 7 % 23) as f64;
-                model.loads.push(Load::point(force, 30.0 * i as f64 + at));
+                model.loads.push(Load::point_force(30.0 * i as f64 + at, force));
             }
         }
         equilibrium(solve(&model).expect("an answer"))

@@ -118,7 +118,7 @@ fn a_bearing_is_left_and_a_strap_holds() {
             .with_gap(6.0, 1e6)
             .with_support(Support::pinned(0.0).acting(first))
             .with_support(Support::pinned(4.0).acting(Acts::Up))
-            .with_load(Load::point(3.0, 5.0))
+            .with_load(Load::point_force(5.0, 3.0))
     };
     let held = solved(&beam(Acts::Down));
     let forces: Vec<f64> = held.reactions().iter().map(|r| r.force).collect();
@@ -136,9 +136,9 @@ fn a_bearing_is_left_and_a_strap_holds() {
 #[test]
 fn a_bearing_that_is_left_does_nothing() {
     let free = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
-        .with_load(Load::point(1.0, 0.5))
-        .with_load(Load::moment(0.49, 0.5))
-        .with_load(Load::point(-0.005, 0.0));
+        .with_load(Load::point_force(0.5, 1.0))
+        .with_load(Load::point_moment(0.5, 0.49))
+        .with_load(Load::point_force(0.0, -0.005));
     let over = free.clone().with_support(Support::pinned(0.0).acting(Acts::Up));
     let [a, b] = [&free, &over].map(solved);
     assert!(a.value(Field::Deflection, 0.0) < 0.0);
@@ -156,8 +156,8 @@ fn a_bearing_that_is_left_does_nothing() {
 #[test]
 fn existence() {
     let tips = Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0))
-        .with_load(Load::point(1.0, 2.0))
-        .with_load(Load::moment(2.8, 2.0));
+        .with_load(Load::point_force(2.0, 1.0))
+        .with_load(Load::point_moment(2.0, 2.8));
     let stands = |support: Support| {
         let verdict = exists(&tips.clone().with_support(support)).expect("a verdict").verdict;
         !matches!(verdict, Verdict::None(_))
@@ -175,7 +175,7 @@ fn existence() {
 #[test]
 fn what_is_refused() {
     let model = Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0))
-        .with_load(Load::point(1.0, 2.0));
+        .with_load(Load::point_force(2.0, 1.0));
     let fixed = model.with_support(Support::fixed(0.0).acting(Acts::Up));
     assert!(matches!(solve(&fixed), Err(Error::Invalid(p)) if p[0].code == "GB408"));
 }

@@ -55,7 +55,7 @@ fn a_support_presses_a_beam_into_the_ground() {
     let weight = 0.1;
     for method in METHODS {
         let model = Model::new(Beam::uniform(l, ei), Foundation::winkler(k))
-            .with_load(Load::uniform(weight, 0.0, l))
+            .with_load(Load::uniform_force(0.0, l, weight))
             .with_support(Support::fixed(0.0).settled(delta + weight / k));
         let found = solved(&model, method);
         let tolerance = if method == Method::Exact { 1e-13 } else { 1e-6 };
@@ -79,10 +79,10 @@ fn a_support_presses_a_beam_into_the_ground() {
 fn a_settled_spring_is_a_spring_and_a_force() {
     let (spring, delta) = (3.0, 0.2);
     let plain = Model::new(Beam::uniform(5.0, 1.0), Foundation::pasternak(1.0, 0.4))
-        .with_load(Load::uniform(0.3, 0.0, 5.0));
+        .with_load(Load::uniform_force(0.0, 5.0, 0.3));
     let held = Support::spring(1.0, spring, 0.5);
     let settled = plain.clone().with_support(held.settled(delta));
-    let pressed = plain.with_support(held).with_load(Load::point(spring * delta, 1.0));
+    let pressed = plain.with_support(held).with_load(Load::point_force(1.0, spring * delta));
     for method in METHODS {
         let [a, b] = [&settled, &pressed].map(|model| solved(model, method));
         for i in 0..=50 {
@@ -101,8 +101,8 @@ fn a_settled_spring_is_a_spring_and_a_force() {
 #[test]
 fn all_methods_on_one_mesh() {
     let base = Model::new(Beam::uniform(4.0, 2.0), Foundation::pasternak(1.0, 0.8))
-        .with_load(Load::uniform(0.2, 0.0, 4.0))
-        .with_load(Load::curvature(-0.05, 0.0, 3.0));
+        .with_load(Load::uniform_force(0.0, 4.0, 0.2))
+        .with_load(Load::uniform_curvature(0.0, 3.0, -0.05));
     let supports = [
         vec![Support::pinned(1.0).settled(0.1)],
         vec![Support::pinned(0.0).settled(-0.05), Support::spring(3.0, 2.0, 0.0).settled(0.1)],

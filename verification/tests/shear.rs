@@ -64,12 +64,14 @@ fn sheared(rng: &mut ChaCha8Rng) -> Model {
     let beam = Beam::uniform(l, ei).with_shear_stiffness(shear);
     let mut model = Model::new(beam, Foundation::pasternak(k, mu));
     model.beam.axial_force = if rng.random_bool(0.3) { rng.random_range(0.0..1.0) } else { 0.0 };
-    model = model.with_load(Load::uniform(rng.random_range(0.3..1.0), 0.0, l));
+    model = model.with_load(Load::uniform_force(0.0, l, rng.random_range(0.3..1.0)));
     for _ in 0..rng.random_range(1..4) {
-        model = model.with_load(Load::point(rng.random_range(-0.3..1.0), l * node(rng)));
+        let force = rng.random_range(-0.3..1.0);
+        model = model.with_load(Load::point_force(l * node(rng), force));
     }
     if rng.random_bool(0.5) {
-        model = model.with_load(Load::moment(rng.random_range(-0.2..0.2), l * node(rng)));
+        let moment = rng.random_range(-0.2..0.2);
+        model = model.with_load(Load::point_moment(l * node(rng), moment));
     }
     if rng.random_bool(0.4) {
         let at = l * node(rng);
@@ -115,7 +117,7 @@ fn without_shear_it_only_bends() {
 /// Betti: glued beams exchange the work of two loads.
 #[test]
 fn work_is_exchanged() {
-    let bed = Load::uniform(1.0, 0.0, 3.0);
+    let bed = Load::uniform_force(0.0, 3.0, 1.0);
     let beam = Beam::uniform(3.0, 0.4).with_shear_stiffness(2.0).with_shearing_segment(
         0.0,
         3.0,
@@ -123,7 +125,7 @@ fn work_is_exchanged() {
         Profile::linear(1.0, 4.0),
     );
     let base = Model::new(beam, Foundation::pasternak(1.0, 0.6)).with_load(bed);
-    let (force, moment) = (Load::point(0.02, 0.7), Load::moment(0.015, 2.2));
+    let (force, moment) = (Load::point_force(0.7, 0.02), Load::point_moment(2.2, 0.015));
     let [alone, first, second] = [
         solved(&base),
         solved(&base.clone().with_load(force)),
@@ -170,9 +172,9 @@ fn engessers_columns() {
 fn what_stands_at_a_kink() {
     let (s, p, mu, force) = (3.0, 0.5, 0.8, 0.7);
     let beam = Beam::uniform(4.0, 1.0).with_shear_stiffness(s).with_axial_force(p);
-    let base =
-        Model::new(beam, Foundation::pasternak(1.0, mu)).with_load(Load::uniform(1.0, 0.0, 4.0));
-    let pressed = solved(&base.clone().with_load(Load::point(force, 1.5)));
+    let base = Model::new(beam, Foundation::pasternak(1.0, mu))
+        .with_load(Load::uniform_force(0.0, 4.0, 1.0));
+    let pressed = solved(&base.clone().with_load(Load::point_force(1.5, force)));
     let [atom] = pressed.concentrated_forces() else { panic!() };
     assert!((atom.at - 1.5).abs() < 1e-12);
     assert!((atom.force - mu * force / (s + p + mu)).abs() < 1e-13);
@@ -188,13 +190,13 @@ fn what_stands_at_a_kink() {
 #[test]
 fn load_factors_and_other_methods() {
     let beam = Beam::uniform(4.0, 1.0).with_shear_stiffness(2.0);
-    let base =
-        Model::new(beam, Foundation::pasternak(1.0, 0.3)).with_load(Load::uniform(1.0, 0.0, 4.0));
-    let pulled = base.clone().with_load(Load::point(-0.1, 2.0));
+    let base = Model::new(beam, Foundation::pasternak(1.0, 0.3))
+        .with_load(Load::uniform_force(0.0, 4.0, 1.0));
+    let pulled = base.clone().with_load(Load::point_force(2.0, -0.1));
     let factors = load_factors(&pulled, |load| load == 1).expect("factors");
     // An upward force of any size opens the kink it makes.
     assert_eq!(factors.first_lift_off, FirstLiftOff::AtOnce);
-    let pushed = base.with_load(Load::moment(1.0, 1.0));
+    let pushed = base.with_load(Load::point_moment(1.0, 1.0));
     let factors = load_factors(&pushed, |load| load == 1).expect("factors");
     let FirstLiftOff::At { factor, .. } = factors.first_lift_off else { panic!("{factors:?}") };
     let at = |factor: f64| {
@@ -217,7 +219,7 @@ fn a_hinge_turns_the_sections() {
     let model = Model::new(beam, Foundation::winkler(1e-13))
         .with_support(Support::fixed(0.0))
         .with_hinge(Hinge::elastic(1.0, 0.5))
-        .with_load(Load::point(0.2, 3.0));
+        .with_load(Load::point_force(3.0, 0.2));
     let found = solved(&model);
     // F l³/3EI + F l/S + (F·2/k_φ)·2.
     let tip = 0.2 * (9.0 + 2.0 + 8.0);

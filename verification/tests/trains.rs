@@ -1,7 +1,7 @@
 //! Passages of trains against closed forms, brute force and the mirror.
 
 use groundbeam::model::{Axle, Train};
-use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, Side, solve};
+use groundbeam::{Action, Beam, Extent, Field, Foundation, Load, Model, Outcome, Side, solve};
 use groundbeam_file::MovingTrain;
 use groundbeam_run::{Answers, OneThread, Run};
 use groundbeam_verification::random::{Family, model};
@@ -21,7 +21,7 @@ fn single(force: f64) -> Train {
 /// A heavy rail on springs.
 fn rail(length: f64, weight: f64) -> Model {
     Model::new(Beam::uniform(length, EI), Foundation::winkler(K))
-        .with_load(Load::uniform(weight, 0.0, length))
+        .with_load(Load::uniform_force(0.0, length, weight))
 }
 
 fn beta() -> f64 {
@@ -122,7 +122,7 @@ fn free_spans_are_those_of_the_positions() {
 fn a_slab_tips_where_the_statics_say() {
     let (l, q, force) = (10.0, 2.65e3, 20e3);
     let slab = Model::new(Beam::uniform(l, 1e9), Foundation::pasternak(40e6, 4e6))
-        .with_load(Load::uniform(q, 0.0, l));
+        .with_load(Load::uniform_force(0.0, l, q));
     let train = Train { axles: vec![axle(0.0, force), axle(9.0, -0.75 * force)], uniform: vec![] };
     let answers = answers(&slab, &train, [9.0, 10.0]);
     let passage = answers.passages().all[0];
@@ -143,11 +143,14 @@ fn random() -> impl Iterator<Item = (String, Model)> {
 
 /// A train as heavy as what the model carries.
 fn suited(model: &Model) -> Train {
-    let force = model.loads.iter().fold(0.0_f64, |most, load| match load {
-        Load::PointForce { force, .. } => most.max(force.abs()),
-        Load::Distributed { start, from, to, .. } => most.max((start * (to - from)).abs()),
-        _ => most,
-    });
+    let force =
+        model.beam_loads().fold(0.0_f64, |most, load| match (load.action(), load.extent()) {
+            (Action::Force, Extent::Point { size, .. }) => most.max(size.abs()),
+            (Action::Force, Extent::Distributed { start, from, to, .. }) => {
+                most.max((start * (to - from)).abs())
+            }
+            _ => most,
+        });
     let behind = 0.13 * model.beam.length;
     Train { axles: vec![axle(0.0, force), axle(behind, 0.5 * force)], uniform: vec![] }
 }

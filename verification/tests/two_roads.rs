@@ -4,8 +4,8 @@
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 use groundbeam::{
-    Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Pressure, Solution, Verdict,
-    exists, solve_with,
+    Action, Beam, Extent, Field, Foundation, Load, Method, Model, Options, Outcome, Pressure,
+    Solution, Verdict, exists, solve_with,
 };
 use groundbeam_verification::dense::Dense;
 use rand::{RngExt, SeedableRng};
@@ -25,17 +25,17 @@ fn model(rng: &mut ChaCha8Rng, elements: usize) -> Model {
         let mut model = Model::new(beam, Foundation::pasternak(k, mu));
         for _ in 0..rng.random_range(1..4) {
             let at = l * (rng.random_range(0..=elements) as f64 / elements as f64);
-            model.loads.push(Load::point(rng.random_range(-0.3..1.0), at));
+            model.loads.push(Load::point_force(at, rng.random_range(-0.3..1.0)));
         }
         if rng.random_bool(0.5) {
             let at = l * (rng.random_range(0..=elements) as f64 / elements as f64);
-            model.loads.push(Load::moment(l * rng.random_range(-0.3..0.3), at));
+            model.loads.push(Load::point_moment(at, l * rng.random_range(-0.3..0.3)));
         }
         if rng.random_bool(0.3) {
-            model.loads.push(Load::uniform(rng.random_range(0.0..1.0) / l, 0.0, l));
+            model.loads.push(Load::uniform_force(0.0, l, rng.random_range(0.0..1.0) / l));
         }
         if rng.random_bool(0.3) {
-            model.loads.push(Load::curvature(rng.random_range(-0.5..0.5) * l / ei, 0.0, l));
+            model.loads.push(Load::uniform_curvature(0.0, l, rng.random_range(-0.5..0.5) * l / ei));
         }
         if exists(&model).is_ok_and(|e| e.verdict == Verdict::Unique) {
             return model;
@@ -137,17 +137,20 @@ fn dimensionless(model: &Model, elements: usize) -> Model {
     scaled.foundation =
         Foundation::pasternak(ground.spring * h.powi(4) / ei, ground.shear * h * h / ei);
     for load in &mut scaled.loads {
-        *load = match *load {
-            Load::PointForce { at, force } => Load::point(force, at / h),
-            Load::PointMoment { at, moment } => Load::moment(moment / h, at / h),
-            Load::Distributed { from, to, start, end } => {
-                Load::Distributed { from: from / h, to: to / h, start: start * h, end: end * h }
+        if load.is_on_ground() {
+            continue;
+        }
+        *load = match (load.action(), load.extent()) {
+            (Action::Force, Extent::Point { at, size }) => Load::point_force(at / h, size),
+            (Action::Moment, Extent::Point { at, size }) => Load::point_moment(at / h, size / h),
+            (Action::Force, Extent::Distributed { from, to, start, end }) => {
+                Load::distributed_force(from / h, to / h, start * h, end * h)
             }
-            Load::Curvature { from, to, start, end } => {
+            (Action::Curvature, Extent::Distributed { from, to, start, end }) => {
                 let [start, end] = [start, end].map(|curvature| curvature * ei / h);
-                Load::Curvature { from: from / h, to: to / h, start, end }
+                Load::distributed_curvature(from / h, to / h, start, end)
             }
-            other => other,
+            _ => *load,
         };
     }
     scaled

@@ -27,9 +27,9 @@ fn shear() -> Profile {
 
 fn loaded(beam: Beam, ground: Foundation) -> Model {
     Model::new(beam, ground)
-        .with_load(Load::point(1.0, 1.0))
-        .with_load(Load::moment(-0.9, 2.0))
-        .with_load(Load::Distributed { from: 0.0, to: 3.0, start: 0.1, end: 0.3 })
+        .with_load(Load::point_force(1.0, 1.0))
+        .with_load(Load::point_moment(2.0, -0.9))
+        .with_load(Load::distributed_force(0.0, 3.0, 0.1, 0.3))
 }
 
 fn beam() -> Beam {

@@ -114,7 +114,7 @@ impl Document {
     ///     [[combination]]\nname = 'empty'\nfactors = { G = 1 }\n";
     /// let document = groundbeam_file::parse(text)?;
     /// let [uls, empty] = &document.combinations()[..] else { panic!() };
-    /// assert_eq!(uls.model.loads[1], groundbeam::Load::point(3.0, 0.1));
+    /// assert_eq!(uls.model.loads[1], groundbeam::Load::point_force(0.1, 3.0));
     /// assert_eq!((&*empty.name, empty.model.loads.len()), ("empty", 1));
     /// # Ok::<(), groundbeam_file::Diagnostics>(())
     /// ```

@@ -2,12 +2,12 @@
 
 use crate::document::Document;
 use crate::quantity::{
-    BENDING_STIFFNESS, CLEARANCE, CURVATURE, FORCE, Kind, LOAD_PER_LENGTH, MOMENT,
-    MOMENT_PER_LENGTH, POSITION, RATIO, ROTATIONAL_SPRING, SHEAR_CONSTANT, SPRING,
-    SPRING_PER_LENGTH,
+    BENDING_STIFFNESS, CLEARANCE, FORCE, Kind, LOAD_PER_LENGTH, POSITION, RATIO, ROTATIONAL_SPRING,
+    SHEAR_CONSTANT, SPRING, SPRING_PER_LENGTH,
 };
+use crate::section::load::kind_of;
 use groundbeam::sensitivity::{Extent, LoadNumber, Parameter, Property, SupportNumber};
-use groundbeam::{Beam, Foundation, Load, Model, Profile};
+use groundbeam::{Beam, Foundation, Model, Profile};
 
 /// How a quantity runs between numbers at even points from one end of the beam to the other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -96,13 +96,9 @@ pub(crate) fn kind(parameter: Parameter, model: &Model) -> &'static Kind {
         Parameter::Value(Property::BendingStiffness, _) => &BENDING_STIFFNESS,
         Parameter::AxialForce | Parameter::Value(Property::ShearStiffness, _) => &FORCE,
         Parameter::Load(_, LoadNumber::At | LoadNumber::From | LoadNumber::To) => &POSITION,
-        Parameter::Load(index, _) => match model.loads.get(index) {
-            Some(Load::PointForce { .. } | Load::GroundForce { .. }) => &FORCE,
-            Some(Load::PointMoment { .. }) => &MOMENT,
-            Some(Load::DistributedMoment { .. }) => &MOMENT_PER_LENGTH,
-            Some(Load::Curvature { .. }) => &CURVATURE,
-            _ => &LOAD_PER_LENGTH,
-        },
+        Parameter::Load(index, _) => {
+            model.loads.get(index).map_or(&LOAD_PER_LENGTH, |load| kind_of(load).wanted)
+        }
         Parameter::Support(_, SupportNumber::Settlement) | Parameter::Gap(_) => &CLEARANCE,
         Parameter::Support(_, SupportNumber::Spring) => &SPRING,
         Parameter::Support(..) | Parameter::HingeSpring(_) => &ROTATIONAL_SPRING,

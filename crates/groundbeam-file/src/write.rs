@@ -1,7 +1,8 @@
 //! Model → text: the inverse of [`parse`](crate::parse), bit for bit.
 
+use crate::section::load::{LoadKind, kind_of};
 use crate::units::UnitSystem;
-use groundbeam::{Acts, GroundEnd, Load, Model, Profile, SupportKind};
+use groundbeam::{Acts, Extent, GroundEnd, Load, Model, Profile, SupportKind};
 use std::fmt::Write;
 
 /// The model as a model file, every number written so that reading it gives the same bits.
@@ -14,7 +15,7 @@ use std::fmt::Write;
 /// use groundbeam_file::{UnitSystem, parse, write_toml};
 ///
 /// let model = Model::new(Beam::uniform(12.0, 1.2e9), Foundation::pasternak(4e7, 9e6))
-///     .with_load(Load::point(6e5, 1.0));
+///     .with_load(Load::point_force(1.0, 6e5));
 /// let text = write_toml(&model, Some("Strip footing"), UnitSystem::Si);
 /// assert!(text.contains("\n[[load]]\npoint = \"600000.0 N\"\nat = \"1.0 m\"\n"));
 /// assert_eq!(parse(&text).unwrap().model, model);
@@ -117,26 +118,14 @@ impl Writer {
 
     fn load(&mut self, load: &Load) {
         self.heading(if load.is_on_ground() { "[[ground_load]]" } else { "[[load]]" });
-        match *load {
-            Load::PointForce { at, force } | Load::GroundForce { at, force } => {
-                self.quantity("point", force, "N");
+        let LoadKind { key, unit, .. } = kind_of(load);
+        match load.extent() {
+            Extent::Point { at, size } => {
+                self.quantity(key, size, unit);
                 self.quantity("at", at, "m");
             }
-            Load::PointMoment { at, moment } => {
-                self.quantity("moment", moment, "N m");
-                self.quantity("at", at, "m");
-            }
-            Load::Distributed { from, to, start, end }
-            | Load::GroundDistributed { from, to, start, end } => {
-                self.intensity("distributed", start, end, "N/m");
-                self.stretch(from, to);
-            }
-            Load::DistributedMoment { from, to, start, end } => {
-                self.intensity("distributed_moment", start, end, "N m/m");
-                self.stretch(from, to);
-            }
-            Load::Curvature { from, to, start, end } => {
-                self.intensity("curvature", start, end, "1/m");
+            Extent::Distributed { from, to, start, end } => {
+                self.intensity(key, start, end, unit);
                 self.stretch(from, to);
             }
         }

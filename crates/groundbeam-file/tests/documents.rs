@@ -79,10 +79,10 @@ fn a_whole_file() {
     assert_eq!(model.foundation.constants_at(1.0), (2e7, 9e6), "mu from [foundation]");
     assert_eq!(model.foundation.constants_at(3.0), (4e7, 0.0), "k from [foundation]");
     let loads = [
-        Load::point(6e5, 1.0),
-        Load::moment(5e4, 6.0),
-        Load::Distributed { from: 0.0, to: 10.0, start: 0.0, end: 2e4 },
-        Load::DistributedMoment { from: 0.0, to: 12.0, start: 5e3, end: 5e3 },
+        Load::point_force(1.0, 6e5),
+        Load::point_moment(6.0, 5e4),
+        Load::distributed_force(0.0, 10.0, 0.0, 2e4),
+        Load::distributed_moment(0.0, 12.0, 5e3, 5e3),
     ];
     assert_eq!(model.loads, loads);
     let spring = SupportKind::Spring { spring: 0.0, rotational_spring: 5e6 };
@@ -102,7 +102,7 @@ fn plain_numbers_stay_as_they_are() {
          [[load]]\npoint = 1.2503646726300526\nat = 0x10\n",
     );
     assert_eq!(document.units, UnitSystem::Plain);
-    assert_eq!(document.model.loads, [Load::point(1.2503646726300526, 16.0)]);
+    assert_eq!(document.model.loads, [Load::point_force(16.0, 1.2503646726300526)]);
 }
 
 /// A beam of 12 m with `beam` in its table, on ground with `ground` in its own.
@@ -279,7 +279,7 @@ fn own_weight_follows_the_sections() {
     "#;
     let document = parse(text).unwrap();
     let [_, first, second, third] = document.model.loads[..] else { panic!("four loads") };
-    let along = |from, to, start, end| Load::Distributed { from, to, start, end };
+    let along = |from, to, start, end| Load::distributed_force(from, to, start, end);
     assert_eq!(first, along(0.0, 3.0, 12_500.0, 15_625.0));
     let round = 25_000.0 * std::f64::consts::PI / 4.0;
     assert_eq!(second, along(3.0, 6.0, round, round));

@@ -4,7 +4,9 @@ mod common;
 
 use common::well_placed;
 use groundbeam::model::{Part, Problem};
-use groundbeam::{Acts, Beam, Foundation, Hinge, Load, Model, Profile, Support, SupportKind};
+use groundbeam::{
+    Action, Acts, Beam, Foundation, Hinge, Load, Model, Profile, Support, SupportKind,
+};
 use groundbeam_file::{UnitSystem, parse, parse_positions, text_of, write_toml};
 use proptest::prelude::*;
 
@@ -37,15 +39,16 @@ fn load(length: f64) -> impl Strategy<Value = Load> {
     let place = (0.0..=1.0_f64).prop_map(move |x| x * length);
     let stretch = (0.0..0.5_f64, 0.6..=1.0_f64).prop_map(move |(a, b)| (a * length, b * length));
     prop_oneof![
-        (value(), place.clone()).prop_map(|(force, at)| Load::PointForce { at, force }),
-        (value(), place).prop_map(|(moment, at)| Load::PointMoment { at, moment }),
+        (value(), place.clone()).prop_map(|(force, at)| Load::point_force(at, force)),
+        (value(), place).prop_map(|(moment, at)| Load::point_moment(at, moment)),
         (value(), value(), stretch.clone())
-            .prop_map(|(start, end, (from, to))| { Load::Distributed { from, to, start, end } }),
+            .prop_map(|(start, end, (from, to))| { Load::distributed_force(from, to, start, end) }),
         (value(), value(), stretch.clone()).prop_map(|(start, end, (from, to))| {
-            Load::DistributedMoment { from, to, start, end }
+            Load::distributed_moment(from, to, start, end)
         }),
-        (value(), value(), stretch)
-            .prop_map(|(start, end, (from, to))| { Load::Curvature { from, to, start, end } }),
+        (value(), value(), stretch).prop_map(|(start, end, (from, to))| {
+            Load::distributed_curvature(from, to, start, end)
+        }),
     ]
 }
 
@@ -92,7 +95,7 @@ fn model() -> impl Strategy<Value = Model> {
                     let free = model
                         .loads
                         .iter()
-                        .all(|load| !matches!(load, Load::PointMoment { at: x, .. } if *x == at));
+                        .all(|load| load.at_point(Action::Moment).is_none_or(|(x, _)| x != at));
                     if at > 0.0
                         && at < model.beam.length
                         && free

@@ -2,8 +2,8 @@
 
 use crate::question::Asked;
 use crate::written::Number;
-use groundbeam::Load;
 use groundbeam::model::Part;
+use groundbeam::{Action, Extent};
 use groundbeam_file::{Combination, Document, UnitSystem};
 use groundbeam_report::svg::{self, Grip, Handle};
 use groundbeam_report::{Results, load_name, sentence, text};
@@ -172,10 +172,10 @@ fn held(document: &Document, combination: &Combination, handle: &Handle) -> Opti
         Grip::Load(i) | Grip::From(i) | Grip::To(i) => {
             let i = *combination.loads.get(i)?;
             let load = &document.model.loads[i];
-            let size = match load {
-                Load::PointForce { .. } | Load::GroundForce { .. } => "force",
-                Load::PointMoment { .. } => "moment",
-                _ => "start",
+            let size = match (load.extent(), load.action()) {
+                (Extent::Distributed { .. }, _) => "start",
+                (_, Action::Moment) => "moment",
+                _ => "force",
             };
             let kind = load_name(load);
             let (field, end) = match handle.grip {

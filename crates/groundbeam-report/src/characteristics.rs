@@ -126,8 +126,8 @@ mod tests {
     #[test]
     fn a_varying_beam() {
         let beam = Beam::uniform(4.0, 0.25).with_segment(1.0, 3.0, 4.0);
-        let model =
-            Model::new(beam, Foundation::pasternak(1.0, 4.0)).with_load(Load::point(2.0, 3.0));
+        let model = Model::new(beam, Foundation::pasternak(1.0, 4.0))
+            .with_load(Load::point_force(3.0, 2.0));
         let existence = groundbeam::exists(&model).unwrap();
         let found = Characteristics::of(&model, &existence);
         assert_eq!(found.beta, [0.5, 1.0]);

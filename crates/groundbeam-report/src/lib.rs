@@ -13,8 +13,8 @@
 //! use groundbeam_report::{Context, Units, text};
 //!
 //! let model = Model::new(Beam::uniform(12.0, 1.2e9), Foundation::pasternak(40e6, 9e6))
-//!     .with_load(Load::point(600e3, 1.0))
-//!     .with_load(Load::point(600e3, 9.0));
+//!     .with_load(Load::point_force(1.0, 600e3))
+//!     .with_load(Load::point_force(9.0, 600e3));
 //! let Outcome::Equilibrium(solution) = groundbeam::solve(&model)? else { unreachable!() };
 //! let context = Context::new(Units::Si).with_title("Strip footing");
 //! let report = text::solved(&solution, &context, false);
@@ -56,7 +56,7 @@ pub mod text;
 
 pub use characteristics::{Characteristics, Resultant};
 pub use context::Context;
-pub use load::load_name;
+pub use load::{load_kind, load_name};
 pub use quantity::{Kind, Units};
 pub use results::Results;
 pub use study::{Estimate, Interval, Limit, Spread, Study, Way};

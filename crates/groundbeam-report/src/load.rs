@@ -1,16 +1,44 @@
-//! The name of each kind of load, for reports and the page.
+//! The name of each kind of load, and the quantity of its size, for reports, pictures and the page.
 
-use groundbeam::Load;
+use crate::quantity::{Kind, Units};
+use groundbeam::{Action, Load};
 
 /// The name of a load's kind.
 pub fn load_name(load: &Load) -> &'static str {
-    match load {
-        Load::PointForce { .. } => "force",
-        Load::PointMoment { .. } => "moment",
-        Load::Distributed { .. } => "distributed load",
-        Load::DistributedMoment { .. } => "distributed moment",
-        Load::GroundForce { .. } => "force on the ground",
-        Load::GroundDistributed { .. } => "distributed load on the ground",
-        Load::Curvature { .. } => "imposed curvature",
+    match (load.action(), load.extent().is_distributed(), load.is_on_ground()) {
+        (Action::Force, false, false) => "force",
+        (Action::Force, false, true) => "force on the ground",
+        (Action::Force, true, false) => "distributed load",
+        (Action::Force, true, true) => "distributed load on the ground",
+        (Action::Moment, false, _) => "moment",
+        (Action::Moment, true, _) => "distributed moment",
+        (Action::Curvature, ..) => "imposed curvature",
     }
+}
+
+/// The quantity of a load's size.
+pub fn load_kind(load: &Load) -> Kind {
+    match (load.action(), load.extent().is_distributed()) {
+        (Action::Force, false) => Kind::Force,
+        (Action::Force, true) => Kind::Pressure,
+        (Action::Moment, false) => Kind::Moment,
+        // A moment per length has the unit of a force.
+        (Action::Moment, true) => Kind::Force,
+        (Action::Curvature, _) => Kind::PerLength,
+    }
+}
+
+/// Whether the unit of its size is that of another quantity: a moment per length, which has the unit of a force.
+pub(crate) fn is_moment_per_length(load: &Load, units: Units) -> bool {
+    units == Units::Si && load.action() == Action::Moment && load.extent().is_distributed()
+}
+
+/// The size of a load with its unit: one number, or those at both ends with a word between them.
+pub(crate) fn load_size(load: &Load, units: Units, to: &str, digits: usize) -> String {
+    let unit = units.unit(load_kind(load), load.extent().largest());
+    let [start, end] = load.extent().sizes();
+    if start == end {
+        return unit.write(start, digits);
+    }
+    format!("{}{to}{}", unit.number(start, digits), unit.write(end, digits))
 }

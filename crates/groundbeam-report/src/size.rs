@@ -1,6 +1,6 @@
 //! What is small enough to be rounding, in print.
 
-use groundbeam::{Extreme, Field, Load, Model, Solution};
+use groundbeam::{Action, Extreme, Field, Load, Model, Solution};
 
 /// Relative to what loads and lengths make natural, below this a printed number is zero.
 const ROUNDING: f64 = 1e-12;
@@ -62,20 +62,9 @@ impl Sizes {
 /// The sizes of all loads, moments as pairs of forces at the beam's ends.
 fn load_size(model: &Model) -> f64 {
     let l = model.beam.length;
-    let size = |load: &Load| match *load {
-        Load::PointForce { force, .. } => force.abs(),
-        Load::PointMoment { moment, .. } => moment.abs() / l,
-        Load::Distributed { from, to, start, end } => 0.5 * (start.abs() + end.abs()) * (to - from),
-        Load::DistributedMoment { from, to, start, end } => {
-            0.5 * (start.abs() + end.abs()) * (to - from) / l
-        }
-        Load::Curvature { start, end, .. } => {
-            start.abs().max(end.abs()) * model.beam.bending_stiffness / l
-        }
-        Load::GroundForce { force, .. } => force.abs(),
-        Load::GroundDistributed { from, to, start, end } => {
-            0.5 * (start.abs() + end.abs()) * (to - from)
-        }
+    let size = |load: &Load| match load.action() {
+        Action::Curvature => load.extent().largest() * model.beam.bending_stiffness / l,
+        _ => load.as_force(l),
     };
     model.loads.iter().map(size).sum()
 }

@@ -14,8 +14,8 @@ pub(crate) use hinged::falls;
 /// use groundbeam_report::{Units, sentence};
 ///
 /// let model = Model::new(Beam::uniform(5.0, 1e8), Foundation::pasternak(40e6, 9e6))
-///     .with_load(Load::point(120e3, 5.0))
-///     .with_load(Load::moment(36e3, 2.0));
+///     .with_load(Load::point_force(5.0, 120e3))
+///     .with_load(Load::point_moment(2.0, 36e3));
 /// let existence = groundbeam::exists(&model)?;
 /// assert_eq!(
 ///     sentence(&model, &existence, Units::Si),
@@ -223,14 +223,22 @@ mod tests {
     fn every_verdict_has_its_sentence() {
         let beam = || Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0));
         let springs = Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(1.0));
-        let outside = || beam().with_load(Load::point(1.0, 3.0)).with_load(Load::moment(2.0, 1.0));
+        let outside = || {
+            beam().with_load(Load::point_force(3.0, 1.0)).with_load(Load::point_moment(1.0, 2.0))
+        };
         let cases = [
-            (beam().with_load(Load::point(1.0, 3.0)), "acts inside the beam [0, 4]"),
+            (beam().with_load(Load::point_force(3.0, 1.0)), "acts inside the beam [0, 4]"),
             (outside(), "1 at x = 5, acts outside the beam [0, 4]: it tips about its right end"),
-            (beam().with_load(Load::point(-1.0, 3.0)), "1 upward at x = 3, lifts the beam off"),
-            (beam().with_load(Load::moment(1.0, 3.0)), "a moment but no resultant"),
-            (beam().with_load(Load::point(1.0, 4.0)), "acts exactly over the right end"),
-            (springs.with_load(Load::point(1.0, 0.0)), "over the left end, where separate springs"),
+            (
+                beam().with_load(Load::point_force(3.0, -1.0)),
+                "1 upward at x = 3, lifts the beam off",
+            ),
+            (beam().with_load(Load::point_moment(3.0, 1.0)), "a moment but no resultant"),
+            (beam().with_load(Load::point_force(4.0, 1.0)), "acts exactly over the right end"),
+            (
+                springs.with_load(Load::point_force(0.0, 1.0)),
+                "over the left end, where separate springs",
+            ),
             (beam(), "the loads have no resultant"),
             (outside().with_support(Support::pinned(4.0)), "the support at its right end does not"),
             (

@@ -1,6 +1,6 @@
 //! Load factors: which loads grow, and how far.
 
-use groundbeam::{Error, Load, LoadFactors, Model, Options, load_factors_with};
+use groundbeam::{Action, Error, Load, LoadFactors, Model, Options, load_factors_with};
 use groundbeam_file::Combination;
 
 /// The loads that grow.
@@ -38,9 +38,8 @@ impl Growing {
         // If no case is named, the loads on the beam grow. A temperature, a camber and loads on the ground beside the
         // beam stay as they are.
         let stays = |load: usize| {
-            let load = model.loads.get(load);
-            let curls = matches!(load, Some(Load::Curvature { .. }));
-            self.cases.is_empty() && (curls || load.is_some_and(Load::is_on_ground))
+            let stays = |load: &Load| load.is_on_ground() || load.action() == Action::Curvature;
+            self.cases.is_empty() && model.loads.get(load).is_some_and(stays)
         };
         let grows = |load: usize| self.grows.get(load).is_some_and(|&grows| grows && !stays(load));
         Ok(Factors { found: load_factors_with(model, options, grows)?, cases: self.cases.clone() })

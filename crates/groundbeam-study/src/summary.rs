@@ -6,10 +6,10 @@ use crate::progress::{Progress, Stage, Watch};
 use crate::row::Status;
 use crate::statistics::{Moments, Statistics};
 use crate::store::{StoreError, Table, Whole};
+use groundbeam::Model;
 use groundbeam::sensitivity::{LoadNumber, Parameter, Property};
-use groundbeam::{Load, Model};
 use groundbeam_file::study::{Exceeds, Judged, Plan, Sampling};
-use groundbeam_report::{Estimate, Interval, Kind, Limit, Spread, Study, Way};
+use groundbeam_report::{Estimate, Interval, Kind, Limit, Spread, Study, Way, load_kind};
 use std::path::Path;
 
 /// From so many times on that something happened, the scatter of replicates tells its error.
@@ -147,14 +147,7 @@ fn kind(of: Parameter, model: &Model) -> Option<Kind> {
         Parameter::Load(_, LoadNumber::At | LoadNumber::From | LoadNumber::To) => {
             Some(Kind::Position)
         }
-        Parameter::Load(index, _) => Some(match model.loads[index] {
-            Load::PointForce { .. } | Load::GroundForce { .. } => Kind::Force,
-            Load::PointMoment { .. } => Kind::Moment,
-            Load::Distributed { .. } | Load::GroundDistributed { .. } => Kind::Pressure,
-            // Moment per length is a force.
-            Load::DistributedMoment { .. } => Kind::Force,
-            Load::Curvature { .. } => Kind::PerLength,
-        }),
+        Parameter::Load(index, _) => Some(load_kind(&model.loads[index])),
         _ => None,
     }
 }

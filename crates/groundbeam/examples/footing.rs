@@ -5,8 +5,8 @@ use groundbeam::{Beam, Foundation, Load, Model, Outcome, solve};
 fn main() -> Result<(), groundbeam::Error> {
     // 12 m long, EI = 1.28 GN·m², on ground with k = 40 MN/m² and mu = 9 MN. All numbers in N and m.
     let model = Model::new(Beam::uniform(12.0, 1.28e9), Foundation::pasternak(40e6, 9e6))
-        .with_load(Load::point(900e3, 1.5))
-        .with_load(Load::uniform(10e3, 0.0, 12.0));
+        .with_load(Load::point_force(1.5, 900e3))
+        .with_load(Load::uniform_force(0.0, 12.0, 10e3));
     match solve(&model)? {
         Outcome::Equilibrium(found) => {
             let (touches, lifted) = (found.contact()[0], found.lift_off()[0].largest_gap);

@@ -12,7 +12,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// use groundbeam::{Beam, Cancel, Error, Foundation, Load, Model, Options, solve_with};
 ///
 /// let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
-///     .with_load(Load::point(1.0, 0.5));
+///     .with_load(Load::point_force(0.5, 1.0));
 /// let cancel = Cancel::new();
 /// let options = Options { cancel: cancel.clone(), ..Options::default() };
 /// assert!(solve_with(&model, &options).is_ok());

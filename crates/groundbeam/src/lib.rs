@@ -13,8 +13,8 @@
 //!
 //! // Kikuchi's case IV: a unit force and a moment at the middle, the left end lifts off.
 //! let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
-//!     .with_load(Load::point(1.0, 0.5))
-//!     .with_load(Load::moment(0.49, 0.5));
+//!     .with_load(Load::point_force(0.5, 1.0))
+//!     .with_load(Load::point_moment(0.5, 0.49));
 //! let Outcome::Equilibrium(solution) = solve(&model)? else { panic!("it tips") };
 //! assert_eq!(format!("{:.12}", solution.contact()[0].from), "0.811326256449");
 //! assert_eq!(format!("{:.12}", solution.end_forces().right), "0.897199981230");
@@ -70,8 +70,8 @@ pub use existence::existence::{
 pub use load_factors::parts::{FirstLiftOff, LossOfEquilibrium};
 pub use load_factors::{LoadFactors, load_factors, load_factors_with};
 pub use model::{
-    Acts, Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, GroundEnd, Hinge, Load,
-    Model, Profile, Support, SupportKind,
+    Action, Acts, Beam, BeamSegment, Extent, Foundation, FoundationSegment, GapPoint, GroundEnd,
+    Hinge, Load, Model, Profile, Support, SupportKind,
 };
 pub use nodal::newton::Work;
 pub use nodal::solution::{NodalCheck, NodalSolution};

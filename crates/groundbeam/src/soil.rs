@@ -19,7 +19,7 @@
 //! let bed = Bed::new(soil, 1.2);
 //!
 //! let model = Model::new(Beam::uniform(12.0, 1.2e9), Foundation::winkler(1.0))
-//!     .with_load(Load::point(600e3, 1.0));
+//!     .with_load(Load::point_force(1.0, 600e3));
 //! let found = bed.solve(&model, &Options::default())?;
 //! let Outcome::Equilibrium(solution) = found.outcome else { panic!("it tips") };
 //! assert_eq!(solution.model().foundation.spring, found.subgrade.spring);
@@ -58,7 +58,7 @@ mod tests {
             layers: vec![SoilLayer { modulus: 15e6, poisson: 0.3, thickness: 3.0 }],
         };
         let model = Model::new(Beam::uniform(12.0, 1.2e9), Foundation::winkler(1.0))
-            .with_load(Load::point(600e3, 5.0));
+            .with_load(Load::point_force(5.0, 600e3));
         let solved = |soil| Bed::new(soil, 1.2).solve(&model, &Options::default()).unwrap();
         let modified = solved(Soil::ModifiedVlasov(layers()));
         let gamma = modified.gamma.unwrap();

@@ -302,8 +302,8 @@ mod tests {
     /// A long beam that lifts off between its loads.
     fn long() -> Model {
         Model::new(Beam::uniform(60.0, 1.0), Foundation::pasternak(1.0, 0.1))
-            .with_load(Load::point(1.0, 10.0))
-            .with_load(Load::point(2.0, 45.0))
+            .with_load(Load::point_force(10.0, 1.0))
+            .with_load(Load::point_force(45.0, 2.0))
     }
 
     fn on_one_way_supports() -> Model {
@@ -311,7 +311,7 @@ mod tests {
     }
 
     fn compressed() -> Model {
-        let mut model = long().with_load(Load::uniform(1.0, 0.0, 60.0));
+        let mut model = long().with_load(Load::uniform_force(0.0, 60.0, 1.0));
         model.beam.axial_force = -0.1;
         model
     }

@@ -20,7 +20,7 @@ use crate::solve::solve_in;
 /// let mut deepest = (0.0, 0.0);
 /// for i in 0..=40 {
 ///     let at = 1.0 + 0.1 * f64::from(i);
-///     let model = beam.clone().with_load(Load::point(1.0, at));
+///     let model = beam.clone().with_load(Load::point_force(at, 1.0));
 ///     if let Answer::Equilibrium(solution) = solver.solve_next(&model)? {
 ///         let end = solution.settlement(0.0);
 ///         if end > deepest.1 {
@@ -105,8 +105,8 @@ mod tests {
 
     fn footing(moment: f64) -> Model {
         Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
-            .with_load(Load::point(1.0, 0.5))
-            .with_load(Load::moment(moment, 0.5))
+            .with_load(Load::point_force(0.5, 1.0))
+            .with_load(Load::point_moment(0.5, moment))
     }
 
     fn bits(solution: &Solution) -> Vec<u64> {

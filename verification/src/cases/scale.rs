@@ -1,7 +1,7 @@
 //! Units of expected values. The file format's reader is the only one that knows units: it is asked for
 //! the value of a small model.
 
-use groundbeam::Load;
+use groundbeam::Extent;
 use groundbeam_file::UnitSystem;
 
 /// What a value measures.
@@ -45,12 +45,9 @@ pub fn scale(kind: Kind, unit: &str, units: UnitSystem) -> Result<f64, String> {
     );
     let document = groundbeam_file::parse(&text)
         .map_err(|_| format!("`{unit}` is not a unit of {}", kind.describe()))?;
-    match document.model.loads[0] {
-        Load::PointForce { at, .. } if kind == Kind::Length => Ok(at),
-        Load::PointForce { force, .. } => Ok(force),
-        Load::PointMoment { moment, .. } => Ok(moment),
-        Load::Distributed { start, .. } => Ok(start),
-        _ => Err("no value".to_owned()),
+    match document.model.loads[0].extent() {
+        Extent::Point { at, .. } if kind == Kind::Length => Ok(at),
+        extent => Ok(extent.sizes()[0]),
     }
 }
 

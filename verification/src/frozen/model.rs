@@ -2,8 +2,8 @@
 
 use super::record::{Line, Record};
 use groundbeam::{
-    Acts, Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, GroundEnd, Hinge, Load,
-    Model, Profile, Support, SupportKind,
+    Action, Acts, Beam, BeamSegment, Extent, Foundation, FoundationSegment, GapPoint, GroundEnd,
+    Hinge, Load, Model, Profile, Support, SupportKind,
 };
 
 /// The lines of a model.
@@ -58,21 +58,19 @@ fn of_profile(profile: &Profile) -> String {
 }
 
 fn of_load(load: &Load) -> String {
-    match load {
-        Load::PointForce { at, force } => format!("point_force {at:?} {force:?}"),
-        Load::PointMoment { at, moment } => format!("point_moment {at:?} {moment:?}"),
-        Load::Distributed { from, to, start, end } => {
-            format!("distributed_force {from:?} {to:?} {start:?} {end:?}")
-        }
-        Load::DistributedMoment { from, to, start, end } => {
-            format!("distributed_moment {from:?} {to:?} {start:?} {end:?}")
-        }
-        Load::Curvature { from, to, start, end } => {
-            format!("curvature {from:?} {to:?} {start:?} {end:?}")
-        }
-        Load::GroundForce { at, force } => format!("ground_force {at:?} {force:?}"),
-        Load::GroundDistributed { from, to, start, end } => {
-            format!("ground_distributed {from:?} {to:?} {start:?} {end:?}")
+    let key = match (load.action(), load.extent().is_distributed(), load.is_on_ground()) {
+        (Action::Force, false, false) => "point_force",
+        (Action::Force, false, true) => "ground_force",
+        (Action::Force, true, false) => "distributed_force",
+        (Action::Force, true, true) => "ground_distributed",
+        (Action::Moment, false, _) => "point_moment",
+        (Action::Moment, true, _) => "distributed_moment",
+        (Action::Curvature, ..) => "curvature",
+    };
+    match load.extent() {
+        Extent::Point { at, size } => format!("{key} {at:?} {size:?}"),
+        Extent::Distributed { from, to, start, end } => {
+            format!("{key} {from:?} {to:?} {start:?} {end:?}")
         }
     }
 }
@@ -151,17 +149,17 @@ fn add(model: &mut Model, key: &str, words: &[&str]) -> Option<()> {
 
 fn read_load(key: &str, number: impl Fn(usize) -> Option<f64>) -> Option<Load> {
     match key {
-        "point_force" => Some(Load::PointForce { at: number(0)?, force: number(1)? }),
-        "point_moment" => Some(Load::PointMoment { at: number(0)?, moment: number(1)? }),
-        "ground_force" => Some(Load::GroundForce { at: number(0)?, force: number(1)? }),
+        "point_force" => Some(Load::point_force(number(0)?, number(1)?)),
+        "point_moment" => Some(Load::point_moment(number(0)?, number(1)?)),
+        "ground_force" => Some(Load::ground_force(number(0)?, number(1)?)),
         _ => {
             let [from, to] = [number(0)?, number(1)?];
             let [start, end] = [number(2)?, number(3)?];
             match key {
-                "distributed_force" => Some(Load::Distributed { from, to, start, end }),
-                "distributed_moment" => Some(Load::DistributedMoment { from, to, start, end }),
-                "curvature" => Some(Load::Curvature { from, to, start, end }),
-                "ground_distributed" => Some(Load::GroundDistributed { from, to, start, end }),
+                "distributed_force" => Some(Load::distributed_force(from, to, start, end)),
+                "distributed_moment" => Some(Load::distributed_moment(from, to, start, end)),
+                "curvature" => Some(Load::distributed_curvature(from, to, start, end)),
+                "ground_distributed" => Some(Load::distributed_ground_force(from, to, start, end)),
                 _ => None,
             }
         }

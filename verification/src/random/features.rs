@@ -78,7 +78,7 @@ pub(super) fn shear_beam<R: Rng>(mut beam: Beam, lambda_l: f64, dice: &mut Dice<
 pub(super) fn bearings<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
     let (length, k) = (model.beam.length, model.foundation.spring);
     // A weight, so that no piece lies where it likes.
-    model = model.with_load(Load::uniform(dice.even(0.1, 0.5) / length, 0.0, length));
+    model = model.with_load(Load::uniform_force(0.0, length, dice.even(0.1, 0.5) / length));
     for _ in 0..=dice.up_to(4) {
         let at = dice.place() * length;
         let support = if dice.happens(0.5) {
@@ -91,7 +91,8 @@ pub(super) fn bearings<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
             model = model.with_support(support.acting(acts));
         }
         if dice.happens(0.3) {
-            model = model.with_load(Load::point(-dice.even(0.1, 1.0), dice.place() * length));
+            let force = -dice.even(0.1, 1.0);
+            model = model.with_load(Load::point_force(dice.place() * length, force));
         }
     }
     model
@@ -184,14 +185,13 @@ pub(super) fn add_neighbours<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
         ends.sort_by(f64::total_cmp);
         let [from, to] = ends;
         model.loads.push(match dice.up_to(2) {
-            0 => Load::GroundForce { at: from, force },
-            1 => Load::GroundForce {
-                at: if dice.happens(0.5) { from.min(0.0) } else { to.max(l) },
-                force,
-            },
+            0 => Load::ground_force(from, force),
+            1 => {
+                Load::ground_force(if dice.happens(0.5) { from.min(0.0) } else { to.max(l) }, force)
+            }
             _ => {
                 let start = force / (to - from) * dice.even(0.0, 1.0);
-                Load::GroundDistributed { from, to, start, end: force / (to - from) }
+                Load::distributed_ground_force(from, to, start, force / (to - from))
             }
         });
     }
@@ -223,6 +223,6 @@ pub(super) fn curl<R: Rng>(model: &mut Model, lambda_l: f64, dice: &mut Dice<R>)
         let size = size * dice.decades(-1.5, 1.0);
         let start = dice.even(-1.0, 1.0) * size;
         let end = if dice.happens(0.5) { start } else { dice.even(-1.0, 1.0) * size };
-        model.loads.push(Load::Curvature { from, to, start, end });
+        model.loads.push(Load::distributed_curvature(from, to, start, end));
     }
 }

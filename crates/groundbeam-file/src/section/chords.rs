@@ -88,19 +88,7 @@ impl<'a> Spacing<'a> {
 /// Forces and moments over the length, per length: what the beam presses with at least, about. Each load counts with
 /// its `factors`.
 pub(super) fn mean_load(loads: &[Load], l: f64, factors: impl Fn(usize) -> f64) -> f64 {
-    let size = |load: &Load| match *load {
-        Load::PointForce { force, .. } | Load::GroundForce { force, .. } => force.abs(),
-        Load::PointMoment { moment, .. } => moment.abs() / l,
-        Load::Distributed { from, to, start, end }
-        | Load::GroundDistributed { from, to, start, end } => {
-            (to - from) * 0.5 * (start.abs() + end.abs())
-        }
-        Load::DistributedMoment { from, to, start, end } => {
-            (to - from) * 0.5 * (start.abs() + end.abs()) / l
-        }
-        Load::Curvature { .. } => 0.0,
-    };
-    let sizes = loads.iter().enumerate().map(|(i, load)| factors(i).abs() * size(load));
+    let sizes = loads.iter().enumerate().map(|(i, load)| factors(i).abs() * load.as_force(l));
     sizes.sum::<f64>() / l
 }
 

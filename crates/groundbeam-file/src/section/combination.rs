@@ -324,22 +324,9 @@ fn number(reader: &mut Reader, name: &str, value: &Spanned<DeValue>) -> Option<f
 }
 
 fn is_finite(load: &Load) -> bool {
-    sizes(load).into_iter().all(f64::is_finite)
+    load.extent().sizes().into_iter().all(f64::is_finite)
 }
 
 fn is_within_reach(load: &Load) -> bool {
-    sizes(load).into_iter().all(quantity::is_within_reach)
-}
-
-/// The numbers that a factor multiplies.
-fn sizes(load: &Load) -> [f64; 2] {
-    match *load {
-        Load::PointForce { force: size, .. }
-        | Load::PointMoment { moment: size, .. }
-        | Load::GroundForce { force: size, .. } => [size; 2],
-        Load::Distributed { start, end, .. }
-        | Load::DistributedMoment { start, end, .. }
-        | Load::Curvature { start, end, .. }
-        | Load::GroundDistributed { start, end, .. } => [start, end],
-    }
+    load.extent().sizes().into_iter().all(quantity::is_within_reach)
 }

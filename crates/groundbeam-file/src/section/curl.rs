@@ -17,6 +17,7 @@ pub(super) struct Depth {
 }
 
 /// What the beam says of how temperature and shrinkage curl it.
+#[derive(Default)]
 pub(super) struct Curls {
     pub depths: Vec<Depth>,
     /// The expansion of its material, if that is one all along.
@@ -101,6 +102,6 @@ fn depth(reader: &mut Reader, table: &Section, [from, to]: [f64; 2], depths: &[D
 pub(super) fn camber(reader: &mut Reader, table: &Section, length: f64) -> Option<OwnLoad> {
     let Field { value: camber, span } = reader.quantity(table, "camber", &CAMBER)?;
     let known = !camber.is_nan() && length > 0.0;
-    let load = || Load::curvature(8.0 * camber / (length * length), 0.0, length);
+    let load = || Load::uniform_curvature(0.0, length, 8.0 * camber / (length * length));
     known.then(|| OwnLoad { load: load(), case: None, span })
 }

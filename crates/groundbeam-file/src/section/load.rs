@@ -11,36 +11,91 @@ use crate::quantity::{
 };
 use crate::reader::{Field, Reader};
 use crate::table::Section;
-use groundbeam::Load;
 use groundbeam::model::Part;
+use groundbeam::{Action, Extent, Load};
 use toml::Spanned;
 use toml::de::DeValue;
 
-const KEYS: &[&str] = &[
-    "point",
-    "moment",
-    "distributed",
-    "distributed_moment",
-    "curvature",
-    "temperature_difference",
-    "shrinkage_difference",
-    "expansion",
-    "depth",
-    "at",
-    "from",
-    "to",
-    "case",
+/// A kind of load: its key, the quantity of its size, and the load of the model that it makes.
+pub(crate) struct LoadKind {
+    pub key: &'static str,
+    pub wanted: &'static Kind,
+    /// The SI unit in which it is written.
+    pub unit: &'static str,
+    action: Action,
+    is_distributed: bool,
+    /// Whether it may act on the ground as well.
+    on_ground: bool,
+}
+
+const fn point(
+    key: &'static str,
+    wanted: &'static Kind,
+    unit: &'static str,
+    action: Action,
+) -> LoadKind {
+    LoadKind { key, wanted, unit, action, is_distributed: false, on_ground: false }
+}
+
+const fn distributed(
+    key: &'static str,
+    wanted: &'static Kind,
+    unit: &'static str,
+    action: Action,
+) -> LoadKind {
+    LoadKind { is_distributed: true, ..point(key, wanted, unit, action) }
+}
+
+/// Every kind, in the order in which messages list them. Of kinds with the same action and extent the first one is written.
+static KINDS: [LoadKind; 7] = [
+    LoadKind { on_ground: true, ..point("point", &FORCE, "N", Action::Force) },
+    point("moment", &MOMENT, "N m", Action::Moment),
+    LoadKind {
+        on_ground: true,
+        ..distributed("distributed", &LOAD_PER_LENGTH, "N/m", Action::Force)
+    },
+    distributed("distributed_moment", &MOMENT_PER_LENGTH, "N m/m", Action::Moment),
+    distributed("curvature", &CURVATURE, "1/m", Action::Curvature),
+    distributed("temperature_difference", &TEMPERATURE, "K", Action::Curvature),
+    distributed("shrinkage_difference", &STRAIN, "", Action::Curvature),
 ];
-const KINDS: [&str; 7] = [
-    "point",
-    "moment",
-    "distributed",
-    "distributed_moment",
-    "curvature",
-    "temperature_difference",
-    "shrinkage_difference",
-];
-const GROUND_KEYS: &[&str] = &["point", "distributed", "at", "from", "to", "case"];
+
+/// The kind of a load of the model.
+pub(crate) fn kind_of(load: &Load) -> &'static LoadKind {
+    let is_distributed = load.extent().is_distributed();
+    let same =
+        |kind: &&LoadKind| kind.action == load.action() && kind.is_distributed == is_distributed;
+    KINDS.iter().find(same).unwrap_or(&KINDS[0])
+}
+
+/// What is special to a list of loads.
+struct List {
+    title: &'static str,
+    on_ground: bool,
+    /// The quantity of a position.
+    position: &'static Kind,
+    /// Keys besides those of kinds and places.
+    others: &'static [&'static str],
+    /// What is said where a load has no kind.
+    none: &'static str,
+}
+
+const ON_BEAM: List = List {
+    title: "[[load]]",
+    on_ground: false,
+    position: &POSITION,
+    others: &["expansion", "depth"],
+    none: "force, moment or curvature",
+};
+const ON_GROUND: List = List {
+    title: "[[ground_load]]",
+    on_ground: true,
+    position: &GROUND_POSITION,
+    others: &[],
+    none: "force",
+};
+
+const PLACES: [&str; 4] = ["at", "from", "to", "case"];
 
 /// The loads, and beside each the load case it belongs to.
 pub(super) fn read(
@@ -53,7 +108,7 @@ pub(super) fn read(
     let mut loads = Vec::new();
     let mut cases = Vec::new();
     for (i, table) in tables.iter().enumerate() {
-        loads.push(read_one(reader, table, Part::Load(i), beam_length, curls));
+        loads.push(read_one(reader, table, &ON_BEAM, Part::Load(i), beam_length, curls));
         cases.push(case(reader, table));
     }
     (loads, cases)
@@ -80,107 +135,61 @@ pub(super) fn read_on_ground(
     let tables = reader.tables(root, &lists::GROUND_LOAD);
     let mut loads = Vec::new();
     for (i, table) in tables.iter().enumerate() {
-        let load = on_ground(reader, table, Part::Load(first + i));
+        let part = Part::Load(first + i);
+        let load = read_one(reader, table, &ON_GROUND, part, f64::NAN, &Curls::default());
         loads.push((load, case(reader, table)));
     }
     loads
 }
 
-fn on_ground(reader: &mut Reader, table: &Section, part: Part) -> Load {
-    reader.refuse_unknown(table, GROUND_KEYS);
-    reader.places.part(part, &table.span);
-    let (point_force, spread) = (table.value("point"), table.value("distributed"));
-    match (point_force, spread) {
-        (Some(value), other) => {
-            if let Some(other) = other {
-                let hint = "give each load a [[ground_load]] of its own";
-                reader.exclusive(("point", &value.span()), ("distributed", &other.span()), hint);
-            }
-            let (at, force) =
-                point(reader, table, part, &GROUND_POSITION, ("point", value, &FORCE));
-            reader.places.field(part, "force", &force);
-            Load::GroundForce { at: at.value, force: force.value }
-        }
-        (None, Some(value)) => {
-            misplaced(
-                reader,
-                table,
-                "distributed",
-                &["at"],
-                "a distributed load has `from` and `to`",
-            );
-            let ends = ["from", "to"].map(|key| {
-                let end = reader.required(table, key, &GROUND_POSITION);
-                reader.places.field(part, key, &end);
-                end.value
-            });
-            let (start, end) = intensity(reader, part, "distributed", value, &LOAD_PER_LENGTH);
-            Load::GroundDistributed { from: ends[0], to: ends[1], start, end }
-        }
-        (None, None) => {
-            reader.missing(table, &["point", "distributed"], "force", "point or distributed");
-            nothing(reader, part, table)
-        }
-    }
-}
-
 fn read_one(
     reader: &mut Reader,
     table: &Section,
+    list: &List,
     part: Part,
     beam_length: f64,
     curls: &Curls,
 ) -> Load {
-    reader.refuse_unknown(table, KEYS);
+    let kinds = || KINDS.iter().filter(|kind| kind.on_ground || !list.on_ground);
+    let names: Vec<&str> = kinds().map(|kind| kind.key).collect();
+    reader.refuse_unknown(table, &[&names[..], list.others, &PLACES].concat());
     reader.places.part(part, &table.span);
-    let mut kinds: Vec<(&str, &Spanned<DeValue>)> =
-        KINDS.iter().filter_map(|&kind| Some((kind, table.value(kind)?))).collect();
-    kinds.sort_by_key(|(_, value)| value.span().start);
-    let Some(&(kind, value)) = kinds.first() else {
-        let example = format!("one of {}", KINDS.join(", "));
-        reader.missing(table, &KINDS, "force, moment or curvature", &example);
+    let mut given: Vec<(&LoadKind, &Spanned<DeValue>)> =
+        kinds().filter_map(|kind| Some((kind, table.value(kind.key)?))).collect();
+    given.sort_by_key(|(_, value)| value.span().start);
+    let Some(&(kind, value)) = given.first() else {
+        let example = match list.on_ground {
+            true => names.join(" or "),
+            false => format!("one of {}", names.join(", ")),
+        };
+        reader.missing(table, &names, list.none, &example);
         return nothing(reader, part, table);
     };
-    for (other, other_value) in &kinds[1..] {
-        let hint = "give each load a [[load]] of its own";
-        reader.exclusive((kind, &value.span()), (other, &other_value.span()), hint);
+    for (other, other_value) in &given[1..] {
+        let hint = format!("give each load a {} of its own", list.title);
+        reader.exclusive((kind.key, &value.span()), (other.key, &other_value.span()), &hint);
     }
-    match kind {
-        "point" => {
-            let (at, force) = point(reader, table, part, &POSITION, (kind, value, &FORCE));
-            reader.places.field(part, "force", &force);
-            Load::PointForce { at: at.value, force: force.value }
-        }
-        "moment" => {
-            let (at, moment) = point(reader, table, part, &POSITION, (kind, value, &MOMENT));
-            reader.places.field(part, "moment", &moment);
-            Load::PointMoment { at: at.value, moment: moment.value }
-        }
-        "distributed" => {
-            let (from, to) = stretch(reader, table, part, kind, beam_length);
-            let (start, end) = intensity(reader, part, kind, value, &LOAD_PER_LENGTH);
-            Load::Distributed { from, to, start, end }
-        }
-        "distributed_moment" => {
-            let (from, to) = stretch(reader, table, part, kind, beam_length);
-            let (start, end) = intensity(reader, part, kind, value, &MOMENT_PER_LENGTH);
-            Load::DistributedMoment { from, to, start, end }
-        }
-        _ => {
-            let (from, to) = stretch(reader, table, part, kind, beam_length);
-            let wanted = match kind {
-                "curvature" => &CURVATURE,
-                "temperature_difference" => &TEMPERATURE,
-                _ => &STRAIN,
-            };
-            let (start, end) = intensity(reader, part, kind, value, wanted);
-            // What is missing has been reported.
-            let per = curl::curvature_per(reader, table, kind, [from, to], curls);
-            let [start, end] =
-                [start, end].map(|value| if per.is_nan() { 0.0 } else { per * value });
-            Load::Curvature { from, to, start, end }
-        }
-    }
+    let extent = if kind.is_distributed {
+        let [from, to] = stretch(reader, table, part, kind, list, beam_length);
+        let (start, end) = intensity(reader, part, kind.key, value, kind.wanted);
+        // What is missing has been reported.
+        let per = match kind.action {
+            Action::Curvature => curl::curvature_per(reader, table, kind.key, [from, to], curls),
+            _ => 1.0,
+        };
+        let [start, end] = [start, end].map(|value| if per.is_nan() { 0.0 } else { per * value });
+        Extent::Distributed { from, to, start, end }
+    } else {
+        misplaced(reader, table, kind.key, &["from", "to"], "a load at a point has `at`");
+        let at = reader.required(table, "at", list.position);
+        reader.places.field(part, "at", &at);
+        let size = reader.field(kind.key, value, kind.wanted);
+        let name = if kind.action == Action::Moment { "moment" } else { "force" };
+        reader.places.field(part, name, &size);
+        Extent::Point { at: at.value, size: size.value }
+    };
+    // Every kind of the table is a load.
+    Load::new(kind.action, extent, list.on_ground).unwrap_or_else(|| nothing(reader, part, table))
 }
 
 /// Keeps the place of a load of unknown kind in the list, so that those after it keep theirs.
@@ -188,40 +197,35 @@ fn nothing(reader: &mut Reader, part: Part, table: &Section) -> Load {
     let unreadable = Field::unreadable(table.span.clone());
     reader.places.field(part, "at", &unreadable);
     reader.places.field(part, "force", &unreadable);
-    Load::point(f64::NAN, f64::NAN)
+    Load::point_force(f64::NAN, f64::NAN)
 }
 
-fn point(
-    reader: &mut Reader,
-    table: &Section,
-    part: Part,
-    position: &'static Kind,
-    (kind, value, wanted): (&str, &Spanned<DeValue>, &'static Kind),
-) -> (Field, Field) {
-    misplaced(reader, table, kind, &["from", "to"], "a load at a point has `at`");
-    let at = reader.required(table, "at", position);
-    reader.places.field(part, "at", &at);
-    (at, reader.field(kind, value, wanted))
-}
-
-/// `from` and `to`; left out, the beam's ends.
+/// `from` and `to`. A load on the beam that leaves them out covers the whole beam.
 fn stretch(
     reader: &mut Reader,
     table: &Section,
     part: Part,
-    kind: &str,
+    kind: &LoadKind,
+    list: &List,
     beam_length: f64,
-) -> (f64, f64) {
-    let advice =
-        "a distributed load has `from` and `to`, or neither: then it covers the whole beam";
-    misplaced(reader, table, kind, &["at"], advice);
-    let mut end = |key: &'static str, default: f64| {
-        let field = reader.quantity(table, key, &POSITION);
-        let field = field.unwrap_or_else(|| Field::new(default, table.span.clone()));
+) -> [f64; 2] {
+    let advice = match list.on_ground {
+        true => "a distributed load has `from` and `to`",
+        false => {
+            "a distributed load has `from` and `to`, or neither: then it covers the whole beam"
+        }
+    };
+    misplaced(reader, table, kind.key, &["at"], advice);
+    [("from", 0.0), ("to", beam_length)].map(|(key, default)| {
+        let field = if list.on_ground {
+            reader.required(table, key, list.position)
+        } else {
+            let field = reader.quantity(table, key, list.position);
+            field.unwrap_or_else(|| Field::new(default, table.span.clone()))
+        };
         reader.places.field(part, key, &field);
         field.value
-    };
-    (end("from", 0.0), end("to", beam_length))
+    })
 }
 
 /// One number for an even load, or a list of two: at `from` and at `to`.

@@ -9,7 +9,7 @@ mod curl;
 mod foundation;
 mod gap;
 mod hinge;
-mod load;
+pub(crate) mod load;
 mod material;
 mod shape;
 mod shear;

@@ -76,7 +76,7 @@ pub(super) fn read(
                 // A stretch without a length, or one that cannot be read, has been reported.
                 let known = area.is_readable() && !weight.value.is_nan();
                 if known && from < to {
-                    let load = Load::Distributed { from, to, start, end };
+                    let load = Load::distributed_force(from, to, start, end);
                     let (case, span) = (case.clone(), weight.span.clone());
                     loads.push(OwnLoad { load, case, span });
                 }

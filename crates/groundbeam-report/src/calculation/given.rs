@@ -5,12 +5,12 @@ use super::equations;
 use super::{Source, print};
 use crate::characteristics::Characteristics;
 use crate::context::{Context, clean};
-use crate::load::load_name;
+use crate::load::{is_moment_per_length, load_name, load_size};
 use crate::number::significant;
 use crate::quantity::{Kind, Units};
 use crate::svg::figures;
 use crate::text;
-use groundbeam::{Acts, Existence, Hinge, Load, Method, Model, Profile, RigidMotion, SupportKind};
+use groundbeam::{Acts, Existence, Hinge, Method, Model, Profile, RigidMotion, SupportKind};
 
 /// The input, on the model of a file or of its first combination.
 pub(super) fn section(
@@ -162,7 +162,9 @@ fn loads(source: &Source, units: Units) -> Option<Block> {
     let mut table = Table::new("Loads as they are written", columns);
     table.note = "Forces act downward; moments turn the right side down.".to_owned();
     for (i, load) in model.loads.iter().enumerate() {
-        let ([from, to], size) = written(load, units);
+        let [from, to] = load.extent().ends();
+        let per = if is_moment_per_length(load, units) { " (moment per length)" } else { "" };
+        let size = load_size(load, units, " to ", 6) + per;
         let to = if from == to { String::new() } else { unit.number(to, 6) };
         let mut row = vec![
             (i + 1).to_string(),
@@ -178,33 +180,6 @@ fn loads(source: &Source, units: Units) -> Option<Block> {
         table.push(row);
     }
     (!table.rows.is_empty()).then_some(Block::Table(table))
-}
-
-/// Where a load begins and ends, and its size with the unit.
-fn written(load: &Load, units: Units) -> ([f64; 2], String) {
-    let ends = |kind, start: f64, end: f64| {
-        let unit = units.unit(kind, start.abs().max(end.abs()));
-        match start == end {
-            true => unit.write(start, 6),
-            false => format!("{} to {}", unit.number(start, 6), unit.write(end, 6)),
-        }
-    };
-    match *load {
-        Load::PointForce { at, force } | Load::GroundForce { at, force } => {
-            ([at, at], units.write(Kind::Force, force, 6))
-        }
-        Load::PointMoment { at, moment } => ([at, at], units.write(Kind::Moment, moment, 6)),
-        Load::Distributed { from, to, start, end }
-        | Load::GroundDistributed { from, to, start, end } => {
-            ([from, to], ends(Kind::Pressure, start, end))
-        }
-        Load::DistributedMoment { from, to, start, end } => {
-            // A moment per length has the unit of a force.
-            let per = if units == Units::Si { " (moment per length)" } else { "" };
-            ([from, to], ends(Kind::Force, start, end) + per)
-        }
-        Load::Curvature { from, to, start, end } => ([from, to], ends(Kind::PerLength, start, end)),
-    }
 }
 
 /// What is taken for granted, the equations, and how they were solved.

@@ -7,7 +7,7 @@ use super::frame::Frame;
 use super::labels::{Labels, Place, Rect};
 use super::style::{BEAM, GROUND_LINE, LABEL, LOAD, NOTE};
 use crate::quantity::{Kind, Units};
-use groundbeam::{FoundationSegment, GroundEnd, Load, Model, Profile};
+use groundbeam::{Extent, FoundationSegment, GroundEnd, Load, Model, Profile};
 
 /// How high the largest force on the ground is drawn.
 const FORCE: f64 = 34.0;
@@ -173,23 +173,20 @@ pub(super) struct GroundLoads<'a> {
 
 impl GroundLoads<'_> {
     pub fn draw(&self, canvas: &mut Canvas, loads: &[Load], labels: &mut Labels) {
-        let largest = |of: fn(&Load) -> f64| loads.iter().map(of).fold(0.0, f64::max);
-        let force = largest(|load| match *load {
-            Load::GroundForce { force, .. } => force.abs(),
-            _ => 0.0,
-        });
-        let spread = largest(|load| match *load {
-            Load::GroundDistributed { start, end, .. } => start.abs().max(end.abs()),
-            _ => 0.0,
-        });
+        let loads: Vec<&Load> = loads.iter().filter(|load| load.is_on_ground()).collect();
+        let largest = |distributed: bool| {
+            let same = loads.iter().filter(|load| load.extent().is_distributed() == distributed);
+            same.map(|load| load.extent().largest()).fold(0.0, f64::max)
+        };
+        let [force, intensity] = [false, true].map(largest);
         let mut words = Vec::new();
-        for load in loads {
-            words.push(match *load {
-                Load::GroundForce { at, force: value } if value != 0.0 => {
-                    self.force(canvas, at, value, value.abs() / force, labels)
+        for load in &loads {
+            words.push(match load.extent() {
+                Extent::Point { at, size } if size != 0.0 => {
+                    self.force(canvas, at, size, size.abs() / force, labels)
                 }
-                Load::GroundDistributed { from, to, start, end } if spread > 0.0 => {
-                    self.area(canvas, [from, to], [start, end], spread, labels)
+                Extent::Distributed { from, to, start, end } if intensity > 0.0 => {
+                    self.area(canvas, [from, to], [start, end], intensity, labels)
                 }
                 _ => continue,
             });
@@ -334,11 +331,7 @@ pub(super) fn farthest(model: &Model, within: f64) -> f64 {
     let away = |x: f64| (-x).max(x - l);
     let ends = model.foundation.ends.into_iter().filter_map(GroundEnd::at);
     let stretches = model.foundation.segments.iter().flat_map(|s| [s.from, s.to]);
-    let loads = model.loads.iter().flat_map(|load| match *load {
-        Load::GroundForce { at, .. } => [at, at],
-        Load::GroundDistributed { from, to, .. } => [from, to],
-        _ => [0.0, 0.0],
-    });
+    let loads = model.ground_loads().flat_map(|load| load.extent().ends());
     let all = ends.chain(stretches).chain(loads).map(away);
     all.filter(|away| *away <= within).fold(0.0, f64::max)
 }

@@ -5,8 +5,9 @@ use super::diagram::arrow;
 use super::frame::Frame;
 use super::labels::{Labels, Place, Rect};
 use super::style::{LABEL, LOAD};
-use crate::quantity::{Kind, Units};
-use groundbeam::Load;
+use crate::load::{is_moment_per_length, load_kind, load_size};
+use crate::quantity::Units;
+use groundbeam::{Action, Extent, Load};
 
 /// The height of an area of arrows.
 const LANE: f64 = 22.0;
@@ -57,18 +58,14 @@ impl Loads<'_> {
         wanted: &mut Vec<Wanted>,
     ) -> usize {
         let mut ends: Vec<Vec<[f64; 2]>> = Vec::new();
-        let largest = |of: fn(&Load) -> f64| loads.iter().map(of).fold(0.0, f64::max);
-        let force = largest(|load| match *load {
-            Load::Distributed { start, end, .. } => start.abs().max(end.abs()),
-            _ => 0.0,
-        });
-        for load in loads {
-            let (from, to) = match *load {
-                Load::Distributed { from, to, .. }
-                | Load::DistributedMoment { from, to, .. }
-                | Load::Curvature { from, to, .. } => (from, to),
-                _ => continue,
-            };
+        let distributed = || {
+            let on_beam = loads.iter().filter(|load| !load.is_on_ground());
+            on_beam.filter(|load| load.extent().is_distributed())
+        };
+        let forces = distributed().filter(|load| load.action() == Action::Force);
+        let force = forces.map(|load| load.extent().largest()).fold(0.0, f64::max);
+        for load in distributed() {
+            let [from, to] = load.extent().ends();
             let is_free = |lane: &Vec<[f64; 2]>| lane.iter().all(|o| to <= o[0] || o[1] <= from);
             let lane = match ends.iter().position(is_free) {
                 Some(lane) => lane,
@@ -80,26 +77,26 @@ impl Loads<'_> {
             };
             ends[lane].push([from, to]);
             let base = 4.0 + lane as f64 * (LANE + LANE_LABEL);
-            match *load {
-                Load::Distributed { start, end, .. } => {
-                    let share = [start, end].map(|value| value / force);
+            let sizes = load.extent().sizes();
+            let words = printed(&load_size(load, self.units, " … ", 5));
+            let (share, words) = match load.action() {
+                Action::Force => {
+                    let share = sizes.map(|value| value / force);
                     self.area(canvas, [from, to], share, base);
-                    let words = self.two_ended(Kind::Pressure, start, end);
-                    wanted.push(self.beside_area([from, to], share, base, words, labels));
+                    (share, words)
                 }
-                Load::DistributedMoment { start, end, .. } => {
-                    self.turning_row(canvas, [from, to], [start, end], base);
-                    let words = self.per_length(start, end);
-                    wanted.push(self.beside_area([from, to], [0.5, 0.5], base, words, labels));
+                Action::Moment => {
+                    self.turning_row(canvas, [from, to], sizes, base);
+                    // The unit of a moment per length is that of a force, which would be misread.
+                    let per = if is_moment_per_length(load, self.units) { " m/m" } else { "" };
+                    ([0.5; 2], words + per)
                 }
-                Load::Curvature { start, end, .. } => {
-                    self.bent_line(canvas, [from, to], [start, end], base + 0.4 * LANE);
-                    let words = self.two_ended(Kind::PerLength, start, end);
-                    let words = format!("curvature {words}");
-                    wanted.push(self.beside_area([from, to], [0.8, 0.8], base, words, labels));
+                Action::Curvature => {
+                    self.bent_line(canvas, [from, to], sizes, base + 0.4 * LANE);
+                    ([0.8; 2], format!("curvature {words}"))
                 }
-                _ => {}
-            }
+            };
+            wanted.push(self.beside_area([from, to], share, base, words, labels));
         }
         ends.len()
     }
@@ -214,35 +211,34 @@ impl Loads<'_> {
         wanted: &mut Vec<Wanted>,
     ) {
         let above = lanes as f64 * (LANE + LANE_LABEL);
-        let size = |load: &Load| match *load {
-            Load::PointForce { force, .. } => force.abs(),
-            _ => 0.0,
+        let points = || {
+            loads.iter().filter(|load| !load.is_on_ground()).filter_map(|load| {
+                match load.extent() {
+                    Extent::Point { at, size } if size != 0.0 => Some((load, at, size)),
+                    _ => None,
+                }
+            })
         };
-        let largest = loads.iter().map(size).fold(0.0, f64::max);
-        for load in loads {
-            match *load {
-                Load::PointForce { at, force } if force != 0.0 => {
-                    let share = force.abs() / largest;
-                    let length = above + 18.0 + 26.0 * share;
-                    let [x, tip] = [self.frame.x(at), (self.top)(at) - 1.5];
-                    let (from, to) =
-                        if force > 0.0 { (tip - length, tip) } else { (tip, tip - length) };
-                    arrow(canvas, [x, from], [x, to], LOAD, 2.0);
-                    labels.avoid(Rect::around([x, tip], [x, tip - length], 3.0));
-                    let words = printed(&self.units.write(Kind::Force, force.abs(), 5));
-                    wanted.push(self.beside([x, tip - length], words, share, labels));
-                }
-                Load::PointMoment { at, moment } if moment != 0.0 => {
-                    let centre = [self.frame.x(at), (self.top)(at) + 3.0];
-                    turning_arrow(canvas, centre, RADIUS, moment > 0.0);
-                    let [x, y] = centre;
-                    let arc = Rect::around([x - RADIUS, y - RADIUS], [x + RADIUS, y], 3.0);
-                    labels.avoid(arc);
-                    let words = printed(&self.units.write(Kind::Moment, moment.abs(), 5));
-                    wanted.push(self.beside([x, y - RADIUS - 2.0], words, 0.5, labels));
-                }
-                _ => {}
+        let forces = points().filter(|(load, ..)| load.action() == Action::Force);
+        let largest = forces.map(|(_, _, force)| force.abs()).fold(0.0, f64::max);
+        for (load, at, size) in points() {
+            let words = printed(&self.units.write(load_kind(load), size.abs(), 5));
+            if load.action() == Action::Moment {
+                let centre = [self.frame.x(at), (self.top)(at) + 3.0];
+                turning_arrow(canvas, centre, RADIUS, size > 0.0);
+                let [x, y] = centre;
+                let arc = Rect::around([x - RADIUS, y - RADIUS], [x + RADIUS, y], 3.0);
+                labels.avoid(arc);
+                wanted.push(self.beside([x, y - RADIUS - 2.0], words, 0.5, labels));
+                continue;
             }
+            let share = size.abs() / largest;
+            let length = above + 18.0 + 26.0 * share;
+            let [x, tip] = [self.frame.x(at), (self.top)(at) - 1.5];
+            let (from, to) = if size > 0.0 { (tip - length, tip) } else { (tip, tip - length) };
+            arrow(canvas, [x, from], [x, to], LOAD, 2.0);
+            labels.avoid(Rect::around([x, tip], [x, tip - length], 3.0));
+            wanted.push(self.beside([x, tip - length], words, share, labels));
         }
     }
 
@@ -265,22 +261,6 @@ impl Loads<'_> {
             places.push(Place { x: x - 0.5 * width, baseline: y + drop });
         }
         Wanted { words, places, weight }
-    }
-
-    /// `20 kN/m`, or `0 … 20 kN/m`.
-    fn two_ended(&self, kind: Kind, start: f64, end: f64) -> String {
-        let unit = self.units.unit(kind, start.abs().max(end.abs()));
-        printed(&if start == end {
-            unit.write(start, 5)
-        } else {
-            format!("{} … {}", unit.number(start, 5), unit.write(end, 5))
-        })
-    }
-
-    /// A moment per length is measured as a force, which would be misread.
-    fn per_length(&self, start: f64, end: f64) -> String {
-        let words = self.two_ended(Kind::Force, start, end);
-        if self.units == Units::Si { format!("{words} m/m") } else { words }
     }
 }
 

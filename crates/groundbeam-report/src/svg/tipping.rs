@@ -140,14 +140,14 @@ mod tests {
     #[test]
     fn what_lifts_is_drawn_above_what_stays() {
         let beam = || Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0));
-        let at = |model: Model, x: f64| model.with_load(Load::point(1.0, x));
-        let left = at(at(beam(), 0.0), 4.0).with_load(Load::moment(-9.0, 2.0));
+        let at = |model: Model, x: f64| model.with_load(Load::point_force(x, 1.0));
+        let left = at(at(beam(), 0.0), 4.0).with_load(Load::point_moment(2.0, -9.0));
         let view = drawn(&left);
         assert!((heights(&view)[0] - heights(&view)[1] - RISE).abs() < 1e-9);
         // Halfway between them.
         let middle = heights(&view)[2];
         assert!((2.0 * middle - heights(&view)[0] - heights(&view)[1]).abs() < 1e-9);
-        let right = at(at(beam(), 0.0), 4.0).with_load(Load::moment(9.0, 2.0));
+        let right = at(at(beam(), 0.0), 4.0).with_load(Load::point_moment(2.0, 9.0));
         assert!(heights(&drawn(&right))[1] > heights(&drawn(&right))[0]);
         // What lays it back takes as much from the one end as it has risen over the other.
         assert!(view.svg.contains(r#"data-still="matrix(1, "#), "{}", view.svg);
@@ -157,9 +157,9 @@ mod tests {
     fn a_part_beyond_a_hinge_lifts_alone() {
         let model = Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0))
             .with_hinge(Hinge::free(2.0))
-            .with_load(Load::point(3.0, 1.0))
-            .with_load(Load::point(1.0, 2.0))
-            .with_load(Load::point(-0.5, 4.0));
+            .with_load(Load::point_force(1.0, 3.0))
+            .with_load(Load::point_force(2.0, 1.0))
+            .with_load(Load::point_force(4.0, -0.5));
         let view = drawn(&model);
         let heights = heights(&view);
         assert!((heights[0] - heights[1]).abs() < 1e-9 && heights[2] < heights[0] - 40.0);

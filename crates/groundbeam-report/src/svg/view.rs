@@ -7,7 +7,7 @@ use super::samples::Samples;
 use super::{PANEL_SPACE, axis_of_x, diagrams, edges, stacked, supports, system};
 use crate::context::Context;
 use crate::font::Metrics;
-use groundbeam::{Load, Model, Side, Solution};
+use groundbeam::{Extent, Model, Side, Solution};
 
 /// A picture that can be taken hold of. Places are in units of the picture, from its upper left corner.
 #[derive(Debug, Clone, PartialEq)]
@@ -118,22 +118,18 @@ pub(super) fn handles(
     let above = system::THICKNESS + GRIP;
     let mut all = Vec::new();
     for (i, load) in model.loads.iter().enumerate() {
-        match *load {
-            Load::PointForce { at, .. } | Load::PointMoment { at, .. } => {
-                all.push(handle(Grip::Load(i), at, above));
+        let [from, to] = load.extent().ends();
+        let (grips, rises) = match load.extent() {
+            Extent::Point { .. } => (vec![(Grip::Load(i), from)], [above, GRIP]),
+            Extent::Distributed { .. } => {
+                (vec![(Grip::From(i), from), (Grip::To(i), to)], [above - 9.0, GRIP - 12.0])
             }
-            Load::Distributed { from, to, .. }
-            | Load::DistributedMoment { from, to, .. }
-            | Load::Curvature { from, to, .. } => {
-                all.push(handle(Grip::From(i), from, above - 9.0));
-                all.push(handle(Grip::To(i), to, above - 9.0));
-            }
-            Load::GroundForce { at, .. } => all.extend(on_ground(Grip::Load(i), at, GRIP)),
-            Load::GroundDistributed { from, to, .. } => {
-                all.extend(on_ground(Grip::From(i), from, GRIP - 12.0));
-                all.extend(on_ground(Grip::To(i), to, GRIP - 12.0));
-            }
-        }
+        };
+        let [over_beam, over_ground] = rises;
+        all.extend(grips.into_iter().filter_map(|(grip, at)| match load.is_on_ground() {
+            true => on_ground(grip, at, over_ground),
+            false => Some(handle(grip, at, over_beam)),
+        }));
     }
     for (i, hinge) in model.hinges.iter().enumerate() {
         all.push(handle(Grip::Hinge(i), hinge.at, 0.5 * system::THICKNESS));

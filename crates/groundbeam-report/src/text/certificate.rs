@@ -54,8 +54,8 @@ mod tests {
     /// Kikuchi's case IV on two elements, with or without its shear layer: errors that are no rounding.
     fn proof(foundation: Foundation) -> Certificate {
         let model = Model::new(Beam::uniform(1.0, 1.0), foundation)
-            .with_load(Load::point(1.0, 0.5))
-            .with_load(Load::moment(0.49, 0.5));
+            .with_load(Load::point_force(0.5, 1.0))
+            .with_load(Load::point_moment(0.5, 0.49));
         let options = Options { method: Method::ActiveSet, elements: 2, ..Options::default() };
         let Ok(Outcome::Equilibrium(solution)) = solve_with(&model, &options) else { panic!() };
         *solution.certificate()

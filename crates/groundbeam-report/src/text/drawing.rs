@@ -2,7 +2,7 @@
 
 use crate::quantity::{Kind, Units};
 use crate::size::Sizes;
-use groundbeam::{Load, Side, Solution};
+use groundbeam::{Action, Extent, Side, Solution};
 
 /// Columns of the drawing.
 const WIDTH: usize = 78;
@@ -62,24 +62,16 @@ impl Picture<'_> {
     /// Forces as arrows, moments as turning arrows, distributed loads as what they rain from.
     fn loads(&self) -> String {
         let mut row = vec![' '; WIDTH];
-        let loads = &self.solution.model().loads;
-        for load in loads {
-            if let Load::Distributed { from, to, .. }
-            | Load::DistributedMoment { from, to, .. }
-            | Load::Curvature { from, to, .. } = *load
-            {
-                row[self.column(from)..=self.column(to)].fill('┬');
-            }
+        let model = self.solution.model();
+        for load in model.beam_loads().filter(|load| load.extent().is_distributed()) {
+            let [from, to] = load.extent().ends();
+            row[self.column(from)..=self.column(to)].fill('┬');
         }
-        for load in loads {
-            match *load {
-                Load::PointForce { at, force } => {
-                    row[self.column(at)] = if force < 0.0 { '↑' } else { '↓' };
-                }
-                Load::PointMoment { at, moment } => {
-                    row[self.column(at)] = if moment < 0.0 { '↺' } else { '↻' };
-                }
-                _ => {}
+        for load in model.beam_loads() {
+            if let Extent::Point { at, size } = load.extent() {
+                let turns = load.action() == Action::Moment;
+                let [up, down] = if turns { ['↺', '↻'] } else { ['↑', '↓'] };
+                row[self.column(at)] = if size < 0.0 { up } else { down };
             }
         }
         row.into_iter().collect()

@@ -126,7 +126,7 @@ mod tests {
     fn columns_are_as_wide_as_their_numbers() {
         let l = 12_345_678.25;
         let model = Model::new(Beam::uniform(l, 1e28), Foundation::winkler(1.0))
-            .with_load(Load::uniform(1.0, 0.0, l));
+            .with_load(Load::uniform_force(0.0, l, 1.0));
         let Ok(Outcome::Equilibrium(solution)) = solve(&model) else { panic!("it stands") };
         let open = |from: f64| LiftOff {
             from,

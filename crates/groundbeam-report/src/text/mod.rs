@@ -15,6 +15,7 @@ pub(crate) mod train;
 
 use crate::characteristics::Characteristics;
 use crate::context::Context;
+use crate::load::load_kind;
 use crate::number::significant;
 use crate::quantity::{Kind, Units, duration};
 use crate::size::Sizes;
@@ -23,7 +24,7 @@ pub use combinations::combinations;
 pub use comparison::comparison;
 pub use drawing::drawing;
 use groundbeam::{
-    Acts, ContactRegion, Existence, Extreme, Field, GroundEnd, Load, Model, Profile, Range,
+    Acts, ContactRegion, Existence, Extent, Extreme, Field, GroundEnd, Load, Model, Profile, Range,
     Reaction, Solution, Stopped, SupportKind, Verdict,
 };
 pub use passages::{checked_trains, trains};
@@ -131,16 +132,15 @@ fn problem(sheet: &mut Sheet, model: &Model, existence: &Existence, context: &Co
         None => "resultant zero".to_owned(),
     };
     sheet.row("Loads", &loads);
-    let neighbours: Vec<&Load> = model.loads.iter().filter(|load| load.is_on_ground()).collect();
-    listed(sheet, "On ground", &neighbours, |load| match **load {
-        Load::GroundDistributed { from, to, start, end } => {
-            let size = range(units, Kind::Pressure, [start, end]);
+    let neighbours: Vec<&Load> = model.ground_loads().collect();
+    listed(sheet, "On ground", &neighbours, |load| match load.extent() {
+        Extent::Distributed { from, to, start, end } => {
+            let size = range(units, load_kind(load), [start, end]);
             format!("{size} {}", between(units, from, to))
         }
-        Load::GroundForce { at, force } => {
-            format!("{} at x = {}", units.write(Kind::Force, force, 6), units.position(at))
+        Extent::Point { at, size } => {
+            format!("{} at x = {}", units.write(load_kind(load), size, 6), units.position(at))
         }
-        _ => String::new(),
     });
     sheet.blank();
 }

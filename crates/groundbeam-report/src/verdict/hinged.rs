@@ -96,24 +96,24 @@ mod tests {
             Model::new(Beam::uniform(6.0, 1.0), Foundation::pasternak(1.0, 1.0))
                 .with_hinge(Hinge::free(2.0))
                 .with_hinge(Hinge::free(4.0))
-                .with_load(Load::uniform(1.0, 0.0, 6.0))
+                .with_load(Load::uniform_force(0.0, 6.0, 1.0))
         };
         let cases = [
             (slab(), "no motion that its hinges allow lifts", "", ""),
             (
-                slab().with_load(Load::point(-3.0, 6.0)),
+                slab().with_load(Load::point_force(6.0, -3.0)),
                 "lift a part of the beam: its right end lifts, its hinge at x = 4 stays",
                 "its right end lifts, its hinge at x = 4 stays; nothing of it presses",
                 "down at its right end",
             ),
             (
-                slab().with_load(Load::point(-3.0, 2.0)),
+                slab().with_load(Load::point_force(2.0, -3.0)),
                 "its hinge at x = 2 lifts, its left end and its hinge at x = 4 stay",
                 "its hinge at x = 2 lifts",
                 "down at x = 2",
             ),
             (
-                slab().with_load(Load::point(-1.0, 6.0)),
+                slab().with_load(Load::point_force(6.0, -1.0)),
                 "neither hold the beam down there nor lift it: its right end lifts",
                 "",
                 "",

@@ -2,7 +2,7 @@
 
 use crate::answer::Answer;
 use groundbeam::model::Train;
-use groundbeam::{Field, Fields, Load, Model, Range};
+use groundbeam::{Action, Field, Fields, Model, Range};
 use std::borrow::Borrow;
 
 /// A position of the train: its answer, and the values by which envelopes are compared.
@@ -60,8 +60,8 @@ impl Under {
         jump[SHEAR] = own;
         if model.beam.shears() {
             let here = |at: f64| (at - x).abs() <= Train::SAME_PLACE * model.beam.length;
-            let fixed = model.loads.iter().map(|load| match *load {
-                Load::PointForce { at, force } if here(at) => force,
+            let fixed = model.loads.iter().map(|load| match load.at_point(Action::Force) {
+                Some((at, force)) if here(at) => force,
                 _ => 0.0,
             });
             let all = own + fixed.sum::<f64>();

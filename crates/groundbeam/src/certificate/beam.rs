@@ -3,7 +3,7 @@
 use super::quadrature::{Seen, at_points, gauss, larger};
 use super::statics::{Events, SpreadLoad};
 use super::{Claim, ClaimedPiece};
-use crate::model::{Course, Load, Model};
+use crate::model::{Course, Extent, Model};
 use crate::numeric::polynomial::is_free_of_zeros;
 
 /// Energies and their parts, summed piece by piece.
@@ -115,15 +115,10 @@ fn shear_piece(
 
 /// The work of point loads.
 pub(super) fn work_at_points(model: &Model, claim: &Claim, sums: &mut Sums) {
-    for load in &model.loads {
-        match *load {
-            Load::PointForce { at, force } => sums.work += force * claim.deflection(at)[0],
-            Load::PointMoment { at, moment } => sums.work += moment * claim.deflection(at)[1],
-            Load::Distributed { .. }
-            | Load::DistributedMoment { .. }
-            | Load::Curvature { .. }
-            | Load::GroundForce { .. }
-            | Load::GroundDistributed { .. } => {}
+    for load in model.beam_loads() {
+        if let Extent::Point { at, size } = load.extent() {
+            let moved = claim.deflection(at).get(load.action().derivative()).copied();
+            sums.work += size * moved.unwrap_or(0.0);
         }
     }
 }

@@ -56,16 +56,16 @@ mod tests {
     fn models() -> Vec<(&'static str, Model)> {
         let kikuchi = || {
             Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
-                .with_load(Load::point(1.0, 0.5))
+                .with_load(Load::point_force(0.5, 1.0))
         };
         let two_grounds = Foundation::pasternak(2.0, 0.5).with_segment(1.0, 2.5, 5.0, 2.0);
         vec![
-            ("touching", kikuchi().with_load(Load::moment(0.1, 0.5))),
-            ("lifted", kikuchi().with_load(Load::moment(0.49, 0.5))),
+            ("touching", kikuchi().with_load(Load::point_moment(0.5, 0.1))),
+            ("lifted", kikuchi().with_load(Load::point_moment(0.5, 0.49))),
             (
                 "on springs",
                 Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(3.0))
-                    .with_load(Load::point(1.0, 1.0)),
+                    .with_load(Load::point_force(1.0, 1.0)),
             ),
             (
                 "two ends",
@@ -73,29 +73,29 @@ mod tests {
                     .with_gap(0.0, 0.0)
                     .with_gap(1.0, 1.0)
                     .with_gap(2.0, 0.0)
-                    .with_load(Load::point(0.4, 0.7)),
+                    .with_load(Load::point_force(0.7, 0.4)),
             ),
             (
                 "supported",
                 Model::new(Beam::uniform(3.0, 2.0), two_grounds)
                     .with_support(Support::pinned(0.0))
                     .with_support(Support::spring(2.0, 4.0, 0.7))
-                    .with_load(Load::uniform(1.0, 0.5, 3.0))
-                    .with_load(Load::moment(-0.2, 1.3)),
+                    .with_load(Load::uniform_force(0.5, 3.0, 1.0))
+                    .with_load(Load::point_moment(1.3, -0.2)),
             ),
             (
                 "hinged",
                 kikuchi()
                     .with_hinge(Hinge::free(0.4))
                     .with_hinge(Hinge::elastic(0.7, 0.8))
-                    .with_load(Load::uniform(0.3, 0.0, 1.0)),
+                    .with_load(Load::uniform_force(0.0, 1.0, 0.3)),
             ),
             (
                 "a hinge that opens upward",
                 Model::new(Beam::uniform(2.0, 1.0), Foundation::pasternak(1.0, 2.0))
                     .with_hinge(Hinge::free(1.0))
-                    .with_load(Load::point(1.0, 0.4))
-                    .with_load(Load::point(1.0, 1.5)),
+                    .with_load(Load::point_force(0.4, 1.0))
+                    .with_load(Load::point_force(1.5, 1.0)),
             ),
             (
                 "hung between hinges",
@@ -106,7 +106,7 @@ mod tests {
                     .with_gap(0.0, 5.0)
                     .with_gap(3.0, 5.0)
                     .with_gap(3.2, 0.0)
-                    .with_load(Load::uniform(1.0, 2.0, 5.0)),
+                    .with_load(Load::uniform_force(2.0, 5.0, 1.0)),
             ),
             (
                 "on bearings",
@@ -115,8 +115,8 @@ mod tests {
                     .with_support(Support::spring(1.2, 4.0, 0.0).acting(Acts::Up))
                     .with_support(Support::pinned(2.0).acting(Acts::Up))
                     .with_support(Support::pinned(2.6).acting(Acts::Down))
-                    .with_load(Load::point(1.0, 1.4))
-                    .with_load(Load::point(3.0, 3.0)),
+                    .with_load(Load::point_force(1.4, 1.0))
+                    .with_load(Load::point_force(3.0, 3.0)),
             ),
             ("varying", {
                 let beam = Beam::uniform(2.0, 1.0).with_varying_segment(
@@ -131,11 +131,11 @@ mod tests {
                     Profile::linear(1.0, 0.6),
                 );
                 Model::new(beam, ground)
-                    .with_load(Load::point(1.0, 1.0))
-                    .with_load(Load::moment(0.8, 1.0))
+                    .with_load(Load::point_force(1.0, 1.0))
+                    .with_load(Load::point_moment(1.0, 0.8))
             }),
             ("pulled", {
-                let mut model = kikuchi().with_load(Load::moment(0.7, 0.5));
+                let mut model = kikuchi().with_load(Load::point_moment(0.5, 0.7));
                 model.beam.axial_force = 2.0;
                 model
             }),

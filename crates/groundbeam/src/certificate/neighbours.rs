@@ -1,7 +1,7 @@
 //! What acts on the ground besides the beam.
 
 use super::outside::Outside;
-use crate::model::{Beyond, Layer, Load, Model};
+use crate::model::{Beyond, Extent, Layer, Model};
 
 /// Forces at points under the beam, and what the loads beside it push each of its ends with.
 #[derive(Debug)]
@@ -18,8 +18,8 @@ impl Neighbours {
         let l = model.beam.length;
         let near = super::NEAR * l;
         let mut forces: Vec<(f64, f64)> = Vec::new();
-        for load in &model.loads {
-            if let Load::GroundForce { at, force } = *load
+        for load in model.ground_loads() {
+            if let Extent::Point { at, size: force } = load.extent
                 && at >= -near
                 && at <= l + near
             {
@@ -50,8 +50,8 @@ impl Neighbours {
 pub(super) fn spread(model: &Model, x: [f64; 2]) -> [f64; 2] {
     let middle = 0.5 * (x[0] + x[1]);
     let mut sum = [0.0; 2];
-    for load in &model.loads {
-        let Load::GroundDistributed { from, to, start, end } = *load else { continue };
+    for load in model.ground_loads() {
+        let Extent::Distributed { from, to, start, end } = load.extent else { continue };
         if middle > from && middle < to {
             let rate = (end - start) / (to - from);
             sum = [0, 1].map(|i| sum[i] + start + rate * (x[i] - from));
@@ -77,13 +77,8 @@ fn push(model: &Model, beyond: &Beyond, right: bool) -> f64 {
     for layer in &beyond.layers {
         let to = from + layer.length;
         let mut cuts = vec![from, to];
-        for load in &model.loads {
-            let ends = match *load {
-                Load::GroundForce { at, .. } => [at, at],
-                Load::GroundDistributed { from, to, .. } => [from, to],
-                _ => continue,
-            };
-            let distances = ends.map(|x| if right { x - l } else { -x });
+        for load in model.ground_loads() {
+            let distances = load.extent.ends().map(|x| if right { x - l } else { -x });
             cuts.extend(distances.into_iter().filter(|d| *d > from && *d < to));
         }
         cuts.sort_by(f64::total_cmp);
@@ -112,8 +107,8 @@ fn push(model: &Model, beyond: &Beyond, right: bool) -> f64 {
 
 /// The forces at a place beside the beam.
 fn points(model: &Model, x: f64, near: f64) -> f64 {
-    let forces = model.loads.iter().map(|load| match *load {
-        Load::GroundForce { at, force } if (at - x).abs() <= near => force,
+    let forces = model.ground_loads().map(|load| match load.extent {
+        Extent::Point { at, size: force } if (at - x).abs() <= near => force,
         _ => 0.0,
     });
     forces.sum()

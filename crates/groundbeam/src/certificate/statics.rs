@@ -2,7 +2,7 @@
 
 use super::balance::Remains;
 use super::{Claim, ClaimedPiece};
-use crate::model::{Load, Model};
+use crate::model::{Action, Extent, Load, Model};
 use crate::numeric::polynomial::{Coefficients, integral};
 
 /// What acts at one point: force down, moment.
@@ -45,18 +45,18 @@ impl Events {
     pub fn of(model: &Model, claim: &Claim) -> Self {
         let most = model.loads.len() + claim.forces.len() + claim.reactions.len();
         let mut ahead = Vec::with_capacity(most);
-        for load in &model.loads {
-            match *load {
-                Load::PointForce { at, force } => ahead.push(Event::of(at, force, 0.0)),
-                Load::PointMoment { at, moment } => ahead.push(Event::of(at, 0.0, moment)),
-                Load::Curvature { from, to, .. } => {
-                    let felt = curling(model, load);
-                    ahead.extend([from, to].map(|at| Event { felt, ..Event::of(at, 0.0, 0.0) }));
+        for load in model.beam_loads() {
+            match (load.action(), load.extent()) {
+                (Action::Force, Extent::Point { at, size }) => ahead.push(Event::of(at, size, 0.0)),
+                (Action::Moment, Extent::Point { at, size }) => {
+                    ahead.push(Event::of(at, 0.0, size));
                 }
-                Load::Distributed { .. }
-                | Load::DistributedMoment { .. }
-                | Load::GroundForce { .. }
-                | Load::GroundDistributed { .. } => {}
+                (Action::Curvature, extent) => {
+                    let felt = curling(model, load);
+                    let event = |at: f64| Event { felt, ..Event::of(at, 0.0, 0.0) };
+                    ahead.extend(extent.ends().map(event));
+                }
+                (Action::Force | Action::Moment, Extent::Distributed { .. }) => {}
             }
         }
         let up = |&(x, force): &(f64, f64)| Event::of(x, -force, 0.0);
@@ -167,31 +167,25 @@ impl Events {
 /// The sum of all loads' sizes, moments over the length.
 pub(super) fn size(model: &Model) -> f64 {
     let l = model.beam.length;
-    let sizes = model.loads.iter().map(|load| match *load {
-        Load::PointForce { force, .. } => force.abs(),
-        Load::PointMoment { moment, .. } => moment.abs() / l,
-        Load::Distributed { from, to, start, end } => 0.5 * (start.abs() + end.abs()) * (to - from),
-        Load::DistributedMoment { from, to, start, end } => {
+    let sizes = model.beam_loads().map(|load| match (load.action(), load.extent()) {
+        (Action::Force, extent) => extent.total(),
+        (Action::Moment, Extent::Point { size, .. }) => size.abs() / l,
+        (Action::Moment, Extent::Distributed { from, to, start, end }) => {
             0.5 * (start.abs() + end.abs()) * ((to - from) / l)
         }
-        Load::Curvature { .. } => 2.0 * curling(model, load) / l,
-        Load::GroundForce { .. } | Load::GroundDistributed { .. } => 0.0,
+        (Action::Curvature, _) => 2.0 * curling(model, load) / l,
     });
     sizes.sum()
 }
 
 /// A bound of the moment EI κ₀ of an imposed curvature.
 fn curling(model: &Model, load: &Load) -> f64 {
-    match load {
-        Load::Curvature { start, end, .. } => start.abs().max(end.abs()) * model.beam.stiffest(),
-        _ => 0.0,
-    }
+    load.extent().largest() * model.beam.stiffest()
 }
 
-/// The loads that are spread.
+/// The distributed loads on the beam.
 pub(super) fn spread(model: &Model) -> Vec<Load> {
-    let at_point = |load: &Load| matches!(load, Load::PointForce { .. } | Load::PointMoment { .. });
-    model.loads.iter().filter(|load| !at_point(load)).copied().collect()
+    model.beam_loads().filter(|load| load.extent().is_distributed()).copied().collect()
 }
 
 /// f, g and κ₀ on a piece: value at the middle and half the rise.
@@ -207,21 +201,16 @@ impl SpreadLoad {
         let middle = 0.5 * (x[0] + x[1]);
         let mut sum = SpreadLoad::default();
         for load in loads {
-            let (Load::Distributed { from, to, start, end }
-            | Load::DistributedMoment { from, to, start, end }
-            | Load::Curvature { from, to, start, end }) = *load
-            else {
-                continue;
-            };
+            let Extent::Distributed { from, to, start, end } = load.extent() else { continue };
             if middle <= from || middle >= to {
                 continue;
             }
             let rate = (end - start) / (to - from);
             let terms = [start + rate * (middle - from), rate * 0.5 * (x[1] - x[0])];
-            let into = match load {
-                Load::Distributed { .. } => &mut sum.force,
-                Load::Curvature { .. } => &mut sum.curvature,
-                _ => &mut sum.moment,
+            let into = match load.action() {
+                Action::Force => &mut sum.force,
+                Action::Moment => &mut sum.moment,
+                Action::Curvature => &mut sum.curvature,
             };
             for (sum, term) in into.iter_mut().zip(terms) {
                 *sum += term;

@@ -398,7 +398,7 @@ mod tests {
         for i in 1..200 {
             let length = 0.614 + 1e-3 * f64::from(i);
             let model = Model::new(Beam::uniform(length, 1e-10), Foundation::pasternak(7.0, 0.02))
-                .with_load(Load::uniform(1.0, 0.0, length));
+                .with_load(Load::uniform_force(0.0, length, 1.0));
             let cell = Mesh::build(&model, &[], |_| 1).cells[0];
             let element = ExactElement::new(&Operator::of(&cell, 0.0, Touch::Open), length).element;
             let tied = TiedLink {

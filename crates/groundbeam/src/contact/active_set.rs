@@ -332,8 +332,8 @@ mod tests {
     fn the_papers_mesh() {
         for (moment, printed) in [(0.1, 0.29882), (0.49, 0.01341)] {
             let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
-                .with_load(Load::point(1.0, 0.5))
-                .with_load(Load::moment(moment, 0.5));
+                .with_load(Load::point_force(0.5, 1.0))
+                .with_load(Load::point_moment(0.5, moment));
             let mesh = Mesh::uniform(&model, 10);
             let found =
                 solve(mesh, Pressure::Dirac, None, ENERGY, &Cancel::default()).expect("a solution");

@@ -25,7 +25,7 @@ pub(crate) fn solve_over_an_end(
 ) -> Result<Found, Stalled> {
     let l = model.beam.length;
     let inward = if over_left { ALMOST } else { -ALMOST };
-    let nearly = model.clone().with_load(Load::moment(inward * resultant * l, 0.5 * l));
+    let nearly = model.clone().with_load(Load::point_moment(0.5 * l, inward * resultant * l));
     let limit = solve(&nearly, None, cancel, |_| Proof::NONE)?;
     let last = limit.mesh.cells.len() - 1;
     let (cell, s) = if over_left { (0, -1.0) } else { (last, 1.0) };

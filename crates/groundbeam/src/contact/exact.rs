@@ -176,8 +176,8 @@ mod tests {
     #[test]
     fn edges_converge_quadratically() {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
-            .with_load(Load::point(1.0, 0.5))
-            .with_load(Load::moment(0.49, 0.5));
+            .with_load(Load::point_force(0.5, 1.0))
+            .with_load(Load::point_moment(0.5, 0.49));
         let mut stretches = vec![[0.8, 1.0]];
         let mut errors = Vec::new();
         for _ in 0..4 {

@@ -231,10 +231,10 @@ mod tests {
     #[test]
     fn a_short_gap_keeps_the_digits_beside_it() {
         let model = Model::new(Beam::uniform(1.0, 10.0), Foundation::pasternak(1.0, 3.4))
-            .with_load(Load::point(1.0, 0.5))
-            .with_load(Load::moment(0.1, 0.5));
+            .with_load(Load::point_force(0.5, 1.0))
+            .with_load(Load::point_moment(0.5, 0.1));
         let solved = |stretches: &[Stretch], node: f64| {
-            let model = model.clone().with_load(Load::point(f64::MIN_POSITIVE, node));
+            let model = model.clone().with_load(Load::point_force(node, f64::MIN_POSITIVE));
             let found =
                 Glue::new(&model, &Cancel::default()).on(stretches, None).expect("a solution");
             let cell = found.mesh.cells.iter().position(|c| c.x[1] == 0.3).expect("a node");

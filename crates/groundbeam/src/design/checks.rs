@@ -90,7 +90,7 @@ impl Limits {
     /// use groundbeam::{Beam, Checked, Foundation, Limits, Load, Model, Outcome, solve};
     ///
     /// let model = Model::new(Beam::uniform(6.0, 1e9), Foundation::pasternak(40e6, 9e6))
-    ///     .with_load(Load::point(600e3, 4.0));
+    ///     .with_load(Load::point_force(4.0, 600e3));
     /// let Outcome::Equilibrium(solution) = solve(&model)? else { panic!("it stands") };
     /// let limits = Limits { eccentricity: Some(1.0 / 6.0), ..Limits::default() };
     /// let [check] = limits.check(&solution)[..] else { panic!("one") };
@@ -158,18 +158,19 @@ mod tests {
     #[test]
     fn the_margin_is_the_factor_on_the_moment() {
         let beam = || Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0));
-        let model =
-            |m: f64| beam().with_load(Load::point(1.0, 0.5)).with_load(Load::moment(m, 0.5));
+        let model = |m: f64| {
+            beam().with_load(Load::point_force(0.5, 1.0)).with_load(Load::point_moment(0.5, m))
+        };
         assert!((overturning(&model(0.1)) - 5.0).abs() < 1e-14);
         assert!((overturning(&model(-0.4)) - 1.25).abs() < 1e-14);
-        assert_eq!(overturning(&beam().with_load(Load::point(1.0, 0.9))), f64::INFINITY);
+        assert_eq!(overturning(&beam().with_load(Load::point_force(0.9, 1.0))), f64::INFINITY);
     }
 
     #[test]
     fn checks_of_a_beam_that_lifts_off() {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
-            .with_load(Load::point(1.0, 0.5))
-            .with_load(Load::moment(0.49, 0.5));
+            .with_load(Load::point_force(0.5, 1.0))
+            .with_load(Load::point_moment(0.5, 0.49));
         let Outcome::Equilibrium(solution) = solve(&model).unwrap() else { panic!("it stands") };
         let limits = Limits {
             bearing_pressure: Some((10.0, 0.5)),

@@ -28,7 +28,7 @@ const BOUNDS: [Bound; 2] = [Bound::Max, Bound::Min];
 /// let footing = || Model::new(Beam::uniform(12.0, 1.28e9), Foundation::pasternak(40e6, 9e6));
 /// let mut solutions = Vec::new();
 /// for at in [2.0, 10.0] {
-///     let model = footing().with_load(Load::point(900e3, 6.0)).with_load(Load::point(300e3, at));
+///     let model = footing().with_load(Load::point_force(6.0, 900e3)).with_load(Load::point_force(at, 300e3));
 ///     let Outcome::Equilibrium(solution) = solve(&model)? else { unreachable!("it stands") };
 ///     solutions.push(*solution);
 /// }
@@ -263,7 +263,7 @@ mod tests {
     fn footing(loads: &[(f64, f64)]) -> Solution {
         let mut model = Model::new(Beam::uniform(12.0, 1.28e9), Foundation::pasternak(40e6, 9e6));
         for &(force, at) in loads {
-            model = model.with_load(Load::point(force, at));
+            model = model.with_load(Load::point_force(at, force));
         }
         match solve(&model) {
             Ok(Outcome::Equilibrium(solution)) => *solution,

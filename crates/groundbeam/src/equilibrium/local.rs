@@ -114,7 +114,7 @@ fn mode(model: &Model, contact: &[Stretch], cancel: &Cancel) -> Option<(f64, [f6
     }
     let l = model.beam.length;
     // In no symmetry, and no polynomial along the beam: even loads leave even modes alone.
-    loose.loads.push(Load::Distributed { from: 0.0, to: 0.618 * l, start: 1.0, end: -0.37 });
+    loose.loads.push(Load::distributed_force(0.0, 0.618 * l, 1.0, -0.37));
     let found = Glue::new(&loose, cancel).on(contact, None).ok()?;
     let w = found.deflection();
     let mut largest = (0.0, 0.0_f64);

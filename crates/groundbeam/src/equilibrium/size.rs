@@ -164,7 +164,7 @@ mod tests {
     /// Waves of length 1 on 10¹⁵ of them.
     fn endless() -> Model {
         Model::new(Beam::uniform(1e15, 1.0), Foundation::winkler(4.0))
-            .with_load(crate::Load::uniform(1.0, 0.0, 1e15))
+            .with_load(crate::Load::uniform_force(0.0, 1e15, 1.0))
     }
 
     #[test]
@@ -178,7 +178,7 @@ mod tests {
     #[test]
     fn every_method_has_the_limit() {
         let short = Model { beam: Beam::uniform(10.0, 1.0), ..endless() };
-        let short = Model { loads: vec![crate::Load::uniform(1.0, 0.0, 10.0)], ..short };
+        let short = Model { loads: vec![crate::Load::uniform_force(0.0, 10.0, 1.0)], ..short };
         for method in Method::ALL {
             let elements = if method == Method::Exact { 1 } else { usize::MAX };
             let model = if method == Method::Exact { endless() } else { short.clone() };
@@ -193,7 +193,7 @@ mod tests {
     fn the_quick_count_is_no_less_than_the_other() {
         let beam = Beam::uniform(100.0, 3.0).with_segment(20.0, 40.0, 0.5).with_axial_force(7.0);
         let ground = Foundation::pasternak(2.0, 1.0).with_segment(30.0, 60.0, 9.0, 5.0);
-        let loads = (0..50).map(|i| crate::Load::point(1.0, 2.0 * f64::from(i)));
+        let loads = (0..50).map(|i| crate::Load::point_force(2.0 * f64::from(i), 1.0));
         let model = Model { loads: loads.collect(), ..Model::new(beam, ground) };
         let (quick, count) = (few(&model).unwrap_or_default(), Count::of(&model));
         assert!(count.elements > 100 && quick.elements >= count.elements, "{quick:?} {count:?}");

@@ -9,7 +9,7 @@ use crate::error::{Error, NotConverged, Stopped};
 use crate::ground::link::{between, cut, slope_between};
 use crate::model::soil::layers::squares;
 use crate::model::soil::{Bed, LayeredSoil, Soil, Subgrade};
-use crate::model::{Load, Model};
+use crate::model::{Extent, Model};
 use crate::numeric::polynomial::inner;
 use crate::numeric::tolerance::SOIL;
 use crate::options::Method;
@@ -121,19 +121,15 @@ fn beyond(solution: &Solution, right: bool) -> [f64; 2] {
     let l = solution.model().beam.length;
     let place = |out: f64| if right { l + out } else { -out };
     let out = |x: f64| if right { x - l } else { -x };
-    let loads = &solution.model().loads;
-    let marks = loads.iter().filter(|load| load.is_on_ground()).flat_map(|load| match *load {
-        Load::GroundDistributed { from, to, .. } => [out(from), out(to)],
-        Load::GroundForce { at, .. } => [out(at); 2],
-        _ => [0.0; 2],
-    });
+    let loads = solution.model().ground_loads();
+    let marks = loads.flat_map(|load| load.extent.ends()).map(out);
     let mut marks: Vec<f64> = marks.filter(|out| *out > 0.0).chain([0.0]).collect();
     marks.sort_by(f64::total_cmp);
     marks.dedup();
     let mut sums = [0.0; 2];
     for part in marks.windows(2).map(|part| [part[0], part[1]]) {
         let middle = place(0.5 * (part[0] + part[1]));
-        let pressed = part.map(|out| pressure(loads, place(out), middle) / spring);
+        let pressed = part.map(|out| pressure(solution.model(), place(out), middle) / spring);
         let h = part[1] - part[0];
         let ends = [0, 1].map(|i| solution.settlement(place(part[i])) - pressed[i]);
         let u = |s: f64| {
@@ -151,9 +147,9 @@ fn beyond(solution: &Solution, right: bool) -> [f64; 2] {
 }
 
 /// The load spread on the ground at x, on the stretch in which `within` lies.
-fn pressure(loads: &[Load], x: f64, within: f64) -> f64 {
-    let each = loads.iter().map(|load| match *load {
-        Load::GroundDistributed { from, to, start, end } if from <= within && within <= to => {
+fn pressure(model: &Model, x: f64, within: f64) -> f64 {
+    let each = model.ground_loads().map(|load| match load.extent {
+        Extent::Distributed { from, to, start, end } if from <= within && within <= to => {
             (start * (to - x) + end * (x - from)) / (to - from)
         }
         _ => 0.0,
@@ -206,6 +202,7 @@ fn on(stretch: &Stretch) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::Load;
     use crate::model::{Beam, Foundation};
     use crate::soil::SoilLayer;
     use crate::{Options, solve_with};
@@ -225,9 +222,9 @@ mod tests {
             let Outcome::Equilibrium(solution) = found.outcome else { panic!("it stands") };
             (found.gamma.unwrap(), solution.contact()[0].from)
         };
-        let (gamma, from) = solved(Load::uniform(3.0, 0.0, 100.0));
+        let (gamma, from) = solved(Load::uniform_force(0.0, 100.0, 3.0));
         assert!((gamma - 0.394_598).abs() < 5e-7 && from == 0.0, "{gamma}");
-        let (gamma, from) = solved(Load::point(20.0, 50.0));
+        let (gamma, from) = solved(Load::point_force(50.0, 20.0));
         assert!(gamma < 0.507 && from > 13.0, "{gamma} {from}");
     }
 
@@ -236,13 +233,13 @@ mod tests {
     #[test]
     fn the_rate_by_brute_force() {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
-            .with_load(Load::point(1.0, 0.5))
-            .with_load(Load::moment(0.49, 0.5));
+            .with_load(Load::point_force(0.5, 1.0))
+            .with_load(Load::point_moment(0.5, 0.49));
         let neighbours = [
-            Load::GroundForce { at: 1.7, force: 0.6 },
-            Load::GroundForce { at: 0.1, force: 0.02 },
-            Load::GroundDistributed { from: 0.9, to: 2.4, start: 0.1, end: 0.3 },
-            Load::GroundDistributed { from: -9.0, to: -0.5, start: 0.2, end: 0.05 },
+            Load::ground_force(1.7, 0.6),
+            Load::ground_force(0.1, 0.02),
+            Load::distributed_ground_force(0.9, 2.4, 0.1, 0.3),
+            Load::distributed_ground_force(-9.0, -0.5, 0.2, 0.05),
         ];
         let beside = neighbours.into_iter().fold(model.clone(), Model::with_load);
         for model in [model, beside] {

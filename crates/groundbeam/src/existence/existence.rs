@@ -101,9 +101,9 @@ impl RigidMotion {
     ///
     /// let model = Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(1.0))
     ///     .with_hinge(Hinge::free(2.0))
-    ///     .with_load(Load::point(1.0, 1.0))
-    ///     .with_load(Load::point(-0.25, 3.0))
-    ///     .with_load(Load::point(0.2, 2.0));
+    ///     .with_load(Load::point_force(1.0, 1.0))
+    ///     .with_load(Load::point_force(3.0, -0.25))
+    ///     .with_load(Load::point_force(2.0, 0.2));
     /// let Verdict::None(motion) = exists(&model)?.verdict else { panic!("it stands") };
     /// assert_eq!([0.0, 2.0, 3.0, 4.0].map(|x| motion.at(&model, x)), [0.0, 0.0, -0.5, -1.0]);
     /// # Ok::<(), groundbeam::Error>(())
@@ -191,7 +191,7 @@ pub fn existence(model: &Model) -> Existence {
 ///
 /// let model = Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(1.0))
 ///     .with_hinge(Hinge::free(2.0))
-///     .with_load(Load::point(1.0, 3.0));
+///     .with_load(Load::point_force(3.0, 1.0));
 /// assert_eq!(static_reactions(&model), [(0.0, 0.0), (2.0, 0.5), (4.0, 0.5)]);
 /// ```
 pub fn static_reactions_of(model: &Model) -> Vec<(f64, f64)> {
@@ -271,6 +271,7 @@ fn balanced_without_a_layer(model: &Model, motion: RigidMotion) -> Verdict {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::{Action, Extent};
     use crate::model::{Acts, Beam, Foundation, Hinge, Load, Support};
 
     fn beam() -> Model {
@@ -284,7 +285,8 @@ mod tests {
     #[test]
     fn kikuchi_5_21() {
         // ½ f₀ l > M₀ > −½ f₀ l.
-        let case = |m| beam().with_load(Load::point(1.0, 2.0)).with_load(Load::moment(m, 2.0));
+        let case =
+            |m| beam().with_load(Load::point_force(2.0, 1.0)).with_load(Load::point_moment(2.0, m));
         assert!(exists(&case(1.99)) && exists(&case(-1.99)));
         assert!(!exists(&case(2.01)) && !exists(&case(-2.01)));
         assert!(matches!(existence(&case(2.0)).verdict, Verdict::NotUnique(m) if m.left == -1.0));
@@ -298,17 +300,18 @@ mod tests {
         let (f0, a, l) = (3.0, 2.0, 4.0);
         for m0 in [2.9, 3.1] {
             let model = beam()
-                .with_load(Load::uniform(f0, 1.0, 3.0))
-                .with_load(Load::moment(m0, 1.0))
-                .with_load(Load::moment(m0, 3.0));
+                .with_load(Load::uniform_force(1.0, 3.0, f0))
+                .with_load(Load::point_moment(1.0, m0))
+                .with_load(Load::point_moment(3.0, m0));
             let condition =
                 f0 * a > 0.5 * f0 * a + 2.0 * m0 / l && 0.5 * f0 * a + 2.0 * m0 / l > 0.0;
             assert_eq!(exists(&model), condition, "(a) {m0}");
         }
         // (b) the load on [0, a] and one moment M₀.
         for m0 in [-7.0, -5.0, 17.0, 19.0] {
-            let model =
-                beam().with_load(Load::uniform(f0, 0.0, a)).with_load(Load::moment(m0, 3.0));
+            let model = beam()
+                .with_load(Load::uniform_force(0.0, a, f0))
+                .with_load(Load::point_moment(3.0, m0));
             let middle = a / (2.0 * l) * f0 * a + m0 / l;
             assert_eq!(exists(&model), f0 * a > middle && middle > 0.0, "(b) {m0}");
         }
@@ -316,10 +319,10 @@ mod tests {
         for (f2, f3) in [(1.0, 0.3), (1.0, 0.2), (-1.0, 0.1)] {
             let (f1, a) = (2.0, 1.0);
             let model = beam()
-                .with_load(Load::point(f1, 0.0))
-                .with_load(Load::point(f2, 0.0))
-                .with_load(Load::moment(-f2 * a, 0.0))
-                .with_load(Load::point(f3, l));
+                .with_load(Load::point_force(0.0, f1))
+                .with_load(Load::point_force(0.0, f2))
+                .with_load(Load::point_moment(0.0, -f2 * a))
+                .with_load(Load::point_force(l, f3));
             let middle = (-f2 * a + f3 * l) / l;
             assert_eq!(exists(&model), f1 + f2 + f3 > middle && middle > 0.0, "(c) {f2} {f3}");
         }
@@ -327,7 +330,8 @@ mod tests {
 
     #[test]
     fn tension_and_supports_shrink_the_free_motions() {
-        let outside = beam().with_load(Load::point(1.0, 2.0)).with_load(Load::moment(2.8, 2.0));
+        let outside =
+            beam().with_load(Load::point_force(2.0, 1.0)).with_load(Load::point_moment(2.0, 2.8));
         assert!(!exists(&outside));
         let mut tied = outside.clone();
         tied.beam.axial_force = 2.0;
@@ -356,18 +360,21 @@ mod tests {
                 model = model.with_hinge(Hinge::free(4.0 * dice()));
             }
             for _ in 0..4 {
-                model = model.with_load(Load::point(dice() - 0.1, 4.0 * dice()));
+                let force = dice() - 0.1;
+                model = model.with_load(Load::point_force(4.0 * dice(), force));
                 let from = 3.0 * dice();
-                model = model.with_load(Load::uniform(dice() - 0.1, from, from + dice()));
-                model = model.with_load(Load::moment(0.2 * (dice() - 0.5), 4.0 * dice()));
+                let force = dice() - 0.1;
+                model = model.with_load(Load::uniform_force(from, from + dice(), force));
+                let moment = 0.2 * (dice() - 0.5);
+                model = model.with_load(Load::point_moment(4.0 * dice(), moment));
             }
             let work = |r: &dyn Fn(f64) -> f64| -> f64 {
-                let each = model.loads.iter().map(|load| match *load {
-                    Load::PointForce { at, force } => force * r(at),
-                    Load::PointMoment { at, moment } => {
-                        moment * (r(at + 1e-7) - r(at - 1e-7)) / 2e-7
+                let each = model.loads.iter().map(|load| match (load.action(), load.extent()) {
+                    (Action::Force, Extent::Point { at, size }) => size * r(at),
+                    (Action::Moment, Extent::Point { at, size }) => {
+                        size * (r(at + 1e-7) - r(at - 1e-7)) / 2e-7
                     }
-                    Load::Distributed { from, to, start, .. } => {
+                    (Action::Force, Extent::Distributed { from, to, start, .. }) => {
                         let n = 2000;
                         let step = (to - from) / f64::from(n);
                         let x = |i: i32| from + (f64::from(i) + 0.5) * step;
@@ -406,9 +413,9 @@ mod tests {
             beam()
                 .with_hinge(Hinge::free(1.0))
                 .with_hinge(Hinge::free(3.0))
-                .with_load(Load::uniform(1.0, 0.0, 4.0))
+                .with_load(Load::uniform_force(0.0, 4.0, 1.0))
         };
-        let pulled = |model: Model, x: f64| model.with_load(Load::point(-2.0, x));
+        let pulled = |model: Model, x: f64| model.with_load(Load::point_force(x, -2.0));
         assert!(exists(&slab()));
         // A hinge lifts alone, an end does; a spring in the hinge keeps the beam straight.
         for x in [0.0, 1.0, 4.0] {
@@ -429,7 +436,7 @@ mod tests {
         let mut tied = slab();
         tied.beam.axial_force = 1.0;
         assert!(exists(&pulled(tied.clone(), 4.0)));
-        assert!(!exists(&pulled(pulled(tied, 4.0), 0.0).with_load(Load::point(-0.1, 2.0))));
+        assert!(!exists(&pulled(pulled(tied, 4.0), 0.0).with_load(Load::point_force(2.0, -0.1))));
     }
 
     #[test]
@@ -437,14 +444,14 @@ mod tests {
         let half = |ground| {
             Model::new(Beam::uniform(4.0, 1.0), ground)
                 .with_hinge(Hinge::free(2.0))
-                .with_load(Load::uniform(1.0, 0.0, 2.0))
+                .with_load(Load::uniform_force(0.0, 2.0, 1.0))
         };
         let springs = existence(&half(Foundation::winkler(1.0))).verdict;
         assert!(matches!(springs, Verdict::NotUnique(m) if m.lifted == Some([4.0, 4.0])));
         // All of the load over the hinge: only a shear layer carries it on a point.
         let over = |ground| {
             let mut model = half(ground);
-            model.loads = vec![Load::point(1.0, 2.0)];
+            model.loads = vec![Load::point_force(2.0, 1.0)];
             existence(&model).verdict
         };
         assert!(matches!(over(Foundation::pasternak(1.0, 1.0)), Verdict::NotUnique(_)));
@@ -453,7 +460,7 @@ mod tests {
 
     #[test]
     fn a_lifting_resultant_is_refused_even_under_tension() {
-        let mut model = beam().with_load(Load::point(-1.0, 2.0));
+        let mut model = beam().with_load(Load::point_force(2.0, -1.0));
         model.beam.axial_force = 5.0;
         let Verdict::None(motion) = existence(&model).verdict else { panic!() };
         assert_eq!((motion.left, motion.right, motion.work), (-1.0, -1.0, 1.0));
@@ -494,11 +501,11 @@ mod tests {
     /// F acts at a of a beam of length 4: R₀ = F (1 − a/4) and R_l = F a/4.
     #[test]
     fn the_resultant_and_its_position_follow_from_the_static_reactions() {
-        let found = existence(&beam().with_load(Load::point(4.0, 1.0)));
+        let found = existence(&beam().with_load(Load::point_force(1.0, 4.0)));
         assert_eq!(found.static_reactions, [3.0, 1.0]);
         assert_eq!((found.resultant(), found.resultant_position(4.0)), (4.0, Some(1.0)));
         // A couple alone has no position.
-        let couple = existence(&beam().with_load(Load::moment(2.0, 1.0)));
+        let couple = existence(&beam().with_load(Load::point_moment(1.0, 2.0)));
         assert_eq!(couple.static_reactions, [-0.5, 0.5]);
         assert_eq!((couple.resultant(), couple.resultant_position(4.0)), (0.0, None));
     }
@@ -507,11 +514,12 @@ mod tests {
     #[test]
     fn each_end_and_hinge_has_its_static_reaction() {
         let hinged = beam().with_hinge(Hinge::free(2.0));
-        let loaded = hinged.with_load(Load::point(1.0, 3.5)).with_load(Load::moment(-3.0, 1.0));
+        let loaded =
+            hinged.with_load(Load::point_force(3.5, 1.0)).with_load(Load::point_moment(1.0, -3.0));
         assert_eq!(static_reactions_of(&loaded), [(0.0, 1.5), (2.0, -1.25), (4.0, 0.75)]);
         // Sizes do not cancel: 0.25 + 0.75 of the force, twice 3/2 of the moment.
         assert_eq!(size_of_loads(&loaded), 4.0);
-        assert_eq!(size_of_loads(&loaded.with_load(Load::point(-1.0, 3.5))), 5.0);
+        assert_eq!(size_of_loads(&loaded.with_load(Load::point_force(3.5, -1.0))), 5.0);
     }
 
     #[test]
@@ -521,7 +529,7 @@ mod tests {
             .with_hinge(Hinge::free(1.0))
             .with_hinge(Hinge::free(3.0))
             .with_support(Support::spring(2.0, 0.0, 1.0))
-            .with_load(Load::uniform(1.0, 0.0, 4.0));
+            .with_load(Load::uniform_force(0.0, 4.0, 1.0));
         let found = rays(&model).into_iter().map(|(cost, motion)| (cost.sum, motion));
         let ray = |left: f64, right: f64, cost: f64, lifted: [f64; 2]| {
             (cost, RigidMotion { left, right, work: -cost, lifted: Some(lifted) })
@@ -538,8 +546,8 @@ mod tests {
     #[test]
     fn the_worst_motion_is_the_proof() {
         let model = |left: f64, right: f64| {
-            let loads = beam().with_load(Load::point(left, 0.0));
-            existence(&loads.with_load(Load::point(right, 4.0))).verdict
+            let loads = beam().with_load(Load::point_force(0.0, left));
+            existence(&loads.with_load(Load::point_force(4.0, right))).verdict
         };
         let motion =
             |left: f64, right: f64, work: f64| RigidMotion { left, right, work, lifted: None };
@@ -579,7 +587,7 @@ mod tests {
         // Without a point there is nothing to turn about.
         assert_eq!(with_contact(&beam, &[]), Verdict::Unique);
         // What does not stand does not stand on a point either.
-        let falls = existence(&beam.clone().with_load(Load::point(-1.0, 2.0)));
+        let falls = existence(&beam.clone().with_load(Load::point_force(2.0, -1.0)));
         assert_eq!(falls.with_contact(&beam, &[[1.0; 2]]), falls);
     }
 
@@ -612,7 +620,7 @@ mod tests {
             );
             Model::new(Beam::uniform(4.0 * unit, 1.0), ground)
                 .with_hinge(Hinge::free(2.0 * unit))
-                .with_load(Load::point(1.0, x * unit))
+                .with_load(Load::point_force(x * unit, 1.0))
         };
         for unit in [1.0, 2.0_f64.powi(-40), 2.0_f64.powi(40)] {
             for (x, segment, layered, bare) in [
@@ -642,7 +650,7 @@ mod tests {
     fn a_force_over_a_node_needs_a_bearing_at_that_node() {
         let springs = Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(1.0))
             .with_hinge(Hinge::free(2.0))
-            .with_load(Load::point(1.0, 2.0));
+            .with_load(Load::point_force(2.0, 1.0));
         let apart = 4.0 * f64::EPSILON * 4.0;
         for (at, carried) in [
             (2.0, true),
@@ -670,18 +678,18 @@ mod tests {
             model.loads = loads.to_vec();
             existence(&model).verdict
         };
-        let middle = Load::uniform(1.0, 1.0, 3.0);
+        let middle = Load::uniform_force(1.0, 3.0, 1.0);
         for x in [1.0, 2.0, 3.0] {
-            let both = verdict(&[middle, Load::point(1.0, x)]);
+            let both = verdict(&[middle, Load::point_force(x, 1.0)]);
             assert!(matches!(both, Verdict::NotUnique(m) if m.lifted == Some([0.0; 2])), "{x}");
         }
         // A force inside the middle piece presses that piece; a force over its end presses no piece.
-        assert!(matches!(verdict(&[Load::point(1.0, 2.0)]), Verdict::NotUnique(_)));
-        assert!(matches!(verdict(&[Load::point(1.0, 1.0)]), Verdict::None(_)));
-        assert!(matches!(verdict(&[Load::point(1.0, 3.0)]), Verdict::None(_)));
+        assert!(matches!(verdict(&[Load::point_force(2.0, 1.0)]), Verdict::NotUnique(_)));
+        assert!(matches!(verdict(&[Load::point_force(1.0, 1.0)]), Verdict::None(_)));
+        assert!(matches!(verdict(&[Load::point_force(3.0, 1.0)]), Verdict::None(_)));
         // A piece that may not turn carries a force over its end with all of its springs.
         let model = springs.with_support(Support::spring(2.0, 0.0, 1.0));
-        let stiff = existence(&model.with_load(Load::point(1.0, 1.0))).verdict;
+        let stiff = existence(&model.with_load(Load::point_force(1.0, 1.0))).verdict;
         assert!(matches!(stiff, Verdict::NotUnique(_)));
     }
 }

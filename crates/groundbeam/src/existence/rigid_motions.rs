@@ -4,7 +4,7 @@
 //! elastic hinge resists a kink, and is no node. Since r is straight in between, r ≤ 0 all along exactly if
 //! r ≤ 0 at every node.
 
-use crate::model::{Acts, Load, Model, SupportKind};
+use crate::model::{Acts, Extent, Load, Model, SupportKind, triangles};
 use crate::numeric::tolerance::same_place;
 use std::ops::Range;
 
@@ -209,24 +209,27 @@ pub(crate) fn static_reactions(loads: &[Load], nodes: &[f64]) -> Vec<Sum> {
     };
     let mut moments: Vec<(usize, f64)> = Vec::new();
     for load in loads {
-        match *load {
-            Load::PointForce { at, force } => force_at(holding(at), force, at),
-            Load::PointMoment { at, moment } => moments.push((holding(at), moment)),
-            Load::Distributed { from, to, start, end } => {
-                for (piece, [a, b], [start, end]) in cut(nodes, [from, to], [start, end]) {
-                    // Two triangles, each at its own third.
-                    let length = b - a;
-                    force_at(piece, 0.5 * start * length, a + length / 3.0);
-                    force_at(piece, 0.5 * end * length, b - length / 3.0);
+        // What acts on the ground does no work on the beam.
+        if load.on_ground {
+            continue;
+        }
+        match (load.action.derivative(), load.extent) {
+            (0, Extent::Point { at, size }) => force_at(holding(at), size, at),
+            (0, Extent::Distributed { from, to, start, end }) => {
+                for (piece, ends, sizes) in cut(nodes, [from, to], [start, end]) {
+                    for (force, x) in triangles(ends, sizes) {
+                        force_at(piece, force, x);
+                    }
                 }
             }
-            Load::DistributedMoment { from, to, start, end } => {
+            (1, Extent::Point { at, size }) => moments.push((holding(at), size)),
+            (1, Extent::Distributed { from, to, start, end }) => {
                 for (piece, [a, b], [start, end]) in cut(nodes, [from, to], [start, end]) {
                     moments.push((piece, 0.5 * (start + end) * (b - a)));
                 }
             }
-            // A rigid motion has no curvature, and what acts on the ground does no work on it.
-            Load::Curvature { .. } | Load::GroundForce { .. } | Load::GroundDistributed { .. } => {}
+            // A rigid motion has no curvature.
+            _ => {}
         }
     }
     for (piece, moment) in moments {
@@ -262,6 +265,7 @@ fn cut(nodes: &[f64], [from, to]: [f64; 2], ends: [f64; 2]) -> Vec<(usize, [f64;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::Action;
     use crate::model::{Beam, Foundation, Hinge, Support};
 
     /// A beam from 0 to 8 with free hinges.
@@ -516,13 +520,14 @@ mod tests {
                 });
                 parts.sum::<f64>()
             };
-        match *load {
-            Load::PointForce { at, force } => force * value(piece(at), at),
-            Load::PointMoment { at, moment } => moment * slope(piece(at)),
-            Load::Distributed { from, to, start, end } => spread([from, to], [start, end], &value),
-            Load::DistributedMoment { from, to, start, end } => {
-                spread([from, to], [start, end], &|i, _| slope(i))
-            }
+        if load.is_on_ground() {
+            return 0.0;
+        }
+        match (load.action(), load.extent()) {
+            (Action::Force, Extent::Point { at, size }) => size * value(piece(at), at),
+            (Action::Moment, Extent::Point { at, size }) => size * slope(piece(at)),
+            (Action::Force, extent) => spread(extent.ends(), extent.sizes(), &value),
+            (Action::Moment, extent) => spread(extent.ends(), extent.sizes(), &|i, _| slope(i)),
             _ => 0.0,
         }
     }
@@ -532,17 +537,17 @@ mod tests {
     fn static_reactions_are_the_work_of_the_loads_in_the_hat_functions() {
         let spread = |from: f64, to: f64, start: f64, end: f64| {
             [
-                Load::Distributed { from, to, start, end },
-                Load::DistributedMoment { from, to, start, end },
+                Load::distributed_force(from, to, start, end),
+                Load::distributed_moment(from, to, start, end),
             ]
         };
-        let mut loads = vec![Load::curvature(1.0, 0.0, 8.0)];
-        loads.push(Load::GroundForce { at: 1.0, force: 5.0 });
-        loads.push(Load::GroundDistributed { from: 1.0, to: 2.0, start: 3.0, end: 5.0 });
+        let mut loads = vec![Load::uniform_curvature(0.0, 8.0, 1.0)];
+        loads.push(Load::ground_force(1.0, 5.0));
+        loads.push(Load::distributed_ground_force(1.0, 2.0, 3.0, 5.0));
         for x in [0.0, 0.5, 2.0, 3.0, 6.5, 8.0] {
-            loads.extend([Load::point(3.0, x), Load::point(-2.0, x)]);
+            loads.extend([Load::point_force(x, 3.0), Load::point_force(x, -2.0)]);
         }
-        loads.extend([0.5, 3.0, 7.0].map(|x| Load::moment(3.0, x)));
+        loads.extend([0.5, 3.0, 7.0].map(|x| Load::point_moment(x, 3.0)));
         for [from, to] in [[0.0, 8.0], [1.0, 7.0], [2.0, 5.0], [5.0, 8.0], [0.5, 1.5], [2.5, 4.5]] {
             loads.extend(spread(from, to, 1.0, 4.0));
             loads.extend(spread(from, to, -2.0, 1.0));
@@ -558,7 +563,7 @@ mod tests {
                 }
             }
             // A force is shared by the two nodes beside it, and so is its size.
-            let shared = static_reactions(&[Load::point(-3.0, 3.0)], &nodes);
+            let shared = static_reactions(&[Load::point_force(3.0, -3.0)], &nodes);
             assert_eq!(shared.iter().map(|found| found.size).sum::<f64>(), 3.0);
             // Of all together the sum.
             let all = static_reactions(&loads, &nodes);

@@ -42,8 +42,8 @@ pub struct LoadFactors {
 ///
 /// // Kikuchi's example: a force that stays, and a moment that grows.
 /// let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
-///     .with_load(Load::point(1.0, 0.5))
-///     .with_load(Load::moment(1.0, 0.5));
+///     .with_load(Load::point_force(0.5, 1.0))
+///     .with_load(Load::point_moment(0.5, 1.0));
 /// let found = load_factors(&model, |load| load == 1)?;
 /// let FirstLiftOff::At { factor, x } = found.first_lift_off else { panic!() };
 /// assert_eq!((format!("{factor:.12}"), x), ("0.316105124527".to_owned(), 0.0));
@@ -152,7 +152,8 @@ mod tests {
     #[test]
     fn kikuchi() {
         // p₀ is linear in M₀ while the beam touches all along: 60-digit values for M₀ = 0.1 and 0.3.
-        let model = unit().with_load(Load::point(1.0, 0.5)).with_load(Load::moment(1.0, 0.5));
+        let model =
+            unit().with_load(Load::point_force(0.5, 1.0)).with_load(Load::point_moment(0.5, 1.0));
         let [p1, p3] = [0.195_935_998_890_952, 0.014_602_030_694_165];
         let (factor, x) = lift_off(last(&model));
         near(factor, 0.1 + 0.2 * p1 / (p1 - p3), 1e-14);
@@ -174,7 +175,9 @@ mod tests {
     fn rigid_footings() {
         // The kern of a rigid footing on springs is l/6; on Kikuchi's ground M₀ = (1/2 − 4/27) F l.
         let footing = |ground| {
-            rigid(ground).with_load(Load::point(2.0, 0.5)).with_load(Load::moment(1.0, 0.3))
+            rigid(ground)
+                .with_load(Load::point_force(0.5, 2.0))
+                .with_load(Load::point_moment(0.3, 1.0))
         };
         let springs = last(&footing(Foundation::winkler(1.0)));
         near(lift_off(springs).0, 2.0 / 6.0, 1e-8);
@@ -196,8 +199,8 @@ mod tests {
     fn a_heavy_endless_beam_under_a_force() {
         // Weitsman (1970): F = 2 e^π q/β lifts the beam off at βx = π to each side.
         let model = Model::new(Beam::uniform(60.0, 1.0), Foundation::winkler(4.0))
-            .with_load(Load::uniform(3.0, 0.0, 60.0))
-            .with_load(Load::point(1.0, 30.0));
+            .with_load(Load::uniform_force(0.0, 60.0, 3.0))
+            .with_load(Load::point_force(30.0, 1.0));
         let (factor, x) = lift_off(last(&model));
         near(factor, 6.0 * std::f64::consts::PI.exp(), 1e-12);
         near((x - 30.0).abs(), std::f64::consts::PI, 1e-7);
@@ -209,14 +212,14 @@ mod tests {
         // Lovtsov (2025): with forces over both ends the middle lifts off if αl > π.
         for (l, wanted) in [(3.1, FirstLiftOff::Never), (3.2, FirstLiftOff::AtOnce)] {
             let model = Model::new(Beam::uniform(l, 1.0), Foundation::winkler(4.0))
-                .with_load(Load::point(1.0, 0.0))
-                .with_load(Load::point(1.0, l));
+                .with_load(Load::point_force(0.0, 1.0))
+                .with_load(Load::point_force(l, 1.0));
             let found = all(&model);
             assert_eq!(found.first_lift_off, wanted, "{l}");
             assert_eq!(found.loss_of_equilibrium, LossOfEquilibrium::Never);
         }
         // A weightless beam under a moment alone never stands.
-        let tips = all(&unit().with_load(Load::moment(1.0, 0.2)));
+        let tips = all(&unit().with_load(Load::point_moment(0.2, 1.0)));
         assert_eq!(tips.first_lift_off, FirstLiftOff::AtOnce);
         let motion = RigidMotion { left: -1.0, right: 0.0, work: 1.0, lifted: None };
         assert_eq!(tips.loss_of_equilibrium, LossOfEquilibrium::AtOnce(motion));
@@ -227,7 +230,7 @@ mod tests {
         // On springs a triangle of load presses with itself, and so with nothing at one end.
         for (start, end) in [(0.0, 2.0), (2.0, 0.0)] {
             for (l, ei) in [(1.0, 1.0), (7.3, 1e-3), (0.1, 1e6)] {
-                let triangle = Load::Distributed { from: 0.0, to: l, start, end };
+                let triangle = Load::distributed_force(0.0, l, start, end);
                 let model =
                     Model::new(Beam::uniform(l, ei), Foundation::winkler(3.0)).with_load(triangle);
                 assert_eq!(all(&model).first_lift_off, FirstLiftOff::Never, "{l} {ei}");
@@ -236,7 +239,7 @@ mod tests {
                 near(lift_off(last(&less)).0, 4.0, 1e-12);
                 near(loss(last(&less)), 4.0, 1e-14);
                 // Any pull lifts off the end without pressure.
-                let pulled = model.with_load(Load::uniform(-1e-3, 0.0, l));
+                let pulled = model.with_load(Load::uniform_force(0.0, l, -1e-3));
                 assert_eq!(last(&pulled).first_lift_off, FirstLiftOff::AtOnce);
             }
         }
@@ -248,8 +251,8 @@ mod tests {
         let model = Model::new(Beam::uniform(2.0, 1.0), Foundation::winkler(1.0))
             .with_support(Support::pinned(0.0))
             .with_support(Support::pinned(2.0))
-            .with_load(Load::uniform(1.0, 0.0, 2.0))
-            .with_load(Load::moment(-1.0, 0.0));
+            .with_load(Load::uniform_force(0.0, 2.0, 1.0))
+            .with_load(Load::point_moment(0.0, -1.0));
         let (factor, x) = lift_off(last(&model));
         assert_eq!(x, 0.0);
         let slope = |factor: f64| {
@@ -262,15 +265,16 @@ mod tests {
         // A clamp holds the slope; then the curvature decides.
         let mut clamped = model.clone();
         clamped.supports[0] = Support::fixed(0.0);
-        clamped.loads[1] = Load::point(-1.0, 0.5);
+        clamped.loads[1] = Load::point_force(0.5, -1.0);
         let (factor, x) = lift_off(last(&clamped));
         assert!(factor > 0.0 && x < 1.0);
     }
 
     #[test]
     fn loads_that_stay_may_lift_it_off_by_themselves() {
-        let outside = unit().with_load(Load::point(1.0, 0.5)).with_load(Load::moment(0.6, 0.5));
-        let held = outside.with_load(Load::point(1.0, 0.0));
+        let outside =
+            unit().with_load(Load::point_force(0.5, 1.0)).with_load(Load::point_moment(0.5, 0.6));
+        let held = outside.with_load(Load::point_force(0.0, 1.0));
         let found = last(&held);
         let LossOfEquilibrium::AtOnce(motion) = found.loss_of_equilibrium else {
             panic!("{found:?}")
@@ -283,14 +287,15 @@ mod tests {
         tied.beam.axial_force = 2.0;
         assert_eq!(last(&tied).loss_of_equilibrium, LossOfEquilibrium::Never);
         assert_eq!(last(&tied).first_lift_off, FirstLiftOff::Never);
-        tied.loads[1] = Load::moment(1.5, 0.5);
+        tied.loads[1] = Load::point_moment(0.5, 1.5);
         assert_eq!(last(&tied).first_lift_off, FirstLiftOff::AtOnce);
     }
 
     #[test]
     fn over_an_end_on_springs_nothing_stands() {
-        let over_the_end =
-            |ground| Model::new(Beam::uniform(1.0, 1.0), ground).with_load(Load::point(1.0, 0.0));
+        let over_the_end = |ground| {
+            Model::new(Beam::uniform(1.0, 1.0), ground).with_load(Load::point_force(0.0, 1.0))
+        };
         let springs = all(&over_the_end(Foundation::winkler(1.0)));
         assert!(matches!(springs.loss_of_equilibrium, LossOfEquilibrium::AtOnce(_)));
         let layer = all(&over_the_end(Foundation::pasternak(1.0, 1.0)));
@@ -303,13 +308,13 @@ mod tests {
         // On springs pressed even by q, a shallow valley −g₀ below a rigid beam takes k g₀ from the pressure.
         let ground = Foundation::winkler(1.0);
         let footing = rigid(ground)
-            .with_load(Load::uniform(1.0, 0.0, 1.0))
-            .with_load(Load::moment(1.0, 0.5))
+            .with_load(Load::uniform_force(0.0, 1.0, 1.0))
+            .with_load(Load::point_moment(0.5, 1.0))
             .with_gap(0.0, 0.1)
             .with_gap(1.0, 0.1);
         near(lift_off(last(&footing)).0, 1.0 / 6.0, 1e-8);
         let mut deep = footing.clone();
-        deep.loads[0] = Load::point(1.0, 0.5);
+        deep.loads[0] = Load::point_force(0.5, 1.0);
         deep.gap = vec![];
         let deep = deep.with_gap(0.0, 3.0).with_gap(0.5, 0.0).with_gap(1.0, 3.0);
         assert_eq!(last(&deep).first_lift_off, FirstLiftOff::AtOnce);
@@ -319,7 +324,7 @@ mod tests {
 
     #[test]
     fn nothing_grows_and_wrong_models() {
-        let model = unit().with_load(Load::point(1.0, 0.5));
+        let model = unit().with_load(Load::point_force(0.5, 1.0));
         let found = load_factors(&model, |_| false).expect("factors");
         assert_eq!(found.first_lift_off, FirstLiftOff::Never);
         assert_eq!(found.loss_of_equilibrium, LossOfEquilibrium::Never);
@@ -334,7 +339,8 @@ mod tests {
     /// Both static reactions of an even load vanish at one factor: of the two motions the first is named.
     #[test]
     fn of_two_motions_lost_together_the_first_is_named() {
-        let model = unit().with_load(Load::point(2.0, 0.5)).with_load(Load::point(-1.0, 0.5));
+        let model =
+            unit().with_load(Load::point_force(0.5, 2.0)).with_load(Load::point_force(0.5, -1.0));
         let LossOfEquilibrium::At { factor, motion } = last(&model).loss_of_equilibrium else {
             panic!()
         };
@@ -349,8 +355,8 @@ mod tests {
         for q in [0.125, 1.0, 8.0, 64.0] {
             let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::winkler(1.0))
                 .with_hinge(crate::model::Hinge::free(0.5))
-                .with_load(Load::uniform(q, 0.0, 0.5))
-                .with_load(Load::point(-1.0, 0.0));
+                .with_load(Load::uniform_force(0.0, 0.5, q))
+                .with_load(Load::point_force(0.0, -1.0));
             near(loss(last(&model)), 0.25 * q, 1e-15);
         }
     }

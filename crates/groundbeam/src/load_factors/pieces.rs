@@ -182,7 +182,7 @@ mod tests {
     /// A beam of length 2 under q = 3 on springs with k = 5: w = 0.6.
     fn weighted(stiffness: f64) -> Model {
         Model::new(Beam::uniform(LENGTH, stiffness), Foundation::winkler(5.0))
-            .with_load(Load::uniform(3.0, 0.0, LENGTH))
+            .with_load(Load::uniform_force(0.0, LENGTH, 3.0))
     }
 
     fn bearing(at: f64, down: f64) -> Support {
@@ -195,7 +195,7 @@ mod tests {
 
     /// First lift-off under a force at the right end that grows.
     fn lift_off(stiffness: f64, supports: &[Support]) -> FirstLiftOff {
-        let mut model = weighted(stiffness).with_load(Load::point(1.0, LENGTH));
+        let mut model = weighted(stiffness).with_load(Load::point_force(LENGTH, 1.0));
         model.supports = supports.to_vec();
         let found = load_factors(&model, |load| load == 1).expect("factors");
         assert_eq!(found.loss_of_equilibrium, LossOfEquilibrium::Never);
@@ -321,8 +321,9 @@ mod tests {
     /// The certificate at a factor holds as far as the ground need not pull, and not beyond.
     #[test]
     fn a_factor_that_is_too_large_is_refused() {
-        let model =
-            weighted(RIGID).with_support(bearing(0.0, 0.4)).with_load(Load::point(1.0, LENGTH));
+        let model = weighted(RIGID)
+            .with_support(bearing(0.0, 0.4))
+            .with_load(Load::point_force(LENGTH, 1.0));
         let parts = Parts::of(&model, |load| load == 1);
         let proves =
             |factor: f64, acts: bool| prove(&parts, factor, &[acts], 1.0, &Cancel::default());

@@ -9,7 +9,7 @@
 
 use crate::ground::link::Link;
 use crate::mesh::cell::Cell;
-use crate::model::{Beyond, Load, Model};
+use crate::model::{Beyond, Extent, Model};
 
 /// A stretch of even ground with a linear load.
 #[derive(Debug, Clone, Copy)]
@@ -135,14 +135,8 @@ fn value_at(model: &Model, strips: &[Strip], held: [bool; 2], x: f64, begin: usi
 fn beside(model: &Model, beyond: &Beyond, right: bool) -> (Vec<Strip>, bool) {
     let l = model.beam.length;
     let outward = |x: f64| if right { x - l } else { -x };
-    let mut cuts: Vec<f64> = Vec::new();
-    for load in &model.loads {
-        match *load {
-            Load::GroundForce { at, .. } => cuts.push(outward(at)),
-            Load::GroundDistributed { from, to, .. } => cuts.extend([outward(from), outward(to)]),
-            _ => {}
-        }
-    }
+    let ends = model.ground_loads().flat_map(|load| load.extent.ends());
+    let mut cuts: Vec<f64> = ends.map(outward).collect();
     cuts.retain(|cut| *cut > 0.0);
     cuts.sort_by(f64::total_cmp);
     cuts.dedup();
@@ -165,20 +159,11 @@ fn beside(model: &Model, beyond: &Beyond, right: bool) -> (Vec<Strip>, bool) {
     (strips, beyond.held)
 }
 
-/// The ends of a stretch within which a load on the ground neither begins nor ends: adds the load there to a sum.
-pub(crate) fn add_spread(sum: &mut [f64; 2], load: &Load, x: [f64; 2]) {
-    let Load::GroundDistributed { from, to, start, end } = *load else { return };
-    for (sum, x) in sum.iter_mut().zip(x) {
-        let even = start == end;
-        *sum += if even { start } else { (start * (to - x) + end * (x - from)) / (to - from) };
-    }
-}
-
 /// Adds to each of some strips, ordered outward from the beam, the loads spread on the ground there.
 fn load_strips(model: &Model, strips: &mut [Strip], right: bool) {
     let middle = |strip: &Strip| 0.5 * (strip.x[0] + strip.x[1]);
-    for load in &model.loads {
-        let Load::GroundDistributed { from, to, .. } = *load else { continue };
+    for load in model.ground_loads() {
+        let Extent::Distributed { from, to, .. } = load.extent else { continue };
         let within = if right {
             let first = strips.partition_point(|strip| middle(strip) <= from);
             first..strips.partition_point(|strip| middle(strip) < to).max(first)
@@ -188,7 +173,7 @@ fn load_strips(model: &Model, strips: &mut [Strip], right: bool) {
         };
         // A strip without an end bears nothing.
         for strip in strips[within].iter_mut().filter(|s| s.x.iter().all(|x| x.is_finite())) {
-            add_spread(&mut strip.load, load, strip.x);
+            load.extent.add_to(&mut strip.load, strip.x);
         }
     }
 }
@@ -242,8 +227,8 @@ fn chain(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<f64> {
     }
     let nodes: Vec<f64> = strips.iter().map(|s| s.x[0]).chain([strips[n - 1].x[1]]).collect();
     let l = model.beam.length;
-    for load in &model.loads {
-        let Load::GroundForce { at, force: load } = *load else { continue };
+    for load in model.ground_loads() {
+        let Extent::Point { at, size: load } = load.extent else { continue };
         let near = 16.0 * f64::EPSILON * (at.abs() + l);
         if at >= nodes[0] - near && at <= nodes[n] + near {
             let right = nodes.partition_point(|x| *x < at).min(n);

@@ -7,7 +7,7 @@ use crate::ground::link;
 use crate::mesh::cell::Cell;
 use crate::mesh::cell::Varies;
 use crate::mesh::free_field;
-use crate::model::{Course, Load, Model, SupportKind};
+use crate::model::{Action, Course, Extent, Load, Model, SupportKind};
 use crate::numeric::polynomial::value;
 use crate::numeric::tolerance::same_place;
 
@@ -180,21 +180,14 @@ impl Mesh {
     }
 
     fn place_loads_and_supports(&mut self, model: &Model) {
-        for load in &model.loads {
-            match *load {
-                Load::PointForce { at, force } => {
-                    let i = self.node_at(at);
-                    self.nodes[i].force += force;
-                }
-                Load::PointMoment { at, moment } => {
-                    let i = self.node_at(at);
-                    self.nodes[i].moment += moment;
-                }
-                Load::Distributed { .. }
-                | Load::DistributedMoment { .. }
-                | Load::Curvature { .. }
-                | Load::GroundForce { .. }
-                | Load::GroundDistributed { .. } => {}
+        for load in model.beam_loads() {
+            let Extent::Point { at, size } = load.extent else { continue };
+            let i = self.node_at(at);
+            match load.action {
+                Action::Force => self.nodes[i].force += size,
+                Action::Moment => self.nodes[i].moment += size,
+                // Acts along stretches alone.
+                Action::Curvature => {}
             }
         }
         for hinge in &model.hinges {
@@ -271,16 +264,10 @@ fn positions(model: &Model, more: &[f64]) -> Vec<f64> {
     model.beam.segments.iter().flat_map(|s| [s.from, s.to]).for_each(&mut own);
     model.foundation.segments.iter().flat_map(|s| [s.from, s.to]).for_each(&mut own);
     for load in &model.loads {
-        match *load {
-            Load::PointForce { at, .. }
-            | Load::PointMoment { at, .. }
-            | Load::GroundForce { at, .. } => own(at),
-            Load::Distributed { from, to, .. }
-            | Load::DistributedMoment { from, to, .. }
-            | Load::Curvature { from, to, .. }
-            | Load::GroundDistributed { from, to, .. } => {
-                [from, to].into_iter().for_each(&mut own);
-            }
+        let [from, to] = load.extent.ends();
+        own(from);
+        if to != from {
+            own(to);
         }
     }
     model.supports.iter().map(|s| s.at).for_each(&mut own);
@@ -344,16 +331,9 @@ fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
             cell.set_courses(&segment.courses(cell.x));
         }
     }
-    for load in &model.loads {
-        match *load {
-            Load::Distributed { from, to, .. }
-            | Load::DistributedMoment { from, to, .. }
-            | Load::Curvature { from, to, .. } => {
-                within(&mut cells, from, to).iter_mut().for_each(|cell| add_spread(cell, load));
-            }
-            Load::GroundDistributed { .. } => {}
-            Load::PointForce { .. } | Load::PointMoment { .. } | Load::GroundForce { .. } => {}
-        }
+    for load in model.beam_loads().filter(|load| load.extent.is_distributed()) {
+        let [from, to] = load.extent.ends();
+        within(&mut cells, from, to).iter_mut().for_each(|cell| add_distributed(cell, load));
     }
     if model.has_ground_loads() {
         load_ground(model, &mut cells);
@@ -370,16 +350,16 @@ fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
 /// What acts on the ground, and how far it settles under it without the beam.
 fn load_ground(model: &Model, cells: &mut [Cell]) {
     let middle = |cell: &Cell| 0.5 * (cell.x[0] + cell.x[1]);
-    for load in &model.loads {
-        match *load {
-            Load::GroundDistributed { from, to, .. } => {
+    for load in model.ground_loads() {
+        match load.extent {
+            Extent::Distributed { from, to, .. } => {
                 let first = cells.partition_point(|cell| middle(cell) <= from);
                 let end = cells.partition_point(|cell| middle(cell) < to).max(first);
                 for cell in &mut cells[first..end] {
-                    free_field::add_spread(&mut cell.ground_load, load, cell.x);
+                    load.extent.add_to(&mut cell.ground_load, cell.x);
                 }
             }
-            Load::GroundForce { at, force } => {
+            Extent::Point { at, size: force } => {
                 // The nearest left end inside the beam; of two as near the left one.
                 let right = cells.partition_point(|cell| cell.x[0] < at).max(1);
                 let distance =
@@ -390,7 +370,6 @@ fn load_ground(model: &Model, cells: &mut [Cell]) {
                     cells[nearest].ground_force += force;
                 }
             }
-            _ => {}
         }
     }
     free_field::settle(model, cells);
@@ -404,25 +383,13 @@ fn within(cells: &mut [Cell], from: f64, to: f64) -> &mut [Cell] {
     &mut cells[first..end]
 }
 
-fn add_spread(cell: &mut Cell, load: &Load) {
-    if let Load::Distributed { from, to, start, end }
-    | Load::DistributedMoment { from, to, start, end }
-    | Load::Curvature { from, to, start, end } = *load
-    {
-        let at = |x: f64| {
-            // Two sums of one kind of term each: a mirrored load is mirrored to the last bit.
-            (start * (to - x) + end * (x - from)) / (to - from)
-        };
-        let values = if start == end { [start; 2] } else { cell.x.map(at) };
-        let into = match load {
-            Load::Distributed { .. } => &mut cell.load,
-            Load::Curvature { .. } => &mut cell.curvature,
-            _ => &mut cell.moment_load,
-        };
-        for (sum, value) in into.iter_mut().zip(values) {
-            *sum += value;
-        }
-    }
+fn add_distributed(cell: &mut Cell, load: &Load) {
+    let into = match load.action {
+        Action::Force => &mut cell.load,
+        Action::Moment => &mut cell.moment_load,
+        Action::Curvature => &mut cell.curvature,
+    };
+    load.extent.add_to(into, cell.x);
 }
 
 /// g₀(x): linear between corners, constant beyond them.
@@ -458,8 +425,8 @@ mod tests {
             Beam::uniform(10.0, 1.0).with_segment(2.0, 4.0, 5.0),
             Foundation::winkler(1.0).with_segment(-5.0, 3.0, 7.0, 2.0),
         )
-        .with_load(Load::point(1.0, 4.0))
-        .with_load(Load::Distributed { from: 1.0, to: 9.0, start: 0.0, end: 8.0 });
+        .with_load(Load::point_force(4.0, 1.0))
+        .with_load(Load::distributed_force(1.0, 9.0, 0.0, 8.0));
         let mesh = Mesh::build(&model, &[], |_| 1);
         let x: Vec<f64> = mesh.nodes.iter().map(|n| n.x).collect();
         assert_eq!(x, [0.0, 1.0, 2.0, 3.0, 4.0, 9.0, 10.0]);
@@ -496,8 +463,8 @@ mod tests {
     #[test]
     fn places_that_differ_by_rounding_are_one() {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::winkler(1.0))
-            .with_load(Load::point(1.0, 0.3))
-            .with_load(Load::point(1.0, 0.1 + 0.2));
+            .with_load(Load::point_force(0.3, 1.0))
+            .with_load(Load::point_force(0.1 + 0.2, 1.0));
         let mesh = Mesh::build(&model, &[], |_| 1);
         assert_eq!(mesh.nodes.len(), 3);
         assert_eq!(mesh.nodes[1].force, 2.0);

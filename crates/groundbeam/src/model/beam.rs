@@ -59,7 +59,7 @@ impl Beam {
     /// let beam = Beam::uniform(2.0, 3.0).with_shear_stiffness(4.0);
     /// let model = Model::new(beam, Foundation::winkler(1e-12))
     ///     .with_support(Support::fixed(0.0))
-    ///     .with_load(Load::point(1.0, 2.0));
+    ///     .with_load(Load::point_force(2.0, 1.0));
     /// if let Outcome::Equilibrium(solution) = solve(&model)? {
     ///     let tip = 8.0 / 9.0 + 2.0 / 4.0;
     ///     assert!((solution.value(Field::Deflection, 2.0) - tip).abs() < 1e-10);

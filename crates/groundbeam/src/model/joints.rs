@@ -1,7 +1,7 @@
 //! Rules for hinges and for supports that act in one direction alone.
 
 use super::places::{Places, repeated};
-use super::{Load, Model, SupportKind};
+use super::{Action, Model, SupportKind};
 use crate::model::problem::{Part, Problem, describe, in_range, remedy};
 use crate::numeric::tolerance::same_place;
 
@@ -75,7 +75,7 @@ impl Turning {
     fn of(model: &Model) -> Self {
         let mut moments = Places::default();
         for (i, load) in model.loads.iter().enumerate() {
-            if let Load::PointMoment { at, moment } = *load
+            if let Some((at, moment)) = load.at_point(Action::Moment)
                 && moment != 0.0
             {
                 moments.add(at, i);

@@ -1,142 +1,278 @@
 //! What acts on the beam: the terms of (4.7).
 
-/// A load. Forces are positive down; moments are positive where they turn the right side down,
-/// doing the work M₀·w'(x) of (4.7).
+/// What a load does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Action {
+    /// A force \[N\], or \[N/m\] along a stretch: fᵢ and f(x) of (4.7), or the load on the ground's surface. Positive down.
+    Force,
+    /// A moment \[N·m\], or \[N·m/m\] along a stretch: gᵢ and g(x) of (4.7). Positive where it turns the right side down: it
+    /// does the work M₀·w'(x).
+    Moment,
+    /// A curvature κ₀ \[1/m\] that the beam takes by itself: of a temperature gradient, of shrinkage, of a camber.
+    /// M = −EI (w″ − κ₀); positive as w″ is, where it bends the beam's ends down. It does no work on rigid motions.
+    Curvature,
+}
+
+impl Action {
+    /// The derivative of w on which it does work: none of w itself for a force, the first for a moment.
+    pub(crate) fn derivative(self) -> usize {
+        match self {
+            Action::Force => 0,
+            Action::Moment => 1,
+            Action::Curvature => 2,
+        }
+    }
+}
+
+/// Where a load acts, and its size there.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Load {
-    /// A force at a point, fᵢ of (4.7).
-    PointForce {
+pub enum Extent {
+    /// A load at a point.
+    Point {
         /// Position \[m\].
         at: f64,
-        /// Force F \[N\].
-        force: f64,
+        /// Size.
+        size: f64,
     },
-    /// A moment at a point, gᵢ of (4.7).
-    PointMoment {
-        /// Position \[m\].
-        at: f64,
-        /// Moment M₀ \[N·m\].
-        moment: f64,
-    },
-    /// A force spread over a stretch, f(x) of (4.7), linear between its ends.
+    /// A load along a stretch, linear between its ends.
     Distributed {
         /// Left end \[m\].
         from: f64,
         /// Right end \[m\].
         to: f64,
-        /// Intensity at the left end \[N/m\].
+        /// Size at the left end.
         start: f64,
-        /// Intensity at the right end \[N/m\].
-        end: f64,
-    },
-    /// A moment spread over a stretch, g(x) of (4.7), linear between its ends.
-    DistributedMoment {
-        /// Left end \[m\].
-        from: f64,
-        /// Right end \[m\].
-        to: f64,
-        /// Intensity at the left end \[N·m/m\].
-        start: f64,
-        /// Intensity at the right end \[N·m/m\].
-        end: f64,
-    },
-    /// A curvature that the beam takes by itself over a stretch, linear between its ends: of a temperature
-    /// gradient, of shrinkage, of a camber. M = −EI (w″ − κ₀); positive as w″ is, where it bends the beam's
-    /// ends down. It does no work on rigid motions.
-    Curvature {
-        /// Left end \[m\].
-        from: f64,
-        /// Right end \[m\].
-        to: f64,
-        /// κ₀ at the left end \[1/m\].
-        start: f64,
-        /// κ₀ at the right end \[1/m\].
-        end: f64,
-    },
-    /// A force on the ground's surface, not on the beam: a neighbour. It needs a shear layer.
-    GroundForce {
-        /// Position \[m\], under the beam or beside it.
-        at: f64,
-        /// Force \[N\], down.
-        force: f64,
-    },
-    /// A force spread on the ground's surface, linear between its ends: q in −(μu′)′ + ku = p + q.
-    GroundDistributed {
-        /// Left end \[m\].
-        from: f64,
-        /// Right end \[m\].
-        to: f64,
-        /// Intensity at the left end \[N/m\].
-        start: f64,
-        /// Intensity at the right end \[N/m\].
+        /// Size at the right end.
         end: f64,
     },
 }
 
+/// A load: what it does, where, and whether it acts on the ground's surface instead of the beam.
+///
+/// ```
+/// use groundbeam::{Action, Load};
+///
+/// let load = Load::distributed_force(0.0, 6.0, 20e3, 35e3);
+/// assert_eq!(load.action(), Action::Force);
+/// assert_eq!(load.extent().ends(), [0.0, 6.0]);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Load {
+    pub(crate) action: Action,
+    pub(crate) extent: Extent,
+    pub(crate) on_ground: bool,
+}
+
+impl Extent {
+    /// Left and right end \[m\], of a point twice the same.
+    pub fn ends(&self) -> [f64; 2] {
+        match *self {
+            Extent::Point { at, .. } => [at; 2],
+            Extent::Distributed { from, to, .. } => [from, to],
+        }
+    }
+
+    /// The size at both ends, of a point twice the same.
+    pub fn sizes(&self) -> [f64; 2] {
+        match *self {
+            Extent::Point { size, .. } => [size; 2],
+            Extent::Distributed { start, end, .. } => [start, end],
+        }
+    }
+
+    /// The larger size of both ends, without its sign.
+    pub fn largest(&self) -> f64 {
+        let [start, end] = self.sizes();
+        start.abs().max(end.abs())
+    }
+
+    /// The size, without its sign, summed over the stretch. A sign that changes within the stretch is ignored.
+    pub fn total(&self) -> f64 {
+        match *self {
+            Extent::Point { size, .. } => size.abs(),
+            Extent::Distributed { from, to, start, end } => {
+                0.5 * (start.abs() + end.abs()) * (to - from)
+            }
+        }
+    }
+
+    /// The size at x of a stretch, beyond its ends as well.
+    pub(crate) fn at(&self, x: f64) -> f64 {
+        match *self {
+            Extent::Point { size, .. } => size,
+            Extent::Distributed { start, end, .. } if start == end => start,
+            // Two sums of one kind of term each: a mirrored load is mirrored to the last bit.
+            Extent::Distributed { from, to, start, end } => {
+                (start * (to - x) + end * (x - from)) / (to - from)
+            }
+        }
+    }
+
+    /// Adds its sizes at both ends of a part of the stretch.
+    pub(crate) fn add_to(&self, sum: &mut [f64; 2], x: [f64; 2]) {
+        for (sum, x) in sum.iter_mut().zip(x) {
+            *sum += self.at(x);
+        }
+    }
+
+    /// Whether it is a stretch.
+    pub fn is_distributed(&self) -> bool {
+        matches!(self, Extent::Distributed { .. })
+    }
+}
+
+/// The forces of a linear load along a stretch: of its two triangles, each with its position.
+pub(crate) fn triangles([from, to]: [f64; 2], [start, end]: [f64; 2]) -> [(f64, f64); 2] {
+    let length = to - from;
+    [(0.5 * start * length, from + length / 3.0), (0.5 * end * length, to - length / 3.0)]
+}
+
 impl Load {
-    /// A force at a point \[N, m\].
-    pub fn point(force: f64, at: f64) -> Self {
-        Load::PointForce { at, force }
+    /// A load of any kind. `None` if there is no such kind: a curvature acts along a stretch of the beam, and a load on the ground is a
+    /// force.
+    pub fn new(action: Action, extent: Extent, on_ground: bool) -> Option<Self> {
+        let exists = match action {
+            Action::Force => true,
+            Action::Moment => !on_ground,
+            Action::Curvature => !on_ground && extent.is_distributed(),
+        };
+        exists.then_some(Load { action, extent, on_ground })
     }
 
-    /// A moment at a point \[N·m, m\].
-    pub fn moment(moment: f64, at: f64) -> Self {
-        Load::PointMoment { at, moment }
+    fn point(action: Action, at: f64, size: f64) -> Self {
+        Load { action, extent: Extent::Point { at, size }, on_ground: false }
     }
 
-    /// An even load \[N/m\] between two positions \[m\].
-    pub fn uniform(intensity: f64, from: f64, to: f64) -> Self {
-        Load::Distributed { from, to, start: intensity, end: intensity }
+    fn distributed(action: Action, [from, to]: [f64; 2], [start, end]: [f64; 2]) -> Self {
+        Load { action, extent: Extent::Distributed { from, to, start, end }, on_ground: false }
     }
 
-    /// An even imposed curvature κ₀ \[1/m\] between two positions \[m\].
-    pub fn curvature(curvature: f64, from: f64, to: f64) -> Self {
-        Load::Curvature { from, to, start: curvature, end: curvature }
+    /// A force \[N\] at a point \[m\], fᵢ of (4.7).
+    pub fn point_force(at: f64, force: f64) -> Self {
+        Self::point(Action::Force, at, force)
+    }
+
+    /// A moment \[N·m\] at a point \[m\], gᵢ of (4.7).
+    pub fn point_moment(at: f64, moment: f64) -> Self {
+        Self::point(Action::Moment, at, moment)
+    }
+
+    /// A force \[N/m\] along a stretch \[m\], linear between its ends, f(x) of (4.7).
+    pub fn distributed_force(from: f64, to: f64, start: f64, end: f64) -> Self {
+        Self::distributed(Action::Force, [from, to], [start, end])
+    }
+
+    /// A force \[N/m\] that is the same all along a stretch \[m\].
+    pub fn uniform_force(from: f64, to: f64, force: f64) -> Self {
+        Self::distributed_force(from, to, force, force)
+    }
+
+    /// A moment \[N·m/m\] along a stretch \[m\], linear between its ends, g(x) of (4.7).
+    pub fn distributed_moment(from: f64, to: f64, start: f64, end: f64) -> Self {
+        Self::distributed(Action::Moment, [from, to], [start, end])
+    }
+
+    /// An imposed curvature κ₀ \[1/m\] along a stretch \[m\], linear between its ends.
+    pub fn distributed_curvature(from: f64, to: f64, start: f64, end: f64) -> Self {
+        Self::distributed(Action::Curvature, [from, to], [start, end])
+    }
+
+    /// An imposed curvature κ₀ \[1/m\] that is the same all along a stretch \[m\].
+    pub fn uniform_curvature(from: f64, to: f64, curvature: f64) -> Self {
+        Self::distributed_curvature(from, to, curvature, curvature)
+    }
+
+    /// A force \[N\] on the ground's surface at a point \[m\] under the beam or beside it. It needs a shear layer.
+    pub fn ground_force(at: f64, force: f64) -> Self {
+        Load { on_ground: true, ..Self::point_force(at, force) }
+    }
+
+    /// A force \[N/m\] on the ground's surface along a stretch \[m\], linear between its ends: q in −(μu′)′ + ku = p + q.
+    pub fn distributed_ground_force(from: f64, to: f64, start: f64, end: f64) -> Self {
+        Load { on_ground: true, ..Self::distributed_force(from, to, start, end) }
+    }
+
+    /// What it does.
+    pub fn action(&self) -> Action {
+        self.action
+    }
+
+    /// Where it acts, and its size there.
+    pub fn extent(&self) -> Extent {
+        self.extent
     }
 
     /// Whether it acts on the ground and not on the beam.
     pub fn is_on_ground(&self) -> bool {
-        matches!(self, Load::GroundForce { .. } | Load::GroundDistributed { .. })
+        self.on_ground
+    }
+
+    /// Where it acts and its size, if it has the given action at a point of the beam.
+    pub fn at_point(&self, action: Action) -> Option<(f64, f64)> {
+        match self.extent {
+            Extent::Point { at, size } if self.action == action && !self.on_ground => {
+                Some((at, size))
+            }
+            _ => None,
+        }
+    }
+
+    /// Its size as a force \[N\], without its sign: a moment over a length. Zero for what does no work on rigid motions.
+    pub fn as_force(&self, length: f64) -> f64 {
+        match self.action.derivative() {
+            0 => self.extent.total(),
+            1 => self.extent.total() / length,
+            _ => 0.0,
+        }
     }
 
     /// The same load, `factor` times as large.
+    #[must_use]
     pub fn scaled(self, factor: f64) -> Self {
-        match self {
-            Load::PointForce { at, force } => Load::PointForce { at, force: force * factor },
-            Load::PointMoment { at, moment } => Load::PointMoment { at, moment: moment * factor },
-            Load::Distributed { from, to, start, end } => {
-                Load::Distributed { from, to, start: start * factor, end: end * factor }
-            }
-            Load::DistributedMoment { from, to, start, end } => {
-                Load::DistributedMoment { from, to, start: start * factor, end: end * factor }
-            }
-            Load::Curvature { from, to, start, end } => {
-                Load::Curvature { from, to, start: start * factor, end: end * factor }
-            }
-            Load::GroundForce { at, force } => Load::GroundForce { at, force: force * factor },
-            Load::GroundDistributed { from, to, start, end } => {
-                Load::GroundDistributed { from, to, start: start * factor, end: end * factor }
-            }
+        self.with_sizes(|[start, end]| [start * factor, end * factor])
+    }
+
+    fn with_sizes(mut self, change: impl Fn([f64; 2]) -> [f64; 2]) -> Self {
+        match &mut self.extent {
+            Extent::Point { size, .. } => [*size, _] = change([*size; 2]),
+            Extent::Distributed { start, end, .. } => [*start, *end] = change([*start, *end]),
         }
+        self
     }
 
     pub(super) fn mirrored(self, l: f64) -> Self {
-        match self {
-            Load::PointForce { at, force } => Load::PointForce { at: l - at, force },
-            Load::PointMoment { at, moment } => Load::PointMoment { at: l - at, moment: -moment },
-            Load::Distributed { from, to, start, end } => {
-                Load::Distributed { from: l - to, to: l - from, start: end, end: start }
-            }
-            Load::DistributedMoment { from, to, start, end } => {
-                Load::DistributedMoment { from: l - to, to: l - from, start: -end, end: -start }
-            }
-            Load::Curvature { from, to, start, end } => {
-                Load::Curvature { from: l - to, to: l - from, start: end, end: start }
-            }
-            Load::GroundForce { at, force } => Load::GroundForce { at: l - at, force },
-            Load::GroundDistributed { from, to, start, end } => {
-                Load::GroundDistributed { from: l - to, to: l - from, start: end, end: start }
-            }
+        let sign = if self.action == Action::Moment { -1.0 } else { 1.0 };
+        let mut mirrored = self.with_sizes(|[start, end]| [sign * end, sign * start]);
+        match &mut mirrored.extent {
+            Extent::Point { at, .. } => *at = l - *at,
+            Extent::Distributed { from, to, .. } => [*from, *to] = [l - *to, l - *from],
         }
+        mirrored
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_loads_that_mean_something_can_be_made() {
+        let point = Extent::Point { at: 1.0, size: 2.0 };
+        let stretch = Extent::Distributed { from: 0.0, to: 1.0, start: 2.0, end: 3.0 };
+        assert_eq!(Load::new(Action::Force, point, true), Some(Load::ground_force(1.0, 2.0)));
+        let curved = Some(Load::distributed_curvature(0.0, 1.0, 2.0, 3.0));
+        assert_eq!(Load::new(Action::Curvature, stretch, false), curved);
+        assert_eq!(Load::new(Action::Curvature, point, false), None);
+        assert_eq!(Load::new(Action::Curvature, stretch, true), None);
+        assert_eq!(Load::new(Action::Moment, point, true), None);
+    }
+
+    #[test]
+    fn a_mirrored_moment_turns_the_other_way() {
+        let spread = Load::distributed_moment(1.0, 2.0, 3.0, 4.0).mirrored(10.0);
+        assert_eq!(spread, Load::distributed_moment(8.0, 9.0, -4.0, -3.0));
+        assert_eq!(Load::point_force(1.0, 3.0).mirrored(10.0), Load::point_force(9.0, 3.0));
+        let curved = Load::distributed_curvature(1.0, 2.0, 3.0, 4.0).mirrored(10.0);
+        assert_eq!(curved, Load::distributed_curvature(8.0, 9.0, 4.0, 3.0));
     }
 }

@@ -27,7 +27,8 @@ pub(crate) use beyond::{Beyond, Layer};
 pub use foundation::{Foundation, FoundationSegment};
 pub use gap::GapPoint;
 pub use hinge::Hinge;
-pub use load::Load;
+pub(crate) use load::triangles;
+pub use load::{Action, Extent, Load};
 pub(crate) use profile::Course;
 pub use profile::Profile;
 pub use support::{Acts, Support, SupportKind};
@@ -96,6 +97,16 @@ impl Model {
             *load = load.scaled(factor);
         }
         self
+    }
+
+    /// The loads on the beam.
+    pub fn beam_loads(&self) -> impl Iterator<Item = &Load> {
+        self.loads.iter().filter(|load| !load.on_ground)
+    }
+
+    /// The loads on the ground.
+    pub fn ground_loads(&self) -> impl Iterator<Item = &Load> {
+        self.loads.iter().filter(|load| load.on_ground)
     }
 
     /// Whether anything acts on the ground besides the beam.

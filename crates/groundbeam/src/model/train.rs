@@ -14,7 +14,7 @@ use crate::model::{Load, Model};
 /// let bogie = Train { axles: vec![axle(0.0), axle(1.8)], uniform: Vec::new() };
 /// let rail = Model::new(Beam::uniform(12.0, 6.4e6), Foundation::winkler(40e6));
 /// // The second axle has not come onto the beam yet.
-/// assert_eq!(bogie.on(&rail, 1.5).loads, [Load::point(250e3, 1.5)]);
+/// assert_eq!(bogie.on(&rail, 1.5).loads, [Load::point_force(1.5, 250e3)]);
 /// assert_eq!(bogie.passage(12.0), [0.0, 13.8]);
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -96,14 +96,14 @@ impl Train {
         for axle in &self.axles {
             let at = snapped(position - axle.behind, &marks, l);
             if (0.0..=l).contains(&at) {
-                loaded.loads.push(Load::point(axle.force, at));
+                loaded.loads.push(Load::point_force(at, axle.force));
             }
         }
         for part in &self.uniform {
             let [from, to] = [part.to, part.from]
                 .map(|behind| snapped((position - behind).clamp(0.0, l), &marks, l));
             if to > from {
-                loaded.loads.push(Load::uniform(part.intensity, from, to));
+                loaded.loads.push(Load::uniform_force(from, to, part.intensity));
             }
         }
         loaded
@@ -122,19 +122,7 @@ impl Model {
     pub fn marks(&self) -> Vec<f64> {
         let l = self.beam.length;
         let mut x = vec![0.0, l];
-        for load in &self.loads {
-            match *load {
-                Load::PointForce { at, .. }
-                | Load::PointMoment { at, .. }
-                | Load::GroundForce { at, .. } => x.push(at),
-                Load::Distributed { from, to, .. }
-                | Load::DistributedMoment { from, to, .. }
-                | Load::Curvature { from, to, .. }
-                | Load::GroundDistributed { from, to, .. } => {
-                    x.extend([from, to]);
-                }
-            }
-        }
+        x.extend(self.loads.iter().flat_map(|load| load.extent.ends()));
         x.extend(self.supports.iter().map(|support| support.at));
         x.extend(self.hinges.iter().map(|hinge| hinge.at));
         x.extend(self.gap.iter().map(|corner| corner.at));
@@ -165,10 +153,13 @@ mod tests {
             axles: vec![Axle { behind: 0.0, force: 2.0 }, Axle { behind: 3.0, force: 4.0 }],
             uniform: vec![UniformPart { from: 4.0, to: f64::INFINITY, intensity: 1.0 }],
         };
-        assert_eq!(train.on(&beam, 3.0).loads, [Load::point(2.0, 3.0), Load::point(4.0, 0.0)]);
+        assert_eq!(
+            train.on(&beam, 3.0).loads,
+            [Load::point_force(3.0, 2.0), Load::point_force(0.0, 4.0)]
+        );
         let leaving = train.on(&beam, 11.0).loads;
-        assert_eq!(leaving, [Load::point(4.0, 8.0), Load::uniform(1.0, 0.0, 7.0)]);
-        assert_eq!(train.on(&beam, 20.0).loads, [Load::uniform(1.0, 0.0, 10.0)]);
+        assert_eq!(leaving, [Load::point_force(8.0, 4.0), Load::uniform_force(0.0, 7.0, 1.0)]);
+        assert_eq!(train.on(&beam, 20.0).loads, [Load::uniform_force(0.0, 10.0, 1.0)]);
         assert_eq!(train.passage(10.0), [0.0, 13.0]);
     }
 
@@ -176,7 +167,7 @@ mod tests {
     fn an_axle_at_a_mark_stands_exactly_there() {
         let third = 1.0 / 3.0;
         let beam = Model::new(Beam::uniform(1.0, 1.0), Foundation::winkler(1.0))
-            .with_load(Load::point(1.0, third));
+            .with_load(Load::point_force(third, 1.0));
         let train = Train { axles: vec![Axle { behind: 0.1, force: 1.0 }], uniform: Vec::new() };
         assert_eq!(train.axle_at(0, third + 0.1, &beam), Some(third));
         assert_eq!(train.axle_at(0, 0.1 - 1e-8, &beam), None);

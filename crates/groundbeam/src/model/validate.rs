@@ -1,7 +1,7 @@
 //! Every rule a model must obey, each with what would be right.
 
 use super::places;
-use super::{Foundation, Load, Model, Profile, SupportKind};
+use super::{Action, Extent, Foundation, Load, Model, Profile, SupportKind};
 use crate::model::problem::down;
 use crate::model::problem::{
     Part, Problem, describe, finite, in_range, positive, positive_along, remedy,
@@ -99,37 +99,32 @@ impl Model {
         let begins = self.ground_begins();
         for (i, load) in self.loads.iter().enumerate() {
             let part = Part::Load(i);
-            match *load {
-                Load::PointForce { at, force } => {
-                    self.check_position(found, part, at);
-                    finite(found, part, "force", force);
-                }
-                Load::PointMoment { at, moment } => {
-                    self.check_position(found, part, at);
-                    finite(found, part, "moment", moment);
-                }
-                Load::Distributed { from, to, start, end }
-                | Load::DistributedMoment { from, to, start, end }
-                | Load::Curvature { from, to, start, end } => {
-                    self.check_stretch(found, part, from, to);
-                    finite(found, part, "start", start);
-                    finite(found, part, "end", end);
-                }
-                Load::GroundForce { at, force } => {
+            match load.extent {
+                Extent::Point { at, size } if load.on_ground => {
                     finite(found, part, "at", at);
                     self.check_on_ground(found, part, "at", [at, at]);
-                    down(found, part, "force", force);
+                    down(found, part, "force", size);
                     if self.ground_has_no_layer(&begins, at) {
                         let message = "a force at a point of the ground needs a shear layer";
                         let hint = "spread it: distributed with from and to";
                         found.push(Problem::new("GB209", part, "at", message, hint));
                     }
                 }
-                Load::GroundDistributed { from, to, start, end } => {
+                Extent::Distributed { from, to, start, end } if load.on_ground => {
                     check_order(found, part, from, to);
                     self.check_on_ground(found, part, "from", [from, to]);
                     down(found, part, "start", start);
                     down(found, part, "end", end);
+                }
+                Extent::Point { at, size } => {
+                    self.check_position(found, part, at);
+                    let field = if load.action == Action::Moment { "moment" } else { "force" };
+                    finite(found, part, field, size);
+                }
+                Extent::Distributed { from, to, start, end } => {
+                    self.check_stretch(found, part, from, to);
+                    finite(found, part, "start", start);
+                    finite(found, part, "end", end);
                 }
             }
         }

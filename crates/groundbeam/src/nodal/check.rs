@@ -1,6 +1,6 @@
 //! What holds at the nodes of a nodal solution, from its numbers and the model's own.
 
-use crate::model::{Load, Model};
+use crate::model::{Extent, Model, triangles};
 use crate::nodal::solution::NodalCheck;
 use crate::nodal::solution::NodalSolution;
 
@@ -46,19 +46,20 @@ pub(crate) fn check(model: &Model, solution: &NodalSolution) -> NodalCheck {
         size += f.abs();
     };
     let mut turns = 0.0;
-    for load in &model.loads {
-        match *load {
-            Load::PointForce { at, force } => act(force, at),
-            Load::PointMoment { moment, .. } => turns += moment,
-            Load::Distributed { from, to, start, end } => {
-                act(0.5 * start * (to - from), from + (to - from) / 3.0);
-                act(0.5 * end * (to - from), to - (to - from) / 3.0);
+    for load in model.beam_loads() {
+        match (load.action.derivative(), load.extent) {
+            (0, Extent::Point { at, size }) => act(size, at),
+            (0, extent) => {
+                for (force, x) in triangles(extent.ends(), extent.sizes()) {
+                    act(force, x);
+                }
             }
-            Load::Curvature { .. } => {}
-            Load::DistributedMoment { from, to, start, end } => {
+            (1, Extent::Point { size, .. }) => turns += size,
+            (1, Extent::Distributed { from, to, start, end }) => {
                 turns += 0.5 * (start + end) * (to - from);
             }
-            Load::GroundForce { .. } | Load::GroundDistributed { .. } => {}
+            // Without work on rigid motions.
+            _ => {}
         }
     }
     // The axial force has a lever too.

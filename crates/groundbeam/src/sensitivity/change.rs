@@ -2,7 +2,8 @@
 
 use super::linearised::Linearised;
 use super::parameter::{Extent, LoadNumber, Parameter, Property, SupportNumber, of_load};
-use crate::model::{BeamSegment, Foundation, Load, Model, Profile};
+use crate::model::Extent as LoadExtent;
+use crate::model::{Action, BeamSegment, Foundation, Load, Model, Profile};
 use crate::sensitivity::piece::Piece;
 
 /// By how much everything that may change does, for a unit of the parameter.
@@ -36,6 +37,17 @@ enum Kind {
     Ground,
 }
 
+impl Kind {
+    fn of(load: &Load) -> Self {
+        match load.action {
+            Action::Force if load.on_ground => Kind::Ground,
+            Action::Force => Kind::Force,
+            Action::Moment => Kind::Moment,
+            Action::Curvature => Kind::Curvature,
+        }
+    }
+}
+
 /// A distributed load, linear between its ends.
 #[derive(Debug, Clone, Copy)]
 struct Spread {
@@ -61,6 +73,17 @@ pub(super) enum Against {
     CurlBeside,
     /// u.
     Settlement,
+}
+
+impl Against {
+    /// Of the size of a load at a point.
+    fn at_point(load: &Load) -> Self {
+        match load.action {
+            _ if load.on_ground => Against::Settlement,
+            Action::Moment => Against::Rotation,
+            _ => Against::Deflection,
+        }
+    }
 }
 
 /// A change at one point.
@@ -175,20 +198,13 @@ impl Change {
 
     /// All of a load grows.
     fn grow(&mut self, load: &Load) {
-        let (kind, x, values) = match *load {
-            Load::PointForce { at, force } => return self.point(at, Against::Deflection, force),
-            Load::PointMoment { at, moment } => return self.point(at, Against::Rotation, moment),
-            Load::GroundForce { at, force } => return self.point(at, Against::Settlement, force),
-            Load::Distributed { from, to, start, end } => (Kind::Force, [from, to], [start, end]),
-            Load::DistributedMoment { from, to, start, end } => {
-                (Kind::Moment, [from, to], [start, end])
+        match load.extent {
+            LoadExtent::Point { at, size } => self.point(at, Against::at_point(load), size),
+            LoadExtent::Distributed { from, to, start, end } => {
+                let (x, values) = ([from, to], [start, end]);
+                self.spreads.push(Spread { kind: Kind::of(load), x, values });
             }
-            Load::Curvature { from, to, start, end } => (Kind::Curvature, [from, to], [start, end]),
-            Load::GroundDistributed { from, to, start, end } => {
-                (Kind::Ground, [from, to], [start, end])
-            }
-        };
-        self.spreads.push(Spread { kind, x, values });
+        }
     }
 
     fn point(&mut self, x: f64, against: Against, weight: f64) {
@@ -199,27 +215,17 @@ impl Change {
         if matches!(number, LoadNumber::At | LoadNumber::From | LoadNumber::To) {
             self.moves = of_load(load, number);
         }
-        let (kind, from, to, start, end) = match (*load, number) {
-            (Load::PointForce { at, force }, LoadNumber::At) => {
-                return self.point(at, Against::SlopeBeside, force);
+        let (from, to, start, end) = match load.extent {
+            LoadExtent::Distributed { from, to, start, end } => (from, to, start, end),
+            LoadExtent::Point { at, size } if number == LoadNumber::At => {
+                return match load.action {
+                    Action::Moment => self.point(at, Against::BendBeside, size),
+                    _ => self.point(at, Against::SlopeBeside, size),
+                };
             }
-            (Load::PointMoment { at, moment }, LoadNumber::At) => {
-                return self.point(at, Against::BendBeside, moment);
-            }
-            (Load::PointForce { at, .. }, _) => return self.point(at, Against::Deflection, 1.0),
-            (Load::PointMoment { at, .. }, _) => return self.point(at, Against::Rotation, 1.0),
-            (Load::GroundForce { at, .. }, _) => return self.point(at, Against::Settlement, 1.0),
-            (Load::Distributed { from, to, start, end }, _) => (Kind::Force, from, to, start, end),
-            (Load::DistributedMoment { from, to, start, end }, _) => {
-                (Kind::Moment, from, to, start, end)
-            }
-            (Load::Curvature { from, to, start, end }, _) => {
-                (Kind::Curvature, from, to, start, end)
-            }
-            (Load::GroundDistributed { from, to, start, end }, _) => {
-                (Kind::Ground, from, to, start, end)
-            }
+            LoadExtent::Point { at, .. } => return self.point(at, Against::at_point(load), 1.0),
         };
+        let kind = Kind::of(load);
         let rise = (end - start) / (to - from);
         let beside = match kind {
             Kind::Moment => Against::RotationBeside,

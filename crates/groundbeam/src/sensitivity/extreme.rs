@@ -34,17 +34,8 @@ impl Linearised {
     pub fn stands_alone(&self, x: f64) -> bool {
         let (model, node) = (&self.model, self.mesh.node_at(x));
         let here = |x: f64| self.mesh.node_at(x) == node;
-        let ends = model.loads.iter().flat_map(|load| match *load {
-            Load::PointForce { at, .. }
-            | Load::PointMoment { at, .. }
-            | Load::GroundForce { at, .. } => [at; 2],
-            Load::Distributed { from, to, .. }
-            | Load::DistributedMoment { from, to, .. }
-            | Load::Curvature { from, to, .. }
-            | Load::GroundDistributed { from, to, .. } => [from, to],
-        });
-        let loads = ends.collect::<Vec<_>>();
-        let loads = loads.chunks(2).filter(|ends| ends.iter().any(|x| here(*x))).count();
+        let begins_or_ends = |load: &&Load| load.extent.ends().into_iter().any(here);
+        let loads = model.loads.iter().filter(begins_or_ends).count();
         let segments = model.beam.segments.iter().map(|s| [s.from, s.to]);
         let segments = segments.chain(model.foundation.segments.iter().map(|s| [s.from, s.to]));
         let others = segments.flatten().chain(model.supports.iter().map(|s| s.at));

@@ -147,8 +147,8 @@ impl Solution {
     /// use groundbeam::sensitivity::{Extent, Output, Parameter, Property};
     ///
     /// let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
-    ///     .with_load(Load::point(1.0, 0.5))
-    ///     .with_load(Load::moment(0.49, 0.5));
+    ///     .with_load(Load::point_force(0.5, 1.0))
+    ///     .with_load(Load::point_moment(0.5, 0.49));
     /// let Outcome::Equilibrium(solution) = solve(&model)? else { panic!("it tips") };
     /// let by_k = Parameter::Value(Property::Spring, Extent::Whole);
     /// let edge = solution.gradients(&[Output::Edge(0, Side::Left)], &[by_k])?;

@@ -1,5 +1,6 @@
 //! What outputs are derived with respect to.
 
+use crate::model::Extent as LoadExtent;
 use crate::model::{Load, Model};
 
 /// A property of beam or ground.
@@ -267,47 +268,38 @@ fn scale(model: &mut Model, property: Property, extent: Extent, factor: f64) {
 
 /// A number of a load, if it has it.
 pub(super) fn of_load(load: &Load, number: LoadNumber) -> Option<f64> {
-    match (*load, number) {
-        (Load::PointForce { force: size, .. }, LoadNumber::Size)
-        | (Load::GroundForce { force: size, .. }, LoadNumber::Size)
-        | (Load::PointMoment { moment: size, .. }, LoadNumber::Size) => Some(size),
-        (Load::PointForce { at, .. } | Load::PointMoment { at, .. }, LoadNumber::At) => Some(at),
-        (
-            Load::Distributed { from, to, start, end }
-            | Load::DistributedMoment { from, to, start, end }
-            | Load::Curvature { from, to, start, end },
-            number,
-        ) => match number {
-            LoadNumber::Size => (start == end).then_some(start),
-            LoadNumber::From => Some(from),
-            LoadNumber::To => Some(to),
-            LoadNumber::Start => Some(start),
-            LoadNumber::End => Some(end),
-            LoadNumber::At => None,
-        },
+    match (load.extent, number) {
+        (LoadExtent::Point { size, .. }, LoadNumber::Size) => Some(size),
+        // A distributed load on the ground, and the place of any load on it, are no parameters.
+        (LoadExtent::Point { at, .. }, LoadNumber::At) if !load.on_ground => Some(at),
+        (LoadExtent::Distributed { from, to, start, end }, number) if !load.on_ground => {
+            match number {
+                LoadNumber::Size => (start == end).then_some(start),
+                LoadNumber::From => Some(from),
+                LoadNumber::To => Some(to),
+                LoadNumber::Start => Some(start),
+                LoadNumber::End => Some(end),
+                LoadNumber::At => None,
+            }
+        }
         _ => None,
     }
 }
 
 fn set_load(load: &mut Load, number: LoadNumber, value: f64) {
-    match (load, number) {
-        (Load::PointForce { force: size, .. }, LoadNumber::Size)
-        | (Load::GroundForce { force: size, .. }, LoadNumber::Size)
-        | (Load::PointMoment { moment: size, .. }, LoadNumber::Size) => *size = value,
-        (Load::PointForce { at, .. } | Load::PointMoment { at, .. }, LoadNumber::At) => *at = value,
-        (
-            Load::Distributed { from, to, start, end }
-            | Load::DistributedMoment { from, to, start, end }
-            | Load::Curvature { from, to, start, end },
-            number,
-        ) => match number {
-            LoadNumber::Size => [*start, *end] = [value; 2],
-            LoadNumber::From => *from = value,
-            LoadNumber::To => *to = value,
-            LoadNumber::Start => *start = value,
-            LoadNumber::End => *end = value,
-            LoadNumber::At => {}
-        },
+    match (&mut load.extent, number) {
+        (LoadExtent::Point { size, .. }, LoadNumber::Size) => *size = value,
+        (LoadExtent::Point { at, .. }, LoadNumber::At) if !load.on_ground => *at = value,
+        (LoadExtent::Distributed { from, to, start, end }, number) if !load.on_ground => {
+            match number {
+                LoadNumber::Size => [*start, *end] = [value; 2],
+                LoadNumber::From => *from = value,
+                LoadNumber::To => *to = value,
+                LoadNumber::Start => *start = value,
+                LoadNumber::End => *end = value,
+                LoadNumber::At => {}
+            }
+        }
         _ => {}
     }
 }

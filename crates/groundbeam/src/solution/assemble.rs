@@ -6,7 +6,7 @@ use crate::contact::surface::{Atom, Surface};
 use crate::ground::link::settled;
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{Spot, pressure_under};
-use crate::model::{Load, Model, Support, SupportKind};
+use crate::model::{Action, Model, Support, SupportKind};
 use crate::numeric::polynomial::{Coefficients, derivative, product, rescale};
 use crate::numeric::tolerance::same_place;
 use crate::options::Pressure;
@@ -215,7 +215,7 @@ fn lift(candidate: &Candidate, x: f64) -> f64 {
         force += stretch.half * (left + right - 2.0 * pressure);
     }
     for load in &model.loads {
-        if let Load::PointForce { at, force: load } = *load
+        if let Some((at, load)) = load.at_point(Action::Force)
             && inside(at)
         {
             force += load;
@@ -232,8 +232,8 @@ fn turn(candidate: &Candidate, x: f64) -> f64 {
     let l = candidate.model.beam.length;
     let before = if x <= 0.0 { 0.0 } else { candidate.at(x, Side::Left).moment };
     let after = if x >= l { 0.0 } else { candidate.at(x, Side::Right).moment };
-    let loads = candidate.model.loads.iter().map(|load| match *load {
-        Load::PointMoment { at, moment } if (at - x).abs() <= same_place(l) => moment,
+    let loads = candidate.model.loads.iter().map(|load| match load.at_point(Action::Moment) {
+        Some((at, moment)) if (at - x).abs() <= same_place(l) => moment,
         _ => 0.0,
     });
     after - before - loads.sum::<f64>()

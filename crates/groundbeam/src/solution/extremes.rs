@@ -244,9 +244,9 @@ mod tests {
             let stiffness = 10.0_f64.powf(-1.0 + 3.0 * part(1));
             let ground = Foundation::pasternak(1.0, part(2));
             let model = Model::new(Beam::uniform(10.0, stiffness), ground)
-                .with_load(Load::point(10.0 * part(4), 1.0 + part(3)))
-                .with_load(Load::point(4.0 + part(5), 2.0))
-                .with_load(Load::uniform(0.2 * part(6) + 0.01, 0.0, 10.0));
+                .with_load(Load::point_force(1.0 + part(3), 10.0 * part(4)))
+                .with_load(Load::point_force(2.0, 4.0 + part(5)))
+                .with_load(Load::uniform_force(0.0, 10.0, 0.2 * part(6) + 0.01));
             let Ok(Answer::Equilibrium(solution)) = solver.solve(&model) else { continue };
             solved += 1;
             for field in Field::ALL {
@@ -411,9 +411,9 @@ mod tests {
         of.open = Some([1.0; 2]);
         near(&turning_points(&of, Field::Settlement), &[0.0]);
         let model = Model::new(Beam::uniform(5.0, 1.0), Foundation::pasternak(4.0, 1.0))
-            .with_load(Load::point(1.0, 0.0))
-            .with_load(Load::point(1.0, 5.0))
-            .with_load(Load::uniform(0.01, 0.0, 5.0));
+            .with_load(Load::point_force(0.0, 1.0))
+            .with_load(Load::point_force(5.0, 1.0))
+            .with_load(Load::uniform_force(0.0, 5.0, 0.01));
         let mut solver = Solver::new();
         let Ok(Answer::Equilibrium(solution)) = solver.solve(&model) else { panic!("it stands") };
         let middle = solution.value(Field::Settlement, 2.5);
