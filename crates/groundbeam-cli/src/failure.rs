@@ -61,9 +61,35 @@ fn headline(message: &str) -> String {
 
 /// What clap has to say: help and versions too.
 pub fn usage(error: &clap::Error) -> ExitCode {
-    let _ = error.print();
-    match error.exit_code() {
-        0 => Status::Done.into(),
-        _ => Status::Wrong.into(),
+    if error.exit_code() == 0 {
+        let _ = error.print();
+        return Status::Done.into();
+    }
+    let said = error.render();
+    let said = if standard_error_has_colour() { said.ansi().to_string() } else { said.to_string() };
+    Failure { shown: without_steering(&said), status: Status::Wrong }.report()
+}
+
+/// The words of clap with every other character that steers a terminal written as an escape. Clap itself takes the escape
+/// character out of what was typed, and colours its words by it.
+fn without_steering(words: &str) -> String {
+    words.split_inclusive(['\n', '\u{1b}']).fold(String::new(), |mut shown, part| {
+        let end = part.len() - usize::from(part.ends_with(['\n', '\u{1b}']));
+        shown.push_str(&printable(&part[..end]));
+        shown.push_str(&part[end..]);
+        shown
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_typed_cannot_steer_a_terminal() {
+        let said = "\u{1b}[1merror\u{1b}[0m: a\rb\u{200f}\n\nUsage\n";
+        let shown = "\u{1b}[1merror\u{1b}[0m: a\\rb\\u{200f}\n\nUsage\n";
+        assert_eq!(without_steering(said), shown);
+        assert_eq!(without_steering(""), "");
     }
 }

@@ -332,11 +332,13 @@ fn it_tips_and_is_shared_and_kept() {
     }
 }
 
-/// Waits for a file that a browser saves.
+/// Waits for a file that a browser saves. The browser makes an empty file of this name first, and writes into another.
 fn arrived(folder: &Path, extension: &str) -> PathBuf {
     for _ in 0..1500 {
         let mut entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-        if let Some(file) = entries.find(|p| p.extension().is_some_and(|e| e == extension)) {
+        let file = entries.find(|p| p.extension().is_some_and(|e| e == extension));
+        let written = |file: &PathBuf| std::fs::metadata(file).is_ok_and(|m| m.len() > 0);
+        if let Some(file) = file.filter(written) {
             return file;
         }
         std::thread::sleep(std::time::Duration::from_millis(20));
