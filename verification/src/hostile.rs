@@ -1,4 +1,4 @@
-//! Models and model files that nobody would write on purpose: extreme numbers, positions a rounding apart, text with random changes.
+//! Hostile models and model files: extreme numbers, positions a rounding error apart, text with random changes.
 
 use crate::documents::repository;
 use groundbeam::{

@@ -77,7 +77,7 @@ pub use document::{Document, MovingTrain, Quantity};
 pub use files::{open_file, read_bounded, read_file};
 pub use materials::{Material, materials};
 pub use positions::parse_positions;
-pub use printable::printable;
+pub use printable::{is_unprintable, printable};
 pub use sets::{CombinationSet, combination_sets};
 pub use target::{Change, Course, Shape, along_the_beam, change, most_control_values, problem};
 pub use trains::{TrainSet, train_sets};

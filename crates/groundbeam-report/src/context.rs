@@ -2,7 +2,7 @@
 
 use crate::quantity::Units;
 use groundbeam::Limits;
-use groundbeam_file::Document;
+use groundbeam_file::{Document, printable};
 use groundbeam_run::{Factors, Ground};
 
 /// What a report says besides the result itself.
@@ -81,26 +81,7 @@ impl<'a> Context<'a> {
 
 /// Words of a file on one line, without characters that would steer a terminal or break XML.
 pub(crate) fn clean(words: &str) -> String {
-    printable(&words.split_whitespace().collect::<Vec<_>>().join(" "))
-}
-
-/// A text with every character that would steer a terminal, or break XML, written as an escape: `\u{1b}`.
-pub(crate) fn printable(text: &str) -> String {
-    let mut printed = String::with_capacity(text.len());
-    for c in text.chars() {
-        match is_plain(c) {
-            true => printed.push(c),
-            false => printed.extend(c.escape_default()),
-        }
-    }
-    printed
-}
-
-/// Neither a control character nor one that turns the direction of text or ends a line, nor no character at all.
-pub(crate) fn is_plain(c: char) -> bool {
-    !c.is_control()
-        && !matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}')
-        && !matches!(c, '\u{2066}'..='\u{2069}' | '\u{fffe}' | '\u{ffff}')
+    printable(&words.split_whitespace().collect::<Vec<_>>().join(" ")).into_owned()
 }
 
 #[cfg(test)]

@@ -1,10 +1,10 @@
 //! Tables: all fields along the beam, the envelope of combinations, and the history of the iteration.
 
-use crate::context::printable;
 use crate::curve::Jumps;
 use crate::quantity::Units;
 use ::csv::{Writer, WriterBuilder};
 use groundbeam::{Bounds, Field, Fields, Solution};
+use groundbeam_file::printable;
 use groundbeam_run::{Answers, InPassage, Passage, Passages};
 
 /// All fields at the given positions: `x_m, deflection_m, …`, without units in the header for plain numbers; of a
@@ -133,7 +133,7 @@ impl Rows {
 
     /// Names of the file are escaped: a table may go to a terminal.
     fn push(&mut self, cells: impl IntoIterator<Item = String>) {
-        let _ = self.0.write_record(cells.into_iter().map(|cell| printable(&cell)));
+        let _ = self.0.write_record(cells.into_iter().map(|cell| printable(&cell).into_owned()));
     }
 
     fn finish(self) -> String {

@@ -17,7 +17,7 @@ mod study;
 mod train;
 
 use crate::characteristics::Characteristics;
-use crate::context::{Context, is_plain};
+use crate::context::Context;
 pub use combinations::{combinations, envelope_stations};
 pub use comparison::comparison;
 use existence::Proven;
@@ -27,6 +27,7 @@ use groundbeam::{
     Acts, Certificate, Existence, Extreme, Field, LiftOff, Method, Model, Side, Solution, Stopped,
     Support,
 };
+use groundbeam_file::is_unprintable;
 use serde::Serialize;
 pub use study::study;
 pub use train::{checked_trains, trains};
@@ -62,12 +63,12 @@ pub fn not_converged(reached: &Stopped, context: &Context) -> String {
 /// written as escapes, which a reader of the document turns back.
 fn text(document: &impl Serialize) -> String {
     let written = serde_json::to_string_pretty(document).unwrap_or_default() + "\n";
-    if written.chars().all(|c| c == '\n' || is_plain(c)) {
+    if written.chars().all(|c| c == '\n' || !is_unprintable(c)) {
         return written;
     }
     let mut escaped = String::with_capacity(written.len());
     for c in written.chars() {
-        match c == '\n' || is_plain(c) {
+        match c == '\n' || !is_unprintable(c) {
             true => escaped.push(c),
             false => escaped += &format!("\\u{:04x}", u32::from(c)),
         }

@@ -1,6 +1,6 @@
 //! A page of labelled rows, at most 80 columns wide. Whatever a file calls its parts is escaped here.
 
-use crate::context::printable;
+use groundbeam_file::printable;
 
 /// The width no line exceeds, as far as words allow.
 const WIDTH: usize = 80;
@@ -88,12 +88,12 @@ impl Sheet {
 
     /// A paragraph that begins at the left edge.
     pub fn heading(&mut self, words: &str) {
-        self.entries.push(Entry::Heading(printable(words)));
+        self.entries.push(Entry::Heading(printable(words).into_owned()));
     }
 
     /// A line of a table, as it is.
     pub fn line(&mut self, words: &str) {
-        self.entries.push(Entry::Line(printable(words)));
+        self.entries.push(Entry::Line(printable(words).into_owned()));
     }
 
     /// `label        words`, wrapped under themselves. An empty label continues the row above.
@@ -103,13 +103,13 @@ impl Sheet {
 
     /// The same with the first part of the words, up to a colon, in a tone.
     pub fn toned_row(&mut self, label: &str, words: &str, tone: Tone) {
-        let [label, words] = [label, words].map(printable);
+        let [label, words] = [label, words].map(|text| printable(text).into_owned());
         self.entries.push(Entry::Row { label, words, tone });
     }
 
     /// `             label       words`: a row within a row.
     pub fn item(&mut self, label: &str, words: &str) {
-        let [label, words] = [label, words].map(printable);
+        let [label, words] = [label, words].map(|text| printable(text).into_owned());
         self.entries.push(Entry::Item { label, words });
     }
 

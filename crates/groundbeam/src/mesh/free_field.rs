@@ -1,4 +1,4 @@
-//! How far the ground settles by itself under loads that act on it, under the beam and beside it.
+//! The free-field settlement u₀, under the beam and beside it, from the loads on the ground.
 //!
 //! u₀ solves −(μu₀′)′ + ku₀ = q on the whole line, without any beam. What the beam adds is G p, and it touches
 //! where G p = w − g₀ − u₀: to the beam u₀ is a clearance that is no straight line. On even ground

@@ -1,4 +1,4 @@
-//! What the hinges of a solved beam do: how far each turns, and the moment it hands on.
+//! The rotation and the moment of each hinge, from a solution.
 
 use crate::model::Hinge;
 use crate::solution::fields::Side;

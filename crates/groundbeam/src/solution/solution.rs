@@ -1,4 +1,4 @@
-//! What is found: deflections, moments, the ground's surface, contact, forces. Evaluated anywhere.
+//! An equilibrium: deflections, moments, the ground's surface, contact and forces, at any position.
 
 use crate::Step;
 use crate::certificate::Certificate;
