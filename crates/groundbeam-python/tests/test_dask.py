@@ -33,11 +33,19 @@ def alone(study: gb.Study, out: Path) -> bytes:
     return out.read_bytes()
 
 
-def stop_before_the_merge(monkeypatch: pytest.MonkeyPatch) -> None:
+def run_without_merge(
+    client: distributed.Client, study: gb.Study, out: Path, shards: int, monkeypatch: pytest.MonkeyPatch
+) -> list[Path]:
+    """Stops a run before it merges. Returns its shards."""
+
     def stop(*_: object) -> NoReturn:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(groundbeam.dask, "merge", stop)
+    with monkeypatch.context() as stopped:
+        stopped.setattr(groundbeam.dask, "merge", stop)
+        with pytest.raises(KeyboardInterrupt):
+            run(client, study, out, shards=shards)
+    return sorted(out.with_name(out.name + ".shards").iterdir())
 
 
 def test_a_study_that_was_edited_takes_over_no_old_shards(
@@ -47,11 +55,7 @@ def test_a_study_that_was_edited_takes_over_no_old_shards(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     out = tmp_path / "cluster.parquet"
-    with monkeypatch.context() as stopped:
-        stop_before_the_merge(stopped)
-        with pytest.raises(KeyboardInterrupt):
-            run(client, study, out, shards=3)
-    assert len(list((tmp_path / "cluster.parquet.shards").iterdir())) == 3
+    assert len(run_without_merge(client, study, out, 3, monkeypatch)) == 3
     study.path.write_text(STUDY.replace("cov = 0.2", "cov = 0.1"))
     edited = gb.Study(study.path)
     run(client, edited, out, shards=3)
@@ -66,11 +70,7 @@ def test_shards_that_are_kept_are_taken_over_if_they_are_right(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     out = tmp_path / "cluster.parquet"
-    with monkeypatch.context() as stopped:
-        stop_before_the_merge(stopped)
-        with pytest.raises(KeyboardInterrupt):
-            run(client, study, out, shards=4)
-    one, two, *others = sorted((tmp_path / "cluster.parquet.shards").iterdir())
+    one, two, *others = run_without_merge(client, study, out, 4, monkeypatch)
     shutil.copyfile(one, two)
     others[0].write_bytes(b"not Parquet")
     submitted: list[object] = []
