@@ -170,12 +170,11 @@ fn read(text: &str, beside: Option<Beside>, bare_is_si: bool) -> Result<Document
     let quantities = reader.located(units);
     let Reader { found, places, others, .. } = reader;
     if found.is_empty() {
-        let Ground { bed, width, band, .. } = ground;
+        let Ground { width, band, .. } = ground;
         Ok(Document {
             title,
             model,
             chords,
-            bed,
             width,
             band,
             limits,

@@ -61,7 +61,7 @@ pub(crate) fn must_be_positive(parameter: Parameter) -> bool {
 /// Why a number of a file's model cannot be changed, if it cannot; `name` is what it was called.
 pub fn problem(parameter: Parameter, name: &str, document: &Document) -> Option<String> {
     let model = &document.model;
-    if parameter.is_of_ground() && document.bed.is_some() {
+    if parameter.is_of_ground() && document.model.foundation.soil.is_some() {
         return Some("the model's ground is made of its soil".to_owned());
     }
     if let Parameter::Load(index, _) = parameter

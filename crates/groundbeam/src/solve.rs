@@ -12,6 +12,7 @@ use crate::equilibrium::local;
 use crate::equilibrium::local::Checked;
 use crate::equilibrium::one_way;
 use crate::equilibrium::size;
+use crate::equilibrium::soil;
 use crate::error::{Error, NotConverged, Stopped};
 use crate::existence::existence::{Existence, Verdict, existence};
 use crate::mesh::mesh::Mesh;
@@ -66,7 +67,14 @@ pub(crate) fn solve_in(
     likely: Option<&[Stretch]>,
     workspace: &mut Workspace,
 ) -> Result<Outcome, Error> {
-    let outcome = uncancelled(model, options, likely, workspace);
+    let outcome = match &model.foundation.soil {
+        None => uncancelled(model, options, likely, workspace),
+        Some(soil) => {
+            refuse_invalid(model)?;
+            let on_given = |model: &Model| solve_in(model, options, likely, workspace);
+            soil::solve(soil, model, options.method, on_given)
+        }
+    };
     // Whatever a cancelled solve came to in the steps that it did not finish, it is no answer.
     if options.cancel.is_cancelled() { Err(Error::Cancelled) } else { outcome }
 }
@@ -205,10 +213,8 @@ pub fn exists(model: &Model) -> Result<Existence, Error> {
 
 /// Refuses a model that is wrong, and tells what its equilibrium is like.
 pub(crate) fn check(model: &Model, options: &Options) -> Result<Checked, Error> {
-    let problems = model.problems();
-    if !problems.is_empty() {
-        return Err(Error::Invalid(problems));
-    }
+    refuse_invalid(model)?;
+    let model = &*model.on_given_ground();
     match convexity(model, &options.cancel) {
         Some(stability) => Ok(Checked { existence: existence(model), stability, local: None }),
         None => {
@@ -221,6 +227,12 @@ pub(crate) fn check(model: &Model, options: &Options) -> Result<Checked, Error> 
             local::check(model, &options.cancel, |model| solve_with(model, &exact))
         }
     }
+}
+
+/// Refuses a model that breaks a rule.
+pub(crate) fn refuse_invalid(model: &Model) -> Result<(), Error> {
+    let problems = model.problems();
+    if problems.is_empty() { Ok(()) } else { Err(Error::Invalid(problems)) }
 }
 
 fn find(

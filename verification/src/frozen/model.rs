@@ -37,7 +37,8 @@ fn of_beam_segment(segment: &BeamSegment) -> String {
 }
 
 fn of_ground(foundation: &Foundation) -> String {
-    let Foundation { spring, shear, segments: _, ends } = foundation;
+    let Foundation { spring, shear, segments: _, ends, soil } = foundation;
+    assert!(soil.is_none(), "a frozen model has given ground");
     let [left, right] = ends.map(|end| match end {
         GroundEnd::Endless => "endless".to_owned(),
         GroundEnd::Free { at } => format!("free:{at:?}"),

@@ -14,7 +14,6 @@ use crate::reader::{Field, Reader};
 use crate::stiffness::{Given, Keys, Stiffness, cover};
 use crate::table::Section;
 use groundbeam::model::Part;
-use groundbeam::soil::{Bed, Subgrade};
 use groundbeam::{Beam, Foundation, FoundationSegment, GroundEnd, Profile};
 
 const KEYS: &[&str] = &[
@@ -42,8 +41,6 @@ const STIFFNESS: Keys = Keys {
 #[derive(Debug)]
 pub(crate) struct Ground {
     pub foundation: Foundation,
-    /// The soil from which it was made.
-    pub bed: Option<Bed>,
     /// The width on which the whole beam bears.
     pub width: Option<f64>,
     pub band: Option<Band>,
@@ -51,7 +48,7 @@ pub(crate) struct Ground {
 
 impl Ground {
     fn unreadable() -> Self {
-        Ground { foundation: Foundation::winkler(f64::NAN), bed: None, width: None, band: None }
+        Ground { foundation: Foundation::winkler(f64::NAN), width: None, band: None }
     }
 }
 
@@ -95,14 +92,13 @@ fn on_soil(reader: &mut Reader, table: &Section, soil: &Section, beam: &Beam) ->
     }
     let width = reader.required(table, "width", &WIDTH);
     let width = reader.positive("width", width);
-    let bed = soil::read(reader, soil, width.value);
+    let soil = soil::read(reader, soil, width.value);
     for field in ["spring", "shear"] {
         reader.places.field(Part::Foundation, field, &Field::unreadable(0..0));
     }
-    let unknown = Subgrade { spring: f64::NAN, shear: 0.0 };
-    let ground = bed.as_ref().map_or(unknown, |bed| bed.subgrade(beam));
-    let foundation = Foundation::pasternak(ground.spring, ground.shear);
-    Ground { foundation, bed, width: Some(width.value), band: None }
+    let unknown = || Foundation::winkler(f64::NAN);
+    let foundation = soil.map_or_else(unknown, |soil| Foundation::on_soil(soil, beam));
+    Ground { foundation, width: Some(width.value), band: None }
 }
 
 /// A ground given by its constants.
@@ -137,17 +133,17 @@ fn constants(reader: &mut Reader, table: &Section, beam_length: f64) -> Ground {
         (Stiffness::NotGiven | Stiffness::Half(..), Some(segment)) if covered => {
             reader.places.field(Part::Foundation, "spring", &Field::unreadable(0..0));
             let (spring, shear) = (segment.spring.end(), segment.shear.end());
-            Foundation { spring, shear, segments, ends }
+            Foundation { spring, shear, segments, ends, soil: None }
         }
         _ => {
             let spring = reader.settle(stiffness, table, &STIFFNESS);
             reader.places.field(Part::Foundation, "spring", &spring.field());
             add_where_it_varies(reader, &spring, &parent.shear, beam_length, &mut segments);
             let [spring, shear] = [&spring, &parent.shear].map(|along| along.profile.start());
-            Foundation { spring, shear, segments, ends }
+            Foundation { spring, shear, segments, ends, soil: None }
         }
     };
-    Ground { foundation, bed: None, width, band: None }
+    Ground { foundation, width, band: None }
 }
 
 /// `left = { ends = "-2 m", as = "free" }`

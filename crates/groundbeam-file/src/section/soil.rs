@@ -7,7 +7,7 @@ use crate::quantity::{ELASTIC_MODULUS, Kind, LENGTH, RATIO, SUBGRADE_MODULUS, WI
 use crate::reader::{Field, Reader};
 use crate::suggest::nearest;
 use crate::table::Section;
-use groundbeam::soil::{Bed, Elastic, LayeredSoil, PlateTest, Soil, SoilLayer};
+use groundbeam::soil::{Elastic, LayeredSoil, PlateTest, Soil, SoilLayer, SoilModel};
 
 /// A method: its name, the keys it takes, and what other keys tell that it is not.
 struct Method {
@@ -46,10 +46,10 @@ const METHODS: [Method; 8] = [
 ];
 
 /// The soil under a beam that bears on a `width` of it.
-pub(super) fn read(reader: &mut Reader, table: &Section, width: f64) -> Option<Bed> {
+pub(super) fn read(reader: &mut Reader, table: &Section, width: f64) -> Option<SoilModel> {
     let method = method(reader, table)?;
     reader.refuse_unknown(table, method.keys);
-    Some(Bed::new((method.make)(reader, table), width))
+    Some(SoilModel::new((method.make)(reader, table), width))
 }
 
 fn method(reader: &mut Reader, table: &Section) -> Option<&'static Method> {

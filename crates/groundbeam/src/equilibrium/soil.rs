@@ -8,70 +8,61 @@ use crate::certificate::gauss;
 use crate::error::{Error, NotConverged, Stopped};
 use crate::ground::link::{between, cut, slope_between};
 use crate::model::soil::layers::squares;
-use crate::model::soil::{Bed, LayeredSoil, Soil, Subgrade};
+use crate::model::soil::{LayeredSoil, Soil, SoilModel};
 use crate::model::{Extent, Model};
 use crate::numeric::polynomial::inner;
 use crate::numeric::tolerance::SOIL;
 use crate::options::Method;
 use crate::outcome::Outcome;
 use crate::solution::fields::Stretch;
-use crate::solution::solution::Solution;
+use crate::solution::solution::{SoilRounds, Solution};
 
 const MOST_ROUNDS: usize = 100;
 
-/// An answer on soil.
-#[derive(Debug, Clone)]
-pub struct OnSoil {
-    /// What mechanics says, for the ground below.
-    pub outcome: Outcome,
-    /// k and μ of the ground that was solved.
-    pub subgrade: Subgrade,
-    /// γ, for layers.
-    pub gamma: Option<f64>,
-    /// Solutions it took: one, unless γ is taken from the solution.
-    pub rounds: usize,
-}
-
-/// Solves a beam on this soil; the model's own foundation is replaced. `solve` solves a model on given ground.
+/// Solves a beam on soil. `solve` solves a model on given ground.
 pub(crate) fn solve(
-    bed: &Bed,
+    soil: &SoilModel,
     model: &Model,
     method: Method,
-    solve: impl Fn(&Model) -> Result<Outcome, Error>,
-) -> Result<OnSoil, Error> {
-    if let Soil::ModifiedVlasov(layers) = &bed.soil {
-        return iterate(bed, model, layers, method, solve);
+    mut solve: impl FnMut(&Model) -> Result<Outcome, Error>,
+) -> Result<Outcome, Error> {
+    if let Soil::ModifiedVlasov(layers) = &soil.soil {
+        return iterate(soil, model, layers, method, solve);
     }
-    let subgrade = bed.subgrade(&model.beam);
-    let gamma = match bed.soil {
-        Soil::Vlasov(_, gamma) => Some(gamma),
-        _ => None,
-    };
-    let outcome = solve(&subgrade.under(model))?;
-    Ok(OnSoil { outcome, subgrade, gamma, rounds: 1 })
+    let outcome = solve(&model.on_given_ground())?;
+    Ok(on_soil(outcome, soil.gamma(), 1))
+}
+
+/// The outcome, with the origin of its ground in the solution.
+fn on_soil(outcome: Outcome, gamma: Option<f64>, rounds: usize) -> Outcome {
+    match outcome {
+        Outcome::Equilibrium(solution) => {
+            Outcome::Equilibrium(Box::new(solution.on_soil(SoilRounds { gamma, rounds })))
+        }
+        none @ Outcome::NoEquilibrium(_) => none,
+    }
 }
 
 /// Iterates on r, from γ = 1, until the solution gives the r that its ground was made with.
 fn iterate(
-    bed: &Bed,
+    soil: &SoilModel,
     model: &Model,
     layers: &LayeredSoil,
     method: Method,
-    solve: impl Fn(&Model) -> Result<Outcome, Error>,
-) -> Result<OnSoil, Error> {
+    mut solve: impl FnMut(&Model) -> Result<Outcome, Error>,
+) -> Result<Outcome, Error> {
     let mut rate = layers.rate(1.0);
     let mut before: Option<[f64; 2]> = None;
     for rounds in 1..=MOST_ROUNDS {
-        let subgrade = layers.subgrade(rate, bed.width).times(bed.factors);
-        let outcome = solve(&subgrade.under(model))?;
+        let subgrade = layers.subgrade(rate, soil.width).times(soil.factors);
+        let outcome = solve(&model.on_ground(subgrade))?;
         let found = match &outcome {
             Outcome::Equilibrium(solution) => rate_of(solution),
             Outcome::NoEquilibrium(_) => None,
         };
         let found = found.filter(|found| (found - rate).abs() > SOIL * rate);
         let Some(found) = found else {
-            let gamma = Some(layers.gamma(rate));
-            return Ok(OnSoil { outcome, subgrade, gamma, rounds });
+            return Ok(on_soil(outcome, Some(layers.gamma(rate)), rounds));
         };
         let next = accelerated(before, [rate, found]);
         before = Some([rate, found]);
@@ -213,13 +204,14 @@ mod tests {
     fn vallabhan_and_das() {
         let layer = SoilLayer { modulus: 144.0, poisson: 0.2, thickness: 25.0 };
         let soil = LayeredSoil { layers: vec![layer] };
-        let bed = Bed::new(Soil::ModifiedVlasov(soil), 1.0);
-        let beam = || Model::new(Beam::uniform(100.0, 432_000.0 * 2.25), Foundation::winkler(1.0));
+        let soil = SoilModel::new(Soil::ModifiedVlasov(soil), 1.0);
+        let beam = Beam::uniform(100.0, 432_000.0 * 2.25);
+        let model = Model::new(beam.clone(), Foundation::on_soil(soil, &beam));
         let solved = |load: Load| {
-            let model = beam().with_load(load);
-            let found = bed.solve(&model, &Options::default()).unwrap();
+            let found = solve_with(&model.clone().with_load(load), &Options::default()).unwrap();
+            let Outcome::Equilibrium(solution) = found else { panic!("it stands") };
+            let found = solution.soil().unwrap();
             assert!(found.rounds < 8, "{}", found.rounds);
-            let Outcome::Equilibrium(solution) = found.outcome else { panic!("it stands") };
             (found.gamma.unwrap(), solution.contact()[0].from)
         };
         let (gamma, from) = solved(Load::uniform_force(0.0, 100.0, 3.0));

@@ -22,6 +22,7 @@ use crate::error::Error;
 use crate::load_factors::parts::{FirstLiftOff, LossOfEquilibrium, Parts};
 use crate::model::Model;
 use crate::options::{Method, Options};
+use crate::solve::refuse_invalid;
 use crate::supported::{self, Way};
 
 /// What becomes of a model whose loads grow. See [`load_factors`].
@@ -79,10 +80,8 @@ fn factors(
     options: &Options,
     grows: impl Fn(usize) -> bool,
 ) -> Result<LoadFactors, Error> {
-    let problems = model.problems();
-    if !problems.is_empty() {
-        return Err(Error::Invalid(problems));
-    }
+    refuse_invalid(model)?;
+    let model = &*model.on_given_ground();
     let convexity = convexity(model, &options.cancel);
     supported::check(model, Way::LoadFactors, convexity.is_none())?;
     // None is left where the table does not refuse: then the certificate bounds nothing.

@@ -1,6 +1,8 @@
 //! The ground: k(x) and μ(x) by segments on the whole line, (2.2) and Remark 2.
 
+use super::beam::Beam;
 use super::profile::{Course, Profile};
+use super::soil::{SoilModel, Subgrade};
 
 /// A Pasternak foundation; with `shear` = 0 a Winkler foundation.
 ///
@@ -17,6 +19,9 @@ pub struct Foundation {
     pub segments: Vec<FoundationSegment>,
     /// How the ground ends on the left and on the right.
     pub ends: [GroundEnd; 2],
+    /// The soil from which k and μ follow; `None` where they are given. On soil a solve makes `spring` and `shear`
+    /// anew, by the modified Vlasov model from its own solution. Such ground is uniform and endless.
+    pub soil: Option<SoilModel>,
 }
 
 /// A stretch of ground with constants of its own.
@@ -38,7 +43,8 @@ impl Foundation {
 
     /// Uniform ground with a shear layer.
     pub fn pasternak(spring: f64, shear: f64) -> Self {
-        Foundation { spring, shear, segments: Vec::new(), ends: [GroundEnd::Endless; 2] }
+        let ends = [GroundEnd::Endless; 2];
+        Foundation { spring, shear, segments: Vec::new(), ends, soil: None }
     }
 
     /// Uniform ground of independent springs, μ = 0.
@@ -46,10 +52,19 @@ impl Foundation {
         Self::pasternak(spring, 0.0)
     }
 
+    /// Uniform ground made of soil, with the constants that it has under a beam before anything is solved.
+    pub fn on_soil(soil: SoilModel, beam: &Beam) -> Self {
+        let Subgrade { spring, shear } = soil.subgrade(beam);
+        Foundation { soil: Some(soil), ..Self::pasternak(spring, shear) }
+    }
+
     /// The same ground with k and μ multiplied everywhere.
     pub fn scaled(mut self, spring: f64, shear: f64) -> Self {
         self.spring *= spring;
         self.shear *= shear;
+        if let Some(soil) = &mut self.soil {
+            soil.factors = [soil.factors[0] * spring, soil.factors[1] * shear];
+        }
         for segment in &mut self.segments {
             segment.spring = segment.spring.scaled(spring);
             segment.shear = segment.shear.scaled(shear);
@@ -104,6 +119,7 @@ impl Foundation {
                 })
                 .collect(),
             ends: [self.ends[1].mirrored(l), self.ends[0].mirrored(l)],
+            soil: self.soil.clone(),
             ..*self
         }
     }

@@ -20,6 +20,9 @@ mod support;
 mod train;
 mod validate;
 
+use self::soil::Subgrade;
+use std::borrow::Cow;
+
 pub use crate::model::foundation::GroundEnd;
 pub use crate::model::problem::{Part, Problem};
 pub use beam::{Beam, BeamSegment};
@@ -126,6 +129,20 @@ impl Model {
         beam.map(Part::BeamSegment).or(below.map(Part::FoundationSegment))
     }
 
+    /// The same model on ground of these constants.
+    pub(crate) fn on_ground(&self, ground: Subgrade) -> Self {
+        let foundation = Foundation::pasternak(ground.spring, ground.shear);
+        Model { foundation, ..self.clone() }
+    }
+
+    /// The model with the constants that its soil gives before anything is solved; as it is where they are given.
+    pub(crate) fn on_given_ground(&self) -> Cow<'_, Model> {
+        match &self.foundation.soil {
+            None => Cow::Borrowed(self),
+            Some(soil) => Cow::Owned(self.on_ground(soil.subgrade(&self.beam))),
+        }
+    }
+
     /// Whether a support acts in one direction alone.
     pub(crate) fn has_one_way_supports(&self) -> bool {
         self.supports.iter().any(Support::is_one_way)
@@ -145,7 +162,8 @@ impl Model {
         self.beam = Beam { segments, ..other.beam };
         let mut segments = std::mem::take(&mut self.foundation.segments);
         segments.clone_from(&other.foundation.segments);
-        self.foundation = Foundation { segments, ..other.foundation };
+        let soil = other.foundation.soil.clone();
+        self.foundation = Foundation { segments, soil, ..other.foundation };
         self.loads.clone_from(&other.loads);
         self.supports.clone_from(&other.supports);
         self.hinges.clone_from(&other.hinges);

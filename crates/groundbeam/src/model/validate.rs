@@ -1,7 +1,7 @@
 //! Every rule a model must obey, each with what would be right.
 
 use super::places;
-use super::{Action, Extent, Foundation, Load, Model, Profile, SupportKind};
+use super::{Action, Extent, Foundation, GroundEnd, Load, Model, Profile, SupportKind};
 use crate::model::problem::down;
 use crate::model::problem::{
     Part, Problem, describe, finite, in_range, positive, positive_along, remedy,
@@ -89,6 +89,12 @@ impl Model {
                 let problem = Problem::new("GB203", part, "from", message, hint);
                 found.push(problem.with_numbers(&[self.beam.length]));
             }
+        }
+        let endless = ground.ends.iter().all(|end| *end == GroundEnd::Endless);
+        if ground.soil.is_some() && !(ground.segments.is_empty() && endless) {
+            let message = "ground made of soil is uniform and endless";
+            let hint = "leave out the segments and the ends of the ground, or give its constants";
+            found.push(Problem::new("GB212", Part::Foundation, "soil", message, hint));
         }
         self.check_ground_ends(found);
         let spans: Vec<_> = ground.segments.iter().map(|s| (s.from, s.to)).collect();

@@ -24,6 +24,16 @@ pub struct Solution {
     existence: Existence,
     method: Method,
     history: Vec<Step>,
+    soil: Option<SoilRounds>,
+}
+
+/// How a solution's ground was made from the [soil](crate::soil) of its model.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SoilRounds {
+    /// γ, for layers.
+    pub gamma: Option<f64>,
+    /// Solutions it took: one, unless γ is taken from the solution.
+    pub rounds: usize,
 }
 
 impl Solution {
@@ -37,7 +47,12 @@ impl Solution {
         history: Vec<Step>,
     ) -> Self {
         let existence = candidate.settled_existence(existence);
-        Solution { candidate, certificate, existence, method, history }
+        Solution { candidate, certificate, existence, method, history, soil: None }
+    }
+
+    /// The same solution, on ground that was made from soil.
+    pub(crate) fn on_soil(self, soil: SoilRounds) -> Self {
+        Solution { soil: Some(soil), ..self }
     }
 
     /// The fields without their certificate, and the method's steps.
@@ -55,9 +70,14 @@ impl Solution {
         &self.candidate.stretches
     }
 
-    /// The model that was solved.
+    /// The model that was solved, on ground whose constants are given: on soil, those of this solution.
     pub fn model(&self) -> &Model {
         &self.candidate.model
+    }
+
+    /// How the ground was made from soil; `None` for a model whose constants are given.
+    pub fn soil(&self) -> Option<SoilRounds> {
+        self.soil
     }
 
     /// The method that found it.
