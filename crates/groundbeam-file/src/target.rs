@@ -191,7 +191,7 @@ fn vary_ground(model: &mut Model, ground: [Option<Along>; 2]) {
     let Some(count) = ground.iter().flatten().map(|along| along.stretches()).max() else { return };
     let length = model.beam.length;
     let mut foundation = model.foundation.clone();
-    let elsewhere = [foundation.spring, foundation.shear];
+    let elsewhere = [foundation.subgrade, foundation.shear_layer];
     for i in 0..count {
         let [from, to] = ends(length, i, count);
         let [spring, shear] = [0, 1].map(|which| match ground[which] {

@@ -97,8 +97,8 @@ impl Writer {
     fn foundation(&mut self, model: &Model) {
         let ground = &model.foundation;
         self.heading("[foundation]");
-        self.quantity("k", ground.spring, "N/m^2");
-        self.quantity("mu", ground.shear, "N");
+        self.quantity("k", ground.subgrade, "N/m^2");
+        self.quantity("mu", ground.shear_layer, "N");
         for (key, end) in ["left", "right"].into_iter().zip(ground.ends) {
             let (at, kind) = match end {
                 GroundEnd::Endless => continue,
@@ -111,8 +111,8 @@ impl Writer {
         for segment in &ground.segments {
             self.heading("[[foundation.segment]]");
             self.stretch(segment.from, segment.to);
-            self.profile("k", &segment.spring, "N/m^2");
-            self.profile("mu", &segment.shear, "N");
+            self.profile("k", &segment.subgrade, "N/m^2");
+            self.profile("mu", &segment.shear_layer, "N");
         }
     }
 

@@ -75,7 +75,7 @@ fn a_whole_file() {
     assert_eq!(document.units, UnitSystem::Si);
     assert_eq!((model.beam.length, model.beam.bending_stiffness), (12.0, 1.2e9));
     assert_eq!(model.beam.axial_force, 1e4);
-    assert_eq!((model.foundation.spring, model.foundation.shear), (4e7, 9e6));
+    assert_eq!((model.foundation.subgrade, model.foundation.shear_layer), (4e7, 9e6));
     assert_eq!(model.foundation.constants_at(1.0), (2e7, 9e6), "mu from [foundation]");
     assert_eq!(model.foundation.constants_at(3.0), (4e7, 0.0), "k from [foundation]");
     let loads = [
@@ -117,7 +117,7 @@ fn a_stiffness_and_its_factors() {
     assert_eq!(ei("E = \"30 GPa\"\nI = \"0.04 m^4\""), 1.2e9);
     let section = "section = { width = \"1 m\", height = \"80 cm\" }";
     assert_eq!(ei(&format!("E = \"30 GPa\"\n{section}")), 3e10 * (0.8_f64.powi(3) / 12.0));
-    let k = |ground| with("EI = \"1 N m^2\"", ground).model.foundation.spring;
+    let k = |ground| with("EI = \"1 N m^2\"", ground).model.foundation.subgrade;
     assert_eq!(k("subgrade_modulus = \"40 MN/m^3\"\nwidth = \"500 mm\""), 2e7);
 }
 
@@ -141,7 +141,7 @@ fn segments_take_over_what_they_leave_out() {
         .foundation
         .segments
         .iter()
-        .map(|s| (s.spring.start(), s.shear.start()))
+        .map(|s| (s.subgrade.start(), s.shear_layer.start()))
         .collect();
     assert_eq!(ground, [(8e7, 1.0), (1e7, 1.0), (4e7, 2.0)]);
 }
@@ -225,7 +225,7 @@ fn problems_found_later_have_a_place_too() {
     assert_eq!(place(Part::Beam, "axial_force"), "\"10 kN\"");
     assert_eq!(place(Part::Load(2), "end"), "\"20 kN/m\"");
     assert_eq!(place(Part::Load(3), "to"), "[[load]]", "left out: the heading");
-    assert_eq!(place(Part::FoundationSegment(1), "spring"), "[[foundation.segment]]");
+    assert_eq!(place(Part::FoundationSegment(1), "subgrade"), "[[foundation.segment]]");
     assert_eq!(document.part_span(Part::Support(7)), None);
 
     let mut problem = Problem {

@@ -1,7 +1,7 @@
 //! One answer: its label, what was found, and the ground that was solved.
 
 use crate::growing::Factors;
-use groundbeam::soil::{SoilModel, SoilRounds, Subgrade};
+use groundbeam::soil::{GroundConstants, SoilModel, SoilRounds};
 use groundbeam::{Error, Existence, Foundation, Method, Model, Outcome, Solution, Stopped};
 use groundbeam_file::{Combination, MovingTrain};
 use std::borrow::Cow;
@@ -173,7 +173,7 @@ pub struct Ground {
     /// The width on which the beam bears \[m\].
     pub width: f64,
     /// k and μ.
-    pub subgrade: Subgrade,
+    pub subgrade: GroundConstants,
     /// The soil, and the method.
     pub soil: Option<SoilModel>,
     /// How the soil made them.
@@ -193,8 +193,9 @@ impl Ground {
         Some(match found {
             Found::NotConverged(_) => return None,
             Found::Equilibrium(solution) => {
-                let Foundation { spring, shear, .. } = solution.model().foundation;
-                let subgrade = Subgrade { spring, shear };
+                let Foundation { subgrade: spring, shear_layer: shear, .. } =
+                    solution.model().foundation;
+                let subgrade = GroundConstants { subgrade: spring, shear_layer: shear };
                 Ground { subgrade, rounds: solution.soil(), ..before }
             }
             _ => Ground { rounds: gamma.map(|_| SoilRounds { gamma, rounds: 1 }), ..before },
@@ -204,11 +205,12 @@ impl Ground {
     /// The ground of a model before anything is solved; `None` where it is not the same everywhere, or its width is
     /// not known.
     pub(crate) fn before(model: &Model, width: Option<f64>) -> Option<Self> {
-        let Foundation { spring, shear, segments, soil, .. } = &model.foundation;
+        let Foundation { subgrade: spring, shear_layer: shear, segments, soil, .. } =
+            &model.foundation;
         let width = soil.as_ref().map(|soil| soil.width).or(width)?;
         let subgrade = match soil {
             Some(soil) => soil.subgrade(&model.beam),
-            None => Subgrade { spring: *spring, shear: *shear },
+            None => GroundConstants { subgrade: *spring, shear_layer: *shear },
         };
         let ground = Ground { width, subgrade, soil: soil.clone(), rounds: None };
         segments.is_empty().then_some(ground)

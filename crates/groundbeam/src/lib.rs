@@ -54,7 +54,7 @@ pub mod model;
 pub mod soil;
 
 pub use crate::solution::fields::{
-    ConcentratedForce, ContactRegion, EndForces, Extreme, Field, Fields, Range, Reaction, Side,
+    ConcentratedForce, ContactZone, EndForces, Extreme, Field, Fields, Range, Reaction, Side,
 };
 pub use cancel::Cancel;
 pub use certificate::Certificate;

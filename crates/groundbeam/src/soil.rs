@@ -28,7 +28,7 @@
 //! ```
 
 pub use crate::model::soil::correlations::{Elastic, PlateTest};
-pub use crate::model::soil::{LayeredSoil, Soil, SoilLayer, SoilModel, Subgrade};
+pub use crate::model::soil::{GroundConstants, LayeredSoil, Soil, SoilLayer, SoilModel};
 pub use crate::solution::solution::SoilRounds;
 
 #[cfg(test)]
@@ -63,7 +63,10 @@ mod tests {
         assert!(rounds > 2 && given.soil().unwrap().rounds == 1);
         let same = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-12;
         let [given, modified] = [given, modified].map(|s| s.model().foundation.clone());
-        assert!(same(given.spring, modified.spring) && same(given.shear, modified.shear));
+        assert!(
+            same(given.subgrade, modified.subgrade)
+                && same(given.shear_layer, modified.shear_layer)
+        );
         assert!(given.soil.is_none());
     }
 
@@ -72,8 +75,8 @@ mod tests {
         let soil = || Soil::Vesic(Elastic { modulus: 20e6, poisson: 0.3 });
         let mut model = on(soil());
         model.beam.bending_stiffness *= 16.0;
-        let stiffer = solved(&model).model().foundation.spring;
-        assert!((stiffer / model.foundation.spring - 16f64.powf(-1.0 / 12.0)).abs() < 1e-12);
+        let stiffer = solved(&model).model().foundation.subgrade;
+        assert!((stiffer / model.foundation.subgrade - 16f64.powf(-1.0 / 12.0)).abs() < 1e-12);
     }
 
     #[test]
@@ -85,7 +88,7 @@ mod tests {
         let mut solver = Solver::new();
         let Ok(Answer::Equilibrium(kept)) = solver.solve(&model) else { panic!("it stands") };
         assert_eq!(kept.model(), alone.model());
-        let (near, alone) = (near.model().foundation.spring, alone.model().foundation.spring);
+        let (near, alone) = (near.model().foundation.subgrade, alone.model().foundation.subgrade);
         assert!((near / alone - 1.0).abs() < 1e-12);
         assert!(exists(&model).unwrap().verdict.stands());
     }

@@ -1,12 +1,12 @@
 //! The road from a model to a certified answer, on one page.
 
 use crate::certificate::Certificate;
-use crate::contact::state::{Found, Stalled};
+use crate::contact::state::{ContactState, Unconverged};
 use crate::contact::stopping::Proof;
-use crate::contact::stretches::Stretch;
+use crate::contact::stretches::Interval;
 use crate::contact::uzawa::{self, Relaxation};
 use crate::contact::{balanced, exact, nested};
-use crate::equilibrium::branch::State;
+use crate::equilibrium::branch::PathPoint;
 use crate::equilibrium::buckling::convexity;
 use crate::equilibrium::local;
 use crate::equilibrium::local::Checked;
@@ -64,7 +64,7 @@ pub fn solve_near(
 pub(crate) fn solve_in(
     model: &Model,
     options: &Options,
-    likely: Option<&[Stretch]>,
+    likely: Option<&[Interval]>,
     workspace: &mut Workspace,
 ) -> Result<Outcome, Error> {
     let outcome = match &model.foundation.soil {
@@ -82,7 +82,7 @@ pub(crate) fn solve_in(
 fn uncancelled(
     model: &Model,
     options: &Options,
-    likely: Option<&[Stretch]>,
+    likely: Option<&[Interval]>,
     workspace: &mut Workspace,
 ) -> Result<Outcome, Error> {
     let checked = check(model, options)?;
@@ -108,7 +108,7 @@ fn solve_convex(
     model: &Model,
     options: &Options,
     checked: &Checked,
-    likely: Option<&[Stretch]>,
+    likely: Option<&[Interval]>,
     workspace: &mut Workspace,
 ) -> Result<Solution, Error> {
     let Checked { existence, stability, .. } = *checked;
@@ -146,21 +146,21 @@ fn solve_local(
     model: &Model,
     options: &Options,
     checked: &Checked,
-    state: &State,
+    state: &PathPoint,
     workspace: &mut Workspace,
 ) -> Result<Solution, Error> {
     let Checked { existence, stability, .. } = *checked;
     let method = options.method;
     supported::check(model, Way::of(options), true)?;
     // The supports that act are known.
-    let held = state.held(model);
+    let held = state.on_active_supports(model);
     let mut judged = Judged::new(&held, stability, workspace);
     let found =
         exact::from_stable(&held, &state.contact, &options.cancel, |found| judged.judge(found))
             .map_err(|stalled| not_converged(method, stalled))?;
     let (mut candidate, mut certificate) = judged.last(&found);
     if model.has_one_way_supports() {
-        candidate = candidate.on_one_way_supports(model, &state.acts);
+        candidate = candidate.on_one_way_supports(model, &state.active);
         certificate = candidate.certify(stability);
     }
     Ok(Solution::new(candidate, certificate, existence, method, found.history))
@@ -180,7 +180,7 @@ impl<'a> Judged<'a> {
     }
 
     /// What the certificate shows of a deflection with its contact.
-    fn judge(&mut self, found: &Found) -> Proof {
+    fn judge(&mut self, found: &ContactState) -> Proof {
         if let Some((candidate, _)) = self.last.take() {
             self.workspace.recycle(candidate);
         }
@@ -191,11 +191,11 @@ impl<'a> Judged<'a> {
     }
 
     /// The one judged last. The exact method has had its answer judged; those on a mesh have not.
-    fn last(mut self, found: &Found) -> (Candidate, Certificate) {
+    fn last(mut self, found: &ContactState) -> (Candidate, Certificate) {
         self.last.take().unwrap_or_else(|| self.certified(found))
     }
 
-    fn certified(&mut self, found: &Found) -> (Candidate, Certificate) {
+    fn certified(&mut self, found: &ContactState) -> (Candidate, Certificate) {
         let candidate = Candidate::of(self.model, found, self.workspace);
         let certificate = candidate.certify(self.stability);
         (candidate, certificate)
@@ -239,14 +239,14 @@ fn find(
     model: &Model,
     options: &Options,
     existence: Existence,
-    likely: Option<&[Stretch]>,
-    judge: impl FnMut(&Found) -> Proof,
-) -> Result<Found, Error> {
+    likely: Option<&[Interval]>,
+    judge: impl FnMut(&ContactState) -> Proof,
+) -> Result<ContactState, Error> {
     let Options { method, cancel, .. } = options;
     let method = *method;
     supported::check(model, Way::of(options), false)?;
     let elements = options.elements.max(1);
-    let stalled = |stalled: Stalled| not_converged(method, stalled);
+    let stalled = |stalled: Unconverged| not_converged(method, stalled);
     match method {
         Method::Exact => match existence.verdict {
             Verdict::NotUnique(motion) if stands_on_an_end(model, existence) => {
@@ -273,8 +273,8 @@ fn find(
     }
 }
 
-fn not_converged(method: Method, stalled: Stalled) -> Error {
-    let Stalled { iterations, why } = stalled;
+fn not_converged(method: Method, stalled: Unconverged) -> Error {
+    let Unconverged { iterations, why } = stalled;
     Error::NotConverged(Stopped { method, iterations, why })
 }
 
@@ -385,7 +385,7 @@ mod tests {
             Proof { gap: 0.0, violation: 0.0 }
         });
         assert!(exactly.is_err() && judgements == 0);
-        let begin = State { compression: 0.0, contact: vec![[0.0, 60.0]], acts: vec![] };
+        let begin = PathPoint { compression: 0.0, contact: vec![[0.0, 60.0]], active: vec![] };
         let path = |cancel| branch::follow(&compressed(), begin.clone(), cancel);
         assert!(path(&never).wanted.is_some() && path(&now).wanted.is_none());
         assert_eq!(path(&now).last.compression, 0.0);

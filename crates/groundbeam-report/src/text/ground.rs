@@ -22,10 +22,10 @@ pub fn rows(sheet: &mut Sheet, model: &Model, context: &Context) {
         }
         sheet.row("Soil", &words);
     }
-    let area = units.write(Kind::AreaSpring, subgrade.spring / width, 6);
+    let area = units.write(Kind::AreaSpring, subgrade.subgrade / width, 6);
     let mut values = format!("on a width of {}: C1 = k/b = {area}", units.position(width));
-    if subgrade.shear > 0.0 {
-        let shear = units.write(Kind::AreaShear, subgrade.shear / width, 6);
+    if subgrade.shear_layer > 0.0 {
+        let shear = units.write(Kind::AreaShear, subgrade.shear_layer / width, 6);
         values += &format!(", C2 = mu/b = {shear}");
     }
     sheet.row("", &values);

@@ -1,7 +1,7 @@
 //! Links of open ground within a cell, tied to the ground's own surface or to the beam.
 
 use crate::chain::node::ChainNode;
-use crate::chain::node::{Tie, TiedLink};
+use crate::chain::node::{Tie, TiedTwoPort};
 
 /// u at both ends of a cell: what multiplies its six unknowns, and the gap to take off.
 pub(super) struct Surfaces {
@@ -20,7 +20,7 @@ pub(super) fn counted(mut row: [f64; 6], node: &ChainNode, beam: [f64; 4]) -> ([
 
 /// Adds a link to the stiffness and the force of six unknowns, to which `turned` brings a cell's own.
 pub(super) fn add_link(
-    tied: &TiedLink,
+    tied: &TiedTwoPort,
     surfaces: &Surfaces,
     turned: impl Fn(&[f64; 6]) -> [f64; 6],
     k: &mut [[f64; 6]; 6],

@@ -16,12 +16,12 @@ use super::majorant;
 use super::surface::Surface;
 use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
-use crate::chain::node::Loose;
-use crate::contact::state::{Found, Stalled, Step};
+use crate::chain::node::NotDefinite;
+use crate::contact::state::{ContactState, Step, Unconverged};
 use crate::element::cubic::{self, TERMS};
 use crate::element::element::Element;
 use crate::error::NotConverged;
-use crate::mesh::deflection::{Deflection, Zone};
+use crate::mesh::deflection::{Deflection, MeshZone};
 use crate::mesh::energy::{Motion, beam_form, ground_work};
 use crate::mesh::mesh::Mesh;
 use crate::numeric::line_search::settle;
@@ -46,16 +46,16 @@ const LEAST_DAMPING: f64 = 1e-6;
 pub(crate) fn solve(
     mesh: Mesh,
     pressure: Pressure,
-    start: Option<&Found>,
+    start: Option<&ContactState>,
     close: f64,
     cancel: &Cancel,
-) -> Result<Found, Stalled> {
+) -> Result<ContactState, Unconverged> {
     let newton = Newton::new(&mesh, pressure);
     let mut history = Vec::new();
     let mut now = match start {
         Some(found) => newton.unfold(super::transfer::interpolated(&mesh, found)),
         None => {
-            let nothing_holds = |Loose| Stalled::SINGULAR;
+            let nothing_holds = |NotDefinite| Unconverged::SINGULAR;
             newton.unfold(newton.glued(&newton.bonded(), None).map_err(nothing_holds)?)
         }
     };
@@ -80,7 +80,7 @@ pub(crate) fn solve(
             zones = newton.contact(&target.coefficients);
             let State { shapes, coefficients } = target;
             let terms = TERMS;
-            return Ok(Found {
+            return Ok(ContactState {
                 rotation: Vec::new(),
                 mesh,
                 terms,
@@ -104,7 +104,7 @@ pub(crate) fn solve(
         zones = newton.contact(&now.coefficients);
     }
     let reached = history.last().map_or(f64::NAN, |step| step.decrement);
-    Err(Stalled { iterations: history.len(), why: NotConverged::Energy(reached) })
+    Err(Unconverged { iterations: history.len(), why: NotConverged::Energy(reached) })
 }
 
 /// The nodal pressures (5.5) of the bilateral problem, its pulls left out: a start for (5.15).
@@ -116,7 +116,7 @@ pub(crate) fn bilateral_pressure(mesh: &Mesh) -> Vec<f64> {
     };
     let state = newton.unfold(shapes);
     let w = Deflection { mesh, terms: TERMS, coefficients: &state.coefficients };
-    Surface::of(&w, &zones).atoms.iter().map(|atom| atom.force.max(0.0)).collect()
+    Surface::of(&w, &zones).point_forces.iter().map(|atom| atom.force.max(0.0)).collect()
 }
 
 /// A deflection: element by element and as polynomials.
@@ -159,7 +159,7 @@ impl<'a> Newton<'a> {
         Newton { mesh, pressure, elements: mesh.cells.iter().map(element).collect() }
     }
 
-    fn contact(&self, coefficients: &[f64]) -> Vec<Zone> {
+    fn contact(&self, coefficients: &[f64]) -> Vec<MeshZone> {
         let w = Deflection { mesh: self.mesh, terms: TERMS, coefficients };
         match self.pressure {
             Pressure::Distributed => majorant::contact(&w),
@@ -167,7 +167,7 @@ impl<'a> Newton<'a> {
         }
     }
 
-    fn bonded(&self) -> Vec<Zone> {
+    fn bonded(&self) -> Vec<MeshZone> {
         majorant::everywhere(self.mesh, self.pressure == Pressure::Dirac)
     }
 
@@ -179,7 +179,11 @@ impl<'a> Newton<'a> {
 
     /// The beam glued to the ground on `zones`. With `near`, the step from there is damped by a part of
     /// the fully bonded ground.
-    fn glued(&self, zones: &[Zone], near: Option<(f64, &State)>) -> Result<Vec<[f64; 4]>, Loose> {
+    fn glued(
+        &self,
+        zones: &[MeshZone],
+        near: Option<(f64, &State)>,
+    ) -> Result<Vec<[f64; 4]>, NotDefinite> {
         let layout = Layout::of(self.mesh, zones);
         let cells = self.mesh.cells.iter().enumerate().map(|(i, cell)| {
             let mut element = self.elements[i];
@@ -205,9 +209,9 @@ impl<'a> Newton<'a> {
     fn step(
         &self,
         now: &State,
-        zones: &[Zone],
+        zones: &[MeshZone],
         least_damping: f64,
-    ) -> Result<(Vec<[f64; 4]>, f64), Stalled> {
+    ) -> Result<(Vec<[f64; 4]>, f64), Unconverged> {
         if least_damping == 0.0
             && let Ok(shapes) = self.glued(zones, None)
             && shapes.iter().flatten().all(|v| v.is_finite())
@@ -221,7 +225,7 @@ impl<'a> Newton<'a> {
             }
             weight *= 100.0;
         }
-        Err(Stalled::SINGULAR)
+        Err(Unconverged::SINGULAR)
     }
 
     /// ψ = w − g₀ as coefficients.
@@ -239,7 +243,7 @@ impl<'a> Newton<'a> {
         beam_form(self.mesh, a, b)
     }
 
-    fn ground_form(&self, zones: &[Zone], psi: &[f64], delta: &[f64]) -> f64 {
+    fn ground_form(&self, zones: &[MeshZone], psi: &[f64], delta: &[f64]) -> f64 {
         ground_work(self.mesh, TERMS, zones, psi, delta)
     }
 }
@@ -282,7 +286,7 @@ impl<'a> Line<'a> {
         newton: &'a Newton<'a>,
         now: &'a State,
         target: &'a State,
-        zones: &[Zone],
+        zones: &[MeshZone],
         damping: f64,
     ) -> Self {
         let difference = State {
@@ -323,7 +327,7 @@ impl<'a> Line<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::deflection::Spot;
+    use crate::mesh::deflection::BeamPoint;
     use crate::model::{Beam, Foundation, Load, Model};
 
     /// The paper's own ten elements and nodal pressures: w(0) of cases I and IV as its figures' data give
@@ -337,7 +341,7 @@ mod tests {
             let mesh = Mesh::uniform(&model, 10);
             let found =
                 solve(mesh, Pressure::Dirac, None, ENERGY, &Cancel::default()).expect("a solution");
-            let end = found.deflection().obstacle_at(Spot { cell: 0, s: -1.0 });
+            let end = found.deflection().obstacle_at(BeamPoint { cell: 0, s: -1.0 });
             assert!((end - printed).abs() < 5.1e-6, "{end}");
         }
     }

@@ -1,11 +1,11 @@
 //! A beam that stands on one point, and may turn there.
 
 use super::exact::solve;
-use super::glue::Glue;
+use super::glue::Bonded;
 use crate::cancel::Cancel;
-use crate::contact::glue::Held;
-use crate::contact::state::unsettled;
-use crate::contact::state::{Found, Stalled};
+use crate::contact::glue::GivenRotation;
+use crate::contact::state::edges_not_converged;
+use crate::contact::state::{ContactState, Unconverged};
 use crate::contact::stopping::{ENOUGH, Proof};
 use crate::model::{Load, Model};
 use crate::numeric::polynomial::value;
@@ -21,8 +21,8 @@ pub(crate) fn solve_over_an_end(
     resultant: f64,
     over_left: bool,
     cancel: &Cancel,
-    mut judge: impl FnMut(&Found) -> Proof,
-) -> Result<Found, Stalled> {
+    mut judge: impl FnMut(&ContactState) -> Proof,
+) -> Result<ContactState, Unconverged> {
     let l = model.beam.length;
     let inward = if over_left { ALMOST } else { -ALMOST };
     let nearly = model.clone().with_load(Load::point_moment(0.5 * l, inward * resultant * l));
@@ -37,8 +37,10 @@ pub(crate) fn solve_over_an_end(
     let slope = if over_left { tangent - beyond } else { tangent + beyond };
     let end = if over_left { 0.0 } else { l };
     let history = limit.history;
-    match Glue::new(model, cancel).on(&[[end, end]], Some(Held { left: over_left, slope })) {
-        Ok(found) if judge(&found).is_within(ENOUGH) => Ok(Found { history, ..found }),
-        _ => Err(unsettled(history.len(), f64::NAN)),
+    match Bonded::new(model, cancel)
+        .on(&[[end, end]], Some(GivenRotation { left: over_left, slope }))
+    {
+        Ok(found) if judge(&found).is_within(ENOUGH) => Ok(ContactState { history, ..found }),
+        _ => Err(edges_not_converged(history.len(), f64::NAN)),
     }
 }

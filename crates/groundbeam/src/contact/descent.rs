@@ -6,9 +6,9 @@
 //! deflections the slope of Φ is known exactly.
 
 use super::majorant;
-use crate::contact::state::Found;
+use crate::contact::state::ContactState;
 use crate::element::element::TERMS;
-use crate::mesh::deflection::{Deflection, Spot, Zone};
+use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
 use crate::mesh::energy::{Motion, beam_form, ground_work};
 use crate::mesh::mesh::Mesh;
 use crate::model::Model;
@@ -26,17 +26,17 @@ pub(crate) struct Shortened {
     /// The part of the way taken.
     pub part: f64,
     /// The deflection there unless it is the whole way.
-    pub between: Option<Found>,
+    pub between: Option<ContactState>,
 }
 
 /// How far to go from the deflection `now` towards the beam `glued` to the ground on its contact.
-pub(crate) fn shorten(model: &Model, now: &Found, glued: &Found) -> Shortened {
+pub(crate) fn shorten(model: &Model, now: &ContactState, glued: &ContactState) -> Shortened {
     let x: Vec<f64> = [now, glued].iter().flat_map(|f| f.mesh.nodes.iter().map(|n| n.x)).collect();
     let mesh = Mesh::build(model, &x, |_| 1);
     let [from, to] =
         [now, glued].map(|found| on(&mesh, found, |i| found.deflection().cell(i).into()));
     let shears = !glued.rotation.is_empty();
-    let turned = |found: &Found| {
+    let turned = |found: &ContactState| {
         if shears { on(&mesh, found, |i| found.rotation(i)) } else { Vec::new() }
     };
     let [turned_from, turned_to] = [now, glued].map(turned);
@@ -79,11 +79,11 @@ pub(crate) fn shorten(model: &Model, now: &Found, glued: &Found) -> Shortened {
     let w = Deflection { mesh: &mesh, terms: TERMS, coefficients: &coefficients };
     let zones = majorant::contact(&w);
     let rotation = along(&turned_from, &turn, t);
-    Shortened { part: t, between: Some(Found::exact(mesh, coefficients, rotation, zones)) }
+    Shortened { part: t, between: Some(ContactState::exact(mesh, coefficients, rotation, zones)) }
 }
 
 /// The coefficients of what a deflection has in each of its cells on a finer mesh.
-fn on(mesh: &Mesh, found: &Found, own: impl Fn(usize) -> Coefficients) -> Vec<f64> {
+fn on(mesh: &Mesh, found: &ContactState, own: impl Fn(usize) -> Coefficients) -> Vec<f64> {
     let mut coefficients = Vec::with_capacity(mesh.cells.len() * TERMS);
     for cell in &mesh.cells {
         let parent = found.mesh.cell_at(0.5 * (cell.x[0] + cell.x[1]));
@@ -100,20 +100,20 @@ fn on(mesh: &Mesh, found: &Found, own: impl Fn(usize) -> Coefficients) -> Vec<f6
 }
 
 /// The zones of a deflection, whose ends are nodes of both meshes, on a finer mesh.
-fn moved(mesh: &Mesh, found: &Found) -> Vec<Zone> {
+fn moved(mesh: &Mesh, found: &ContactState) -> Vec<MeshZone> {
     let last = mesh.cells.len() - 1;
-    let spot = |spot: Spot| {
+    let spot = |spot: BeamPoint| {
         let cell = &found.mesh.cells[spot.cell];
         // From within the cell, so that an end stays on its own side of a node.
         if spot.s < 0.0 {
             let inside = cell.x[0] + f64::EPSILON * cell.x[1];
-            Spot { cell: mesh.cell_at(inside.min(cell.x[1])), s: -1.0 }
+            BeamPoint { cell: mesh.cell_at(inside.min(cell.x[1])), s: -1.0 }
         } else {
             let after = mesh.cells.partition_point(|c| c.x[1] < cell.x[1]).min(last);
-            Spot { cell: after, s: 1.0 }
+            BeamPoint { cell: after, s: 1.0 }
         }
     };
-    found.zones.iter().map(|zone| Zone { from: spot(zone.from), to: spot(zone.to) }).collect()
+    found.zones.iter().map(|zone| MeshZone { from: spot(zone.from), to: spot(zone.to) }).collect()
 }
 
 /// The coefficients of ψ = w − g₀.

@@ -7,48 +7,48 @@
 //! (zones that split, appear or vanish) the certificate tells from an answer.
 
 use super::narrow;
-use super::stretches::Stretch;
+use super::stretches::Interval;
 use super::surface::can_carry;
-use crate::ground::link::Link;
-use crate::mesh::deflection::{Deflection, Spot, Zone};
+use crate::ground::link::TwoPort;
+use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
 use crate::mesh::open_ground::open_link;
-use crate::mesh::pieces::{Piece, pieces};
+use crate::mesh::pieces::{GroundRun, ground_runs};
 
 /// An edge may move by this part of the zone and of the open ground beside it.
 const NEAR: f64 = 0.25;
 
 /// Open ground on one side of a zone, and what it takes at its two ends.
-struct Joint {
-    link: Link,
+struct OpenSpan {
+    link: TwoPort,
     fluxes: [f64; 2],
     length: f64,
 }
 
-impl Joint {
-    fn of(w: &Deflection, piece: &Piece, ends: [Option<Spot>; 2]) -> Self {
+impl OpenSpan {
+    fn of(w: &Deflection, piece: &GroundRun, ends: [Option<BeamPoint>; 2]) -> Self {
         let link = open_link(w.mesh, piece, ends[0], ends[1]).unwrap_or_default();
         let l = w.mesh.cells[w.mesh.cells.len() - 1].x[1];
         let [from, to] =
             [ends[0].map_or(0.0, |a| w.position(a)), ends[1].map_or(l, |b| w.position(b))];
-        Joint { link, fluxes: narrow::fluxes(w, ends, &link), length: to - from }
+        OpenSpan { link, fluxes: narrow::fluxes(w, ends, &link), length: to - from }
     }
 }
 
 /// The stretches after a step on every edge of the given zones, whose ends are nodes. None where that is
 /// not for edges to tell: on separate springs, and where an end or a point of contact pulls or an edge
 /// goes far.
-pub(crate) fn moved(w: &Deflection, zones: &[Zone]) -> Option<Vec<Stretch>> {
-    let pieces = pieces(w.mesh);
+pub(crate) fn moved(w: &Deflection, zones: &[MeshZone]) -> Option<Vec<Interval>> {
+    let pieces = ground_runs(w.mesh);
     let [piece] = pieces.as_slice() else { return None };
     if !piece.pasternak || zones.is_empty() {
         return None;
     }
     let joint = |i: usize| {
         let left = i.checked_sub(1).map(|before| zones[before].to);
-        Joint::of(w, piece, [left, zones.get(i).map(|next| next.from)])
+        OpenSpan::of(w, piece, [left, zones.get(i).map(|next| next.from)])
     };
     let mut after = joint(0);
-    let stretch = |(i, zone): (usize, &Zone)| {
+    let stretch = |(i, zone): (usize, &MeshZone)| {
         let before = std::mem::replace(&mut after, joint(i + 1));
         let stretch = [zone.from, zone.to].map(|end| w.position(end));
         if zone.from == zone.to {
@@ -69,7 +69,7 @@ pub(crate) fn moved(w: &Deflection, zones: &[Zone]) -> Option<Vec<Stretch>> {
 
 /// How far an edge moves out of its zone: dA = (π − S A/μ) times that, where S is the stiffness of the open
 /// ground seen from there. The end of the ground's layer or of the beam, or a corner, may carry its force.
-fn outward(w: &Deflection, edge: Spot, force: f64, stiffness: f64) -> Option<f64> {
+fn outward(w: &Deflection, edge: BeamPoint, force: f64, stiffness: f64) -> Option<f64> {
     if can_carry(w.mesh, edge) {
         return (force >= 0.0).then_some(0.0);
     }

@@ -14,16 +14,16 @@
 //! error as well. If the steps do not settle, the mesh that began them is refined.
 
 use super::edges;
-use super::glue::Glue;
+use super::glue::Bonded;
 use super::majorant;
 use super::near;
 use super::softened;
-use super::stretches::{Stretch, distance, joined, positions};
+use super::stretches::{Interval, distance, joined, positions};
 use crate::cancel::Cancel;
-use crate::chain::node::Loose;
-use crate::contact::refine::{Goal, Start, refine};
-use crate::contact::state::unsettled;
-use crate::contact::state::{Found, Stalled, Step};
+use crate::chain::node::NotDefinite;
+use crate::contact::refine::{Goal, InitialGuess, refine};
+use crate::contact::state::edges_not_converged;
+use crate::contact::state::{ContactState, Step, Unconverged};
 use crate::contact::stopping::{LAST, Proof};
 use crate::contact::stopping::{LOCAL, MOST_STEPS, NEAR, NEAR_STEPS, REFINEMENTS};
 use crate::mesh::cell::gap_at;
@@ -37,12 +37,12 @@ use std::borrow::Cow;
 /// The steps begin at the contact that is `likely`, that of a neighbouring model, or else at one of their own.
 pub(crate) fn solve(
     model: &Model,
-    likely: Option<&[Stretch]>,
+    likely: Option<&[Interval]>,
     cancel: &Cancel,
-    mut judge: impl FnMut(&Found) -> Proof,
-) -> Result<Found, Stalled> {
-    let judge: &mut dyn FnMut(&Found) -> Proof = &mut judge;
-    let glue = &mut Glue::new(model, cancel);
+    mut judge: impl FnMut(&ContactState) -> Proof,
+) -> Result<ContactState, Unconverged> {
+    let judge: &mut dyn FnMut(&ContactState) -> Proof = &mut judge;
+    let glue = &mut Bonded::new(model, cancel);
     if let Some(likely) = likely
         && let Ok(found) = from_likely(glue, &on_the_beam(likely, model.beam.length), judge)
     {
@@ -54,12 +54,12 @@ pub(crate) fn solve(
     {
         return Ok(found);
     }
-    let mut last = Stalled::SINGULAR;
+    let mut last = Unconverged::SINGULAR;
     let mut iterations = 0;
     for level in 0..=REFINEMENTS {
         let start = softened::start(&nearly, level, cancel);
         let found = start.and_then(|start| {
-            refine(glue, Start::asked_by(start), Goal::Answer(MOST_STEPS), judge)
+            refine(glue, InitialGuess::asked_by(start), Goal::Answer(MOST_STEPS), judge)
         });
         match found {
             Ok(found) => return Ok(found),
@@ -73,16 +73,17 @@ pub(crate) fn solve(
             && let Ok(start) = softened::from_bending(&nearly, cancel, |model| {
                 solve(model, None, cancel, unjudged)
             })
-            && let Ok(found) = refine(glue, Start::asked_by(start), Goal::Answer(MOST_STEPS), judge)
+            && let Ok(found) =
+                refine(glue, InitialGuess::asked_by(start), Goal::Answer(MOST_STEPS), judge)
         {
             return Ok(found);
         }
     }
-    Err(Stalled { iterations, ..last })
+    Err(Unconverged { iterations, ..last })
 }
 
 /// Stands in for the certificate where a solution is only an initial guess.
-fn unjudged(_: &Found) -> Proof {
+fn unjudged(_: &ContactState) -> Proof {
     Proof::NONE
 }
 
@@ -106,60 +107,61 @@ fn sunk(model: &Model) -> Cow<'_, Model> {
 /// From the contact of a stable equilibrium, known but for its last digits. An equilibrium elsewhere is none.
 pub(crate) fn from_stable(
     model: &Model,
-    contact: &[Stretch],
+    contact: &[Interval],
     cancel: &Cancel,
-    mut judge: impl FnMut(&Found) -> Proof,
-) -> Result<Found, Stalled> {
+    mut judge: impl FnMut(&ContactState) -> Proof,
+) -> Result<ContactState, Unconverged> {
     let l = model.beam.length;
-    let glue = &mut Glue::new(model, cancel);
-    let moved =
-        |found: &Found| distance(contact, &joined(positions(&found.mesh, &found.zones, &[]), l));
+    let glue = &mut Bonded::new(model, cancel);
+    let moved = |found: &ContactState| {
+        distance(contact, &joined(positions(&found.mesh, &found.zones, &[]), l))
+    };
     let moved = match from_edges(glue, contact, &mut judge) {
         Ok(found) if moved(&found) <= LOCAL * l => return Ok(found),
         Ok(found) => moved(&found),
         Err(stalled) => stalled.why.reached().unwrap_or(f64::NAN),
     };
     // Next to a limit point a step for the last digits leads away.
-    let found = glue.on(contact, None).map_err(|Loose| unsettled(0, moved))?;
-    if judge(&found).is_within(LAST) { Ok(found) } else { Err(unsettled(0, moved)) }
+    let found = glue.on(contact, None).map_err(|NotDefinite| edges_not_converged(0, moved))?;
+    if judge(&found).is_within(LAST) { Ok(found) } else { Err(edges_not_converged(0, moved)) }
 }
 
 /// Contact zones clipped to a beam of length `l`.
-fn on_the_beam(contact: &[Stretch], l: f64) -> Vec<Stretch> {
+fn on_the_beam(contact: &[Interval], l: f64) -> Vec<Interval> {
     let within = contact.iter().filter(|[from, _]| *from <= l);
     within.map(|&[from, to]| [from, to.min(l)]).collect()
 }
 
 /// From the beam glued to the ground on given stretches. Where it asks for just these, it is the answer.
 fn from_edges(
-    glue: &mut Glue,
-    stretches: &[Stretch],
-    judge: &mut dyn FnMut(&Found) -> Proof,
-) -> Result<Found, Stalled> {
-    let found = glue.on(stretches, None).map_err(|Loose| unsettled(0, f64::NAN))?;
+    glue: &mut Bonded,
+    stretches: &[Interval],
+    judge: &mut dyn FnMut(&ContactState) -> Proof,
+) -> Result<ContactState, Unconverged> {
+    let found = glue.on(stretches, None).map_err(|NotDefinite| edges_not_converged(0, f64::NAN))?;
     let zones = majorant::contact(&found.deflection());
     if positions(&found.mesh, &zones, &[]) == stretches {
         judge(&found);
         let history = vec![Step { zones: stretches.len(), step: 1.0, decrement: 0.0 }];
-        return Ok(Found { history, ..found });
+        return Ok(ContactState { history, ..found });
     }
-    let start = Start::asked_by(Found { zones, ..found });
+    let start = InitialGuess::asked_by(ContactState { zones, ..found });
     refine(glue, start, Goal::Answer(NEAR_STEPS), judge)
 }
 
 /// The same from stretches so likely that their edges are moved by themselves from the first step on.
 fn from_likely(
-    glue: &mut Glue,
-    stretches: &[Stretch],
-    judge: &mut dyn FnMut(&Found) -> Proof,
-) -> Result<Found, Stalled> {
-    let found = glue.on(stretches, None).map_err(|Loose| unsettled(0, f64::NAN))?;
-    let near = |next: &Vec<Stretch>| {
+    glue: &mut Bonded,
+    stretches: &[Interval],
+    judge: &mut dyn FnMut(&ContactState) -> Proof,
+) -> Result<ContactState, Unconverged> {
+    let found = glue.on(stretches, None).map_err(|NotDefinite| edges_not_converged(0, f64::NAN))?;
+    let near = |next: &Vec<Interval>| {
         next != stretches && distance(stretches, next) <= NEAR * glue.model.beam.length
     };
     match edges::moved(&found.deflection(), &found.zones).filter(near) {
         Some(next) => {
-            let start = Start { found, stretches: next, near: true };
+            let start = InitialGuess { found, stretches: next, near: true };
             refine(glue, start, Goal::Answer(NEAR_STEPS), judge)
         }
         // Where all of the beam touches, or zones come and go, no edge tells.
@@ -182,7 +184,7 @@ mod tests {
         let mut errors = Vec::new();
         for _ in 0..4 {
             let found =
-                Glue::new(&model, &Cancel::default()).on(&stretches, None).expect("a solution");
+                Bonded::new(&model, &Cancel::default()).on(&stretches, None).expect("a solution");
             let zones = majorant::contact(&found.deflection());
             stretches = positions(&found.mesh, &zones, &[]);
             errors.push((stretches[0][0] - 0.811_326_256_449_155).abs());

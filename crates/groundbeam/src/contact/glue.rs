@@ -1,16 +1,16 @@
 //! The beam glued to the ground on given stretches, solved exactly.
 
 use super::layout::Layout;
-use super::stretches::{Stretch, zones_of};
+use super::stretches::{Interval, zones_of};
 use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
-use crate::chain::node::{ChainCell, Loose};
-use crate::contact::state::{Found, turned};
+use crate::chain::node::{ChainCell, NotDefinite};
+use crate::contact::state::{ContactState, turned};
 use crate::element::element::TERMS;
 use crate::element::operator::{Operator, Touch};
 use crate::element::{ExactElement, parts};
 use crate::mesh::cell::Cell;
-use crate::mesh::deflection::Zone;
+use crate::mesh::deflection::MeshZone;
 use crate::mesh::mesh::Mesh;
 use crate::model::Model;
 use crate::numeric::polynomial::rescale;
@@ -19,7 +19,7 @@ use std::borrow::Cow;
 
 /// One beam, glued on stretches that change from step to step.
 #[derive(Debug)]
-pub(crate) struct Glue<'a> {
+pub(crate) struct Bonded<'a> {
     pub model: &'a Model,
     cancel: &'a Cancel,
     /// The elements of the step before: most cells meet no edge, and are what they were.
@@ -36,14 +36,14 @@ struct Known {
 
 /// Beam and ground glued together, ready to be solved.
 #[derive(Debug)]
-pub(crate) struct Glued {
+pub(crate) struct BondedSystem {
     pub mesh: Mesh,
-    pub zones: Vec<Zone>,
+    pub zones: Vec<MeshZone>,
     pub chain: Chain,
 }
 
 /// Which cells rest on the ground: those within a stretch.
-fn touch_of(stretches: &[Stretch]) -> impl Fn(&Cell) -> Touch + '_ {
+fn touch_of(stretches: &[Interval]) -> impl Fn(&Cell) -> Touch + '_ {
     |cell| {
         let x = 0.5 * (cell.x[0] + cell.x[1]);
         let next = stretches.partition_point(|s| s[1] <= x);
@@ -64,19 +64,23 @@ pub(crate) fn folds(model: &Model, places: &[f64], touch: &impl Fn(&Cell) -> Tou
     !Mesh::build(model, places, |_| 1).cells.iter().all(stands)
 }
 
-impl<'a> Glue<'a> {
+impl<'a> Bonded<'a> {
     pub fn new(model: &'a Model, cancel: &'a Cancel) -> Self {
-        Glue { model, cancel, known: Vec::new() }
+        Bonded { model, cancel, known: Vec::new() }
     }
 
     /// The beam glued to the ground on given stretches. A cancelled solve has none: its steps end here.
-    pub fn on(&mut self, stretches: &[Stretch], held: Option<Held>) -> Result<Found, Loose> {
+    pub fn on(
+        &mut self,
+        stretches: &[Interval],
+        held: Option<GivenRotation>,
+    ) -> Result<ContactState, NotDefinite> {
         let model = self.model;
         let touch = touch_of(stretches);
         if self.cancel.is_cancelled() || folds(model, stretches.as_flattened(), &touch) {
-            return Err(Loose);
+            return Err(NotDefinite);
         }
-        let Glued { mesh, zones, mut chain } = self.lay(stretches, &[]);
+        let BondedSystem { mesh, zones, mut chain } = self.lay(stretches, &[]);
         if let Some(held) = held {
             let node = if held.left { 0 } else { chain.nodes.len() - 1 };
             let spring = model.beam.bending_stiffness / model.beam.length;
@@ -94,13 +98,13 @@ impl<'a> Glue<'a> {
         };
         let rotation = self.rotations(&mesh, &coefficients, &shapes);
         if !coefficients.iter().chain(&rotation).all(|c| c.is_finite()) {
-            return Err(Loose);
+            return Err(NotDefinite);
         }
-        Ok(Found::exact(mesh, coefficients, rotation, zones))
+        Ok(ContactState::exact(mesh, coefficients, rotation, zones))
     }
 
     /// The chain of beam and ground glued together on given stretches, with nodes at `more` positions.
-    pub fn lay(&mut self, stretches: &[Stretch], more: &[f64]) -> Glued {
+    pub fn lay(&mut self, stretches: &[Interval], more: &[f64]) -> BondedSystem {
         let axial = self.model.beam.axial_force;
         let touch = touch_of(stretches);
         let edges = stretches.as_flattened();
@@ -120,7 +124,7 @@ impl<'a> Glue<'a> {
         let cells: Vec<ChainCell> = self.known.iter().enumerate().map(cell).collect();
         let nodes = layout.nodes(&mesh);
         let chain = Chain { nodes, cells, meeting: layout.meeting_node(&mesh) };
-        Glued { mesh, zones, chain }
+        BondedSystem { mesh, zones, chain }
     }
 
     /// The elements of the last chain, and whether each rests on the ground.
@@ -208,15 +212,15 @@ impl<'a> Glue<'a> {
 
 /// A rotation given at an end, by a spring that equilibrium leaves without a moment.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Held {
+pub(crate) struct GivenRotation {
     pub left: bool,
     pub slope: f64,
 }
 
-impl Held {
+impl GivenRotation {
     /// The rotation that a deflection has at the left end.
-    pub fn as_in(found: &Found) -> Held {
-        Held { left: true, slope: value(&found.rotation(0), -1.0) }
+    pub fn as_in(found: &ContactState) -> GivenRotation {
+        GivenRotation { left: true, slope: value(&found.rotation(0), -1.0) }
     }
 }
 
@@ -233,10 +237,10 @@ mod tests {
         let model = Model::new(Beam::uniform(1.0, 10.0), Foundation::pasternak(1.0, 3.4))
             .with_load(Load::point_force(0.5, 1.0))
             .with_load(Load::point_moment(0.5, 0.1));
-        let solved = |stretches: &[Stretch], node: f64| {
+        let solved = |stretches: &[Interval], node: f64| {
             let model = model.clone().with_load(Load::point_force(node, f64::MIN_POSITIVE));
             let found =
-                Glue::new(&model, &Cancel::default()).on(stretches, None).expect("a solution");
+                Bonded::new(&model, &Cancel::default()).on(stretches, None).expect("a solution");
             let cell = found.mesh.cells.iter().position(|c| c.x[1] == 0.3).expect("a node");
             let [w, _, bend, _] = jet(found.deflection().cell(cell), 1.0);
             [w, bend / (0.5 * found.mesh.cells[cell].length()).powi(2)]

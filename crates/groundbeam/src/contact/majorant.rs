@@ -16,17 +16,17 @@
 //! Every arc is trimmed from its ends only and every cell passed over once: the scan is O(n).
 
 use super::narrow;
-use crate::ground::link::Link;
-use crate::mesh::deflection::{Deflection, Spot, Zone};
+use crate::ground::link::TwoPort;
+use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
-use crate::mesh::pieces::{Piece, pieces};
+use crate::mesh::pieces::{GroundRun, ground_runs};
 use crate::numeric::polynomial::{sign_changes, value};
 
 /// The stretches of contact, from left to right.
-pub(crate) fn contact(w: &Deflection) -> Vec<Zone> {
+pub(crate) fn contact(w: &Deflection) -> Vec<MeshZone> {
     let mut zones = Vec::new();
-    for piece in pieces(w.mesh) {
+    for piece in ground_runs(w.mesh) {
         if piece.pasternak {
             zones.extend(Scan::new(w, &piece).run().into_iter().filter(|zone| !w.is_held(zone)));
         } else {
@@ -37,9 +37,9 @@ pub(crate) fn contact(w: &Deflection) -> Vec<Zone> {
 }
 
 /// The nodes that touch if only nodes can: the paper's pressures (5.5). They need a shear layer.
-pub(crate) fn nodal_contact(w: &Deflection) -> Vec<Zone> {
+pub(crate) fn nodal_contact(w: &Deflection) -> Vec<MeshZone> {
     let mut zones = Vec::new();
-    for piece in pieces(w.mesh) {
+    for piece in ground_runs(w.mesh) {
         if piece.pasternak {
             zones.extend(Scan::new(w, &piece).hull(nodes_of(&piece)));
         }
@@ -48,27 +48,27 @@ pub(crate) fn nodal_contact(w: &Deflection) -> Vec<Zone> {
 }
 
 /// Contact everywhere: along the whole beam, or at each node.
-pub(crate) fn everywhere(mesh: &Mesh, nodal: bool) -> Vec<Zone> {
-    let pieces = pieces(mesh);
+pub(crate) fn everywhere(mesh: &Mesh, nodal: bool) -> Vec<MeshZone> {
+    let pieces = ground_runs(mesh);
     if nodal {
         return pieces.iter().flat_map(nodes_of).collect();
     }
-    let whole = |piece: &Piece| Zone {
-        from: Spot { cell: piece.cells.start, s: -1.0 },
-        to: Spot { cell: piece.cells.end - 1, s: 1.0 },
+    let whole = |piece: &GroundRun| MeshZone {
+        from: BeamPoint { cell: piece.cells.start, s: -1.0 },
+        to: BeamPoint { cell: piece.cells.end - 1, s: 1.0 },
     };
     pieces.iter().map(whole).collect()
 }
 
 /// Every node of a piece as a point of its own.
-fn nodes_of(piece: &Piece) -> impl Iterator<Item = Zone> + use<> {
-    let last = point(Spot { cell: piece.cells.end - 1, s: 1.0 });
-    piece.cells.clone().map(|cell| point(Spot { cell, s: -1.0 })).chain([last])
+fn nodes_of(piece: &GroundRun) -> impl Iterator<Item = MeshZone> + use<> {
+    let last = point(BeamPoint { cell: piece.cells.end - 1, s: 1.0 });
+    piece.cells.clone().map(|cell| point(BeamPoint { cell, s: -1.0 })).chain([last])
 }
 
 /// Without a shear layer, contact is where ψ ≥ 0.
-fn winkler_contact(w: &Deflection, piece: &Piece) -> Vec<Zone> {
-    let mut zones: Vec<Zone> = Vec::new();
+fn winkler_contact(w: &Deflection, piece: &GroundRun) -> Vec<MeshZone> {
+    let mut zones: Vec<MeshZone> = Vec::new();
     let mut knots = Vec::new();
     for cell in piece.cells.clone() {
         let obstacle = w.obstacle(cell);
@@ -93,54 +93,54 @@ fn positive_parts<'a>(
 }
 
 /// Appends a part of a cell to the last zone if the two meet and may be one.
-fn join(zones: &mut Vec<Zone>, cell: usize, [from, to]: [f64; 2], may_join: bool) {
+fn join(zones: &mut Vec<MeshZone>, cell: usize, [from, to]: [f64; 2], may_join: bool) {
     if let Some(last) = zones.last_mut() {
         let meets = last.to.cell + 1 == cell && last.to.s == 1.0 && from == -1.0;
         if meets && may_join {
-            last.to = Spot { cell, s: to };
+            last.to = BeamPoint { cell, s: to };
             return;
         }
     }
-    zones.push(Zone { from: Spot { cell, s: from }, to: Spot { cell, s: to } });
+    zones.push(MeshZone { from: BeamPoint { cell, s: from }, to: BeamPoint { cell, s: to } });
 }
 
 /// Open ground between two spots; a missing one is the ground beyond the piece.
 #[derive(Debug, Clone, Copy)]
-struct Joint {
-    left: Option<Spot>,
-    right: Option<Spot>,
+struct OpenSpan {
+    left: Option<BeamPoint>,
+    right: Option<BeamPoint>,
     /// The whole cells strictly between, and the ground beyond where a spot is missing.
-    middle: Option<Link>,
+    middle: Option<TwoPort>,
 }
 
 /// A zone with the joint to its left.
 #[derive(Debug, Clone, Copy)]
-struct Held {
-    zone: Zone,
-    joint: Joint,
+struct KeptZone {
+    zone: MeshZone,
+    joint: OpenSpan,
 }
 
 struct Scan<'a> {
     w: &'a Deflection<'a>,
-    piece: &'a Piece,
+    piece: &'a GroundRun,
 }
 
 impl<'a> Scan<'a> {
-    fn new(w: &'a Deflection<'a>, piece: &'a Piece) -> Self {
+    fn new(w: &'a Deflection<'a>, piece: &'a GroundRun) -> Self {
         Scan { w, piece }
     }
 
-    fn run(&self) -> Vec<Zone> {
+    fn run(&self) -> Vec<MeshZone> {
         self.hull(self.arcs().into_iter())
     }
 
-    fn hull(&self, arcs: impl Iterator<Item = Zone>) -> Vec<Zone> {
-        let mut stack: Vec<Held> = Vec::new();
+    fn hull(&self, arcs: impl Iterator<Item = MeshZone>) -> Vec<MeshZone> {
+        let mut stack: Vec<KeptZone> = Vec::new();
         for arc in arcs {
             let mut new = arc;
             let start = arc.from.cell;
             let mut joint = match stack.last() {
-                Some(last) => Joint {
+                Some(last) => OpenSpan {
                     left: Some(last.zone.to),
                     right: Some(new.from),
                     middle: self.whole_cells(last.zone.to.cell + 1, start, None),
@@ -160,7 +160,7 @@ impl<'a> Scan<'a> {
             if let Some(from) = joint.right {
                 new.from = from;
             }
-            stack.push(Held { zone: new, joint });
+            stack.push(KeptZone { zone: new, joint });
         }
         self.close(&mut stack);
         stack.into_iter().map(|held| held.zone).collect()
@@ -168,7 +168,7 @@ impl<'a> Scan<'a> {
 
     /// Ends the last zone where the joint begins; if a pull is all that is left of it, drops it and lets the
     /// joint run on to the one before.
-    fn drops_last(&self, stack: &mut Vec<Held>, joint: &mut Joint) -> bool {
+    fn drops_last(&self, stack: &mut Vec<KeptZone>, joint: &mut OpenSpan) -> bool {
         let (Some(last), Some(touch)) = (stack.last_mut(), joint.left) else { return false };
         last.zone.to = touch;
         let dropped = touch == last.zone.from && self.pull(&last.joint, joint) <= 0.0;
@@ -180,11 +180,11 @@ impl<'a> Scan<'a> {
     }
 
     /// The ground beyond the right end trims the last zones.
-    fn close(&self, stack: &mut Vec<Held>) {
+    fn close(&self, stack: &mut Vec<KeptZone>) {
         let end = self.piece.cells.end;
         let Some(last) = stack.last() else { return };
-        let beyond = Link { coupling: 0.0, leak_left: self.piece.beyond[1], leak_right: 0.0 };
-        let mut joint = Joint {
+        let beyond = TwoPort { coupling: 0.0, leak_left: self.piece.beyond[1], leak_right: 0.0 };
+        let mut joint = OpenSpan {
             left: Some(last.zone.to),
             right: None,
             middle: Some(match self.whole_cells(last.zone.to.cell + 1, end, None) {
@@ -202,9 +202,9 @@ impl<'a> Scan<'a> {
 
     /// Where π ≥ 0, joined over cells unless a corner of ψ opens the ground; and single points that may
     /// carry a force: the ends of the shear layer and corners that press into the ground.
-    fn arcs(&self) -> Vec<Zone> {
+    fn arcs(&self) -> Vec<MeshZone> {
         let cells = self.piece.cells.clone();
-        let mut arcs: Vec<Zone> = Vec::new();
+        let mut arcs: Vec<MeshZone> = Vec::new();
         let mut knots = Vec::new();
         for i in cells.clone() {
             let corner = if i == cells.start { 1.0 } else { self.w.corner(i) };
@@ -212,32 +212,32 @@ impl<'a> Scan<'a> {
             let mut parts = positive_parts(&pressure, &mut knots).peekable();
             let starts_here = parts.peek().is_some_and(|part| part[0] == -1.0);
             let ended_here =
-                arcs.last().is_some_and(|a| a.to == Spot { cell: i.wrapping_sub(1), s: 1.0 });
+                arcs.last().is_some_and(|a| a.to == BeamPoint { cell: i.wrapping_sub(1), s: 1.0 });
             if corner > 0.0 && !starts_here && !ended_here {
-                arcs.push(point(Spot { cell: i, s: -1.0 }));
+                arcs.push(point(BeamPoint { cell: i, s: -1.0 }));
             }
             for part in parts {
                 join(&mut arcs, i, part, corner >= 0.0);
             }
         }
-        let end = Spot { cell: cells.end - 1, s: 1.0 };
+        let end = BeamPoint { cell: cells.end - 1, s: 1.0 };
         if arcs.last().is_none_or(|arc| arc.to != end) {
             arcs.push(point(end));
         }
         arcs
     }
 
-    fn whole_cells(&self, from: usize, to: usize, before: Option<Link>) -> Option<Link> {
+    fn whole_cells(&self, from: usize, to: usize, before: Option<TwoPort>) -> Option<TwoPort> {
         whole_cells(self.w.mesh, from, to, before)
     }
 
-    fn beyond_to(&self, to: Spot) -> Joint {
-        let beyond = Link { coupling: 0.0, leak_left: 0.0, leak_right: self.piece.beyond[0] };
+    fn beyond_to(&self, to: BeamPoint) -> OpenSpan {
+        let beyond = TwoPort { coupling: 0.0, leak_left: 0.0, leak_right: self.piece.beyond[0] };
         let middle = self.whole_cells(self.piece.cells.start, to.cell, Some(beyond));
-        Joint { left: None, right: Some(to), middle }
+        OpenSpan { left: None, right: Some(to), middle }
     }
 
-    fn link(&self, joint: &Joint) -> Link {
+    fn link(&self, joint: &OpenSpan) -> TwoPort {
         let part = |i: usize, from: f64, to: f64| cell_part(&self.w.mesh.cells[i], from, to);
         if let (Some(a), Some(b)) = (joint.left, joint.right)
             && a.cell == b.cell
@@ -247,31 +247,31 @@ impl<'a> Scan<'a> {
         let head = joint.left.filter(|a| a.s < 1.0).map(|a| part(a.cell, a.s, 1.0));
         let tail = joint.right.filter(|b| b.s > -1.0).map(|b| part(b.cell, -1.0, b.s));
         let parts = [head, joint.middle, tail];
-        let whole = parts.into_iter().flatten().reduce(Link::then);
+        let whole = parts.into_iter().flatten().reduce(TwoPort::then);
         // Spots that meet at a node: a joint of no length never arises between two arcs that can be
         // held apart; a stiff one stands for it.
-        whole.unwrap_or(Link { coupling: f64::MAX, leak_left: 0.0, leak_right: 0.0 })
+        whole.unwrap_or(TwoPort { coupling: f64::MAX, leak_left: 0.0, leak_right: 0.0 })
     }
 
     /// What a single point between two joints presses; not positive where the ground would have to pull.
-    fn pull(&self, before: &Joint, after: &Joint) -> f64 {
+    fn pull(&self, before: &OpenSpan, after: &OpenSpan) -> f64 {
         let fluxes =
-            |joint: &Joint| narrow::fluxes(self.w, [joint.left, joint.right], &self.link(joint));
+            |joint: &OpenSpan| narrow::fluxes(self.w, [joint.left, joint.right], &self.link(joint));
         fluxes(before)[1] + fluxes(after)[0]
     }
 
     /// One joint over a dropped zone.
-    fn merged(&self, before: &Joint, zone: &Zone, after: &Joint) -> Joint {
+    fn merged(&self, before: &OpenSpan, zone: &MeshZone, after: &OpenSpan) -> OpenSpan {
         let first = before.left.map_or(self.piece.cells.start, |a| a.cell + 1);
         let last = after.right.map_or(self.piece.cells.end, |b| b.cell);
         let from = zone.from.cell.max(first);
         let to = (zone.to.cell + 1).min(last);
         let inner = self.whole_cells(from, to, before.middle);
-        Joint { left: before.left, right: after.right, middle: chained(inner, after.middle) }
+        OpenSpan { left: before.left, right: after.right, middle: chained(inner, after.middle) }
     }
 
     /// Trims both ends in turn until neither moves.
-    fn tighten(&self, joint: &mut Joint, left_limit: Spot, right_limit: Spot) {
+    fn tighten(&self, joint: &mut OpenSpan, left_limit: BeamPoint, right_limit: BeamPoint) {
         let opened = joint.left.zip(joint.right).and_then(|(a, b)| narrow::opened(self.w, [a, b]));
         if let Some([a, b]) = opened
             && left_limit < a
@@ -291,8 +291,8 @@ impl<'a> Scan<'a> {
 
     /// The concentrated force at the joint's left end, which ends a stretch of contact, and its slope
     /// dA/da = −π + (S/μ) A, where S is the stiffness of the open ground seen from there.
-    fn force_at_left(&self, joint: &Joint, spot: Spot) -> [f64; 2] {
-        let trial = Joint { left: Some(spot), ..*joint };
+    fn force_at_left(&self, joint: &OpenSpan, spot: BeamPoint) -> [f64; 2] {
+        let trial = OpenSpan { left: Some(spot), ..*joint };
         let [psi, slope, pressure] = self.w.pressing(spot);
         let other = joint.right.map_or(0.0, |b| self.w.obstacle_at(b));
         let [_, shear] = self.w.mesh.cells[spot.cell].ground_at(spot.s);
@@ -305,8 +305,8 @@ impl<'a> Scan<'a> {
     }
 
     /// The same at its right end, dB/db = π − (S/μ) B.
-    fn force_at_right(&self, joint: &Joint, spot: Spot) -> [f64; 2] {
-        let trial = Joint { right: Some(spot), ..*joint };
+    fn force_at_right(&self, joint: &OpenSpan, spot: BeamPoint) -> [f64; 2] {
+        let trial = OpenSpan { right: Some(spot), ..*joint };
         let [psi, slope, pressure] = self.w.pressing(spot);
         let other = joint.left.map_or(0.0, |a| self.w.obstacle_at(a));
         let [_, shear] = self.w.mesh.cells[spot.cell].ground_at(spot.s);
@@ -319,21 +319,21 @@ impl<'a> Scan<'a> {
     }
 
     /// The forces at both ends of a narrow joint.
-    fn narrow(&self, joint: &Joint) -> Option<[f64; 2]> {
+    fn narrow(&self, joint: &OpenSpan) -> Option<[f64; 2]> {
         narrow::end_forces(self.w, [joint.left, joint.right])
     }
 
     /// Moves the joint's left end to the left until nothing pulls there.
-    fn trim_left(&self, joint: &mut Joint, limit: Spot) {
+    fn trim_left(&self, joint: &mut OpenSpan, limit: BeamPoint) {
         let Some(mut spot) = joint.left else { return };
         if spot == limit || self.force_at_left(joint, spot)[0] >= 0.0 {
             return;
         }
         loop {
             let start = if spot.cell == limit.cell { limit.s } else { -1.0 };
-            let low = Spot { cell: spot.cell, s: start };
+            let low = BeamPoint { cell: spot.cell, s: start };
             if self.force_at_left(joint, low)[0] >= 0.0 {
-                let force = |s: f64| self.force_at_left(joint, Spot { cell: spot.cell, s });
+                let force = |s: f64| self.force_at_left(joint, BeamPoint { cell: spot.cell, s });
                 spot.s = self.tangent(spot.cell, [start, spot.s], force, -1.0);
                 break;
             }
@@ -346,23 +346,23 @@ impl<'a> Scan<'a> {
                 let opened = self.whole_cells(spot.cell, spot.cell + 1, None);
                 joint.middle = chained(opened, joint.middle);
             }
-            spot = Spot { cell: spot.cell - 1, s: 1.0 };
+            spot = BeamPoint { cell: spot.cell - 1, s: 1.0 };
             joint.left = Some(spot);
         }
         joint.left = Some(spot);
     }
 
     /// Moves the joint's right end to the right until nothing pulls there.
-    fn trim_right(&self, joint: &mut Joint, limit: Spot) {
+    fn trim_right(&self, joint: &mut OpenSpan, limit: BeamPoint) {
         let Some(mut spot) = joint.right else { return };
         if spot == limit || self.force_at_right(joint, spot)[0] >= 0.0 {
             return;
         }
         loop {
             let end = if spot.cell == limit.cell { limit.s } else { 1.0 };
-            let high = Spot { cell: spot.cell, s: end };
+            let high = BeamPoint { cell: spot.cell, s: end };
             if self.force_at_right(joint, high)[0] >= 0.0 {
-                let force = |s: f64| self.force_at_right(joint, Spot { cell: spot.cell, s });
+                let force = |s: f64| self.force_at_right(joint, BeamPoint { cell: spot.cell, s });
                 spot.s = self.tangent(spot.cell, [spot.s, end], force, 1.0);
                 break;
             }
@@ -373,7 +373,7 @@ impl<'a> Scan<'a> {
             if joint.left.is_none_or(|a| a.cell != spot.cell) {
                 joint.middle = self.whole_cells(spot.cell, spot.cell + 1, joint.middle);
             }
-            spot = Spot { cell: spot.cell + 1, s: -1.0 };
+            spot = BeamPoint { cell: spot.cell + 1, s: -1.0 };
             joint.right = Some(spot);
         }
         joint.right = Some(spot);
@@ -419,19 +419,19 @@ impl<'a> Scan<'a> {
     }
 }
 
-fn chained(first: Option<Link>, second: Option<Link>) -> Option<Link> {
+fn chained(first: Option<TwoPort>, second: Option<TwoPort>) -> Option<TwoPort> {
     match (first, second) {
         (Some(a), Some(b)) => Some(a.then(b)),
         (a, b) => a.or(b),
     }
 }
 
-fn point(spot: Spot) -> Zone {
-    Zone { from: spot, to: spot }
+fn point(spot: BeamPoint) -> MeshZone {
+    MeshZone { from: spot, to: spot }
 }
 
 /// `before`, then the whole cells of a range. Runs of equal ground are one link.
-fn whole_cells(mesh: &Mesh, from: usize, to: usize, before: Option<Link>) -> Option<Link> {
+fn whole_cells(mesh: &Mesh, from: usize, to: usize, before: Option<TwoPort>) -> Option<TwoPort> {
     let mut link = before;
     let mut i = from;
     while i < to {
@@ -441,7 +441,7 @@ fn whole_cells(mesh: &Mesh, from: usize, to: usize, before: Option<Link>) -> Opt
             end += 1;
         }
         let length = mesh.cells[end - 1].x[1] - cell.x[0];
-        let uniform = || Link::uniform(cell.spring, cell.shear, length);
+        let uniform = || TwoPort::uniform(cell.subgrade, cell.shear_layer, length);
         let run = if cell.ground_varies() { cell_part(cell, -1.0, 1.0) } else { uniform() };
         link = Some(link.map_or(run, |link| link.then(run)));
         i = end;

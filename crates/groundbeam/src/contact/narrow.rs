@@ -11,9 +11,9 @@
 //! joint is about. Rounding leaves ε μψ/h of the differences and ε h (kψ + μψ″) of the integrals: whichever
 //! is less decides.
 
-use crate::ground::link::{Link, between, settled};
+use crate::ground::link::{TwoPort, between, settled};
 use crate::mesh::cell::Cell;
-use crate::mesh::deflection::{Deflection, Spot};
+use crate::mesh::deflection::{BeamPoint, Deflection};
 use crate::numeric::polynomial::value;
 
 /// The most cells a narrow joint reaches into; three are a gap and the cells beside it.
@@ -22,7 +22,7 @@ const MOST_CELLS: usize = 4;
 const LONGEST: f64 = 0.03;
 
 /// A part of a cell with what the ground needs there.
-struct Part {
+struct SpanPart {
     cell: usize,
     from: f64,
     to: f64,
@@ -32,21 +32,21 @@ struct Part {
     length: f64,
     stiffness: f64,
     /// Where the ground varies: the part alone, and its ground as a link.
-    varying: Option<(Cell, Link)>,
+    varying: Option<(Cell, TwoPort)>,
 }
 
-impl Part {
+impl SpanPart {
     fn of(cell: &Cell, i: usize, [from, to]: [f64; 2]) -> Option<Self> {
         let half = half_length(cell, [from, to]);
         let length = decay(cell, half);
-        let stiffness = (cell.spring * cell.shear).sqrt();
-        let mut part = Part { cell: i, from, to, half, length, stiffness, varying: None };
+        let stiffness = (cell.subgrade * cell.shear_layer).sqrt();
+        let mut part = SpanPart { cell: i, from, to, half, length, stiffness, varying: None };
         if cell.ground_varies() && to > from {
             let own = cell.part([from, to]);
             if !own.is_smooth() || !own.is_short_for_open_ground(half) {
                 return None;
             }
-            let link = Link::varying(&own.spring_course(), &own.shear_course(), half);
+            let link = TwoPort::varying(&own.subgrade_along(), &own.shear_layer_along(), half);
             part.varying = Some((own, link));
         }
         Some(part)
@@ -75,7 +75,7 @@ impl Part {
         let at = |t: f64| value(pi, self.from + t * (self.to - self.from));
         let mut under = [0.0; 2];
         if let Some((cell, _)) = &self.varying {
-            let (spring, shear) = (cell.spring_course(), cell.shear_course());
+            let (spring, shear) = (cell.subgrade_along(), cell.shear_layer_along());
             let shapes =
                 [[1.0, 0.0], [0.0, 1.0]].map(|ends| settled(&spring, &shear, self.half, ends));
             for (x, weight) in GAUSS {
@@ -106,13 +106,13 @@ fn half_length(cell: &Cell, [from, to]: [f64; 2]) -> f64 {
 
 /// b·length.
 fn decay(cell: &Cell, half: f64) -> f64 {
-    (cell.spring / cell.shear).sqrt() * 2.0 * half
+    (cell.subgrade / cell.shear_layer).sqrt() * 2.0 * half
 }
 
 /// What open ground takes at both ends of a joint, where it is held at ψ; `link` is all of it. A missing end is
 /// the ground beyond the piece.
-pub(super) fn fluxes(w: &Deflection, ends: [Option<Spot>; 2], link: &Link) -> [f64; 2] {
-    let of = |f: &dyn Fn(Spot) -> f64| ends.map(|end| end.map_or(0.0, f));
+pub(super) fn fluxes(w: &Deflection, ends: [Option<BeamPoint>; 2], link: &TwoPort) -> [f64; 2] {
+    let of = |f: &dyn Fn(BeamPoint) -> f64| ends.map(|end| end.map_or(0.0, f));
     if let Some([a, b]) = end_forces(w, ends) {
         let [left, right] = of(&|spot| w.flux(spot));
         return [a - left, b + right];
@@ -122,7 +122,7 @@ pub(super) fn fluxes(w: &Deflection, ends: [Option<Spot>; 2], link: &Link) -> [f
 }
 
 /// A and B of a joint, if it is narrow.
-pub(super) fn end_forces(w: &Deflection, ends: [Option<Spot>; 2]) -> Option<[f64; 2]> {
+pub(super) fn end_forces(w: &Deflection, ends: [Option<BeamPoint>; 2]) -> Option<[f64; 2]> {
     let [a, b] = [ends[0]?, ends[1]?];
     if b.cell < a.cell || b.cell - a.cell >= MOST_CELLS {
         return None;
@@ -137,15 +137,16 @@ pub(super) fn end_forces(w: &Deflection, ends: [Option<Spot>; 2]) -> Option<[f64
     if whole > LONGEST {
         return None;
     }
-    let part = |i: usize| Part::of(&w.mesh.cells[i], i, within(i));
-    let parts: Vec<Part> = (a.cell..=b.cell).map(part).collect::<Option<_>>()?;
+    let part = |i: usize| SpanPart::of(&w.mesh.cells[i], i, within(i));
+    let parts: Vec<SpanPart> = (a.cell..=b.cell).map(part).collect::<Option<_>>()?;
     if whole <= 0.0 {
         // Two arcs that meet at a corner: it opens if the corner pulls, at both alike.
         let pull = parts.iter().skip(1).map(|part| 0.5 * w.corner(part.cell)).sum();
         return Some([pull; 2]);
     }
     let noise: f64 = parts.iter().map(|part| 2.0 * part.half * pressure_size(w, part.cell)).sum();
-    let soft: f64 = parts.iter().map(|part| 2.0 * part.half / w.mesh.cells[part.cell].shear).sum();
+    let soft: f64 =
+        parts.iter().map(|part| 2.0 * part.half / w.mesh.cells[part.cell].shear_layer).sum();
     if noise * soft > w.obstacle_at(a).abs() + w.obstacle_at(b).abs() {
         return None;
     }
@@ -173,7 +174,7 @@ pub(super) fn end_forces(w: &Deflection, ends: [Option<Spot>; 2]) -> Option<[f64
 /// A part of the joint that a corner opens between two arcs that meet there. On short even ground with a constant π
 /// both forces vanish where the joint reaches |c|/2π to each side of a corner that pulls with c; half of this still
 /// pulls at both ends, and the tangents are two or three steps away. None if the forces say otherwise.
-pub(super) fn opened(w: &Deflection, ends: [Spot; 2]) -> Option<[Spot; 2]> {
+pub(super) fn opened(w: &Deflection, ends: [BeamPoint; 2]) -> Option<[BeamPoint; 2]> {
     let [a, b] = ends;
     if a.cell + 1 != b.cell || a.s < 1.0 || b.s > -1.0 {
         return None;
@@ -184,7 +185,7 @@ pub(super) fn opened(w: &Deflection, ends: [Spot; 2]) -> Option<[Spot; 2]> {
     if !(reach > 0.0 && before < 2.0 && after < 2.0) {
         return None;
     }
-    let spots = [Spot { s: 1.0 - before, ..a }, Spot { s: after - 1.0, ..b }];
+    let spots = [BeamPoint { s: 1.0 - before, ..a }, BeamPoint { s: after - 1.0, ..b }];
     let forces = end_forces(w, spots.map(Some))?;
     (forces[0] < 0.0 && forces[1] < 0.0).then_some(spots)
 }
@@ -192,15 +193,15 @@ pub(super) fn opened(w: &Deflection, ends: [Spot; 2]) -> Option<[Spot; 2]> {
 /// What the terms of π in a cell add up to without their signs.
 fn pressure_size(w: &Deflection, i: usize) -> f64 {
     let cell = &w.mesh.cells[i];
-    let bend = 4.0 * cell.shear / (cell.length() * cell.length());
+    let bend = 4.0 * cell.shear_layer / (cell.length() * cell.length());
     let terms = w.obstacle(i);
     let terms = terms.iter().enumerate();
-    terms.map(|(j, c)| c.abs() * (cell.spring + bend * (j * j.saturating_sub(1)) as f64)).sum()
+    terms.map(|(j, c)| c.abs() * (cell.subgrade + bend * (j * j.saturating_sub(1)) as f64)).sum()
 }
 
 /// The unloaded ground over parts in a row, 0 where the first begins and 1 where the last ends, at every
 /// joint of two.
-fn shape<'a>(parts: impl Iterator<Item = &'a Part>, turned: bool) -> Vec<f64> {
+fn shape<'a>(parts: impl Iterator<Item = &'a SpanPart>, turned: bool) -> Vec<f64> {
     let mut values = vec![0.0];
     let (mut phi, mut flux) = (0.0, 1.0);
     for part in parts {

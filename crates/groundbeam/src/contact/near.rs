@@ -22,9 +22,9 @@ pub(super) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
 
 /// Whether a beam is so short that no zone of contact lies far from another.
 fn is_short(model: &Model) -> bool {
-    let largest = |s: &FoundationSegment| (s.spring.largest(), s.shear.largest());
+    let largest = |s: &FoundationSegment| (s.subgrade.largest(), s.shear_layer.largest());
     let segments = model.foundation.segments.iter().map(largest);
-    let ground = segments.chain([(model.foundation.spring, model.foundation.shear)]);
+    let ground = segments.chain([(model.foundation.subgrade, model.foundation.shear_layer)]);
     let beam = model.beam.segments.iter().map(|s| s.bending_stiffness.smallest());
     let softest = beam.fold(model.beam.bending_stiffness, f64::min);
     let waves = |(k, mu): (f64, f64)| {

@@ -8,7 +8,7 @@
 
 use super::active_set;
 use crate::cancel::Cancel;
-use crate::contact::state::{Found, Stalled};
+use crate::contact::state::{ContactState, Unconverged};
 use crate::contact::stopping::COARSE_CLOSE;
 use crate::element::operator::{Operator, Touch};
 use crate::mesh::cell::Cell;
@@ -46,7 +46,7 @@ pub(crate) fn solve_on(
     mesh: Mesh,
     pressure: Pressure,
     cancel: &Cancel,
-) -> Result<Found, Stalled> {
+) -> Result<ContactState, Unconverged> {
     let stages = (mesh.stiffening().log2() / DOUBLINGS_PER_STAGE).ceil() as u32;
     let part = |i: u32| f64::from(i) / f64::from(stages);
     let count = mesh.cells.len();
@@ -60,9 +60,9 @@ pub(crate) fn solve(
     meshes: impl Iterator<Item = Mesh>,
     pressure: Pressure,
     cancel: &Cancel,
-) -> Result<Found, Stalled> {
+) -> Result<ContactState, Unconverged> {
     let mut meshes = meshes.peekable();
-    let mut found: Option<Found> = None;
+    let mut found: Option<ContactState> = None;
     let mut history = Vec::new();
     while let Some(mesh) = meshes.next() {
         let close = if meshes.peek().is_some() { COARSE_CLOSE } else { ENERGY };
@@ -78,5 +78,5 @@ pub(crate) fn solve(
             Err(_) => found = None,
         }
     }
-    found.map(|found| Found { history, ..found }).ok_or(Stalled::SINGULAR)
+    found.map(|found| ContactState { history, ..found }).ok_or(Unconverged::SINGULAR)
 }

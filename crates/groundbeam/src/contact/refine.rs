@@ -3,17 +3,17 @@
 use crate::contact::corner;
 use crate::contact::descent::shorten;
 use crate::contact::edges;
-use crate::contact::glue::Glue;
-use crate::contact::glue::Held;
+use crate::contact::glue::Bonded;
+use crate::contact::glue::GivenRotation;
 use crate::contact::majorant;
-use crate::contact::state::unsettled;
-use crate::contact::state::{Found, Stalled, Step};
+use crate::contact::state::edges_not_converged;
+use crate::contact::state::{ContactState, Step, Unconverged};
 use crate::contact::stopping::{
     EDGES_CLOSE, LAST_STEPS, LOCAL, MOST_STRAYS, NEAR, NEAR_STEPS, PATIENCE, ROUGH, ROUNDS,
     SQUARING, STILL, WALKING, WEAKEST,
 };
 use crate::contact::stopping::{ENOUGH, LAST, PROVEN, Proof};
-use crate::contact::stretches::{Stretch, at_place, distance, positions};
+use crate::contact::stretches::{Interval, at_place, distance, positions};
 use crate::mesh::mesh::Mesh;
 use crate::numeric::polynomial::jet;
 use std::rc::Rc;
@@ -28,27 +28,27 @@ pub(crate) enum Goal {
 }
 
 /// A deflection, and the contact that it asks for.
-pub(crate) struct Start {
-    pub found: Found,
-    pub stretches: Vec<Stretch>,
+pub(crate) struct InitialGuess {
+    pub found: ContactState,
+    pub stretches: Vec<Interval>,
     /// Whether that is near the contact on which it was glued.
     pub near: bool,
 }
 
-impl Start {
-    pub fn asked_by(found: Found) -> Self {
+impl InitialGuess {
+    pub fn asked_by(found: ContactState) -> Self {
         let stretches = positions(&found.mesh, &found.zones, &[]);
-        Start { found, stretches, near: false }
+        InitialGuess { found, stretches, near: false }
     }
 }
 
 /// Newton's steps on the edges, from the deflection of a coarser problem.
 pub(crate) fn refine(
-    glue: &mut Glue,
-    start: Start,
+    glue: &mut Bonded,
+    start: InitialGuess,
     goal: Goal,
-    judge: &mut dyn FnMut(&Found) -> Proof,
-) -> Result<Found, Stalled> {
+    judge: &mut dyn FnMut(&ContactState) -> Proof,
+) -> Result<ContactState, Unconverged> {
     let (rough, most_steps) = match goal {
         Goal::Answer(most_steps) => (false, most_steps),
         Goal::Start => (true, NEAR_STEPS),
@@ -56,10 +56,10 @@ pub(crate) fn refine(
     let model = glue.model;
     let places: Vec<f64> = Mesh::build(model, &[], |_| 1).nodes.iter().map(|n| n.x).collect();
     let l = model.beam.length;
-    let placed = |stretches: Vec<Stretch>| -> Vec<Stretch> {
+    let placed = |stretches: Vec<Interval>| -> Vec<Interval> {
         stretches.into_iter().map(|ends| ends.map(|x| at_place(x, &places, l))).collect()
     };
-    let Start { found: mut start, stretches, near } = start;
+    let InitialGuess { found: mut start, stretches, near } = start;
     let mut stretches = placed(stretches);
     let mut history = std::mem::take(&mut start.history);
     let mut moved = f64::INFINITY;
@@ -72,19 +72,19 @@ pub(crate) fn refine(
     let mut alone = true;
     // The deflection that asked for the stretches, and the last that equilibrium made.
     let mut now = Rc::new(start);
-    let mut last: Option<Rc<Found>> = None;
+    let mut last: Option<Rc<ContactState>> = None;
     for step in 0..most_steps {
         let Ok(found) = glue.on(&stretches, None) else {
             // A beam balanced on one point may turn about it, as far as no other point touches.
-            let held = glue.on(&stretches, Some(Held::as_in(&now))).ok();
-            let mut proven = |found: &Found| judge(found).is_within(LAST);
+            let held = glue.on(&stretches, Some(GivenRotation::as_in(&now))).ok();
+            let mut proven = |found: &ContactState| judge(found).is_within(LAST);
             let found = match held.filter(&mut proven) {
                 Some(found) => Some(found),
                 None => last.map(Rc::unwrap_or_clone).filter(proven),
             };
             return match found {
-                Some(found) => Ok(Found { history, ..found }),
-                None => Err(unsettled(step, moved)),
+                Some(found) => Ok(ContactState { history, ..found }),
+                None => Err(edges_not_converged(step, moved)),
             };
         };
         let before = moved;
@@ -108,7 +108,7 @@ pub(crate) fn refine(
         // Quadratic convergence ends at rounding: no further step would make it smaller.
         let settled = moved <= 1e-15 || (moved <= 1e-12 && moved >= 0.25 * before);
         if rough && moved <= ROUGH {
-            return Ok(Found { history, zones, ..found });
+            return Ok(ContactState { history, zones, ..found });
         }
         let halved = moved <= 0.5 * before && moved.is_finite();
         idle = if halved { 0 } else { idle + 1 };
@@ -131,7 +131,7 @@ pub(crate) fn refine(
             if by_scan || asks_for_these() {
                 let shown = judge(&found);
                 if (settled && by_scan) || shown.is_within(proof) {
-                    return Ok(Found { history, ..found });
+                    return Ok(ContactState { history, ..found });
                 }
             }
             // Where edges by themselves come to rest at no answer, the scan goes on.
@@ -143,15 +143,16 @@ pub(crate) fn refine(
             && let Some(found) = corner::on_a_corner(glue, &found, &next)
             && judge(&found).is_within(LAST)
         {
-            return Ok(Found { history, ..found });
+            return Ok(ContactState { history, ..found });
         }
         if patient
             && idle > 0
             && idle.is_multiple_of(WALKING)
             && let Some(start) = without_the_weakest(glue, &found, &next)
-            && let Ok(found) = refine(glue, Start::asked_by(start), Goal::Answer(NEAR_STEPS), judge)
+            && let Ok(found) =
+                refine(glue, InitialGuess::asked_by(start), Goal::Answer(NEAR_STEPS), judge)
         {
-            return Ok(Found { history, ..found });
+            return Ok(ContactState { history, ..found });
         }
         // Steps that shrink end by themselves. Once one has not, the energy decides how far each goes, but
         // for those that square the error.
@@ -181,8 +182,8 @@ pub(crate) fn refine(
         last = Some(found);
     }
     match last.filter(|found| judge(found).is_within(ENOUGH)) {
-        Some(found) => Ok(Found { history, ..Rc::unwrap_or_clone(found) }),
-        None => Err(unsettled(most_steps, moved)),
+        Some(found) => Ok(ContactState { history, ..Rc::unwrap_or_clone(found) }),
+        None => Err(edges_not_converged(most_steps, moved)),
     }
 }
 
@@ -192,11 +193,11 @@ pub(crate) fn refine(
 /// long, zones each a thousand times weaker than the one before walk to the end of the beam that way, where
 /// in truth all of it lifts.
 pub(crate) fn without_the_weakest(
-    glue: &mut Glue,
-    found: &Found,
-    stretches: &[Stretch],
-) -> Option<Found> {
-    let weight = |[a, b]: &Stretch| {
+    glue: &mut Bonded,
+    found: &ContactState,
+    stretches: &[Interval],
+) -> Option<ContactState> {
+    let weight = |[a, b]: &Interval| {
         let x = 0.5 * (a + b);
         let cell = found.mesh.cell_at(x);
         let [w, ..] = jet(found.deflection().cell(cell), found.mesh.cells[cell].local(x));
@@ -209,10 +210,10 @@ pub(crate) fn without_the_weakest(
     let most = ranked.iter().take_while(worth_keeping).count().min(stretches.len() - 1);
     (1..=most).rev().find_map(|count| {
         let strong = stretches.iter().zip(&weights).filter(|(_, w)| **w >= ranked[count - 1]);
-        let strong: Vec<Stretch> = strong.map(|(stretch, _)| *stretch).collect();
+        let strong: Vec<Interval> = strong.map(|(stretch, _)| *stretch).collect();
         let found = glue.on(&strong, None).ok()?;
         let zones = majorant::contact(&found.deflection());
         let moved = distance(&strong, &positions(&found.mesh, &zones, &[]));
-        (moved <= STILL * glue.model.beam.length).then_some(Found { zones, ..found })
+        (moved <= STILL * glue.model.beam.length).then_some(ContactState { zones, ..found })
     })
 }

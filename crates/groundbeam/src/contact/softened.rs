@@ -5,12 +5,12 @@
 //! runs hundreds of them while the stiffness falls by one per cent. So the edges are *followed*: each beam
 //! begins where the two before it point, and where it does not settle the step is halved.
 
-use super::glue::Glue;
+use super::glue::Bonded;
 use super::nested;
-use super::stretches::Stretch;
+use super::stretches::Interval;
 use crate::cancel::Cancel;
-use crate::contact::refine::{Goal, Start, refine};
-use crate::contact::state::{Found, Stalled, unsettled};
+use crate::contact::refine::{Goal, InitialGuess, refine};
+use crate::contact::state::{ContactState, Unconverged, edges_not_converged};
 use crate::contact::stopping::Proof;
 use crate::element::operator::{Operator, Touch};
 use crate::mesh::cell::Cell;
@@ -33,7 +33,11 @@ const SHEAR_STEP: f64 = 4.0;
 const MOST_BEAMS: usize = 400;
 
 /// A deflection of the beam itself or nearly so, its contact to be refined.
-pub(super) fn start(model: &Model, level: u32, cancel: &Cancel) -> Result<Found, Stalled> {
+pub(super) fn start(
+    model: &Model,
+    level: u32,
+    cancel: &Cancel,
+) -> Result<ContactState, Unconverged> {
     let axial = model.beam.axial_force;
     let waves = |cell: &Cell| {
         Operator::of(cell, axial, Touch::Contact).wave_number() * cell.length() / MOST_WAVES
@@ -62,8 +66,8 @@ pub(super) fn start(model: &Model, level: u32, cancel: &Cancel) -> Result<Found,
 pub(super) fn from_bending(
     model: &Model,
     cancel: &Cancel,
-    solve: impl FnOnce(&Model) -> Result<Found, Stalled>,
-) -> Result<Found, Stalled> {
+    solve: impl FnOnce(&Model) -> Result<ContactState, Unconverged>,
+) -> Result<ContactState, Unconverged> {
     let bending = Model { beam: model.beam.clone().without_shear(), ..model.clone() };
     let found = solve(&bending)?;
     let model_of = |doublings: f64| {
@@ -76,15 +80,15 @@ pub(super) fn from_bending(
 /// From the deflection of a beam that is 2^`doublings` times as stiff to that of the beam itself, in steps of
 /// no more than `longest`.
 fn follow(
-    mut found: Found,
+    mut found: ContactState,
     mut doublings: f64,
     longest: f64,
     cancel: &Cancel,
     model_of: impl Fn(f64) -> Model,
-) -> Result<Found, Stalled> {
+) -> Result<ContactState, Unconverged> {
     let mut step = longest;
     // The beam before, and its contact.
-    let mut before: Option<(f64, Vec<Stretch>)> = None;
+    let mut before: Option<(f64, Vec<Interval>)> = None;
     for _ in 0..MOST_BEAMS {
         if doublings == 0.0 {
             return Ok(found);
@@ -92,14 +96,14 @@ fn follow(
         // The last step is not followed by what rounding leaves.
         let next = if doublings > 1.001 * step { doublings - step } else { 0.0 };
         let softer = model_of(next);
-        let mut start = Start::asked_by(found.clone());
+        let mut start = InitialGuess::asked_by(found.clone());
         let here = start.stretches.clone();
         if let Some((stiffer, stretches)) = &before {
             let part = (doublings - next) / (stiffer - doublings);
             let l = softer.beam.length;
             start.stretches = ahead(stretches, &here, part, l).unwrap_or(start.stretches);
         }
-        match refine(&mut Glue::new(&softer, cancel), start, Goal::Start, &mut |_| Proof::NONE) {
+        match refine(&mut Bonded::new(&softer, cancel), start, Goal::Start, &mut |_| Proof::NONE) {
             Ok(settled) => {
                 before = Some((doublings, here));
                 (found, doublings) = (settled, next);
@@ -109,15 +113,15 @@ fn follow(
             Err(_) => step *= 0.5,
         }
     }
-    Err(unsettled(0, f64::NAN))
+    Err(edges_not_converged(0, f64::NAN))
 }
 
 /// Where edges on a beam of length l go on to that went from `before` to `here`, by so large a `part` of that
 /// way; none where zones came or went, or would meet.
-fn ahead(before: &[Stretch], here: &[Stretch], part: f64, l: f64) -> Option<Vec<Stretch>> {
+fn ahead(before: &[Interval], here: &[Interval], part: f64, l: f64) -> Option<Vec<Interval>> {
     let further = |a: f64, b: f64| (b + part * (b - a)).clamp(0.0, l);
     let pairs = before.iter().zip(here);
-    let ahead: Vec<Stretch> = pairs.map(|(a, b)| [0, 1].map(|i| further(a[i], b[i]))).collect();
+    let ahead: Vec<Interval> = pairs.map(|(a, b)| [0, 1].map(|i| further(a[i], b[i]))).collect();
     (before.len() == here.len() && ahead.as_flattened().is_sorted()).then_some(ahead)
 }
 

@@ -49,10 +49,10 @@ impl Operator {
             return off;
         }
         Operator {
-            tension: axial_force + cell.shear,
-            spring: cell.spring,
-            load: [0, 1].map(|i| cell.load[i] + cell.spring * cell.gap[i] + cell.ground_load[i]),
-            moment_load: cell.moment_load.map(|g| g + cell.shear * cell.gap_slope),
+            tension: axial_force + cell.shear_layer,
+            spring: cell.subgrade,
+            load: [0, 1].map(|i| cell.load[i] + cell.subgrade * cell.gap[i] + cell.ground_load[i]),
+            moment_load: cell.moment_load.map(|g| g + cell.shear_layer * cell.gap_slope),
             ..off
         }
     }
@@ -115,7 +115,7 @@ impl Polynomials {
     fn along(cell: &Cell, axial_force: f64, touch: Touch) -> Self {
         let linear = |v: [f64; 2]| [0.5 * (v[0] + v[1]), 0.5 * (v[1] - v[0])];
         let mut all = Polynomials {
-            stiffness: cell.stiffness_course(),
+            stiffness: cell.stiffness_along(),
             shear: cell.beam_shear,
             tension: [0.0; GROUND],
             spring: [0.0; GROUND],
@@ -127,12 +127,12 @@ impl Polynomials {
         all.tension[0] = axial_force;
         all.load[..2].copy_from_slice(&linear(cell.load));
         if touch == Touch::Contact {
-            all.spring = cell.spring_course();
+            all.spring = cell.subgrade_along();
             let gap = linear(cell.gap);
             for (load, q) in all.load.iter_mut().zip(linear(cell.ground_load)) {
                 *load += q;
             }
-            for (i, mu) in cell.shear_course().into_iter().enumerate() {
+            for (i, mu) in cell.shear_layer_along().into_iter().enumerate() {
                 all.tension[i] += mu;
                 all.slope_load[i] = mu * cell.gap_slope;
             }

@@ -2,7 +2,7 @@
 
 use crate::ground::link::{self, settled};
 use crate::numeric::polynomial::{Coefficients, derivative, rescale};
-use crate::solution::fields::{Field, Stretch};
+use crate::solution::fields::{Field, SolutionPiece};
 use crate::solution::solution::Solution;
 
 /// One field of several solutions, ready to be cut.
@@ -16,10 +16,10 @@ pub(super) struct Forms<'a> {
 impl<'a> Forms<'a> {
     pub fn of(solutions: &'a [&'a Solution], field: Field) -> Self {
         let mut joints = Vec::new();
-        for stretch in solutions.iter().flat_map(|solution| solution.stretches()) {
+        for stretch in solutions.iter().flat_map(|solution| solution.pieces()) {
             joints.extend(stretch.x);
             if matches!(field, Field::Settlement | Field::Gap) && is_exponential(stretch) {
-                let decay = (stretch.cell.shear / stretch.cell.spring).sqrt();
+                let decay = (stretch.cell.shear_layer / stretch.cell.subgrade).sqrt();
                 link::cut(stretch.x, decay, &mut joints);
             }
         }
@@ -36,7 +36,7 @@ impl<'a> Forms<'a> {
             let ends = [ends[0], ends[1]];
             let mut curves = Vec::with_capacity(at.len());
             for (solution, at) in self.solutions.iter().zip(&mut at) {
-                let stretches = solution.stretches();
+                let stretches = solution.pieces();
                 while *at + 1 < stretches.len() && stretches[*at].x[1] <= ends[0] {
                     *at += 1;
                 }
@@ -58,13 +58,13 @@ pub(super) fn position([from, to]: [f64; 2], s: f64) -> f64 {
 }
 
 /// Whether u is a sum of exponentials here, not a polynomial.
-fn is_exponential(stretch: &Stretch) -> bool {
+fn is_exponential(stretch: &SolutionPiece) -> bool {
     let moves = stretch.open.is_some_and(|ends| ends != [0.0, 0.0]);
-    moves && stretch.settlement.is_empty() && stretch.cell.shear > 0.0
+    moves && stretch.settlement.is_empty() && stretch.cell.shear_layer > 0.0
 }
 
 /// A field on a part of a stretch, in the part's own coordinate.
-fn form(stretch: &Stretch, field: Field, [from, to]: [f64; 2]) -> Coefficients {
+fn form(stretch: &SolutionPiece, field: Field, [from, to]: [f64; 2]) -> Coefficients {
     let [a, b] = [from, to].map(|x| stretch.local(x));
     let part = |c: &[f64]| rescale(c, 0.5 * (a + b), 0.5 * (b - a));
     let per_length =
@@ -90,24 +90,24 @@ fn form(stretch: &Stretch, field: Field, [from, to]: [f64; 2]) -> Coefficients {
 }
 
 /// u between two points of a stretch off the ground.
-fn open_ground(stretch: &Stretch, ends: [f64; 2]) -> Coefficients {
+fn open_ground(stretch: &SolutionPiece, ends: [f64; 2]) -> Coefficients {
     let pressed = pressed_ground(stretch, ends);
-    if !stretch.cell.is_sunk() {
+    if !stretch.cell.has_free_field() {
         return pressed;
     }
     let [a, b] = ends;
-    sum(&pressed, &rescale(&stretch.cell.settled(), 0.5 * (a + b), 0.5 * (b - a)), 1.0)
+    sum(&pressed, &rescale(&stretch.cell.free_field(), 0.5 * (a + b), 0.5 * (b - a)), 1.0)
 }
 
 /// What the beam's pressure elsewhere adds to it.
-fn pressed_ground(stretch: &Stretch, [a, b]: [f64; 2]) -> Coefficients {
+fn pressed_ground(stretch: &SolutionPiece, [a, b]: [f64; 2]) -> Coefficients {
     if !stretch.settlement.is_empty() {
         return rescale(&stretch.settlement, 0.5 * (a + b), 0.5 * (b - a));
     }
     if !is_exponential(stretch) {
         return Coefficients::zeros(1);
     }
-    let (k, mu) = (stretch.cell.spring, stretch.cell.shear);
+    let (k, mu) = (stretch.cell.subgrade, stretch.cell.shear_layer);
     let half = 0.5 * (b - a) * stretch.half;
     // A piece this long lies far from both ends.
     if 2.0 * half > 1.5 * link::PIECE * (mu / k).sqrt() {

@@ -92,7 +92,7 @@ pub struct Change {
 }
 
 /// A part of the beam on which one solution governs.
-struct Run {
+struct GovernedPart {
     from: f64,
     to: f64,
     by: usize,
@@ -176,7 +176,7 @@ impl<'a> Envelope<'a> {
                 }
                 for upper::Part { from, to, by } in upper::parts(curves, rounding) {
                     let [from, to] = [from, to].map(|s| forms::position(interval, s));
-                    self.lengthen(runs, Run { from, to, by }, field);
+                    self.lengthen(runs, GovernedPart { from, to, by }, field);
                 }
             }
         });
@@ -195,9 +195,9 @@ impl<'a> Envelope<'a> {
 
     /// Adds a run to those left of it. A short one that leads by rounding alone belongs to its neighbour: where all
     /// solutions are zero, as the moment at a free end, any of them could lead.
-    fn lengthen(&self, runs: &mut Vec<Run>, next: Run, field: Field) {
+    fn lengthen(&self, runs: &mut Vec<GovernedPart>, next: GovernedPart, field: Field) {
         let Some(last) = runs.last_mut() else { return runs.push(next) };
-        let is_nothing = |run: &Run, other: usize| {
+        let is_nothing = |run: &GovernedPart, other: usize| {
             let length = self.solutions[run.by].model().beam.length;
             let middle = 0.5 * (run.from + run.to);
             let value = |by: usize| self.solutions[by].at(middle, Side::Right).get(field);
@@ -209,7 +209,7 @@ impl<'a> Envelope<'a> {
         } else if is_nothing(last, next.by) {
             let from = last.from;
             runs.pop();
-            self.lengthen(runs, Run { from, ..next }, field);
+            self.lengthen(runs, GovernedPart { from, ..next }, field);
         } else {
             runs.push(next);
         }

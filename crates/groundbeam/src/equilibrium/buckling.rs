@@ -4,8 +4,8 @@
 use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
 use crate::chain::node::{ChainCell, ChainNode};
-use crate::contact::glue::{Glue, folds};
-use crate::contact::stretches::Stretch;
+use crate::contact::glue::{Bonded, folds};
+use crate::contact::stretches::Interval;
 use crate::element::element::MOST;
 use crate::element::operator::{Operator, Touch};
 use crate::element::{ExactElement, parts};
@@ -46,9 +46,9 @@ pub(crate) fn convexity(model: &Model, cancel: &Cancel) -> Option<f64> {
 
 /// The smallest compression \[N\] at which the beam glued to the ground on given stretches has a deflected
 /// state of no stiffness, from below and to twelve digits.
-pub(crate) fn glued_buckling_load(model: &Model, contact: &[Stretch], cancel: &Cancel) -> f64 {
+pub(crate) fn glued_buckling_load(model: &Model, contact: &[Interval], cancel: &Cancel) -> f64 {
     least_unstable(model, |compression| {
-        Glue::new(&compressed(model, compression), cancel).on(contact, None).is_ok()
+        Bonded::new(&compressed(model, compression), cancel).on(contact, None).is_ok()
     })
 }
 

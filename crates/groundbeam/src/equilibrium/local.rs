@@ -6,9 +6,9 @@
 //! far as the compression that is wanted.
 
 use crate::cancel::Cancel;
-use crate::contact::glue::Glue;
-use crate::contact::stretches::Stretch;
-use crate::equilibrium::branch::{Branch, End, State, follow};
+use crate::contact::glue::Bonded;
+use crate::contact::stretches::Interval;
+use crate::equilibrium::branch::{EquilibriumPath, PathEnd, PathPoint, follow};
 use crate::equilibrium::buckling::glued_buckling_load;
 use crate::equilibrium::one_way;
 use crate::error::{Error, NotConverged, Stopped};
@@ -55,12 +55,13 @@ pub(crate) fn check(
     }
     let contact = solution.contact().iter().map(|region| [region.from, region.to]).collect();
     let acts = one_way::acting(model, solution.candidate());
-    let Branch { wanted, last, end } =
-        follow(model, State { compression: 0.0, contact, acts }, cancel);
+    let EquilibriumPath { wanted, last, end } =
+        follow(model, PathPoint { compression: 0.0, contact, active: acts }, cancel);
     // Towards its end the branch is ever less stable, or it ends where a point lets go.
-    if end == End::Unsettled {
-        let margin =
-            1.0 - last.compression / glued_buckling_load(&last.held(model), &last.contact, cancel);
+    if end == PathEnd::NotConverged {
+        let margin = 1.0
+            - last.compression
+                / glued_buckling_load(&last.on_active_supports(model), &last.contact, cancel);
         if margin > BRANCH {
             let why = NotConverged::Branch(margin);
             return Err(Error::NotConverged(Stopped { method: Method::Exact, iterations: 0, why }));
@@ -69,7 +70,7 @@ pub(crate) fn check(
     let Some(state) = wanted else {
         return Ok(known(Verdict::Buckles(buckling(model, last, end, cancel))));
     };
-    let buckles = glued_buckling_load(&state.held(model), &state.contact, cancel);
+    let buckles = glued_buckling_load(&state.on_active_supports(model), &state.contact, cancel);
     let stability_margin = 1.0 - state.compression / buckles;
     let critical_compression = last.compression;
     let verdict = Verdict::Local(Local { stability_margin, critical_compression });
@@ -87,12 +88,12 @@ impl Buckling {
 }
 
 /// How the beam buckles at the end of its branch: where a support lets go there, without it.
-fn buckling(model: &Model, last: State, end: End, cancel: &Cancel) -> Buckling {
+fn buckling(model: &Model, last: PathPoint, end: PathEnd, cancel: &Cancel) -> Buckling {
     let critical_compression = last.compression;
-    let acts = if let End::Loose(acts) = end { acts } else { last.acts };
-    let last = State { acts, ..last };
+    let acts = if let PathEnd::NotStable(acts) = end { acts } else { last.active };
+    let last = PathPoint { active: acts, ..last };
     let (at, [left, right], work) =
-        mode(&last.held(model), &last.contact, cancel).unwrap_or_default();
+        mode(&last.on_active_supports(model), &last.contact, cancel).unwrap_or_default();
     Buckling { critical_compression, at, left, right, work }
 }
 
@@ -100,7 +101,7 @@ fn buckling(model: &Model, last: State, end: End, cancel: &Cancel) -> Buckling {
 /// ends, and the loads' work in it; up, and of size 1.
 ///
 /// A beam next to its buckling load answers a load that no symmetry holds back with its mode.
-fn mode(model: &Model, contact: &[Stretch], cancel: &Cancel) -> Option<(f64, [f64; 2], f64)> {
+fn mode(model: &Model, contact: &[Interval], cancel: &Cancel) -> Option<(f64, [f64; 2], f64)> {
     let load = glued_buckling_load(model, contact, cancel);
     let mut loose = compressed(model, load * (1.0 - NEARLY));
     for corner in &mut loose.gap {
@@ -115,7 +116,7 @@ fn mode(model: &Model, contact: &[Stretch], cancel: &Cancel) -> Option<(f64, [f6
     let l = model.beam.length;
     // In no symmetry, and no polynomial along the beam: even loads leave even modes alone.
     loose.loads.push(Load::distributed_force(0.0, 0.618 * l, 1.0, -0.37));
-    let found = Glue::new(&loose, cancel).on(contact, None).ok()?;
+    let found = Bonded::new(&loose, cancel).on(contact, None).ok()?;
     let w = found.deflection();
     let mut largest = (0.0, 0.0_f64);
     for (i, cell) in found.mesh.cells.iter().enumerate() {
@@ -145,5 +146,5 @@ pub(crate) struct Checked {
     /// 1 without compression.
     pub stability: f64,
     /// Where a local equilibrium touches the ground, and which supports act in it.
-    pub local: Option<State>,
+    pub local: Option<PathPoint>,
 }

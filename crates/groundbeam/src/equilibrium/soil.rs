@@ -14,7 +14,7 @@ use crate::numeric::polynomial::inner;
 use crate::numeric::tolerance::SOIL;
 use crate::options::Method;
 use crate::outcome::Outcome;
-use crate::solution::fields::Stretch;
+use crate::solution::fields::SolutionPiece;
 use crate::solution::solution::{SoilRounds, Solution};
 
 const MOST_ROUNDS: usize = 100;
@@ -92,7 +92,7 @@ fn rate_of(solution: &Solution) -> Option<f64> {
     let mut add = |part: [f64; 2]| {
         sums = [sums[0] + part[0], sums[1] + part[1]];
     };
-    for stretch in solution.stretches() {
+    for stretch in solution.pieces() {
         let loaded = neighbours && stretch.open.is_some();
         add(if loaded { on_loaded(stretch) } else { on(stretch) });
     }
@@ -105,7 +105,7 @@ fn rate_of(solution: &Solution) -> Option<f64> {
 /// ∫u² and ∫u'² beyond an end of the beam. A ground made of soil is endless; between loads u is two exponentials and
 /// q/k, beyond the last of them it falls like e^(−bx).
 fn beyond(solution: &Solution, right: bool) -> [f64; 2] {
-    let stretch = if right { solution.stretches().last() } else { solution.stretches().first() };
+    let stretch = if right { solution.pieces().last() } else { solution.pieces().first() };
     let Some(stretch) = stretch else { return [0.0; 2] };
     let [spring, shear] = stretch.cell.ground_at(if right { 1.0 } else { -1.0 });
     let b = (spring / shear).sqrt();
@@ -149,8 +149,8 @@ fn pressure(model: &Model, x: f64, within: f64) -> f64 {
 }
 
 /// ∫u² and ∫u'² of open ground under the beam that loads settle.
-fn on_loaded(stretch: &Stretch) -> [f64; 2] {
-    let b = (stretch.cell.spring / stretch.cell.shear).sqrt();
+fn on_loaded(stretch: &SolutionPiece) -> [f64; 2] {
+    let b = (stretch.cell.subgrade / stretch.cell.shear_layer).sqrt();
     quadrature(2.0 * stretch.half, b, |s| {
         let fields = stretch.fields(s);
         stretch.settlement(s, fields.deflection, fields.slope)
@@ -175,15 +175,15 @@ fn quadrature(length: f64, b: f64, u: impl Fn(f64) -> [f64; 2]) -> [f64; 2] {
 }
 
 /// ∫u² and ∫u'² on a stretch.
-fn on(stretch: &Stretch) -> [f64; 2] {
+fn on(stretch: &SolutionPiece) -> [f64; 2] {
     let half = stretch.half;
     let of = |u: &[f64]| [half * inner(u, u, 0), inner(u, u, 1) / half];
     match stretch.open {
-        None => of(&stretch.cell.touched(&stretch.deflection)),
+        None => of(&stretch.cell.above_gap(&stretch.deflection)),
         Some(_) if !stretch.settlement.is_empty() => of(&stretch.settlement),
         Some([left, right]) => {
             let length = 2.0 * half;
-            let b = (stretch.cell.spring / stretch.cell.shear).sqrt();
+            let b = (stretch.cell.subgrade / stretch.cell.shear_layer).sqrt();
             let [u, slope] = squares(left, right, b * length);
             [u * length, slope / length]
         }

@@ -104,7 +104,7 @@ fn factors(
 
 #[cfg(test)]
 mod tests {
-    use super::bonded::glued_all_along;
+    use super::bonded::bonded_everywhere;
     use super::*;
     use crate::cancel::Cancel;
     use crate::existence::existence::RigidMotion;
@@ -256,7 +256,7 @@ mod tests {
         assert_eq!(x, 0.0);
         let slope = |factor: f64| {
             let parts = Parts::of(&model, |load| load == 1);
-            let found = glued_all_along(&parts.at(factor), &Cancel::default()).expect("glued");
+            let found = bonded_everywhere(&parts.at(factor), &Cancel::default()).expect("glued");
             crate::numeric::polynomial::jet(found.deflection().cell(0), -1.0)[1]
         };
         assert!(slope(factor).abs() < 1e-14 * slope(0.0).abs(), "{:e}", slope(factor));

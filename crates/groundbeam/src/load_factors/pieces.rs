@@ -8,9 +8,9 @@
 //! complementarity problem*, Opsearch 11 (1974) 123–130). They stay until the first of these numbers is zero, and there
 //! the next piece begins.
 
-use super::bonded::{Watched, glued_all_along, watched};
+use super::bonded::{LiftOffCandidate, bonded_everywhere, watched};
 use crate::cancel::Cancel;
-use crate::contact::state::Found;
+use crate::contact::state::ContactState;
 use crate::equilibrium::one_way;
 use crate::error::{Error, NotConverged, Stopped};
 use crate::existence::existence::size_of_loads;
@@ -27,10 +27,10 @@ const MOST_CHANGES: usize = 2000;
 const ZERO: f64 = 1e-11;
 
 /// Factors from one on, over which the same supports act.
-struct Piece {
+struct FactorRange {
     /// The model at the factor on which it begins, and the fields there and per factor, on the supports that act.
-    staying: Found,
-    growing: Found,
+    staying: ContactState,
+    growing: ContactState,
     /// How much the factor may grow, and the support whose condition then is at its end.
     growth: f64,
     ends: Option<usize>,
@@ -47,9 +47,9 @@ pub(super) fn first_lift_off(
     let mut from = 0.0;
     let mut ended = None;
     for _ in 0..MOST_PIECES {
-        let piece = Piece::beginning(parts, from, ended, &mut acts, cancel)?;
+        let piece = FactorRange::beginning(parts, from, ended, &mut acts, cancel)?;
         let all = watched(&piece.staying, &piece.growing);
-        if from == 0.0 && all.iter().any(Watched::pulls_at_first) {
+        if from == 0.0 && all.iter().any(LiftOffCandidate::pulls_at_first) {
             return Ok(FirstLiftOff::AtOnce);
         }
         let mut least = piece.growth;
@@ -76,7 +76,7 @@ pub(super) fn first_lift_off(
     Err(not_found(f64::NAN))
 }
 
-impl Piece {
+impl FactorRange {
     /// The piece that begins at a factor, from the supports that act before it to those that act on it.
     /// The support whose condition `ended` the piece before has nothing left of it, whatever rounding says.
     fn beginning(
@@ -90,11 +90,11 @@ impl Piece {
         let [stays, grows] = [parts.at(factor), parts.growing()];
         for _ in 0..MOST_CHANGES {
             let [staying, growing] = [&stays, &grows]
-                .map(|model| glued_all_along(&model.with_supports_that(|i, _| acts[i]), cancel));
+                .map(|model| bonded_everywhere(&model.with_supports_that(|i, _| acts[i]), cancel));
             let staying = staying.map_err(|_| not_found(f64::NAN))?;
             let growing = growing.map_err(|_| not_found(f64::NAN))?;
             if !one_way.contains(&true) {
-                return Ok(Piece { staying, growing, growth: f64::INFINITY, ends: None });
+                return Ok(FactorRange { staying, growing, growth: f64::INFINITY, ends: None });
             }
             let mut now = Room::of(&stays, &staying, acts);
             ended.into_iter().for_each(|i| now.zero[i] = f64::INFINITY);
@@ -110,7 +110,7 @@ impl Piece {
             let ends = falling.map(|i| (now.left[i] / -rate.left[i], i));
             let first = ends.min_by(|a, b| a.0.total_cmp(&b.0));
             let growth = first.map_or(f64::INFINITY, |(growth, _)| growth);
-            return Ok(Piece { staying, growing, growth, ends: first.map(|(_, i)| i) });
+            return Ok(FactorRange { staying, growing, growth, ends: first.map(|(_, i)| i) });
         }
         Err(not_found(f64::NAN))
     }
@@ -123,7 +123,7 @@ struct Room {
 }
 
 impl Room {
-    fn of(model: &Model, found: &Found, acts: &[bool]) -> Self {
+    fn of(model: &Model, found: &ContactState, acts: &[bool]) -> Self {
         let held = model.with_supports_that(|i, _| acts[i]);
         let candidate = Candidate::of(&held, found, &mut Workspace::default());
         let (forces, all) = one_way::forces(model, acts, &candidate);
@@ -154,7 +154,7 @@ fn prove(
 ) -> Result<(), Error> {
     let model = parts.at(factor);
     let held = model.with_supports_that(|i, _| acts[i]);
-    let found = glued_all_along(&held, cancel).map_err(|_| not_found(f64::NAN))?;
+    let found = bonded_everywhere(&held, cancel).map_err(|_| not_found(f64::NAN))?;
     let mut candidate = Candidate::of(&held, &found, &mut Workspace::default());
     if model.has_one_way_supports() {
         candidate = candidate.on_one_way_supports(&model, acts);
@@ -301,7 +301,7 @@ mod tests {
             .with_support(Support::spring(1.0, 1e-12, 0.0));
         let acts = [true, false, true];
         let held = model.with_supports_that(|i, _| acts[i]);
-        let found = glued_all_along(&held, &Cancel::default()).expect("glued");
+        let found = bonded_everywhere(&held, &Cancel::default()).expect("glued");
         let Room { left, zero } = Room::of(&model, &found, &acts);
         near(left[0], 0.5);
         near(left[1], 0.2);

@@ -1,10 +1,10 @@
 //! The energy's bilinear forms for deflections that are polynomials in each cell of a mesh.
 
 use crate::mesh::cell::Cell;
-use crate::mesh::deflection::{Spot, Zone};
+use crate::mesh::deflection::{BeamPoint, MeshZone};
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::open_link;
-use crate::mesh::pieces::pieces;
+use crate::mesh::pieces::ground_runs;
 use crate::mesh::varying;
 use crate::numeric::polynomial::inner;
 use crate::numeric::polynomial::{derivative, jet, product, rescale, value};
@@ -94,18 +94,19 @@ pub(crate) fn work_of_loads(mesh: &Mesh, motion: Motion) -> f64 {
 pub(crate) fn ground_work(
     mesh: &Mesh,
     terms: usize,
-    zones: &[Zone],
+    zones: &[MeshZone],
     psi: &[f64],
     delta: &[f64],
 ) -> f64 {
-    let of =
-        |c: &'_ [f64], spot: Spot| value(&c[spot.cell * terms..(spot.cell + 1) * terms], spot.s);
+    let of = |c: &'_ [f64], spot: BeamPoint| {
+        value(&c[spot.cell * terms..(spot.cell + 1) * terms], spot.s)
+    };
     let mut work = 0.0;
-    for piece in pieces(mesh) {
-        let mut left: Option<Spot> = None;
+    for piece in ground_runs(mesh) {
+        let mut left: Option<BeamPoint> = None;
         let own = zones.iter().filter(|z| piece.cells.contains(&z.from.cell));
         let mut any = false;
-        let mut across = |from: Option<Spot>, to: Option<Spot>| {
+        let mut across = |from: Option<BeamPoint>, to: Option<BeamPoint>| {
             if let Some(link) = open_link(mesh, &piece, from, to) {
                 let [a, b] = [from, to].map(|spot| spot.map_or(0.0, |spot| of(psi, spot)));
                 let [da, db] = [from, to].map(|spot| spot.map_or(0.0, |spot| of(delta, spot)));
@@ -129,7 +130,7 @@ pub(crate) fn ground_work(
                     touching += if c.ground_varies() {
                         varying::energy_form(c, part, psi, delta)
                     } else {
-                        energy_form(c.length(), (c.spring, c.shear), part, psi, delta)
+                        energy_form(c.length(), (c.subgrade, c.shear_layer), part, psi, delta)
                     };
                 }
             }
@@ -168,7 +169,7 @@ fn bending(cell: &Cell, f: &[f64], g: &[f64]) -> f64 {
 
 /// ∫ EI φ'ψ' ds over \[−1, 1\], with derivatives by s.
 fn turning(cell: &Cell, f: &[f64], g: &[f64]) -> f64 {
-    inner(&product(&cell.stiffness_course(), &derivative(f)), &derivative(g), 0)
+    inner(&product(&cell.stiffness_along(), &derivative(f)), &derivative(g), 0)
 }
 
 /// ∫ S (w' − φ)(z' − ψ) ds over \[−1, 1\] in a cell of length h.

@@ -7,9 +7,9 @@
 //! The line is a chain of [links](Link), with what q does between two nodes carried by them; sums and
 //! products of positive numbers only.
 
-use crate::ground::link::Link;
+use crate::ground::link::TwoPort;
 use crate::mesh::cell::Cell;
-use crate::model::{Beyond, Extent, Model};
+use crate::model::{Extent, GroundOutside, Model};
 
 /// A stretch of even ground with a linear load.
 #[derive(Debug, Clone, Copy)]
@@ -22,7 +22,7 @@ struct Strip {
 
 /// What a strip's load presses its two ends with, these being held: ∫q φ, φ the ground that is 1 at one
 /// end and 0 at the other.
-fn carried(strip: &Strip, link: &Link) -> [f64; 2] {
+fn carried(strip: &Strip, link: &TwoPort) -> [f64; 2] {
     let stiffness = (strip.spring * strip.shear).sqrt();
     let z = (strip.spring / strip.shear).sqrt() * (strip.x[1] - strip.x[0]);
     // 1/sinh z − 1/z.
@@ -52,22 +52,22 @@ pub(crate) fn settle(model: &Model, cells: &mut [Cell]) {
     let begin = strips.len();
     strips.extend(cells.iter().map(|cell| Strip {
         x: cell.x,
-        spring: cell.spring,
-        shear: cell.shear,
+        spring: cell.subgrade,
+        shear: cell.shear_layer,
         load: cell.ground_load,
     }));
     let (outer, held_right) = beside(model, &right, true);
     strips.extend(outer);
     let faded = faded(model, &strips, [held_left, held_right]);
     for (cell, faded) in cells.iter_mut().zip(&faded[begin..]) {
-        cell.faded = *faded;
+        cell.homogeneous_field = *faded;
     }
 }
 
 /// u₀ at one place of the whole line, from where the beam's end is outward.
 pub(crate) fn at(
     model: &Model,
-    beyond: &Beyond,
+    beyond: &GroundOutside,
     right: bool,
     cells: &[Cell],
     distance: f64,
@@ -96,8 +96,8 @@ pub(crate) fn at(
     }
     let inner = |cell: &Cell| Strip {
         x: cell.x,
-        spring: cell.spring,
-        shear: cell.shear,
+        spring: cell.subgrade,
+        shear: cell.shear_layer,
         load: cell.ground_load,
     };
     let other = model.foundation.beyond(!right, l, {
@@ -132,7 +132,7 @@ fn value_at(model: &Model, strips: &[Strip], held: [bool; 2], x: f64, begin: usi
 }
 
 /// The strips beyond an end of the beam, outward, cut where loads begin and end; whether the far end is held.
-fn beside(model: &Model, beyond: &Beyond, right: bool) -> (Vec<Strip>, bool) {
+fn beside(model: &Model, beyond: &GroundOutside, right: bool) -> (Vec<Strip>, bool) {
     let l = model.beam.length;
     let outward = |x: f64| if right { x - l } else { -x };
     let ends = model.ground_loads().flat_map(|load| load.extent.ends());
@@ -210,7 +210,7 @@ fn chain(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<f64> {
         } else if strip.x[1] == f64::INFINITY {
             own[i] += (strip.spring * strip.shear).sqrt();
         } else {
-            let link = Link::uniform(strip.spring, strip.shear, strip.x[1] - strip.x[0]);
+            let link = TwoPort::uniform(strip.spring, strip.shear, strip.x[1] - strip.x[0]);
             own[i] += link.leak_left;
             own[i + 1] += link.leak_right;
             coupling[i] = link.coupling;

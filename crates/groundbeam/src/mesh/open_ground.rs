@@ -1,18 +1,18 @@
 //! The open ground between two contact points, as two-ports.
 
-use crate::ground::link::Link;
+use crate::ground::link::TwoPort;
 use crate::mesh::cell::Cell;
-use crate::mesh::deflection::Spot;
+use crate::mesh::deflection::BeamPoint;
 use crate::mesh::mesh::Mesh;
-use crate::mesh::pieces::Piece;
+use crate::mesh::pieces::GroundRun;
 use crate::mesh::varying::link;
 
 /// u at the ends and the joints of links in a row, held at both ends; and all of them as one link.
 ///
 /// Forward: the link from the start to each joint; backward: each joint between that link and the next
 /// part. Sums of positive numbers only.
-pub(crate) fn heights(links: &[Link], [start, end]: [f64; 2]) -> (Vec<f64>, Option<Link>) {
-    let mut so_far: Vec<Link> = Vec::with_capacity(links.len());
+pub(crate) fn heights(links: &[TwoPort], [start, end]: [f64; 2]) -> (Vec<f64>, Option<TwoPort>) {
+    let mut so_far: Vec<TwoPort> = Vec::with_capacity(links.len());
     for link in links {
         so_far.push(so_far.last().map_or(*link, |before| before.then(*link)));
     }
@@ -33,27 +33,27 @@ pub(crate) fn heights(links: &[Link], [start, end]: [f64; 2]) -> (Vec<f64>, Opti
 /// All of the open ground between two spots as one link; none between spots that meet.
 pub(crate) fn open_link(
     mesh: &Mesh,
-    piece: &Piece,
-    from: Option<Spot>,
-    to: Option<Spot>,
-) -> Option<Link> {
+    piece: &GroundRun,
+    from: Option<BeamPoint>,
+    to: Option<BeamPoint>,
+) -> Option<TwoPort> {
     let links = open_links(mesh, piece, from, to);
-    links.into_iter().map(|(_, link)| link).reduce(Link::then)
+    links.into_iter().map(|(_, link)| link).reduce(TwoPort::then)
 }
 
 /// The links of open ground between two spots, cell by cell; a missing spot is the ground beyond.
 pub(crate) fn open_links(
     mesh: &Mesh,
-    piece: &Piece,
-    from: Option<Spot>,
-    to: Option<Spot>,
-) -> Vec<(Option<(usize, [f64; 2])>, Link)> {
+    piece: &GroundRun,
+    from: Option<BeamPoint>,
+    to: Option<BeamPoint>,
+) -> Vec<(Option<(usize, [f64; 2])>, TwoPort)> {
     let mut links = Vec::new();
-    let first = from.unwrap_or(Spot { cell: piece.cells.start, s: -1.0 });
-    let last = to.unwrap_or(Spot { cell: piece.cells.end - 1, s: 1.0 });
+    let first = from.unwrap_or(BeamPoint { cell: piece.cells.start, s: -1.0 });
+    let last = to.unwrap_or(BeamPoint { cell: piece.cells.end - 1, s: 1.0 });
     if from.is_none() {
         let leak_right = piece.beyond[0];
-        links.push((None, Link { coupling: 0.0, leak_left: 0.0, leak_right }));
+        links.push((None, TwoPort { coupling: 0.0, leak_left: 0.0, leak_right }));
     }
     for cell in first.cell..=last.cell {
         let start = if cell == first.cell { first.s } else { -1.0 };
@@ -65,15 +65,15 @@ pub(crate) fn open_links(
     }
     if to.is_none() {
         let leak_left = piece.beyond[1];
-        links.push((None, Link { coupling: 0.0, leak_left, leak_right: 0.0 }));
+        links.push((None, TwoPort { coupling: 0.0, leak_left, leak_right: 0.0 }));
     }
     links
 }
 
 /// The open ground of a part of a cell.
-pub(crate) fn cell_part(cell: &Cell, from: f64, to: f64) -> Link {
+pub(crate) fn cell_part(cell: &Cell, from: f64, to: f64) -> TwoPort {
     if cell.ground_varies() {
         return link(cell, [from, to]);
     }
-    Link::uniform(cell.spring, cell.shear, 0.5 * (to - from) * cell.length())
+    TwoPort::uniform(cell.subgrade, cell.shear_layer, 0.5 * (to - from) * cell.length())
 }

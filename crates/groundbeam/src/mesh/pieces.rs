@@ -5,7 +5,7 @@ use std::ops::Range;
 
 /// Consecutive cells with a shear layer, or without one.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Piece {
+pub(crate) struct GroundRun {
     pub cells: Range<usize>,
     /// μ > 0.
     pub pasternak: bool,
@@ -15,8 +15,8 @@ pub(crate) struct Piece {
 }
 
 /// The pieces from left to right.
-pub(crate) fn pieces(mesh: &Mesh) -> Vec<Piece> {
-    let kind = |i: usize| mesh.cells[i].shear > 0.0;
+pub(crate) fn ground_runs(mesh: &Mesh) -> Vec<GroundRun> {
+    let kind = |i: usize| mesh.cells[i].shear_layer > 0.0;
     let n = mesh.cells.len();
     let mut found = Vec::new();
     let mut start = 0;
@@ -26,7 +26,7 @@ pub(crate) fn pieces(mesh: &Mesh) -> Vec<Piece> {
                 if start == 0 { mesh.outside[0] } else { 0.0 },
                 if end == n { mesh.outside[1] } else { 0.0 },
             ];
-            found.push(Piece { cells: start..end, pasternak: kind(start), beyond });
+            found.push(GroundRun { cells: start..end, pasternak: kind(start), beyond });
             start = end;
         }
     }

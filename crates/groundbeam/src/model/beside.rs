@@ -26,7 +26,8 @@ impl Model {
     }
 
     pub(super) fn varying_ground(&self) -> Option<Part> {
-        let varies = |s: &FoundationSegment| !(s.spring.is_constant() && s.shear.is_constant());
+        let varies =
+            |s: &FoundationSegment| !(s.subgrade.is_constant() && s.shear_layer.is_constant());
         self.foundation.segments.iter().position(varies).map(Part::FoundationSegment)
     }
 
@@ -45,7 +46,7 @@ impl Model {
         let shear = |x: f64| {
             let segment = begins.last_up_to(x).map(|i| &ground.segments[i]);
             let segment = segment.filter(|s| s.from <= x && x < s.to);
-            segment.map_or(ground.shear, |s| s.shear.at_position([s.from, s.to], x))
+            segment.map_or(ground.shear_layer, |s| s.shear_layer.at_position([s.from, s.to], x))
         };
         let on_beam = at >= 0.0 && at <= self.beam.length;
         on_beam && [at, at - f64::EPSILON * self.beam.length].into_iter().all(|x| shear(x) == 0.0)

@@ -5,7 +5,7 @@ use crate::model::foundation::GroundEnd;
 
 /// A stretch of even ground with a shear layer beside the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Layer {
+pub(crate) struct OutsideLayer {
     /// Its length \[m\]; infinite for the last one of endless ground.
     pub length: f64,
     /// k \[N/m²\].
@@ -16,13 +16,13 @@ pub(crate) struct Layer {
 
 /// The shear layer beyond an end of the beam, from there outward; none where it ends with the beam.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Beyond {
-    pub layers: Vec<Layer>,
+pub(crate) struct GroundOutside {
+    pub layers: Vec<OutsideLayer>,
     /// Whether the last one's far end is held; it is free otherwise.
     pub held: bool,
 }
 
-impl Beyond {
+impl GroundOutside {
     /// Whether the layer has a free end.
     pub fn is_free(&self) -> bool {
         !self.held && self.layers.last().is_none_or(|layer| layer.length.is_finite())
@@ -38,9 +38,9 @@ impl Foundation {
     /// The ground to the left of a beam of length `l`, or to the right of it, with k and μ of the beam's end: it
     /// goes on as it is, outward, until a segment says otherwise. None is tied to separate springs under the beam's
     /// end: their surface is free to jump there.
-    pub(crate) fn beyond(&self, right: bool, l: f64, [spring, shear]: [f64; 2]) -> Beyond {
+    pub(crate) fn beyond(&self, right: bool, l: f64, [spring, shear]: [f64; 2]) -> GroundOutside {
         if shear == 0.0 {
-            return Beyond::default();
+            return GroundOutside::default();
         }
         // Not −x, which would be −0 at the beam's end.
         let outward = |x: f64| if right { x - l } else { 0.0 - x };
@@ -50,7 +50,11 @@ impl Foundation {
                 if right { (segment.from, segment.to) } else { (segment.to, segment.from) };
             // What reaches under the beam is known at its end.
             if outward(near) >= 0.0 && outward(far) > 0.0 {
-                stretches.push((outward(near), segment.spring.start(), segment.shear.start()));
+                stretches.push((
+                    outward(near),
+                    segment.subgrade.start(),
+                    segment.shear_layer.start(),
+                ));
             }
         }
         stretches.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -69,9 +73,9 @@ impl Foundation {
                 held = false;
                 break;
             }
-            layers.push(Layer { length: to - from, spring, shear });
+            layers.push(OutsideLayer { length: to - from, spring, shear });
         }
-        Beyond { layers, held }
+        GroundOutside { layers, held }
     }
 }
 
@@ -85,7 +89,7 @@ mod tests {
             .with_segment(-1.0, 3.0, 5.0, 6.0)
             .with_segment(-7.0, -4.0, 8.0, 9.0)
             .with_segment(12.0, 13.0, 3.0, 0.0);
-        let lengths = |beyond: &Beyond| -> Vec<f64> {
+        let lengths = |beyond: &GroundOutside| -> Vec<f64> {
             beyond.layers.iter().map(|layer| layer.length).collect()
         };
         let left = ground.beyond(false, 10.0, [5.0, 6.0]);
@@ -105,7 +109,7 @@ mod tests {
         for right in [false, true] {
             let beyond = at_both_ends.beyond(right, 10.0, [1.0, 2.0]);
             assert_eq!(beyond.layers.iter().map(|layer| layer.spring).collect::<Vec<_>>(), [3.0]);
-            assert_eq!(at_both_ends.beyond(right, 10.0, [1.0, 0.0]), Beyond::default());
+            assert_eq!(at_both_ends.beyond(right, 10.0, [1.0, 0.0]), GroundOutside::default());
         }
     }
 }

@@ -20,19 +20,19 @@ mod support;
 mod train;
 mod validate;
 
-use self::soil::Subgrade;
+use self::soil::GroundConstants;
 use std::borrow::Cow;
 
 pub use crate::model::foundation::GroundEnd;
 pub use crate::model::problem::{Part, Problem};
 pub use beam::{Beam, BeamSegment};
-pub(crate) use beyond::{Beyond, Layer};
+pub(crate) use beyond::{GroundOutside, OutsideLayer};
 pub use foundation::{Foundation, FoundationSegment};
 pub use gap::GapPoint;
 pub use hinge::Hinge;
 pub(crate) use load::triangles;
 pub use load::{Action, Extent, Load};
-pub(crate) use profile::Course;
+pub(crate) use profile::CellPolynomial;
 pub use profile::Profile;
 pub use support::{Acts, Support, SupportKind};
 pub use train::{Axle, Train, UniformPart};
@@ -125,13 +125,14 @@ impl Model {
             sheared || !s.bending_stiffness.is_constant()
         };
         let beam = self.beam.segments.iter().position(varies);
-        let below = ground.iter().position(|s| !(s.spring.is_constant() && s.shear.is_constant()));
+        let below =
+            ground.iter().position(|s| !(s.subgrade.is_constant() && s.shear_layer.is_constant()));
         beam.map(Part::BeamSegment).or(below.map(Part::FoundationSegment))
     }
 
     /// The same model on ground of these constants.
-    pub(crate) fn on_ground(&self, ground: Subgrade) -> Self {
-        let foundation = Foundation::pasternak(ground.spring, ground.shear);
+    pub(crate) fn on_ground(&self, ground: GroundConstants) -> Self {
+        let foundation = Foundation::pasternak(ground.subgrade, ground.shear_layer);
         Model { foundation, ..self.clone() }
     }
 
@@ -156,7 +157,7 @@ impl Model {
     }
 
     /// Becomes another model in the memory of this one.
-    pub(crate) fn become_like(&mut self, other: &Model) {
+    pub(crate) fn copy_from(&mut self, other: &Model) {
         let mut segments = std::mem::take(&mut self.beam.segments);
         segments.clone_from(&other.beam.segments);
         self.beam = Beam { segments, ..other.beam };

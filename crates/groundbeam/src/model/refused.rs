@@ -74,7 +74,7 @@ impl Problem {
     /// Series about as long as a wave are too many.
     pub(crate) fn too_fine(part: Part, needed: usize) -> Self {
         let field = match part {
-            Part::FoundationSegment(_) => "shear",
+            Part::FoundationSegment(_) => "shear_layer",
             _ => "bending_stiffness",
         };
         let needed = needed as f64;

@@ -64,9 +64,9 @@ impl Model {
 
     fn check_foundation(&self, found: &mut Vec<Problem>) {
         let mut constants = |part, spring: &Profile, shear: &Profile| {
-            positive_along(found, "GB201", part, "spring", spring, "the spring constant k");
+            positive_along(found, "GB201", part, "subgrade", spring, "the spring constant k");
             check_shear(found, part, shear);
-            for (field, constant) in [("spring", spring), ("shear", shear)] {
+            for (field, constant) in [("subgrade", spring), ("shear_layer", shear)] {
                 if constant.control_values().len() > Foundation::MOST_CONTROL_VALUES {
                     let message = "this curve has more than three control values";
                     let hint = "split the segment in two, or let it run linearly";
@@ -75,15 +75,15 @@ impl Model {
             }
         };
         let ground = &self.foundation;
-        constants(Part::Foundation, &ground.spring.into(), &ground.shear.into());
+        constants(Part::Foundation, &ground.subgrade.into(), &ground.shear_layer.into());
         for (i, s) in ground.segments.iter().enumerate() {
-            constants(Part::FoundationSegment(i), &s.spring, &s.shear);
+            constants(Part::FoundationSegment(i), &s.subgrade, &s.shear_layer);
         }
         for (i, s) in ground.segments.iter().enumerate() {
             let part = Part::FoundationSegment(i);
             check_order(found, part, s.from, s.to);
             let beside = s.to <= 0.0 || s.from >= self.beam.length;
-            if beside && !(s.spring.is_constant() && s.shear.is_constant()) {
+            if beside && !(s.subgrade.is_constant() && s.shear_layer.is_constant()) {
                 let message = "ground beside the beam cannot vary along a segment";
                 let hint = "give it in segments with a constant each; the beam is {0} long";
                 let problem = Problem::new("GB203", part, "from", message, hint);
@@ -220,12 +220,12 @@ fn check_shear(found: &mut Vec<Problem>, part: Part, shear: &Profile) {
     if let Some(&value) = wrong {
         let message = format!("the shear constant mu is {}", describe(value));
         let hint = remedy(value, "it must be zero (Winkler) or positive");
-        found.push(Problem::new("GB202", part, "shear", message, hint));
+        found.push(Problem::new("GB202", part, "shear_layer", message, hint));
     } else if !shear.is_constant() && values.contains(&0.0) {
         let message = "the shear constant mu varies and falls to zero";
         let hint = "where mu varies it must stay positive; end the segment where the shear layer \
                     ends, at a small value of mu, and let one with mu = 0 follow";
-        found.push(Problem::new("GB205", part, "shear", message, hint));
+        found.push(Problem::new("GB205", part, "shear_layer", message, hint));
     }
 }
 

@@ -187,8 +187,8 @@ mod tests {
             beam_shear: None,
             x: [0.0, h],
             stiffness: 2.0,
-            spring: 1.0,
-            shear: 1.0,
+            subgrade: 1.0,
+            shear_layer: 1.0,
             varies: Varies::default(),
             load: [0.3, -0.8],
             moment_load: [0.5, 0.1],
@@ -196,7 +196,7 @@ mod tests {
             gap: [0.0; 2],
             gap_slope: 0.0,
             ground_load: [0.0; 2],
-            faded: [0.0; 2],
+            homogeneous_field: [0.0; 2],
             ground_force: 0.0,
         };
         let Cell { load, moment_load, curvature, gap, .. } = cell;

@@ -4,7 +4,7 @@
 //! from the right end, y = T⁻¹x' = (w' − Lθ', Lθ') is where the left end would be if the element were
 //! rigid, and e = y − x what its deformation makes of that: w = y₁ − e₁, Lθ = y₂ − e₂, w' − w = y₂ + e₁.
 
-use crate::ground::link::Link;
+use crate::ground::link::TwoPort;
 
 /// An element's energy ½ᵗ(y₂, e) M (y₂, e) − q·(y₁, y₂, e₁, e₂), and the ground's springs under its ends.
 #[derive(Debug, Clone, Copy, Default)]
@@ -40,7 +40,7 @@ impl Form {
     }
 
     /// Adds ground under it that is open between its ends, where g₀ is `gap`.
-    pub fn on(mut self, link: Link, gap: [f64; 2]) -> Self {
+    pub fn on(mut self, link: TwoPort, gap: [f64; 2]) -> Self {
         // ½ c (w' − w − rise)².
         let (c, rise) = (link.coupling, gap[1] - gap[0]);
         self.m[0] += c;

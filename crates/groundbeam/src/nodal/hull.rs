@@ -5,7 +5,7 @@
 //! Forces at the ends of an arc are monotone along it, so each end is found by bisection.
 
 use super::grid::Grid;
-use crate::ground::link::Link;
+use crate::ground::link::TwoPort;
 
 /// Nodes that touch, first and last.
 pub(crate) type Zone = [usize; 2];
@@ -210,11 +210,11 @@ struct Opening {
 }
 
 /// The ground from a run's end to a zone or beyond the beam; none if the zone begins in that run.
-type Rest = Option<Link>;
+type Rest = Option<TwoPort>;
 
 impl Opening {
     /// From a node to the first node of the next zone, or beyond the beam.
-    fn rightwards(&mut self, grid: &Grid, node: usize, next: Option<usize>) -> Link {
+    fn rightwards(&mut self, grid: &Grid, node: usize, next: Option<usize>) -> TwoPort {
         if next.is_none() && node == grid.last() {
             return grid.right_of(node);
         }
@@ -233,7 +233,7 @@ impl Opening {
     }
 
     /// From the last node of the zone before, or from beyond the beam, to a node.
-    fn leftwards(&mut self, grid: &Grid, node: usize, before: Option<usize>) -> Link {
+    fn leftwards(&mut self, grid: &Grid, node: usize, before: Option<usize>) -> TwoPort {
         if node == 0 {
             return grid.left_of(node);
         }

@@ -340,7 +340,7 @@ fn segments_beyond(
     let number = |segment: Option<usize>| segment.map_or(1.0, |i| (i + 2) as f64);
     let mut numbered = ground.clone();
     for (i, segment) in numbered.segments.iter_mut().enumerate() {
-        segment.spring = Profile::constant(number(Some(i)));
+        segment.subgrade = Profile::constant(number(Some(i)));
     }
     let beyond = numbered.beyond(right, length, [number(at_end), shear]);
     let segment = |number: f64| (number >= 2.0).then(|| number as usize - 2);

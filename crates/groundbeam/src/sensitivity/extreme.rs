@@ -95,7 +95,7 @@ impl Solution {
         let sign = if largest { 1.0 } else { -1.0 };
         let mut best: Option<(usize, f64, f64)> = None;
         let mut all: Vec<(f64, f64)> = Vec::new();
-        for (i, stretch) in self.stretches().iter().enumerate() {
+        for (i, stretch) in self.pieces().iter().enumerate() {
             for s in stretch.candidates(field) {
                 let value = stretch.fields(s).get(field);
                 all.push((stretch.global(s), value));
@@ -108,7 +108,7 @@ impl Solution {
             let (x, side) = (0.0, Side::Right);
             return Place { x, side, value: 0.0, slope: 0.0, always: true, rival: None };
         };
-        let (x, l) = (self.stretches()[i].global(s), self.model().beam.length);
+        let (x, l) = (self.pieces()[i].global(s), self.model().beam.length);
         let size = all.iter().map(|(_, value)| value.abs()).fold(0.0, f64::max);
         // Where they touch the gap is zero and where they do not the pressure is, whatever the parameters are.
         let touches = self.contact().iter().any(|region| region.from <= x && x <= region.to);
@@ -123,7 +123,7 @@ impl Solution {
             .map(|(at, _)| *at)
             .next();
         // A turning point may be an end but for rounding.
-        let end = self.stretches()[i].x[usize::from(s > 0.0)];
+        let end = self.pieces()[i].x[usize::from(s > 0.0)];
         let x = if (x - end).abs() <= HERE * l { end } else { x };
         let side = if s > 0.0 { Side::Left } else { Side::Right };
         let slope = if s.abs() < 1.0 || always { 0.0 } else { self.rise(i, s, field) };
@@ -132,7 +132,7 @@ impl Solution {
 
     /// The derivative of a field by x on a stretch.
     fn rise(&self, i: usize, s: f64, field: Quantity) -> f64 {
-        let stretch = &self.stretches()[i];
+        let stretch = &self.pieces()[i];
         let half = stretch.half;
         let fields = stretch.fields(s);
         let moments = |order: usize| {

@@ -122,7 +122,7 @@ impl Field {
         if piece.touch == Touch::Open {
             [point.u, point.rise] = self.open_ground(piece, i, s);
             if loaded {
-                let [own, sinks] = cell.settled_at(s);
+                let [own, sinks] = cell.free_field_at(s);
                 (point.u, point.rise) = (point.u + own, point.rise + sinks);
             }
         } else if loaded {
@@ -144,7 +144,7 @@ impl Field {
             let [u, du, ..] = jet(&self.settled[i], s);
             return [u, du / piece.half];
         }
-        let b = (piece.cell.spring / piece.cell.shear).sqrt();
+        let b = (piece.cell.subgrade / piece.cell.shear_layer).sqrt();
         let (bh, t) = (2.0 * b * piece.half, 0.5 * (1.0 + s));
         [between(left, right, bh, t), b * slope_between(left, right, bh, t)]
     }
@@ -153,8 +153,8 @@ impl Field {
 /// u on a piece off the ground where the ground varies; nothing elsewhere.
 fn varying(piece: &Piece, ends: [f64; 2]) -> Coefficients {
     let cell = &piece.cell;
-    if piece.touch == Touch::Open && cell.shear > 0.0 && cell.ground_varies() {
-        settled(&cell.spring_course(), &cell.shear_course(), piece.half, ends)
+    if piece.touch == Touch::Open && cell.shear_layer > 0.0 && cell.ground_varies() {
+        settled(&cell.subgrade_along(), &cell.shear_layer_along(), piece.half, ends)
     } else {
         Coefficients::default()
     }

@@ -12,7 +12,7 @@ use super::parameter::SupportNumber;
 use super::{NotDifferentiable, Output, Side, Solution};
 use crate::element::operator::Touch;
 use crate::ground::link;
-use crate::mesh::deflection::Spot;
+use crate::mesh::deflection::BeamPoint;
 use crate::model::SupportKind;
 
 /// The answer to a change.
@@ -133,7 +133,7 @@ impl Linearised {
         let mut all = Vec::with_capacity(self.joints.len());
         for (j, joint) in self.joints.iter().enumerate() {
             if change.gap.is_some() {
-                let at = |end: Option<Spot>| {
+                let at = |end: Option<BeamPoint>| {
                     let x = end.map(|spot| self.mesh.cells[spot.cell].global(spot.s));
                     x.map_or(0.0, |x| change.gap_at(&self.model, x))
                 };

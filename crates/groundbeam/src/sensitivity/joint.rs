@@ -1,32 +1,32 @@
 //! Open ground between two zones of contact, or between one and the ground beyond.
 
 use crate::element::operator::Touch;
-use crate::ground::link::Link;
-use crate::mesh::deflection::{Spot, Zone};
+use crate::ground::link::TwoPort;
+use crate::mesh::deflection::{BeamPoint, MeshZone};
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
 use crate::mesh::open_ground::heights;
-use crate::mesh::pieces::pieces as grounds;
+use crate::mesh::pieces::ground_runs as grounds;
 use crate::sensitivity::piece::Piece;
 
 /// Open ground as a row of strips, each of them a piece or all that is beyond an end.
 #[derive(Debug, Clone)]
 pub(super) struct Joint {
     /// Where it is tied to the beam; beyond an end nowhere.
-    pub ends: [Option<Spot>; 2],
+    pub ends: [Option<BeamPoint>; 2],
     /// The piece of each strip, none for the ground beyond.
     pub strips: Vec<Option<usize>>,
-    links: Vec<Link>,
-    whole: Link,
+    links: Vec<TwoPort>,
+    whole: TwoPort,
 }
 
 /// The joints of all ground with a shear layer, from left to right.
-pub(super) fn joints(mesh: &Mesh, zones: &[Zone], pieces: &[Piece]) -> Vec<Joint> {
+pub(super) fn joints(mesh: &Mesh, zones: &[MeshZone], pieces: &[Piece]) -> Vec<Joint> {
     let mut joints = Vec::new();
     for ground in grounds(mesh).into_iter().filter(|ground| ground.pasternak) {
-        let own = |zone: &&Zone| ground.cells.contains(&zone.from.cell);
-        let mut left: Option<Spot> = None;
-        let zones: Vec<&Zone> = zones.iter().filter(own).collect();
+        let own = |zone: &&MeshZone| ground.cells.contains(&zone.from.cell);
+        let mut left: Option<BeamPoint> = None;
+        let zones: Vec<&MeshZone> = zones.iter().filter(own).collect();
         let rights = zones.iter().map(|zone| Some(zone.from)).chain([None]);
         let lefts = zones.iter().map(|zone| Some(zone.to)).chain([None]);
         for (right, next) in rights.zip(lefts) {
@@ -36,18 +36,19 @@ pub(super) fn joints(mesh: &Mesh, zones: &[Zone], pieces: &[Piece]) -> Vec<Joint
                 piece.touch == Touch::Open && (first..end).contains(&piece.element)
             });
             let mut strips: Vec<Option<usize>> = open.map(|(i, _)| Some(i)).collect();
-            let mut links: Vec<Link> = strips.iter().flatten().map(|i| link(&pieces[*i])).collect();
+            let mut links: Vec<TwoPort> =
+                strips.iter().flatten().map(|i| link(&pieces[*i])).collect();
             if left.is_none() {
                 let leak_right = ground.beyond[0];
                 strips.insert(0, None);
-                links.insert(0, Link { coupling: 0.0, leak_left: 0.0, leak_right });
+                links.insert(0, TwoPort { coupling: 0.0, leak_left: 0.0, leak_right });
             }
             if right.is_none() {
                 let leak_left = ground.beyond[1];
                 strips.push(None);
-                links.push(Link { coupling: 0.0, leak_left, leak_right: 0.0 });
+                links.push(TwoPort { coupling: 0.0, leak_left, leak_right: 0.0 });
             }
-            let whole = links.iter().copied().reduce(Link::then).unwrap_or_default();
+            let whole = links.iter().copied().reduce(TwoPort::then).unwrap_or_default();
             joints.push(Joint { ends: [left, right], strips, links, whole });
             left = next;
         }
@@ -55,11 +56,11 @@ pub(super) fn joints(mesh: &Mesh, zones: &[Zone], pieces: &[Piece]) -> Vec<Joint
     joints
 }
 
-fn link(piece: &Piece) -> Link {
+fn link(piece: &Piece) -> TwoPort {
     if piece.cell.ground_varies() {
         return cell_part(&piece.cell, -1.0, 1.0);
     }
-    Link::uniform(piece.cell.spring, piece.cell.shear, 2.0 * piece.half)
+    TwoPort::uniform(piece.cell.subgrade, piece.cell.shear_layer, 2.0 * piece.half)
 }
 
 impl Joint {
@@ -96,8 +97,8 @@ impl Joint {
     /// u under a unit force at the start of a strip, both ends being held.
     pub fn bulge(&self, strip: usize) -> Vec<f64> {
         let [left, right] = [&self.links[..strip], &self.links[strip..]];
-        let [before, after] =
-            [left, right].map(|links| links.iter().copied().reduce(Link::then).unwrap_or_default());
+        let [before, after] = [left, right]
+            .map(|links| links.iter().copied().reduce(TwoPort::then).unwrap_or_default());
         let hold = before.coupling + before.leak_right + after.coupling + after.leak_left;
         let top = if hold > 0.0 { 1.0 / hold } else { 0.0 };
         let mut bulge = heights(left, [0.0, top]).0;

@@ -10,16 +10,16 @@ use super::joint::{Joint, joints};
 use super::push::Push;
 use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
-use crate::chain::node::Loose;
-use crate::contact::glue::{Glue, Glued};
-use crate::contact::stretches::Stretch;
+use crate::chain::node::NotDefinite;
+use crate::contact::glue::{Bonded, BondedSystem};
+use crate::contact::stretches::Interval;
 use crate::element::ExactElement;
 use crate::element::element::Basis;
 use crate::element::element::TERMS;
 use crate::element::operator::Touch;
 use crate::ground::link;
 use crate::mesh::cell::Cell;
-use crate::mesh::deflection::{Spot, Zone};
+use crate::mesh::deflection::{BeamPoint, MeshZone};
 use crate::mesh::mesh::Mesh;
 use crate::model::{Model, SupportKind};
 use crate::numeric::polynomial::{Coefficients, jet, rescale};
@@ -33,7 +33,7 @@ pub(super) struct Linearised {
     /// The model, on the supports that act.
     pub model: Model,
     pub mesh: Mesh,
-    pub zones: Vec<Zone>,
+    pub zones: Vec<MeshZone>,
     pub pieces: Vec<Piece>,
     pub joints: Vec<Joint>,
     /// The solution.
@@ -56,15 +56,15 @@ impl Linearised {
         let acts = |i: usize| solution.reactions()[i].force != 0.0;
         let model = solution.model().with_supports_that(|i, s| !s.is_one_way() || acts(i));
         let never = Cancel::default();
-        let mut glue = Glue::new(&model, &never);
-        let Glued { mesh, zones, chain } = glue.lay(&stretches, places);
+        let mut glue = Bonded::new(&model, &never);
+        let BondedSystem { mesh, zones, chain } = glue.lay(&stretches, places);
         let shapes = chain.solve().ok()?;
         let (loaded, touch): (Vec<ExactElement>, Vec<Touch>) =
             glue.elements().map(|(element, touch)| (element.clone(), touch)).unzip();
         let bare = without_loads(&model);
-        let mut glue = Glue::new(&bare, &never);
+        let mut glue = Bonded::new(&bare, &never);
         let nodes: Vec<f64> = mesh.nodes.iter().map(|node| node.x).collect();
-        let Glued { mesh: same, chain, .. } = glue.lay(&stretches, &nodes);
+        let BondedSystem { mesh: same, chain, .. } = glue.lay(&stretches, &nodes);
         if same.nodes.len() != mesh.nodes.len() {
             return None;
         }
@@ -85,7 +85,7 @@ impl Linearised {
     }
 
     /// How beam and ground answer to what is pushed, glued together and without any other load.
-    pub fn answer(&self, push: &Push) -> Result<Field, Loose> {
+    pub fn answer(&self, push: &Push) -> Result<Field, NotDefinite> {
         let mut chain = self.chain.clone();
         for (element, row) in &push.loads {
             add(&mut chain.cells[*element].element.load, row);
@@ -175,7 +175,7 @@ impl Linearised {
 
     /// What the beam makes of u at the ends of every strip of open ground.
     fn heights(&self, field: &Field, loaded: bool, push: &Push) -> Vec<Vec<f64>> {
-        let held = |spot: Option<Spot>| {
+        let held = |spot: Option<BeamPoint>| {
             let Some(spot) = spot else { return 0.0 };
             let cell = &self.mesh.cells[spot.cell];
             let (element, row) = self.deflection_row(spot);
@@ -199,12 +199,12 @@ impl Linearised {
     }
 
     /// What multiplies the four of which element in w at a spot, which is an end of it.
-    pub fn deflection_row(&self, spot: Spot) -> (usize, [f64; 4]) {
+    pub fn deflection_row(&self, spot: BeamPoint) -> (usize, [f64; 4]) {
         (spot.cell, self.elements[spot.cell].element.end_row(spot.s > 0.0))
     }
 
     /// The same for φ.
-    pub fn rotation_row(&self, spot: Spot) -> (usize, [f64; 4]) {
+    pub fn rotation_row(&self, spot: BeamPoint) -> (usize, [f64; 4]) {
         let row = match (spot.s > 0.0, self.elements[spot.cell].element.basis) {
             (false, _) => [0.0, 1.0, 0.0, 0.0],
             (true, Basis::Deformation) => [0.0, 1.0, 0.0, 1.0],
@@ -214,7 +214,7 @@ impl Linearised {
     }
 
     /// The four of an element whose end at a spot sinks, or turns, by one while its other end stays.
-    pub fn moved_end(&self, spot: Spot, turns: bool) -> [f64; 4] {
+    pub fn moved_end(&self, spot: BeamPoint, turns: bool) -> [f64; 4] {
         let element = &self.elements[spot.cell].element;
         let h = element.length;
         match (spot.s > 0.0, element.basis, turns) {
@@ -228,14 +228,14 @@ impl Linearised {
     }
 
     /// The end of an element at a position at which there is a node; at the beam's ends there is one side only.
-    pub fn spot(&self, x: f64, side: Side) -> Spot {
+    pub fn spot(&self, x: f64, side: Side) -> BeamPoint {
         let node = self.mesh.node_at(x);
         let left = node > 0 && (side == Side::Left || node == self.mesh.cells.len());
-        if left { Spot { cell: node - 1, s: 1.0 } } else { Spot { cell: node, s: -1.0 } }
+        if left { BeamPoint { cell: node - 1, s: 1.0 } } else { BeamPoint { cell: node, s: -1.0 } }
     }
 
     /// The piece at an end of an element.
-    pub fn piece_at(&self, spot: Spot) -> usize {
+    pub fn piece_at(&self, spot: BeamPoint) -> usize {
         if spot.s > 0.0 {
             self.pieces.partition_point(|piece| piece.element <= spot.cell) - 1
         } else {
@@ -244,20 +244,20 @@ impl Linearised {
     }
 
     /// A field at an end of an element.
-    pub fn look(&self, field: &Field, spot: Spot, loaded: bool) -> Point {
+    pub fn look(&self, field: &Field, spot: BeamPoint, loaded: bool) -> Point {
         let piece = self.piece_at(spot);
         field.look(&self.pieces[piece], piece, spot.s, loaded)
     }
 
     /// w and φ of the chain's own at a node, on one side.
-    pub fn at_node(&self, field: &Field, spot: Spot) -> [f64; 2] {
+    pub fn at_node(&self, field: &Field, spot: BeamPoint) -> [f64; 2] {
         let v = &field.shapes[spot.cell];
         [self.deflection_row(spot).1, self.rotation_row(spot).1].map(|row| dot(&row, v))
     }
 
     /// The shear stiffness of the beam at an end of an element, and by how much it grows with x; none where it does not
     /// shear.
-    pub fn shear_stiffness_at(&self, spot: Spot) -> Option<[f64; 2]> {
+    pub fn shear_stiffness_at(&self, spot: BeamPoint) -> Option<[f64; 2]> {
         let cell = &self.mesh.cells[spot.cell];
         let [shear, by_s, ..] = jet(&cell.beam_shear?, spot.s);
         Some([shear, by_s * 2.0 / cell.length()])
@@ -271,7 +271,7 @@ impl Linearised {
             .into_iter()
             .flatten()
             .filter(|(cell, _)| *cell < self.mesh.cells.len())
-            .map(|(cell, s)| Spot { cell, s })
+            .map(|(cell, s)| BeamPoint { cell, s })
         {
             let element = &self.elements[spot.cell].element;
             let mut v = field.shapes[spot.cell];
@@ -299,7 +299,7 @@ impl Linearised {
 }
 
 /// The stretches that touch; and points that do, where a shear layer ends beside separate springs that touch as well.
-fn contact_of(solution: &Solution) -> Vec<Stretch> {
+fn contact_of(solution: &Solution) -> Vec<Interval> {
     let mut stretches = Vec::with_capacity(solution.contact().len());
     let carries = |x: f64| solution.concentrated_forces().iter().any(|force| force.at == x);
     for region in solution.contact() {
@@ -335,9 +335,9 @@ fn pieces(mesh: &Mesh, elements: &[ExactElement], touch: &[Touch]) -> Vec<Piece>
         if let Some(layers) = exact.layers() {
             cuts.extend(layers.cuts(cell.x, [1.0; 2]));
         }
-        let open = touch[i] == Touch::Open && cell.shear > 0.0;
+        let open = touch[i] == Touch::Open && cell.shear_layer > 0.0;
         if open && !cell.ground_varies() {
-            link::cut(cell.x, (cell.shear / cell.spring).sqrt(), &mut cuts);
+            link::cut(cell.x, (cell.shear_layer / cell.subgrade).sqrt(), &mut cuts);
         }
         if open && cell.ground_varies() {
             halve(cell, [-1.0, 1.0], MOST_HALVINGS, &mut cuts);

@@ -6,7 +6,7 @@ use super::linearised::Linearised;
 use super::push::Push;
 use crate::contact::surface::can_carry;
 use crate::element::operator::Touch;
-use crate::mesh::deflection::Spot;
+use crate::mesh::deflection::BeamPoint;
 use crate::model::SupportKind;
 use crate::numeric::polynomial::jet;
 use crate::solution::fields::{Field as Quantity, Side};
@@ -48,7 +48,7 @@ pub(super) struct Functional {
 #[derive(Debug, Clone, Copy)]
 struct Term {
     what: What,
-    spot: Spot,
+    spot: BeamPoint,
     weight: f64,
 }
 
@@ -76,20 +76,20 @@ enum What {
 
 impl Linearised {
     /// Adds weight·w at a spot.
-    pub fn read_deflection(&self, functional: &mut Functional, spot: Spot, weight: f64) {
+    pub fn read_deflection(&self, functional: &mut Functional, spot: BeamPoint, weight: f64) {
         let (element, row) = self.deflection_row(spot);
         functional.push.loads.push((element, row.map(|r| r * weight)));
     }
 
     /// Adds weight·φ.
-    pub fn read_rotation(&self, functional: &mut Functional, spot: Spot, weight: f64) {
+    pub fn read_rotation(&self, functional: &mut Functional, spot: BeamPoint, weight: f64) {
         let (element, row) = self.rotation_row(spot);
         functional.push.loads.push((element, row.map(|r| r * weight)));
     }
 
     /// Adds weight·w': φ, or where the beam shears what (S + N) w' = Sφ + T makes of it, T = S (w' − φ) + N w' being the
     /// vertical force, with what the ground takes along where it touches, N = P + μ there.
-    pub fn read_slope(&self, functional: &mut Functional, spot: Spot, weight: f64) {
+    pub fn read_slope(&self, functional: &mut Functional, spot: BeamPoint, weight: f64) {
         let Some([shear, _]) = self.shear_stiffness_at(spot) else {
             return self.read_rotation(functional, spot, weight);
         };
@@ -100,28 +100,28 @@ impl Linearised {
     }
 
     /// N.
-    pub fn tension_at(&self, spot: Spot) -> f64 {
+    pub fn tension_at(&self, spot: BeamPoint) -> f64 {
         let touches = self.pieces[self.piece_at(spot)].touch == Touch::Contact;
         let [_, mu] = self.mesh.cells[spot.cell].ground_at(spot.s);
         self.model.beam.axial_force + if touches { mu } else { 0.0 }
     }
 
     /// Adds weight·M: what the element demands of an end that turns.
-    pub fn read_moment(&self, functional: &mut Functional, spot: Spot, weight: f64) {
+    pub fn read_moment(&self, functional: &mut Functional, spot: BeamPoint, weight: f64) {
         let sign = if spot.s > 0.0 { -weight } else { weight };
         let jump = self.moved_end(spot, true).map(|v| sign * v);
         functional.push.jumps.push((spot.cell, jump));
     }
 
     /// Adds weight·(V + N w' − G), with what the ground takes along where it touches.
-    fn read_pull(&self, functional: &mut Functional, spot: Spot, weight: f64) {
+    fn read_pull(&self, functional: &mut Functional, spot: BeamPoint, weight: f64) {
         let sign = if spot.s > 0.0 { weight } else { -weight };
         let jump = self.moved_end(spot, false).map(|v| sign * v);
         functional.push.jumps.push((spot.cell, jump));
     }
 
     /// Adds weight·μψ'.
-    fn read_flux(&self, functional: &mut Functional, spot: Spot, weight: f64) {
+    fn read_flux(&self, functional: &mut Functional, spot: BeamPoint, weight: f64) {
         let [_, mu] = self.mesh.cells[spot.cell].ground_at(spot.s);
         self.read_slope(functional, spot, weight * mu);
         functional.terms.push(Term { what: What::GroundFlux, spot, weight });
@@ -182,7 +182,7 @@ impl Linearised {
     }
 
     /// Adds weight·u of open ground at a node: a force there, which the ground hands on to where it is held.
-    pub fn read_ground(&self, f: &mut Functional, spot: Spot, weight: f64) {
+    pub fn read_ground(&self, f: &mut Functional, spot: BeamPoint, weight: f64) {
         let piece = self.piece_at(spot);
         for (j, joint) in self.joints.iter().enumerate() {
             let strip = joint.strips.iter().position(|strip| *strip == Some(piece));
@@ -272,32 +272,32 @@ impl Linearised {
     }
 
     /// w″ of the solution.
-    fn second_rise(&self, piece: usize, spot: Spot) -> f64 {
+    fn second_rise(&self, piece: usize, spot: BeamPoint) -> f64 {
         let [_, _, bend, _] = jet(&self.state.curves[piece][0], spot.s);
         bend / (self.pieces[piece].half * self.pieces[piece].half)
     }
 
-    fn ground_load(&self, spot: Spot) -> f64 {
+    fn ground_load(&self, spot: BeamPoint) -> f64 {
         let [left, right] = self.mesh.cells[spot.cell].ground_load;
         if spot.s > 0.0 { right } else { left }
     }
 
     /// Whether an edge of contact cannot move: where a force may stand, and where separate springs end that press.
-    pub fn stays(&self, spot: Spot) -> bool {
+    pub fn stays(&self, spot: BeamPoint) -> bool {
         let cells = &self.mesh.cells;
-        if cells[spot.cell].shear > 0.0 {
+        if cells[spot.cell].shear_layer > 0.0 {
             return can_carry(&self.mesh, spot);
         }
         let node = spot.cell + usize::from(spot.s > 0.0);
         node == 0 || node == cells.len() || {
-            cells[node - 1].shear > 0.0 || cells[node].shear > 0.0
+            cells[node - 1].shear_layer > 0.0 || cells[node].shear_layer > 0.0
         }
     }
 
     /// p₀ or p_l.
     pub fn end_force(&self, side: Side) -> Functional {
         let x = if side == Side::Left { 0.0 } else { self.model.beam.length };
-        let layered = self.mesh.cells[self.spot(x, Side::Right).cell].shear > 0.0;
+        let layered = self.mesh.cells[self.spot(x, Side::Right).cell].shear_layer > 0.0;
         match self.zone_at(x, side) {
             Some(zone) if layered => self.force_at_edge(zone, side),
             _ => Functional::default(),

@@ -187,9 +187,11 @@ fn constant(model: &Model, property: Property, extent: Extent) -> Option<f64> {
             }
         }
         Property::Spring => {
-            (ground.spring, ground.segments.iter().map(|s| s.spring).collect::<Vec<_>>())
+            (ground.subgrade, ground.segments.iter().map(|s| s.subgrade).collect::<Vec<_>>())
         }
-        Property::Shear => (ground.shear, ground.segments.iter().map(|s| s.shear).collect()),
+        Property::Shear => {
+            (ground.shear_layer, ground.segments.iter().map(|s| s.shear_layer).collect())
+        }
     };
     match extent {
         Extent::Whole => profile.is_empty().then_some(own),
@@ -215,18 +217,18 @@ fn set_property(model: &mut Model, property: Property, extent: Extent, to: f64) 
         }
         (Property::Spring, Extent::Segment(i)) => {
             if let Some(segment) = ground.segments.get_mut(i) {
-                segment.spring = to.into();
+                segment.subgrade = to.into();
             }
         }
         (Property::Shear, Extent::Segment(i)) => {
             if let Some(segment) = ground.segments.get_mut(i) {
-                segment.shear = to.into();
+                segment.shear_layer = to.into();
             }
         }
         (Property::BendingStiffness, _) => beam.bending_stiffness = to,
         (Property::ShearStiffness, _) => beam.shear_stiffness = Some(to),
-        (Property::Spring, _) => ground.spring = to,
-        (Property::Shear, _) => ground.shear = to,
+        (Property::Spring, _) => ground.subgrade = to,
+        (Property::Shear, _) => ground.shear_layer = to,
     }
 }
 
@@ -238,8 +240,8 @@ fn scale(model: &mut Model, property: Property, extent: Extent, factor: f64) {
             Property::ShearStiffness => {
                 beam.shear_stiffness = beam.shear_stiffness.map(|own| own * factor);
             }
-            Property::Spring => ground.spring *= factor,
-            Property::Shear => ground.shear *= factor,
+            Property::Spring => ground.subgrade *= factor,
+            Property::Shear => ground.shear_layer *= factor,
         }
     }
     let meant = |i: usize| extent == Extent::Whole || extent == Extent::Segment(i);
@@ -257,8 +259,8 @@ fn scale(model: &mut Model, property: Property, extent: Extent, factor: f64) {
         _ => {
             for (_, segment) in ground.segments.iter_mut().enumerate().filter(|(i, _)| meant(*i)) {
                 let profile = match property {
-                    Property::Spring => &mut segment.spring,
-                    _ => &mut segment.shear,
+                    Property::Spring => &mut segment.subgrade,
+                    _ => &mut segment.shear_layer,
                 };
                 *profile = profile.scaled(factor);
             }

@@ -8,7 +8,7 @@ use super::field::Point;
 use super::linearised::Linearised;
 use super::product::{Dual, Rate};
 use crate::element::operator::Touch;
-use crate::mesh::deflection::Spot;
+use crate::mesh::deflection::BeamPoint;
 use crate::solution::fields::{Field as Quantity, Side};
 
 /// Two sides of a place at which something moves differ by more than this part: the derivative is one-sided.
@@ -71,7 +71,7 @@ impl Linearised {
         let told = edge.is_some() || (dual.energy && of_a_curl);
         let jump = inner && !told && (left - right).abs() > SAME * size;
         // Where the dual field is a step, what it belongs to jumps as the force passes.
-        let step = |spot: Spot| {
+        let step = |spot: BeamPoint| {
             let own = self.at_node(dual.field, spot)[0];
             let within = self.look(dual.field, spot, dual.energy).w;
             (own - within).abs() > SAME * sizes[1]
@@ -83,7 +83,7 @@ impl Linearised {
     }
 
     /// What a unit that moves away from a point does its work on, from a side of it.
-    fn seen(&self, spot: Spot, point: &PointChange, dual: &Dual) -> f64 {
+    fn seen(&self, spot: BeamPoint, point: &PointChange, dual: &Dual) -> f64 {
         // Of the energy: an imposed curvature bends nothing that it has not bent already.
         let z = if dual.energy && point.against == Against::CurlBeside {
             let y = self.look(&self.state, spot, true);
@@ -101,7 +101,7 @@ impl Linearised {
 
     /// Of a force that moves: half the kink that it takes along, and the part of it that is an atom on ground which is
     /// open on this side.
-    fn own_kink(&self, spot: Spot, point: &PointChange, z: &Point, energy: bool) -> f64 {
+    fn own_kink(&self, spot: BeamPoint, point: &PointChange, z: &Point, energy: bool) -> f64 {
         let Some([shear, _]) = self.shear_stiffness_at(spot) else { return 0.0 };
         if energy {
             let half = 0.5 * point.weight / (shear + self.tension_at(spot));
@@ -132,7 +132,7 @@ impl Linearised {
 
     /// Of the energy, where an edge of contact goes with a force: minus the strip's energy and the work of what acts on it,
     /// −½(S + P) w'² − ½μ((u' + g₀')² − g₀'²), on this side.
-    fn released(&self, spot: Spot) -> f64 {
+    fn released(&self, spot: BeamPoint) -> f64 {
         let cell = &self.mesh.cells[spot.cell];
         let ([_, mu], y) = (cell.ground_at(spot.s), self.look(&self.state, spot, true));
         let [shear, _] = self.shear_stiffness_at(spot).unwrap_or_default();

@@ -8,7 +8,7 @@ use super::push::Push;
 use crate::certificate::gauss;
 use crate::element::operator::Touch;
 use crate::ground::link;
-use crate::mesh::deflection::Spot;
+use crate::mesh::deflection::BeamPoint;
 use crate::model::SupportKind;
 use crate::numeric::polynomial::value;
 use crate::solution::fields::{Field as Quantity, Side};
@@ -65,11 +65,8 @@ impl Linearised {
         let mut sum = 0.0;
         for (((s, weight), y), z) in gauss().zip(own).zip(dual) {
             let rates = change.at(&self.model, piece, s);
-            let stiffness = if cell.beam_varies() {
-                value(&cell.stiffness_course(), s)
-            } else {
-                cell.stiffness
-            };
+            let stiffness =
+                if cell.beam_varies() { value(&cell.stiffness_along(), s) } else { cell.stiffness };
             let [k, mu] = cell.ground_at(s);
             let mut form = rates.stiffness * stiffness * y.bend * z.bend;
             if let Some(shear) = &cell.beam_shear {
@@ -200,7 +197,7 @@ impl Linearised {
         }
         // Where the beam stands on it, what steps between the two is beside that place.
         let (spot, node) = (self.spot(x, Side::Right), self.mesh.node_at(x));
-        let tied = |end: &Spot| end.cell + usize::from(end.s > 0.0) == node;
+        let tied = |end: &BeamPoint| end.cell + usize::from(end.s > 0.0) == node;
         if self.joints.iter().flat_map(|joint| joint.ends).flatten().any(|end| tied(&end)) {
             return self.at_node(field, spot)[0];
         }
@@ -219,7 +216,7 @@ impl Linearised {
         }
     }
 
-    pub fn beyond(&self, right: bool) -> crate::model::Beyond {
+    pub fn beyond(&self, right: bool) -> crate::model::GroundOutside {
         let cells = &self.mesh.cells;
         let at_end =
             if right { cells[cells.len() - 1].ground_at(1.0) } else { cells[0].ground_at(-1.0) };
@@ -227,8 +224,8 @@ impl Linearised {
     }
 
     /// EI at an end of an element.
-    pub fn stiffness_at(&self, spot: Spot) -> f64 {
+    pub fn stiffness_at(&self, spot: BeamPoint) -> f64 {
         let cell = &self.pieces[self.piece_at(spot)].cell;
-        if cell.beam_varies() { value(&cell.stiffness_course(), spot.s) } else { cell.stiffness }
+        if cell.beam_varies() { value(&cell.stiffness_along(), spot.s) } else { cell.stiffness }
     }
 }

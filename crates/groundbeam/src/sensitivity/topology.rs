@@ -100,8 +100,8 @@ impl Solution {
         let mut add = |condition, at, size: f64| {
             all.push(Nearest { condition, at, margin: size.max(0.0) });
         };
-        for stretch in self.stretches().iter().filter(|stretch| stretch.open.is_none()) {
-            let winkler = stretch.cell.shear == 0.0;
+        for stretch in self.pieces().iter().filter(|stretch| stretch.open.is_none()) {
+            let winkler = stretch.cell.shear_layer == 0.0;
             let edge = |x: f64| {
                 self.contact().iter().any(|region| region.from == x || region.to == x)
                     && x > 0.0
@@ -126,11 +126,11 @@ impl Solution {
         for zone in &lin.zones {
             for spot in [zone.from, zone.to] {
                 let cell = &lin.mesh.cells[spot.cell];
-                if cell.shear > 0.0 || lin.stays(spot) {
+                if cell.shear_layer > 0.0 || lin.stays(spot) {
                     continue;
                 }
                 let point = lin.look(&lin.state, spot, true);
-                let scale = largest / cell.spring / l;
+                let scale = largest / cell.subgrade / l;
                 add(Condition::Angle, cell.global(spot.s), point.rise.abs() / scale);
             }
         }
@@ -152,7 +152,7 @@ impl Solution {
         };
         let mut places: Vec<f64> = Vec::new();
         for zone in &lin.zones {
-            let layered = lin.mesh.cells[zone.from.cell].shear > 0.0;
+            let layered = lin.mesh.cells[zone.from.cell].shear_layer > 0.0;
             if !layered {
                 continue;
             }
@@ -160,13 +160,13 @@ impl Solution {
             for node in from..=to {
                 let cell = node.min(lin.mesh.cells.len() - 1);
                 let s = if cell == node { -1.0 } else { 1.0 };
-                if can_carry(&lin.mesh, crate::mesh::deflection::Spot { cell, s }) {
+                if can_carry(&lin.mesh, crate::mesh::deflection::BeamPoint { cell, s }) {
                     places.push(lin.mesh.nodes[node].x);
                 }
             }
         }
         let contact: f64 = self
-            .stretches()
+            .pieces()
             .iter()
             .map(|stretch| {
                 let even = stretch.pressure.iter().step_by(2).enumerate();
@@ -206,7 +206,7 @@ impl Solution {
             }
             open.clear();
         };
-        for stretch in self.stretches() {
+        for stretch in self.pieces() {
             let parts = self.contact().iter().any(|c| c.from == c.to && c.from == stretch.x[0]);
             if stretch.open.is_none() || parts {
                 add(&mut open);

@@ -1,40 +1,40 @@
 //! From a deflection and its contact to the fields, contact zones and forces of a [`Candidate`].
 
 use crate::contact::recover;
-use crate::contact::state::Found;
-use crate::contact::surface::{Atom, Surface};
+use crate::contact::state::ContactState;
+use crate::contact::surface::{PointForce, Surface};
 use crate::ground::link::settled;
 use crate::mesh::cell::Cell;
-use crate::mesh::deflection::{Spot, pressure_under};
+use crate::mesh::deflection::{BeamPoint, pressure_under};
 use crate::model::{Action, Model, Support, SupportKind};
 use crate::numeric::polynomial::{Coefficients, derivative, product, rescale};
 use crate::numeric::tolerance::same_place;
 use crate::options::Pressure;
 use crate::solution::candidate::{Candidate, Workspace};
 use crate::solution::fields::{
-    ConcentratedForce, ContactRegion, EndForces, Reaction, Side, Stretch,
+    ConcentratedForce, ContactZone, EndForces, Reaction, Side, SolutionPiece,
 };
 
 impl Candidate {
     /// The fields of what was found, in the memory of a workspace.
-    pub fn of(model: &Model, found: &Found, workspace: &mut Workspace) -> Self {
+    pub fn of(model: &Model, found: &ContactState, workspace: &mut Workspace) -> Self {
         let surface = match &found.surface {
             Some(given) => given,
             None => &Surface::of(&found.deflection(), &found.zones),
         };
         let mut candidate = workspace.blank(model);
         let mesh = &found.mesh;
-        let at = |atom: &Atom| mesh.cells[atom.spot.cell].global(atom.spot.s);
+        let at = |atom: &PointForce| mesh.cells[atom.spot.cell].global(atom.spot.s);
         let l = model.beam.length;
         // Adding zero turns −0 into 0.
         let [left, right] = surface.end_forces(mesh).map(|force| force + 0.0);
-        let inner = surface.atoms.iter().filter(|atom| at(atom) > 0.0 && at(atom) < l);
+        let inner = surface.point_forces.iter().filter(|atom| at(atom) > 0.0 && at(atom) < l);
         let inner = inner.filter(|atom| atom.force != 0.0);
         let concentrated = &mut candidate.concentrated;
         concentrated
             .extend(inner.map(|atom| ConcentratedForce { at: at(atom), force: atom.force }));
         regions(found, &mut candidate.contact);
-        stretches(found, surface, &mut candidate.stretches);
+        stretches(found, surface, &mut candidate.pieces);
         candidate.end_forces = EndForces { left, right };
         candidate.elements = mesh.cells.len();
         candidate.reactions = reactions(&candidate);
@@ -58,7 +58,7 @@ impl Candidate {
     }
 }
 
-fn stretches(found: &Found, surface: &Surface, stretches: &mut Vec<Stretch>) {
+fn stretches(found: &ContactState, surface: &Surface, stretches: &mut Vec<SolutionPiece>) {
     let w = found.deflection();
     let parts = surface.short_parts(&found.mesh);
     let exact = found.terms > crate::element::cubic::TERMS;
@@ -67,7 +67,7 @@ fn stretches(found: &Found, surface: &Surface, stretches: &mut Vec<Stretch>) {
     } else {
         // Forces at nodes are the elements' own business: only those within a cell are needed, and nodal
         // pressures (5.5) have none.
-        let within = surface.atoms.iter().filter(|a| a.spot.s.abs() < 1.0);
+        let within = surface.point_forces.iter().filter(|a| a.spot.s.abs() < 1.0);
         let forces: Vec<(usize, f64, f64)> =
             within.map(|a| (a.spot.cell, a.spot.s, a.force)).collect();
         recover::moments(found, &parts, &forces)
@@ -97,12 +97,12 @@ fn stretches(found: &Found, surface: &Surface, stretches: &mut Vec<Stretch>) {
         };
         let moment = recovered.next().unwrap_or_else(|| bent(&cell, half, &deflection, &rotation));
         let settlement = match part.open {
-            Some(ends) if cell.ground_varies() && cell.shear > 0.0 => {
-                settled(&cell.spring_course(), &cell.shear_course(), half, ends)
+            Some(ends) if cell.ground_varies() && cell.shear_layer > 0.0 => {
+                settled(&cell.subgrade_along(), &cell.shear_layer_along(), half, ends)
             }
             _ => Coefficients::default(),
         };
-        stretches.push(Stretch {
+        stretches.push(SolutionPiece {
             half,
             x: cell.x,
             cell,
@@ -127,11 +127,11 @@ fn bent(cell: &Cell, half: f64, deflection: &[f64], rotation: &[f64]) -> Coeffic
     for c in bend.iter_mut() {
         *c *= factor;
     }
-    let bent = if cell.beam_varies() { product(&cell.stiffness_course(), &bend) } else { bend };
-    if !cell.is_curled() {
+    let bent = if cell.beam_varies() { product(&cell.stiffness_along(), &bend) } else { bend };
+    if !cell.has_imposed_curvature() {
         return bent;
     }
-    let curling = cell.curling_moment();
+    let curling = cell.imposed_moment();
     let mut moment = bent.at_least(curling.len());
     for (moment, curling) in moment.iter_mut().zip(curling.iter()) {
         *moment += curling;
@@ -140,9 +140,9 @@ fn bent(cell: &Cell, half: f64, deflection: &[f64], rotation: &[f64]) -> Coeffic
 }
 
 /// Stretches and points of contact, those that meet joined.
-fn regions(found: &Found, regions: &mut Vec<ContactRegion>) {
+fn regions(found: &ContactState, regions: &mut Vec<ContactZone>) {
     let mesh = &found.mesh;
-    let position = |spot: Spot| mesh.cells[spot.cell].global(spot.s);
+    let position = |spot: BeamPoint| mesh.cells[spot.cell].global(spot.s);
     let mut last_node = None;
     for zone in &found.zones {
         let (from, to) = (position(zone.from), position(zone.to));
@@ -153,7 +153,7 @@ fn regions(found: &Found, regions: &mut Vec<ContactRegion>) {
         last_node = Some(node);
         match regions.last_mut() {
             Some(last) if last.to == from || follows => last.to = to,
-            _ => regions.push(ContactRegion { from, to }),
+            _ => regions.push(ContactZone { from, to }),
         }
     }
 }
@@ -187,11 +187,11 @@ fn lift(candidate: &Candidate, x: f64) -> f64 {
     let span_left = others().filter(|&at| at < x).fold(0.0, f64::max);
     let span_right = others().filter(|&at| at > x).fold(l, f64::min);
     // T = V + P w' − g at an end of a stretch.
-    let total = |stretch: &Stretch, s: f64, end: usize| {
+    let total = |stretch: &SolutionPiece, s: f64, end: usize| {
         let fields = stretch.fields(s);
         fields.shear_force + axial * fields.slope - stretch.cell.moment_load[end]
     };
-    let stretches = &candidate.stretches;
+    let stretches = &candidate.pieces;
     let holding = |x: f64| stretches.partition_point(|s| s.x[1] < x).min(stretches.len() - 1);
     let (first, from, before) = if x <= 0.0 {
         (0, 0.0, 0.0)

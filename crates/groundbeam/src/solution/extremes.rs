@@ -5,28 +5,29 @@
 
 use crate::numeric::polynomial::{derivative, jet, sign_changes, value, with_slope};
 use crate::solution::candidate::Candidate;
-use crate::solution::fields::{Extreme, Field, Range, Stretch};
+use crate::solution::fields::{Extreme, Field, Range, SolutionPiece};
 
 impl Candidate {
     /// The smallest and largest value of a field, located by the roots of its derivative.
     pub fn range(&self, field: Field) -> Range {
-        let hulls: Vec<Hull> = self.stretches.iter().map(|stretch| stretch.hull(field)).collect();
+        let hulls: Vec<FieldBounds> =
+            self.pieces.iter().map(|stretch| stretch.hull(field)).collect();
         let ends = hulls.iter().flat_map(|hull| hull.ends);
         let [least, most] = ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], end| {
             [least.min(end), most.max(end)]
         });
         let rounding = hulls.iter().map(|hull| hull.rounding).fold(0.0, f64::max);
-        let mut found: Option<[Spot; 2]> = None;
-        for (i, (hull, stretch)) in hulls.iter().zip(&self.stretches).enumerate() {
+        let mut found: Option<[ValueAt; 2]> = None;
+        for (i, (hull, stretch)) in hulls.iter().zip(&self.pieces).enumerate() {
             for (s, end) in [-1.0, 1.0].into_iter().zip(hull.ends) {
                 // All that may be the least or the most but for rounding are seen exactly.
                 if end <= least + 2.0 * rounding || end >= most - 2.0 * rounding {
-                    widen(&mut found, Spot { stretch: i, s, value: stretch.one(field, s) });
+                    widen(&mut found, ValueAt { stretch: i, s, value: stretch.one(field, s) });
                 }
             }
         }
         let mut inside = Vec::new();
-        for (i, (hull, stretch)) in hulls.iter().zip(&self.stretches).enumerate() {
+        for (i, (hull, stretch)) in hulls.iter().zip(&self.pieces).enumerate() {
             let [low, high] = hull.bounds;
             if found.is_some_and(|[min, max]| min.value <= low && high <= max.value) {
                 continue;
@@ -34,7 +35,7 @@ impl Candidate {
             inside.clear();
             stretch.turning_points(field, &mut inside);
             for &s in &inside {
-                widen(&mut found, Spot { stretch: i, s, value: stretch.one(field, s) });
+                widen(&mut found, ValueAt { stretch: i, s, value: stretch.one(field, s) });
             }
         }
         self.between(found)
@@ -42,23 +43,23 @@ impl Candidate {
 
     /// The smallest and largest rotation of the sections; that of the slope where the beam does not shear.
     pub fn rotation_range(&self) -> Range {
-        let mut found: Option<[Spot; 2]> = None;
-        for (i, stretch) in self.stretches.iter().enumerate() {
+        let mut found: Option<[ValueAt; 2]> = None;
+        for (i, stretch) in self.pieces.iter().enumerate() {
             let mut all = vec![-1.0, 1.0];
             match stretch.rotation.is_empty() {
                 true => stretch.turning_points(Field::Slope, &mut all),
                 false => sign_changes(&derivative(&stretch.rotation), &mut all),
             }
             for s in all {
-                widen(&mut found, Spot { stretch: i, s, value: stretch.fields(s).rotation });
+                widen(&mut found, ValueAt { stretch: i, s, value: stretch.fields(s).rotation });
             }
         }
         self.between(found)
     }
 
-    fn between(&self, found: Option<[Spot; 2]>) -> Range {
-        let extreme = |Spot { stretch, s, value }: Spot| {
-            let x = self.stretches[stretch].global(s);
+    fn between(&self, found: Option<[ValueAt; 2]>) -> Range {
+        let extreme = |ValueAt { stretch, s, value }: ValueAt| {
+            let x = self.pieces[stretch].global(s);
             Extreme { x, value }
         };
         found.map_or(NOTHING, |[min, max]| Range { min: extreme(min), max: extreme(max) })
@@ -71,16 +72,17 @@ const NOTHING: Range =
 
 /// Where a value is.
 #[derive(Clone, Copy)]
-struct Spot {
+struct ValueAt {
     stretch: usize,
     s: f64,
     value: f64,
 }
 
 /// Lets the smallest and the largest value take note of another. Of equal ones the leftmost counts.
-fn widen(found: &mut Option<[Spot; 2]>, here: Spot) {
+fn widen(found: &mut Option<[ValueAt; 2]>, here: ValueAt) {
     let [min, max] = found.get_or_insert([here; 2]);
-    let is_left = |of: &Spot| here.value == of.value && (here.stretch, here.s) < (of.stretch, of.s);
+    let is_left =
+        |of: &ValueAt| here.value == of.value && (here.stretch, here.s) < (of.stretch, of.s);
     if here.value < min.value || is_left(min) {
         *min = here;
     }
@@ -90,14 +92,14 @@ fn widen(found: &mut Option<[Spot; 2]>, here: Spot) {
 }
 
 /// A field at the ends of a stretch, but for rounding, and between which values it lies on all of it.
-struct Hull {
+struct FieldBounds {
     ends: [f64; 2],
     bounds: [f64; 2],
     /// So much the ends may be wrong.
     rounding: f64,
 }
 
-impl Hull {
+impl FieldBounds {
     /// Between the ends a polynomial is a straight line and Σ cⱼ (sʲ − 1) for even j, Σ cⱼ (sʲ − s) for odd ones,
     /// from j = 2 on; these factors lie between −1 and 0, and −1 and 1.
     fn of(c: &[f64]) -> Self {
@@ -115,16 +117,16 @@ impl Hull {
         let ends = [even - odd, even + odd];
         let bounds = [ends[0].min(ends[1]) - above - apart, ends[0].max(ends[1]) + below + apart];
         let size = first.abs() + second.abs() + above + below + apart;
-        Hull { ends, bounds, rounding: c.len() as f64 * f64::EPSILON * size }
+        FieldBounds { ends, bounds, rounding: c.len() as f64 * f64::EPSILON * size }
     }
 
     fn times(self, factor: f64) -> Self {
         let [ends, bounds] = [self.ends, self.bounds].map(|pair| pair.map(|of| of * factor));
-        Hull { ends, bounds, rounding: self.rounding * factor }
+        FieldBounds { ends, bounds, rounding: self.rounding * factor }
     }
 }
 
-impl Stretch {
+impl SolutionPiece {
     /// One field, to the bit what [`Stretch::fields`] says.
     fn one(&self, field: Field, s: f64) -> f64 {
         let per_length = 1.0 / self.half;
@@ -138,24 +140,25 @@ impl Stretch {
         }
     }
 
-    fn hull(&self, field: Field) -> Hull {
+    fn hull(&self, field: Field) -> FieldBounds {
         let per_length = 1.0 / self.half;
         match field {
-            Field::Deflection => Hull::of(&self.deflection),
-            Field::Slope => Hull::of(&derivative(&self.deflection)).times(per_length),
-            Field::Moment => Hull::of(&self.moment),
-            Field::ShearForce => Hull::of(&derivative(&self.moment)).times(per_length),
-            Field::Pressure => Hull::of(&self.pressure),
+            Field::Deflection => FieldBounds::of(&self.deflection),
+            Field::Slope => FieldBounds::of(&derivative(&self.deflection)).times(per_length),
+            Field::Moment => FieldBounds::of(&self.moment),
+            Field::ShearForce => FieldBounds::of(&derivative(&self.moment)).times(per_length),
+            Field::Pressure => FieldBounds::of(&self.pressure),
             Field::Settlement if self.open.is_none() => {
-                let Hull { ends, bounds: [least, most], rounding } = Hull::of(&self.deflection);
+                let FieldBounds { ends, bounds: [least, most], rounding } =
+                    FieldBounds::of(&self.deflection);
                 let [a, b] = self.cell.gap;
                 let bounds = [least - a.max(b), most - a.min(b)];
                 let rounding = rounding + f64::EPSILON * (a.abs() + b.abs());
-                Hull { ends: [ends[0] - a, ends[1] - b], bounds, rounding }
+                FieldBounds { ends: [ends[0] - a, ends[1] - b], bounds, rounding }
             }
-            Field::Gap if self.open.is_none() => Hull::of(&[]),
+            Field::Gap if self.open.is_none() => FieldBounds::of(&[]),
             // No polynomial.
-            Field::Settlement | Field::Gap => Hull {
+            Field::Settlement | Field::Gap => FieldBounds {
                 ends: [-1.0, 1.0].map(|s| self.one(field, s)),
                 bounds: [f64::NEG_INFINITY, f64::INFINITY],
                 rounding: 0.0,
@@ -253,7 +256,7 @@ mod tests {
                 let Range { min, max } = solution.range(field);
                 let size = min.value.abs().max(max.value.abs());
                 let mut seen = [f64::INFINITY, f64::NEG_INFINITY];
-                for stretch in solution.stretches() {
+                for stretch in solution.pieces() {
                     for at in 0..=1000 {
                         let s = f64::from(at) / 500.0 - 1.0;
                         let value = stretch.fields(s).get(field);
@@ -276,22 +279,32 @@ mod tests {
     }
 
     /// A stretch that touches ground with k = μ = 1 and no gap, all of whose fields are zero.
-    fn stretch(x: [f64; 2]) -> Stretch {
+    fn stretch(x: [f64; 2]) -> SolutionPiece {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0));
         let mut cell = crate::mesh::mesh::Mesh::build(&model, &[], |_| 1).cells[0];
         cell.x = x;
         let none = crate::numeric::polynomial::Coefficients::default();
         let half = 0.5 * (x[1] - x[0]);
         let [deflection, rotation, moment, pressure, settlement] = [none; 5];
-        Stretch { x, half, cell, deflection, rotation, moment, pressure, open: None, settlement }
+        SolutionPiece {
+            x,
+            half,
+            cell,
+            deflection,
+            rotation,
+            moment,
+            pressure,
+            open: None,
+            settlement,
+        }
     }
 
-    fn candidate(stretches: Vec<Stretch>) -> Candidate {
+    fn candidate(stretches: Vec<SolutionPiece>) -> Candidate {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0));
-        Candidate { stretches, ..Workspace::default().blank(&model) }
+        Candidate { pieces: stretches, ..Workspace::default().blank(&model) }
     }
 
-    fn turning_points(of: &Stretch, field: Field) -> Vec<f64> {
+    fn turning_points(of: &SolutionPiece, field: Field) -> Vec<f64> {
         let mut found = Vec::new();
         of.turning_points(field, &mut found);
         found
@@ -308,22 +321,23 @@ mod tests {
     /// and 6 take it up or down by 10 at most.
     #[test]
     fn a_hull_is_the_line_between_the_ends_and_what_the_powers_add() {
-        let Hull { ends, bounds, rounding } = Hull::of(&[1.0, 2.0, 3.0, -4.0, -5.0, 6.0]);
+        let FieldBounds { ends, bounds, rounding } =
+            FieldBounds::of(&[1.0, 2.0, 3.0, -4.0, -5.0, 6.0]);
         assert_eq!((ends, bounds), ([-5.0, 3.0], [-18.0, 18.0]));
         assert_eq!(rounding, 6.0 * f64::EPSILON * 21.0);
         // In a mirror, with the other sign, and half as large.
-        let mirrored = Hull::of(&[1.0, -2.0, 3.0, 4.0, -5.0, -6.0]);
+        let mirrored = FieldBounds::of(&[1.0, -2.0, 3.0, 4.0, -5.0, -6.0]);
         assert_eq!((mirrored.ends, mirrored.bounds), ([3.0, -5.0], [-18.0, 18.0]));
-        let below = Hull::of(&[-1.0, -2.0, -3.0, 4.0, 5.0, -6.0]);
+        let below = FieldBounds::of(&[-1.0, -2.0, -3.0, 4.0, 5.0, -6.0]);
         assert_eq!((below.ends, below.bounds), ([5.0, -3.0], [-18.0, 18.0]));
-        let short = Hull::of(&[1.0, 2.0, 4.0]);
+        let short = FieldBounds::of(&[1.0, 2.0, 4.0]);
         assert_eq!((short.ends, short.bounds), ([3.0, 7.0], [-1.0, 7.0]));
         let half = short.times(0.5);
         assert_eq!((half.ends, half.bounds), ([1.5, 3.5], [-0.5, 3.5]));
         assert_eq!(half.rounding, 0.5 * 3.0 * f64::EPSILON * 7.0);
-        let constant = Hull::of(&[-7.0]);
+        let constant = FieldBounds::of(&[-7.0]);
         assert_eq!((constant.ends, constant.bounds), ([-7.0; 2], [-7.0; 2]));
-        let zero = Hull::of(&[]);
+        let zero = FieldBounds::of(&[]);
         assert_eq!((zero.ends, zero.bounds, zero.rounding), ([0.0; 2], [0.0; 2], 0.0));
     }
 
@@ -336,7 +350,7 @@ mod tests {
         of.pressure = [5.0, 1.0][..].into();
         (of.cell.gap, of.cell.gap_slope) = ([0.5, -1.5], -0.5);
         let hull = |field| {
-            let Hull { ends, bounds, rounding } = of.hull(field);
+            let FieldBounds { ends, bounds, rounding } = of.hull(field);
             (ends, bounds, rounding / f64::EPSILON)
         };
         assert_eq!(hull(Field::Deflection), ([-1.0, 7.0], [-6.0, 11.0], 4.0 * 7.0));
@@ -458,7 +472,7 @@ mod tests {
             (2, 0.0, 2.0),
             (2, 0.5, 1.5),
         ]
-        .map(|(stretch, s, value)| Spot { stretch, s, value });
+        .map(|(stretch, s, value)| ValueAt { stretch, s, value });
         for first in 0..spots.len() {
             for step in [1, 5] {
                 let mut found = None;
@@ -471,7 +485,7 @@ mod tests {
         // Within one stretch as well.
         let mut found = None;
         for s in [0.5, -0.5, 0.0] {
-            widen(&mut found, Spot { stretch: 0, s, value: 1.0 });
+            widen(&mut found, ValueAt { stretch: 0, s, value: 1.0 });
         }
         assert_eq!(found.expect("spots").map(|spot| spot.s), [-0.5; 2]);
     }
@@ -486,7 +500,7 @@ mod tests {
             (seed % 9) as f64 - 4.0
         };
         for round in 0..400 {
-            let mut all: Vec<Stretch> =
+            let mut all: Vec<SolutionPiece> =
                 (0..1 + round % 5).map(|i| stretch([i as f64, i as f64 + 1.0])).collect();
             for of in &mut all {
                 // Every few stretches one is far below the others: no root of it is asked for.
@@ -505,7 +519,7 @@ mod tests {
             let solution = candidate(all);
             for field in Field::ALL {
                 let Range { min, max } = solution.range(field);
-                let values = solution.stretches.iter().flat_map(|of| {
+                let values = solution.pieces.iter().flat_map(|of| {
                     let value = |s: f64| of.fields(s).get(field);
                     of.candidates(field).into_iter().map(value)
                 });
@@ -537,7 +551,7 @@ mod tests {
                 let all = order.iter().enumerate().map(|(i, c)| of(i as f64, &c.map(|a| sign * a)));
                 let solution = candidate(all.collect());
                 let Range { min, max } = solution.range(Field::Deflection);
-                let ends = solution.stretches.iter().flat_map(|of| {
+                let ends = solution.pieces.iter().flat_map(|of| {
                     [(of.x[0], of.fields(-1.0).deflection), (of.x[1], of.fields(1.0).deflection)]
                 });
                 let ends: Vec<(f64, f64)> = ends.collect();

@@ -29,7 +29,7 @@ impl Solution {
         let mut found: Vec<LiftOff> = Vec::new();
         // Nodal contact leaves slivers between touching nodes: within a region they are no lift-off.
         let inside = |x: [f64; 2]| self.contact().iter().any(|c| c.from <= x[0] && x[1] <= c.to);
-        for stretch in self.stretches() {
+        for stretch in self.pieces() {
             if stretch.open.is_none() || inside(stretch.x) {
                 continue;
             }

@@ -6,12 +6,12 @@ use crate::existence::existence::Existence;
 use crate::ground::link;
 use crate::mesh::cell::Cell;
 use crate::mesh::free_field;
-use crate::model::{Beyond, Model};
+use crate::model::{GroundOutside, Model};
 
 use crate::options::Method;
 use crate::solution::candidate::Candidate;
 use crate::solution::fields::{
-    ConcentratedForce, ContactRegion, EndForces, Field, Fields, Range, Reaction, Side, Stretch,
+    ConcentratedForce, ContactZone, EndForces, Field, Fields, Range, Reaction, Side, SolutionPiece,
 };
 
 /// An equilibrium, with its certificate.
@@ -66,8 +66,8 @@ impl Solution {
     }
 
     /// The closed forms, from left to right.
-    pub(crate) fn stretches(&self) -> &[Stretch] {
-        &self.candidate.stretches
+    pub(crate) fn pieces(&self) -> &[SolutionPiece] {
+        &self.candidate.pieces
     }
 
     /// The model that was solved, on ground whose constants are given: on soil, those of this solution.
@@ -91,7 +91,7 @@ impl Solution {
     }
 
     /// Where beam and ground touch, from left to right. A beam that touches nowhere has none.
-    pub fn contact(&self) -> &[ContactRegion] {
+    pub fn contact(&self) -> &[ContactZone] {
         &self.candidate.contact
     }
 
@@ -164,18 +164,18 @@ impl Solution {
         if !self.candidate.model.has_ground_loads() {
             return link::beside(&beyond, end.settlement, distance);
         }
-        let cells: Vec<Cell> = self.stretches().iter().map(|stretch| stretch.cell).collect();
+        let cells: Vec<Cell> = self.pieces().iter().map(|stretch| stretch.cell).collect();
         let own =
             |distance: f64| free_field::at(&self.candidate.model, &beyond, right, &cells, distance);
         link::beside(&beyond, end.settlement - own(0.0), distance) + own(distance)
     }
 
     /// The ground beyond an end of the beam.
-    pub(crate) fn beyond(&self, right: bool) -> Beyond {
+    pub(crate) fn beyond(&self, right: bool) -> GroundOutside {
         let at_end = if right {
-            self.stretches()[self.stretches().len() - 1].cell.ground_at(1.0)
+            self.pieces()[self.pieces().len() - 1].cell.ground_at(1.0)
         } else {
-            self.stretches()[0].cell.ground_at(-1.0)
+            self.pieces()[0].cell.ground_at(-1.0)
         };
         self.candidate.model.foundation.beyond(right, self.candidate.model.beam.length, at_end)
     }

@@ -6,7 +6,7 @@ pub(crate) mod layers;
 use crate::model::Beam;
 use crate::model::soil::correlations as winkler;
 use crate::model::soil::correlations::{Elastic, PlateTest};
-pub use layers::{LayeredSoil, SoilLayer, Subgrade};
+pub use layers::{GroundConstants, LayeredSoil, SoilLayer};
 
 /// What is known of the soil, and by whose method it becomes a ground.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,9 +53,9 @@ impl SoilModel {
     }
 
     /// k and μ under a beam, before anything is solved: for [`Soil::ModifiedVlasov`] those of γ = 1.
-    pub fn subgrade(&self, beam: &Beam) -> Subgrade {
+    pub fn subgrade(&self, beam: &Beam) -> GroundConstants {
         let (width, length, stiffness) = (self.width, beam.length, beam.bending_stiffness);
-        let springs = |spring: f64| Subgrade { spring, shear: 0.0 };
+        let springs = |spring: f64| GroundConstants { subgrade: spring, shear_layer: 0.0 };
         let ground = match &self.soil {
             Soil::Vlasov(layers, gamma) => layers.subgrade(layers.rate(*gamma), width),
             Soil::ModifiedVlasov(layers) => layers.subgrade(layers.rate(1.0), width),
@@ -100,7 +100,7 @@ impl SoilModel {
     /// Where the method is used outside the range it was made for: a sentence each, without a full stop.
     pub fn doubts(&self, beam: &Beam) -> Vec<String> {
         let mut doubts = Vec::new();
-        let spring = self.subgrade(beam).spring;
+        let spring = self.subgrade(beam).subgrade;
         let waves = beam.length * (0.25 * spring / beam.bending_stiffness).powf(0.25);
         match &self.soil {
             Soil::Vesic(_) | Soil::Biot(_) if waves < LONG => doubts.push(format!(
@@ -129,10 +129,10 @@ impl SoilModel {
     }
 }
 
-impl Subgrade {
+impl GroundConstants {
     /// The same with k and μ multiplied.
     pub fn times(self, [spring, shear]: [f64; 2]) -> Self {
-        Subgrade { spring: self.spring * spring, shear: self.shear * shear }
+        GroundConstants { subgrade: self.subgrade * spring, shear_layer: self.shear_layer * shear }
     }
 }
 
