@@ -49,7 +49,7 @@ const FLOORS: [&[&str]; 15] = [
     &["solver"],
     &["solve"],
     &["equilibrium"],
-    &["design", "envelope", "outcome", "sensitivity"],
+    &["derivatives", "design", "envelope", "outcome"],
     &["solution"],
     &["contact"],
     &["chain", "nodal"],

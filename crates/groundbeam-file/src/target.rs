@@ -6,7 +6,7 @@ use crate::quantity::{
     SHEAR_CONSTANT, SPRING, SPRING_PER_LENGTH,
 };
 use crate::section::load::kind_of;
-use groundbeam::sensitivity::{Extent, LoadNumber, Parameter, Property, SupportNumber};
+use groundbeam::derivatives::{Extent, LoadNumber, Parameter, Property, SupportNumber};
 use groundbeam::{Beam, Foundation, Model, Profile};
 
 /// How a quantity runs between numbers at even points from one end of the beam to the other.

@@ -5,7 +5,7 @@ use crate::fields::Field;
 use crate::points::Points;
 use crate::symmetric::Symmetric;
 use groundbeam::Model;
-use groundbeam::sensitivity::{Extent, Parameter, Property};
+use groundbeam::derivatives::{Extent, Parameter, Property};
 use groundbeam_file::study::{Plan, StudyFile};
 use groundbeam_file::{Change, Course, Shape, change};
 use std::fmt;

@@ -7,7 +7,7 @@ use crate::row::Status;
 use crate::statistics::{Moments, Statistics};
 use crate::store::{StoreError, Table, Whole};
 use groundbeam::Model;
-use groundbeam::sensitivity::{LoadNumber, Parameter, Property};
+use groundbeam::derivatives::{LoadNumber, Parameter, Property};
 use groundbeam_file::study::{Exceeds, Judged, Plan, Sampling};
 use groundbeam_report::{Estimate, Interval, Kind, Limit, Spread, Study, Way, load_kind};
 use std::path::Path;

@@ -1,11 +1,11 @@
 //! The road from a model to a certified answer, on one page.
 
 use crate::certificate::Certificate;
+use crate::contact::intervals::Interval;
 use crate::contact::state::{ContactState, Unconverged};
 use crate::contact::stopping::Proof;
-use crate::contact::stretches::Interval;
 use crate::contact::uzawa::{self, Relaxation};
-use crate::contact::{balanced, exact, nested};
+use crate::contact::{exact, levels, point_contact};
 use crate::equilibrium::branch::PathPoint;
 use crate::equilibrium::buckling::convexity;
 use crate::equilibrium::local;
@@ -251,14 +251,20 @@ fn find(
         Method::Exact => match existence.verdict {
             Verdict::NotUnique(motion) if stands_on_an_end(model, existence) => {
                 let over_left = motion.left == 0.0;
-                balanced::solve_over_an_end(model, existence.resultant(), over_left, cancel, judge)
+                point_contact::solve_over_an_end(
+                    model,
+                    existence.resultant(),
+                    over_left,
+                    cancel,
+                    judge,
+                )
             }
             _ => exact::solve(model, likely, cancel, judge),
         }
         .map_err(stalled),
         Method::ActiveSet => {
             let mesh = Mesh::uniform(model, elements);
-            nested::solve_on(model, mesh, options.pressure, cancel).map_err(stalled)
+            levels::solve_on(model, mesh, options.pressure, cancel).map_err(stalled)
         }
         Method::Psor | Method::Uzawa => {
             let relaxation = match method {
@@ -374,7 +380,7 @@ mod tests {
         let sweeps = |cancel| uzawa::solve(mesh(), Relaxation::Diagonal, true, 3, cancel);
         assert_eq!(sweeps(&never).map_err(|stalled| stalled.iterations).err(), Some(3));
         assert_eq!(sweeps(&now).map_err(|stalled| stalled.iterations).err(), Some(0));
-        let on_mesh = |cancel| nested::solve_on(&model, mesh(), Pressure::Distributed, cancel);
+        let on_mesh = |cancel| levels::solve_on(&model, mesh(), Pressure::Distributed, cancel);
         assert!(on_mesh(&never).is_ok());
         assert_eq!(on_mesh(&now).map_err(|stalled| stalled.iterations).err(), Some(0));
         let at_nodes = |cancel| nodal::edges::edges(&model, cancel);

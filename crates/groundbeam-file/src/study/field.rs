@@ -8,7 +8,7 @@ use crate::quantity::{LENGTH, RATIO};
 use crate::reader::Reader;
 use crate::table::Section;
 use crate::target::{self, Course};
-use groundbeam::sensitivity::{Extent, Parameter, Property};
+use groundbeam::derivatives::{Extent, Parameter, Property};
 
 /// Lognormal fields along the beam, all with one correlation function.
 #[derive(Debug, Clone, PartialEq)]

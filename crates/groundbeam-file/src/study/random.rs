@@ -8,7 +8,7 @@ use crate::quantity::{Kind, RATIO};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 use crate::target;
-use groundbeam::sensitivity::Parameter;
+use groundbeam::derivatives::Parameter;
 use std::ops::Range;
 use toml::de::DeValue;
 

@@ -4,7 +4,7 @@ use crate::derivatives::parameter;
 use crate::failure::Failure;
 use crate::read::Read;
 use groundbeam::Model;
-use groundbeam::sensitivity::{Parameter as Number, Property};
+use groundbeam::derivatives::{Parameter as Number, Property};
 use groundbeam_file::{Course, Shape, along_the_beam, change, most_control_values, problem};
 use numpy::ndarray::ArrayView2;
 use std::sync::Arc;

@@ -5,18 +5,18 @@
 //! Φ(w) = ½∫(EI w″² + P w'²) − F(w) + ½ min { b(u, u) : u ≥ w − g₀ },
 //!
 //! convex and once continuously differentiable, with the contact pressure as the derivative of the last
-//! term. The inner minimum is the [majorant](super::majorant), found without iteration. Where it touches
+//! term. The inner minimum is the [majorant](crate::contact::obstacle), found without iteration. Where it touches
 //! the ground acts as if glued to the beam, elsewhere not at all: Newton's step is one solve of the
 //! glued [chain](crate::chain::elimination). If the full step does not settle the slope of Φ along its line, the zero
 //! of that slope is searched for. Φ falls with every accepted step, so no deflection comes back; what that
 //! proves about the number of steps, and what it does not, is in `docs/methods.md`.
 
 use super::layout::Layout;
-use super::majorant;
 use super::surface::Surface;
 use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
 use crate::chain::node::NotDefinite;
+use crate::contact::obstacle;
 use crate::contact::state::{ContactState, Step, Unconverged};
 use crate::element::cubic::{self, TERMS};
 use crate::element::element::Element;
@@ -162,13 +162,13 @@ impl<'a> Newton<'a> {
     fn contact(&self, coefficients: &[f64]) -> Vec<MeshZone> {
         let w = Deflection { mesh: self.mesh, terms: TERMS, coefficients };
         match self.pressure {
-            Pressure::Distributed => majorant::contact(&w),
-            Pressure::Dirac => majorant::nodal_contact(&w),
+            Pressure::Distributed => obstacle::contact(&w),
+            Pressure::Dirac => obstacle::nodal_contact(&w),
         }
     }
 
     fn bonded(&self) -> Vec<MeshZone> {
-        majorant::everywhere(self.mesh, self.pressure == Pressure::Dirac)
+        obstacle::everywhere(self.mesh, self.pressure == Pressure::Dirac)
     }
 
     fn unfold(&self, shapes: Vec<[f64; 4]>) -> State {

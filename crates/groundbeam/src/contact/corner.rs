@@ -1,8 +1,8 @@
 //! Contact at a single corner of the gap: the beam held there at the slope it has.
 
-use crate::contact::glue::{Bonded, GivenRotation};
+use crate::contact::bonded::{Bonded, GivenRotation};
+use crate::contact::intervals::Interval;
 use crate::contact::state::ContactState;
-use crate::contact::stretches::Interval;
 
 /// A zone shorter than this, as a part of the length, beside a corner of the gap may be the corner alone.
 pub(crate) const NARROW: f64 = 1e-6;

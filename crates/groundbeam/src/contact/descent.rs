@@ -5,7 +5,7 @@
 //! has nearly vanished: both deflections are polynomials on the cells of both, and on a line between two
 //! deflections the slope of Φ is known exactly.
 
-use super::majorant;
+use crate::contact::obstacle;
 use crate::contact::state::ContactState;
 use crate::element::element::TERMS;
 use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
@@ -67,7 +67,7 @@ pub(crate) fn shorten(model: &Model, now: &ContactState, glued: &ContactState) -
     let at = |t: f64| along(&from, &delta, t);
     let slope = |t: f64| {
         let w = at(t);
-        let zones = majorant::contact(&Deflection { mesh: &mesh, terms: TERMS, coefficients: &w });
+        let zones = obstacle::contact(&Deflection { mesh: &mesh, terms: TERMS, coefficients: &w });
         let ground = ground_work(&mesh, TERMS, &zones, &obstacle(&mesh, &w), &delta);
         (ground - bonded) - (1.0 - t) * beam
     };
@@ -77,7 +77,7 @@ pub(crate) fn shorten(model: &Model, now: &ContactState, glued: &ContactState) -
     }
     let coefficients = at(t);
     let w = Deflection { mesh: &mesh, terms: TERMS, coefficients: &coefficients };
-    let zones = majorant::contact(&w);
+    let zones = obstacle::contact(&w);
     let rotation = along(&turned_from, &turn, t);
     Shortened { part: t, between: Some(ContactState::exact(mesh, coefficients, rotation, zones)) }
 }

@@ -3,16 +3,16 @@
 //! An edge inside the beam can carry no concentrated force. Where one of a glued beam's edges is off, the
 //! ground leaves it at an angle, and a force A stands there that is known exactly. Near the answer a step
 //! of Newton's method on each A, for the deflection found, squares the error of the edge, as the
-//! [scan](super::majorant) of the whole beam does, for a small part of its work. What only the scan sees
+//! [scan](crate::contact::obstacle) of the whole beam does, for a small part of its work. What only the scan sees
 //! (zones that split, appear or vanish) the certificate tells from an answer.
 
-use super::narrow;
-use super::stretches::Interval;
 use super::surface::can_carry;
+use crate::contact::intervals::Interval;
+use crate::contact::short_span;
 use crate::ground::link::TwoPort;
 use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
+use crate::mesh::ground_runs::{GroundRun, ground_runs};
 use crate::mesh::open_ground::open_link;
-use crate::mesh::pieces::{GroundRun, ground_runs};
 
 /// An edge may move by this part of the zone and of the open ground beside it.
 const NEAR: f64 = 0.25;
@@ -30,7 +30,7 @@ impl OpenSpan {
         let l = w.mesh.cells[w.mesh.cells.len() - 1].x[1];
         let [from, to] =
             [ends[0].map_or(0.0, |a| w.position(a)), ends[1].map_or(l, |b| w.position(b))];
-        OpenSpan { link, fluxes: narrow::fluxes(w, ends, &link), length: to - from }
+        OpenSpan { link, fluxes: short_span::fluxes(w, ends, &link), length: to - from }
     }
 }
 

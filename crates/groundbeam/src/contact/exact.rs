@@ -5,7 +5,7 @@
 //! tells the first; then each step
 //!
 //! 1. puts a node at every edge and solves the glued chain with [exact elements](crate::element);
-//! 2. lays the ground under the beam found, anew and exactly ([majorant](super::majorant)): its edges
+//! 2. lays the ground under the beam found, anew and exactly ([majorant](crate::contact::obstacle)): its edges
 //!    are where the unloaded ground leaves the beam tangentially, u' = w' − g₀' (w = g₀ for μ = 0). Zones
 //!    split, merge, appear and vanish here of themselves.
 //!
@@ -14,14 +14,14 @@
 //! error as well. If the steps do not settle, the mesh that began them is refined.
 
 use super::edges;
-use super::glue::Bonded;
-use super::majorant;
-use super::near;
-use super::softened;
-use super::stretches::{Interval, distance, joined, positions};
 use crate::cancel::Cancel;
 use crate::chain::node::NotDefinite;
+use crate::contact::bonded::Bonded;
+use crate::contact::continuation;
+use crate::contact::intervals::{Interval, distance, joined, positions};
+use crate::contact::obstacle;
 use crate::contact::refine::{Goal, InitialGuess, refine};
+use crate::contact::start;
 use crate::contact::state::edges_not_converged;
 use crate::contact::state::{ContactState, Step, Unconverged};
 use crate::contact::stopping::{LAST, Proof};
@@ -49,7 +49,7 @@ pub(crate) fn solve(
         return Ok(found);
     }
     let nearly = sunk(model);
-    if let Some(stretches) = near::edges(&nearly, cancel)
+    if let Some(stretches) = start::edges(&nearly, cancel)
         && let Ok(found) = from_edges(glue, &stretches, judge)
     {
         return Ok(found);
@@ -57,7 +57,7 @@ pub(crate) fn solve(
     let mut last = Unconverged::SINGULAR;
     let mut iterations = 0;
     for level in 0..=REFINEMENTS {
-        let start = softened::start(&nearly, level, cancel);
+        let start = continuation::start(&nearly, level, cancel);
         let found = start.and_then(|start| {
             refine(glue, InitialGuess::asked_by(start), Goal::Answer(MOST_STEPS), judge)
         });
@@ -70,7 +70,7 @@ pub(crate) fn solve(
         }
         if level == 0
             && model.beam.shears()
-            && let Ok(start) = softened::from_bending(&nearly, cancel, |model| {
+            && let Ok(start) = continuation::from_bending(&nearly, cancel, |model| {
                 solve(model, None, cancel, unjudged)
             })
             && let Ok(found) =
@@ -139,7 +139,7 @@ fn from_edges(
     judge: &mut dyn FnMut(&ContactState) -> Proof,
 ) -> Result<ContactState, Unconverged> {
     let found = glue.on(stretches, None).map_err(|NotDefinite| edges_not_converged(0, f64::NAN))?;
-    let zones = majorant::contact(&found.deflection());
+    let zones = obstacle::contact(&found.deflection());
     if positions(&found.mesh, &zones, &[]) == stretches {
         judge(&found);
         let history = vec![Step { zones: stretches.len(), step: 1.0, decrement: 0.0 }];
@@ -185,7 +185,7 @@ mod tests {
         for _ in 0..4 {
             let found =
                 Bonded::new(&model, &Cancel::default()).on(&stretches, None).expect("a solution");
-            let zones = majorant::contact(&found.deflection());
+            let zones = obstacle::contact(&found.deflection());
             stretches = positions(&found.mesh, &zones, &[]);
             errors.push((stretches[0][0] - 0.811_326_256_449_155).abs());
         }

@@ -6,9 +6,9 @@ use crate::element::element::Element;
 use crate::element::operator::{Operator, Touch};
 use crate::mesh::cell::gap_at;
 use crate::mesh::deflection::MeshZone;
+use crate::mesh::ground_runs::{GroundRun, ground_runs};
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
-use crate::mesh::pieces::{GroundRun, ground_runs};
 use std::ops::Range;
 
 /// How near a point of contact is to a node that counts the surface from the beam, in wave lengths.

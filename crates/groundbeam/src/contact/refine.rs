@@ -1,11 +1,12 @@
 //! Newton's iteration on the contact edges, from the deflection of a coarser problem.
 
+use crate::contact::bonded::Bonded;
+use crate::contact::bonded::GivenRotation;
 use crate::contact::corner;
 use crate::contact::descent::shorten;
 use crate::contact::edges;
-use crate::contact::glue::Bonded;
-use crate::contact::glue::GivenRotation;
-use crate::contact::majorant;
+use crate::contact::intervals::{Interval, at_place, distance, positions};
+use crate::contact::obstacle;
 use crate::contact::state::edges_not_converged;
 use crate::contact::state::{ContactState, Step, Unconverged};
 use crate::contact::stopping::{
@@ -13,7 +14,6 @@ use crate::contact::stopping::{
     SQUARING, STILL, WALKING, WEAKEST,
 };
 use crate::contact::stopping::{ENOUGH, LAST, PROVEN, Proof};
-use crate::contact::stretches::{Interval, at_place, distance, positions};
 use crate::mesh::mesh::Mesh;
 use crate::numeric::polynomial::jet;
 use std::rc::Rc;
@@ -99,7 +99,7 @@ pub(crate) fn refine(
         let next = match by_edges {
             Some(next) => placed(next),
             None => {
-                zones = majorant::contact(&found.deflection());
+                zones = obstacle::contact(&found.deflection());
                 positions(&found.mesh, &zones, &places)
             }
         };
@@ -125,7 +125,7 @@ pub(crate) fn refine(
         if settled || moved <= EDGES_CLOSE || (step >= PATIENCE && !squaring && !sheds) {
             // A zone too small for the energy is seen by the scan alone.
             let asks_for_these = || {
-                let zones = majorant::contact(&found.deflection());
+                let zones = obstacle::contact(&found.deflection());
                 distance(&stretches, &positions(&found.mesh, &zones, &places)) <= LOCAL * l
             };
             if by_scan || asks_for_these() {
@@ -212,7 +212,7 @@ pub(crate) fn without_the_weakest(
         let strong = stretches.iter().zip(&weights).filter(|(_, w)| **w >= ranked[count - 1]);
         let strong: Vec<Interval> = strong.map(|(stretch, _)| *stretch).collect();
         let found = glue.on(&strong, None).ok()?;
-        let zones = majorant::contact(&found.deflection());
+        let zones = obstacle::contact(&found.deflection());
         let moved = distance(&strong, &positions(&found.mesh, &zones, &[]));
         (moved <= STILL * glue.model.beam.length).then_some(ContactState { zones, ..found })
     })

@@ -1,12 +1,12 @@
 //! The ground's surface and what it presses with, for a given w and given zones of contact.
 
-use super::narrow;
+use crate::contact::short_span;
 use crate::ground::link::TwoPort;
 use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
+use crate::mesh::ground_runs::{GroundRun, ground_runs};
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
 use crate::mesh::open_ground::{heights, open_link, open_links};
-use crate::mesh::pieces::{GroundRun, ground_runs};
 
 /// A part of a cell in which beam and ground touch all along or not at all.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -82,7 +82,7 @@ impl Surface {
             let next = if last { None } else { Some(zones[i + 1].from) };
             let after = open_link(w.mesh, piece, Some(zone.to), next);
             let fluxes = |ends: [Option<BeamPoint>; 2], link: Option<TwoPort>| {
-                narrow::fluxes(w, ends, &link.unwrap_or_default())
+                short_span::fluxes(w, ends, &link.unwrap_or_default())
             };
             let [_, flux_in] = fluxes([left, Some(zone.from)], before);
             let [flux_out, _] = fluxes([Some(zone.to), next], after);

@@ -11,11 +11,11 @@
 //! G is never formed. Beyond a node its column decays by a factor from node to node, so that a sweep
 //! carries one number along, and costs O(n).
 
-use super::majorant;
 use super::surface::{PointForce, Surface, SurfacePart};
 use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
 use crate::chain::node::{ChainCell, ChainNode};
+use crate::contact::obstacle;
 use crate::contact::state::{ContactState, Step, Unconverged};
 use crate::element::cubic::{self, TERMS};
 use crate::error::NotConverged;
@@ -408,7 +408,7 @@ fn found(
     let parts = (0..mesh.cells.len())
         .map(|cell| SurfacePart { cell, s: [-1.0, 1.0], open: Some([u[cell], u[cell + 1]]) })
         .collect();
-    let all = majorant::everywhere(&mesh, true);
+    let all = obstacle::everywhere(&mesh, true);
     let touching: Vec<(MeshZone, f64)> =
         all.into_iter().zip(pressure.iter().copied()).filter(|(_, p)| *p > 0.0).collect();
     let atoms = touching.iter().map(|(zone, force)| PointForce { spot: zone.from, force: *force });

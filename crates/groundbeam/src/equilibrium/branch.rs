@@ -3,18 +3,18 @@
 //! The energy Φ of a deflection, the ground lying under it as it will, has a continuous derivative, and
 //! its second variation at an equilibrium is that of the beam *glued* to the ground where it touches: an
 //! edge of contact is where the ground leaves the beam tangentially, so that a move of the edge changes
-//! the energy in the third order only. A [glued solve](crate::contact::glue) is therefore a step of Newton's method
+//! the energy in the third order only. A [glued solve](crate::contact::bonded) is therefore a step of Newton's method
 //! on Φ, and its elimination tells whether the second variation is positive. As long as it is, the
 //! equilibria under growing compression are one curve, which ends where it no longer is: at a limit
 //! point, where the curve turns back, or at a bifurcation.
 
 use crate::cancel::Cancel;
 use crate::chain::node::NotDefinite;
+use crate::contact::bonded::Bonded;
 use crate::contact::edges;
-use crate::contact::glue::Bonded;
-use crate::contact::majorant;
+use crate::contact::intervals::{Interval, distance, joined, positions};
+use crate::contact::obstacle;
 use crate::contact::state::ContactState;
-use crate::contact::stretches::{Interval, distance, joined, positions};
 use crate::element::element::MOST;
 use crate::equilibrium::one_way;
 use crate::mesh::mesh::Mesh;
@@ -174,7 +174,7 @@ fn settled(
             });
             let scan = || {
                 joined(
-                    positions(&found.mesh, &majorant::contact(&found.deflection()), places),
+                    positions(&found.mesh, &obstacle::contact(&found.deflection()), places),
                     model.beam.length,
                 )
             };

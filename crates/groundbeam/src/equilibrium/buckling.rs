@@ -4,8 +4,8 @@
 use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
 use crate::chain::node::{ChainCell, ChainNode};
-use crate::contact::glue::{Bonded, folds};
-use crate::contact::stretches::Interval;
+use crate::contact::bonded::{Bonded, folds};
+use crate::contact::intervals::Interval;
 use crate::element::element::MOST;
 use crate::element::operator::{Operator, Touch};
 use crate::element::{ExactElement, parts};

@@ -6,8 +6,8 @@
 //! far as the compression that is wanted.
 
 use crate::cancel::Cancel;
-use crate::contact::glue::Bonded;
-use crate::contact::stretches::Interval;
+use crate::contact::bonded::Bonded;
+use crate::contact::intervals::Interval;
 use crate::equilibrium::branch::{EquilibriumPath, PathEnd, PathPoint, follow};
 use crate::equilibrium::buckling::glued_buckling_load;
 use crate::equilibrium::one_way;

@@ -2,7 +2,7 @@
 
 use crate::cancel::Cancel;
 use crate::chain::node::NotDefinite;
-use crate::contact::glue::Bonded;
+use crate::contact::bonded::Bonded;
 use crate::contact::state::ContactState;
 use crate::contact::surface::Surface;
 use crate::mesh::cell::Cell;

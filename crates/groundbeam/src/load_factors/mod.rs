@@ -13,8 +13,8 @@
 //!   the work of the loads is linear in λ: the first root of a few linear functions.
 
 mod bonded;
+pub(crate) mod one_way;
 pub(crate) mod parts;
-mod pieces;
 
 use crate::equilibrium::buckling::convexity;
 use crate::equilibrium::size;
@@ -93,10 +93,10 @@ fn factors(
     let first_lift_off = match loss_of_equilibrium {
         LossOfEquilibrium::AtOnce(_) => FirstLiftOff::AtOnce,
         LossOfEquilibrium::At { factor, .. } => {
-            pieces::first_lift_off(&parts, factor, stability, &options.cancel)?
+            one_way::first_lift_off(&parts, factor, stability, &options.cancel)?
         }
         LossOfEquilibrium::Never => {
-            pieces::first_lift_off(&parts, f64::INFINITY, stability, &options.cancel)?
+            one_way::first_lift_off(&parts, f64::INFINITY, stability, &options.cancel)?
         }
     };
     Ok(LoadFactors { first_lift_off, loss_of_equilibrium })

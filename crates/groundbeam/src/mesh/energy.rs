@@ -2,9 +2,9 @@
 
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{BeamPoint, MeshZone};
+use crate::mesh::ground_runs::ground_runs;
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::open_link;
-use crate::mesh::pieces::ground_runs;
 use crate::mesh::varying;
 use crate::numeric::polynomial::inner;
 use crate::numeric::polynomial::{derivative, jet, product, rescale, value};

@@ -3,8 +3,8 @@
 use crate::ground::link::TwoPort;
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::BeamPoint;
+use crate::mesh::ground_runs::GroundRun;
 use crate::mesh::mesh::Mesh;
-use crate::mesh::pieces::GroundRun;
 use crate::mesh::varying::link;
 
 /// u at the ends and the joints of links in a row, held at both ends; and all of them as one link.

@@ -4,21 +4,18 @@
 //! which force = stiffness × length holds). Nothing here knows how a unit is spelled.
 
 mod beam;
-mod beside;
-mod beyond;
 mod foundation;
 mod gap;
 mod hinge;
-mod joints;
 mod load;
-mod places;
+pub(crate) mod outside;
 pub(crate) mod problem;
 mod profile;
 pub(crate) mod refused;
+pub(crate) mod rules;
 pub(crate) mod soil;
 mod support;
 mod train;
-mod validate;
 
 use self::soil::GroundConstants;
 use std::borrow::Cow;
@@ -26,12 +23,12 @@ use std::borrow::Cow;
 pub use crate::model::foundation::GroundEnd;
 pub use crate::model::problem::{Part, Problem};
 pub use beam::{Beam, BeamSegment};
-pub(crate) use beyond::{GroundOutside, OutsideLayer};
 pub use foundation::{Foundation, FoundationSegment};
 pub use gap::GapPoint;
 pub use hinge::Hinge;
 pub(crate) use load::triangles;
 pub use load::{Action, Extent, Load};
+pub(crate) use outside::{GroundOutside, OutsideLayer};
 pub(crate) use profile::CellPolynomial;
 pub use profile::Profile;
 pub use support::{Acts, Support, SupportKind};

@@ -2,9 +2,9 @@
 
 use super::linearised::Linearised;
 use super::parameter::{Extent, LoadNumber, Parameter, Property, SupportNumber, of_load};
+use crate::derivatives::piece::Piece;
 use crate::model::Extent as LoadExtent;
 use crate::model::{Action, BeamSegment, Foundation, Load, Model, Profile};
-use crate::sensitivity::piece::Piece;
 
 /// By how much everything that may change does, for a unit of the parameter.
 #[derive(Debug, Clone, Default)]

@@ -1,6 +1,6 @@
 //! The ground beside the beam: where it ends, and of what it is.
 
-use super::foundation::Foundation;
+use crate::model::foundation::Foundation;
 use crate::model::foundation::GroundEnd;
 
 /// A stretch of even ground with a shear layer beside the beam.

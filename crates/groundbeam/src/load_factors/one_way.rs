@@ -8,12 +8,12 @@
 //! complementarity problem*, Opsearch 11 (1974) 123–130). They stay until the first of these numbers is zero, and there
 //! the next piece begins.
 
-use super::bonded::{LiftOffCandidate, bonded_everywhere, watched};
 use crate::cancel::Cancel;
 use crate::contact::state::ContactState;
 use crate::equilibrium::one_way;
 use crate::error::{Error, NotConverged, Stopped};
 use crate::existence::existence::size_of_loads;
+use crate::load_factors::bonded::{LiftOffCandidate, bonded_everywhere, watched};
 use crate::load_factors::parts::{FirstLiftOff, Parts};
 use crate::model::{Model, Support};
 use crate::options::Method;
@@ -37,7 +37,7 @@ struct FactorRange {
 }
 
 /// The factor of first lift-off, which is not beyond that at which equilibrium is lost.
-pub(super) fn first_lift_off(
+pub(crate) fn first_lift_off(
     parts: &Parts,
     loss: f64,
     stability: f64,

@@ -144,7 +144,7 @@ impl Solution {
     ///
     /// ```
     /// use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, Side, solve};
-    /// use groundbeam::sensitivity::{Extent, Output, Parameter, Property};
+    /// use groundbeam::derivatives::{Extent, Output, Parameter, Property};
     ///
     /// let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
     ///     .with_load(Load::point_force(0.5, 1.0))

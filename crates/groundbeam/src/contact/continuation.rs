@@ -5,10 +5,10 @@
 //! runs hundreds of them while the stiffness falls by one per cent. So the edges are *followed*: each beam
 //! begins where the two before it point, and where it does not settle the step is halved.
 
-use super::glue::Bonded;
-use super::nested;
-use super::stretches::Interval;
 use crate::cancel::Cancel;
+use crate::contact::bonded::Bonded;
+use crate::contact::intervals::Interval;
+use crate::contact::levels;
 use crate::contact::refine::{Goal, InitialGuess, refine};
 use crate::contact::state::{ContactState, Unconverged, edges_not_converged};
 use crate::contact::stopping::Proof;
@@ -33,7 +33,7 @@ const SHEAR_STEP: f64 = 4.0;
 const MOST_BEAMS: usize = 400;
 
 /// A deflection of the beam itself or nearly so, its contact to be refined.
-pub(super) fn start(
+pub(crate) fn start(
     model: &Model,
     level: u32,
     cancel: &Cancel,
@@ -56,14 +56,14 @@ pub(super) fn start(
     // A mesh of cubic elements does not shear.
     let mut stiff = model_of(stiffest);
     stiff.beam = stiff.beam.without_shear();
-    let meshes = nested::coarse_meshes(&stiff, per_wave);
-    let found = nested::solve(meshes, Pressure::Distributed, cancel)?;
+    let meshes = levels::coarse_meshes(&stiff, per_wave);
+    let found = levels::solve(meshes, Pressure::Distributed, cancel)?;
     let steps = (stiffest * f64::from(level + 1) / STEP).ceil();
     follow(found, stiffest, stiffest / steps.max(1.0), cancel, model_of)
 }
 
 /// The same from the beam that only bends, by beams ever less stiff against shear.
-pub(super) fn from_bending(
+pub(crate) fn from_bending(
     model: &Model,
     cancel: &Cancel,
     solve: impl FnOnce(&Model) -> Result<ContactState, Unconverged>,

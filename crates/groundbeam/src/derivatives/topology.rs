@@ -1,8 +1,8 @@
 //! How near a solution is to touching or parting elsewhere: there its derivatives jump.
 
 use super::linearised::Linearised;
-use super::{Side, Solution};
 use crate::contact::surface::can_carry;
+use crate::derivatives::{Side, Solution};
 use crate::numeric::polynomial::{derivative, sign_changes, value};
 use crate::solution::fields::Field as Quantity;
 

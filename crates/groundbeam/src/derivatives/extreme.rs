@@ -3,7 +3,7 @@
 use super::change::{Against, Change};
 use super::linearised::Linearised;
 use super::output::Functional;
-use super::{NotDifferentiable, Quantity, Side, Solution};
+use crate::derivatives::{NotDifferentiable, Quantity, Side, Solution};
 use crate::model::Load;
 use crate::numeric::polynomial::{derivative, jet, value};
 

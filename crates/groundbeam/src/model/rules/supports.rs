@@ -1,12 +1,43 @@
-//! Rules for hinges and for supports that act in one direction alone.
+//! The rules for supports and hinges.
 
-use super::places::{Places, repeated};
-use super::{Action, Model, SupportKind};
-use crate::model::problem::{Part, Problem, describe, in_range, remedy};
+use crate::model::problem::{Part, Problem, describe, finite, in_range, remedy};
+use crate::model::rules::places::{Places, repeated};
+use crate::model::{Action, Model, SupportKind};
 use crate::numeric::tolerance::same_place;
 
 impl Model {
-    pub(super) fn check_hinges(&self, found: &mut Vec<Problem>) {
+    pub(super) fn check_supports(&self, found: &mut Vec<Problem>) {
+        let positions = self.supports.iter().map(|support| support.at);
+        let repeated = repeated(positions, same_place(self.beam.length));
+        for ((i, support), other) in self.supports.iter().enumerate().zip(repeated) {
+            let part = Part::Support(i);
+            self.check_position(found, part, support.at);
+            finite(found, part, "settlement", support.settlement);
+            if let SupportKind::Spring { spring, rotational_spring } = support.kind {
+                let mut constant = |field, value: f64| {
+                    if !(in_range(value) && value >= 0.0) {
+                        found.push(Problem::new(
+                            "GB402",
+                            part,
+                            field,
+                            format!("the spring constant is {}", describe(value)),
+                            remedy(value, "it must be zero or positive"),
+                        ));
+                    }
+                };
+                constant("spring", spring);
+                constant("rotational_spring", rotational_spring);
+            }
+            if let Some(other) = other {
+                let message = format!("there is a support at {{0}} already (number {})", other + 1);
+                let hint = "say in one support all that it holds";
+                let problem = Problem::new("GB403", part, "at", message, hint);
+                found.push(problem.with_numbers(&[support.at]));
+            }
+        }
+    }
+
+    pub(crate) fn check_hinges(&self, found: &mut Vec<Problem>) {
         let l = self.beam.length;
         let near = same_place(l);
         let turning = Turning::of(self);
@@ -48,7 +79,7 @@ impl Model {
     }
 
     /// Only a force can act in one direction alone.
-    pub(super) fn check_one_way(&self, found: &mut Vec<Problem>) {
+    pub(crate) fn check_one_way(&self, found: &mut Vec<Problem>) {
         for (i, support) in self.supports.iter().enumerate().filter(|(_, s)| s.is_one_way()) {
             let what = match support.kind {
                 SupportKind::Fixed => "a fixed support",

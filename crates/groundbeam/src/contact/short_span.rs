@@ -111,7 +111,7 @@ fn decay(cell: &Cell, half: f64) -> f64 {
 
 /// What open ground takes at both ends of a joint, where it is held at ψ; `link` is all of it. A missing end is
 /// the ground beyond the piece.
-pub(super) fn fluxes(w: &Deflection, ends: [Option<BeamPoint>; 2], link: &TwoPort) -> [f64; 2] {
+pub(crate) fn fluxes(w: &Deflection, ends: [Option<BeamPoint>; 2], link: &TwoPort) -> [f64; 2] {
     let of = |f: &dyn Fn(BeamPoint) -> f64| ends.map(|end| end.map_or(0.0, f));
     if let Some([a, b]) = end_forces(w, ends) {
         let [left, right] = of(&|spot| w.flux(spot));
@@ -122,7 +122,7 @@ pub(super) fn fluxes(w: &Deflection, ends: [Option<BeamPoint>; 2], link: &TwoPor
 }
 
 /// A and B of a joint, if it is narrow.
-pub(super) fn end_forces(w: &Deflection, ends: [Option<BeamPoint>; 2]) -> Option<[f64; 2]> {
+pub(crate) fn end_forces(w: &Deflection, ends: [Option<BeamPoint>; 2]) -> Option<[f64; 2]> {
     let [a, b] = [ends[0]?, ends[1]?];
     if b.cell < a.cell || b.cell - a.cell >= MOST_CELLS {
         return None;
@@ -174,7 +174,7 @@ pub(super) fn end_forces(w: &Deflection, ends: [Option<BeamPoint>; 2]) -> Option
 /// A part of the joint that a corner opens between two arcs that meet there. On short even ground with a constant π
 /// both forces vanish where the joint reaches |c|/2π to each side of a corner that pulls with c; half of this still
 /// pulls at both ends, and the tangents are two or three steps away. None if the forces say otherwise.
-pub(super) fn opened(w: &Deflection, ends: [BeamPoint; 2]) -> Option<[BeamPoint; 2]> {
+pub(crate) fn opened(w: &Deflection, ends: [BeamPoint; 2]) -> Option<[BeamPoint; 2]> {
     let [a, b] = ends;
     if a.cell + 1 != b.cell || a.s < 1.0 || b.s > -1.0 {
         return None;

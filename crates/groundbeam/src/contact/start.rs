@@ -9,7 +9,7 @@ const SHORT: f64 = 24.0;
 
 /// All of a short beam, what the nodes of a mesh tell of a long one; none if they tell nothing. Beams on
 /// supports may leave stretches with hardly a pressure: they go the long way.
-pub(super) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
+pub(crate) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
     if !model.supports.is_empty() {
         return None;
     }

@@ -23,7 +23,7 @@ impl Ord for Place {
 
 /// The places of a list, each with the number of the first position there.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Places(BTreeMap<Place, usize>);
+pub(crate) struct Places(BTreeMap<Place, usize>);
 
 impl Places {
     /// Adds a position, unless another of the list is the same number. A position that is not finite has no place.
@@ -50,7 +50,7 @@ impl Places {
 }
 
 /// Of each position the number of another, earlier in the list, that is at the same place.
-pub(super) fn repeated(
+pub(crate) fn repeated(
     positions: impl Iterator<Item = f64>,
     near: f64,
 ) -> impl Iterator<Item = Option<usize>> {
@@ -66,7 +66,7 @@ pub(super) fn repeated(
 
 /// Pairs of stretches that overlap, the later number first, in the order of the numbers. Each stretch that begins
 /// within others is paired with one of them.
-pub(super) fn overlapping(stretches: &[(f64, f64)]) -> Vec<(usize, usize)> {
+pub(crate) fn overlapping(stretches: &[(f64, f64)]) -> Vec<(usize, usize)> {
     let mut order: Vec<usize> = (0..stretches.len()).collect();
     // A stretch without length has been reported.
     order.retain(|&i| stretches[i].0 < stretches[i].1);

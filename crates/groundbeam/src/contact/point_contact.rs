@@ -1,9 +1,9 @@
 //! A beam that stands on one point, and may turn there.
 
-use super::exact::solve;
-use super::glue::Bonded;
 use crate::cancel::Cancel;
-use crate::contact::glue::GivenRotation;
+use crate::contact::bonded::Bonded;
+use crate::contact::bonded::GivenRotation;
+use crate::contact::exact::solve;
 use crate::contact::state::edges_not_converged;
 use crate::contact::state::{ContactState, Unconverged};
 use crate::contact::stopping::{ENOUGH, Proof};

@@ -2,10 +2,10 @@
 
 use super::joint::Joint;
 use crate::certificate::gauss;
+use crate::derivatives::piece::Piece;
 use crate::element::operator::Touch;
 use crate::ground::link::{between, settled, slope_between};
 use crate::numeric::polynomial::{Coefficients, jet};
-use crate::sensitivity::piece::Piece;
 
 /// Points of quadrature of a piece.
 pub(super) const POINTS: usize = 12;

@@ -1,13 +1,13 @@
 //! Open ground between two zones of contact, or between one and the ground beyond.
 
+use crate::derivatives::piece::Piece;
 use crate::element::operator::Touch;
 use crate::ground::link::TwoPort;
 use crate::mesh::deflection::{BeamPoint, MeshZone};
+use crate::mesh::ground_runs::ground_runs as grounds;
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
 use crate::mesh::open_ground::heights;
-use crate::mesh::pieces::ground_runs as grounds;
-use crate::sensitivity::piece::Piece;
 
 /// Open ground as a row of strips, each of them a piece or all that is beyond an end.
 #[derive(Debug, Clone)]

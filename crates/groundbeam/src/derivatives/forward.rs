@@ -9,7 +9,7 @@ use super::field::{Field, POINTS};
 use super::linearised::{Linearised, dot, is_rigid};
 use super::output::Functional;
 use super::parameter::SupportNumber;
-use super::{NotDifferentiable, Output, Side, Solution};
+use crate::derivatives::{NotDifferentiable, Output, Side, Solution};
 use crate::element::operator::Touch;
 use crate::ground::link;
 use crate::mesh::deflection::BeamPoint;

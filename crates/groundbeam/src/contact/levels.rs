@@ -6,8 +6,8 @@
 //! for the waves its elements are no beam at all. So the coarse meshes carry a beam just stiff enough for
 //! them, and every mesh starts from the deflection on the one before.
 
-use super::active_set;
 use crate::cancel::Cancel;
+use crate::contact::active_set;
 use crate::contact::state::{ContactState, Unconverged};
 use crate::contact::stopping::COARSE_CLOSE;
 use crate::element::operator::{Operator, Touch};

@@ -1,10 +1,10 @@
 //! The beam glued to the ground on given stretches, solved exactly.
 
-use super::layout::Layout;
-use super::stretches::{Interval, zones_of};
 use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
 use crate::chain::node::{ChainCell, NotDefinite};
+use crate::contact::intervals::{Interval, zones_of};
+use crate::contact::layout::Layout;
 use crate::contact::state::{ContactState, turned};
 use crate::element::element::TERMS;
 use crate::element::operator::{Operator, Touch};

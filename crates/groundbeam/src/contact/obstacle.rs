@@ -15,12 +15,12 @@
 //!
 //! Every arc is trimmed from its ends only and every cell passed over once: the scan is O(n).
 
-use super::narrow;
+use crate::contact::short_span;
 use crate::ground::link::TwoPort;
 use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
+use crate::mesh::ground_runs::{GroundRun, ground_runs};
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
-use crate::mesh::pieces::{GroundRun, ground_runs};
 use crate::numeric::polynomial::{sign_changes, value};
 
 /// The stretches of contact, from left to right.
@@ -255,8 +255,9 @@ impl<'a> Scan<'a> {
 
     /// What a single point between two joints presses; not positive where the ground would have to pull.
     fn pull(&self, before: &OpenSpan, after: &OpenSpan) -> f64 {
-        let fluxes =
-            |joint: &OpenSpan| narrow::fluxes(self.w, [joint.left, joint.right], &self.link(joint));
+        let fluxes = |joint: &OpenSpan| {
+            short_span::fluxes(self.w, [joint.left, joint.right], &self.link(joint))
+        };
         fluxes(before)[1] + fluxes(after)[0]
     }
 
@@ -272,7 +273,8 @@ impl<'a> Scan<'a> {
 
     /// Trims both ends in turn until neither moves.
     fn tighten(&self, joint: &mut OpenSpan, left_limit: BeamPoint, right_limit: BeamPoint) {
-        let opened = joint.left.zip(joint.right).and_then(|(a, b)| narrow::opened(self.w, [a, b]));
+        let opened =
+            joint.left.zip(joint.right).and_then(|(a, b)| short_span::opened(self.w, [a, b]));
         if let Some([a, b]) = opened
             && left_limit < a
             && b < right_limit
@@ -320,7 +322,7 @@ impl<'a> Scan<'a> {
 
     /// The forces at both ends of a narrow joint.
     fn narrow(&self, joint: &OpenSpan) -> Option<[f64; 2]> {
-        narrow::end_forces(self.w, [joint.left, joint.right])
+        short_span::end_forces(self.w, [joint.left, joint.right])
     }
 
     /// Moves the joint's left end to the left until nothing pulls there.

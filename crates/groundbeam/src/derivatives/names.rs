@@ -1,6 +1,6 @@
 //! What parameters and outputs are called, wherever they are asked for by name.
 
-use super::{Extent, LoadNumber, Output, Parameter, Property, SupportNumber};
+use crate::derivatives::{Extent, LoadNumber, Output, Parameter, Property, SupportNumber};
 use crate::solution::fields::{Field, Side};
 
 impl Parameter {
@@ -13,7 +13,7 @@ impl Parameter {
     /// The parameter that is called so.
     ///
     /// ```
-    /// use groundbeam::sensitivity::{Extent, Parameter, Property};
+    /// use groundbeam::derivatives::{Extent, Parameter, Property};
     ///
     /// let softer = Parameter::named("k_factor[2]");
     /// assert_eq!(softer, Some(Parameter::Factor(Property::Spring, Extent::Segment(2))));
@@ -86,7 +86,7 @@ impl Output {
     /// The output that is called so; fields at a position are not among them.
     ///
     /// ```
-    /// use groundbeam::{Field, Side, sensitivity::Output};
+    /// use groundbeam::{Field, Side, derivatives::Output};
     ///
     /// assert_eq!(Output::named("largest moment"), Some(Output::Largest(Field::Moment)));
     /// assert_eq!(Output::named("edge[1].left"), Some(Output::Edge(1, Side::Left)));
