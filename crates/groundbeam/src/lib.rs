@@ -53,6 +53,7 @@ pub mod supported;
 pub mod model;
 pub mod soil;
 
+pub use crate::existence::verdict::{Buckling, Existence, Local, RigidMotion, Verdict};
 pub use crate::solution::fields::{
     ConcentratedForce, ContactZone, EndForces, Extreme, Field, Fields, Range, Reaction, Side,
 };
@@ -64,9 +65,7 @@ pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
 pub use equilibrium::buckling::own_buckling_load;
 pub use equilibrium::size::{check_memory, memory_estimate};
 pub use error::{Error, NotConverged, Stopped, TooLarge};
-pub use existence::existence::{
-    Buckling, Existence, Local, RigidMotion, Verdict, static_reactions_of as static_reactions,
-};
+pub use existence::existence::static_reactions_of as static_reactions;
 pub use load_factors::parts::{FirstLiftOff, LossOfEquilibrium};
 pub use load_factors::{LoadFactors, load_factors, load_factors_with};
 pub use model::{

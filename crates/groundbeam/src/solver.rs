@@ -1,7 +1,7 @@
 //! One model after another, in the same memory.
 
 use crate::error::Error;
-use crate::existence::existence::Existence;
+use crate::existence::verdict::Existence;
 use crate::model::Model;
 use crate::options::Options;
 use crate::outcome::Outcome;

@@ -4,7 +4,7 @@ use super::quadrature::{Seen, at_points, gauss, larger};
 use super::statics::{Events, SpreadLoad};
 use super::{Claim, ClaimedPiece};
 use crate::model::{CellPolynomial, Extent, Model};
-use crate::numeric::polynomial::is_free_of_zeros;
+use crate::numeric::roots::is_free_of_zeros;
 
 /// Energies and their parts, summed piece by piece.
 #[derive(Debug, Default)]

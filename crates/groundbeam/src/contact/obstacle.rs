@@ -21,7 +21,8 @@ use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
 use crate::mesh::ground_runs::{GroundRun, ground_runs};
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
-use crate::numeric::polynomial::{sign_changes, value};
+use crate::numeric::polynomial::value;
+use crate::numeric::roots::sign_changes;
 
 /// The stretches of contact, from left to right.
 pub(crate) fn contact(w: &Deflection) -> Vec<MeshZone> {

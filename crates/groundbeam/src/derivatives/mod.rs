@@ -22,7 +22,7 @@ mod product;
 mod push;
 mod topology;
 
-use crate::existence::existence::Verdict;
+use crate::existence::verdict::Verdict;
 use crate::model::Load;
 use crate::options::Method;
 use crate::solution::fields::{Field as Quantity, Side};

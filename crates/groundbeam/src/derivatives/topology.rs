@@ -3,7 +3,8 @@
 use super::linearised::Linearised;
 use crate::contact::surface::can_carry;
 use crate::derivatives::{Side, Solution};
-use crate::numeric::polynomial::{derivative, sign_changes, value};
+use crate::numeric::polynomial::{derivative, value};
+use crate::numeric::roots::sign_changes;
 use crate::solution::fields::Field as Quantity;
 
 /// What a change of contact would bring to zero.

@@ -16,7 +16,7 @@
 //! finitely many. Step 2 repeats at most as often as there are supports. Where the supports that act leave no
 //! equilibrium the way is the motion that proves it; it ends at a hold-down, since all of them together leave none.
 
-use crate::existence::existence::{Existence, Verdict};
+use crate::existence::verdict::{Existence, Verdict};
 use crate::model::{Model, Support};
 use crate::outcome::Outcome;
 use crate::solution::candidate::Candidate;

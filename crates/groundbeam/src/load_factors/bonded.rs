@@ -8,7 +8,8 @@ use crate::contact::surface::Surface;
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::pressure_under;
 use crate::model::Model;
-use crate::numeric::polynomial::{Coefficients, derivative, rescale, sign_changes, value};
+use crate::numeric::polynomial::{Coefficients, derivative, rescale, value};
+use crate::numeric::roots::sign_changes;
 use crate::numeric::tolerance::same_place;
 
 /// The deflection of a beam that touches along its whole length, whether the ground pushes or pulls.

@@ -107,7 +107,7 @@ mod tests {
     use super::bonded::bonded_everywhere;
     use super::*;
     use crate::cancel::Cancel;
-    use crate::existence::existence::RigidMotion;
+    use crate::existence::verdict::RigidMotion;
     use crate::model::Load;
     use crate::model::{Beam, Foundation, Support};
 

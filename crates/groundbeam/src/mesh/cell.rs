@@ -2,7 +2,8 @@
 
 use crate::ground::link::{between, settled, slope_between};
 use crate::model::{CellPolynomial, Foundation, Profile};
-use crate::numeric::polynomial::{Coefficients, is_free_of_zeros, jet, product, rescale, value};
+use crate::numeric::polynomial::{Coefficients, jet, product, rescale, value};
+use crate::numeric::roots::is_free_of_zeros;
 
 /// A stretch of beam and ground with EI, k, μ of one kind and linear f, g, κ₀, g₀.
 #[derive(Debug, Clone, Copy, PartialEq)]

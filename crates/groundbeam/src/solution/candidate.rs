@@ -1,7 +1,7 @@
 //! The fields, contact zones and forces of an equilibrium before its certificate, and the memory for the next.
 
 use crate::certificate::{Certificate, Claim, ClaimedPiece, certify};
-use crate::existence::existence::Existence;
+use crate::existence::verdict::Existence;
 use crate::model::Model;
 use crate::solution::fields::{
     ConcentratedForce, ContactZone, EndForces, Fields, Reaction, Side, SolutionPiece,

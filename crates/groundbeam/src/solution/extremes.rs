@@ -3,7 +3,8 @@
 //! Nothing is sampled: the roots of a polynomial are told from its coefficients. So is on which stretches a field may
 //! exceed what it is at their ends; on the others no root is sought.
 
-use crate::numeric::polynomial::{derivative, jet, sign_changes, value, with_slope};
+use crate::numeric::polynomial::{derivative, jet, value, with_slope};
+use crate::numeric::roots::sign_changes;
 use crate::solution::candidate::Candidate;
 use crate::solution::fields::{Extreme, Field, Range, SolutionPiece};
 

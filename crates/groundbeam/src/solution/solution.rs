@@ -2,7 +2,7 @@
 
 use crate::Step;
 use crate::certificate::Certificate;
-use crate::existence::existence::Existence;
+use crate::existence::verdict::Existence;
 use crate::ground::link;
 use crate::mesh::cell::Cell;
 use crate::mesh::free_field;
