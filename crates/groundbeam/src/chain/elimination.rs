@@ -1,4 +1,4 @@
-//! One linear solve: beam and ground as a chain, swept from both ends to a meeting node.
+//! One linear solve: elimination of beam and ground from both ends to a meeting node.
 //!
 //! S (with r) is the stiffness (and force) that everything behind a node offers to the node's own
 //! x = (w, θ) and, where beam and ground have parted, u. Crossing an element, x' = T x + d, either x

@@ -1,4 +1,4 @@
-//! Links of open ground within a cell, tied to the ground's own surface or to the beam.
+//! Two-ports of open ground within a cell, tied to the ground's own surface or to the beam.
 
 use crate::chain::node::ChainNode;
 use crate::chain::node::{Tie, TiedTwoPort};

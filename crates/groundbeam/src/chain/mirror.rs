@@ -1,4 +1,4 @@
-//! A cell seen in a mirror, so that one sweep serves both directions.
+//! Reflected cell: the left-to-right elimination also runs right to left.
 
 use crate::chain::node::ChainCell;
 use crate::chain::node::{Tie, TiedTwoPort};

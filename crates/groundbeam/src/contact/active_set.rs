@@ -5,9 +5,9 @@
 //! Φ(w) = ½∫(EI w″² + P w'²) − F(w) + ½ min { b(u, u) : u ≥ w − g₀ },
 //!
 //! convex and once continuously differentiable, with the contact pressure as the derivative of the last
-//! term. The inner minimum is the [majorant](crate::contact::obstacle), found without iteration. Where it touches
-//! the ground acts as if glued to the beam, elsewhere not at all: Newton's step is one solve of the
-//! glued [chain](crate::chain::elimination). If the full step does not settle the slope of Φ along its line, the zero
+//! term. The inner minimum is the [obstacle problem](crate::contact::obstacle), solved without iteration. Where it touches
+//! the ground acts as if bonded to the beam, elsewhere not at all: Newton's step is one solve of the
+//! bonded [chain](crate::chain::elimination). If the full step does not settle the slope of Φ along its line, the zero
 //! of that slope is searched for. Φ falls with every accepted step, so no deflection comes back; what that
 //! proves about the number of steps, and what it does not, is in `docs/methods.md`.
 
@@ -56,7 +56,7 @@ pub(crate) fn solve(
         Some(found) => newton.unfold(super::transfer::interpolated(&mesh, found)),
         None => {
             let nothing_holds = |NotDefinite| Unconverged::SINGULAR;
-            newton.unfold(newton.glued(&newton.bonded(), None).map_err(nothing_holds)?)
+            newton.unfold(newton.solve_bonded(&newton.bonded(), None).map_err(nothing_holds)?)
         }
     };
     let mut zones = newton.contact(&now.coefficients);
@@ -111,12 +111,16 @@ pub(crate) fn solve(
 pub(crate) fn bilateral_pressure(mesh: &Mesh) -> Vec<f64> {
     let newton = Newton::new(mesh, Pressure::Dirac);
     let zones = newton.bonded();
-    let Ok(shapes) = newton.glued(&zones, None) else {
+    let Ok(shapes) = newton.solve_bonded(&zones, None) else {
         return vec![0.0; mesh.nodes.len()];
     };
     let state = newton.unfold(shapes);
     let w = Deflection { mesh, terms: TERMS, coefficients: &state.coefficients };
-    Surface::of(&w, &zones).point_forces.iter().map(|atom| atom.force.max(0.0)).collect()
+    Surface::of(&w, &zones)
+        .point_forces
+        .iter()
+        .map(|point_force| point_force.force.max(0.0))
+        .collect()
 }
 
 /// A deflection: element by element and as polynomials.
@@ -177,9 +181,9 @@ impl<'a> Newton<'a> {
         State { coefficients: coefficients.collect(), shapes }
     }
 
-    /// The beam glued to the ground on `zones`. With `near`, the step from there is damped by a part of
+    /// The beam bonded to the ground on `zones`. With `near`, the step from there is damped by a part of
     /// the fully bonded ground.
-    fn glued(
+    fn solve_bonded(
         &self,
         zones: &[MeshZone],
         near: Option<(f64, &State)>,
@@ -205,7 +209,7 @@ impl<'a> Newton<'a> {
         chain.solve()
     }
 
-    /// Newton's step: the glued solve, damped only if the contact alone cannot hold the beam.
+    /// Newton's step: the bonded solve, damped only if the contact alone cannot hold the beam.
     fn step(
         &self,
         now: &State,
@@ -213,14 +217,14 @@ impl<'a> Newton<'a> {
         least_damping: f64,
     ) -> Result<(Vec<[f64; 4]>, f64), Unconverged> {
         if least_damping == 0.0
-            && let Ok(shapes) = self.glued(zones, None)
+            && let Ok(shapes) = self.solve_bonded(zones, None)
             && shapes.iter().flatten().all(|v| v.is_finite())
         {
             return Ok((shapes, 0.0));
         }
         let mut weight = least_damping.max(LEAST_DAMPING);
         while weight < 10.0 {
-            if let Ok(shapes) = self.glued(zones, Some((weight, now))) {
+            if let Ok(shapes) = self.solve_bonded(zones, Some((weight, now))) {
                 return Ok((shapes, weight));
             }
             weight *= 100.0;
@@ -265,7 +269,7 @@ fn damp(element: &mut Element, mesh: &Mesh, i: usize, weight: f64, about: &[f64;
     }
 }
 
-/// The energy along the line from one state to the glued one.
+/// The energy along the line from one state to the bonded one.
 struct Line<'a> {
     newton: &'a Newton<'a>,
     now: &'a State,
@@ -274,8 +278,8 @@ struct Line<'a> {
     /// δᵀKδ of the beam, and the damping's part.
     beam: f64,
     damping: f64,
-    /// The glued ground's work on δ at the target.
-    glued: f64,
+    /// The bonded ground's work on δ at the target.
+    bonded_work: f64,
     /// −Φ'(now)·δ, and the same relative to twice the strain energy.
     fall: f64,
     decrement: f64,
@@ -308,10 +312,10 @@ impl<'a> Line<'a> {
         let psi = newton.obstacle(&target.coefficients);
         let fall = beam + damping + newton.ground_form(zones, delta, delta);
         let energy = newton.beam_form(target, target) + newton.ground_form(zones, &psi, &psi);
-        let glued = newton.ground_form(zones, &psi, delta);
+        let bonded_work = newton.ground_form(zones, &psi, delta);
         let decrement = if fall == 0.0 { 0.0 } else { fall / energy.abs() };
         let delta = difference.coefficients;
-        Line { newton, now, target, delta, beam, damping, glued, fall, decrement }
+        Line { newton, now, target, delta, beam, damping, bonded_work, fall, decrement }
     }
 
     /// dΦ/dt at now + t δ.
@@ -320,7 +324,7 @@ impl<'a> Line<'a> {
         let zones = self.newton.contact(&state.coefficients);
         let psi = self.newton.obstacle(&state.coefficients);
         let ground = self.newton.ground_form(&zones, &psi, &self.delta);
-        (ground - self.glued) - (1.0 - t) * self.beam - self.damping
+        (ground - self.bonded_work) - (1.0 - t) * self.beam - self.damping
     }
 }
 

@@ -1,4 +1,4 @@
-//! The beam glued to the ground on given stretches, solved exactly.
+//! The beam bonded to the ground on given intervals, solved exactly.
 
 use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
@@ -17,7 +17,7 @@ use crate::numeric::polynomial::rescale;
 use crate::numeric::polynomial::value;
 use std::borrow::Cow;
 
-/// One beam, glued on stretches that change from step to step.
+/// One beam, bonded on intervals that change from step to step.
 #[derive(Debug)]
 pub(crate) struct Bonded<'a> {
     pub model: &'a Model,
@@ -34,7 +34,7 @@ struct Known {
     exact: ExactElement,
 }
 
-/// Beam and ground glued together, ready to be solved.
+/// Beam and ground bonded together, ready to be solved.
 #[derive(Debug)]
 pub(crate) struct BondedSystem {
     pub mesh: Mesh,
@@ -42,12 +42,12 @@ pub(crate) struct BondedSystem {
     pub chain: Chain,
 }
 
-/// Which cells rest on the ground: those within a stretch.
-fn touch_of(stretches: &[Interval]) -> impl Fn(&Cell) -> Touch + '_ {
+/// Which cells rest on the ground: those within an interval.
+fn touch_of(intervals: &[Interval]) -> impl Fn(&Cell) -> Touch + '_ {
     |cell| {
         let x = 0.5 * (cell.x[0] + cell.x[1]);
-        let next = stretches.partition_point(|s| s[1] <= x);
-        let touches = stretches.get(next).is_some_and(|s| s[0] < x);
+        let next = intervals.partition_point(|s| s[1] <= x);
+        let touches = intervals.get(next).is_some_and(|s| s[0] < x);
         if touches { Touch::Contact } else { Touch::Open }
     }
 }
@@ -69,18 +69,18 @@ impl<'a> Bonded<'a> {
         Bonded { model, cancel, known: Vec::new() }
     }
 
-    /// The beam glued to the ground on given stretches. A cancelled solve has none: its steps end here.
+    /// The beam bonded to the ground on given intervals. A cancelled solve has none: its steps end here.
     pub fn on(
         &mut self,
-        stretches: &[Interval],
+        intervals: &[Interval],
         held: Option<GivenRotation>,
     ) -> Result<ContactState, NotDefinite> {
         let model = self.model;
-        let touch = touch_of(stretches);
-        if self.cancel.is_cancelled() || folds(model, stretches.as_flattened(), &touch) {
+        let touch = touch_of(intervals);
+        if self.cancel.is_cancelled() || folds(model, intervals.as_flattened(), &touch) {
             return Err(NotDefinite);
         }
-        let BondedSystem { mesh, zones, mut chain } = self.lay(stretches, &[]);
+        let BondedSystem { mesh, zones, mut chain } = self.lay(intervals, &[]);
         if let Some(held) = held {
             let node = if held.left { 0 } else { chain.nodes.len() - 1 };
             let spring = model.beam.bending_stiffness / model.beam.length;
@@ -91,7 +91,7 @@ impl<'a> Bonded<'a> {
         let layered = self.known.iter().any(|known| known.exact.layers().is_some());
         let (mesh, coefficients, zones) = if layered {
             let (fine, coefficients) = self.in_layers(&mesh, &shapes);
-            let zones = zones_of(&fine, stretches, &touch);
+            let zones = zones_of(&fine, intervals, &touch);
             (fine, coefficients, zones)
         } else {
             (mesh, self.unfolded(&shapes), zones)
@@ -103,17 +103,17 @@ impl<'a> Bonded<'a> {
         Ok(ContactState::exact(mesh, coefficients, rotation, zones))
     }
 
-    /// The chain of beam and ground glued together on given stretches, with nodes at `more` positions.
-    pub fn lay(&mut self, stretches: &[Interval], more: &[f64]) -> BondedSystem {
+    /// The chain of beam and ground bonded together on given intervals, with nodes at `more` positions.
+    pub fn lay(&mut self, intervals: &[Interval], more: &[f64]) -> BondedSystem {
         let axial = self.model.beam.axial_force;
-        let touch = touch_of(stretches);
-        let edges = stretches.as_flattened();
+        let touch = touch_of(intervals);
+        let edges = intervals.as_flattened();
         let places: Cow<'_, [f64]> =
             if more.is_empty() { edges.into() } else { [edges, more].concat().into() };
         let mesh = Mesh::graded(self.model, &places, |cell| {
             parts(&Operator::of(cell, axial, touch(cell)), cell.length())
         });
-        let zones = zones_of(&mesh, stretches, &touch);
+        let zones = zones_of(&mesh, intervals, &touch);
         let layout = Layout::of(&mesh, &zones);
         self.make_elements(&mesh, &touch);
         let cell = |(i, known): (usize, &Known)| {
@@ -174,7 +174,7 @@ impl<'a> Bonded<'a> {
         coefficients
     }
 
-    /// The same where there are boundary layers: elements that have them are cut into pieces.
+    /// The same where there are boundary layers: elements that have them are cut into runs.
     fn in_layers(&self, mesh: &Mesh, shapes: &[[f64; 4]]) -> (Mesh, Vec<f64>) {
         let parts = self.known.iter().zip(shapes).map(|(known, v)| known.exact.unfold(v));
         let parts: Vec<([f64; TERMS], [f64; 2])> = parts.collect();
@@ -188,21 +188,21 @@ impl<'a> Bonded<'a> {
         let fine = Mesh::build(self.model, &x, |_| 1);
         let mut coefficients = Vec::with_capacity(fine.cells.len() * TERMS);
         let mut i = 0;
-        for piece in &fine.cells {
-            let middle = 0.5 * (piece.x[0] + piece.x[1]);
+        for run in &fine.cells {
+            let middle = 0.5 * (run.x[0] + run.x[1]);
             while mesh.cells[i].x[1] < middle {
                 i += 1;
             }
             let cell = &mesh.cells[i];
             let (series, heights) = &parts[i];
-            let mut c = if piece.x == cell.x {
+            let mut c = if run.x == cell.x {
                 series[..].into()
             } else {
-                let [a, b] = piece.x.map(|x| cell.local(x));
-                rescale(series, 0.5 * (a + b), piece.length() / cell.length())
+                let [a, b] = run.x.map(|x| cell.local(x));
+                rescale(series, 0.5 * (a + b), run.length() / cell.length())
             };
             if let Some(layers) = self.known[i].exact.layers() {
-                layers.add(cell.x, *heights, piece.x, &mut c);
+                layers.add(cell.x, *heights, run.x, &mut c);
             }
             coefficients.extend_from_slice(&c);
         }
@@ -237,19 +237,19 @@ mod tests {
         let model = Model::new(Beam::uniform(1.0, 10.0), Foundation::pasternak(1.0, 3.4))
             .with_load(Load::point_force(0.5, 1.0))
             .with_load(Load::point_moment(0.5, 0.1));
-        let solved = |stretches: &[Interval], node: f64| {
+        let solved = |intervals: &[Interval], node: f64| {
             let model = model.clone().with_load(Load::point_force(node, f64::MIN_POSITIVE));
             let found =
-                Bonded::new(&model, &Cancel::default()).on(stretches, None).expect("a solution");
+                Bonded::new(&model, &Cancel::default()).on(intervals, None).expect("a solution");
             let cell = found.mesh.cells.iter().position(|c| c.x[1] == 0.3).expect("a node");
             let [w, _, bend, _] = jet(found.deflection().cell(cell), 1.0);
             [w, bend / (0.5 * found.mesh.cells[cell].length()).powi(2)]
         };
         let bonded = solved(&[[0.0, 0.3], [0.3, 1.0]], 0.3);
         for h in [1e-3, 1e-5, 1e-7, 1e-9, 1e-11] {
-            let stretches = [[0.0, 0.3], [0.3 + h, 1.0]];
+            let intervals = [[0.0, 0.3], [0.3 + h, 1.0]];
             for node in [0.0, 0.3 + 0.4 * h] {
-                let here = solved(&stretches, node);
+                let here = solved(&intervals, node);
                 for (a, b) in here.iter().zip(bonded) {
                     assert!((a - b).abs() <= h * h + 1e-13, "{h}: {here:?} {bonded:?}");
                 }

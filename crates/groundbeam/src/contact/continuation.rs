@@ -1,9 +1,11 @@
-//! A start for the exact method: from a beam so stiff that a coarse mesh sees its waves, by beams ever less
-//! stiff, to the beam itself; of a beam that shears, from the beam that only bends.
+//! Continuation in EI, or in S: an initial guess of the exact method.
 //!
-//! Newton's method on edges is good for moves of a wave length or so; where a stretch hardly presses, an edge
-//! runs hundreds of them while the stiffness falls by one per cent. So the edges are *followed*: each beam
-//! begins where the two before it point, and where it does not settle the step is halved.
+//! Solve with EI·2ⁿ on a coarse mesh that resolves the waves of this stiff beam, then lower n to 0. For a beam that
+//! shears, start from the beam that only bends and lower S.
+//!
+//! Newton's method on edges converges for moves up to about one wave length. Where the pressure of a zone is
+//! small, an edge moves by hundreds of wave lengths while EI falls by one per cent. Each beam therefore starts
+//! from edges extrapolated from the two beams before. If it does not converge, the step is halved.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;
@@ -22,17 +24,17 @@ use crate::options::Pressure;
 const COARSE: f64 = 1.0;
 /// The most wave lengths of the beam between two nodes of the model on the first coarse mesh.
 const MOST_WAVES: f64 = 32.0;
-/// How much less stiff (as a power of two) one beam is at most than the one it starts from.
+/// Largest continuation step in log₂ EI.
 const STEP: f64 = 2.0;
-/// The same at least: edges that cannot be followed in steps like this are lost.
+/// Smallest continuation step in log₂ EI; below it the continuation fails.
 const LEAST_STEP: f64 = 2e-4;
-/// How much stiffer against shear (as a power of two) the first beam is, and the next less stiff at most.
+/// Continuation in S: the first log₂ of the factor on S, and its largest step.
 const MOST_DOUBLINGS: f64 = 40.0;
 const SHEAR_STEP: f64 = 4.0;
-/// Beams that are tried.
+/// Limit on the number of beams.
 const MOST_BEAMS: usize = 400;
 
-/// A deflection of the beam itself or nearly so, its contact to be refined.
+/// A deflection of the beam itself, or of one of nearly its stiffness; its edges are not converged.
 pub(crate) fn start(
     model: &Model,
     level: u32,
@@ -45,7 +47,7 @@ pub(crate) fn start(
     let cells = Mesh::build(model, &[], |_| 1).cells;
     // |r| falls at least like EI^(−1/4).
     let most = cells.iter().map(waves).fold(1.0, f64::max);
-    // Where following the edges fails, a fine mesh may not.
+    // If the continuation fails at one level, the next starts from a fine mesh of the beam itself.
     let stiffest = if level % 2 == 1 { 0.0 } else { most.powi(4).log2() };
     let per_wave = COARSE * 3_f64.powi(level as i32);
     let model_of = |doublings: f64| {
@@ -97,11 +99,11 @@ fn follow(
         let next = if doublings > 1.001 * step { doublings - step } else { 0.0 };
         let softer = model_of(next);
         let mut start = InitialGuess::asked_by(found.clone());
-        let here = start.stretches.clone();
-        if let Some((stiffer, stretches)) = &before {
+        let here = start.intervals.clone();
+        if let Some((stiffer, intervals)) = &before {
             let part = (doublings - next) / (stiffer - doublings);
             let l = softer.beam.length;
-            start.stretches = ahead(stretches, &here, part, l).unwrap_or(start.stretches);
+            start.intervals = ahead(intervals, &here, part, l).unwrap_or(start.intervals);
         }
         match refine(&mut Bonded::new(&softer, cancel), start, Goal::Start, &mut |_| Proof::NONE) {
             Ok(settled) => {

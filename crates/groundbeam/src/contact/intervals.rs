@@ -17,28 +17,28 @@ pub(crate) type Interval = [f64; 2];
 /// Zones as positions. An edge within rounding of a place of the model's own is there.
 pub(crate) fn positions(mesh: &Mesh, zones: &[MeshZone], places: &[f64]) -> Vec<Interval> {
     let l = mesh.cells[mesh.cells.len() - 1].x[1];
-    let at = |spot: BeamPoint| at_place(mesh.cells[spot.cell].global(spot.s), places, l);
-    // Without a shear layer a stretch that rounding made is no point of contact: it carries nothing.
+    let at = |point: BeamPoint| at_place(mesh.cells[point.cell].global(point.s), places, l);
+    // Without a shear layer an interval that rounding made is no point of contact: it carries nothing.
     let carries = |zone: &MeshZone| mesh.cells[zone.from.cell].shear_layer > 0.0;
     let kept = |(zone, [from, to]): &(&MeshZone, Interval)| from < to || carries(zone);
     let all = zones.iter().map(|zone| (zone, [at(zone.from), at(zone.to)]));
-    all.filter(kept).map(|(_, stretch)| stretch).collect()
+    all.filter(kept).map(|(_, interval)| interval).collect()
 }
 
 /// Stretches without the slits that rounding leaves between them, on a beam of length l. A point stays: it may be
 /// the end of a shear layer beside separate springs.
-pub(crate) fn joined(stretches: Vec<Interval>, l: f64) -> Vec<Interval> {
-    let mut joined: Vec<Interval> = Vec::with_capacity(stretches.len());
-    for stretch in stretches {
+pub(crate) fn joined(intervals: Vec<Interval>, l: f64) -> Vec<Interval> {
+    let mut joined: Vec<Interval> = Vec::with_capacity(intervals.len());
+    for interval in intervals {
         match joined.last_mut() {
             Some(last)
                 if last[0] < last[1]
-                    && stretch[0] < stretch[1]
-                    && stretch[0] - last[1] <= SLIT * l =>
+                    && interval[0] < interval[1]
+                    && interval[0] - last[1] <= SLIT * l =>
             {
-                last[1] = stretch[1];
+                last[1] = interval[1];
             }
-            _ => joined.push(stretch),
+            _ => joined.push(interval),
         }
     }
     joined
@@ -54,7 +54,7 @@ pub(crate) fn at_place(x: f64, places: &[f64], l: f64) -> f64 {
 /// Stretches as zones of a mesh that has a node at each of their ends.
 pub(crate) fn zones_of(
     mesh: &Mesh,
-    stretches: &[Interval],
+    intervals: &[Interval],
     touch: &impl Fn(&Cell) -> Touch,
 ) -> Vec<MeshZone> {
     let mut zones: Vec<MeshZone> = Vec::new();
@@ -71,11 +71,11 @@ pub(crate) fn zones_of(
     }
     // Points: the node nearest to them, if no zone holds it already.
     let count = mesh.cells.len();
-    for x in stretches.iter().filter(|s| s[1] <= s[0]).map(|s| s[0]) {
+    for x in intervals.iter().filter(|s| s[1] <= s[0]).map(|s| s[0]) {
         let right = mesh.nodes.partition_point(|n| n.x < x).min(count);
         let left = right.saturating_sub(1);
         let node = if x - mesh.nodes[left].x < mesh.nodes[right].x - x { left } else { right };
-        let node_of = |spot: BeamPoint| spot.cell + usize::from(spot.s == 1.0);
+        let node_of = |point: BeamPoint| point.cell + usize::from(point.s == 1.0);
         let held = |zone: &MeshZone| {
             kind(zone.from.cell) && node_of(zone.from) <= node && node <= node_of(zone.to)
         };
@@ -84,8 +84,8 @@ pub(crate) fn zones_of(
         }
         // A point can carry a force only on a shear layer: of two cells that meet, the one that has it.
         let cell = if node == count || (node > 0 && !kind(node)) { node - 1 } else { node };
-        let spot = BeamPoint { cell, s: if cell == node { -1.0 } else { 1.0 } };
-        zones.push(MeshZone { from: spot, to: spot });
+        let point = BeamPoint { cell, s: if cell == node { -1.0 } else { 1.0 } };
+        zones.push(MeshZone { from: point, to: point });
     }
     zones.sort_by_key(|zone| (zone.from.cell, zone.from.s > 0.0));
     zones

@@ -1,4 +1,4 @@
-//! Contact zones cell by cell: which parts of a cell touch, which nodes touch, what links remain.
+//! Contact zones cell by cell: which parts of a cell touch, which nodes touch, and the two-ports between them.
 
 use crate::chain::node::{ChainCell, ChainNode};
 use crate::chain::node::{Tie, TiedTwoPort};
@@ -69,7 +69,7 @@ impl Layout {
         self.parts[first..end].iter().map(|(_, part)| *part)
     }
 
-    /// A node where the contact or a support holds the beam best: the middle of the longest stretch.
+    /// A node where the contact or a support holds the beam best: the middle of the longest interval.
     pub fn meeting_node(&self, mesh: &Mesh) -> usize {
         let mut best = (0.0, mesh.nodes.len() / 2);
         let mut start: Option<usize> = None;
@@ -165,7 +165,7 @@ impl Layout {
         nodes
     }
 
-    /// How far each node of a piece is from the next point of contact: near one the ground between is hardly
+    /// How far each node of a run is from the next point of contact: near one the ground between is hardly
     /// more than a stiff link.
     fn distances_to_contact(&self, mesh: &Mesh, cells: &Range<usize>) -> Vec<f64> {
         let x = |node: usize| mesh.nodes[node].x;

@@ -1,4 +1,4 @@
-//! From a mesh on which the contact is easily found to the mesh that is wanted.
+//! A sequence of meshes: the contact set of each is the initial guess of the next finer one.
 //!
 //! Newton's method finds the contact in a few steps where every wave of the beam on its ground is a few
 //! elements long or longer than the beam. On a fine mesh under a long soft beam it would start from a
@@ -22,7 +22,7 @@ const MOST_COARSE: f64 = 64.0;
 /// How much stiffness (as a power of two) is taken back from one stage to the next.
 const DOUBLINGS_PER_STAGE: f64 = 4.0;
 
-/// Meshes from two cells between nodes of the model, doubled until each stretch has `per_wave` of them to
+/// Meshes from two cells between nodes of the model, doubled until each interval has `per_wave` of them to
 /// a wave length.
 pub(crate) fn coarse_meshes(model: &Model, per_wave: f64) -> impl Iterator<Item = Mesh> + '_ {
     let axial = model.beam.axial_force;

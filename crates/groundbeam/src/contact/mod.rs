@@ -1,4 +1,4 @@
-//! Where the beam touches: one file per method.
+//! The contact iterations, section 5 of the paper: exact, active set, Uzawa; and the parts that they share.
 
 pub(crate) mod active_set;
 pub(crate) mod bonded;

@@ -1,19 +1,19 @@
-//! The ground under a given beam: where it touches. (2.10) for a fixed w.
+//! The obstacle problem: the contact set of the ground under a given deflection, (2.10) for a fixed w.
 //!
-//! Under a fixed ψ = w − g₀ the ground's surface is the least u ≥ ψ with −(μu')' + ku ≥ 0: the least
-//! majorant of ψ among the solutions of −(μu')' + ku = 0, exactly as a convex hull is the least
-//! majorant among straight lines. It is found as convex hulls are, by one scan from left to right.
+//! For a fixed ψ = w − g₀ − u₀ the ground's surface is the least u ≥ ψ with −(μu')' + ku ≥ 0. One scan from left
+//! to right finds it, as the scan for a convex hull does: solutions of −(μu')' + ku = 0 take the place of
+//! straight lines.
 //!
-//! * Only where π = kψ − (μψ')' ≥ 0 can beam and ground touch along a stretch. These *arcs* are found
-//!   by isolating the sign changes of the polynomial π; nothing is sampled.
-//! * The scan keeps the arcs of the part already seen that its majorant touches, and the part of each
-//!   that it touches. A new arc is joined to the last one by the unloaded ground tangent to both. A
-//!   joint trims both arcs; an arc that is left with a pull is dropped and the joint made anew.
-//! * At the joint's ends a and b the concentrated forces A = μψ'(a) − μu'(a) and B = μu'(b) − μψ'(b)
-//!   vanish. There dA/da = −π(a) and dB/db = π(b), and neither depends on the other end to first order:
-//!   Newton's method on each in turn converges quadratically on both.
+//! * Beam and ground touch along an interval only where π = kψ − (μψ')' ≥ 0. These candidate intervals, the
+//!   *arcs*, follow from the sign changes of the polynomial π.
+//! * The stack holds the contact intervals of the arcs read so far. A span of unloaded ground, tangent to both,
+//!   joins a new arc to the last one and trims both. An arc on which the ground would pull is dropped, and the
+//!   span runs on to the arc before.
+//! * At the span's ends a and b the concentrated forces A = μψ'(a) − μu'(a) and B = μu'(b) − μψ'(b) vanish.
+//!   There dA/da = −π(a) and dB/db = π(b), and neither depends on the other end to first order: Newton's method
+//!   on each in turn converges quadratically.
 //!
-//! Every arc is trimmed from its ends only and every cell passed over once: the scan is O(n).
+//! The scan trims each arc from its ends only and passes each cell once: it is O(n).
 
 use crate::contact::short_span;
 use crate::ground::link::TwoPort;
@@ -24,14 +24,14 @@ use crate::mesh::open_ground::cell_part;
 use crate::numeric::polynomial::value;
 use crate::numeric::roots::sign_changes;
 
-/// The stretches of contact, from left to right.
+/// The intervals of contact, from left to right.
 pub(crate) fn contact(w: &Deflection) -> Vec<MeshZone> {
     let mut zones = Vec::new();
-    for piece in ground_runs(w.mesh) {
-        if piece.pasternak {
-            zones.extend(Scan::new(w, &piece).run().into_iter().filter(|zone| !w.is_held(zone)));
+    for run in ground_runs(w.mesh) {
+        if run.pasternak {
+            zones.extend(Scan { w, run: &run }.run().into_iter().filter(|zone| !w.is_held(zone)));
         } else {
-            zones.extend(winkler_contact(w, &piece));
+            zones.extend(winkler_contact(w, &run));
         }
     }
     zones
@@ -40,9 +40,9 @@ pub(crate) fn contact(w: &Deflection) -> Vec<MeshZone> {
 /// The nodes that touch if only nodes can: the paper's pressures (5.5). They need a shear layer.
 pub(crate) fn nodal_contact(w: &Deflection) -> Vec<MeshZone> {
     let mut zones = Vec::new();
-    for piece in ground_runs(w.mesh) {
-        if piece.pasternak {
-            zones.extend(Scan::new(w, &piece).hull(nodes_of(&piece)));
+    for run in ground_runs(w.mesh) {
+        if run.pasternak {
+            zones.extend(Scan { w, run: &run }.contact_set(nodes_of(&run)));
         }
     }
     zones
@@ -50,28 +50,28 @@ pub(crate) fn nodal_contact(w: &Deflection) -> Vec<MeshZone> {
 
 /// Contact everywhere: along the whole beam, or at each node.
 pub(crate) fn everywhere(mesh: &Mesh, nodal: bool) -> Vec<MeshZone> {
-    let pieces = ground_runs(mesh);
+    let runs = ground_runs(mesh);
     if nodal {
-        return pieces.iter().flat_map(nodes_of).collect();
+        return runs.iter().flat_map(nodes_of).collect();
     }
-    let whole = |piece: &GroundRun| MeshZone {
-        from: BeamPoint { cell: piece.cells.start, s: -1.0 },
-        to: BeamPoint { cell: piece.cells.end - 1, s: 1.0 },
+    let whole = |run: &GroundRun| MeshZone {
+        from: BeamPoint { cell: run.cells.start, s: -1.0 },
+        to: BeamPoint { cell: run.cells.end - 1, s: 1.0 },
     };
-    pieces.iter().map(whole).collect()
+    runs.iter().map(whole).collect()
 }
 
-/// Every node of a piece as a point of its own.
-fn nodes_of(piece: &GroundRun) -> impl Iterator<Item = MeshZone> + use<> {
-    let last = point(BeamPoint { cell: piece.cells.end - 1, s: 1.0 });
-    piece.cells.clone().map(|cell| point(BeamPoint { cell, s: -1.0 })).chain([last])
+/// Every node of a run as a point of its own.
+fn nodes_of(run: &GroundRun) -> impl Iterator<Item = MeshZone> + use<> {
+    let last = point_zone(BeamPoint { cell: run.cells.end - 1, s: 1.0 });
+    run.cells.clone().map(|cell| point_zone(BeamPoint { cell, s: -1.0 })).chain([last])
 }
 
 /// Without a shear layer, contact is where ψ ≥ 0.
-fn winkler_contact(w: &Deflection, piece: &GroundRun) -> Vec<MeshZone> {
+fn winkler_contact(w: &Deflection, run: &GroundRun) -> Vec<MeshZone> {
     let mut zones: Vec<MeshZone> = Vec::new();
     let mut knots = Vec::new();
-    for cell in piece.cells.clone() {
+    for cell in run.cells.clone() {
         let obstacle = w.obstacle(cell);
         for part in positive_parts(&obstacle, &mut knots) {
             join(&mut zones, cell, part, true);
@@ -105,42 +105,38 @@ fn join(zones: &mut Vec<MeshZone>, cell: usize, [from, to]: [f64; 2], may_join: 
     zones.push(MeshZone { from: BeamPoint { cell, s: from }, to: BeamPoint { cell, s: to } });
 }
 
-/// Open ground between two spots; a missing one is the ground beyond the piece.
+/// Open ground between two points; a missing one is the ground beyond the run.
 #[derive(Debug, Clone, Copy)]
 struct OpenSpan {
     left: Option<BeamPoint>,
     right: Option<BeamPoint>,
-    /// The whole cells strictly between, and the ground beyond where a spot is missing.
+    /// The whole cells strictly between, and the ground beyond where a point is missing.
     middle: Option<TwoPort>,
 }
 
-/// A zone with the joint to its left.
+/// A zone with the span to its left.
 #[derive(Debug, Clone, Copy)]
 struct KeptZone {
     zone: MeshZone,
-    joint: OpenSpan,
+    span: OpenSpan,
 }
 
 struct Scan<'a> {
     w: &'a Deflection<'a>,
-    piece: &'a GroundRun,
+    run: &'a GroundRun,
 }
 
-impl<'a> Scan<'a> {
-    fn new(w: &'a Deflection<'a>, piece: &'a GroundRun) -> Self {
-        Scan { w, piece }
-    }
-
+impl Scan<'_> {
     fn run(&self) -> Vec<MeshZone> {
-        self.hull(self.arcs().into_iter())
+        self.contact_set(self.arcs().into_iter())
     }
 
-    fn hull(&self, arcs: impl Iterator<Item = MeshZone>) -> Vec<MeshZone> {
+    fn contact_set(&self, arcs: impl Iterator<Item = MeshZone>) -> Vec<MeshZone> {
         let mut stack: Vec<KeptZone> = Vec::new();
         for arc in arcs {
             let mut new = arc;
             let start = arc.from.cell;
-            let mut joint = match stack.last() {
+            let mut span = match stack.last() {
                 Some(last) => OpenSpan {
                     left: Some(last.zone.to),
                     right: Some(new.from),
@@ -150,31 +146,31 @@ impl<'a> Scan<'a> {
             };
             loop {
                 let Some(last) = stack.last() else {
-                    self.trim_right(&mut joint, new.to);
+                    self.trim_right(&mut span, new.to);
                     break;
                 };
-                self.tighten(&mut joint, last.zone.from, new.to);
-                if !self.drops_last(&mut stack, &mut joint) {
+                self.tighten(&mut span, last.zone.from, new.to);
+                if !self.drops_last(&mut stack, &mut span) {
                     break;
                 }
             }
-            if let Some(from) = joint.right {
+            if let Some(from) = span.right {
                 new.from = from;
             }
-            stack.push(KeptZone { zone: new, joint });
+            stack.push(KeptZone { zone: new, span });
         }
         self.close(&mut stack);
-        stack.into_iter().map(|held| held.zone).collect()
+        stack.into_iter().map(|kept| kept.zone).collect()
     }
 
-    /// Ends the last zone where the joint begins; if a pull is all that is left of it, drops it and lets the
-    /// joint run on to the one before.
-    fn drops_last(&self, stack: &mut Vec<KeptZone>, joint: &mut OpenSpan) -> bool {
-        let (Some(last), Some(touch)) = (stack.last_mut(), joint.left) else { return false };
+    /// Ends the last zone where the span begins. If the rest of it would pull, drops the zone and lets the span run
+    /// on to the zone before.
+    fn drops_last(&self, stack: &mut Vec<KeptZone>, span: &mut OpenSpan) -> bool {
+        let (Some(last), Some(touch)) = (stack.last_mut(), span.left) else { return false };
         last.zone.to = touch;
-        let dropped = touch == last.zone.from && self.pull(&last.joint, joint) <= 0.0;
+        let dropped = touch == last.zone.from && self.pull(&last.span, span) <= 0.0;
         if dropped {
-            *joint = self.merged(&last.joint, &last.zone, joint);
+            *span = self.merged(&last.span, &last.zone, span);
             stack.pop();
         }
         dropped
@@ -182,10 +178,10 @@ impl<'a> Scan<'a> {
 
     /// The ground beyond the right end trims the last zones.
     fn close(&self, stack: &mut Vec<KeptZone>) {
-        let end = self.piece.cells.end;
+        let end = self.run.cells.end;
         let Some(last) = stack.last() else { return };
-        let beyond = TwoPort { coupling: 0.0, leak_left: self.piece.beyond[1], leak_right: 0.0 };
-        let mut joint = OpenSpan {
+        let beyond = TwoPort { coupling: 0.0, leak_left: self.run.beyond[1], leak_right: 0.0 };
+        let mut span = OpenSpan {
             left: Some(last.zone.to),
             right: None,
             middle: Some(match self.whole_cells(last.zone.to.cell + 1, end, None) {
@@ -194,8 +190,8 @@ impl<'a> Scan<'a> {
             }),
         };
         while let Some(last) = stack.last() {
-            self.trim_left(&mut joint, last.zone.from);
-            if !self.drops_last(stack, &mut joint) {
+            self.trim_left(&mut span, last.zone.from);
+            if !self.drops_last(stack, &mut span) {
                 break;
             }
         }
@@ -204,7 +200,7 @@ impl<'a> Scan<'a> {
     /// Where π ≥ 0, joined over cells unless a corner of ψ opens the ground; and single points that may
     /// carry a force: the ends of the shear layer and corners that press into the ground.
     fn arcs(&self) -> Vec<MeshZone> {
-        let cells = self.piece.cells.clone();
+        let cells = self.run.cells.clone();
         let mut arcs: Vec<MeshZone> = Vec::new();
         let mut knots = Vec::new();
         for i in cells.clone() {
@@ -215,7 +211,7 @@ impl<'a> Scan<'a> {
             let ended_here =
                 arcs.last().is_some_and(|a| a.to == BeamPoint { cell: i.wrapping_sub(1), s: 1.0 });
             if corner > 0.0 && !starts_here && !ended_here {
-                arcs.push(point(BeamPoint { cell: i, s: -1.0 }));
+                arcs.push(point_zone(BeamPoint { cell: i, s: -1.0 }));
             }
             for part in parts {
                 join(&mut arcs, i, part, corner >= 0.0);
@@ -223,7 +219,7 @@ impl<'a> Scan<'a> {
         }
         let end = BeamPoint { cell: cells.end - 1, s: 1.0 };
         if arcs.last().is_none_or(|arc| arc.to != end) {
-            arcs.push(point(end));
+            arcs.push(point_zone(end));
         }
         arcs
     }
@@ -233,39 +229,37 @@ impl<'a> Scan<'a> {
     }
 
     fn beyond_to(&self, to: BeamPoint) -> OpenSpan {
-        let beyond = TwoPort { coupling: 0.0, leak_left: 0.0, leak_right: self.piece.beyond[0] };
-        let middle = self.whole_cells(self.piece.cells.start, to.cell, Some(beyond));
+        let beyond = TwoPort { coupling: 0.0, leak_left: 0.0, leak_right: self.run.beyond[0] };
+        let middle = self.whole_cells(self.run.cells.start, to.cell, Some(beyond));
         OpenSpan { left: None, right: Some(to), middle }
     }
 
-    fn link(&self, joint: &OpenSpan) -> TwoPort {
+    fn link(&self, span: &OpenSpan) -> TwoPort {
         let part = |i: usize, from: f64, to: f64| cell_part(&self.w.mesh.cells[i], from, to);
-        if let (Some(a), Some(b)) = (joint.left, joint.right)
+        if let (Some(a), Some(b)) = (span.left, span.right)
             && a.cell == b.cell
         {
             return part(a.cell, a.s, b.s);
         }
-        let head = joint.left.filter(|a| a.s < 1.0).map(|a| part(a.cell, a.s, 1.0));
-        let tail = joint.right.filter(|b| b.s > -1.0).map(|b| part(b.cell, -1.0, b.s));
-        let parts = [head, joint.middle, tail];
+        let head = span.left.filter(|a| a.s < 1.0).map(|a| part(a.cell, a.s, 1.0));
+        let tail = span.right.filter(|b| b.s > -1.0).map(|b| part(b.cell, -1.0, b.s));
+        let parts = [head, span.middle, tail];
         let whole = parts.into_iter().flatten().reduce(TwoPort::then);
-        // Spots that meet at a node: a joint of no length never arises between two arcs that can be
-        // held apart; a stiff one stands for it.
+        // A span without length between two points at one node: a rigid two-port.
         whole.unwrap_or(TwoPort { coupling: f64::MAX, leak_left: 0.0, leak_right: 0.0 })
     }
 
-    /// What a single point between two joints presses; not positive where the ground would have to pull.
+    /// The contact force at a single point between two spans; not positive where the ground would have to pull.
     fn pull(&self, before: &OpenSpan, after: &OpenSpan) -> f64 {
-        let fluxes = |joint: &OpenSpan| {
-            short_span::fluxes(self.w, [joint.left, joint.right], &self.link(joint))
-        };
+        let fluxes =
+            |span: &OpenSpan| short_span::fluxes(self.w, [span.left, span.right], &self.link(span));
         fluxes(before)[1] + fluxes(after)[0]
     }
 
-    /// One joint over a dropped zone.
+    /// One span over a dropped zone.
     fn merged(&self, before: &OpenSpan, zone: &MeshZone, after: &OpenSpan) -> OpenSpan {
-        let first = before.left.map_or(self.piece.cells.start, |a| a.cell + 1);
-        let last = after.right.map_or(self.piece.cells.end, |b| b.cell);
+        let first = before.left.map_or(self.run.cells.start, |a| a.cell + 1);
+        let last = after.right.map_or(self.run.cells.end, |b| b.cell);
         let from = zone.from.cell.max(first);
         let to = (zone.to.cell + 1).min(last);
         let inner = self.whole_cells(from, to, before.middle);
@@ -273,34 +267,34 @@ impl<'a> Scan<'a> {
     }
 
     /// Trims both ends in turn until neither moves.
-    fn tighten(&self, joint: &mut OpenSpan, left_limit: BeamPoint, right_limit: BeamPoint) {
+    fn tighten(&self, span: &mut OpenSpan, left_limit: BeamPoint, right_limit: BeamPoint) {
         let opened =
-            joint.left.zip(joint.right).and_then(|(a, b)| short_span::opened(self.w, [a, b]));
+            span.left.zip(span.right).and_then(|(a, b)| short_span::opened(self.w, [a, b]));
         if let Some([a, b]) = opened
             && left_limit < a
             && b < right_limit
         {
-            (joint.left, joint.right) = (Some(a), Some(b));
+            (span.left, span.right) = (Some(a), Some(b));
         }
         for _ in 0..60 {
-            let before = (joint.left, joint.right);
-            self.trim_left(joint, left_limit);
-            self.trim_right(joint, right_limit);
-            if before == (joint.left, joint.right) {
+            let before = (span.left, span.right);
+            self.trim_left(span, left_limit);
+            self.trim_right(span, right_limit);
+            if before == (span.left, span.right) {
                 break;
             }
         }
     }
 
-    /// The concentrated force at the joint's left end, which ends a stretch of contact, and its slope
+    /// The concentrated force at the span's left end, which ends an interval of contact, and its slope
     /// dA/da = −π + (S/μ) A, where S is the stiffness of the open ground seen from there.
-    fn force_at_left(&self, joint: &OpenSpan, spot: BeamPoint) -> [f64; 2] {
-        let trial = OpenSpan { left: Some(spot), ..*joint };
-        let [psi, slope, pressure] = self.w.pressing(spot);
-        let other = joint.right.map_or(0.0, |b| self.w.obstacle_at(b));
-        let [_, shear] = self.w.mesh.cells[spot.cell].ground_at(spot.s);
+    fn force_at_left(&self, span: &OpenSpan, point: BeamPoint) -> [f64; 2] {
+        let trial = OpenSpan { left: Some(point), ..*span };
+        let [psi, slope, pressure] = self.w.pressing(point);
+        let other = span.right.map_or(0.0, |b| self.w.obstacle_at(b));
+        let [_, shear] = self.w.mesh.cells[point.cell].ground_at(point.s);
         let link = self.link(&trial);
-        let force = match self.narrow(&trial) {
+        let force = match self.short(&trial) {
             Some([force, _]) => force,
             None => shear * slope + link.force_left(psi, other),
         };
@@ -308,81 +302,81 @@ impl<'a> Scan<'a> {
     }
 
     /// The same at its right end, dB/db = π − (S/μ) B.
-    fn force_at_right(&self, joint: &OpenSpan, spot: BeamPoint) -> [f64; 2] {
-        let trial = OpenSpan { right: Some(spot), ..*joint };
-        let [psi, slope, pressure] = self.w.pressing(spot);
-        let other = joint.left.map_or(0.0, |a| self.w.obstacle_at(a));
-        let [_, shear] = self.w.mesh.cells[spot.cell].ground_at(spot.s);
+    fn force_at_right(&self, span: &OpenSpan, point: BeamPoint) -> [f64; 2] {
+        let trial = OpenSpan { right: Some(point), ..*span };
+        let [psi, slope, pressure] = self.w.pressing(point);
+        let other = span.left.map_or(0.0, |a| self.w.obstacle_at(a));
+        let [_, shear] = self.w.mesh.cells[point.cell].ground_at(point.s);
         let link = self.link(&trial);
-        let force = match self.narrow(&trial) {
+        let force = match self.short(&trial) {
             Some([_, force]) => force,
             None => link.force_right(other, psi) - shear * slope,
         };
         [force, pressure - (link.leak_right + link.coupling) / shear * force]
     }
 
-    /// The forces at both ends of a narrow joint.
-    fn narrow(&self, joint: &OpenSpan) -> Option<[f64; 2]> {
-        short_span::end_forces(self.w, [joint.left, joint.right])
+    /// The forces at both ends of a short span.
+    fn short(&self, span: &OpenSpan) -> Option<[f64; 2]> {
+        short_span::end_forces(self.w, [span.left, span.right])
     }
 
-    /// Moves the joint's left end to the left until nothing pulls there.
-    fn trim_left(&self, joint: &mut OpenSpan, limit: BeamPoint) {
-        let Some(mut spot) = joint.left else { return };
-        if spot == limit || self.force_at_left(joint, spot)[0] >= 0.0 {
+    /// Moves the span's left end to the left until nothing pulls there.
+    fn trim_left(&self, span: &mut OpenSpan, limit: BeamPoint) {
+        let Some(mut point) = span.left else { return };
+        if point == limit || self.force_at_left(span, point)[0] >= 0.0 {
             return;
         }
         loop {
-            let start = if spot.cell == limit.cell { limit.s } else { -1.0 };
-            let low = BeamPoint { cell: spot.cell, s: start };
-            if self.force_at_left(joint, low)[0] >= 0.0 {
-                let force = |s: f64| self.force_at_left(joint, BeamPoint { cell: spot.cell, s });
-                spot.s = self.tangent(spot.cell, [start, spot.s], force, -1.0);
+            let start = if point.cell == limit.cell { limit.s } else { -1.0 };
+            let low = BeamPoint { cell: point.cell, s: start };
+            if self.force_at_left(span, low)[0] >= 0.0 {
+                let force = |s: f64| self.force_at_left(span, BeamPoint { cell: point.cell, s });
+                point.s = self.tangent(point.cell, [start, point.s], force, -1.0);
                 break;
             }
-            if spot.cell == limit.cell {
-                spot = limit;
+            if point.cell == limit.cell {
+                point = limit;
                 break;
             }
-            // The whole cell opens; it lies between the spots unless the right one is in it.
-            if joint.right.is_none_or(|b| b.cell != spot.cell) {
-                let opened = self.whole_cells(spot.cell, spot.cell + 1, None);
-                joint.middle = chained(opened, joint.middle);
+            // The whole cell opens; it lies between the points unless the right one is in it.
+            if span.right.is_none_or(|b| b.cell != point.cell) {
+                let opened = self.whole_cells(point.cell, point.cell + 1, None);
+                span.middle = chained(opened, span.middle);
             }
-            spot = BeamPoint { cell: spot.cell - 1, s: 1.0 };
-            joint.left = Some(spot);
+            point = BeamPoint { cell: point.cell - 1, s: 1.0 };
+            span.left = Some(point);
         }
-        joint.left = Some(spot);
+        span.left = Some(point);
     }
 
-    /// Moves the joint's right end to the right until nothing pulls there.
-    fn trim_right(&self, joint: &mut OpenSpan, limit: BeamPoint) {
-        let Some(mut spot) = joint.right else { return };
-        if spot == limit || self.force_at_right(joint, spot)[0] >= 0.0 {
+    /// Moves the span's right end to the right until nothing pulls there.
+    fn trim_right(&self, span: &mut OpenSpan, limit: BeamPoint) {
+        let Some(mut point) = span.right else { return };
+        if point == limit || self.force_at_right(span, point)[0] >= 0.0 {
             return;
         }
         loop {
-            let end = if spot.cell == limit.cell { limit.s } else { 1.0 };
-            let high = BeamPoint { cell: spot.cell, s: end };
-            if self.force_at_right(joint, high)[0] >= 0.0 {
-                let force = |s: f64| self.force_at_right(joint, BeamPoint { cell: spot.cell, s });
-                spot.s = self.tangent(spot.cell, [spot.s, end], force, 1.0);
+            let end = if point.cell == limit.cell { limit.s } else { 1.0 };
+            let high = BeamPoint { cell: point.cell, s: end };
+            if self.force_at_right(span, high)[0] >= 0.0 {
+                let force = |s: f64| self.force_at_right(span, BeamPoint { cell: point.cell, s });
+                point.s = self.tangent(point.cell, [point.s, end], force, 1.0);
                 break;
             }
-            if spot.cell == limit.cell {
-                spot = limit;
+            if point.cell == limit.cell {
+                point = limit;
                 break;
             }
-            if joint.left.is_none_or(|a| a.cell != spot.cell) {
-                joint.middle = self.whole_cells(spot.cell, spot.cell + 1, joint.middle);
+            if span.left.is_none_or(|a| a.cell != point.cell) {
+                span.middle = self.whole_cells(point.cell, point.cell + 1, span.middle);
             }
-            spot = BeamPoint { cell: spot.cell + 1, s: -1.0 };
-            joint.right = Some(spot);
+            point = BeamPoint { cell: point.cell + 1, s: -1.0 };
+            span.right = Some(point);
         }
-        joint.right = Some(spot);
+        span.right = Some(point);
     }
 
-    /// The root of a concentrated force between two spots of one cell, where it changes sign in the given
+    /// The root of a concentrated force between two points of one cell, where it changes sign in the given
     /// `sense`: Newton's method, halving where it leaves the bracket or does not halve the force.
     fn tangent(
         &self,
@@ -429,8 +423,8 @@ fn chained(first: Option<TwoPort>, second: Option<TwoPort>) -> Option<TwoPort> {
     }
 }
 
-fn point(spot: BeamPoint) -> MeshZone {
-    MeshZone { from: spot, to: spot }
+fn point_zone(point: BeamPoint) -> MeshZone {
+    MeshZone { from: point, to: point }
 }
 
 /// `before`, then the whole cells of a range. Runs of equal ground are one link.
@@ -445,8 +439,8 @@ fn whole_cells(mesh: &Mesh, from: usize, to: usize, before: Option<TwoPort>) -> 
         }
         let length = mesh.cells[end - 1].x[1] - cell.x[0];
         let uniform = || TwoPort::uniform(cell.subgrade, cell.shear_layer, length);
-        let run = if cell.ground_varies() { cell_part(cell, -1.0, 1.0) } else { uniform() };
-        link = Some(link.map_or(run, |link| link.then(run)));
+        let own = if cell.ground_varies() { cell_part(cell, -1.0, 1.0) } else { uniform() };
+        link = Some(link.map_or(own, |link| link.then(own)));
         i = end;
     }
     link

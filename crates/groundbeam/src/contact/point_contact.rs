@@ -1,4 +1,4 @@
-//! A beam that stands on one point, and may turn there.
+//! Equilibrium of a beam that stands on one point and may rotate about it.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;
@@ -31,7 +31,7 @@ pub(crate) fn solve_over_an_end(
     let (cell, s) = if over_left { (0, -1.0) } else { (last, 1.0) };
     let w = value(limit.deflection().cell(cell), s);
     let tangent = value(&limit.rotation(cell), s);
-    // Beyond the limit, clear of the ground: the limit's last stretch of contact has a length of order
+    // Beyond the limit, clear of the ground: the limit's last interval of contact has a length of order
     // √ALMOST, and its slope an error of that order.
     let beyond = 10.0 * ALMOST.sqrt() * tangent.abs().max(w.abs() / l);
     let slope = if over_left { tangent - beyond } else { tangent + beyond };

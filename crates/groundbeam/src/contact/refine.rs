@@ -30,21 +30,21 @@ pub(crate) enum Goal {
 /// A deflection, and the contact that it asks for.
 pub(crate) struct InitialGuess {
     pub found: ContactState,
-    pub stretches: Vec<Interval>,
-    /// Whether that is near the contact on which it was glued.
+    pub intervals: Vec<Interval>,
+    /// Whether that is near the contact on which it was bonded.
     pub near: bool,
 }
 
 impl InitialGuess {
     pub fn asked_by(found: ContactState) -> Self {
-        let stretches = positions(&found.mesh, &found.zones, &[]);
-        InitialGuess { found, stretches, near: false }
+        let intervals = positions(&found.mesh, &found.zones, &[]);
+        InitialGuess { found, intervals, near: false }
     }
 }
 
 /// Newton's steps on the edges, from the deflection of a coarser problem.
 pub(crate) fn refine(
-    glue: &mut Bonded,
+    bonded: &mut Bonded,
     start: InitialGuess,
     goal: Goal,
     judge: &mut dyn FnMut(&ContactState) -> Proof,
@@ -53,14 +53,14 @@ pub(crate) fn refine(
         Goal::Answer(most_steps) => (false, most_steps),
         Goal::Start => (true, NEAR_STEPS),
     };
-    let model = glue.model;
+    let model = bonded.model;
     let places: Vec<f64> = Mesh::build(model, &[], |_| 1).nodes.iter().map(|n| n.x).collect();
     let l = model.beam.length;
-    let placed = |stretches: Vec<Interval>| -> Vec<Interval> {
-        stretches.into_iter().map(|ends| ends.map(|x| at_place(x, &places, l))).collect()
+    let placed = |intervals: Vec<Interval>| -> Vec<Interval> {
+        intervals.into_iter().map(|ends| ends.map(|x| at_place(x, &places, l))).collect()
     };
-    let InitialGuess { found: mut start, stretches, near } = start;
-    let mut stretches = placed(stretches);
+    let InitialGuess { found: mut start, intervals, near } = start;
+    let mut intervals = placed(intervals);
     let mut history = std::mem::take(&mut start.history);
     let mut moved = f64::INFINITY;
     // Steps in a row that did not halve the move, how many have not so far, and whether the last step was
@@ -70,13 +70,13 @@ pub(crate) fn refine(
     let mut whole = true;
     // Whether edges may be moved by themselves.
     let mut alone = true;
-    // The deflection that asked for the stretches, and the last that equilibrium made.
+    // The deflection that asked for the intervals, and the last that equilibrium made.
     let mut now = Rc::new(start);
     let mut last: Option<Rc<ContactState>> = None;
     for step in 0..most_steps {
-        let Ok(found) = glue.on(&stretches, None) else {
+        let Ok(found) = bonded.on(&intervals, None) else {
             // A beam balanced on one point may turn about it, as far as no other point touches.
-            let held = glue.on(&stretches, Some(GivenRotation::as_in(&now))).ok();
+            let held = bonded.on(&intervals, Some(GivenRotation::as_in(&now))).ok();
             let mut proven = |found: &ContactState| judge(found).is_within(LAST);
             let found = match held.filter(&mut proven) {
                 Some(found) => Some(found),
@@ -103,7 +103,7 @@ pub(crate) fn refine(
                 positions(&found.mesh, &zones, &places)
             }
         };
-        moved = distance(&stretches, &next) / l;
+        moved = distance(&intervals, &next) / l;
         history.push(Step { zones: next.len(), step: 1.0, decrement: moved });
         // Quadratic convergence ends at rounding: no further step would make it smaller.
         let settled = moved <= 1e-15 || (moved <= 1e-12 && moved >= 0.25 * before);
@@ -121,12 +121,12 @@ pub(crate) fn refine(
         };
         let squaring = before.is_finite() && moved <= SQUARING * before;
         // A zone that its own deflection does not ask for is none: rounding may take it away and bring it back.
-        let sheds = next.len() < stretches.len() && step <= LAST_STEPS;
+        let sheds = next.len() < intervals.len() && step <= LAST_STEPS;
         if settled || moved <= EDGES_CLOSE || (step >= PATIENCE && !squaring && !sheds) {
             // A zone too small for the energy is seen by the scan alone.
             let asks_for_these = || {
                 let zones = obstacle::contact(&found.deflection());
-                distance(&stretches, &positions(&found.mesh, &zones, &places)) <= LOCAL * l
+                distance(&intervals, &positions(&found.mesh, &zones, &places)) <= LOCAL * l
             };
             if by_scan || asks_for_these() {
                 let shown = judge(&found);
@@ -140,7 +140,7 @@ pub(crate) fn refine(
         let patient = most_steps > NEAR_STEPS && step > 0;
         if patient
             && step.is_multiple_of(WALKING)
-            && let Some(found) = corner::on_a_corner(glue, &found, &next)
+            && let Some(found) = corner::on_a_corner(bonded, &found, &next)
             && judge(&found).is_within(LAST)
         {
             return Ok(ContactState { history, ..found });
@@ -148,9 +148,9 @@ pub(crate) fn refine(
         if patient
             && idle > 0
             && idle.is_multiple_of(WALKING)
-            && let Some(start) = without_the_weakest(glue, &found, &next)
+            && let Some(start) = without_the_weakest(bonded, &found, &next)
             && let Ok(found) =
-                refine(glue, InitialGuess::asked_by(start), Goal::Answer(NEAR_STEPS), judge)
+                refine(bonded, InitialGuess::asked_by(start), Goal::Answer(NEAR_STEPS), judge)
         {
             return Ok(ContactState { history, ..found });
         }
@@ -171,11 +171,11 @@ pub(crate) fn refine(
             between = shortened.between;
         }
         let found = Rc::new(found);
-        (now, stretches) = match between {
+        (now, intervals) = match between {
             Some(between) => {
                 moved = f64::INFINITY;
-                let stretches = positions(&between.mesh, &between.zones, &places);
-                (Rc::new(between), stretches)
+                let intervals = positions(&between.mesh, &between.zones, &places);
+                (Rc::new(between), intervals)
             }
             None => (Rc::clone(&found), next),
         };
@@ -187,15 +187,15 @@ pub(crate) fn refine(
     }
 }
 
-/// The beam glued to the ground where it presses most, if it asks for just that.
+/// The beam bonded to the ground where it presses most, if it asks for just that.
 ///
 /// A step moves an end of contact by a wave length at most. Beyond the last load of a beam hundreds of waves
 /// long, zones each a thousand times weaker than the one before walk to the end of the beam that way, where
 /// in truth all of it lifts.
 pub(crate) fn without_the_weakest(
-    glue: &mut Bonded,
+    bonded: &mut Bonded,
     found: &ContactState,
-    stretches: &[Interval],
+    intervals: &[Interval],
 ) -> Option<ContactState> {
     let weight = |[a, b]: &Interval| {
         let x = 0.5 * (a + b);
@@ -203,17 +203,17 @@ pub(crate) fn without_the_weakest(
         let [w, ..] = jet(found.deflection().cell(cell), found.mesh.cells[cell].local(x));
         w.abs() * (b - a)
     };
-    let weights: Vec<f64> = stretches.iter().map(weight).collect();
+    let weights: Vec<f64> = intervals.iter().map(weight).collect();
     let mut ranked = weights.clone();
     ranked.sort_by(|a, b| b.total_cmp(a));
     let worth_keeping = |w: &&f64| **w > WEAKEST * ranked[0];
-    let most = ranked.iter().take_while(worth_keeping).count().min(stretches.len() - 1);
+    let most = ranked.iter().take_while(worth_keeping).count().min(intervals.len() - 1);
     (1..=most).rev().find_map(|count| {
-        let strong = stretches.iter().zip(&weights).filter(|(_, w)| **w >= ranked[count - 1]);
-        let strong: Vec<Interval> = strong.map(|(stretch, _)| *stretch).collect();
-        let found = glue.on(&strong, None).ok()?;
+        let strong = intervals.iter().zip(&weights).filter(|(_, w)| **w >= ranked[count - 1]);
+        let strong: Vec<Interval> = strong.map(|(interval, _)| *interval).collect();
+        let found = bonded.on(&strong, None).ok()?;
         let zones = obstacle::contact(&found.deflection());
         let moved = distance(&strong, &positions(&found.mesh, &zones, &[]));
-        (moved <= STILL * glue.model.beam.length).then_some(ContactState { zones, ..found })
+        (moved <= STILL * bonded.model.beam.length).then_some(ContactState { zones, ..found })
     })
 }

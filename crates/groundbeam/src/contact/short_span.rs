@@ -1,4 +1,4 @@
-//! The forces at the ends of a narrow joint, from the pressure it would need.
+//! The contact forces at the ends of a short open span, from the pressure that would close it.
 //!
 //! Where a gap is just born, u and ψ differ in the last digits only, and so do their slopes: the
 //! concentrated forces A = μψ'(a) − μu'(a) and B = μu'(b) − μψ'(b) are small differences of large numbers.
@@ -7,7 +7,7 @@
 //! > A = ∫ π φ_a dx,  B = ∫ π φ_b dx,
 //!
 //! where φ_a is the unloaded ground that is 1 at a and 0 at b, φ_b the same from the other end, and π
-//! includes the atoms −\[μψ'\] of corners. π is a polynomial with its own digits, and its sign is what the
+//! includes the point_forces −\[μψ'\] of corners. π is a polynomial with its own digits, and its sign is what the
 //! joint is about. Rounding leaves ε μψ/h of the differences and ε h (kψ + μψ″) of the integrals: whichever
 //! is less decides.
 
@@ -110,14 +110,14 @@ fn decay(cell: &Cell, half: f64) -> f64 {
 }
 
 /// What open ground takes at both ends of a joint, where it is held at ψ; `link` is all of it. A missing end is
-/// the ground beyond the piece.
+/// the ground beyond the run.
 pub(crate) fn fluxes(w: &Deflection, ends: [Option<BeamPoint>; 2], link: &TwoPort) -> [f64; 2] {
     let of = |f: &dyn Fn(BeamPoint) -> f64| ends.map(|end| end.map_or(0.0, f));
     if let Some([a, b]) = end_forces(w, ends) {
-        let [left, right] = of(&|spot| w.flux(spot));
+        let [left, right] = of(&|point| w.flux(point));
         return [a - left, b + right];
     }
-    let [left, right] = of(&|spot| w.obstacle_at(spot));
+    let [left, right] = of(&|point| w.obstacle_at(point));
     [link.force_left(left, right), link.force_right(left, right)]
 }
 
@@ -158,9 +158,9 @@ pub(crate) fn end_forces(w: &Deflection, ends: [Option<BeamPoint>; 2]) -> Option
         let phi_a = [from_right[count - i], from_right[count - i - 1]];
         let phi_b = [from_left[i], from_left[i + 1]];
         if i > 0 {
-            let atom = w.corner(part.cell);
-            forces[0] += atom * phi_a[0];
-            forces[1] += atom * phi_b[0];
+            let point_force = w.corner(part.cell);
+            forces[0] += point_force * phi_a[0];
+            forces[1] += point_force * phi_b[0];
         }
         if part.to > part.from {
             let under = part.under(&w.pressure(part.cell));
@@ -179,15 +179,15 @@ pub(crate) fn opened(w: &Deflection, ends: [BeamPoint; 2]) -> Option<[BeamPoint;
     if a.cell + 1 != b.cell || a.s < 1.0 || b.s > -1.0 {
         return None;
     }
-    let pressure = ends.map(|spot| w.pressing(spot)[2]);
+    let pressure = ends.map(|point| w.pressing(point)[2]);
     let reach = -w.corner(b.cell) / (4.0 * pressure[0].max(pressure[1]));
     let [before, after] = [a.cell, b.cell].map(|i| 2.0 * reach / w.mesh.cells[i].length());
     if !(reach > 0.0 && before < 2.0 && after < 2.0) {
         return None;
     }
-    let spots = [BeamPoint { s: 1.0 - before, ..a }, BeamPoint { s: after - 1.0, ..b }];
-    let forces = end_forces(w, spots.map(Some))?;
-    (forces[0] < 0.0 && forces[1] < 0.0).then_some(spots)
+    let points = [BeamPoint { s: 1.0 - before, ..a }, BeamPoint { s: after - 1.0, ..b }];
+    let forces = end_forces(w, points.map(Some))?;
+    (forces[0] < 0.0 && forces[1] < 0.0).then_some(points)
 }
 
 /// What the terms of π in a cell add up to without their signs.

@@ -1,14 +1,14 @@
-//! Stretches of contact near the right ones, found without an iteration on edges.
+//! Initial guess of the contact zones.
 
 use crate::cancel::Cancel;
 use crate::element::operator::wave_number;
 use crate::model::{FoundationSegment, Model};
 
-/// How long a beam may be, in units of 1/wave number, that needs no mesh to start from.
+/// Longest beam that starts from contact along its whole length, in units of 1/wave number.
 const SHORT: f64 = 24.0;
 
-/// All of a short beam, what the nodes of a mesh tell of a long one; none if they tell nothing. Beams on
-/// supports may leave stretches with hardly a pressure: they go the long way.
+/// The whole length of a short beam, the active nodes of a nodal solve of a long one; `None` without active nodes.
+/// Also `None` on supports: zones with almost no pressure may lie between them, so the continuation finds the start.
 pub(crate) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
     if !model.supports.is_empty() {
         return None;
@@ -20,7 +20,7 @@ pub(crate) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
     }
 }
 
-/// Whether a beam is so short that no zone of contact lies far from another.
+/// Whether a beam is so short that its contact zones influence each other.
 fn is_short(model: &Model) -> bool {
     let largest = |s: &FoundationSegment| (s.subgrade.largest(), s.shear_layer.largest());
     let segments = model.foundation.segments.iter().map(largest);

@@ -36,7 +36,7 @@ pub(crate) struct ContactState {
     pub zones: Vec<MeshZone>,
     pub history: Vec<Step>,
     pub pressure: Pressure,
-    /// The ground, where it is not the majorant of this deflection to the last digit.
+    /// The ground's surface where it differs from the obstacle problem of this deflection in the last digits.
     pub surface: Option<Surface>,
 }
 

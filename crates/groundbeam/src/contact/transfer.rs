@@ -1,4 +1,4 @@
-//! The deflection of one mesh interpolated on another.
+//! Interpolation of a deflection from one mesh to another.
 
 use crate::contact::state::ContactState;
 use crate::element::cubic as hermite;

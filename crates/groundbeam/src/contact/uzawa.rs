@@ -1,4 +1,4 @@
-//! The paper's own iteration, (5.14)–(5.18).
+//! Uzawa's iteration of the paper, (5.14)–(5.18), and its successive over-relaxation.
 //!
 //! With nodal pressures (5.5) the pressure p ≥ 0 minimises ½pᵀ(G + C)p − …, where C is the beam's
 //! flexibility, subject to the equilibrium (5.20) in the rigid motions that nothing but the ground holds.
@@ -411,8 +411,9 @@ fn found(
     let all = obstacle::everywhere(&mesh, true);
     let touching: Vec<(MeshZone, f64)> =
         all.into_iter().zip(pressure.iter().copied()).filter(|(_, p)| *p > 0.0).collect();
-    let atoms = touching.iter().map(|(zone, force)| PointForce { spot: zone.from, force: *force });
-    let surface = Surface { parts, point_forces: atoms.collect() };
+    let point_forces =
+        touching.iter().map(|(zone, force)| PointForce { point: zone.from, force: *force });
+    let surface = Surface { parts, point_forces: point_forces.collect() };
     let zones: Vec<MeshZone> = touching.iter().map(|(zone, _)| *zone).collect();
     ContactState {
         rotation: Vec::new(),

@@ -69,7 +69,7 @@ impl Linearised {
         if own && place.slope != 0.0 && self.stands_alone(place.x) { 1.0 } else { 0.0 }
     }
 
-    /// Where what moves leaves something else behind that stands at the same place, and a new stretch of the field begins
+    /// Where what moves leaves something else behind that stands at the same place, and a new piece of the field begins
     /// between the two.
     pub fn leaves_others(&self, field: Quantity, place: &Place, change: &Change) -> Option<f64> {
         let x = change.moves.filter(|x| !self.stands_alone(*x))?;
@@ -95,10 +95,10 @@ impl Solution {
         let sign = if largest { 1.0 } else { -1.0 };
         let mut best: Option<(usize, f64, f64)> = None;
         let mut all: Vec<(f64, f64)> = Vec::new();
-        for (i, stretch) in self.pieces().iter().enumerate() {
-            for s in stretch.candidates(field) {
-                let value = stretch.fields(s).get(field);
-                all.push((stretch.global(s), value));
+        for (i, piece) in self.pieces().iter().enumerate() {
+            for s in piece.candidates(field) {
+                let value = piece.fields(s).get(field);
+                all.push((piece.global(s), value));
                 if best.is_none_or(|(_, _, best)| sign * value > sign * best) {
                     best = Some((i, s, value));
                 }
@@ -130,25 +130,25 @@ impl Solution {
         Place { x, side, value, slope, always, rival }
     }
 
-    /// The derivative of a field by x on a stretch.
+    /// The derivative of a field by x on a piece.
     fn rise(&self, i: usize, s: f64, field: Quantity) -> f64 {
-        let stretch = &self.pieces()[i];
-        let half = stretch.half;
-        let fields = stretch.fields(s);
+        let piece = &self.pieces()[i];
+        let half = piece.half;
+        let fields = piece.fields(s);
         let moments = |order: usize| {
-            let c = (0..order).fold(stretch.moment, |c, _| derivative(&c));
+            let c = (0..order).fold(piece.moment, |c, _| derivative(&c));
             value(&c, s) / half.powi(order as i32)
         };
-        let settles = || stretch.settlement(s, fields.deflection, fields.slope)[1];
+        let settles = || piece.settlement(s, fields.deflection, fields.slope)[1];
         match field {
             Quantity::Deflection => fields.slope,
-            Quantity::Slope => jet(&stretch.deflection, s)[2] / (half * half),
+            Quantity::Slope => jet(&piece.deflection, s)[2] / (half * half),
             Quantity::Moment => fields.shear_force,
             Quantity::ShearForce => moments(2),
             Quantity::Settlement => settles(),
-            Quantity::Gap if stretch.open.is_none() => 0.0,
-            Quantity::Gap => settles() + stretch.cell.gap_slope - fields.slope,
-            Quantity::Pressure => jet(&stretch.pressure, s)[1] / half,
+            Quantity::Gap if piece.open.is_none() => 0.0,
+            Quantity::Gap => settles() + piece.cell.gap_slope - fields.slope,
+            Quantity::Pressure => jet(&piece.pressure, s)[1] / half,
         }
     }
 

@@ -101,24 +101,21 @@ impl Solution {
         let mut add = |condition, at, size: f64| {
             all.push(Nearest { condition, at, margin: size.max(0.0) });
         };
-        for stretch in self.pieces().iter().filter(|stretch| stretch.open.is_none()) {
-            let winkler = stretch.cell.shear_layer == 0.0;
+        for piece in self.pieces().iter().filter(|piece| piece.open.is_none()) {
+            let winkler = piece.cell.shear_layer == 0.0;
             let edge = |x: f64| {
                 self.contact().iter().any(|region| region.from == x || region.to == x)
                     && x > 0.0
                     && x < self.model().beam.length
             };
             let mut candidates = vec![-1.0];
-            sign_changes(&derivative(&stretch.pressure), &mut candidates);
+            sign_changes(&derivative(&piece.pressure), &mut candidates);
             candidates.push(1.0);
             for s in candidates {
-                let x = if s.abs() == 1.0 {
-                    stretch.x[usize::from(s > 0.0)]
-                } else {
-                    stretch.global(s)
-                };
+                let x =
+                    if s.abs() == 1.0 { piece.x[usize::from(s > 0.0)] } else { piece.global(s) };
                 if !(winkler && edge(x)) {
-                    add(Condition::Pressure, x, value(&stretch.pressure, s) / largest);
+                    add(Condition::Pressure, x, value(&piece.pressure, s) / largest);
                 }
             }
         }
@@ -169,9 +166,9 @@ impl Solution {
         let contact: f64 = self
             .pieces()
             .iter()
-            .map(|stretch| {
-                let even = stretch.pressure.iter().step_by(2).enumerate();
-                2.0 * stretch.half * even.map(|(j, c)| c / (2 * j + 1) as f64).sum::<f64>()
+            .map(|piece| {
+                let even = piece.pressure.iter().step_by(2).enumerate();
+                2.0 * piece.half * even.map(|(j, c)| c / (2 * j + 1) as f64).sum::<f64>()
             })
             .sum();
         let forces: f64 = places.iter().map(|x| force_at(*x).abs()).sum();
@@ -207,14 +204,14 @@ impl Solution {
             }
             open.clear();
         };
-        for stretch in self.pieces() {
-            let parts = self.contact().iter().any(|c| c.from == c.to && c.from == stretch.x[0]);
-            if stretch.open.is_none() || parts {
+        for piece in self.pieces() {
+            let parts = self.contact().iter().any(|c| c.from == c.to && c.from == piece.x[0]);
+            if piece.open.is_none() || parts {
                 add(&mut open);
             }
-            if stretch.open.is_some() {
-                let gap = |s: f64| (stretch.global(s), stretch.fields(s).gap);
-                open.extend(stretch.candidates(Quantity::Gap).into_iter().map(gap));
+            if piece.open.is_some() {
+                let gap = |s: f64| (piece.global(s), piece.fields(s).gap);
+                open.extend(piece.candidates(Quantity::Gap).into_iter().map(gap));
             }
         }
         add(&mut open);

@@ -154,8 +154,8 @@ impl Uniform {
         // What rounding alone makes of them.
         let [w_left, left, w_right, right] = v.map(f64::abs);
         let turned = left + right;
-        let sunk = layers.slow_squared * a * (w_left + w_right);
-        let rounding = 4.0 * f64::EPSILON * (turned + sunk) / layers.fast;
+        let even = layers.slow_squared * a * (w_left + w_right);
+        let rounding = 4.0 * f64::EPSILON * (turned + even) / layers.fast;
         let height = |h: f64| if h.abs() > rounding { h } else { 0.0 };
         (series, [height(cosh - sinh), height(cosh + sinh)])
     }

@@ -1,9 +1,9 @@
-//! The branch of equilibria that begins at the beam without compression, followed as the compression grows.
+//! The path of equilibria under growing compression, from the beam without compression.
 //!
 //! The energy Φ of a deflection, the ground lying under it as it will, has a continuous derivative, and
-//! its second variation at an equilibrium is that of the beam *glued* to the ground where it touches: an
+//! its second variation at an equilibrium is that of the beam *bonded* to the ground where it touches: an
 //! edge of contact is where the ground leaves the beam tangentially, so that a move of the edge changes
-//! the energy in the third order only. A [glued solve](crate::contact::bonded) is therefore a step of Newton's method
+//! the energy in the third order only. A [bonded solve](crate::contact::bonded) is therefore a step of Newton's method
 //! on Φ, and its elimination tells whether the second variation is positive. As long as it is, the
 //! equilibria under growing compression are one curve, which ends where it no longer is: at a limit
 //! point, where the curve turns back, or at a bifurcation.
@@ -159,13 +159,14 @@ fn settled(
     let mut acts = near.active.clone();
     let mut held = near.on_active_supports(&model);
     'supports: for _ in 0..=MOST_CHANGES {
-        let mut glue = Bonded::new(&held, cancel);
+        let mut bonded = Bonded::new(&held, cancel);
         let mut before = f64::INFINITY;
         // Whether edges may be moved by themselves: not where they move each other more than that.
         let mut alone = true;
         for _ in 0..MOST_STEPS {
-            let found =
-                glue.on(&contact, None).map_err(|NotDefinite| PathEnd::NotStable(acts.clone()))?;
+            let found = bonded
+                .on(&contact, None)
+                .map_err(|NotDefinite| PathEnd::NotStable(acts.clone()))?;
             // Each edge by itself, until the scan of the whole beam agrees.
             let by_themselves =
                 if alone { edges::moved(&found.deflection(), &found.zones) } else { None };

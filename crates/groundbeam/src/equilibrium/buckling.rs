@@ -44,7 +44,7 @@ pub(crate) fn convexity(model: &Model, cancel: &Cancel) -> Option<f64> {
     (left > 0.0).then_some(left)
 }
 
-/// The smallest compression \[N\] at which the beam glued to the ground on given stretches has a deflected
+/// The smallest compression \[N\] at which the beam bonded to the ground on given stretches has a deflected
 /// state of no stiffness, from below and to twelve digits.
 pub(crate) fn glued_buckling_load(model: &Model, contact: &[Interval], cancel: &Cancel) -> f64 {
     least_unstable(model, |compression| {

@@ -42,9 +42,9 @@ pub(crate) fn check(
         local: None,
     };
     // What may turn or rise without compression is not held against the least of it.
-    let loose = |motion: RigidMotion| Verdict::Buckles(Buckling::at_once(model, motion));
+    let buckles = |motion: RigidMotion| Verdict::Buckles(Buckling::at_once(model, motion));
     let solution = match statics.verdict {
-        Verdict::NotUnique(motion) => return Ok(known(loose(motion))),
+        Verdict::NotUnique(motion) => return Ok(known(buckles(motion))),
         Verdict::Unique => match solve(&without)? {
             Outcome::Equilibrium(solution) => solution,
             Outcome::NoEquilibrium(existence) => return Ok(known(existence.verdict)),
@@ -52,7 +52,7 @@ pub(crate) fn check(
         verdict => return Ok(known(verdict)),
     };
     if let Verdict::NotUnique(motion) = solution.existence().verdict {
-        return Ok(known(loose(motion)));
+        return Ok(known(buckles(motion)));
     }
     let contact = solution.contact().iter().map(|region| [region.from, region.to]).collect();
     let acts = one_way::acting(model, solution.candidate());
@@ -98,26 +98,26 @@ fn buckling(model: &Model, last: PathPoint, end: PathEnd, cancel: &Cancel) -> Bu
     Buckling { critical_compression, at, left, right, work }
 }
 
-/// Where the buckling mode of the beam glued to the ground on given stretches is largest, what it is at both
+/// Where the buckling mode of the beam bonded to the ground on given intervals is largest, what it is at both
 /// ends, and the loads' work in it; up, and of size 1.
 ///
 /// A beam next to its buckling load answers a load that no symmetry holds back with its mode.
 fn mode(model: &Model, contact: &[Interval], cancel: &Cancel) -> Option<(f64, [f64; 2], f64)> {
     let load = glued_buckling_load(model, contact, cancel);
-    let mut loose = compressed(model, load * (1.0 - NEARLY));
-    for corner in &mut loose.gap {
+    let mut nearly = compressed(model, load * (1.0 - NEARLY));
+    for corner in &mut nearly.gap {
         corner.value = 0.0;
     }
-    for load in &mut loose.loads {
+    for load in &mut nearly.loads {
         *load = load.scaled(0.0);
     }
-    for support in &mut loose.supports {
+    for support in &mut nearly.supports {
         support.settlement = 0.0;
     }
     let l = model.beam.length;
     // In no symmetry, and no polynomial along the beam: even loads leave even modes alone.
-    loose.loads.push(Load::distributed_force(0.0, 0.618 * l, 1.0, -0.37));
-    let found = Bonded::new(&loose, cancel).on(contact, None).ok()?;
+    nearly.loads.push(Load::distributed_force(0.0, 0.618 * l, 1.0, -0.37));
+    let found = Bonded::new(&nearly, cancel).on(contact, None).ok()?;
     let w = found.deflection();
     let mut largest = (0.0, 0.0_f64);
     for (i, cell) in found.mesh.cells.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Supports that act in one direction alone: which of them do.
+//! The set of active one-way supports, by solves with fixed sets.
 //!
 //! A bearing that only pushes up asks for w ≤ 0 and a reaction R ≥ 0 with R w = 0; a hold-down for the
 //! same with other signs; an elastic one for the same of the clearance between the beam and its spring. These are

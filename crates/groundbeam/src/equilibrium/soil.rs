@@ -1,4 +1,4 @@
-//! The modified Vlasov model: the rate at which the ground's surface varies is taken from the solution.
+//! The modified Vlasov model: k and μ from r = ∫u'²/∫u² of the solution itself.
 //!
 //! k and μ of [layers](crate::model::soil::layers) depend on r = ∫u'²/∫u², and u depends on k and μ. Vallabhan and Das
 //! (*Modified Vlasov model for beams on elastic foundations*, J. Geotech. Eng. 117(6), 1991) iterate
@@ -92,9 +92,9 @@ fn rate_of(solution: &Solution) -> Option<f64> {
     let mut add = |part: [f64; 2]| {
         sums = [sums[0] + part[0], sums[1] + part[1]];
     };
-    for stretch in solution.pieces() {
-        let loaded = neighbours && stretch.open.is_some();
-        add(if loaded { on_loaded(stretch) } else { on(stretch) });
+    for piece in solution.pieces() {
+        let loaded = neighbours && piece.open.is_some();
+        add(if loaded { on_loaded(piece) } else { on(piece) });
     }
     for right in [false, true] {
         add(beyond(solution, right));
@@ -105,9 +105,9 @@ fn rate_of(solution: &Solution) -> Option<f64> {
 /// ∫u² and ∫u'² beyond an end of the beam. A ground made of soil is endless; between loads u is two exponentials and
 /// q/k, beyond the last of them it falls like e^(−bx).
 fn beyond(solution: &Solution, right: bool) -> [f64; 2] {
-    let stretch = if right { solution.pieces().last() } else { solution.pieces().first() };
-    let Some(stretch) = stretch else { return [0.0; 2] };
-    let [spring, shear] = stretch.cell.ground_at(if right { 1.0 } else { -1.0 });
+    let piece = if right { solution.pieces().last() } else { solution.pieces().first() };
+    let Some(piece) = piece else { return [0.0; 2] };
+    let [spring, shear] = piece.cell.ground_at(if right { 1.0 } else { -1.0 });
     let b = (spring / shear).sqrt();
     let l = solution.model().beam.length;
     let place = |out: f64| if right { l + out } else { -out };
@@ -137,7 +137,7 @@ fn beyond(solution: &Solution, right: bool) -> [f64; 2] {
     [sums[0] + 0.5 * last * last / b, sums[1] + 0.5 * last * last * b]
 }
 
-/// The load spread on the ground at x, on the stretch in which `within` lies.
+/// The load spread on the ground at x, on the piece in which `within` lies.
 fn pressure(model: &Model, x: f64, within: f64) -> f64 {
     let each = model.ground_loads().map(|load| match load.extent {
         Extent::Distributed { from, to, start, end } if from <= within && within <= to => {
@@ -149,11 +149,11 @@ fn pressure(model: &Model, x: f64, within: f64) -> f64 {
 }
 
 /// ∫u² and ∫u'² of open ground under the beam that loads settle.
-fn on_loaded(stretch: &SolutionPiece) -> [f64; 2] {
-    let b = (stretch.cell.subgrade / stretch.cell.shear_layer).sqrt();
-    quadrature(2.0 * stretch.half, b, |s| {
-        let fields = stretch.fields(s);
-        stretch.settlement(s, fields.deflection, fields.slope)
+fn on_loaded(piece: &SolutionPiece) -> [f64; 2] {
+    let b = (piece.cell.subgrade / piece.cell.shear_layer).sqrt();
+    quadrature(2.0 * piece.half, b, |s| {
+        let fields = piece.fields(s);
+        piece.settlement(s, fields.deflection, fields.slope)
     })
 }
 
@@ -174,16 +174,16 @@ fn quadrature(length: f64, b: f64, u: impl Fn(f64) -> [f64; 2]) -> [f64; 2] {
     sums
 }
 
-/// ∫u² and ∫u'² on a stretch.
-fn on(stretch: &SolutionPiece) -> [f64; 2] {
-    let half = stretch.half;
+/// ∫u² and ∫u'² on a piece.
+fn on(piece: &SolutionPiece) -> [f64; 2] {
+    let half = piece.half;
     let of = |u: &[f64]| [half * inner(u, u, 0), inner(u, u, 1) / half];
-    match stretch.open {
-        None => of(&stretch.cell.above_gap(&stretch.deflection)),
-        Some(_) if !stretch.settlement.is_empty() => of(&stretch.settlement),
+    match piece.open {
+        None => of(&piece.cell.above_gap(&piece.deflection)),
+        Some(_) if !piece.settlement.is_empty() => of(&piece.settlement),
         Some([left, right]) => {
             let length = 2.0 * half;
-            let b = (stretch.cell.subgrade / stretch.cell.shear_layer).sqrt();
+            let b = (piece.cell.subgrade / piece.cell.shear_layer).sqrt();
             let [u, slope] = squares(left, right, b * length);
             [u * length, slope / length]
         }

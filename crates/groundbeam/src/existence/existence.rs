@@ -437,13 +437,13 @@ mod tests {
     #[test]
     fn a_piece_that_nothing_holds_may_move() {
         let hinged = beam().with_hinge(Hinge::free(2.0));
-        let loose = |from: f64, to: f64| {
+        let mechanism = |from: f64, to: f64| {
             let lifted = Some([from, to]);
             Verdict::NotUnique(RigidMotion { left: 0.0, right: 0.0, work: 0.0, lifted })
         };
-        assert_eq!(with_contact(&hinged, &[[0.5, 1.0]]), loose(2.0, 4.0));
-        assert_eq!(with_contact(&hinged, &[[2.0, 3.0]]), loose(0.0, 2.0));
-        assert_eq!(with_contact(&hinged, &[]), loose(0.0, 2.0));
+        assert_eq!(with_contact(&hinged, &[[0.5, 1.0]]), mechanism(2.0, 4.0));
+        assert_eq!(with_contact(&hinged, &[[2.0, 3.0]]), mechanism(0.0, 2.0));
+        assert_eq!(with_contact(&hinged, &[]), mechanism(0.0, 2.0));
         // Contact over the hinge holds the hinge as well, and so both pieces.
         assert_eq!(with_contact(&hinged, &[[1.0, 3.0]]), Verdict::Unique);
         assert_eq!(with_contact(&hinged, &[[1.0, 2.0], [3.0; 2]]), Verdict::Unique);

@@ -1,4 +1,4 @@
-//! How a beam may move without bending: straight between its ends and its free hinges.
+//! Rigid motions of the beam, (4.16): straight between its ends and its free hinges.
 //!
 //! A rigid motion is given by its values at these *nodes*; between two of them is a *piece*, straight. An
 //! elastic hinge resists a kink, and is no node. Since r is straight in between, r ≤ 0 all along exactly if
@@ -110,7 +110,7 @@ impl Mechanism {
     /// A piece is held at two places, or at one where it may not turn, and then holds its nodes for its
     /// neighbours. That finds all: n pieces that hang together have n + 1 degrees of freedom, so that if
     /// nothing moves some piece among them has two constraints of its own.
-    pub fn first_loose(&self, more: &[f64]) -> Option<[f64; 2]> {
+    pub fn first_mechanism(&self, more: &[f64]) -> Option<[f64; 2]> {
         let places: Vec<f64> = self.held.iter().chain(more).copied().collect();
         let nodes = 0..self.nodes.len();
         let mut fixed: Vec<bool> =
@@ -127,18 +127,18 @@ impl Mechanism {
         };
         let own: Vec<usize> =
             (0..self.straight.len()).map(|i| inside(i) + usize::from(self.straight[i])).collect();
-        let mut loose: Vec<usize> = (0..own.len()).collect();
+        let mut free: Vec<usize> = (0..own.len()).collect();
         loop {
-            let before = loose.len();
-            loose.retain(|&i| {
+            let before = free.len();
+            free.retain(|&i| {
                 let held = own[i] + usize::from(fixed[i]) + usize::from(fixed[i + 1]);
                 if held >= 2 {
                     (fixed[i], fixed[i + 1]) = (true, true);
                 }
                 held < 2
             });
-            if loose.len() == before {
-                return loose.first().map(|&i| [self.nodes[i], self.nodes[i + 1]]);
+            if free.len() == before {
+                return free.first().map(|&i| [self.nodes[i], self.nodes[i + 1]]);
             }
         }
     }
@@ -147,7 +147,7 @@ impl Mechanism {
 /// Whether supports leave no rigid motion at all, pressing on the ground or not: what a beam in
 /// compression needs. Supports that it may leave do not count.
 pub(crate) fn held_rigidly(model: &Model) -> bool {
-    Mechanism::on_supports(model, |acts| acts == Acts::Both).first_loose(&[]).is_none()
+    Mechanism::on_supports(model, |acts| acts == Acts::Both).first_mechanism(&[]).is_none()
 }
 
 #[cfg(test)]
@@ -206,7 +206,7 @@ mod tests {
         assert_eq!(groups(&found), [[0, 4]]);
         let held = Mechanism::of(&model.with_support(Support::pinned(7.0)));
         assert!(held.free_groups().is_empty());
-        assert_eq!(held.first_loose(&[]), None);
+        assert_eq!(held.first_mechanism(&[]), None);
     }
 
     /// All mechanisms of up to three pieces on supports at any of a few places, with any pieces kept straight.
@@ -273,7 +273,7 @@ mod tests {
     /// A piece cannot move exactly if r = 0 at both of its nodes follows from the constraints: as further rows these two
     /// conditions do not raise the rank.
     #[test]
-    fn the_first_loose_piece_is_the_first_whose_nodes_the_constraints_leave_free() {
+    fn the_first_mechanism_piece_is_the_first_whose_nodes_the_constraints_leave_free() {
         for of in mechanisms() {
             let rows = constraints(&of);
             let own = rank(rows.clone());
@@ -284,10 +284,10 @@ mod tests {
             };
             let piece = (0..of.straight.len()).find(|i| moves(*i) || moves(*i + 1));
             let wanted = piece.map(|i| [of.nodes[i], of.nodes[i + 1]]);
-            assert_eq!(of.first_loose(&[]), wanted, "{of:?}");
+            assert_eq!(of.first_mechanism(&[]), wanted, "{of:?}");
             // Places held by contact count like those held by supports.
             let bare = Mechanism { held: vec![], ..of.clone() };
-            assert_eq!(bare.first_loose(&of.held), wanted, "{of:?}");
+            assert_eq!(bare.first_mechanism(&of.held), wanted, "{of:?}");
             assert_eq!(bare.point_held(&of.held), of.held.first().copied());
         }
     }
@@ -322,17 +322,17 @@ mod tests {
             let found = Mechanism::of(&beam(&[4.0]).with_support(Support::pinned(x)));
             assert_eq!(groups(&found), [[0, 1], [2, 3]], "{x}");
             // Held at 7 as well the right piece has two places; the left one turns about the hinge.
-            assert_eq!(found.first_loose(&[7.0]), Some([0.0, 4.0]), "{x}");
-            assert_eq!(found.first_loose(&[1.0, 7.0]), None, "{x}");
+            assert_eq!(found.first_mechanism(&[7.0]), Some([0.0, 4.0]), "{x}");
+            assert_eq!(found.first_mechanism(&[1.0, 7.0]), None, "{x}");
             // At 1 and at the hinge the left piece is held, by two places on it; the right one then by its hinge alone.
-            assert_eq!(found.first_loose(&[1.0]), Some([4.0, 8.0]), "{x}");
+            assert_eq!(found.first_mechanism(&[1.0]), Some([4.0, 8.0]), "{x}");
         }
         let left = Mechanism::of(&beam(&[4.0]).with_support(Support::pinned(4.0 - APART)));
         assert_eq!(groups(&left), [[2, 3]]);
-        assert_eq!(left.first_loose(&[1.0]), Some([4.0, 8.0]));
+        assert_eq!(left.first_mechanism(&[1.0]), Some([4.0, 8.0]));
         let right = Mechanism::of(&beam(&[4.0]).with_support(Support::pinned(4.0 + APART)));
         assert_eq!(groups(&right), [[0, 1]]);
-        assert_eq!(right.first_loose(&[1.0]), Some([0.0, 4.0]));
+        assert_eq!(right.first_mechanism(&[1.0]), Some([0.0, 4.0]));
     }
 
     #[test]

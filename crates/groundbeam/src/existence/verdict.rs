@@ -27,7 +27,7 @@ pub enum Verdict {
 pub struct Local {
     /// The smallest eigenvalue of the second variation ∫(EI z″² + P z'²) + springs + ground where it touches,
     /// measured by the same without P: between 0, where the beam buckles, and 1, without compression.
-    /// It is 1 + P/P_b with the buckling load P_b of the beam glued to the ground where it touches.
+    /// It is 1 + P/P_b with the buckling load P_b of the beam bonded to the ground where it touches.
     pub stability_margin: f64,
     /// The compression at which the branch of stable equilibria ends as it grows, the loads staying as they
     /// are \[N\].
@@ -146,8 +146,8 @@ impl Existence {
             [from, to].into_iter().chain(inside)
         };
         let points: Vec<f64> = contact.iter().flat_map(within).collect();
-        let loose = mechanism.first_loose(&points);
-        let verdict = match (self.verdict, loose, mechanism.point_held(&points)) {
+        let free = mechanism.first_mechanism(&points);
+        let verdict = match (self.verdict, free, mechanism.point_held(&points)) {
             (Verdict::Unique, Some(_), Some(x)) if mechanism.nodes.len() == 2 => {
                 let l = model.beam.length;
                 let largest = x.max(l - x);

@@ -1,4 +1,4 @@
-//! The ground as a chain of links. Section 3 of the theory: the inverse of (5.8) is tridiagonal.
+//! Open ground as two-ports: the forces at both ends from the settlements there. The inverse of (5.8) is tridiagonal.
 //!
 //! Between two points where its surface is held, ground without load, −(μu')' + ku = 0, acts like a
 //! triangle of three springs: one between the points (`coupling`) and one under each (`leak`). For a
@@ -39,15 +39,15 @@ impl TwoPort {
 
     /// Two links in a row, the point between them free.
     pub fn then(self, next: TwoPort) -> Self {
-        let loose = self.leak_right + next.leak_left;
-        let whole = self.coupling + next.coupling + loose;
+        let outer = self.leak_right + next.leak_left;
+        let whole = self.coupling + next.coupling + outer;
         if whole <= 0.0 {
             return TwoPort { coupling: 0.0, ..self };
         }
         TwoPort {
             coupling: self.coupling * (next.coupling / whole),
-            leak_left: self.leak_left + self.coupling * (loose / whole),
-            leak_right: next.leak_right + next.coupling * (loose / whole),
+            leak_left: self.leak_left + self.coupling * (outer / whole),
+            leak_right: next.leak_right + next.coupling * (outer / whole),
         }
     }
 

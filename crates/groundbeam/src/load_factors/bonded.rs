@@ -1,4 +1,4 @@
-//! The beam glued to the ground along its whole length, and what must push there for it to touch.
+//! The beam bonded to the ground along its whole length, and what must push there for it to touch.
 
 use crate::cancel::Cancel;
 use crate::chain::node::NotDefinite;
@@ -111,7 +111,10 @@ fn lowest(c: &[f64]) -> (f64, f64) {
 
 /// Pressures and concentrated forces along the whole beam, from left to right, of two deflections of one
 /// model under different loads. Their cells may differ: boundary layers are cut where there are any.
-pub(super) fn watched(staying: &ContactState, growing: &ContactState) -> Vec<LiftOffCandidate> {
+pub(super) fn lift_off_candidates(
+    staying: &ContactState,
+    growing: &ContactState,
+) -> Vec<LiftOffCandidate> {
     let mut all = forces(staying, growing);
     let l = staying.mesh.cells.last().map_or(0.0, |cell| cell.x[1]);
     let (mut i, mut j, mut from) = (0, 0, 0.0);
@@ -216,14 +219,17 @@ fn forces(staying: &ContactState, growing: &ContactState) -> Vec<LiftOffCandidat
 fn forces_of(found: &ContactState) -> Vec<(f64, Side)> {
     let w = found.deflection();
     let surface = Surface::of(&w, &found.zones);
-    let force = |atom: &crate::contact::surface::PointForce| {
-        let cell = &found.mesh.cells[atom.spot.cell];
+    let force = |point_force: &crate::contact::surface::PointForce| {
+        let cell = &found.mesh.cells[point_force.point.cell];
         let slope = 2.0 * cell.shear_layer / cell.length();
         let outside = (cell.subgrade * cell.shear_layer).sqrt();
-        let obstacle = w.obstacle(atom.spot.cell);
+        let obstacle = w.obstacle(point_force.point.cell);
         let terms = obstacle.iter().enumerate();
         let size = terms.map(|(j, c)| (outside + slope * j as f64) * c.abs()).sum();
-        (cell.global(atom.spot.s), Side { coefficients: [atom.force][..].into(), size })
+        (
+            cell.global(point_force.point.s),
+            Side { coefficients: [point_force.force][..].into(), size },
+        )
     };
     surface.point_forces.iter().map(force).collect()
 }
@@ -341,7 +347,7 @@ mod tests {
         }
     }
 
-    /// A beam on a mesh with nodes at more places, deflected by a polynomial in x, glued all along.
+    /// A beam on a mesh with nodes at more places, deflected by a polynomial in x, bonded all along.
     fn found(model: &Model, more: &[f64], deflection: &[f64]) -> ContactState {
         let mesh = Mesh::build(model, more, |_| 1);
         let own = |cell: &Cell| {
@@ -385,7 +391,7 @@ mod tests {
         let merged = |first: &[f64], second: &[f64]| {
             let staying = found(&model, first, &[1.0, 2.0, 3.0]);
             let growing = found(&model, second, &[-1.0, 0.5]);
-            let all = watched(&staying, &growing);
+            let all = lift_off_candidates(&staying, &growing);
             for LiftOffCandidate { x, staying, growing } in &all {
                 for (s, x) in [-1.0, 1.0].into_iter().zip(*x) {
                     let [stays, grows] =
@@ -395,7 +401,7 @@ mod tests {
                     assert!((value(&growing.coefficients, s) - grows).abs() < 1e-12);
                 }
             }
-            all.into_iter().map(|watched| watched.x).collect::<Vec<_>>()
+            all.into_iter().map(|candidate| candidate.x).collect::<Vec<_>>()
         };
         let wanted = [[0.0, 1.0], [1.0, 2.0], [2.0, 3.0], [3.0, 4.0]];
         assert_eq!(merged(&[1.0, 3.0], &[2.0, 3.0]), wanted);

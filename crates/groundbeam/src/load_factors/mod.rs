@@ -7,7 +7,7 @@
 //!   along exactly while none of them is negative: they then are the multiplier of the contact problem, which
 //!   has no other solution. The least of p_D + λ p_G over the beam is a concave function of λ, so the factors
 //!   at which all of them push are an interval, and Newton's method from above goes down to its upper end
-//!   without ever passing it ([`bonded::Watched`]). With supports that act one way it is linear piece by piece
+//!   without ever passing it ([`bonded::LiftOffCandidate`]). With supports that act one way it is linear piece by piece
 //!   ([`pieces`]).
 //! * *Loss of equilibrium.* Each free rigid motion must cost work ([`existence`](crate::existence::existence)), and
 //!   the work of the loads is linear in λ: the first root of a few linear functions.
@@ -256,7 +256,7 @@ mod tests {
         assert_eq!(x, 0.0);
         let slope = |factor: f64| {
             let parts = Parts::of(&model, |load| load == 1);
-            let found = bonded_everywhere(&parts.at(factor), &Cancel::default()).expect("glued");
+            let found = bonded_everywhere(&parts.at(factor), &Cancel::default()).expect("bonded");
             crate::numeric::polynomial::jet(found.deflection().cell(0), -1.0)[1]
         };
         assert!(slope(factor).abs() < 1e-14 * slope(0.0).abs(), "{:e}", slope(factor));

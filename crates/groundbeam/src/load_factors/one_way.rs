@@ -13,7 +13,7 @@ use crate::contact::state::ContactState;
 use crate::equilibrium::one_way;
 use crate::error::{Error, NotConverged, Stopped};
 use crate::existence::existence::size_of_loads;
-use crate::load_factors::bonded::{LiftOffCandidate, bonded_everywhere, watched};
+use crate::load_factors::bonded::{LiftOffCandidate, bonded_everywhere, lift_off_candidates};
 use crate::load_factors::parts::{FirstLiftOff, Parts};
 use crate::model::{Model, Support};
 use crate::options::Method;
@@ -48,7 +48,7 @@ pub(crate) fn first_lift_off(
     let mut ended = None;
     for _ in 0..MOST_PIECES {
         let piece = FactorRange::beginning(parts, from, ended, &mut acts, cancel)?;
-        let all = watched(&piece.staying, &piece.growing);
+        let all = lift_off_candidates(&piece.staying, &piece.growing);
         if from == 0.0 && all.iter().any(LiftOffCandidate::pulls_at_first) {
             return Ok(FirstLiftOff::AtOnce);
         }
@@ -301,7 +301,7 @@ mod tests {
             .with_support(Support::spring(1.0, 1e-12, 0.0));
         let acts = [true, false, true];
         let held = model.with_supports_that(|i, _| acts[i]);
-        let found = bonded_everywhere(&held, &Cancel::default()).expect("glued");
+        let found = bonded_everywhere(&held, &Cancel::default()).expect("bonded");
         let Room { left, zero } = Room::of(&model, &found, &acts);
         near(left[0], 0.5);
         near(left[1], 0.2);

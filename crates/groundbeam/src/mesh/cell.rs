@@ -1,4 +1,4 @@
-//! A stretch of beam and ground within which everything given is a polynomial.
+//! A cell: a part of beam and ground within which all given quantities are polynomials.
 
 use crate::ground::link::{between, settled, slope_between};
 use crate::model::{CellPolynomial, Foundation, Profile};

@@ -1,4 +1,4 @@
-//! A deflection in pieces, points of the beam, and what ψ = w − g₀ − u₀ asks of the ground.
+//! A deflection as a polynomial in each cell; points and zones of a mesh; ψ = w − g₀ − u₀ and the pressure at a point.
 
 use crate::mesh::cell::Cell;
 use crate::mesh::cell::{gap_at, initial, initial_gap_at};
@@ -38,9 +38,9 @@ impl Deflection<'_> {
         self.mesh.cells[i].obstacle(self.cell(i))
     }
 
-    /// ψ at a spot.
-    pub fn obstacle_at(&self, spot: BeamPoint) -> f64 {
-        value(self.cell(spot.cell), spot.s) - gap_at(&self.mesh.cells[spot.cell], spot.s)
+    /// ψ at a point.
+    pub fn obstacle_at(&self, point: BeamPoint) -> f64 {
+        value(self.cell(point.cell), point.s) - gap_at(&self.mesh.cells[point.cell], point.s)
     }
 
     /// Whether a zone is one point that a rigid support holds on the ground, ψ = 0 but for rounding. The support carries what
@@ -56,32 +56,32 @@ impl Deflection<'_> {
             && self.obstacle_at(zone.from).abs() <= 8.0 * f64::EPSILON * size
     }
 
-    /// ψ, ψ' and π = kψ − (μψ')' at a spot.
-    pub fn pressing(&self, spot: BeamPoint) -> [f64; 3] {
-        let cell = &self.mesh.cells[spot.cell];
-        let [f, d1, d2, _] = jet(self.cell(spot.cell), spot.s);
-        let [settled, sinks] = cell.free_field_at(spot.s);
+    /// ψ, ψ' and π = kψ − (μψ')' at a point.
+    pub fn pressing(&self, point: BeamPoint) -> [f64; 3] {
+        let cell = &self.mesh.cells[point.cell];
+        let [f, d1, d2, _] = jet(self.cell(point.cell), point.s);
+        let [settled, sinks] = cell.free_field_at(point.s);
         // w − g₀, of which the ground's own settlement is −(μu₀′)′ + ku₀ = q less.
-        let psi = f - initial_gap_at(cell, spot.s);
+        let psi = f - initial_gap_at(cell, point.s);
         let per_length = 2.0 / cell.length();
         let slope = d1 * per_length - cell.gap_slope;
-        let [k, mu, rise] = cell.ground_rising_at(spot.s);
-        let load = initial(cell.ground_load, spot.s);
+        let [k, mu, rise] = cell.ground_rising_at(point.s);
+        let load = initial(cell.ground_load, point.s);
         let pressure =
             k * psi - mu * d2 * per_length * per_length - rise * per_length * slope - load;
         [psi - settled, slope - sinks, pressure]
     }
 
-    /// The position of a spot.
-    pub fn position(&self, spot: BeamPoint) -> f64 {
-        self.mesh.cells[spot.cell].global(spot.s)
+    /// The position of a point.
+    pub fn position(&self, point: BeamPoint) -> f64 {
+        self.mesh.cells[point.cell].global(point.s)
     }
 
-    /// μψ' at a spot.
-    pub fn flux(&self, spot: BeamPoint) -> f64 {
-        let cell = &self.mesh.cells[spot.cell];
-        let slope = jet(self.cell(spot.cell), spot.s)[1] * 2.0 / cell.length() - cell.gap_slope;
-        cell.ground_at(spot.s)[1] * (slope - cell.free_field_at(spot.s)[1])
+    /// μψ' at a point.
+    pub fn flux(&self, point: BeamPoint) -> f64 {
+        let cell = &self.mesh.cells[point.cell];
+        let slope = jet(self.cell(point.cell), point.s)[1] * 2.0 / cell.length() - cell.gap_slope;
+        cell.ground_at(point.s)[1] * (slope - cell.free_field_at(point.s)[1])
     }
 
     /// −\[μψ'\] at the node to the left of cell i: positive where a corner presses into the ground.

@@ -9,7 +9,7 @@ use crate::mesh::varying;
 use crate::numeric::polynomial::inner;
 use crate::numeric::polynomial::{derivative, jet, product, rescale, value};
 
-/// A motion of the beam in pieces: `terms` coefficients for each cell.
+/// A motion of the beam in runs: `terms` coefficients for each cell.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Motion<'a> {
     pub terms: usize,
@@ -89,7 +89,7 @@ pub(crate) fn work_of_loads(mesh: &Mesh, motion: Motion) -> f64 {
 }
 
 /// The work of the ground's forces under ψ (contact on `zones`) on a second field δ: the first variation
-/// of ½ min_{u ≥ ψ} b(u, u), where `zones` is the contact of ψ; the bilinear form of the glued ground
+/// of ½ min_{u ≥ ψ} b(u, u), where `zones` is the contact of ψ; the bilinear form of the bonded ground
 /// otherwise. Both fields are polynomials on the same mesh; ψ already without the gap.
 pub(crate) fn ground_work(
     mesh: &Mesh,
@@ -98,25 +98,25 @@ pub(crate) fn ground_work(
     psi: &[f64],
     delta: &[f64],
 ) -> f64 {
-    let of = |c: &'_ [f64], spot: BeamPoint| {
-        value(&c[spot.cell * terms..(spot.cell + 1) * terms], spot.s)
+    let of = |c: &'_ [f64], point: BeamPoint| {
+        value(&c[point.cell * terms..(point.cell + 1) * terms], point.s)
     };
     let mut work = 0.0;
-    for piece in ground_runs(mesh) {
+    for run in ground_runs(mesh) {
         let mut left: Option<BeamPoint> = None;
-        let own = zones.iter().filter(|z| piece.cells.contains(&z.from.cell));
+        let own = zones.iter().filter(|z| run.cells.contains(&z.from.cell));
         let mut any = false;
         let mut across = |from: Option<BeamPoint>, to: Option<BeamPoint>| {
-            if let Some(link) = open_link(mesh, &piece, from, to) {
-                let [a, b] = [from, to].map(|spot| spot.map_or(0.0, |spot| of(psi, spot)));
-                let [da, db] = [from, to].map(|spot| spot.map_or(0.0, |spot| of(delta, spot)));
+            if let Some(link) = open_link(mesh, &run, from, to) {
+                let [a, b] = [from, to].map(|point| point.map_or(0.0, |point| of(psi, point)));
+                let [da, db] = [from, to].map(|point| point.map_or(0.0, |point| of(delta, point)));
                 work += link.force_left(a, b) * da + link.force_right(a, b) * db;
             }
         };
         let mut touching = 0.0;
         for zone in own {
             any = true;
-            if piece.pasternak {
+            if run.pasternak {
                 across(left, Some(zone.from));
             }
             for cell in zone.from.cell..=zone.to.cell {
@@ -136,7 +136,7 @@ pub(crate) fn ground_work(
             }
             left = Some(zone.to);
         }
-        if piece.pasternak && any {
+        if run.pasternak && any {
             across(left, None);
         }
         work += touching;

@@ -58,9 +58,9 @@ pub(crate) fn settle(model: &Model, cells: &mut [Cell]) {
     }));
     let (outer, held_right) = beside(model, &right, true);
     strips.extend(outer);
-    let faded = faded(model, &strips, [held_left, held_right]);
-    for (cell, faded) in cells.iter_mut().zip(&faded[begin..]) {
-        cell.homogeneous_field = *faded;
+    let homogeneous = homogeneous(model, &strips, [held_left, held_right]);
+    for (cell, homogeneous) in cells.iter_mut().zip(&homogeneous[begin..]) {
+        cell.homogeneous_field = *homogeneous;
     }
 }
 
@@ -121,8 +121,8 @@ pub(crate) fn at(
 }
 
 fn value_at(model: &Model, strips: &[Strip], held: [bool; 2], x: f64, begin: usize) -> f64 {
-    let faded = faded(model, strips, held);
-    let of = |i: usize, end: usize| faded[i][end] + strips[i].load[end] / strips[i].spring;
+    let homogeneous = homogeneous(model, strips, held);
+    let of = |i: usize, end: usize| homogeneous[i][end] + strips[i].load[end] / strips[i].spring;
     (begin..strips.len())
         .find_map(|i| {
             let ends = strips[i].x;
@@ -179,8 +179,8 @@ fn load_strips(model: &Model, strips: &mut [Strip], right: bool) {
 }
 
 /// e at both ends of each strip.
-fn faded(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<[f64; 2]> {
-    let mut faded = vec![[0.0; 2]; strips.len()];
+fn homogeneous(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<[f64; 2]> {
+    let mut homogeneous = vec![[0.0; 2]; strips.len()];
     let mut from = 0;
     while from < strips.len() {
         let layered = strips[from].shear > 0.0;
@@ -191,12 +191,12 @@ fn faded(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<[f64; 2]> {
             let u = chain(model, &strips[from..to], held);
             for (i, strip) in strips[from..to].iter().enumerate() {
                 let ends = [u[i], u[i + 1]];
-                faded[from + i] = [0, 1].map(|e| ends[e] - strip.load[e] / strip.spring);
+                homogeneous[from + i] = [0, 1].map(|e| ends[e] - strip.load[e] / strip.spring);
             }
         }
         from = to;
     }
-    faded
+    homogeneous
 }
 
 /// u₀ at the nodes of strips in a row.

@@ -1,4 +1,4 @@
-//! Stretches of the beam under which the ground is of one kind.
+//! Runs of consecutive cells with a shear layer, and runs without one.
 
 use crate::mesh::mesh::Mesh;
 use std::ops::Range;
@@ -14,7 +14,7 @@ pub(crate) struct GroundRun {
     pub beyond: [f64; 2],
 }
 
-/// The pieces from left to right.
+/// The runs from left to right.
 pub(crate) fn ground_runs(mesh: &Mesh) -> Vec<GroundRun> {
     let kind = |i: usize| mesh.cells[i].shear_layer > 0.0;
     let n = mesh.cells.len();

@@ -65,7 +65,7 @@ impl Mesh {
     }
 
     /// Calls `each` with every cell of a [graded](Self::graded) mesh of one part to a cell, and with the number of
-    /// pieces into which it is cut because the ground settles by itself. Returns how many cells the model itself has.
+    /// runs into which it is cut because the ground settles by itself. Returns how many cells the model itself has.
     pub fn each_graded(model: &Model, mut each: impl FnMut(&Cell, usize)) -> usize {
         let coarse = cells_between(model, &positions(model, &[]));
         for cell in &coarse {
@@ -81,10 +81,10 @@ impl Mesh {
         let mut x = Vec::with_capacity(2 * coarse.len());
         x.push(0.0);
         for cell in &coarse {
-            let pieces = pieces_of_settled(cell);
-            for i in 0..pieces {
-                let s = [i, i + 1].map(|i| 2.0 * i as f64 / pieces as f64 - 1.0);
-                let part = if pieces == 1 { *cell } else { cell.part(s) };
+            let runs = pieces_of_settled(cell);
+            for i in 0..runs {
+                let s = [i, i + 1].map(|i| 2.0 * i as f64 / runs as f64 - 1.0);
+                let part = if runs == 1 { *cell } else { cell.part(s) };
                 cut(&part, &mut x);
                 x.push(part.x[1]);
             }
@@ -239,7 +239,7 @@ fn each_smooth(cell: &Cell, halvings: u32, each: &mut impl FnMut(&Cell)) {
     each_smooth(&cell.part([0.0, 1.0]), halvings - 1, each);
 }
 
-/// Into how many pieces a cell is cut where the ground settles by itself: its surface is a short power series in each.
+/// Into how many runs a cell is cut where the ground settles by itself: its surface is a short power series in each.
 fn pieces_of_settled(cell: &Cell) -> usize {
     if !cell.has_free_field() || cell.shear_layer == 0.0 {
         return 1;

@@ -30,29 +30,29 @@ pub(crate) fn heights(links: &[TwoPort], [start, end]: [f64; 2]) -> (Vec<f64>, O
     (values, so_far.last().copied())
 }
 
-/// All of the open ground between two spots as one link; none between spots that meet.
+/// All of the open ground between two points as one link; none between points that meet.
 pub(crate) fn open_link(
     mesh: &Mesh,
-    piece: &GroundRun,
+    run: &GroundRun,
     from: Option<BeamPoint>,
     to: Option<BeamPoint>,
 ) -> Option<TwoPort> {
-    let links = open_links(mesh, piece, from, to);
+    let links = open_links(mesh, run, from, to);
     links.into_iter().map(|(_, link)| link).reduce(TwoPort::then)
 }
 
-/// The links of open ground between two spots, cell by cell; a missing spot is the ground beyond.
+/// The links of open ground between two points, cell by cell; a missing point is the ground beyond.
 pub(crate) fn open_links(
     mesh: &Mesh,
-    piece: &GroundRun,
+    run: &GroundRun,
     from: Option<BeamPoint>,
     to: Option<BeamPoint>,
 ) -> Vec<(Option<(usize, [f64; 2])>, TwoPort)> {
     let mut links = Vec::new();
-    let first = from.unwrap_or(BeamPoint { cell: piece.cells.start, s: -1.0 });
-    let last = to.unwrap_or(BeamPoint { cell: piece.cells.end - 1, s: 1.0 });
+    let first = from.unwrap_or(BeamPoint { cell: run.cells.start, s: -1.0 });
+    let last = to.unwrap_or(BeamPoint { cell: run.cells.end - 1, s: 1.0 });
     if from.is_none() {
-        let leak_right = piece.beyond[0];
+        let leak_right = run.beyond[0];
         links.push((None, TwoPort { coupling: 0.0, leak_left: 0.0, leak_right }));
     }
     for cell in first.cell..=last.cell {
@@ -64,7 +64,7 @@ pub(crate) fn open_links(
         }
     }
     if to.is_none() {
-        let leak_left = piece.beyond[1];
+        let leak_left = run.beyond[1];
         links.push((None, TwoPort { coupling: 0.0, leak_left, leak_right: 0.0 }));
     }
     links

@@ -1,4 +1,4 @@
-//! Beam and ground that vary within a cell: what elsewhere is one number times an integral.
+//! Integrals over a cell along which beam or ground varies.
 
 use crate::ground::link::TwoPort;
 use crate::mesh::cell::Cell;

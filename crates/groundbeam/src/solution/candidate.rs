@@ -28,8 +28,8 @@ impl Candidate {
     /// All fields at a position of the beam; where a field jumps, from the given side.
     pub fn at(&self, x: f64, side: Side) -> Fields {
         let x = x.clamp(0.0, self.model.beam.length);
-        let stretch = self.piece_at(x, side);
-        stretch.fields(stretch.local(x))
+        let piece = self.piece_at(x, side);
+        piece.fields(piece.local(x))
     }
 
     fn piece_at(&self, x: f64, side: Side) -> &SolutionPiece {
@@ -58,14 +58,14 @@ impl Candidate {
         let mut forces = vec![(0.0, left)];
         forces.extend(self.concentrated.iter().map(|c| (c.at, c.force)));
         forces.push((self.model.beam.length, right));
-        let pieces = self.pieces.iter().map(|stretch| ClaimedPiece {
-            x: stretch.x,
-            half: stretch.half,
-            deflection: &stretch.deflection,
-            rotation: &stretch.rotation,
-            pressure: &stretch.pressure,
-            open: stretch.open.map(|ends| {
-                let own = [-1.0, 1.0].map(|s| stretch.cell.free_field_at(s)[0]);
+        let pieces = self.pieces.iter().map(|piece| ClaimedPiece {
+            x: piece.x,
+            half: piece.half,
+            deflection: &piece.deflection,
+            rotation: &piece.rotation,
+            pressure: &piece.pressure,
+            open: piece.open.map(|ends| {
+                let own = [-1.0, 1.0].map(|s| piece.cell.free_field_at(s)[0]);
                 [ends[0] + own[0], ends[1] + own[1]]
             }),
         });
@@ -83,7 +83,7 @@ impl Candidate {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Workspace {
     model: Option<Model>,
-    stretches: Vec<SolutionPiece>,
+    pieces: Vec<SolutionPiece>,
     contact: Vec<ContactZone>,
     concentrated: Vec<ConcentratedForce>,
 }
@@ -91,13 +91,13 @@ pub(crate) struct Workspace {
 impl Workspace {
     /// Takes over the memory of a candidate.
     pub fn recycle(&mut self, candidate: Candidate) {
-        let Candidate { model, pieces: stretches, contact, concentrated, .. } = candidate;
-        *self = Workspace { model: Some(model), stretches, contact, concentrated };
+        let Candidate { model, pieces, contact, concentrated, .. } = candidate;
+        *self = Workspace { model: Some(model), pieces, contact, concentrated };
     }
 
     /// A candidate for a model, all of whose lists are empty.
     pub(super) fn blank(&mut self, model: &Model) -> Candidate {
-        let Workspace { model: memory, mut stretches, mut contact, mut concentrated } =
+        let Workspace { model: memory, mut pieces, mut contact, mut concentrated } =
             std::mem::take(self);
         let model = match memory {
             Some(mut memory) => {
@@ -106,19 +106,11 @@ impl Workspace {
             }
             None => model.clone(),
         };
-        stretches.clear();
+        pieces.clear();
         contact.clear();
         concentrated.clear();
         let end_forces = EndForces { left: 0.0, right: 0.0 };
         let (reactions, elements) = (Vec::new(), 0);
-        Candidate {
-            model,
-            pieces: stretches,
-            contact,
-            end_forces,
-            concentrated,
-            reactions,
-            elements,
-        }
+        Candidate { model, pieces, contact, end_forces, concentrated, reactions, elements }
     }
 }

@@ -4,7 +4,7 @@ use crate::ground::link;
 use crate::mesh::cell::Cell;
 use crate::numeric::polynomial::{Coefficients, jet, value};
 
-/// A stretch of contact between beam and ground; of a single point, both ends are equal.
+/// A piece of contact between beam and ground; of a single point, both ends are equal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactZone {
     /// Left end \[m\].

@@ -164,7 +164,7 @@ impl Solution {
         if !self.candidate.model.has_ground_loads() {
             return link::beside(&beyond, end.settlement, distance);
         }
-        let cells: Vec<Cell> = self.pieces().iter().map(|stretch| stretch.cell).collect();
+        let cells: Vec<Cell> = self.pieces().iter().map(|piece| piece.cell).collect();
         let own =
             |distance: f64| free_field::at(&self.candidate.model, &beyond, right, &cells, distance);
         link::beside(&beyond, end.settlement - own(0.0), distance) + own(distance)
