@@ -325,3 +325,31 @@ fn a_trough_far_from_the_beam_is_no_error() {
     let document = read(&TROUGH.replace("at = '60 m'", "at = '-500 m'"));
     assert!(document.model.gap.iter().all(|corner| corner.value < 1e-60));
 }
+
+#[test]
+fn every_kind_of_soil_is_written_as_soil() {
+    let elastic = "E = '20 MPa'\nnu = 0.3\n";
+    let plate = "plate_modulus = '60 MN/m^3'\nplate_width = '0.3 m'\n";
+    let layer = "[[foundation.soil.layer]]\nE = '20 MPa'\nnu = 0.3\nthickness = '4 m'\n";
+    let layers = format!("gamma = 1.25\n{layer}");
+    let methods = [
+        ("modified-vlasov", layer),
+        ("vlasov", &layers),
+        ("vesic", elastic),
+        ("biot", elastic),
+        ("meyerhof-baike", elastic),
+        ("selvadurai", elastic),
+        ("terzaghi-clay", plate),
+        ("terzaghi-sand", plate),
+    ];
+    for (method, soil) in methods {
+        let text = format!(
+            "[beam]\nlength = '12 m'\nEI = '1 GN m^2'\n[foundation]\nwidth = '1.2 m'\n\
+             [foundation.soil]\nmethod = '{method}'\n{soil}"
+        );
+        let model = parse(&text).expect(method).model;
+        let written = write_toml(&model, None, UnitSystem::Si);
+        assert!(written.contains(method), "{written}");
+        assert_eq!(parse(&written).expect(method).model, model);
+    }
+}

@@ -23,7 +23,7 @@
 //! let Outcome::Equilibrium(solution) = solve(&model)? else { panic!("it tips") };
 //! // The solution's model has the constants that belong to its γ.
 //! assert!(solution.soil().unwrap().rounds > 1);
-//! assert!(solution.model().foundation.spring < model.foundation.spring);
+//! assert!(solution.model().foundation.subgrade > model.foundation.subgrade);
 //! # Ok::<(), groundbeam::Error>(())
 //! ```
 

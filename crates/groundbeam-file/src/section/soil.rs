@@ -14,6 +14,12 @@ struct Method {
     name: &'static str,
     keys: &'static [&'static str],
     make: fn(&mut Reader, &Section) -> Soil,
+    is_of: fn(&Soil) -> bool,
+}
+
+/// The name of a soil's method in a model file.
+pub(crate) fn method_name(soil: &Soil) -> &'static str {
+    METHODS.iter().find(|method| (method.is_of)(soil)).map_or("", |method| method.name)
 }
 
 const ELASTIC: &[&str] = &["method", "E", "nu"];
@@ -25,6 +31,7 @@ const METHODS: [Method; 8] = [
         name: "modified-vlasov",
         keys: &["method", "layer"],
         make: |reader, table| Soil::ModifiedVlasov(layers(reader, table)),
+        is_of: |soil| matches!(soil, Soil::ModifiedVlasov(_)),
     },
     Method {
         name: "vlasov",
@@ -32,17 +39,44 @@ const METHODS: [Method; 8] = [
         make: |reader, table| {
             Soil::Vlasov(layers(reader, table), positive(reader, table, "gamma", &RATIO))
         },
+        is_of: |soil| matches!(soil, Soil::Vlasov(..)),
     },
-    Method { name: "vesic", keys: ELASTIC, make: |r, t| Soil::Vesic(elastic(r, t)) },
-    Method { name: "biot", keys: ELASTIC, make: |r, t| Soil::Biot(elastic(r, t)) },
+    Method {
+        name: "vesic",
+        keys: ELASTIC,
+        make: |r, t| Soil::Vesic(elastic(r, t)),
+        is_of: |soil| matches!(soil, Soil::Vesic(_)),
+    },
+    Method {
+        name: "biot",
+        keys: ELASTIC,
+        make: |r, t| Soil::Biot(elastic(r, t)),
+        is_of: |soil| matches!(soil, Soil::Biot(_)),
+    },
     Method {
         name: "meyerhof-baike",
         keys: ELASTIC,
         make: |r, t| Soil::MeyerhofBaike(elastic(r, t)),
+        is_of: |soil| matches!(soil, Soil::MeyerhofBaike(_)),
     },
-    Method { name: "selvadurai", keys: ELASTIC, make: |r, t| Soil::Selvadurai(elastic(r, t)) },
-    Method { name: "terzaghi-clay", keys: PLATE, make: |r, t| Soil::TerzaghiClay(plate(r, t)) },
-    Method { name: "terzaghi-sand", keys: PLATE, make: |r, t| Soil::TerzaghiSand(plate(r, t)) },
+    Method {
+        name: "selvadurai",
+        keys: ELASTIC,
+        make: |r, t| Soil::Selvadurai(elastic(r, t)),
+        is_of: |soil| matches!(soil, Soil::Selvadurai(_)),
+    },
+    Method {
+        name: "terzaghi-clay",
+        keys: PLATE,
+        make: |r, t| Soil::TerzaghiClay(plate(r, t)),
+        is_of: |soil| matches!(soil, Soil::TerzaghiClay(_)),
+    },
+    Method {
+        name: "terzaghi-sand",
+        keys: PLATE,
+        make: |r, t| Soil::TerzaghiSand(plate(r, t)),
+        is_of: |soil| matches!(soil, Soil::TerzaghiSand(_)),
+    },
 ];
 
 /// The soil under a beam that bears on a `width` of it.

@@ -61,8 +61,8 @@ impl LayeredSoil {
     ///
     /// let clay = SoilLayer { modulus: 20e6, poisson: 0.25, thickness: 4.0 };
     /// let ground = LayeredSoil { layers: vec![clay] }.subgrade(0.0, 1.5);
-    /// assert_eq!(ground.spring, 1.5 * 24e6 / 4.0);
-    /// assert!((ground.shear - 1.5 * 8e6 * 4.0 / 3.0).abs() < 1e-6);
+    /// assert_eq!(ground.subgrade, 1.5 * 24e6 / 4.0);
+    /// assert!((ground.shear_layer - 1.5 * 8e6 * 4.0 / 3.0).abs() < 1e-6);
     /// ```
     pub fn subgrade(&self, rate: f64, width: f64) -> GroundConstants {
         let heights = self.heights(rate);
