@@ -9,7 +9,7 @@ use crate::contact::{exact, levels, point_contact};
 use crate::equilibrium::branch::PathPoint;
 use crate::equilibrium::buckling::convexity;
 use crate::equilibrium::local;
-use crate::equilibrium::local::Checked;
+use crate::equilibrium::local::Assessment;
 use crate::equilibrium::one_way;
 use crate::equilibrium::size;
 use crate::equilibrium::soil;
@@ -108,11 +108,11 @@ fn uncancelled(
 fn solve_convex(
     model: &Model,
     options: &Options,
-    checked: &Checked,
+    checked: &Assessment,
     likely: Option<&[Interval]>,
     workspace: &mut Workspace,
 ) -> Result<Solution, Error> {
-    let Checked { existence, stability, .. } = *checked;
+    let Assessment { existence, stability, .. } = *checked;
     let mut judged = Judged::new(model, stability, workspace);
     let found = find(model, options, existence, likely, |found| judged.judge(found))?;
     let (candidate, certificate) = judged.last(&found);
@@ -123,7 +123,7 @@ fn solve_convex(
 fn solve_one_way(
     model: &Model,
     options: &Options,
-    checked: &Checked,
+    checked: &Assessment,
     workspace: &mut Workspace,
 ) -> Result<Solution, Error> {
     let solve = |model: &Model| solve_in(model, options, None, workspace);
@@ -146,11 +146,11 @@ fn solve_one_way(
 fn solve_local(
     model: &Model,
     options: &Options,
-    checked: &Checked,
+    checked: &Assessment,
     state: &PathPoint,
     workspace: &mut Workspace,
 ) -> Result<Solution, Error> {
-    let Checked { existence, stability, .. } = *checked;
+    let Assessment { existence, stability, .. } = *checked;
     let method = options.method;
     supported::check(model, Way::of(options), true)?;
     // The supports that act are known.
@@ -213,11 +213,11 @@ pub fn exists(model: &Model) -> Result<Existence, Error> {
 }
 
 /// Refuses a model that is wrong, and tells what its equilibrium is like.
-pub(crate) fn check(model: &Model, options: &Options) -> Result<Checked, Error> {
+pub(crate) fn check(model: &Model, options: &Options) -> Result<Assessment, Error> {
     refuse_invalid(model)?;
     let model = &*model.on_given_ground();
     match convexity(model, &options.cancel) {
-        Some(stability) => Ok(Checked { existence: existence(model), stability, local: None }),
+        Some(stability) => Ok(Assessment { existence: existence(model), stability, local: None }),
         None => {
             let exact = Options {
                 memory_limit: options.memory_limit,
@@ -313,7 +313,7 @@ mod tests {
     use super::*;
     use crate::cancel::Cancel;
     use crate::equilibrium::branch;
-    use crate::equilibrium::buckling::glued_buckling_load;
+    use crate::equilibrium::buckling::bonded_buckling_load;
     use crate::model::{Acts, Beam, Foundation, Load, Support};
     use crate::options::Pressure;
     use crate::{Solver, load_factors_with, nodal};
@@ -397,7 +397,7 @@ mod tests {
         assert!(path(&never).wanted.is_some() && path(&now).wanted.is_none());
         assert_eq!(path(&now).last.compression, 0.0);
         let contact = [[0.0, 60.0]];
-        let buckling = |cancel| glued_buckling_load(&model, &contact, cancel);
+        let buckling = |cancel| bonded_buckling_load(&model, &contact, cancel);
         assert!(buckling(&never) > 0.0 && buckling(&now) == 0.0);
     }
 

@@ -45,7 +45,8 @@ impl Outside {
 fn stiffness(beyond: &GroundOutside) -> f64 {
     // None: held.
     let mut behind = if beyond.held { None } else { Some(0.0) };
-    for &OutsideLayer { length, spring, shear } in beyond.layers.iter().rev() {
+    for &OutsideLayer { length, subgrade: spring, shear_layer: shear } in beyond.layers.iter().rev()
+    {
         let own = (spring * shear).sqrt();
         let tanh = ((spring / shear).sqrt() * length).tanh();
         behind = Some(match behind {
@@ -67,7 +68,7 @@ pub(super) fn flexibility(model: &Model, outside: &Outside) -> f64 {
     let under = |s: &&crate::model::FoundationSegment| s.to > 0.0 && s.from < model.beam.length;
     let segments = ground.segments.iter().filter(under);
     let all = segments.map(|s| (s.subgrade.smallest(), s.shear_layer.smallest()));
-    let all = all.chain(outside.layers().map(|layer| (layer.spring, layer.shear)));
+    let all = all.chain(outside.layers().map(|layer| (layer.subgrade, layer.shear_layer)));
     let (k, mu) = all
         .fold((ground.subgrade, ground.shear_layer), |(k, mu), (other_k, other_mu)| {
             (k.min(other_k), mu.min(other_mu))

@@ -6,7 +6,7 @@
 //! stiffness found as a small difference of large ones. Each element is crossed once on the way in
 //! and once on the way out: the cost is linear in the number of elements.
 //!
-//! In a narrow gap, or near the edge of a wide one, a short link of stiffness μ/h ties the surface to the
+//! In a narrow gap, or near the edge of a wide one, a short two-port of stiffness μ/h ties the surface to the
 //! beam. There the third of x is not u but r = u − ψ: in differences of neighbouring r the sinking of beam
 //! and ground has no part, and μ/h never stands beside the stiffness that holds them.
 
@@ -49,7 +49,7 @@ impl Chain {
         let (left, back_left) = self.sweep::<false>(0, meet)?;
         let (right, back_right) = self.sweep::<true>(last, meet)?;
         let mut both = left;
-        let turned = HingeRotation::across(&self.nodes[meet], &mut both)?;
+        let turned = HingeRotation::condense(&self.nodes[meet], &mut both)?;
         // The right sweep sees slopes with the other sign.
         let sign = [1.0, -1.0, 1.0];
         for i in 0..3 {
@@ -62,11 +62,11 @@ impl Chain {
         apply(node, &mut both, 1.0);
         let at_meeting = solve_node(node, &both)?;
         let mut shapes = vec![[0.0; 4]; self.cells.len()];
-        let mut y = HingeRotation::behind(turned, at_meeting);
+        let mut y = HingeRotation::beyond_hinge(turned, at_meeting);
         for (i, back) in (0..meet).zip(&back_left).rev() {
             let Element { length, basis, .. } = self.cells[i].element;
             y = back.cross(length, basis, y, &mut shapes[i]);
-            y = HingeRotation::behind(back.turned, back.end(&self.nodes[i], y, true));
+            y = HingeRotation::beyond_hinge(back.turned, back.end(&self.nodes[i], y, true));
         }
         let mut y = at_meeting;
         y[THETA] = -y[THETA];
@@ -75,7 +75,7 @@ impl Chain {
             let mut v = [0.0; 4];
             y = back.cross(length, basis, y, &mut v);
             shapes[i] = mirror_shape(&v, length, basis);
-            y = HingeRotation::behind(back.turned, back.end(&self.nodes[i + 1], y, false));
+            y = HingeRotation::beyond_hinge(back.turned, back.end(&self.nodes[i + 1], y, false));
         }
         Ok(shapes)
     }
@@ -94,7 +94,7 @@ impl Chain {
                 if MIRRORED { [start - step, start - step - 1] } else { [step, step + 1] };
             let [node, next] = [&self.nodes[here], &self.nodes[ahead]];
             apply(node, &mut state, if MIRRORED { -1.0 } else { 1.0 });
-            let turned = HingeRotation::across(node, &mut state)?;
+            let turned = HingeRotation::condense(node, &mut state)?;
             let mut back = BackSubstitution { turned, ..BackSubstitution::default() };
             let sides = if MIRRORED { [1, 0] } else { [0, 1] };
             if node.surface[sides[0]] && !node.surface[sides[1]] {
@@ -197,7 +197,7 @@ fn cross(
     let stiff = |tied: &TiedTwoPort| {
         tied.left == Tie::SurfaceLeft
             && tied.right == Tie::SurfaceRight
-            && tied.link.coupling > state.s[U][U]
+            && tied.two_port.series > state.s[U][U]
     };
     back.rise = links.iter().any(stiff);
     let surface_left =
@@ -387,7 +387,7 @@ impl BackSubstitution {
 mod tests {
     use super::*;
     use crate::element::ExactElement;
-    use crate::element::operator::{Operator, Touch};
+    use crate::element::operator::{Operator, ZoneKind};
     use crate::mesh::mesh::Mesh;
     use crate::model::{Beam, Foundation, Load, Model};
 
@@ -400,9 +400,10 @@ mod tests {
             let model = Model::new(Beam::uniform(length, 1e-10), Foundation::pasternak(7.0, 0.02))
                 .with_load(Load::uniform_force(0.0, length, 1.0));
             let cell = Mesh::build(&model, &[], |_| 1).cells[0];
-            let element = ExactElement::new(&Operator::of(&cell, 0.0, Touch::Open), length).element;
+            let element =
+                ExactElement::new(&Operator::of(&cell, 0.0, ZoneKind::Open), length).element;
             let tied = TiedTwoPort {
-                link: crate::ground::link::TwoPort::uniform(
+                two_port: crate::ground::link::TwoPort::uniform(
                     cell.subgrade,
                     cell.shear_layer,
                     length,

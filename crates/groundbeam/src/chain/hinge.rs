@@ -15,7 +15,7 @@ pub(super) struct HingeRotation {
 
 impl HingeRotation {
     /// Counts in the hinge of a node, if there is one. Nothing else may act on θ there.
-    pub fn across(
+    pub fn condense(
         node: &ChainNode,
         state: &mut CondensedStiffness,
     ) -> Result<Option<Self>, NotDefinite> {
@@ -44,7 +44,7 @@ impl HingeRotation {
     }
 
     /// (w, θ, u) behind the hinge, if there was one.
-    pub fn behind(turned: Option<Self>, mut y: [f64; 3]) -> [f64; 3] {
+    pub fn beyond_hinge(turned: Option<Self>, mut y: [f64; 3]) -> [f64; 3] {
         if let Some(HingeRotation { gain, constant }) = turned {
             y[THETA] = constant - gain.iter().zip(y).map(|(gain, y)| gain * y).sum::<f64>();
         }

@@ -38,10 +38,10 @@ pub(super) fn mirror_cell(cell: &ChainCell) -> (Element, Vec<TiedTwoPort>) {
         Tie::Beam { row, gap } => Tie::Beam { row: mirror_row(&row), gap },
     };
     let links = cell.links.iter().map(|tied| TiedTwoPort {
-        link: TwoPort {
-            leak_left: tied.link.leak_right,
-            leak_right: tied.link.leak_left,
-            ..tied.link
+        two_port: TwoPort {
+            shunt_left: tied.two_port.shunt_right,
+            shunt_right: tied.two_port.shunt_left,
+            ..tied.two_port
         },
         left: mirror_tie(tied.right),
         right: mirror_tie(tied.left),

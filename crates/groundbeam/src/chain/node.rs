@@ -3,7 +3,7 @@
 use crate::element::element::Element;
 use crate::ground::link::TwoPort;
 
-/// A cell: its element and the links of open ground in it.
+/// A cell: its element and the two-ports of open ground in it.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ChainCell {
     pub element: Element,
@@ -52,7 +52,7 @@ pub(crate) struct CondensedStiffness {
     pub r: [f64; 3],
 }
 
-/// What a link of the ground is tied to.
+/// What a two-port of the ground is tied to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Tie {
     /// The ground's own surface at the cell's left node.
@@ -68,10 +68,10 @@ pub(crate) enum Tie {
     },
 }
 
-/// A link of unloaded ground within one cell.
+/// A two-port of unloaded ground within one cell.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct TiedTwoPort {
-    pub link: TwoPort,
+    pub two_port: TwoPort,
     pub left: Tie,
     pub right: Tie,
 }

@@ -7,7 +7,7 @@ use crate::contact::intervals::{Interval, zones_of};
 use crate::contact::layout::Layout;
 use crate::contact::state::{ContactState, turned};
 use crate::element::element::TERMS;
-use crate::element::operator::{Operator, Touch};
+use crate::element::operator::{Operator, ZoneKind};
 use crate::element::{ExactElement, parts};
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::MeshZone;
@@ -30,7 +30,7 @@ pub(crate) struct Bonded<'a> {
 #[derive(Debug)]
 struct Known {
     x: [f64; 2],
-    touch: Touch,
+    touch: ZoneKind,
     exact: ExactElement,
 }
 
@@ -43,18 +43,18 @@ pub(crate) struct BondedSystem {
 }
 
 /// Which cells rest on the ground: those within an interval.
-fn touch_of(intervals: &[Interval]) -> impl Fn(&Cell) -> Touch + '_ {
+fn zone_kind_of(intervals: &[Interval]) -> impl Fn(&Cell) -> ZoneKind + '_ {
     |cell| {
         let x = 0.5 * (cell.x[0] + cell.x[1]);
         let next = intervals.partition_point(|s| s[1] <= x);
         let touches = intervals.get(next).is_some_and(|s| s[0] < x);
-        if touches { Touch::Contact } else { Touch::Open }
+        if touches { ZoneKind::Contact } else { ZoneKind::Open }
     }
 }
 
 /// Whether compression takes all stiffness against shear from a beam with nodes at given places somewhere, so that it
 /// folds in waves however short.
-pub(crate) fn folds(model: &Model, places: &[f64], touch: &impl Fn(&Cell) -> Touch) -> bool {
+pub(crate) fn folds(model: &Model, places: &[f64], touch: &impl Fn(&Cell) -> ZoneKind) -> bool {
     let axial = model.beam.axial_force;
     if axial >= 0.0 || !model.beam.shears() {
         return false;
@@ -70,17 +70,17 @@ impl<'a> Bonded<'a> {
     }
 
     /// The beam bonded to the ground on given intervals. A cancelled solve has none: its steps end here.
-    pub fn on(
+    pub fn solve_on(
         &mut self,
         intervals: &[Interval],
         held: Option<GivenRotation>,
     ) -> Result<ContactState, NotDefinite> {
         let model = self.model;
-        let touch = touch_of(intervals);
+        let touch = zone_kind_of(intervals);
         if self.cancel.is_cancelled() || folds(model, intervals.as_flattened(), &touch) {
             return Err(NotDefinite);
         }
-        let BondedSystem { mesh, zones, mut chain } = self.lay(intervals, &[]);
+        let BondedSystem { mesh, zones, mut chain } = self.system_on(intervals, &[]);
         if let Some(held) = held {
             let node = if held.left { 0 } else { chain.nodes.len() - 1 };
             let spring = model.beam.bending_stiffness / model.beam.length;
@@ -104,9 +104,9 @@ impl<'a> Bonded<'a> {
     }
 
     /// The chain of beam and ground bonded together on given intervals, with nodes at `more` positions.
-    pub fn lay(&mut self, intervals: &[Interval], more: &[f64]) -> BondedSystem {
+    pub fn system_on(&mut self, intervals: &[Interval], more: &[f64]) -> BondedSystem {
         let axial = self.model.beam.axial_force;
-        let touch = touch_of(intervals);
+        let touch = zone_kind_of(intervals);
         let edges = intervals.as_flattened();
         let places: Cow<'_, [f64]> =
             if more.is_empty() { edges.into() } else { [edges, more].concat().into() };
@@ -128,12 +128,12 @@ impl<'a> Bonded<'a> {
     }
 
     /// The elements of the last chain, and whether each rests on the ground.
-    pub fn elements(&self) -> impl Iterator<Item = (&ExactElement, Touch)> {
+    pub fn elements(&self) -> impl Iterator<Item = (&ExactElement, ZoneKind)> {
         self.known.iter().map(|known| (&known.exact, known.touch))
     }
 
     /// The elements of a mesh, of which those that were known are kept.
-    fn make_elements(&mut self, mesh: &Mesh, touch: &impl Fn(&Cell) -> Touch) {
+    fn make_elements(&mut self, mesh: &Mesh, touch: &impl Fn(&Cell) -> ZoneKind) {
         let axial = self.model.beam.axial_force;
         let before = std::mem::replace(&mut self.known, Vec::with_capacity(mesh.cells.len()));
         let mut before = before.into_iter().peekable();
@@ -239,8 +239,9 @@ mod tests {
             .with_load(Load::point_moment(0.5, 0.1));
         let solved = |intervals: &[Interval], node: f64| {
             let model = model.clone().with_load(Load::point_force(node, f64::MIN_POSITIVE));
-            let found =
-                Bonded::new(&model, &Cancel::default()).on(intervals, None).expect("a solution");
+            let found = Bonded::new(&model, &Cancel::default())
+                .solve_on(intervals, None)
+                .expect("a solution");
             let cell = found.mesh.cells.iter().position(|c| c.x[1] == 0.3).expect("a node");
             let [w, _, bend, _] = jet(found.deflection().cell(cell), 1.0);
             [w, bend / (0.5 * found.mesh.cells[cell].length()).powi(2)]

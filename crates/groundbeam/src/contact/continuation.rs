@@ -14,7 +14,7 @@ use crate::contact::levels;
 use crate::contact::refine::{Goal, InitialGuess, refine};
 use crate::contact::state::{ContactState, Unconverged, edges_not_converged};
 use crate::contact::stopping::Proof;
-use crate::element::operator::{Operator, Touch};
+use crate::element::operator::{Operator, ZoneKind};
 use crate::mesh::cell::Cell;
 use crate::mesh::mesh::Mesh;
 use crate::model::Model;
@@ -42,7 +42,7 @@ pub(crate) fn start(
 ) -> Result<ContactState, Unconverged> {
     let axial = model.beam.axial_force;
     let waves = |cell: &Cell| {
-        Operator::of(cell, axial, Touch::Contact).wave_number() * cell.length() / MOST_WAVES
+        Operator::of(cell, axial, ZoneKind::Contact).wave_number() * cell.length() / MOST_WAVES
     };
     let cells = Mesh::build(model, &[], |_| 1).cells;
     // |r| falls at least like EI^(−1/4).
@@ -98,7 +98,7 @@ fn follow(
         // The last step is not followed by what rounding leaves.
         let next = if doublings > 1.001 * step { doublings - step } else { 0.0 };
         let softer = model_of(next);
-        let mut start = InitialGuess::asked_by(found.clone());
+        let mut start = InitialGuess::of_contact_set(found.clone());
         let here = start.intervals.clone();
         if let Some((stiffer, intervals)) = &before {
             let part = (doublings - next) / (stiffer - doublings);

@@ -19,5 +19,5 @@ pub(crate) fn on_a_corner(
         return None;
     }
     let corner = model.gap.iter().map(|corner| corner.at).find(|at| *at == from || *at == to)?;
-    bonded.on(&[[corner, corner]], Some(GivenRotation::as_in(found))).ok()
+    bonded.solve_on(&[[corner, corner]], Some(GivenRotation::as_in(found))).ok()
 }

@@ -37,7 +37,7 @@ impl OpenSpan {
 /// The intervals after a step on every edge of the given zones, whose ends are nodes. None where that is
 /// not for edges to tell: on separate springs, and where an end or a point of contact pulls or an edge
 /// goes far.
-pub(crate) fn moved(w: &Deflection, zones: &[MeshZone]) -> Option<Vec<Interval>> {
+pub(crate) fn next_intervals(w: &Deflection, zones: &[MeshZone]) -> Option<Vec<Interval>> {
     let runs = ground_runs(w.mesh);
     let [run] = runs.as_slice() else { return None };
     if !run.pasternak || zones.is_empty() {
@@ -55,9 +55,9 @@ pub(crate) fn moved(w: &Deflection, zones: &[MeshZone]) -> Option<Vec<Interval>>
             return (before.fluxes[1] + after.fluxes[0] >= 0.0).then_some(interval);
         }
         let forces = [before.fluxes[1] - w.flux(zone.from), after.fluxes[0] + w.flux(zone.to)];
-        let stiffness = before.link.leak_right + before.link.coupling;
+        let stiffness = before.link.shunt_right + before.link.series;
         let outward = outward(w, zone.from, forces[0], stiffness)?;
-        let stiffness = after.link.leak_left + after.link.coupling;
+        let stiffness = after.link.shunt_left + after.link.series;
         let steps = [outward, self::outward(w, zone.to, forces[1], stiffness)?];
         let length = interval[1] - interval[0];
         let small = [&before, &after].map(|span| NEAR * length.min(span.length));
@@ -73,7 +73,7 @@ fn outward(w: &Deflection, edge: BeamPoint, force: f64, stiffness: f64) -> Optio
     if can_carry(w.mesh, edge) {
         return (force >= 0.0).then_some(0.0);
     }
-    let [_, _, pressure] = w.pressing(edge);
+    let [_, _, pressure] = w.obstacle_and_pressure(edge);
     let [_, shear] = w.mesh.cells[edge.cell].ground_at(edge.s);
     let slope = pressure - stiffness / shear * force;
     (slope > 0.0).then_some(force / slope)

@@ -59,7 +59,7 @@ pub(crate) fn solve(
     for level in 0..=REFINEMENTS {
         let start = continuation::start(&nearly, level, cancel);
         let found = start.and_then(|start| {
-            refine(bonded, InitialGuess::asked_by(start), Goal::Answer(MOST_STEPS), judge)
+            refine(bonded, InitialGuess::of_contact_set(start), Goal::Answer(MOST_STEPS), judge)
         });
         match found {
             Ok(found) => return Ok(found),
@@ -74,7 +74,7 @@ pub(crate) fn solve(
                 solve(model, None, cancel, unjudged)
             })
             && let Ok(found) =
-                refine(bonded, InitialGuess::asked_by(start), Goal::Answer(MOST_STEPS), judge)
+                refine(bonded, InitialGuess::of_contact_set(start), Goal::Answer(MOST_STEPS), judge)
         {
             return Ok(found);
         }
@@ -122,7 +122,8 @@ pub(crate) fn from_stable(
         Err(stalled) => stalled.why.reached().unwrap_or(f64::NAN),
     };
     // Close to a limit point a Newton step leads away from the equilibrium: keep the given contact.
-    let found = bonded.on(contact, None).map_err(|NotDefinite| edges_not_converged(0, moved))?;
+    let found =
+        bonded.solve_on(contact, None).map_err(|NotDefinite| edges_not_converged(0, moved))?;
     if judge(&found).is_within(LAST) { Ok(found) } else { Err(edges_not_converged(0, moved)) }
 }
 
@@ -140,14 +141,14 @@ fn from_edges(
     judge: &mut dyn FnMut(&ContactState) -> Proof,
 ) -> Result<ContactState, Unconverged> {
     let found =
-        bonded.on(intervals, None).map_err(|NotDefinite| edges_not_converged(0, f64::NAN))?;
+        bonded.solve_on(intervals, None).map_err(|NotDefinite| edges_not_converged(0, f64::NAN))?;
     let zones = obstacle::contact(&found.deflection());
     if positions(&found.mesh, &zones, &[]) == intervals {
         judge(&found);
         let history = vec![Step { zones: intervals.len(), step: 1.0, decrement: 0.0 }];
         return Ok(ContactState { history, ..found });
     }
-    let start = InitialGuess::asked_by(ContactState { zones, ..found });
+    let start = InitialGuess::of_contact_set(ContactState { zones, ..found });
     refine(bonded, start, Goal::Answer(NEAR_STEPS), judge)
 }
 
@@ -158,11 +159,11 @@ fn from_likely(
     judge: &mut dyn FnMut(&ContactState) -> Proof,
 ) -> Result<ContactState, Unconverged> {
     let found =
-        bonded.on(intervals, None).map_err(|NotDefinite| edges_not_converged(0, f64::NAN))?;
+        bonded.solve_on(intervals, None).map_err(|NotDefinite| edges_not_converged(0, f64::NAN))?;
     let near = |next: &Vec<Interval>| {
         next != intervals && distance(intervals, next) <= NEAR * bonded.model.beam.length
     };
-    match edges::moved(&found.deflection(), &found.zones).filter(near) {
+    match edges::next_intervals(&found.deflection(), &found.zones).filter(near) {
         Some(next) => {
             let start = InitialGuess { found, intervals: next, near: true };
             refine(bonded, start, Goal::Answer(NEAR_STEPS), judge)
@@ -186,8 +187,9 @@ mod tests {
         let mut intervals = vec![[0.8, 1.0]];
         let mut errors = Vec::new();
         for _ in 0..4 {
-            let found =
-                Bonded::new(&model, &Cancel::default()).on(&intervals, None).expect("a solution");
+            let found = Bonded::new(&model, &Cancel::default())
+                .solve_on(&intervals, None)
+                .expect("a solution");
             let zones = obstacle::contact(&found.deflection());
             intervals = positions(&found.mesh, &zones, &[]);
             errors.push((intervals[0][0] - 0.811_326_256_449_155).abs());

@@ -1,6 +1,6 @@
 //! Contact as positions, and as zones of a mesh with a node at each of them.
 
-use crate::element::operator::Touch;
+use crate::element::operator::ZoneKind;
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{BeamPoint, MeshZone};
 use crate::mesh::mesh::Mesh;
@@ -8,7 +8,7 @@ use crate::mesh::mesh::Mesh;
 /// Edges this close to a place of the model's own, as a part of the length, are there.
 const SAME_PLACE: f64 = 64.0 * f64::EPSILON;
 
-/// Open ground this short, as a part of the length, is hardly more than rounding.
+/// Open ground this short, relative to l, is rounding error.
 const SLIT: f64 = 1e-10;
 
 /// Stretches of contact as positions; a point has both equal.
@@ -17,7 +17,7 @@ pub(crate) type Interval = [f64; 2];
 /// Zones as positions. An edge within rounding of a place of the model's own is there.
 pub(crate) fn positions(mesh: &Mesh, zones: &[MeshZone], places: &[f64]) -> Vec<Interval> {
     let l = mesh.cells[mesh.cells.len() - 1].x[1];
-    let at = |point: BeamPoint| at_place(mesh.cells[point.cell].global(point.s), places, l);
+    let at = |point: BeamPoint| snapped(mesh.cells[point.cell].global(point.s), places, l);
     // Without a shear layer an interval that rounding made is no point of contact: it carries nothing.
     let carries = |zone: &MeshZone| mesh.cells[zone.from.cell].shear_layer > 0.0;
     let kept = |(zone, [from, to]): &(&MeshZone, Interval)| from < to || carries(zone);
@@ -45,7 +45,7 @@ pub(crate) fn joined(intervals: Vec<Interval>, l: f64) -> Vec<Interval> {
 }
 
 /// A position on a beam of length l; within rounding of a place of the model's own that place.
-pub(crate) fn at_place(x: f64, places: &[f64], l: f64) -> f64 {
+pub(crate) fn snapped(x: f64, places: &[f64], l: f64) -> f64 {
     let near = SAME_PLACE * l;
     let next = places.partition_point(|place| *place < x - near);
     places.get(next).copied().filter(|place| *place <= x + near).unwrap_or(x)
@@ -55,12 +55,12 @@ pub(crate) fn at_place(x: f64, places: &[f64], l: f64) -> f64 {
 pub(crate) fn zones_of(
     mesh: &Mesh,
     intervals: &[Interval],
-    touch: &impl Fn(&Cell) -> Touch,
+    touch: &impl Fn(&Cell) -> ZoneKind,
 ) -> Vec<MeshZone> {
     let mut zones: Vec<MeshZone> = Vec::new();
     let kind = |i: usize| mesh.cells[i].shear_layer > 0.0;
     for (i, cell) in mesh.cells.iter().enumerate() {
-        if touch(cell) == Touch::Open {
+        if touch(cell) == ZoneKind::Open {
             continue;
         }
         let end = BeamPoint { cell: i, s: 1.0 };

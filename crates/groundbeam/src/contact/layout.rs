@@ -3,7 +3,7 @@
 use crate::chain::node::{ChainCell, ChainNode};
 use crate::chain::node::{Tie, TiedTwoPort};
 use crate::element::element::Element;
-use crate::element::operator::{Operator, Touch};
+use crate::element::operator::{Operator, ZoneKind};
 use crate::mesh::cell::gap_at;
 use crate::mesh::deflection::MeshZone;
 use crate::mesh::ground_runs::{GroundRun, ground_runs};
@@ -153,7 +153,7 @@ impl Layout {
             for (node, distance) in own.zip(distances) {
                 let cell = &mesh.cells[node.min(cells.end - 1)];
                 let waves = || {
-                    Operator::of(cell, mesh.axial_force, Touch::Contact).wave_number() * distance
+                    Operator::of(cell, mesh.axial_force, ZoneKind::Contact).wave_number() * distance
                 };
                 if nodes[node].surface.contains(&true) && waves() <= NEAR {
                     nodes[node].from_beam = true;
@@ -166,7 +166,7 @@ impl Layout {
     }
 
     /// How far each node of a run is from the next point of contact: near one the ground between is hardly
-    /// more than a stiff link.
+    /// more than a stiff two-port.
     fn distances_to_contact(&self, mesh: &Mesh, cells: &Range<usize>) -> Vec<f64> {
         let x = |node: usize| mesh.nodes[node].x;
         let at = |cell: usize, s: f64| mesh.cells[cell].global(s);
@@ -195,7 +195,7 @@ impl Layout {
         distance
     }
 
-    /// The links of open ground in cell i. `row` gives w at s as a combination of the element's four.
+    /// The two-ports of open ground in cell i. `row` gives w at s as a combination of the element's four.
     pub fn links(&self, mesh: &Mesh, i: usize, row: impl Fn(f64) -> [f64; 4]) -> Vec<TiedTwoPort> {
         let cell = &mesh.cells[i];
         if cell.shear_layer <= 0.0 {
@@ -207,7 +207,7 @@ impl Layout {
         let mut at = -1.0;
         let mut link_to = |to: f64, left: Tie, right: Tie, at: f64| {
             if to > at {
-                links.push(TiedTwoPort { link: cell_part(cell, at, to), left, right });
+                links.push(TiedTwoPort { two_port: cell_part(cell, at, to), left, right });
             }
         };
         for [from, to] in self.parts(i) {
@@ -219,7 +219,7 @@ impl Layout {
         links
     }
 
-    /// A chain cell from its element and this contact's links.
+    /// A chain cell from its element and this contact's two-ports.
     pub fn chain_cell(
         &self,
         mesh: &Mesh,

@@ -10,7 +10,7 @@ use crate::cancel::Cancel;
 use crate::contact::active_set;
 use crate::contact::state::{ContactState, Unconverged};
 use crate::contact::stopping::COARSE_CLOSE;
-use crate::element::operator::{Operator, Touch};
+use crate::element::operator::{Operator, ZoneKind};
 use crate::mesh::cell::Cell;
 use crate::mesh::mesh::Mesh;
 use crate::model::Model;
@@ -27,7 +27,7 @@ const DOUBLINGS_PER_STAGE: f64 = 4.0;
 pub(crate) fn coarse_meshes(model: &Model, per_wave: f64) -> impl Iterator<Item = Mesh> + '_ {
     let axial = model.beam.axial_force;
     let wanted = move |cell: &Cell| {
-        let wave = Operator::of(cell, axial, Touch::Contact).wave_number();
+        let wave = Operator::of(cell, axial, ZoneKind::Contact).wave_number();
         let cells = (wave * cell.length() * per_wave).ceil();
         (cells.clamp(2.0, MOST_COARSE * per_wave) as usize).next_power_of_two()
     };

@@ -180,7 +180,7 @@ impl Scan<'_> {
     fn close(&self, stack: &mut Vec<KeptZone>) {
         let end = self.run.cells.end;
         let Some(last) = stack.last() else { return };
-        let beyond = TwoPort { coupling: 0.0, leak_left: self.run.beyond[1], leak_right: 0.0 };
+        let beyond = TwoPort { series: 0.0, shunt_left: self.run.beyond[1], shunt_right: 0.0 };
         let mut span = OpenSpan {
             left: Some(last.zone.to),
             right: None,
@@ -229,7 +229,7 @@ impl Scan<'_> {
     }
 
     fn beyond_to(&self, to: BeamPoint) -> OpenSpan {
-        let beyond = TwoPort { coupling: 0.0, leak_left: 0.0, leak_right: self.run.beyond[0] };
+        let beyond = TwoPort { series: 0.0, shunt_left: 0.0, shunt_right: self.run.beyond[0] };
         let middle = self.whole_cells(self.run.cells.start, to.cell, Some(beyond));
         OpenSpan { left: None, right: Some(to), middle }
     }
@@ -246,7 +246,7 @@ impl Scan<'_> {
         let parts = [head, span.middle, tail];
         let whole = parts.into_iter().flatten().reduce(TwoPort::then);
         // A span without length between two points at one node: a rigid two-port.
-        whole.unwrap_or(TwoPort { coupling: f64::MAX, leak_left: 0.0, leak_right: 0.0 })
+        whole.unwrap_or(TwoPort { series: f64::MAX, shunt_left: 0.0, shunt_right: 0.0 })
     }
 
     /// The contact force at a single point between two spans; not positive where the ground would have to pull.
@@ -290,7 +290,7 @@ impl Scan<'_> {
     /// dA/da = −π + (S/μ) A, where S is the stiffness of the open ground seen from there.
     fn force_at_left(&self, span: &OpenSpan, point: BeamPoint) -> [f64; 2] {
         let trial = OpenSpan { left: Some(point), ..*span };
-        let [psi, slope, pressure] = self.w.pressing(point);
+        let [psi, slope, pressure] = self.w.obstacle_and_pressure(point);
         let other = span.right.map_or(0.0, |b| self.w.obstacle_at(b));
         let [_, shear] = self.w.mesh.cells[point.cell].ground_at(point.s);
         let link = self.link(&trial);
@@ -298,13 +298,13 @@ impl Scan<'_> {
             Some([force, _]) => force,
             None => shear * slope + link.force_left(psi, other),
         };
-        [force, (link.leak_left + link.coupling) / shear * force - pressure]
+        [force, (link.shunt_left + link.series) / shear * force - pressure]
     }
 
     /// The same at its right end, dB/db = π − (S/μ) B.
     fn force_at_right(&self, span: &OpenSpan, point: BeamPoint) -> [f64; 2] {
         let trial = OpenSpan { right: Some(point), ..*span };
-        let [psi, slope, pressure] = self.w.pressing(point);
+        let [psi, slope, pressure] = self.w.obstacle_and_pressure(point);
         let other = span.left.map_or(0.0, |a| self.w.obstacle_at(a));
         let [_, shear] = self.w.mesh.cells[point.cell].ground_at(point.s);
         let link = self.link(&trial);
@@ -312,7 +312,7 @@ impl Scan<'_> {
             Some([_, force]) => force,
             None => link.force_right(other, psi) - shear * slope,
         };
-        [force, pressure - (link.leak_right + link.coupling) / shear * force]
+        [force, pressure - (link.shunt_right + link.series) / shear * force]
     }
 
     /// The forces at both ends of a short span.
@@ -427,7 +427,7 @@ fn point_zone(point: BeamPoint) -> MeshZone {
     MeshZone { from: point, to: point }
 }
 
-/// `before`, then the whole cells of a range. Runs of equal ground are one link.
+/// `before`, then the whole cells of a range. Runs of equal ground are one two-port.
 fn whole_cells(mesh: &Mesh, from: usize, to: usize, before: Option<TwoPort>) -> Option<TwoPort> {
     let mut link = before;
     let mut i = from;

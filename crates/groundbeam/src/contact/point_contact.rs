@@ -38,7 +38,7 @@ pub(crate) fn solve_over_an_end(
     let end = if over_left { 0.0 } else { l };
     let history = limit.history;
     match Bonded::new(model, cancel)
-        .on(&[[end, end]], Some(GivenRotation { left: over_left, slope }))
+        .solve_on(&[[end, end]], Some(GivenRotation { left: over_left, slope }))
     {
         Ok(found) if judge(&found).is_within(ENOUGH) => Ok(ContactState { history, ..found }),
         _ => Err(edges_not_converged(history.len(), f64::NAN)),

@@ -31,7 +31,7 @@ struct SpanPart {
     /// b·length.
     length: f64,
     stiffness: f64,
-    /// Where the ground varies: the part alone, and its ground as a link.
+    /// Where the ground varies: the part alone, and its ground as a two-port.
     varying: Option<(Cell, TwoPort)>,
 }
 
@@ -57,12 +57,12 @@ impl SpanPart {
     fn cross(&self, phi: f64, flux: f64, turned: bool) -> [f64; 2] {
         if let Some((_, link)) = &self.varying {
             let (behind, ahead) = if turned {
-                (link.leak_right, link.leak_left)
+                (link.shunt_right, link.shunt_left)
             } else {
-                (link.leak_left, link.leak_right)
+                (link.shunt_left, link.shunt_right)
             };
             let held = behind * phi + flux;
-            let next = phi + held / link.coupling;
+            let next = phi + held / link.series;
             return [next, ahead * next + held];
         }
         let (sinh, cosh) = (self.length.sinh(), self.length.cosh());
@@ -179,7 +179,7 @@ pub(crate) fn opened(w: &Deflection, ends: [BeamPoint; 2]) -> Option<[BeamPoint;
     if a.cell + 1 != b.cell || a.s < 1.0 || b.s > -1.0 {
         return None;
     }
-    let pressure = ends.map(|point| w.pressing(point)[2]);
+    let pressure = ends.map(|point| w.obstacle_and_pressure(point)[2]);
     let reach = -w.corner(b.cell) / (4.0 * pressure[0].max(pressure[1]));
     let [before, after] = [a.cell, b.cell].map(|i| 2.0 * reach / w.mesh.cells[i].length());
     if !(reach > 0.0 && before < 2.0 && after < 2.0) {

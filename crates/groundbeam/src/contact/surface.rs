@@ -117,7 +117,7 @@ impl Surface {
         }
     }
 
-    /// Covers open ground between two points; returns the whole link.
+    /// Covers open ground between two points; returns the whole two-port.
     fn open(
         &mut self,
         w: &Deflection,

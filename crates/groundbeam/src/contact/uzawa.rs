@@ -213,23 +213,23 @@ impl Column {
         let mut from_left = vec![mesh.outside[0]; n];
         for i in 1..n {
             let link = links[i - 1];
-            let hold = from_left[i - 1] + link.leak_left;
-            from_left[i] = link.leak_right + link.coupling * (hold / (hold + link.coupling));
+            let hold = from_left[i - 1] + link.shunt_left;
+            from_left[i] = link.shunt_right + link.series * (hold / (hold + link.series));
         }
         let mut from_right = vec![mesh.outside[1]; n];
         for i in (0..n - 1).rev() {
             let link = links[i];
-            let hold = from_right[i + 1] + link.leak_right;
-            from_right[i] = link.leak_left + link.coupling * (hold / (hold + link.coupling));
+            let hold = from_right[i + 1] + link.shunt_right;
+            from_right[i] = link.shunt_left + link.series * (hold / (hold + link.series));
         }
-        let ratio = |coupling: f64, hold: f64| coupling / (coupling + hold);
+        let ratio = |series: f64, hold: f64| series / (series + hold);
         let rightward = (0..n).map(|i| match i {
             0 => 0.0,
-            _ => ratio(links[i - 1].coupling, links[i - 1].leak_right + from_right[i]),
+            _ => ratio(links[i - 1].series, links[i - 1].shunt_right + from_right[i]),
         });
         let leftward = (0..n).map(|i| match i {
             0 => 0.0,
-            _ => ratio(links[i - 1].coupling, links[i - 1].leak_left + from_left[i - 1]),
+            _ => ratio(links[i - 1].series, links[i - 1].shunt_left + from_left[i - 1]),
         });
         Column {
             diagonal: (0..n).map(|i| 1.0 / (from_left[i] + from_right[i])).collect(),

@@ -344,5 +344,5 @@ fn segments_beyond(
     }
     let beyond = numbered.beyond(right, length, [number(at_end), shear]);
     let segment = |number: f64| (number >= 2.0).then(|| number as usize - 2);
-    beyond.layers.iter().map(|layer| segment(layer.spring)).collect()
+    beyond.layers.iter().map(|layer| segment(layer.subgrade)).collect()
 }

@@ -3,7 +3,7 @@
 use super::joint::Joint;
 use crate::certificate::gauss;
 use crate::derivatives::piece::Piece;
-use crate::element::operator::Touch;
+use crate::element::operator::ZoneKind;
 use crate::ground::link::{between, settled, slope_between};
 use crate::numeric::polynomial::{Coefficients, jet};
 
@@ -119,7 +119,7 @@ impl Field {
             let [turned, rate, ..] = jet(turns, s);
             (point.rotation, point.strain, point.bend) = (turned, slope - turned, rate / half);
         }
-        if piece.touch == Touch::Open {
+        if piece.touch == ZoneKind::Open {
             [point.u, point.rise] = self.open_ground(piece, i, s);
             if loaded {
                 let [own, sinks] = cell.free_field_at(s);
@@ -153,7 +153,7 @@ impl Field {
 /// u on a piece off the ground where the ground varies; nothing elsewhere.
 fn varying(piece: &Piece, ends: [f64; 2]) -> Coefficients {
     let cell = &piece.cell;
-    if piece.touch == Touch::Open && cell.shear_layer > 0.0 && cell.ground_varies() {
+    if piece.touch == ZoneKind::Open && cell.shear_layer > 0.0 && cell.ground_varies() {
         settled(&cell.subgrade_along(), &cell.shear_layer_along(), piece.half, ends)
     } else {
         Coefficients::default()

@@ -10,7 +10,7 @@ use super::linearised::{Linearised, dot, is_rigid};
 use super::output::Functional;
 use super::parameter::SupportNumber;
 use crate::derivatives::{NotDifferentiable, Output, Side, Solution};
-use crate::element::operator::Touch;
+use crate::element::operator::ZoneKind;
 use crate::ground::link;
 use crate::mesh::deflection::BeamPoint;
 use crate::model::SupportKind;
@@ -220,7 +220,7 @@ impl Linearised {
                 }
                 Against::CurlBeside => self.read_moment(f, spot, -weight),
                 Against::Settlement => {
-                    if self.pieces[self.piece_at(spot)].touch == Touch::Contact {
+                    if self.pieces[self.piece_at(spot)].touch == ZoneKind::Contact {
                         self.read_deflection(f, spot, weight);
                     } else {
                         self.read_ground(f, spot, weight);

@@ -1,7 +1,7 @@
 //! Open ground between two zones of contact, or between one and the ground beyond.
 
 use crate::derivatives::piece::Piece;
-use crate::element::operator::Touch;
+use crate::element::operator::ZoneKind;
 use crate::ground::link::TwoPort;
 use crate::mesh::deflection::{BeamPoint, MeshZone};
 use crate::mesh::ground_runs::ground_runs as grounds;
@@ -33,20 +33,20 @@ pub(super) fn joints(mesh: &Mesh, zones: &[MeshZone], pieces: &[Piece]) -> Vec<J
             let first = left.map_or(ground.cells.start, |s| s.cell + usize::from(s.s > 0.0));
             let end = right.map_or(ground.cells.end, |s| s.cell + usize::from(s.s > 0.0));
             let open = pieces.iter().enumerate().filter(|(_, piece)| {
-                piece.touch == Touch::Open && (first..end).contains(&piece.element)
+                piece.touch == ZoneKind::Open && (first..end).contains(&piece.element)
             });
             let mut strips: Vec<Option<usize>> = open.map(|(i, _)| Some(i)).collect();
             let mut links: Vec<TwoPort> =
                 strips.iter().flatten().map(|i| link(&pieces[*i])).collect();
             if left.is_none() {
-                let leak_right = ground.beyond[0];
+                let shunt_right = ground.beyond[0];
                 strips.insert(0, None);
-                links.insert(0, TwoPort { coupling: 0.0, leak_left: 0.0, leak_right });
+                links.insert(0, TwoPort { series: 0.0, shunt_left: 0.0, shunt_right });
             }
             if right.is_none() {
-                let leak_left = ground.beyond[1];
+                let shunt_left = ground.beyond[1];
                 strips.push(None);
-                links.push(TwoPort { coupling: 0.0, leak_left, leak_right: 0.0 });
+                links.push(TwoPort { series: 0.0, shunt_left, shunt_right: 0.0 });
             }
             let whole = links.iter().copied().reduce(TwoPort::then).unwrap_or_default();
             joints.push(Joint { ends: [left, right], strips, links, whole });
@@ -99,7 +99,7 @@ impl Joint {
         let [left, right] = [&self.links[..strip], &self.links[strip..]];
         let [before, after] = [left, right]
             .map(|links| links.iter().copied().reduce(TwoPort::then).unwrap_or_default());
-        let hold = before.coupling + before.leak_right + after.coupling + after.leak_left;
+        let hold = before.series + before.shunt_right + after.series + after.shunt_left;
         let top = if hold > 0.0 { 1.0 / hold } else { 0.0 };
         let mut bulge = heights(left, [0.0, top]).0;
         bulge.pop();

@@ -17,7 +17,7 @@ use crate::derivatives::piece::Piece;
 use crate::element::ExactElement;
 use crate::element::element::Basis;
 use crate::element::element::TERMS;
-use crate::element::operator::Touch;
+use crate::element::operator::ZoneKind;
 use crate::ground::link;
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{BeamPoint, MeshZone};
@@ -57,14 +57,14 @@ impl Linearised {
         let model = solution.model().with_supports_that(|i, s| !s.is_one_way() || acts(i));
         let never = Cancel::default();
         let mut glue = Bonded::new(&model, &never);
-        let BondedSystem { mesh, zones, chain } = glue.lay(&stretches, places);
+        let BondedSystem { mesh, zones, chain } = glue.system_on(&stretches, places);
         let shapes = chain.solve().ok()?;
-        let (loaded, touch): (Vec<ExactElement>, Vec<Touch>) =
+        let (loaded, touch): (Vec<ExactElement>, Vec<ZoneKind>) =
             glue.elements().map(|(element, touch)| (element.clone(), touch)).unzip();
         let bare = without_loads(&model);
         let mut glue = Bonded::new(&bare, &never);
         let nodes: Vec<f64> = mesh.nodes.iter().map(|node| node.x).collect();
-        let BondedSystem { mesh: same, chain, .. } = glue.lay(&stretches, &nodes);
+        let BondedSystem { mesh: same, chain, .. } = glue.system_on(&stretches, &nodes);
         if same.nodes.len() != mesh.nodes.len() {
             return None;
         }
@@ -328,14 +328,14 @@ fn without_loads(model: &Model) -> Model {
 }
 
 /// Every element cut so that w and u are short power series.
-fn pieces(mesh: &Mesh, elements: &[ExactElement], touch: &[Touch]) -> Vec<Piece> {
+fn pieces(mesh: &Mesh, elements: &[ExactElement], touch: &[ZoneKind]) -> Vec<Piece> {
     let mut pieces = Vec::with_capacity(mesh.cells.len());
     for (i, (cell, exact)) in mesh.cells.iter().zip(elements).enumerate() {
         let mut cuts: Vec<f64> = Vec::new();
         if let Some(layers) = exact.layers() {
             cuts.extend(layers.cuts(cell.x, [1.0; 2]));
         }
-        let open = touch[i] == Touch::Open && cell.shear_layer > 0.0;
+        let open = touch[i] == ZoneKind::Open && cell.shear_layer > 0.0;
         if open && !cell.ground_varies() {
             link::cut(cell.x, (cell.shear_layer / cell.subgrade).sqrt(), &mut cuts);
         }

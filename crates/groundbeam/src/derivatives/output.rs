@@ -5,7 +5,7 @@ use super::field::Point;
 use super::linearised::Linearised;
 use super::push::Push;
 use crate::contact::surface::can_carry;
-use crate::element::operator::Touch;
+use crate::element::operator::ZoneKind;
 use crate::mesh::deflection::BeamPoint;
 use crate::model::SupportKind;
 use crate::numeric::polynomial::jet;
@@ -101,7 +101,7 @@ impl Linearised {
 
     /// N.
     pub fn tension_at(&self, spot: BeamPoint) -> f64 {
-        let touches = self.pieces[self.piece_at(spot)].touch == Touch::Contact;
+        let touches = self.pieces[self.piece_at(spot)].touch == ZoneKind::Contact;
         let [_, mu] = self.mesh.cells[spot.cell].ground_at(spot.s);
         self.model.beam.axial_force + if touches { mu } else { 0.0 }
     }
@@ -131,7 +131,7 @@ impl Linearised {
     pub fn field_at(&self, quantity: Quantity, x: f64, side: Side) -> Functional {
         let spot = self.spot(x, side);
         let cell = self.mesh.cells[spot.cell];
-        let touches = self.pieces[self.piece_at(spot)].touch == Touch::Contact;
+        let touches = self.pieces[self.piece_at(spot)].touch == ZoneKind::Contact;
         let mut f = Functional { looks: Some((quantity, x, side)), ..Functional::default() };
         match quantity {
             Quantity::Deflection => self.read_deflection(&mut f, spot, 1.0),
@@ -357,7 +357,7 @@ impl Linearised {
                 _ => 0.0,
             })
         };
-        let touches = piece.touch == Touch::Contact;
+        let touches = piece.touch == ZoneKind::Contact;
         match term.what {
             What::Slope => {
                 let shear = self.shear_stiffness_at(spot).map_or(0.0, |[shear, _]| shear);

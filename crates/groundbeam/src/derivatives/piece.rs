@@ -1,6 +1,6 @@
 //! A piece of the linearised beam: one element between two nodes.
 
-use crate::element::operator::Touch;
+use crate::element::operator::ZoneKind;
 use crate::mesh::cell::Cell;
 
 /// A part of an element on which w and u are short power series.
@@ -13,7 +13,7 @@ pub(crate) struct Piece {
     /// Half its length \[m\].
     pub half: f64,
     /// Whether beam and ground touch.
-    pub touch: Touch,
+    pub touch: ZoneKind,
     /// Its ends in the element's own coordinate.
     pub part: [f64; 2],
 }

@@ -7,7 +7,7 @@ use super::change::{Against, Change, PointChange};
 use super::field::Point;
 use super::linearised::Linearised;
 use super::product::{Dual, Rate};
-use crate::element::operator::Touch;
+use crate::element::operator::ZoneKind;
 use crate::mesh::deflection::BeamPoint;
 use crate::solution::fields::{Field as Quantity, Side};
 
@@ -108,7 +108,7 @@ impl Linearised {
             return if spot.s > 0.0 { half } else { -half };
         }
         let atom = self.atoms.iter().find(|atom| atom.at == point.x).map_or(0.0, |atom| atom.force);
-        let open = self.pieces[self.piece_at(spot)].touch == Touch::Open;
+        let open = self.pieces[self.piece_at(spot)].touch == ZoneKind::Open;
         if open && atom != 0.0 && point.weight != 0.0 {
             atom / point.weight * (z.rise - z.slope)
         } else {
@@ -120,7 +120,7 @@ impl Linearised {
     /// and on the other it is not.
     pub fn edge_at_force(&self, against: Against, x: f64) -> Option<Side> {
         let sides = [Side::Left, Side::Right].map(|side| self.spot(x, side));
-        let touches = sides.map(|spot| self.pieces[self.piece_at(spot)].touch == Touch::Contact);
+        let touches = sides.map(|spot| self.pieces[self.piece_at(spot)].touch == ZoneKind::Contact);
         let shears = sides.iter().all(|spot| self.shear_stiffness_at(*spot).is_some());
         let held = against == Against::SlopeBeside && shears;
         match touches {

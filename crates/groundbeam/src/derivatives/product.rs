@@ -6,7 +6,7 @@ use super::linearised::{Linearised, is_rigid};
 use super::parameter::SupportNumber;
 use super::push::Push;
 use crate::certificate::gauss;
-use crate::element::operator::Touch;
+use crate::element::operator::ZoneKind;
 use crate::ground::link;
 use crate::mesh::deflection::BeamPoint;
 use crate::model::SupportKind;
@@ -76,7 +76,7 @@ impl Linearised {
             form += rates.spring * k * y.u * z.u + rates.shear * mu * y.rise * z.rise;
             let mut work = rates.force * z.w + rates.moment * z.rotation;
             work += rates.curvature * stiffness * z.bend + rates.ground * z.u;
-            if piece.touch == Touch::Contact {
+            if piece.touch == ZoneKind::Contact {
                 work += k * rates.gap * z.u + mu * rates.gap_slope * z.rise;
             }
             sum += weight * (work - half * form);
@@ -131,7 +131,7 @@ impl Linearised {
             let mut cuts = ends.to_vec();
             let mut depth = 0.0;
             for layer in &beyond.layers {
-                let decay = (layer.shear / layer.spring).sqrt();
+                let decay = (layer.shear_layer / layer.subgrade).sqrt();
                 let length = layer.length.min(FAR * decay);
                 let place = |d: f64| if right { l + d } else { -d };
                 let mut x = [place(depth), place(depth + length)];

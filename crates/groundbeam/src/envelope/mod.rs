@@ -11,14 +11,14 @@ use forms::Forms;
 /// solution that comes first then governs.
 const ROUNDING: f64 = 1e-12;
 
-/// A shorter part of the beam, over which one leads by no more than rounding, is none.
+/// Shortest part of the beam on which a solution governs; on a shorter one it leads by rounding error only.
 const SHORT: f64 = 1e-6;
 /// In the order in which they are looked at: the smallest values are the largest of what has the other sign.
 const BOUNDS: [Bound; 2] = [Bound::Max, Bound::Min];
 
 /// Several solutions of one beam, seen together.
 ///
-/// Lift-off makes superposition false, so each combination of loads is solved by itself; what a section has to
+/// Lift-off makes superposition false, so each combination of loads is solved on its own; what a section has to
 /// carry is the envelope of the answers. It governs by numbers: solutions count from 0, in the order in which
 /// they were given.
 ///

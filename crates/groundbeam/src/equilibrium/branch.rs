@@ -165,11 +165,11 @@ fn settled(
         let mut alone = true;
         for _ in 0..MOST_STEPS {
             let found = bonded
-                .on(&contact, None)
+                .solve_on(&contact, None)
                 .map_err(|NotDefinite| PathEnd::NotStable(acts.clone()))?;
-            // Each edge by itself, until the scan of the whole beam agrees.
+            // Edge Newton until the obstacle problem confirms the zones.
             let by_themselves =
-                if alone { edges::moved(&found.deflection(), &found.zones) } else { None };
+                if alone { edges::next_intervals(&found.deflection(), &found.zones) } else { None };
             let by_edges = by_themselves.filter(|next| {
                 (CLOSE..NEAR).contains(&(distance(&contact, next) / model.beam.length))
             });

@@ -9,7 +9,7 @@ use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;
 use crate::contact::intervals::Interval;
 use crate::equilibrium::branch::{EquilibriumPath, PathEnd, PathPoint, follow};
-use crate::equilibrium::buckling::glued_buckling_load;
+use crate::equilibrium::buckling::bonded_buckling_load;
 use crate::equilibrium::one_way;
 use crate::error::{Error, NotConverged, Stopped};
 use crate::existence::existence::existence;
@@ -33,10 +33,10 @@ pub(crate) fn check(
     model: &Model,
     cancel: &Cancel,
     solve: impl FnOnce(&Model) -> Result<Outcome, Error>,
-) -> Result<Checked, Error> {
+) -> Result<Assessment, Error> {
     let without = compressed(model, 0.0);
     let statics = existence(&without);
-    let known = |verdict| Checked {
+    let known = |verdict| Assessment {
         existence: Existence { verdict, ..statics },
         stability: 1.0,
         local: None,
@@ -62,7 +62,7 @@ pub(crate) fn check(
     if end == PathEnd::NotConverged {
         let margin = 1.0
             - last.compression
-                / glued_buckling_load(&last.on_active_supports(model), &last.contact, cancel);
+                / bonded_buckling_load(&last.on_active_supports(model), &last.contact, cancel);
         if margin > BRANCH {
             let why = NotConverged::Branch(margin);
             return Err(Error::NotConverged(Stopped { method: Method::Exact, iterations: 0, why }));
@@ -71,11 +71,11 @@ pub(crate) fn check(
     let Some(state) = wanted else {
         return Ok(known(Verdict::Buckles(buckling(model, last, end, cancel))));
     };
-    let buckles = glued_buckling_load(&state.on_active_supports(model), &state.contact, cancel);
+    let buckles = bonded_buckling_load(&state.on_active_supports(model), &state.contact, cancel);
     let stability_margin = 1.0 - state.compression / buckles;
     let critical_compression = last.compression;
     let verdict = Verdict::Local(Local { stability_margin, critical_compression });
-    Ok(Checked { local: Some(state), stability: stability_margin, ..known(verdict) })
+    Ok(Assessment { local: Some(state), stability: stability_margin, ..known(verdict) })
 }
 
 impl Buckling {
@@ -103,7 +103,7 @@ fn buckling(model: &Model, last: PathPoint, end: PathEnd, cancel: &Cancel) -> Bu
 ///
 /// A beam next to its buckling load answers a load that no symmetry holds back with its mode.
 fn mode(model: &Model, contact: &[Interval], cancel: &Cancel) -> Option<(f64, [f64; 2], f64)> {
-    let load = glued_buckling_load(model, contact, cancel);
+    let load = bonded_buckling_load(model, contact, cancel);
     let mut nearly = compressed(model, load * (1.0 - NEARLY));
     for corner in &mut nearly.gap {
         corner.value = 0.0;
@@ -117,7 +117,7 @@ fn mode(model: &Model, contact: &[Interval], cancel: &Cancel) -> Option<(f64, [f
     let l = model.beam.length;
     // In no symmetry, and no polynomial along the beam: even loads leave even modes alone.
     nearly.loads.push(Load::distributed_force(0.0, 0.618 * l, 1.0, -0.37));
-    let found = Bonded::new(&nearly, cancel).on(contact, None).ok()?;
+    let found = Bonded::new(&nearly, cancel).solve_on(contact, None).ok()?;
     let w = found.deflection();
     let mut largest = (0.0, 0.0_f64);
     for (i, cell) in found.mesh.cells.iter().enumerate() {
@@ -141,7 +141,7 @@ fn mode(model: &Model, contact: &[Interval], cancel: &Cancel) -> Option<(f64, [f
 }
 
 /// What is known of a model before it is solved.
-pub(crate) struct Checked {
+pub(crate) struct Assessment {
     pub existence: Existence,
     /// How much of the energy's convexity compression leaves, where it touches if that is local: 1 + P/P_cr;
     /// 1 without compression.

@@ -6,7 +6,7 @@
 //! every such element on it is as short as they are.
 
 use crate::element::element::REACH;
-use crate::element::operator::{Operator, Touch, wave_number};
+use crate::element::operator::{Operator, ZoneKind, wave_number};
 use crate::element::parts;
 use crate::error::{Error, TooLarge};
 use crate::mesh::mesh::Mesh;
@@ -41,9 +41,10 @@ impl Count {
         count.cells = Mesh::each_graded(model, |cell, settles| {
             // Compression may take all stiffness against shear, and then no number of elements is enough.
             let tension = if cell.beam_shear.is_some() { axial.max(0.0) } else { axial };
-            let needed = |touch: Touch| parts(&Operator::of(cell, tension, touch), cell.length());
             let needed =
-                needed(Touch::Contact).max(needed(Touch::Open)).saturating_add(settles - 1);
+                |touch: ZoneKind| parts(&Operator::of(cell, tension, touch), cell.length());
+            let needed =
+                needed(ZoneKind::Contact).max(needed(ZoneKind::Open)).saturating_add(settles - 1);
             count.elements = count.elements.saturating_add(needed);
             if cell.beam_shear.is_some() || cell.beam_varies() || cell.ground_varies() {
                 count.series = count.series.saturating_add(needed);

@@ -110,7 +110,7 @@ impl Mechanism {
     /// A piece is held at two places, or at one where it may not turn, and then holds its nodes for its
     /// neighbours. That finds all: n pieces that hang together have n + 1 degrees of freedom, so that if
     /// nothing moves some piece among them has two constraints of its own.
-    pub fn first_mechanism(&self, more: &[f64]) -> Option<[f64; 2]> {
+    pub fn first_free_piece(&self, more: &[f64]) -> Option<[f64; 2]> {
         let places: Vec<f64> = self.held.iter().chain(more).copied().collect();
         let nodes = 0..self.nodes.len();
         let mut fixed: Vec<bool> =
@@ -147,7 +147,7 @@ impl Mechanism {
 /// Whether supports leave no rigid motion at all, pressing on the ground or not: what a beam in
 /// compression needs. Supports that it may leave do not count.
 pub(crate) fn held_rigidly(model: &Model) -> bool {
-    Mechanism::on_supports(model, |acts| acts == Acts::Both).first_mechanism(&[]).is_none()
+    Mechanism::on_supports(model, |acts| acts == Acts::Both).first_free_piece(&[]).is_none()
 }
 
 #[cfg(test)]
@@ -206,7 +206,7 @@ mod tests {
         assert_eq!(groups(&found), [[0, 4]]);
         let held = Mechanism::of(&model.with_support(Support::pinned(7.0)));
         assert!(held.free_groups().is_empty());
-        assert_eq!(held.first_mechanism(&[]), None);
+        assert_eq!(held.first_free_piece(&[]), None);
     }
 
     /// All mechanisms of up to three pieces on supports at any of a few places, with any pieces kept straight.
@@ -284,10 +284,10 @@ mod tests {
             };
             let piece = (0..of.straight.len()).find(|i| moves(*i) || moves(*i + 1));
             let wanted = piece.map(|i| [of.nodes[i], of.nodes[i + 1]]);
-            assert_eq!(of.first_mechanism(&[]), wanted, "{of:?}");
+            assert_eq!(of.first_free_piece(&[]), wanted, "{of:?}");
             // Places held by contact count like those held by supports.
             let bare = Mechanism { held: vec![], ..of.clone() };
-            assert_eq!(bare.first_mechanism(&of.held), wanted, "{of:?}");
+            assert_eq!(bare.first_free_piece(&of.held), wanted, "{of:?}");
             assert_eq!(bare.point_held(&of.held), of.held.first().copied());
         }
     }
@@ -322,17 +322,17 @@ mod tests {
             let found = Mechanism::of(&beam(&[4.0]).with_support(Support::pinned(x)));
             assert_eq!(groups(&found), [[0, 1], [2, 3]], "{x}");
             // Held at 7 as well the right piece has two places; the left one turns about the hinge.
-            assert_eq!(found.first_mechanism(&[7.0]), Some([0.0, 4.0]), "{x}");
-            assert_eq!(found.first_mechanism(&[1.0, 7.0]), None, "{x}");
+            assert_eq!(found.first_free_piece(&[7.0]), Some([0.0, 4.0]), "{x}");
+            assert_eq!(found.first_free_piece(&[1.0, 7.0]), None, "{x}");
             // At 1 and at the hinge the left piece is held, by two places on it; the right one then by its hinge alone.
-            assert_eq!(found.first_mechanism(&[1.0]), Some([4.0, 8.0]), "{x}");
+            assert_eq!(found.first_free_piece(&[1.0]), Some([4.0, 8.0]), "{x}");
         }
         let left = Mechanism::of(&beam(&[4.0]).with_support(Support::pinned(4.0 - APART)));
         assert_eq!(groups(&left), [[2, 3]]);
-        assert_eq!(left.first_mechanism(&[1.0]), Some([4.0, 8.0]));
+        assert_eq!(left.first_free_piece(&[1.0]), Some([4.0, 8.0]));
         let right = Mechanism::of(&beam(&[4.0]).with_support(Support::pinned(4.0 + APART)));
         assert_eq!(groups(&right), [[0, 1]]);
-        assert_eq!(right.first_mechanism(&[1.0]), Some([0.0, 4.0]));
+        assert_eq!(right.first_free_piece(&[1.0]), Some([0.0, 4.0]));
     }
 
     #[test]

@@ -146,7 +146,7 @@ impl Existence {
             [from, to].into_iter().chain(inside)
         };
         let points: Vec<f64> = contact.iter().flat_map(within).collect();
-        let free = mechanism.first_mechanism(&points);
+        let free = mechanism.first_free_piece(&points);
         let verdict = match (self.verdict, free, mechanism.point_held(&points)) {
             (Verdict::Unique, Some(_), Some(x)) if mechanism.nodes.len() == 2 => {
                 let l = model.beam.length;

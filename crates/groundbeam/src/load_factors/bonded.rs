@@ -17,7 +17,7 @@ pub(super) fn bonded_everywhere(
     model: &Model,
     cancel: &Cancel,
 ) -> Result<ContactState, NotDefinite> {
-    Bonded::new(model, cancel).on(&[[0.0, model.beam.length]], None)
+    Bonded::new(model, cancel).solve_on(&[[0.0, model.beam.length]], None)
 }
 
 /// What must not be negative on a stretch of the beam or at a point of it: the pressure there, or a
@@ -39,7 +39,7 @@ struct Side {
 /// What rounding leaves of a sum of terms of size 1: a few dozen operations on each.
 const ROUNDING: f64 = 256.0 * f64::EPSILON;
 
-/// Newton's steps for one place; they end of themselves, long before.
+/// Limit on Newton's steps for one candidate; far above the number needed.
 const MOST_STEPS: usize = 200;
 
 impl LiftOffCandidate {

@@ -105,7 +105,7 @@ impl Cell {
         u
     }
 
-    /// The coefficients of u₀(s): cells where the ground settles by itself are short.
+    /// The coefficients of u₀(s): cells with a free field are short.
     pub fn free_field(&self) -> Coefficients {
         let mut c = if self.shear_layer > 0.0 {
             settled(

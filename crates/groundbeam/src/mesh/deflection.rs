@@ -57,7 +57,7 @@ impl Deflection<'_> {
     }
 
     /// ψ, ψ' and π = kψ − (μψ')' at a point.
-    pub fn pressing(&self, point: BeamPoint) -> [f64; 3] {
+    pub fn obstacle_and_pressure(&self, point: BeamPoint) -> [f64; 3] {
         let cell = &self.mesh.cells[point.cell];
         let [f, d1, d2, _] = jet(self.cell(point.cell), point.s);
         let [settled, sinks] = cell.free_field_at(point.s);

@@ -4,7 +4,7 @@
 //! where G p = w − g₀ − u₀: to the beam u₀ is a clearance that is no straight line. On even ground
 //! u₀ = q/k + e, where q is linear and e, the ground without load, is known by its values at both ends.
 //!
-//! The line is a chain of [links](Link), with what q does between two nodes carried by them; sums and
+//! The line is a chain of [two-ports](TwoPort), with what q does between two nodes carried by them; sums and
 //! products of positive numbers only.
 
 use crate::ground::link::TwoPort;
@@ -36,7 +36,7 @@ fn carried(strip: &Strip, link: &TwoPort) -> [f64; 2] {
     };
     let [a, b] = strip.load;
     [(a, b), (b, a)].map(|(here, there)| {
-        (here * link.leak_left + (here - there) * stiffness * less) / strip.spring
+        (here * link.shunt_left + (here - there) * stiffness * less) / strip.spring
     })
 }
 
@@ -151,7 +151,12 @@ fn beside(model: &Model, beyond: &GroundOutside, right: bool) -> (Vec<Strip>, bo
             let place = |d: f64| if right { l + d } else { -d };
             let mut x = [place(pair[0]), place(pair[1])];
             x.sort_by(f64::total_cmp);
-            strips.push(Strip { x, spring: layer.spring, shear: layer.shear, load: [0.0; 2] });
+            strips.push(Strip {
+                x,
+                spring: layer.subgrade,
+                shear: layer.shear_layer,
+                load: [0.0; 2],
+            });
         }
         from = to;
     }
@@ -202,8 +207,8 @@ fn homogeneous(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<[f64; 2]
 /// u₀ at the nodes of strips in a row.
 fn chain(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<f64> {
     let n = strips.len();
-    // Stiffness to the ground at each node, coupling to the next, force.
-    let (mut own, mut coupling, mut force) = (vec![0.0; n + 1], vec![0.0; n], vec![0.0; n + 1]);
+    // Stiffness to the ground at each node, series to the next, force.
+    let (mut own, mut series, mut force) = (vec![0.0; n + 1], vec![0.0; n], vec![0.0; n + 1]);
     for (i, strip) in strips.iter().enumerate() {
         if strip.x[0] == f64::NEG_INFINITY {
             own[i + 1] += (strip.spring * strip.shear).sqrt();
@@ -211,9 +216,9 @@ fn chain(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<f64> {
             own[i] += (strip.spring * strip.shear).sqrt();
         } else {
             let link = TwoPort::uniform(strip.spring, strip.shear, strip.x[1] - strip.x[0]);
-            own[i] += link.leak_left;
-            own[i + 1] += link.leak_right;
-            coupling[i] = link.coupling;
+            own[i] += link.shunt_left;
+            own[i + 1] += link.shunt_right;
+            series[i] = link.series;
             let [left, right] = carried(strip, &link);
             force[i] += left;
             force[i + 1] += right;
@@ -239,7 +244,7 @@ fn chain(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<f64> {
     }
     // What is to the left of each node, as one spring and one force.
     for i in 0..n {
-        let (spring, c) = (own[i], coupling[i]);
+        let (spring, c) = (own[i], series[i]);
         if c > 0.0 {
             own[i + 1] += c / (1.0 + c / spring);
             force[i + 1] += force[i] * (c / (spring + c));
@@ -247,7 +252,7 @@ fn chain(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<f64> {
     }
     let mut u = vec![0.0; n + 1];
     for i in (0..=n).rev() {
-        let (c, next) = if i < n { (coupling[i], u[i + 1]) } else { (0.0, 0.0) };
+        let (c, next) = if i < n { (series[i], u[i + 1]) } else { (0.0, 0.0) };
         let spring = own[i] + c;
         u[i] = if spring > 0.0 { (force[i] + c * next) / spring } else { 0.0 };
     }

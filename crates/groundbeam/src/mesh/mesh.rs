@@ -65,7 +65,7 @@ impl Mesh {
     }
 
     /// Calls `each` with every cell of a [graded](Self::graded) mesh of one part to a cell, and with the number of
-    /// runs into which it is cut because the ground settles by itself. Returns how many cells the model itself has.
+    /// runs into which it is cut for the free-field settlement. Returns how many cells the model itself has.
     pub fn each_graded(model: &Model, mut each: impl FnMut(&Cell, usize)) -> usize {
         let coarse = cells_between(model, &positions(model, &[]));
         for cell in &coarse {
@@ -210,7 +210,7 @@ impl Mesh {
     }
 }
 
-/// The jump of a stiffness, relative to it, that is none.
+/// Largest relative jump of a stiffness that counts as rounding error.
 const ROUNDING: f64 = 1e-13;
 
 /// Halvings of a cell.
@@ -239,7 +239,7 @@ fn each_smooth(cell: &Cell, halvings: u32, each: &mut impl FnMut(&Cell)) {
     each_smooth(&cell.part([0.0, 1.0]), halvings - 1, each);
 }
 
-/// Into how many runs a cell is cut where the ground settles by itself: its surface is a short power series in each.
+/// Into how many runs a cell is cut where loads settle the ground: u₀ is a short power series in each.
 fn pieces_of_settled(cell: &Cell) -> usize {
     if !cell.has_free_field() || cell.shear_layer == 0.0 {
         return 1;

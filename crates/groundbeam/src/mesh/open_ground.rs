@@ -7,9 +7,9 @@ use crate::mesh::ground_runs::GroundRun;
 use crate::mesh::mesh::Mesh;
 use crate::mesh::varying::link;
 
-/// u at the ends and the joints of links in a row, held at both ends; and all of them as one link.
+/// u at the ends and the joints of two-ports in a row, held at both ends; and all of them as one two-port.
 ///
-/// Forward: the link from the start to each joint; backward: each joint between that link and the next
+/// Forward: the two-port from the start to each joint; backward: each joint between that two-port and the next
 /// part. Sums of positive numbers only.
 pub(crate) fn heights(links: &[TwoPort], [start, end]: [f64; 2]) -> (Vec<f64>, Option<TwoPort>) {
     let mut so_far: Vec<TwoPort> = Vec::with_capacity(links.len());
@@ -22,15 +22,15 @@ pub(crate) fn heights(links: &[TwoPort], [start, end]: [f64; 2]) -> (Vec<f64>, O
     values[links.len()] = end;
     for i in (1..links.len()).rev() {
         let (before, next) = (so_far[i - 1], links[i]);
-        let pull = before.coupling * start + next.coupling * right;
-        let hold = before.coupling + before.leak_right + next.coupling + next.leak_left;
+        let pull = before.series * start + next.series * right;
+        let hold = before.series + before.shunt_right + next.series + next.shunt_left;
         right = pull / hold;
         values[i] = right;
     }
     (values, so_far.last().copied())
 }
 
-/// All of the open ground between two points as one link; none between points that meet.
+/// All of the open ground between two points as one two-port; none between points that meet.
 pub(crate) fn open_link(
     mesh: &Mesh,
     run: &GroundRun,
@@ -41,7 +41,7 @@ pub(crate) fn open_link(
     links.into_iter().map(|(_, link)| link).reduce(TwoPort::then)
 }
 
-/// The links of open ground between two points, cell by cell; a missing point is the ground beyond.
+/// The two-ports of open ground between two points, cell by cell; a missing point is the ground beyond.
 pub(crate) fn open_links(
     mesh: &Mesh,
     run: &GroundRun,
@@ -52,8 +52,8 @@ pub(crate) fn open_links(
     let first = from.unwrap_or(BeamPoint { cell: run.cells.start, s: -1.0 });
     let last = to.unwrap_or(BeamPoint { cell: run.cells.end - 1, s: 1.0 });
     if from.is_none() {
-        let leak_right = run.beyond[0];
-        links.push((None, TwoPort { coupling: 0.0, leak_left: 0.0, leak_right }));
+        let shunt_right = run.beyond[0];
+        links.push((None, TwoPort { series: 0.0, shunt_left: 0.0, shunt_right }));
     }
     for cell in first.cell..=last.cell {
         let start = if cell == first.cell { first.s } else { -1.0 };
@@ -64,8 +64,8 @@ pub(crate) fn open_links(
         }
     }
     if to.is_none() {
-        let leak_left = run.beyond[1];
-        links.push((None, TwoPort { coupling: 0.0, leak_left, leak_right: 0.0 }));
+        let shunt_left = run.beyond[1];
+        links.push((None, TwoPort { series: 0.0, shunt_left, shunt_right: 0.0 }));
     }
     links
 }

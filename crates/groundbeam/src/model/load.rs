@@ -8,7 +8,7 @@ pub enum Action {
     /// A moment \[N·m\], or \[N·m/m\] along a stretch: gᵢ and g(x) of (4.7). Positive where it turns the right side down: it
     /// does the work M₀·w'(x).
     Moment,
-    /// A curvature κ₀ \[1/m\] that the beam takes by itself: of a temperature gradient, of shrinkage, of a camber.
+    /// An imposed curvature κ₀ \[1/m\]: a temperature gradient, shrinkage or a camber.
     /// M = −EI (w″ − κ₀); positive as w″ is, where it bends the beam's ends down. It does no work on rigid motions.
     Curvature,
 }

@@ -9,9 +9,9 @@ pub(crate) struct OutsideLayer {
     /// Its length \[m\]; infinite for the last one of endless ground.
     pub length: f64,
     /// k \[N/m²\].
-    pub spring: f64,
+    pub subgrade: f64,
     /// μ \[N\], positive.
-    pub shear: f64,
+    pub shear_layer: f64,
 }
 
 /// The shear layer beyond an end of the beam, from there outward; none where it ends with the beam.
@@ -73,7 +73,7 @@ impl Foundation {
                 held = false;
                 break;
             }
-            layers.push(OutsideLayer { length: to - from, spring, shear });
+            layers.push(OutsideLayer { length: to - from, subgrade: spring, shear_layer: shear });
         }
         GroundOutside { layers, held }
     }
@@ -94,7 +94,7 @@ mod tests {
         };
         let left = ground.beyond(false, 10.0, [5.0, 6.0]);
         assert_eq!(lengths(&left), [4.0, f64::INFINITY]);
-        assert_eq!((left.layers[0].spring, left.layers[1].shear), (5.0, 9.0));
+        assert_eq!((left.layers[0].subgrade, left.layers[1].shear_layer), (5.0, 9.0));
         assert!(!left.is_free());
         let right = ground.beyond(true, 10.0, [1.0, 2.0]);
         assert_eq!(lengths(&right), [2.0], "the layer ends where springs begin");
@@ -108,7 +108,7 @@ mod tests {
             .with_segment(10.0, 11.0, 3.0, 4.0);
         for right in [false, true] {
             let beyond = at_both_ends.beyond(right, 10.0, [1.0, 2.0]);
-            assert_eq!(beyond.layers.iter().map(|layer| layer.spring).collect::<Vec<_>>(), [3.0]);
+            assert_eq!(beyond.layers.iter().map(|layer| layer.subgrade).collect::<Vec<_>>(), [3.0]);
             assert_eq!(at_both_ends.beyond(right, 10.0, [1.0, 0.0]), GroundOutside::default());
         }
     }

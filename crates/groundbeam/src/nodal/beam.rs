@@ -174,7 +174,7 @@ impl Given {
 mod tests {
     use super::*;
     use crate::element::ExactElement;
-    use crate::element::operator::{Operator, Touch};
+    use crate::element::operator::{Operator, ZoneKind};
     use crate::mesh::cell::Cell;
     use crate::mesh::cell::Varies;
     use crate::numeric::polynomial::value;
@@ -203,7 +203,7 @@ mod tests {
         let given = Given { load, moment_load, curvature, gap };
         for tension in [0.0, 1e-3, 3.9] {
             let beam = Beam::new(2.0, &given, tension, h);
-            let exact = ExactElement::new(&Operator::of(&cell, tension, Touch::Open), h);
+            let exact = ExactElement::new(&Operator::of(&cell, tension, ZoneKind::Open), h);
             let (k, q) = (beam.stiffness(), beam.load());
             let scale = [1.0, h, 1.0, h];
             let at = |i: usize, j: usize| exact.element.stiffness[i][j] / (scale[i] * scale[j]);

@@ -66,8 +66,8 @@ impl Run {
         self.link = match ground {
             Ground::Nodal => self.layer.open(self.h),
             Ground::Spread => {
-                let leak = 0.5 * self.spring * self.h;
-                TwoPort { coupling: self.shear / self.h, leak_left: leak, leak_right: leak }
+                let shunt = 0.5 * self.spring * self.h;
+                TwoPort { series: self.shear / self.h, shunt_left: shunt, shunt_right: shunt }
             }
         };
         let form = self.first_glued(axial_force, false);
@@ -207,12 +207,12 @@ impl Grid {
     /// The ground beyond each run, from both ends.
     fn chain(&mut self) {
         let spring = TwoPort::default();
-        let mut link = TwoPort { leak_right: self.outside[0], ..spring };
+        let mut link = TwoPort { shunt_right: self.outside[0], ..spring };
         for run in &mut self.runs {
             run.beyond[0] = link;
             link = link.then(run.whole);
         }
-        link = TwoPort { leak_left: self.outside[1], ..spring };
+        link = TwoPort { shunt_left: self.outside[1], ..spring };
         for run in self.runs.iter_mut().rev() {
             run.beyond[1] = link;
             link = run.whole.then(link);
@@ -311,7 +311,7 @@ impl Grid {
         if !held {
             return self.left_of(to);
         }
-        let nothing = TwoPort { coupling: f64::MAX, leak_left: 0.0, leak_right: 0.0 };
+        let nothing = TwoPort { series: f64::MAX, shunt_left: 0.0, shunt_right: 0.0 };
         self.link(from, to).unwrap_or(nothing)
     }
 

@@ -82,7 +82,7 @@ impl Hull<'_> {
             if run.first > 0 && glued != start.is_some() {
                 note(&mut start, arcs, run.first);
             }
-            let (c, leak) = (run.link.coupling, run.link.leak_left + run.link.leak_right);
+            let (c, shunt) = (run.link.series, run.link.shunt_left + run.link.shunt_right);
             let [g, to] = run.given.gap;
             let dg = (to - g) / run.count as f64;
             let w = &self.deflection[run.first..=run.end()];
@@ -94,7 +94,7 @@ impl Hull<'_> {
                 for ((i, w), presses) in w[at - 1..=end].windows(3).enumerate().zip(&mut presses) {
                     // −c ψ″ of linear g₀ is that of w.
                     let psi = w[1] - (g + dg * (at + i) as f64);
-                    *presses = leak * psi + c * ((w[1] - w[0]) - (w[2] - w[1])) > 0.0;
+                    *presses = shunt * psi + c * ((w[1] - w[0]) - (w[2] - w[1])) > 0.0;
                     pressing += usize::from(*presses);
                 }
                 // Where all or none of a block press, as the node before did, nothing begins or ends.

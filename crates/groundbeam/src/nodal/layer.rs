@@ -31,9 +31,9 @@ impl Layer {
             let decay = (-z).exp();
             (decay, 1.0 - decay)
         };
-        let leak = self.stiffness * fall / (1.0 + decay);
-        let coupling = self.stiffness * (2.0 * decay) / (fall * (1.0 + decay));
-        TwoPort { coupling, leak_left: leak, leak_right: leak }
+        let shunt = self.stiffness * fall / (1.0 + decay);
+        let series = self.stiffness * (2.0 * decay) / (fall * (1.0 + decay));
+        TwoPort { series, shunt_left: shunt, shunt_right: shunt }
     }
 }
 
@@ -46,8 +46,8 @@ mod tests {
         let layer = Layer { stiffness: 1.0, rate: 2.0 };
         for bh in [1e-12, 1e-6, 0.3, 0.999, 1.0, 5.0, 300.0] {
             let (ours, link) = (layer.open(0.5 * bh), TwoPort::uniform(2.0, 0.5, 0.5 * bh));
-            assert!((ours.coupling - link.coupling).abs() <= 1e-15 * link.coupling, "{bh}");
-            assert!((ours.leak_left - link.leak_left).abs() <= 1e-15 * link.leak_left, "{bh}");
+            assert!((ours.series - link.series).abs() <= 1e-15 * link.series, "{bh}");
+            assert!((ours.shunt_left - link.shunt_left).abs() <= 1e-15 * link.shunt_left, "{bh}");
         }
     }
 }
