@@ -1,4 +1,4 @@
-//! Numbers of a model, changed by their names: what they count, why some cannot be changed, and how rows of them are.
+//! Names of a model's numbers that studies and arrays change: their values, and the reasons why some cannot change.
 
 use crate::document::Document;
 use crate::quantity::{

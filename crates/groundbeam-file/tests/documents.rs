@@ -1,4 +1,4 @@
-//! What a right file says, in every way it can be said.
+//! Valid files in all their forms.
 
 use groundbeam::model::{Part, Problem};
 use groundbeam::{Acts, Load, Support, SupportKind};

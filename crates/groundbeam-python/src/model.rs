@@ -1,4 +1,4 @@
-//! A model as text, read; and what can be asked of it.
+//! The Python class of a model, from text.
 
 use crate::answers::Answers;
 use crate::derivatives::parameter;

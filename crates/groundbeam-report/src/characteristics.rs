@@ -1,4 +1,4 @@
-//! The numbers by which an engineer judges a beam on ground before looking at anything else.
+//! Characteristic numbers of a beam on ground, such as its length in waves.
 
 use groundbeam::{Existence, Model};
 

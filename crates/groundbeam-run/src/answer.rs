@@ -1,4 +1,4 @@
-//! One answer: its label, what was found, and the ground that was solved.
+//! One answer: its label, its result, and the ground that was solved.
 
 use crate::growing::Factors;
 use groundbeam::soil::{GroundConstants, SoilModel, SoilRounds};

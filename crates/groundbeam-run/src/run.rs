@@ -1,4 +1,4 @@
-//! What is solved of a model file: its combinations, its trains, and by which options.
+//! A run of a model file: its combinations, trains and options, solved to a list of answers.
 
 use crate::answer::{Answer, Found, Ground, Label, Placed};
 use crate::answers::{Alone, Answers, Asked};

@@ -1,4 +1,4 @@
-//! One model solved: the answer to a label.
+//! The answer to one label, from one solve.
 
 use crate::answer::{Answer, Found, Ground, Label};
 use crate::host::Host;

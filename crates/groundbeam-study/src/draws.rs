@@ -1,4 +1,4 @@
-//! Sample i of a study: what its random numbers are, and the model that they make.
+//! Sample i of a study: its random numbers, and the model made with them.
 
 use crate::distribution::{lognormal, normal_of, of_normal};
 use crate::fields::Field;

@@ -1,4 +1,4 @@
-//! What is kept of one answer of many.
+//! The row of one answer in the table of results.
 
 use groundbeam::{Answer, Error, Existence, Field, Model, Side, Solution, Solver};
 

@@ -1,4 +1,4 @@
-//! A study from its first sample to its last: on all processors, part by part, to be gone on with at any time.
+//! A study from its first sample to its last, on all processors, part by part; resumable.
 
 use crate::draws::{Draw, Draws};
 use crate::progress::{Progress, Stage, Watch};

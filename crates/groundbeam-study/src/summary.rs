@@ -1,4 +1,4 @@
-//! What follows from all samples: probabilities with their intervals, means, deviations and quantiles.
+//! Summary of all samples: probabilities with intervals, means, deviations and quantiles.
 
 use crate::draws::Draws;
 use crate::interval::{of_counts, of_replicates};

@@ -1,4 +1,4 @@
-//! Beams on ground that can only push back.
+//! Beams on ground that pushes but does not pull.
 //!
 //! The unilateral contact of a bending beam with a Pasternak foundation, solved exactly and with proof.
 //!

@@ -1,4 +1,4 @@
-//! The road from a model to a certified answer, on one page.
+//! Solves a model: rules, existence, the kind of equilibrium, the contact iteration, the certificate.
 
 use crate::certificate::Certificate;
 use crate::contact::intervals::Interval;

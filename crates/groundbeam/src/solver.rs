@@ -1,4 +1,4 @@
-//! One model after another, in the same memory.
+//! Solver for a series of models, in one workspace.
 
 use crate::error::Error;
 use crate::existence::verdict::Existence;

@@ -1,4 +1,4 @@
-//! Which features of a model each way of solving supports: one table, the only source of "not supported".
+//! The table of features and ways of solving: the only source of "not supported".
 //!
 //! ```
 //! use groundbeam::supported::{Feature, Way, refusal};

@@ -1,4 +1,4 @@
-//! What some families of models have besides beam, ground and loads.
+//! Features of some families of random models besides beam, ground and loads.
 
 use super::{Dice, size_of};
 use groundbeam::{

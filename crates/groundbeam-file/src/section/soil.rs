@@ -1,4 +1,4 @@
-//! `[foundation.soil]`: what is known of the soil, in place of `k` and `mu`.
+//! `[foundation.soil]`: soil data in place of `k` and `mu`.
 
 use crate::code;
 use crate::fault::Fault;

@@ -1,4 +1,4 @@
-//! `[field]`: ground and beam that vary at random along the beam.
+//! `[field]`: random fields of ground and beam along the beam.
 
 use super::random::{Random, out_of_range, spread};
 use crate::code;

@@ -1,4 +1,4 @@
-//! `[[random]]` and `[[correlated]]`: numbers of the model that are random.
+//! `[[random]]` and `[[correlated]]`: random numbers of the model.
 
 use crate::code;
 use crate::document::Document;

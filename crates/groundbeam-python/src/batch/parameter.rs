@@ -1,4 +1,4 @@
-//! What an array of numbers changes in a model.
+//! The numbers of a model that an array changes.
 
 use crate::derivatives::parameter;
 use crate::failure::Failure;

@@ -1,4 +1,4 @@
-//! What was given: drawing, beam, ground, supports, loads; and what is assumed.
+//! The report's section on the input: drawing, beam, ground, supports, loads and assumptions.
 
 use super::content::{Block, Section, Table, facts, numbers, wording};
 use super::equations;

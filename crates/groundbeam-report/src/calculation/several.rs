@@ -1,4 +1,4 @@
-//! The report of all combinations: each by itself, and the envelope with who governs.
+//! The report of all combinations: each one, and the envelope with the governing combination.
 
 use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
 use super::single::{certified, checked, place};

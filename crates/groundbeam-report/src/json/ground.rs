@@ -1,4 +1,4 @@
-//! Where the ground's constants come from, in the result document.
+//! The origin of the ground's constants in the result document.
 
 use groundbeam::Model;
 use groundbeam::soil::SoilModel;

@@ -1,4 +1,4 @@
-//! One picture of a solution: the beam on its ground, pressure, moment and shear, above one another.
+//! The picture of a solution: the beam on its ground, pressure, moment and shear force.
 //!
 //! Equal solutions give equal bytes. The picture has a white ground of its own and needs no style sheet and
 //! no script. It names the font Inter, in which its labels were measured; [`png`](crate::png) brings it along.

@@ -1,4 +1,4 @@
-//! Where the ground's constants come from.
+//! The origin of the ground's constants.
 
 use super::sheet::{Sheet, Tone};
 use crate::context::Context;

@@ -1,4 +1,4 @@
-//! What a parameter changes in the equations, ∂ of a(y, z) − F(z).
+//! The change of the equations by a parameter, ∂ of a(y, z) − F(z).
 
 use super::linearised::Linearised;
 use super::parameter::{Extent, LoadNumber, Parameter, Property, SupportNumber, of_load};

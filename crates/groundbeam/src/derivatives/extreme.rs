@@ -1,4 +1,4 @@
-//! Where a field is largest or smallest, and how that place moves.
+//! Extremes of a field, and the derivative of their place.
 
 use super::change::{Against, Change};
 use super::linearised::Linearised;

@@ -1,4 +1,4 @@
-//! What parameters and outputs are called, wherever they are asked for by name.
+//! Names of parameters and outputs.
 
 use crate::derivatives::{Extent, LoadNumber, Output, Parameter, Property, SupportNumber};
 use crate::solution::fields::{Field, Side};

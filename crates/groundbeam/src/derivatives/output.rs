@@ -1,4 +1,4 @@
-//! What is derived: numbers of a solution, each with the dual load that reads it off a field.
+//! Outputs: numbers of a solution, each with the dual load that gives it.
 
 use super::change::Change;
 use super::field::Point;

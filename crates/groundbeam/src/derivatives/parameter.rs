@@ -1,4 +1,4 @@
-//! What outputs are derived with respect to.
+//! Parameters: the numbers of a model by which outputs are derived.
 
 use crate::model::Extent as LoadExtent;
 use crate::model::{Load, Model};

@@ -1,4 +1,4 @@
-//! What changes at a point: sizes of forces and moments there, and what moves from there.
+//! Changes at a point: sizes of forces and moments there, and the motion of the point.
 //!
 //! Where a beam that shears has a force F, w' falls by F/(S + N). What moves with the force is then more than the force:
 //! it takes its own kink along, the atom that this kink presses into the ground, and an edge of contact that stands at it.

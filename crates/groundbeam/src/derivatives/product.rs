@@ -1,4 +1,4 @@
-//! What a change does to an output: the change of the equations at the solution, against the output's dual field.
+//! The derivative of an output: the change of the equations at the solution times the output's dual field.
 
 use super::change::Change;
 use super::field::{Field, POINTS, Point};

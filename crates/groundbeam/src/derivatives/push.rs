@@ -1,4 +1,4 @@
-//! What acts on the linearised problem: of an output its dual load, of a parameter what it changes.
+//! Right-hand sides of the linearised problem: dual loads of outputs, changes by parameters.
 
 /// A load on beam and ground glued together.
 #[derive(Debug, Clone, Default)]

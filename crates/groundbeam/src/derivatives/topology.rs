@@ -1,4 +1,4 @@
-//! How near a solution is to touching or parting elsewhere: there its derivatives jump.
+//! The distance of a solution to the nearest change of contact, where its derivatives jump.
 
 use super::linearised::Linearised;
 use crate::contact::surface::can_carry;

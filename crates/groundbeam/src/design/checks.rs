@@ -1,4 +1,4 @@
-//! What a design must keep to, beside what was found.
+//! Design checks: limits beside the values of a solution.
 
 use crate::existence::rigid_motions::Mechanism;
 use crate::existence::statics::static_reactions;

@@ -1,4 +1,4 @@
-//! The element whose functions solve EI w⁗ − N w″ + κ w = F − G' themselves, (2.11).
+//! The element of uniform data: its functions solve EI w⁗ − N w″ + κ w = F − G', (2.11).
 //!
 //! About the middle of the element, with half length a and x = x_middle + a s, the equation turns into
 //! the recurrence

@@ -1,4 +1,4 @@
-//! The smallest and largest values of several solutions: at every point, over the whole beam, and where they change hands.
+//! Envelopes: the smallest and largest values of several solutions, at every point and over the beam.
 
 mod forms;
 mod upper;

@@ -1,4 +1,4 @@
-//! The upper line of several polynomials on one interval, and which of them it is.
+//! The upper line of several polynomials on one interval, and the polynomial that governs.
 
 use crate::numeric::polynomial::{Coefficients, rescale, value};
 use crate::numeric::roots::sign_changes;

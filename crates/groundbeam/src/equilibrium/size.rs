@@ -1,4 +1,4 @@
-//! How many elements and how much memory a solve needs, from the model and the options, before anything is solved.
+//! Elements and memory of a solve, estimated from the model and the options.
 //!
 //! Two limits refuse a model. The memory that all elements need stays below [`Options::memory_limit`]. The elements that are
 //! power series, where stiffness or ground vary and where the beam shears, stay below a fixed number: each costs far more time than

@@ -1,4 +1,4 @@
-//! Whether an equilibrium exists, before anything is solved. Section 4, sharpened.
+//! Existence of an equilibrium, from loads and supports alone. Section 4, sharpened.
 //!
 //! The energy is coercive, and so has a least value, exactly if every rigid motion r = a x + b ≤ 0 of the
 //! beam that presses nowhere on the ground, that the supports allow and the tension does not resist, costs

@@ -1,4 +1,4 @@
-//! The beam bonded to the ground along its whole length, and what must push there for it to touch.
+//! The beam bonded to the ground along its whole length, and the contact forces that first become zero.
 
 use crate::cancel::Cancel;
 use crate::chain::node::NotDefinite;

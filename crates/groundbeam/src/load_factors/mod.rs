@@ -1,4 +1,4 @@
-//! How far loads may grow before the beam first lifts off, and before no equilibrium is left.
+//! Load factors: of the first lift-off and of the loss of equilibrium.
 //!
 //! Some loads stay as they are, D; the others grow, λG. Both questions have closed answers.
 //!

@@ -1,4 +1,4 @@
-//! First lift-off, piece by piece of the factors over which the same supports act.
+//! The factor of first lift-off on one-way supports, over ranges of factors with the same active supports.
 //!
 //! A beam that touches along its whole length is a linear problem but for supports that act in one direction alone: on
 //! the supports that act, what each pushes with and how far the beam is from the others are linear in λ. Together they

@@ -1,4 +1,4 @@
-//! The beam: EI(x) and what it resists shear with by segments, (4.1), under a constant axial force P, (2.1).
+//! The beam: EI(x) and shear stiffness by segments, (4.1), under a constant axial force P, (2.1).
 
 use super::profile::{CellPolynomial, Profile};
 

@@ -1,4 +1,4 @@
-//! What acts on the beam: the terms of (4.7).
+//! Loads: an action on an extent, the terms of (4.7).
 
 /// What a load does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -1,4 +1,4 @@
-//! What is given: beam, foundation, loads, supports, hinges, initial gap. Section 2, Remark 1 and Remark 2.
+//! The model: beam, foundation, loads, supports, hinges, initial gap. Section 2, Remark 1 and Remark 2.
 //!
 //! Every number is in one coherent system of units (m, N, rad and their products; or any other in
 //! which force = stiffness × length holds). Nothing here knows how a unit is spelled.

@@ -1,4 +1,4 @@
-//! The ground beside the beam: where it ends, and of what it is.
+//! The ground outside the beam: its layers and its ends.
 
 use crate::model::foundation::Foundation;
 use crate::model::foundation::GroundEnd;

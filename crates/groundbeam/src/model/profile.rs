@@ -1,4 +1,4 @@
-//! How a quantity runs along a segment: a polynomial by its control values.
+//! A quantity along a segment: a polynomial by its control values.
 //!
 //! A polynomial of degree n is given by n + 1 control values (its Bernstein coefficients, those of a Bézier
 //! curve): the first and the last are its values at the segment's ends, the others pull it their way. It lies

@@ -1,4 +1,4 @@
-//! Why a model that is right is not solved, or not by every method. `supported.rs` has the table of methods and features.
+//! Reasons to refuse a valid model. `supported.rs` has the table of methods and features.
 
 use super::{Part, Problem};
 use crate::model::problem::Bytes;

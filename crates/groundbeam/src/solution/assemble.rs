@@ -1,4 +1,4 @@
-//! From a deflection and its contact to the fields, contact zones and forces of a [`Candidate`].
+//! Fields, contact zones and forces of a [`Candidate`], from a deflection and its contact.
 
 use crate::contact::recover;
 use crate::contact::state::ContactState;

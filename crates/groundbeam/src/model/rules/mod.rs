@@ -1,4 +1,4 @@
-//! Every rule a model must obey, each with what would be right.
+//! The rules of a model: every violation, with the remedy.
 
 mod beam;
 mod ground;

@@ -1,4 +1,4 @@
-//! Which positions of a list are one place, and which stretches overlap: from the positions, in n log n steps.
+//! Equal positions and overlapping stretches of a list, in n log n steps.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
