@@ -75,19 +75,20 @@ fn outputs(solution: &Solution, rng: &mut ChaCha8Rng) -> Vec<(Output, f64)> {
     let sunk = largest(solution, Field::Deflection);
     // A field that is nothing but rounding has no derivatives to compare.
     let rounding = |field: Field| match field {
-        Field::Moment => 1e-9 * carried * l,
-        Field::ShearForce => 1e-9 * carried,
-        Field::Pressure => 1e-9 * carried / l,
-        Field::Slope => 1e-9 * sunk / l,
         Field::Deflection => 0.0,
-        Field::Settlement => 1e-9 * sunk,
         // A difference of two deflections.
         Field::Gap => 1e-5 * sunk,
+        _ => 1e-9 * field.natural_size(l, carried, sunk),
     };
     let size_of = |field: Field| largest(solution, field).max(rounding(field));
+    let mut place = (0.0, Side::Left);
     for field in Field::ALL {
-        let at = rng.random_range(0.0..1.0) * l;
-        let side = if rng.random_bool(0.5) { Side::Left } else { Side::Right };
+        // The rotation is compared where the slope is.
+        if field != Field::Rotation {
+            let at = rng.random_range(0.0..1.0) * l;
+            place = (at, if rng.random_bool(0.5) { Side::Left } else { Side::Right });
+        }
+        let (at, side) = place;
         let size = size_of(field);
         all.push((Output::Value(field, at, side), size));
         all.push((Output::Smallest(field), size));

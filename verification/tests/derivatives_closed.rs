@@ -87,8 +87,16 @@ fn a_beam_on_two_supports_that_shears() {
     // Beside the force w' differs by F/S, which the slope of the supports' line shares.
     let slope = |side| derivatives(&solution, Output::Value(Field::Slope, a, side), &by[..1])[0];
     near(slope(Side::Left) - slope(Side::Right), 1.0 / s);
+    // The sections beside the force turn by F a c (c − a)/(3 EI l) on both sides: of bending alone.
+    let (c, value) = (l - a, |side| Output::Value(Field::Rotation, a, side));
+    for side in [Side::Left, Side::Right] {
+        let turned = force * a * c * (c - a) / (3.0 * ei * l);
+        let found = derivatives(&solution, value(side), &[by[0], by[2], by[3]]);
+        let exact = [turned / force, -turned / ei, 0.0];
+        found.iter().zip(exact).for_each(|(found, exact)| near(*found, exact));
+    }
     // The energy −F w/2 at the force.
-    let (c, own) = (l - a, force * force);
+    let own = force * force;
     let energy = derivatives(&solution, Output::PotentialEnergy, &by);
     let under = a * a * c * c / (3.0 * ei * l) + a * c / (s * l);
     let moved = (2.0 * a * c * c - 2.0 * a * a * c) / (3.0 * ei * l) + (c - a) / (s * l);

@@ -53,8 +53,9 @@ pub mod supported;
 pub mod model;
 pub mod soil;
 
+pub use crate::solution::field::{ByField, Dimension, Field};
 pub use crate::solution::fields::{
-    ConcentratedForce, ContactRegion, EndForces, Extreme, Field, Fields, Range, Reaction, Side,
+    ConcentratedForce, ContactRegion, EndForces, Extreme, Fields, Range, Reaction, Side,
 };
 pub use cancel::Cancel;
 pub use certificate::Certificate;

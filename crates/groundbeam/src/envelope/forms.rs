@@ -2,7 +2,8 @@
 
 use crate::ground::link::{self, settled};
 use crate::numeric::polynomial::{Coefficients, derivative, rescale};
-use crate::solution::fields::{Field, Stretch};
+use crate::solution::field::Field;
+use crate::solution::fields::Stretch;
 use crate::solution::solution::Solution;
 
 /// One field of several solutions, ready to be cut.
@@ -73,7 +74,8 @@ fn form(stretch: &Stretch, field: Field, [from, to]: [f64; 2]) -> Coefficients {
     let clearance = part(&[0.5 * (left + right), 0.5 * (right - left)]);
     match field {
         Field::Deflection => part(&stretch.deflection),
-        Field::Slope => part(&per_length(&stretch.deflection)),
+        Field::Rotation if !stretch.rotation.is_empty() => part(&stretch.rotation),
+        Field::Slope | Field::Rotation => part(&per_length(&stretch.deflection)),
         Field::Moment => part(&stretch.moment),
         Field::ShearForce => part(&per_length(&stretch.moment)),
         Field::Pressure => part(&stretch.pressure),

@@ -142,7 +142,10 @@ impl Solution {
         let settles = || stretch.settlement(s, fields.deflection, fields.slope)[1];
         match field {
             Quantity::Deflection => fields.slope,
-            Quantity::Slope => jet(&stretch.deflection, s)[2] / (half * half),
+            Quantity::Rotation if !stretch.rotation.is_empty() => {
+                jet(&stretch.rotation, s)[1] / half
+            }
+            Quantity::Slope | Quantity::Rotation => jet(&stretch.deflection, s)[2] / (half * half),
             Quantity::Moment => fields.shear_force,
             Quantity::ShearForce => moments(2),
             Quantity::Settlement => settles(),

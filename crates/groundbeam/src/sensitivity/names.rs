@@ -1,7 +1,8 @@
 //! What parameters and outputs are called, wherever they are asked for by name.
 
 use super::{Extent, LoadNumber, Output, Parameter, Property, SupportNumber};
-use crate::solution::fields::{Field, Side};
+use crate::solution::field::Field;
+use crate::solution::fields::Side;
 
 impl Parameter {
     /// How names are written: `k`, `mu_factor`, `EI[0]`, `load[1].at`, …
@@ -92,9 +93,8 @@ impl Output {
     /// assert_eq!(Output::named("edge[1].left"), Some(Output::Edge(1, Side::Left)));
     /// ```
     pub fn named(name: &str) -> Option<Self> {
-        let field = |name: &str| Field::ALL.into_iter().find(|field| field.name() == name);
         if let Some((which, name)) = name.split_once(' ') {
-            let field = field(name)?;
+            let field = Field::named(name)?;
             return match which {
                 "largest" => Some(Output::Largest(field)),
                 "smallest" => Some(Output::Smallest(field)),

@@ -4,7 +4,7 @@ use super::linearised::Linearised;
 use super::{Side, Solution};
 use crate::contact::surface::can_carry;
 use crate::numeric::polynomial::{derivative, sign_changes, value};
-use crate::solution::fields::Field as Quantity;
+use crate::solution::field::Field as Quantity;
 
 /// What a change of contact would bring to zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

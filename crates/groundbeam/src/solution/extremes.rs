@@ -5,7 +5,8 @@
 
 use crate::numeric::polynomial::{derivative, jet, sign_changes, value, with_slope};
 use crate::solution::candidate::Candidate;
-use crate::solution::fields::{Extreme, Field, Range, Stretch};
+use crate::solution::field::Field;
+use crate::solution::fields::{Extreme, Range, Stretch};
 
 impl Candidate {
     /// The smallest and largest value of a field, located by the roots of its derivative.
@@ -35,22 +36,6 @@ impl Candidate {
             stretch.turning_points(field, &mut inside);
             for &s in &inside {
                 widen(&mut found, Spot { stretch: i, s, value: stretch.one(field, s) });
-            }
-        }
-        self.between(found)
-    }
-
-    /// The smallest and largest rotation of the sections; that of the slope where the beam does not shear.
-    pub fn rotation_range(&self) -> Range {
-        let mut found: Option<[Spot; 2]> = None;
-        for (i, stretch) in self.stretches.iter().enumerate() {
-            let mut all = vec![-1.0, 1.0];
-            match stretch.rotation.is_empty() {
-                true => stretch.turning_points(Field::Slope, &mut all),
-                false => sign_changes(&derivative(&stretch.rotation), &mut all),
-            }
-            for s in all {
-                widen(&mut found, Spot { stretch: i, s, value: stretch.fields(s).rotation });
             }
         }
         self.between(found)
@@ -130,7 +115,8 @@ impl Stretch {
         let per_length = 1.0 / self.half;
         match field {
             Field::Deflection => value(&self.deflection, s),
-            Field::Slope => with_slope(&self.deflection, s)[1] * per_length,
+            Field::Rotation if !self.rotation.is_empty() => value(&self.rotation, s),
+            Field::Slope | Field::Rotation => with_slope(&self.deflection, s)[1] * per_length,
             Field::Moment => value(&self.moment, s),
             Field::ShearForce => with_slope(&self.moment, s)[1] * per_length,
             Field::Pressure => value(&self.pressure, s),
@@ -142,7 +128,10 @@ impl Stretch {
         let per_length = 1.0 / self.half;
         match field {
             Field::Deflection => Hull::of(&self.deflection),
-            Field::Slope => Hull::of(&derivative(&self.deflection)).times(per_length),
+            Field::Rotation if !self.rotation.is_empty() => Hull::of(&self.rotation),
+            Field::Slope | Field::Rotation => {
+                Hull::of(&derivative(&self.deflection)).times(per_length)
+            }
             Field::Moment => Hull::of(&self.moment),
             Field::ShearForce => Hull::of(&derivative(&self.moment)).times(per_length),
             Field::Pressure => Hull::of(&self.pressure),
@@ -175,7 +164,12 @@ impl Stretch {
     fn turning_points(&self, field: Field, found: &mut Vec<f64>) {
         match field {
             Field::Deflection => sign_changes(&derivative(&self.deflection), found),
-            Field::Slope => sign_changes(&derivative(&derivative(&self.deflection)), found),
+            Field::Rotation if !self.rotation.is_empty() => {
+                sign_changes(&derivative(&self.rotation), found);
+            }
+            Field::Slope | Field::Rotation => {
+                sign_changes(&derivative(&derivative(&self.deflection)), found);
+            }
             Field::Moment => sign_changes(&derivative(&self.moment), found),
             Field::ShearForce => sign_changes(&derivative(&derivative(&self.moment)), found),
             Field::Pressure => sign_changes(&derivative(&self.pressure), found),
@@ -554,13 +548,13 @@ mod tests {
         let mut bends = stretch([0.0, 4.0]);
         // w′ = s + s²: least −1/4 at s = −1/2, largest 2 at the right end.
         bends.deflection = [0.0, 0.0, 1.0, 2.0 / 3.0][..].into();
-        let Range { min, max } = candidate(vec![bends.clone()]).rotation_range();
+        let Range { min, max } = candidate(vec![bends.clone()]).range(Field::Rotation);
         near(&[min.x, min.value, max.x, max.value], &[1.0, -0.25, 4.0, 2.0]);
         let mut shears = stretch([4.0, 6.0]);
         // φ = 3 − 12 s²: largest 3 at the middle, least −9 at both ends.
         shears.rotation = [3.0, 0.0, -12.0][..].into();
         shears.deflection = [0.0, 100.0][..].into();
-        let Range { min, max } = candidate(vec![bends, shears]).rotation_range();
+        let Range { min, max } = candidate(vec![bends, shears]).range(Field::Rotation);
         near(&[min.x, min.value, max.x, max.value], &[4.0, -9.0, 5.0, 3.0]);
     }
 
@@ -568,6 +562,5 @@ mod tests {
     fn a_beam_without_stretches_has_ranges_of_zero() {
         let none = Extreme { x: 0.0, value: 0.0 };
         assert_eq!(candidate(vec![]).range(Field::Moment), Range { min: none, max: none });
-        assert_eq!(candidate(vec![]).rotation_range(), Range { min: none, max: none });
     }
 }

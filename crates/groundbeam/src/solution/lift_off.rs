@@ -1,6 +1,7 @@
 //! Where the beam does not touch: free spans, and ends that are in the air.
 
-use crate::solution::fields::{Extreme, Field};
+use crate::solution::field::Field;
+use crate::solution::fields::Extreme;
 use crate::solution::solution::Solution;
 
 /// A stretch of the beam that does not touch: a free span, or an end that is in the air.
