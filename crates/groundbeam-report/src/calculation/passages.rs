@@ -16,8 +16,8 @@ pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) ->
     let first = all.iter().find_map(|passage| passage.solved().next());
     let model = first.map_or(source.model, |(_, solution)| solution.model());
     let existence = first.map(|(_, solution)| *solution.existence());
-    let existence = existence.or_else(|| groundbeam::exists(source.model).ok()).unwrap_or_default();
-    let mut given = given::section(model, &existence, None, context, source);
+    let existence = existence.or_else(|| groundbeam::exists(source.model).ok());
+    let mut given = given::section(model, existence.as_ref(), None, context, source);
     given.blocks.extend(facts(|sheet| {
         all.iter().for_each(|passage| train::head(sheet, passage, context.units));
     }));

@@ -19,10 +19,11 @@ use groundbeam_run::{Answers, Found, Overall};
 /// The report of all combinations.
 pub(super) fn combinations(all: &Answers, context: &Context, source: &Source) -> Report {
     let Some(first) = all.list.first() else { return Report::default() };
-    let existence = first.existence().copied().unwrap_or_default();
+    let existence = first.existence().copied();
+    let existence = existence.or_else(|| groundbeam::exists(first.model()).ok());
     let ground = first.ground.as_ref().filter(|ground| ground.gamma.is_none());
     let of_first = Context { ground, ..*context };
-    let mut given = given::section(first.model(), &existence, None, &of_first, source);
+    let mut given = given::section(first.model(), existence.as_ref(), None, &of_first, source);
     given.blocks.push(list(all));
     let solved: Vec<Numbered> = numbered(all);
     let method = solved.first().map_or(Method::Exact, |row| row.solution.method());

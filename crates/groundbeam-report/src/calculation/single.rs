@@ -18,7 +18,7 @@ pub(super) fn solved(solution: &Solution, context: &Context, source: &Source) ->
     verdicts.extend(checked(&checks));
     verdicts.push(certified(solution.certificate().relative_gap()));
     let mut sections = vec![
-        given::section(model, existence, None, context, source),
+        given::section(model, Some(existence), None, context, source),
         given::assumptions(model, solution.method()),
         given::statics(model, existence, context),
         contact(solution, context.units),
@@ -52,7 +52,7 @@ pub(super) fn no_equilibrium(
         _ => None,
     };
     let mut sections = vec![
-        given::section(model, existence, motion, context, source),
+        given::section(model, Some(existence), motion, context, source),
         given::assumptions(model, groundbeam::Method::Exact),
         given::statics(model, existence, context),
     ];
@@ -68,12 +68,12 @@ pub(super) fn not_converged(
     context: &Context,
     source: &Source,
 ) -> Report {
-    let existence = groundbeam::exists(model).unwrap_or_default();
+    let existence = groundbeam::exists(model).ok();
     let mut sections = vec![
-        given::section(model, &existence, None, context, source),
+        given::section(model, existence.as_ref(), None, context, source),
         given::assumptions(model, reached.method),
-        given::statics(model, &existence, context),
     ];
+    sections.extend(existence.map(|existence| given::statics(model, &existence, context)));
     sections.extend(proof::provenance(context, source));
     let words = format!("{reached}; no result is given, since none could be certified");
     let refused = Verdict { tone: "bad", head: "Not solved".into(), words: print::words(&words) };

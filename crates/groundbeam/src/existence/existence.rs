@@ -12,10 +12,9 @@ use crate::model::{Model, Support};
 use std::ops::Range;
 
 /// What the statics say about equilibrium.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Verdict {
     /// There is exactly one equilibrium.
-    #[default]
     Unique,
     /// A static reaction is zero, or the beam stands on one point alone: equilibria may exist, and then not
     /// one alone. The motion changes no energy.
@@ -122,7 +121,7 @@ impl RigidMotion {
 }
 
 /// The verdict and the statics it rests on.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Existence {
     /// Whether an equilibrium exists, and is the only one.
     pub verdict: Verdict,
