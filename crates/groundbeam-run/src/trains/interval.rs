@@ -80,10 +80,11 @@ pub(super) fn sticks_out(
     scale: &ByField<f64>,
 ) -> ByField<f64> {
     let mut most = [0.0_f64; Field::ALL.len()];
+    let near = stations.last().map_or(0.0, |l| train.same_place(*l));
     let mut note = |field: usize, by: f64| most[field] = most[field].max(by);
     for (i, (values, bounds)) in middle.samples.iter().zip(&table.bounds).enumerate() {
         let [start, end] = ends.map(|end| &end.samples[i]);
-        let is_smooth = !is_passed(stations[i / 2], ends, train);
+        let is_smooth = !is_passed(stations[i / 2], ends, train, near);
         for field in 0..Field::ALL.len() {
             let [min, max] = [bounds[0][field], bounds[1][field]];
             let [a, value, b] = [start[field], values[field], end[field]];
@@ -114,11 +115,9 @@ pub(super) fn sticks_out(
 }
 
 /// Whether an axle passes a section somewhere between two positions, or stands there in one of them.
-fn is_passed(x: f64, [start, end]: [&Position; 2], train: &Train) -> bool {
+fn is_passed(x: f64, [start, end]: [&Position; 2], train: &Train, near: f64) -> bool {
     let [from, to] = [start, end].map(|position| position.section.first_axle);
-    // An axle that stands there does so to rounding.
-    let rounding = Train::SAME_PLACE * (from.abs() + to.abs());
-    let passing = from - rounding..=to + rounding;
+    let passing = from - near..=to + near;
     train.axles.iter().any(|axle| passing.contains(&(x + axle.behind)))
 }
 

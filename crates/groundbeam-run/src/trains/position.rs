@@ -57,7 +57,8 @@ impl Under {
         let own = force(train, axle);
         jump[SHEAR_FORCE] = own;
         if model.beam.shears() {
-            let here = |at: f64| (at - x).abs() <= Train::SAME_PLACE * model.beam.length;
+            let near = train.same_place(model.beam.length);
+            let here = |at: f64| (at - x).abs() <= near;
             let fixed = model.loads.iter().map(|load| match load.at_point(Action::Force) {
                 Some((at, force)) if here(at) => force,
                 _ => 0.0,

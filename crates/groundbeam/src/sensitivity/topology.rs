@@ -4,6 +4,7 @@ use super::linearised::Linearised;
 use super::{Side, Solution};
 use crate::contact::surface::can_carry;
 use crate::numeric::polynomial::{derivative, sign_changes, value};
+use crate::numeric::tolerance::TURNING_POINT;
 use crate::solution::field::Field as Quantity;
 
 /// What a change of contact would bring to zero.
@@ -54,9 +55,6 @@ pub struct Nearest {
 
 /// A gap that turns by less than this part of all deflections does so by rounding.
 const ROUNDING: f64 = 1e-8;
-
-/// Places closer than this part of the length are one.
-const HERE: f64 = 1e-9;
 
 /// Which of some places are lower than the highest on both sides by more than `least`, and are lowest between those;
 /// at an end of the beam one side is enough.
@@ -197,7 +195,8 @@ impl Solution {
         let mut open: Vec<(f64, f64)> = Vec::new();
         let mut add = |open: &mut Vec<(f64, f64)>| {
             let touches = |x: f64| {
-                self.contact().iter().any(|c| x >= c.from - HERE * l && x <= c.to + HERE * l)
+                let near = TURNING_POINT * l;
+                self.contact().iter().any(|c| x >= c.from - near && x <= c.to + near)
             };
             let deepest = deepest_between_peaks(open, [0.0, l], ROUNDING * scale);
             for at in deepest.into_iter().filter(|at| !touches(open[*at].0)) {
