@@ -1,7 +1,7 @@
 //! Derivatives: against differences of exact solutions, forward against backward, and closed forms.
 
 use groundbeam::sensitivity::{
-    Extent, Gradient, LoadNumber, OneSided, Output, Parameter, Property, SupportNumber,
+    Domain, Gradient, LoadNumber, OneSided, Output, Parameter, Property, SupportNumber,
 };
 use groundbeam::{Action, Field, Load, Model, Options, Outcome, Side, Solution, solve, solve_near};
 use groundbeam_verification::random::{Family, model};
@@ -28,10 +28,10 @@ fn parameters(model: &Model) -> Vec<Parameter> {
             BendingStiffness | ShearStiffness => model.beam.segments.len(),
             _ => model.foundation.segments.len(),
         };
-        let own = [Extent::Whole, Extent::OutsideSegments].into_iter();
-        for extent in own.chain((0..segments).map(Extent::Segment)) {
-            all.push(Parameter::Factor(property, extent));
-            let value = Parameter::Value(property, extent);
+        let own = [Domain::Whole, Domain::OutsideSegments].into_iter();
+        for domain in own.chain((0..segments).map(Domain::Segment)) {
+            all.push(Parameter::Factor(property, domain));
+            let value = Parameter::Value(property, domain);
             if value.value(model).is_some_and(|value| value > 0.0) {
                 all.push(value);
             }

@@ -1,6 +1,6 @@
 //! What parameters and outputs are called, wherever they are asked for by name.
 
-use super::{Extent, LoadNumber, Output, Parameter, Property, SupportNumber};
+use super::{Domain, LoadNumber, Output, Parameter, Property, SupportNumber};
 use crate::solution::field::Field;
 use crate::solution::fields::Side;
 
@@ -14,10 +14,10 @@ impl Parameter {
     /// The parameter that is called so.
     ///
     /// ```
-    /// use groundbeam::sensitivity::{Extent, Parameter, Property};
+    /// use groundbeam::sensitivity::{Domain, Parameter, Property};
     ///
     /// let softer = Parameter::named("k_factor[2]");
-    /// assert_eq!(softer, Some(Parameter::Factor(Property::Spring, Extent::Segment(2))));
+    /// assert_eq!(softer, Some(Parameter::Factor(Property::Spring, Domain::Segment(2))));
     /// assert_eq!(Parameter::named("load[0].size"), None);
     /// ```
     pub fn named(name: &str) -> Option<Self> {
@@ -31,22 +31,22 @@ impl Parameter {
                 _ => return None,
             })
         };
-        let extent = || match number {
-            None => Extent::Whole,
-            Some("") => Extent::OutsideSegments,
-            Some(digits) => digits.parse().map_or(Extent::Whole, Extent::Segment),
+        let domain = || match number {
+            None => Domain::Whole,
+            Some("") => Domain::OutsideSegments,
+            Some(digits) => digits.parse().map_or(Domain::Whole, Domain::Segment),
         };
         let count = || number.and_then(|digits| digits.parse::<usize>().ok());
         if number.is_some_and(|digits| !digits.is_empty()) {
             count()?;
         }
         if let Some(property) = property(word).filter(|_| part.is_empty()) {
-            return Some(Parameter::Value(property, extent()));
+            return Some(Parameter::Value(property, domain()));
         }
         if let Some(property) = word.strip_suffix("_factor").and_then(property)
             && part.is_empty()
         {
-            return Some(Parameter::Factor(property, extent()));
+            return Some(Parameter::Factor(property, domain()));
         }
         Some(match (word, part) {
             ("axial_force", "") if number.is_none() => Parameter::AxialForce,
