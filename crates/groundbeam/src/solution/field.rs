@@ -1,4 +1,4 @@
-//! The eight fields of a solution, and the table of their facts: name, words, symbol, unit, natural size and sign.
+//! The fields of a solution, and the table of their facts: name, words, symbol, unit, natural size and sign.
 
 use crate::model::Beam;
 
