@@ -3,6 +3,7 @@
 pub(crate) mod assemble;
 pub(crate) mod candidate;
 pub(crate) mod extremes;
+pub(crate) mod field;
 pub(crate) mod fields;
 pub(crate) mod hinges;
 pub(crate) mod lift_off;
