@@ -5,7 +5,8 @@ use groundbeam_verification::documents;
 use groundbeam_verification::imports::Imports;
 
 /// What each crate may depend on within the workspace.
-const ARROWS: [(&str, &[&str]); 11] = [
+const ARROWS: [(&str, &[&str]); 12] = [
+    ("groundbeam-proof", &[]),
     ("groundbeam", &[]),
     ("groundbeam-file", &["groundbeam"]),
     ("groundbeam-run", &["groundbeam", "groundbeam-file"]),

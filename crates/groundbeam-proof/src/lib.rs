@@ -1,0 +1,24 @@
+//! Proof of an answer: how far a claimed deflection, contact and set of forces can be from the exact solution.
+//!
+//! The problem is a beam in unilateral contact with a Winkler or Pasternak foundation. The crate does not know how
+//! an answer was found. It builds an admissible deflection and an exactly balanced pressure from the answer, and
+//! bounds the difference of the two energies. `docs/proof.md` states the theorem.
+
+#![forbid(unsafe_code)]
+// `!(a <= b)` refuses when a number is NaN; `a > b` would accept.
+#![allow(clippy::neg_cmp_op_on_partial_ord)]
+
+mod answer;
+mod ball;
+mod model;
+mod scalar;
+mod wide;
+
+pub use answer::{Answer, Force, Piece, Reaction};
+pub use ball::Ball;
+pub use model::{
+    Action, Acts, Beam, BeamSegment, Course, Extent, GapCorner, Ground, GroundEnd, GroundSegment,
+    Hinge, Load, Model, Support, SupportKind,
+};
+pub use scalar::Scalar;
+pub use wide::Wide;
