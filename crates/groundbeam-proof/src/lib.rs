@@ -11,6 +11,7 @@
 mod answer;
 mod ball;
 mod model;
+mod read;
 mod scalar;
 mod wide;
 
@@ -20,5 +21,6 @@ pub use model::{
     Action, Acts, Beam, BeamSegment, Course, Extent, GapCorner, Ground, GroundEnd, GroundSegment,
     Hinge, Load, Model, Support, SupportKind,
 };
+pub use read::{ReadError, Reason, read_model};
 pub use scalar::Scalar;
 pub use wide::Wide;
