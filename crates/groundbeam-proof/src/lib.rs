@@ -10,6 +10,8 @@
 
 mod answer;
 mod ball;
+mod document;
+mod json;
 mod model;
 mod read;
 mod scalar;
@@ -17,6 +19,8 @@ mod wide;
 
 pub use answer::{Answer, Force, Piece, Reaction};
 pub use ball::Ball;
+pub use document::{Document, Extreme};
+pub use json::JsonError;
 pub use model::{
     Action, Acts, Beam, BeamSegment, Course, Extent, GapCorner, Ground, GroundEnd, GroundSegment,
     Hinge, Load, Model, Support, SupportKind,
