@@ -28,12 +28,18 @@ impl Comparison {
     }
 
     fn number(&mut self, name: &str, first: f64, second: Wide) {
+        self.number_beside(name, first, second, first);
+    }
+
+    /// A number, and the largest one of those from which it follows.
+    fn number_beside(&mut self, name: &str, first: f64, second: Wide, largest: f64) {
         self.numbers += 1;
         let difference = (first - second.middle()).abs();
         let ulps = if difference == 0.0 { 0.0 } else { difference / first.abs() / f64::EPSILON };
         self.largest = self.largest.max(ulps);
-        // A decimal is enclosed by some 100 bits.
-        let is_sharp = (second.high() - second.low()) <= 4.0 * f64::EPSILON * first.abs() + 1e-290;
+        // A decimal is enclosed by some 100 bits: what the middle leaves is its rounding.
+        let rest = (second - Wide::of(second.middle())).size();
+        let is_sharp = rest <= f64::EPSILON * (first.abs() + 1e-12 * largest.abs()) + 1e-280;
         if !(ulps <= self.allowed && is_sharp) {
             self.faults.push(format!("{name}: {first:e}, {second:?}"));
         }
@@ -60,7 +66,7 @@ impl Comparison {
         for i in 0..6 {
             let t = f64::from(i) / 5.0;
             let second = at(second, Wide::of(f64::from(i)).div(Wide::of(5.0)));
-            self.number(&format!("{name} at {t}"), first.at(t), second);
+            self.number_beside(&format!("{name} at {t}"), first.at(t), second, first.largest());
         }
     }
 

@@ -12,7 +12,14 @@ use std::path::{Path, PathBuf};
 const ALLOWED: f64 = 24.0;
 
 /// The model files of the repository that the second reader refuses, with the key for which it does.
-const REFUSED: &[(&str, &str)] = &[];
+const REFUSED: &[(&str, &str)] = &[
+    ("cases/footings/strip-footing-on-layered-soil.toml", "soil"),
+    ("cases/footings/strip-on-a-band-of-grounds.toml", "band"),
+    ("cases/ground/survey-of-an-even-slope.toml", "gap_survey"),
+    ("cases/ground/trough-under-a-heavy-pipe.toml", "gap_trough"),
+    ("cases/textbook/wheel-on-an-endless-rail.toml", "train"),
+    ("docs/train.toml", "train"),
+];
 
 /// Every model file that is right, by its name from the repository.
 fn files() -> Vec<(String, PathBuf)> {
@@ -67,14 +74,15 @@ fn every_model_file_is_read_alike_or_refused() {
                     largest = (most, name);
                 }
             }
-            Err(reason) => refused.push((name, format!("{reason:?}"))),
+            Err(Reason::NotRead(key)) => refused.push((name, key)),
+            Err(reason) => panic!("{name}: {reason:?}"),
         }
     }
     println!("{read} files read alike, {numbers} numbers, largest difference {largest:?}");
     let refused: Vec<(&str, &str)> =
-        refused.iter().map(|(a, b)| (a.as_str(), b.as_str())).collect();
+        refused.iter().map(|(name, key)| (name.as_str(), *key)).collect();
     assert_eq!(refused, REFUSED);
-    assert!(read > 80);
+    assert!(read >= 113, "{read}");
 }
 
 /// The blocks of the documents, which the first reader reads when what they leave out is added.
@@ -117,41 +125,52 @@ fn random_models_are_read_alike() {
             let Ok(document) = groundbeam_file::parse(&text) else { continue };
             match compare(&number.to_string(), &text, &document) {
                 Ok(_) => read += 1,
-                Err(reason) => println!("{number}: {reason:?}"),
+                Err(reason) => panic!("{number}: {reason:?}\n{text}"),
             }
         }
     }
     println!("{read} read alike");
-    assert!(read > 500);
+    assert!(read > 2000);
 }
 
 /// Files with random changes: what both readers accept they understand alike.
 #[test]
 fn changed_files_are_read_alike() {
     let texts = texts();
-    let (mut alike, mut only_first, mut only_second, mut neither) = (0, 0, 0, 0);
+    let mut alike = 0;
+    let mut faults = Vec::new();
     for number in 0..20_000_u64 {
         let text = mutated(&texts[number as usize % texts.len()], number);
         match (groundbeam_file::parse(&text), read_model::<Wide>(&text, None)) {
             (Ok(document), Ok(_)) => match compare(&number.to_string(), &text, &document) {
                 Ok(_) => alike += 1,
-                Err(reason) => panic!("{number}: {reason:?}\n{text}"),
+                Err(reason) => faults.push(format!("{number}: {reason:?}")),
             },
-            (Ok(_), Err(error)) => {
-                only_first += 1;
-                if !matches!(error.reason, Reason::NotRead(_)) {
-                    println!("{number}: only the first reads it: {error}");
-                }
+            (Ok(_), Err(error)) if !matches!(error.reason, Reason::NotRead(_)) => {
+                faults.push(format!("{number}: only the first reads it: {error}"));
             }
             (Err(found), Ok(_)) => {
-                only_second += 1;
-                let codes: Vec<_> = found.iter().map(|d| d.code).collect();
-                println!("{number}: only the second reads it: {codes:?}");
+                for diagnostic in found.iter().filter(|d| !is_left_out(&text, d.line, d.code)) {
+                    let said = &diagnostic.message;
+                    faults.push(format!("{number}: only the second reads it: {said}"));
+                }
             }
-            (Err(_), Err(_)) => neither += 1,
+            (Ok(_) | Err(_), Err(_)) => {}
         }
     }
-    println!(
-        "alike {alike}, only first {only_first}, only second {only_second}, neither {neither}"
-    );
+    println!("{alike} read alike");
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    assert!(alike > 3000);
+}
+
+/// Whether the second reader has no use for a line: titles, checks, and combinations that are not asked for. Two
+/// places so near each other that rounding makes them one are two to the second reader.
+fn is_left_out(text: &str, line: usize, code: &str) -> bool {
+    let up_to: Vec<&str> = text.lines().take(line).map(str::trim).collect();
+    let heading = up_to.iter().rev().find(|line| line.starts_with('[')).copied().unwrap_or("");
+    let is_title = up_to.last().is_some_and(|line| line.starts_with("title"));
+    let tables = ["[checks]", "[[case]]", "[[combination]]"];
+    is_title
+        || tables.iter().any(|table| heading.starts_with(table))
+        || ["GB403", "GB404", "GB406"].contains(&code)
 }

@@ -7,7 +7,7 @@ use super::fields::{
 };
 use super::load::Cased;
 use super::material::{self, Material};
-use super::product::{Given, covers, left_out, overlapping};
+use super::product::{Found, Given, covers, is_left, left_out, overlapping};
 use super::section::{self, Shape};
 use super::shear::{self, Shear};
 use super::units::Exact;
@@ -102,9 +102,7 @@ pub(crate) fn read<S: Scalar>(fields: &mut Fields, root: Section) -> Read<ReadBe
         false => a,
     });
     let bending_stiffness = match (found, rightmost) {
-        (super::product::Found::Nothing | super::product::Found::Half(_), Some(segment))
-            if covers(length, &spans) =>
-        {
+        (Found::Nothing | Found::Half(_), Some(segment)) if covers(length, &spans) => {
             super::course::ends(&segment.bending_stiffness)[1]
         }
         (found, _) => {
@@ -230,7 +228,7 @@ pub(crate) fn stretch<S: Scalar>(fields: &mut Fields, table: Section, length: S)
 
 /// A position that is not off the beam.
 pub(crate) fn on_beam<S: Scalar>(x: S, length: S, at: usize) -> Read<()> {
-    if x.high() < 0.0 || length.high() < x.low() {
+    if is_left(x, S::zero()) || is_left(length, x) {
         return wrong(at, "the position lies off the beam");
     }
     Ok(())
@@ -238,7 +236,7 @@ pub(crate) fn on_beam<S: Scalar>(x: S, length: S, at: usize) -> Read<()> {
 
 /// A stretch that has a length.
 pub(crate) fn ordered<S: Scalar>([from, to]: [S; 2], at: usize) -> Read<[S; 2]> {
-    if !(from.high() < to.low()) {
+    if !is_left(from, to) {
         return wrong(at, "`to` must lie to the right of `from`");
     }
     Ok([from, to])

@@ -1,7 +1,7 @@
 //! `[[combination]]`: the factors of load cases, written or by a set of a code of practice.
 
 use super::error::{Read, Reason, fault, wrong};
-use super::fields::{Section, is_within_reach};
+use super::fields::Section;
 use super::load::Cased;
 use super::number::Decimal;
 use super::sets::{self, Acting};
@@ -51,27 +51,19 @@ pub(crate) fn loads<S: Scalar>(
         let Some(factor) = S::decimal(factor) else {
             return wrong(at, "the factor of this load's case is out of range");
         };
-        combined.push(scaled(load, factor, at)?);
+        combined.push(scaled(load, factor));
     }
     Ok(combined)
 }
 
-fn scaled<S: Scalar>(load: Load<S>, factor: S, at: usize) -> Read<Load<S>> {
-    let times = |size: S| {
-        let product = size * factor;
-        let is_zero = size.middle() == 0.0;
-        match is_zero || is_within_reach(product) {
-            true => Ok(product),
-            false => wrong(at, "with its factor this load is not between 1e-60 and 1e60"),
-        }
-    };
+fn scaled<S: Scalar>(load: Load<S>, factor: S) -> Load<S> {
     let extent = match load.extent {
-        Extent::Point { at, size } => Extent::Point { at, size: times(size)? },
+        Extent::Point { at, size } => Extent::Point { at, size: size * factor },
         Extent::Distributed { from, to, start, end } => {
-            Extent::Distributed { from, to, start: times(start)?, end: times(end)? }
+            Extent::Distributed { from, to, start: start * factor, end: end * factor }
         }
     };
-    Ok(Load { extent, ..load })
+    Load { extent, ..load }
 }
 
 /// Every combination of the file.

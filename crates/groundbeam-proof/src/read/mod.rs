@@ -6,6 +6,7 @@
 //! fault. `title` and `[checks]` do not change the model and are not read.
 
 mod beam;
+mod check;
 mod combination;
 mod course;
 mod error;
@@ -25,8 +26,8 @@ mod units;
 
 pub use error::{ReadError, Reason};
 
-use crate::{Action, Extent, Load, Model, Scalar, Support, SupportKind};
-use error::{Fault, Read, wrong};
+use crate::{Model, Scalar};
+use error::{Fault, Read};
 use fields::{Fields, Section};
 
 const KEYS: &[&str] = &[
@@ -83,37 +84,7 @@ fn read<S: Scalar>(text: &str, combination: Option<&str>) -> Read<Model<S>> {
     let hinges = support::hinges(&mut fields, root, length)?;
     let gap = support::gap(&mut fields, root, length)?;
     let loads = combination::loads(root, loads, combination)?;
-    let turning = loads.iter().filter_map(turning_load).chain(supports.iter().filter_map(clamp));
-    if clash(hinges.iter().map(|hinge| hinge.at).collect(), turning) {
-        return wrong(0, "a moment, a clamp or a rotational spring stands at a hinge");
-    }
-    Ok(Model { beam, ground, loads, supports, hinges, gap })
-}
-
-/// Where a moment acts at a point.
-fn turning_load<S: Scalar>(load: &Load<S>) -> Option<S> {
-    match (load.action, load.extent) {
-        (Action::Moment, Extent::Point { at, size }) if size.middle() != 0.0 => Some(at),
-        _ => None,
-    }
-}
-
-/// Where a support holds the slope.
-fn clamp<S: Scalar>(support: &Support<S>) -> Option<S> {
-    match support.kind {
-        SupportKind::Pinned => None,
-        SupportKind::Spring { rotational_spring, .. } if rotational_spring.middle() == 0.0 => None,
-        _ => Some(support.at),
-    }
-}
-
-/// Whether one of the places may be one of the others.
-fn clash<S: Scalar>(mut places: Vec<S>, others: impl Iterator<Item = S>) -> bool {
-    places.sort_by(|a, b| a.middle().total_cmp(&b.middle()));
-    let meets = |a: &S, b: S| a.low() <= b.high() && b.low() <= a.high();
-    others.into_iter().any(|other| {
-        let i = places.partition_point(|place| place.middle() < other.middle());
-        let beside = [places.get(i), i.checked_sub(1).and_then(|i| places.get(i))];
-        beside.into_iter().flatten().any(|place| meets(place, other))
-    })
+    let model = Model { beam, ground, loads, supports, hinges, gap };
+    check::check(&model)?;
+    Ok(model)
 }

@@ -72,7 +72,7 @@ impl<S> Found<S> {
 
 /// Whether a < b is certain.
 pub(crate) fn is_left<S: Scalar>(a: S, b: S) -> bool {
-    a.high() < b.low()
+    (b - a).low() > 0.0
 }
 
 /// The stretches of 0 to `length` that others leave out, from left to right.

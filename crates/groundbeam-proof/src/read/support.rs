@@ -3,6 +3,7 @@
 use super::beam::on_beam;
 use super::error::{Read, Reason, fault, wrong};
 use super::fields::{DEFLECTION, Fields, POSITION, Quantity, ROTATIONAL_SPRING, SPRING, Section};
+use super::product::is_left;
 use crate::{Acts, GapCorner, Hinge, Scalar, Support, SupportKind};
 
 const KEYS: &[&str] = &["at", "type", "spring", "rotational_spring", "settlement", "acts"];
@@ -66,7 +67,7 @@ pub(crate) fn hinges<S: Scalar>(
     for table in root.tables("hinge")? {
         table.only(&[&["at", "rotational_spring"]], &[])?;
         let at = position(fields, table, length)?;
-        if !(at.low() > 0.0 && at.high() < length.low()) {
+        if !(is_left(S::zero(), at) && is_left(at, length)) {
             return wrong(table.at, "a hinge stands between the beam's ends");
         }
         let spring: Option<Quantity<S>> =
@@ -87,7 +88,7 @@ pub(crate) fn gap<S: Scalar>(
     for table in root.tables("gap")? {
         table.only(&[&["at", "value"]], &[])?;
         let at = position(fields, table, length)?;
-        if gap.last().is_some_and(|last| !(last.at.high() < at.low())) {
+        if gap.last().is_some_and(|last| !is_left(last.at, at)) {
             return wrong(table.at, "the gap's corners stand from left to right");
         }
         let value = fields.required::<S>(table, "value", DEFLECTION)?.value;
