@@ -10,6 +10,8 @@
 
 mod answer;
 mod ball;
+mod decimal;
+mod float;
 mod model;
 mod scalar;
 mod wide;
