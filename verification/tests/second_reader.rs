@@ -168,9 +168,10 @@ fn changed_files_are_read_alike() {
 fn is_left_out(text: &str, line: usize, code: &str) -> bool {
     let up_to: Vec<&str> = text.lines().take(line).map(str::trim).collect();
     let heading = up_to.iter().rev().find(|line| line.starts_with('[')).copied().unwrap_or("");
-    let is_title = up_to.last().is_some_and(|line| line.starts_with("title"));
-    let tables = ["[checks]", "[[case]]", "[[combination]]"];
-    is_title
-        || tables.iter().any(|table| heading.starts_with(table))
+    let last = up_to.last().copied().unwrap_or("");
+    let is_key = ["title", "case", "combination", "checks"].iter().any(|key| last.starts_with(key));
+    let table = heading.trim_start_matches('[');
+    (is_key && (heading.is_empty() || last.starts_with("title")))
+        || ["checks]", "case]", "combination]"].iter().any(|name| table.starts_with(name))
         || ["GB403", "GB404", "GB406"].contains(&code)
 }

@@ -1,7 +1,7 @@
 //! A real number enclosed by a midpoint and a radius, both doubles.
 
-use crate::scalar::{Scalar, expm1_by_series, magnitude};
-use crate::wide::Wide;
+use crate::float::{ABOVE, HUGE, TINY, magnitude, magnitude_scaled, times_power_of_two};
+use crate::scalar::{Scalar, expm1_by_series};
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// All numbers x with |x − m| ≤ r.
@@ -12,13 +12,6 @@ pub struct Ball {
     m: f64,
     r: f64,
 }
-
-/// 1 + 16u, u = 2⁻⁵³: larger than (1 + u)¹², the rounding of a radius that is made of at most ten operations.
-pub(crate) const ABOVE: f64 = 1.0 + 8.0 * f64::EPSILON;
-/// Smaller midpoints are replaced by 0, so that no rounding error is lost among subnormal numbers.
-pub(crate) const TINY: f64 = 1e-290;
-/// Larger midpoints and radii are replaced by an infinite radius, so that no operation overflows unnoticed.
-pub(crate) const HUGE: f64 = 1e290;
 
 impl Ball {
     /// The ball of all numbers.
@@ -87,10 +80,6 @@ impl Scalar for Ball {
         Ball::new(x, 0.0)
     }
 
-    fn decimal(text: &str) -> Option<Self> {
-        Wide::decimal(text).map(Wide::ball)
-    }
-
     fn div(self, other: Self) -> Self {
         let least = if other.low() > 0.0 { other.low() } else { (-other).low() };
         if !(least > 0.0) {
@@ -154,35 +143,4 @@ impl Scalar for Ball {
     fn widened(self, by: f64) -> Self {
         Ball::new(self.m, (self.r + magnitude(by)) * ABOVE)
     }
-}
-
-/// x·2ⁿ where that is exact or below the smallest midpoint. `None` where it overflows.
-pub(crate) fn times_power_of_two(x: f64, exponent: i32) -> Option<f64> {
-    let scaled = scale(x, exponent);
-    if !(magnitude(scaled) <= HUGE) {
-        return None;
-    }
-    // A result that is not zero, but rounded among subnormal numbers, must not pass for zero.
-    Some(if scaled == 0.0 && x != 0.0 { f64::MIN_POSITIVE } else { scaled })
-}
-
-/// r·2ⁿ, rounded up.
-pub(crate) fn magnitude_scaled(r: f64, exponent: i32) -> f64 {
-    if r == 0.0 { 0.0 } else { scale(r, exponent) * ABOVE + f64::MIN_POSITIVE }
-}
-
-/// x·2ⁿ in steps that are powers of two themselves.
-fn scale(mut x: f64, mut exponent: i32) -> f64 {
-    while exponent > 500 && x != 0.0 && magnitude(x) <= HUGE {
-        (x, exponent) = (x * power_of_two(500), exponent - 500);
-    }
-    while exponent < -500 && x != 0.0 {
-        (x, exponent) = (x * power_of_two(-500), exponent + 500);
-    }
-    if x == 0.0 { x } else { x * power_of_two(if exponent > 500 { 1023 } else { exponent }) }
-}
-
-/// 2ⁿ for −1022 ≤ n ≤ 1023.
-pub(crate) fn power_of_two(exponent: i32) -> f64 {
-    f64::from_bits(((1023 + i64::from(exponent)) as u64) << 52)
 }

@@ -10,7 +10,9 @@
 
 mod answer;
 mod ball;
+mod decimal;
 mod document;
+mod float;
 mod json;
 mod model;
 mod read;

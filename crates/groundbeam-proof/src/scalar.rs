@@ -1,6 +1,7 @@
 //! The number type of the proof: `f64` for an estimate, `Ball` and `Wide` for a theorem.
 
-use crate::ball::ABOVE;
+use crate::decimal::Decimal;
+use crate::float::{ABOVE, HUGE, times_power_of_two};
 use std::fmt::Debug;
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -20,7 +21,14 @@ pub trait Scalar:
 
     /// A decimal number: an optional sign, digits with an optional point, an optional exponent (`-0.8`, `1e-5`).
     /// `None` if the text is not such a number.
-    fn decimal(text: &str) -> Option<Self>;
+    fn decimal(text: &str) -> Option<Self> {
+        let read = Decimal::read(text)?;
+        let mut value: Self = of_digits(read.digits, read.exponent)?;
+        if read.cut {
+            value = value.widened(of_digits::<Self>(1, read.exponent)?.size());
+        }
+        (value.size() <= HUGE).then_some(if read.negative { -value } else { value })
+    }
 
     /// The quotient; infinite radius if the other ball holds 0.
     fn div(self, other: Self) -> Self;
@@ -68,11 +76,6 @@ pub trait Scalar:
     }
 }
 
-/// |x|; of −0 that is 0. NaN stays NaN.
-pub(crate) fn magnitude(x: f64) -> f64 {
-    x.abs()
-}
-
 /// exp(x) − 1 for x ≤ 0 by the first terms of its series, at most 18.
 ///
 /// x is halved until |x| ≤ 2⁻⁴; e(e + 2) doubles the argument again. Σ xʲ/j! up to n is x/n! times a polynomial with
@@ -113,6 +116,52 @@ pub(crate) fn expm1_by_series<S: Scalar>(x: S, terms: u32) -> S {
     e
 }
 
+/// A whole number.
+fn whole<S: Scalar>(n: u128) -> S {
+    let h = n as f64;
+    // Digits have fewer than 128 bits, and so has the nearest double.
+    let rounded = h as u128;
+    let l = n.abs_diff(rounded) as f64;
+    let lost = n.abs_diff(rounded).abs_diff(l as u128) as f64;
+    match (l == 0.0, rounded <= n) {
+        (true, _) => S::of(h),
+        (_, true) => (S::of(h) + S::of(l)).widened(lost * ABOVE),
+        (_, false) => (S::of(h) - S::of(l)).widened(lost * ABOVE),
+    }
+}
+
+/// 5ⁿ.
+fn power_of_five<S: Scalar>(n: u32) -> S {
+    match n {
+        0..=48 => whole(5_u128.pow(n)),
+        _ => power_of_five::<S>(n / 2) * power_of_five(n - n / 2),
+    }
+}
+
+/// digits·10ⁿ, without rounding where the number type holds it.
+fn of_digits<S: Scalar>(mut digits: u128, mut exponent: i32) -> Option<S> {
+    if digits == 0 {
+        return Some(S::zero());
+    }
+    if !(-400..=400).contains(&exponent) {
+        return None;
+    }
+    let twos = exponent;
+    while exponent < 0 && digits.is_multiple_of(5) {
+        (digits, exponent) = (digits / 5, exponent + 1);
+    }
+    while exponent > 0 && digits < 1 << 120 {
+        (digits, exponent) = (5 * digits, exponent - 1);
+    }
+    let (whole, fives) = (whole::<S>(digits), power_of_five(exponent.unsigned_abs()));
+    let value = match exponent {
+        0 => whole,
+        1.. => whole * fives,
+        _ => whole.div(fives),
+    };
+    Some(value.scaled(twos))
+}
+
 impl Scalar for f64 {
     type Coarse = f64;
 
@@ -121,7 +170,8 @@ impl Scalar for f64 {
     }
 
     fn decimal(text: &str) -> Option<Self> {
-        crate::wide::Wide::decimal(text).map(Scalar::middle)
+        Decimal::read(text)?;
+        text.parse().ok().filter(|x: &f64| x.abs() <= HUGE)
     }
 
     fn div(self, other: Self) -> Self {
@@ -137,7 +187,7 @@ impl Scalar for f64 {
     }
 
     fn scaled(self, exponent: i32) -> Self {
-        crate::ball::times_power_of_two(self, exponent).unwrap_or(f64::INFINITY)
+        times_power_of_two(self, exponent).unwrap_or(f64::INFINITY)
     }
 
     fn size(self) -> f64 {

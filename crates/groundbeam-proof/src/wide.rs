@@ -4,8 +4,9 @@
 //! arithmetic*, ACM Transactions on Mathematical Software 44 (2017): sums here are within 3·2⁻¹⁰⁶, products within
 //! 5·2⁻¹⁰⁶ of the exact one. Both are charged 16·2⁻¹⁰⁶.
 
-use crate::ball::{ABOVE, Ball, HUGE, TINY, magnitude_scaled, times_power_of_two};
-use crate::scalar::{Scalar, expm1_by_series, magnitude};
+use crate::ball::Ball;
+use crate::float::{ABOVE, HUGE, TINY, magnitude, magnitude_scaled, times_power_of_two};
+use crate::scalar::{Scalar, expm1_by_series};
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// All numbers x with |x − (h + l)| ≤ r, where |l| is at most half a unit in the last place of h.
@@ -87,55 +88,6 @@ impl Wide {
     fn centre(self) -> Wide {
         Wide { r: 0.0, ..self }
     }
-
-    /// A whole number.
-    fn whole(n: u128) -> Self {
-        let h = n as f64;
-        // `h` may exceed n by half a unit in its last place; u128 as f64 never exceeds 2¹²⁸.
-        let (rest, sign) = match h as u128 {
-            below if h < 3.4e38 && below <= n => (n - below, 1.0),
-            above if h < 3.4e38 => (above - n, -1.0),
-            _ => return Wide::ALL,
-        };
-        let l = rest as f64;
-        let lost = rest.abs_diff(l as u128) as f64;
-        Wide::new(h, sign * l, lost * ABOVE)
-    }
-
-    /// 10ⁿ, 0 ≤ n.
-    fn power_of_ten(n: u32) -> Self {
-        match 5_u128.checked_pow(n) {
-            Some(five) => Wide::whole(five).scaled(n as i32),
-            None => Wide::power_of_ten(n / 2) * Wide::power_of_ten(n - n / 2),
-        }
-    }
-
-    /// digits·10ⁿ, without rounding where 106 bits hold it.
-    fn of_digits(mut digits: u128, mut exponent: i32) -> Option<Self> {
-        if digits == 0 {
-            return Some(Wide::of(0.0));
-        }
-        if !(-400..=400).contains(&exponent) {
-            return None;
-        }
-        let twos = exponent;
-        while exponent < 0 && digits.is_multiple_of(5) {
-            (digits, exponent) = (digits / 5, exponent + 1);
-        }
-        while exponent > 0 {
-            let Some(more) = digits.checked_mul(5) else { break };
-            (digits, exponent) = (more, exponent - 1);
-        }
-        // What is left of the power of ten is one of five.
-        let fives = Wide::power_of_ten(exponent.unsigned_abs()).scaled(-exponent.abs());
-        let whole = Wide::whole(digits);
-        let value = match exponent {
-            0 => whole,
-            1.. => whole * fives,
-            _ => whole.div(fives),
-        };
-        Some(value.scaled(twos))
-    }
 }
 
 impl Add for Wide {
@@ -181,10 +133,6 @@ impl Scalar for Wide {
 
     fn of(x: f64) -> Self {
         Wide::new(x, 0.0, 0.0)
-    }
-
-    fn decimal(text: &str) -> Option<Self> {
-        Decimal::read(text)?.value()
     }
 
     fn div(self, other: Self) -> Self {
@@ -262,67 +210,5 @@ impl Scalar for Wide {
 
     fn widened(self, by: f64) -> Self {
         Wide::new(self.h, self.l, (self.r + magnitude(by)) * ABOVE)
-    }
-}
-
-/// A decimal number as it is written.
-struct Decimal {
-    negative: bool,
-    /// At most 37 digits.
-    digits: u128,
-    /// Power of ten of the last digit.
-    exponent: i32,
-    /// Whether digits that are not zero were left out after the last one.
-    cut: bool,
-}
-
-impl Decimal {
-    fn read(text: &str) -> Option<Self> {
-        let (negative, text) = match text.as_bytes().first()? {
-            b'-' => (true, &text[1..]),
-            b'+' => (false, &text[1..]),
-            _ => (false, text),
-        };
-        let (digits, power) = match text.find(['e', 'E']) {
-            Some(at) => (&text[..at], text[at + 1..].parse::<i32>().ok()?),
-            None => (text, 0),
-        };
-        let (before, after) = digits.split_once('.').unwrap_or((digits, ""));
-        if before.is_empty() && after.is_empty() {
-            return None;
-        }
-        let mut read = Decimal { negative, digits: 0, exponent: power, cut: false };
-        for (part, step) in [(before, 0), (after, -1)] {
-            for digit in part.bytes() {
-                read.add(digit, step)?;
-            }
-        }
-        while read.digits != 0 && read.digits.is_multiple_of(10) {
-            (read.digits, read.exponent) = (read.digits / 10, read.exponent.checked_add(1)?);
-        }
-        Some(read)
-    }
-
-    /// Adds a digit that changes the power of ten of the last digit by `step`.
-    fn add(&mut self, digit: u8, step: i32) -> Option<()> {
-        if !digit.is_ascii_digit() {
-            return None;
-        }
-        let full = self.digits >= 10_u128.pow(36);
-        if full {
-            self.cut |= digit != b'0';
-        } else {
-            self.digits = 10 * self.digits + u128::from(digit - b'0');
-        }
-        self.exponent = self.exponent.checked_add(step + i32::from(full))?;
-        Some(())
-    }
-
-    fn value(&self) -> Option<Wide> {
-        let mut value = Wide::of_digits(self.digits, self.exponent)?;
-        if self.cut {
-            value = value.widened(Wide::of_digits(1, self.exponent)?.size());
-        }
-        (value.r <= HUGE).then_some(if self.negative { -value } else { value })
     }
 }

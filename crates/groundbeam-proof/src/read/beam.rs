@@ -89,8 +89,7 @@ pub(crate) fn read<S: Scalar>(fields: &mut Fields, root: Section) -> Read<ReadBe
     }
     let material = material.filter(|_| one_material);
     let base = shape.filter(|_| !gives_stiffness(table));
-    for ends in left_out(length, &spans) {
-        let way = whole.way(ends);
+    for (ends, way) in left_out(length, &spans) {
         parts.note(ends, base.as_ref().map(|shape| shape.between(way)));
     }
     let mut loads = weight(fields, table, material, parts.areas)?;
@@ -205,8 +204,7 @@ impl<S: Scalar> Whole<S> {
         if bending.is_constant() && self.shear_between([S::zero(), S::one()]).is_none() {
             return;
         }
-        for ends in left_out(self.length, spans) {
-            let way = self.way(ends);
+        for (ends, way) in left_out(self.length, spans) {
             segments.push(BeamSegment {
                 from: ends[0],
                 to: ends[1],

@@ -211,8 +211,7 @@ impl<S: Scalar> Whole<S> {
         if spring.is_constant() && self.shear.is_constant() {
             return;
         }
-        for [from, to] in left_out(self.length, spans) {
-            let way = [from, to].map(|x| x.div(self.length));
+        for ([from, to], way) in left_out(self.length, spans) {
             let [spring, shear] = [spring, &self.shear].map(|along| along.between(way).course);
             segments.push(GroundSegment { from, to, spring, shear });
         }

@@ -75,8 +75,12 @@ pub(crate) fn is_left<S: Scalar>(a: S, b: S) -> bool {
     (b - a).low() > 0.0
 }
 
-/// The stretches of 0 to `length` that others leave out, from left to right.
-pub(crate) fn left_out<S: Scalar>(length: S, stretches: &[[S; 2]]) -> Vec<[S; 2]> {
+/// The stretches of 0 to `length` that others leave out, from left to right, and each as parts of the length. Where
+/// nothing stands, the whole is left out, from 0 to 1 exactly.
+pub(crate) fn left_out<S: Scalar>(length: S, stretches: &[[S; 2]]) -> Vec<([S; 2], [S; 2])> {
+    if stretches.is_empty() {
+        return vec![([S::zero(), length], [S::zero(), S::one()])];
+    }
     let mut stretches = stretches.to_vec();
     stretches.sort_by(|a, b| a[0].middle().total_cmp(&b[0].middle()));
     let mut rest = Vec::new();
@@ -93,7 +97,7 @@ pub(crate) fn left_out<S: Scalar>(length: S, stretches: &[[S; 2]]) -> Vec<[S; 2]
     if is_left(reached, length) {
         rest.push([reached, length]);
     }
-    rest
+    rest.into_iter().map(|ends| (ends, ends.map(|x| x.div(length)))).collect()
 }
 
 /// Whether stretches leave nothing of 0 to `length`.
@@ -117,7 +121,10 @@ mod tests {
 
     #[test]
     fn what_stretches_leave_out() {
-        let rest = |stretches: &[[f64; 2]]| left_out(10.0, stretches);
+        let rest = |stretches: &[[f64; 2]]| -> Vec<[f64; 2]> {
+            left_out(10.0, stretches).into_iter().map(|(ends, _)| ends).collect()
+        };
+        assert_eq!(left_out(10.0, &[[2.0, 10.0]]), [([0.0, 2.0], [0.0, 0.2])]);
         assert_eq!(rest(&[]), [[0.0, 10.0]]);
         assert_eq!(rest(&[[4.0, 12.0], [-1.0, 2.0]]), [[2.0, 4.0]]);
         assert_eq!(rest(&[[3.0, 5.0], [5.0, 6.0]]), [[0.0, 3.0], [6.0, 10.0]]);

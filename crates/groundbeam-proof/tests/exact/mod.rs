@@ -100,12 +100,12 @@ pub fn expm1(x: f64) -> [Exact; 2] {
     let y = if shift >= 0 { exact.n << shift as u64 } else { exact.n >> (-shift) as u64 };
     let (mut term, mut sum) = (y.clone(), y.clone());
     for j in 2..60 {
-        term = (term * &y >> BITS as u64) / j;
+        term = ((term * &y) >> BITS as u64) / j;
         sum += &term;
     }
     let two = BigInt::from(1) << (BITS + 1) as u64;
     for _ in 0..20 {
-        sum = &sum * (&sum + &two) >> BITS as u64;
+        sum = (&sum * (&sum + &two)) >> BITS as u64;
     }
     // Each of some hundred steps is off by at most a few units, doubled at most twenty times.
     let off = BigInt::from(1) << 60_u64;
