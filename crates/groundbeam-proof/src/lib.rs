@@ -9,11 +9,28 @@
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
 mod answer;
+mod arc;
+mod balance;
 mod ball;
+mod clearance;
 mod decimal;
+mod deflection;
 mod float;
+mod frame;
+mod given;
+mod ground;
+mod kinds;
 mod model;
+mod outside;
+mod polynomial;
+mod positions;
+mod pressure;
+mod proof;
+mod refusal;
+mod residual;
 mod scalar;
+mod size;
+mod units;
 mod wide;
 
 pub use answer::{Answer, Force, Piece, Reaction};
@@ -22,5 +39,7 @@ pub use model::{
     Action, Acts, Beam, BeamSegment, Course, Extent, GapCorner, Ground, GroundEnd, GroundSegment,
     Hinge, Load, Model, Support, SupportKind,
 };
+pub use proof::{Proof, prove};
+pub use refusal::NotProven;
 pub use scalar::Scalar;
 pub use wide::Wide;
