@@ -39,7 +39,13 @@ const ARROWS: [(&str, &[&str]); 12] = [
     ("groundbeam-bench", &["groundbeam", "groundbeam-file", "groundbeam-study"]),
     (
         "groundbeam-verification",
-        &["groundbeam", "groundbeam-file", "groundbeam-report", "groundbeam-run"],
+        &[
+            "groundbeam",
+            "groundbeam-file",
+            "groundbeam-proof",
+            "groundbeam-report",
+            "groundbeam-run",
+        ],
     ),
 ];
 

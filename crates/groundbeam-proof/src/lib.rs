@@ -15,10 +15,12 @@ mod ball;
 mod clearance;
 mod decimal;
 mod deflection;
+mod document;
 mod float;
 mod frame;
 mod given;
 mod ground;
+mod json;
 mod kinds;
 mod model;
 mod outside;
@@ -26,6 +28,7 @@ mod polynomial;
 mod positions;
 mod pressure;
 mod proof;
+mod read;
 mod refusal;
 mod residual;
 mod scalar;
@@ -35,11 +38,14 @@ mod wide;
 
 pub use answer::{Answer, Force, Piece, Reaction};
 pub use ball::Ball;
+pub use document::{Document, Extreme};
+pub use json::JsonError;
 pub use model::{
     Action, Acts, Beam, BeamSegment, Course, Extent, GapCorner, Ground, GroundEnd, GroundSegment,
     Hinge, Load, Model, Support, SupportKind,
 };
 pub use proof::{Proof, prove};
+pub use read::{ReadError, Reason, read_model};
 pub use refusal::NotProven;
 pub use scalar::Scalar;
 pub use wide::Wide;
