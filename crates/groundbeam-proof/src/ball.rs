@@ -127,6 +127,9 @@ impl Scalar for Ball {
     }
 
     fn high(self) -> f64 {
+        if self.r == 0.0 {
+            return self.m;
+        }
         let x = self.m + self.r;
         // Two roundings, each at most 2⁻⁵³ of the sum of both sizes.
         x + 2.0 * f64::EPSILON * (magnitude(self.m) + self.r) + f64::MIN_POSITIVE

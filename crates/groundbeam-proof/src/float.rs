@@ -1,4 +1,4 @@
-//! Sizes as doubles: bounds that are only added, multiplied and rooted, and exact scaling by powers of two.
+//! Doubles: the limits of balls, and exact scaling by powers of two.
 
 /// 1 + 16u, u = 2⁻⁵³: larger than (1 + u)¹², the rounding of a radius that is made of at most ten operations.
 pub(crate) const ABOVE: f64 = 1.0 + 8.0 * f64::EPSILON;
@@ -10,27 +10,6 @@ pub(crate) const HUGE: f64 = 1e290;
 /// |x|; of −0 that is 0. NaN stays NaN.
 pub(crate) fn magnitude(x: f64) -> f64 {
     x.abs()
-}
-
-/// The larger of two sizes; infinite if one of them is NaN.
-pub(crate) fn worst(a: f64, b: f64) -> f64 {
-    if a >= b {
-        a
-    } else if b >= a {
-        b
-    } else {
-        f64::INFINITY
-    }
-}
-
-/// An upper bound of the square of a size.
-pub(crate) fn squared(x: f64) -> f64 {
-    (x * x) * ABOVE + f64::MIN_POSITIVE
-}
-
-/// An upper bound of the root of a size.
-pub(crate) fn root(x: f64) -> f64 {
-    x.sqrt() * ABOVE
 }
 
 /// x·2ⁿ where that is exact or below the smallest midpoint. `None` where it overflows.

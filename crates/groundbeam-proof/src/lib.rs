@@ -9,14 +9,31 @@
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
 mod answer;
+mod arc;
+mod balance;
 mod ball;
+mod clearance;
 mod decimal;
+mod deflection;
 mod document;
 mod float;
+mod frame;
+mod given;
+mod ground;
 mod json;
+mod kinds;
 mod model;
+mod outside;
+mod polynomial;
+mod positions;
+mod pressure;
+mod proof;
 mod read;
+mod refusal;
+mod residual;
 mod scalar;
+mod size;
+mod units;
 mod wide;
 
 pub use answer::{Answer, Force, Piece, Reaction};
@@ -27,6 +44,8 @@ pub use model::{
     Action, Acts, Beam, BeamSegment, Course, Extent, GapCorner, Ground, GroundEnd, GroundSegment,
     Hinge, Load, Model, Support, SupportKind,
 };
+pub use proof::{Proof, prove};
 pub use read::{ReadError, Reason, read_model};
+pub use refusal::NotProven;
 pub use scalar::Scalar;
 pub use wide::Wide;

@@ -11,7 +11,13 @@ use std::ops::{Add, Mul, Neg, Sub};
 /// `Wide` each operation encloses all exact results, so that a proven inequality is a theorem.
 /// With `f64` the same formulas give an estimate.
 pub trait Scalar:
-    Copy + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
+    Copy
+    + Debug
+    + PartialEq
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Neg<Output = Self>
 {
     /// The type in which signs of clearances are decided, where few digits suffice.
     type Coarse: Scalar;
@@ -57,7 +63,7 @@ pub trait Scalar:
     /// The same number in the type for clearances.
     fn coarse(self) -> Self::Coarse;
 
-    /// The same ball with a radius larger by a size.
+    /// The same ball with a radius larger by a size. An estimate in `f64` stays as it is.
     fn widened(self, by: f64) -> Self;
 
     /// Zero.

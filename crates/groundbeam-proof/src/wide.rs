@@ -194,6 +194,9 @@ impl Scalar for Wide {
     }
 
     fn high(self) -> f64 {
+        if self.r == 0.0 && self.l == 0.0 {
+            return self.h;
+        }
         let x = (self.h + self.r) + self.l;
         let sum = magnitude(self.h) + magnitude(self.l) + self.r;
         // Three roundings, each at most 2⁻⁵³ of the sum of all sizes.

@@ -10,9 +10,11 @@ use crate::model::{Beyond, Model};
 
 use crate::options::Method;
 use crate::solution::candidate::Candidate;
+use crate::solution::claim;
 use crate::solution::fields::{
     ConcentratedForce, ContactRegion, EndForces, Field, Fields, Range, Reaction, Side, Stretch,
 };
+use groundbeam_proof::{NotProven, Proof, Scalar, Wide};
 
 /// An equilibrium, with its certificate.
 ///
@@ -94,6 +96,17 @@ impl Solution {
     /// The proof.
     pub fn certificate(&self) -> &Certificate {
         &self.certificate
+    }
+
+    /// The proof of this solution, computed on request in numbers of 106 bits that enclose all rounding: a theorem about the model whose
+    /// numbers are exactly these doubles.
+    pub fn prove(&self) -> Result<Proof, NotProven> {
+        claim::prove::<Wide>(&self.candidate)
+    }
+
+    /// Model and solution as the proof reads them, for proofs in numbers of another type.
+    pub fn claim<S: Scalar>(&self) -> (groundbeam_proof::Model<S>, groundbeam_proof::Answer) {
+        (self.candidate.model.to_prove(), claim::answer(&self.candidate))
     }
 
     /// Every step of the iteration that led here.
