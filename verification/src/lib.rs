@@ -14,5 +14,6 @@ pub mod linear;
 pub mod many;
 pub mod random;
 pub mod reference;
+pub mod second;
 pub mod troughs;
 pub mod upheaval;

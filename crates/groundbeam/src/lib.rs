@@ -83,3 +83,6 @@ pub use solution::lift_off::LiftOff;
 pub use solution::solution::Solution;
 pub use solve::{exists, solve, solve_near, solve_with};
 pub use solver::{Answer, Solver};
+
+/// The crate that proves solutions.
+pub use groundbeam_proof as proof;

@@ -10,10 +10,12 @@ use crate::model::{GroundOutside, Model};
 
 use crate::options::Method;
 use crate::solution::candidate::Candidate;
+use crate::solution::claim;
 use crate::solution::field::{ByField, Field};
 use crate::solution::fields::{
     ConcentratedForce, ContactZone, EndForces, Fields, Range, Reaction, Side, SolutionPiece,
 };
+use groundbeam_proof::{NotProven, Proof, Scalar, Wide};
 
 /// An equilibrium, with its certificate.
 ///
@@ -115,6 +117,17 @@ impl Solution {
     /// The proof.
     pub fn certificate(&self) -> &Certificate {
         &self.certificate
+    }
+
+    /// The proof of this solution, computed on request in numbers of 106 bits that enclose all rounding: a theorem about the model whose
+    /// numbers are exactly these doubles.
+    pub fn prove(&self) -> Result<Proof, NotProven> {
+        claim::prove::<Wide>(&self.candidate)
+    }
+
+    /// Model and solution as the proof reads them, for proofs in numbers of another type.
+    pub fn claim<S: Scalar>(&self) -> (groundbeam_proof::Model<S>, groundbeam_proof::Answer) {
+        (self.candidate.model.to_prove(), claim::answer(&self.candidate))
     }
 
     /// Every step of the iteration that led here.

@@ -1,0 +1,53 @@
+//! What is claimed: the fields of an answer, piece by piece, with its concentrated forces and reactions.
+
+/// The answer that is to be proven: what a program or a document says. Its numbers are exact doubles.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Answer {
+    /// Pieces from left to right. They cover the beam: each begins with the double at which the one before ends.
+    pub pieces: Vec<Piece>,
+    /// Concentrated contact forces, those under the beam's ends among them.
+    pub forces: Vec<Force>,
+    /// Reactions of the supports. A support that is not listed has the reaction zero.
+    pub reactions: Vec<Reaction>,
+}
+
+/// A part of the beam on which the deflection is a polynomial of t = (x − (x₀ + x₁)/2)/half.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Piece {
+    /// Left and right end \[m\].
+    pub x: [f64; 2],
+    /// Half its length \[m\], as the coefficients use it: the ends themselves are rounded.
+    pub half: f64,
+    /// Whether beam and ground touch on it.
+    pub touches: bool,
+    /// Coefficients of w(t) \[m\], from the constant one.
+    pub deflection: Vec<f64>,
+    /// Coefficients of the rotation φ(t) of the sections \[rad\]. Empty: φ = w′, the piece does not shear.
+    pub rotation: Vec<f64>,
+    /// Coefficients of the contact pressure p(t) \[N/m\]. Empty: none is stored.
+    pub pressure: Vec<f64>,
+    /// On open pieces the settlement u of the ground at both ends \[m\]. `None`: not stored.
+    pub open: Option<[f64; 2]>,
+    /// On open pieces over varying ground the coefficients of u(t) \[m\]. Empty: not stored.
+    pub settlement: Vec<f64>,
+}
+
+/// A concentrated contact force.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Force {
+    /// Position \[m\].
+    pub x: f64,
+    /// Force \[N\], positive where it pushes the beam up.
+    pub force: f64,
+}
+
+/// What a support does to the beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reaction {
+    /// Index of the support in the model's list.
+    pub support: usize,
+    /// Force \[N\], positive where it pushes the beam up.
+    pub force: f64,
+    /// Moment \[N·m\], positive where it turns the right side down.
+    pub moment: f64,
+}

@@ -1,0 +1,81 @@
+//! The settlement of open ground between two points: the solution of μu″ = ku with given values at both ends.
+
+use crate::frame::Span;
+use crate::scalar::Scalar;
+
+/// u on an open piece of length h, with x from its left end, b = √(k/μ), z = bh:
+///
+///     u = (u_R − u_L) sinh(bx)/sinh z + u_L cosh(b(h/2 − x))/cosh(z/2).
+#[derive(Debug)]
+pub(crate) struct Arc<C> {
+    ends: [C; 2],
+    decay: C,
+    /// z.
+    z: C,
+    length: C,
+    /// exp(−2z) − 1 and exp(−z) + 1.
+    divisors: [C; 2],
+}
+
+impl<C: Scalar> Arc<C> {
+    pub fn of<S: Scalar<Coarse = C>>(span: &Span<S>, ends: [S; 2]) -> Self {
+        let decay = span.spring.div(span.shear).sqrt().coarse();
+        let length = span.h.coarse();
+        let z = decay * length;
+        let divisors = [(-z.scaled(1)).expm1(), (-z).expm1() + C::of(2.0)];
+        Arc { ends: ends.map(|u| u.coarse()), decay, z, length, divisors }
+    }
+
+    /// b².
+    pub fn curvature_factor(&self) -> C {
+        self.decay.square()
+    }
+
+    /// A lower bound of u: it has no negative minimum inside.
+    pub fn least(&self) -> f64 {
+        let lows = self.ends.map(|u| u.low());
+        let least = if lows[0] <= lows[1] { lows[0] } else { lows[1] };
+        if least >= 0.0 {
+            0.0
+        } else if least < 0.0 {
+            least
+        } else {
+            -f64::INFINITY
+        }
+    }
+
+    /// u and u′ at a distance x from the left end, 0 ≤ x ≤ h.
+    pub fn at(&self, x: C) -> [C; 2] {
+        let two = C::of(2.0);
+        let [difference, left] = [self.ends[1] - self.ends[0], self.ends[0]];
+        let a = self.decay * x;
+        // sinh a/sinh z and cosh a/sinh z by exponentials of negative arguments.
+        let (fallen, double) = (exponential(a - self.z), (-a.scaled(1)).expm1());
+        let sinh = (fallen * double).div(self.divisors[0]);
+        let cosh = -(fallen * (double + two)).div(self.divisors[0]);
+        // The same for a = b(h/2 − x), divided by cosh(z/2).
+        let c = self.decay * (self.length.scaled(-1) - x);
+        let negative = c.middle() < 0.0;
+        let size = if negative { -c } else { c };
+        let fallen = exponential(size - self.z.scaled(-1));
+        let double = (-size.scaled(1)).expm1();
+        let even = (fallen * (double + two)).div(self.divisors[1]);
+        let odd = -(fallen * double).div(self.divisors[1]);
+        let odd = if negative { -odd } else { odd };
+        [difference * sinh + left * even, self.decay * (difference * cosh - left * odd)]
+    }
+}
+
+/// exp(x) for x ≤ 0, with a small relative error also where it is small.
+fn exponential<C: Scalar>(x: C) -> C {
+    let mut halvings = 0;
+    let mut size = x.size();
+    while size > 1.0 && halvings < 60 {
+        (size, halvings) = (0.5 * size, halvings + 1);
+    }
+    let mut value = x.scaled(-halvings).expm1() + C::one();
+    for _ in 0..halvings {
+        value = value.square();
+    }
+    value
+}

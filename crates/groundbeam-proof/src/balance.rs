@@ -1,0 +1,361 @@
+//! Exact balance: a moment in equilibrium, and pressures and reactions changed by small factors.
+//!
+//! The beam is cut at its ends, at free hinges and at chosen nodes. In each cell the residual is balanced by a moment δ
+//! that vanishes at the cuts (at a free hinge M + δ does). What remains at cut j is a force E_j. It is given back:
+//! pressures and concentrated forces are multiplied by 1 + λ, λ continuous and linear between the cuts, and supports
+//! take part with weights W_i for force and W_θi for rotation. With φ_j the hat functions of the cuts
+//!
+//!     Σ_k M_jk λ_k = E_j,   M_jk = ∫φ_jφ_k p + Σ a_i φ_jφ_k + Σ W_i φ_jφ_k + Σ W_θi φ_j′φ_k′.
+//!
+//! Pressures that pull are left out; E_j and M_jk are widened by at most their load ηω.
+
+use crate::frame::Frame;
+use crate::ground::Surface;
+use crate::polynomial::Polynomial;
+use crate::pressure::Pressure;
+use crate::refusal::NotProven;
+use crate::residual::Residual;
+use crate::scalar::Scalar;
+use crate::size::Size;
+
+/// What is balanced, and where the beam is cut.
+pub(crate) struct Balance<'a, S> {
+    pub frame: &'a Frame<S>,
+    pub surface: &'a Surface<S>,
+    pub pressures: &'a [Pressure<S>],
+    pub residual: &'a Residual<S>,
+    /// Indices of nodes, the first and the last one among them.
+    pub cuts: Vec<usize>,
+}
+
+/// The exact balance.
+#[derive(Debug)]
+pub(crate) struct Balanced<S> {
+    /// λ at the nodes.
+    pub factors: Vec<S>,
+    /// |λ′| in the cell of each piece.
+    pub steepness: Vec<Size>,
+    /// δ at both ends of each piece, without what the forces given back add.
+    pub moments: Vec<[S; 2]>,
+    /// −δ′ at both ends of each piece, likewise.
+    pub shears: Vec<[S; 2]>,
+    /// A bound of the moment, and of the shear force, that the forces given back add in the cell of each piece.
+    pub added: Vec<[Size; 2]>,
+}
+
+impl<S: Scalar> Balanced<S> {
+    /// max|λ| on a piece.
+    pub fn factor(&self, piece: usize) -> Size {
+        Size::of(self.factors[piece].size()).worst(Size::of(self.factors[piece + 1].size()))
+    }
+}
+
+/// The nodes at which the beam is cut: both ends and free hinges.
+pub(crate) fn fewest_cuts<S: Scalar>(frame: &Frame<S>) -> Vec<usize> {
+    let last = frame.spans.len();
+    (0..=last).filter(|i| *i == 0 || *i == last || frame.nodes[*i].is_free_hinge()).collect()
+}
+
+/// The same, and each node behind which the beam has touched for more than two waves since the last cut (for one where
+/// contact ends) and will touch for another one.
+pub(crate) fn more_cuts<S: Scalar>(frame: &Frame<S>) -> Vec<usize> {
+    let last = frame.spans.len();
+    let waves: Vec<f64> = frame
+        .spans
+        .iter()
+        .map(|span| {
+            let wave = (4.0 * span.bending.middle() / span.spring.middle()).sqrt().sqrt();
+            if span.touches { span.h.middle() / wave } else { 0.0 }
+        })
+        .collect();
+    let mut ahead: f64 = waves.iter().sum();
+    let mut passed = 0.0;
+    let mut cuts = vec![0];
+    for i in 1..last {
+        (passed, ahead) = (passed + waves[i - 1], ahead - waves[i - 1]);
+        let ends = waves[i - 1] > 0.0 && waves[i] == 0.0;
+        let enough = (passed > 2.0 || (ends && passed > 1.0)) && ahead > 1.0;
+        if enough || frame.nodes[i].is_free_hinge() {
+            cuts.push(i);
+            passed = 0.0;
+        }
+    }
+    cuts.push(last);
+    cuts
+}
+
+/// One cell between two cuts.
+struct Cell<S> {
+    pieces: std::ops::Range<usize>,
+    ends: [S; 2],
+    length: S,
+}
+
+/// The tridiagonal system for λ at the cuts.
+struct System<S> {
+    diagonal: Vec<S>,
+    beside: Vec<S>,
+    right: Vec<S>,
+}
+
+impl<S: Scalar> System<S> {
+    fn of(cuts: usize) -> Self {
+        let zeros = vec![S::zero(); cuts];
+        System { diagonal: zeros.clone(), beside: zeros.clone(), right: zeros }
+    }
+
+    /// Elimination; none if a pivot may be zero or negative.
+    fn solved(mut self) -> Option<Vec<S>> {
+        let count = self.diagonal.len();
+        for j in 0..count {
+            if !(self.diagonal[j].low() > 0.0) {
+                return None;
+            }
+            if j + 1 < count {
+                let factor = self.beside[j].div(self.diagonal[j]);
+                self.diagonal[j + 1] = self.diagonal[j + 1] - factor * self.beside[j];
+                self.right[j + 1] = self.right[j + 1] - factor * self.right[j];
+            }
+        }
+        let mut solution = self.right;
+        for j in (0..count).rev() {
+            if j + 1 < count {
+                solution[j] = solution[j] - self.beside[j] * solution[j + 1];
+            }
+            solution[j] = solution[j].div(self.diagonal[j]);
+        }
+        Some(solution)
+    }
+}
+
+impl<S: Scalar> Balance<'_, S> {
+    pub fn solve(&self) -> Result<Balanced<S>, NotProven> {
+        let pieces = self.frame.spans.len();
+        let mut balanced = Balanced {
+            factors: vec![S::zero(); pieces + 1],
+            steepness: vec![Size::ZERO; pieces],
+            moments: vec![[S::zero(); 2]; pieces],
+            shears: vec![[S::zero(); 2]; pieces],
+            added: vec![[Size::ZERO; 2]; pieces],
+        };
+        let mut system = System::of(self.cuts.len());
+        for (j, node) in self.cuts.iter().enumerate() {
+            system.right[j] = system.right[j] + self.residual.nodes[*node][0];
+            system.diagonal[j] = system.diagonal[j] + self.carried_at(*node);
+        }
+        for j in 0..self.cuts.len() - 1 {
+            let cell = self.cell(j);
+            let [left, right] = self.shear_forces(&cell, &mut balanced);
+            system.right[j] = system.right[j] - left;
+            system.right[j + 1] = system.right[j + 1] + right;
+            self.masses(&cell, j, &mut system);
+        }
+        let no_lever = || NotProven::new("no lever: what presses cannot balance the residual");
+        let factors = system.solved().ok_or_else(no_lever)?;
+        for j in 0..self.cuts.len() - 1 {
+            self.give_back(&self.cell(j), [factors[j], factors[j + 1]], &mut balanced);
+        }
+        let unsafe_factor = |i: &usize| {
+            let presses = self.surface.force[*i].size() > 0.0;
+            presses && !(balanced.factors[*i].size() < 0.5)
+        };
+        let piece = (0..pieces)
+            .find(|i| self.frame.spans[*i].touches && !(balanced.factor(*i).value() < 0.5));
+        match piece.or_else(|| (0..=pieces).find(unsafe_factor)) {
+            Some(node) => Err(no_lever().at(self.frame.place(node))),
+            None => Ok(balanced),
+        }
+    }
+
+    fn cell(&self, j: usize) -> Cell<S> {
+        let pieces = self.cuts[j]..self.cuts[j + 1];
+        let ends = [self.frame.nodes[pieces.start].x, self.frame.nodes[pieces.end].x];
+        Cell { pieces, ends, length: ends[1] - ends[0] }
+    }
+
+    /// The weight at a node: its concentrated force, and the weights of its supports.
+    fn carried_at(&self, node: usize) -> S {
+        let weights = &self.frame.nodes[node].weights;
+        self.surface.force[node] + S::of(weights.rigid) + S::of(weights.spring)
+    }
+
+    /// The weight for rotation of a cell: of what holds the slope at its left end and inside, at the right end of the beam
+    /// also there.
+    fn turned_in(&self, cell: &Cell<S>) -> S {
+        let nodes = &self.frame.nodes;
+        let last = cell.pieces.end + 1 == nodes.len();
+        let all = cell.pieces.start..cell.pieces.end + usize::from(last);
+        let weights = nodes[all].iter().map(|node| &node.weights);
+        weights.fold(S::zero(), |sum, weights| sum + S::of(weights.clamp) + S::of(weights.turning))
+    }
+
+    /// δ at the ends of a cell, inside it.
+    fn end_moments(&self, cell: &Cell<S>) -> [S; 2] {
+        let (first, last) = (cell.pieces.start, cell.pieces.end);
+        let nodes = &self.frame.nodes;
+        let left = if nodes[first].is_free_hinge() {
+            -self.residual.pieces[first].bending[0]
+        } else {
+            self.residual.nodes[first][1]
+        };
+        let right = if nodes[last].is_free_hinge() {
+            -self.residual.pieces[last - 1].bending[1]
+        } else if last + 1 == nodes.len() {
+            -self.residual.nodes[last][1]
+        } else {
+            S::zero()
+        };
+        [left, right]
+    }
+
+    /// δ along a cell; −δ′ at its two ends.
+    fn shear_forces(&self, cell: &Cell<S>, balanced: &mut Balanced<S>) -> [S; 2] {
+        let [left, right] = self.end_moments(cell);
+        let inner = |i: usize| {
+            if i > cell.pieces.start { self.residual.nodes[i] } else { [S::zero(); 2] }
+        };
+        let mut moment = left - right;
+        for i in cell.pieces.clone() {
+            let (piece, [force, turn]) = (&self.residual.pieces[i], inner(i));
+            let end = self.frame.nodes[i + 1].x;
+            let levers = [cell.ends[1] - self.frame.nodes[i].x, cell.ends[1] - end];
+            moment = moment + turn - force * levers[0] - piece.moment - piece.force * levers[1];
+        }
+        let first = moment.div(cell.length);
+        let (mut shear, mut delta) = (first, left);
+        for i in cell.pieces.clone() {
+            let (piece, [force, turn]) = (&self.residual.pieces[i], inner(i));
+            (shear, delta) = (shear + force, delta + turn);
+            let after = delta - shear * self.frame.spans[i].h - piece.moment;
+            balanced.moments[i] = [delta, after];
+            balanced.shears[i] = [shear, shear + piece.force];
+            (shear, delta) = (shear + piece.force, after);
+        }
+        [first, shear]
+    }
+
+    /// Adds ∫φ_jφ_k p, what stands at inner nodes and the clamps to the system, and the widths for pulls.
+    fn masses(&self, cell: &Cell<S>, j: usize, system: &mut System<S>) {
+        let per_length = S::one().div(cell.length);
+        let mut add = |mass: S, [a, b]: [S; 2]| {
+            system.diagonal[j] = system.diagonal[j] + mass * a * a;
+            system.diagonal[j + 1] = system.diagonal[j + 1] + mass * b * b;
+            system.beside[j] = system.beside[j] + mass * a * b;
+        };
+        for node in cell.pieces.start + 1..cell.pieces.end {
+            let x = self.frame.nodes[node].x;
+            let hats = [(cell.ends[1] - x) * per_length, (x - cell.ends[0]) * per_length];
+            add(self.carried_at(node), hats);
+        }
+        add(self.turned_in(cell), [-per_length, per_length]);
+        let mut pulls = Size::ZERO;
+        for i in cell.pieces.clone().filter(|i| self.frame.spans[*i].touches) {
+            let span = &self.frame.spans[i];
+            let slope = span.half * per_length;
+            let hats = [
+                Polynomial::line((cell.ends[1] - span.middle) * per_length, -slope),
+                Polynomial::line((span.middle - cell.ends[0]) * per_length, slope),
+            ];
+            let p = &self.pressures[i].field;
+            let [with_left, with_right] = hats.each_ref().map(|hat| p * hat);
+            let mass = |p: &Polynomial<S>| p.integral(span.t) * span.half;
+            system.diagonal[j] = system.diagonal[j] + mass(&(&with_left * &hats[0]));
+            system.beside[j] = system.beside[j] + mass(&(&with_left * &hats[1]));
+            system.diagonal[j + 1] = system.diagonal[j + 1] + mass(&(&with_right * &hats[1]));
+            pulls += self.pressures[i].pull();
+        }
+        for k in [j, j + 1] {
+            system.diagonal[k] = system.diagonal[k].widened(pulls.value());
+            system.right[k] = system.right[k].widened(pulls.value());
+        }
+        system.beside[j] = system.beside[j].widened(pulls.value());
+    }
+
+    /// λ on a cell, and what the forces given back add to moment and shear force there: a load on a simply supported
+    /// cell bends it by at most a quarter of load times length and shears it by at most itself, a couple bends it by
+    /// at most itself and shears it by couple over length.
+    fn give_back(&self, cell: &Cell<S>, ends: [S; 2], balanced: &mut Balanced<S>) {
+        let per_length = S::one().div(cell.length);
+        let slope = (ends[1] - ends[0]) * per_length;
+        for i in cell.pieces.start..=cell.pieces.end {
+            let x = self.frame.nodes[i].x;
+            let part = (x - cell.ends[0]) * per_length;
+            balanced.factors[i] = match i {
+                _ if i == cell.pieces.start => ends[0],
+                _ if i == cell.pieces.end => ends[1],
+                _ => ends[0] + part * (ends[1] - ends[0]),
+            };
+        }
+        let mut load = Size::ZERO;
+        for i in cell.pieces.clone() {
+            let factor = balanced.factor(i);
+            let pressure = &self.pressures[i];
+            load += factor * Size::of(pressure.total.size());
+            load += (Size::of(1.0) + factor) * pressure.pull();
+            if i > cell.pieces.start {
+                let at_node = Size::of(balanced.factors[i].size());
+                load += at_node * Size::of(self.carried_at(i).size());
+            }
+        }
+        let couple = Size::of(self.turned_in(cell).size()) * Size::of(slope.size());
+        let (high, low) = (Size::of(cell.length.high()), cell.length.low());
+        let added = [0.25 * (high * load) + couple, load + couple.over(low)];
+        for i in cell.pieces.clone() {
+            balanced.added[i] = added;
+            balanced.steepness[i] = Size::of(slope.size());
+        }
+    }
+
+    /// ‖δ‖² = Σ∫δ²/EI: chord, parabola, and a rest below x(h − x)/2 times the rest of r,
+    ///
+    ///     ∫δ² ≤ {|h(A² + AB + B²)/3 + r₀h³(A + B)/12 + r₀²h⁵/120|^½ + (h⁵/120)^½ R + h^½ |Δδ|}².
+    pub fn bending(&self, balanced: &Balanced<S>) -> Size {
+        let of = |i: usize| {
+            let (span, piece) = (&self.frame.spans[i], &self.residual.pieces[i]);
+            let ([a, b], h, r) = (balanced.moments[i], span.h, piece.constant);
+            let third = h.div(S::of(3.0)) * (a * a + a * b + b * b);
+            let cube = h * h * h;
+            let parabola = r * cube * (a + b).div(S::of(12.0));
+            let square = r * r * cube * h * h;
+            let main = third + parabola + square.div(S::of(120.0));
+            let long = span.length();
+            let fifth = (long.square().square() * long).over(120.0).root();
+            let norm = Size::of(main.size()).root()
+                + fifth * piece.rest
+                + long.root() * balanced.added[i][0];
+            norm.square().over(span.bending.low())
+        };
+        (0..self.frame.spans.len()).map(of).sum()
+    }
+
+    /// ‖Gδp‖²: δp = λp̄ with |λ| ≤ γ, and the kernel of G is positive. In a layer ⟨δp, Gδp⟩ ≤ Σγ²∫p̄ Gp̄ with
+    /// Gp̄ ≤ û + |c| + √g‖ū − G(p̄ + q)‖; on separate springs it is ∫(δp)²/k.
+    pub fn ground(&self, balanced: &Balanced<S>, corrections: &[Size], missed: Size) -> Size {
+        let mut sum = Size::ZERO;
+        for (i, span) in self.frame.spans.iter().enumerate().filter(|(_, span)| span.touches) {
+            let pressure = &self.pressures[i];
+            let per_load = if span.layered {
+                let settled = span.obstacle().size(span.tau) + corrections[i];
+                settled + self.surface.flexibility[i] * missed
+            } else {
+                pressure.field.size(span.tau).over(span.spring.low())
+            };
+            sum += balanced.factor(i).square() * pressure.pressing() * per_load;
+        }
+        sum + self.ground_at_nodes(balanced, missed)
+    }
+
+    fn ground_at_nodes(&self, balanced: &Balanced<S>, missed: Size) -> Size {
+        let of = |node: usize| {
+            let force = Size::of(self.surface.force[node].size());
+            if !self.surface.touches[node] || force.value() == 0.0 {
+                return Size::ZERO;
+            }
+            let factor = Size::of(balanced.factors[node].size());
+            let settled = Size::of(self.surface.settlement[node].size());
+            let missed = self.surface.flexibility_at(node) * missed;
+            factor.square() * force * (settled + missed)
+        };
+        (0..self.frame.nodes.len()).map(of).sum()
+    }
+}

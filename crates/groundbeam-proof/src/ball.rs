@@ -1,0 +1,149 @@
+//! A real number enclosed by a midpoint and a radius, both doubles.
+
+use crate::float::{ABOVE, HUGE, TINY, magnitude, magnitude_scaled, times_power_of_two};
+use crate::scalar::{Scalar, expm1_by_series};
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// All numbers x with |x − m| ≤ r.
+///
+/// The rounding mode is never changed: each operation adds a bound of its own rounding error to the radius.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ball {
+    m: f64,
+    r: f64,
+}
+
+impl Ball {
+    /// The ball of all numbers.
+    pub(crate) const ALL: Ball = Ball { m: 0.0, r: f64::INFINITY };
+
+    /// The ball of this midpoint and this radius; the one place where balls are made.
+    pub(crate) fn new(m: f64, r: f64) -> Self {
+        let size = magnitude(m);
+        // Written so that NaN leads to the first branch.
+        if !(r <= HUGE && size <= HUGE) {
+            Ball::ALL
+        } else if size < TINY && size > 0.0 {
+            Ball { m: 0.0, r: (r + TINY) * ABOVE }
+        } else {
+            Ball { m, r }
+        }
+    }
+
+    /// A bound of the rounding of a result, and of its underflow.
+    fn rounding(m: f64) -> f64 {
+        magnitude(m) * f64::EPSILON + f64::MIN_POSITIVE
+    }
+
+    /// The radius.
+    pub fn radius(self) -> f64 {
+        self.r
+    }
+}
+
+impl Add for Ball {
+    type Output = Ball;
+    fn add(self, other: Ball) -> Ball {
+        let m = self.m + other.m;
+        Ball::new(m, (self.r + other.r + Ball::rounding(m)) * ABOVE)
+    }
+}
+
+impl Neg for Ball {
+    type Output = Ball;
+    fn neg(self) -> Ball {
+        Ball { m: -self.m, r: self.r }
+    }
+}
+
+impl Sub for Ball {
+    type Output = Ball;
+    fn sub(self, other: Ball) -> Ball {
+        self + -other
+    }
+}
+
+impl Mul for Ball {
+    type Output = Ball;
+    fn mul(self, other: Ball) -> Ball {
+        let m = self.m * other.m;
+        let propagated =
+            magnitude(self.m) * other.r + magnitude(other.m) * self.r + self.r * other.r;
+        Ball::new(m, (propagated + Ball::rounding(m)) * ABOVE)
+    }
+}
+
+impl Scalar for Ball {
+    type Coarse = Ball;
+
+    fn of(x: f64) -> Self {
+        Ball::new(x, 0.0)
+    }
+
+    fn div(self, other: Self) -> Self {
+        let least = if other.low() > 0.0 { other.low() } else { (-other).low() };
+        if !(least > 0.0) {
+            return Ball::ALL;
+        }
+        // The quotient is checked, not trusted: a/b − q = (a − qb)/b.
+        let q = self.m / other.m;
+        let rest = self - Ball::new(q, 0.0) * other;
+        Ball::new(q, (rest.size() / least) * ABOVE + f64::MIN_POSITIVE)
+    }
+
+    fn sqrt(self) -> Self {
+        if self.m == 0.0 && self.r == 0.0 {
+            return self;
+        }
+        if !(self.low() >= 0.0) || !(self.m > 0.0) {
+            return Ball::ALL;
+        }
+        // √a − q = (a − q²)/(√a + q), and √a ≥ 0.
+        let q = self.m.sqrt();
+        let root = Ball::new(q, 0.0);
+        let rest = self - root * root;
+        Ball::new(q, (rest.size() / q) * ABOVE + f64::MIN_POSITIVE)
+    }
+
+    fn expm1(self) -> Self {
+        // The series of 12 terms leaves less than 2⁻⁷⁸ of the result.
+        expm1_by_series(self, 12)
+    }
+
+    fn scaled(self, exponent: i32) -> Self {
+        let r = magnitude_scaled(self.r, exponent);
+        match times_power_of_two(self.m, exponent) {
+            Some(m) => Ball::new(m, r),
+            None => Ball::ALL,
+        }
+    }
+
+    fn size(self) -> f64 {
+        (magnitude(self.m) + self.r) * ABOVE
+    }
+
+    fn low(self) -> f64 {
+        -(-self).high()
+    }
+
+    fn high(self) -> f64 {
+        if self.r == 0.0 {
+            return self.m;
+        }
+        let x = self.m + self.r;
+        // Two roundings, each at most 2⁻⁵³ of the sum of both sizes.
+        x + 2.0 * f64::EPSILON * (magnitude(self.m) + self.r) + f64::MIN_POSITIVE
+    }
+
+    fn middle(self) -> f64 {
+        self.m
+    }
+
+    fn coarse(self) -> Ball {
+        self
+    }
+
+    fn widened(self, by: f64) -> Self {
+        Ball::new(self.m, (self.r + magnitude(by)) * ABOVE)
+    }
+}

@@ -1,0 +1,263 @@
+//! The clearance C̄ = ū + g₀ − w̄ over open ground: how far it may be negative, and what lifting the beam's obstacle costs.
+//!
+//! A stretch of open layer runs between neighbouring touching nodes, or to the end of the layer. At touching nodes C̄ = 0
+//! by construction. Within a distance d of one C̄ ≥ −τx, elsewhere C̄ ≥ −(deepest). With D = max(τd, deepest) the ground is
+//! raised by v = D min(x/d, 1), which vanishes at every touching node: the pressures do no work on it. It costs
+//!
+//!     ‖v‖_b² ≤ D²(Σ kh + Σ_touching ends μ/d + K₀ or K_l where the stretch reaches an end of the beam).
+//!
+//! On separate springs ū = max(w̄ − g₀, 0) costs (Σ k η²ω)^½, η a bound of w̄ − g₀ on an open piece, positive on a length ω.
+
+use crate::arc::Arc;
+use crate::deflection::Deflection;
+use crate::frame::{Frame, Span};
+use crate::ground::Surface;
+use crate::polynomial::{Below, Budget, Polynomial, below, half_width};
+use crate::scalar::Scalar;
+use crate::size::Size;
+
+/// The cost of an admissible clearance.
+#[derive(Debug)]
+pub(crate) struct Clearance {
+    /// Σ‖v‖_b over the stretches of open layers.
+    pub lifted: Size,
+    /// (Σ kη²ω)^½ on open separate springs.
+    pub risen: Size,
+    /// By how much the ground of each piece is raised: D, or η on separate springs.
+    pub raised: Vec<Size>,
+}
+
+pub(crate) fn clearance<S: Scalar>(
+    frame: &Frame<S>,
+    deflection: &Deflection<S>,
+    surface: &Surface<S>,
+    budget: &mut Budget,
+) -> Clearance {
+    let count = frame.spans.len();
+    let mut found =
+        Clearance { lifted: Size::ZERO, risen: Size::ZERO, raised: vec![Size::ZERO; count] };
+    let mut risen = Size::ZERO;
+    let negligible = frame.negligible();
+    let mut i = 0;
+    while i < count {
+        let span = &frame.spans[i];
+        let first = i;
+        i += 1;
+        if span.touches {
+            continue;
+        }
+        if !span.layered {
+            let above = above_springs(span, deflection.pieces[first].bounds[0], negligible, budget);
+            let width = (above.width * Size::of(span.half.high())).least(span.length());
+            risen += Size::of(span.spring.high()) * above.depth.square() * width;
+            found.raised[first] = above.depth;
+            continue;
+        }
+        while i < count && surface.open[i].is_some() && !surface.touches[i] {
+            i += 1;
+        }
+        let stretch = Stretch { frame, deflection, surface, first, end: i, negligible };
+        let (depth, cost) = stretch.lift(budget);
+        found.lifted += cost;
+        found.raised[first..i].fill(depth);
+    }
+    found.risen = risen.root();
+    found
+}
+
+/// Where w̄ > g₀ on an open piece of separate springs.
+fn above_springs<S: Scalar>(
+    span: &Span<S>,
+    closed: Size,
+    negligible: Size,
+    budget: &mut Budget,
+) -> Below {
+    let clear = (&span.gap - &span.deflection).coarse();
+    below(&clear, closed, negligible, span.interval(), budget)
+}
+
+/// Open pieces of a layer between two nodes that touch, or to the end of the layer.
+struct Stretch<'a, S> {
+    frame: &'a Frame<S>,
+    deflection: &'a Deflection<S>,
+    surface: &'a Surface<S>,
+    first: usize,
+    end: usize,
+    negligible: Size,
+}
+
+/// The neighbourhood of a touching node in which C̄ ≥ −τx is shown.
+struct Ramp {
+    /// Its end, as a value of t.
+    reach: f64,
+    /// A lower bound of the distance d from the node.
+    distance: f64,
+    /// The depth τd.
+    depth: Size,
+}
+
+impl<S: Scalar> Stretch<'_, S> {
+    /// D, and ‖v‖_b.
+    fn lift(&self, budget: &mut Budget) -> (Size, Size) {
+        let mut deepest = Size::ZERO;
+        // Σ kh + Σ μ/d + K.
+        let mut stiffness = Size::ZERO;
+        let ends = [self.first, self.end];
+        for i in self.first..self.end {
+            let Some(open) = self.surface.open[i] else { return (Size::INFINITE, Size::INFINITE) };
+            budget.begin();
+            let span = &self.frame.spans[i];
+            let piece = OpenPiece::of(span, Arc::of(span, open), self.deflection.pieces[i].bounds);
+            let [mut from, mut to] = span.interval();
+            stiffness += Size::of(span.spring.high()) * span.length();
+            for side in [0, 1] {
+                let node = i + side;
+                if node != ends[side] || !self.surface.touches[node] {
+                    continue;
+                }
+                let alone = i + 1 - side != ends[1 - side] || !self.surface.touches[ends[1 - side]];
+                let ramp = piece.ramp(side, self.slope_at(i, side), alone, budget);
+                if side == 0 {
+                    from = ramp.reach;
+                } else {
+                    to = ramp.reach;
+                }
+                deepest = deepest.worst(ramp.depth);
+                stiffness += Size::of(span.shear.high()).over(ramp.distance);
+            }
+            deepest = deepest.worst(piece.deepest([from, to], self.negligible, budget));
+        }
+        for side in [0, 1] {
+            let at_end = [0, self.frame.spans.len()][side] == ends[side];
+            if at_end && !self.surface.touches[ends[side]] {
+                stiffness += Size::of(self.frame.outside[side].high());
+            }
+        }
+        (deepest, if deepest.value() == 0.0 { deepest } else { deepest * stiffness.root() })
+    }
+
+    /// C̄′ at a touching node, into the open piece: u′ + g₀′ − w′ − c′.
+    fn slope_at(&self, i: usize, side: usize) -> S {
+        let span = &self.frame.spans[i];
+        let settling = self.surface.flux[i][side].div(span.shear);
+        let gap = span.derivative(&span.gap).value(span.t[side]);
+        let bent = self.deflection.slopes[i][side] + self.deflection.pieces[i].slope[side];
+        settling + gap - bent
+    }
+}
+
+/// An open piece of a layer in few digits.
+struct OpenPiece<C> {
+    arc: Arc<C>,
+    /// ψ = w − g₀, ψ′ and ψ″ by x, as polynomials of t.
+    obstacle: [Polynomial<C>; 3],
+    half: C,
+    /// t at both ends.
+    ends: [C; 2],
+    interval: [f64; 2],
+    closed: [Size; 3],
+}
+
+impl<C: Scalar> OpenPiece<C> {
+    fn of<S: Scalar<Coarse = C>>(span: &Span<S>, arc: Arc<C>, closed: [Size; 3]) -> Self {
+        let obstacle = span.obstacle();
+        let slope = span.derivative(&obstacle);
+        let bent = span.derivative(&slope);
+        OpenPiece {
+            arc,
+            obstacle: [obstacle.coarse(), slope.coarse(), bent.coarse()],
+            half: span.half.coarse(),
+            ends: span.t.map(|t| t.coarse()),
+            interval: span.interval(),
+            closed,
+        }
+    }
+
+    /// u and u′ at t.
+    fn settlement(&self, t: f64) -> [C; 2] {
+        self.arc.at((C::of(t) - self.ends[0]) * self.half)
+    }
+
+    /// A lower bound of C̄″ on |t − m| ≤ r: b²u − ψ″ less |c″|, u above its tangent bent by its least value.
+    fn curvature(&self, m: f64, r: f64, [u, slope]: [C; 2]) -> f64 {
+        let reach = C::of(r) * self.half;
+        let least = self.arc.least();
+        let bent = self.arc.curvature_factor();
+        let bow = (bent * C::of(least) * reach * reach).scaled(-1);
+        let steep = C::of(slope.size()) * reach;
+        let tangent = (u - steep + bow).low();
+        let least = if tangent > least { tangent } else { least };
+        let about = self.obstacle[2].shifted(m);
+        let lost = C::of((about.tail(r) + self.closed[2]).value());
+        (bent * C::of(least) - about.coefficient(0) - lost).low()
+    }
+
+    /// A distance d from a touching end within which C̄ ≥ −τx, from the slope C̄′ at the end into the piece: all of the
+    /// piece at first if its other end does not touch.
+    fn ramp<S: Scalar>(&self, side: usize, slope: S, alone: bool, budget: &mut Budget) -> Ramp {
+        let slope = if side == 0 { slope } else { -slope };
+        let steep = Size::below_zero(slope.low());
+        let [from, to] = self.interval;
+        let end = self.interval[side];
+        let mut reach = if alone { self.interval[1 - side] } else { 0.5 * (from + to) };
+        loop {
+            let [a, b] = if side == 0 { [end, reach] } else { [reach, end] };
+            let m = 0.5 * (a + b);
+            let r = half_width(a, m, b);
+            let curvature = self.curvature(m, r, self.settlement(m));
+            let long = Size::of((b - a).next_up()) * Size::of(self.half.high());
+            let inward = C::of(reach) - self.ends[side];
+            let distance = (if side == 0 { inward } else { -inward } * self.half).low();
+            let ramp = |depth: Size| Ramp { reach, distance, depth };
+            if curvature >= 0.0 {
+                return ramp(steep * long);
+            }
+            let fall = Size::below_zero(curvature) * long;
+            if slope.low() >= fall.value() {
+                return ramp(Size::ZERO);
+            }
+            if !(b - a > 1e-12) || !budget.take() {
+                return ramp((steep + fall) * long);
+            }
+            reach = m;
+        }
+    }
+
+    /// A bound of −C̄ on an interval of t.
+    fn deepest(&self, [from, to]: [f64; 2], negligible: Size, budget: &mut Budget) -> Size {
+        let mut deepest = Size::ZERO;
+        let mut open = vec![[from, to]];
+        while let Some([a, b]) = open.pop() {
+            if !(a < b) {
+                continue;
+            }
+            let m = 0.5 * (a + b);
+            let r = half_width(a, m, b);
+            let [u, slope] = self.settlement(m);
+            let t = C::of(m);
+            let value = u - self.obstacle[0].value(t);
+            let slope_here = slope - self.obstacle[1].value(t);
+            let curvature = Size::below_zero(self.curvature(m, r, [u, slope]));
+            let reach = Size::of(r) * Size::of(self.half.high());
+            let lost = Size::of(slope_here.size()) * reach
+                + 0.5 * (curvature * reach.square())
+                + self.closed[0];
+            if value.low() >= lost.value() {
+                continue;
+            }
+            let here = Size::below_zero(value.low());
+            let depth = here + lost;
+            // A depth found already, one that halving would not change much, one as small as the
+            // rounding of C̄, or one that does not matter.
+            let found = depth <= deepest || depth <= negligible;
+            let blurred = Size::of(0.25 * (value.high() - value.low()));
+            let enough = found || depth <= blurred + 2.0 * (here + self.closed[0]);
+            if !enough && a < m && m < b && budget.take() {
+                open.extend([[a, m], [m, b]]);
+            } else {
+                deepest = deepest.worst(depth);
+            }
+        }
+        deepest
+    }
+}

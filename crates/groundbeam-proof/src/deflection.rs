@@ -1,0 +1,197 @@
+//! The admissible deflection w̄ = w + c: continuous, with a continuous slope except at hinges, and held by the supports.
+//!
+//! c closes the jumps of the claimed deflection. A piece shorter than a wave (4EI/k)^¼ is carried rigidly: c is the
+//! straight line that continues what its neighbour leaves. A piece of a wave or more, and the longest piece between
+//! two rigid supports, bends: c is the cubic with given values a and slopes b at both ends. With A the largest |a|
+//! and B the largest |b|
+//!
+//!     bend: |c| ≤ A + 0.3Bh, |c′| ≤ 3A/h + B, |c″| ≤ 12A/h² + 6B/h;   rigid: |c| ≤ A + Bh, |c′| ≤ B, c″ = 0.
+
+use crate::frame::Frame;
+use crate::refusal::NotProven;
+use crate::scalar::Scalar;
+use crate::size::Size;
+
+/// c on one piece.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Correction<S> {
+    /// c′ at both ends.
+    pub slope: [S; 2],
+    /// Bounds of |c|, |c′| and |c″|.
+    pub bounds: [Size; 3],
+}
+
+/// The admissible deflection.
+#[derive(Debug)]
+pub(crate) struct Deflection<S> {
+    pub pieces: Vec<Correction<S>>,
+    /// w at both ends of each piece, as claimed.
+    pub claimed: Vec<[S; 2]>,
+    /// w′ at both ends of each piece, as claimed.
+    pub slopes: Vec<[S; 2]>,
+    /// w̄ at the nodes.
+    pub values: Vec<S>,
+}
+
+/// Decides for each piece whether it bends, then walks along the pieces.
+pub(crate) fn admissible<S: Scalar>(frame: &Frame<S>) -> Result<Deflection<S>, NotProven> {
+    let ends = |p: &crate::polynomial::Polynomial<S>, t: [S; 2]| t.map(|t| p.value(t));
+    let spans = frame.spans.iter();
+    let claimed: Vec<_> = spans.clone().map(|s| ends(&s.deflection, s.t)).collect();
+    let slopes: Vec<_> = spans.map(|s| ends(&s.derivative(&s.deflection), s.t)).collect();
+    let bends = bending(frame);
+    let mut walk = Walk {
+        frame,
+        claimed: &claimed,
+        slopes: &slopes,
+        bends: &bends,
+        values: vec![None; frame.nodes.len()],
+        turns: vec![[None; 2]; frame.nodes.len()],
+        held: vec![false; frame.nodes.len()],
+    };
+    walk.chains();
+    let loose = (0..frame.nodes.len()).find(|i| frame.nodes[*i].rigid.is_some() && !walk.held[*i]);
+    if let Some(node) = loose {
+        return Err(NotProven::new("a support is not met").at(frame.place(node)));
+    }
+    let values: Option<Vec<S>> = walk.values.iter().copied().collect();
+    let (Some(values), Some(pieces)) = (values, walk.corrections()) else {
+        return Err(NotProven::new("the deflection cannot be closed"));
+    };
+    Ok(Deflection { pieces, claimed, slopes, values })
+}
+
+/// Pieces of a wave or more bend, and the longest one between two neighbouring rigid supports.
+fn bending<S: Scalar>(frame: &Frame<S>) -> Vec<bool> {
+    let length = |i: usize| frame.spans[i].h.middle();
+    let mut bends: Vec<bool> = frame
+        .spans
+        .iter()
+        .map(|span| {
+            let waves = span.h.square().square() * span.spring;
+            waves.middle() >= 4.0 * span.bending.middle()
+        })
+        .collect();
+    let rigid: Vec<usize> =
+        (0..frame.nodes.len()).filter(|i| frame.nodes[*i].rigid.is_some()).collect();
+    for pair in rigid.windows(2) {
+        let mut longest = pair[0];
+        for i in pair[0]..pair[1] {
+            if length(i) > length(longest) {
+                longest = i;
+            }
+        }
+        bends[longest] = true;
+    }
+    bends
+}
+
+/// w̄ at the nodes and w̄′ on both sides of them, as far as they are known.
+struct Walk<'a, S> {
+    frame: &'a Frame<S>,
+    claimed: &'a [[S; 2]],
+    slopes: &'a [[S; 2]],
+    bends: &'a [bool],
+    values: Vec<Option<S>>,
+    turns: Vec<[Option<S>; 2]>,
+    held: Vec<bool>,
+}
+
+impl<S: Scalar> Walk<'_, S> {
+    /// Fixes every chain: a run of rigid pieces, or a single node between two pieces that bend.
+    fn chains(&mut self) {
+        let last = self.frame.spans.len();
+        let mut first = 0;
+        while first <= last {
+            let mut end = first;
+            while end < last && !self.bends[end] {
+                end += 1;
+            }
+            self.chain(first, end);
+            first = end + 1;
+        }
+    }
+
+    /// The chain from one node to another, with rigid pieces between them.
+    fn chain(&mut self, first: usize, end: usize) {
+        let nodes = &self.frame.nodes;
+        let support = (first..=end).find(|i| nodes[*i].rigid.is_some());
+        let start = support.unwrap_or(first);
+        // The piece whose claimed values are kept: right of the start within a chain, else the shorter neighbour.
+        let length = |i: usize| self.frame.spans[i].h.middle();
+        let keeps = match (start > 0, start < self.frame.spans.len()) {
+            (true, true) if start < end => (start, 0),
+            (true, true) if start > first => (start - 1, 1),
+            (true, true) if length(start - 1) < length(start) => (start - 1, 1),
+            (_, true) => (start, 0),
+            (_, false) => (start - 1, 1),
+        };
+        let value = nodes[start].rigid.unwrap_or(self.claimed[keeps.0][keeps.1]);
+        let slope = if nodes[start].clamped { S::zero() } else { self.slopes[keeps.0][keeps.1] };
+        self.held[start] = nodes[start].rigid.is_some();
+        self.values[start] = Some(value);
+        self.turns[start] = [0, 1].map(|side| Some(self.handed_on(start, side, slope)));
+        for i in start..end {
+            let [a, b] = self.left_of(i);
+            self.values[i + 1] = Some(self.claimed[i][1] + a + b * self.frame.spans[i].h);
+            let slope = self.slopes[i][1] + b;
+            self.turns[i + 1] = [Some(slope), Some(self.handed_on(i + 1, 1, slope))];
+        }
+        for i in (first..start).rev() {
+            let b = self.turn(i + 1, 0) - self.slopes[i][1];
+            let a = self.value(i + 1) - self.claimed[i][1] - b * self.frame.spans[i].h;
+            self.values[i] = Some(self.claimed[i][0] + a);
+            let slope = self.slopes[i][0] + b;
+            self.turns[i] = [Some(self.handed_on(i, 0, slope)), Some(slope)];
+        }
+    }
+
+    /// The slope on one side of a node: the given one, or at a hinge the one that the piece on this side claims.
+    fn handed_on(&self, node: usize, side: usize, slope: S) -> S {
+        let piece = (node + side).checked_sub(1).and_then(|piece| self.slopes.get(piece));
+        match piece {
+            Some(claimed) if self.frame.nodes[node].is_hinged() => claimed[1 - side],
+            _ => slope,
+        }
+    }
+
+    fn value(&self, node: usize) -> S {
+        self.values[node].unwrap_or_else(S::zero)
+    }
+
+    fn turn(&self, node: usize, side: usize) -> S {
+        self.turns[node][side].unwrap_or_else(S::zero)
+    }
+
+    /// c and c′ at the left end of a piece.
+    fn left_of(&self, piece: usize) -> [S; 2] {
+        [self.value(piece) - self.claimed[piece][0], self.turn(piece, 1) - self.slopes[piece][0]]
+    }
+
+    /// c on every piece.
+    fn corrections(&self) -> Option<Vec<Correction<S>>> {
+        let known = |i: usize| self.values[i].is_some() && self.values[i + 1].is_some();
+        (0..self.frame.spans.len()).map(|i| known(i).then(|| self.correction(i))).collect()
+    }
+
+    fn correction(&self, i: usize) -> Correction<S> {
+        let h = self.frame.spans[i].h;
+        let [a, b] = self.left_of(i);
+        if !self.bends[i] {
+            let slope = Size::of(b.size());
+            let bounds = [Size::of(a.size()) + slope * Size::of(h.size()), slope, Size::ZERO];
+            return Correction { slope: [b; 2], bounds };
+        }
+        let right =
+            [self.value(i + 1) - self.claimed[i][1], self.turn(i + 1, 0) - self.slopes[i][1]];
+        let most = |x: [S; 2]| Size::of(x[0].size()).worst(Size::of(x[1].size()));
+        let slope = [b, right[1]];
+        let (largest, steepest) = (most([a, right[0]]), most(slope));
+        let bounds = [
+            largest + 0.3 * (steepest * Size::of(h.size())),
+            (3.0 * largest).over(h.low()) + steepest,
+            ((12.0 * largest).over(h.low()) + 6.0 * steepest).over(h.low()),
+        ];
+        Correction { slope, bounds }
+    }
+}

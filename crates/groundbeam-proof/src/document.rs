@@ -1,0 +1,405 @@
+//! The document of a result: the answer that it claims, what it lists besides, and the keys that no proof covers.
+
+use crate::json::{self, Json, JsonError};
+use crate::{Answer, Force, Piece, Reaction};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The most pieces of an answer.
+const MOST_PIECES: usize = 100_000;
+/// The most coefficients of a polynomial.
+const MOST_COEFFICIENTS: usize = 26;
+
+/// What a document says of one model.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Document {
+    /// `status`: `solved`, `no-equilibrium`, …
+    pub status: Option<String>,
+    /// `units`: `SI`, or how the numbers are to be read.
+    pub units: Option<String>,
+    /// `model_digest`: that of the model file and of the tables that it names.
+    pub model_digest: Option<String>,
+    /// Name of the combination of load cases.
+    pub combination: Option<String>,
+    /// Pieces, concentrated forces and reactions.
+    pub answer: Answer,
+    /// Listed regions of contact, from and to; a point has both the same.
+    pub contact: Vec<[f64; 2]>,
+    /// Listed forces under the beam's left and right end.
+    pub end_forces: Option<[f64; 2]>,
+    /// Places of the listed stations.
+    pub stations: Vec<f64>,
+    /// Fields at the stations: name and values, one for each station.
+    pub fields: Vec<(String, Vec<f64>)>,
+    /// Listed extremes.
+    pub extremes: Vec<Extreme>,
+    /// Listed bounds of errors by their names, one or several each.
+    pub bounds: Vec<(String, Vec<f64>)>,
+    /// Other keys that hold numbers: nothing is claimed of them.
+    pub not_covered: BTreeSet<String>,
+}
+
+/// A listed extreme of a field.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Extreme {
+    /// Name of the field.
+    pub field: String,
+    /// Whether it is the largest value, else the smallest.
+    pub is_max: bool,
+    /// Where it is \[m\].
+    pub x: f64,
+    /// The value.
+    pub value: f64,
+}
+
+type Object = BTreeMap<String, Json>;
+
+impl Document {
+    /// Reads a document: one result, or one for each of its combinations.
+    ///
+    /// # Errors
+    ///
+    /// What is no JSON, has a key twice, or does not have the form of a result.
+    pub fn read(text: &str) -> Result<Vec<Document>, JsonError> {
+        let mut root = object(json::read(text)?, "the document")?;
+        let Some(combinations) = root.remove("combinations") else {
+            return Ok(vec![Document::of(root)?]);
+        };
+        let digest = text_of(&mut root, "model_digest")?;
+        let mut read = Vec::new();
+        for combination in list(combinations, "combinations")? {
+            let mut combination = object(combination, "combinations")?;
+            let name = text_of(&mut combination, "name")?;
+            let mut document = Document::of(combination)?;
+            document.combination = document.combination.or(name);
+            document.model_digest = document.model_digest.or(digest.clone());
+            read.push(document);
+        }
+        for document in &mut read {
+            rest("", &root, &mut document.not_covered);
+        }
+        Ok(read)
+    }
+
+    fn of(mut root: Object) -> Result<Document, JsonError> {
+        let mut document = Document {
+            status: text_of(&mut root, "status")?,
+            units: text_of(&mut root, "units")?,
+            model_digest: text_of(&mut root, "model_digest")?,
+            combination: text_of(&mut root, "combination")?,
+            ..Document::default()
+        };
+        let pieces = elements(&mut root, "pieces")?;
+        if pieces.len() > MOST_PIECES {
+            return wrong("`pieces` has more than 100000 elements");
+        }
+        document.answer.pieces = pieces.into_iter().map(piece).collect::<Result<_, _>>()?;
+        document.forces(&mut root)?;
+        document.contact(&mut root)?;
+        document.stations(&mut root)?;
+        document.extremes(&mut root)?;
+        document.bounds(&mut root)?;
+        rest("", &root, &mut document.not_covered);
+        Ok(document)
+    }
+
+    fn forces(&mut self, root: &mut Object) -> Result<(), JsonError> {
+        for mut force in elements(root, "forces")? {
+            let (x, size) = (number(&mut force, "x")?, number(&mut force, "force")?);
+            self.answer.forces.push(Force { x, force: size });
+            rest("forces", &force, &mut self.not_covered);
+        }
+        let mut seen = BTreeSet::new();
+        for (i, mut reaction) in elements(root, "reactions")?.into_iter().enumerate() {
+            // Supports that are not numbered are all of them, in their order.
+            let support = match reaction.remove("support") {
+                None => i,
+                Some(support) => index(support)?,
+            };
+            if !seen.insert(support) {
+                return wrong(format!("`reactions` has support {support} twice"));
+            }
+            let force = number(&mut reaction, "force")?;
+            let moment = optional(&mut reaction, "moment")?.unwrap_or(0.0);
+            self.answer.reactions.push(Reaction { support, force, moment });
+            rest("reactions", &reaction, &mut self.not_covered);
+        }
+        Ok(())
+    }
+
+    fn contact(&mut self, root: &mut Object) -> Result<(), JsonError> {
+        for mut region in elements(root, "contact")? {
+            self.contact.push([number(&mut region, "from")?, number(&mut region, "to")?]);
+            rest("contact", &region, &mut self.not_covered);
+        }
+        if let Some(ends) = root.remove("end_forces") {
+            let mut ends = object(ends, "end_forces")?;
+            self.end_forces = Some([number(&mut ends, "left")?, number(&mut ends, "right")?]);
+            rest("end_forces", &ends, &mut self.not_covered);
+        }
+        Ok(())
+    }
+
+    fn stations(&mut self, root: &mut Object) -> Result<(), JsonError> {
+        let Some(stations) = root.remove("stations") else { return Ok(()) };
+        let mut stations = object(stations, "stations")?;
+        self.stations = numbers(&mut stations, "x")?.unwrap_or_default();
+        for (name, values) in stations {
+            let values = all_numbers(values, &name)?;
+            if values.len() != self.stations.len() {
+                return wrong(format!("`{name}` has not one value for each station"));
+            }
+            self.fields.push((name, values));
+        }
+        Ok(())
+    }
+
+    fn extremes(&mut self, root: &mut Object) -> Result<(), JsonError> {
+        let Some(extremes) = root.remove("extremes") else { return Ok(()) };
+        for (field, ends) in object(extremes, "extremes")? {
+            let mut ends = object(ends, &field)?;
+            for (key, is_max) in [("min", false), ("max", true)] {
+                let Some(extreme) = ends.remove(key) else { continue };
+                let mut extreme = object(extreme, key)?;
+                let (x, value) = (number(&mut extreme, "x")?, number(&mut extreme, "value")?);
+                self.extremes.push(Extreme { field: field.clone(), is_max, x, value });
+                rest(&format!("extremes.{field}"), &extreme, &mut self.not_covered);
+            }
+            rest(&format!("extremes.{field}"), &ends, &mut self.not_covered);
+        }
+        Ok(())
+    }
+
+    fn bounds(&mut self, root: &mut Object) -> Result<(), JsonError> {
+        let Some(proof) = root.remove("proof") else { return Ok(()) };
+        let mut proof = object(proof, "proof")?;
+        if let Some(bounds) = proof.remove("bounds") {
+            for (name, bound) in object(bounds, "bounds")? {
+                let bounds = match bound {
+                    Json::Number(bound) => vec![bound],
+                    bounds => all_numbers(bounds, &name)?,
+                };
+                self.bounds.push((name, bounds));
+            }
+        }
+        rest("proof", &proof, &mut self.not_covered);
+        Ok(())
+    }
+}
+
+impl Answer {
+    /// The answer of a document of one result.
+    ///
+    /// # Errors
+    ///
+    /// As [`Document::read`]; a document of several results.
+    pub fn from_json(text: &str) -> Result<Answer, JsonError> {
+        let mut read = Document::read(text)?;
+        match (read.pop(), read.len()) {
+            (Some(document), 0) => Ok(document.answer),
+            _ => wrong("the document holds several results, or none"),
+        }
+    }
+}
+
+/// One of the `pieces`. A key that is not known is refused: it may change what the others mean.
+fn piece(mut piece: Object) -> Result<Piece, JsonError> {
+    let x = pair(&mut piece, "x")?;
+    let Some(x) = x else { return wrong("a piece has no `x`") };
+    let touches = match piece.remove("touches") {
+        Some(Json::Boolean(touches)) => touches,
+        _ => return wrong("`touches` of a piece is true or false"),
+    };
+    let read = Piece {
+        x,
+        half: number(&mut piece, "half")?,
+        touches,
+        deflection: coefficients(&mut piece, "deflection")?,
+        rotation: coefficients(&mut piece, "rotation")?,
+        pressure: coefficients(&mut piece, "pressure")?,
+        open: pair(&mut piece, "open")?,
+        settlement: coefficients(&mut piece, "settlement")?,
+    };
+    if read.deflection.is_empty() {
+        return wrong("a piece has no `deflection`");
+    }
+    match piece.keys().next() {
+        Some(key) => wrong(format!("`{key}` means nothing in a piece")),
+        None => Ok(read),
+    }
+}
+
+/// Adds the keys of what is left of an object that hold numbers.
+fn rest(path: &str, object: &Object, not_covered: &mut BTreeSet<String>) {
+    for (key, _) in object.iter().filter(|(_, value)| value.has_number()) {
+        let name = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
+        not_covered.insert(name);
+    }
+}
+
+fn wrong<T>(what: impl Into<String>) -> Result<T, JsonError> {
+    Err(JsonError { line: 0, column: 0, what: what.into() })
+}
+
+fn object(value: Json, name: &str) -> Result<Object, JsonError> {
+    match value {
+        Json::Object(object) => Ok(object),
+        _ => wrong(format!("`{name}` is no object")),
+    }
+}
+
+fn list(value: Json, name: &str) -> Result<Vec<Json>, JsonError> {
+    match value {
+        Json::List(list) => Ok(list),
+        _ => wrong(format!("`{name}` is no list")),
+    }
+}
+
+/// The objects of a list; none if the key is missing.
+fn elements(parent: &mut Object, key: &str) -> Result<Vec<Object>, JsonError> {
+    let Some(value) = parent.remove(key) else { return Ok(Vec::new()) };
+    list(value, key)?.into_iter().map(|element| object(element, key)).collect()
+}
+
+/// A text; none if it is missing or null.
+fn text_of(parent: &mut Object, key: &str) -> Result<Option<String>, JsonError> {
+    match parent.remove(key) {
+        None | Some(Json::Null) => Ok(None),
+        Some(Json::Text(text)) => Ok(Some(text)),
+        Some(_) => wrong(format!("`{key}` is no text")),
+    }
+}
+
+/// A number; none if it is missing or null.
+fn optional(parent: &mut Object, key: &str) -> Result<Option<f64>, JsonError> {
+    match parent.remove(key) {
+        None | Some(Json::Null) => Ok(None),
+        Some(Json::Number(number)) => Ok(Some(number)),
+        Some(_) => wrong(format!("`{key}` is no number")),
+    }
+}
+
+fn number(parent: &mut Object, key: &str) -> Result<f64, JsonError> {
+    optional(parent, key)?.map_or_else(|| wrong(format!("`{key}` is missing")), Ok)
+}
+
+/// A whole number from 0.
+fn index(value: Json) -> Result<usize, JsonError> {
+    match value {
+        Json::Number(n) if (0.0..1e9).contains(&n) && n.fract() == 0.0 => Ok(n as usize),
+        _ => wrong("`support` is no whole number"),
+    }
+}
+
+fn all_numbers(value: Json, name: &str) -> Result<Vec<f64>, JsonError> {
+    let number = |value| match value {
+        Json::Number(number) => Ok(number),
+        _ => wrong(format!("`{name}` holds something that is no number")),
+    };
+    list(value, name)?.into_iter().map(number).collect()
+}
+
+/// A list of numbers; none if it is missing or null.
+fn numbers(parent: &mut Object, key: &str) -> Result<Option<Vec<f64>>, JsonError> {
+    match parent.remove(key) {
+        None | Some(Json::Null) => Ok(None),
+        Some(value) => all_numbers(value, key).map(Some),
+    }
+}
+
+/// Coefficients of a polynomial; none of them if the key is missing.
+fn coefficients(parent: &mut Object, key: &str) -> Result<Vec<f64>, JsonError> {
+    let read = numbers(parent, key)?.unwrap_or_default();
+    if read.len() > MOST_COEFFICIENTS {
+        return wrong(format!("`{key}` of a piece has a degree above 25"));
+    }
+    Ok(read)
+}
+
+/// Two numbers; none if the key is missing.
+fn pair(parent: &mut Object, key: &str) -> Result<Option<[f64; 2]>, JsonError> {
+    match numbers(parent, key)?.as_deref() {
+        None => Ok(None),
+        Some([a, b]) => Ok(Some([*a, *b])),
+        Some(_) => wrong(format!("`{key}` is a list of two numbers")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXT: &str = r#"{
+        "status": "solved", "units": "SI", "title": "x", "combination": null,
+        "model_digest": "sha256:00",
+        "existence": {"verdict": "unique", "static_reactions": [1, 2]},
+        "pieces": [
+            {"x": [0, 1.5], "half": 0.75, "touches": true, "deflection": [1, 2], "pressure": [3]},
+            {"x": [1.5, 2], "half": 0.25, "touches": false, "deflection": [1], "open": [0.5, 0.25]}
+        ],
+        "forces": [{"x": 0, "force": 4.5}],
+        "reactions": [{"support": 1, "force": 2, "moment": -1, "at": 1.0, "state": "acting"}],
+        "contact": [{"from": 0, "to": 1.5}],
+        "end_forces": {"left": 4.5, "right": 0},
+        "stations": {"x": [0, 1], "deflection": [1, 2]},
+        "extremes": {"deflection": {"min": {"x": 0, "value": 1}, "max": {"x": 2, "value": 3}}},
+        "certificate": {"gap": 1e-20},
+        "proof": {"energy": 1e-30, "bounds": {"deflection": 1e-14, "edges": [1e-13]}, "log": []}
+    }"#;
+
+    #[test]
+    fn a_document_in_its_parts() {
+        let documents = Document::read(TEXT).unwrap();
+        let [document] = &documents[..] else { panic!() };
+        assert_eq!(document.answer, Answer::from_json(TEXT).unwrap());
+        assert_eq!(document.answer.pieces[0].deflection, [1.0, 2.0]);
+        assert_eq!(document.answer.pieces[1].open, Some([0.5, 0.25]));
+        assert_eq!(document.answer.forces, [Force { x: 0.0, force: 4.5 }]);
+        let reaction = Reaction { support: 1, force: 2.0, moment: -1.0 };
+        assert_eq!(document.answer.reactions, [reaction]);
+        assert_eq!(
+            (&document.contact[..], document.end_forces),
+            (&[[0.0, 1.5]][..], Some([4.5, 0.0]))
+        );
+        assert_eq!(document.fields, [("deflection".to_owned(), vec![1.0, 2.0])]);
+        assert_eq!(document.extremes.len(), 2);
+        assert_eq!(document.bounds[1], ("edges".to_owned(), vec![1e-13]));
+        let not_covered: Vec<&str> = document.not_covered.iter().map(String::as_str).collect();
+        assert_eq!(not_covered, ["certificate", "existence", "proof.energy", "reactions.at"]);
+    }
+
+    #[test]
+    fn combinations_are_documents_of_their_own() {
+        let text =
+            format!(r#"{{"combinations": [{TEXT}, {{"name": "ULS"}}], "envelope": {{"x": [1]}}}}"#);
+        let documents = Document::read(&text).unwrap();
+        assert_eq!(documents.len(), 2);
+        assert_eq!(documents[1].combination.as_deref(), Some("ULS"));
+        assert!(documents[1].not_covered.contains("envelope"));
+        assert!(Answer::from_json(&text).is_err());
+    }
+
+    #[test]
+    fn what_has_another_form_is_refused() {
+        for (right, wrong) in [
+            ("\"half\": 0.75", "\"half\": \"0.75\""),
+            ("\"half\": 0.75,", ""),
+            ("\"half\": 0.75", "\"half\": 0.75, \"shift\": 1"),
+            ("[0, 1.5]", "[0, 1.5, 2]"),
+            ("\"touches\": true", "\"touches\": 1"),
+            ("\"deflection\": [1, 2], \"pressure\"", "\"deflection\": [], \"pressure\""),
+            ("\"deflection\": [1, 2], \"pressure\"", "\"deflection\": [null], \"pressure\""),
+            ("\"support\": 1", "\"support\": 0.5"),
+            ("\"support\": 1", "\"support\": -1"),
+            ("{\"x\": [0, 1], \"defl", "{\"x\": [0], \"defl"),
+            ("\"contact\": [", "\"contact\": [1, "),
+            ("\"status\": \"solved\"", "\"status\": 1"),
+            ("\"forces\": [{\"x\": 0,", "\"forces\": [{"),
+        ] {
+            let text = TEXT.replacen(right, wrong, 1);
+            assert_ne!(text, TEXT, "{right}");
+            assert!(Document::read(&text).is_err(), "{wrong}");
+        }
+        let long = format!("\"deflection\": [{}1]", "1,".repeat(26));
+        assert!(Document::read(&TEXT.replacen("\"deflection\": [1, 2]", &long, 1)).is_err());
+    }
+}

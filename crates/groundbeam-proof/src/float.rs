@@ -1,0 +1,44 @@
+//! Doubles: the limits of balls, and exact scaling by powers of two.
+
+/// 1 + 16u, u = 2⁻⁵³: larger than (1 + u)¹², the rounding of a radius that is made of at most ten operations.
+pub(crate) const ABOVE: f64 = 1.0 + 8.0 * f64::EPSILON;
+/// Smaller midpoints are replaced by 0, so that no rounding error is lost among subnormal numbers.
+pub(crate) const TINY: f64 = 1e-290;
+/// Larger midpoints and radii are replaced by an infinite radius, so that no operation overflows unnoticed.
+pub(crate) const HUGE: f64 = 1e290;
+
+/// |x|; of −0 that is 0. NaN stays NaN.
+pub(crate) fn magnitude(x: f64) -> f64 {
+    x.abs()
+}
+
+/// x·2ⁿ where that is exact or below the smallest midpoint. `None` where it overflows.
+pub(crate) fn times_power_of_two(x: f64, exponent: i32) -> Option<f64> {
+    let scaled = scale(x, exponent);
+    if !(magnitude(scaled) <= HUGE) {
+        return None;
+    }
+    // A result that is not zero, but rounded among subnormal numbers, must not pass for zero.
+    Some(if scaled == 0.0 && x != 0.0 { f64::MIN_POSITIVE } else { scaled })
+}
+
+/// r·2ⁿ, rounded up.
+pub(crate) fn magnitude_scaled(r: f64, exponent: i32) -> f64 {
+    if r == 0.0 { 0.0 } else { scale(r, exponent) * ABOVE + f64::MIN_POSITIVE }
+}
+
+/// x·2ⁿ in steps that are powers of two themselves.
+fn scale(mut x: f64, mut exponent: i32) -> f64 {
+    while exponent > 500 && x != 0.0 && magnitude(x) <= HUGE {
+        (x, exponent) = (x * power_of_two(500), exponent - 500);
+    }
+    while exponent < -500 && x != 0.0 {
+        (x, exponent) = (x * power_of_two(-500), exponent + 500);
+    }
+    if x == 0.0 { x } else { x * power_of_two(if exponent > 500 { 1023 } else { exponent }) }
+}
+
+/// 2ⁿ for −1022 ≤ n ≤ 1023.
+pub(crate) fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(((1023 + i64::from(exponent)) as u64) << 52)
+}

@@ -1,0 +1,247 @@
+//! The problem on the pieces of the answer: stiffness, ground, loads and claimed deflection piece by piece, loads
+//! and supports node by node.
+
+use crate::answer::{Answer, Piece};
+use crate::polynomial::{HIGHEST, Polynomial};
+use crate::refusal::NotProven;
+use crate::scalar::Scalar;
+use crate::size::Size;
+use crate::units::Units;
+
+/// A piece of the beam, with t = (x − x_mid)/half on it.
+#[derive(Debug, Clone)]
+pub(crate) struct Span<S> {
+    /// Its exact ends.
+    pub x: [S; 2],
+    /// Its length.
+    pub h: S,
+    /// x_mid, the middle of the stored ends.
+    pub middle: S,
+    pub half: S,
+    /// 1/half, which turns a derivative by t into one by x.
+    pub per_length: S,
+    /// t at both ends.
+    pub t: [S; 2],
+    /// The largest |t| on the piece, at least 1.
+    pub tau: f64,
+    pub touches: bool,
+    /// w(t).
+    pub deflection: Polynomial<S>,
+    pub bending: S,
+    pub spring: S,
+    /// μ; exactly 0 on separate springs.
+    pub shear: S,
+    /// Whether μ > 0.
+    pub layered: bool,
+    /// f, g and κ₀ of the loads and g₀, straight lines of t.
+    pub force: Polynomial<S>,
+    pub moment: Polynomial<S>,
+    pub curvature: Polynomial<S>,
+    pub gap: Polynomial<S>,
+}
+
+/// A place between pieces, or an end of the beam.
+#[derive(Debug, Clone)]
+pub(crate) struct Node<S> {
+    pub x: S,
+    /// Point force and point moment.
+    pub force: S,
+    pub moment: S,
+    /// The settlement of a rigid support.
+    pub rigid: Option<S>,
+    /// Whether a clamp holds the slope.
+    pub clamped: bool,
+    /// Springs against deflection, with the sum of κδ, and against rotation.
+    pub spring: Option<[S; 2]>,
+    pub turning: Option<S>,
+    /// k_φ of a hinge; exactly 0 if it is free.
+    pub hinge: Option<S>,
+    /// The stored reaction of rigid supports: force up, and moment on the left of the equation of equilibrium.
+    pub reaction: [S; 2],
+    /// What its supports take of the forces that are given back.
+    pub weights: Weights,
+    /// Whether a positive concentrated force is stored.
+    pub pressed: bool,
+    /// Whether g₀ has a corner.
+    pub corner: bool,
+}
+
+/// The weights with which supports take part when forces are given back. Any positive numbers are valid.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Weights {
+    /// Of a rigid support.
+    pub rigid: f64,
+    /// Of a spring.
+    pub spring: f64,
+    /// Of a clamp.
+    pub clamp: f64,
+    /// Of a rotational spring.
+    pub turning: f64,
+}
+
+/// The problem on the pieces of the answer.
+#[derive(Debug)]
+pub(crate) struct Frame<S> {
+    pub spans: Vec<Span<S>>,
+    pub nodes: Vec<Node<S>>,
+    /// The tension P; none if it is zero.
+    pub tension: Option<S>,
+    /// Stiffness K₀, K_l of the ground beside the beam: flux = K u. Exactly 0 where there is none.
+    pub outside: [S; 2],
+    pub length: S,
+    pub units: Units,
+}
+
+impl<S: Scalar> Node<S> {
+    pub fn at(x: S) -> Self {
+        let zero = S::zero();
+        Node {
+            x,
+            force: zero,
+            moment: zero,
+            rigid: None,
+            clamped: false,
+            spring: None,
+            turning: None,
+            hinge: None,
+            reaction: [zero; 2],
+            weights: Weights::default(),
+            pressed: false,
+            corner: false,
+        }
+    }
+
+    /// Whether the beam has two slopes here.
+    pub fn is_hinged(&self) -> bool {
+        self.hinge.is_some()
+    }
+
+    /// Whether no moment is handed on.
+    pub fn is_free_hinge(&self) -> bool {
+        self.hinge == Some(S::zero())
+    }
+}
+
+impl<S: Scalar> Span<S> {
+    /// The geometry of a piece and its claimed deflection.
+    ///
+    /// |t_L + 1| ≤ ¼ and |t_R − 1| ≤ ¼ are required: with another `half` the same function would have coefficients
+    /// whose sum bounds nothing.
+    pub fn of(piece: &Piece, x: [S; 2], units: Units) -> Result<Self, NotProven> {
+        let wrong = |what: &str| NotProven::new(what).at(piece.x[0]);
+        let coefficients = &piece.deflection;
+        if coefficients.is_empty() || coefficients.len() > HIGHEST + 1 {
+            return Err(wrong("a deflection has no coefficients, or a degree above 25"));
+        }
+        if !piece.rotation.is_empty() {
+            return Err(wrong("a rotation is given on a beam that does not shear"));
+        }
+        let half = units.metres(S::of(piece.half));
+        if !(half.low() > 0.0) {
+            return Err(wrong("`half` is not positive"));
+        }
+        let deflection =
+            Polynomial::from_coefficients(coefficients.iter().map(|c| units.metres(S::of(*c))));
+        if !deflection.coefficients().iter().all(|c| c.size() <= 1e60) {
+            return Err(wrong("a coefficient is not finite, or too large"));
+        }
+        let ends = piece.x.map(|x| units.metres(S::of(x)));
+        let middle = (ends[0] + ends[1]).scaled(-1);
+        let t = x.map(|x| (x - middle).div(half));
+        let off = [t[0] + S::one(), t[1] - S::one()];
+        if !off.iter().all(|off| off.size() <= 0.25) {
+            return Err(wrong("`half` does not fit the ends of the piece"));
+        }
+        let largest = Size::of(1.0).worst(Size::of(t[0].size())).worst(Size::of(t[1].size()));
+        let (zero, none) = (S::zero(), Polynomial::zero());
+        Ok(Span {
+            x,
+            h: x[1] - x[0],
+            middle,
+            half,
+            per_length: S::one().div(half),
+            t,
+            tau: largest.value(),
+            touches: piece.touches,
+            deflection,
+            bending: zero,
+            spring: zero,
+            shear: zero,
+            layered: false,
+            force: none.clone(),
+            moment: none.clone(),
+            curvature: none.clone(),
+            gap: none,
+        })
+    }
+
+    /// An upper bound of the length.
+    pub fn length(&self) -> Size {
+        Size::of(self.h.high())
+    }
+
+    /// A straight line through two points (x, value), as a polynomial of t.
+    pub fn line(&self, [from, to]: [S; 2], [start, end]: [S; 2]) -> Polynomial<S> {
+        if start == end {
+            return Polynomial::from_coefficients([start]);
+        }
+        let slope = (end - start).div(to - from);
+        Polynomial::line(start + slope * (self.middle - from), slope * self.half)
+    }
+
+    /// The derivative by x.
+    pub fn derivative(&self, p: &Polynomial<S>) -> Polynomial<S> {
+        p.derivative().times(self.per_length)
+    }
+
+    /// w − g₀.
+    pub fn obstacle(&self) -> Polynomial<S> {
+        &self.deflection - &self.gap
+    }
+
+    /// M = −EI (w″ − κ₀).
+    pub fn bending_moment(&self, slope: &Polynomial<S>) -> Polynomial<S> {
+        (&self.curvature - &self.derivative(slope)).times(self.bending)
+    }
+
+    /// The interval of t that holds the piece, in doubles.
+    pub fn interval(&self) -> [f64; 2] {
+        [self.t[0].low(), self.t[1].high()]
+    }
+}
+
+impl<S: Scalar> Frame<S> {
+    /// A depth of penetration that does not matter: 10⁻²⁴ of the deflection.
+    pub fn negligible(&self) -> Size {
+        let sizes = self.spans.iter().map(|span| span.deflection.coefficient(0).size());
+        let largest = sizes.fold(0.0, |most, size| if size > most { size } else { most });
+        Size::of(1e-24 * largest)
+    }
+
+    /// Whether a node belongs to a shear layer on its left or on its right.
+    pub fn layered(&self, node: usize) -> [bool; 2] {
+        let left = node > 0 && self.spans[node - 1].layered;
+        [left, self.spans.get(node).is_some_and(|span| span.layered)]
+    }
+
+    /// Whether a piece on the left or on the right of a node touches.
+    pub fn touching(&self, node: usize) -> [bool; 2] {
+        let left = node > 0 && self.spans[node - 1].touches;
+        [left, self.spans.get(node).is_some_and(|span| span.touches)]
+    }
+
+    /// A position in the units of the model.
+    pub fn place(&self, node: usize) -> f64 {
+        self.units.restored(self.nodes[node].x.middle(), 0, 1)
+    }
+}
+
+/// The pieces of an answer with the exact ends of each.
+pub(crate) fn spans<S: Scalar>(
+    answer: &Answer,
+    exact: &[S],
+    units: Units,
+) -> Result<Vec<Span<S>>, NotProven> {
+    let ends = exact.windows(2).map(|ends| [ends[0], ends[1]]);
+    answer.pieces.iter().zip(ends).map(|(piece, x)| Span::of(piece, x, units)).collect()
+}

@@ -1,0 +1,306 @@
+//! The ground's surface ū, the concentrated forces of the layer, and what the surface misses of the ground's equation.
+//!
+//! Where beam and ground touch, ū = w̄ − g₀. Open ground of a layer is solved exactly: on a piece of length h, with
+//! b = √(k/μ), z = bh, r = √(kμ),
+//!
+//!     flux at the left end  = −(s₁(u_L − u_R) + s₂u_L),   at the right end = s₁(u_R − u_L) + s₂u_R,
+//!     s₁ = r/sinh z, s₂ = r tanh(z/2),   flux = μu′,
+//!
+//! and beside the beam flux = K₀u on the left, −K_lu on the right. At a touching node the jump of the flux,
+//! a = flux(x−) − flux(x+), is a concentrated force. Its negative part r is left unclaimed, which costs at most
+//! |r|√g, with g = 1/(S₋ + S₊), S₋ and S₊ the stiffness of the layer on both sides of the node.
+
+use crate::deflection::Deflection;
+use crate::frame::{Frame, Span};
+use crate::scalar::Scalar;
+use crate::size::Size;
+
+/// The ground's surface and its forces.
+#[derive(Debug)]
+pub(crate) struct Surface<S> {
+    /// ū at both ends of each open piece of a layer.
+    pub open: Vec<Option<[S; 2]>>,
+    /// μū′ at both ends of each open piece of a layer.
+    pub flux: Vec<[S; 2]>,
+    /// Whether beam and layer touch at a node.
+    pub touches: Vec<bool>,
+    /// The jump of the flux at touching nodes, zero elsewhere.
+    pub jump: Vec<S>,
+    /// ū at touching nodes, zero elsewhere.
+    pub settlement: Vec<S>,
+    /// The concentrated force: the positive part of the jump.
+    pub force: Vec<S>,
+    /// A bound of √g(x, x) on each piece of a layer; infinite on separate springs.
+    pub flexibility: Vec<Size>,
+    /// Σ|r|√g over the forces that pull, which nobody claims.
+    pub unclaimed: Size,
+}
+
+impl<S> Surface<S> {
+    /// √g at a node: the lesser bound of the pieces beside it.
+    pub fn flexibility_at(&self, node: usize) -> Size {
+        let right = self.flexibility.get(node).copied().unwrap_or(Size::INFINITE);
+        let left = node.checked_sub(1).map_or(Size::INFINITE, |i| self.flexibility[i]);
+        right.least(left)
+    }
+}
+
+/// s₁, s₂ of an open piece.
+struct Link<S> {
+    across: S,
+    own: S,
+}
+
+/// Solves the open ground and takes the fluxes at all nodes.
+pub(crate) fn surface<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -> Surface<S> {
+    let touches: Vec<bool> = (0..frame.nodes.len()).map(|i| touches(frame, i)).collect();
+    let mut surface = Surface {
+        open: vec![None; frame.spans.len()],
+        flux: vec![[S::zero(); 2]; frame.spans.len()],
+        jump: vec![S::zero(); frame.nodes.len()],
+        settlement: vec![S::zero(); frame.nodes.len()],
+        force: vec![S::zero(); frame.nodes.len()],
+        flexibility: vec![Size::INFINITE; frame.spans.len()],
+        unclaimed: Size::ZERO,
+        touches,
+    };
+    let mut first = 0;
+    while first < frame.spans.len() {
+        let mut end = first;
+        while end < frame.spans.len() && frame.spans[end].layered {
+            end += 1;
+        }
+        if end > first {
+            let links: Vec<_> = frame.spans[first..end].iter().map(Link::of).collect();
+            let layer = Layer::of(frame, deflection, &links, first);
+            layer.flexibility(&mut surface);
+            layer.solve(&mut surface);
+            layer.forces(&mut surface);
+        }
+        first = end + 1;
+    }
+    surface
+}
+
+/// Whether beam and layer touch at a node: at the end of a layered piece that touches, or under a stored force.
+fn touches<S: Scalar>(frame: &Frame<S>, node: usize) -> bool {
+    let (layered, touching) = (frame.layered(node), frame.touching(node));
+    let any = layered[0] || layered[1];
+    (layered[0] && touching[0]) || (layered[1] && touching[1]) || (any && frame.nodes[node].pressed)
+}
+
+/// The stiffness and the source of what lies on the left of a node: flux = S u − j.
+#[derive(Clone, Copy)]
+struct Left<S> {
+    stiffness: S,
+    source: S,
+}
+
+impl<S: Scalar> Link<S> {
+    fn of(span: &Span<S>) -> Self {
+        let root = (span.spring * span.shear).sqrt();
+        let z = span.spring.div(span.shear).sqrt() * span.h;
+        // e = exp(−z) − 1: sinh z = −e(2 + e)/(2(1 + e)), tanh(z/2) = −e/(2 + e), without cancellation for small z.
+        let e = (-z).expm1();
+        let sum = e + S::of(2.0);
+        let across = (root * (e + S::one()).scaled(1)).div(-e * sum);
+        Link { across, own: (root * -e).div(sum) }
+    }
+
+    /// The stiffness of what lies behind the piece, seen across it. A sum of positive terms.
+    fn across(&self, behind: S) -> S {
+        let all = behind + self.own + self.across;
+        (self.across * (behind + self.own)).div(all) + self.own
+    }
+}
+
+/// A maximal run of pieces with μ > 0.
+struct Layer<'a, S> {
+    frame: &'a Frame<S>,
+    deflection: &'a Deflection<S>,
+    links: &'a [Link<S>],
+    first: usize,
+    /// The stiffness of all of the layer on the left and on the right of each node, as if it were open.
+    stiffness: [Vec<S>; 2],
+}
+
+impl<'a, S: Scalar> Layer<'a, S> {
+    fn of(
+        frame: &'a Frame<S>,
+        deflection: &'a Deflection<S>,
+        links: &'a [Link<S>],
+        first: usize,
+    ) -> Self {
+        let (count, end) = (links.len(), first + links.len());
+        let beyond = |at_end: bool, side: usize| {
+            if at_end { frame.outside[side] } else { S::zero() }
+        };
+        let mut left = vec![beyond(first == 0, 0)];
+        for i in 0..count {
+            left.push(links[i].across(left[i]));
+        }
+        let mut right = vec![beyond(end == frame.spans.len(), 1)];
+        for i in 0..count {
+            right.push(links[count - 1 - i].across(right[i]));
+        }
+        right.reverse();
+        Layer { frame, deflection, links, first, stiffness: [left, right] }
+    }
+
+    /// The last node of the layer.
+    fn end(&self) -> usize {
+        self.first + self.links.len()
+    }
+
+    /// √g on each piece. g ≤ 1/(least S₋ + least S₊): S moves monotonically along an even piece, so its least value
+    /// is at one of the ends. Also g ≤ coth(bL)/√(kμ) with the least k and μ of the layer and its length L: g falls as k,
+    /// μ or the layer grow, and is largest at a free end.
+    fn flexibility(&self, surface: &mut Surface<S>) {
+        let least = |side: usize, i: usize| {
+            let [a, b] = [self.stiffness[side][i].low(), self.stiffness[side][i + 1].low()];
+            if a <= b { a } else { b }
+        };
+        let whole = self.least_stiffness();
+        for i in 0..self.links.len() {
+            let stiffness = (least(0, i) + least(1, i)).next_down();
+            let stiffness = if whole > stiffness { whole } else { stiffness };
+            surface.flexibility[self.first + i] = Size::of(1.0).over(stiffness).root();
+        }
+    }
+
+    /// A lower bound of √(kμ) tanh(bL), the stiffness of an even layer as long as this one at its end.
+    fn least_stiffness(&self) -> f64 {
+        let spans = &self.frame.spans[self.first..self.end()];
+        let least = |of: &dyn Fn(&Span<S>) -> S| {
+            let all = spans.iter().map(of);
+            all.reduce(|a, b| if b.low() < a.low() { b } else { a }).unwrap_or_else(S::zero)
+        };
+        let (spring, shear) = (least(&|span| span.spring), least(&|span| span.shear));
+        let length = spans[spans.len() - 1].x[1] - spans[0].x[0];
+        let decay = spring.div(shear).sqrt() * length;
+        let fallen = (-decay.scaled(1)).expm1();
+        ((spring * shear).sqrt() * (-fallen).div(fallen + S::of(2.0))).low()
+    }
+
+    /// ū at a touching node.
+    fn held(&self, node: usize) -> S {
+        let piece = if node < self.end() { (node, 0) } else { (node - 1, 1) };
+        let span = &self.frame.spans[piece.0];
+        self.deflection.values[node] - span.gap.value(span.t[piece.1])
+    }
+
+    /// Solves the open pieces, run by run. A layer that touches nowhere stays where it is.
+    fn solve(&self, surface: &mut Surface<S>) {
+        for (i, span) in self.frame.spans[self.first..self.end()].iter().enumerate() {
+            if !span.touches {
+                surface.open[self.first + i] = Some([S::zero(); 2]);
+            }
+        }
+        let nodes = self.first..=self.end();
+        let touching: Vec<usize> = nodes.filter(|node| surface.touches[*node]).collect();
+        let (Some(first), Some(last)) = (touching.first(), touching.last()) else { return };
+        self.leading(*first, surface);
+        self.trailing(*last, surface);
+        for pair in touching.windows(2) {
+            if !self.frame.spans[pair[0]].touches {
+                self.between(pair[0], pair[1], surface);
+            }
+        }
+    }
+
+    /// From the left end of the layer to the first touching node.
+    fn leading(&self, node: usize, surface: &mut Surface<S>) {
+        let mut u = self.held(node);
+        for i in (0..node - self.first).rev() {
+            let (link, behind) = (&self.links[i], &self.stiffness[0]);
+            let next = (link.across * u).div(behind[i] + link.across + link.own);
+            surface.open[self.first + i] = Some([next, u]);
+            surface.flux[self.first + i] = [behind[i] * next, behind[i + 1] * u];
+            u = next;
+        }
+    }
+
+    /// From the last touching node to the right end of the layer.
+    fn trailing(&self, node: usize, surface: &mut Surface<S>) {
+        let mut u = self.held(node);
+        for i in node - self.first..self.links.len() {
+            let (link, behind) = (&self.links[i], &self.stiffness[1]);
+            let next = (link.across * u).div(behind[i + 1] + link.across + link.own);
+            surface.open[self.first + i] = Some([u, next]);
+            surface.flux[self.first + i] = [-(behind[i] * u), -(behind[i + 1] * next)];
+            u = next;
+        }
+    }
+
+    /// Between two touching nodes: what lies on the left of each open node, then back from the right.
+    fn between(&self, from: usize, to: usize, surface: &mut Surface<S>) {
+        let link = |piece: usize| &self.links[piece - self.first];
+        let first = link(from);
+        let stiffness = first.across + first.own;
+        let mut seen = vec![Left { stiffness, source: first.across * self.held(from) }];
+        for piece in from + 1..to - 1 {
+            let (link, left) = (link(piece), seen[piece - from - 1]);
+            let all = left.stiffness + link.own + link.across;
+            let source = (link.across * left.source).div(all);
+            seen.push(Left { stiffness: link.across(left.stiffness), source });
+        }
+        let mut right = self.held(to);
+        for piece in (from..to).rev() {
+            let link = link(piece);
+            let u = if piece == from {
+                self.held(from)
+            } else {
+                let left = seen[piece - from - 1];
+                (link.across * right + left.source).div(left.stiffness + link.across + link.own)
+            };
+            let across = link.across * (right - u);
+            surface.open[piece] = Some([u, right]);
+            surface.flux[piece] = [across - link.own * u, across + link.own * right];
+            right = u;
+        }
+    }
+
+    /// The flux on one side of a node.
+    fn flux_at(&self, node: usize, side: usize, surface: &Surface<S>) -> S {
+        let piece = if side == 0 { node.checked_sub(1) } else { Some(node) };
+        let piece = piece.filter(|piece| (self.first..self.end()).contains(piece));
+        let Some(piece) = piece else {
+            let outward = self.stiffness[side][node - self.first] * self.held(node);
+            return if side == 0 { outward } else { -outward };
+        };
+        let span = &self.frame.spans[piece];
+        if span.touches {
+            let slope = self.deflection.slopes[piece][1 - side];
+            let gap = span.derivative(&span.gap).value(span.t[1 - side]);
+            span.shear * (slope - gap)
+        } else {
+            surface.flux[piece][1 - side]
+        }
+    }
+
+    /// The concentrated forces at touching nodes.
+    fn forces(&self, surface: &mut Surface<S>) {
+        for node in self.first..=self.end() {
+            if !surface.touches[node] {
+                continue;
+            }
+            let jump = self.flux_at(node, 0, surface) - self.flux_at(node, 1, surface);
+            surface.jump[node] = jump;
+            surface.settlement[node] = self.held(node);
+            surface.force[node] = positive_part(jump);
+            surface.unclaimed += Size::below_zero(jump.low()) * surface.flexibility_at(node);
+        }
+    }
+}
+
+/// A ball that holds max(x, 0) for all x of a ball.
+fn positive_part<S: Scalar>(x: S) -> S {
+    if x.low() >= 0.0 {
+        x
+    } else if x.high() <= 0.0 {
+        S::zero()
+    } else {
+        let half = 0.5 * x.high();
+        S::of(half).widened(half.next_up())
+    }
+}

@@ -1,0 +1,31 @@
+//! Which kinds of model are covered.
+
+use crate::model::{Acts, Course, Extent, Model};
+use crate::refusal::NotProven;
+use crate::scalar::Scalar;
+
+/// The first feature of a model for which the theorem has not been built in.
+pub(crate) fn not_covered<S: Scalar>(model: &Model<S>) -> Option<NotProven> {
+    let beam = &model.beam;
+    let varies = |course: &Course<S>| matches!(course, Course::Varying(_));
+    let shears = beam.shear_stiffness.is_some()
+        || beam.segments.iter().any(|segment| segment.shear_stiffness.is_some());
+    let varying_beam = beam.segments.iter().any(|segment| varies(&segment.bending_stiffness));
+    let ground = &model.ground.segments;
+    let varying_ground = ground.iter().any(|s| varies(&s.spring) || varies(&s.shear));
+    let point_curvature = model.loads.iter().any(|load| {
+        load.action == crate::model::Action::Curvature
+            && matches!(load.extent, Extent::Point { .. })
+    });
+    let kinds = [
+        (shears, "a beam that shears"),
+        (!(beam.axial_force.low() >= 0.0), "an axial compression"),
+        (varying_beam, "a bending stiffness that varies within a segment"),
+        (varying_ground, "ground that varies within a segment"),
+        (model.supports.iter().any(|s| s.acts != Acts::Both), "supports that act in one direction"),
+        (model.loads.iter().any(|load| load.on_ground), "loads on the ground"),
+        (point_curvature, "an imposed curvature at a point"),
+    ];
+    let (_, kind) = kinds.into_iter().find(|(present, _)| *present)?;
+    Some(NotProven::new(format!("not covered: {kind}")))
+}

@@ -1,0 +1,51 @@
+//! Proof of an answer: how far a claimed deflection, contact and set of forces can be from the exact solution.
+//!
+//! The problem is a beam in unilateral contact with a Winkler or Pasternak foundation. The crate does not know how
+//! an answer was found. It builds an admissible deflection and an exactly balanced pressure from the answer, and
+//! bounds the difference of the two energies. `docs/proof.md` states the theorem.
+
+#![forbid(unsafe_code)]
+// `!(a <= b)` refuses when a number is NaN; `a > b` would accept.
+#![allow(clippy::neg_cmp_op_on_partial_ord)]
+
+mod answer;
+mod arc;
+mod balance;
+mod ball;
+mod clearance;
+mod decimal;
+mod deflection;
+mod document;
+mod float;
+mod frame;
+mod given;
+mod ground;
+mod json;
+mod kinds;
+mod model;
+mod outside;
+mod polynomial;
+mod positions;
+mod pressure;
+mod proof;
+mod read;
+mod refusal;
+mod residual;
+mod scalar;
+mod size;
+mod units;
+mod wide;
+
+pub use answer::{Answer, Force, Piece, Reaction};
+pub use ball::Ball;
+pub use document::{Document, Extreme};
+pub use json::JsonError;
+pub use model::{
+    Action, Acts, Beam, BeamSegment, Course, Extent, GapCorner, Ground, GroundEnd, GroundSegment,
+    Hinge, Load, Model, Support, SupportKind,
+};
+pub use proof::{Proof, prove};
+pub use read::{ReadError, Reason, read_model};
+pub use refusal::NotProven;
+pub use scalar::Scalar;
+pub use wide::Wide;

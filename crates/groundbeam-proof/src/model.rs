@@ -1,0 +1,200 @@
+//! What is given: beam, ground, loads, supports, hinges and initial gap, as exact numbers or balls.
+//!
+//! All numbers are in one coherent system of units (m, N, rad and their products). Positions are measured from the
+//! beam's left end. Deflections, settlements and forces are positive down.
+
+/// A beam, the ground under it, and what acts on them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Model<S> {
+    /// The beam.
+    pub beam: Beam<S>,
+    /// The ground.
+    pub ground: Ground<S>,
+    /// Everything that acts on the beam or on the ground.
+    pub loads: Vec<Load<S>>,
+    /// What holds the beam besides the ground. An answer names a support by its index in this list.
+    pub supports: Vec<Support<S>>,
+    /// Hinges inside the beam.
+    pub hinges: Vec<Hinge<S>>,
+    /// Corners of the initial clearance, from left to right. Empty: the clearance is zero.
+    pub gap: Vec<GapCorner<S>>,
+}
+
+/// A straight beam.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Beam<S> {
+    /// Length l \[m\], positive.
+    pub length: S,
+    /// Bending stiffness EI \[N·m²\] where no segment says otherwise, positive.
+    pub bending_stiffness: S,
+    /// Shear stiffness S \[N\] where no segment says otherwise, positive. `None`: the beam does not shear.
+    pub shear_stiffness: Option<S>,
+    /// Stretches with other stiffnesses. They may touch, not overlap.
+    pub segments: Vec<BeamSegment<S>>,
+    /// Axial force P \[N\], tension positive, constant along the beam.
+    pub axial_force: S,
+}
+
+/// A stretch of the beam with stiffnesses of its own.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BeamSegment<S> {
+    /// Left end \[m\].
+    pub from: S,
+    /// Right end \[m\].
+    pub to: S,
+    /// Bending stiffness EI \[N·m²\] along the segment.
+    pub bending_stiffness: Course<S>,
+    /// Shear stiffness S \[N\] along the segment. `None`: that of the beam.
+    pub shear_stiffness: Option<Course<S>>,
+}
+
+/// The ground: springs, joined by a shear layer where μ > 0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ground<S> {
+    /// Spring constant k \[N/m²\], force per length of beam and settlement, where no segment says otherwise; positive.
+    pub spring: S,
+    /// Shear constant μ \[N\] where no segment says otherwise; not negative.
+    pub shear: S,
+    /// Stretches with other constants, under the beam and beside it. They may touch, not overlap. The ground beside
+    /// the beam is as at the beam's end, outward, until a segment begins; each segment holds outward until the next.
+    pub segments: Vec<GroundSegment<S>>,
+    /// How the ground ends on the left and on the right.
+    pub ends: [GroundEnd<S>; 2],
+}
+
+/// A stretch of ground with constants of its own.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GroundSegment<S> {
+    /// Left end \[m\].
+    pub from: S,
+    /// Right end \[m\].
+    pub to: S,
+    /// Spring constant k \[N/m²\] along the segment, positive.
+    pub spring: Course<S>,
+    /// Shear constant μ \[N\] along the segment: zero all along or positive all along.
+    pub shear: Course<S>,
+}
+
+/// A number that is constant along a stretch, or a polynomial of the position.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Course<S> {
+    /// The same all along.
+    Constant(S),
+    /// Coefficients in Bernstein's basis from the left end to the right one: two of them make a straight line. At
+    /// least two.
+    Varying(Vec<S>),
+}
+
+/// How the ground ends beyond an end of the beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum GroundEnd<S> {
+    /// It goes on without end.
+    Endless,
+    /// Its surface ends at this position \[m\] and is free there: μu′ = 0. At the beam's end or beyond it.
+    Free(S),
+    /// Its surface is held at this position \[m\]: u = 0. Beyond the beam's end.
+    Held(S),
+}
+
+/// What a load does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Action {
+    /// A force \[N\] or \[N/m\], positive down.
+    Force,
+    /// A moment \[N·m\] or \[N\], positive where it turns the right side down: it does the work M₀·w′.
+    Moment,
+    /// An imposed curvature κ₀ \[1/m\] along a stretch of the beam: M = −EI (w″ − κ₀).
+    Curvature,
+}
+
+/// Where a load acts, and its size there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Extent<S> {
+    /// At a point.
+    Point {
+        /// Position \[m\].
+        at: S,
+        /// Size: force \[N\] or moment \[N·m\].
+        size: S,
+    },
+    /// Along a stretch, linear between its ends.
+    Distributed {
+        /// Left end \[m\].
+        from: S,
+        /// Right end \[m\].
+        to: S,
+        /// Size at the left end.
+        start: S,
+        /// Size at the right end.
+        end: S,
+    },
+}
+
+/// A load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Load<S> {
+    /// What it does.
+    pub action: Action,
+    /// Where, and its size.
+    pub extent: Extent<S>,
+    /// Whether it acts on the ground's surface instead of the beam.
+    pub on_ground: bool,
+}
+
+/// A support at one point of the beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Support<S> {
+    /// Position \[m\].
+    pub at: S,
+    /// What it holds.
+    pub kind: SupportKind<S>,
+    /// Settlement δ \[m\], positive down.
+    pub settlement: S,
+    /// In which directions it acts.
+    pub acts: Acts,
+}
+
+/// What a support holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SupportKind<S> {
+    /// w = δ; the beam may turn.
+    Pinned,
+    /// w = δ and w′ = 0.
+    Fixed,
+    /// The force κ(w − δ) and the moment κ_θ w′ act against the motion.
+    Spring {
+        /// κ \[N/m\], not negative.
+        spring: S,
+        /// κ_θ \[N·m/rad\], not negative.
+        rotational_spring: S,
+    },
+}
+
+/// In which directions a support acts on the beam.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Acts {
+    /// Both.
+    Both,
+    /// It only pushes the beam up.
+    Up,
+    /// It only pulls the beam down.
+    Down,
+}
+
+/// A hinge inside the beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hinge<S> {
+    /// Position \[m\].
+    pub at: S,
+    /// Rotational spring k_φ \[N·m/rad\]: the hinge carries M = −k_φ\[w′\]. 0: the hinge turns freely.
+    pub rotational_spring: S,
+}
+
+/// One corner of the initial clearance, which is linear between corners and constant beyond the outermost ones.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GapCorner<S> {
+    /// Position \[m\].
+    pub at: S,
+    /// Clearance g₀ \[m\], positive where beam and ground are apart.
+    pub value: S,
+}

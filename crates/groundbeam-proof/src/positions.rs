@@ -1,0 +1,128 @@
+//! Nodes of the answer and positions of the model, matched one to one.
+
+use crate::answer::Answer;
+use crate::refusal::NotProven;
+use crate::scalar::Scalar;
+use crate::units::Units;
+
+/// Positions of the model are at most this far from their node, as a part of the length.
+const NEAR: f64 = 16.0 * f64::EPSILON;
+/// Two positions of the model are farther apart than this, as a part of the length.
+const APART: f64 = 32.0 * f64::EPSILON;
+/// The shortest piece, as a part of the length.
+const SHORTEST: f64 = 1e-20;
+
+/// The ends of the pieces, each with the position of the model at which it stands, if there is one.
+#[derive(Debug)]
+pub(crate) struct Positions<S> {
+    /// The doubles of the answer, in the units of the proof.
+    stored: Vec<S>,
+    given: Vec<Option<S>>,
+    length: S,
+    units: Units,
+}
+
+impl<S: Scalar> Positions<S> {
+    pub fn of(answer: &Answer, length: S, units: Units) -> Result<Self, NotProven> {
+        let first =
+            answer.pieces.first().ok_or_else(|| NotProven::new("the answer has no pieces"))?;
+        let mut stored = vec![units.metres(S::of(first.x[0]))];
+        let mut end = first.x[0];
+        for piece in &answer.pieces {
+            if !(piece.x[0] == end && piece.x[0] < piece.x[1]) {
+                let what = "the pieces do not follow one another from left to right";
+                return Err(NotProven::new(what).at(piece.x[0]));
+            }
+            end = piece.x[1];
+            stored.push(units.metres(S::of(end)));
+        }
+        let given = vec![None; stored.len()];
+        let mut positions = Positions { stored, given, length, units };
+        let last = positions.last();
+        if positions.find(S::zero())? != 0 || positions.find(length)? != last {
+            return Err(NotProven::new("the pieces do not cover the beam"));
+        }
+        Ok(positions)
+    }
+
+    /// The index of the last node.
+    pub fn last(&self) -> usize {
+        self.stored.len() - 1
+    }
+
+    /// The node that stands nearest to a position.
+    fn nearest(&self, at: S) -> usize {
+        let after = self.stored.partition_point(|node| node.middle() < at.middle());
+        let distance = |i: usize| (at - self.stored[i]).size();
+        match after {
+            0 => 0,
+            _ if after > self.last() => self.last(),
+            _ if distance(after - 1) <= distance(after) => after - 1,
+            _ => after,
+        }
+    }
+
+    fn reached(&self, node: usize, at: S) -> bool {
+        (at - self.stored[node]).size() <= NEAR * self.length.low()
+    }
+
+    /// The node of a position of the model, which then stands exactly there.
+    pub fn find(&mut self, at: S) -> Result<usize, NotProven> {
+        let node = self.nearest(at);
+        let place = self.units.restored(at.middle(), 0, 1);
+        if !self.reached(node, at) {
+            return Err(NotProven::new(
+                "no piece of the answer ends where the model has a position",
+            )
+            .at(place));
+        }
+        match self.given[node] {
+            Some(other) if other != at => {
+                Err(NotProven::new("two positions of the model are too close to tell apart")
+                    .at(place))
+            }
+            _ => {
+                self.given[node] = Some(at);
+                Ok(node)
+            }
+        }
+    }
+
+    /// The same for the end of a stretch; beyond the beam it counts as the beam's end.
+    pub fn find_clipped(&mut self, at: S) -> Result<usize, NotProven> {
+        if at.high() < 0.0 {
+            Ok(0)
+        } else if (at - self.length).low() > 0.0 {
+            Ok(self.last())
+        } else {
+            self.find(at)
+        }
+    }
+
+    /// The node at which the answer has a force.
+    pub fn of_force(&self, x: f64) -> Option<usize> {
+        let at = self.units.metres(S::of(x));
+        let node = self.nearest(at);
+        self.reached(node, at).then_some(node)
+    }
+
+    /// The exact positions of the nodes, which increase.
+    pub fn exact(self) -> Result<Vec<S>, NotProven> {
+        let stored = self.stored.iter().zip(&self.given);
+        let exact: Vec<S> = stored.map(|(stored, given)| given.unwrap_or(*stored)).collect();
+        let place = |x: S| self.units.restored(x.middle(), 0, 1);
+        for ends in exact.windows(2) {
+            if !((ends[1] - ends[0]).low() >= SHORTEST * self.length.high()) {
+                return Err(NotProven::new("the ends of a piece are too close").at(place(ends[0])));
+            }
+        }
+        let given: Vec<S> = self.given.iter().flatten().copied().collect();
+        for pair in given.windows(2) {
+            if !((pair[1] - pair[0]).low() > APART * self.length.high()) {
+                let what = "two positions of the model are too close to tell apart";
+                return Err(NotProven::new(what).at(place(pair[0])));
+            }
+        }
+        Ok(exact)
+    }
+}

@@ -1,0 +1,78 @@
+//! The pressure p = k(w − g₀) − μw″ where beam and ground touch, from the claimed deflection, and where it pulls.
+
+use crate::deflection::Deflection;
+use crate::frame::{Frame, Span};
+use crate::polynomial::{Budget, Polynomial, below};
+use crate::scalar::Scalar;
+use crate::size::Size;
+
+/// The pressure of one piece; zero where it is open.
+#[derive(Debug)]
+pub(crate) struct Pressure<S> {
+    pub field: Polynomial<S>,
+    /// ∫p.
+    pub total: S,
+    /// p ≥ −η.
+    pub depth: Size,
+    /// p < 0 on at most this length ω: the pull max(−p, 0) is a load of at most ηω.
+    pub width: Size,
+}
+
+impl<S: Scalar> Pressure<S> {
+    fn none() -> Self {
+        let (field, total) = (Polynomial::zero(), S::zero());
+        Pressure { field, total, depth: Size::ZERO, width: Size::ZERO }
+    }
+
+    fn of(span: &Span<S>, negligible: Size, budget: &mut Budget) -> Self {
+        let settled = span.obstacle();
+        let mut field = settled.times(span.spring);
+        if span.layered {
+            let bent = span.derivative(&span.derivative(&span.deflection));
+            field = &field - &bent.times(span.shear);
+        }
+        let total = field.integral(span.t) * span.half;
+        let negligible = Size::of(span.spring.size()) * negligible;
+        let pull = below(&field.coarse(), Size::ZERO, negligible, span.interval(), budget);
+        let width = (pull.width * Size::of(span.half.high())).least(span.length());
+        Pressure { field, total, depth: pull.depth, width }
+    }
+
+    /// The pull as a load, ηω.
+    pub fn pull(&self) -> Size {
+        self.depth * self.width
+    }
+
+    /// The total of max(p, 0).
+    pub fn pressing(&self) -> Size {
+        Size::of(self.total.size()) + self.pull()
+    }
+}
+
+/// The pressures of all pieces.
+pub(crate) fn pressures<S: Scalar>(frame: &Frame<S>, budget: &mut Budget) -> Vec<Pressure<S>> {
+    let negligible = frame.negligible();
+    let of = |span: &Span<S>| match span.touches {
+        true => Pressure::of(span, negligible, budget),
+        false => Pressure::none(),
+    };
+    frame.spans.iter().map(of).collect()
+}
+
+/// ‖c‖_b² on the pieces that touch: Σ h(k c² + μ c′²).
+pub(crate) fn carried<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -> Size {
+    let pieces = frame.spans.iter().zip(&deflection.pieces).filter(|(span, _)| span.touches);
+    pieces
+        .map(|(span, c)| {
+            let springs = Size::of(span.spring.high()) * c.bounds[0].square();
+            let layer = Size::of(span.shear.size()) * c.bounds[1].square();
+            span.length() * (springs + layer)
+        })
+        .sum()
+}
+
+/// Σ η(ω/k)^½, what the pulls do to the ground's surface.
+pub(crate) fn pulled<S: Scalar>(frame: &Frame<S>, pressures: &[Pressure<S>]) -> Size {
+    let pieces = frame.spans.iter().zip(pressures);
+    pieces.map(|(span, p)| p.depth * p.width.over(span.spring.low()).root()).sum()
+}

@@ -1,0 +1,129 @@
+//! `[[combination]]`: the factors of load cases, written or by a set of a code of practice.
+
+use super::error::{Read, Reason, fault, wrong};
+use super::fields::Section;
+use super::load::Cased;
+use super::number::Decimal;
+use super::sets::{self, Acting};
+use super::toml::Value;
+use crate::{Extent, Load, Scalar};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// More combinations than this a file may not have.
+const MOST: usize = 1000;
+
+/// A combination: its name, and the decimal factor of each case that it names.
+struct Recipe {
+    name: String,
+    factors: BTreeMap<String, String>,
+}
+
+/// The loads of a combination, those of factor 0 left out; without a combination all loads as they are written.
+pub(crate) fn loads<S: Scalar>(
+    root: Section,
+    loads: Vec<Cased<S>>,
+    combination: Option<&str>,
+) -> Read<Vec<Load<S>>> {
+    let Some(wanted) = combination else {
+        return Ok(loads.into_iter().map(|cased| cased.load).collect());
+    };
+    let mut seen = BTreeSet::new();
+    let mut names: Vec<&str> = loads.iter().filter_map(|cased| cased.case.as_deref()).collect();
+    names.retain(|case| seen.insert(*case));
+    let mut same = recipes(root, &names)?.into_iter().filter(|recipe| recipe.name == wanted.trim());
+    let (recipe, again) = (same.next(), same.next());
+    let Some(recipe) = recipe else {
+        return fault(root.at, Reason::NoCombination(wanted.to_owned()));
+    };
+    if again.is_some() {
+        return fault(root.at, Reason::Twice(recipe.name));
+    }
+    let mut combined = Vec::new();
+    for Cased { load, case, at } in loads {
+        let Some(case) = case else {
+            combined.push(load);
+            continue;
+        };
+        let factor = recipe.factors.get(&case).map_or("0", String::as_str);
+        if Decimal::whole(factor).is_some_and(|factor| factor.is_zero()) {
+            continue;
+        }
+        let Some(factor) = S::decimal(factor) else {
+            return wrong(at, "the factor of this load's case is out of range");
+        };
+        combined.push(scaled(load, factor));
+    }
+    Ok(combined)
+}
+
+fn scaled<S: Scalar>(load: Load<S>, factor: S) -> Load<S> {
+    let extent = match load.extent {
+        Extent::Point { at, size } => Extent::Point { at, size: size * factor },
+        Extent::Distributed { from, to, start, end } => {
+            Extent::Distributed { from, to, start: start * factor, end: end * factor }
+        }
+    };
+    Load { extent, ..load }
+}
+
+/// Every combination of the file.
+fn recipes(root: Section, names: &[&str]) -> Read<Vec<Recipe>> {
+    let known: BTreeSet<&str> = names.iter().copied().collect();
+    let mut recipes = Vec::new();
+    for table in root.tables("combination")? {
+        table.only(&[&["name", "factors", "set"]], &[])?;
+        table.exclusive("set", "factors")?;
+        table.exclusive("set", "name")?;
+        if let Some((set, at)) = table.words("set")? {
+            let acting = acting(root, names, at)?;
+            let made = sets::expand(set.trim(), &acting, MOST.saturating_sub(recipes.len()));
+            match made {
+                Ok(made) => recipes.extend(made.into_iter().map(|made| {
+                    let factor = |(case, factor): (usize, String)| (names[case].to_owned(), factor);
+                    let factors = made.factors.into_iter().map(factor).collect();
+                    Recipe { name: made.name, factors }
+                })),
+                Err(what) => return wrong(at, what),
+            }
+            continue;
+        }
+        let Some((name, _)) = table.words("name")? else { return table.missing("name") };
+        let Some(factors) = table.table("factors")? else { return table.missing("factors") };
+        let mut written = BTreeMap::new();
+        for (case, at, node) in factors.table.entries() {
+            let Value::Number(factor) = &node.value else {
+                return wrong(node.at, format!("the factor of `{case}` is a number"));
+            };
+            if !known.contains(case) {
+                return wrong(at, format!("no load belongs to a case `{case}`"));
+            }
+            written.insert(case.to_owned(), factor.clone());
+        }
+        recipes.push(Recipe { name: name.trim().to_owned(), factors: written });
+        if recipes.len() > MOST {
+            return wrong(table.at, "a file has at most 1000 combinations");
+        }
+    }
+    Ok(recipes)
+}
+
+/// What acts in each case, for a set of a code.
+fn acting<'t>(root: Section<'t>, names: &[&str], at: usize) -> Read<Vec<Acting<'t>>> {
+    let mut described: BTreeMap<&str, Acting> = BTreeMap::new();
+    for table in root.tables("case")? {
+        table.only(&[&["name", "action", "group"]], &[])?;
+        let Some((name, place)) = table.words("name")? else { return table.missing("name") };
+        let name = name.trim();
+        if described.contains_key(name) {
+            return fault(place, Reason::Twice(name.to_owned()));
+        }
+        let action = table.words("action")?.map_or("", |(action, _)| action);
+        let group = table.words("group")?.map(|(group, _)| group.trim());
+        described.insert(name, Acting { name, action, group });
+    }
+    let of = |case: &&str| match described.get(*case) {
+        Some(acting) => Ok(*acting),
+        None => wrong(at, format!("no [[case]] says what acts in the case `{case}`")),
+    };
+    names.iter().map(of).collect()
+}

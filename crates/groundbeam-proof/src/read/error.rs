@@ -1,0 +1,108 @@
+//! Why a model file is not read, and where in the file.
+
+use std::fmt;
+
+/// Why a model file is not read. Reading ends at the first fault.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ReadError {
+    /// Line in the file, from 1.
+    pub line: usize,
+    /// Character in the line, from 1.
+    pub column: usize,
+    /// What is wrong there.
+    pub reason: Reason,
+}
+
+/// What is wrong with a model file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Reason {
+    /// The file is longer, or deeper nested, than this reader accepts.
+    TooLarge,
+    /// The text is not TOML, or TOML that model files do not use.
+    Syntax(&'static str),
+    /// A key or a table is given twice.
+    Twice(String),
+    /// A key that means nothing in its table.
+    Unknown(String),
+    /// A key that is needed and not there.
+    Missing(&'static str),
+    /// Two keys of which only one may stand.
+    Together(&'static str, &'static str),
+    /// A value that the key cannot have.
+    Value(String),
+    /// A key with which the model does not follow from the file alone in closed form: this reader does not know it.
+    NotRead(&'static str),
+    /// The file has no combination of the wanted name.
+    NoCombination(String),
+}
+
+impl fmt::Display for ReadError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "line {}, column {}: ", self.line, self.column)?;
+        match &self.reason {
+            Reason::TooLarge => f.write_str("the file is too large, or nested too deep"),
+            Reason::Syntax(what) => f.write_str(what),
+            Reason::Twice(key) => write!(f, "`{key}` is given twice"),
+            Reason::Unknown(key) => write!(f, "`{key}` means nothing here"),
+            Reason::Missing(key) => write!(f, "`{key}` is missing"),
+            Reason::Together(a, b) => write!(f, "`{a}` and `{b}` exclude each other"),
+            Reason::Value(what) => f.write_str(what),
+            Reason::NotRead(key) => write!(f, "the second reader does not know `{key}`"),
+            Reason::NoCombination(name) => {
+                write!(f, "the file has no combination `{name}`")
+            }
+        }
+    }
+}
+
+impl std::error::Error for ReadError {}
+
+/// A reason and the byte at which it stands.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Fault {
+    pub at: usize,
+    pub reason: Reason,
+}
+
+/// What a part of the reader returns.
+pub(crate) type Read<T> = Result<T, Fault>;
+
+/// A fault.
+pub(crate) fn fault<T>(at: usize, reason: Reason) -> Read<T> {
+    Err(Fault { at, reason })
+}
+
+/// A value that cannot be.
+pub(crate) fn wrong<T>(at: usize, what: impl Into<String>) -> Read<T> {
+    fault(at, Reason::Value(what.into()))
+}
+
+impl Fault {
+    /// The fault with its line and column in a text.
+    pub fn placed(self, text: &str) -> ReadError {
+        let mut at = self.at.min(text.len());
+        while !text.is_char_boundary(at) {
+            at -= 1;
+        }
+        let before = &text[..at];
+        let line = before.bytes().filter(|byte| *byte == b'\n').count() + 1;
+        let start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        let column = before[start..].trim_start_matches('\u{feff}').chars().count() + 1;
+        ReadError { line, column, reason: self.reason }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_count_lines_and_characters_from_one() {
+        let at = |at| {
+            let fault = Fault { at, reason: Reason::TooLarge };
+            let ReadError { line, column, .. } = fault.placed("\u{feff}aµ\nb");
+            (line, column)
+        };
+        assert_eq!([at(0), at(3), at(5), at(7), at(99)], [(1, 1), (1, 1), (1, 2), (2, 1), (2, 2)]);
+    }
+}

@@ -1,0 +1,344 @@
+//! The values of a table as quantities: numbers with units, lists that vary along a stretch, words.
+
+use super::error::{Fault, Read, Reason, fault, wrong};
+use super::number::Decimal;
+use super::toml::{Node, Table, Value};
+use super::units::{Dimension, Exact, Factor, Unit};
+use crate::{Course, Scalar};
+
+/// The most tables in a list.
+const MOST_TABLES: usize = 100_000;
+
+/// A table and where it begins.
+#[derive(Clone, Copy)]
+pub(crate) struct Section<'t> {
+    pub table: &'t Table,
+    pub at: usize,
+}
+
+/// What a key wants: a dimension and a range.
+#[derive(Clone, Copy)]
+pub(crate) struct Kind {
+    dimension: Dimension,
+    range: Range,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Range {
+    Any,
+    NotNegative,
+    Positive,
+}
+
+const fn any(dimension: Dimension) -> Kind {
+    Kind { dimension, range: Range::Any }
+}
+
+const fn positive(dimension: Dimension) -> Kind {
+    Kind { dimension, range: Range::Positive }
+}
+
+const fn not_negative(dimension: Dimension) -> Kind {
+    Kind { dimension, range: Range::NotNegative }
+}
+
+pub(crate) const POSITION: Kind = any(Dimension::of(0, 1));
+pub(crate) const DEFLECTION: Kind = any(Dimension::of(0, 1));
+pub(crate) const LENGTH: Kind = positive(Dimension::of(0, 1));
+pub(crate) const AREA: Kind = positive(Dimension::of(0, 2));
+pub(crate) const SECOND_MOMENT: Kind = positive(Dimension::of(0, 4));
+pub(crate) const FORCE: Kind = any(Dimension::of(1, 0));
+pub(crate) const MOMENT: Kind = any(Dimension::of(1, 1));
+pub(crate) const FORCE_PER_LENGTH: Kind = any(Dimension::of(1, -1));
+pub(crate) const MODULUS: Kind = positive(Dimension::of(1, -2));
+pub(crate) const BENDING_STIFFNESS: Kind = positive(Dimension::of(1, 2));
+pub(crate) const SHEAR_STIFFNESS: Kind = positive(Dimension::of(1, 0));
+pub(crate) const SUBGRADE_MODULUS: Kind = positive(Dimension::of(1, -3));
+pub(crate) const UNIT_WEIGHT: Kind = positive(Dimension::of(1, -3));
+pub(crate) const GROUND_SHEAR: Kind = not_negative(Dimension::of(1, 0));
+pub(crate) const AREA_SHEAR: Kind = not_negative(Dimension::of(1, -1));
+pub(crate) const SPRING: Kind = not_negative(Dimension::of(1, -1));
+pub(crate) const ROTATIONAL_SPRING: Kind = not_negative(Dimension::of(1, 1).with_angle(-1));
+pub(crate) const CURVATURE: Kind = any(Dimension::of(0, -1).with_angle(1));
+pub(crate) const TEMPERATURE: Kind = any(Dimension::NONE.with_temperature(1));
+pub(crate) const EXPANSION: Kind = positive(Dimension::NONE.with_temperature(-1));
+pub(crate) const NUMBER: Kind = any(Dimension::NONE);
+
+/// A quantity in m, N, rad, K, and as it is written.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Quantity<S> {
+    pub value: S,
+    pub exact: Exact,
+    pub at: usize,
+}
+
+/// How many values a list may have.
+#[derive(Clone, Copy)]
+pub(crate) enum Values {
+    /// One, or two for a straight line.
+    Linear,
+    /// Up to so many coefficients in Bernstein's basis.
+    Curve(usize),
+}
+
+/// A quantity along a stretch, exactly as it is written where it is constant.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Along<S> {
+    pub course: Course<S>,
+    pub exact: Option<Exact>,
+    pub at: usize,
+}
+
+/// A file gives every quantity but 0 a unit, or none: the first one that was read decides.
+#[derive(Default)]
+pub(crate) struct Fields {
+    has_units: Option<bool>,
+}
+
+impl<'t> Section<'t> {
+    /// Refuses every key that is not among `known`; one of `foreign` is refused as one that this reader leaves out.
+    pub fn only(&self, known: &[&[&str]], foreign: &[&'static str]) -> Read<()> {
+        for (key, at, _) in self.table.entries() {
+            if let Some(key) = foreign.iter().find(|foreign| **foreign == key) {
+                return fault(at, Reason::NotRead(key));
+            }
+            if !known.iter().any(|keys| keys.contains(&key)) {
+                return fault(at, Reason::Unknown(key.to_owned()));
+            }
+        }
+        Ok(())
+    }
+
+    /// The table under a key.
+    pub fn table(&self, key: &str) -> Read<Option<Section<'t>>> {
+        let Some(node) = self.table.get(key) else { return Ok(None) };
+        match &node.value {
+            Value::Table(table) => Ok(Some(Section { table, at: node.at })),
+            _ => wrong(node.at, format!("`{key}` is a table")),
+        }
+    }
+
+    /// The tables of a list, none if there is none.
+    pub fn tables(&self, key: &str) -> Read<Vec<Section<'t>>> {
+        let Some(node) = self.table.get(key) else { return Ok(Vec::new()) };
+        let (Value::Tables(list) | Value::List(list)) = &node.value else {
+            return wrong(node.at, format!("`{key}` is a list of tables"));
+        };
+        if list.len() > MOST_TABLES {
+            return fault(node.at, Reason::TooLarge);
+        }
+        let section = |node: &'t Node| match &node.value {
+            Value::Table(table) => Ok(Section { table, at: node.at }),
+            _ => wrong(node.at, format!("`{key}` is a list of tables")),
+        };
+        list.iter().map(section).collect()
+    }
+
+    /// The text under a key, with its place.
+    pub fn words(&self, key: &str) -> Read<Option<(&'t str, usize)>> {
+        let Some(node) = self.table.get(key) else { return Ok(None) };
+        match &node.value {
+            Value::Text(text) => Ok(Some((text, node.at))),
+            _ => wrong(node.at, format!("`{key}` is a text")),
+        }
+    }
+
+    /// Refuses two keys together.
+    pub fn exclusive(&self, a: &'static str, b: &'static str) -> Read<()> {
+        match (self.table.place(a), self.table.place(b)) {
+            (Some(_), Some(at)) => fault(at, Reason::Together(a, b)),
+            _ => Ok(()),
+        }
+    }
+
+    /// Refuses a key that does not belong to what the table is.
+    pub fn without(&self, key: &'static str, with: &'static str) -> Read<()> {
+        match self.table.place(key) {
+            Some(at) => fault(at, Reason::Together(with, key)),
+            None => Ok(()),
+        }
+    }
+
+    /// A key is missing.
+    pub fn missing<T>(&self, key: &'static str) -> Read<T> {
+        fault(self.at, Reason::Missing(key))
+    }
+}
+
+impl Fields {
+    /// The quantity under a key.
+    pub fn quantity<S: Scalar>(
+        &mut self,
+        section: Section,
+        key: &str,
+        kind: Kind,
+    ) -> Read<Option<Quantity<S>>> {
+        section.table.get(key).map(|node| self.one(node, key, kind)).transpose()
+    }
+
+    /// The quantity under a key that must be there.
+    pub fn required<S: Scalar>(
+        &mut self,
+        section: Section,
+        key: &'static str,
+        kind: Kind,
+    ) -> Read<Quantity<S>> {
+        self.quantity(section, key, kind)?.map_or_else(|| section.missing(key), Ok)
+    }
+
+    /// A quantity along a stretch: one value or a list.
+    pub fn along<S: Scalar>(
+        &mut self,
+        section: Section,
+        key: &str,
+        kind: Kind,
+        values: Values,
+    ) -> Read<Option<Along<S>>> {
+        let Some(node) = section.table.get(key) else { return Ok(None) };
+        let Value::List(list) = &node.value else {
+            let Quantity { value, exact, at } = self.one(node, key, kind)?;
+            return Ok(Some(Along { course: Course::Constant(value), exact: Some(exact), at }));
+        };
+        let most = match values {
+            Values::Linear => 2,
+            Values::Curve(most) => most,
+        };
+        if list.len() < 2 || list.len() > most {
+            return wrong(node.at, format!("`{key}` has 1 to {most} values"));
+        }
+        let mut all: Vec<Quantity<S>> = Vec::new();
+        for node in list {
+            all.push(self.one(node, key, kind)?);
+        }
+        let at = node.at;
+        Ok(Some(match &all[..] {
+            [first, rest @ ..] if rest.iter().all(|other| other.exact == first.exact) => {
+                let course = Course::Constant(first.value);
+                Along { course, exact: Some(first.exact.clone()), at }
+            }
+            _ => {
+                let values = all.iter().map(|quantity| quantity.value).collect();
+                Along { course: Course::Varying(values), exact: None, at }
+            }
+        }))
+    }
+
+    /// Both ends of a quantity that is linear along a stretch: one value, or a list of two.
+    pub fn pair<S: Scalar>(&mut self, node: &Node, key: &str, kind: Kind) -> Read<[S; 2]> {
+        let Value::List(list) = &node.value else {
+            let value = self.one(node, key, kind)?.value;
+            return Ok([value; 2]);
+        };
+        let [start, end] = &list[..] else {
+            return wrong(node.at, format!("`{key}` has one value, or two"));
+        };
+        Ok([self.one(start, key, kind)?.value, self.one(end, key, kind)?.value])
+    }
+
+    /// One quantity.
+    pub fn one<S: Scalar>(&mut self, node: &Node, key: &str, kind: Kind) -> Read<Quantity<S>> {
+        let at = node.at;
+        let (exact, has_unit) = match &node.value {
+            Value::Text(text) => written(text, kind, key, at)?,
+            Value::Number(text) => match Decimal::whole(text) {
+                Some(number) => (Exact::new(number, Factor::ONE), false),
+                None => return wrong(at, format!("`{key}` is no number")),
+            },
+            _ => return wrong(at, format!("`{key}` is a number with its unit")),
+        };
+        if kind.dimension != Dimension::NONE && (has_unit || !exact.is_zero()) {
+            self.note(at, has_unit)?;
+        }
+        let value = value(&exact, kind, key, at)?;
+        Ok(Quantity { value, exact, at })
+    }
+
+    /// Remembers whether a quantity has a unit; a mixture is refused.
+    pub fn note(&mut self, at: usize, has_unit: bool) -> Read<()> {
+        if *self.has_units.get_or_insert(has_unit) != has_unit {
+            return wrong(at, "a file gives every quantity but 0 a unit, or none");
+        }
+        Ok(())
+    }
+}
+
+/// A text of a number and, unless the file has none, a unit.
+fn written(text: &str, kind: Kind, key: &str, at: usize) -> Read<(Exact, bool)> {
+    let Some((number, rest)) = Decimal::head(text.trim()) else {
+        return wrong(at, format!("`{key}` does not begin with a number"));
+    };
+    let unit = rest.trim();
+    if unit.is_empty() {
+        return Ok((Exact::new(number, Factor::ONE), false));
+    }
+    let Some(unit) = Unit::read(unit) else {
+        return wrong(at, format!("the unit of `{key}` is not known"));
+    };
+    if !kind.dimension.accepts(unit.dimension) {
+        return wrong(at, format!("the unit of `{key}` measures something else"));
+    }
+    Ok((Exact::new(number, unit.factor), true))
+}
+
+/// The value in a scalar, in the range of the kind and of what can be computed with.
+fn value<S: Scalar>(exact: &Exact, kind: Kind, key: &str, at: usize) -> Read<S> {
+    let value = exact.value::<S>().filter(|value| exact.is_zero() || is_within_reach(*value));
+    let Some(value) = value else {
+        return wrong(at, format!("`{key}` is not 0 and not between 1e-60 and 1e60"));
+    };
+    let right = match kind.range {
+        Range::Any => true,
+        Range::NotNegative => exact.is_zero() || value.low() > 0.0,
+        Range::Positive => value.low() > 0.0,
+    };
+    if !right {
+        return wrong(at, format!("`{key}` must be positive"));
+    }
+    Ok(value)
+}
+
+/// Whether the size of a number lies between 1e-60 and 1e60, as far as its middle tells.
+pub(crate) fn is_within_reach<S: Scalar>(value: S) -> bool {
+    (1e-60..=1e60).contains(&value.middle().abs())
+}
+
+/// A quantity of this crate's own lists.
+pub(crate) fn listed<S: Scalar>(text: &str, kind: Kind) -> Read<Quantity<S>> {
+    let (exact, _) = written(text, kind, text, 0)?;
+    Ok(Quantity { value: value(&exact, kind, text, 0)?, exact, at: 0 })
+}
+
+impl<S: Scalar> Along<S> {
+    /// One value all along.
+    pub fn constant(value: S, at: usize) -> Self {
+        Along { course: Course::Constant(value), exact: None, at }
+    }
+
+    /// The part between two parts of the way.
+    pub fn between(&self, way: [S; 2]) -> Self {
+        Along { course: super::course::between(&self.course, way), ..self.clone() }
+    }
+
+    /// The product.
+    pub fn times(&self, other: &Along<S>) -> Self {
+        let course = super::course::times(&self.course, &other.course);
+        Along { course, exact: None, at: self.at }
+    }
+
+    /// Whether it is constant.
+    pub fn is_constant(&self) -> bool {
+        super::course::is_constant(&self.course)
+    }
+
+    /// The values at both ends.
+    pub fn ends(&self) -> [S; 2] {
+        super::course::ends(&self.course)
+    }
+}
+
+impl Fault {
+    /// The fault at another place.
+    pub fn moved(self, at: usize) -> Fault {
+        Fault { at, ..self }
+    }
+}

@@ -1,0 +1,232 @@
+//! `[foundation]`: k and μ, along the whole beam and by segments, and how the ground ends.
+
+use super::beam::ordered;
+use super::error::{Read, Reason, fault, wrong};
+use super::fields::{
+    AREA_SHEAR, Along, Fields, GROUND_SHEAR, LENGTH, MODULUS, POSITION, Quantity, SUBGRADE_MODULUS,
+    Section, Values,
+};
+use super::product::{Found, Given, covers, is_left, left_out, overlapping};
+use crate::{Course, Ground, GroundEnd, GroundSegment, Scalar};
+
+const KEYS: &[&str] =
+    &["k", "subgrade_modulus", "C1", "width", "mu", "C2", "segment", "left", "right"];
+const SEGMENT_KEYS: &[&str] = &["from", "to", "k", "subgrade_modulus", "C1", "width", "mu", "C2"];
+/// From soil the ground follows by correlations or by the solution; a band asks for several grounds.
+const FOREIGN: &[&str] = &["soil", "band"];
+const NAMES: [&str; 3] = ["k", "subgrade_modulus", "width"];
+const CURVE: Values = Values::Curve(3);
+
+pub(crate) fn read<S: Scalar>(fields: &mut Fields, root: Section, length: S) -> Read<Ground<S>> {
+    let Some(table) = root.table("foundation")? else { return root.missing("foundation") };
+    table.only(&[KEYS], FOREIGN)?;
+    let left = end(fields, table, "left", |at| S::zero() - at)?;
+    let right = end(fields, table, "right", |at| at - length)?;
+    let given = given(fields, table)?;
+    let of_area = fields.along(table, "C2", AREA_SHEAR, Values::Linear)?;
+    let shear = shear(fields, table, of_area.as_ref(), given.factors[1].as_ref())?;
+    let shear = shear.unwrap_or(Along::constant(S::zero(), table.at));
+    let found = given.resolve(&Given::nothing(), NAMES)?;
+    let spring = match &found {
+        Found::Known(spring) => Some(spring.clone()),
+        _ => None,
+    };
+    let whole = Whole { given, spring, shear, of_area, length };
+    let mut segments = Vec::new();
+    for segment in table.tables("segment")? {
+        segments.push(whole.segment(fields, segment)?);
+    }
+    let spans: Vec<[S; 2]> = segments.iter().map(|s| [s.from, s.to]).collect();
+    if overlapping(&spans).is_some() {
+        return wrong(table.at, "segments of the ground overlap");
+    }
+    let rightmost = segments.iter().reduce(|a, b| match a.to.middle() <= b.to.middle() {
+        true => b,
+        false => a,
+    });
+    let (spring, shear) = match (found, rightmost) {
+        (Found::Nothing | Found::Half(_), Some(segment)) if covers(length, &spans) => {
+            let end = |course: &Course<S>| super::course::ends(course)[1];
+            (end(&segment.spring), end(&segment.shear))
+        }
+        (found, _) => {
+            let spring = found.known(table, "k")?;
+            whole.add_where_it_varies(&spring, &spans, &mut segments);
+            (spring.ends()[0], whole.shear.ends()[0])
+        }
+    };
+    for segment in &segments {
+        never_thins_out(&segment.shear, table.at)?;
+    }
+    Ok(Ground { spring, shear, segments, ends: [left, right] })
+}
+
+/// A shear layer that varies must not fall to nothing.
+fn never_thins_out<S: Scalar>(shear: &Course<S>, at: usize) -> Read<()> {
+    match shear {
+        Course::Varying(values) if !values.iter().all(|value| value.low() > 0.0) => {
+            wrong(at, "`mu` varies and falls to zero")
+        }
+        _ => Ok(()),
+    }
+}
+
+/// `left = { ends = "-2 m", as = "free" }`; `beyond` is how far the end lies beyond the beam's.
+fn end<S: Scalar>(
+    fields: &mut Fields,
+    table: Section,
+    key: &str,
+    beyond: impl Fn(S) -> S,
+) -> Read<GroundEnd<S>> {
+    let Some(end) = table.table(key)? else { return Ok(GroundEnd::Endless) };
+    end.only(&[&["ends", "as"]], &[])?;
+    let Quantity { value, at, .. } = fields.required(end, "ends", POSITION)?;
+    let beyond = beyond(value);
+    match end.words("as")? {
+        Some(("free", _)) if beyond.high() >= 0.0 => Ok(GroundEnd::Free(value)),
+        Some(("held", _)) if beyond.low() > 0.0 => Ok(GroundEnd::Held(value)),
+        Some(("free" | "held", _)) => wrong(at, "the ground cannot end under the beam"),
+        Some((_, at)) => wrong(at, "the ground ends \"free\" or \"held\""),
+        None => end.missing("as"),
+    }
+}
+
+/// What a table says of k.
+fn given<S: Scalar>(fields: &mut Fields, table: Section) -> Read<Given<S>> {
+    table.exclusive("subgrade_modulus", "C1")?;
+    let whole = fields.along(table, "k", MODULUS, CURVE)?;
+    let mut modulus = None;
+    for key in ["subgrade_modulus", "C1"] {
+        let read = fields.along(table, key, SUBGRADE_MODULUS, Values::Linear)?;
+        modulus = modulus.or(read);
+    }
+    let width = fields.along(table, "width", LENGTH, Values::Linear)?;
+    Ok(Given { whole, factors: [modulus, width] })
+}
+
+/// μ as it is given, or as C2 times the width.
+fn shear<S: Scalar>(
+    fields: &mut Fields,
+    table: Section,
+    of_area: Option<&Along<S>>,
+    width: Option<&Along<S>>,
+) -> Read<Option<Along<S>>> {
+    let given = fields.along(table, "mu", GROUND_SHEAR, CURVE)?;
+    match (given, of_area, width) {
+        (given, None, _) => Ok(given),
+        (Some(given), Some(_), _) => fault(given.at, Reason::Together("mu", "C2")),
+        (None, Some(of_area), Some(width)) => Ok(Some(of_area.times(width))),
+        (None, Some(_), None) => table.missing("width"),
+    }
+}
+
+/// What `[foundation]` says, along the whole beam.
+struct Whole<S> {
+    given: Given<S>,
+    spring: Option<Along<S>>,
+    shear: Along<S>,
+    /// C2, where μ is given by it.
+    of_area: Option<Along<S>>,
+    length: S,
+}
+
+impl<S: Scalar> Whole<S> {
+    /// Whether anything that is given for the whole varies.
+    fn varies(&self) -> bool {
+        let Given { whole, factors: [modulus, width] } = &self.given;
+        let given = [whole, modulus, width].into_iter().flatten();
+        given.chain([&self.shear]).any(|along| !along.is_constant())
+    }
+
+    /// How far along the beam a position is, 0 before it and 1 behind it.
+    fn way(&self, x: S) -> S {
+        if x.high() <= 0.0 {
+            return S::zero();
+        }
+        if x.low() >= self.length.high() { S::one() } else { x.div(self.length) }
+    }
+
+    /// A segment. What it leaves out it has from the whole.
+    fn segment(&self, fields: &mut Fields, table: Section) -> Read<GroundSegment<S>> {
+        table.only(&[SEGMENT_KEYS], &[])?;
+        let from: Quantity<S> = fields.required(table, "from", POSITION)?;
+        let to: Quantity<S> = fields.required(table, "to", POSITION)?;
+        let [mut from, mut to] = ordered([from.value, to.value], to.at)?;
+        let way = [from, to].map(|x| self.way(x));
+        let own = given(fields, table)?;
+        let own_shear = self.segment_shear(fields, table, &own, way)?;
+        let parent = self.given.between(way);
+        let spring = match (own.resolve(&parent, NAMES)?, &self.spring) {
+            (Found::Nothing, Some(spring)) if own_shear.is_some() => spring.between(way),
+            (found, _) => found.known(table, "k")?,
+        };
+        let own_varies = own_shear.as_ref().is_some_and(|shear| !shear.is_constant())
+            || [&own.whole, &own.factors[0], &own.factors[1]]
+                .into_iter()
+                .flatten()
+                .any(|along| !along.is_constant());
+        let shear = own_shear.unwrap_or_else(|| self.shear.between(way));
+        let length = self.length;
+        let is_beside = !(is_left(S::zero(), to) && is_left(from, length));
+        let [mut spring, mut shear] = [spring.course, shear.course];
+        if is_beside {
+            // Of what varies along the beam the value at its end holds.
+            (spring, shear) = (even(spring, table.at)?, even(shear, table.at)?);
+        } else if self.varies() {
+            // What varies along the beam ends where the beam ends.
+            let before = is_left(from, S::zero());
+            let behind = is_left(length, to);
+            if (before || behind) && own_varies {
+                return wrong(table.at, "a segment that varies ends where the beam ends");
+            }
+            from = if before { S::zero() } else { from };
+            to = if behind { length } else { to };
+        }
+        Ok(GroundSegment { from, to, spring, shear })
+    }
+
+    /// μ of a segment that gives it, or a C2 or a width of its own.
+    fn segment_shear(
+        &self,
+        fields: &mut Fields,
+        table: Section,
+        own: &Given<S>,
+        way: [S; 2],
+    ) -> Read<Option<Along<S>>> {
+        let of_area = fields.along(table, "C2", AREA_SHEAR, Values::Linear)?;
+        let inherits = own.factors[1].is_some() && table.table.get("mu").is_none();
+        let inherited = self.of_area.as_ref().filter(|_| inherits).map(|along| along.between(way));
+        let width = self.given.factors[1].as_ref().map(|width| width.between(way));
+        let width = own.factors[1].clone().or(width);
+        shear(fields, table, of_area.or(inherited).as_ref(), width.as_ref())
+    }
+
+    /// Ground that varies along the whole beam holds where no segment says otherwise.
+    fn add_where_it_varies(
+        &self,
+        spring: &Along<S>,
+        spans: &[[S; 2]],
+        segments: &mut Vec<GroundSegment<S>>,
+    ) {
+        if spring.is_constant() && self.shear.is_constant() {
+            return;
+        }
+        for ([from, to], way) in left_out(self.length, spans) {
+            let [spring, shear] = [spring, &self.shear].map(|along| along.between(way).course);
+            segments.push(GroundSegment { from, to, spring, shear });
+        }
+    }
+}
+
+/// A course of equal values as a constant.
+fn even<S: Scalar>(course: Course<S>, at: usize) -> Read<Course<S>> {
+    let Course::Varying(values) = course else { return Ok(course) };
+    match values[..] {
+        [first, ..]
+            if values.iter().all(|v| v.low() <= first.high() && first.low() <= v.high()) =>
+        {
+            Ok(Course::Constant(first))
+        }
+        _ => wrong(at, "ground beside the beam cannot vary along a segment"),
+    }
+}

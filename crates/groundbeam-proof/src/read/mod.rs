@@ -1,0 +1,90 @@
+//! The second reader of model files: TOML, units and sections read into exact numbers or balls.
+//!
+//! It shares no code with the crate that reads model files for the solver. It accepts fewer files: what follows by
+//! approximation or from the solution (ground from soil, troughs), from other files (surveys), and what
+//! asks for several models at once (bands, trains) is refused with [`Reason::NotRead`]. Reading ends at the first
+//! fault. `title` and `[checks]` do not change the model and are not read.
+
+mod beam;
+mod check;
+mod combination;
+mod course;
+mod error;
+mod fields;
+mod ground;
+mod load;
+mod material;
+mod number;
+mod product;
+mod section;
+mod sets;
+mod shear;
+mod support;
+mod text;
+mod toml;
+mod units;
+
+pub use error::{ReadError, Reason};
+
+use crate::{Model, Scalar};
+use error::{Fault, Read};
+use fields::{Fields, Section};
+
+const KEYS: &[&str] = &[
+    "title",
+    "beam",
+    "foundation",
+    "load",
+    "ground_load",
+    "support",
+    "hinge",
+    "gap",
+    "case",
+    "combination",
+    "checks",
+];
+const FOREIGN: &[&str] = &["gap_survey", "gap_trough", "train"];
+
+/// Reads a model file: the model under the loads of a combination, or under all loads as they are written.
+///
+/// Numbers are in m, N, rad where the file has units, else as they are written. Decimals and unit factors are exact; a
+/// scalar that cannot hold a number encloses it.
+///
+/// ```
+/// use groundbeam_proof::{Wide, Scalar, read_model};
+///
+/// let text = "[beam]\nlength = '10 ft'\nE = '30 GPa'\nsection = { width = '1 m', height = '0.8 m' }\n\
+///             [foundation]\nk = '40 MN/m^2'\n[[load]]\npoint = '600 kN'\nat = '1 m'\n";
+/// let model = read_model::<Wide>(text, None)?;
+/// assert_eq!(model.beam.length.middle(), 3.048);
+/// assert_eq!(model.beam.bending_stiffness.middle(), 1.28e9);
+/// # Ok::<(), groundbeam_proof::ReadError>(())
+/// ```
+///
+/// # Errors
+///
+/// The first fault of the file, with its place.
+pub fn read_model<S: Scalar>(text: &str, combination: Option<&str>) -> Result<Model<S>, ReadError> {
+    read(text, combination).map_err(|fault: Fault| fault.placed(text))
+}
+
+fn read<S: Scalar>(text: &str, combination: Option<&str>) -> Read<Model<S>> {
+    let table = toml::read(text)?;
+    let root = Section { table: &table, at: 0 };
+    root.only(&[KEYS], FOREIGN)?;
+    let mut fields = Fields::default();
+    let beam::ReadBeam { beam, loads: own, depths, expansion } = beam::read(&mut fields, root)?;
+    let length = beam.length;
+    let ground = ground::read(&mut fields, root, length)?;
+    let curls = load::Curls { depths: &depths, expansion };
+    let mut loads = load::read(&mut fields, root, length, &curls)?;
+    loads.extend(own);
+    loads.extend(load::read_on_ground(&mut fields, root)?);
+    let supports = support::supports(&mut fields, root, length)?;
+    let hinges = support::hinges(&mut fields, root, length)?;
+    let gap = support::gap(&mut fields, root, length)?;
+    let loads = combination::loads(root, loads, combination)?;
+    let model = Model { beam, ground, loads, supports, hinges, gap };
+    check::check(&model)?;
+    Ok(model)
+}

@@ -1,0 +1,35 @@
+//! Why an answer is not proven.
+
+use std::fmt;
+
+/// Why nothing is proven of an answer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NotProven {
+    /// The reason.
+    pub what: String,
+    /// The position \[m\], if the reason has one.
+    pub at: Option<f64>,
+}
+
+impl NotProven {
+    /// A reason without a position.
+    pub fn new(what: impl Into<String>) -> Self {
+        NotProven { what: what.into(), at: None }
+    }
+
+    /// The same reason at a position \[m\].
+    pub fn at(self, at: f64) -> Self {
+        NotProven { at: Some(at), ..self }
+    }
+}
+
+impl fmt::Display for NotProven {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.at {
+            Some(at) => write!(f, "{} (at {at})", self.what),
+            None => write!(f, "{}", self.what),
+        }
+    }
+}
+
+impl std::error::Error for NotProven {}

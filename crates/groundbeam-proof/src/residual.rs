@@ -1,0 +1,106 @@
+//! What the claimed deflection and the pressures miss of equilibrium: forces along the pieces and at the nodes, and
+//! jumps of the moment.
+//!
+//! With M = −EI(w″ − κ₀) and T = M′ + Pw′ − g,
+//!
+//!     r(x) = f − p + T′ on pieces,   r_i = F_i − a_i − R_i + [T]_i,   q_i = M₀_i − R_θi − [M]_i at nodes.
+//!
+//! m = M + δ is in equilibrium if δ″ = −r, [δ′]_i = −r_i, [δ]_i = q_i.
+
+use crate::deflection::Deflection;
+use crate::frame::Frame;
+use crate::ground::Surface;
+use crate::pressure::Pressure;
+use crate::scalar::Scalar;
+use crate::size::Size;
+
+/// The residual of one piece.
+#[derive(Debug)]
+pub(crate) struct PieceResidual<S> {
+    /// ∫r.
+    pub force: S,
+    /// ∫r(x)(X_R − x), the moment about the right end.
+    pub moment: S,
+    /// The constant coefficient of r, and a bound of the rest.
+    pub constant: S,
+    pub rest: Size,
+    /// M at both ends.
+    pub bending: [S; 2],
+    /// T at both ends.
+    pub shear: [S; 2],
+}
+
+/// The residual of equilibrium.
+#[derive(Debug)]
+pub(crate) struct Residual<S> {
+    pub pieces: Vec<PieceResidual<S>>,
+    /// r_i and q_i at the nodes.
+    pub nodes: Vec<[S; 2]>,
+}
+
+pub(crate) fn residual<S: Scalar>(
+    frame: &Frame<S>,
+    deflection: &Deflection<S>,
+    surface: &Surface<S>,
+    pressures: &[Pressure<S>],
+) -> Residual<S> {
+    let pieces: Vec<_> = (0..frame.spans.len()).map(|i| on_piece(frame, pressures, i)).collect();
+    let at = |i: usize| at_node(frame, deflection, surface, &pieces, i);
+    let nodes = (0..frame.nodes.len()).map(at).collect();
+    Residual { pieces, nodes }
+}
+
+fn on_piece<S: Scalar>(frame: &Frame<S>, pressures: &[Pressure<S>], i: usize) -> PieceResidual<S> {
+    let span = &frame.spans[i];
+    let slope = span.derivative(&span.deflection);
+    let moment = span.bending_moment(&slope);
+    let mut shear = &span.derivative(&moment) - &span.moment;
+    if let Some(tension) = frame.tension {
+        shear = &shear + &slope.times(tension);
+    }
+    let load = &span.force - &pressures[i].field;
+    let r = &load + &span.derivative(&shear);
+    // X_R − x = half (t_R − t).
+    let lever = crate::polynomial::Polynomial::line(span.t[1], -S::one());
+    PieceResidual {
+        force: r.integral(span.t) * span.half,
+        moment: (&r * &lever).integral(span.t) * span.half.square(),
+        constant: r.coefficient(0),
+        rest: r.tail(span.tau),
+        bending: span.t.map(|t| moment.value(t)),
+        shear: span.t.map(|t| shear.value(t)),
+    }
+}
+
+fn at_node<S: Scalar>(
+    frame: &Frame<S>,
+    deflection: &Deflection<S>,
+    surface: &Surface<S>,
+    pieces: &[PieceResidual<S>],
+    i: usize,
+) -> [S; 2] {
+    let node = &frame.nodes[i];
+    let end = |side: usize, of: &dyn Fn(&PieceResidual<S>) -> [S; 2]| {
+        let piece = if side == 0 { i.checked_sub(1) } else { Some(i) };
+        piece.and_then(|i| pieces.get(i)).map_or_else(S::zero, |piece| of(piece)[1 - side])
+    };
+    let jump = |of: &dyn Fn(&PieceResidual<S>) -> [S; 2]| end(1, of) - end(0, of);
+    let mut force = node.force - surface.force[i] - node.reaction[0] + jump(&|p| p.shear);
+    let mut moment = node.moment - node.reaction[1] - jump(&|p| p.bending);
+    let [w, slope] = at_support(deflection, i);
+    if let Some([spring, settled]) = node.spring {
+        force = force - (spring * w - settled);
+    }
+    if let Some(turning) = node.turning {
+        moment = moment - turning * slope;
+    }
+    [force, moment]
+}
+
+/// w and w′ at a node as the springs there feel them: as claimed on its left, at the left end of the beam on its right.
+pub(crate) fn at_support<S: Scalar>(deflection: &Deflection<S>, node: usize) -> [S; 2] {
+    match node.checked_sub(1) {
+        Some(left) => [deflection.claimed[left][1], deflection.slopes[left][1]],
+        None => [deflection.claimed[0][0], deflection.slopes[0][0]],
+    }
+}

@@ -1,0 +1,222 @@
+//! The number type of the proof: `f64` for an estimate, `Ball` and `Wide` for a theorem.
+
+use crate::decimal::Decimal;
+use crate::float::{ABOVE, HUGE, times_power_of_two};
+use std::fmt::Debug;
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// A real number, or an interval that holds it.
+///
+/// Every function of this crate is written once over this trait. With `Ball` or
+/// `Wide` each operation encloses all exact results, so that a proven inequality is a theorem.
+/// With `f64` the same formulas give an estimate.
+pub trait Scalar:
+    Copy
+    + Debug
+    + PartialEq
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Neg<Output = Self>
+{
+    /// The type in which signs of clearances are decided, where few digits suffice.
+    type Coarse: Scalar;
+
+    /// The exact value of a double. A value that is not finite gives a ball of infinite radius.
+    fn of(x: f64) -> Self;
+
+    /// A decimal number: an optional sign, digits with an optional point, an optional exponent (`-0.8`, `1e-5`).
+    /// `None` if the text is not such a number.
+    fn decimal(text: &str) -> Option<Self> {
+        let read = Decimal::read(text)?;
+        let mut value: Self = of_digits(read.digits, read.exponent)?;
+        if read.cut {
+            value = value.widened(of_digits::<Self>(1, read.exponent)?.size());
+        }
+        (value.size() <= HUGE).then_some(if read.negative { -value } else { value })
+    }
+
+    /// The quotient; infinite radius if the other ball holds 0.
+    fn div(self, other: Self) -> Self;
+
+    /// The square root; infinite radius if the ball holds a negative number.
+    fn sqrt(self) -> Self;
+
+    /// exp(x) − 1 for x ≤ 0.
+    fn expm1(self) -> Self;
+
+    /// The value times 2ⁿ, without rounding.
+    fn scaled(self, exponent: i32) -> Self;
+
+    /// An upper bound of |x|.
+    fn size(self) -> f64;
+
+    /// A lower bound of x.
+    fn low(self) -> f64;
+
+    /// An upper bound of x.
+    fn high(self) -> f64;
+
+    /// The middle of the ball, as a double: a point near which a decision is tried, never a bound.
+    fn middle(self) -> f64;
+
+    /// The same number in the type for clearances.
+    fn coarse(self) -> Self::Coarse;
+
+    /// The same ball with a radius larger by a size. An estimate in `f64` stays as it is.
+    fn widened(self, by: f64) -> Self;
+
+    /// Zero.
+    fn zero() -> Self {
+        Self::of(0.0)
+    }
+
+    /// One.
+    fn one() -> Self {
+        Self::of(1.0)
+    }
+
+    /// x².
+    fn square(self) -> Self {
+        self * self
+    }
+}
+
+/// exp(x) − 1 for x ≤ 0 by the first terms of its series, at most 18.
+///
+/// x is halved until |x| ≤ 2⁻⁴; e(e + 2) doubles the argument again. Σ xʲ/j! up to n is x/n! times a polynomial with
+/// the whole coefficients n!/j!, exact in a double for n ≤ 18. The rest is at most 2|x|ⁿ⁺¹/(n+1)!.
+pub(crate) fn expm1_by_series<S: Scalar>(x: S, terms: u32) -> S {
+    if !(x.high() <= 1.0) {
+        return S::of(f64::INFINITY);
+    }
+    if !(x.low() >= -700.0) {
+        // The result lies between −1 and exp(high) − 1.
+        return if x.high() < -690.0 {
+            S::of(-1.0).widened(1e-280)
+        } else {
+            S::of(0.0).widened(2.0)
+        };
+    }
+    let mut halvings = 0;
+    let mut size = x.size();
+    while size > 0.0625 {
+        (size, halvings) = (0.5 * size, halvings + 1);
+    }
+    let y = x.scaled(-halvings);
+    let (mut sum, mut coefficient) = (S::one(), 1.0);
+    for j in (1..terms).rev() {
+        coefficient *= f64::from(j + 1);
+        sum = sum * y + S::of(coefficient);
+    }
+    let mut rest = 2.0 * size / f64::from(terms + 1);
+    for _ in 0..terms {
+        rest = rest * size * ABOVE + f64::MIN_POSITIVE;
+    }
+    let mut e = (y * sum).div(S::of(coefficient)).widened(rest / coefficient * ABOVE);
+    for _ in 0..halvings {
+        // (e + 1)² − 1 keeps the radius small near e = −1, e(e + 2) keeps the digits near e = 0.
+        let square = (e + S::one()).square() - S::one();
+        e = if e.size() > 0.5 { square } else { e * (e + S::of(2.0)) };
+    }
+    e
+}
+
+/// A whole number.
+fn whole<S: Scalar>(n: u128) -> S {
+    let h = n as f64;
+    // Digits have fewer than 128 bits, and so has the nearest double.
+    let rounded = h as u128;
+    let l = n.abs_diff(rounded) as f64;
+    let lost = n.abs_diff(rounded).abs_diff(l as u128) as f64;
+    match (l == 0.0, rounded <= n) {
+        (true, _) => S::of(h),
+        (_, true) => (S::of(h) + S::of(l)).widened(lost * ABOVE),
+        (_, false) => (S::of(h) - S::of(l)).widened(lost * ABOVE),
+    }
+}
+
+/// 5ⁿ.
+fn power_of_five<S: Scalar>(n: u32) -> S {
+    match n {
+        0..=48 => whole(5_u128.pow(n)),
+        _ => power_of_five::<S>(n / 2) * power_of_five(n - n / 2),
+    }
+}
+
+/// digits·10ⁿ, without rounding where the number type holds it.
+fn of_digits<S: Scalar>(mut digits: u128, mut exponent: i32) -> Option<S> {
+    if digits == 0 {
+        return Some(S::zero());
+    }
+    if !(-400..=400).contains(&exponent) {
+        return None;
+    }
+    let twos = exponent;
+    while exponent < 0 && digits.is_multiple_of(5) {
+        (digits, exponent) = (digits / 5, exponent + 1);
+    }
+    while exponent > 0 && digits < 1 << 120 {
+        (digits, exponent) = (5 * digits, exponent - 1);
+    }
+    let (whole, fives) = (whole::<S>(digits), power_of_five(exponent.unsigned_abs()));
+    let value = match exponent {
+        0 => whole,
+        1.. => whole * fives,
+        _ => whole.div(fives),
+    };
+    Some(value.scaled(twos))
+}
+
+impl Scalar for f64 {
+    type Coarse = f64;
+
+    fn of(x: f64) -> Self {
+        x
+    }
+
+    fn decimal(text: &str) -> Option<Self> {
+        Decimal::read(text)?;
+        text.parse().ok().filter(|x: &f64| x.abs() <= HUGE)
+    }
+
+    fn div(self, other: Self) -> Self {
+        self / other
+    }
+
+    fn sqrt(self) -> Self {
+        f64::sqrt(self)
+    }
+
+    fn expm1(self) -> Self {
+        expm1_by_series(self, 12)
+    }
+
+    fn scaled(self, exponent: i32) -> Self {
+        times_power_of_two(self, exponent).unwrap_or(f64::INFINITY)
+    }
+
+    fn size(self) -> f64 {
+        self.abs()
+    }
+
+    fn low(self) -> f64 {
+        self
+    }
+
+    fn high(self) -> f64 {
+        self
+    }
+
+    fn middle(self) -> f64 {
+        self
+    }
+
+    fn coarse(self) -> f64 {
+        self
+    }
+
+    fn widened(self, _: f64) -> Self {
+        self
+    }
+}

@@ -1,0 +1,120 @@
+//! Sizes: bounds of norms, not negative, each operation rounded up.
+
+use std::ops::{Add, AddAssign, Mul};
+
+/// An upper bound of a size. NaN becomes infinity, so that every comparison with it refuses.
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+pub(crate) struct Size(f64);
+
+impl Size {
+    pub const ZERO: Size = Size(0.0);
+    pub const INFINITE: Size = Size(f64::INFINITY);
+
+    /// A size from a bound that is rounded up already.
+    pub fn of(x: f64) -> Self {
+        if x >= 0.0 { Size(x) } else { Size::INFINITE }
+    }
+
+    /// The part of a lower bound that lies below zero.
+    pub fn below_zero(low: f64) -> Self {
+        if low >= 0.0 { Size::ZERO } else { Size::of(-low) }
+    }
+
+    pub fn value(self) -> f64 {
+        self.0
+    }
+
+    /// The quotient by a lower bound of the divisor; infinite unless that is positive.
+    pub fn over(self, low: f64) -> Self {
+        if self.0 == 0.0 && low > 0.0 {
+            Size::ZERO
+        } else if low > 0.0 {
+            Size::of((self.0 / low).next_up())
+        } else {
+            Size::INFINITE
+        }
+    }
+
+    pub fn root(self) -> Self {
+        if self.0 == 0.0 { self } else { Size::of(self.0.sqrt().next_up()) }
+    }
+
+    pub fn square(self) -> Self {
+        self * self
+    }
+
+    /// The larger one.
+    pub fn worst(self, other: Size) -> Self {
+        if other.0 <= self.0 { self } else { other }
+    }
+
+    /// The smaller one.
+    pub fn least(self, other: Size) -> Self {
+        if other.0 < self.0 { other } else { self }
+    }
+}
+
+impl Add for Size {
+    type Output = Size;
+    fn add(self, other: Size) -> Size {
+        if self.0 == 0.0 {
+            other
+        } else if other.0 == 0.0 {
+            self
+        } else {
+            Size::of((self.0 + other.0).next_up())
+        }
+    }
+}
+
+impl AddAssign for Size {
+    fn add_assign(&mut self, other: Size) {
+        *self = *self + other;
+    }
+}
+
+impl Mul for Size {
+    type Output = Size;
+    fn mul(self, other: Size) -> Size {
+        let zero = (self.0 == 0.0 && other.0 < f64::INFINITY)
+            || (other.0 == 0.0 && self.0 < f64::INFINITY);
+        if zero { Size::ZERO } else { Size::of((self.0 * other.0).next_up()) }
+    }
+}
+
+impl Mul<Size> for f64 {
+    type Output = Size;
+    fn mul(self, size: Size) -> Size {
+        Size::of(self) * size
+    }
+}
+
+impl std::iter::Sum for Size {
+    fn sum<I: Iterator<Item = Size>>(sizes: I) -> Size {
+        sizes.fold(Size::ZERO, |sum, size| sum + size)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Size;
+
+    #[test]
+    fn nan_and_negative_numbers_are_infinite() {
+        for x in [f64::NAN, -1.0] {
+            assert_eq!(Size::of(x).value(), f64::INFINITY);
+        }
+        assert_eq!((Size::ZERO * Size::INFINITE).value(), f64::INFINITY);
+        assert_eq!(Size::of(1.0).over(0.0).value(), f64::INFINITY);
+        assert_eq!(Size::of(1.0).over(f64::NAN).value(), f64::INFINITY);
+        assert_eq!(Size::of(2.0).worst(Size::of(f64::NAN)).value(), f64::INFINITY);
+        assert_eq!(Size::below_zero(f64::NAN).value(), f64::INFINITY);
+        assert_eq!(Size::below_zero(1.0).value(), 0.0);
+    }
+
+    #[test]
+    fn squares_do_not_underflow_to_zero() {
+        assert!(Size::of(1e-200).square().value() > 0.0);
+        assert!(Size::of(1e-200).square().root().value() >= 0.0);
+    }
+}

@@ -1,0 +1,94 @@
+//! Scaling of length and force by powers of two, so that the length and the largest load lie in [1, 2).
+//!
+//! Scaling is exact. A model whose forces or lengths are multiplied by a power of two is proven with the same digits.
+
+use crate::model::{Action, Extent, Load, Model, SupportKind};
+use crate::refusal::NotProven;
+use crate::scalar::Scalar;
+
+/// 2ⁿ metres and 2ⁿ newtons are the units in which the proof computes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Units {
+    pub length: i32,
+    pub force: i32,
+}
+
+impl Units {
+    /// The units in which the length and the largest load lie in [1, 2).
+    pub fn of<S: Scalar>(model: &Model<S>) -> Result<Self, NotProven> {
+        let length = exponent(model.beam.length)
+            .ok_or_else(|| NotProven::new("the length is not a positive number in range"))?;
+        let in_length = Units { length, force: 0 };
+        let stiffness = exponent(in_length.of_power(model.beam.bending_stiffness, 2))
+            .ok_or_else(|| NotProven::new("EI is not a positive number in range"))?;
+        let mut force = None;
+        for load in &model.loads {
+            larger(&mut force, exponent(in_length.load_as_force(load, stiffness)));
+        }
+        for support in &model.supports {
+            let settlement = in_length.of_power(support.settlement, 1);
+            let felt = match support.kind {
+                SupportKind::Spring { spring, .. } => in_length.of_power(spring, -1) * settlement,
+                SupportKind::Pinned | SupportKind::Fixed => settlement.scaled(stiffness),
+            };
+            larger(&mut force, exponent(felt));
+        }
+        Ok(Units { length, force: force.unwrap_or(stiffness) })
+    }
+
+    /// The size of a load as a force: a moment over the length, a load per length times the length.
+    fn load_as_force<S: Scalar>(self, load: &Load<S>, stiffness: i32) -> S {
+        let (size, spread) = match load.extent {
+            Extent::Point { size, .. } => (size, 0),
+            Extent::Distributed { start, end, .. } => {
+                (if start.size() >= end.size() { start } else { end }, 1)
+            }
+        };
+        match load.action {
+            Action::Force => self.of_power(size, -spread),
+            Action::Moment => self.of_power(size, 1 - spread),
+            Action::Curvature => self.of_power(size, -1).scaled(stiffness),
+        }
+    }
+
+    /// A number of unit mⁿ.
+    fn of_power<S: Scalar>(self, x: S, length: i32) -> S {
+        x.scaled(-length * self.length)
+    }
+
+    /// A number of unit Nᶠ mⁿ in these units.
+    pub fn scaled<S: Scalar>(self, x: S, force: i32, length: i32) -> S {
+        x.scaled(-force * self.force - length * self.length)
+    }
+
+    /// A length in these units.
+    pub fn metres<S: Scalar>(self, x: S) -> S {
+        self.scaled(x, 0, 1)
+    }
+
+    /// A bound of unit Nᶠ mⁿ in the units of the model, rounded up.
+    pub fn restored(self, x: f64, force: i32, length: i32) -> f64 {
+        let shift = force * self.force + length * self.length;
+        let back = f64::scaled(x, shift);
+        if x == 0.0 {
+            0.0
+        } else if back.abs() >= 1e-290 {
+            back
+        } else {
+            1e-290
+        }
+    }
+}
+
+/// n with 2ⁿ ≤ |x| < 2ⁿ⁺¹. `None` of zero, and of what is infinite or tiny.
+fn exponent<S: Scalar>(x: S) -> Option<i32> {
+    let x = x.middle().abs();
+    (1e-290..=1e290).contains(&x).then(|| (x.to_bits() >> 52) as i32 - 1023)
+}
+
+fn larger(most: &mut Option<i32>, exponent: Option<i32>) {
+    if let Some(exponent) = exponent {
+        *most =
+            Some(most.map_or(exponent, |most: i32| if most >= exponent { most } else { exponent }));
+    }
+}

@@ -1,0 +1,273 @@
+//! Model files as the second reader understands them, and files and documents with random changes.
+
+use groundbeam_proof::{
+    Action, Ball, Course, Document, Extent, Load, Model, ReadError, Reason, Scalar, Wide,
+    read_model,
+};
+use std::time::{Duration, Instant};
+
+fn read(text: &str) -> Result<Model<Wide>, ReadError> {
+    read_model(text, None)
+}
+
+fn reason(text: &str) -> Reason {
+    read(text).map(|model| panic!("{model:?}")).unwrap_or_else(|error| error.reason)
+}
+
+/// The size of a load at its left end.
+fn size(load: &Load<Wide>) -> f64 {
+    match load.extent {
+        Extent::Point { size, .. } => size.middle(),
+        Extent::Distributed { start, .. } => start.middle(),
+    }
+}
+
+const SMALL: &str = "[beam]\nlength = 2\nEI = 3\n[foundation]\nk = 4\nmu = 5\n";
+
+#[test]
+fn numbers_without_units_are_as_they_are_written() {
+    let model = read(SMALL).unwrap();
+    assert_eq!(model.beam.bending_stiffness.middle(), 3.0);
+    assert_eq!([model.ground.spring.middle(), model.ground.shear.middle()], [4.0, 5.0]);
+    assert!(read_model::<f64>(SMALL, None).is_ok() && read_model::<Ball>(SMALL, None).is_ok());
+}
+
+/// A haunch from 1.2 m to 0.8 m: EI at mid-length is that of 1 m, exactly; its own weight is linear.
+#[test]
+fn a_haunch_is_a_polynomial_of_its_height() {
+    let text = "[beam]\nlength = '12 m'\nE = '30 GPa'\nunit_weight = '25 kN/m^3'\nweight_case = 'G'\n\
+                section = { width = '1 m', height = ['1.2 m', '0.8 m'] }\n[foundation]\nk = '1 MPa'\n\
+                [[combination]]\nname = 'c'\nfactors = { G = 1.1 }\n";
+    let model = read(text).unwrap();
+    let Course::Varying(values) = &model.beam.segments[0].bending_stiffness else { panic!() };
+    let middle: f64 =
+        values.iter().zip([1.0, 3.0, 3.0, 1.0]).map(|(v, n)| n * v.middle() / 8.0).sum();
+    assert!((middle / 2.5e9 - 1.0).abs() < 1e-15);
+    assert_eq!(size(&model.loads[0]), 30e3);
+    let combined = read_model::<Wide>(text, Some("c")).unwrap();
+    assert_eq!(size(&combined.loads[0]), 33e3);
+    let missing = read_model::<Wide>(text, Some("d")).unwrap_err();
+    assert_eq!(missing.reason, Reason::NoCombination("d".into()));
+}
+
+#[test]
+fn curvatures_follow_from_the_depth() {
+    let text = "[beam]\nlength = '4 m'\nmaterial = 'C30/37'\ncamber = '10 mm'\n\
+                section = { width = '1 m', height = '0.25 m' }\n[foundation]\nk = '1 MPa'\n\
+                [[load]]\ntemperature_difference = '15 K'\n\
+                [[load]]\nshrinkage_difference = 2e-4\ndepth = '0.5 m'\n";
+    let model = read(text).unwrap();
+    assert!(model.loads.iter().all(|load| load.action == Action::Curvature));
+    let sizes: Vec<f64> = model.loads.iter().map(size).collect();
+    assert_eq!(sizes, [6e-4, -4e-4, 5e-3]);
+}
+
+#[test]
+fn ground_by_area_and_by_segments() {
+    let text = "[beam]\nlength = '10 m'\nEI = '1 MN m^2'\n[foundation]\nC1 = ['10 MN/m^3', '30 MN/m^3']\n\
+                width = '0.5 m'\nC2 = '4 MN/m'\nright = { ends = '12 m', as = 'held' }\n\
+                [[foundation.segment]]\nfrom = '-1 m'\nto = '5 m'\nwidth = '1 m'\n";
+    let ground = read(text).unwrap().ground;
+    assert_eq!(ground.segments.len(), 2);
+    let [own, rest] = &ground.segments[..] else { panic!() };
+    // What varies along the beam ends with it.
+    assert_eq!([own.from.middle(), own.to.middle()], [0.0, 5.0]);
+    let Course::Varying(k) = &own.spring else { panic!() };
+    assert_eq!([k[0].middle(), k[1].middle()], [10e6, 20e6]);
+    let Course::Constant(mu) = &own.shear else { panic!() };
+    assert_eq!(mu.middle(), 4e6);
+    let Course::Varying(k) = &rest.spring else { panic!() };
+    assert_eq!([k[0].middle(), k[1].middle()], [10e6, 15e6]);
+}
+
+/// EN 1990, expression (6.10): wind leads, the floor load goes with ψ₀ = 0.7.
+#[test]
+fn a_set_of_a_code_makes_its_combinations() {
+    let load = |case: &str| format!("[[load]]\npoint = 1\nat = 1\ncase = '{case}'\n");
+    let case =
+        |name: &str, action: &str| format!("[[case]]\nname = '{name}'\naction = '{action}'\n");
+    let text = [
+        SMALL.to_owned(),
+        load("G") + &load("Q") + &load("W"),
+        case("G", "permanent") + &case("Q", "imposed B") + &case("W", "wind"),
+        "[[combination]]\nset = 'EN 1990 6.10'\n".to_owned(),
+    ]
+    .concat();
+    let sizes = |name: &str| -> Vec<f64> {
+        read_model::<Wide>(&text, Some(name)).unwrap().loads.iter().map(size).collect()
+    };
+    assert_eq!(sizes("6.10: 1.35 G + 1.5 W + 1.05 Q"), [1.35, 1.05, 1.5]);
+    assert_eq!(sizes("6.10: G"), [1.0]);
+    assert!(read_model::<Wide>(&text, Some("6.10: 1.35 G + 1.5 Q + 1.5 W")).is_err());
+}
+
+#[test]
+fn what_is_left_out_is_refused_by_name() {
+    for (text, key) in [
+        ("[gap_survey]\nfile = 'a.csv'\n", "gap_survey"),
+        ("[[gap_trough]]\nat = 1\n", "gap_trough"),
+        ("[[train]]\nset = 'LM71'\n", "train"),
+        ("[foundation.soil]\nmethod = 'vesic'\n", "soil"),
+        ("[foundation.band]\nk = [0.5, 2]\n", "band"),
+    ] {
+        assert_eq!(reason(&format!("{SMALL}{text}")), Reason::NotRead(key));
+    }
+}
+
+#[test]
+fn what_is_wrong_is_refused() {
+    let value = |text: &str| assert!(matches!(reason(text), Reason::Value(_)), "{text}");
+    for added in [
+        "[[load]]\npoint = '1 kN'\nat = 1\n",
+        "[[load]]\npoint = 1\nat = 3\n",
+        "[[load]]\ndistributed = 1\nfrom = 1\nto = 1\n",
+        "[[load]]\ndistributed = [1, 2, 3]\n",
+        "[[load]]\npoint = 1e61\nat = 1\n",
+        "[[load]]\npoint = 'x'\nat = 1\n",
+        "[[support]]\nat = 1\nspring = -1\n",
+        "[[support]]\nat = 1\ntype = 'roller'\n",
+        "[[support]]\nat = 1\ntype = 'fixed'\nacts = 'up'\n",
+        "[[support]]\nat = 1\ntype = 'pinned'\n[[support]]\nat = 1\nspring = 1\n",
+        "[[hinge]]\nat = 0\n",
+        "[[hinge]]\nat = 1\n[[load]]\nmoment = 1\nat = 1\n",
+        "[[gap]]\nat = 1\nvalue = 1\n[[gap]]\nat = 1\nvalue = 2\n",
+        "[[beam.segment]]\nfrom = 0\nto = 1\nEI = 1\n[[beam.segment]]\nfrom = 0.5\nto = 2\nEI = 1\n",
+        "[[foundation.segment]]\nfrom = 0\nto = 1\nmu = [1, 0]\n",
+        "[[ground_load]]\npoint = -1\nat = 1\n",
+        "[[load]]\npoint = 1\nat = 1\n[[ground_load]]\ndistributed = 1\nfrom = 0\nto = '1 m'\n",
+    ] {
+        value(&format!("{SMALL}{added}"));
+    }
+    value(&SMALL.replace("EI = 3", "EI = '3 kN m'"));
+    value(&SMALL.replace("EI = 3", "EI = 0"));
+    value("[beam]\nlength = 2\nE = 1\nsection = { rail = '60E1' }\n[foundation]\nk = 1\n");
+    let unknown = reason(&SMALL.replace("EI = 3", "EI = 3\nlenght = 1"));
+    assert_eq!(unknown, Reason::Unknown("lenght".into()));
+    assert_eq!(reason("[beam]\nlength = 1\nEI = 1\n"), Reason::Missing("foundation"));
+    let both = SMALL.replace("EI = 3", "EI = 3\nE = 1\nI = 1");
+    assert_eq!(reason(&both), Reason::Together("EI", "E"));
+    let error = read(&format!("{SMALL}[[load]]\npoint = 1\nat = true\n")).unwrap_err();
+    assert_eq!((error.line, error.column), (9, 6));
+}
+
+/// Random numbers.
+struct Dice(u64);
+
+impl Dice {
+    fn below(&mut self, n: usize) -> usize {
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((self.0 >> 33) as usize) % n.max(1)
+    }
+}
+
+/// A text with some bytes flipped, removed, doubled or replaced by what matters to the format.
+fn changed(text: &str, dice: &mut Dice) -> String {
+    const TOKENS: [&str; 16] = [
+        "\"", "'", "[", "]", "{", "}", "\n", "=", ",", ".", "\\u", "1e400", "-", "nan", "[[", "'''",
+    ];
+    let mut bytes = text.as_bytes().to_vec();
+    for _ in 0..1 + dice.below(4) {
+        let at = dice.below(bytes.len());
+        match dice.below(5) {
+            0 => bytes[at] ^= 1 << dice.below(8),
+            1 => drop(bytes.remove(at)),
+            2 => {
+                let part = bytes[at..(at + dice.below(40)).min(bytes.len())].to_vec();
+                let to = dice.below(bytes.len());
+                bytes.splice(to..to, part);
+            }
+            3 => drop(bytes.drain(at..(at + dice.below(10)).min(bytes.len()))),
+            _ => drop(bytes.splice(at..at, TOKENS[dice.below(16)].bytes())),
+        }
+        if bytes.is_empty() {
+            break;
+        }
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
+}
+
+/// All model files of the repository, wrong ones too.
+fn texts() -> Vec<String> {
+    let mut texts = vec![SMALL.to_owned()];
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let mut folders = vec![root.join("cases"), root.join("docs")];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(&folder).into_iter().flatten().flatten() {
+            let path = entry.path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|e| e == "toml") {
+                texts.extend(std::fs::read_to_string(path));
+            }
+        }
+    }
+    texts.sort();
+    texts
+}
+
+/// Nothing panics, and each file is read or refused at once.
+#[test]
+fn changed_model_files_are_read_or_refused() {
+    let (texts, mut dice) = (texts(), Dice(1));
+    let mut read_alike = 0;
+    for number in 0..30_000 {
+        let text = changed(&texts[number % texts.len()], &mut dice);
+        let start = Instant::now();
+        let read = read(&text);
+        read_alike += usize::from(read.is_ok());
+        assert!(start.elapsed() < Duration::from_secs(2), "{text}");
+    }
+    assert!(read_alike > 1000, "{read_alike}");
+}
+
+#[test]
+fn changed_documents_are_read_or_refused() {
+    let piece = r#"{"x": [0, 1.5], "half": 0.75, "touches": true, "deflection": [1, 2.5e-3], "open": [0.5, 1]}"#;
+    let text = format!(
+        r#"{{"status": "solved", "pieces": [{piece}], "forces": [{{"x": 0, "force": 4.5}}],
+        "reactions": [{{"support": 1, "force": 2, "moment": -1}}], "contact": [{{"from": 0, "to": 1.5}}],
+        "end_forces": {{"left": 4.5, "right": 0}}, "stations": {{"x": [0, 1], "deflection": [1, 2]}},
+        "extremes": {{"moment": {{"min": {{"x": 0, "value": 1}}}}}}, "proof": {{"bounds": {{"edges": [1e-13]}}}}}}"#
+    );
+    assert!(Document::read(&text).is_ok());
+    let mut dice = Dice(2);
+    let read = (0..30_000).filter(|_| Document::read(&changed(&text, &mut dice)).is_ok()).count();
+    assert!(read > 1000, "{read}");
+}
+
+/// Files that are made to take long, or to nest deep.
+#[test]
+fn long_files_end_in_time() {
+    let many = |part: &str, n: usize| format!("{SMALL}{}", part.repeat(n));
+    let cases: String =
+        (0..100_000).map(|i| format!("[[load]]\npoint = 1\nat = 1\ncase = '{i}'\n")).collect();
+    let files = [
+        many("[[load]]\npoint = 1\nat = 1\n", 100_000),
+        many("[[a.a.a.a.a.a.a.a]]\n", 100_000),
+        many("a.b.c.d.e.f.g.h = 1\n", 100_000),
+        many("[[load]]\nat = ", 1) + &"[".repeat(1_000_000),
+        many("[[load]]\nat = ", 1) + &"{a = ".repeat(1_000_000),
+        many("[[load]]\nat = 1\npoint = ", 1) + &"9".repeat(10_000_000),
+        many("[[load]]\nat = 1\npoint = '1 ", 1) + &"(".repeat(1_000_000) + "'",
+        many("[[load]]\nat = 1\npoint = '1 ", 1) + &"kNm".repeat(100_000) + "'",
+        many("[[load]]\nat = 1\npoint = '1 ", 1) + &"m ".repeat(1_000_000) + "'",
+        many("[[load]]\nat = 1\npoint = \"\"\"", 1) + &"\\\n".repeat(1_000_000),
+        many("[[load]]\nat = 1\npoint = \"", 1) + &"\"\"".repeat(1_000_000),
+        format!("{SMALL}{cases}[[combination]]\nset = 'EN 1990 6.10'\n"),
+        "[".repeat(10_000_000),
+        "#".repeat(10_000_000),
+        "a".repeat(10_000_000),
+        "\n".repeat(10_000_000),
+    ];
+    for text in files {
+        let start = Instant::now();
+        let _ = read_model::<Wide>(&text, Some("6.10: 1"));
+        let _ = Document::read(&text);
+        let took = start.elapsed();
+        assert!(took < Duration::from_secs(10), "{took:?}: {}", &text[..200.min(text.len())]);
+    }
+    for text in ["[".repeat(10_000_000), "{\"a\":".repeat(1_000_000), "\"".repeat(1_000_000)] {
+        assert!(Document::read(&text).is_err());
+    }
+}

@@ -1,0 +1,150 @@
+//! Model and solution in the form that the proof reads: its numbers are exact doubles.
+
+use crate::model::{Action, Acts, Extent, GroundEnd, Model, Profile, SupportKind};
+use crate::solution::candidate::Candidate;
+use groundbeam_proof::{self as proof, Answer, NotProven, Proof, Scalar};
+
+/// The proof of a solution, in numbers of the given type.
+pub(super) fn prove<S: Scalar>(candidate: &Candidate) -> Result<Proof, NotProven> {
+    groundbeam_proof::prove(&candidate.model.to_prove::<S>(), &answer(candidate))
+}
+
+impl Model {
+    /// The model as the proof reads it, its doubles taken as exact numbers.
+    pub fn to_prove<S: Scalar>(&self) -> proof::Model<S> {
+        given(self)
+    }
+}
+
+fn given<S: Scalar>(model: &Model) -> proof::Model<S> {
+    proof::Model {
+        beam: beam(model),
+        ground: ground(model),
+        loads: model.loads.iter().map(load).collect(),
+        supports: model.supports.iter().map(support).collect(),
+        hinges: model
+            .hinges
+            .iter()
+            .map(|hinge| proof::Hinge {
+                at: S::of(hinge.at),
+                rotational_spring: S::of(hinge.rotational_spring),
+            })
+            .collect(),
+        gap: model
+            .gap
+            .iter()
+            .map(|corner| proof::GapCorner { at: S::of(corner.at), value: S::of(corner.value) })
+            .collect(),
+    }
+}
+
+fn course<S: Scalar>(profile: &Profile) -> proof::Course<S> {
+    if profile.is_constant() {
+        return proof::Course::Constant(S::of(profile.start()));
+    }
+    proof::Course::Varying(profile.control_values().iter().map(|value| S::of(*value)).collect())
+}
+
+fn beam<S: Scalar>(model: &Model) -> proof::Beam<S> {
+    let beam = &model.beam;
+    let segments = beam.segments.iter().map(|segment| proof::BeamSegment {
+        from: S::of(segment.from),
+        to: S::of(segment.to),
+        bending_stiffness: course(&segment.bending_stiffness),
+        shear_stiffness: segment.shear_stiffness.as_ref().map(course),
+    });
+    proof::Beam {
+        length: S::of(beam.length),
+        bending_stiffness: S::of(beam.bending_stiffness),
+        shear_stiffness: beam.shear_stiffness.map(S::of),
+        segments: segments.collect(),
+        axial_force: S::of(beam.axial_force),
+    }
+}
+
+fn ground<S: Scalar>(model: &Model) -> proof::Ground<S> {
+    let ground = &model.foundation;
+    let segments = ground.segments.iter().map(|segment| proof::GroundSegment {
+        from: S::of(segment.from),
+        to: S::of(segment.to),
+        spring: course(&segment.subgrade),
+        shear: course(&segment.shear_layer),
+    });
+    let end = |end: GroundEnd| match end {
+        GroundEnd::Endless => proof::GroundEnd::Endless,
+        GroundEnd::Free { at } => proof::GroundEnd::Free(S::of(at)),
+        GroundEnd::Held { at } => proof::GroundEnd::Held(S::of(at)),
+    };
+    proof::Ground {
+        spring: S::of(ground.subgrade),
+        shear: S::of(ground.shear_layer),
+        segments: segments.collect(),
+        ends: ground.ends.map(end),
+    }
+}
+
+fn load<S: Scalar>(load: &crate::model::Load) -> proof::Load<S> {
+    proof::Load {
+        action: match load.action() {
+            Action::Force => proof::Action::Force,
+            Action::Moment => proof::Action::Moment,
+            Action::Curvature => proof::Action::Curvature,
+        },
+        extent: match load.extent() {
+            Extent::Point { at, size } => proof::Extent::Point { at: S::of(at), size: S::of(size) },
+            Extent::Distributed { from, to, start, end } => proof::Extent::Distributed {
+                from: S::of(from),
+                to: S::of(to),
+                start: S::of(start),
+                end: S::of(end),
+            },
+        },
+        on_ground: load.is_on_ground(),
+    }
+}
+
+fn support<S: Scalar>(support: &crate::model::Support) -> proof::Support<S> {
+    proof::Support {
+        at: S::of(support.at),
+        kind: match support.kind {
+            SupportKind::Pinned => proof::SupportKind::Pinned,
+            SupportKind::Fixed => proof::SupportKind::Fixed,
+            SupportKind::Spring { spring, rotational_spring } => proof::SupportKind::Spring {
+                spring: S::of(spring),
+                rotational_spring: S::of(rotational_spring),
+            },
+        },
+        settlement: S::of(support.settlement),
+        acts: match support.acts {
+            Acts::Both => proof::Acts::Both,
+            Acts::Up => proof::Acts::Up,
+            Acts::Down => proof::Acts::Down,
+        },
+    }
+}
+
+/// The solution, piece by piece.
+pub(super) fn answer(candidate: &Candidate) -> Answer {
+    let pieces = candidate.pieces.iter().map(|piece| {
+        let own = [-1.0, 1.0].map(|s| piece.cell.free_field_at(s)[0]);
+        proof::Piece {
+            x: piece.x,
+            half: piece.half,
+            touches: piece.open.is_none(),
+            deflection: piece.deflection.to_vec(),
+            rotation: piece.rotation.to_vec(),
+            pressure: piece.pressure.to_vec(),
+            open: piece.open.map(|ends| [ends[0] + own[0], ends[1] + own[1]]),
+            settlement: piece.settlement.to_vec(),
+        }
+    });
+    let ends = candidate.end_forces;
+    let force = |x: f64, force: f64| proof::Force { x, force };
+    let mut forces = vec![force(0.0, ends.left)];
+    forces.extend(candidate.concentrated.iter().map(|c| force(c.at, c.force)));
+    forces.push(force(candidate.model.beam.length, ends.right));
+    let reactions = candidate.reactions.iter().enumerate().map(|(support, reaction)| {
+        proof::Reaction { support, force: reaction.force, moment: reaction.moment }
+    });
+    Answer { pieces: pieces.collect(), forces, reactions: reactions.collect() }
+}

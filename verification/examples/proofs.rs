@@ -1,0 +1,111 @@
+//! Proves the solutions of all models under `cases/` and of the first frozen models of each family, beside today's
+//! certificate.
+//!
+//! ```text
+//! … --example proofs -- [--most N] [NAME …]
+//! ```
+//!
+//! A name is a part of a case's path or a family. Of each model the gap relative to the strain energy is printed: the
+//! certificate's, and the proven ones in numbers of 106, 53 and plain 53 bits.
+
+use groundbeam::proof::{Ball, Proof, Scalar, Wide, prove};
+use groundbeam::{Model, Outcome, Solution, solve};
+use groundbeam_verification::{cases, frozen};
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::time::Instant;
+
+/// What came of one model.
+enum Outcomes {
+    Proven { times: [f64; 3], gaps: [f64; 4] },
+    NotProven(String),
+    NoSolution,
+}
+
+fn main() -> Result<(), String> {
+    let mut names: Vec<String> = std::env::args().skip(1).collect();
+    let most = match names.iter().position(|name| name == "--most") {
+        Some(at) => names.drain(at..=at + 1).nth(1).and_then(|n| n.parse().ok()).unwrap_or(200),
+        None => 200,
+    };
+    let wanted = |name: &str| names.is_empty() || names.iter().any(|part| name.contains(part));
+    let mut models: Vec<(String, String, Model)> = Vec::new();
+    for case in cases::all() {
+        let case = case.map_err(|(path, misread)| format!("{path}: {misread}"))?;
+        if wanted(&case.path) {
+            let all = case.models();
+            models.extend(all.into_iter().map(|model| ("cases".into(), case.path.clone(), model)));
+        }
+    }
+    let folder = frozen::folder();
+    for family in frozen::families(&folder).map_err(|error| error.to_string())? {
+        if !wanted(&family) {
+            continue;
+        }
+        let all = frozen::family(&folder, &family).map_err(|error| error.to_string())?;
+        for one in all.iter().take(most) {
+            models.push((family.clone(), format!("{family} {}", one.number()), one.model()?));
+        }
+    }
+    let found: Vec<_> = models.par_iter().map(|(_, _, model)| of(model)).collect();
+    let mut counts: BTreeMap<&str, [usize; 3]> = BTreeMap::new();
+    let mut ratios: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
+    for ((group, name, _), outcome) in models.iter().zip(&found) {
+        let count = counts.entry(group).or_default();
+        match outcome {
+            Outcomes::Proven { gaps, times } => {
+                count[0] += 1;
+                ratios.entry(group).or_default().push(gaps[1] / gaps[0]);
+                let [today, wide, ball, plain] = gaps;
+                let [a, b, c] = times;
+                println!(
+                    "{name:44} today {today:7.1e} wide {wide:7.1e} ball {ball:7.1e} f64 {plain:7.1e}  µs {a:6.0} {b:6.0} {c:6.1}"
+                );
+            }
+            Outcomes::NotProven(why) => {
+                count[1] += 1;
+                println!("{name:44} {why}");
+            }
+            Outcomes::NoSolution => count[2] += 1,
+        }
+    }
+    for (group, [proven, not, without]) in counts {
+        let mut all = ratios.remove(group).unwrap_or_default();
+        all.sort_by(f64::total_cmp);
+        let at = |part: f64| {
+            all.get((part * (all.len().max(1) - 1) as f64) as usize).copied().unwrap_or(f64::NAN)
+        };
+        println!(
+            "{group:12} proven {proven:4} not {not:4} no solution {without:4}; wide/today least {:.1e} median {:.1e} nine tenths {:.1e} most {:.1e}",
+            at(0.0),
+            at(0.5),
+            at(0.9),
+            at(1.0)
+        );
+    }
+    Ok(())
+}
+
+fn of(model: &Model) -> Outcomes {
+    let Ok(Outcome::Equilibrium(solution)) = solve(model) else { return Outcomes::NoSolution };
+    let (wide, a) = timed::<Wide>(&solution);
+    let (ball, b) = timed::<Ball>(&solution);
+    let (plain, c) = timed::<f64>(&solution);
+    let gap = |proof: Result<Proof, _>| {
+        proof.map_or(f64::INFINITY, |proof: Proof| proof.energy / proof.strain_energy)
+    };
+    match wide {
+        Err(why) => Outcomes::NotProven(why.to_string()),
+        wide @ Ok(_) => Outcomes::Proven {
+            times: [a, b, c],
+            gaps: [solution.certificate().relative_gap(), gap(wide), gap(ball), gap(plain)],
+        },
+    }
+}
+
+fn timed<S: Scalar>(solution: &Solution) -> (Result<Proof, groundbeam::proof::NotProven>, f64) {
+    let (model, answer) = solution.claim::<S>();
+    let start = Instant::now();
+    let proof = prove(&model, &answer);
+    (proof, start.elapsed().as_secs_f64() * 1e6)
+}

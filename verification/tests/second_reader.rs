@@ -1,0 +1,215 @@
+//! The second reader of model files understands them as the first one does, or refuses them.
+
+use groundbeam::{Outcome, solve};
+use groundbeam_file::{Document, parse_beside, write_toml};
+use groundbeam_proof::{Reason, Wide, prove, read_model};
+use groundbeam_verification::documents::repository;
+use groundbeam_verification::hostile::{model, mutated, texts};
+use groundbeam_verification::second::Comparison;
+use std::path::{Path, PathBuf};
+
+/// Units of the last place by which numbers may differ: the first reader computes sections, products and shares in
+/// doubles, each step of which rounds.
+const ALLOWED: f64 = 24.0;
+
+/// The model files of the repository that the second reader refuses, with the key for which it does.
+const REFUSED: &[(&str, &str)] = &[
+    ("cases/footings/strip-footing-on-layered-soil.toml", "soil"),
+    ("cases/footings/strip-on-a-band-of-grounds.toml", "band"),
+    ("cases/ground/survey-of-an-even-slope.toml", "gap_survey"),
+    ("cases/ground/trough-under-a-heavy-pipe.toml", "gap_trough"),
+    ("cases/textbook/wheel-on-an-endless-rail.toml", "train"),
+    ("docs/train.toml", "train"),
+];
+
+/// Every model file that is right, by its name from the repository.
+fn files() -> Vec<(String, PathBuf)> {
+    let mut files = Vec::new();
+    let mut folders = vec![repository().join("cases"), repository().join("docs")];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(&folder).into_iter().flatten().flatten() {
+            let path = entry.path();
+            if path.is_dir() && !path.ends_with("cases/errors") {
+                folders.push(path);
+            } else if path.extension().is_some_and(|extension| extension == "toml") {
+                let name = path.strip_prefix(repository()).unwrap_or(&path);
+                files.push((name.display().to_string().replace('\\', "/"), path));
+            }
+        }
+    }
+    files.sort();
+    files
+}
+
+/// Compares every model of a file; returns how many numbers were compared, and the largest difference.
+fn compare(name: &str, text: &str, document: &Document) -> Result<(usize, f64), Reason> {
+    let mut models = vec![(None, document.model.clone())];
+    for combination in document.combinations() {
+        models.push((Some(combination.name), combination.model));
+    }
+    let (mut numbers, mut largest) = (0, 0.0_f64);
+    for (combination, first) in models {
+        let second = read_model::<Wide>(text, combination.as_deref()).map_err(|e| e.reason)?;
+        let comparison = Comparison::of(&first, &second, ALLOWED);
+        let faults = comparison.faults.join("\n");
+        assert!(faults.is_empty(), "{name}, {combination:?}:\n{faults}\n{text}");
+        numbers += comparison.numbers;
+        largest = largest.max(comparison.largest);
+    }
+    Ok((numbers, largest))
+}
+
+#[test]
+fn every_model_file_is_read_alike_or_refused() {
+    let mut refused = Vec::new();
+    let (mut read, mut numbers, mut largest) = (0, 0, (0.0, String::new()));
+    for (name, path) in files() {
+        let text = std::fs::read_to_string(&path).expect("a text");
+        let folder = path.parent().unwrap_or(Path::new("."));
+        // Studies are no models.
+        let Ok(document) = parse_beside(&text, folder) else { continue };
+        match compare(&name, &text, &document) {
+            Ok((count, most)) => {
+                (read, numbers) = (read + 1, numbers + count);
+                if most > largest.0 {
+                    largest = (most, name);
+                }
+            }
+            Err(Reason::NotRead(key)) => refused.push((name, key)),
+            Err(reason) => panic!("{name}: {reason:?}"),
+        }
+    }
+    println!("{read} files read alike, {numbers} numbers, largest difference {largest:?}");
+    let refused: Vec<(&str, &str)> =
+        refused.iter().map(|(name, key)| (name.as_str(), *key)).collect();
+    assert_eq!(refused, REFUSED);
+    assert!(read >= 113, "{read}");
+}
+
+/// What is proven of an answer for the solver's model, in doubles, is proven for the decimals of the file as well.
+#[test]
+fn answers_are_proven_for_the_decimals_of_the_file() {
+    let mut proven = 0;
+    let mut largest = (0.0, String::new());
+    for (name, path) in files() {
+        let text = std::fs::read_to_string(&path).expect("a text");
+        if read_model::<Wide>(&text, None).is_err() {
+            continue;
+        }
+        let document = groundbeam_file::parse(&text).expect("a model");
+        let combinations = document.combinations().into_iter().take(3);
+        let combinations = combinations.map(|one| (Some(one.name), one.model));
+        for (combination, model) in [(None, document.model.clone())].into_iter().chain(combinations)
+        {
+            let Ok(Outcome::Equilibrium(solution)) = solve(&model) else { continue };
+            let (doubles, answer) = solution.claim::<Wide>();
+            let decimals = read_model::<Wide>(&text, combination.as_deref()).expect("a model");
+            match (prove(&doubles, &answer), prove(&decimals, &answer)) {
+                (Ok(_), Ok(proof)) => {
+                    proven += 1;
+                    let gap = proof.energy / proof.strain_energy;
+                    if gap > largest.0 {
+                        largest = (gap, format!("{name} {combination:?}"));
+                    }
+                }
+                (doubles, decimals) => {
+                    let told = [doubles, decimals].map(|found| found.map_err(|e| e.to_string()));
+                    assert!(told[0] == told[1] && told[0].is_err(), "{name}: {told:?}");
+                }
+            }
+        }
+    }
+    println!("{proven} proven, largest relative gap {largest:?}");
+    assert!(proven >= 80 && largest.0 < 1e-19, "{proven} {largest:?}");
+}
+
+/// The blocks of the documents, which the first reader reads when what they leave out is added.
+#[test]
+fn the_blocks_of_the_documents_are_read_alike() {
+    let mut read = 0;
+    for entry in std::fs::read_dir(repository().join("docs")).into_iter().flatten().flatten() {
+        if entry.path().extension().is_none_or(|extension| extension != "md") {
+            continue;
+        }
+        let page = std::fs::read_to_string(entry.path()).expect("a text");
+        for block in page.split("```toml\n").skip(1) {
+            let mut text = block.split("```").next().unwrap_or_default().to_owned();
+            for (table, added) in [
+                ("[beam]", "[beam]\nlength = \"12 m\"\nEI = \"1e6 kN m^2\"\n"),
+                ("[foundation]", "[foundation]\nk = \"40 MN/m^2\"\nmu = \"1 MN\"\n"),
+            ] {
+                if !text.contains(table) {
+                    text = format!("{text}\n{added}");
+                }
+            }
+            let Ok(document) = groundbeam_file::parse(&text) else { continue };
+            match compare("a block", &text, &document) {
+                Ok(_) => read += 1,
+                Err(reason) => assert!(matches!(reason, Reason::NotRead(_)), "{reason:?}\n{text}"),
+            }
+        }
+    }
+    assert!(read >= 12, "{read}");
+}
+
+/// Models of random numbers, as the product writes them.
+#[test]
+fn random_models_are_read_alike() {
+    let mut read = 0;
+    for number in 0..2000 {
+        let first = model(number);
+        for units in [groundbeam_file::UnitSystem::Si, groundbeam_file::UnitSystem::Plain] {
+            let text = write_toml(&first, None, units);
+            let Ok(document) = groundbeam_file::parse(&text) else { continue };
+            match compare(&number.to_string(), &text, &document) {
+                Ok(_) => read += 1,
+                Err(reason) => panic!("{number}: {reason:?}\n{text}"),
+            }
+        }
+    }
+    println!("{read} read alike");
+    assert!(read > 2000);
+}
+
+/// Files with random changes: what both readers accept they understand alike.
+#[test]
+fn changed_files_are_read_alike() {
+    let texts = texts();
+    let mut alike = 0;
+    let mut faults = Vec::new();
+    for number in 0..60_000_u64 {
+        let text = mutated(&texts[number as usize % texts.len()], number);
+        match (groundbeam_file::parse(&text), read_model::<Wide>(&text, None)) {
+            (Ok(document), Ok(_)) => match compare(&number.to_string(), &text, &document) {
+                Ok(_) => alike += 1,
+                Err(reason) => faults.push(format!("{number}: {reason:?}")),
+            },
+            (Ok(_), Err(error)) if !matches!(error.reason, Reason::NotRead(_)) => {
+                faults.push(format!("{number}: only the first reads it: {error}"));
+            }
+            (Err(found), Ok(_)) => {
+                for diagnostic in found.iter().filter(|d| !is_left_out(&text, d.line, d.code)) {
+                    let said = &diagnostic.message;
+                    faults.push(format!("{number}: only the second reads it: {said}"));
+                }
+            }
+            (Ok(_) | Err(_), Err(_)) => {}
+        }
+    }
+    println!("{alike} read alike");
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    assert!(alike > 9000);
+}
+
+/// Whether the second reader has no use for a line: titles, checks, and combinations that are not asked for. Two
+/// places so near each other that rounding makes them one are two to the second reader.
+fn is_left_out(text: &str, line: usize, code: &str) -> bool {
+    let up_to: Vec<&str> = text.lines().take(line).map(str::trim).collect();
+    let heading = up_to.iter().rev().find(|line| line.starts_with('[')).copied().unwrap_or("");
+    let last = up_to.last().copied().unwrap_or("");
+    let is_key = ["title", "case", "combination", "checks"].iter().any(|key| last.starts_with(key));
+    let table = heading.trim_start_matches('[');
+    (is_key && (heading.is_empty() || last.starts_with("title")))
+        || ["checks]", "case]", "combination]"].iter().any(|name| table.starts_with(name))
+        || ["GB403", "GB404", "GB406"].contains(&code)
+}
