@@ -2,8 +2,8 @@
 
 use crate::answer::Answer;
 use crate::frame::{Frame, Node, spans};
-use crate::kinds::not_covered;
-use crate::model::{Action, Course, Extent, Model, Support, SupportKind};
+use crate::kinds::{constant, not_covered};
+use crate::model::{Action, Extent, Model, Support, SupportKind};
 use crate::outside;
 use crate::positions::Positions;
 use crate::refusal::NotProven;
@@ -119,14 +119,6 @@ pub(crate) fn positive<S: Scalar>(x: S, name: &str) -> Result<S, NotProven> {
 /// The same, or exactly zero.
 pub(crate) fn not_negative<S: Scalar>(x: S, name: &str) -> Result<S, NotProven> {
     if x == S::zero() { Ok(x) } else { positive(x, name) }
-}
-
-pub(crate) fn constant<S: Scalar>(course: &Course<S>) -> S {
-    match course {
-        Course::Constant(value) => *value,
-        // Refused before: a kind that is not covered.
-        Course::Varying(values) => values.first().copied().unwrap_or_else(S::zero),
-    }
 }
 
 fn stiffness<S: Scalar>(

@@ -5,7 +5,7 @@
 //! S = 0 where the layer ends free or meets separate springs, and with S⁺ = K/t where the surface is held.
 
 use crate::frame::Frame;
-use crate::given::constant;
+use crate::kinds::constant;
 use crate::model::{GroundEnd, Model};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
