@@ -29,12 +29,3 @@ pub(crate) fn not_covered<S: Scalar>(model: &Model<S>) -> Option<NotProven> {
     let (_, kind) = kinds.into_iter().find(|(present, _)| *present)?;
     Some(NotProven::new(format!("not covered: {kind}")))
 }
-
-/// The value of a covered course.
-pub(crate) fn constant<S: Scalar>(course: &Course<S>) -> S {
-    match course {
-        Course::Constant(value) => *value,
-        // Refused before: a kind that is not covered.
-        Course::Varying(values) => values.first().copied().unwrap_or_else(S::zero),
-    }
-}

@@ -34,6 +34,7 @@ mod residual;
 mod scalar;
 mod size;
 mod units;
+mod values;
 mod wide;
 
 pub use answer::{Answer, Force, Piece, Reaction};
