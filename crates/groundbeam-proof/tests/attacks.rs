@@ -112,3 +112,42 @@ fn no_attack_is_proven_and_all_bounds_hold() {
         assert!(!small || expected != "refused", "{name} is proven");
     }
 }
+
+/// Pieces left out, twice, in another order or with other numbers, and loads that act otherwise: refused, or E shows it.
+#[test]
+fn changed_documents_are_not_proven() {
+    let all = attacks();
+    let right = all.iter().find(|attack| attack.name == "right-layer").expect("right-layer");
+    let Verdict::Proven(answer, proof) = verdict(right) else { panic!("right-layer is proven") };
+    let good = proof.energy / proof.strain_energy;
+    let model = read_model::<Wide>(&right.model, None).expect("a model");
+    type Change = (&'static str, fn(&mut Answer));
+    let changes: [Change; 9] = [
+        ("no pieces", |answer| answer.pieces.clear()),
+        ("a piece left out", |answer| drop(answer.pieces.remove(1))),
+        ("a piece twice", |answer| answer.pieces.insert(1, answer.pieces[1].clone())),
+        ("pieces swapped", |answer| answer.pieces.swap(0, 1)),
+        ("a NaN", |answer| answer.pieces[1].deflection[0] = f64::NAN),
+        ("an infinite end", |answer| answer.pieces[2].x[1] = f64::INFINITY),
+        ("1e308", |answer| answer.pieces[1].deflection[2] = 1e308),
+        ("many coefficients", |answer| answer.pieces[1].deflection.resize(40, 0.0)),
+        ("many pieces", |answer| {
+            let piece = answer.pieces[0].clone();
+            answer.pieces.resize(200_000, piece);
+        }),
+    ];
+    for (what, change) in changes {
+        let mut changed = answer.clone();
+        change(&mut changed);
+        assert!(prove(&model, &changed).is_err(), "{what}");
+    }
+    for (old, new) in
+        [("moment = 0.4", "moment = -0.4"), ("point = 1", "point = 1.001"), ("mu = 1", "mu = 2")]
+    {
+        let other = right.model.replace(old, new);
+        assert_ne!(other, right.model, "{old}");
+        let other = read_model::<Wide>(&other, None).expect("a model");
+        let shown = prove(&other, &answer).map_or(f64::INFINITY, |p| p.energy / p.strain_energy);
+        assert!(shown > 1e-10 && shown > 1e20 * good, "{new}: {shown:e}");
+    }
+}
