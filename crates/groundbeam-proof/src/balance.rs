@@ -5,7 +5,9 @@
 //! pressures and concentrated forces are multiplied by 1 + λ, λ continuous and linear between the cuts, and supports
 //! take part with weights W_i for force and W_θi for rotation. With φ_j the hat functions of the cuts
 //!
-//!     Σ_k M_jk λ_k = E_j,   M_jk = ∫φ_jφ_k p + Σ a_i φ_jφ_k + Σ W_i φ_jφ_k + Σ W_θi φ_j′φ_k′.
+//! ```text
+//! Σ_k M_jk λ_k = E_j,   M_jk = ∫φ_jφ_k p + Σ a_i φ_jφ_k + Σ W_i φ_jφ_k + Σ W_θi φ_j′φ_k′.
+//! ```
 //!
 //! Pressures that pull are left out; E_j and M_jk are widened by at most their load ηω.
 
@@ -279,11 +281,12 @@ impl<S: Scalar> Balance<'_, S> {
         let slope = (ends[1] - ends[0]) * per_length;
         for i in cell.pieces.start..=cell.pieces.end {
             let x = self.frame.nodes[i].x;
-            let part = (x - cell.ends[0]) * per_length;
+            // Both hats, each computed by itself: their radii do not add up near an end.
+            let hats = [(cell.ends[1] - x) * per_length, (x - cell.ends[0]) * per_length];
             balanced.factors[i] = match i {
                 _ if i == cell.pieces.start => ends[0],
                 _ if i == cell.pieces.end => ends[1],
-                _ => ends[0] + part * (ends[1] - ends[0]),
+                _ => hats[0] * ends[0] + hats[1] * ends[1],
             };
         }
         let mut load = Size::ZERO;
@@ -308,7 +311,9 @@ impl<S: Scalar> Balance<'_, S> {
 
     /// ‖δ‖² = Σ∫δ²/EI: chord, parabola, and a rest below x(h − x)/2 times the rest of r,
     ///
-    ///     ∫δ² ≤ {|h(A² + AB + B²)/3 + r₀h³(A + B)/12 + r₀²h⁵/120|^½ + (h⁵/120)^½ R + h^½ |Δδ|}².
+    /// ```text
+    /// ∫δ² ≤ {|h(A² + AB + B²)/3 + r₀h³(A + B)/12 + r₀²h⁵/120|^½ + (h⁵/120)^½ R + h^½ |Δδ|}².
+    /// ```
     pub fn bending(&self, balanced: &Balanced<S>) -> Size {
         let of = |i: usize| {
             let (span, piece) = (&self.frame.spans[i], &self.residual.pieces[i]);

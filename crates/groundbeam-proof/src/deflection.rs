@@ -5,7 +5,9 @@
 //! two rigid supports, bends: c is the cubic with given values a and slopes b at both ends. With A the largest |a|
 //! and B the largest |b|
 //!
-//!     bend: |c| ≤ A + 0.3Bh, |c′| ≤ 3A/h + B, |c″| ≤ 12A/h² + 6B/h;   rigid: |c| ≤ A + Bh, |c′| ≤ B, c″ = 0.
+//! ```text
+//! bend: |c| ≤ A + 0.3Bh, |c′| ≤ 3A/h + B, |c″| ≤ 12A/h² + 6B/h;   rigid: |c| ≤ A + Bh, |c′| ≤ B, c″ = 0.
+//! ```
 
 use crate::frame::Frame;
 use crate::refusal::NotProven;

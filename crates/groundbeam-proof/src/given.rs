@@ -3,9 +3,10 @@
 use crate::answer::Answer;
 use crate::frame::{Frame, Node, spans};
 use crate::kinds::not_covered;
-use crate::model::{Action, Course, Extent, Model, Support, SupportKind};
+use crate::model::{Action, Extent, Model, Support, SupportKind};
 use crate::outside;
 use crate::positions::Positions;
+use crate::range::{constant, not_negative, positive};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::units::Units;
@@ -105,28 +106,6 @@ fn pressed<S: Scalar>(answer: &Answer, positions: &Positions<S>) -> Result<Vec<u
         }
     }
     Ok(pressed)
-}
-
-/// A number that is positive and neither too small nor too large to compute with.
-pub(crate) fn positive<S: Scalar>(x: S, name: &str) -> Result<S, NotProven> {
-    if x.low() >= 1e-60 && x.high() <= 1e60 {
-        Ok(x)
-    } else {
-        Err(NotProven::new(format!("{name} is out of range, relative to length and loads")))
-    }
-}
-
-/// The same, or exactly zero.
-pub(crate) fn not_negative<S: Scalar>(x: S, name: &str) -> Result<S, NotProven> {
-    if x == S::zero() { Ok(x) } else { positive(x, name) }
-}
-
-pub(crate) fn constant<S: Scalar>(course: &Course<S>) -> S {
-    match course {
-        Course::Constant(value) => *value,
-        // Refused before: a kind that is not covered.
-        Course::Varying(values) => values.first().copied().unwrap_or_else(S::zero),
-    }
 }
 
 fn stiffness<S: Scalar>(

@@ -5,8 +5,8 @@
 //! S = 0 where the layer ends free or meets separate springs, and with S⁺ = K/t where the surface is held.
 
 use crate::frame::Frame;
-use crate::given::constant;
 use crate::model::{GroundEnd, Model};
+use crate::range::{constant, not_negative, positive};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 
@@ -61,10 +61,9 @@ fn row<S: Scalar>(
         let (near, far) =
             if side == 0 { (segment.to, segment.from) } else { (segment.from, segment.to) };
         if outward(near).low() >= 0.0 && outward(far).low() > 0.0 {
-            let spring =
-                crate::given::positive(units.scaled(constant(&segment.spring), 1, -2), "k")?;
+            let spring = positive(units.scaled(constant(&segment.spring), 1, -2), "k")?;
             let shear = units.scaled(constant(&segment.shear), 1, 0);
-            let shear = crate::given::not_negative(shear, "the shear constant of the ground")?;
+            let shear = not_negative(shear, "the shear constant of the ground")?;
             row.push(Stretch { from: outward(near), ground: [spring, shear] });
         }
     }
