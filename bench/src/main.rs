@@ -1,4 +1,4 @@
-//! How fast groundbeam is: `cargo run --release -p groundbeam-bench -- all` writes `bench/RESULTS.md`.
+//! Benchmarks: `cargo run --release -p groundbeam-bench -- all` writes `bench/RESULTS.md`.
 
 mod batch;
 mod clock;

@@ -33,7 +33,8 @@ pub fn solve(model: &Model, rows: &[Row], contact: &[[usize; 2]]) -> Reference {
     // Unknowns of node i: (w, θ, u), where it touches u = w and the third is left out.
     let mut diagonal = vec![[[Quad::default(); 3]; 3]; last + 1];
     let mut beside = vec![[[Quad::default(); 3]; 3]; last];
-    let outside = root(Quad::from(model.foundation.spring) * Quad::from(model.foundation.shear));
+    let outside =
+        root(Quad::from(model.foundation.subgrade) * Quad::from(model.foundation.shear_layer));
     let mut ground: Vec<[Quad; 2]> = Vec::with_capacity(last);
     for &(_, first, count, h) in rows {
         let h = Quad::from(h);
@@ -174,7 +175,7 @@ fn element(model: &Model, h: Quad) -> ([[Quad; 2]; 2], [[Quad; 2]; 2], [Quad; 2]
     let across = kwt * h - ktt;
     let near = [[kww, kwt], [kwt, ktt]];
     let far = [[-kww, kwt], [-kwt, across]];
-    let (k, mu) = (q(model.foundation.spring), q(model.foundation.shear));
+    let (k, mu) = (q(model.foundation.subgrade), q(model.foundation.shear_layer));
     let z2 = k * h * h / mu;
     // √(kμ)/sinh z = (μ/h)/c₁(z²); √(kμ) tanh(z/2) = k h c₂/c₁.
     let (s1, s2) = (stumpff(z2, 1), stumpff(z2, 2));

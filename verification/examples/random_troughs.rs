@@ -1,4 +1,4 @@
-//! What twice as many chords change in random models over settlement troughs: `… --example random_troughs -- 1000`.
+//! The change by twice as many chords in random models over settlement troughs: `… --example random_troughs -- 1000`.
 //! Behind the number may stand the number of the first model; `show` and a number print the file of that model.
 
 use groundbeam_verification::troughs::{Result, drawn, result};

@@ -1,4 +1,4 @@
-//! How fast the methods with a mesh approach the exact answer: errors over N and the slopes fitted to them.
+//! Convergence of the mesh methods to the exact answer: errors over N and their slopes.
 
 use groundbeam::{
     Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Pressure, Side, Solution,

@@ -73,7 +73,7 @@ impl Dense {
                 _ => unreachable!("not drawn for this problem"),
             }
         }
-        let (k, mu) = (model.foundation.spring, model.foundation.shear);
+        let (k, mu) = (model.foundation.subgrade, model.foundation.shear_layer);
         let b = (k / mu).sqrt();
         let g = |i: usize, j: usize| (-b * h * i.abs_diff(j) as f64).exp() / (2.0 * mu * b);
         let flexibility = (0..nodes).map(|i| (0..nodes).map(|j| g(i, j)).collect()).collect();

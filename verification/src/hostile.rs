@@ -208,10 +208,13 @@ fn segments(beam: &mut Beam, ground: &mut Foundation, places: &mut Vec<f64>, dic
     if dice.happens(4) {
         for ends in joints(dice).windows(2) {
             let most = if dice.happens(2) { 3 } else { 1 };
-            let spring = of(ground.spring, dice.profile(most));
-            let layered = ground.shear > 0.0 && !dice.happens(4);
-            let shear =
-                if layered { of(ground.shear, dice.profile(most)) } else { Profile::constant(0.0) };
+            let spring = of(ground.subgrade, dice.profile(most));
+            let layered = ground.shear_layer > 0.0 && !dice.happens(4);
+            let shear = if layered {
+                of(ground.shear_layer, dice.profile(most))
+            } else {
+                Profile::constant(0.0)
+            };
             *ground = ground.clone().with_varying_segment(ends[0], ends[1], spring, shear);
         }
     }

@@ -75,8 +75,8 @@ impl Mesh {
                 model.beam.bending_stiffness,
                 model.beam.shear_stiffness.expect("a beam that shears"),
                 model.beam.axial_force,
-                model.foundation.spring,
-                model.foundation.shear,
+                model.foundation.subgrade,
+                model.foundation.shear_layer,
             ],
         };
         for load in &model.loads {

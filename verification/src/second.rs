@@ -94,17 +94,17 @@ impl Comparison {
     }
 
     fn ground(&mut self, first: &Model, second: &proof::Model<Wide>) {
-        let (Foundation { spring, shear, segments, ends }, second) =
+        let (Foundation { subgrade, shear_layer, segments, ends, .. }, second) =
             (&first.foundation, &second.ground);
-        self.number("k", *spring, second.spring);
-        self.number("mu", *shear, second.shear);
+        self.number("k", *subgrade, second.spring);
+        self.number("mu", *shear_layer, second.shear);
         self.count("ground segments", segments.len(), second.segments.len());
         for (i, (first, second)) in segments.iter().zip(&second.segments).enumerate() {
             let name = |of: &str| format!("ground segment {i}: {of}");
             self.number(&name("from"), first.from, second.from);
             self.number(&name("to"), first.to, second.to);
-            self.course(&name("k"), &first.spring, &second.spring);
-            self.course(&name("mu"), &first.shear, &second.shear);
+            self.course(&name("k"), &first.subgrade, &second.spring);
+            self.course(&name("mu"), &first.shear_layer, &second.shear);
         }
         for (first, second) in ends.iter().zip(second.ends) {
             match (first, second) {

@@ -87,7 +87,7 @@ impl Meshed {
         }
         let spring = |i: usize| {
             let share = if i == 0 || i == elements { 0.5 } else { 1.0 };
-            let constant = share * h * model.foundation.spring;
+            let constant = share * h * model.foundation.subgrade;
             let place = clearance(model, i as f64 * h);
             Spring { node: i, constant, place, acts: Acts::Up }
         };

@@ -50,7 +50,7 @@ fn a_mesh_is_no_farther_off_than_its_certificate_says() {
         // Eight elements to a wave of the beam, where that makes a mesh. A mesh cannot follow a beam of
         // thousands of waves, nor the ground under a beam 1e12 times as stiff.
         let ei = model.beam.bending_stiffness;
-        let waves = (model.foundation.spring / (4.0 * ei)).powf(0.25) * model.beam.length;
+        let waves = (model.foundation.subgrade / (4.0 * ei)).powf(0.25) * model.beam.length;
         // Loads on the ground are the exact method's alone.
         let on_ground = model.loads.iter().any(groundbeam::Load::is_on_ground);
         if on_ground || !(0.01..1000.0).contains(&waves) {

@@ -1,4 +1,4 @@
-//! What the certificate claims is true: errors stay within their bounds, and the bounds are sharp.
+//! The certificate's claims: errors stay within their bounds, and the bounds are sharp.
 
 use groundbeam::{Field, Method, Model, Options, Outcome, Side, Solution, solve, solve_with};
 use groundbeam_verification::random::{Family, model};

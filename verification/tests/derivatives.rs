@@ -1,6 +1,6 @@
 //! Derivatives: against differences of exact solutions, forward against backward, and closed forms.
 
-use groundbeam::sensitivity::{
+use groundbeam::derivatives::{
     Extent, Gradient, LoadNumber, OneSided, Output, Parameter, Property, SupportNumber,
 };
 use groundbeam::{Action, Field, Load, Model, Options, Outcome, Side, Solution, solve, solve_near};

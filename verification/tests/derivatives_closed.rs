@@ -1,6 +1,6 @@
 //! Derivatives: closed forms, theorems that hold for all models, and what is refused.
 
-use groundbeam::sensitivity::{
+use groundbeam::derivatives::{
     Extent, LoadNumber, NotDifferentiable, OneSided, Output, Parameter, Property, SupportNumber,
 };
 use groundbeam::{

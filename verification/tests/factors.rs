@@ -21,7 +21,7 @@ fn weighted(family: Family, number: u64) -> Model {
     // Enough to close the gaps there are, and not nothing beside the other loads.
     let depth = model.gap.iter().map(|corner| corner.value).fold(0.0, f64::max);
     let share = [0.01, 0.3, 3.0][number as usize % 3];
-    let weight = 3.0 * model.foundation.spring * depth + share / l;
+    let weight = 3.0 * model.foundation.subgrade * depth + share / l;
     model.loads.push(Load::uniform_force(0.0, l, weight));
     model
 }

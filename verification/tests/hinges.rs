@@ -93,15 +93,15 @@ fn what_stands_at_a_hinge() {
             );
             let inside = answer.contact().iter().any(|c| c.from < hinge.at && hinge.at < c.to);
             let even = model.foundation.segments.is_empty() && model.gap.is_empty();
-            if !even || model.foundation.shear == 0.0 {
+            if !even || model.foundation.shear_layer == 0.0 {
                 continue;
             }
             let mut forces = answer.concentrated_forces().iter().filter(|f| f.at == hinge.at);
             let force = forces.next().map_or(0.0, |force| force.force);
-            let wanted = -model.foundation.shear * turn.rotation;
+            let wanted = -model.foundation.shear_layer * turn.rotation;
             if inside {
                 pressed += usize::from(force > 0.0);
-                let scale = model.foundation.shear * size * model.beam.length
+                let scale = model.foundation.shear_layer * size * model.beam.length
                     / model.beam.bending_stiffness;
                 assert!(
                     (force - wanted).abs() <= 1e-7 * scale.max(wanted.abs()),
@@ -127,7 +127,7 @@ fn between_free_and_closed() {
         // What the ground under the shortest piece does against turning.
         let places: Vec<f64> = groundbeam::static_reactions(&model).iter().map(|r| r.0).collect();
         let shortest = places.windows(2).map(|x| x[1] - x[0]).fold(f64::INFINITY, f64::min);
-        let soft = unit.min(model.foundation.spring * shortest.powi(3));
+        let soft = unit.min(model.foundation.subgrade * shortest.powi(3));
         let mut with = |spring: f64| {
             model.hinges.iter_mut().for_each(|hinge| hinge.rotational_spring = spring);
             solve(&model)

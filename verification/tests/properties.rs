@@ -239,11 +239,11 @@ fn a_vanishing_shear_layer_is_winklers_ground() {
         let winkler = model(Family::Winkler, number);
         let at = winkler.beam.length * 0.3;
         let reference = exact(&winkler).expect("an answer").value(Field::Deflection, at);
-        let natural = (winkler.foundation.spring * winkler.beam.bending_stiffness).sqrt();
+        let natural = (winkler.foundation.subgrade * winkler.beam.bending_stiffness).sqrt();
         let mut last = f64::INFINITY;
         for power in [-4, -6, -8] {
             let mut soft = winkler.clone();
-            soft.foundation.shear = natural * 10_f64.powi(power);
+            soft.foundation.shear_layer = natural * 10_f64.powi(power);
             let w = exact(&soft).expect("an answer").value(Field::Deflection, at);
             let error = (w - reference).abs()
                 / exact(&winkler).expect("an answer").range(Field::Deflection).max.value.abs();

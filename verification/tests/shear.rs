@@ -103,7 +103,7 @@ fn without_shear_it_only_bends() {
         let mut last = f64::INFINITY;
         for power in [4, 6, 8] {
             let mut stiff = plain.clone();
-            let waves = plain.foundation.spring * plain.beam.length.powi(2);
+            let waves = plain.foundation.subgrade * plain.beam.length.powi(2);
             stiff.beam.shear_stiffness = Some(10_f64.powi(power) * (unit + waves));
             let found = solved(&stiff);
             let error =

@@ -135,7 +135,7 @@ fn dimensionless(model: &Model, elements: usize) -> Model {
         Beam::uniform(elements as f64, 1.0).with_axial_force(model.beam.axial_force * h * h / ei);
     let ground = &model.foundation;
     scaled.foundation =
-        Foundation::pasternak(ground.spring * h.powi(4) / ei, ground.shear * h * h / ei);
+        Foundation::pasternak(ground.subgrade * h.powi(4) / ei, ground.shear_layer * h * h / ei);
     for load in &mut scaled.loads {
         if load.is_on_ground() {
             continue;

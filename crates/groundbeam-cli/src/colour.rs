@@ -1,4 +1,4 @@
-//! Whether the terminal shows colour.
+//! Decides whether the terminal shows colour.
 
 use std::io::{self, IsTerminal};
 

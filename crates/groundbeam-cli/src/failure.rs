@@ -1,4 +1,4 @@
-//! Why there is no answer, on standard error.
+//! Messages on standard error for runs without an answer.
 
 use crate::colour::standard_error_has_colour;
 use crate::status::Status;

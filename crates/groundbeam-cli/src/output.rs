@@ -1,4 +1,4 @@
-//! Where results go: standard output, and files that are written whole or not at all.
+//! Output of results: standard output, and files written whole or not at all.
 
 use crate::failure::Failure;
 use crate::input::Input;

@@ -1,4 +1,4 @@
-//! What the command line says about itself: completion scripts and the manual page.
+//! Completion scripts and the manual page, from the command line's own definition.
 
 use crate::failure::Failure;
 use crate::output::print;

@@ -1,4 +1,4 @@
-//! What was typed means this: every choice made, every output known.
+//! A request, from the typed options: all choices made, all outputs known.
 
 use crate::distinct::Output;
 use crate::failure::Failure;

@@ -1,4 +1,4 @@
-//! What was typed. What it means is in [`request`](crate::request).
+//! The command line's options as typed. [`request`](crate::request) gives them their meaning.
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;

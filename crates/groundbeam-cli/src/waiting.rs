@@ -1,4 +1,4 @@
-//! A sign of life on the terminal for whatever takes more than a second.
+//! Progress on the terminal for work of more than a second.
 
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;

@@ -1,4 +1,4 @@
-//! What the documents say the program prints, and the pictures in them, are what it prints and draws.
+//! The console blocks and pictures in the documents are the program's output.
 //!
 //! In `README.md` and `docs/` a block that begins with `$ groundbeam …` holds that command and its output; a line
 //! `<!-- drawn: groundbeam … --plot FILE.svg -->` names the command that draws a picture. All run in the repository's

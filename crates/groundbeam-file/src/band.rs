@@ -1,4 +1,4 @@
-//! Ground that is not well known: the multiples of its constants that are solved together.
+//! Bands of uncertain ground: the multiples of k and μ that are solved together.
 
 /// Between which multiples of their best values k and μ are known to lie.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -97,6 +97,7 @@ pub const CODES: &[Code] = &[
         "ground-load-varying.toml",
     ),
     row("GB211", "a load on the ground presses down", "ground-load.toml"),
+    elsewhere("GB212", "ground made of soil is uniform and endless"),
     row("GB301", "a position must lie on the beam", "off-the-beam.toml"),
     row("GB302", "a value must be a finite number", "out-of-range.toml"),
     row(STRETCH, "a stretch must have a length", "stretch-without-length.toml"),

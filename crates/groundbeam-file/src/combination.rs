@@ -8,7 +8,6 @@ use crate::fault::Fault;
 use crate::source::Source;
 use crate::suggest::nearest;
 use groundbeam::Model;
-use groundbeam::soil::Bed;
 
 /// More combinations than this a file may not have.
 pub(crate) const MOST: usize = 1000;
@@ -44,22 +43,13 @@ pub struct Combination {
     /// What k and μ are multiplied by where the file has a [`Band`](crate::Band); the model's ground is multiplied
     /// already.
     pub ground: Option<[f64; 2]>,
-    /// The soil from which the ground was made, with the same factors.
-    pub bed: Option<Bed>,
 }
 
 impl From<Model> for Combination {
     /// All loads of a model, as a combination without a name.
     fn from(model: Model) -> Self {
         let loads = (0..model.loads.len()).collect();
-        Combination {
-            name: String::new(),
-            factors: Vec::new(),
-            model,
-            loads,
-            ground: None,
-            bed: None,
-        }
+        Combination { name: String::new(), factors: Vec::new(), model, loads, ground: None }
     }
 }
 
@@ -86,9 +76,6 @@ impl Combination {
     fn on(mut self, band: &Band, ground: [f64; 2]) -> Self {
         let [spring, shear] = ground;
         self.model.foundation = self.model.foundation.scaled(spring, shear);
-        if let Some(bed) = &mut self.bed {
-            bed.factors = ground;
-        }
         self.ground = Some(ground);
         self.name = on(&self.name, band, ground);
         self
@@ -122,7 +109,7 @@ impl Document {
         let combined = |recipe: &Recipe| {
             let (model, loads) = self.under(|case| recipe.factor(case.as_deref()));
             let (name, factors) = (recipe.name.clone(), recipe.factors.clone());
-            Combination { name, factors, model, loads, ground: None, bed: self.bed.clone() }
+            Combination { name, factors, model, loads, ground: None }
         };
         let Some(band) = &self.band else { return self.recipes.iter().map(combined).collect() };
         let alone = self.recipes.is_empty().then(|| self.as_written());
@@ -153,7 +140,7 @@ impl Document {
 
     /// Every load as it is written, on the ground as it is written: a combination without a name.
     pub fn as_written(&self) -> Combination {
-        Combination { bed: self.bed.clone(), ..Combination::from(self.model.clone()) }
+        Combination::from(self.model.clone())
     }
 
     /// The title of results of one combination: `Footing: ULS 1`.

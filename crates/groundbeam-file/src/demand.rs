@@ -1,4 +1,4 @@
-//! What a key demands of its number: the sign, and for a position the body on which it lies.
+//! The demands of a key on its number: the sign, and for a position the body on which it lies.
 
 /// The signs that a number may have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,4 +1,4 @@
-//! What is wrong with a file, where, and what would be right.
+//! Diagnostics: the fault of a file, its place, and the remedy.
 
 use crate::beside::OtherFile;
 use crate::fault::Fault;

@@ -10,7 +10,6 @@ use crate::reader::Field;
 use crate::source::Source;
 use crate::units::UnitSystem;
 use groundbeam::model::{Part, Problem, Train};
-use groundbeam::soil::Bed;
 use groundbeam::{Error, Limits, Model};
 use std::collections::HashMap;
 use std::ops::Range;
@@ -25,9 +24,6 @@ pub struct Document {
     pub model: Model,
     /// How many chords of the model's gap replace the curve of settlement troughs, if the file has troughs.
     pub chords: Option<usize>,
-    /// The soil from which the model's ground was made, if the file gives one; a ground that depends on the
-    /// solution is in the model as it is before anything is solved.
-    pub bed: Option<Bed>,
     /// The width on which the beam bears \[m\], if the file gives one for the whole beam.
     pub width: Option<f64>,
     /// Between which multiples of their values the ground's constants lie, if the file says so.

@@ -1,4 +1,4 @@
-//! What is wrong with one written value, before it is known where in the file the value stands.
+//! The fault of one written value, before its place in the file is known.
 
 use std::ops::Range;
 

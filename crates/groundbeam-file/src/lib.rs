@@ -20,7 +20,7 @@
 //!     "#,
 //! )?;
 //! assert_eq!(document.model.beam.length, 12.0);
-//! assert_eq!(document.model.foundation.spring, 40e6);
+//! assert_eq!(document.model.foundation.subgrade, 40e6);
 //! # Ok::<(), groundbeam_file::Diagnostics>(())
 //! ```
 //!
@@ -119,7 +119,7 @@ pub fn parse_beside<'a>(
 /// ```
 /// let text = "[beam]\nlength = '12 m'\nEI = 1.28e9\n[foundation]\nk = '40 MN/m^2'\nmu = 9e6\n";
 /// let model = groundbeam_file::parse_si(text, None)?.model;
-/// assert_eq!((model.beam.bending_stiffness, model.foundation.spring), (1.28e9, 40e6));
+/// assert_eq!((model.beam.bending_stiffness, model.foundation.subgrade), (1.28e9, 40e6));
 /// assert!(groundbeam_file::parse(text).is_err(), "a file that a person wrote does not mix them");
 /// # Ok::<(), groundbeam_file::Diagnostics>(())
 /// ```
@@ -170,12 +170,11 @@ fn read(text: &str, beside: Option<Beside>, bare_is_si: bool) -> Result<Document
     let quantities = reader.located(units);
     let Reader { found, places, others, .. } = reader;
     if found.is_empty() {
-        let Ground { bed, width, band, .. } = ground;
+        let Ground { width, band, .. } = ground;
         Ok(Document {
             title,
             model,
             chords,
-            bed,
             width,
             band,
             limits,

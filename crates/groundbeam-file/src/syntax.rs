@@ -1,4 +1,4 @@
-//! What the TOML reader refuses, said so that someone who does not know TOML can mend it.
+//! TOML syntax errors in words for readers who do not know TOML.
 
 use crate::code;
 use crate::diagnostic::Diagnostic;

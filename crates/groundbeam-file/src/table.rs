@@ -1,4 +1,4 @@
-//! One table of the file, and the names that people try in it.
+//! One table of the file, and the wrong names that users try in it.
 
 use crate::suggest::nearest;
 use std::ops::Range;

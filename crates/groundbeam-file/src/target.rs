@@ -1,4 +1,4 @@
-//! Numbers of a model, changed by their names: what they count, why some cannot be changed, and how rows of them are.
+//! Names of a model's numbers that studies and arrays change: their values, and the reasons why some cannot change.
 
 use crate::document::Document;
 use crate::quantity::{
@@ -6,7 +6,7 @@ use crate::quantity::{
     SHEAR_CONSTANT, SPRING, SPRING_PER_LENGTH,
 };
 use crate::section::load::kind_of;
-use groundbeam::sensitivity::{Extent, LoadNumber, Parameter, Property, SupportNumber};
+use groundbeam::derivatives::{Extent, LoadNumber, Parameter, Property, SupportNumber};
 use groundbeam::{Beam, Foundation, Model, Profile};
 
 /// How a quantity runs between numbers at even points from one end of the beam to the other.
@@ -61,7 +61,7 @@ pub(crate) fn must_be_positive(parameter: Parameter) -> bool {
 /// Why a number of a file's model cannot be changed, if it cannot; `name` is what it was called.
 pub fn problem(parameter: Parameter, name: &str, document: &Document) -> Option<String> {
     let model = &document.model;
-    if parameter.is_of_ground() && document.bed.is_some() {
+    if parameter.is_of_ground() && document.model.foundation.soil.is_some() {
         return Some("the model's ground is made of its soil".to_owned());
     }
     if let Parameter::Load(index, _) = parameter
@@ -191,7 +191,7 @@ fn vary_ground(model: &mut Model, ground: [Option<Along>; 2]) {
     let Some(count) = ground.iter().flatten().map(|along| along.stretches()).max() else { return };
     let length = model.beam.length;
     let mut foundation = model.foundation.clone();
-    let elsewhere = [foundation.spring, foundation.shear];
+    let elsewhere = [foundation.subgrade, foundation.shear_layer];
     for i in 0..count {
         let [from, to] = ends(length, i, count);
         let [spring, shear] = [0, 1].map(|which| match ground[which] {

@@ -1,13 +1,16 @@
 //! Model → text: the inverse of [`parse`](crate::parse), bit for bit.
 
 use crate::section::load::{LoadKind, kind_of};
+use crate::section::soil::method_name;
 use crate::units::UnitSystem;
+use groundbeam::soil::{LayeredSoil, Soil, SoilModel};
 use groundbeam::{Acts, Extent, GroundEnd, Load, Model, Profile, SupportKind};
 use std::fmt::Write;
 
 /// The model as a model file, every number written so that reading it gives the same bits.
 ///
-/// The units are those of SI, or none. Numbers that are not finite, which no model that
+/// Ground made of soil is written as soil. Under a band, whose factors a file cannot give to one model, it is written as
+/// its constants. The units are those of SI, or none. Numbers that are not finite, which no model that
 /// [`Model::problems`] finds right contains, cannot be read again.
 ///
 /// ```
@@ -97,8 +100,12 @@ impl Writer {
     fn foundation(&mut self, model: &Model) {
         let ground = &model.foundation;
         self.heading("[foundation]");
-        self.quantity("k", ground.spring, "N/m^2");
-        self.quantity("mu", ground.shear, "N");
+        if let Some(soil) = ground.soil.as_ref().filter(|soil| soil.factors == [1.0; 2]) {
+            self.soil(soil);
+            return;
+        }
+        self.quantity("k", ground.subgrade, "N/m^2");
+        self.quantity("mu", ground.shear_layer, "N");
         for (key, end) in ["left", "right"].into_iter().zip(ground.ends) {
             let (at, kind) = match end {
                 GroundEnd::Endless => continue,
@@ -111,8 +118,42 @@ impl Writer {
         for segment in &ground.segments {
             self.heading("[[foundation.segment]]");
             self.stretch(segment.from, segment.to);
-            self.profile("k", &segment.spring, "N/m^2");
-            self.profile("mu", &segment.shear, "N");
+            self.profile("k", &segment.subgrade, "N/m^2");
+            self.profile("mu", &segment.shear_layer, "N");
+        }
+    }
+
+    fn soil(&mut self, SoilModel { soil, width, .. }: &SoilModel) {
+        self.quantity("width", *width, "m");
+        self.heading("[foundation.soil]");
+        self.line("method", &quoted(method_name(soil)));
+        match soil {
+            Soil::Vlasov(layers, gamma) => {
+                self.line("gamma", &format!("{gamma:?}"));
+                self.layers(layers);
+            }
+            Soil::ModifiedVlasov(layers) => self.layers(layers),
+            Soil::Vesic(soil)
+            | Soil::Biot(soil)
+            | Soil::MeyerhofBaike(soil)
+            | Soil::Selvadurai(soil) => self.elastic(soil.modulus, soil.poisson),
+            Soil::TerzaghiClay(plate) | Soil::TerzaghiSand(plate) => {
+                self.quantity("plate_modulus", plate.modulus, "N/m^3");
+                self.quantity("plate_width", plate.width, "m");
+            }
+        }
+    }
+
+    fn elastic(&mut self, modulus: f64, poisson: f64) {
+        self.quantity("E", modulus, "Pa");
+        self.line("nu", &format!("{poisson:?}"));
+    }
+
+    fn layers(&mut self, soil: &LayeredSoil) {
+        for layer in &soil.layers {
+            self.heading("[[foundation.soil.layer]]");
+            self.elastic(layer.modulus, layer.poisson);
+            self.quantity("thickness", layer.thickness, "m");
         }
     }
 

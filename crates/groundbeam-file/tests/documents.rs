@@ -1,4 +1,4 @@
-//! What a right file says, in every way it can be said.
+//! Valid files in all their forms.
 
 use groundbeam::model::{Part, Problem};
 use groundbeam::{Acts, Load, Support, SupportKind};
@@ -75,7 +75,7 @@ fn a_whole_file() {
     assert_eq!(document.units, UnitSystem::Si);
     assert_eq!((model.beam.length, model.beam.bending_stiffness), (12.0, 1.2e9));
     assert_eq!(model.beam.axial_force, 1e4);
-    assert_eq!((model.foundation.spring, model.foundation.shear), (4e7, 9e6));
+    assert_eq!((model.foundation.subgrade, model.foundation.shear_layer), (4e7, 9e6));
     assert_eq!(model.foundation.constants_at(1.0), (2e7, 9e6), "mu from [foundation]");
     assert_eq!(model.foundation.constants_at(3.0), (4e7, 0.0), "k from [foundation]");
     let loads = [
@@ -117,7 +117,7 @@ fn a_stiffness_and_its_factors() {
     assert_eq!(ei("E = \"30 GPa\"\nI = \"0.04 m^4\""), 1.2e9);
     let section = "section = { width = \"1 m\", height = \"80 cm\" }";
     assert_eq!(ei(&format!("E = \"30 GPa\"\n{section}")), 3e10 * (0.8_f64.powi(3) / 12.0));
-    let k = |ground| with("EI = \"1 N m^2\"", ground).model.foundation.spring;
+    let k = |ground| with("EI = \"1 N m^2\"", ground).model.foundation.subgrade;
     assert_eq!(k("subgrade_modulus = \"40 MN/m^3\"\nwidth = \"500 mm\""), 2e7);
 }
 
@@ -141,7 +141,7 @@ fn segments_take_over_what_they_leave_out() {
         .foundation
         .segments
         .iter()
-        .map(|s| (s.spring.start(), s.shear.start()))
+        .map(|s| (s.subgrade.start(), s.shear_layer.start()))
         .collect();
     assert_eq!(ground, [(8e7, 1.0), (1e7, 1.0), (4e7, 2.0)]);
 }
@@ -225,7 +225,7 @@ fn problems_found_later_have_a_place_too() {
     assert_eq!(place(Part::Beam, "axial_force"), "\"10 kN\"");
     assert_eq!(place(Part::Load(2), "end"), "\"20 kN/m\"");
     assert_eq!(place(Part::Load(3), "to"), "[[load]]", "left out: the heading");
-    assert_eq!(place(Part::FoundationSegment(1), "spring"), "[[foundation.segment]]");
+    assert_eq!(place(Part::FoundationSegment(1), "subgrade"), "[[foundation.segment]]");
     assert_eq!(document.part_span(Part::Support(7)), None);
 
     let mut problem = Problem {
@@ -324,4 +324,32 @@ fn a_trough_written_back_is_the_same_polygon() {
 fn a_trough_far_from_the_beam_is_no_error() {
     let document = read(&TROUGH.replace("at = '60 m'", "at = '-500 m'"));
     assert!(document.model.gap.iter().all(|corner| corner.value < 1e-60));
+}
+
+#[test]
+fn every_kind_of_soil_is_written_as_soil() {
+    let elastic = "E = '20 MPa'\nnu = 0.3\n";
+    let plate = "plate_modulus = '60 MN/m^3'\nplate_width = '0.3 m'\n";
+    let layer = "[[foundation.soil.layer]]\nE = '20 MPa'\nnu = 0.3\nthickness = '4 m'\n";
+    let layers = format!("gamma = 1.25\n{layer}");
+    let methods = [
+        ("modified-vlasov", layer),
+        ("vlasov", &layers),
+        ("vesic", elastic),
+        ("biot", elastic),
+        ("meyerhof-baike", elastic),
+        ("selvadurai", elastic),
+        ("terzaghi-clay", plate),
+        ("terzaghi-sand", plate),
+    ];
+    for (method, soil) in methods {
+        let text = format!(
+            "[beam]\nlength = '12 m'\nEI = '1 GN m^2'\n[foundation]\nwidth = '1.2 m'\n\
+             [foundation.soil]\nmethod = '{method}'\n{soil}"
+        );
+        let model = parse(&text).expect(method).model;
+        let written = write_toml(&model, None, UnitSystem::Si);
+        assert!(written.contains(method), "{written}");
+        assert_eq!(parse(&written).expect(method).model, model);
+    }
 }

@@ -1,4 +1,4 @@
-//! What holds for every text and every model.
+//! Properties of every text and every model.
 
 mod common;
 

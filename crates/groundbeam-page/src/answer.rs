@@ -1,4 +1,4 @@
-//! A model file comes in, an answer goes out.
+//! The answer to a model file.
 
 use crate::question::{Asked, Trains, WrongQuery};
 use crate::reply::{Reply, WrongModel};

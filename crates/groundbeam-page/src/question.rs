@@ -1,4 +1,4 @@
-//! The query of an address: every key and every value is checked, and none is ignored.
+//! The query of an address, with every key and value checked.
 
 use crate::reply::Reply;
 use groundbeam::Cancel;

@@ -1,4 +1,4 @@
-//! Replies: a document, a file, or why a question is refused.
+//! Replies: a document, a file, or the reason of a refusal.
 
 use groundbeam_file::{Diagnostic, Severity};
 use serde::Serialize;

@@ -1,4 +1,4 @@
-//! Everything the page shows of a model, in one answer.
+//! The page's view of a model: all of its data in one answer.
 
 use crate::question::Asked;
 use crate::written::Number;

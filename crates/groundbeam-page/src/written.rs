@@ -1,4 +1,4 @@
-//! Where in the text the page changes a number: the text is the only thing that is changed.
+//! Edits of the model's text for numbers changed on the page.
 
 use groundbeam::model::Part;
 use groundbeam_file::{Document, Place, Quantity, Sign};

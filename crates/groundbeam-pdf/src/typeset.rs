@@ -1,4 +1,4 @@
-//! typst's view of a report: one page description, one file of data, a few fonts, and no other world around them.
+//! A report as typst sees it: one page description, one data file, and fonts.
 
 use crate::{Error, math};
 use groundbeam_report::calculation::{Block, Paper, Report};

@@ -1,4 +1,4 @@
-//! In place of the typesetter where it is not built in.
+//! The replacement for the typesetter in builds without it.
 
 use crate::{Error, NOT_BUILT_IN};
 use groundbeam_report::calculation::{Paper, Report};

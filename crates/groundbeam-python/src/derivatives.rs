@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::names::{field, side};
 use groundbeam::Solution;
-use groundbeam::sensitivity::{Output, Parameter};
+use groundbeam::derivatives::{Output, Parameter};
 use groundbeam_report::Units;
 
 /// An output: its name, and where and from which side a field is looked at.
@@ -59,7 +59,7 @@ pub fn gradients(
     let found = solution.gradients(&outputs, &by);
     let found = found.map_err(|why| Failure::Asked(why.to_string()))?;
     let si = units == Units::Si;
-    let words = |one_sided: &[groundbeam::sensitivity::OneSided]| {
+    let words = |one_sided: &[groundbeam::derivatives::OneSided]| {
         one_sided.iter().map(|why| why.in_words(if si { " m" } else { "" })).collect()
     };
     Ok((

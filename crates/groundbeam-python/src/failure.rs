@@ -1,4 +1,4 @@
-//! Why there is no answer, as an exception of `groundbeam._errors`.
+//! Failures as exceptions of `groundbeam._errors`.
 
 use groundbeam::{Error, Existence, Model, Stopped, Verdict, static_reactions};
 use groundbeam_file::{Diagnostic, Diagnostics, Document};

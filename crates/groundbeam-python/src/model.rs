@@ -1,4 +1,4 @@
-//! A model as text, read; and what can be asked of it.
+//! The Python class of a model, from text.
 
 use crate::answers::Answers;
 use crate::derivatives::parameter;
@@ -148,7 +148,7 @@ impl Model {
         let mut combination = self.read.combination(combination)?;
         for (name, number) in numbers {
             let own = parameter(&name)?;
-            if own.is_of_ground() && combination.bed.is_some() {
+            if own.is_of_ground() && combination.model.foundation.soil.is_some() {
                 let why = "the model's ground is made of its soil";
                 return Err(Failure::Asked(format!("parameter `{name}`: {why}")).into());
             }

@@ -1,4 +1,4 @@
-//! What is called by a name: fields, sides, verdicts.
+//! Fields, sides and verdicts by name.
 
 use crate::failure::Failure;
 use groundbeam::{Field, Side, Verdict};

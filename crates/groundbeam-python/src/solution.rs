@@ -170,7 +170,7 @@ impl Solution {
         parameters: Vec<String>,
     ) -> Result<GradientArrays<'py>, Failure> {
         let found = py.detach(|| {
-            let on_soil = self.label.combination.bed.is_some();
+            let on_soil = self.found.soil().is_some();
             derivatives::gradients(&self.found, on_soil, self.read.units(), &outputs, &parameters)
         });
         let (values, derivatives, one_sided) = found?;

@@ -1,4 +1,4 @@
-//! Work shared out to threads that end with the call, while Python may stop it.
+//! Threads for one call, which Python may stop.
 //!
 //! No thread outlives a call, so a process may fork between calls and the child starts threads of its own. The global
 //! pool of `rayon` must not be used here: its threads are missing in a forked process, and work given to it never ends.

@@ -1,4 +1,4 @@
-//! The numbers by which an engineer judges a beam on ground before looking at anything else.
+//! Characteristic numbers of a beam on ground, such as its length in waves.
 
 use groundbeam::{Existence, Model};
 
@@ -39,7 +39,7 @@ impl Characteristics {
             let stiffness = segment.map_or(beam.bending_stiffness, |s| s.bending_stiffness_at(x));
             let segment = ground_segments.at(x);
             let (spring, shear) =
-                segment.map_or((ground.spring, ground.shear), |s| s.constants_at(x));
+                segment.map_or((ground.subgrade, ground.shear_layer), |s| s.constants_at(x));
             ((spring / (4.0 * stiffness)).sqrt().sqrt(), (shear / spring).sqrt())
         };
         let steps = if varies(model) { STEPS } else { 1 };
@@ -102,7 +102,7 @@ const STEPS: usize = 256;
 /// Whether anything varies along a segment.
 fn varies(model: &Model) -> bool {
     let beam = model.beam.segments.iter().map(|s| &s.bending_stiffness);
-    let ground = model.foundation.segments.iter().flat_map(|s| [&s.spring, &s.shear]);
+    let ground = model.foundation.segments.iter().flat_map(|s| [&s.subgrade, &s.shear_layer]);
     beam.chain(ground).any(|profile| !profile.is_constant())
 }
 

@@ -1,4 +1,4 @@
-//! What the reports of several combinations share: their numbers, and the head of their list.
+//! Numbers and list heads that the reports of several combinations share.
 
 use crate::size::Sizes;
 use groundbeam::Solution;

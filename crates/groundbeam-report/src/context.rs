@@ -1,4 +1,4 @@
-//! What a report says besides the result itself.
+//! The context of a report: title, units, ground, limits, load factors.
 
 use crate::quantity::Units;
 use groundbeam::Limits;

@@ -1,4 +1,4 @@
-//! Numbers as a person reads them.
+//! Numbers in print.
 
 /// A number with so many significant digits, without trailing zeros; very large and very small ones with
 /// an exponent.

@@ -1,4 +1,4 @@
-//! Words as shapes: a picture for renderers that know no fonts.
+//! Text as outlines, for renderers without fonts.
 
 use crate::font;
 use std::fmt::Write as _;

@@ -1,4 +1,4 @@
-//! Which unit a quantity is written in.
+//! The unit in which a quantity is written.
 
 use crate::number::significant;
 use groundbeam::Field;

@@ -1,4 +1,4 @@
-//! What is small enough to be rounding, in print.
+//! Values that are rounding error in print.
 
 use groundbeam::{Action, Extreme, Field, Load, Model, Solution};
 

@@ -1,4 +1,4 @@
-//! What a study of many samples has found, as it is reported.
+//! The results of a study as reported.
 
 use crate::context::clean;
 use crate::quantity::Kind;

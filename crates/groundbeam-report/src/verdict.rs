@@ -1,4 +1,4 @@
-//! What the statics say, in sentences an engineer can check.
+//! The verdict on equilibrium in sentences, with the statics behind it.
 
 mod hinged;
 

@@ -1,4 +1,4 @@
-//! What programs read.
+//! The result documents.
 
 #[allow(dead_code)]
 mod common;

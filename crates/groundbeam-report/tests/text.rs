@@ -1,4 +1,4 @@
-//! What a person reads.
+//! The reports as text.
 
 #[allow(dead_code)]
 mod common;

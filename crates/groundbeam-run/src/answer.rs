@@ -1,8 +1,8 @@
-//! One answer: its label, what was found, and the ground that was solved.
+//! One answer: its label, its result, and the ground that was solved.
 
 use crate::growing::Factors;
-use groundbeam::soil::{Bed, OnSoil, Subgrade};
-use groundbeam::{Beam, Error, Existence, Foundation, Method, Model, Outcome, Solution, Stopped};
+use groundbeam::soil::{GroundConstants, SoilModel, SoilRounds};
+use groundbeam::{Error, Existence, Foundation, Method, Model, Outcome, Solution, Stopped};
 use groundbeam_file::{Combination, MovingTrain};
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -173,30 +173,46 @@ pub struct Ground {
     /// The width on which the beam bears \[m\].
     pub width: f64,
     /// k and μ.
-    pub subgrade: Subgrade,
+    pub subgrade: GroundConstants,
     /// The soil, and the method.
-    pub bed: Option<Bed>,
-    /// γ of layers, and how many solutions it took where it is taken from the solution.
-    pub gamma: Option<(f64, usize)>,
+    pub soil: Option<SoilModel>,
+    /// How the soil made them.
+    pub rounds: Option<SoilRounds>,
 }
 
 impl Ground {
-    /// The ground of an answer on soil.
-    pub(crate) fn of(bed: &Bed, found: &OnSoil) -> Self {
-        let gamma = found.gamma.map(|gamma| (gamma, found.rounds));
-        Ground { width: bed.width, subgrade: found.subgrade, bed: Some(bed.clone()), gamma }
+    /// Whether k and μ depend on the solution.
+    pub fn follows_solution(&self) -> bool {
+        self.soil.as_ref().is_some_and(SoilModel::follows_solution)
     }
 
-    /// The ground that a soil makes before anything is solved.
-    pub(crate) fn before(bed: &Bed, beam: &Beam) -> Self {
-        let subgrade = bed.subgrade(beam);
-        Ground { width: bed.width, subgrade, bed: Some(bed.clone()), gamma: None }
+    /// The ground of a model after a solve. A solve that did not converge tells nothing of it.
+    pub(crate) fn solved(model: &Model, width: Option<f64>, found: &Found) -> Option<Self> {
+        let before = Ground::before(model, width)?;
+        let gamma = before.soil.as_ref().and_then(SoilModel::gamma);
+        Some(match found {
+            Found::NotConverged(_) => return None,
+            Found::Equilibrium(solution) => {
+                let Foundation { subgrade: spring, shear_layer: shear, .. } =
+                    solution.model().foundation;
+                let subgrade = GroundConstants { subgrade: spring, shear_layer: shear };
+                Ground { subgrade, rounds: solution.soil(), ..before }
+            }
+            _ => Ground { rounds: gamma.map(|_| SoilRounds { gamma, rounds: 1 }), ..before },
+        })
     }
 
-    /// A ground that is the same everywhere, under a beam of a known width.
-    pub(crate) fn of_area(foundation: &Foundation, width: f64) -> Option<Self> {
-        let subgrade = Subgrade { spring: foundation.spring, shear: foundation.shear };
-        let ground = Ground { width, subgrade, bed: None, gamma: None };
-        foundation.segments.is_empty().then_some(ground)
+    /// The ground of a model before anything is solved; `None` where it is not the same everywhere, or its width is
+    /// not known.
+    pub(crate) fn before(model: &Model, width: Option<f64>) -> Option<Self> {
+        let Foundation { subgrade: spring, shear_layer: shear, segments, soil, .. } =
+            &model.foundation;
+        let width = soil.as_ref().map(|soil| soil.width).or(width)?;
+        let subgrade = match soil {
+            Some(soil) => soil.subgrade(&model.beam),
+            None => GroundConstants { subgrade: *spring, shear_layer: *shear },
+        };
+        let ground = Ground { width, subgrade, soil: soil.clone(), rounds: None };
+        segments.is_empty().then_some(ground)
     }
 }

@@ -1,4 +1,4 @@
-//! Results on ground that is not well known: with a band.
+//! Bands of grounds: the results at multiples of k and μ.
 
 use crate::answers::Answers;
 use groundbeam::{Envelope, Field};

@@ -1,4 +1,4 @@
-//! What the program that runs a file provides: threads, a clock, a display of progress.
+//! The services of the program that runs a file: threads, a clock, progress.
 
 use groundbeam::Error;
 use std::convert::Infallible;

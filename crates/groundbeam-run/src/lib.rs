@@ -43,5 +43,4 @@ pub use comparison::{Compare, Errors};
 pub use growing::{Factors, Growing};
 pub use host::{Failed, Host, OneThread};
 pub use run::Run;
-pub use single::{Repeated, repeated};
 pub use trains::{FreeSpans, Located, Opened, Passage, Reach, Uplift};

@@ -1,4 +1,4 @@
-//! What is solved of a model file: its combinations, its trains, and by which options.
+//! A run of a model file: its combinations, trains and options, solved to a list of answers.
 
 use crate::answer::{Answer, Found, Ground, Label, Placed};
 use crate::answers::{Alone, Answers, Asked};
@@ -6,7 +6,7 @@ use crate::growing::Growing;
 use crate::host::{Failed, Host};
 use crate::single::answered;
 use crate::trains::{ERROR, Reach, Sweep, Swept, checked};
-use groundbeam::{Error, Options, check_memory, exists};
+use groundbeam::{Error, Options, Solution, check_memory, exists};
 use groundbeam_file::{Combination, Document, LoadCase, MovingTrain};
 use std::sync::Arc;
 
@@ -181,10 +181,7 @@ impl Run {
     /// No answers yet.
     pub(crate) fn nothing(&self) -> Answers {
         let first = self.combinations.first();
-        let ground = first.and_then(|first| match &first.bed {
-            Some(bed) => Some(Ground::before(bed, &first.model.beam)),
-            None => Ground::of_area(&first.model.foundation, self.width?),
-        });
+        let ground = first.and_then(|first| Ground::before(&first.model, self.width));
         let (list, alone, swept) = (Vec::new(), Vec::new(), Vec::new());
         Answers { asked: self.asked, list, alone, ground, swept }
     }
@@ -201,10 +198,9 @@ impl Run {
         let answer = answered(label, self.width, &self.options, None, host)?;
         let growing = self.growing.as_ref();
         let factors = growing.map(|growing| {
-            let on_soil = answer.ground.as_ref().filter(|ground| ground.bed.is_some());
-            let model = answer.model();
-            let model = on_soil.map_or_else(|| model.clone(), |g| g.subgrade.under(model));
-            growing.factors(&model, &self.options)
+            let on_soil = answer.solution().filter(|solution| solution.soil().is_some());
+            let model = on_soil.map_or(answer.model(), Solution::model);
+            growing.factors(model, &self.options)
         });
         host.done();
         Ok(Answer { factors: factors.transpose()?, ..answer })

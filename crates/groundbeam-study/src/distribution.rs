@@ -1,4 +1,4 @@
-//! From a standard normal number to a number of any distribution, by equal probabilities.
+//! Distributions: from a standard normal number to a number of the same probability.
 
 use groundbeam_file::study::Distribution;
 use statrs::distribution::{ContinuousCDF, Normal};

@@ -1,11 +1,11 @@
-//! Sample i of a study: what its random numbers are, and the model that they make.
+//! Sample i of a study: its random numbers, and the model made with them.
 
 use crate::distribution::{lognormal, normal_of, of_normal};
 use crate::fields::Field;
 use crate::points::Points;
 use crate::symmetric::Symmetric;
 use groundbeam::Model;
-use groundbeam::sensitivity::{Extent, Parameter, Property};
+use groundbeam::derivatives::{Extent, Parameter, Property};
 use groundbeam_file::study::{Plan, StudyFile};
 use groundbeam_file::{Change, Course, Shape, change};
 use std::fmt;

@@ -1,4 +1,4 @@
-//! Between which bounds a probability lies, known from samples.
+//! Confidence intervals of a probability, from samples.
 
 use groundbeam_report::{Interval, Way};
 use statrs::distribution::{ContinuousCDF, StudentsT};

@@ -1,4 +1,4 @@
-//! How far the work is, told to whoever waits, who may stop it.
+//! Progress of a study, reported to a caller who may stop it.
 
 use std::ops::ControlFlow;
 

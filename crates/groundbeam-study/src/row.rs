@@ -1,8 +1,6 @@
-//! What is kept of one answer of many.
+//! The row of one answer in the table of results.
 
-use groundbeam::{Error, Existence, Field, Model, Options, Side, Solution, Solver};
-use groundbeam_file::Document;
-use groundbeam_run::{Repeated, repeated};
+use groundbeam::{Answer, Error, Existence, Field, Model, Side, Solution, Solver};
 
 /// What is to be kept of every answer.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -79,17 +77,10 @@ pub struct Row {
 
 impl Row {
     /// Solves a model made of a file's, in the memory of the one before. The bits do not depend on what that was.
-    pub fn solve(
-        model: &Model,
-        document: &Document,
-        options: &Options,
-        wanted: &Wanted,
-        solver: &mut Solver,
-    ) -> Self {
-        match repeated(document.bed.as_ref(), model, options, solver) {
-            Ok(Repeated::InMemory(solution)) => Row::of(solution, wanted),
-            Ok(Repeated::Equilibrium(solution)) => Row::of(&solution, wanted),
-            Ok(Repeated::NoEquilibrium(existence)) => Row::without(existence, wanted),
+    pub fn solve(model: &Model, wanted: &Wanted, solver: &mut Solver) -> Self {
+        match solver.solve(model) {
+            Ok(Answer::Equilibrium(solution)) => Row::of(solution, wanted),
+            Ok(Answer::NoEquilibrium(existence)) => Row::without(existence, wanted),
             Err(error) => Row::failed(error, wanted),
         }
     }

@@ -1,10 +1,10 @@
-//! A study from its first sample to its last: on all processors, part by part, to be gone on with at any time.
+//! A study from its first sample to its last, on all processors, part by part; resumable.
 
 use crate::draws::{Draw, Draws};
 use crate::progress::{Progress, Stage, Watch};
 use crate::row::Row;
 use crate::store::{Column, Head, Parts, StoreError, Table, Whole};
-use groundbeam::{Options, Solver};
+use groundbeam::Solver;
 use groundbeam_file::output::Identity;
 use std::collections::VecDeque;
 use std::ops::{ControlFlow, Range};
@@ -231,7 +231,6 @@ impl Work<'_> {
     }
 
     fn piece(&self, piece: Range<u64>, solver: &mut Solver) -> Result<(), StoreError> {
-        let options = Options::default();
         let Table { wanted, .. } = self.table;
         let mut rows: Vec<(Draw, Row)> = Vec::with_capacity(ROWS_AT_ONCE);
         let mut columns: Vec<Column> = Vec::new();
@@ -239,7 +238,7 @@ impl Work<'_> {
         for sample in piece.clone() {
             let draw = self.draws.draw(sample);
             let model = self.draws.model(&draw);
-            let row = Row::solve(&model, &self.draws.study().document, &options, wanted, solver);
+            let row = Row::solve(&model, wanted, solver);
             rows.push((draw, row));
             let stops = self.stop.load(Ordering::Relaxed);
             let ends = sample + 1 == piece.end || stops || begun.elapsed() > LONGEST;

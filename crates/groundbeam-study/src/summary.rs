@@ -1,4 +1,4 @@
-//! What follows from all samples: probabilities with their intervals, means, deviations and quantiles.
+//! Summary of all samples: probabilities with intervals, means, deviations and quantiles.
 
 use crate::draws::Draws;
 use crate::interval::{of_counts, of_replicates};
@@ -7,7 +7,7 @@ use crate::row::Status;
 use crate::statistics::{Moments, Statistics};
 use crate::store::{StoreError, Table, Whole};
 use groundbeam::Model;
-use groundbeam::sensitivity::{LoadNumber, Parameter, Property};
+use groundbeam::derivatives::{LoadNumber, Parameter, Property};
 use groundbeam_file::study::{Exceeds, Judged, Plan, Sampling};
 use groundbeam_report::{Estimate, Interval, Kind, Limit, Spread, Study, Way, load_kind};
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Whoever waits may stop a study at any stage: nothing half-written is left, and the same call goes on.
+//! A study may be stopped at any stage: no file is half-written, and the same call resumes it.
 
 use groundbeam_file::study::read_study;
 use groundbeam_study::{

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// A flag that stops the solves that look at it. All clones share one flag; the default is a flag that nobody can set.
+/// A flag that stops the solves that look at it. All clones share one flag; the default flag cannot be set.
 ///
 /// A solve looks at it in each of its steps. If it is set when a solve ends, the solve gives
 /// [`Error::Cancelled`](crate::Error::Cancelled) and no answer. A flag that is not set changes no bit of an answer.

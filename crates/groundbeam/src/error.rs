@@ -253,7 +253,7 @@ the method `uzawa` stopped after 7 iterations: the certificate's relative gap is
         let expected = "\
 [GB101] Beam, length: the beam's length is not a number (it must be positive)
 [GB102] Beam, bending_stiffness: the bending stiffness EI is infinite (it must be positive)
-[GB201] Foundation, spring: the spring constant k is negative (it must be positive)";
+[GB201] Foundation, subgrade: the spring constant k is negative (it must be positive)";
         assert_eq!(invalid, expected);
         let too_fine = Error::Unsupported(Problem::too_fine(Part::Beam, 123_456));
         let expected = "\

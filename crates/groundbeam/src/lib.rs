@@ -1,4 +1,4 @@
-//! Beams on ground that can only push back.
+//! Beams on ground that pushes but does not pull.
 //!
 //! The unilateral contact of a bending beam with a Pasternak foundation, solved exactly and with proof.
 //!
@@ -30,6 +30,7 @@ mod cancel;
 mod certificate;
 mod chain;
 mod contact;
+pub mod derivatives;
 mod design;
 mod element;
 mod envelope;
@@ -44,7 +45,6 @@ mod nodal_solver;
 mod numeric;
 mod options;
 mod outcome;
-pub mod sensitivity;
 mod solution;
 mod solve;
 mod solver;
@@ -53,8 +53,9 @@ pub mod supported;
 pub mod model;
 pub mod soil;
 
+pub use crate::existence::verdict::{Buckling, Existence, Local, RigidMotion, Verdict};
 pub use crate::solution::fields::{
-    ConcentratedForce, ContactRegion, EndForces, Extreme, Field, Fields, Range, Reaction, Side,
+    ConcentratedForce, ContactZone, EndForces, Extreme, Field, Fields, Range, Reaction, Side,
 };
 pub use cancel::Cancel;
 pub use certificate::Certificate;
@@ -64,9 +65,7 @@ pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
 pub use equilibrium::buckling::own_buckling_load;
 pub use equilibrium::size::{check_memory, memory_estimate};
 pub use error::{Error, NotConverged, Stopped, TooLarge};
-pub use existence::existence::{
-    Buckling, Existence, Local, RigidMotion, Verdict, static_reactions_of as static_reactions,
-};
+pub use existence::existence::static_reactions_of as static_reactions;
 pub use load_factors::parts::{FirstLiftOff, LossOfEquilibrium};
 pub use load_factors::{LoadFactors, load_factors, load_factors_with};
 pub use model::{

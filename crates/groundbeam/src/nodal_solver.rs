@@ -2,7 +2,7 @@
 
 use crate::equilibrium::size;
 use crate::error::{Error, NotConverged, Stopped};
-use crate::existence::existence::{Existence, Verdict};
+use crate::existence::verdict::{Existence, Verdict};
 use crate::model::Model;
 use crate::nodal::grid::{Grid, Ground};
 use crate::nodal::hull::Hull;

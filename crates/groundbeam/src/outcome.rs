@@ -1,6 +1,6 @@
 //! The outcome of a solve: an equilibrium or the reason why none exists.
 
-use crate::existence::existence::Existence;
+use crate::existence::verdict::Existence;
 use crate::solution::solution::Solution;
 
 /// What mechanics says.

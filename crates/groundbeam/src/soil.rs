@@ -10,62 +10,95 @@
 //! Both constants are per length of *beam*: an area's values times the width on which the beam bears.
 //!
 //! ```
-//! use groundbeam::soil::{Bed, LayeredSoil, Soil, SoilLayer};
-//! use groundbeam::{Beam, Foundation, Load, Model, Options, Outcome};
+//! use groundbeam::soil::{LayeredSoil, Soil, SoilLayer, SoilModel};
+//! use groundbeam::{Beam, Foundation, Load, Model, Outcome, solve};
 //!
 //! let loam = SoilLayer { modulus: 15e6, poisson: 0.3, thickness: 2.0 };
 //! let gravel = SoilLayer { modulus: 60e6, poisson: 0.25, thickness: 4.0 };
 //! let soil = Soil::ModifiedVlasov(LayeredSoil { layers: vec![loam, gravel] });
-//! let bed = Bed::new(soil, 1.2);
 //!
-//! let model = Model::new(Beam::uniform(12.0, 1.2e9), Foundation::winkler(1.0))
-//!     .with_load(Load::point_force(1.0, 600e3));
-//! let found = bed.solve(&model, &Options::default())?;
-//! let Outcome::Equilibrium(solution) = found.outcome else { panic!("it tips") };
-//! assert_eq!(solution.model().foundation.spring, found.subgrade.spring);
+//! let beam = Beam::uniform(12.0, 1.2e9);
+//! let ground = Foundation::on_soil(SoilModel::new(soil, 1.2), &beam);
+//! let model = Model::new(beam, ground).with_load(Load::point_force(1.0, 600e3));
+//! let Outcome::Equilibrium(solution) = solve(&model)? else { panic!("it tips") };
+//! // The solution's model has the constants that belong to its γ.
+//! assert!(solution.soil().unwrap().rounds > 1);
+//! assert!(solution.model().foundation.subgrade > model.foundation.subgrade);
 //! # Ok::<(), groundbeam::Error>(())
 //! ```
 
-use crate::equilibrium::soil;
-pub use crate::equilibrium::soil::OnSoil;
-use crate::error::Error;
-use crate::model::Model;
 pub use crate::model::soil::correlations::{Elastic, PlateTest};
-pub use crate::model::soil::{Bed, LayeredSoil, Soil, SoilLayer, Subgrade};
-use crate::options::Options;
-use crate::solve::solve_with;
-
-impl Bed {
-    /// Solves a beam on this soil; the model's own foundation is replaced. Without an equilibrium, or where
-    /// the ground does not move, γ that would come from the solution is 1.
-    ///
-    /// # Errors
-    ///
-    /// As [`solve_with`]; [`Error::NotConverged`] also if γ does not settle.
-    pub fn solve(&self, model: &Model, options: &Options) -> Result<OnSoil, Error> {
-        soil::solve(self, model, options.method, |model| solve_with(model, options))
-    }
-}
+pub use crate::model::soil::{GroundConstants, LayeredSoil, Soil, SoilLayer, SoilModel};
+pub use crate::solution::solution::SoilRounds;
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Beam, Foundation, Load};
+    use crate::model::{Beam, Foundation, GroundEnd, Load, Model};
+    use crate::outcome::Outcome;
+    use crate::solution::solution::Solution;
+    use crate::solve::{exists, solve, solve_near};
+    use crate::solver::{Answer, Solver};
+
+    fn layers() -> LayeredSoil {
+        LayeredSoil { layers: vec![SoilLayer { modulus: 15e6, poisson: 0.3, thickness: 3.0 }] }
+    }
+
+    fn on(soil: Soil) -> Model {
+        let beam = Beam::uniform(12.0, 1.2e9);
+        let ground = Foundation::on_soil(SoilModel::new(soil, 1.2), &beam);
+        Model::new(beam, ground).with_load(Load::point_force(5.0, 600e3))
+    }
+
+    fn solved(model: &Model) -> Solution {
+        let Ok(Outcome::Equilibrium(solution)) = solve(model) else { panic!("it stands") };
+        *solution
+    }
 
     #[test]
-    fn one_round_unless_the_solution_tells_the_rate() {
-        let layers = || LayeredSoil {
-            layers: vec![SoilLayer { modulus: 15e6, poisson: 0.3, thickness: 3.0 }],
-        };
-        let model = Model::new(Beam::uniform(12.0, 1.2e9), Foundation::winkler(1.0))
-            .with_load(Load::point_force(5.0, 600e3));
-        let solved = |soil| Bed::new(soil, 1.2).solve(&model, &Options::default()).unwrap();
-        let modified = solved(Soil::ModifiedVlasov(layers()));
-        let gamma = modified.gamma.unwrap();
-        let given = solved(Soil::Vlasov(layers(), gamma));
-        assert!(modified.rounds > 2 && given.rounds == 1);
+    fn only_the_modified_model_takes_several_rounds() {
+        let modified = solved(&on(Soil::ModifiedVlasov(layers())));
+        let SoilRounds { gamma, rounds } = modified.soil().unwrap();
+        let given = solved(&on(Soil::Vlasov(layers(), gamma.unwrap())));
+        assert!(rounds > 2 && given.soil().unwrap().rounds == 1);
         let same = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-12;
-        assert!(same(given.subgrade.spring, modified.subgrade.spring));
-        assert!(same(given.subgrade.shear, modified.subgrade.shear));
+        let [given, modified] = [given, modified].map(|s| s.model().foundation.clone());
+        assert!(
+            same(given.subgrade, modified.subgrade)
+                && same(given.shear_layer, modified.shear_layer)
+        );
+        assert!(given.soil.is_none());
+    }
+
+    #[test]
+    fn k_follows_a_beam_that_changes_later() {
+        let soil = || Soil::Vesic(Elastic { modulus: 20e6, poisson: 0.3 });
+        let mut model = on(soil());
+        model.beam.bending_stiffness *= 16.0;
+        let stiffer = solved(&model).model().foundation.subgrade;
+        assert!((stiffer / model.foundation.subgrade - 16f64.powf(-1.0 / 12.0)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn every_solve_knows_the_soil() {
+        let model = on(Soil::ModifiedVlasov(layers()));
+        let alone = solved(&model);
+        let near = solve_near(&model, &crate::Options::default(), Some(&alone));
+        let Ok(Outcome::Equilibrium(near)) = near else { panic!("it stands") };
+        let mut solver = Solver::new();
+        let Ok(Answer::Equilibrium(kept)) = solver.solve(&model) else { panic!("it stands") };
+        assert_eq!(kept.model(), alone.model());
+        let (near, alone) = (near.model().foundation.subgrade, alone.model().foundation.subgrade);
+        assert!((near / alone - 1.0).abs() < 1e-12);
+        assert!(exists(&model).unwrap().verdict.stands());
+    }
+
+    #[test]
+    fn soil_is_uniform_and_endless() {
+        let mut model = on(Soil::ModifiedVlasov(layers()));
+        model.foundation =
+            model.foundation.with_ends(GroundEnd::Endless, GroundEnd::Free { at: 13.0 });
+        let Err(crate::Error::Invalid(problems)) = solve(&model) else { panic!("it is refused") };
+        assert_eq!(problems[0].code, "GB212");
     }
 }

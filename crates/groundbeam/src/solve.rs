@@ -1,19 +1,21 @@
-//! The road from a model to a certified answer, on one page.
+//! Solves a model: rules, existence, the kind of equilibrium, the contact iteration, the certificate.
 
 use crate::certificate::Certificate;
-use crate::contact::state::{Found, Stalled};
+use crate::contact::intervals::Interval;
+use crate::contact::state::{ContactState, Unconverged};
 use crate::contact::stopping::Proof;
-use crate::contact::stretches::Stretch;
 use crate::contact::uzawa::{self, Relaxation};
-use crate::contact::{balanced, exact, nested};
-use crate::equilibrium::branch::State;
+use crate::contact::{exact, levels, point_contact};
+use crate::equilibrium::branch::PathPoint;
 use crate::equilibrium::buckling::convexity;
 use crate::equilibrium::local;
-use crate::equilibrium::local::Checked;
+use crate::equilibrium::local::Assessment;
 use crate::equilibrium::one_way;
 use crate::equilibrium::size;
+use crate::equilibrium::soil;
 use crate::error::{Error, NotConverged, Stopped};
-use crate::existence::existence::{Existence, Verdict, existence};
+use crate::existence::existence::existence;
+use crate::existence::verdict::{Existence, Verdict};
 use crate::mesh::mesh::Mesh;
 use crate::model::Model;
 use crate::numeric::tolerance::GAP;
@@ -63,10 +65,17 @@ pub fn solve_near(
 pub(crate) fn solve_in(
     model: &Model,
     options: &Options,
-    likely: Option<&[Stretch]>,
+    likely: Option<&[Interval]>,
     workspace: &mut Workspace,
 ) -> Result<Outcome, Error> {
-    let outcome = uncancelled(model, options, likely, workspace);
+    let outcome = match &model.foundation.soil {
+        None => uncancelled(model, options, likely, workspace),
+        Some(soil) => {
+            refuse_invalid(model)?;
+            let on_given = |model: &Model| solve_in(model, options, likely, workspace);
+            soil::solve(soil, model, options.method, on_given)
+        }
+    };
     // Whatever a cancelled solve came to in the steps that it did not finish, it is no answer.
     if options.cancel.is_cancelled() { Err(Error::Cancelled) } else { outcome }
 }
@@ -74,7 +83,7 @@ pub(crate) fn solve_in(
 fn uncancelled(
     model: &Model,
     options: &Options,
-    likely: Option<&[Stretch]>,
+    likely: Option<&[Interval]>,
     workspace: &mut Workspace,
 ) -> Result<Outcome, Error> {
     let checked = check(model, options)?;
@@ -99,11 +108,11 @@ fn uncancelled(
 fn solve_convex(
     model: &Model,
     options: &Options,
-    checked: &Checked,
-    likely: Option<&[Stretch]>,
+    checked: &Assessment,
+    likely: Option<&[Interval]>,
     workspace: &mut Workspace,
 ) -> Result<Solution, Error> {
-    let Checked { existence, stability, .. } = *checked;
+    let Assessment { existence, stability, .. } = *checked;
     let mut judged = Judged::new(model, stability, workspace);
     let found = find(model, options, existence, likely, |found| judged.judge(found))?;
     let (candidate, certificate) = judged.last(&found);
@@ -114,7 +123,7 @@ fn solve_convex(
 fn solve_one_way(
     model: &Model,
     options: &Options,
-    checked: &Checked,
+    checked: &Assessment,
     workspace: &mut Workspace,
 ) -> Result<Solution, Error> {
     let solve = |model: &Model| solve_in(model, options, None, workspace);
@@ -137,22 +146,22 @@ fn solve_one_way(
 fn solve_local(
     model: &Model,
     options: &Options,
-    checked: &Checked,
-    state: &State,
+    checked: &Assessment,
+    state: &PathPoint,
     workspace: &mut Workspace,
 ) -> Result<Solution, Error> {
-    let Checked { existence, stability, .. } = *checked;
+    let Assessment { existence, stability, .. } = *checked;
     let method = options.method;
     supported::check(model, Way::of(options), true)?;
     // The supports that act are known.
-    let held = state.held(model);
+    let held = state.on_active_supports(model);
     let mut judged = Judged::new(&held, stability, workspace);
     let found =
         exact::from_stable(&held, &state.contact, &options.cancel, |found| judged.judge(found))
             .map_err(|stalled| not_converged(method, stalled))?;
     let (mut candidate, mut certificate) = judged.last(&found);
     if model.has_one_way_supports() {
-        candidate = candidate.on_one_way_supports(model, &state.acts);
+        candidate = candidate.on_one_way_supports(model, &state.active);
         certificate = candidate.certify(stability);
     }
     Ok(Solution::new(candidate, certificate, existence, method, found.history))
@@ -172,7 +181,7 @@ impl<'a> Judged<'a> {
     }
 
     /// What the certificate shows of a deflection with its contact.
-    fn judge(&mut self, found: &Found) -> Proof {
+    fn judge(&mut self, found: &ContactState) -> Proof {
         if let Some((candidate, _)) = self.last.take() {
             self.workspace.recycle(candidate);
         }
@@ -183,11 +192,11 @@ impl<'a> Judged<'a> {
     }
 
     /// The one judged last. The exact method has had its answer judged; those on a mesh have not.
-    fn last(mut self, found: &Found) -> (Candidate, Certificate) {
+    fn last(mut self, found: &ContactState) -> (Candidate, Certificate) {
         self.last.take().unwrap_or_else(|| self.certified(found))
     }
 
-    fn certified(&mut self, found: &Found) -> (Candidate, Certificate) {
+    fn certified(&mut self, found: &ContactState) -> (Candidate, Certificate) {
         let candidate = Candidate::of(self.model, found, self.workspace);
         let certificate = candidate.certify(self.stability);
         (candidate, certificate)
@@ -204,13 +213,11 @@ pub fn exists(model: &Model) -> Result<Existence, Error> {
 }
 
 /// Refuses a model that is wrong, and tells what its equilibrium is like.
-pub(crate) fn check(model: &Model, options: &Options) -> Result<Checked, Error> {
-    let problems = model.problems();
-    if !problems.is_empty() {
-        return Err(Error::Invalid(problems));
-    }
+pub(crate) fn check(model: &Model, options: &Options) -> Result<Assessment, Error> {
+    refuse_invalid(model)?;
+    let model = &*model.on_given_ground();
     match convexity(model, &options.cancel) {
-        Some(stability) => Ok(Checked { existence: existence(model), stability, local: None }),
+        Some(stability) => Ok(Assessment { existence: existence(model), stability, local: None }),
         None => {
             let exact = Options {
                 memory_limit: options.memory_limit,
@@ -223,30 +230,42 @@ pub(crate) fn check(model: &Model, options: &Options) -> Result<Checked, Error> 
     }
 }
 
+/// Refuses a model that breaks a rule.
+pub(crate) fn refuse_invalid(model: &Model) -> Result<(), Error> {
+    let problems = model.problems();
+    if problems.is_empty() { Ok(()) } else { Err(Error::Invalid(problems)) }
+}
+
 fn find(
     model: &Model,
     options: &Options,
     existence: Existence,
-    likely: Option<&[Stretch]>,
-    judge: impl FnMut(&Found) -> Proof,
-) -> Result<Found, Error> {
+    likely: Option<&[Interval]>,
+    judge: impl FnMut(&ContactState) -> Proof,
+) -> Result<ContactState, Error> {
     let Options { method, cancel, .. } = options;
     let method = *method;
     supported::check(model, Way::of(options), false)?;
     let elements = options.elements.max(1);
-    let stalled = |stalled: Stalled| not_converged(method, stalled);
+    let stalled = |stalled: Unconverged| not_converged(method, stalled);
     match method {
         Method::Exact => match existence.verdict {
             Verdict::NotUnique(motion) if stands_on_an_end(model, existence) => {
                 let over_left = motion.left == 0.0;
-                balanced::solve_over_an_end(model, existence.resultant(), over_left, cancel, judge)
+                point_contact::solve_over_an_end(
+                    model,
+                    existence.resultant(),
+                    over_left,
+                    cancel,
+                    judge,
+                )
             }
             _ => exact::solve(model, likely, cancel, judge),
         }
         .map_err(stalled),
         Method::ActiveSet => {
             let mesh = Mesh::uniform(model, elements);
-            nested::solve_on(model, mesh, options.pressure, cancel).map_err(stalled)
+            levels::solve_on(model, mesh, options.pressure, cancel).map_err(stalled)
         }
         Method::Psor | Method::Uzawa => {
             let relaxation = match method {
@@ -261,8 +280,8 @@ fn find(
     }
 }
 
-fn not_converged(method: Method, stalled: Stalled) -> Error {
-    let Stalled { iterations, why } = stalled;
+fn not_converged(method: Method, stalled: Unconverged) -> Error {
+    let Unconverged { iterations, why } = stalled;
     Error::NotConverged(Stopped { method, iterations, why })
 }
 
@@ -294,7 +313,7 @@ mod tests {
     use super::*;
     use crate::cancel::Cancel;
     use crate::equilibrium::branch;
-    use crate::equilibrium::buckling::glued_buckling_load;
+    use crate::equilibrium::buckling::bonded_buckling_load;
     use crate::model::{Acts, Beam, Foundation, Load, Support};
     use crate::options::Pressure;
     use crate::{Solver, load_factors_with, nodal};
@@ -362,7 +381,7 @@ mod tests {
         let sweeps = |cancel| uzawa::solve(mesh(), Relaxation::Diagonal, true, 3, cancel);
         assert_eq!(sweeps(&never).map_err(|stalled| stalled.iterations).err(), Some(3));
         assert_eq!(sweeps(&now).map_err(|stalled| stalled.iterations).err(), Some(0));
-        let on_mesh = |cancel| nested::solve_on(&model, mesh(), Pressure::Distributed, cancel);
+        let on_mesh = |cancel| levels::solve_on(&model, mesh(), Pressure::Distributed, cancel);
         assert!(on_mesh(&never).is_ok());
         assert_eq!(on_mesh(&now).map_err(|stalled| stalled.iterations).err(), Some(0));
         let at_nodes = |cancel| nodal::edges::edges(&model, cancel);
@@ -373,12 +392,12 @@ mod tests {
             Proof { gap: 0.0, violation: 0.0 }
         });
         assert!(exactly.is_err() && judgements == 0);
-        let begin = State { compression: 0.0, contact: vec![[0.0, 60.0]], acts: vec![] };
+        let begin = PathPoint { compression: 0.0, contact: vec![[0.0, 60.0]], active: vec![] };
         let path = |cancel| branch::follow(&compressed(), begin.clone(), cancel);
         assert!(path(&never).wanted.is_some() && path(&now).wanted.is_none());
         assert_eq!(path(&now).last.compression, 0.0);
         let contact = [[0.0, 60.0]];
-        let buckling = |cancel| glued_buckling_load(&model, &contact, cancel);
+        let buckling = |cancel| bonded_buckling_load(&model, &contact, cancel);
         assert!(buckling(&never) > 0.0 && buckling(&now) == 0.0);
     }
 

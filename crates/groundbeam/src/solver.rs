@@ -1,7 +1,7 @@
-//! One model after another, in the same memory.
+//! Solver for a series of models, in one workspace.
 
 use crate::error::Error;
-use crate::existence::existence::Existence;
+use crate::existence::verdict::Existence;
 use crate::model::Model;
 use crate::options::Options;
 use crate::outcome::Outcome;

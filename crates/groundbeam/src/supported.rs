@@ -1,4 +1,4 @@
-//! Which features of a model each way of solving supports: one table, the only source of "not supported".
+//! The table of features and ways of solving: the only source of "not supported".
 //!
 //! ```
 //! use groundbeam::supported::{Feature, Way, refusal};
@@ -117,7 +117,7 @@ impl Feature {
     fn of(self, model: &Model, is_local: bool) -> Option<(Part, &'static str)> {
         match self {
             Feature::LocalEquilibrium => is_local.then_some((Part::Beam, "axial_force")),
-            Feature::NoShearLayer => without_shear_layer(model).map(|part| (part, "shear")),
+            Feature::NoShearLayer => without_shear_layer(model).map(|part| (part, "shear_layer")),
             Feature::BeamShear => {
                 let beam = &model.beam;
                 let segment = beam.segments.iter().position(|s| s.shear_stiffness.is_some());
@@ -133,7 +133,7 @@ impl Feature {
             Feature::Hinges => (!model.hinges.is_empty()).then_some((Part::Hinge(0), "at")),
             Feature::Varying => model.varying_part().map(|part| match part {
                 Part::BeamSegment(_) => (part, "bending_stiffness"),
-                _ => (part, "spring"),
+                _ => (part, "subgrade"),
             }),
         }
     }
@@ -160,7 +160,7 @@ pub(crate) fn check(model: &Model, way: Way, is_local: bool) -> Result<(), Error
 fn without_shear_layer(model: &Model) -> Option<Part> {
     let ground = &model.foundation;
     let mesh = Mesh::build(model, &[], |_| 1);
-    let cell = mesh.cells.iter().find(|cell| cell.shear == 0.0)?;
+    let cell = mesh.cells.iter().find(|cell| cell.shear_layer == 0.0)?;
     let middle = 0.5 * (cell.x[0] + cell.x[1]);
     let segment = ground.segments.iter().position(|s| s.from <= middle && middle < s.to);
     Some(segment.map_or(Part::Foundation, Part::FoundationSegment))

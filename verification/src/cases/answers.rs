@@ -1,4 +1,4 @@
-//! What a case expects, beside the answers to its file.
+//! The answers of a case, for comparison with its expectations.
 
 use super::expectation::{Expectation, Of, Value};
 use groundbeam::{Error, Solution};

@@ -37,7 +37,8 @@ fn of_beam_segment(segment: &BeamSegment) -> String {
 }
 
 fn of_ground(foundation: &Foundation) -> String {
-    let Foundation { spring, shear, segments: _, ends } = foundation;
+    let Foundation { subgrade: spring, shear_layer: shear, segments: _, ends, soil } = foundation;
+    assert!(soil.is_none(), "a frozen model has given ground");
     let [left, right] = ends.map(|end| match end {
         GroundEnd::Endless => "endless".to_owned(),
         GroundEnd::Free { at } => format!("free:{at:?}"),
@@ -47,7 +48,7 @@ fn of_ground(foundation: &Foundation) -> String {
 }
 
 fn of_ground_segment(segment: &FoundationSegment) -> String {
-    let FoundationSegment { from, to, spring, shear } = segment;
+    let FoundationSegment { from, to, subgrade: spring, shear_layer: shear } = segment;
     format!("ground_segment {from:?} {to:?} {} {}", of_profile(spring), of_profile(shear))
 }
 
@@ -124,15 +125,15 @@ fn add(model: &mut Model, key: &str, words: &[&str]) -> Option<()> {
             shear_stiffness: unless_none(words.get(3)?, profile)?,
         }),
         "ground" => {
-            model.foundation.spring = number(0)?;
-            model.foundation.shear = number(1)?;
+            model.foundation.subgrade = number(0)?;
+            model.foundation.shear_layer = number(1)?;
             model.foundation.ends = [ground_end(words.get(2)?)?, ground_end(words.get(3)?)?];
         }
         "ground_segment" => model.foundation.segments.push(FoundationSegment {
             from: number(0)?,
             to: number(1)?,
-            spring: profile(words.get(2)?)?,
-            shear: profile(words.get(3)?)?,
+            subgrade: profile(words.get(2)?)?,
+            shear_layer: profile(words.get(3)?)?,
         }),
         "support" => model.supports.push(Support {
             at: number(0)?,

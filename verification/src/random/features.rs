@@ -1,4 +1,4 @@
-//! What some families of models have besides beam, ground and loads.
+//! Features of some families of random models besides beam, ground and loads.
 
 use super::{Dice, size_of};
 use groundbeam::{
@@ -76,7 +76,7 @@ pub(super) fn shear_beam<R: Rng>(mut beam: Beam, lambda_l: f64, dice: &mut Dice<
 
 /// One to five supports that only push up or only hold down, rigid or elastic; loads that lift the beam off some.
 pub(super) fn bearings<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
-    let (length, k) = (model.beam.length, model.foundation.spring);
+    let (length, k) = (model.beam.length, model.foundation.subgrade);
     // A weight, so that no piece lies where it likes.
     model = model.with_load(Load::uniform_force(0.0, length, dice.even(0.1, 0.5) / length));
     for _ in 0..=dice.up_to(4) {
@@ -102,7 +102,7 @@ pub(super) fn bearings<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
 pub(super) fn hinge<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
     let (length, stiffness) = (model.beam.length, model.beam.bending_stiffness);
     if dice.happens(0.25) {
-        model.foundation.shear = 0.0;
+        model.foundation.shear_layer = 0.0;
     }
     for _ in 0..=dice.up_to(3) {
         let at = dice.even(0.02, 0.98) * length;
@@ -129,7 +129,7 @@ pub(super) fn vary_ground<R: Rng>(
             _ => Profile::by_control_values(&values).unwrap_or(Profile::constant(value)),
         }
     };
-    let (k, mu) = (ground.spring, ground.shear);
+    let (k, mu) = (ground.subgrade, ground.shear_layer);
     for [from, to] in stretches(length, dice) {
         let spring = curve(dice, k);
         let shear = if dice.happens(0.1) { Profile::constant(0.0) } else { curve(dice, mu) };
@@ -144,7 +144,7 @@ pub(super) fn change_beside<R: Rng>(
     length: f64,
     dice: &mut Dice<R>,
 ) -> Foundation {
-    let (k, mu) = (ground.spring, ground.shear);
+    let (k, mu) = (ground.subgrade, ground.shear_layer);
     // Lengths by that in which the ground fades.
     let fade = (mu / k).sqrt();
     for right in [false, true] {
@@ -175,7 +175,7 @@ pub(super) fn change_beside<R: Rng>(
 pub(super) fn add_neighbours<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     let (l, ground) = (model.beam.length, model.foundation.clone());
     let size: f64 = model.loads.iter().map(|load| size_of(load, l)).sum();
-    let reach = (4.0 * (ground.shear / ground.spring).sqrt()).min(l);
+    let reach = (4.0 * (ground.shear_layer / ground.subgrade).sqrt()).min(l);
     let [left, right] = ground.ends;
     let from = left.at().unwrap_or(-reach).max(-reach);
     let to = right.at().unwrap_or(l + reach).min(l + reach);

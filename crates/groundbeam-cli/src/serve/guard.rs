@@ -1,4 +1,4 @@
-//! Who may ask: programs on this machine, and the page that came from here.
+//! Access to the server: programs on this machine, and its own page.
 //!
 //! A browser sends requests of foreign pages too, and a foreign name may be made to mean this machine (DNS
 //! rebinding). Both give themselves away: by `Origin`, and by `Host`.

@@ -1,4 +1,4 @@
-//! `[foundation.band]`: between which multiples of their best values k and μ lie.
+//! `[foundation.band]`: the limits of the multiples of k and μ.
 
 use crate::band::Band;
 use crate::code;

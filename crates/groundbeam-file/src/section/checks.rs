@@ -1,4 +1,4 @@
-//! `[checks]`: what a design must keep to.
+//! `[checks]`: the limits of a design.
 
 use crate::code;
 use crate::fault::Fault;

@@ -125,11 +125,11 @@ impl Ranges {
             shearing: shears.chain(model.beam.shear_stiffness).reduce(f64::min),
             tension: axial_force.max(0.0),
             spring: times(
-                range(model.foundation.spring, &mut ground().map(|s| ends(s.spring))),
+                range(model.foundation.subgrade, &mut ground().map(|s| ends(s.subgrade))),
                 multiples[0],
             ),
             shear: times(
-                range(model.foundation.shear, &mut ground().map(|s| ends(s.shear))),
+                range(model.foundation.shear_layer, &mut ground().map(|s| ends(s.shear_layer))),
                 multiples[1],
             ),
         }

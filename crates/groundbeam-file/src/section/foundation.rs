@@ -14,7 +14,6 @@ use crate::reader::{Field, Reader};
 use crate::stiffness::{Given, Keys, Stiffness, cover};
 use crate::table::Section;
 use groundbeam::model::Part;
-use groundbeam::soil::{Bed, Subgrade};
 use groundbeam::{Beam, Foundation, FoundationSegment, GroundEnd, Profile};
 
 const KEYS: &[&str] = &[
@@ -42,8 +41,6 @@ const STIFFNESS: Keys = Keys {
 #[derive(Debug)]
 pub(crate) struct Ground {
     pub foundation: Foundation,
-    /// The soil from which it was made.
-    pub bed: Option<Bed>,
     /// The width on which the whole beam bears.
     pub width: Option<f64>,
     pub band: Option<Band>,
@@ -51,7 +48,7 @@ pub(crate) struct Ground {
 
 impl Ground {
     fn unreadable() -> Self {
-        Ground { foundation: Foundation::winkler(f64::NAN), bed: None, width: None, band: None }
+        Ground { foundation: Foundation::winkler(f64::NAN), width: None, band: None }
     }
 }
 
@@ -72,14 +69,14 @@ pub(super) fn read(reader: &mut Reader, root: &Section, beam: &Beam) -> Ground {
     let mut ground = match reader.table(&table, "soil", "[foundation.soil]") {
         Some(soil) => on_soil(reader, &table, &soil, beam),
         None if table.value("soil").is_some() => {
-            reader.places.field(Part::Foundation, "spring", &Field::unreadable(0..0));
+            reader.places.field(Part::Foundation, "subgrade", &Field::unreadable(0..0));
             return Ground::unreadable();
         }
         None => constants(reader, &table, beam.length),
     };
     let shears = |ground: &Foundation| {
-        let somewhere = ground.segments.iter().any(|segment| segment.shear.largest() != 0.0);
-        ground.shear != 0.0 || somewhere
+        let somewhere = ground.segments.iter().any(|segment| segment.shear_layer.largest() != 0.0);
+        ground.shear_layer != 0.0 || somewhere
     };
     ground.band = band::read(reader, &table, shears(&ground.foundation));
     ground
@@ -95,14 +92,13 @@ fn on_soil(reader: &mut Reader, table: &Section, soil: &Section, beam: &Beam) ->
     }
     let width = reader.required(table, "width", &WIDTH);
     let width = reader.positive("width", width);
-    let bed = soil::read(reader, soil, width.value);
-    for field in ["spring", "shear"] {
+    let soil = soil::read(reader, soil, width.value);
+    for field in ["subgrade", "shear_layer"] {
         reader.places.field(Part::Foundation, field, &Field::unreadable(0..0));
     }
-    let unknown = Subgrade { spring: f64::NAN, shear: 0.0 };
-    let ground = bed.as_ref().map_or(unknown, |bed| bed.subgrade(beam));
-    let foundation = Foundation::pasternak(ground.spring, ground.shear);
-    Ground { foundation, bed, width: Some(width.value), band: None }
+    let unknown = || Foundation::winkler(f64::NAN);
+    let foundation = soil.map_or_else(unknown, |soil| Foundation::on_soil(soil, beam));
+    Ground { foundation, width: Some(width.value), band: None }
 }
 
 /// A ground given by its constants.
@@ -114,7 +110,7 @@ fn constants(reader: &mut Reader, table: &Section, beam_length: f64) -> Ground {
     let shear = shear(reader, table, of_area.as_ref(), given.factors[1].as_ref());
     let nothing = || Along { profile: Profile::constant(0.0), span: table.span.clone() };
     let shear = shear.unwrap_or_else(nothing);
-    reader.places.field(Part::Foundation, "shear", &shear.field());
+    reader.places.field(Part::Foundation, "shear_layer", &shear.field());
     let width = given.factors[1].as_ref().filter(|width| width.profile.is_constant());
     let width = width.map(|width| width.profile.start()).filter(|width| width.is_finite());
     let stiffness = given.resolve(reader, &Given::default(), &STIFFNESS);
@@ -135,19 +131,19 @@ fn constants(reader: &mut Reader, table: &Section, beam_length: f64) -> Ground {
     let foundation = match (&stiffness, rightmost) {
         // Nothing is left for it to hold for; it must only be possible values.
         (Stiffness::NotGiven | Stiffness::Half(..), Some(segment)) if covered => {
-            reader.places.field(Part::Foundation, "spring", &Field::unreadable(0..0));
-            let (spring, shear) = (segment.spring.end(), segment.shear.end());
-            Foundation { spring, shear, segments, ends }
+            reader.places.field(Part::Foundation, "subgrade", &Field::unreadable(0..0));
+            let (spring, shear) = (segment.subgrade.end(), segment.shear_layer.end());
+            Foundation { subgrade: spring, shear_layer: shear, segments, ends, soil: None }
         }
         _ => {
             let spring = reader.settle(stiffness, table, &STIFFNESS);
-            reader.places.field(Part::Foundation, "spring", &spring.field());
+            reader.places.field(Part::Foundation, "subgrade", &spring.field());
             add_where_it_varies(reader, &spring, &parent.shear, beam_length, &mut segments);
             let [spring, shear] = [&spring, &parent.shear].map(|along| along.profile.start());
-            Foundation { spring, shear, segments, ends }
+            Foundation { subgrade: spring, shear_layer: shear, segments, ends, soil: None }
         }
     };
-    Ground { foundation, bed: None, width, band: None }
+    Ground { foundation, width, band: None }
 }
 
 /// `left = { ends = "-2 m", as = "free" }`
@@ -228,9 +224,9 @@ fn add_where_it_varies(
     for [from, to] in left_out(length, segments.iter().map(|s| (s.from, s.to))) {
         let [k, mu] = [spring, shear].map(|along| along.between([from / length, to / length]));
         let part = Part::FoundationSegment(segments.len());
-        reader.places.field(part, "spring", &k.field());
-        reader.places.field(part, "shear", &mu.field());
-        segments.push(FoundationSegment { from, to, spring: k.profile, shear: mu.profile });
+        reader.places.field(part, "subgrade", &k.field());
+        reader.places.field(part, "shear_layer", &mu.field());
+        segments.push(FoundationSegment { from, to, subgrade: k.profile, shear_layer: mu.profile });
     }
 }
 
@@ -256,17 +252,17 @@ fn read_segment(
     let spring = match (&stiffness, parent_spring) {
         // A value of the parent's is reported at the parent if it is wrong.
         (Stiffness::NotGiven, Some(spring)) if own_shear.is_some() => {
-            reader.places.field(part, "spring", &Field::unreadable(0..0));
+            reader.places.field(part, "subgrade", &Field::unreadable(0..0));
             spring
         }
         _ => {
             let spring = reader.settle(stiffness, table, &STIFFNESS);
-            reader.places.field(part, "spring", &spring.field());
+            reader.places.field(part, "subgrade", &spring.field());
             spring
         }
     };
     let inherited = Field::unreadable(0..0);
-    reader.places.field(part, "shear", &own_shear.as_ref().map_or(inherited, Along::field));
+    reader.places.field(part, "shear_layer", &own_shear.as_ref().map_or(inherited, Along::field));
     let shear = own_shear.unwrap_or_else(|| parent.shear.between(way)).profile;
     reader.places.field(part, "from", &from);
     reader.places.field(part, "to", &to);
@@ -275,7 +271,7 @@ fn read_segment(
     if varies && from < parent.length && to > 0.0 {
         (from, to) = (from.max(0.0), to.min(parent.length));
     }
-    FoundationSegment { from, to, spring: spring.profile, shear }
+    FoundationSegment { from, to, subgrade: spring.profile, shear_layer: shear }
 }
 
 /// μ of a segment that gives it, or a C2 or a width of its own.

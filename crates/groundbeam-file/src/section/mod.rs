@@ -13,7 +13,7 @@ pub(crate) mod load;
 mod material;
 mod shape;
 mod shear;
-mod soil;
+pub(crate) mod soil;
 mod support;
 mod survey;
 mod train;

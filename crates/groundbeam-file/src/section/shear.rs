@@ -1,4 +1,4 @@
-//! What a beam resists shear with: one number, or G and the area that shears.
+//! The beam's shear stiffness: one number, or G and the shear area.
 
 use super::shape::Shape;
 use crate::code;

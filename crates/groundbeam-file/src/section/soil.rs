@@ -1,4 +1,4 @@
-//! `[foundation.soil]`: what is known of the soil, in place of `k` and `mu`.
+//! `[foundation.soil]`: soil data in place of `k` and `mu`.
 
 use crate::code;
 use crate::fault::Fault;
@@ -7,13 +7,19 @@ use crate::quantity::{ELASTIC_MODULUS, Kind, LENGTH, RATIO, SUBGRADE_MODULUS, WI
 use crate::reader::{Field, Reader};
 use crate::suggest::nearest;
 use crate::table::Section;
-use groundbeam::soil::{Bed, Elastic, LayeredSoil, PlateTest, Soil, SoilLayer};
+use groundbeam::soil::{Elastic, LayeredSoil, PlateTest, Soil, SoilLayer, SoilModel};
 
 /// A method: its name, the keys it takes, and what other keys tell that it is not.
 struct Method {
     name: &'static str,
     keys: &'static [&'static str],
     make: fn(&mut Reader, &Section) -> Soil,
+    is_of: fn(&Soil) -> bool,
+}
+
+/// The name of a soil's method in a model file.
+pub(crate) fn method_name(soil: &Soil) -> &'static str {
+    METHODS.iter().find(|method| (method.is_of)(soil)).map_or("", |method| method.name)
 }
 
 const ELASTIC: &[&str] = &["method", "E", "nu"];
@@ -25,6 +31,7 @@ const METHODS: [Method; 8] = [
         name: "modified-vlasov",
         keys: &["method", "layer"],
         make: |reader, table| Soil::ModifiedVlasov(layers(reader, table)),
+        is_of: |soil| matches!(soil, Soil::ModifiedVlasov(_)),
     },
     Method {
         name: "vlasov",
@@ -32,24 +39,51 @@ const METHODS: [Method; 8] = [
         make: |reader, table| {
             Soil::Vlasov(layers(reader, table), positive(reader, table, "gamma", &RATIO))
         },
+        is_of: |soil| matches!(soil, Soil::Vlasov(..)),
     },
-    Method { name: "vesic", keys: ELASTIC, make: |r, t| Soil::Vesic(elastic(r, t)) },
-    Method { name: "biot", keys: ELASTIC, make: |r, t| Soil::Biot(elastic(r, t)) },
+    Method {
+        name: "vesic",
+        keys: ELASTIC,
+        make: |r, t| Soil::Vesic(elastic(r, t)),
+        is_of: |soil| matches!(soil, Soil::Vesic(_)),
+    },
+    Method {
+        name: "biot",
+        keys: ELASTIC,
+        make: |r, t| Soil::Biot(elastic(r, t)),
+        is_of: |soil| matches!(soil, Soil::Biot(_)),
+    },
     Method {
         name: "meyerhof-baike",
         keys: ELASTIC,
         make: |r, t| Soil::MeyerhofBaike(elastic(r, t)),
+        is_of: |soil| matches!(soil, Soil::MeyerhofBaike(_)),
     },
-    Method { name: "selvadurai", keys: ELASTIC, make: |r, t| Soil::Selvadurai(elastic(r, t)) },
-    Method { name: "terzaghi-clay", keys: PLATE, make: |r, t| Soil::TerzaghiClay(plate(r, t)) },
-    Method { name: "terzaghi-sand", keys: PLATE, make: |r, t| Soil::TerzaghiSand(plate(r, t)) },
+    Method {
+        name: "selvadurai",
+        keys: ELASTIC,
+        make: |r, t| Soil::Selvadurai(elastic(r, t)),
+        is_of: |soil| matches!(soil, Soil::Selvadurai(_)),
+    },
+    Method {
+        name: "terzaghi-clay",
+        keys: PLATE,
+        make: |r, t| Soil::TerzaghiClay(plate(r, t)),
+        is_of: |soil| matches!(soil, Soil::TerzaghiClay(_)),
+    },
+    Method {
+        name: "terzaghi-sand",
+        keys: PLATE,
+        make: |r, t| Soil::TerzaghiSand(plate(r, t)),
+        is_of: |soil| matches!(soil, Soil::TerzaghiSand(_)),
+    },
 ];
 
 /// The soil under a beam that bears on a `width` of it.
-pub(super) fn read(reader: &mut Reader, table: &Section, width: f64) -> Option<Bed> {
+pub(super) fn read(reader: &mut Reader, table: &Section, width: f64) -> Option<SoilModel> {
     let method = method(reader, table)?;
     reader.refuse_unknown(table, method.keys);
-    Some(Bed::new((method.make)(reader, table), width))
+    Some(SoilModel::new((method.make)(reader, table), width))
 }
 
 fn method(reader: &mut Reader, table: &Section) -> Option<&'static Method> {

@@ -1,4 +1,4 @@
-//! From a set and the cases of a file to its combinations.
+//! Combinations, from a set and the cases of a file.
 //!
 //! Lift-off makes superposition false, so no action can be left out because it seems favourable: every subset of
 //! the variable cases is made, with every leading action and every factor of the permanent ones.

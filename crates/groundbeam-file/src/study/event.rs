@@ -1,4 +1,4 @@
-//! `[[event]]`: what must not happen, and how probable it is.
+//! `[[event]]`: conditions whose probability is asked for.
 
 use super::keep::field;
 use crate::code;

@@ -1,4 +1,4 @@
-//! `[field]`: ground and beam that vary at random along the beam.
+//! `[field]`: random fields of ground and beam along the beam.
 
 use super::random::{Random, out_of_range, spread};
 use crate::code;
@@ -8,7 +8,7 @@ use crate::quantity::{LENGTH, RATIO};
 use crate::reader::Reader;
 use crate::table::Section;
 use crate::target::{self, Course};
-use groundbeam::sensitivity::{Extent, Parameter, Property};
+use groundbeam::derivatives::{Extent, Parameter, Property};
 
 /// Lognormal fields along the beam, all with one correlation function.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,4 +1,4 @@
-//! `[keep]`: what is kept of every answer.
+//! `[keep]`: the values kept of every answer.
 
 use crate::code;
 use crate::fault::Fault;

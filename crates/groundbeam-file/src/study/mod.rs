@@ -1,4 +1,4 @@
-//! Study files: a model, what of it is random, how it is sampled, and what is asked of the answers.
+//! Study files: a model, its random numbers, the sampling, and the results asked for.
 
 mod event;
 mod field;

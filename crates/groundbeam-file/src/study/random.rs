@@ -1,4 +1,4 @@
-//! `[[random]]` and `[[correlated]]`: numbers of the model that are random.
+//! `[[random]]` and `[[correlated]]`: random numbers of the model.
 
 use crate::code;
 use crate::document::Document;
@@ -8,7 +8,7 @@ use crate::quantity::{Kind, RATIO};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 use crate::target;
-use groundbeam::sensitivity::Parameter;
+use groundbeam::derivatives::Parameter;
 use std::ops::Range;
 use toml::de::DeValue;
 

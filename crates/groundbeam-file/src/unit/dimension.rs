@@ -1,4 +1,4 @@
-//! What a unit measures: powers of force, length, angle and temperature.
+//! Dimensions of units: powers of force, length, angle and temperature.
 
 /// Powers of force, length, angle and temperature difference. Mass and time occur nowhere in a model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

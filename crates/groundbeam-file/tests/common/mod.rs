@@ -1,4 +1,4 @@
-//! What holds for whatever is found wrong in a text.
+//! Rules for every diagnostic of a text.
 
 use groundbeam_file::{Diagnostic, Diagnostics, printable};
 

@@ -1,10 +1,10 @@
-//! What an array of numbers changes in a model.
+//! The numbers of a model that an array changes.
 
 use crate::derivatives::parameter;
 use crate::failure::Failure;
 use crate::read::Read;
 use groundbeam::Model;
-use groundbeam::sensitivity::{Parameter as Number, Property};
+use groundbeam::derivatives::{Parameter as Number, Property};
 use groundbeam_file::{Course, Shape, along_the_beam, change, most_control_values, problem};
 use numpy::ndarray::ArrayView2;
 use std::sync::Arc;

@@ -24,9 +24,8 @@ pub fn run(
     threads: usize,
     progress: Option<&Py<PyAny>>,
 ) -> PyResult<Vec<Answered>> {
-    crate::threads::map(count, threads, progress, Solver::new, |solver, number| {
-        task.row(number, solver)
-    })
+    let solver = || Solver::with_options(task.options.clone());
+    crate::threads::map(count, threads, progress, solver, |solver, number| task.row(number, solver))
 }
 
 /// An answer, and in words why there is none.
@@ -38,11 +37,11 @@ pub struct Answered {
 impl Task {
     /// The answer of a number, the same whatever thread it is on and whatever that has solved before.
     fn row(&self, number: usize, solver: &mut Solver) -> Answered {
-        let Task { models, parameters, wanted, options } = self;
+        let Task { models, parameters, wanted, .. } = self;
         let read = &models[if models.len() == 1 { 0 } else { number }];
         let mut model = read.document.model.clone();
         apply(parameters, number, &mut model);
-        let row = Row::solve(&model, &read.document, options, wanted, solver);
+        let row = Row::solve(&model, wanted, solver);
         let message = row.trouble.as_deref().map(|trouble| match trouble {
             Trouble::NoEquilibrium(existence) => {
                 Tipping::of(&model, existence, read.units()).sentence

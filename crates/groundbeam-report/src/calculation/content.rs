@@ -1,4 +1,4 @@
-//! What a report is made of, before it is set in type.
+//! The content of a report before it is set in type.
 
 use super::print::{cell, words};
 use crate::text::sheet::{Entry, Sheet, Tone};

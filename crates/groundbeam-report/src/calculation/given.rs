@@ -1,4 +1,4 @@
-//! What was given: drawing, beam, ground, supports, loads; and what is assumed.
+//! The report's section on the input: drawing, beam, ground, supports, loads and assumptions.
 
 use super::content::{Block, Section, Table, facts, numbers, wording};
 use super::equations;
@@ -76,8 +76,8 @@ fn segments(model: &Model, units: Units) -> Vec<Block> {
             table.push([
                 unit.number(segment.from, 6),
                 unit.number(segment.to, 6),
-                profile(units, Kind::Spring, &segment.spring),
-                profile(units, Kind::Constant, &segment.shear),
+                profile(units, Kind::Spring, &segment.subgrade),
+                profile(units, Kind::Constant, &segment.shear_layer),
             ]);
         }
         blocks.push(Block::Table(table));
@@ -184,8 +184,8 @@ fn loads(source: &Source, units: Units) -> Option<Block> {
 
 /// What is taken for granted, the equations, and how they were solved.
 pub(super) fn assumptions(model: &Model, method: Method) -> Section {
-    let layer = model.foundation.shear > 0.0
-        || model.foundation.segments.iter().any(|segment| segment.shear.largest() > 0.0);
+    let layer = model.foundation.shear_layer > 0.0
+        || model.foundation.segments.iter().any(|segment| segment.shear_layer.largest() > 0.0);
     let ground = if layer {
         "The ground is a bed of springs k under a layer that carries shear alone, μ (Pasternak), on both sides of the \
          beam too."

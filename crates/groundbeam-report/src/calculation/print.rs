@@ -1,4 +1,4 @@
-//! Words and numbers as print has them.
+//! Words and numbers for print.
 
 use crate::quantity::is_unit;
 

@@ -1,4 +1,4 @@
-//! The certificate in plain words, and where everything comes from.
+//! The certificate in words, and the origin of the results.
 
 use super::content::{Block, Section, facts};
 use super::{Source, equations};

@@ -1,4 +1,4 @@
-//! The report of all combinations: each by itself, and the envelope with who governs.
+//! The report of all combinations: each one, and the envelope with the governing combination.
 
 use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
 use super::single::{certified, checked, place};
@@ -20,7 +20,7 @@ use groundbeam_run::{Answers, Found, Overall};
 pub(super) fn combinations(all: &Answers, context: &Context, source: &Source) -> Report {
     let Some(first) = all.list.first() else { return Report::default() };
     let existence = first.existence().copied().unwrap_or_default();
-    let ground = first.ground.as_ref().filter(|ground| ground.gamma.is_none());
+    let ground = first.ground.as_ref().filter(|ground| !ground.follows_solution());
     let of_first = Context { ground, ..*context };
     let mut given = given::section(first.model(), &existence, None, &of_first, source);
     given.blocks.push(list(all));

@@ -1,4 +1,4 @@
-//! The report of one model: its equilibrium, or why there is none.
+//! The report of one model: its equilibrium, or the reason for its absence.
 
 use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
 use super::{Source, given, print, proof};

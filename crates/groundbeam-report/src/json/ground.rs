@@ -1,7 +1,7 @@
-//! Where the ground's constants come from, in the result document.
+//! The origin of the ground's constants in the result document.
 
 use groundbeam::Model;
-use groundbeam::soil::Bed;
+use groundbeam::soil::SoilModel;
 use groundbeam_run as run;
 use serde::Serialize;
 
@@ -27,16 +27,17 @@ pub(super) struct Ground {
 impl Ground {
     pub fn of(ground: &run::Ground, model: &Model) -> Self {
         let (width, subgrade) = (ground.width, ground.subgrade);
+        let gamma = ground.rounds.and_then(|soil| soil.gamma);
         Ground {
-            source: ground.bed.as_ref().map(Bed::source),
+            source: ground.soil.as_ref().map(SoilModel::source),
             width,
-            k: subgrade.spring,
-            mu: subgrade.shear,
-            area_spring: subgrade.spring / width,
-            area_shear: subgrade.shear / width,
-            gamma: ground.gamma.map(|(gamma, _)| gamma),
-            rounds: ground.gamma.map(|(_, rounds)| rounds),
-            warnings: ground.bed.as_ref().map(|bed| bed.doubts(&model.beam)).unwrap_or_default(),
+            k: subgrade.subgrade,
+            mu: subgrade.shear_layer,
+            area_spring: subgrade.subgrade / width,
+            area_shear: subgrade.shear_layer / width,
+            gamma,
+            rounds: gamma.and(ground.rounds).map(|soil| soil.rounds),
+            warnings: ground.soil.as_ref().map(|soil| soil.doubts(&model.beam)).unwrap_or_default(),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! One picture of all combinations: the envelopes of deflection, pressure, moment and shear.
+//! The picture of all combinations: envelopes of deflection, pressure, moment and shear force.
 
 use super::canvas::Canvas;
 use super::diagram::{Diagram, OF_ENVELOPES, worth_naming};

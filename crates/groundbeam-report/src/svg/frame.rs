@@ -1,4 +1,4 @@
-//! From positions along the beam to the width of the page, the same for all panels.
+//! The scale from positions along the beam to the width of the page, the same for all panels.
 
 use super::ground::farthest;
 use groundbeam::Model;

@@ -82,7 +82,7 @@ fn is_stiffer(segment: &FoundationSegment, model: &Model, right: bool) -> Option
     let middle = |profile: &Profile| 0.5 * (profile.start() + profile.end());
     let end = if right { model.beam.length * (1.0 - f64::EPSILON) } else { 0.0 };
     let (spring, shear) = model.foundation.constants_at(end);
-    let own = [middle(&segment.spring), middle(&segment.shear)];
+    let own = [middle(&segment.subgrade), middle(&segment.shear_layer)];
     let apart = own.into_iter().zip([spring, shear]).find(|(own, end)| own != end);
     apart.map(|(own, end)| own > end)
 }
@@ -101,7 +101,7 @@ pub(super) fn constants(
         let is_beside = segment.to <= 0.0 || segment.from >= frame.length;
         let clip = |x: f64| frame.x(x.clamp(-left, frame.length + right));
         let (from, to) = (clip(segment.from), clip(segment.to));
-        let (spring, shear) = (&segment.spring, &segment.shear);
+        let (spring, shear) = (&segment.subgrade, &segment.shear_layer);
         if !is_beside || to <= from || !(spring.is_constant() && shear.is_constant()) {
             continue;
         }

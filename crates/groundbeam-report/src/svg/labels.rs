@@ -1,4 +1,4 @@
-//! Where words go: beside what they name, and on nothing else.
+//! Positions of labels, without overlap.
 
 use crate::font::Metrics;
 use std::ops::RangeInclusive;

@@ -1,4 +1,4 @@
-//! What acts on the beam: arrows, areas of arrows, turning arrows and bent lines, with their sizes.
+//! Loads as arrows, areas of arrows, turning arrows and bent lines, with their sizes.
 
 use super::canvas::{Anchor, Canvas, number, printed};
 use super::diagram::arrow;

@@ -1,4 +1,4 @@
-//! One picture of a solution: the beam on its ground, pressure, moment and shear, above one another.
+//! The picture of a solution: the beam on its ground, pressure, moment and shear force.
 //!
 //! Equal solutions give equal bytes. The picture has a white ground of its own and needs no style sheet and
 //! no script. It names the font Inter, in which its labels were measured; [`png`](crate::png) brings it along.
@@ -106,8 +106,8 @@ fn numbers(solution: &Solution, units: Units) -> String {
         parts.push(format!("P = {}", units.write(Kind::Constant, model.beam.axial_force, 4)));
     }
     if model.foundation.segments.is_empty() {
-        parts.push(format!("k = {}", units.write(Kind::Spring, model.foundation.spring, 4)));
-        parts.push(format!("μ = {}", units.write(Kind::Constant, model.foundation.shear, 4)));
+        parts.push(format!("k = {}", units.write(Kind::Spring, model.foundation.subgrade, 4)));
+        parts.push(format!("μ = {}", units.write(Kind::Constant, model.foundation.shear_layer, 4)));
     } else {
         parts.push("k and μ vary".to_owned());
     }

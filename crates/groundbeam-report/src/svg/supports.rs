@@ -1,4 +1,4 @@
-//! What holds the beam, triangles, walls, springs; and its hinges.
+//! Supports as triangles, walls and springs; hinges.
 
 use super::canvas::{Canvas, number};
 use super::style::SUPPORT;

@@ -1,4 +1,4 @@
-//! What the design must keep to, line by line.
+//! Design checks, one line each.
 
 use super::sheet::{Sheet, Tone};
 use crate::context::{Context, clean};

@@ -10,7 +10,7 @@ use crate::quantity::{Kind, Unit, Units, duration};
 use crate::verdict;
 use crate::verdict::falls;
 use groundbeam::{Envelope, Extreme, Field, Governing, Verdict};
-use groundbeam_run::{Answer, Answers, Banded, Found};
+use groundbeam_run::{Answer, Answers, Banded, Found, Ground};
 
 /// The report of all combinations, solved or only checked; with `colour`, with escape codes for a terminal.
 pub fn combinations(answers: &Answers, context: &Context, colour: bool) -> String {
@@ -22,10 +22,10 @@ pub fn combinations(answers: &Answers, context: &Context, colour: bool) -> Strin
     };
     let first = answers.list.iter().find_map(|answer| Some((answer, known(answer)?)));
     if let Some((answer, found)) = first {
-        let ground = answer.ground.as_ref().filter(|ground| ground.gamma.is_none());
+        let ground = answer.ground.as_ref().filter(|ground| !ground.follows_solution());
         structure(&mut sheet, answer.model(), &found, &Context { ground, ..*context });
-        let of_solution = |a: &Answer| a.ground.as_ref().is_some_and(|g| g.gamma.is_some());
-        if answers.list.iter().any(of_solution) {
+        let follows = |a: &Answer| a.ground.as_ref().is_some_and(Ground::follows_solution);
+        if answers.list.iter().any(follows) {
             let words = "k and mu of each combination are those that its own solution makes of it; \
                          above stands the ground before anything is solved";
             sheet.row("Soil", words);

@@ -1,19 +1,20 @@
-//! Where the ground's constants come from.
+//! The origin of the ground's constants.
 
 use super::sheet::{Sheet, Tone};
 use crate::context::Context;
 use crate::number::significant;
 use crate::quantity::Kind;
 use groundbeam::Model;
+use groundbeam::soil::SoilRounds;
 
 /// The method, the values of an area beside those of the beam, and what is to be doubted.
 pub fn rows(sheet: &mut Sheet, model: &Model, context: &Context) {
     let Some(ground) = context.ground else { return };
     let units = context.units;
     let (width, subgrade) = (ground.width, ground.subgrade);
-    if let Some(bed) = &ground.bed {
-        let mut words = format!("by {}", bed.source());
-        if let Some((gamma, rounds)) = ground.gamma {
+    if let Some(soil) = &ground.soil {
+        let mut words = format!("by {}", soil.source());
+        if let Some(SoilRounds { gamma: Some(gamma), rounds }) = ground.rounds {
             words += &format!(", γ = {}", significant(gamma, 6));
             if rounds > 1 {
                 words += &format!(", the solution's own after {rounds} of them");
@@ -21,14 +22,14 @@ pub fn rows(sheet: &mut Sheet, model: &Model, context: &Context) {
         }
         sheet.row("Soil", &words);
     }
-    let area = units.write(Kind::AreaSpring, subgrade.spring / width, 6);
+    let area = units.write(Kind::AreaSpring, subgrade.subgrade / width, 6);
     let mut values = format!("on a width of {}: C1 = k/b = {area}", units.position(width));
-    if subgrade.shear > 0.0 {
-        let shear = units.write(Kind::AreaShear, subgrade.shear / width, 6);
+    if subgrade.shear_layer > 0.0 {
+        let shear = units.write(Kind::AreaShear, subgrade.shear_layer / width, 6);
         values += &format!(", C2 = mu/b = {shear}");
     }
     sheet.row("", &values);
-    for doubt in ground.bed.as_ref().map(|bed| bed.doubts(&model.beam)).unwrap_or_default() {
+    for doubt in ground.soil.as_ref().map(|soil| soil.doubts(&model.beam)).unwrap_or_default() {
         sheet.toned_row("Caution", &doubt, Tone::Doubtful);
     }
 }

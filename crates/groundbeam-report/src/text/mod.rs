@@ -24,7 +24,7 @@ pub use combinations::combinations;
 pub use comparison::comparison;
 pub use drawing::drawing;
 use groundbeam::{
-    Acts, ContactRegion, Existence, Extent, Extreme, Field, GroundEnd, Load, Model, Profile, Range,
+    Acts, ContactZone, Existence, Extent, Extreme, Field, GroundEnd, Load, Model, Profile, Range,
     Reaction, Solution, Stopped, SupportKind, Verdict,
 };
 pub use passages::{checked_trains, trains};
@@ -175,10 +175,10 @@ pub(crate) fn structure(
         sheet.row("", &shear);
     }
 
-    let springs = ends(model.foundation.segments.iter().map(|s| s.spring));
-    let shears = ends(model.foundation.segments.iter().map(|s| s.shear));
-    let spring = spread(units, Kind::Spring, model.foundation.spring, springs);
-    let shear = spread(units, Kind::Constant, model.foundation.shear, shears);
+    let springs = ends(model.foundation.segments.iter().map(|s| s.subgrade));
+    let shears = ends(model.foundation.segments.iter().map(|s| s.shear_layer));
+    let spring = spread(units, Kind::Spring, model.foundation.subgrade, springs);
+    let shear = spread(units, Kind::Constant, model.foundation.shear_layer, shears);
     let is_winkler = found.shear_length[1] == 0.0;
     let constants = if is_winkler {
         format!("k = {spring}, no shear layer (Winkler)")
@@ -277,11 +277,11 @@ pub(crate) fn contact(sheet: &mut Sheet, solution: &Solution, units: Units, size
         sheet.row("Contact", "nowhere");
     }
     listed(sheet, "Contact", regions, |region| match *region {
-        ContactRegion { from, to } if from == to => {
+        ContactZone { from, to } if from == to => {
             format!("at the point x = {}", units.position(sizes.position(from)))
         }
-        ContactRegion { from, to } if from == 0.0 && to == l => "the whole beam".to_owned(),
-        ContactRegion { from, to } => between(units, sizes.position(from), to),
+        ContactZone { from, to } if from == 0.0 && to == l => "the whole beam".to_owned(),
+        ContactZone { from, to } => between(units, sizes.position(from), to),
     });
     let lifted = solution.lift_off();
     if lifted.is_empty() {

@@ -7,7 +7,6 @@ use crate::characteristics::Characteristics;
 use crate::context::{Context, clean};
 use crate::quantity::{Kind, Unit, Units};
 use groundbeam::Field;
-use groundbeam::soil::{Bed, Soil};
 use groundbeam_run::{Ground, InPassage, Overall, Passage, Passages};
 
 /// The report of passages; with `colour`, with escape codes for a terminal.
@@ -21,9 +20,7 @@ pub fn trains(passages: &Passages, context: &Context, colour: bool) -> String {
     });
     if let Some((model, solution)) = first {
         structure(&mut sheet, model, &Characteristics::of(model, solution.existence()), context);
-        if let Some(Ground { bed: Some(Bed { soil: Soil::ModifiedVlasov(_), .. }), .. }) =
-            context.ground
-        {
+        if context.ground.is_some_and(Ground::follows_solution) {
             let words = "k and mu of each position are those that its own solution makes of it; \
                          above stands the ground before anything is solved";
             sheet.row("Soil", words);

@@ -1,4 +1,4 @@
-//! The same for beams with free hinges, of which a part may tip and the rest stand.
+//! The verdict for beams with free hinges, of which one part may tip.
 
 use crate::quantity::Units;
 use groundbeam::{Existence, Model, RigidMotion, Verdict, static_reactions};

@@ -1,4 +1,4 @@
-//! Where along its way a train leaves the beam without an equilibrium.
+//! The positions at which a train's beam loses its equilibrium.
 
 use super::position::first_positions;
 use groundbeam::model::Train;

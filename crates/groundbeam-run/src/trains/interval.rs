@@ -1,4 +1,4 @@
-//! Between two solved positions: what is interpolated there, and how far a third sticks out.
+//! The interval between two solved positions: interpolation, and the error of a third one.
 
 use super::position::{Beside, Position, Section};
 use groundbeam::model::Train;

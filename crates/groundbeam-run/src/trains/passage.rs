@@ -1,4 +1,4 @@
-//! What a passage of a train does to the beam: the envelope of all its positions.
+//! The passage of a train: the envelope of all its positions.
 
 use super::interval::passing;
 use super::position::Section;

@@ -1,4 +1,4 @@
-//! Which positions of a train are solved: where axles meet what the model has, an even grid, and more where it matters.
+//! The sweep of a train: positions at marks of the model, an even grid, and more until the error of the envelope is met.
 
 use super::edges;
 use super::interval::{Table, sticks_out};

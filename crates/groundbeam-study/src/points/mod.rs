@@ -1,4 +1,4 @@
-//! Points of the unit cube: where sample i is, which follows from the seed and from i alone.
+//! Points of the unit cube: sample i, from the seed and i alone.
 
 mod latin;
 mod sobol;

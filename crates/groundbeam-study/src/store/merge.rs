@@ -1,4 +1,4 @@
-//! Shards of one study put together.
+//! Merges the shards of one study.
 
 use super::StoreError;
 use super::parts::assembled;

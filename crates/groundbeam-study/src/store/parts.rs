@@ -1,4 +1,4 @@
-//! Results on their way: parts of a study in a folder beside the file they will become.
+//! Parts of a running study, in a folder beside the final file.
 //!
 //! The name of a part states its samples. Whoever works here holds a lock that ends with the process.
 

@@ -1,4 +1,4 @@
-//! Files of results, read again.
+//! Reads files of results.
 
 use super::StoreError;
 use super::checksum::{self, Checksums};

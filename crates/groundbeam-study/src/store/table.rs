@@ -1,4 +1,4 @@
-//! The columns of results, and what stands at the head of a file of them.
+//! The columns and the header of a file of results.
 
 use super::checksum::hex;
 use super::column::{Column, Kind};

@@ -1,4 +1,4 @@
-//! Files of results, written: rows as they come, of which always as many are compressed together.
+//! Writes files of results, compressing rows in groups of one size.
 //!
 //! A file appears under its name when it is whole and on the disk ([`Output`]), with checksums of all its bytes.
 

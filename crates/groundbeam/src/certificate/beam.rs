@@ -3,8 +3,8 @@
 use super::quadrature::{Seen, at_points, gauss, larger};
 use super::statics::{Events, SpreadLoad};
 use super::{Claim, ClaimedPiece};
-use crate::model::{Course, Extent, Model};
-use crate::numeric::polynomial::is_free_of_zeros;
+use crate::model::{CellPolynomial, Extent, Model};
+use crate::numeric::roots::is_free_of_zeros;
 
 /// Energies and their parts, summed piece by piece.
 #[derive(Debug, Default)]
@@ -90,7 +90,7 @@ fn shear_piece(
     piece: &ClaimedPiece,
     load: &SpreadLoad,
     seen: &Seen,
-    course: &Course,
+    course: &CellPolynomial,
     shear_force: &[f64],
     sums: &mut Sums,
 ) {

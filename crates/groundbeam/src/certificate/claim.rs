@@ -154,7 +154,7 @@ mod tests {
         let mut forces = vec![(0.0, ends.left)];
         forces.extend(solution.concentrated.iter().map(|c| (c.at, c.force)));
         forces.push((solution.model.beam.length, ends.right));
-        let pieces = solution.stretches.iter().map(|stretch| ClaimedPiece {
+        let pieces = solution.pieces.iter().map(|stretch| ClaimedPiece {
             x: stretch.x,
             half: stretch.half,
             deflection: &stretch.deflection,
@@ -198,24 +198,22 @@ mod tests {
                     unseen.push(format!("{name}: {what}: {seen:e}"));
                 }
             };
-            for (i, stretch) in good.stretches.iter().enumerate() {
+            for (i, stretch) in good.pieces.iter().enumerate() {
                 let largest = |c: &[f64]| c.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
                 for j in 0..stretch.deflection.len() {
                     if stretch.deflection[j].abs() > 0.1 * largest(&stretch.deflection) {
-                        check(format!("w[{i}][{j}]"), &|s| {
-                            nudge(&mut s.stretches[i].deflection[j])
-                        });
+                        check(format!("w[{i}][{j}]"), &|s| nudge(&mut s.pieces[i].deflection[j]));
                     }
                 }
                 for j in 0..stretch.pressure.len() {
                     if stretch.pressure[j].abs() > 0.1 * largest(&stretch.pressure) {
-                        check(format!("p[{i}][{j}]"), &|s| nudge(&mut s.stretches[i].pressure[j]));
+                        check(format!("p[{i}][{j}]"), &|s| nudge(&mut s.pieces[i].pressure[j]));
                     }
                 }
                 for end in 0..2 {
                     if stretch.open.is_some_and(|u| u[end] != 0.0) {
                         check(format!("u[{i}][{end}]"), &|s| {
-                            if let Some(u) = &mut s.stretches[i].open {
+                            if let Some(u) = &mut s.pieces[i].open {
                                 nudge(&mut u[end]);
                             }
                         });
@@ -224,16 +222,16 @@ mod tests {
                 if i > 0 {
                     check(format!("edge {i}"), &|s| {
                         let move_by = CHANGE * s.model.beam.length;
-                        s.stretches[i - 1].x[1] += move_by;
-                        s.stretches[i - 1].half += 0.5 * move_by;
-                        s.stretches[i].x[0] += move_by;
-                        s.stretches[i].half -= 0.5 * move_by;
+                        s.pieces[i - 1].x[1] += move_by;
+                        s.pieces[i - 1].half += 0.5 * move_by;
+                        s.pieces[i].x[0] += move_by;
+                        s.pieces[i].half -= 0.5 * move_by;
                     });
-                    check(format!("joint {i}"), &|s| s.stretches[i].x[0] += CHANGE);
+                    check(format!("joint {i}"), &|s| s.pieces[i].x[0] += CHANGE);
                 }
-                check(format!("half {i}"), &|s| nudge(&mut s.stretches[i].half));
+                check(format!("half {i}"), &|s| nudge(&mut s.pieces[i].half));
                 check(format!("a piece {i} left out"), &|s| {
-                    s.stretches.remove(i);
+                    s.pieces.remove(i);
                 });
             }
             let ends = good.end_forces;

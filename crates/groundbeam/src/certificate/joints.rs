@@ -57,8 +57,9 @@ impl Joints {
     pub fn new(model: &Model, claim: &Claim, outside: &Outside) -> Self {
         let beam = &model.beam;
         let ground = &model.foundation;
-        let segments = ground.segments.iter().map(|s| (s.spring.largest(), s.shear.largest()));
-        let (mut spring, mut shear) = (ground.spring, ground.shear);
+        let segments =
+            ground.segments.iter().map(|s| (s.subgrade.largest(), s.shear_layer.largest()));
+        let (mut spring, mut shear) = (ground.subgrade, ground.shear_layer);
         for (k, mu) in segments {
             (spring, shear) = (spring.max(k), shear.max(mu));
         }

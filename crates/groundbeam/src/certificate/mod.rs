@@ -64,7 +64,7 @@ pub(crate) fn certify(model: &Model, claim: &Claim) -> Certificate {
     // Loads that supports take without any strain, and supports that settle together, leave rounding alone, to
     // be judged by the energy that they would put into the ground and the beam.
     let (length, k, ei) =
-        (model.beam.length, model.foundation.spring, model.beam.bending_stiffness);
+        (model.beam.length, model.foundation.subgrade, model.beam.bending_stiffness);
     let wave = (4.0 * ei / k).sqrt().sqrt().min(length);
     let sunk = events.forces * (events.forces / (k * length));
     let turned = events.moments / length * (events.moments / (k * length * length));

@@ -1,7 +1,7 @@
 //! What acts on the ground besides the beam.
 
 use super::outside::Outside;
-use crate::model::{Beyond, Extent, Layer, Model};
+use crate::model::{Extent, GroundOutside, Model, OutsideLayer};
 
 /// Forces at points under the beam, and what the loads beside it push each of its ends with.
 #[derive(Debug)]
@@ -69,10 +69,10 @@ enum Behind {
 
 /// T at the beam's end, from the far end inward. Under a linear load u is q/k and ground without load v; with
 /// C = cosh bh, s = sinh bh the latter has T = T′ K/(K C + S s) at its near end.
-fn push(model: &Model, beyond: &Beyond, right: bool) -> f64 {
+fn push(model: &Model, beyond: &GroundOutside, right: bool) -> f64 {
     let l = model.beam.length;
     let place = |distance: f64| if right { l + distance } else { -distance };
-    let mut pieces: Vec<(f64, f64, Layer)> = Vec::new();
+    let mut pieces: Vec<(f64, f64, OutsideLayer)> = Vec::new();
     let mut from = 0.0;
     for layer in &beyond.layers {
         let to = from + layer.length;
@@ -89,7 +89,7 @@ fn push(model: &Model, beyond: &Beyond, right: bool) -> f64 {
     let mut behind =
         if beyond.held { Behind::Held } else { Behind::Spring { stiffness: 0.0, push: 0.0 } };
     for (near, far, layer) in pieces.into_iter().rev() {
-        let own = (layer.spring * layer.shear).sqrt();
+        let own = (layer.subgrade * layer.shear_layer).sqrt();
         if far == f64::INFINITY {
             behind = Behind::Spring { stiffness: own, push: 0.0 };
         } else {
@@ -115,10 +115,10 @@ fn points(model: &Model, x: f64, near: f64) -> f64 {
 }
 
 /// One stretch more, with the load on it.
-fn across(model: &Model, behind: Behind, [near, far]: [f64; 2], layer: &Layer) -> Behind {
-    let own = (layer.spring * layer.shear).sqrt();
+fn across(model: &Model, behind: Behind, [near, far]: [f64; 2], layer: &OutsideLayer) -> Behind {
+    let own = (layer.subgrade * layer.shear_layer).sqrt();
     let length = (far - near).abs();
-    let z = (layer.spring / layer.shear).sqrt() * length;
+    let z = (layer.subgrade / layer.shear_layer).sqrt() * length;
     let (tanh, faded, twice) = (z.tanh(), (-z).exp(), (-2.0 * z).exp());
     let mut x = [near, far];
     x.sort_by(f64::total_cmp);
@@ -127,8 +127,8 @@ fn across(model: &Model, behind: Behind, [near, far]: [f64; 2], layer: &Layer) -
         load.reverse();
     }
     // m at the near and the far end, and μm' outward.
-    let m = load.map(|q| q / layer.spring);
-    let flux = layer.shear * (m[1] - m[0]) / length;
+    let m = load.map(|q| q / layer.subgrade);
+    let flux = layer.shear_layer * (m[1] - m[0]) / length;
     match behind {
         Behind::Held => {
             let stiffness = own / tanh;

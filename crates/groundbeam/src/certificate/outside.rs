@@ -1,12 +1,12 @@
 //! The ground beyond the beam's ends: how stiff it is seen from there, and how it ends.
 
 use super::{Claim, ClaimedPiece};
-use crate::model::{Beyond, Layer, Model};
+use crate::model::{GroundOutside, Model, OutsideLayer};
 
 /// The ground beyond the left and the right end.
 #[derive(Debug)]
 pub(super) struct Outside {
-    pub beyond: [Beyond; 2],
+    pub beyond: [GroundOutside; 2],
     /// The force that it takes for one unit of settlement at the beam's end \[N/m\].
     pub stiffness: [f64; 2],
 }
@@ -18,7 +18,7 @@ impl Outside {
         let at_end = |i: usize| {
             let constants =
                 |piece: &ClaimedPiece| ground.constants_on(piece.x).map(|course| course.ends[i]);
-            pieces[i].map_or([ground.spring, ground.shear], constants)
+            pieces[i].map_or([ground.subgrade, ground.shear_layer], constants)
         };
         let beyond = [ground.beyond(false, l, at_end(0)), ground.beyond(true, l, at_end(1))];
         let stiffness = [stiffness(&beyond[0]), stiffness(&beyond[1])];
@@ -32,20 +32,21 @@ impl Outside {
 
     /// How far the layer reaches beyond both ends, together.
     pub fn length(&self) -> f64 {
-        self.beyond.iter().map(Beyond::length).sum()
+        self.beyond.iter().map(GroundOutside::length).sum()
     }
 
-    pub fn layers(&self) -> impl Iterator<Item = &Layer> {
+    pub fn layers(&self) -> impl Iterator<Item = &OutsideLayer> {
         self.beyond.iter().flat_map(|beyond| &beyond.layers)
     }
 }
 
 /// From the far end inward: a stretch of length h with the stiffness S behind it has
 /// K (S + K tanh bh)/(K + S tanh bh), K = √(kμ), b = √(k/μ).
-fn stiffness(beyond: &Beyond) -> f64 {
+fn stiffness(beyond: &GroundOutside) -> f64 {
     // None: held.
     let mut behind = if beyond.held { None } else { Some(0.0) };
-    for &Layer { length, spring, shear } in beyond.layers.iter().rev() {
+    for &OutsideLayer { length, subgrade: spring, shear_layer: shear } in beyond.layers.iter().rev()
+    {
         let own = (spring * shear).sqrt();
         let tanh = ((spring / shear).sqrt() * length).tanh();
         behind = Some(match behind {
@@ -66,11 +67,12 @@ pub(super) fn flexibility(model: &Model, outside: &Outside) -> f64 {
     let ground = &model.foundation;
     let under = |s: &&crate::model::FoundationSegment| s.to > 0.0 && s.from < model.beam.length;
     let segments = ground.segments.iter().filter(under);
-    let all = segments.map(|s| (s.spring.smallest(), s.shear.smallest()));
-    let all = all.chain(outside.layers().map(|layer| (layer.spring, layer.shear)));
-    let (k, mu) = all.fold((ground.spring, ground.shear), |(k, mu), (other_k, other_mu)| {
-        (k.min(other_k), mu.min(other_mu))
-    });
+    let all = segments.map(|s| (s.subgrade.smallest(), s.shear_layer.smallest()));
+    let all = all.chain(outside.layers().map(|layer| (layer.subgrade, layer.shear_layer)));
+    let (k, mu) = all
+        .fold((ground.subgrade, ground.shear_layer), |(k, mu), (other_k, other_mu)| {
+            (k.min(other_k), mu.min(other_mu))
+        });
     if mu <= 0.0 {
         return f64::INFINITY;
     }

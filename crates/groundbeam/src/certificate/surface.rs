@@ -3,7 +3,7 @@
 use super::ClaimedPiece;
 use super::curve::{Curve, Point, ROUNDING, fourth, rounding};
 use super::neighbours;
-use crate::model::{Course, Model};
+use crate::model::{CellPolynomial, Model};
 use crate::numeric::polynomial::{Coefficients, jet};
 
 #[derive(Debug, Clone, Copy)]
@@ -15,7 +15,7 @@ pub(super) struct Under<'a> {
     /// k and μ, where they vary at the middle.
     pub spring: f64,
     pub shear: f64,
-    ground: [Course; 2],
+    ground: [CellPolynomial; 2],
     gap: [f64; 2],
     /// A load on the ground, q at both ends.
     load: [f64; 2],
@@ -200,7 +200,7 @@ impl<'a> Under<'a> {
 
 /// −(μu')' + ku = 0 on a stretch that is held at both ends: the coefficients follow one another,
 /// (j+2)(j+1) μ₀ c_{j+2} = a² \[ku\]_j − (j+1) Σ_{i≥1} μᵢ (j+2−i) c_{j+2−i}.
-fn varying(ground: &[Course; 2], half: f64, [left, right]: [f64; 2]) -> [f64; TERMS] {
+fn varying(ground: &[CellPolynomial; 2], half: f64, [left, right]: [f64; 2]) -> [f64; TERMS] {
     let [spring, shear] = ground.map(|course| course.coefficients);
     let solution = |level: f64, slope: f64| {
         let mut c = [0.0; TERMS];

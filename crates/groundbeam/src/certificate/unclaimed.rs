@@ -30,9 +30,10 @@ pub(super) struct Unclaimed {
 impl Unclaimed {
     pub fn new(model: &Model, outside: &Outside) -> Self {
         let ground = &model.foundation;
-        let segments = ground.segments.iter().map(|s| (s.spring.smallest(), s.shear.smallest()));
-        let (mut spring, mut shear) = (ground.spring, f64::INFINITY);
-        for (k, mu) in segments.chain([(ground.spring, ground.shear)]) {
+        let segments =
+            ground.segments.iter().map(|s| (s.subgrade.smallest(), s.shear_layer.smallest()));
+        let (mut spring, mut shear) = (ground.subgrade, f64::INFINITY);
+        for (k, mu) in segments.chain([(ground.subgrade, ground.shear_layer)]) {
             spring = spring.min(k);
             if mu > 0.0 {
                 shear = shear.min(mu);

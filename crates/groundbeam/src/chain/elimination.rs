@@ -1,4 +1,4 @@
-//! One linear solve: beam and ground as a chain, swept from both ends to a meeting node.
+//! One linear solve: elimination of beam and ground from both ends to a meeting node.
 //!
 //! S (with r) is the stiffness (and force) that everything behind a node offers to the node's own
 //! x = (w, θ) and, where beam and ground have parted, u. Crossing an element, x' = T x + d, either x
@@ -6,15 +6,15 @@
 //! stiffness found as a small difference of large ones. Each element is crossed once on the way in
 //! and once on the way out: the cost is linear in the number of elements.
 //!
-//! In a narrow gap, or near the edge of a wide one, a short link of stiffness μ/h ties the surface to the
+//! In a narrow gap, or near the edge of a wide one, a short two-port of stiffness μ/h ties the surface to the
 //! beam. There the third of x is not u but r = u − ψ: in differences of neighbouring r the sinking of beam
 //! and ground has no part, and μ/h never stands beside the stiffness that holds them.
 
-use crate::chain::hinge::Turned;
+use crate::chain::hinge::HingeRotation;
 use crate::chain::links::{Surfaces, add_link, counted};
 use crate::chain::mirror::{mirror_cell, mirror_shape};
-use crate::chain::node::{Behind, ChainCell, ChainNode, Loose, THETA, U, W};
-use crate::chain::node::{Tie, TiedLink};
+use crate::chain::node::{ChainCell, ChainNode, CondensedStiffness, NotDefinite, THETA, U, W};
+use crate::chain::node::{Tie, TiedTwoPort};
 use crate::element::element::{Basis, Element};
 
 #[derive(Debug, Clone, Default)]
@@ -27,7 +27,7 @@ pub(crate) struct Chain {
 
 /// How to come back across a cell: y_behind from y_ahead.
 #[derive(Debug, Clone, Copy, Default)]
-struct Return {
+struct BackSubstitution {
     /// (v₁, v₂, u_left) = constant − gain·(w_right, θ_right, u_right).
     gain: [[f64; 3]; 3],
     constant: [f64; 3],
@@ -38,18 +38,18 @@ struct Return {
     /// u of the left node where it ends there: u = constant − gain·(w, θ).
     ended: [f64; 3],
     /// θ behind a hinge at the left node, from what is ahead of it.
-    turned: Option<Turned>,
+    turned: Option<HingeRotation>,
 }
 
 impl Chain {
     /// The four numbers of every cell's element.
-    pub fn solve(&self) -> Result<Vec<[f64; 4]>, Loose> {
+    pub fn solve(&self) -> Result<Vec<[f64; 4]>, NotDefinite> {
         let last = self.nodes.len() - 1;
         let meet = self.meeting.min(last);
         let (left, back_left) = self.sweep::<false>(0, meet)?;
         let (right, back_right) = self.sweep::<true>(last, meet)?;
         let mut both = left;
-        let turned = Turned::across(&self.nodes[meet], &mut both)?;
+        let turned = HingeRotation::condense(&self.nodes[meet], &mut both)?;
         // The right sweep sees slopes with the other sign.
         let sign = [1.0, -1.0, 1.0];
         for i in 0..3 {
@@ -62,11 +62,11 @@ impl Chain {
         apply(node, &mut both, 1.0);
         let at_meeting = solve_node(node, &both)?;
         let mut shapes = vec![[0.0; 4]; self.cells.len()];
-        let mut y = Turned::behind(turned, at_meeting);
+        let mut y = HingeRotation::beyond_hinge(turned, at_meeting);
         for (i, back) in (0..meet).zip(&back_left).rev() {
             let Element { length, basis, .. } = self.cells[i].element;
             y = back.cross(length, basis, y, &mut shapes[i]);
-            y = Turned::behind(back.turned, back.end(&self.nodes[i], y, true));
+            y = HingeRotation::beyond_hinge(back.turned, back.end(&self.nodes[i], y, true));
         }
         let mut y = at_meeting;
         y[THETA] = -y[THETA];
@@ -75,7 +75,7 @@ impl Chain {
             let mut v = [0.0; 4];
             y = back.cross(length, basis, y, &mut v);
             shapes[i] = mirror_shape(&v, length, basis);
-            y = Turned::behind(back.turned, back.end(&self.nodes[i + 1], y, false));
+            y = HingeRotation::beyond_hinge(back.turned, back.end(&self.nodes[i + 1], y, false));
         }
         Ok(shapes)
     }
@@ -85,17 +85,17 @@ impl Chain {
         &self,
         start: usize,
         meet: usize,
-    ) -> Result<(Behind, Vec<Return>), Loose> {
+    ) -> Result<(CondensedStiffness, Vec<BackSubstitution>), NotDefinite> {
         let count = start.abs_diff(meet);
         let mut returns = Vec::with_capacity(count);
-        let mut state = Behind::default();
+        let mut state = CondensedStiffness::default();
         for step in 0..count {
             let [here, ahead] =
                 if MIRRORED { [start - step, start - step - 1] } else { [step, step + 1] };
             let [node, next] = [&self.nodes[here], &self.nodes[ahead]];
             apply(node, &mut state, if MIRRORED { -1.0 } else { 1.0 });
-            let turned = Turned::across(node, &mut state)?;
-            let mut back = Return { turned, ..Return::default() };
+            let turned = HingeRotation::condense(node, &mut state)?;
+            let mut back = BackSubstitution { turned, ..BackSubstitution::default() };
             let sides = if MIRRORED { [1, 0] } else { [0, 1] };
             if node.surface[sides[0]] && !node.surface[sides[1]] {
                 back.ended = end_surface(&mut state)?;
@@ -115,7 +115,7 @@ impl Chain {
 
 /// Adds what acts on and holds one node. A sweep from the right sees slopes, and so moments, with the
 /// other `sign`.
-fn apply(node: &ChainNode, state: &mut Behind, sign: f64) {
+fn apply(node: &ChainNode, state: &mut CondensedStiffness, sign: f64) {
     state.s[W][W] += node.spring + node.ground_spring;
     state.s[THETA][THETA] += node.rotational_spring;
     state.s[U][U] += node.surface_spring;
@@ -132,10 +132,10 @@ fn apply(node: &ChainNode, state: &mut Behind, sign: f64) {
 }
 
 /// Eliminates u at a node where the shear layer's own surface ends.
-fn end_surface(state: &mut Behind) -> Result<[f64; 3], Loose> {
+fn end_surface(state: &mut CondensedStiffness) -> Result<[f64; 3], NotDefinite> {
     let pivot = state.s[U][U];
     if pivot <= 0.0 {
-        return Err(Loose);
+        return Err(NotDefinite);
     }
     let gain = [state.s[U][W] / pivot, state.s[U][THETA] / pivot, state.r[U] / pivot];
     for i in [W, THETA] {
@@ -186,18 +186,18 @@ fn in_order(row: &[f64; 6], c: &[[f64; 4]; 4]) -> [f64; 6] {
 
 fn cross(
     element: &Element,
-    links: &[TiedLink],
+    links: &[TiedTwoPort],
     [node, next]: [&ChainNode; 2],
-    state: &Behind,
-    back: &mut Return,
-) -> Result<Behind, Loose> {
+    state: &CondensedStiffness,
+    back: &mut BackSubstitution,
+) -> Result<CondensedStiffness, NotDefinite> {
     // Everything behind the right node, in (w_l, θ_l, d₁, d₂ | u_l, u_r). Where open ground couples its
     // ends more stiffly than anything holds them, as short ground does, its rise δ = u_r − u_l takes the
     // place of u_l: that stiffness must not swallow the rest.
-    let stiff = |tied: &TiedLink| {
+    let stiff = |tied: &TiedTwoPort| {
         tied.left == Tie::SurfaceLeft
             && tied.right == Tie::SurfaceRight
-            && tied.link.coupling > state.s[U][U]
+            && tied.two_port.series > state.s[U][U]
     };
     back.rise = links.iter().any(stiff);
     let surface_left =
@@ -277,8 +277,8 @@ fn condense(
     f: &[f64; 6],
     free: [bool; 3],
     settlement: f64,
-    back: &mut Return,
-) -> Result<Behind, Loose> {
+    back: &mut BackSubstitution,
+) -> Result<CondensedStiffness, NotDefinite> {
     // LDLᵀ of the eliminated block with the six right-hand sides: three columns and the load.
     let mut a = [[0.0; 3]; 3];
     let mut b = [[0.0; 4]; 3];
@@ -310,7 +310,7 @@ fn condense(
     for p in 0..3 {
         let pivot = a[p][p];
         if pivot.is_nan() || pivot <= 1e-15 * size[p] {
-            return Err(Loose);
+            return Err(NotDefinite);
         }
         for i in p + 1..3 {
             let factor = a[i][p] / pivot;
@@ -332,7 +332,7 @@ fn condense(
         back.gain[i].copy_from_slice(&b[i][..3]);
         back.constant[i] = b[i][3];
     }
-    let mut ahead = Behind::default();
+    let mut ahead = CondensedStiffness::default();
     for i in 0..3 {
         ahead.r[i] = f[i] - (0..3).map(|e| m[3 + e][i] * b[e][3]).sum::<f64>();
         for j in i..3 {
@@ -345,7 +345,7 @@ fn condense(
 }
 
 /// Solves S y = r at the meeting node.
-fn solve_node(node: &ChainNode, both: &Behind) -> Result<[f64; 3], Loose> {
+fn solve_node(node: &ChainNode, both: &CondensedStiffness) -> Result<[f64; 3], NotDefinite> {
     let mut m = [[0.0; 6]; 6];
     let mut f = [0.0; 6];
     for i in 0..3 {
@@ -355,12 +355,12 @@ fn solve_node(node: &ChainNode, both: &Behind) -> Result<[f64; 3], Loose> {
         }
     }
     let free = [!node.pinned, !node.clamped, node.surface[0] || node.surface[1]];
-    let mut back = Return::default();
+    let mut back = BackSubstitution::default();
     condense(&m, &f, free, node.settlement, &mut back)?;
     Ok(back.constant)
 }
 
-impl Return {
+impl BackSubstitution {
     /// From (w, θ, u) of the right node to those of the left one and the cell's own v.
     fn cross(&self, h: f64, basis: Basis, y: [f64; 3], v: &mut [f64; 4]) -> [f64; 3] {
         let e: [f64; 3] = std::array::from_fn(|i| {
@@ -387,7 +387,7 @@ impl Return {
 mod tests {
     use super::*;
     use crate::element::ExactElement;
-    use crate::element::operator::{Operator, Touch};
+    use crate::element::operator::{Operator, ZoneKind};
     use crate::mesh::mesh::Mesh;
     use crate::model::{Beam, Foundation, Load, Model};
 
@@ -400,17 +400,22 @@ mod tests {
             let model = Model::new(Beam::uniform(length, 1e-10), Foundation::pasternak(7.0, 0.02))
                 .with_load(Load::uniform_force(0.0, length, 1.0));
             let cell = Mesh::build(&model, &[], |_| 1).cells[0];
-            let element = ExactElement::new(&Operator::of(&cell, 0.0, Touch::Open), length).element;
-            let tied = TiedLink {
-                link: crate::ground::link::Link::uniform(cell.spring, cell.shear, length),
+            let element =
+                ExactElement::new(&Operator::of(&cell, 0.0, ZoneKind::Open), length).element;
+            let tied = TiedTwoPort {
+                two_port: crate::ground::link::TwoPort::uniform(
+                    cell.subgrade,
+                    cell.shear_layer,
+                    length,
+                ),
                 left: Tie::SurfaceLeft,
                 right: Tie::Beam { row: element.end_row(true), gap: 0.0 },
             };
             let free = ChainNode { surface: [true; 2], surface_spring: 0.3, ..Default::default() };
-            let mut behind = Behind::default();
+            let mut behind = CondensedStiffness::default();
             apply(&free, &mut behind, 1.0);
             let nodes = [&free, &ChainNode::default()];
-            let ahead = cross(&element, &[tied], nodes, &behind, &mut Return::default());
+            let ahead = cross(&element, &[tied], nodes, &behind, &mut BackSubstitution::default());
             let s = ahead.expect("a free end").s;
             assert!(s[W][W] > 0.3 && s[W][THETA] == 0.0 && s[THETA][THETA] == 0.0, "{s:?}");
         }

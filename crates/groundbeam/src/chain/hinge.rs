@@ -4,24 +4,27 @@
 //! θ behind it, S' = S − S e (eᵀS e + k_φ)⁻¹ eᵀS with e along θ: nothing is left of the row and the column
 //! of θ at a free hinge.
 
-use crate::chain::node::{Behind, ChainNode, Loose, THETA};
+use crate::chain::node::{ChainNode, CondensedStiffness, NotDefinite, THETA};
 
 /// How to come back across a hinge: θ_behind = constant − gain·(w, θ_ahead, u).
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Turned {
+pub(super) struct HingeRotation {
     gain: [f64; 3],
     constant: f64,
 }
 
-impl Turned {
+impl HingeRotation {
     /// Counts in the hinge of a node, if there is one. Nothing else may act on θ there.
-    pub fn across(node: &ChainNode, state: &mut Behind) -> Result<Option<Self>, Loose> {
+    pub fn condense(
+        node: &ChainNode,
+        state: &mut CondensedStiffness,
+    ) -> Result<Option<Self>, NotDefinite> {
         let Some(spring) = node.hinge else { return Ok(None) };
-        let Behind { s, r } = *state;
+        let CondensedStiffness { s, r } = *state;
         let held = s[THETA][THETA] + spring;
         // Behind a free hinge nothing but the ground and the supports there keep the beam from turning.
         if held.is_nan() || held <= 0.0 {
-            return Err(Loose);
+            return Err(NotDefinite);
         }
         let share = spring / held;
         for i in 0..3 {
@@ -37,12 +40,12 @@ impl Turned {
         }
         let mut gain = s[THETA].map(|s| s / held);
         gain[THETA] = -share;
-        Ok(Some(Turned { gain, constant: r[THETA] / held }))
+        Ok(Some(HingeRotation { gain, constant: r[THETA] / held }))
     }
 
     /// (w, θ, u) behind the hinge, if there was one.
-    pub fn behind(turned: Option<Self>, mut y: [f64; 3]) -> [f64; 3] {
-        if let Some(Turned { gain, constant }) = turned {
+    pub fn beyond_hinge(turned: Option<Self>, mut y: [f64; 3]) -> [f64; 3] {
+        if let Some(HingeRotation { gain, constant }) = turned {
             y[THETA] = constant - gain.iter().zip(y).map(|(gain, y)| gain * y).sum::<f64>();
         }
         y

@@ -1,7 +1,7 @@
-//! Links of open ground within a cell, tied to the ground's own surface or to the beam.
+//! Two-ports of open ground within a cell, tied to the ground's own surface or to the beam.
 
 use crate::chain::node::ChainNode;
-use crate::chain::node::{Tie, TiedLink};
+use crate::chain::node::{Tie, TiedTwoPort};
 
 /// u at both ends of a cell: what multiplies its six unknowns, and the gap to take off.
 pub(super) struct Surfaces {
@@ -18,9 +18,9 @@ pub(super) fn counted(mut row: [f64; 6], node: &ChainNode, beam: [f64; 4]) -> ([
     (row, node.gap)
 }
 
-/// Adds a link to the stiffness and the force of six unknowns, to which `turned` brings a cell's own.
+/// Adds a two-port to the stiffness and the force of six unknowns, to which `turned` brings a cell's own.
 pub(super) fn add_link(
-    tied: &TiedLink,
+    tied: &TiedTwoPort,
     surfaces: &Surfaces,
     turned: impl Fn(&[f64; 6]) -> [f64; 6],
     k: &mut [[f64; 6]; 6],
@@ -37,9 +37,9 @@ pub(super) fn add_link(
     });
     let difference: [f64; 6] = std::array::from_fn(|i| left[i] - right[i]);
     for (spring, row, gap) in [
-        (tied.link.leak_left, left, left_gap),
-        (tied.link.leak_right, right, right_gap),
-        (tied.link.coupling, difference, left_gap - right_gap),
+        (tied.two_port.shunt_left, left, left_gap),
+        (tied.two_port.shunt_right, right, right_gap),
+        (tied.two_port.series, difference, left_gap - right_gap),
     ] {
         for i in 0..6 {
             q[i] += spring * row[i] * gap;

@@ -1,9 +1,9 @@
-//! A cell seen in a mirror, so that one sweep serves both directions.
+//! Reflected cell: the left-to-right elimination also runs right to left.
 
 use crate::chain::node::ChainCell;
-use crate::chain::node::{Tie, TiedLink};
+use crate::chain::node::{Tie, TiedTwoPort};
 use crate::element::element::{Basis, Element};
-use crate::ground::link::Link;
+use crate::ground::link::TwoPort;
 
 /// The four numbers of an element from those of the element seen in a mirror, and back.
 pub(super) fn mirror_shape(v: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
@@ -23,7 +23,7 @@ fn mirror_row(row: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
     }
 }
 
-pub(super) fn mirror_cell(cell: &ChainCell) -> (Element, Vec<TiedLink>) {
+pub(super) fn mirror_cell(cell: &ChainCell) -> (Element, Vec<TiedTwoPort>) {
     let Element { length: h, basis, .. } = cell.element;
     let mirror_row = |row: &[f64; 4]| mirror_row(row, h, basis);
     let half: [[f64; 4]; 4] = std::array::from_fn(|i| mirror_row(&cell.element.stiffness[i]));
@@ -37,11 +37,11 @@ pub(super) fn mirror_cell(cell: &ChainCell) -> (Element, Vec<TiedLink>) {
         Tie::SurfaceRight => Tie::SurfaceLeft,
         Tie::Beam { row, gap } => Tie::Beam { row: mirror_row(&row), gap },
     };
-    let links = cell.links.iter().map(|tied| TiedLink {
-        link: Link {
-            leak_left: tied.link.leak_right,
-            leak_right: tied.link.leak_left,
-            ..tied.link
+    let links = cell.links.iter().map(|tied| TiedTwoPort {
+        two_port: TwoPort {
+            shunt_left: tied.two_port.shunt_right,
+            shunt_right: tied.two_port.shunt_left,
+            ..tied.two_port
         },
         left: mirror_tie(tied.right),
         right: mirror_tie(tied.left),

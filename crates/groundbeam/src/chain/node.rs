@@ -1,13 +1,13 @@
 //! A node and a cell of the chain: loads, springs, supports, and the ground beside the beam.
 
 use crate::element::element::Element;
-use crate::ground::link::Link;
+use crate::ground::link::TwoPort;
 
-/// A cell: its element and the links of open ground in it.
+/// A cell: its element and the two-ports of open ground in it.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ChainCell {
     pub element: Element,
-    pub links: Vec<TiedLink>,
+    pub links: Vec<TiedTwoPort>,
 }
 
 /// A node: what acts there, what holds it, and on which sides the ground's surface is an unknown.
@@ -36,7 +36,7 @@ pub(crate) struct ChainNode {
 
 /// The chain can move without work: the elimination met a pivot that is not positive.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Loose;
+pub(crate) struct NotDefinite;
 
 /// Indices into (w, θ, u), where u may stand for r.
 pub(crate) const W: usize = 0;
@@ -47,12 +47,12 @@ pub(crate) const U: usize = 2;
 
 /// ½ yᵀSy − rᵀy for y = (w, θ, u) of a node, by everything behind it.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Behind {
+pub(crate) struct CondensedStiffness {
     pub s: [[f64; 3]; 3],
     pub r: [f64; 3],
 }
 
-/// What a link of the ground is tied to.
+/// What a two-port of the ground is tied to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Tie {
     /// The ground's own surface at the cell's left node.
@@ -68,10 +68,10 @@ pub(crate) enum Tie {
     },
 }
 
-/// A link of unloaded ground within one cell.
+/// A two-port of unloaded ground within one cell.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct TiedLink {
-    pub link: Link,
+pub(crate) struct TiedTwoPort {
+    pub two_port: TwoPort,
     pub left: Tie,
     pub right: Tie,
 }

@@ -5,23 +5,23 @@
 //! Φ(w) = ½∫(EI w″² + P w'²) − F(w) + ½ min { b(u, u) : u ≥ w − g₀ },
 //!
 //! convex and once continuously differentiable, with the contact pressure as the derivative of the last
-//! term. The inner minimum is the [majorant](super::majorant), found without iteration. Where it touches
-//! the ground acts as if glued to the beam, elsewhere not at all: Newton's step is one solve of the
-//! glued [chain](crate::chain::elimination). If the full step does not settle the slope of Φ along its line, the zero
+//! term. The inner minimum is the [obstacle problem](crate::contact::obstacle), solved without iteration. Where it touches
+//! the ground acts as if bonded to the beam, elsewhere not at all: Newton's step is one solve of the
+//! bonded [chain](crate::chain::elimination). If the full step does not settle the slope of Φ along its line, the zero
 //! of that slope is searched for. Φ falls with every accepted step, so no deflection comes back; what that
 //! proves about the number of steps, and what it does not, is in `docs/methods.md`.
 
 use super::layout::Layout;
-use super::majorant;
 use super::surface::Surface;
 use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
-use crate::chain::node::Loose;
-use crate::contact::state::{Found, Stalled, Step};
+use crate::chain::node::NotDefinite;
+use crate::contact::obstacle;
+use crate::contact::state::{ContactState, Step, Unconverged};
 use crate::element::cubic::{self, TERMS};
 use crate::element::element::Element;
 use crate::error::NotConverged;
-use crate::mesh::deflection::{Deflection, Zone};
+use crate::mesh::deflection::{Deflection, MeshZone};
 use crate::mesh::energy::{Motion, beam_form, ground_work};
 use crate::mesh::mesh::Mesh;
 use crate::numeric::line_search::settle;
@@ -46,17 +46,17 @@ const LEAST_DAMPING: f64 = 1e-6;
 pub(crate) fn solve(
     mesh: Mesh,
     pressure: Pressure,
-    start: Option<&Found>,
+    start: Option<&ContactState>,
     close: f64,
     cancel: &Cancel,
-) -> Result<Found, Stalled> {
+) -> Result<ContactState, Unconverged> {
     let newton = Newton::new(&mesh, pressure);
     let mut history = Vec::new();
     let mut now = match start {
         Some(found) => newton.unfold(super::transfer::interpolated(&mesh, found)),
         None => {
-            let nothing_holds = |Loose| Stalled::SINGULAR;
-            newton.unfold(newton.glued(&newton.bonded(), None).map_err(nothing_holds)?)
+            let nothing_holds = |NotDefinite| Unconverged::SINGULAR;
+            newton.unfold(newton.solve_bonded(&newton.bonded(), None).map_err(nothing_holds)?)
         }
     };
     let mut zones = newton.contact(&now.coefficients);
@@ -80,7 +80,7 @@ pub(crate) fn solve(
             zones = newton.contact(&target.coefficients);
             let State { shapes, coefficients } = target;
             let terms = TERMS;
-            return Ok(Found {
+            return Ok(ContactState {
                 rotation: Vec::new(),
                 mesh,
                 terms,
@@ -104,19 +104,23 @@ pub(crate) fn solve(
         zones = newton.contact(&now.coefficients);
     }
     let reached = history.last().map_or(f64::NAN, |step| step.decrement);
-    Err(Stalled { iterations: history.len(), why: NotConverged::Energy(reached) })
+    Err(Unconverged { iterations: history.len(), why: NotConverged::Energy(reached) })
 }
 
 /// The nodal pressures (5.5) of the bilateral problem, its pulls left out: a start for (5.15).
 pub(crate) fn bilateral_pressure(mesh: &Mesh) -> Vec<f64> {
     let newton = Newton::new(mesh, Pressure::Dirac);
     let zones = newton.bonded();
-    let Ok(shapes) = newton.glued(&zones, None) else {
+    let Ok(shapes) = newton.solve_bonded(&zones, None) else {
         return vec![0.0; mesh.nodes.len()];
     };
     let state = newton.unfold(shapes);
     let w = Deflection { mesh, terms: TERMS, coefficients: &state.coefficients };
-    Surface::of(&w, &zones).atoms.iter().map(|atom| atom.force.max(0.0)).collect()
+    Surface::of(&w, &zones)
+        .point_forces
+        .iter()
+        .map(|point_force| point_force.force.max(0.0))
+        .collect()
 }
 
 /// A deflection: element by element and as polynomials.
@@ -159,16 +163,16 @@ impl<'a> Newton<'a> {
         Newton { mesh, pressure, elements: mesh.cells.iter().map(element).collect() }
     }
 
-    fn contact(&self, coefficients: &[f64]) -> Vec<Zone> {
+    fn contact(&self, coefficients: &[f64]) -> Vec<MeshZone> {
         let w = Deflection { mesh: self.mesh, terms: TERMS, coefficients };
         match self.pressure {
-            Pressure::Distributed => majorant::contact(&w),
-            Pressure::Dirac => majorant::nodal_contact(&w),
+            Pressure::Distributed => obstacle::contact(&w),
+            Pressure::Dirac => obstacle::nodal_contact(&w),
         }
     }
 
-    fn bonded(&self) -> Vec<Zone> {
-        majorant::everywhere(self.mesh, self.pressure == Pressure::Dirac)
+    fn bonded(&self) -> Vec<MeshZone> {
+        obstacle::everywhere(self.mesh, self.pressure == Pressure::Dirac)
     }
 
     fn unfold(&self, shapes: Vec<[f64; 4]>) -> State {
@@ -177,9 +181,13 @@ impl<'a> Newton<'a> {
         State { coefficients: coefficients.collect(), shapes }
     }
 
-    /// The beam glued to the ground on `zones`. With `near`, the step from there is damped by a part of
+    /// The beam bonded to the ground on `zones`. With `near`, the step from there is damped by a part of
     /// the fully bonded ground.
-    fn glued(&self, zones: &[Zone], near: Option<(f64, &State)>) -> Result<Vec<[f64; 4]>, Loose> {
+    fn solve_bonded(
+        &self,
+        zones: &[MeshZone],
+        near: Option<(f64, &State)>,
+    ) -> Result<Vec<[f64; 4]>, NotDefinite> {
         let layout = Layout::of(self.mesh, zones);
         let cells = self.mesh.cells.iter().enumerate().map(|(i, cell)| {
             let mut element = self.elements[i];
@@ -201,27 +209,27 @@ impl<'a> Newton<'a> {
         chain.solve()
     }
 
-    /// Newton's step: the glued solve, damped only if the contact alone cannot hold the beam.
+    /// Newton's step: the bonded solve, damped only if the contact alone cannot hold the beam.
     fn step(
         &self,
         now: &State,
-        zones: &[Zone],
+        zones: &[MeshZone],
         least_damping: f64,
-    ) -> Result<(Vec<[f64; 4]>, f64), Stalled> {
+    ) -> Result<(Vec<[f64; 4]>, f64), Unconverged> {
         if least_damping == 0.0
-            && let Ok(shapes) = self.glued(zones, None)
+            && let Ok(shapes) = self.solve_bonded(zones, None)
             && shapes.iter().flatten().all(|v| v.is_finite())
         {
             return Ok((shapes, 0.0));
         }
         let mut weight = least_damping.max(LEAST_DAMPING);
         while weight < 10.0 {
-            if let Ok(shapes) = self.glued(zones, Some((weight, now))) {
+            if let Ok(shapes) = self.solve_bonded(zones, Some((weight, now))) {
                 return Ok((shapes, weight));
             }
             weight *= 100.0;
         }
-        Err(Stalled::SINGULAR)
+        Err(Unconverged::SINGULAR)
     }
 
     /// ψ = w − g₀ as coefficients.
@@ -239,7 +247,7 @@ impl<'a> Newton<'a> {
         beam_form(self.mesh, a, b)
     }
 
-    fn ground_form(&self, zones: &[Zone], psi: &[f64], delta: &[f64]) -> f64 {
+    fn ground_form(&self, zones: &[MeshZone], psi: &[f64], delta: &[f64]) -> f64 {
         ground_work(self.mesh, TERMS, zones, psi, delta)
     }
 }
@@ -261,7 +269,7 @@ fn damp(element: &mut Element, mesh: &Mesh, i: usize, weight: f64, about: &[f64;
     }
 }
 
-/// The energy along the line from one state to the glued one.
+/// The energy along the line from one state to the bonded one.
 struct Line<'a> {
     newton: &'a Newton<'a>,
     now: &'a State,
@@ -270,8 +278,8 @@ struct Line<'a> {
     /// δᵀKδ of the beam, and the damping's part.
     beam: f64,
     damping: f64,
-    /// The glued ground's work on δ at the target.
-    glued: f64,
+    /// The bonded ground's work on δ at the target.
+    bonded_work: f64,
     /// −Φ'(now)·δ, and the same relative to twice the strain energy.
     fall: f64,
     decrement: f64,
@@ -282,7 +290,7 @@ impl<'a> Line<'a> {
         newton: &'a Newton<'a>,
         now: &'a State,
         target: &'a State,
-        zones: &[Zone],
+        zones: &[MeshZone],
         damping: f64,
     ) -> Self {
         let difference = State {
@@ -304,10 +312,10 @@ impl<'a> Line<'a> {
         let psi = newton.obstacle(&target.coefficients);
         let fall = beam + damping + newton.ground_form(zones, delta, delta);
         let energy = newton.beam_form(target, target) + newton.ground_form(zones, &psi, &psi);
-        let glued = newton.ground_form(zones, &psi, delta);
+        let bonded_work = newton.ground_form(zones, &psi, delta);
         let decrement = if fall == 0.0 { 0.0 } else { fall / energy.abs() };
         let delta = difference.coefficients;
-        Line { newton, now, target, delta, beam, damping, glued, fall, decrement }
+        Line { newton, now, target, delta, beam, damping, bonded_work, fall, decrement }
     }
 
     /// dΦ/dt at now + t δ.
@@ -316,14 +324,14 @@ impl<'a> Line<'a> {
         let zones = self.newton.contact(&state.coefficients);
         let psi = self.newton.obstacle(&state.coefficients);
         let ground = self.newton.ground_form(&zones, &psi, &self.delta);
-        (ground - self.glued) - (1.0 - t) * self.beam - self.damping
+        (ground - self.bonded_work) - (1.0 - t) * self.beam - self.damping
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::deflection::Spot;
+    use crate::mesh::deflection::BeamPoint;
     use crate::model::{Beam, Foundation, Load, Model};
 
     /// The paper's own ten elements and nodal pressures: w(0) of cases I and IV as its figures' data give
@@ -337,7 +345,7 @@ mod tests {
             let mesh = Mesh::uniform(&model, 10);
             let found =
                 solve(mesh, Pressure::Dirac, None, ENERGY, &Cancel::default()).expect("a solution");
-            let end = found.deflection().obstacle_at(Spot { cell: 0, s: -1.0 });
+            let end = found.deflection().obstacle_at(BeamPoint { cell: 0, s: -1.0 });
             assert!((end - printed).abs() < 5.1e-6, "{end}");
         }
     }

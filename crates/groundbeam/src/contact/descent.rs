@@ -1,14 +1,14 @@
 //! A step of Newton's method on the edges that must not raise the energy.
 //!
-//! Near the answer each glued solve squares the edges' error. Far from it one may throw a lightly held
+//! Near the answer each bonded solve squares the edges' error. Far from it one may throw a lightly held
 //! beam across its length. Then the step is shortened to where the slope of the convex energy Φ along it
 //! has nearly vanished: both deflections are polynomials on the cells of both, and on a line between two
 //! deflections the slope of Φ is known exactly.
 
-use super::majorant;
-use crate::contact::state::Found;
+use crate::contact::obstacle;
+use crate::contact::state::ContactState;
 use crate::element::element::TERMS;
-use crate::mesh::deflection::{Deflection, Spot, Zone};
+use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
 use crate::mesh::energy::{Motion, beam_form, ground_work};
 use crate::mesh::mesh::Mesh;
 use crate::model::Model;
@@ -20,27 +20,27 @@ const LEAST: f64 = 1e-26;
 /// A shorter part of a step is no step: the line search has met rounding.
 const LEAST_PART: f64 = 1e-9;
 
-/// A step on the way from a deflection to the beam glued to the ground on its contact.
+/// A step on the way from a deflection to the beam bonded to the ground on its contact.
 #[derive(Debug, Clone)]
 pub(crate) struct Shortened {
     /// The part of the way taken.
     pub part: f64,
     /// The deflection there unless it is the whole way.
-    pub between: Option<Found>,
+    pub between: Option<ContactState>,
 }
 
-/// How far to go from the deflection `now` towards the beam `glued` to the ground on its contact.
-pub(crate) fn shorten(model: &Model, now: &Found, glued: &Found) -> Shortened {
-    let x: Vec<f64> = [now, glued].iter().flat_map(|f| f.mesh.nodes.iter().map(|n| n.x)).collect();
+/// How far to go from the deflection `now` towards the beam `bonded` to the ground on its contact.
+pub(crate) fn shorten(model: &Model, now: &ContactState, bonded: &ContactState) -> Shortened {
+    let x: Vec<f64> = [now, bonded].iter().flat_map(|f| f.mesh.nodes.iter().map(|n| n.x)).collect();
     let mesh = Mesh::build(model, &x, |_| 1);
     let [from, to] =
-        [now, glued].map(|found| on(&mesh, found, |i| found.deflection().cell(i).into()));
-    let shears = !glued.rotation.is_empty();
-    let turned = |found: &Found| {
+        [now, bonded].map(|found| on(&mesh, found, |i| found.deflection().cell(i).into()));
+    let shears = !bonded.rotation.is_empty();
+    let turned = |found: &ContactState| {
         if shears { on(&mesh, found, |i| found.rotation(i)) } else { Vec::new() }
     };
-    let [turned_from, turned_to] = [now, glued].map(turned);
-    let zones = moved(&mesh, glued);
+    let [turned_from, turned_to] = [now, bonded].map(turned);
+    let zones = moved(&mesh, bonded);
     let difference =
         |a: &[f64], b: &[f64]| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| b - a).collect() };
     let delta = difference(&from, &to);
@@ -60,16 +60,16 @@ pub(crate) fn shorten(model: &Model, now: &Found, glued: &Found) -> Shortened {
     if decrement.is_nan() || decrement <= LEAST {
         return whole;
     }
-    let bonded = ground_work(&mesh, TERMS, &zones, &psi, &delta);
+    let bonded_work = ground_work(&mesh, TERMS, &zones, &psi, &delta);
     let along = |from: &[f64], delta: &[f64], t: f64| -> Vec<f64> {
         from.iter().zip(delta).map(|(a, d)| a + t * d).collect()
     };
     let at = |t: f64| along(&from, &delta, t);
     let slope = |t: f64| {
         let w = at(t);
-        let zones = majorant::contact(&Deflection { mesh: &mesh, terms: TERMS, coefficients: &w });
+        let zones = obstacle::contact(&Deflection { mesh: &mesh, terms: TERMS, coefficients: &w });
         let ground = ground_work(&mesh, TERMS, &zones, &obstacle(&mesh, &w), &delta);
-        (ground - bonded) - (1.0 - t) * beam
+        (ground - bonded_work) - (1.0 - t) * beam
     };
     let t = settle(fall, slope);
     if t == 1.0 || t < LEAST_PART {
@@ -77,13 +77,13 @@ pub(crate) fn shorten(model: &Model, now: &Found, glued: &Found) -> Shortened {
     }
     let coefficients = at(t);
     let w = Deflection { mesh: &mesh, terms: TERMS, coefficients: &coefficients };
-    let zones = majorant::contact(&w);
+    let zones = obstacle::contact(&w);
     let rotation = along(&turned_from, &turn, t);
-    Shortened { part: t, between: Some(Found::exact(mesh, coefficients, rotation, zones)) }
+    Shortened { part: t, between: Some(ContactState::exact(mesh, coefficients, rotation, zones)) }
 }
 
 /// The coefficients of what a deflection has in each of its cells on a finer mesh.
-fn on(mesh: &Mesh, found: &Found, own: impl Fn(usize) -> Coefficients) -> Vec<f64> {
+fn on(mesh: &Mesh, found: &ContactState, own: impl Fn(usize) -> Coefficients) -> Vec<f64> {
     let mut coefficients = Vec::with_capacity(mesh.cells.len() * TERMS);
     for cell in &mesh.cells {
         let parent = found.mesh.cell_at(0.5 * (cell.x[0] + cell.x[1]));
@@ -100,20 +100,20 @@ fn on(mesh: &Mesh, found: &Found, own: impl Fn(usize) -> Coefficients) -> Vec<f6
 }
 
 /// The zones of a deflection, whose ends are nodes of both meshes, on a finer mesh.
-fn moved(mesh: &Mesh, found: &Found) -> Vec<Zone> {
+fn moved(mesh: &Mesh, found: &ContactState) -> Vec<MeshZone> {
     let last = mesh.cells.len() - 1;
-    let spot = |spot: Spot| {
-        let cell = &found.mesh.cells[spot.cell];
+    let point = |point: BeamPoint| {
+        let cell = &found.mesh.cells[point.cell];
         // From within the cell, so that an end stays on its own side of a node.
-        if spot.s < 0.0 {
+        if point.s < 0.0 {
             let inside = cell.x[0] + f64::EPSILON * cell.x[1];
-            Spot { cell: mesh.cell_at(inside.min(cell.x[1])), s: -1.0 }
+            BeamPoint { cell: mesh.cell_at(inside.min(cell.x[1])), s: -1.0 }
         } else {
             let after = mesh.cells.partition_point(|c| c.x[1] < cell.x[1]).min(last);
-            Spot { cell: after, s: 1.0 }
+            BeamPoint { cell: after, s: 1.0 }
         }
     };
-    found.zones.iter().map(|zone| Zone { from: spot(zone.from), to: spot(zone.to) }).collect()
+    found.zones.iter().map(|zone| MeshZone { from: point(zone.from), to: point(zone.to) }).collect()
 }
 
 /// The coefficients of ψ = w − g₀.

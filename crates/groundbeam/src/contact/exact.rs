@@ -1,29 +1,30 @@
 //! The contact problem without a mesh: the edges of contact as unknowns.
 //!
-//! Between loads, supports, joints and edges of contact the deflection solves (2.11) in closed form, so
-//! the only unknowns are which stretches touch and where they end. A coarse [mesh](super::active_set)
-//! tells the first; then each step
+//! Between loads, supports, hinges and edges of contact the deflection solves (2.11) in closed form. The
+//! unknowns are the number of contact zones and their edges. An [initial guess](super::start) gives the first
+//! zones: the whole length of a short beam, the active nodes of a nodal solve of a long one, or a coarse
+//! [mesh](super::active_set). Each step then
 //!
-//! 1. puts a node at every edge and solves the glued chain with [exact elements](crate::element);
-//! 2. lays the ground under the beam found, anew and exactly ([majorant](super::majorant)): its edges
-//!    are where the unloaded ground leaves the beam tangentially, u' = w' − g₀' (w = g₀ for μ = 0). Zones
-//!    split, merge, appear and vanish here of themselves.
+//! 1. puts a node at every edge and solves the bonded problem with [exact elements](crate::element);
+//! 2. solves the [obstacle problem](crate::contact::obstacle) for this deflection. The new edges are where the
+//!    unloaded ground leaves the beam tangentially, u' = w' − g₀' (w = g₀ for μ = 0). This step also splits,
+//!    merges, adds and removes zones.
 //!
-//! This is Newton's method on Φ in the space of all deflections: the error of the edges is squared in
-//! every step. Near the answer [each edge](super::edges) is moved by itself instead, which squares the
-//! error as well. If the steps do not settle, the mesh that began them is refined.
+//! This is Newton's method on Φ in the space of all deflections: each step squares the error of the edges.
+//! Close to the answer [edge Newton](super::edges) moves every edge alone, which also squares the error. If
+//! the steps do not converge, the iteration starts again from a finer mesh.
 
 use super::edges;
-use super::glue::Glue;
-use super::majorant;
-use super::near;
-use super::softened;
-use super::stretches::{Stretch, distance, joined, positions};
 use crate::cancel::Cancel;
-use crate::chain::node::Loose;
-use crate::contact::refine::{Goal, Start, refine};
-use crate::contact::state::unsettled;
-use crate::contact::state::{Found, Stalled, Step};
+use crate::chain::node::NotDefinite;
+use crate::contact::bonded::Bonded;
+use crate::contact::continuation;
+use crate::contact::intervals::{Interval, distance, joined, positions};
+use crate::contact::obstacle;
+use crate::contact::refine::{Goal, InitialGuess, refine};
+use crate::contact::start;
+use crate::contact::state::edges_not_converged;
+use crate::contact::state::{ContactState, Step, Unconverged};
 use crate::contact::stopping::{LAST, Proof};
 use crate::contact::stopping::{LOCAL, MOST_STEPS, NEAR, NEAR_STEPS, REFINEMENTS};
 use crate::mesh::cell::gap_at;
@@ -31,35 +32,34 @@ use crate::mesh::mesh::Mesh;
 use crate::model::{GapPoint, Model};
 use std::borrow::Cow;
 
-/// Solves a model. `judge` tells what the certificate shows of a deflection with its contact: where an
-/// edge cannot be told from its neighbours (a zone without pressure, a beam balanced on one point), that
-/// and not the edge's last digit ends the iteration. What is returned is what was judged last.
-/// The steps begin at the contact that is `likely`, that of a neighbouring model, or else at one of their own.
+/// Solves a model. `judge` computes the certificate of a deflection with its contact. The certificate ends the
+/// iteration where an edge is not determined to its last digit: a zone without pressure, a beam balanced on one
+/// point. Returns the state that was judged last. `likely` is the contact of a neighbouring model, a warm start.
 pub(crate) fn solve(
     model: &Model,
-    likely: Option<&[Stretch]>,
+    likely: Option<&[Interval]>,
     cancel: &Cancel,
-    mut judge: impl FnMut(&Found) -> Proof,
-) -> Result<Found, Stalled> {
-    let judge: &mut dyn FnMut(&Found) -> Proof = &mut judge;
-    let glue = &mut Glue::new(model, cancel);
+    mut judge: impl FnMut(&ContactState) -> Proof,
+) -> Result<ContactState, Unconverged> {
+    let judge: &mut dyn FnMut(&ContactState) -> Proof = &mut judge;
+    let bonded = &mut Bonded::new(model, cancel);
     if let Some(likely) = likely
-        && let Ok(found) = from_likely(glue, &on_the_beam(likely, model.beam.length), judge)
+        && let Ok(found) = from_likely(bonded, &on_the_beam(likely, model.beam.length), judge)
     {
         return Ok(found);
     }
-    let nearly = sunk(model);
-    if let Some(stretches) = near::edges(&nearly, cancel)
-        && let Ok(found) = from_edges(glue, &stretches, judge)
+    let nearly = with_free_field_as_gap(model);
+    if let Some(intervals) = start::edges(&nearly, cancel)
+        && let Ok(found) = from_edges(bonded, &intervals, judge)
     {
         return Ok(found);
     }
-    let mut last = Stalled::SINGULAR;
+    let mut last = Unconverged::SINGULAR;
     let mut iterations = 0;
     for level in 0..=REFINEMENTS {
-        let start = softened::start(&nearly, level, cancel);
+        let start = continuation::start(&nearly, level, cancel);
         let found = start.and_then(|start| {
-            refine(glue, Start::asked_by(start), Goal::Answer(MOST_STEPS), judge)
+            refine(bonded, InitialGuess::of_contact_set(start), Goal::Answer(MOST_STEPS), judge)
         });
         match found {
             Ok(found) => return Ok(found),
@@ -70,24 +70,25 @@ pub(crate) fn solve(
         }
         if level == 0
             && model.beam.shears()
-            && let Ok(start) = softened::from_bending(&nearly, cancel, |model| {
+            && let Ok(start) = continuation::from_bending(&nearly, cancel, |model| {
                 solve(model, None, cancel, unjudged)
             })
-            && let Ok(found) = refine(glue, Start::asked_by(start), Goal::Answer(MOST_STEPS), judge)
+            && let Ok(found) =
+                refine(bonded, InitialGuess::of_contact_set(start), Goal::Answer(MOST_STEPS), judge)
         {
             return Ok(found);
         }
     }
-    Err(Stalled { iterations, ..last })
+    Err(Unconverged { iterations, ..last })
 }
 
 /// Stands in for the certificate where a solution is only an initial guess.
-fn unjudged(_: &Found) -> Proof {
+fn unjudged(_: &ContactState) -> Proof {
     Proof::NONE
 }
 
-/// A model to start from: what the ground settles by itself as an initial gap, linear between nodes.
-fn sunk(model: &Model) -> Cow<'_, Model> {
+/// The model of the initial guess: the free-field settlement as an initial gap, linear between nodes.
+fn with_free_field_as_gap(model: &Model) -> Cow<'_, Model> {
     if !model.has_ground_loads() {
         return Cow::Borrowed(model);
     }
@@ -103,67 +104,72 @@ fn sunk(model: &Model) -> Cow<'_, Model> {
     Cow::Owned(nearly)
 }
 
-/// From the contact of a stable equilibrium, known but for its last digits. An equilibrium elsewhere is none.
+/// Solves from the contact of a stable equilibrium whose last digits are missing. Refuses another equilibrium.
 pub(crate) fn from_stable(
     model: &Model,
-    contact: &[Stretch],
+    contact: &[Interval],
     cancel: &Cancel,
-    mut judge: impl FnMut(&Found) -> Proof,
-) -> Result<Found, Stalled> {
+    mut judge: impl FnMut(&ContactState) -> Proof,
+) -> Result<ContactState, Unconverged> {
     let l = model.beam.length;
-    let glue = &mut Glue::new(model, cancel);
-    let moved =
-        |found: &Found| distance(contact, &joined(positions(&found.mesh, &found.zones, &[]), l));
-    let moved = match from_edges(glue, contact, &mut judge) {
+    let bonded = &mut Bonded::new(model, cancel);
+    let moved = |found: &ContactState| {
+        distance(contact, &joined(positions(&found.mesh, &found.zones, &[]), l))
+    };
+    let moved = match from_edges(bonded, contact, &mut judge) {
         Ok(found) if moved(&found) <= LOCAL * l => return Ok(found),
         Ok(found) => moved(&found),
         Err(stalled) => stalled.why.reached().unwrap_or(f64::NAN),
     };
-    // Next to a limit point a step for the last digits leads away.
-    let found = glue.on(contact, None).map_err(|Loose| unsettled(0, moved))?;
-    if judge(&found).is_within(LAST) { Ok(found) } else { Err(unsettled(0, moved)) }
+    // Close to a limit point a Newton step leads away from the equilibrium: keep the given contact.
+    let found =
+        bonded.solve_on(contact, None).map_err(|NotDefinite| edges_not_converged(0, moved))?;
+    if judge(&found).is_within(LAST) { Ok(found) } else { Err(edges_not_converged(0, moved)) }
 }
 
 /// Contact zones clipped to a beam of length `l`.
-fn on_the_beam(contact: &[Stretch], l: f64) -> Vec<Stretch> {
+fn on_the_beam(contact: &[Interval], l: f64) -> Vec<Interval> {
     let within = contact.iter().filter(|[from, _]| *from <= l);
     within.map(|&[from, to]| [from, to.min(l)]).collect()
 }
 
-/// From the beam glued to the ground on given stretches. Where it asks for just these, it is the answer.
+/// Solves from the beam bonded to the ground on given intervals. If its contact set is these intervals, it is the
+/// answer.
 fn from_edges(
-    glue: &mut Glue,
-    stretches: &[Stretch],
-    judge: &mut dyn FnMut(&Found) -> Proof,
-) -> Result<Found, Stalled> {
-    let found = glue.on(stretches, None).map_err(|Loose| unsettled(0, f64::NAN))?;
-    let zones = majorant::contact(&found.deflection());
-    if positions(&found.mesh, &zones, &[]) == stretches {
+    bonded: &mut Bonded,
+    intervals: &[Interval],
+    judge: &mut dyn FnMut(&ContactState) -> Proof,
+) -> Result<ContactState, Unconverged> {
+    let found =
+        bonded.solve_on(intervals, None).map_err(|NotDefinite| edges_not_converged(0, f64::NAN))?;
+    let zones = obstacle::contact(&found.deflection());
+    if positions(&found.mesh, &zones, &[]) == intervals {
         judge(&found);
-        let history = vec![Step { zones: stretches.len(), step: 1.0, decrement: 0.0 }];
-        return Ok(Found { history, ..found });
+        let history = vec![Step { zones: intervals.len(), step: 1.0, decrement: 0.0 }];
+        return Ok(ContactState { history, ..found });
     }
-    let start = Start::asked_by(Found { zones, ..found });
-    refine(glue, start, Goal::Answer(NEAR_STEPS), judge)
+    let start = InitialGuess::of_contact_set(ContactState { zones, ..found });
+    refine(bonded, start, Goal::Answer(NEAR_STEPS), judge)
 }
 
-/// The same from stretches so likely that their edges are moved by themselves from the first step on.
+/// Solves from a warm start: edge Newton from the first step on.
 fn from_likely(
-    glue: &mut Glue,
-    stretches: &[Stretch],
-    judge: &mut dyn FnMut(&Found) -> Proof,
-) -> Result<Found, Stalled> {
-    let found = glue.on(stretches, None).map_err(|Loose| unsettled(0, f64::NAN))?;
-    let near = |next: &Vec<Stretch>| {
-        next != stretches && distance(stretches, next) <= NEAR * glue.model.beam.length
+    bonded: &mut Bonded,
+    intervals: &[Interval],
+    judge: &mut dyn FnMut(&ContactState) -> Proof,
+) -> Result<ContactState, Unconverged> {
+    let found =
+        bonded.solve_on(intervals, None).map_err(|NotDefinite| edges_not_converged(0, f64::NAN))?;
+    let near = |next: &Vec<Interval>| {
+        next != intervals && distance(intervals, next) <= NEAR * bonded.model.beam.length
     };
-    match edges::moved(&found.deflection(), &found.zones).filter(near) {
+    match edges::next_intervals(&found.deflection(), &found.zones).filter(near) {
         Some(next) => {
-            let start = Start { found, stretches: next, near: true };
-            refine(glue, start, Goal::Answer(NEAR_STEPS), judge)
+            let start = InitialGuess { found, intervals: next, near: true };
+            refine(bonded, start, Goal::Answer(NEAR_STEPS), judge)
         }
-        // Where all of the beam touches, or zones come and go, no edge tells.
-        None => from_edges(glue, stretches, judge),
+        // Edge Newton does not apply: the whole beam touches, or the number of zones changes.
+        None => from_edges(bonded, intervals, judge),
     }
 }
 
@@ -178,14 +184,15 @@ mod tests {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
             .with_load(Load::point_force(0.5, 1.0))
             .with_load(Load::point_moment(0.5, 0.49));
-        let mut stretches = vec![[0.8, 1.0]];
+        let mut intervals = vec![[0.8, 1.0]];
         let mut errors = Vec::new();
         for _ in 0..4 {
-            let found =
-                Glue::new(&model, &Cancel::default()).on(&stretches, None).expect("a solution");
-            let zones = majorant::contact(&found.deflection());
-            stretches = positions(&found.mesh, &zones, &[]);
-            errors.push((stretches[0][0] - 0.811_326_256_449_155).abs());
+            let found = Bonded::new(&model, &Cancel::default())
+                .solve_on(&intervals, None)
+                .expect("a solution");
+            let zones = obstacle::contact(&found.deflection());
+            intervals = positions(&found.mesh, &zones, &[]);
+            errors.push((intervals[0][0] - 0.811_326_256_449_155).abs());
         }
         assert!(errors[3] < 2e-15, "{errors:?}");
         assert!(errors[1] < errors[0] * errors[0] * 10.0, "{errors:?}");

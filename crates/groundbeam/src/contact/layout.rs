@@ -1,14 +1,14 @@
-//! Contact zones cell by cell: which parts of a cell touch, which nodes touch, what links remain.
+//! Contact zones cell by cell: which parts of a cell touch, which nodes touch, and the two-ports between them.
 
 use crate::chain::node::{ChainCell, ChainNode};
-use crate::chain::node::{Tie, TiedLink};
+use crate::chain::node::{Tie, TiedTwoPort};
 use crate::element::element::Element;
-use crate::element::operator::{Operator, Touch};
+use crate::element::operator::{Operator, ZoneKind};
 use crate::mesh::cell::gap_at;
-use crate::mesh::deflection::Zone;
+use crate::mesh::deflection::MeshZone;
+use crate::mesh::ground_runs::{GroundRun, ground_runs};
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
-use crate::mesh::pieces::{Piece, pieces};
 use std::ops::Range;
 
 /// How near a point of contact is to a node that counts the surface from the beam, in wave lengths.
@@ -24,7 +24,7 @@ pub(crate) struct Layout {
 }
 
 impl Layout {
-    pub fn of(mesh: &Mesh, zones: &[Zone]) -> Self {
+    pub fn of(mesh: &Mesh, zones: &[MeshZone]) -> Self {
         let mut parts = Vec::with_capacity(mesh.cells.len());
         let mut touched = vec![[false; 2]; mesh.nodes.len()];
         let mut touch = |cell: usize, s: f64| {
@@ -38,7 +38,7 @@ impl Layout {
             };
             touched[node][side] = true;
             // Beyond a joint of ground with and without a shear layer, the other side is on its own.
-            let kind = |i: usize| mesh.cells[i].shear > 0.0;
+            let kind = |i: usize| mesh.cells[i].shear_layer > 0.0;
             if next.is_none_or(|next| kind(next) == kind(cell)) {
                 touched[node][1 - side] = true;
             }
@@ -69,7 +69,7 @@ impl Layout {
         self.parts[first..end].iter().map(|(_, part)| *part)
     }
 
-    /// A node where the contact or a support holds the beam best: the middle of the longest stretch.
+    /// A node where the contact or a support holds the beam best: the middle of the longest interval.
     pub fn meeting_node(&self, mesh: &Mesh) -> usize {
         let mut best = (0.0, mesh.nodes.len() / 2);
         let mut start: Option<usize> = None;
@@ -116,13 +116,13 @@ impl Layout {
             })
             .collect();
         // ∫(k u₀z + μu₀′z′) over a cell that touches is ∫q z, and μu₀′z at its ends.
-        for &(i, part) in self.parts.iter().filter(|(i, _)| mesh.cells[*i].is_sunk()) {
+        for &(i, part) in self.parts.iter().filter(|(i, _)| mesh.cells[*i].has_free_field()) {
             let cell = &mesh.cells[i];
-            let [from, to] = part.map(|s| cell.shear * cell.settled_at(s)[1]);
+            let [from, to] = part.map(|s| cell.shear_layer * cell.free_field_at(s)[1]);
             nodes[i].force -= from;
             nodes[i + 1].force += to;
         }
-        for Piece { cells, pasternak, beyond } in pieces(mesh) {
+        for GroundRun { cells, pasternak, beyond } in ground_runs(mesh) {
             if !pasternak {
                 continue;
             }
@@ -153,7 +153,7 @@ impl Layout {
             for (node, distance) in own.zip(distances) {
                 let cell = &mesh.cells[node.min(cells.end - 1)];
                 let waves = || {
-                    Operator::of(cell, mesh.axial_force, Touch::Contact).wave_number() * distance
+                    Operator::of(cell, mesh.axial_force, ZoneKind::Contact).wave_number() * distance
                 };
                 if nodes[node].surface.contains(&true) && waves() <= NEAR {
                     nodes[node].from_beam = true;
@@ -165,8 +165,8 @@ impl Layout {
         nodes
     }
 
-    /// How far each node of a piece is from the next point of contact: near one the ground between is hardly
-    /// more than a stiff link.
+    /// How far each node of a run is from the next point of contact: near one the ground between is hardly
+    /// more than a stiff two-port.
     fn distances_to_contact(&self, mesh: &Mesh, cells: &Range<usize>) -> Vec<f64> {
         let x = |node: usize| mesh.nodes[node].x;
         let at = |cell: usize, s: f64| mesh.cells[cell].global(s);
@@ -195,10 +195,10 @@ impl Layout {
         distance
     }
 
-    /// The links of open ground in cell i. `row` gives w at s as a combination of the element's four.
-    pub fn links(&self, mesh: &Mesh, i: usize, row: impl Fn(f64) -> [f64; 4]) -> Vec<TiedLink> {
+    /// The two-ports of open ground in cell i. `row` gives w at s as a combination of the element's four.
+    pub fn links(&self, mesh: &Mesh, i: usize, row: impl Fn(f64) -> [f64; 4]) -> Vec<TiedTwoPort> {
         let cell = &mesh.cells[i];
-        if cell.shear <= 0.0 {
+        if cell.shear_layer <= 0.0 {
             return Vec::new();
         }
         let beam = |s: f64| Tie::Beam { row: row(s), gap: gap_at(cell, s) };
@@ -207,7 +207,7 @@ impl Layout {
         let mut at = -1.0;
         let mut link_to = |to: f64, left: Tie, right: Tie, at: f64| {
             if to > at {
-                links.push(TiedLink { link: cell_part(cell, at, to), left, right });
+                links.push(TiedTwoPort { two_port: cell_part(cell, at, to), left, right });
             }
         };
         for [from, to] in self.parts(i) {
@@ -219,7 +219,7 @@ impl Layout {
         links
     }
 
-    /// A chain cell from its element and this contact's links.
+    /// A chain cell from its element and this contact's two-ports.
     pub fn chain_cell(
         &self,
         mesh: &Mesh,

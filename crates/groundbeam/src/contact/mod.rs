@@ -1,23 +1,23 @@
-//! Where the beam touches: one file per method.
+//! The contact iterations, section 5 of the paper: exact, active set, Uzawa; and the parts that they share.
 
 pub(crate) mod active_set;
-pub(crate) mod balanced;
+pub(crate) mod bonded;
+pub(crate) mod continuation;
 pub(crate) mod corner;
 mod descent;
 pub(crate) mod edges;
 pub(crate) mod exact;
-pub(crate) mod glue;
+pub(crate) mod intervals;
 pub(crate) mod layout;
-pub(crate) mod majorant;
-mod narrow;
-mod near;
-pub(crate) mod nested;
+pub(crate) mod levels;
+pub(crate) mod obstacle;
+pub(crate) mod point_contact;
 pub(crate) mod recover;
 pub(crate) mod refine;
-mod softened;
+pub(crate) mod short_span;
+pub(crate) mod start;
 pub(crate) mod state;
 pub(crate) mod stopping;
-pub(crate) mod stretches;
 pub(crate) mod surface;
 pub(crate) mod transfer;
 pub(crate) mod uzawa;

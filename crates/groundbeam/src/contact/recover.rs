@@ -5,16 +5,16 @@
 //! the ends equilibrium itself gives shear and moment: T' = p − f, M' = T − P w' + g. An imposed curvature is in
 //! what the element demands already.
 
-use super::surface::Part;
-use crate::contact::state::Found;
+use super::surface::SurfacePart;
+use crate::contact::state::ContactState;
 use crate::element::cubic;
 use crate::mesh::deflection::pressure_of;
 use crate::numeric::polynomial::{Coefficients, integral, rescale};
 
 /// The coefficients of M(s) on each part, in the part's own coordinate.
 pub(crate) fn moments(
-    found: &Found,
-    parts: &[Part],
+    found: &ContactState,
+    parts: &[SurfacePart],
     point_forces: &[(usize, f64, f64)],
 ) -> Vec<Coefficients> {
     let mesh = &found.mesh;
@@ -82,6 +82,6 @@ pub(crate) fn moments(
     moments
 }
 
-fn distributed(found: &Found) -> bool {
+fn distributed(found: &ContactState) -> bool {
     found.pressure == crate::options::Pressure::Distributed
 }

@@ -1,96 +1,95 @@
 //! Newton's iteration on the contact edges, from the deflection of a coarser problem.
 
+use crate::contact::bonded::Bonded;
+use crate::contact::bonded::GivenRotation;
 use crate::contact::corner;
 use crate::contact::descent::shorten;
 use crate::contact::edges;
-use crate::contact::glue::Glue;
-use crate::contact::glue::Held;
-use crate::contact::majorant;
-use crate::contact::state::unsettled;
-use crate::contact::state::{Found, Stalled, Step};
+use crate::contact::intervals::{Interval, distance, positions, snapped};
+use crate::contact::obstacle;
+use crate::contact::state::edges_not_converged;
+use crate::contact::state::{ContactState, Step, Unconverged};
 use crate::contact::stopping::{
     EDGES_CLOSE, LAST_STEPS, LOCAL, MOST_STRAYS, NEAR, NEAR_STEPS, PATIENCE, ROUGH, ROUNDS,
     SQUARING, STILL, WALKING, WEAKEST,
 };
 use crate::contact::stopping::{ENOUGH, LAST, PROVEN, Proof};
-use crate::contact::stretches::{Stretch, at_place, distance, positions};
 use crate::mesh::mesh::Mesh;
 use crate::numeric::polynomial::jet;
 use std::rc::Rc;
 
-/// What a row of Newton steps is for.
+/// What a Newton iteration must reach.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Goal {
     /// The answer, in so many steps at most.
     Answer(usize),
-    /// A start for the next, softer beam.
+    /// An initial guess of the next, softer beam.
     Start,
 }
 
-/// A deflection, and the contact that it asks for.
-pub(crate) struct Start {
-    pub found: Found,
-    pub stretches: Vec<Stretch>,
-    /// Whether that is near the contact on which it was glued.
+/// A deflection, and its contact set.
+pub(crate) struct InitialGuess {
+    pub found: ContactState,
+    pub intervals: Vec<Interval>,
+    /// Whether the contact set is close to the contact on which the beam was bonded.
     pub near: bool,
 }
 
-impl Start {
-    pub fn asked_by(found: Found) -> Self {
-        let stretches = positions(&found.mesh, &found.zones, &[]);
-        Start { found, stretches, near: false }
+impl InitialGuess {
+    pub fn of_contact_set(found: ContactState) -> Self {
+        let intervals = positions(&found.mesh, &found.zones, &[]);
+        InitialGuess { found, intervals, near: false }
     }
 }
 
-/// Newton's steps on the edges, from the deflection of a coarser problem.
+/// Newton's iteration on the edges, from an initial guess.
 pub(crate) fn refine(
-    glue: &mut Glue,
-    start: Start,
+    bonded: &mut Bonded,
+    start: InitialGuess,
     goal: Goal,
-    judge: &mut dyn FnMut(&Found) -> Proof,
-) -> Result<Found, Stalled> {
-    let (rough, most_steps) = match goal {
+    judge: &mut dyn FnMut(&ContactState) -> Proof,
+) -> Result<ContactState, Unconverged> {
+    let (start_only, most_steps) = match goal {
         Goal::Answer(most_steps) => (false, most_steps),
         Goal::Start => (true, NEAR_STEPS),
     };
-    let model = glue.model;
+    let model = bonded.model;
     let places: Vec<f64> = Mesh::build(model, &[], |_| 1).nodes.iter().map(|n| n.x).collect();
     let l = model.beam.length;
-    let placed = |stretches: Vec<Stretch>| -> Vec<Stretch> {
-        stretches.into_iter().map(|ends| ends.map(|x| at_place(x, &places, l))).collect()
+    let placed = |intervals: Vec<Interval>| -> Vec<Interval> {
+        intervals.into_iter().map(|ends| ends.map(|x| snapped(x, &places, l))).collect()
     };
-    let Start { found: mut start, stretches, near } = start;
-    let mut stretches = placed(stretches);
+    let InitialGuess { found: mut start, intervals, near } = start;
+    let mut intervals = placed(intervals);
     let mut history = std::mem::take(&mut start.history);
     let mut moved = f64::INFINITY;
-    // Steps in a row that did not halve the move, how many have not so far, and whether the last step was
-    // taken whole.
-    let mut idle = 0;
-    let mut strays = 0;
-    let mut whole = true;
-    // Whether edges may be moved by themselves.
-    let mut alone = true;
-    // The deflection that asked for the stretches, and the last that equilibrium made.
+    // Steps in a row that did not halve the move; steps so far that did not; whether the last step was full.
+    let mut no_progress = 0;
+    let mut non_quadratic = 0;
+    let mut full_step = true;
+    // Whether edge Newton may be used.
+    let mut edge_phase = true;
+    // The deflection whose contact set the intervals are, and the last bonded solution.
     let mut now = Rc::new(start);
-    let mut last: Option<Rc<Found>> = None;
+    let mut last: Option<Rc<ContactState>> = None;
     for step in 0..most_steps {
-        let Ok(found) = glue.on(&stretches, None) else {
-            // A beam balanced on one point may turn about it, as far as no other point touches.
-            let held = glue.on(&stretches, Some(Held::as_in(&now))).ok();
-            let mut proven = |found: &Found| judge(found).is_within(LAST);
-            let found = match held.filter(&mut proven) {
+        let Ok(found) = bonded.solve_on(&intervals, None) else {
+            // A beam balanced on one point may rotate about it until another point touches.
+            let on_point = bonded.solve_on(&intervals, Some(GivenRotation::as_in(&now))).ok();
+            let mut proven = |found: &ContactState| judge(found).is_within(LAST);
+            let found = match on_point.filter(&mut proven) {
                 Some(found) => Some(found),
                 None => last.map(Rc::unwrap_or_clone).filter(proven),
             };
             return match found {
-                Some(found) => Ok(Found { history, ..found }),
-                None => Err(unsettled(step, moved)),
+                Some(found) => Ok(ContactState { history, ..found }),
+                None => Err(edges_not_converged(step, moved)),
             };
         };
         let before = moved;
         let near = before <= NEAR || (step == 0 && near);
-        let by_edges = if near && whole && alone && !rough {
-            edges::moved(&found.deflection(), &found.zones)
+        let by_edges = if near && full_step && edge_phase && !start_only {
+            edges::next_intervals(&found.deflection(), &found.zones)
         } else {
             None
         };
@@ -99,70 +98,70 @@ pub(crate) fn refine(
         let next = match by_edges {
             Some(next) => placed(next),
             None => {
-                zones = majorant::contact(&found.deflection());
+                zones = obstacle::contact(&found.deflection());
                 positions(&found.mesh, &zones, &places)
             }
         };
-        moved = distance(&stretches, &next) / l;
+        moved = distance(&intervals, &next) / l;
         history.push(Step { zones: next.len(), step: 1.0, decrement: moved });
-        // Quadratic convergence ends at rounding: no further step would make it smaller.
-        let settled = moved <= 1e-15 || (moved <= 1e-12 && moved >= 0.25 * before);
-        if rough && moved <= ROUGH {
-            return Ok(Found { history, zones, ..found });
+        // Quadratic convergence ends at rounding error.
+        let converged = moved <= 1e-15 || (moved <= 1e-12 && moved >= 0.25 * before);
+        if start_only && moved <= ROUGH {
+            return Ok(ContactState { history, zones, ..found });
         }
         let halved = moved <= 0.5 * before && moved.is_finite();
-        idle = if halved { 0 } else { idle + 1 };
+        no_progress = if halved { 0 } else { no_progress + 1 };
         let proof = match step {
             _ if step > LAST_STEPS => LAST,
-            // Zones that come and go are more than the last digits of edges.
+            // The number of zones changed: not only the last digits of edges.
             _ if moved.is_infinite() => PROVEN,
-            _ if idle > PATIENCE || step > ROUNDS * PATIENCE => ENOUGH,
+            _ if no_progress > PATIENCE || step > ROUNDS * PATIENCE => ENOUGH,
             _ => PROVEN,
         };
         let squaring = before.is_finite() && moved <= SQUARING * before;
-        // A zone that its own deflection does not ask for is none: rounding may take it away and bring it back.
-        let sheds = next.len() < stretches.len() && step <= LAST_STEPS;
-        if settled || moved <= EDGES_CLOSE || (step >= PATIENCE && !squaring && !sheds) {
-            // A zone too small for the energy is seen by the scan alone.
-            let asks_for_these = || {
-                let zones = majorant::contact(&found.deflection());
-                distance(&stretches, &positions(&found.mesh, &zones, &places)) <= LOCAL * l
+        // Do not accept a zone that the obstacle problem drops again; rounding can make it flicker.
+        let loses_zones = next.len() < intervals.len() && step <= LAST_STEPS;
+        if converged || moved <= EDGES_CLOSE || (step >= PATIENCE && !squaring && !loses_zones) {
+            // Only the obstacle problem shows a zone that is too small for the energy.
+            let has_these_zones = || {
+                let zones = obstacle::contact(&found.deflection());
+                distance(&intervals, &positions(&found.mesh, &zones, &places)) <= LOCAL * l
             };
-            if by_scan || asks_for_these() {
+            if by_scan || has_these_zones() {
                 let shown = judge(&found);
-                if (settled && by_scan) || shown.is_within(proof) {
-                    return Ok(Found { history, ..found });
+                if (converged && by_scan) || shown.is_within(proof) {
+                    return Ok(ContactState { history, ..found });
                 }
             }
-            // Where edges by themselves come to rest at no answer, the scan goes on.
-            alone &= by_scan;
+            // If edge Newton stalls, fall back to the scan.
+            edge_phase &= by_scan;
         }
-        let patient = most_steps > NEAR_STEPS && step > 0;
-        if patient
+        let from_own_start = most_steps > NEAR_STEPS && step > 0;
+        if from_own_start
             && step.is_multiple_of(WALKING)
-            && let Some(found) = corner::on_a_corner(glue, &found, &next)
+            && let Some(found) = corner::on_a_corner(bonded, &found, &next)
             && judge(&found).is_within(LAST)
         {
-            return Ok(Found { history, ..found });
+            return Ok(ContactState { history, ..found });
         }
-        if patient
-            && idle > 0
-            && idle.is_multiple_of(WALKING)
-            && let Some(start) = without_the_weakest(glue, &found, &next)
-            && let Ok(found) = refine(glue, Start::asked_by(start), Goal::Answer(NEAR_STEPS), judge)
+        if from_own_start
+            && no_progress > 0
+            && no_progress.is_multiple_of(WALKING)
+            && let Some(start) = without_the_weakest(bonded, &found, &next)
+            && let Ok(found) =
+                refine(bonded, InitialGuess::of_contact_set(start), Goal::Answer(NEAR_STEPS), judge)
         {
-            return Ok(Found { history, ..found });
+            return Ok(ContactState { history, ..found });
         }
-        // Steps that shrink end by themselves. Once one has not, the energy decides how far each goes, but
-        // for those that square the error.
-        // A zone or two that nodes alone had told do not make the first step a stray.
+        // Full steps while the move halves. After the first that does not, use the line search, except for quadratic
+        // steps. The first step of a warm start is exempt.
         let first_of_near = step == 0 && most_steps == NEAR_STEPS;
         if !(first_of_near || halved && (before.is_finite() || step < 2)) {
-            strays += 1;
+            non_quadratic += 1;
         }
-        whole = strays == 0 || (strays <= MOST_STRAYS && squaring);
+        full_step = non_quadratic == 0 || (non_quadratic <= MOST_STRAYS && squaring);
         let mut between = None;
-        if !whole && moved > LOCAL {
+        if !full_step && moved > LOCAL {
             let shortened = shorten(model, &now, &found);
             if let Some(step) = history.last_mut() {
                 step.step = shortened.part;
@@ -170,49 +169,48 @@ pub(crate) fn refine(
             between = shortened.between;
         }
         let found = Rc::new(found);
-        (now, stretches) = match between {
+        (now, intervals) = match between {
             Some(between) => {
                 moved = f64::INFINITY;
-                let stretches = positions(&between.mesh, &between.zones, &places);
-                (Rc::new(between), stretches)
+                let intervals = positions(&between.mesh, &between.zones, &places);
+                (Rc::new(between), intervals)
             }
             None => (Rc::clone(&found), next),
         };
         last = Some(found);
     }
     match last.filter(|found| judge(found).is_within(ENOUGH)) {
-        Some(found) => Ok(Found { history, ..Rc::unwrap_or_clone(found) }),
-        None => Err(unsettled(most_steps, moved)),
+        Some(found) => Ok(ContactState { history, ..Rc::unwrap_or_clone(found) }),
+        None => Err(edges_not_converged(most_steps, moved)),
     }
 }
 
-/// The beam glued to the ground where it presses most, if it asks for just that.
+/// The beam bonded without its weakest zones, if its contact set is the remaining zones.
 ///
-/// A step moves an end of contact by a wave length at most. Beyond the last load of a beam hundreds of waves
-/// long, zones each a thousand times weaker than the one before walk to the end of the beam that way, where
-/// in truth all of it lifts.
+/// Each step moves an edge by at most one wave length. Beyond the last load of a long beam, spurious zones, each a
+/// thousand times weaker than the one before, would disappear only one per step.
 pub(crate) fn without_the_weakest(
-    glue: &mut Glue,
-    found: &Found,
-    stretches: &[Stretch],
-) -> Option<Found> {
-    let weight = |[a, b]: &Stretch| {
+    bonded: &mut Bonded,
+    found: &ContactState,
+    intervals: &[Interval],
+) -> Option<ContactState> {
+    let weight = |[a, b]: &Interval| {
         let x = 0.5 * (a + b);
         let cell = found.mesh.cell_at(x);
         let [w, ..] = jet(found.deflection().cell(cell), found.mesh.cells[cell].local(x));
         w.abs() * (b - a)
     };
-    let weights: Vec<f64> = stretches.iter().map(weight).collect();
+    let weights: Vec<f64> = intervals.iter().map(weight).collect();
     let mut ranked = weights.clone();
     ranked.sort_by(|a, b| b.total_cmp(a));
     let worth_keeping = |w: &&f64| **w > WEAKEST * ranked[0];
-    let most = ranked.iter().take_while(worth_keeping).count().min(stretches.len() - 1);
+    let most = ranked.iter().take_while(worth_keeping).count().min(intervals.len() - 1);
     (1..=most).rev().find_map(|count| {
-        let strong = stretches.iter().zip(&weights).filter(|(_, w)| **w >= ranked[count - 1]);
-        let strong: Vec<Stretch> = strong.map(|(stretch, _)| *stretch).collect();
-        let found = glue.on(&strong, None).ok()?;
-        let zones = majorant::contact(&found.deflection());
+        let strong = intervals.iter().zip(&weights).filter(|(_, w)| **w >= ranked[count - 1]);
+        let strong: Vec<Interval> = strong.map(|(interval, _)| *interval).collect();
+        let found = bonded.solve_on(&strong, None).ok()?;
+        let zones = obstacle::contact(&found.deflection());
         let moved = distance(&strong, &positions(&found.mesh, &zones, &[]));
-        (moved <= STILL * glue.model.beam.length).then_some(Found { zones, ..found })
+        (moved <= STILL * bonded.model.beam.length).then_some(ContactState { zones, ..found })
     })
 }

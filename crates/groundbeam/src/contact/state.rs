@@ -4,7 +4,7 @@ use crate::contact::surface::Surface;
 use crate::element::element::TERMS;
 use crate::error::NotConverged;
 use crate::mesh::cell::Cell;
-use crate::mesh::deflection::{Deflection, Zone};
+use crate::mesh::deflection::{Deflection, MeshZone};
 use crate::mesh::energy::Motion;
 use crate::mesh::mesh::Mesh;
 use crate::numeric::polynomial::{Coefficients, derivative};
@@ -24,7 +24,7 @@ pub struct Step {
 
 /// A beam's deflection on a mesh and where it touches.
 #[derive(Debug, Clone)]
-pub(crate) struct Found {
+pub(crate) struct ContactState {
     pub mesh: Mesh,
     pub terms: usize,
     /// (w_left, θ_left, d₁, d₂) of each cell.
@@ -33,17 +33,22 @@ pub(crate) struct Found {
     pub coefficients: Vec<f64>,
     /// The same of φ(s), the rotation of the sections, if the beam shears anywhere; else none.
     pub rotation: Vec<f64>,
-    pub zones: Vec<Zone>,
+    pub zones: Vec<MeshZone>,
     pub history: Vec<Step>,
     pub pressure: Pressure,
-    /// The ground, where it is not the majorant of this deflection to the last digit.
+    /// The ground's surface where it differs from the obstacle problem of this deflection in the last digits.
     pub surface: Option<Surface>,
 }
 
-impl Found {
+impl ContactState {
     /// A deflection of exact elements, with the ground's pressure spread.
-    pub fn exact(mesh: Mesh, coefficients: Vec<f64>, rotation: Vec<f64>, zones: Vec<Zone>) -> Self {
-        Found {
+    pub fn exact(
+        mesh: Mesh,
+        coefficients: Vec<f64>,
+        rotation: Vec<f64>,
+        zones: Vec<MeshZone>,
+    ) -> Self {
+        ContactState {
             mesh,
             terms: TERMS,
             shapes: Vec::new(),
@@ -62,7 +67,7 @@ impl Found {
 
     /// The whole motion of the beam.
     pub fn motion(&self) -> Motion<'_> {
-        let Found { terms, coefficients, rotation, .. } = self;
+        let ContactState { terms, coefficients, rotation, .. } = self;
         Motion { terms: *terms, deflection: coefficients, rotation }
     }
 
@@ -85,17 +90,17 @@ pub(crate) fn turned(cell: &Cell, deflection: &[f64]) -> Coefficients {
 
 /// An iteration that stopped without convergence.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Stalled {
+pub(crate) struct Unconverged {
     pub iterations: usize,
     pub why: NotConverged,
 }
 
-impl Stalled {
+impl Unconverged {
     /// The beam is a mechanism on a trial contact.
-    pub const SINGULAR: Stalled = Stalled { iterations: 0, why: NotConverged::Singular };
+    pub const SINGULAR: Unconverged = Unconverged { iterations: 0, why: NotConverged::Singular };
 }
 
 /// Contact edges that still move, by `moved` relative to the beam's length.
-pub(crate) fn unsettled(iterations: usize, moved: f64) -> Stalled {
-    Stalled { iterations, why: NotConverged::Edges(moved) }
+pub(crate) fn edges_not_converged(iterations: usize, moved: f64) -> Unconverged {
+    Unconverged { iterations, why: NotConverged::Edges(moved) }
 }

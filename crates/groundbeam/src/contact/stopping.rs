@@ -1,6 +1,6 @@
 //! The certificate figures at which the contact iteration stops, and those that it accepts.
 
-/// What the certificate shows, or must show.
+/// Two figures of the certificate.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Proof {
     /// The relative gap.
@@ -11,7 +11,7 @@ pub(crate) struct Proof {
 }
 
 impl Proof {
-    /// What is known where nothing is asked.
+    /// Without a certificate.
     pub(super) const NONE: Proof = Proof { gap: f64::INFINITY, violation: f64::INFINITY };
 
     pub(super) fn is_within(self, wanted: Proof) -> bool {
@@ -19,58 +19,60 @@ impl Proof {
     }
 }
 
-/// What ends the iteration early, and what is accepted in the end.
+/// Ends the iteration at once.
 pub(crate) const PROVEN: Proof = Proof { gap: 1e-22, violation: 1e-13 };
 
+/// Ends the iteration when the edges no longer converge quadratically.
 pub(crate) const ENOUGH: Proof = Proof { gap: 1e-11, violation: 3e-8 };
 
-/// What is accepted where rounding moves the edges for ever, after so many steps.
+/// Ends the iteration after [`LAST_STEPS`], where rounding error moves the edges without end.
 pub(crate) const LAST: Proof = Proof { gap: 9e-10, violation: 5e-8 };
 
-/// The same on a mesh that only gives the next one its start.
+/// Relative Newton decrement that ends the iteration on a mesh that is only the start of the next.
 pub(crate) const COARSE_CLOSE: f64 = 1e-6;
 
-/// How often the coarse mesh is refined threefold before the model is given up.
+/// Threefold refinements of the coarse mesh before the solve fails.
 pub(crate) const REFINEMENTS: u32 = 5;
 
-/// Newton steps from one start.
+/// Limit on Newton steps from one initial guess.
 pub(crate) const MOST_STEPS: usize = 200;
 
-/// The same from edges that are known to be near: if it takes more, they are not.
+/// Iteration limit from a warm start.
 pub(crate) const NEAR_STEPS: usize = 24;
 
-/// The last move of an edge, relative to the beam's length, of a beam that only gives the next its start.
+/// Move of the edges, relative to l, that ends the iteration for an initial guess.
 pub(crate) const ROUGH: f64 = 1e-6;
 
-/// A move of the edges, relative to the beam's length, after which no step is shortened.
+/// Move of the edges, relative to l, below which the line search is off.
 pub(crate) const LOCAL: f64 = 1e-8;
 
-/// The same, after which the next step moves each edge by itself,
+/// Switch to edge Newton when the last move is below this, relative to l.
 pub(crate) const NEAR: f64 = 0.1;
 
-/// and after which the edges are so good that the certificate is asked.
+/// Move of the edges, relative to l, below which the certificate is computed.
 pub(crate) const EDGES_CLOSE: f64 = 1e-13;
 
-/// A step that leaves no more than this part of the move before is one that squares the error.
+/// A step is quadratic if its move is at most this part of the move before.
 pub(crate) const SQUARING: f64 = 0.1;
 
-/// How many steps may stray from that before squaring the error is no excuse.
+/// Non-quadratic steps allowed before every step uses the line search.
 pub(crate) const MOST_STRAYS: usize = 4;
 
-/// Steps after which the certificate is asked whether the edges' last digits matter.
+/// Steps after which the certificate decides whether the last digits of the edges matter.
 pub(crate) const PATIENCE: usize = 4;
 
-/// How often that, whatever the steps do, before the certificate's answer is good enough.
+/// After `ROUNDS * PATIENCE` steps [`ENOUGH`] ends the iteration.
 pub(crate) const ROUNDS: usize = 12;
 
-/// Steps in a row that did not halve the move, after which the beam is tried without its weakest zones; and steps
-/// after which it is tried on a corner alone.
+/// Steps without progress, after which the iteration tries the beam without its weakest zones; and steps after which it
+/// tries contact at a single corner.
 pub(crate) const WALKING: usize = 8;
 
-/// The weakest zone that is kept in that, relative to the strongest, and the most that the others may move,
-/// relative to the beam's length.
+/// The weakest zone that is kept then, relative to the strongest.
 pub(crate) const WEAKEST: f64 = 1e-10;
 
+/// The largest move of the other edges then, relative to l.
 pub(crate) const STILL: f64 = 1e-3;
 
+/// Steps after which [`LAST`] ends the iteration.
 pub(crate) const LAST_STEPS: usize = 100;

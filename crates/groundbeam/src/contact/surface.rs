@@ -1,16 +1,16 @@
-//! The ground's surface and what it presses with, for a given w and given zones of contact.
+//! The ground's surface, the pressure and the point forces, from a deflection and its contact zones.
 
-use super::narrow;
-use crate::ground::link::Link;
-use crate::mesh::deflection::{Deflection, Spot, Zone};
+use crate::contact::short_span;
+use crate::ground::link::TwoPort;
+use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
+use crate::mesh::ground_runs::{GroundRun, ground_runs};
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
 use crate::mesh::open_ground::{heights, open_link, open_links};
-use crate::mesh::pieces::{Piece, pieces};
 
 /// A part of a cell in which beam and ground touch all along or not at all.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Part {
+pub(crate) struct SurfacePart {
     pub cell: usize,
     /// Its ends in the cell's coordinate.
     pub s: [f64; 2],
@@ -20,8 +20,8 @@ pub(crate) struct Part {
 
 /// A concentrated contact force.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Atom {
-    pub spot: Spot,
+pub(crate) struct PointForce {
+    pub point: BeamPoint,
     pub force: f64,
 }
 
@@ -29,31 +29,31 @@ pub(crate) struct Atom {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Surface {
     /// From left to right; every cell is covered.
-    pub parts: Vec<Part>,
+    pub parts: Vec<SurfacePart>,
     /// Where a concentrated force can stand: ends of the beam and of the shear layer, corners, single
     /// points of contact.
-    pub atoms: Vec<Atom>,
+    pub point_forces: Vec<PointForce>,
 }
 
 impl Surface {
-    pub fn of(w: &Deflection, zones: &[Zone]) -> Self {
+    pub fn of(w: &Deflection, zones: &[MeshZone]) -> Self {
         let mut surface = Surface::default();
-        for piece in pieces(w.mesh) {
-            let cells = piece.cells.clone();
-            let own: Vec<Zone> =
+        for run in ground_runs(w.mesh) {
+            let cells = run.cells.clone();
+            let own: Vec<MeshZone> =
                 zones.iter().filter(|z| cells.contains(&z.from.cell)).copied().collect();
-            if piece.pasternak {
-                surface.add_pasternak(w, &piece, &own);
+            if run.pasternak {
+                surface.add_pasternak(w, &run, &own);
             } else {
-                surface.add_winkler(&piece, &own);
+                surface.add_winkler(&run, &own);
             }
         }
         surface
     }
 
-    fn add_winkler(&mut self, piece: &Piece, zones: &[Zone]) {
-        let mut at = Spot { cell: piece.cells.start, s: -1.0 };
-        let end = Spot { cell: piece.cells.end - 1, s: 1.0 };
+    fn add_winkler(&mut self, run: &GroundRun, zones: &[MeshZone]) {
+        let mut at = BeamPoint { cell: run.cells.start, s: -1.0 };
+        let end = BeamPoint { cell: run.cells.end - 1, s: 1.0 };
         for zone in zones.iter().filter(|z| z.from != z.to) {
             self.cover(at, zone.from, Some([0.0; 2]));
             self.cover(zone.from, zone.to, None);
@@ -62,32 +62,32 @@ impl Surface {
         self.cover(at, end, Some([0.0; 2]));
     }
 
-    fn cover(&mut self, from: Spot, to: Spot, open: Option<[f64; 2]>) {
+    fn cover(&mut self, from: BeamPoint, to: BeamPoint, open: Option<[f64; 2]>) {
         for cell in from.cell..=to.cell {
             let start = if cell == from.cell { from.s } else { -1.0 };
             let end = if cell == to.cell { to.s } else { 1.0 };
             if end > start {
-                self.parts.push(Part { cell, s: [start, end], open });
+                self.parts.push(SurfacePart { cell, s: [start, end], open });
             }
         }
     }
 
-    fn add_pasternak(&mut self, w: &Deflection, piece: &Piece, zones: &[Zone]) {
-        let end = Spot { cell: piece.cells.end - 1, s: 1.0 };
-        let mut left: Option<Spot> = None;
+    fn add_pasternak(&mut self, w: &Deflection, run: &GroundRun, zones: &[MeshZone]) {
+        let end = BeamPoint { cell: run.cells.end - 1, s: 1.0 };
+        let mut left: Option<BeamPoint> = None;
         // What the ground on the left of the zone takes at its left end.
         for (i, zone) in zones.iter().enumerate() {
-            let before = self.open(w, piece, left, Some(zone.from));
+            let before = self.open(w, run, left, Some(zone.from));
             let last = i + 1 == zones.len();
             let next = if last { None } else { Some(zones[i + 1].from) };
-            let after = open_link(w.mesh, piece, Some(zone.to), next);
-            let fluxes = |ends: [Option<Spot>; 2], link: Option<Link>| {
-                narrow::fluxes(w, ends, &link.unwrap_or_default())
+            let after = open_link(w.mesh, run, Some(zone.to), next);
+            let fluxes = |ends: [Option<BeamPoint>; 2], link: Option<TwoPort>| {
+                short_span::fluxes(w, ends, &link.unwrap_or_default())
             };
             let [_, flux_in] = fluxes([left, Some(zone.from)], before);
             let [flux_out, _] = fluxes([Some(zone.to), next], after);
             if zone.from == zone.to {
-                self.atoms.push(Atom { spot: zone.from, force: flux_in + flux_out });
+                self.point_forces.push(PointForce { point: zone.from, force: flux_in + flux_out });
             } else {
                 self.cover(zone.from, zone.to, None);
                 self.add_zone_atoms(w, zone, flux_in, flux_out);
@@ -95,50 +95,51 @@ impl Surface {
             left = Some(zone.to);
         }
         if left != Some(end) || zones.is_empty() {
-            self.open(w, piece, left, None);
+            self.open(w, run, left, None);
         }
     }
 
     /// Forces at the ends of a zone and at the corners within it.
-    fn add_zone_atoms(&mut self, w: &Deflection, zone: &Zone, flux_in: f64, flux_out: f64) {
+    fn add_zone_atoms(&mut self, w: &Deflection, zone: &MeshZone, flux_in: f64, flux_out: f64) {
         if can_carry(w.mesh, zone.from) {
             let force = flux_in - w.flux(zone.from);
-            self.atoms.push(Atom { spot: zone.from, force });
+            self.point_forces.push(PointForce { point: zone.from, force });
         }
         for cell in zone.from.cell + 1..=zone.to.cell {
-            let [a, b] = [Spot { cell: cell - 1, s: 1.0 }, Spot { cell, s: -1.0 }];
+            let [a, b] = [BeamPoint { cell: cell - 1, s: 1.0 }, BeamPoint { cell, s: -1.0 }];
             if can_carry(w.mesh, b) {
-                self.atoms.push(Atom { spot: b, force: w.flux(a) - w.flux(b) });
+                self.point_forces.push(PointForce { point: b, force: w.flux(a) - w.flux(b) });
             }
         }
         if can_carry(w.mesh, zone.to) {
-            self.atoms.push(Atom { spot: zone.to, force: w.flux(zone.to) + flux_out });
+            self.point_forces
+                .push(PointForce { point: zone.to, force: w.flux(zone.to) + flux_out });
         }
     }
 
-    /// Covers open ground between two spots; returns the whole link.
+    /// Covers open ground between two points; returns the whole two-port.
     fn open(
         &mut self,
         w: &Deflection,
-        piece: &Piece,
-        from: Option<Spot>,
-        to: Option<Spot>,
-    ) -> Option<Link> {
-        let links = open_links(w.mesh, piece, from, to);
-        let start = from.map_or(0.0, |spot| w.obstacle_at(spot));
-        let end = to.map_or(0.0, |spot| w.obstacle_at(spot));
-        let row: Vec<Link> = links.iter().map(|(_, link)| *link).collect();
+        run: &GroundRun,
+        from: Option<BeamPoint>,
+        to: Option<BeamPoint>,
+    ) -> Option<TwoPort> {
+        let links = open_links(w.mesh, run, from, to);
+        let start = from.map_or(0.0, |point| w.obstacle_at(point));
+        let end = to.map_or(0.0, |point| w.obstacle_at(point));
+        let row: Vec<TwoPort> = links.iter().map(|(_, link)| *link).collect();
         let (values, whole) = heights(&row, [start, end]);
         for (i, (part, _)) in links.iter().enumerate() {
             if let Some((cell, s)) = *part {
-                self.parts.push(Part { cell, s, open: Some([values[i], values[i + 1]]) });
+                self.parts.push(SurfacePart { cell, s, open: Some([values[i], values[i + 1]]) });
             }
         }
         whole
     }
 
     /// The parts; where EI or the ground varies, each cut into short power series.
-    pub fn short_parts(&self, mesh: &Mesh) -> Vec<Part> {
+    pub fn short_parts(&self, mesh: &Mesh) -> Vec<SurfacePart> {
         let mut parts = Vec::with_capacity(self.parts.len());
         for part in &self.parts {
             let cell = &mesh.cells[part.cell];
@@ -154,16 +155,16 @@ impl Surface {
             let mut cuts = vec![part.s[0]];
             halved(part.s, &short, MOST_HALVINGS, &mut cuts);
             cuts.push(part.s[1]);
-            let pieces = || cuts.windows(2).map(|s| [s[0], s[1]]);
+            let runs = || cuts.windows(2).map(|s| [s[0], s[1]]);
             let values = match part.open {
-                Some(ends) if cuts.len() > 2 && cell.shear > 0.0 => {
-                    let row: Vec<Link> = pieces().map(|[a, b]| cell_part(cell, a, b)).collect();
+                Some(ends) if cuts.len() > 2 && cell.shear_layer > 0.0 => {
+                    let row: Vec<TwoPort> = runs().map(|[a, b]| cell_part(cell, a, b)).collect();
                     heights(&row, ends).0
                 }
                 _ => Vec::new(),
             };
             let at = |i: usize| values.get(i..i + 2).map(|u| [u[0], u[1]]);
-            parts.extend(pieces().enumerate().map(|(i, s)| Part {
+            parts.extend(runs().enumerate().map(|(i, s)| SurfacePart {
                 cell: part.cell,
                 s,
                 open: part.open.map(|ends| at(i).unwrap_or(ends)),
@@ -175,9 +176,10 @@ impl Surface {
     /// Concentrated force at the beam's left and right end.
     pub fn end_forces(&self, mesh: &Mesh) -> [f64; 2] {
         let last = mesh.cells.len() - 1;
-        let at =
-            |spot: Spot| self.atoms.iter().filter(|a| a.spot == spot).map(|a| a.force).sum::<f64>();
-        [at(Spot { cell: 0, s: -1.0 }), at(Spot { cell: last, s: 1.0 })]
+        let at = |point: BeamPoint| {
+            self.point_forces.iter().filter(|a| a.point == point).map(|a| a.force).sum::<f64>()
+        };
+        [at(BeamPoint { cell: 0, s: -1.0 }), at(BeamPoint { cell: last, s: 1.0 })]
     }
 }
 
@@ -199,19 +201,19 @@ fn halved(
     halved([middle, to], short, halvings - 1, cuts);
 }
 
-/// Whether mechanics allows a concentrated force at the end of a stretch of contact: at the ends of the
+/// Whether mechanics allows a concentrated force at the end of an interval of contact: at the ends of the
 /// beam and of the shear layer, at corners, at hinges and where a beam that shears has a kink. Elsewhere the ground leaves the beam tangentially.
-pub(crate) fn can_carry(mesh: &Mesh, spot: Spot) -> bool {
-    let node = match spot.s {
-        -1.0 => spot.cell,
-        1.0 => spot.cell + 1,
+pub(crate) fn can_carry(mesh: &Mesh, point: BeamPoint) -> bool {
+    let node = match point.s {
+        -1.0 => point.cell,
+        1.0 => point.cell + 1,
         _ => return false,
     };
     if node == 0 || node == mesh.cells.len() {
         return true;
     }
     let [left, right] = [&mesh.cells[node - 1], &mesh.cells[node]];
-    left.shear_ends()[1] != right.shear_ends()[0]
+    left.shear_layer_ends()[1] != right.shear_layer_ends()[0]
         || left.gap_slope != right.gap_slope
         || mesh.nodes[node].hinge.is_some()
         || mesh.nodes[node].kinked

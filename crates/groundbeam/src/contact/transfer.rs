@@ -1,6 +1,6 @@
-//! The deflection of one mesh interpolated on another.
+//! Interpolation of a deflection from one mesh to another.
 
-use crate::contact::state::Found;
+use crate::contact::state::ContactState;
 use crate::element::cubic as hermite;
 use crate::mesh::cell::Cell;
 use crate::mesh::mesh::Mesh;
@@ -8,7 +8,7 @@ use crate::numeric::polynomial::{jet, rescale};
 
 /// The deflection of another mesh in the elements of this one: the same function where this one is finer,
 /// else one with the same values and slopes at the nodes.
-pub(crate) fn interpolated(mesh: &Mesh, found: &Found) -> Vec<[f64; 4]> {
+pub(crate) fn interpolated(mesh: &Mesh, found: &ContactState) -> Vec<[f64; 4]> {
     let w = found.deflection();
     let end = |x: f64, parent: usize| {
         let cell = &found.mesh.cells[parent];

@@ -1,4 +1,4 @@
-//! The paper's own iteration, (5.14)–(5.18).
+//! Uzawa's iteration of the paper, (5.14)–(5.18), and its successive over-relaxation.
 //!
 //! With nodal pressures (5.5) the pressure p ≥ 0 minimises ½pᵀ(G + C)p − …, where C is the beam's
 //! flexibility, subject to the equilibrium (5.20) in the rigid motions that nothing but the ground holds.
@@ -11,16 +11,16 @@
 //! G is never formed. Beyond a node its column decays by a factor from node to node, so that a sweep
 //! carries one number along, and costs O(n).
 
-use super::majorant;
-use super::surface::{Atom, Part, Surface};
+use super::surface::{PointForce, Surface, SurfacePart};
 use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
 use crate::chain::node::{ChainCell, ChainNode};
-use crate::contact::state::{Found, Stalled, Step};
+use crate::contact::obstacle;
+use crate::contact::state::{ContactState, Step, Unconverged};
 use crate::element::cubic::{self, TERMS};
 use crate::error::NotConverged;
-use crate::ground::link::Link;
-use crate::mesh::deflection::Zone;
+use crate::ground::link::TwoPort;
+use crate::mesh::deflection::MeshZone;
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
 use crate::numeric::tolerance::SWEEPS;
@@ -48,7 +48,7 @@ pub(crate) fn solve(
     from_bilateral: bool,
     most_sweeps: usize,
     cancel: &Cancel,
-) -> Result<Found, Stalled> {
+) -> Result<ContactState, Unconverged> {
     let ground = Column::of(&mesh);
     let beam = FreeBeam::of(&mesh);
     let flexibility = beam.largest_flexibility();
@@ -79,7 +79,7 @@ pub(crate) fn solve(
     }
     if residual.is_nan() || residual > SWEEPS {
         let iterations = history.len();
-        return Err(Stalled { iterations, why: NotConverged::Sweeps(residual) });
+        return Err(Unconverged { iterations, why: NotConverged::Sweeps(residual) });
     }
     Ok(found(mesh.clone(), &ground, &beam, &pressure, rigid, history))
 }
@@ -206,29 +206,30 @@ struct Column {
 
 impl Column {
     fn of(mesh: &Mesh) -> Self {
-        let links: Vec<Link> = mesh.cells.iter().map(|cell| cell_part(cell, -1.0, 1.0)).collect();
+        let links: Vec<TwoPort> =
+            mesh.cells.iter().map(|cell| cell_part(cell, -1.0, 1.0)).collect();
         let n = mesh.nodes.len();
         // What the ground on either side of a node offers to it.
         let mut from_left = vec![mesh.outside[0]; n];
         for i in 1..n {
             let link = links[i - 1];
-            let hold = from_left[i - 1] + link.leak_left;
-            from_left[i] = link.leak_right + link.coupling * (hold / (hold + link.coupling));
+            let hold = from_left[i - 1] + link.shunt_left;
+            from_left[i] = link.shunt_right + link.series * (hold / (hold + link.series));
         }
         let mut from_right = vec![mesh.outside[1]; n];
         for i in (0..n - 1).rev() {
             let link = links[i];
-            let hold = from_right[i + 1] + link.leak_right;
-            from_right[i] = link.leak_left + link.coupling * (hold / (hold + link.coupling));
+            let hold = from_right[i + 1] + link.shunt_right;
+            from_right[i] = link.shunt_left + link.series * (hold / (hold + link.series));
         }
-        let ratio = |coupling: f64, hold: f64| coupling / (coupling + hold);
+        let ratio = |series: f64, hold: f64| series / (series + hold);
         let rightward = (0..n).map(|i| match i {
             0 => 0.0,
-            _ => ratio(links[i - 1].coupling, links[i - 1].leak_right + from_right[i]),
+            _ => ratio(links[i - 1].series, links[i - 1].shunt_right + from_right[i]),
         });
         let leftward = (0..n).map(|i| match i {
             0 => 0.0,
-            _ => ratio(links[i - 1].coupling, links[i - 1].leak_left + from_left[i - 1]),
+            _ => ratio(links[i - 1].series, links[i - 1].shunt_left + from_left[i - 1]),
         });
         Column {
             diagonal: (0..n).map(|i| 1.0 / (from_left[i] + from_right[i])).collect(),
@@ -391,7 +392,7 @@ fn found(
     pressure: &[f64],
     rigid: [f64; 2],
     history: Vec<Step>,
-) -> Found {
+) -> ContactState {
     let mut shapes = beam.shapes(pressure);
     for (i, v) in shapes.iter_mut().enumerate() {
         let [a, b] = [beam.motions[i], beam.motions[i + 1]];
@@ -405,15 +406,16 @@ fn found(
         shapes.iter().zip(&mesh.cells).flat_map(|(v, c)| cubic::unfold(v, c.length())).collect();
     let u = ground.settlement(pressure);
     let parts = (0..mesh.cells.len())
-        .map(|cell| Part { cell, s: [-1.0, 1.0], open: Some([u[cell], u[cell + 1]]) })
+        .map(|cell| SurfacePart { cell, s: [-1.0, 1.0], open: Some([u[cell], u[cell + 1]]) })
         .collect();
-    let all = majorant::everywhere(&mesh, true);
-    let touching: Vec<(Zone, f64)> =
+    let all = obstacle::everywhere(&mesh, true);
+    let touching: Vec<(MeshZone, f64)> =
         all.into_iter().zip(pressure.iter().copied()).filter(|(_, p)| *p > 0.0).collect();
-    let atoms = touching.iter().map(|(zone, force)| Atom { spot: zone.from, force: *force });
-    let surface = Surface { parts, atoms: atoms.collect() };
-    let zones: Vec<Zone> = touching.iter().map(|(zone, _)| *zone).collect();
-    Found {
+    let point_forces =
+        touching.iter().map(|(zone, force)| PointForce { point: zone.from, force: *force });
+    let surface = Surface { parts, point_forces: point_forces.collect() };
+    let zones: Vec<MeshZone> = touching.iter().map(|(zone, _)| *zone).collect();
+    ContactState {
         rotation: Vec::new(),
         mesh,
         terms: TERMS,

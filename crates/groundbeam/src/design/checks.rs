@@ -1,6 +1,7 @@
-//! What a design must keep to, beside what was found.
+//! Design checks: limits beside the values of a solution.
 
-use crate::existence::rigid_motions::{Mechanism, static_reactions};
+use crate::existence::rigid_motions::Mechanism;
+use crate::existence::statics::static_reactions;
 use crate::model::Model;
 use crate::solution::fields::Field;
 use crate::solution::solution::Solution;

@@ -81,7 +81,7 @@ pub(crate) fn element(cell: &Cell, axial_force: f64) -> Element {
 /// ½∫EI w″² where EI varies: of degree 5 times two linear curvatures, exact with four points.
 fn add_bending(element: &mut Element, cell: &Cell) {
     let h = cell.length();
-    let stiffness = cell.stiffness_course();
+    let stiffness = cell.stiffness_along();
     for (s, weight) in GAUSS {
         let bend = curvature(0.5 * (1.0 + s), h);
         let weight = 0.5 * weight * h * value(&stiffness, s);
@@ -95,11 +95,11 @@ fn add_bending(element: &mut Element, cell: &Cell) {
 
 /// ∫EI κ₀ w″: of degree 5 + 1 + 1 at most, exact with four points.
 fn add_curvature(element: &mut Element, cell: &Cell) {
-    if !cell.is_curled() {
+    if !cell.has_imposed_curvature() {
         return;
     }
     let h = cell.length();
-    let stiffness = cell.stiffness_course();
+    let stiffness = cell.stiffness_along();
     for (s, weight) in GAUSS {
         let bend = curvature(0.5 * (1.0 + s), h);
         let moment = 0.5 * weight * h * value(&stiffness, s) * between(cell.curvature, s);
@@ -118,7 +118,7 @@ fn between(ends: [f64; 2], s: f64) -> f64 {
 /// with ψ = w − g₀.
 pub(crate) fn add_ground(element: &mut Element, cell: &Cell, [from, to]: [f64; 2]) {
     if cell.ground_varies() {
-        let [spring, shear] = [cell.spring_course(), cell.shear_course()];
+        let [spring, shear] = [cell.subgrade_along(), cell.shear_layer_along()];
         let all = Spread {
             spring: |s| value(&spring, s),
             tension: |s| value(&shear, s),
@@ -127,12 +127,12 @@ pub(crate) fn add_ground(element: &mut Element, cell: &Cell, [from, to]: [f64; 2
         };
         return add(element, &FINER_GAUSS, cell, [from, to], &all);
     }
-    let load = cell.gap.map(|g| cell.spring * g);
+    let load = cell.gap.map(|g| cell.subgrade * g);
     let all = Spread {
-        spring: |_| cell.spring,
-        tension: |_| cell.shear,
+        spring: |_| cell.subgrade,
+        tension: |_| cell.shear_layer,
         load: |s| between(load, s),
-        moment_load: |_| cell.shear * cell.gap_slope,
+        moment_load: |_| cell.shear_layer * cell.gap_slope,
     };
     add(element, &GAUSS, cell, [from, to], &all);
 }
@@ -244,8 +244,8 @@ mod tests {
             beam_shear: None,
             x: [0.0, 2.0],
             stiffness: 3.0,
-            spring: 1.0,
-            shear: 0.0,
+            subgrade: 1.0,
+            shear_layer: 0.0,
             varies: Varies::default(),
             load: [6.0; 2],
             moment_load: [0.0; 2],
@@ -253,7 +253,7 @@ mod tests {
             gap: [0.0; 2],
             gap_slope: 0.0,
             ground_load: [0.0; 2],
-            faded: [0.0; 2],
+            homogeneous_field: [0.0; 2],
             ground_force: 0.0,
         };
         let q = element(&cell, 0.0).load;

@@ -7,7 +7,7 @@ use crate::numeric::polynomial::value;
 
 /// Whether the beam rests on the ground along a whole cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Touch {
+pub(crate) enum ZoneKind {
     /// u = w − g₀ all along.
     Contact,
     /// The ground is no part of the element.
@@ -22,37 +22,37 @@ pub(crate) struct Operator {
     /// N: P, and μ in contact.
     pub tension: f64,
     /// κ: k in contact, else 0.
-    pub spring: f64,
+    pub subgrade: f64,
     /// F at both ends: f, and k g₀ in contact.
     pub load: [f64; 2],
     /// G at both ends: g, and μ g₀' in contact.
     pub moment_load: [f64; 2],
     /// EI κ₀ at both ends, of an imposed curvature κ₀.
-    pub curling_moments: [f64; 2],
+    pub imposed_moments: [f64; 2],
     /// All of them as polynomials, if EI, N or κ varies or the beam shears. The fields above are then their values at the
     /// middle and at the ends.
     pub polynomials: Option<Polynomials>,
 }
 
 impl Operator {
-    pub fn of(cell: &Cell, axial_force: f64, touch: Touch) -> Self {
+    pub fn of(cell: &Cell, axial_force: f64, touch: ZoneKind) -> Self {
         let off = Operator {
             stiffness: cell.stiffness,
             tension: axial_force,
-            spring: 0.0,
+            subgrade: 0.0,
             load: cell.load,
             moment_load: cell.moment_load,
-            curling_moments: cell.curvature.map(|curvature| cell.stiffness * curvature),
+            imposed_moments: cell.curvature.map(|curvature| cell.stiffness * curvature),
             polynomials: Polynomials::of(cell, axial_force, touch),
         };
-        if touch == Touch::Open {
+        if touch == ZoneKind::Open {
             return off;
         }
         Operator {
-            tension: axial_force + cell.shear,
-            spring: cell.spring,
-            load: [0, 1].map(|i| cell.load[i] + cell.spring * cell.gap[i] + cell.ground_load[i]),
-            moment_load: cell.moment_load.map(|g| g + cell.shear * cell.gap_slope),
+            tension: axial_force + cell.shear_layer,
+            subgrade: cell.subgrade,
+            load: [0, 1].map(|i| cell.load[i] + cell.subgrade * cell.gap[i] + cell.ground_load[i]),
+            moment_load: cell.moment_load.map(|g| g + cell.shear_layer * cell.gap_slope),
             ..off
         }
     }
@@ -69,7 +69,7 @@ impl Operator {
     /// extremes. A beam that shears has EI (1 + N/S) r⁴ − (N + EI κ/S) r² + κ = 0.
     pub fn wave_number(&self) -> f64 {
         let [stiffness, tension, spring] = match &self.polynomials {
-            None => [self.stiffness, self.tension.abs(), self.spring],
+            None => [self.stiffness, self.tension.abs(), self.subgrade],
             Some(all) => all.extremes(),
         };
         wave_number(stiffness, tension, spring)
@@ -106,16 +106,16 @@ pub(crate) struct Polynomials {
 
 impl Polynomials {
     /// `None` if EI, N and κ are constant and the beam does not shear.
-    pub fn of(cell: &Cell, axial_force: f64, touch: Touch) -> Option<Self> {
-        let ground_varies = touch == Touch::Contact && cell.ground_varies();
+    pub fn of(cell: &Cell, axial_force: f64, touch: ZoneKind) -> Option<Self> {
+        let ground_varies = touch == ZoneKind::Contact && cell.ground_varies();
         let needed = cell.beam_shear.is_some() || cell.beam_varies() || ground_varies;
         needed.then(|| Self::along(cell, axial_force, touch))
     }
 
-    fn along(cell: &Cell, axial_force: f64, touch: Touch) -> Self {
+    fn along(cell: &Cell, axial_force: f64, touch: ZoneKind) -> Self {
         let linear = |v: [f64; 2]| [0.5 * (v[0] + v[1]), 0.5 * (v[1] - v[0])];
         let mut all = Polynomials {
-            stiffness: cell.stiffness_course(),
+            stiffness: cell.stiffness_along(),
             shear: cell.beam_shear,
             tension: [0.0; GROUND],
             spring: [0.0; GROUND],
@@ -126,13 +126,13 @@ impl Polynomials {
         };
         all.tension[0] = axial_force;
         all.load[..2].copy_from_slice(&linear(cell.load));
-        if touch == Touch::Contact {
-            all.spring = cell.spring_course();
+        if touch == ZoneKind::Contact {
+            all.spring = cell.subgrade_along();
             let gap = linear(cell.gap);
             for (load, q) in all.load.iter_mut().zip(linear(cell.ground_load)) {
                 *load += q;
             }
-            for (i, mu) in cell.shear_course().into_iter().enumerate() {
+            for (i, mu) in cell.shear_layer_along().into_iter().enumerate() {
                 all.tension[i] += mu;
                 all.slope_load[i] = mu * cell.gap_slope;
             }

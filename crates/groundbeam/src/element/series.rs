@@ -11,7 +11,7 @@
 //!
 //! The series converges up to the nearest zero of EI or S + N in the complex plane. It lies ten half lengths away or farther
 //! ([`Cell::is_smooth`](crate::mesh::cell::Cell::is_smooth)). Four solutions without load and one under the load are found
-//! together. Rigid motions and deformations are kept apart, and γ is found by itself, so no stiffness is a difference of
+//! together. Rigid motions and deformations are kept apart, and γ has an unknown of its own, so no stiffness is a difference of
 //! large numbers.
 
 use crate::element::element::{Basis, Element, TERMS};
@@ -311,10 +311,10 @@ mod tests {
             let operator = Operator {
                 stiffness: 1.5,
                 tension: n,
-                spring: k,
+                subgrade: k,
                 load: [1.0, -2.0],
                 moment_load: [0.5, 0.1],
-                curling_moments: [0.6, -0.3],
+                imposed_moments: [0.6, -0.3],
                 polynomials: None,
             };
             let closed = ExactElement::new(&operator, 1.3);
@@ -442,7 +442,7 @@ mod tests {
         }
     }
 
-    /// A beam that hardly shears is one that only bends.
+    /// A beam with a very large S only bends.
     #[test]
     fn with_a_large_shear_stiffness_it_only_bends() {
         let stiff = varying(Some([1e18, 0.0, 0.0, 0.0, 0.0, 0.0]));

@@ -1,4 +1,4 @@
-//! The element whose functions solve EI w⁗ − N w″ + κ w = F − G' themselves, (2.11).
+//! The element of uniform data: its functions solve EI w⁗ − N w″ + κ w = F − G', (2.11).
 //!
 //! About the middle of the element, with half length a and x = x_middle + a s, the equation turns into
 //! the recurrence
@@ -33,7 +33,7 @@ impl Layers {
     /// `None` if one series serves the whole length, the roots are close or complex, or the element is a [series](crate::element::series).
     pub fn of(operator: &Operator, length: f64) -> Option<Self> {
         let n = operator.tension / operator.stiffness;
-        let k = operator.spring / operator.stiffness;
+        let k = operator.subgrade / operator.stiffness;
         if operator.polynomials.is_some() || n <= 0.0 || n * n < 4.0 * k {
             return None;
         }
@@ -68,7 +68,7 @@ impl Uniform {
         let a = 0.5 * length;
         let ei = operator.stiffness;
         let alpha = operator.tension * a * a / ei;
-        let beta = operator.spring * a.powi(4) / ei;
+        let beta = operator.subgrade * a.powi(4) / ei;
         let mean = |v: [f64; 2]| 0.5 * (v[0] + v[1]);
         let rise = |v: [f64; 2]| 0.5 * (v[1] - v[0]);
         let [force_even, force_odd] = [mean(operator.load), rise(operator.load)];
@@ -90,7 +90,7 @@ impl Uniform {
         let even = Half::new(even, |c, loaded| {
             let [w, slope, bend, area] = sums(c, &EVEN_SUMS);
             let push = if loaded { force_even } else { 0.0 };
-            let sink = 2.0 * a * (operator.spring * area - push);
+            let sink = 2.0 * a * (operator.subgrade * area - push);
             ([w, slope / a], [sink, 2.0 * ei * bend / (a * a)])
         });
         let even = match layers {
@@ -98,7 +98,7 @@ impl Uniform {
             Some(Layers { fast, .. }) => {
                 // cosh(r₂x)/cosh(r₂a).
                 let tanh = (fast * a).tanh();
-                let sink = 2.0 * operator.spring * tanh / fast;
+                let sink = 2.0 * operator.subgrade * tanh / fast;
                 even.with_layer([1.0, fast * tanh], [sink, 2.0 * ei * fast * fast])
             }
         };
@@ -118,7 +118,7 @@ impl Uniform {
             let (push, turn) = if loaded { (force_odd / 3.0, moment_even) } else { (0.0, 0.0) };
             // Virtual work of a rigid turn, so that the large bending terms never enter.
             let turning =
-                2.0 * (operator.tension * w / a + operator.spring * first * a - push * a - turn);
+                2.0 * (operator.tension * w / a + operator.subgrade * first * a - push * a - turn);
             ([w, excess], [turning, 2.0 * ei * bend / (a * a * a)])
         });
         let odd = match layers {
@@ -128,13 +128,13 @@ impl Uniform {
                 let z = fast * a;
                 let coth = 1.0 / z.tanh();
                 let turning =
-                    2.0 * (operator.tension / a + operator.spring * a * (coth - 1.0 / z) / z);
+                    2.0 * (operator.tension / a + operator.subgrade * a * (coth - 1.0 / z) / z);
                 odd.with_layer([1.0, z * coth - 1.0], [turning, 2.0 * ei * fast * fast / a])
             }
         };
         let basis = if layers.is_some() { Basis::Ends } else { Basis::Deformation };
         let mut element = assemble(length, basis, &even.condensed(), &odd.condensed());
-        bend(&mut element, operator.curling_moments);
+        bend(&mut element, operator.imposed_moments);
         (element, Uniform { layers, halves: [even, odd] })
     }
 
@@ -154,8 +154,8 @@ impl Uniform {
         // What rounding alone makes of them.
         let [w_left, left, w_right, right] = v.map(f64::abs);
         let turned = left + right;
-        let sunk = layers.slow_squared * a * (w_left + w_right);
-        let rounding = 4.0 * f64::EPSILON * (turned + sunk) / layers.fast;
+        let even = layers.slow_squared * a * (w_left + w_right);
+        let rounding = 4.0 * f64::EPSILON * (turned + even) / layers.fast;
         let height = |h: f64| if h.abs() > rounding { h } else { 0.0 };
         (series, [height(cosh - sinh), height(cosh + sinh)])
     }
@@ -404,10 +404,10 @@ mod tests {
         Operator {
             stiffness: 1.0,
             tension: n,
-            spring: k,
+            subgrade: k,
             load: [0.0; 2],
             moment_load: [0.0; 2],
-            curling_moments: [0.0; 2],
+            imposed_moments: [0.0; 2],
             polynomials: None,
         }
     }
@@ -504,7 +504,7 @@ mod tests {
             load: [1.0, -2.0],
             moment_load: [0.5, 0.1],
             tension: 900.0,
-            spring: 1.0,
+            subgrade: 1.0,
             ..operator(900.0, 1.0)
         };
         let whole = ExactElement::new(&op, 2.0);

@@ -2,7 +2,7 @@
 
 use crate::ground::link::{self, settled};
 use crate::numeric::polynomial::{Coefficients, derivative, rescale};
-use crate::solution::fields::{Field, Stretch};
+use crate::solution::fields::{Field, SolutionPiece};
 use crate::solution::solution::Solution;
 
 /// One field of several solutions, ready to be cut.
@@ -16,11 +16,11 @@ pub(super) struct Forms<'a> {
 impl<'a> Forms<'a> {
     pub fn of(solutions: &'a [&'a Solution], field: Field) -> Self {
         let mut joints = Vec::new();
-        for stretch in solutions.iter().flat_map(|solution| solution.stretches()) {
-            joints.extend(stretch.x);
-            if matches!(field, Field::Settlement | Field::Gap) && is_exponential(stretch) {
-                let decay = (stretch.cell.shear / stretch.cell.spring).sqrt();
-                link::cut(stretch.x, decay, &mut joints);
+        for piece in solutions.iter().flat_map(|solution| solution.pieces()) {
+            joints.extend(piece.x);
+            if matches!(field, Field::Settlement | Field::Gap) && is_exponential(piece) {
+                let decay = (piece.cell.shear_layer / piece.cell.subgrade).sqrt();
+                link::cut(piece.x, decay, &mut joints);
             }
         }
         joints.sort_by(f64::total_cmp);
@@ -36,14 +36,12 @@ impl<'a> Forms<'a> {
             let ends = [ends[0], ends[1]];
             let mut curves = Vec::with_capacity(at.len());
             for (solution, at) in self.solutions.iter().zip(&mut at) {
-                let stretches = solution.stretches();
-                while *at + 1 < stretches.len() && stretches[*at].x[1] <= ends[0] {
+                let pieces = solution.pieces();
+                while *at + 1 < pieces.len() && pieces[*at].x[1] <= ends[0] {
                     *at += 1;
                 }
                 curves.push(
-                    stretches
-                        .get(*at)
-                        .map_or(Coefficients::zeros(1), |s| form(s, self.field, ends)),
+                    pieces.get(*at).map_or(Coefficients::zeros(1), |s| form(s, self.field, ends)),
                 );
             }
             visit(ends, &mut curves);
@@ -58,63 +56,63 @@ pub(super) fn position([from, to]: [f64; 2], s: f64) -> f64 {
 }
 
 /// Whether u is a sum of exponentials here, not a polynomial.
-fn is_exponential(stretch: &Stretch) -> bool {
-    let moves = stretch.open.is_some_and(|ends| ends != [0.0, 0.0]);
-    moves && stretch.settlement.is_empty() && stretch.cell.shear > 0.0
+fn is_exponential(piece: &SolutionPiece) -> bool {
+    let moves = piece.open.is_some_and(|ends| ends != [0.0, 0.0]);
+    moves && piece.settlement.is_empty() && piece.cell.shear_layer > 0.0
 }
 
-/// A field on a part of a stretch, in the part's own coordinate.
-fn form(stretch: &Stretch, field: Field, [from, to]: [f64; 2]) -> Coefficients {
-    let [a, b] = [from, to].map(|x| stretch.local(x));
+/// A field on a part of a piece, in the part's own coordinate.
+fn form(piece: &SolutionPiece, field: Field, [from, to]: [f64; 2]) -> Coefficients {
+    let [a, b] = [from, to].map(|x| piece.local(x));
     let part = |c: &[f64]| rescale(c, 0.5 * (a + b), 0.5 * (b - a));
     let per_length =
-        |c: &[f64]| -> Coefficients { derivative(c).iter().map(|c| c / stretch.half).collect() };
-    let [left, right] = stretch.cell.gap;
+        |c: &[f64]| -> Coefficients { derivative(c).iter().map(|c| c / piece.half).collect() };
+    let [left, right] = piece.cell.gap;
     let clearance = part(&[0.5 * (left + right), 0.5 * (right - left)]);
     match field {
-        Field::Deflection => part(&stretch.deflection),
-        Field::Slope => part(&per_length(&stretch.deflection)),
-        Field::Moment => part(&stretch.moment),
-        Field::ShearForce => part(&per_length(&stretch.moment)),
-        Field::Pressure => part(&stretch.pressure),
-        Field::Settlement => match stretch.open {
-            None => sum(&part(&stretch.deflection), &clearance, -1.0),
-            Some(_) => open_ground(stretch, [a, b]),
+        Field::Deflection => part(&piece.deflection),
+        Field::Slope => part(&per_length(&piece.deflection)),
+        Field::Moment => part(&piece.moment),
+        Field::ShearForce => part(&per_length(&piece.moment)),
+        Field::Pressure => part(&piece.pressure),
+        Field::Settlement => match piece.open {
+            None => sum(&part(&piece.deflection), &clearance, -1.0),
+            Some(_) => open_ground(piece, [a, b]),
         },
-        Field::Gap if stretch.open.is_none() => Coefficients::zeros(1),
+        Field::Gap if piece.open.is_none() => Coefficients::zeros(1),
         Field::Gap => {
-            let over_ground = sum(&open_ground(stretch, [a, b]), &clearance, 1.0);
-            sum(&over_ground, &part(&stretch.deflection), -1.0)
+            let over_ground = sum(&open_ground(piece, [a, b]), &clearance, 1.0);
+            sum(&over_ground, &part(&piece.deflection), -1.0)
         }
     }
 }
 
-/// u between two points of a stretch off the ground.
-fn open_ground(stretch: &Stretch, ends: [f64; 2]) -> Coefficients {
-    let pressed = pressed_ground(stretch, ends);
-    if !stretch.cell.is_sunk() {
+/// u between two points of a piece off the ground.
+fn open_ground(piece: &SolutionPiece, ends: [f64; 2]) -> Coefficients {
+    let pressed = pressed_ground(piece, ends);
+    if !piece.cell.has_free_field() {
         return pressed;
     }
     let [a, b] = ends;
-    sum(&pressed, &rescale(&stretch.cell.settled(), 0.5 * (a + b), 0.5 * (b - a)), 1.0)
+    sum(&pressed, &rescale(&piece.cell.free_field(), 0.5 * (a + b), 0.5 * (b - a)), 1.0)
 }
 
 /// What the beam's pressure elsewhere adds to it.
-fn pressed_ground(stretch: &Stretch, [a, b]: [f64; 2]) -> Coefficients {
-    if !stretch.settlement.is_empty() {
-        return rescale(&stretch.settlement, 0.5 * (a + b), 0.5 * (b - a));
+fn pressed_ground(piece: &SolutionPiece, [a, b]: [f64; 2]) -> Coefficients {
+    if !piece.settlement.is_empty() {
+        return rescale(&piece.settlement, 0.5 * (a + b), 0.5 * (b - a));
     }
-    if !is_exponential(stretch) {
+    if !is_exponential(piece) {
         return Coefficients::zeros(1);
     }
-    let (k, mu) = (stretch.cell.spring, stretch.cell.shear);
-    let half = 0.5 * (b - a) * stretch.half;
+    let (k, mu) = (piece.cell.subgrade, piece.cell.shear_layer);
+    let half = 0.5 * (b - a) * piece.half;
     // A piece this long lies far from both ends.
     if 2.0 * half > 1.5 * link::PIECE * (mu / k).sqrt() {
         return Coefficients::zeros(1);
     }
-    let ends = stretch.open.unwrap_or_default();
-    settled(&[k], &[mu], half, [a, b].map(|s| stretch.pressed(s, ends)[0]))
+    let ends = piece.open.unwrap_or_default();
+    settled(&[k], &[mu], half, [a, b].map(|s| piece.pressed(s, ends)[0]))
 }
 
 /// f + factor·g.

@@ -1,4 +1,4 @@
-//! The smallest and largest values of several solutions: at every point, over the whole beam, and where they change hands.
+//! Envelopes: the smallest and largest values of several solutions, at every point and over the beam.
 
 mod forms;
 mod upper;
@@ -11,14 +11,14 @@ use forms::Forms;
 /// solution that comes first then governs.
 const ROUNDING: f64 = 1e-12;
 
-/// A shorter part of the beam, over which one leads by no more than rounding, is none.
+/// Shortest part of the beam on which a solution governs; on a shorter one it leads by rounding error only.
 const SHORT: f64 = 1e-6;
 /// In the order in which they are looked at: the smallest values are the largest of what has the other sign.
 const BOUNDS: [Bound; 2] = [Bound::Max, Bound::Min];
 
 /// Several solutions of one beam, seen together.
 ///
-/// Lift-off makes superposition false, so each combination of loads is solved by itself; what a section has to
+/// Lift-off makes superposition false, so each combination of loads is solved on its own; what a section has to
 /// carry is the envelope of the answers. It governs by numbers: solutions count from 0, in the order in which
 /// they were given.
 ///
@@ -92,7 +92,7 @@ pub struct Change {
 }
 
 /// A part of the beam on which one solution governs.
-struct Run {
+struct GovernedPart {
     from: f64,
     to: f64,
     by: usize,
@@ -176,7 +176,7 @@ impl<'a> Envelope<'a> {
                 }
                 for upper::Part { from, to, by } in upper::parts(curves, rounding) {
                     let [from, to] = [from, to].map(|s| forms::position(interval, s));
-                    self.lengthen(runs, Run { from, to, by }, field);
+                    self.lengthen(runs, GovernedPart { from, to, by }, field);
                 }
             }
         });
@@ -195,9 +195,9 @@ impl<'a> Envelope<'a> {
 
     /// Adds a run to those left of it. A short one that leads by rounding alone belongs to its neighbour: where all
     /// solutions are zero, as the moment at a free end, any of them could lead.
-    fn lengthen(&self, runs: &mut Vec<Run>, next: Run, field: Field) {
+    fn lengthen(&self, runs: &mut Vec<GovernedPart>, next: GovernedPart, field: Field) {
         let Some(last) = runs.last_mut() else { return runs.push(next) };
-        let is_nothing = |run: &Run, other: usize| {
+        let is_nothing = |run: &GovernedPart, other: usize| {
             let length = self.solutions[run.by].model().beam.length;
             let middle = 0.5 * (run.from + run.to);
             let value = |by: usize| self.solutions[by].at(middle, Side::Right).get(field);
@@ -209,7 +209,7 @@ impl<'a> Envelope<'a> {
         } else if is_nothing(last, next.by) {
             let from = last.from;
             runs.pop();
-            self.lengthen(runs, Run { from, ..next }, field);
+            self.lengthen(runs, GovernedPart { from, ..next }, field);
         } else {
             runs.push(next);
         }

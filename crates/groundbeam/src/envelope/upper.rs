@@ -1,6 +1,7 @@
-//! The upper line of several polynomials on one interval, and which of them it is.
+//! The upper line of several polynomials on one interval, and the polynomial that governs.
 
-use crate::numeric::polynomial::{Coefficients, rescale, sign_changes, value};
+use crate::numeric::polynomial::{Coefficients, rescale, value};
+use crate::numeric::roots::sign_changes;
 
 /// A part of the interval on which one polynomial is the largest.
 #[derive(Debug, Clone, Copy, PartialEq)]

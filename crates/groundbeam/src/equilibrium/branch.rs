@@ -1,20 +1,20 @@
-//! The branch of equilibria that begins at the beam without compression, followed as the compression grows.
+//! The path of equilibria under growing compression, from the beam without compression.
 //!
 //! The energy Φ of a deflection, the ground lying under it as it will, has a continuous derivative, and
-//! its second variation at an equilibrium is that of the beam *glued* to the ground where it touches: an
+//! its second variation at an equilibrium is that of the beam *bonded* to the ground where it touches: an
 //! edge of contact is where the ground leaves the beam tangentially, so that a move of the edge changes
-//! the energy in the third order only. A [glued solve](crate::contact::glue) is therefore a step of Newton's method
+//! the energy in the third order only. A [bonded solve](crate::contact::bonded) is therefore a step of Newton's method
 //! on Φ, and its elimination tells whether the second variation is positive. As long as it is, the
 //! equilibria under growing compression are one curve, which ends where it no longer is: at a limit
 //! point, where the curve turns back, or at a bifurcation.
 
 use crate::cancel::Cancel;
-use crate::chain::node::Loose;
+use crate::chain::node::NotDefinite;
+use crate::contact::bonded::Bonded;
 use crate::contact::edges;
-use crate::contact::glue::Glue;
-use crate::contact::majorant;
-use crate::contact::state::Found;
-use crate::contact::stretches::{Stretch, distance, joined, positions};
+use crate::contact::intervals::{Interval, distance, joined, positions};
+use crate::contact::obstacle;
+use crate::contact::state::ContactState;
 use crate::element::element::MOST;
 use crate::equilibrium::one_way;
 use crate::mesh::mesh::Mesh;
@@ -44,55 +44,55 @@ const NEXT: f64 = 1e-3;
 
 /// A stable equilibrium on the branch.
 #[derive(Debug, Clone)]
-pub(crate) struct State {
+pub(crate) struct PathPoint {
     /// −P \[N\].
     pub compression: f64,
-    pub contact: Vec<Stretch>,
+    pub contact: Vec<Interval>,
     /// Which supports act; those that act in both directions do.
-    pub acts: Vec<bool>,
+    pub active: Vec<bool>,
 }
 
-impl State {
+impl PathPoint {
     /// The model on the supports that act.
-    pub fn held<'a>(&self, model: &'a Model) -> Cow<'a, Model> {
+    pub fn on_active_supports<'a>(&self, model: &'a Model) -> Cow<'a, Model> {
         if !model.has_one_way_supports() {
             return Cow::Borrowed(model);
         }
-        Cow::Owned(model.with_supports_that(|i, _| self.acts[i]))
+        Cow::Owned(model.with_supports_that(|i, _| self.active[i]))
     }
 }
 
 /// What was found on the way.
 #[derive(Debug, Clone)]
-pub(crate) struct Branch {
+pub(crate) struct EquilibriumPath {
     /// The equilibrium under the model's own compression, if the branch goes so far.
-    pub wanted: Option<State>,
+    pub wanted: Option<PathPoint>,
     /// The last stable one; infinite compression if there is no last.
-    pub last: State,
+    pub last: PathPoint,
     /// Why there is no next one.
-    pub end: End,
+    pub end: PathEnd,
 }
 
 /// What ends a step in compression, however small.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) enum End {
+pub(crate) enum PathEnd {
     /// The second variation is not positive there, on these supports.
-    Loose(Vec<bool>),
+    NotStable(Vec<bool>),
     /// Newton's steps do not come to rest: beyond a limit point, or not knowing which zones touch.
-    Unsettled,
+    NotConverged,
 }
 
 /// From the equilibrium of the beam without compression through the wanted compression to the branch's end.
-pub(crate) fn follow(model: &Model, begin: State, cancel: &Cancel) -> Branch {
+pub(crate) fn follow(model: &Model, begin: PathPoint, cancel: &Cancel) -> EquilibriumPath {
     let wanted = -model.beam.axial_force;
     let l = model.beam.length;
     let most = MOST * model.beam.stiffest() / (l * l);
     let places: Vec<f64> = Mesh::build(model, &[], |_| 1).nodes.iter().map(|n| n.x).collect();
     let mut found = None;
-    let mut last = State { contact: joined(begin.contact, l), ..begin };
+    let mut last = PathPoint { contact: joined(begin.contact, l), ..begin };
     let mut step = FIRST * wanted;
     let mut failed = false;
-    let mut end = End::Loose(last.acts.clone());
+    let mut end = PathEnd::NotStable(last.active.clone());
     while step > LAST * if found.is_none() { wanted } else { last.compression }
         && !cancel.is_cancelled()
     {
@@ -101,8 +101,8 @@ pub(crate) fn follow(model: &Model, begin: State, cancel: &Cancel) -> Branch {
             target = target.min(wanted);
         }
         if target > most {
-            let last = State { compression: f64::INFINITY, ..last };
-            return Branch { wanted: found, last, end };
+            let last = PathPoint { compression: f64::INFINITY, ..last };
+            return EquilibriumPath { wanted: found, last, end };
         }
         match next(model, &places, &last, target, cancel) {
             Ok(state) => {
@@ -122,7 +122,7 @@ pub(crate) fn follow(model: &Model, begin: State, cancel: &Cancel) -> Branch {
             }
         }
     }
-    Branch { wanted: found, last, end }
+    EquilibriumPath { wanted: found, last, end }
 }
 
 /// The next equilibrium on the branch. Of two that are on one branch each is found from the other; of two next to
@@ -130,19 +130,19 @@ pub(crate) fn follow(model: &Model, begin: State, cancel: &Cancel) -> Branch {
 fn next(
     model: &Model,
     places: &[f64],
-    last: &State,
+    last: &PathPoint,
     compression: f64,
     cancel: &Cancel,
-) -> Result<State, End> {
+) -> Result<PathPoint, PathEnd> {
     let next = settled(model, places, compression, last, cancel)?;
     let near = distance(&next.contact, &last.contact) <= NEXT * model.beam.length;
-    if last.compression == 0.0 || (near && next.acts == last.acts) {
+    if last.compression == 0.0 || (near && next.active == last.active) {
         return Ok(next);
     }
     let back = settled(model, places, last.compression, &next, cancel)?;
     let same = distance(&back.contact, &last.contact) <= SAME * model.beam.length
-        && back.acts == last.acts;
-    if same { Ok(next) } else { Err(End::Unsettled) }
+        && back.active == last.active;
+    if same { Ok(next) } else { Err(PathEnd::NotConverged) }
 }
 
 /// The equilibrium that Newton's steps find from the contact of a neighbour, all of them where the second
@@ -151,29 +151,31 @@ fn settled(
     model: &Model,
     places: &[f64],
     compression: f64,
-    near: &State,
+    near: &PathPoint,
     cancel: &Cancel,
-) -> Result<State, End> {
+) -> Result<PathPoint, PathEnd> {
     let model = compressed(model, compression);
     let mut contact = near.contact.clone();
-    let mut acts = near.acts.clone();
-    let mut held = near.held(&model);
+    let mut acts = near.active.clone();
+    let mut held = near.on_active_supports(&model);
     'supports: for _ in 0..=MOST_CHANGES {
-        let mut glue = Glue::new(&held, cancel);
+        let mut bonded = Bonded::new(&held, cancel);
         let mut before = f64::INFINITY;
         // Whether edges may be moved by themselves: not where they move each other more than that.
         let mut alone = true;
         for _ in 0..MOST_STEPS {
-            let found = glue.on(&contact, None).map_err(|Loose| End::Loose(acts.clone()))?;
-            // Each edge by itself, until the scan of the whole beam agrees.
+            let found = bonded
+                .solve_on(&contact, None)
+                .map_err(|NotDefinite| PathEnd::NotStable(acts.clone()))?;
+            // Edge Newton until the obstacle problem confirms the zones.
             let by_themselves =
-                if alone { edges::moved(&found.deflection(), &found.zones) } else { None };
+                if alone { edges::next_intervals(&found.deflection(), &found.zones) } else { None };
             let by_edges = by_themselves.filter(|next| {
                 (CLOSE..NEAR).contains(&(distance(&contact, next) / model.beam.length))
             });
             let scan = || {
                 joined(
-                    positions(&found.mesh, &majorant::contact(&found.deflection()), places),
+                    positions(&found.mesh, &obstacle::contact(&found.deflection()), places),
                     model.beam.length,
                 )
             };
@@ -181,12 +183,12 @@ fn settled(
             let moved = distance(&contact, &next) / model.beam.length;
             contact = next;
             if moved <= STILL || (moved <= ROUNDING && moved >= 0.25 * before) {
-                let state = State { compression, contact, acts };
+                let state = PathPoint { compression, contact, active: acts };
                 let Some(asked) = other_supports(&model, &held, &state, &found) else {
                     return Ok(state);
                 };
-                held = asked.held(&model);
-                (contact, acts) = (asked.contact, asked.acts);
+                held = asked.on_active_supports(&model);
+                (contact, acts) = (asked.contact, asked.active);
                 continue 'supports;
             }
             alone &= moved <= 0.5 * before;
@@ -194,15 +196,20 @@ fn settled(
         }
         break;
     }
-    Err(End::Unsettled)
+    Err(PathEnd::NotConverged)
 }
 
 /// The same state on the supports that it asks for, where those are others.
-fn other_supports(model: &Model, held: &Model, state: &State, found: &Found) -> Option<State> {
+fn other_supports(
+    model: &Model,
+    held: &Model,
+    state: &PathPoint,
+    found: &ContactState,
+) -> Option<PathPoint> {
     if !model.has_one_way_supports() {
         return None;
     }
     let candidate = Candidate::of(held, found, &mut Workspace::default());
-    let acts = one_way::asked_for(model, &state.acts, &candidate);
-    (acts != state.acts).then(|| State { acts, ..state.clone() })
+    let acts = one_way::asked_for(model, &state.active, &candidate);
+    (acts != state.active).then(|| PathPoint { active: acts, ..state.clone() })
 }

@@ -4,10 +4,10 @@
 use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
 use crate::chain::node::{ChainCell, ChainNode};
-use crate::contact::glue::{Glue, folds};
-use crate::contact::stretches::Stretch;
+use crate::contact::bonded::{Bonded, folds};
+use crate::contact::intervals::Interval;
 use crate::element::element::MOST;
-use crate::element::operator::{Operator, Touch};
+use crate::element::operator::{Operator, ZoneKind};
 use crate::element::{ExactElement, parts};
 use crate::existence::rigid_motions::held_rigidly;
 use crate::mesh::mesh::Mesh;
@@ -44,11 +44,11 @@ pub(crate) fn convexity(model: &Model, cancel: &Cancel) -> Option<f64> {
     (left > 0.0).then_some(left)
 }
 
-/// The smallest compression \[N\] at which the beam glued to the ground on given stretches has a deflected
+/// The smallest compression \[N\] at which the beam bonded to the ground on given stretches has a deflected
 /// state of no stiffness, from below and to twelve digits.
-pub(crate) fn glued_buckling_load(model: &Model, contact: &[Stretch], cancel: &Cancel) -> f64 {
+pub(crate) fn bonded_buckling_load(model: &Model, contact: &[Interval], cancel: &Cancel) -> f64 {
     least_unstable(model, |compression| {
-        Glue::new(&compressed(model, compression), cancel).on(contact, None).is_ok()
+        Bonded::new(&compressed(model, compression), cancel).solve_on(contact, None).is_ok()
     })
 }
 
@@ -76,10 +76,10 @@ fn least_unstable(model: &Model, is_stable: impl Fn(f64) -> bool) -> f64 {
 }
 
 fn is_stable(model: &Model, compression: f64) -> bool {
-    if folds(&compressed(model, compression), &[], &|_: &_| Touch::Open) {
+    if folds(&compressed(model, compression), &[], &|_: &_| ZoneKind::Open) {
         return false;
     }
-    let operator = |cell: &_| Operator::of(cell, -compression, Touch::Open);
+    let operator = |cell: &_| Operator::of(cell, -compression, ZoneKind::Open);
     let mesh = Mesh::graded(model, &[], |cell| parts(&operator(cell), cell.length()));
     let cell = |cell: &crate::mesh::cell::Cell| ChainCell {
         element: ExactElement::new(&operator(cell), cell.length()).element,

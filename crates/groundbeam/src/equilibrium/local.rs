@@ -6,13 +6,14 @@
 //! far as the compression that is wanted.
 
 use crate::cancel::Cancel;
-use crate::contact::glue::Glue;
-use crate::contact::stretches::Stretch;
-use crate::equilibrium::branch::{Branch, End, State, follow};
-use crate::equilibrium::buckling::glued_buckling_load;
+use crate::contact::bonded::Bonded;
+use crate::contact::intervals::Interval;
+use crate::equilibrium::branch::{EquilibriumPath, PathEnd, PathPoint, follow};
+use crate::equilibrium::buckling::bonded_buckling_load;
 use crate::equilibrium::one_way;
 use crate::error::{Error, NotConverged, Stopped};
-use crate::existence::existence::{Buckling, Existence, Local, RigidMotion, Verdict, existence};
+use crate::existence::existence::existence;
+use crate::existence::verdict::{Buckling, Existence, Local, RigidMotion, Verdict};
 use crate::mesh::energy::work_of_loads;
 use crate::mesh::mesh::Mesh;
 use crate::model::compressed;
@@ -32,18 +33,18 @@ pub(crate) fn check(
     model: &Model,
     cancel: &Cancel,
     solve: impl FnOnce(&Model) -> Result<Outcome, Error>,
-) -> Result<Checked, Error> {
+) -> Result<Assessment, Error> {
     let without = compressed(model, 0.0);
     let statics = existence(&without);
-    let known = |verdict| Checked {
+    let known = |verdict| Assessment {
         existence: Existence { verdict, ..statics },
         stability: 1.0,
         local: None,
     };
     // What may turn or rise without compression is not held against the least of it.
-    let loose = |motion: RigidMotion| Verdict::Buckles(Buckling::at_once(model, motion));
+    let buckles = |motion: RigidMotion| Verdict::Buckles(Buckling::at_once(model, motion));
     let solution = match statics.verdict {
-        Verdict::NotUnique(motion) => return Ok(known(loose(motion))),
+        Verdict::NotUnique(motion) => return Ok(known(buckles(motion))),
         Verdict::Unique => match solve(&without)? {
             Outcome::Equilibrium(solution) => solution,
             Outcome::NoEquilibrium(existence) => return Ok(known(existence.verdict)),
@@ -51,16 +52,17 @@ pub(crate) fn check(
         verdict => return Ok(known(verdict)),
     };
     if let Verdict::NotUnique(motion) = solution.existence().verdict {
-        return Ok(known(loose(motion)));
+        return Ok(known(buckles(motion)));
     }
     let contact = solution.contact().iter().map(|region| [region.from, region.to]).collect();
     let acts = one_way::acting(model, solution.candidate());
-    let Branch { wanted, last, end } =
-        follow(model, State { compression: 0.0, contact, acts }, cancel);
+    let EquilibriumPath { wanted, last, end } =
+        follow(model, PathPoint { compression: 0.0, contact, active: acts }, cancel);
     // Towards its end the branch is ever less stable, or it ends where a point lets go.
-    if end == End::Unsettled {
-        let margin =
-            1.0 - last.compression / glued_buckling_load(&last.held(model), &last.contact, cancel);
+    if end == PathEnd::NotConverged {
+        let margin = 1.0
+            - last.compression
+                / bonded_buckling_load(&last.on_active_supports(model), &last.contact, cancel);
         if margin > BRANCH {
             let why = NotConverged::Branch(margin);
             return Err(Error::NotConverged(Stopped { method: Method::Exact, iterations: 0, why }));
@@ -69,11 +71,11 @@ pub(crate) fn check(
     let Some(state) = wanted else {
         return Ok(known(Verdict::Buckles(buckling(model, last, end, cancel))));
     };
-    let buckles = glued_buckling_load(&state.held(model), &state.contact, cancel);
+    let buckles = bonded_buckling_load(&state.on_active_supports(model), &state.contact, cancel);
     let stability_margin = 1.0 - state.compression / buckles;
     let critical_compression = last.compression;
     let verdict = Verdict::Local(Local { stability_margin, critical_compression });
-    Ok(Checked { local: Some(state), stability: stability_margin, ..known(verdict) })
+    Ok(Assessment { local: Some(state), stability: stability_margin, ..known(verdict) })
 }
 
 impl Buckling {
@@ -87,35 +89,35 @@ impl Buckling {
 }
 
 /// How the beam buckles at the end of its branch: where a support lets go there, without it.
-fn buckling(model: &Model, last: State, end: End, cancel: &Cancel) -> Buckling {
+fn buckling(model: &Model, last: PathPoint, end: PathEnd, cancel: &Cancel) -> Buckling {
     let critical_compression = last.compression;
-    let acts = if let End::Loose(acts) = end { acts } else { last.acts };
-    let last = State { acts, ..last };
+    let acts = if let PathEnd::NotStable(acts) = end { acts } else { last.active };
+    let last = PathPoint { active: acts, ..last };
     let (at, [left, right], work) =
-        mode(&last.held(model), &last.contact, cancel).unwrap_or_default();
+        mode(&last.on_active_supports(model), &last.contact, cancel).unwrap_or_default();
     Buckling { critical_compression, at, left, right, work }
 }
 
-/// Where the buckling mode of the beam glued to the ground on given stretches is largest, what it is at both
+/// Where the buckling mode of the beam bonded to the ground on given intervals is largest, what it is at both
 /// ends, and the loads' work in it; up, and of size 1.
 ///
 /// A beam next to its buckling load answers a load that no symmetry holds back with its mode.
-fn mode(model: &Model, contact: &[Stretch], cancel: &Cancel) -> Option<(f64, [f64; 2], f64)> {
-    let load = glued_buckling_load(model, contact, cancel);
-    let mut loose = compressed(model, load * (1.0 - NEARLY));
-    for corner in &mut loose.gap {
+fn mode(model: &Model, contact: &[Interval], cancel: &Cancel) -> Option<(f64, [f64; 2], f64)> {
+    let load = bonded_buckling_load(model, contact, cancel);
+    let mut nearly = compressed(model, load * (1.0 - NEARLY));
+    for corner in &mut nearly.gap {
         corner.value = 0.0;
     }
-    for load in &mut loose.loads {
+    for load in &mut nearly.loads {
         *load = load.scaled(0.0);
     }
-    for support in &mut loose.supports {
+    for support in &mut nearly.supports {
         support.settlement = 0.0;
     }
     let l = model.beam.length;
     // In no symmetry, and no polynomial along the beam: even loads leave even modes alone.
-    loose.loads.push(Load::distributed_force(0.0, 0.618 * l, 1.0, -0.37));
-    let found = Glue::new(&loose, cancel).on(contact, None).ok()?;
+    nearly.loads.push(Load::distributed_force(0.0, 0.618 * l, 1.0, -0.37));
+    let found = Bonded::new(&nearly, cancel).solve_on(contact, None).ok()?;
     let w = found.deflection();
     let mut largest = (0.0, 0.0_f64);
     for (i, cell) in found.mesh.cells.iter().enumerate() {
@@ -139,11 +141,11 @@ fn mode(model: &Model, contact: &[Stretch], cancel: &Cancel) -> Option<(f64, [f6
 }
 
 /// What is known of a model before it is solved.
-pub(crate) struct Checked {
+pub(crate) struct Assessment {
     pub existence: Existence,
     /// How much of the energy's convexity compression leaves, where it touches if that is local: 1 + P/P_cr;
     /// 1 without compression.
     pub stability: f64,
     /// Where a local equilibrium touches the ground, and which supports act in it.
-    pub local: Option<State>,
+    pub local: Option<PathPoint>,
 }

@@ -1,4 +1,4 @@
-//! Supports that act in one direction alone: which of them do.
+//! The set of active one-way supports, by solves with fixed sets.
 //!
 //! A bearing that only pushes up asks for w ≤ 0 and a reaction R ≥ 0 with R w = 0; a hold-down for the
 //! same with other signs; an elastic one for the same of the clearance between the beam and its spring. These are
@@ -16,7 +16,7 @@
 //! finitely many. Step 2 repeats at most as often as there are supports. Where the supports that act leave no
 //! equilibrium the way is the motion that proves it; it ends at a hold-down, since all of them together leave none.
 
-use crate::existence::existence::{Existence, Verdict};
+use crate::existence::verdict::{Existence, Verdict};
 use crate::model::{Model, Support};
 use crate::outcome::Outcome;
 use crate::solution::candidate::Candidate;
@@ -35,7 +35,7 @@ const ROUNDING: f64 = 1e-13;
 pub(crate) fn solve<E>(
     model: &Model,
     mut solve: impl FnMut(&Model) -> Result<Outcome, E>,
-) -> Result<Ended, E> {
+) -> Result<SupportSearch, E> {
     let supports = &model.supports;
     let mut acts = vec![true; supports.len()];
     // How far the beam is from each, 0 where it acts.
@@ -53,7 +53,7 @@ pub(crate) fn solve<E>(
                 let rate = |i: usize| -supports[i].acts.sign() * motion.at(&now, supports[i].at);
                 ((0..supports.len()).map(rate).collect::<Vec<f64>>(), None)
             }
-            Outcome::NoEquilibrium(_) => return Ok(Ended { found: None, solves: step }),
+            Outcome::NoEquilibrium(_) => return Ok(SupportSearch { found: None, solves: step }),
         };
         let endless = solution.is_none();
         let part = |i: usize| {
@@ -69,7 +69,9 @@ pub(crate) fn solve<E>(
             (acts[first], clear[first]) = (true, 0.0);
             continue;
         }
-        let Some(solution) = solution else { return Ok(Ended { found: None, solves: step }) };
+        let Some(solution) = solution else {
+            return Ok(SupportSearch { found: None, solves: step });
+        };
         for i in (0..supports.len()).filter(free) {
             clear[i] = towards[i];
         }
@@ -85,14 +87,14 @@ pub(crate) fn solve<E>(
         };
         match released {
             Some(i) => acts[i] = false,
-            None => return Ok(Ended { found: Some((solution, acts)), solves: step }),
+            None => return Ok(SupportSearch { found: Some((solution, acts)), solves: step }),
         }
     }
-    Ok(Ended { found: None, solves: MOST_SOLVES })
+    Ok(SupportSearch { found: None, solves: MOST_SOLVES })
 }
 
 /// How the search ended.
-pub(crate) struct Ended {
+pub(crate) struct SupportSearch {
     /// The solution on the supports that act, and which supports these are; none if they still change.
     pub found: Option<(Box<Solution>, Vec<bool>)>,
     /// Solves of a model whose supports act in both directions.

@@ -1,4 +1,4 @@
-//! How many elements and how much memory a solve needs, from the model and the options, before anything is solved.
+//! Elements and memory of a solve, estimated from the model and the options.
 //!
 //! Two limits refuse a model. The memory that all elements need stays below [`Options::memory_limit`]. The elements that are
 //! power series, where stiffness or ground vary and where the beam shears, stay below a fixed number: each costs far more time than
@@ -6,7 +6,7 @@
 //! every such element on it is as short as they are.
 
 use crate::element::element::REACH;
-use crate::element::operator::{Operator, Touch, wave_number};
+use crate::element::operator::{Operator, ZoneKind, wave_number};
 use crate::element::parts;
 use crate::error::{Error, TooLarge};
 use crate::mesh::mesh::Mesh;
@@ -41,9 +41,10 @@ impl Count {
         count.cells = Mesh::each_graded(model, |cell, settles| {
             // Compression may take all stiffness against shear, and then no number of elements is enough.
             let tension = if cell.beam_shear.is_some() { axial.max(0.0) } else { axial };
-            let needed = |touch: Touch| parts(&Operator::of(cell, tension, touch), cell.length());
             let needed =
-                needed(Touch::Contact).max(needed(Touch::Open)).saturating_add(settles - 1);
+                |touch: ZoneKind| parts(&Operator::of(cell, tension, touch), cell.length());
+            let needed =
+                needed(ZoneKind::Contact).max(needed(ZoneKind::Open)).saturating_add(settles - 1);
             count.elements = count.elements.saturating_add(needed);
             if cell.beam_shear.is_some() || cell.beam_varies() || cell.ground_varies() {
                 count.series = count.series.saturating_add(needed);
@@ -74,11 +75,12 @@ fn few(model: &Model) -> Option<Count> {
     }
     let softest = beam.segments.iter().map(|segment| segment.bending_stiffness.smallest());
     let softest = softest.fold(beam.bending_stiffness, f64::min);
-    let largest = |s: &FoundationSegment| [s.spring.largest(), s.shear.largest()];
+    let largest = |s: &FoundationSegment| [s.subgrade.largest(), s.shear_layer.largest()];
     let ground = foundation.segments.iter().map(largest);
-    let [spring, shear] = ground.fold([foundation.spring, foundation.shear], |[k, mu], other| {
-        [k.max(other[0]), mu.max(other[1])]
-    });
+    let [spring, shear] = ground
+        .fold([foundation.subgrade, foundation.shear_layer], |[k, mu], other| {
+            [k.max(other[0]), mu.max(other[1])]
+        });
     let waves = wave_number(softest, beam.axial_force.abs() + shear, spring) * beam.length;
     let ends = 2 * (beam.segments.len() + foundation.segments.len() + loads.len());
     let cells = 1 + ends + supports.len() + hinges.len() + gap.len();

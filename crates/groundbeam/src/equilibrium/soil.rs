@@ -1,4 +1,4 @@
-//! The modified Vlasov model: the rate at which the ground's surface varies is taken from the solution.
+//! The modified Vlasov model: k and μ from r = ∫u'²/∫u² of the solution itself.
 //!
 //! k and μ of [layers](crate::model::soil::layers) depend on r = ∫u'²/∫u², and u depends on k and μ. Vallabhan and Das
 //! (*Modified Vlasov model for beams on elastic foundations*, J. Geotech. Eng. 117(6), 1991) iterate
@@ -8,70 +8,61 @@ use crate::certificate::gauss;
 use crate::error::{Error, NotConverged, Stopped};
 use crate::ground::link::{between, cut, slope_between};
 use crate::model::soil::layers::squares;
-use crate::model::soil::{Bed, LayeredSoil, Soil, Subgrade};
+use crate::model::soil::{LayeredSoil, Soil, SoilModel};
 use crate::model::{Extent, Model};
 use crate::numeric::polynomial::inner;
 use crate::numeric::tolerance::SOIL;
 use crate::options::Method;
 use crate::outcome::Outcome;
-use crate::solution::fields::Stretch;
-use crate::solution::solution::Solution;
+use crate::solution::fields::SolutionPiece;
+use crate::solution::solution::{SoilRounds, Solution};
 
 const MOST_ROUNDS: usize = 100;
 
-/// An answer on soil.
-#[derive(Debug, Clone)]
-pub struct OnSoil {
-    /// What mechanics says, for the ground below.
-    pub outcome: Outcome,
-    /// k and μ of the ground that was solved.
-    pub subgrade: Subgrade,
-    /// γ, for layers.
-    pub gamma: Option<f64>,
-    /// Solutions it took: one, unless γ is taken from the solution.
-    pub rounds: usize,
-}
-
-/// Solves a beam on this soil; the model's own foundation is replaced. `solve` solves a model on given ground.
+/// Solves a beam on soil. `solve` solves a model on given ground.
 pub(crate) fn solve(
-    bed: &Bed,
+    soil: &SoilModel,
     model: &Model,
     method: Method,
-    solve: impl Fn(&Model) -> Result<Outcome, Error>,
-) -> Result<OnSoil, Error> {
-    if let Soil::ModifiedVlasov(layers) = &bed.soil {
-        return iterate(bed, model, layers, method, solve);
+    mut solve: impl FnMut(&Model) -> Result<Outcome, Error>,
+) -> Result<Outcome, Error> {
+    if let Soil::ModifiedVlasov(layers) = &soil.soil {
+        return iterate(soil, model, layers, method, solve);
     }
-    let subgrade = bed.subgrade(&model.beam);
-    let gamma = match bed.soil {
-        Soil::Vlasov(_, gamma) => Some(gamma),
-        _ => None,
-    };
-    let outcome = solve(&subgrade.under(model))?;
-    Ok(OnSoil { outcome, subgrade, gamma, rounds: 1 })
+    let outcome = solve(&model.on_given_ground())?;
+    Ok(on_soil(outcome, soil.gamma(), 1))
+}
+
+/// The outcome, with the origin of its ground in the solution.
+fn on_soil(outcome: Outcome, gamma: Option<f64>, rounds: usize) -> Outcome {
+    match outcome {
+        Outcome::Equilibrium(solution) => {
+            Outcome::Equilibrium(Box::new(solution.on_soil(SoilRounds { gamma, rounds })))
+        }
+        none @ Outcome::NoEquilibrium(_) => none,
+    }
 }
 
 /// Iterates on r, from γ = 1, until the solution gives the r that its ground was made with.
 fn iterate(
-    bed: &Bed,
+    soil: &SoilModel,
     model: &Model,
     layers: &LayeredSoil,
     method: Method,
-    solve: impl Fn(&Model) -> Result<Outcome, Error>,
-) -> Result<OnSoil, Error> {
+    mut solve: impl FnMut(&Model) -> Result<Outcome, Error>,
+) -> Result<Outcome, Error> {
     let mut rate = layers.rate(1.0);
     let mut before: Option<[f64; 2]> = None;
     for rounds in 1..=MOST_ROUNDS {
-        let subgrade = layers.subgrade(rate, bed.width).times(bed.factors);
-        let outcome = solve(&subgrade.under(model))?;
+        let subgrade = layers.subgrade(rate, soil.width).times(soil.factors);
+        let outcome = solve(&model.on_ground(subgrade))?;
         let found = match &outcome {
             Outcome::Equilibrium(solution) => rate_of(solution),
             Outcome::NoEquilibrium(_) => None,
         };
         let found = found.filter(|found| (found - rate).abs() > SOIL * rate);
         let Some(found) = found else {
-            let gamma = Some(layers.gamma(rate));
-            return Ok(OnSoil { outcome, subgrade, gamma, rounds });
+            return Ok(on_soil(outcome, Some(layers.gamma(rate)), rounds));
         };
         let next = accelerated(before, [rate, found]);
         before = Some([rate, found]);
@@ -101,9 +92,9 @@ fn rate_of(solution: &Solution) -> Option<f64> {
     let mut add = |part: [f64; 2]| {
         sums = [sums[0] + part[0], sums[1] + part[1]];
     };
-    for stretch in solution.stretches() {
-        let loaded = neighbours && stretch.open.is_some();
-        add(if loaded { on_loaded(stretch) } else { on(stretch) });
+    for piece in solution.pieces() {
+        let loaded = neighbours && piece.open.is_some();
+        add(if loaded { on_loaded(piece) } else { on(piece) });
     }
     for right in [false, true] {
         add(beyond(solution, right));
@@ -114,9 +105,9 @@ fn rate_of(solution: &Solution) -> Option<f64> {
 /// ∫u² and ∫u'² beyond an end of the beam. A ground made of soil is endless; between loads u is two exponentials and
 /// q/k, beyond the last of them it falls like e^(−bx).
 fn beyond(solution: &Solution, right: bool) -> [f64; 2] {
-    let stretch = if right { solution.stretches().last() } else { solution.stretches().first() };
-    let Some(stretch) = stretch else { return [0.0; 2] };
-    let [spring, shear] = stretch.cell.ground_at(if right { 1.0 } else { -1.0 });
+    let piece = if right { solution.pieces().last() } else { solution.pieces().first() };
+    let Some(piece) = piece else { return [0.0; 2] };
+    let [spring, shear] = piece.cell.ground_at(if right { 1.0 } else { -1.0 });
     let b = (spring / shear).sqrt();
     let l = solution.model().beam.length;
     let place = |out: f64| if right { l + out } else { -out };
@@ -146,7 +137,7 @@ fn beyond(solution: &Solution, right: bool) -> [f64; 2] {
     [sums[0] + 0.5 * last * last / b, sums[1] + 0.5 * last * last * b]
 }
 
-/// The load spread on the ground at x, on the stretch in which `within` lies.
+/// The load spread on the ground at x, on the piece in which `within` lies.
 fn pressure(model: &Model, x: f64, within: f64) -> f64 {
     let each = model.ground_loads().map(|load| match load.extent {
         Extent::Distributed { from, to, start, end } if from <= within && within <= to => {
@@ -158,11 +149,11 @@ fn pressure(model: &Model, x: f64, within: f64) -> f64 {
 }
 
 /// ∫u² and ∫u'² of open ground under the beam that loads settle.
-fn on_loaded(stretch: &Stretch) -> [f64; 2] {
-    let b = (stretch.cell.spring / stretch.cell.shear).sqrt();
-    quadrature(2.0 * stretch.half, b, |s| {
-        let fields = stretch.fields(s);
-        stretch.settlement(s, fields.deflection, fields.slope)
+fn on_loaded(piece: &SolutionPiece) -> [f64; 2] {
+    let b = (piece.cell.subgrade / piece.cell.shear_layer).sqrt();
+    quadrature(2.0 * piece.half, b, |s| {
+        let fields = piece.fields(s);
+        piece.settlement(s, fields.deflection, fields.slope)
     })
 }
 
@@ -183,16 +174,16 @@ fn quadrature(length: f64, b: f64, u: impl Fn(f64) -> [f64; 2]) -> [f64; 2] {
     sums
 }
 
-/// ∫u² and ∫u'² on a stretch.
-fn on(stretch: &Stretch) -> [f64; 2] {
-    let half = stretch.half;
+/// ∫u² and ∫u'² on a piece.
+fn on(piece: &SolutionPiece) -> [f64; 2] {
+    let half = piece.half;
     let of = |u: &[f64]| [half * inner(u, u, 0), inner(u, u, 1) / half];
-    match stretch.open {
-        None => of(&stretch.cell.touched(&stretch.deflection)),
-        Some(_) if !stretch.settlement.is_empty() => of(&stretch.settlement),
+    match piece.open {
+        None => of(&piece.cell.above_gap(&piece.deflection)),
+        Some(_) if !piece.settlement.is_empty() => of(&piece.settlement),
         Some([left, right]) => {
             let length = 2.0 * half;
-            let b = (stretch.cell.spring / stretch.cell.shear).sqrt();
+            let b = (piece.cell.subgrade / piece.cell.shear_layer).sqrt();
             let [u, slope] = squares(left, right, b * length);
             [u * length, slope / length]
         }
@@ -213,13 +204,14 @@ mod tests {
     fn vallabhan_and_das() {
         let layer = SoilLayer { modulus: 144.0, poisson: 0.2, thickness: 25.0 };
         let soil = LayeredSoil { layers: vec![layer] };
-        let bed = Bed::new(Soil::ModifiedVlasov(soil), 1.0);
-        let beam = || Model::new(Beam::uniform(100.0, 432_000.0 * 2.25), Foundation::winkler(1.0));
+        let soil = SoilModel::new(Soil::ModifiedVlasov(soil), 1.0);
+        let beam = Beam::uniform(100.0, 432_000.0 * 2.25);
+        let model = Model::new(beam.clone(), Foundation::on_soil(soil, &beam));
         let solved = |load: Load| {
-            let model = beam().with_load(load);
-            let found = bed.solve(&model, &Options::default()).unwrap();
+            let found = solve_with(&model.clone().with_load(load), &Options::default()).unwrap();
+            let Outcome::Equilibrium(solution) = found else { panic!("it stands") };
+            let found = solution.soil().unwrap();
             assert!(found.rounds < 8, "{}", found.rounds);
-            let Outcome::Equilibrium(solution) = found.outcome else { panic!("it stands") };
             (found.gamma.unwrap(), solution.contact()[0].from)
         };
         let (gamma, from) = solved(Load::uniform_force(0.0, 100.0, 3.0));

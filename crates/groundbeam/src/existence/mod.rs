@@ -2,3 +2,5 @@
 
 pub(crate) mod existence;
 pub(crate) mod rigid_motions;
+pub(crate) mod statics;
+pub(crate) mod verdict;

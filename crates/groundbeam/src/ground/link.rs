@@ -1,35 +1,34 @@
-//! The ground as a chain of links. Section 3 of the theory: the inverse of (5.8) is tridiagonal.
+//! Open ground as two-ports: the forces at both ends from the settlements there. The inverse of (5.8) is tridiagonal.
 //!
-//! Between two points where its surface is held, ground without load, −(μu')' + ku = 0, acts like a
-//! triangle of three springs: one between the points (`coupling`) and one under each (`leak`). For a
-//! uniform stretch of length h, with b = √(k/μ), these are √(kμ)/sinh(bh) and √(kμ)·tanh(bh/2). All
-//! three are positive, two links in a row make another by sums and products of positive numbers,
-//! and so no digit is ever lost, however short or long or uneven the ground.
+//! Between two points where its surface is held, ground without load, −(μu')' + ku = 0, acts like three springs: one
+//! between the points (`series`) and one under each (`shunt_left`, `shunt_right`). A uniform two-port of length h, with
+//! b = √(k/μ), has series √(kμ)/sinh(bh) and shunts √(kμ)·tanh(bh/2). All three are positive. Two two-ports in a row
+//! make another one by sums, products and quotients of positive numbers, so no digits cancel.
 
-use crate::model::Beyond;
+use crate::model::GroundOutside;
 use crate::numeric::polynomial::{Coefficients, jet, value};
 
 /// A stretch of unloaded ground between two points of its surface.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Link {
+pub(crate) struct TwoPort {
     /// Spring between the two points \[N/m\].
-    pub coupling: f64,
+    pub series: f64,
     /// Spring under the left point \[N/m\].
-    pub leak_left: f64,
+    pub shunt_left: f64,
     /// Spring under the right point \[N/m\].
-    pub leak_right: f64,
+    pub shunt_right: f64,
 }
 
-impl Link {
+impl TwoPort {
     /// A uniform stretch of length h: k > 0, μ > 0.
     pub fn uniform(k: f64, mu: f64, h: f64) -> Self {
         let stiffness = (k * mu).sqrt();
         let bh = (k / mu).sqrt() * h;
         // e^(−bh) rather than sinh: never overflows.
         let decay = (-bh).exp();
-        let coupling = stiffness * 2.0 * decay / -(-2.0 * bh).exp_m1();
-        let leak = stiffness * (0.5 * bh).tanh();
-        Link { coupling, leak_left: leak, leak_right: leak }
+        let series = stiffness * 2.0 * decay / -(-2.0 * bh).exp_m1();
+        let shunt = stiffness * (0.5 * bh).tanh();
+        TwoPort { series, shunt_left: shunt, shunt_right: shunt }
     }
 
     /// A short stretch of length 2·`half` along which k and μ vary, by their coefficients in s ∈ \[−1, 1\].
@@ -37,28 +36,28 @@ impl Link {
         Pair::new(spring, shear, half).link(shear, half)
     }
 
-    /// Two links in a row, the point between them free.
-    pub fn then(self, next: Link) -> Self {
-        let loose = self.leak_right + next.leak_left;
-        let whole = self.coupling + next.coupling + loose;
+    /// Two two-ports in a row, the point between them free.
+    pub fn then(self, next: TwoPort) -> Self {
+        let outer = self.shunt_right + next.shunt_left;
+        let whole = self.series + next.series + outer;
         if whole <= 0.0 {
-            return Link { coupling: 0.0, ..self };
+            return TwoPort { series: 0.0, ..self };
         }
-        Link {
-            coupling: self.coupling * (next.coupling / whole),
-            leak_left: self.leak_left + self.coupling * (loose / whole),
-            leak_right: next.leak_right + next.coupling * (loose / whole),
+        TwoPort {
+            series: self.series * (next.series / whole),
+            shunt_left: self.shunt_left + self.series * (outer / whole),
+            shunt_right: next.shunt_right + next.series * (outer / whole),
         }
     }
 
     /// The force the ground takes at the left point, held at `left`, the other at `right`.
     pub fn force_left(&self, left: f64, right: f64) -> f64 {
-        self.leak_left * left + self.coupling * (left - right)
+        self.shunt_left * left + self.series * (left - right)
     }
 
     /// The force the ground takes at the right point.
     pub fn force_right(&self, left: f64, right: f64) -> f64 {
-        self.leak_right * right + self.coupling * (right - left)
+        self.shunt_right * right + self.series * (right - left)
     }
 }
 
@@ -114,82 +113,82 @@ impl Pair {
         self.one.iter().zip(&self.rising).map(|(a, b)| level * a + rise * b).collect()
     }
 
-    /// μ (u₁u₂' − u₁'u₂) is the same everywhere: that is the coupling, but for the determinant.
-    fn link(&self, shear: &[f64], half: f64) -> Link {
+    /// μ (u₁u₂' − u₁'u₂) is the same everywhere: that is the series, but for the determinant.
+    fn link(&self, shear: &[f64], half: f64) -> TwoPort {
         let ([level, rise], determinant) = self.amplitudes([1.0; 2]);
         let slope = |end: f64| {
             let [_, one, ..] = jet(&self.one, end);
             let [_, rising, ..] = jet(&self.rising, end);
             (level * one + rise * rising) * value(shear, end) / half
         };
-        Link {
-            coupling: shear[0] / (half * determinant),
-            leak_left: -slope(-1.0),
-            leak_right: slope(1.0),
+        TwoPort {
+            series: shear[0] / (half * determinant),
+            shunt_left: -slope(-1.0),
+            shunt_right: slope(1.0),
         }
     }
 }
 
 /// What the ground beyond a beam's end adds under that end: one spring, √(kμ) where it is even and endless.
-pub(crate) fn outside(beyond: &Beyond) -> f64 {
+pub(crate) fn outside(beyond: &GroundOutside) -> f64 {
     stiffnesses(beyond)[0]
 }
 
 /// The spring that the ground from each of the layers on is, and at the end what holds the last one.
-fn stiffnesses(beyond: &Beyond) -> Vec<f64> {
+fn stiffnesses(beyond: &GroundOutside) -> Vec<f64> {
     let mut springs = vec![if beyond.held { f64::INFINITY } else { 0.0 }];
     for layer in beyond.layers.iter().rev() {
         let behind = springs[springs.len() - 1];
         springs.push(if layer.length == f64::INFINITY {
-            (layer.spring * layer.shear).sqrt()
+            (layer.subgrade * layer.shear_layer).sqrt()
         } else {
-            let link = Link::uniform(layer.spring, layer.shear, layer.length);
-            link.leak_left + link.coupling * (1.0 - follows(&link, behind))
+            let link = TwoPort::uniform(layer.subgrade, layer.shear_layer, layer.length);
+            link.shunt_left + link.series * (1.0 - follows(&link, behind))
         });
     }
     springs.reverse();
     springs
 }
 
-/// u at the right end of a link that a spring holds there, for u = 1 at its left end.
-fn follows(link: &Link, spring: f64) -> f64 {
+/// u at the right end of a two-port that a spring holds there, for u = 1 at its left end.
+fn follows(link: &TwoPort, spring: f64) -> f64 {
     if spring == f64::INFINITY {
         return 0.0;
     }
-    link.coupling / (link.coupling + (link.leak_right + spring))
+    link.series / (link.series + (link.shunt_right + spring))
 }
 
 /// ∫ku² and ∫μu'² of each layer beyond a beam's end, from there outward, where u = 1 at the beam's end.
-pub(crate) fn energies_beside(beyond: &Beyond) -> Vec<[f64; 2]> {
+pub(crate) fn energies_beside(beyond: &GroundOutside) -> Vec<[f64; 2]> {
     let springs = stiffnesses(beyond);
     let mut u = 1.0;
     let energies = beyond.layers.iter().zip(&springs[1..]).map(|(layer, &spring)| {
-        let stiffness = (layer.spring * layer.shear).sqrt();
+        let stiffness = (layer.subgrade * layer.shear_layer).sqrt();
         if layer.length == f64::INFINITY {
             return [0.5 * stiffness * u * u; 2];
         }
-        let link = Link::uniform(layer.spring, layer.shear, layer.length);
+        let link = TwoPort::uniform(layer.subgrade, layer.shear_layer, layer.length);
         let ends = [u, u * follows(&link, spring)];
         u = ends[1];
         // ∫(ku² + μu'²) is the work of both ends; μu'² − ku² is the same everywhere.
         let forces = [link.force_left(ends[0], ends[1]), link.force_right(ends[0], ends[1])];
         let sum = ends[0] * forces[0] + ends[1] * forces[1];
         let difference = layer.length
-            * (forces[0] * (forces[0] / layer.shear) - layer.spring * ends[0] * ends[0]);
+            * (forces[0] * (forces[0] / layer.shear_layer) - layer.subgrade * ends[0] * ends[0]);
         [0.5 * (sum - difference), 0.5 * (sum + difference)]
     });
     energies.collect()
 }
 
 /// u at a distance from the beam's end, where it is `u`.
-pub(crate) fn beside(beyond: &Beyond, mut u: f64, mut distance: f64) -> f64 {
+pub(crate) fn beside(beyond: &GroundOutside, mut u: f64, mut distance: f64) -> f64 {
     let springs = stiffnesses(beyond);
     for (layer, &spring) in beyond.layers.iter().zip(&springs[1..]) {
-        let b = (layer.spring / layer.shear).sqrt();
+        let b = (layer.subgrade / layer.shear_layer).sqrt();
         if layer.length == f64::INFINITY {
             return u * (-b * distance).exp();
         }
-        let link = Link::uniform(layer.spring, layer.shear, layer.length);
+        let link = TwoPort::uniform(layer.subgrade, layer.shear_layer, layer.length);
         let next = u * follows(&link, spring);
         // A layer's far end is there but for rounding.
         if distance <= layer.length * (1.0 + 8.0 * f64::EPSILON) {
@@ -224,10 +223,10 @@ pub(crate) fn between(left: f64, right: f64, length: f64, t: f64) -> f64 {
 /// du/dx·(1/b) at a fraction `t` of that stretch.
 pub(crate) fn slope_between(left: f64, right: f64, length: f64, t: f64) -> f64 {
     // (right cosh(t·bh) − left cosh((1−t)bh))/sinh(bh), written so that equal ends lose nothing.
-    let coupling = 2.0 * (-length).exp() / -(-2.0 * length).exp_m1();
+    let series = 2.0 * (-length).exp() / -(-2.0 * length).exp_m1();
     let cosh_less_one = |z: f64| 2.0 * (0.5 * z).sinh().powi(2);
     if length < 1.0 {
-        coupling
+        series
             * ((right - left) + right * cosh_less_one(t * length)
                 - left * cosh_less_one((1.0 - t) * length))
     } else {
@@ -246,17 +245,18 @@ fn sinh_ratio(z: f64, r: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Layer;
+    use crate::model::OutsideLayer;
 
     #[test]
     fn two_halves_make_a_whole() {
         for bh in [1e-9, 1e-3, 1.0, 30.0, 700.0] {
-            let whole = Link::uniform(2.0, 0.5, bh);
-            let parts = Link::uniform(2.0, 0.5, 0.3 * bh).then(Link::uniform(2.0, 0.5, 0.7 * bh));
+            let whole = TwoPort::uniform(2.0, 0.5, bh);
+            let parts =
+                TwoPort::uniform(2.0, 0.5, 0.3 * bh).then(TwoPort::uniform(2.0, 0.5, 0.7 * bh));
             for (a, b) in [
-                (whole.coupling, parts.coupling),
-                (whole.leak_left, parts.leak_left),
-                (whole.leak_right, parts.leak_right),
+                (whole.series, parts.series),
+                (whole.shunt_left, parts.shunt_left),
+                (whole.shunt_right, parts.shunt_right),
             ] {
                 // exp(−bh) itself carries bh·ε of relative error.
                 assert!((a - b).abs() <= 4e-16 * (4.0 + 2.0 * bh) * a, "{bh}: {a} {b}");
@@ -268,10 +268,10 @@ mod tests {
     fn a_series_with_nothing_varying_is_the_closed_form() {
         let (k, mu, half) = (3.0, 0.7, 0.4);
         let [uniform, series] =
-            [Link::uniform(k, mu, 2.0 * half), Link::varying(&[k], &[mu], half)];
-        assert!((uniform.coupling / series.coupling - 1.0).abs() < 1e-15);
-        assert!((uniform.leak_left / series.leak_left - 1.0).abs() < 1e-15);
-        assert!((uniform.leak_left / series.leak_right - 1.0).abs() < 1e-15);
+            [TwoPort::uniform(k, mu, 2.0 * half), TwoPort::varying(&[k], &[mu], half)];
+        assert!((uniform.series / series.series - 1.0).abs() < 1e-15);
+        assert!((uniform.shunt_left / series.shunt_left - 1.0).abs() < 1e-15);
+        assert!((uniform.shunt_left / series.shunt_right - 1.0).abs() < 1e-15);
     }
 
     #[test]
@@ -288,16 +288,21 @@ mod tests {
         for s in [-1.0, -0.4, 0.0, 0.8] {
             assert!((value(&u, s) - exact(middle + half * s)).abs() < 1e-14);
         }
-        let link = Link::varying(&[6.0], &shear, half);
+        let link = TwoPort::varying(&[6.0], &shear, half);
         assert!((link.force_left(held[0], held[1]) + flux(4.5)).abs() < 1e-12);
         assert!((link.force_right(held[0], held[1]) - flux(5.5)).abs() < 1e-12);
     }
 
     #[test]
     fn ground_beside_the_beam_is_one_spring() {
-        let layer = |length: f64, spring: f64, shear: f64| Layer { length, spring, shear };
-        let spring =
-            |layers: &[Layer], held: bool| outside(&Beyond { layers: layers.to_vec(), held });
+        let layer = |length: f64, spring: f64, shear: f64| OutsideLayer {
+            length,
+            subgrade: spring,
+            shear_layer: shear,
+        };
+        let spring = |layers: &[OutsideLayer], held: bool| {
+            outside(&GroundOutside { layers: layers.to_vec(), held })
+        };
         let (k, mu, h) = (3.0_f64, 0.7_f64, 0.9);
         let (stiffness, bh) = ((k * mu).sqrt(), (k / mu).sqrt() * h);
         let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-15, "{a} {b}");
@@ -309,7 +314,7 @@ mod tests {
         let cut = [layer(0.3, k, mu), layer(0.6, k, mu)];
         near(spring(&cut, false), stiffness * bh.tanh());
         assert_eq!(spring(&[], false), 0.0);
-        let free = Beyond { layers: cut.to_vec(), held: false };
+        let free = GroundOutside { layers: cut.to_vec(), held: false };
         for x in [0.0, 0.2, 0.3, 0.7, 0.9] {
             let exact = 2.0 * (bh * (1.0 - x / h)).cosh() / bh.cosh();
             near(beside(&free, 2.0, x), exact);
@@ -320,7 +325,7 @@ mod tests {
     #[test]
     fn a_link_is_the_differential_equation() {
         let (k, mu, h) = (3.0, 0.7, 0.9);
-        let link = Link::uniform(k, mu, h);
+        let link = TwoPort::uniform(k, mu, h);
         let b = f64::sqrt(k / mu);
         let slope = b * slope_between(0.4, -0.2, b * h, 0.0);
         assert!((link.force_left(0.4, -0.2) + mu * slope).abs() < 1e-15);

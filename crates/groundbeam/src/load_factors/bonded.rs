@@ -1,25 +1,29 @@
-//! The beam glued to the ground along its whole length, and what must push there for it to touch.
+//! The beam bonded to the ground along its whole length, and the contact forces that first become zero.
 
 use crate::cancel::Cancel;
-use crate::chain::node::Loose;
-use crate::contact::glue::Glue;
-use crate::contact::state::Found;
+use crate::chain::node::NotDefinite;
+use crate::contact::bonded::Bonded;
+use crate::contact::state::ContactState;
 use crate::contact::surface::Surface;
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::pressure_under;
 use crate::model::Model;
-use crate::numeric::polynomial::{Coefficients, derivative, rescale, sign_changes, value};
+use crate::numeric::polynomial::{Coefficients, derivative, rescale, value};
+use crate::numeric::roots::sign_changes;
 use crate::numeric::tolerance::same_place;
 
 /// The deflection of a beam that touches along its whole length, whether the ground pushes or pulls.
-pub(super) fn glued_all_along(model: &Model, cancel: &Cancel) -> Result<Found, Loose> {
-    Glue::new(model, cancel).on(&[[0.0, model.beam.length]], None)
+pub(super) fn bonded_everywhere(
+    model: &Model,
+    cancel: &Cancel,
+) -> Result<ContactState, NotDefinite> {
+    Bonded::new(model, cancel).solve_on(&[[0.0, model.beam.length]], None)
 }
 
 /// What must not be negative on a stretch of the beam or at a point of it: the pressure there, or a
 /// concentrated force. It is the polynomial staying + λ·growing in s ∈ \[−1, 1\].
 #[derive(Debug, Clone)]
-pub(super) struct Watched {
+pub(super) struct LiftOffCandidate {
     x: [f64; 2],
     staying: Side,
     growing: Side,
@@ -35,10 +39,10 @@ struct Side {
 /// What rounding leaves of a sum of terms of size 1: a few dozen operations on each.
 const ROUNDING: f64 = 256.0 * f64::EPSILON;
 
-/// Newton's steps for one place; they end of themselves, long before.
+/// Limit on Newton's steps for one candidate; far above the number needed.
 const MOST_STEPS: usize = 200;
 
-impl Watched {
+impl LiftOffCandidate {
     /// Whether the ground would have to pull before the first load grows.
     pub fn pulls_at_first(&self) -> bool {
         lowest(&self.staying.coefficients).1 < -ROUNDING * self.staying.size
@@ -107,7 +111,10 @@ fn lowest(c: &[f64]) -> (f64, f64) {
 
 /// Pressures and concentrated forces along the whole beam, from left to right, of two deflections of one
 /// model under different loads. Their cells may differ: boundary layers are cut where there are any.
-pub(super) fn watched(staying: &Found, growing: &Found) -> Vec<Watched> {
+pub(super) fn lift_off_candidates(
+    staying: &ContactState,
+    growing: &ContactState,
+) -> Vec<LiftOffCandidate> {
     let mut all = forces(staying, growing);
     let l = staying.mesh.cells.last().map_or(0.0, |cell| cell.x[1]);
     let (mut i, mut j, mut from) = (0, 0, 0.0);
@@ -124,7 +131,7 @@ pub(super) fn watched(staying: &Found, growing: &Found) -> Vec<Watched> {
             }
         }
         let [stays, grows] = sides;
-        all.push(Watched { x, staying: stays, growing: grows });
+        all.push(LiftOffCandidate { x, staying: stays, growing: grows });
         i += usize::from(same || a.x[1] < b.x[1]);
         j += usize::from(same || b.x[1] < a.x[1]);
         from = to;
@@ -134,16 +141,17 @@ pub(super) fn watched(staying: &Found, growing: &Found) -> Vec<Watched> {
 }
 
 /// p = k(w − g₀) − μ(w − g₀)″ − q on a part of a cell.
-fn pressure(found: &Found, i: usize, x: [f64; 2]) -> Side {
+fn pressure(found: &ContactState, i: usize, x: [f64; 2]) -> Side {
     let cell = &found.mesh.cells[i];
     let half = 0.5 * cell.length();
     let deflection = Coefficients::from(found.deflection().cell(i));
     let whole = pressure_under(cell, half, &deflection);
-    let factor = cell.shear / (half * half);
-    let term =
-        |(j, c): (usize, &f64)| (cell.spring + factor * (j * j.saturating_sub(1)) as f64) * c.abs();
+    let factor = cell.shear_layer / (half * half);
+    let term = |(j, c): (usize, &f64)| {
+        (cell.subgrade + factor * (j * j.saturating_sub(1)) as f64) * c.abs()
+    };
     let [gap, load] = [cell.gap, cell.ground_load].map(|ends| ends[0].abs().max(ends[1].abs()));
-    let size = deflection.iter().enumerate().map(term).sum::<f64>() + cell.spring * gap + load;
+    let size = deflection.iter().enumerate().map(term).sum::<f64>() + cell.subgrade * gap + load;
     let coefficients = if x == cell.x {
         whole
     } else {
@@ -156,8 +164,8 @@ fn pressure(found: &Found, i: usize, x: [f64; 2]) -> Side {
 /// Where a support keeps the beam at the undeformed ground, separate springs press with nothing whatever the
 /// loads: what counts next to a pin is how fast the pressure rises from it, next to a clamp how it curves.
 /// The ends s = ∓1 of a part of a cell at which that is so, and the order of the root.
-fn known_roots(found: &Found, x: [f64; 2], cell: &Cell) -> Vec<(f64, usize)> {
-    if cell.shear > 0.0 {
+fn known_roots(found: &ContactState, x: [f64; 2], cell: &Cell) -> Vec<(f64, usize)> {
+    if cell.shear_layer > 0.0 {
         return Vec::new();
     }
     let mut roots = Vec::new();
@@ -188,7 +196,7 @@ fn without_root(c: &mut Coefficients, end: f64) {
 }
 
 /// The concentrated forces: under the ends of the beam and of the shear layer, at corners and at kinks.
-fn forces(staying: &Found, growing: &Found) -> Vec<Watched> {
+fn forces(staying: &ContactState, growing: &ContactState) -> Vec<LiftOffCandidate> {
     let [stays, grows] = [staying, growing].map(forces_of);
     let find = |all: &[(f64, Side)], x: f64| {
         let nothing = Side { coefficients: Coefficients::zeros(1), size: 0.0 };
@@ -197,37 +205,40 @@ fn forces(staying: &Found, growing: &Found) -> Vec<Watched> {
     // Corners of the gap are corners only where the gap acts: with the loads that stay.
     let all = stays.iter().map(|(x, side)| {
         let growing = find(&grows, *x);
-        Watched { x: [*x; 2], staying: side.clone(), growing }
+        LiftOffCandidate { x: [*x; 2], staying: side.clone(), growing }
     });
     // A beam that shears has kinks under the forces that grow.
     let kinks = grows.iter().filter(|(x, _)| stays.iter().all(|(at, _)| at != x));
     let kinks = kinks.map(|(x, side)| {
         let staying = find(&stays, *x);
-        Watched { x: [*x; 2], staying, growing: side.clone() }
+        LiftOffCandidate { x: [*x; 2], staying, growing: side.clone() }
     });
     all.chain(kinks).collect()
 }
 
-fn forces_of(found: &Found) -> Vec<(f64, Side)> {
+fn forces_of(found: &ContactState) -> Vec<(f64, Side)> {
     let w = found.deflection();
     let surface = Surface::of(&w, &found.zones);
-    let force = |atom: &crate::contact::surface::Atom| {
-        let cell = &found.mesh.cells[atom.spot.cell];
-        let slope = 2.0 * cell.shear / cell.length();
-        let outside = (cell.spring * cell.shear).sqrt();
-        let obstacle = w.obstacle(atom.spot.cell);
+    let force = |point_force: &crate::contact::surface::PointForce| {
+        let cell = &found.mesh.cells[point_force.point.cell];
+        let slope = 2.0 * cell.shear_layer / cell.length();
+        let outside = (cell.subgrade * cell.shear_layer).sqrt();
+        let obstacle = w.obstacle(point_force.point.cell);
         let terms = obstacle.iter().enumerate();
         let size = terms.map(|(j, c)| (outside + slope * j as f64) * c.abs()).sum();
-        (cell.global(atom.spot.s), Side { coefficients: [atom.force][..].into(), size })
+        (
+            cell.global(point_force.point.s),
+            Side { coefficients: [point_force.force][..].into(), size },
+        )
     };
-    surface.atoms.iter().map(force).collect()
+    surface.point_forces.iter().map(force).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::element::element::TERMS;
-    use crate::mesh::deflection::{Spot, Zone};
+    use crate::mesh::deflection::{BeamPoint, MeshZone};
     use crate::mesh::mesh::Mesh;
     use crate::model::{Beam, Foundation, Support};
 
@@ -236,8 +247,8 @@ mod tests {
     }
 
     /// staying + λ·growing on the beam from 1 to 5, of terms of size 1.
-    fn between_1_and_5(staying: &[f64], growing: &[f64]) -> Watched {
-        Watched { x: [1.0, 5.0], staying: side(staying, 1.0), growing: side(growing, 1.0) }
+    fn between_1_and_5(staying: &[f64], growing: &[f64]) -> LiftOffCandidate {
+        LiftOffCandidate { x: [1.0, 5.0], staying: side(staying, 1.0), growing: side(growing, 1.0) }
     }
 
     #[track_caller]
@@ -264,7 +275,7 @@ mod tests {
     /// 1 − λ − λ²/4: zero for λ = 2√2 − 2.
     #[test]
     fn the_first_pull_is_a_root_in_closed_form() {
-        let at = |of: &Watched, from: f64| of.first_pull_below(from).expect("a pull");
+        let at = |of: &LiftOffCandidate, from: f64| of.first_pull_below(from).expect("a pull");
         let falling = between_1_and_5(&[2.0, 0.0], &[-1.0, -1.0]);
         for from in [f64::INFINITY, 8.0] {
             assert_eq!(at(&falling, from), (1.0, 5.0));
@@ -292,14 +303,14 @@ mod tests {
     fn a_pull_is_more_than_rounding() {
         let pulls = |part: f64| {
             let [staying, growing] = [side(&[-ROUNDING * part], 2.0), side(&[0.0], 3.0)];
-            Watched { x: [0.0, 1.0], staying, growing }
+            LiftOffCandidate { x: [0.0, 1.0], staying, growing }
         };
         assert!(!pulls(1.9).pulls_at_first() && pulls(2.1).pulls_at_first());
         assert_eq!(pulls(13.9).pulled_at(4.0), None);
         assert_eq!(pulls(14.1).pulled_at(4.0), Some(-1.0));
         let grows = |part: f64| {
             let [staying, growing] = [side(&[1.0], 2.0), side(&[-ROUNDING * part], 3.0)];
-            Watched { x: [0.0, 1.0], staying, growing }
+            LiftOffCandidate { x: [0.0, 1.0], staying, growing }
         };
         assert_eq!(grows(2.9).pulled_at(f64::INFINITY), None);
         assert_eq!(grows(3.1).pulled_at(f64::INFINITY), Some(-1.0));
@@ -307,8 +318,11 @@ mod tests {
         assert!(pulls(0.0).is_nothing(ROUNDING * 0.66));
         assert!(!pulls(0.0).is_nothing(ROUNDING * 0.67));
         // Nothing at all is no pull.
-        let nothing =
-            Watched { x: [0.0, 1.0], staying: side(&[0.0], 0.0), growing: side(&[0.0], 0.0) };
+        let nothing = LiftOffCandidate {
+            x: [0.0, 1.0],
+            staying: side(&[0.0], 0.0),
+            growing: side(&[0.0], 0.0),
+        };
         assert!(!nothing.pulls_at_first() && nothing.is_nothing(0.0));
         assert_eq!([1.0, f64::INFINITY].map(|factor| nothing.pulled_at(factor)), [None; 2]);
     }
@@ -317,7 +331,7 @@ mod tests {
     #[test]
     fn positions_keep_the_ends() {
         let x = [0.2, 0.9];
-        let of = Watched { x, ..between_1_and_5(&[1.0], &[1.0]) };
+        let of = LiftOffCandidate { x, ..between_1_and_5(&[1.0], &[1.0]) };
         assert_eq!([-1.0, 1.0].map(|s| of.position(s)), x);
         let of = between_1_and_5(&[1.0], &[1.0]);
         assert_eq!([-1.0, -0.5, 0.0, 0.5, 1.0].map(|s| of.position(s)), [1.0, 2.0, 3.0, 4.0, 5.0]);
@@ -333,8 +347,8 @@ mod tests {
         }
     }
 
-    /// A beam on a mesh with nodes at more places, deflected by a polynomial in x, glued all along.
-    fn found(model: &Model, more: &[f64], deflection: &[f64]) -> Found {
+    /// A beam on a mesh with nodes at more places, deflected by a polynomial in x, bonded all along.
+    fn found(model: &Model, more: &[f64], deflection: &[f64]) -> ContactState {
         let mesh = Mesh::build(model, more, |_| 1);
         let own = |cell: &Cell| {
             let [from, to] = cell.x;
@@ -342,9 +356,9 @@ mod tests {
             c.at_least(TERMS).to_vec()
         };
         let coefficients = mesh.cells.iter().flat_map(own).collect();
-        let end = Spot { cell: mesh.cells.len() - 1, s: 1.0 };
-        let zones = vec![Zone { from: Spot { cell: 0, s: -1.0 }, to: end }];
-        Found::exact(mesh, coefficients, Vec::new(), zones)
+        let end = BeamPoint { cell: mesh.cells.len() - 1, s: 1.0 };
+        let zones = vec![MeshZone { from: BeamPoint { cell: 0, s: -1.0 }, to: end }];
+        ContactState::exact(mesh, coefficients, Vec::new(), zones)
     }
 
     fn on(ground: Foundation) -> Model {
@@ -377,8 +391,8 @@ mod tests {
         let merged = |first: &[f64], second: &[f64]| {
             let staying = found(&model, first, &[1.0, 2.0, 3.0]);
             let growing = found(&model, second, &[-1.0, 0.5]);
-            let all = watched(&staying, &growing);
-            for Watched { x, staying, growing } in &all {
+            let all = lift_off_candidates(&staying, &growing);
+            for LiftOffCandidate { x, staying, growing } in &all {
                 for (s, x) in [-1.0, 1.0].into_iter().zip(*x) {
                     let [stays, grows] =
                         [2.0 * (1.0 + 2.0 * x + 3.0 * x * x), 2.0 * (0.5 * x - 1.0)];
@@ -387,7 +401,7 @@ mod tests {
                     assert!((value(&growing.coefficients, s) - grows).abs() < 1e-12);
                 }
             }
-            all.into_iter().map(|watched| watched.x).collect::<Vec<_>>()
+            all.into_iter().map(|candidate| candidate.x).collect::<Vec<_>>()
         };
         let wanted = [[0.0, 1.0], [1.0, 2.0], [2.0, 3.0], [3.0, 4.0]];
         assert_eq!(merged(&[1.0, 3.0], &[2.0, 3.0]), wanted);
@@ -462,7 +476,7 @@ mod tests {
         let even = on(Foundation::pasternak(4.0, 9.0));
         let corner = even.clone().with_gap(0.0, 0.0).with_gap(2.0, 0.0).with_gap(4.0, 2.0);
         let [even, corner] = [even, corner].map(|model| found(&model, &[], &[1.0]));
-        let both = |staying: &Found, growing: &Found| {
+        let both = |staying: &ContactState, growing: &ContactState| {
             let mut all = forces(staying, growing);
             all.sort_by(|a, b| a.x[0].total_cmp(&b.x[0]));
             let of = |side: &Side| side.coefficients[0];

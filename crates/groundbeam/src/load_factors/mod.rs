@@ -1,4 +1,4 @@
-//! How far loads may grow before the beam first lifts off, and before no equilibrium is left.
+//! Load factors: of the first lift-off and of the loss of equilibrium.
 //!
 //! Some loads stay as they are, D; the others grow, λG. Both questions have closed answers.
 //!
@@ -7,14 +7,14 @@
 //!   along exactly while none of them is negative: they then are the multiplier of the contact problem, which
 //!   has no other solution. The least of p_D + λ p_G over the beam is a concave function of λ, so the factors
 //!   at which all of them push are an interval, and Newton's method from above goes down to its upper end
-//!   without ever passing it ([`bonded::Watched`]). With supports that act one way it is linear piece by piece
+//!   without ever passing it ([`bonded::LiftOffCandidate`]). With supports that act one way it is linear piece by piece
 //!   ([`pieces`]).
 //! * *Loss of equilibrium.* Each free rigid motion must cost work ([`existence`](crate::existence::existence)), and
 //!   the work of the loads is linear in λ: the first root of a few linear functions.
 
 mod bonded;
+pub(crate) mod one_way;
 pub(crate) mod parts;
-mod pieces;
 
 use crate::equilibrium::buckling::convexity;
 use crate::equilibrium::size;
@@ -22,6 +22,7 @@ use crate::error::Error;
 use crate::load_factors::parts::{FirstLiftOff, LossOfEquilibrium, Parts};
 use crate::model::Model;
 use crate::options::{Method, Options};
+use crate::solve::refuse_invalid;
 use crate::supported::{self, Way};
 
 /// What becomes of a model whose loads grow. See [`load_factors`].
@@ -79,10 +80,8 @@ fn factors(
     options: &Options,
     grows: impl Fn(usize) -> bool,
 ) -> Result<LoadFactors, Error> {
-    let problems = model.problems();
-    if !problems.is_empty() {
-        return Err(Error::Invalid(problems));
-    }
+    refuse_invalid(model)?;
+    let model = &*model.on_given_ground();
     let convexity = convexity(model, &options.cancel);
     supported::check(model, Way::LoadFactors, convexity.is_none())?;
     // None is left where the table does not refuse: then the certificate bounds nothing.
@@ -94,10 +93,10 @@ fn factors(
     let first_lift_off = match loss_of_equilibrium {
         LossOfEquilibrium::AtOnce(_) => FirstLiftOff::AtOnce,
         LossOfEquilibrium::At { factor, .. } => {
-            pieces::first_lift_off(&parts, factor, stability, &options.cancel)?
+            one_way::first_lift_off(&parts, factor, stability, &options.cancel)?
         }
         LossOfEquilibrium::Never => {
-            pieces::first_lift_off(&parts, f64::INFINITY, stability, &options.cancel)?
+            one_way::first_lift_off(&parts, f64::INFINITY, stability, &options.cancel)?
         }
     };
     Ok(LoadFactors { first_lift_off, loss_of_equilibrium })
@@ -105,10 +104,10 @@ fn factors(
 
 #[cfg(test)]
 mod tests {
-    use super::bonded::glued_all_along;
+    use super::bonded::bonded_everywhere;
     use super::*;
     use crate::cancel::Cancel;
-    use crate::existence::existence::RigidMotion;
+    use crate::existence::verdict::RigidMotion;
     use crate::model::Load;
     use crate::model::{Beam, Foundation, Support};
 
@@ -257,7 +256,7 @@ mod tests {
         assert_eq!(x, 0.0);
         let slope = |factor: f64| {
             let parts = Parts::of(&model, |load| load == 1);
-            let found = glued_all_along(&parts.at(factor), &Cancel::default()).expect("glued");
+            let found = bonded_everywhere(&parts.at(factor), &Cancel::default()).expect("bonded");
             crate::numeric::polynomial::jet(found.deflection().cell(0), -1.0)[1]
         };
         assert!(slope(factor).abs() < 1e-14 * slope(0.0).abs(), "{:e}", slope(factor));

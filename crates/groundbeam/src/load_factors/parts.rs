@@ -1,6 +1,7 @@
 //! The loads split into those that stay and those that grow.
 
-use crate::existence::existence::{RigidMotion, Verdict, existence, rays};
+use crate::existence::existence::{existence, rays};
+use crate::existence::verdict::{RigidMotion, Verdict};
 use crate::model::{Load, Model};
 
 /// The factor at which a beam that touches along its whole length first leaves the ground.

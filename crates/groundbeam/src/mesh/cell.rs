@@ -1,8 +1,9 @@
-//! A stretch of beam and ground within which everything given is a polynomial.
+//! A cell: a part of beam and ground within which all given quantities are polynomials.
 
 use crate::ground::link::{between, settled, slope_between};
-use crate::model::{Course, Foundation, Profile};
-use crate::numeric::polynomial::{Coefficients, is_free_of_zeros, jet, product, rescale, value};
+use crate::model::{CellPolynomial, Foundation, Profile};
+use crate::numeric::polynomial::{Coefficients, jet, product, rescale, value};
+use crate::numeric::roots::is_free_of_zeros;
 
 /// A stretch of beam and ground with EI, k, μ of one kind and linear f, g, κ₀, g₀.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,9 +13,9 @@ pub(crate) struct Cell {
     /// EI \[N·m²\], where it varies at the middle.
     pub stiffness: f64,
     /// k \[N/m²\], where it varies at the middle.
-    pub spring: f64,
+    pub subgrade: f64,
     /// μ \[N\], where it varies at the middle.
-    pub shear: f64,
+    pub shear_layer: f64,
     /// The coefficients of the beam's own shear stiffness S(s) \[N\]; none where it does not shear.
     pub beam_shear: Option<[f64; Profile::MOST]>,
     /// By how much they vary.
@@ -32,7 +33,7 @@ pub(crate) struct Cell {
     /// A load on the ground: q at both ends \[N/m\].
     pub ground_load: [f64; 2],
     /// u₀ − q/k at both ends \[m\], where [u₀](crate::mesh::free_field) is how far the ground settles without the beam.
-    pub faded: [f64; 2],
+    pub homogeneous_field: [f64; 2],
     /// A force on the ground at the cell's left end \[N\].
     pub ground_force: f64,
 }
@@ -43,10 +44,10 @@ pub(crate) struct Varies {
     /// Of the powers s, s², … in EI.
     stiffness: [f64; Profile::MOST - 1],
     /// The same of k and of μ.
-    spring: [f64; GROUND - 1],
-    shear: [f64; GROUND - 1],
+    subgrade: [f64; GROUND - 1],
+    shear_layer: [f64; GROUND - 1],
     /// Where μ varies, μ at both ends: to the last bit what the neighbours within a segment say.
-    shear_ends: Option<[f64; 2]>,
+    shear_layer_ends: Option<[f64; 2]>,
 }
 
 /// Coefficients of k(s) and μ(s).
@@ -58,7 +59,7 @@ const FREE: f64 = 10.0;
 
 impl Cell {
     /// The coefficients of w − g₀, which is u where they touch, from those of w.
-    pub fn touched(&self, deflection: &[f64]) -> Coefficients {
+    pub fn above_gap(&self, deflection: &[f64]) -> Coefficients {
         let mut c = Coefficients::from(deflection);
         let [left, right] = self.gap;
         c[0] -= 0.5 * (left + right);
@@ -68,9 +69,9 @@ impl Cell {
 
     /// The coefficients of ψ = w − g₀ − u₀, from those of w.
     pub fn obstacle(&self, deflection: &[f64]) -> Coefficients {
-        let mut c = self.touched(deflection);
-        if self.is_sunk() {
-            let settled = self.settled();
+        let mut c = self.above_gap(deflection);
+        if self.has_free_field() {
+            let settled = self.free_field();
             c = c.at_least(settled.len());
             for (c, u) in c.iter_mut().zip(settled.iter()) {
                 *c -= u;
@@ -80,38 +81,43 @@ impl Cell {
     }
 
     /// Whether loads on the ground act here, or reach it.
-    pub fn is_sunk(&self) -> bool {
-        self.ground_load != [0.0; 2] || self.faded != [0.0; 2]
+    pub fn has_free_field(&self) -> bool {
+        self.ground_load != [0.0; 2] || self.homogeneous_field != [0.0; 2]
     }
 
     /// b·length of the ground.
     fn fading(&self) -> f64 {
-        (self.spring / self.shear).sqrt() * self.length()
+        (self.subgrade / self.shear_layer).sqrt() * self.length()
     }
 
     /// u₀ and u₀′ at s.
-    pub fn settled_at(&self, s: f64) -> [f64; 2] {
-        if !self.is_sunk() {
+    pub fn free_field_at(&self, s: f64) -> [f64; 2] {
+        if !self.has_free_field() {
             return [0.0; 2];
         }
-        let [a, b] = self.ground_load.map(|q| q / self.spring);
+        let [a, b] = self.ground_load.map(|q| q / self.subgrade);
         let mut u = [0.5 * (a + b) + 0.5 * (b - a) * s, (b - a) / self.length()];
-        if self.shear > 0.0 {
-            let ([left, right], bh, t) = (self.faded, self.fading(), 0.5 * (1.0 + s));
+        if self.shear_layer > 0.0 {
+            let ([left, right], bh, t) = (self.homogeneous_field, self.fading(), 0.5 * (1.0 + s));
             u[0] += between(left, right, bh, t);
             u[1] += bh / self.length() * slope_between(left, right, bh, t);
         }
         u
     }
 
-    /// The coefficients of u₀(s): cells where the ground settles by itself are short.
-    pub fn settled(&self) -> Coefficients {
-        let mut c = if self.shear > 0.0 {
-            settled(&[self.spring], &[self.shear], 0.5 * self.length(), self.faded)
+    /// The coefficients of u₀(s): cells with a free field are short.
+    pub fn free_field(&self) -> Coefficients {
+        let mut c = if self.shear_layer > 0.0 {
+            settled(
+                &[self.subgrade],
+                &[self.shear_layer],
+                0.5 * self.length(),
+                self.homogeneous_field,
+            )
         } else {
             Coefficients::zeros(2)
         };
-        let [a, b] = self.ground_load.map(|q| q / self.spring);
+        let [a, b] = self.ground_load.map(|q| q / self.subgrade);
         c[0] += 0.5 * (a + b);
         c[1] += 0.5 * (b - a);
         c
@@ -129,83 +135,84 @@ impl Cell {
 
     /// Whether k or μ varies.
     pub fn ground_varies(&self) -> bool {
-        let Varies { spring, shear, .. } = &self.varies;
+        let Varies { subgrade: spring, shear_layer: shear, .. } = &self.varies;
         spring.iter().chain(shear).any(|c| *c != 0.0)
     }
 
     /// Whether another cell has the same ground and neither varies.
     pub fn shares_even_ground(&self, other: &Cell) -> bool {
-        self.spring == other.spring
-            && self.shear == other.shear
+        self.subgrade == other.subgrade
+            && self.shear_layer == other.shear_layer
             && !self.ground_varies()
             && !other.ground_varies()
     }
 
     /// Whether a curvature is imposed.
-    pub fn is_curled(&self) -> bool {
+    pub fn has_imposed_curvature(&self) -> bool {
         self.curvature != [0.0; 2]
     }
 
     /// The coefficients of EI κ₀, the moment that bends the beam straight again.
-    pub fn curling_moment(&self) -> Coefficients {
+    pub fn imposed_moment(&self) -> Coefficients {
         let [left, right] = self.curvature;
         let curvature = [0.5 * (left + right), 0.5 * (right - left)];
         if self.beam_varies() {
-            return product(&self.stiffness_course(), &curvature);
+            return product(&self.stiffness_along(), &curvature);
         }
         Coefficients::from(&curvature.map(|c| self.stiffness * c)[..])
     }
 
     /// The coefficients of EI(s).
-    pub fn stiffness_course(&self) -> [f64; Profile::MOST] {
+    pub fn stiffness_along(&self) -> [f64; Profile::MOST] {
         with_first(self.stiffness, &self.varies.stiffness)
     }
 
     /// The coefficients of k(s).
-    pub fn spring_course(&self) -> [f64; GROUND] {
-        with_first(self.spring, &self.varies.spring)
+    pub fn subgrade_along(&self) -> [f64; GROUND] {
+        with_first(self.subgrade, &self.varies.subgrade)
     }
 
     /// The coefficients of μ(s).
-    pub fn shear_course(&self) -> [f64; GROUND] {
-        with_first(self.shear, &self.varies.shear)
+    pub fn shear_layer_along(&self) -> [f64; GROUND] {
+        with_first(self.shear_layer, &self.varies.shear_layer)
     }
 
     /// μ at the left and the right end.
-    pub fn shear_ends(&self) -> [f64; 2] {
-        self.varies.shear_ends.unwrap_or([self.shear; 2])
+    pub fn shear_layer_ends(&self) -> [f64; 2] {
+        self.varies.shear_layer_ends.unwrap_or([self.shear_layer; 2])
     }
 
     /// k and μ at s.
     pub fn ground_at(&self, s: f64) -> [f64; 2] {
         if !self.ground_varies() {
-            return [self.spring, self.shear];
+            return [self.subgrade, self.shear_layer];
         }
-        [value(&self.spring_course(), s), value(&self.shear_course(), s)]
+        [value(&self.subgrade_along(), s), value(&self.shear_layer_along(), s)]
     }
 
     /// k, μ and dμ/ds at s.
     pub fn ground_rising_at(&self, s: f64) -> [f64; 3] {
         if !self.ground_varies() {
-            return [self.spring, self.shear, 0.0];
+            return [self.subgrade, self.shear_layer, 0.0];
         }
-        let [shear, rise, ..] = jet(&self.shear_course(), s);
-        [value(&self.spring_course(), s), shear, rise]
+        let [shear, rise, ..] = jet(&self.shear_layer_along(), s);
+        [value(&self.subgrade_along(), s), shear, rise]
     }
 
     /// Whether what varies does so little enough for short power series.
     pub fn is_smooth(&self) -> bool {
         let uneven_shear = self.beam_shear.filter(|_| self.beam_shear_varies());
-        (!self.beam_varies() || is_free_of_zeros(&self.stiffness_course(), FREE))
+        (!self.beam_varies() || is_free_of_zeros(&self.stiffness_along(), FREE))
             && uneven_shear.is_none_or(|shear| is_free_of_zeros(&shear, FREE))
             && (!self.ground_varies()
-                || (is_free_of_zeros(&self.spring_course(), FREE)
-                    && (self.shear == 0.0 || is_free_of_zeros(&self.shear_course(), FREE))))
+                || (is_free_of_zeros(&self.subgrade_along(), FREE)
+                    && (self.shear_layer == 0.0
+                        || is_free_of_zeros(&self.shear_layer_along(), FREE))))
     }
 
     /// Whether unloaded ground along the cell, 2·`half` long, is one short power series as well.
     pub fn is_short_for_open_ground(&self, half: f64) -> bool {
-        if !self.ground_varies() || self.shear == 0.0 {
+        if !self.ground_varies() || self.shear_layer == 0.0 {
             return true;
         }
         let squared = [-1.0, 0.0, 1.0].map(|s| {
@@ -228,9 +235,10 @@ impl Cell {
             ground_force: if s[0] == -1.0 { self.ground_force } else { 0.0 },
             ..*self
         };
-        if self.faded != [0.0; 2] {
-            let [left, right] = self.faded;
-            part.faded = s.map(|s| between(left, right, self.fading(), 0.5 * (1.0 + s)));
+        if self.homogeneous_field != [0.0; 2] {
+            let [left, right] = self.homogeneous_field;
+            part.homogeneous_field =
+                s.map(|s| between(left, right, self.fading(), 0.5 * (1.0 + s)));
         }
         let (middle, half) = (0.5 * (s[0] + s[1]), 0.5 * (s[1] - s[0]));
         let course = |c: &[f64]| {
@@ -239,7 +247,7 @@ impl Cell {
             coefficients
         };
         if self.beam_varies() {
-            part.set_stiffness(&course(&self.stiffness_course()));
+            part.set_stiffness(&course(&self.stiffness_along()));
         }
         if self.beam_shear_varies() {
             part.beam_shear = self.beam_shear.map(|shear| course(&shear));
@@ -247,13 +255,13 @@ impl Cell {
         if self.ground_varies() {
             let ends = [0, 1].map(|i| {
                 if s[i].abs() == 1.0 {
-                    self.shear_ends()[i]
+                    self.shear_layer_ends()[i]
                 } else {
-                    value(&self.shear_course(), s[i])
+                    value(&self.shear_layer_along(), s[i])
                 }
             });
-            let spring = course(&self.spring_course());
-            part.set_ground(&spring, &course(&self.shear_course()), ends);
+            let spring = course(&self.subgrade_along());
+            part.set_ground(&spring, &course(&self.shear_layer_along()), ends);
         }
         part
     }
@@ -270,20 +278,20 @@ impl Cell {
         shear_ends: [f64; 2],
     ) {
         let first = |c: &[f64; Profile::MOST]| (c[0], std::array::from_fn(|i| c[i + 1]));
-        (self.spring, self.varies.spring) = first(spring);
-        (self.shear, self.varies.shear) = first(shear);
-        let varies = self.varies.shear.iter().any(|c| *c != 0.0);
-        self.varies.shear_ends = varies.then_some(shear_ends);
+        (self.subgrade, self.varies.subgrade) = first(spring);
+        (self.shear_layer, self.varies.shear_layer) = first(shear);
+        let varies = self.varies.shear_layer.iter().any(|c| *c != 0.0);
+        self.varies.shear_layer_ends = varies.then_some(shear_ends);
     }
 
     /// EI and S of a segment.
-    pub fn set_beam(&mut self, bending: &Course, shear: Option<&Course>) {
+    pub fn set_beam(&mut self, bending: &CellPolynomial, shear: Option<&CellPolynomial>) {
         self.set_stiffness(&bending.coefficients);
         self.beam_shear = shear.map(|course| course.coefficients);
     }
 
     /// k and μ of a segment.
-    pub fn set_courses(&mut self, [spring, shear]: &[Course; 2]) {
+    pub fn set_courses(&mut self, [spring, shear]: &[CellPolynomial; 2]) {
         self.set_ground(&spring.coefficients, &shear.coefficients, shear.ends);
     }
 
@@ -296,9 +304,10 @@ impl Cell {
 
     /// k and μ times a number.
     pub fn stiffen_ground(&mut self, times: f64) {
-        self.spring *= times;
-        self.shear *= times;
-        let Varies { spring, shear, shear_ends, .. } = &mut self.varies;
+        self.subgrade *= times;
+        self.shear_layer *= times;
+        let Varies { subgrade: spring, shear_layer: shear, shear_layer_ends: shear_ends, .. } =
+            &mut self.varies;
         (*spring, *shear) = (spring.map(|c| c * times), shear.map(|c| c * times));
         *shear_ends = shear_ends.map(|ends| ends.map(|c| c * times));
     }
@@ -334,7 +343,7 @@ fn with_first<const N: usize, const REST: usize>(first: f64, rest: &[f64; REST])
 
 /// g₀ + u₀ at s of a cell.
 pub(crate) fn gap_at(cell: &Cell, s: f64) -> f64 {
-    initial_gap_at(cell, s) + cell.settled_at(s)[0]
+    initial_gap_at(cell, s) + cell.free_field_at(s)[0]
 }
 
 /// g₀ at s of a cell.

@@ -1,4 +1,4 @@
-//! A deflection in pieces, points of the beam, and what ψ = w − g₀ − u₀ asks of the ground.
+//! A deflection as a polynomial in each cell; points and zones of a mesh; ψ = w − g₀ − u₀ and the pressure at a point.
 
 use crate::mesh::cell::Cell;
 use crate::mesh::cell::{gap_at, initial, initial_gap_at};
@@ -8,16 +8,16 @@ use crate::numeric::polynomial::{Coefficients, jet, value};
 
 /// A point of the beam: a cell and its coordinate s ∈ \[−1, 1\].
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
-pub(crate) struct Spot {
+pub(crate) struct BeamPoint {
     pub cell: usize,
     pub s: f64,
 }
 
 /// A stretch of contact, or a point of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Zone {
-    pub from: Spot,
-    pub to: Spot,
+pub(crate) struct MeshZone {
+    pub from: BeamPoint,
+    pub to: BeamPoint,
 }
 
 /// w on a mesh, as polynomials of `terms` coefficients in each cell.
@@ -38,15 +38,15 @@ impl Deflection<'_> {
         self.mesh.cells[i].obstacle(self.cell(i))
     }
 
-    /// ψ at a spot.
-    pub fn obstacle_at(&self, spot: Spot) -> f64 {
-        value(self.cell(spot.cell), spot.s) - gap_at(&self.mesh.cells[spot.cell], spot.s)
+    /// ψ at a point.
+    pub fn obstacle_at(&self, point: BeamPoint) -> f64 {
+        value(self.cell(point.cell), point.s) - gap_at(&self.mesh.cells[point.cell], point.s)
     }
 
     /// Whether a zone is one point that a rigid support holds on the ground, ψ = 0 but for rounding. The support carries what
     /// acts there, so the sign of the rounding error does not make it a contact.
-    pub fn is_held(&self, zone: &Zone) -> bool {
-        let Spot { cell, s } = zone.from;
+    pub fn is_held(&self, zone: &MeshZone) -> bool {
+        let BeamPoint { cell, s } = zone.from;
         if zone.from != zone.to || s.abs() != 1.0 {
             return false;
         }
@@ -56,40 +56,40 @@ impl Deflection<'_> {
             && self.obstacle_at(zone.from).abs() <= 8.0 * f64::EPSILON * size
     }
 
-    /// ψ, ψ' and π = kψ − (μψ')' at a spot.
-    pub fn pressing(&self, spot: Spot) -> [f64; 3] {
-        let cell = &self.mesh.cells[spot.cell];
-        let [f, d1, d2, _] = jet(self.cell(spot.cell), spot.s);
-        let [settled, sinks] = cell.settled_at(spot.s);
+    /// ψ, ψ' and π = kψ − (μψ')' at a point.
+    pub fn obstacle_and_pressure(&self, point: BeamPoint) -> [f64; 3] {
+        let cell = &self.mesh.cells[point.cell];
+        let [f, d1, d2, _] = jet(self.cell(point.cell), point.s);
+        let [settled, sinks] = cell.free_field_at(point.s);
         // w − g₀, of which the ground's own settlement is −(μu₀′)′ + ku₀ = q less.
-        let psi = f - initial_gap_at(cell, spot.s);
+        let psi = f - initial_gap_at(cell, point.s);
         let per_length = 2.0 / cell.length();
         let slope = d1 * per_length - cell.gap_slope;
-        let [k, mu, rise] = cell.ground_rising_at(spot.s);
-        let load = initial(cell.ground_load, spot.s);
+        let [k, mu, rise] = cell.ground_rising_at(point.s);
+        let load = initial(cell.ground_load, point.s);
         let pressure =
             k * psi - mu * d2 * per_length * per_length - rise * per_length * slope - load;
         [psi - settled, slope - sinks, pressure]
     }
 
-    /// The position of a spot.
-    pub fn position(&self, spot: Spot) -> f64 {
-        self.mesh.cells[spot.cell].global(spot.s)
+    /// The position of a point.
+    pub fn position(&self, point: BeamPoint) -> f64 {
+        self.mesh.cells[point.cell].global(point.s)
     }
 
-    /// μψ' at a spot.
-    pub fn flux(&self, spot: Spot) -> f64 {
-        let cell = &self.mesh.cells[spot.cell];
-        let slope = jet(self.cell(spot.cell), spot.s)[1] * 2.0 / cell.length() - cell.gap_slope;
-        cell.ground_at(spot.s)[1] * (slope - cell.settled_at(spot.s)[1])
+    /// μψ' at a point.
+    pub fn flux(&self, point: BeamPoint) -> f64 {
+        let cell = &self.mesh.cells[point.cell];
+        let slope = jet(self.cell(point.cell), point.s)[1] * 2.0 / cell.length() - cell.gap_slope;
+        cell.ground_at(point.s)[1] * (slope - cell.free_field_at(point.s)[1])
     }
 
     /// −\[μψ'\] at the node to the left of cell i: positive where a corner presses into the ground.
     pub fn corner(&self, i: usize) -> f64 {
         let [a, b] = [&self.mesh.cells[i - 1], &self.mesh.cells[i]];
-        let ([_, before], [after, _]) = (a.shear_ends(), b.shear_ends());
+        let ([_, before], [after, _]) = (a.shear_layer_ends(), b.shear_layer_ends());
         if self.mesh.nodes[i].hinge.is_some() || self.mesh.nodes[i].kinked {
-            let [left, right] = [Spot { cell: i - 1, s: 1.0 }, Spot { cell: i, s: -1.0 }];
+            let [left, right] = [BeamPoint { cell: i - 1, s: 1.0 }, BeamPoint { cell: i, s: -1.0 }];
             return self.flux(left) - self.flux(right);
         }
         if before == after && a.gap_slope == b.gap_slope {
@@ -111,10 +111,10 @@ pub(crate) fn pressure_of(cell: &Cell, half: f64, obstacle: &[f64]) -> Coefficie
     if cell.ground_varies() {
         return varying::pressure(cell, half, obstacle);
     }
-    let factor = cell.shear / (half * half);
+    let factor = cell.shear_layer / (half * half);
     let mut pressure = Coefficients::from(obstacle);
     for c in pressure.iter_mut() {
-        *c *= cell.spring;
+        *c *= cell.subgrade;
     }
     for (j, (pressure, c)) in pressure.iter_mut().zip(obstacle.iter().skip(2)).enumerate() {
         *pressure -= factor * ((j + 2) * (j + 1)) as f64 * c;

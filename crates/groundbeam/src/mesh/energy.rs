@@ -1,15 +1,15 @@
 //! The energy's bilinear forms for deflections that are polynomials in each cell of a mesh.
 
 use crate::mesh::cell::Cell;
-use crate::mesh::deflection::{Spot, Zone};
+use crate::mesh::deflection::{BeamPoint, MeshZone};
+use crate::mesh::ground_runs::ground_runs;
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::open_link;
-use crate::mesh::pieces::pieces;
 use crate::mesh::varying;
 use crate::numeric::polynomial::inner;
 use crate::numeric::polynomial::{derivative, jet, product, rescale, value};
 
-/// A motion of the beam in pieces: `terms` coefficients for each cell.
+/// A motion of the beam in runs: `terms` coefficients for each cell.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Motion<'a> {
     pub terms: usize,
@@ -89,33 +89,34 @@ pub(crate) fn work_of_loads(mesh: &Mesh, motion: Motion) -> f64 {
 }
 
 /// The work of the ground's forces under ψ (contact on `zones`) on a second field δ: the first variation
-/// of ½ min_{u ≥ ψ} b(u, u), where `zones` is the contact of ψ; the bilinear form of the glued ground
+/// of ½ min_{u ≥ ψ} b(u, u), where `zones` is the contact of ψ; the bilinear form of the bonded ground
 /// otherwise. Both fields are polynomials on the same mesh; ψ already without the gap.
 pub(crate) fn ground_work(
     mesh: &Mesh,
     terms: usize,
-    zones: &[Zone],
+    zones: &[MeshZone],
     psi: &[f64],
     delta: &[f64],
 ) -> f64 {
-    let of =
-        |c: &'_ [f64], spot: Spot| value(&c[spot.cell * terms..(spot.cell + 1) * terms], spot.s);
+    let of = |c: &'_ [f64], point: BeamPoint| {
+        value(&c[point.cell * terms..(point.cell + 1) * terms], point.s)
+    };
     let mut work = 0.0;
-    for piece in pieces(mesh) {
-        let mut left: Option<Spot> = None;
-        let own = zones.iter().filter(|z| piece.cells.contains(&z.from.cell));
+    for run in ground_runs(mesh) {
+        let mut left: Option<BeamPoint> = None;
+        let own = zones.iter().filter(|z| run.cells.contains(&z.from.cell));
         let mut any = false;
-        let mut across = |from: Option<Spot>, to: Option<Spot>| {
-            if let Some(link) = open_link(mesh, &piece, from, to) {
-                let [a, b] = [from, to].map(|spot| spot.map_or(0.0, |spot| of(psi, spot)));
-                let [da, db] = [from, to].map(|spot| spot.map_or(0.0, |spot| of(delta, spot)));
+        let mut across = |from: Option<BeamPoint>, to: Option<BeamPoint>| {
+            if let Some(link) = open_link(mesh, &run, from, to) {
+                let [a, b] = [from, to].map(|point| point.map_or(0.0, |point| of(psi, point)));
+                let [da, db] = [from, to].map(|point| point.map_or(0.0, |point| of(delta, point)));
                 work += link.force_left(a, b) * da + link.force_right(a, b) * db;
             }
         };
         let mut touching = 0.0;
         for zone in own {
             any = true;
-            if piece.pasternak {
+            if run.pasternak {
                 across(left, Some(zone.from));
             }
             for cell in zone.from.cell..=zone.to.cell {
@@ -129,13 +130,13 @@ pub(crate) fn ground_work(
                     touching += if c.ground_varies() {
                         varying::energy_form(c, part, psi, delta)
                     } else {
-                        energy_form(c.length(), (c.spring, c.shear), part, psi, delta)
+                        energy_form(c.length(), (c.subgrade, c.shear_layer), part, psi, delta)
                     };
                 }
             }
             left = Some(zone.to);
         }
-        if piece.pasternak && any {
+        if run.pasternak && any {
             across(left, None);
         }
         work += touching;
@@ -168,7 +169,7 @@ fn bending(cell: &Cell, f: &[f64], g: &[f64]) -> f64 {
 
 /// ∫ EI φ'ψ' ds over \[−1, 1\], with derivatives by s.
 fn turning(cell: &Cell, f: &[f64], g: &[f64]) -> f64 {
-    inner(&product(&cell.stiffness_course(), &derivative(f)), &derivative(g), 0)
+    inner(&product(&cell.stiffness_along(), &derivative(f)), &derivative(g), 0)
 }
 
 /// ∫ S (w' − φ)(z' − ψ) ds over \[−1, 1\] in a cell of length h.

@@ -4,12 +4,12 @@
 //! where G p = w − g₀ − u₀: to the beam u₀ is a clearance that is no straight line. On even ground
 //! u₀ = q/k + e, where q is linear and e, the ground without load, is known by its values at both ends.
 //!
-//! The line is a chain of [links](Link), with what q does between two nodes carried by them; sums and
+//! The line is a chain of [two-ports](TwoPort), with what q does between two nodes carried by them; sums and
 //! products of positive numbers only.
 
-use crate::ground::link::Link;
+use crate::ground::link::TwoPort;
 use crate::mesh::cell::Cell;
-use crate::model::{Beyond, Extent, Model};
+use crate::model::{Extent, GroundOutside, Model};
 
 /// A stretch of even ground with a linear load.
 #[derive(Debug, Clone, Copy)]
@@ -22,7 +22,7 @@ struct Strip {
 
 /// What a strip's load presses its two ends with, these being held: ∫q φ, φ the ground that is 1 at one
 /// end and 0 at the other.
-fn carried(strip: &Strip, link: &Link) -> [f64; 2] {
+fn carried(strip: &Strip, link: &TwoPort) -> [f64; 2] {
     let stiffness = (strip.spring * strip.shear).sqrt();
     let z = (strip.spring / strip.shear).sqrt() * (strip.x[1] - strip.x[0]);
     // 1/sinh z − 1/z.
@@ -36,7 +36,7 @@ fn carried(strip: &Strip, link: &Link) -> [f64; 2] {
     };
     let [a, b] = strip.load;
     [(a, b), (b, a)].map(|(here, there)| {
-        (here * link.leak_left + (here - there) * stiffness * less) / strip.spring
+        (here * link.shunt_left + (here - there) * stiffness * less) / strip.spring
     })
 }
 
@@ -52,22 +52,22 @@ pub(crate) fn settle(model: &Model, cells: &mut [Cell]) {
     let begin = strips.len();
     strips.extend(cells.iter().map(|cell| Strip {
         x: cell.x,
-        spring: cell.spring,
-        shear: cell.shear,
+        spring: cell.subgrade,
+        shear: cell.shear_layer,
         load: cell.ground_load,
     }));
     let (outer, held_right) = beside(model, &right, true);
     strips.extend(outer);
-    let faded = faded(model, &strips, [held_left, held_right]);
-    for (cell, faded) in cells.iter_mut().zip(&faded[begin..]) {
-        cell.faded = *faded;
+    let homogeneous = homogeneous(model, &strips, [held_left, held_right]);
+    for (cell, homogeneous) in cells.iter_mut().zip(&homogeneous[begin..]) {
+        cell.homogeneous_field = *homogeneous;
     }
 }
 
 /// u₀ at one place of the whole line, from where the beam's end is outward.
 pub(crate) fn at(
     model: &Model,
-    beyond: &Beyond,
+    beyond: &GroundOutside,
     right: bool,
     cells: &[Cell],
     distance: f64,
@@ -96,8 +96,8 @@ pub(crate) fn at(
     }
     let inner = |cell: &Cell| Strip {
         x: cell.x,
-        spring: cell.spring,
-        shear: cell.shear,
+        spring: cell.subgrade,
+        shear: cell.shear_layer,
         load: cell.ground_load,
     };
     let other = model.foundation.beyond(!right, l, {
@@ -121,8 +121,8 @@ pub(crate) fn at(
 }
 
 fn value_at(model: &Model, strips: &[Strip], held: [bool; 2], x: f64, begin: usize) -> f64 {
-    let faded = faded(model, strips, held);
-    let of = |i: usize, end: usize| faded[i][end] + strips[i].load[end] / strips[i].spring;
+    let homogeneous = homogeneous(model, strips, held);
+    let of = |i: usize, end: usize| homogeneous[i][end] + strips[i].load[end] / strips[i].spring;
     (begin..strips.len())
         .find_map(|i| {
             let ends = strips[i].x;
@@ -132,7 +132,7 @@ fn value_at(model: &Model, strips: &[Strip], held: [bool; 2], x: f64, begin: usi
 }
 
 /// The strips beyond an end of the beam, outward, cut where loads begin and end; whether the far end is held.
-fn beside(model: &Model, beyond: &Beyond, right: bool) -> (Vec<Strip>, bool) {
+fn beside(model: &Model, beyond: &GroundOutside, right: bool) -> (Vec<Strip>, bool) {
     let l = model.beam.length;
     let outward = |x: f64| if right { x - l } else { -x };
     let ends = model.ground_loads().flat_map(|load| load.extent.ends());
@@ -151,7 +151,12 @@ fn beside(model: &Model, beyond: &Beyond, right: bool) -> (Vec<Strip>, bool) {
             let place = |d: f64| if right { l + d } else { -d };
             let mut x = [place(pair[0]), place(pair[1])];
             x.sort_by(f64::total_cmp);
-            strips.push(Strip { x, spring: layer.spring, shear: layer.shear, load: [0.0; 2] });
+            strips.push(Strip {
+                x,
+                spring: layer.subgrade,
+                shear: layer.shear_layer,
+                load: [0.0; 2],
+            });
         }
         from = to;
     }
@@ -179,8 +184,8 @@ fn load_strips(model: &Model, strips: &mut [Strip], right: bool) {
 }
 
 /// e at both ends of each strip.
-fn faded(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<[f64; 2]> {
-    let mut faded = vec![[0.0; 2]; strips.len()];
+fn homogeneous(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<[f64; 2]> {
+    let mut homogeneous = vec![[0.0; 2]; strips.len()];
     let mut from = 0;
     while from < strips.len() {
         let layered = strips[from].shear > 0.0;
@@ -191,29 +196,29 @@ fn faded(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<[f64; 2]> {
             let u = chain(model, &strips[from..to], held);
             for (i, strip) in strips[from..to].iter().enumerate() {
                 let ends = [u[i], u[i + 1]];
-                faded[from + i] = [0, 1].map(|e| ends[e] - strip.load[e] / strip.spring);
+                homogeneous[from + i] = [0, 1].map(|e| ends[e] - strip.load[e] / strip.spring);
             }
         }
         from = to;
     }
-    faded
+    homogeneous
 }
 
 /// u₀ at the nodes of strips in a row.
 fn chain(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<f64> {
     let n = strips.len();
-    // Stiffness to the ground at each node, coupling to the next, force.
-    let (mut own, mut coupling, mut force) = (vec![0.0; n + 1], vec![0.0; n], vec![0.0; n + 1]);
+    // Stiffness to the ground at each node, series to the next, force.
+    let (mut own, mut series, mut force) = (vec![0.0; n + 1], vec![0.0; n], vec![0.0; n + 1]);
     for (i, strip) in strips.iter().enumerate() {
         if strip.x[0] == f64::NEG_INFINITY {
             own[i + 1] += (strip.spring * strip.shear).sqrt();
         } else if strip.x[1] == f64::INFINITY {
             own[i] += (strip.spring * strip.shear).sqrt();
         } else {
-            let link = Link::uniform(strip.spring, strip.shear, strip.x[1] - strip.x[0]);
-            own[i] += link.leak_left;
-            own[i + 1] += link.leak_right;
-            coupling[i] = link.coupling;
+            let link = TwoPort::uniform(strip.spring, strip.shear, strip.x[1] - strip.x[0]);
+            own[i] += link.shunt_left;
+            own[i + 1] += link.shunt_right;
+            series[i] = link.series;
             let [left, right] = carried(strip, &link);
             force[i] += left;
             force[i + 1] += right;
@@ -239,7 +244,7 @@ fn chain(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<f64> {
     }
     // What is to the left of each node, as one spring and one force.
     for i in 0..n {
-        let (spring, c) = (own[i], coupling[i]);
+        let (spring, c) = (own[i], series[i]);
         if c > 0.0 {
             own[i + 1] += c / (1.0 + c / spring);
             force[i + 1] += force[i] * (c / (spring + c));
@@ -247,7 +252,7 @@ fn chain(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<f64> {
     }
     let mut u = vec![0.0; n + 1];
     for i in (0..=n).rev() {
-        let (c, next) = if i < n { (coupling[i], u[i + 1]) } else { (0.0, 0.0) };
+        let (c, next) = if i < n { (series[i], u[i + 1]) } else { (0.0, 0.0) };
         let spring = own[i] + c;
         u[i] = if spring > 0.0 { (force[i] + c * next) / spring } else { 0.0 };
     }

@@ -7,7 +7,7 @@ use crate::ground::link;
 use crate::mesh::cell::Cell;
 use crate::mesh::cell::Varies;
 use crate::mesh::free_field;
-use crate::model::{Action, Course, Extent, Load, Model, SupportKind};
+use crate::model::{Action, CellPolynomial, Extent, Load, Model, SupportKind};
 use crate::numeric::polynomial::value;
 use crate::numeric::tolerance::same_place;
 
@@ -65,7 +65,7 @@ impl Mesh {
     }
 
     /// Calls `each` with every cell of a [graded](Self::graded) mesh of one part to a cell, and with the number of
-    /// pieces into which it is cut because the ground settles by itself. Returns how many cells the model itself has.
+    /// runs into which it is cut for the free-field settlement. Returns how many cells the model itself has.
     pub fn each_graded(model: &Model, mut each: impl FnMut(&Cell, usize)) -> usize {
         let coarse = cells_between(model, &positions(model, &[]));
         for cell in &coarse {
@@ -81,10 +81,10 @@ impl Mesh {
         let mut x = Vec::with_capacity(2 * coarse.len());
         x.push(0.0);
         for cell in &coarse {
-            let pieces = pieces_of_settled(cell);
-            for i in 0..pieces {
-                let s = [i, i + 1].map(|i| 2.0 * i as f64 / pieces as f64 - 1.0);
-                let part = if pieces == 1 { *cell } else { cell.part(s) };
+            let runs = pieces_of_settled(cell);
+            for i in 0..runs {
+                let s = [i, i + 1].map(|i| 2.0 * i as f64 / runs as f64 - 1.0);
+                let part = if runs == 1 { *cell } else { cell.part(s) };
                 cut(&part, &mut x);
                 x.push(part.x[1]);
             }
@@ -111,8 +111,8 @@ impl Mesh {
     pub fn stiffen(&mut self) {
         for cell in &mut self.cells {
             let h = cell.length();
-            let tension = self.axial_force.max(0.0) + cell.shear;
-            let least = STIFF * h * h * (tension + cell.spring * h * h);
+            let tension = self.axial_force.max(0.0) + cell.shear_layer;
+            let least = STIFF * h * h * (tension + cell.subgrade * h * h);
             if cell.beam_varies() {
                 cell.stiffen((least / cell.stiffness).max(1.0));
             } else {
@@ -172,7 +172,7 @@ impl Mesh {
             let pushed = node.force != 0.0 || node.pinned || node.spring != 0.0;
             let jump = at(left, 1.0) - at(right, -1.0);
             let stiffness_jumps = jump.abs() > ROUNDING * at(left, 1.0);
-            let ground_jumps = left.shear_ends()[1] != right.shear_ends()[0]
+            let ground_jumps = left.shear_layer_ends()[1] != right.shear_layer_ends()[0]
                 || left.gap_slope != right.gap_slope
                 || right.ground_force != 0.0;
             self.nodes[i].kinked = pushed || stiffness_jumps || ground_jumps;
@@ -210,7 +210,7 @@ impl Mesh {
     }
 }
 
-/// The jump of a stiffness, relative to it, that is none.
+/// Largest relative jump of a stiffness that counts as rounding error.
 const ROUNDING: f64 = 1e-13;
 
 /// Halvings of a cell.
@@ -239,12 +239,12 @@ fn each_smooth(cell: &Cell, halvings: u32, each: &mut impl FnMut(&Cell)) {
     each_smooth(&cell.part([0.0, 1.0]), halvings - 1, each);
 }
 
-/// Into how many pieces a cell is cut where the ground settles by itself: its surface is a short power series in each.
+/// Into how many runs a cell is cut where loads settle the ground: u₀ is a short power series in each.
 fn pieces_of_settled(cell: &Cell) -> usize {
-    if !cell.is_sunk() || cell.shear == 0.0 {
+    if !cell.has_free_field() || cell.shear_layer == 0.0 {
         return 1;
     }
-    let fades = (cell.spring / cell.shear).sqrt() * cell.length();
+    let fades = (cell.subgrade / cell.shear_layer).sqrt() * cell.length();
     fades.ceil().max(1.0) as usize
 }
 
@@ -299,14 +299,14 @@ fn nodes_of(cells: &[Cell]) -> Vec<Node> {
 }
 
 fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
-    let even = |stiffness: f64| Course::constant(stiffness).coefficients;
+    let even = |stiffness: f64| CellPolynomial::constant(stiffness).coefficients;
     let mut cells: Vec<Cell> = x
         .windows(2)
         .map(|x| Cell {
             x: [x[0], x[1]],
             stiffness: model.beam.bending_stiffness,
-            spring: model.foundation.spring,
-            shear: model.foundation.shear,
+            subgrade: model.foundation.subgrade,
+            shear_layer: model.foundation.shear_layer,
             beam_shear: model.beam.shear_stiffness.map(even),
             varies: Varies::default(),
             load: [0.0; 2],
@@ -315,14 +315,14 @@ fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
             gap: [0.0; 2],
             gap_slope: 0.0,
             ground_load: [0.0; 2],
-            faded: [0.0; 2],
+            homogeneous_field: [0.0; 2],
             ground_force: 0.0,
         })
         .collect();
     for segment in &model.beam.segments {
         for cell in within(&mut cells, segment.from, segment.to) {
             let own = segment.shear_stiffness.map(|s| s.on([segment.from, segment.to], cell.x));
-            let shear = own.or(model.beam.shear_stiffness.map(Course::constant));
+            let shear = own.or(model.beam.shear_stiffness.map(CellPolynomial::constant));
             cell.set_beam(&segment.course(cell.x), shear.as_ref());
         }
     }
@@ -431,7 +431,7 @@ mod tests {
         let x: Vec<f64> = mesh.nodes.iter().map(|n| n.x).collect();
         assert_eq!(x, [0.0, 1.0, 2.0, 3.0, 4.0, 9.0, 10.0]);
         assert_eq!(mesh.cells[3].stiffness, 5.0);
-        assert_eq!((mesh.cells[2].spring, mesh.cells[3].spring), (7.0, 1.0));
+        assert_eq!((mesh.cells[2].subgrade, mesh.cells[3].subgrade), (7.0, 1.0));
         assert_eq!(mesh.cells[4].load, [3.0, 8.0]);
         assert_eq!(mesh.nodes[4].force, 1.0);
         assert_eq!(mesh.outside, [f64::sqrt(14.0), 0.0]);
@@ -450,14 +450,14 @@ mod tests {
         let mesh = Mesh::graded(&Model::new(beam, ground), &[], |_| 1);
         assert!(mesh.cells.iter().all(Cell::is_smooth));
         assert!((30..80).contains(&mesh.cells.len()), "{}", mesh.cells.len());
-        let ends = |i: usize| mesh.cells[i].shear_ends();
+        let ends = |i: usize| mesh.cells[i].shear_layer_ends();
         assert!((1..mesh.cells.len()).all(|i| ends(i - 1)[1] == ends(i)[0]));
         assert!((mesh.outside[0] - f64::sqrt(8.0)).abs() < 1e-15);
         assert!((mesh.outside[1] - f64::sqrt(80.0)).abs() < 1e-14);
         let part = mesh.cells[3].part([-0.5, 1.0]);
         let course = thousandfold.at(part.global(0.3) / 5.0);
-        assert!((value(&part.stiffness_course(), 0.3) / course - 1.0).abs() < 1e-14);
-        assert_eq!(part.shear_ends()[1], ends(3)[1]);
+        assert!((value(&part.stiffness_along(), 0.3) / course - 1.0).abs() < 1e-14);
+        assert_eq!(part.shear_layer_ends()[1], ends(3)[1]);
     }
 
     #[test]

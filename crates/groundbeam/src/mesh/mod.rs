@@ -4,7 +4,7 @@ pub(crate) mod cell;
 pub(crate) mod deflection;
 pub(crate) mod energy;
 pub(crate) mod free_field;
+pub(crate) mod ground_runs;
 pub(crate) mod mesh;
 pub(crate) mod open_ground;
-pub(crate) mod pieces;
 pub(crate) mod varying;

@@ -1,18 +1,18 @@
 //! The open ground between two contact points, as two-ports.
 
-use crate::ground::link::Link;
+use crate::ground::link::TwoPort;
 use crate::mesh::cell::Cell;
-use crate::mesh::deflection::Spot;
+use crate::mesh::deflection::BeamPoint;
+use crate::mesh::ground_runs::GroundRun;
 use crate::mesh::mesh::Mesh;
-use crate::mesh::pieces::Piece;
 use crate::mesh::varying::link;
 
-/// u at the ends and the joints of links in a row, held at both ends; and all of them as one link.
+/// u at the ends and the joints of two-ports in a row, held at both ends; and all of them as one two-port.
 ///
-/// Forward: the link from the start to each joint; backward: each joint between that link and the next
+/// Forward: the two-port from the start to each joint; backward: each joint between that two-port and the next
 /// part. Sums of positive numbers only.
-pub(crate) fn heights(links: &[Link], [start, end]: [f64; 2]) -> (Vec<f64>, Option<Link>) {
-    let mut so_far: Vec<Link> = Vec::with_capacity(links.len());
+pub(crate) fn heights(links: &[TwoPort], [start, end]: [f64; 2]) -> (Vec<f64>, Option<TwoPort>) {
+    let mut so_far: Vec<TwoPort> = Vec::with_capacity(links.len());
     for link in links {
         so_far.push(so_far.last().map_or(*link, |before| before.then(*link)));
     }
@@ -22,38 +22,38 @@ pub(crate) fn heights(links: &[Link], [start, end]: [f64; 2]) -> (Vec<f64>, Opti
     values[links.len()] = end;
     for i in (1..links.len()).rev() {
         let (before, next) = (so_far[i - 1], links[i]);
-        let pull = before.coupling * start + next.coupling * right;
-        let hold = before.coupling + before.leak_right + next.coupling + next.leak_left;
+        let pull = before.series * start + next.series * right;
+        let hold = before.series + before.shunt_right + next.series + next.shunt_left;
         right = pull / hold;
         values[i] = right;
     }
     (values, so_far.last().copied())
 }
 
-/// All of the open ground between two spots as one link; none between spots that meet.
+/// All of the open ground between two points as one two-port; none between points that meet.
 pub(crate) fn open_link(
     mesh: &Mesh,
-    piece: &Piece,
-    from: Option<Spot>,
-    to: Option<Spot>,
-) -> Option<Link> {
-    let links = open_links(mesh, piece, from, to);
-    links.into_iter().map(|(_, link)| link).reduce(Link::then)
+    run: &GroundRun,
+    from: Option<BeamPoint>,
+    to: Option<BeamPoint>,
+) -> Option<TwoPort> {
+    let links = open_links(mesh, run, from, to);
+    links.into_iter().map(|(_, link)| link).reduce(TwoPort::then)
 }
 
-/// The links of open ground between two spots, cell by cell; a missing spot is the ground beyond.
+/// The two-ports of open ground between two points, cell by cell; a missing point is the ground beyond.
 pub(crate) fn open_links(
     mesh: &Mesh,
-    piece: &Piece,
-    from: Option<Spot>,
-    to: Option<Spot>,
-) -> Vec<(Option<(usize, [f64; 2])>, Link)> {
+    run: &GroundRun,
+    from: Option<BeamPoint>,
+    to: Option<BeamPoint>,
+) -> Vec<(Option<(usize, [f64; 2])>, TwoPort)> {
     let mut links = Vec::new();
-    let first = from.unwrap_or(Spot { cell: piece.cells.start, s: -1.0 });
-    let last = to.unwrap_or(Spot { cell: piece.cells.end - 1, s: 1.0 });
+    let first = from.unwrap_or(BeamPoint { cell: run.cells.start, s: -1.0 });
+    let last = to.unwrap_or(BeamPoint { cell: run.cells.end - 1, s: 1.0 });
     if from.is_none() {
-        let leak_right = piece.beyond[0];
-        links.push((None, Link { coupling: 0.0, leak_left: 0.0, leak_right }));
+        let shunt_right = run.beyond[0];
+        links.push((None, TwoPort { series: 0.0, shunt_left: 0.0, shunt_right }));
     }
     for cell in first.cell..=last.cell {
         let start = if cell == first.cell { first.s } else { -1.0 };
@@ -64,16 +64,16 @@ pub(crate) fn open_links(
         }
     }
     if to.is_none() {
-        let leak_left = piece.beyond[1];
-        links.push((None, Link { coupling: 0.0, leak_left, leak_right: 0.0 }));
+        let shunt_left = run.beyond[1];
+        links.push((None, TwoPort { series: 0.0, shunt_left, shunt_right: 0.0 }));
     }
     links
 }
 
 /// The open ground of a part of a cell.
-pub(crate) fn cell_part(cell: &Cell, from: f64, to: f64) -> Link {
+pub(crate) fn cell_part(cell: &Cell, from: f64, to: f64) -> TwoPort {
     if cell.ground_varies() {
         return link(cell, [from, to]);
     }
-    Link::uniform(cell.spring, cell.shear, 0.5 * (to - from) * cell.length())
+    TwoPort::uniform(cell.subgrade, cell.shear_layer, 0.5 * (to - from) * cell.length())
 }

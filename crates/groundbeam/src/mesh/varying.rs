@@ -1,6 +1,6 @@
-//! Beam and ground that vary within a cell: what elsewhere is one number times an integral.
+//! Integrals over a cell along which beam or ground varies.
 
-use crate::ground::link::Link;
+use crate::ground::link::TwoPort;
 use crate::mesh::cell::Cell;
 use crate::numeric::polynomial::inner;
 use crate::numeric::polynomial::{Coefficients, derivative, product, rescale};
@@ -9,15 +9,15 @@ use crate::numeric::polynomial::{Coefficients, derivative, product, rescale};
 const MOST_HALVINGS: u32 = 40;
 
 /// The open ground of a part of a cell: a chain of short power series.
-pub(crate) fn link(cell: &Cell, part: [f64; 2]) -> Link {
+pub(crate) fn link(cell: &Cell, part: [f64; 2]) -> TwoPort {
     // Not from the part's own ends, which are rounded.
     let half = 0.25 * (part[1] - part[0]) * cell.length();
     chain(&cell.part(part), half, MOST_HALVINGS)
 }
 
-fn chain(cell: &Cell, half: f64, halvings: u32) -> Link {
+fn chain(cell: &Cell, half: f64, halvings: u32) -> TwoPort {
     if halvings == 0 || (cell.is_short_for_open_ground(half) && cell.is_smooth()) {
-        return Link::varying(&cell.spring_course(), &cell.shear_course(), half);
+        return TwoPort::varying(&cell.subgrade_along(), &cell.shear_layer_along(), half);
     }
     let [left, right] =
         [[-1.0, 0.0], [0.0, 1.0]].map(|s| chain(&cell.part(s), 0.5 * half, halvings - 1));
@@ -26,8 +26,8 @@ fn chain(cell: &Cell, half: f64, halvings: u32) -> Link {
 
 /// The coefficients of kψ − (μψ')' from those of ψ on a stretch of half length `half`.
 pub(crate) fn pressure(cell: &Cell, half: f64, obstacle: &[f64]) -> Coefficients {
-    let flux = product(&cell.shear_course(), &derivative(obstacle));
-    let mut pressure = product(&cell.spring_course(), obstacle);
+    let flux = product(&cell.shear_layer_along(), &derivative(obstacle));
+    let mut pressure = product(&cell.subgrade_along(), obstacle);
     for (pressure, c) in pressure.iter_mut().zip(derivative(&flux).iter()) {
         *pressure -= c / (half * half);
     }
@@ -37,15 +37,15 @@ pub(crate) fn pressure(cell: &Cell, half: f64, obstacle: &[f64]) -> Coefficients
 /// ∫ EI f″ g″ ds over \[−1, 1\], with derivatives by s.
 pub(crate) fn bending(cell: &Cell, f: &[f64], g: &[f64]) -> f64 {
     let bend = |c: &[f64]| derivative(&derivative(c));
-    inner(&product(&cell.stiffness_course(), &bend(f)), &bend(g), 0)
+    inner(&product(&cell.stiffness_along(), &bend(f)), &bend(g), 0)
 }
 
 /// ∫ (k f g + μ f' g') dx over a part of a cell.
 pub(crate) fn energy_form(cell: &Cell, part: [f64; 2], f: &[f64], g: &[f64]) -> f64 {
     let (middle, quarter) = (0.5 * (part[0] + part[1]), 0.5 * (part[1] - part[0]));
     let half = 0.5 * cell.length() * quarter;
-    let [f, g, spring, shear] =
-        [f, g, &cell.spring_course(), &cell.shear_course()].map(|c| rescale(c, middle, quarter));
+    let [f, g, spring, shear] = [f, g, &cell.subgrade_along(), &cell.shear_layer_along()]
+        .map(|c| rescale(c, middle, quarter));
     let [df, dg] = [&f, &g].map(|c| derivative(c));
     half * inner(&product(&spring, &f), &g, 0) + inner(&product(&shear, &df), &dg, 0) / half
 }

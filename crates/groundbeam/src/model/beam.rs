@@ -1,6 +1,6 @@
-//! The beam: EI(x) and what it resists shear with by segments, (4.1), under a constant axial force P, (2.1).
+//! The beam: EI(x) and shear stiffness by segments, (4.1), under a constant axial force P, (2.1).
 
-use super::profile::{Course, Profile};
+use super::profile::{CellPolynomial, Profile};
 
 /// A straight beam that bends, and shears if it is given a stiffness against that.
 #[derive(Debug, Clone, PartialEq)]
@@ -124,11 +124,11 @@ impl Beam {
     }
 
     /// S on a stretch of the beam within which no segment ends.
-    pub(crate) fn shear_stiffness_on(&self, x: [f64; 2]) -> Option<Course> {
+    pub(crate) fn shear_stiffness_on(&self, x: [f64; 2]) -> Option<CellPolynomial> {
         let middle = 0.5 * (x[0] + x[1]);
         let segment = self.segments.iter().find(|s| s.from <= middle && middle < s.to);
         let own = segment.and_then(|s| Some(s.shear_stiffness?.on([s.from, s.to], x)));
-        own.or(self.shear_stiffness.map(Course::constant))
+        own.or(self.shear_stiffness.map(CellPolynomial::constant))
     }
 
     /// The same beam, as many times as stiff in shear.
@@ -160,10 +160,10 @@ impl Beam {
     }
 
     /// EI on a stretch of the beam within which no segment ends.
-    pub(crate) fn bending_stiffness_on(&self, x: [f64; 2]) -> Course {
+    pub(crate) fn bending_stiffness_on(&self, x: [f64; 2]) -> CellPolynomial {
         let middle = 0.5 * (x[0] + x[1]);
         let segment = self.segments.iter().find(|s| s.from <= middle && middle < s.to);
-        segment.map_or(Course::constant(self.bending_stiffness), |s| s.course(x))
+        segment.map_or(CellPolynomial::constant(self.bending_stiffness), |s| s.course(x))
     }
 
     /// The same beam, as many times as stiff, in bending and in shear.
@@ -199,7 +199,7 @@ impl BeamSegment {
     }
 
     /// EI on a stretch of the segment.
-    pub(crate) fn course(&self, x: [f64; 2]) -> Course {
+    pub(crate) fn course(&self, x: [f64; 2]) -> CellPolynomial {
         self.bending_stiffness.on([self.from, self.to], x)
     }
 }

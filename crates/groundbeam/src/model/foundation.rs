@@ -1,6 +1,8 @@
 //! The ground: k(x) and μ(x) by segments on the whole line, (2.2) and Remark 2.
 
-use super::profile::{Course, Profile};
+use super::beam::Beam;
+use super::profile::{CellPolynomial, Profile};
+use super::soil::{GroundConstants, SoilModel};
 
 /// A Pasternak foundation; with `shear` = 0 a Winkler foundation.
 ///
@@ -9,14 +11,17 @@ use super::profile::{Course, Profile};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Foundation {
     /// Spring constant k \[N/m²\], force per length of beam and deflection, positive.
-    pub spring: f64,
+    pub subgrade: f64,
     /// Shear constant μ \[N\], not negative.
-    pub shear: f64,
+    pub shear_layer: f64,
     /// Stretches with other constants, under the beam and beside it. They may touch, not overlap. Beside the
     /// beam each holds outward until another one begins.
     pub segments: Vec<FoundationSegment>,
     /// How the ground ends on the left and on the right.
     pub ends: [GroundEnd; 2],
+    /// The soil from which k and μ follow; `None` where they are given. On soil a solve makes `spring` and `shear`
+    /// anew, by the modified Vlasov model from its own solution. Such ground is uniform and endless.
+    pub soil: Option<SoilModel>,
 }
 
 /// A stretch of ground with constants of its own.
@@ -27,9 +32,9 @@ pub struct FoundationSegment {
     /// Right end \[m\].
     pub to: f64,
     /// Spring constant k \[N/m²\] from the left end to the right one, positive.
-    pub spring: Profile,
+    pub subgrade: Profile,
     /// Shear constant μ \[N\] from the left end to the right one: zero all along or positive all along.
-    pub shear: Profile,
+    pub shear_layer: Profile,
 }
 
 impl Foundation {
@@ -38,7 +43,8 @@ impl Foundation {
 
     /// Uniform ground with a shear layer.
     pub fn pasternak(spring: f64, shear: f64) -> Self {
-        Foundation { spring, shear, segments: Vec::new(), ends: [GroundEnd::Endless; 2] }
+        let ends = [GroundEnd::Endless; 2];
+        Foundation { subgrade: spring, shear_layer: shear, segments: Vec::new(), ends, soil: None }
     }
 
     /// Uniform ground of independent springs, μ = 0.
@@ -46,13 +52,22 @@ impl Foundation {
         Self::pasternak(spring, 0.0)
     }
 
+    /// Uniform ground made of soil, with the constants that it has under a beam before anything is solved.
+    pub fn on_soil(soil: SoilModel, beam: &Beam) -> Self {
+        let GroundConstants { subgrade: spring, shear_layer: shear } = soil.subgrade(beam);
+        Foundation { soil: Some(soil), ..Self::pasternak(spring, shear) }
+    }
+
     /// The same ground with k and μ multiplied everywhere.
     pub fn scaled(mut self, spring: f64, shear: f64) -> Self {
-        self.spring *= spring;
-        self.shear *= shear;
+        self.subgrade *= spring;
+        self.shear_layer *= shear;
+        if let Some(soil) = &mut self.soil {
+            soil.factors = [soil.factors[0] * spring, soil.factors[1] * shear];
+        }
         for segment in &mut self.segments {
-            segment.spring = segment.spring.scaled(spring);
-            segment.shear = segment.shear.scaled(shear);
+            segment.subgrade = segment.subgrade.scaled(spring);
+            segment.shear_layer = segment.shear_layer.scaled(shear);
         }
         self
     }
@@ -70,7 +85,7 @@ impl Foundation {
         spring: Profile,
         shear: Profile,
     ) -> Self {
-        self.segments.push(FoundationSegment { from, to, spring, shear });
+        self.segments.push(FoundationSegment { from, to, subgrade: spring, shear_layer: shear });
         self
     }
 
@@ -82,14 +97,16 @@ impl Foundation {
     /// (k \[N/m²\], μ \[N\]) at `x` on the beam; at a joint of two segments those of the right one.
     pub fn constants_at(&self, x: f64) -> (f64, f64) {
         let segment = self.segments.iter().find(|s| s.from <= x && x < s.to);
-        segment.map_or((self.spring, self.shear), |s| s.constants_at(x))
+        segment.map_or((self.subgrade, self.shear_layer), |s| s.constants_at(x))
     }
 
     /// k and μ on a stretch of the beam within which no segment ends.
-    pub(crate) fn constants_on(&self, x: [f64; 2]) -> [Course; 2] {
+    pub(crate) fn constants_on(&self, x: [f64; 2]) -> [CellPolynomial; 2] {
         let middle = 0.5 * (x[0] + x[1]);
         let segment = self.segments.iter().find(|s| s.from <= middle && middle < s.to);
-        segment.map_or([self.spring, self.shear].map(Course::constant), |s| s.courses(x))
+        segment.map_or([self.subgrade, self.shear_layer].map(CellPolynomial::constant), |s| {
+            s.courses(x)
+        })
     }
 
     pub(super) fn mirrored(&self, l: f64) -> Self {
@@ -99,11 +116,12 @@ impl Foundation {
                 .map(|s| FoundationSegment {
                     from: l - s.to,
                     to: l - s.from,
-                    spring: s.spring.mirrored(),
-                    shear: s.shear.mirrored(),
+                    subgrade: s.subgrade.mirrored(),
+                    shear_layer: s.shear_layer.mirrored(),
                 })
                 .collect(),
             ends: [self.ends[1].mirrored(l), self.ends[0].mirrored(l)],
+            soil: self.soil.clone(),
             ..*self
         }
     }
@@ -113,12 +131,12 @@ impl FoundationSegment {
     /// (k \[N/m²\], μ \[N\]) at `x` on the segment.
     pub fn constants_at(&self, x: f64) -> (f64, f64) {
         let ends = [self.from, self.to];
-        (self.spring.at_position(ends, x), self.shear.at_position(ends, x))
+        (self.subgrade.at_position(ends, x), self.shear_layer.at_position(ends, x))
     }
 
     /// k and μ on a stretch of the segment.
-    pub(crate) fn courses(&self, x: [f64; 2]) -> [Course; 2] {
-        [self.spring, self.shear].map(|constant| constant.on([self.from, self.to], x))
+    pub(crate) fn courses(&self, x: [f64; 2]) -> [CellPolynomial; 2] {
+        [self.subgrade, self.shear_layer].map(|constant| constant.on([self.from, self.to], x))
     }
 }
 

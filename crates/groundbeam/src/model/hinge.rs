@@ -1,4 +1,4 @@
-//! Hinges inside the beam: joints that hand on shear, and a moment only as far as a spring does.
+//! Hinges inside the beam: they transmit shear, and a moment only as far as their spring does.
 
 /// A hinge at one point inside the beam: w is continuous there, w' jumps.
 ///

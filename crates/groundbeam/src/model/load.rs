@@ -1,4 +1,4 @@
-//! What acts on the beam: the terms of (4.7).
+//! Loads: an action on an extent, the terms of (4.7).
 
 /// What a load does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -8,7 +8,7 @@ pub enum Action {
     /// A moment \[N·m\], or \[N·m/m\] along a stretch: gᵢ and g(x) of (4.7). Positive where it turns the right side down: it
     /// does the work M₀·w'(x).
     Moment,
-    /// A curvature κ₀ \[1/m\] that the beam takes by itself: of a temperature gradient, of shrinkage, of a camber.
+    /// An imposed curvature κ₀ \[1/m\]: a temperature gradient, shrinkage or a camber.
     /// M = −EI (w″ − κ₀); positive as w″ is, where it bends the beam's ends down. It does no work on rigid motions.
     Curvature,
 }

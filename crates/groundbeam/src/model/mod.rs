@@ -1,35 +1,35 @@
-//! What is given: beam, foundation, loads, supports, hinges, initial gap. Section 2, Remark 1 and Remark 2.
+//! The model: beam, foundation, loads, supports, hinges, initial gap. Section 2, Remark 1 and Remark 2.
 //!
 //! Every number is in one coherent system of units (m, N, rad and their products; or any other in
 //! which force = stiffness × length holds). Nothing here knows how a unit is spelled.
 
 mod beam;
-mod beside;
-mod beyond;
 mod foundation;
 mod gap;
 mod hinge;
-mod joints;
 mod load;
-mod places;
+pub(crate) mod outside;
 pub(crate) mod problem;
 mod profile;
 pub(crate) mod refused;
+pub(crate) mod rules;
 pub(crate) mod soil;
 mod support;
 mod train;
-mod validate;
+
+use self::soil::GroundConstants;
+use std::borrow::Cow;
 
 pub use crate::model::foundation::GroundEnd;
 pub use crate::model::problem::{Part, Problem};
 pub use beam::{Beam, BeamSegment};
-pub(crate) use beyond::{Beyond, Layer};
 pub use foundation::{Foundation, FoundationSegment};
 pub use gap::GapPoint;
 pub use hinge::Hinge;
 pub(crate) use load::triangles;
 pub use load::{Action, Extent, Load};
-pub(crate) use profile::Course;
+pub(crate) use outside::{GroundOutside, OutsideLayer};
+pub(crate) use profile::CellPolynomial;
 pub use profile::Profile;
 pub use support::{Acts, Support, SupportKind};
 pub use train::{Axle, Train, UniformPart};
@@ -122,8 +122,23 @@ impl Model {
             sheared || !s.bending_stiffness.is_constant()
         };
         let beam = self.beam.segments.iter().position(varies);
-        let below = ground.iter().position(|s| !(s.spring.is_constant() && s.shear.is_constant()));
+        let below =
+            ground.iter().position(|s| !(s.subgrade.is_constant() && s.shear_layer.is_constant()));
         beam.map(Part::BeamSegment).or(below.map(Part::FoundationSegment))
+    }
+
+    /// The same model on ground of these constants.
+    pub(crate) fn on_ground(&self, ground: GroundConstants) -> Self {
+        let foundation = Foundation::pasternak(ground.subgrade, ground.shear_layer);
+        Model { foundation, ..self.clone() }
+    }
+
+    /// The model with the constants that its soil gives before anything is solved; as it is where they are given.
+    pub(crate) fn on_given_ground(&self) -> Cow<'_, Model> {
+        match &self.foundation.soil {
+            None => Cow::Borrowed(self),
+            Some(soil) => Cow::Owned(self.on_ground(soil.subgrade(&self.beam))),
+        }
     }
 
     /// Whether a support acts in one direction alone.
@@ -139,13 +154,14 @@ impl Model {
     }
 
     /// Becomes another model in the memory of this one.
-    pub(crate) fn become_like(&mut self, other: &Model) {
+    pub(crate) fn copy_from(&mut self, other: &Model) {
         let mut segments = std::mem::take(&mut self.beam.segments);
         segments.clone_from(&other.beam.segments);
         self.beam = Beam { segments, ..other.beam };
         let mut segments = std::mem::take(&mut self.foundation.segments);
         segments.clone_from(&other.foundation.segments);
-        self.foundation = Foundation { segments, ..other.foundation };
+        let soil = other.foundation.soil.clone();
+        self.foundation = Foundation { segments, soil, ..other.foundation };
         self.loads.clone_from(&other.loads);
         self.supports.clone_from(&other.supports);
         self.hinges.clone_from(&other.hinges);

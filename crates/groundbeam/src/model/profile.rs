@@ -1,4 +1,4 @@
-//! How a quantity runs along a segment: a polynomial by its control values.
+//! A quantity along a segment: a polynomial by its control values.
 //!
 //! A polynomial of degree n is given by n + 1 control values (its Bernstein coefficients, those of a Bézier
 //! curve): the first and the last are its values at the segment's ends, the others pull it their way. It lies
@@ -130,9 +130,9 @@ impl Profile {
     }
 
     /// On a stretch x of a segment with the given ends, by s ∈ \[−1, 1\] along the stretch.
-    pub(crate) fn on(&self, ends: [f64; 2], x: [f64; 2]) -> Course {
+    pub(crate) fn on(&self, ends: [f64; 2], x: [f64; 2]) -> CellPolynomial {
         if self.is_constant() {
-            return Course::constant(self.start());
+            return CellPolynomial::constant(self.start());
         }
         let [a, b] = x.map(|x| weights(ends, x));
         let values = self.between(a, b);
@@ -150,7 +150,7 @@ impl Profile {
             values.iter().copied().fold(f64::INFINITY, f64::min),
             values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
         ];
-        Course { coefficients, ends: [values[0], values[degree]], bounds }
+        CellPolynomial { coefficients, ends: [values[0], values[degree]], bounds }
     }
 
     /// The control values between two places, each given by its weights of both ends.
@@ -184,7 +184,7 @@ impl From<f64> for Profile {
 
 /// A quantity on a stretch of the beam, by s ∈ \[−1, 1\] along the stretch.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Course {
+pub(crate) struct CellPolynomial {
     /// Of the powers of s.
     pub coefficients: [f64; Profile::MOST],
     /// At both ends: of two stretches that meet within a segment the same to the last bit.
@@ -193,11 +193,11 @@ pub(crate) struct Course {
     pub bounds: [f64; 2],
 }
 
-impl Course {
+impl CellPolynomial {
     pub fn constant(value: f64) -> Self {
         let mut coefficients = [0.0; Profile::MOST];
         coefficients[0] = value;
-        Course { coefficients, ends: [value; 2], bounds: [value; 2] }
+        CellPolynomial { coefficients, ends: [value; 2], bounds: [value; 2] }
     }
 
     /// Whether it is the same all along.

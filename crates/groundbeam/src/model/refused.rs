@@ -1,4 +1,4 @@
-//! Why a model that is right is not solved, or not by every method. `supported.rs` has the table of methods and features.
+//! Reasons to refuse a valid model. `supported.rs` has the table of methods and features.
 
 use super::{Part, Problem};
 use crate::model::problem::Bytes;
@@ -74,7 +74,7 @@ impl Problem {
     /// Series about as long as a wave are too many.
     pub(crate) fn too_fine(part: Part, needed: usize) -> Self {
         let field = match part {
-            Part::FoundationSegment(_) => "shear",
+            Part::FoundationSegment(_) => "shear_layer",
             _ => "bending_stiffness",
         };
         let needed = needed as f64;

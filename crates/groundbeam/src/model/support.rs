@@ -1,4 +1,4 @@
-//! What holds the beam besides the ground.
+//! Supports: pins, clamps, springs; two-way or one-way; with settlement.
 
 /// A support at one point of the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -174,7 +174,7 @@ impl Given {
 mod tests {
     use super::*;
     use crate::element::ExactElement;
-    use crate::element::operator::{Operator, Touch};
+    use crate::element::operator::{Operator, ZoneKind};
     use crate::mesh::cell::Cell;
     use crate::mesh::cell::Varies;
     use crate::numeric::polynomial::value;
@@ -187,8 +187,8 @@ mod tests {
             beam_shear: None,
             x: [0.0, h],
             stiffness: 2.0,
-            spring: 1.0,
-            shear: 1.0,
+            subgrade: 1.0,
+            shear_layer: 1.0,
             varies: Varies::default(),
             load: [0.3, -0.8],
             moment_load: [0.5, 0.1],
@@ -196,14 +196,14 @@ mod tests {
             gap: [0.0; 2],
             gap_slope: 0.0,
             ground_load: [0.0; 2],
-            faded: [0.0; 2],
+            homogeneous_field: [0.0; 2],
             ground_force: 0.0,
         };
         let Cell { load, moment_load, curvature, gap, .. } = cell;
         let given = Given { load, moment_load, curvature, gap };
         for tension in [0.0, 1e-3, 3.9] {
             let beam = Beam::new(2.0, &given, tension, h);
-            let exact = ExactElement::new(&Operator::of(&cell, tension, Touch::Open), h);
+            let exact = ExactElement::new(&Operator::of(&cell, tension, ZoneKind::Open), h);
             let (k, q) = (beam.stiffness(), beam.load());
             let scale = [1.0, h, 1.0, h];
             let at = |i: usize, j: usize| exact.element.stiffness[i][j] / (scale[i] * scale[j]);

@@ -4,7 +4,7 @@
 //! from the right end, y = T⁻¹x' = (w' − Lθ', Lθ') is where the left end would be if the element were
 //! rigid, and e = y − x what its deformation makes of that: w = y₁ − e₁, Lθ = y₂ − e₂, w' − w = y₂ + e₁.
 
-use crate::ground::link::Link;
+use crate::ground::link::TwoPort;
 
 /// An element's energy ½ᵗ(y₂, e) M (y₂, e) − q·(y₁, y₂, e₁, e₂), and the ground's springs under its ends.
 #[derive(Debug, Clone, Copy, Default)]
@@ -19,9 +19,9 @@ pub(crate) struct Form {
     pub q: [f64; 6],
     pub dq: [f64; 6],
     /// Springs under the left and the right end.
-    pub leak: [f64; 2],
+    pub shunt: [f64; 2],
     /// The spring between them, and the force in it while w' = w.
-    pub coupling: f64,
+    pub series: f64,
     pub rise: f64,
 }
 
@@ -40,17 +40,17 @@ impl Form {
     }
 
     /// Adds ground under it that is open between its ends, where g₀ is `gap`.
-    pub fn on(mut self, link: Link, gap: [f64; 2]) -> Self {
+    pub fn on(mut self, link: TwoPort, gap: [f64; 2]) -> Self {
         // ½ c (w' − w − rise)².
-        let (c, rise) = (link.coupling, gap[1] - gap[0]);
+        let (c, rise) = (link.series, gap[1] - gap[0]);
         self.m[0] += c;
         self.m[1] += c;
         self.e[0] += c;
         self.q[1] += c * rise;
         self.q[2] += c * rise;
-        (self.coupling, self.rise) = (c, c * rise);
-        self.leak = [link.leak_left, link.leak_right];
-        (self.q[4], self.q[5]) = (link.leak_left * gap[0], link.leak_right * gap[1]);
+        (self.series, self.rise) = (c, c * rise);
+        self.shunt = [link.shunt_left, link.shunt_right];
+        (self.q[4], self.q[5]) = (link.shunt_left * gap[0], link.shunt_right * gap[1]);
         self
     }
 

@@ -4,7 +4,7 @@ use super::beam::{Beam, REACH};
 use super::form::Form;
 use super::layer::Layer;
 use crate::element::operator::wave_number;
-use crate::ground::link::Link;
+use crate::ground::link::TwoPort;
 use crate::mesh::cell::Cell;
 use crate::mesh::mesh::{Mesh, Node};
 use crate::model::Model;
@@ -29,29 +29,29 @@ pub(crate) struct Run {
     /// Their length.
     pub h: f64,
     /// The ground under one of them, glued at both ends.
-    pub link: Link,
+    pub link: TwoPort,
     /// What a sweep crosses there: the first element in its direction, from the left and from the right.
     pub glued: [Form; 2],
     /// The ground, and all of it open from the first node to the last.
     pub layer: Layer,
-    whole: Link,
+    whole: TwoPort,
     /// Open ground and what is beyond the beam, left of its first node and right of its last.
-    beyond: [Link; 2],
+    beyond: [TwoPort; 2],
 }
 
 impl Run {
     fn new(cell: &Cell) -> Self {
-        let layer = Layer::new(cell.spring, cell.shear);
+        let layer = Layer::new(cell.subgrade, cell.shear_layer);
         Run {
             x: cell.x,
             stiffness: cell.stiffness,
-            spring: cell.spring,
-            shear: cell.shear,
+            spring: cell.subgrade,
+            shear: cell.shear_layer,
             given: Given::of(cell),
             first: 0,
             count: 0,
             h: 0.0,
-            link: Link::default(),
+            link: TwoPort::default(),
             glued: Default::default(),
             layer,
             whole: layer.open(cell.length()),
@@ -66,8 +66,8 @@ impl Run {
         self.link = match ground {
             Ground::Nodal => self.layer.open(self.h),
             Ground::Spread => {
-                let leak = 0.5 * self.spring * self.h;
-                Link { coupling: self.shear / self.h, leak_left: leak, leak_right: leak }
+                let shunt = 0.5 * self.spring * self.h;
+                TwoPort { series: self.shear / self.h, shunt_left: shunt, shunt_right: shunt }
             }
         };
         let form = self.first_glued(axial_force, false);
@@ -114,7 +114,7 @@ impl Run {
     }
 
     /// Open ground from one node to another, both of this run.
-    pub fn open(&self, from: usize, to: usize) -> Link {
+    pub fn open(&self, from: usize, to: usize) -> TwoPort {
         if to - from == self.count {
             return self.whole;
         }
@@ -206,13 +206,13 @@ impl Grid {
 
     /// The ground beyond each run, from both ends.
     fn chain(&mut self) {
-        let spring = Link::default();
-        let mut link = Link { leak_right: self.outside[0], ..spring };
+        let spring = TwoPort::default();
+        let mut link = TwoPort { shunt_right: self.outside[0], ..spring };
         for run in &mut self.runs {
             run.beyond[0] = link;
             link = link.then(run.whole);
         }
-        link = Link { leak_left: self.outside[1], ..spring };
+        link = TwoPort { shunt_left: self.outside[1], ..spring };
         for run in self.runs.iter_mut().rev() {
             run.beyond[1] = link;
             link = run.whole.then(link);
@@ -294,29 +294,29 @@ impl Grid {
     }
 
     /// Open ground from one node to another.
-    pub fn link(&self, from: usize, to: usize) -> Option<Link> {
+    pub fn link(&self, from: usize, to: usize) -> Option<TwoPort> {
         let links = self.parts(from, to).map(|(run, from, to)| self.runs[run].open(from, to));
-        links.reduce(Link::then)
+        links.reduce(TwoPort::then)
     }
 
     /// The ground from beyond the left end up to a node.
-    pub fn left_of(&self, node: usize) -> Link {
+    pub fn left_of(&self, node: usize) -> TwoPort {
         let run = &self.runs[self.run_at(node)];
         let [before, _] = run.beyond;
         if node == run.first { before } else { before.then(run.open(run.first, node)) }
     }
 
     /// Open ground from one node, or from beyond the left end, up to another.
-    pub fn left_then(&self, from: usize, held: bool, to: usize) -> Link {
+    pub fn left_then(&self, from: usize, held: bool, to: usize) -> TwoPort {
         if !held {
             return self.left_of(to);
         }
-        let nothing = Link { coupling: f64::MAX, leak_left: 0.0, leak_right: 0.0 };
+        let nothing = TwoPort { series: f64::MAX, shunt_left: 0.0, shunt_right: 0.0 };
         self.link(from, to).unwrap_or(nothing)
     }
 
     /// The ground from a node to beyond the right end.
-    pub fn right_of(&self, node: usize) -> Link {
+    pub fn right_of(&self, node: usize) -> TwoPort {
         let run = &self.runs[self.run_at(node.max(1) - 1)];
         let [_, after] = run.beyond;
         if node == run.end() { after } else { run.open(node, run.end()).then(after) }

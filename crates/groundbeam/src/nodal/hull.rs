@@ -1,11 +1,11 @@
 //! The ground under given deflections of the nodes: which of them it touches.
 //!
-//! As in [`majorant`](crate::contact::majorant), with nodes in place of points: only where the forces of
+//! As in [`majorant`](crate::contact::obstacle), with nodes in place of points: only where the forces of
 //! glued ground press can a row of nodes touch (an *arc*), and the scan joins arcs from left to right.
 //! Forces at the ends of an arc are monotone along it, so each end is found by bisection.
 
 use super::grid::Grid;
-use crate::ground::link::Link;
+use crate::ground::link::TwoPort;
 
 /// Nodes that touch, first and last.
 pub(crate) type Zone = [usize; 2];
@@ -82,7 +82,7 @@ impl Hull<'_> {
             if run.first > 0 && glued != start.is_some() {
                 note(&mut start, arcs, run.first);
             }
-            let (c, leak) = (run.link.coupling, run.link.leak_left + run.link.leak_right);
+            let (c, shunt) = (run.link.series, run.link.shunt_left + run.link.shunt_right);
             let [g, to] = run.given.gap;
             let dg = (to - g) / run.count as f64;
             let w = &self.deflection[run.first..=run.end()];
@@ -94,7 +94,7 @@ impl Hull<'_> {
                 for ((i, w), presses) in w[at - 1..=end].windows(3).enumerate().zip(&mut presses) {
                     // −c ψ″ of linear g₀ is that of w.
                     let psi = w[1] - (g + dg * (at + i) as f64);
-                    *presses = leak * psi + c * ((w[1] - w[0]) - (w[2] - w[1])) > 0.0;
+                    *presses = shunt * psi + c * ((w[1] - w[0]) - (w[2] - w[1])) > 0.0;
                     pressing += usize::from(*presses);
                 }
                 // Where all or none of a block press, as the node before did, nothing begins or ends.
@@ -210,11 +210,11 @@ struct Opening {
 }
 
 /// The ground from a run's end to a zone or beyond the beam; none if the zone begins in that run.
-type Rest = Option<Link>;
+type Rest = Option<TwoPort>;
 
 impl Opening {
     /// From a node to the first node of the next zone, or beyond the beam.
-    fn rightwards(&mut self, grid: &Grid, node: usize, next: Option<usize>) -> Link {
+    fn rightwards(&mut self, grid: &Grid, node: usize, next: Option<usize>) -> TwoPort {
         if next.is_none() && node == grid.last() {
             return grid.right_of(node);
         }
@@ -233,7 +233,7 @@ impl Opening {
     }
 
     /// From the last node of the zone before, or from beyond the beam, to a node.
-    fn leftwards(&mut self, grid: &Grid, node: usize, before: Option<usize>) -> Link {
+    fn leftwards(&mut self, grid: &Grid, node: usize, before: Option<usize>) -> TwoPort {
         if node == 0 {
             return grid.left_of(node);
         }

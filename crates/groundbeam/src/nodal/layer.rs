@@ -1,6 +1,6 @@
 //! The ground under one run: springs and a shear layer that do not vary.
 
-use crate::ground::link::Link;
+use crate::ground::link::TwoPort;
 
 /// √(kμ) and √(k/μ).
 #[derive(Debug, Clone, Copy, Default)]
@@ -19,9 +19,9 @@ impl Layer {
 
     /// Open ground of a length, as [`Link::uniform`] with one exponential:
     /// 1/sinh z = 2e^(−z)/(1 − e^(−z))(1 + e^(−z)) and tanh(z/2) = (1 − e^(−z))/(1 + e^(−z)).
-    pub fn open(&self, length: f64) -> Link {
+    pub fn open(&self, length: f64) -> TwoPort {
         if self.stiffness == 0.0 {
-            return Link::default();
+            return TwoPort::default();
         }
         let z = self.rate * length;
         let (decay, fall) = if z < 1.0 {
@@ -31,9 +31,9 @@ impl Layer {
             let decay = (-z).exp();
             (decay, 1.0 - decay)
         };
-        let leak = self.stiffness * fall / (1.0 + decay);
-        let coupling = self.stiffness * (2.0 * decay) / (fall * (1.0 + decay));
-        Link { coupling, leak_left: leak, leak_right: leak }
+        let shunt = self.stiffness * fall / (1.0 + decay);
+        let series = self.stiffness * (2.0 * decay) / (fall * (1.0 + decay));
+        TwoPort { series, shunt_left: shunt, shunt_right: shunt }
     }
 }
 
@@ -45,9 +45,9 @@ mod tests {
     fn one_exponential_is_enough() {
         let layer = Layer { stiffness: 1.0, rate: 2.0 };
         for bh in [1e-12, 1e-6, 0.3, 0.999, 1.0, 5.0, 300.0] {
-            let (ours, link) = (layer.open(0.5 * bh), Link::uniform(2.0, 0.5, 0.5 * bh));
-            assert!((ours.coupling - link.coupling).abs() <= 1e-15 * link.coupling, "{bh}");
-            assert!((ours.leak_left - link.leak_left).abs() <= 1e-15 * link.leak_left, "{bh}");
+            let (ours, link) = (layer.open(0.5 * bh), TwoPort::uniform(2.0, 0.5, 0.5 * bh));
+            assert!((ours.series - link.series).abs() <= 1e-15 * link.series, "{bh}");
+            assert!((ours.shunt_left - link.shunt_left).abs() <= 1e-15 * link.shunt_left, "{bh}");
         }
     }
 }

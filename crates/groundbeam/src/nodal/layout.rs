@@ -5,7 +5,7 @@ use super::grid::Grid;
 use super::hull::Zone;
 use super::span::Span;
 use super::sweep::{Loose, Side, Stand, Stretch};
-use crate::ground::link::Link;
+use crate::ground::link::TwoPort;
 
 /// Springs that hold the beam's two ends where they are: what the ground does not hold.
 #[derive(Debug, Clone, Copy)]
@@ -120,13 +120,13 @@ impl Layout {
             (grid.link(node.min(to), node.max(to)), stand(grid, node, mirrored))
         } else {
             // The ground beyond the end and under it is one spring; the end itself does not touch.
-            let leak_right =
-                if mirrored { grid.right_of(to).leak_left } else { grid.left_of(to).leak_right };
-            let spring = Link { coupling: 0.0, leak_left: 0.0, leak_right };
+            let shunt_right =
+                if mirrored { grid.right_of(to).shunt_left } else { grid.left_of(to).shunt_right };
+            let spring = TwoPort { series: 0.0, shunt_left: 0.0, shunt_right };
             (Some(spring), Stand { spring: 0.0, push: 0.0, ..stand(grid, node, mirrored) })
         };
-        let turned = |link: Link| match mirrored && behind.is_some() {
-            true => Link { leak_left: link.leak_right, leak_right: link.leak_left, ..link },
+        let turned = |link: TwoPort| match mirrored && behind.is_some() {
+            true => TwoPort { shunt_left: link.shunt_right, shunt_right: link.shunt_left, ..link },
             false => link,
         };
         let gap = [if behind.is_some() { grid.gap(node) } else { 0.0 }, grid.gap(to)];

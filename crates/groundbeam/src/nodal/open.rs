@@ -65,7 +65,7 @@ pub(crate) fn ground(
     let mut next = right.unwrap_or(0.0);
     if right.is_none() {
         let link = grid.left_then(from, left.is_some(), to);
-        next = link.coupling * start / (link.coupling + link.leak_right + grid.outside[1]);
+        next = link.series * start / (link.series + link.shunt_right + grid.outside[1]);
         settlement[to] = next;
     }
     let mut parts = grid.parts(from, to).collect::<Vec<_>>();
@@ -77,13 +77,13 @@ pub(crate) fn ground(
             } else {
                 // The ground beyond the left end holds the part's left end.
                 let link = own.open(a, b);
-                link.coupling * next / (link.coupling + link.leak_left + grid.outside[0])
+                link.series * next / (link.series + link.shunt_left + grid.outside[0])
             }
         } else {
             let link = grid.left_then(from, left.is_some(), a);
             let own = own.open(a, b);
-            let pull = link.coupling * start + own.coupling * next;
-            pull / (link.coupling + link.leak_right + own.coupling + own.leak_left)
+            let pull = link.series * start + own.series * next;
+            pull / (link.series + link.shunt_right + own.series + own.shunt_left)
         };
         if !(parts.is_empty() && left.is_some()) {
             settlement[a] = before;

@@ -193,7 +193,7 @@ fn cross<const SWEEPS: usize>(
     let of = |number: &dyn Fn(&Form) -> f64| Lanes::of(|lane| number(elements[lane].form));
     let m: [_; 3] = std::array::from_fn(|i| of(&|form| form.m[i]));
     let e: [_; 3] = std::array::from_fn(|i| of(&|form| form.e[i]));
-    let leak: [_; 2] = std::array::from_fn(|i| of(&|form| form.leak[i]));
+    let shunt: [_; 2] = std::array::from_fn(|i| of(&|form| form.shunt[i]));
     let first = elements.each_ref().map(|elements| elements.first);
     let even = elements.iter().all(|elements| elements.form.is_even());
     let forms = elements.each_ref().map(|elements| elements.form);
@@ -212,7 +212,7 @@ fn cross<const SWEEPS: usize>(
         if !even {
             load = load_at(step);
         }
-        (a, r1) = (a + leak[0], r1 + load[4]);
+        (a, r1) = (a + shunt[0], r1 + load[4]);
         let (b_less, c_less) = (b - m[1], c - m[2]);
         let (g11, g12, g22) = (a + e[0], b + e[1], c + e[2]);
         let determinant = g11 * g22 - g12 * g12;
@@ -236,7 +236,7 @@ fn cross<const SWEEPS: usize>(
                 *gain = [k11, k21, k12, k22, c1, c2].map(|lanes| lanes.0[lane]);
             }
         }
-        (a, b, c) = (s11 + leak[1], s12 - s11, (s22 - s12) - (s12 - s11));
+        (a, b, c) = (s11 + shunt[1], s12 - s11, (s22 - s12) - (s12 - s11));
         (r1, r2) = (f1 + load[5], f2 - f1);
         least =
             Lanes::of(
@@ -337,8 +337,8 @@ fn recross<const SWEEPS: usize>(
         std::array::from_fn(|lane| &sides[lane].stretches[now[lane].stretches - 1]);
     let forms = stretches.map(|stretch| &stretch.form);
     let of = |number: &dyn Fn(&Form) -> f64| Lanes::of(|lane| number(forms[lane]));
-    let leak: [_; 2] = std::array::from_fn(|i| of(&|form| form.leak[i]));
-    let (coupling, rise) = (of(&|form| form.coupling), of(&|form| form.rise));
+    let shunt: [_; 2] = std::array::from_fn(|i| of(&|form| form.shunt[i]));
+    let (series, rise) = (of(&|form| form.series), of(&|form| form.rise));
     let per_length = Lanes::of(|lane| -towards[lane] / forms[lane].length);
     let even = forms.iter().all(|form| form.is_even());
     let push_at = |within: &[usize; SWEEPS]| {
@@ -365,11 +365,11 @@ fn recross<const SWEEPS: usize>(
         if !even {
             push = push_at(&within);
         }
-        let pulled = coupling * (turn + e[0]) - rise;
-        let force = taken + (leak[1] * w - push[1]) + pulled;
+        let pulled = series * (turn + e[0]) - rise;
+        let force = taken + (shunt[1] * w - push[1]) + pulled;
         w = y - e[0];
         turn = turn - e[1];
-        taken = (leak[0] * w - push[0]) - pulled;
+        taken = (shunt[0] * w - push[0]) - pulled;
         let slope = turn * per_length;
         for lane in 0..SWEEPS {
             fields.force[node[lane]] += force.0[lane];

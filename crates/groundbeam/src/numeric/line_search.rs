@@ -1,4 +1,4 @@
-//! How far to go along a line on which a convex energy falls.
+//! Line search: the step along which a convex energy falls.
 
 /// The part of the slope along a line that may remain.
 const SETTLED: f64 = 0.1;

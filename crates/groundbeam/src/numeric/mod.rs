@@ -2,4 +2,6 @@
 
 pub(crate) mod line_search;
 pub(crate) mod polynomial;
+pub(crate) mod roots;
+pub(crate) mod sum;
 pub(crate) mod tolerance;

@@ -1,40 +1,47 @@
-//! From a deflection and its contact to the fields, contact zones and forces of a [`Candidate`].
+//! Fields, contact zones and forces of a [`Candidate`], from a deflection and its contact.
 
 use crate::contact::recover;
-use crate::contact::state::Found;
-use crate::contact::surface::{Atom, Surface};
+use crate::contact::state::ContactState;
+use crate::contact::surface::{PointForce, Surface};
 use crate::ground::link::settled;
 use crate::mesh::cell::Cell;
-use crate::mesh::deflection::{Spot, pressure_under};
+use crate::mesh::deflection::{BeamPoint, pressure_under};
 use crate::model::{Action, Model, Support, SupportKind};
 use crate::numeric::polynomial::{Coefficients, derivative, product, rescale};
 use crate::numeric::tolerance::same_place;
 use crate::options::Pressure;
 use crate::solution::candidate::{Candidate, Workspace};
 use crate::solution::fields::{
-    ConcentratedForce, ContactRegion, EndForces, Reaction, Side, Stretch,
+    ConcentratedForce, ContactZone, EndForces, Reaction, Side, SolutionPiece,
 };
 
 impl Candidate {
     /// The fields of what was found, in the memory of a workspace.
-    pub fn of(model: &Model, found: &Found, workspace: &mut Workspace) -> Self {
+    pub fn of(model: &Model, found: &ContactState, workspace: &mut Workspace) -> Self {
         let surface = match &found.surface {
             Some(given) => given,
             None => &Surface::of(&found.deflection(), &found.zones),
         };
         let mut candidate = workspace.blank(model);
         let mesh = &found.mesh;
-        let at = |atom: &Atom| mesh.cells[atom.spot.cell].global(atom.spot.s);
+        let at = |point_force: &PointForce| {
+            mesh.cells[point_force.point.cell].global(point_force.point.s)
+        };
         let l = model.beam.length;
         // Adding zero turns −0 into 0.
         let [left, right] = surface.end_forces(mesh).map(|force| force + 0.0);
-        let inner = surface.atoms.iter().filter(|atom| at(atom) > 0.0 && at(atom) < l);
-        let inner = inner.filter(|atom| atom.force != 0.0);
+        let inner = surface
+            .point_forces
+            .iter()
+            .filter(|point_force| at(point_force) > 0.0 && at(point_force) < l);
+        let inner = inner.filter(|point_force| point_force.force != 0.0);
         let concentrated = &mut candidate.concentrated;
-        concentrated
-            .extend(inner.map(|atom| ConcentratedForce { at: at(atom), force: atom.force }));
+        concentrated.extend(inner.map(|point_force| ConcentratedForce {
+            at: at(point_force),
+            force: point_force.force,
+        }));
         regions(found, &mut candidate.contact);
-        stretches(found, surface, &mut candidate.stretches);
+        pieces(found, surface, &mut candidate.pieces);
         candidate.end_forces = EndForces { left, right };
         candidate.elements = mesh.cells.len();
         candidate.reactions = reactions(&candidate);
@@ -58,7 +65,7 @@ impl Candidate {
     }
 }
 
-fn stretches(found: &Found, surface: &Surface, stretches: &mut Vec<Stretch>) {
+fn pieces(found: &ContactState, surface: &Surface, pieces: &mut Vec<SolutionPiece>) {
     let w = found.deflection();
     let parts = surface.short_parts(&found.mesh);
     let exact = found.terms > crate::element::cubic::TERMS;
@@ -67,13 +74,13 @@ fn stretches(found: &Found, surface: &Surface, stretches: &mut Vec<Stretch>) {
     } else {
         // Forces at nodes are the elements' own business: only those within a cell are needed, and nodal
         // pressures (5.5) have none.
-        let within = surface.atoms.iter().filter(|a| a.spot.s.abs() < 1.0);
+        let within = surface.point_forces.iter().filter(|a| a.point.s.abs() < 1.0);
         let forces: Vec<(usize, f64, f64)> =
-            within.map(|a| (a.spot.cell, a.spot.s, a.force)).collect();
+            within.map(|a| (a.point.cell, a.point.s, a.force)).collect();
         recover::moments(found, &parts, &forces)
     };
     let mut recovered = recovered.into_iter();
-    stretches.reserve(parts.len());
+    pieces.reserve(parts.len());
     for part in &parts {
         let [from, to] = part.s;
         let (middle, quarter) = (0.5 * (from + to), 0.5 * (to - from));
@@ -97,12 +104,12 @@ fn stretches(found: &Found, surface: &Surface, stretches: &mut Vec<Stretch>) {
         };
         let moment = recovered.next().unwrap_or_else(|| bent(&cell, half, &deflection, &rotation));
         let settlement = match part.open {
-            Some(ends) if cell.ground_varies() && cell.shear > 0.0 => {
-                settled(&cell.spring_course(), &cell.shear_course(), half, ends)
+            Some(ends) if cell.ground_varies() && cell.shear_layer > 0.0 => {
+                settled(&cell.subgrade_along(), &cell.shear_layer_along(), half, ends)
             }
             _ => Coefficients::default(),
         };
-        stretches.push(Stretch {
+        pieces.push(SolutionPiece {
             half,
             x: cell.x,
             cell,
@@ -127,11 +134,11 @@ fn bent(cell: &Cell, half: f64, deflection: &[f64], rotation: &[f64]) -> Coeffic
     for c in bend.iter_mut() {
         *c *= factor;
     }
-    let bent = if cell.beam_varies() { product(&cell.stiffness_course(), &bend) } else { bend };
-    if !cell.is_curled() {
+    let bent = if cell.beam_varies() { product(&cell.stiffness_along(), &bend) } else { bend };
+    if !cell.has_imposed_curvature() {
         return bent;
     }
-    let curling = cell.curling_moment();
+    let curling = cell.imposed_moment();
     let mut moment = bent.at_least(curling.len());
     for (moment, curling) in moment.iter_mut().zip(curling.iter()) {
         *moment += curling;
@@ -140,20 +147,20 @@ fn bent(cell: &Cell, half: f64, deflection: &[f64], rotation: &[f64]) -> Coeffic
 }
 
 /// Stretches and points of contact, those that meet joined.
-fn regions(found: &Found, regions: &mut Vec<ContactRegion>) {
+fn regions(found: &ContactState, regions: &mut Vec<ContactZone>) {
     let mesh = &found.mesh;
-    let position = |spot: Spot| mesh.cells[spot.cell].global(spot.s);
+    let position = |point: BeamPoint| mesh.cells[point.cell].global(point.s);
     let mut last_node = None;
     for zone in &found.zones {
         let (from, to) = (position(zone.from), position(zone.to));
-        // Nodal contact: nodes that follow one another are a stretch.
+        // Nodal contact: nodes that follow one another are a piece.
         let node = zone.from.cell + usize::from(zone.from.s == 1.0);
         let nodal = found.pressure == Pressure::Dirac;
         let follows = nodal && last_node.is_some_and(|last: usize| last + 1 == node);
         last_node = Some(node);
         match regions.last_mut() {
             Some(last) if last.to == from || follows => last.to = to,
-            _ => regions.push(ContactRegion { from, to }),
+            _ => regions.push(ContactZone { from, to }),
         }
     }
 }
@@ -186,33 +193,33 @@ fn lift(candidate: &Candidate, x: f64) -> f64 {
     let others = || model.supports.iter().map(|support| support.at);
     let span_left = others().filter(|&at| at < x).fold(0.0, f64::max);
     let span_right = others().filter(|&at| at > x).fold(l, f64::min);
-    // T = V + P w' − g at an end of a stretch.
-    let total = |stretch: &Stretch, s: f64, end: usize| {
-        let fields = stretch.fields(s);
-        fields.shear_force + axial * fields.slope - stretch.cell.moment_load[end]
+    // T = V + P w' − g at an end of a piece.
+    let total = |piece: &SolutionPiece, s: f64, end: usize| {
+        let fields = piece.fields(s);
+        fields.shear_force + axial * fields.slope - piece.cell.moment_load[end]
     };
-    let stretches = &candidate.stretches;
-    let holding = |x: f64| stretches.partition_point(|s| s.x[1] < x).min(stretches.len() - 1);
+    let pieces = &candidate.pieces;
+    let holding = |x: f64| pieces.partition_point(|s| s.x[1] < x).min(pieces.len() - 1);
     let (first, from, before) = if x <= 0.0 {
         (0, 0.0, 0.0)
     } else {
         let i = holding(0.5 * (span_left + x));
-        (i + 1, stretches[i].x[1], total(&stretches[i], 1.0, 1))
+        (i + 1, pieces[i].x[1], total(&pieces[i], 1.0, 1))
     };
     let (end, to, after) = if x >= l {
-        (stretches.len(), l, 0.0)
+        (pieces.len(), l, 0.0)
     } else {
         let i = holding(0.5 * (x + span_right));
-        (i, stretches[i].x[0], total(&stretches[i], -1.0, 0))
+        (i, pieces[i].x[0], total(&pieces[i], -1.0, 0))
     };
     let near = same_place(l);
     let inside = |at: f64| from - near <= at && at <= to + near;
     let mut force = after - before;
-    for stretch in stretches.get(first..end).unwrap_or_default() {
-        let even = stretch.pressure.iter().enumerate().step_by(2);
+    for piece in pieces.get(first..end).unwrap_or_default() {
+        let even = piece.pressure.iter().enumerate().step_by(2);
         let pressure: f64 = even.map(|(j, c)| c / (j + 1) as f64).sum();
-        let [left, right] = stretch.cell.load;
-        force += stretch.half * (left + right - 2.0 * pressure);
+        let [left, right] = piece.cell.load;
+        force += piece.half * (left + right - 2.0 * pressure);
     }
     for load in &model.loads {
         if let Some((at, load)) = load.at_point(Action::Force)

@@ -1,18 +1,18 @@
 //! The fields, contact zones and forces of an equilibrium before its certificate, and the memory for the next.
 
 use crate::certificate::{Certificate, Claim, ClaimedPiece, certify};
-use crate::existence::existence::Existence;
+use crate::existence::verdict::Existence;
 use crate::model::Model;
 use crate::solution::fields::{
-    ConcentratedForce, ContactRegion, EndForces, Fields, Reaction, Side, Stretch,
+    ConcentratedForce, ContactZone, EndForces, Fields, Reaction, Side, SolutionPiece,
 };
 
 /// Everything that a certificate judges.
 #[derive(Debug, Clone)]
 pub(crate) struct Candidate {
     pub model: Model,
-    pub stretches: Vec<Stretch>,
-    pub contact: Vec<ContactRegion>,
+    pub pieces: Vec<SolutionPiece>,
+    pub contact: Vec<ContactZone>,
     pub end_forces: EndForces,
     pub concentrated: Vec<ConcentratedForce>,
     pub reactions: Vec<Reaction>,
@@ -28,16 +28,16 @@ impl Candidate {
     /// All fields at a position of the beam; where a field jumps, from the given side.
     pub fn at(&self, x: f64, side: Side) -> Fields {
         let x = x.clamp(0.0, self.model.beam.length);
-        let stretch = self.stretch_at(x, side);
-        stretch.fields(stretch.local(x))
+        let piece = self.piece_at(x, side);
+        piece.fields(piece.local(x))
     }
 
-    fn stretch_at(&self, x: f64, side: Side) -> &Stretch {
+    fn piece_at(&self, x: f64, side: Side) -> &SolutionPiece {
         let i = match side {
-            Side::Right => self.stretches.partition_point(|s| s.x[1] <= x),
-            Side::Left => self.stretches.partition_point(|s| s.x[1] < x),
+            Side::Right => self.pieces.partition_point(|s| s.x[1] <= x),
+            Side::Left => self.pieces.partition_point(|s| s.x[1] < x),
         };
-        &self.stretches[i.min(self.stretches.len() - 1)]
+        &self.pieces[i.min(self.pieces.len() - 1)]
     }
 
     /// Existence and uniqueness, with the contact known. Supports that act in one direction hold the beam only
@@ -58,14 +58,14 @@ impl Candidate {
         let mut forces = vec![(0.0, left)];
         forces.extend(self.concentrated.iter().map(|c| (c.at, c.force)));
         forces.push((self.model.beam.length, right));
-        let pieces = self.stretches.iter().map(|stretch| ClaimedPiece {
-            x: stretch.x,
-            half: stretch.half,
-            deflection: &stretch.deflection,
-            rotation: &stretch.rotation,
-            pressure: &stretch.pressure,
-            open: stretch.open.map(|ends| {
-                let own = [-1.0, 1.0].map(|s| stretch.cell.settled_at(s)[0]);
+        let pieces = self.pieces.iter().map(|piece| ClaimedPiece {
+            x: piece.x,
+            half: piece.half,
+            deflection: &piece.deflection,
+            rotation: &piece.rotation,
+            pressure: &piece.pressure,
+            open: piece.open.map(|ends| {
+                let own = [-1.0, 1.0].map(|s| piece.cell.free_field_at(s)[0]);
                 [ends[0] + own[0], ends[1] + own[1]]
             }),
         });
@@ -83,34 +83,34 @@ impl Candidate {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Workspace {
     model: Option<Model>,
-    stretches: Vec<Stretch>,
-    contact: Vec<ContactRegion>,
+    pieces: Vec<SolutionPiece>,
+    contact: Vec<ContactZone>,
     concentrated: Vec<ConcentratedForce>,
 }
 
 impl Workspace {
     /// Takes over the memory of a candidate.
     pub fn recycle(&mut self, candidate: Candidate) {
-        let Candidate { model, stretches, contact, concentrated, .. } = candidate;
-        *self = Workspace { model: Some(model), stretches, contact, concentrated };
+        let Candidate { model, pieces, contact, concentrated, .. } = candidate;
+        *self = Workspace { model: Some(model), pieces, contact, concentrated };
     }
 
     /// A candidate for a model, all of whose lists are empty.
     pub(super) fn blank(&mut self, model: &Model) -> Candidate {
-        let Workspace { model: memory, mut stretches, mut contact, mut concentrated } =
+        let Workspace { model: memory, mut pieces, mut contact, mut concentrated } =
             std::mem::take(self);
         let model = match memory {
             Some(mut memory) => {
-                memory.become_like(model);
+                memory.copy_from(model);
                 memory
             }
             None => model.clone(),
         };
-        stretches.clear();
+        pieces.clear();
         contact.clear();
         concentrated.clear();
         let end_forces = EndForces { left: 0.0, right: 0.0 };
         let (reactions, elements) = (Vec::new(), 0);
-        Candidate { model, stretches, contact, end_forces, concentrated, reactions, elements }
+        Candidate { model, pieces, contact, end_forces, concentrated, reactions, elements }
     }
 }

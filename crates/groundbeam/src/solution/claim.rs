@@ -67,8 +67,8 @@ fn ground<S: Scalar>(model: &Model) -> proof::Ground<S> {
     let segments = ground.segments.iter().map(|segment| proof::GroundSegment {
         from: S::of(segment.from),
         to: S::of(segment.to),
-        spring: course(&segment.spring),
-        shear: course(&segment.shear),
+        spring: course(&segment.subgrade),
+        shear: course(&segment.shear_layer),
     });
     let end = |end: GroundEnd| match end {
         GroundEnd::Endless => proof::GroundEnd::Endless,
@@ -76,8 +76,8 @@ fn ground<S: Scalar>(model: &Model) -> proof::Ground<S> {
         GroundEnd::Held { at } => proof::GroundEnd::Held(S::of(at)),
     };
     proof::Ground {
-        spring: S::of(ground.spring),
-        shear: S::of(ground.shear),
+        spring: S::of(ground.subgrade),
+        shear: S::of(ground.shear_layer),
         segments: segments.collect(),
         ends: ground.ends.map(end),
     }
@@ -125,17 +125,17 @@ fn support<S: Scalar>(support: &crate::model::Support) -> proof::Support<S> {
 
 /// The solution, piece by piece.
 pub(super) fn answer(candidate: &Candidate) -> Answer {
-    let pieces = candidate.stretches.iter().map(|stretch| {
-        let own = [-1.0, 1.0].map(|s| stretch.cell.settled_at(s)[0]);
+    let pieces = candidate.pieces.iter().map(|piece| {
+        let own = [-1.0, 1.0].map(|s| piece.cell.free_field_at(s)[0]);
         proof::Piece {
-            x: stretch.x,
-            half: stretch.half,
-            touches: stretch.open.is_none(),
-            deflection: stretch.deflection.to_vec(),
-            rotation: stretch.rotation.to_vec(),
-            pressure: stretch.pressure.to_vec(),
-            open: stretch.open.map(|ends| [ends[0] + own[0], ends[1] + own[1]]),
-            settlement: stretch.settlement.to_vec(),
+            x: piece.x,
+            half: piece.half,
+            touches: piece.open.is_none(),
+            deflection: piece.deflection.to_vec(),
+            rotation: piece.rotation.to_vec(),
+            pressure: piece.pressure.to_vec(),
+            open: piece.open.map(|ends| [ends[0] + own[0], ends[1] + own[1]]),
+            settlement: piece.settlement.to_vec(),
         }
     });
     let ends = candidate.end_forces;

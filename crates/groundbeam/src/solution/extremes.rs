@@ -1,40 +1,42 @@
-//! Where fields are largest and smallest: at joints, and where derivatives vanish.
+//! Extremes of the fields: at the ends of pieces, and where derivatives vanish.
 //!
-//! Nothing is sampled: the roots of a polynomial are told from its coefficients. So is on which stretches a field may
+//! Nothing is sampled: the roots of a polynomial are told from its coefficients. So is on which pieces a field may
 //! exceed what it is at their ends; on the others no root is sought.
 
-use crate::numeric::polynomial::{derivative, jet, sign_changes, value, with_slope};
+use crate::numeric::polynomial::{derivative, jet, value, with_slope};
+use crate::numeric::roots::sign_changes;
 use crate::solution::candidate::Candidate;
-use crate::solution::fields::{Extreme, Field, Range, Stretch};
+use crate::solution::fields::{Extreme, Field, Range, SolutionPiece};
 
 impl Candidate {
     /// The smallest and largest value of a field, located by the roots of its derivative.
     pub fn range(&self, field: Field) -> Range {
-        let hulls: Vec<Hull> = self.stretches.iter().map(|stretch| stretch.hull(field)).collect();
-        let ends = hulls.iter().flat_map(|hull| hull.ends);
+        let bounds_of: Vec<FieldBounds> =
+            self.pieces.iter().map(|piece| piece.field_bounds(field)).collect();
+        let ends = bounds_of.iter().flat_map(|of_piece| of_piece.ends);
         let [least, most] = ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], end| {
             [least.min(end), most.max(end)]
         });
-        let rounding = hulls.iter().map(|hull| hull.rounding).fold(0.0, f64::max);
-        let mut found: Option<[Spot; 2]> = None;
-        for (i, (hull, stretch)) in hulls.iter().zip(&self.stretches).enumerate() {
-            for (s, end) in [-1.0, 1.0].into_iter().zip(hull.ends) {
+        let rounding = bounds_of.iter().map(|of_piece| of_piece.rounding).fold(0.0, f64::max);
+        let mut found: Option<[ValueAt; 2]> = None;
+        for (i, (of_piece, piece)) in bounds_of.iter().zip(&self.pieces).enumerate() {
+            for (s, end) in [-1.0, 1.0].into_iter().zip(of_piece.ends) {
                 // All that may be the least or the most but for rounding are seen exactly.
                 if end <= least + 2.0 * rounding || end >= most - 2.0 * rounding {
-                    widen(&mut found, Spot { stretch: i, s, value: stretch.one(field, s) });
+                    widen(&mut found, ValueAt { piece: i, s, value: piece.one(field, s) });
                 }
             }
         }
         let mut inside = Vec::new();
-        for (i, (hull, stretch)) in hulls.iter().zip(&self.stretches).enumerate() {
-            let [low, high] = hull.bounds;
+        for (i, (of_piece, piece)) in bounds_of.iter().zip(&self.pieces).enumerate() {
+            let [low, high] = of_piece.bounds;
             if found.is_some_and(|[min, max]| min.value <= low && high <= max.value) {
                 continue;
             }
             inside.clear();
-            stretch.turning_points(field, &mut inside);
+            piece.turning_points(field, &mut inside);
             for &s in &inside {
-                widen(&mut found, Spot { stretch: i, s, value: stretch.one(field, s) });
+                widen(&mut found, ValueAt { piece: i, s, value: piece.one(field, s) });
             }
         }
         self.between(found)
@@ -42,45 +44,45 @@ impl Candidate {
 
     /// The smallest and largest rotation of the sections; that of the slope where the beam does not shear.
     pub fn rotation_range(&self) -> Range {
-        let mut found: Option<[Spot; 2]> = None;
-        for (i, stretch) in self.stretches.iter().enumerate() {
+        let mut found: Option<[ValueAt; 2]> = None;
+        for (i, piece) in self.pieces.iter().enumerate() {
             let mut all = vec![-1.0, 1.0];
-            match stretch.rotation.is_empty() {
-                true => stretch.turning_points(Field::Slope, &mut all),
-                false => sign_changes(&derivative(&stretch.rotation), &mut all),
+            match piece.rotation.is_empty() {
+                true => piece.turning_points(Field::Slope, &mut all),
+                false => sign_changes(&derivative(&piece.rotation), &mut all),
             }
             for s in all {
-                widen(&mut found, Spot { stretch: i, s, value: stretch.fields(s).rotation });
+                widen(&mut found, ValueAt { piece: i, s, value: piece.fields(s).rotation });
             }
         }
         self.between(found)
     }
 
-    fn between(&self, found: Option<[Spot; 2]>) -> Range {
-        let extreme = |Spot { stretch, s, value }: Spot| {
-            let x = self.stretches[stretch].global(s);
+    fn between(&self, found: Option<[ValueAt; 2]>) -> Range {
+        let extreme = |ValueAt { piece, s, value }: ValueAt| {
+            let x = self.pieces[piece].global(s);
             Extreme { x, value }
         };
         found.map_or(NOTHING, |[min, max]| Range { min: extreme(min), max: extreme(max) })
     }
 }
 
-/// Of a beam without stretches.
+/// Of a beam without pieces.
 const NOTHING: Range =
     Range { min: Extreme { x: 0.0, value: 0.0 }, max: Extreme { x: 0.0, value: 0.0 } };
 
 /// Where a value is.
 #[derive(Clone, Copy)]
-struct Spot {
-    stretch: usize,
+struct ValueAt {
+    piece: usize,
     s: f64,
     value: f64,
 }
 
 /// Lets the smallest and the largest value take note of another. Of equal ones the leftmost counts.
-fn widen(found: &mut Option<[Spot; 2]>, here: Spot) {
+fn widen(found: &mut Option<[ValueAt; 2]>, here: ValueAt) {
     let [min, max] = found.get_or_insert([here; 2]);
-    let is_left = |of: &Spot| here.value == of.value && (here.stretch, here.s) < (of.stretch, of.s);
+    let is_left = |of: &ValueAt| here.value == of.value && (here.piece, here.s) < (of.piece, of.s);
     if here.value < min.value || is_left(min) {
         *min = here;
     }
@@ -89,15 +91,15 @@ fn widen(found: &mut Option<[Spot; 2]>, here: Spot) {
     }
 }
 
-/// A field at the ends of a stretch, but for rounding, and between which values it lies on all of it.
-struct Hull {
+/// A field at the ends of a piece, but for rounding, and between which values it lies on all of it.
+struct FieldBounds {
     ends: [f64; 2],
     bounds: [f64; 2],
     /// So much the ends may be wrong.
     rounding: f64,
 }
 
-impl Hull {
+impl FieldBounds {
     /// Between the ends a polynomial is a straight line and Σ cⱼ (sʲ − 1) for even j, Σ cⱼ (sʲ − s) for odd ones,
     /// from j = 2 on; these factors lie between −1 and 0, and −1 and 1.
     fn of(c: &[f64]) -> Self {
@@ -115,16 +117,16 @@ impl Hull {
         let ends = [even - odd, even + odd];
         let bounds = [ends[0].min(ends[1]) - above - apart, ends[0].max(ends[1]) + below + apart];
         let size = first.abs() + second.abs() + above + below + apart;
-        Hull { ends, bounds, rounding: c.len() as f64 * f64::EPSILON * size }
+        FieldBounds { ends, bounds, rounding: c.len() as f64 * f64::EPSILON * size }
     }
 
     fn times(self, factor: f64) -> Self {
         let [ends, bounds] = [self.ends, self.bounds].map(|pair| pair.map(|of| of * factor));
-        Hull { ends, bounds, rounding: self.rounding * factor }
+        FieldBounds { ends, bounds, rounding: self.rounding * factor }
     }
 }
 
-impl Stretch {
+impl SolutionPiece {
     /// One field, to the bit what [`Stretch::fields`] says.
     fn one(&self, field: Field, s: f64) -> f64 {
         let per_length = 1.0 / self.half;
@@ -138,24 +140,25 @@ impl Stretch {
         }
     }
 
-    fn hull(&self, field: Field) -> Hull {
+    fn field_bounds(&self, field: Field) -> FieldBounds {
         let per_length = 1.0 / self.half;
         match field {
-            Field::Deflection => Hull::of(&self.deflection),
-            Field::Slope => Hull::of(&derivative(&self.deflection)).times(per_length),
-            Field::Moment => Hull::of(&self.moment),
-            Field::ShearForce => Hull::of(&derivative(&self.moment)).times(per_length),
-            Field::Pressure => Hull::of(&self.pressure),
+            Field::Deflection => FieldBounds::of(&self.deflection),
+            Field::Slope => FieldBounds::of(&derivative(&self.deflection)).times(per_length),
+            Field::Moment => FieldBounds::of(&self.moment),
+            Field::ShearForce => FieldBounds::of(&derivative(&self.moment)).times(per_length),
+            Field::Pressure => FieldBounds::of(&self.pressure),
             Field::Settlement if self.open.is_none() => {
-                let Hull { ends, bounds: [least, most], rounding } = Hull::of(&self.deflection);
+                let FieldBounds { ends, bounds: [least, most], rounding } =
+                    FieldBounds::of(&self.deflection);
                 let [a, b] = self.cell.gap;
                 let bounds = [least - a.max(b), most - a.min(b)];
                 let rounding = rounding + f64::EPSILON * (a.abs() + b.abs());
-                Hull { ends: [ends[0] - a, ends[1] - b], bounds, rounding }
+                FieldBounds { ends: [ends[0] - a, ends[1] - b], bounds, rounding }
             }
-            Field::Gap if self.open.is_none() => Hull::of(&[]),
+            Field::Gap if self.open.is_none() => FieldBounds::of(&[]),
             // No polynomial.
-            Field::Settlement | Field::Gap => Hull {
+            Field::Settlement | Field::Gap => FieldBounds {
                 ends: [-1.0, 1.0].map(|s| self.one(field, s)),
                 bounds: [f64::NEG_INFINITY, f64::INFINITY],
                 rounding: 0.0,
@@ -235,7 +238,7 @@ mod tests {
     use crate::solution::candidate::Workspace;
     use crate::{Answer, Beam, Foundation, Load, Model, Solver};
 
-    /// Loads, an open part and a stiff part: all fields, on a thousand points of each stretch.
+    /// Loads, an open part and a stiff part: all fields, on a thousand points of each piece.
     #[test]
     fn nothing_exceeds_a_range_and_ranges_are_reached() {
         let (mut solver, mut solved) = (Solver::new(), 0);
@@ -253,11 +256,11 @@ mod tests {
                 let Range { min, max } = solution.range(field);
                 let size = min.value.abs().max(max.value.abs());
                 let mut seen = [f64::INFINITY, f64::NEG_INFINITY];
-                for stretch in solution.stretches() {
+                for piece in solution.pieces() {
                     for at in 0..=1000 {
                         let s = f64::from(at) / 500.0 - 1.0;
-                        let value = stretch.fields(s).get(field);
-                        assert_eq!(value.to_bits(), stretch.one(field, s).to_bits());
+                        let value = piece.fields(s).get(field);
+                        assert_eq!(value.to_bits(), piece.one(field, s).to_bits());
                         seen = [seen[0].min(value), seen[1].max(value)];
                     }
                 }
@@ -275,23 +278,33 @@ mod tests {
         assert!(solved > 30, "{solved}");
     }
 
-    /// A stretch that touches ground with k = μ = 1 and no gap, all of whose fields are zero.
-    fn stretch(x: [f64; 2]) -> Stretch {
+    /// A piece that touches ground with k = μ = 1 and no gap, all of whose fields are zero.
+    fn piece(x: [f64; 2]) -> SolutionPiece {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0));
         let mut cell = crate::mesh::mesh::Mesh::build(&model, &[], |_| 1).cells[0];
         cell.x = x;
         let none = crate::numeric::polynomial::Coefficients::default();
         let half = 0.5 * (x[1] - x[0]);
         let [deflection, rotation, moment, pressure, settlement] = [none; 5];
-        Stretch { x, half, cell, deflection, rotation, moment, pressure, open: None, settlement }
+        SolutionPiece {
+            x,
+            half,
+            cell,
+            deflection,
+            rotation,
+            moment,
+            pressure,
+            open: None,
+            settlement,
+        }
     }
 
-    fn candidate(stretches: Vec<Stretch>) -> Candidate {
+    fn candidate(pieces: Vec<SolutionPiece>) -> Candidate {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0));
-        Candidate { stretches, ..Workspace::default().blank(&model) }
+        Candidate { pieces: pieces, ..Workspace::default().blank(&model) }
     }
 
-    fn turning_points(of: &Stretch, field: Field) -> Vec<f64> {
+    fn turning_points(of: &SolutionPiece, field: Field) -> Vec<f64> {
         let mut found = Vec::new();
         of.turning_points(field, &mut found);
         found
@@ -308,58 +321,59 @@ mod tests {
     /// and 6 take it up or down by 10 at most.
     #[test]
     fn a_hull_is_the_line_between_the_ends_and_what_the_powers_add() {
-        let Hull { ends, bounds, rounding } = Hull::of(&[1.0, 2.0, 3.0, -4.0, -5.0, 6.0]);
+        let FieldBounds { ends, bounds, rounding } =
+            FieldBounds::of(&[1.0, 2.0, 3.0, -4.0, -5.0, 6.0]);
         assert_eq!((ends, bounds), ([-5.0, 3.0], [-18.0, 18.0]));
         assert_eq!(rounding, 6.0 * f64::EPSILON * 21.0);
         // In a mirror, with the other sign, and half as large.
-        let mirrored = Hull::of(&[1.0, -2.0, 3.0, 4.0, -5.0, -6.0]);
+        let mirrored = FieldBounds::of(&[1.0, -2.0, 3.0, 4.0, -5.0, -6.0]);
         assert_eq!((mirrored.ends, mirrored.bounds), ([3.0, -5.0], [-18.0, 18.0]));
-        let below = Hull::of(&[-1.0, -2.0, -3.0, 4.0, 5.0, -6.0]);
+        let below = FieldBounds::of(&[-1.0, -2.0, -3.0, 4.0, 5.0, -6.0]);
         assert_eq!((below.ends, below.bounds), ([5.0, -3.0], [-18.0, 18.0]));
-        let short = Hull::of(&[1.0, 2.0, 4.0]);
+        let short = FieldBounds::of(&[1.0, 2.0, 4.0]);
         assert_eq!((short.ends, short.bounds), ([3.0, 7.0], [-1.0, 7.0]));
         let half = short.times(0.5);
         assert_eq!((half.ends, half.bounds), ([1.5, 3.5], [-0.5, 3.5]));
         assert_eq!(half.rounding, 0.5 * 3.0 * f64::EPSILON * 7.0);
-        let constant = Hull::of(&[-7.0]);
+        let constant = FieldBounds::of(&[-7.0]);
         assert_eq!((constant.ends, constant.bounds), ([-7.0; 2], [-7.0; 2]));
-        let zero = Hull::of(&[]);
+        let zero = FieldBounds::of(&[]);
         assert_eq!((zero.ends, zero.bounds, zero.rounding), ([0.0; 2], [0.0; 2], 0.0));
     }
 
     /// Slope and shear force are derivatives in x: those in s over half the length. The settlement under contact is w − g₀.
     #[test]
     fn the_hull_of_each_field() {
-        let mut of = stretch([0.0, 4.0]);
+        let mut of = piece([0.0, 4.0]);
         of.deflection = [2.0, 0.0, 1.0, 4.0][..].into();
         of.moment = [0.0, 3.0, 2.0][..].into();
         of.pressure = [5.0, 1.0][..].into();
         (of.cell.gap, of.cell.gap_slope) = ([0.5, -1.5], -0.5);
-        let hull = |field| {
-            let Hull { ends, bounds, rounding } = of.hull(field);
+        let bounds_of = |field| {
+            let FieldBounds { ends, bounds, rounding } = of.field_bounds(field);
             (ends, bounds, rounding / f64::EPSILON)
         };
-        assert_eq!(hull(Field::Deflection), ([-1.0, 7.0], [-6.0, 11.0], 4.0 * 7.0));
+        assert_eq!(bounds_of(Field::Deflection), ([-1.0, 7.0], [-6.0, 11.0], 4.0 * 7.0));
         // w′ = (2s + 12s²)/2.
-        assert_eq!(hull(Field::Slope), ([5.0, 7.0], [-1.0, 7.0], 0.5 * 3.0 * 14.0));
-        assert_eq!(hull(Field::Moment), ([-1.0, 5.0], [-3.0, 5.0], 3.0 * 5.0));
-        assert_eq!(hull(Field::ShearForce), ([-0.5, 3.5], [-0.5, 3.5], 0.5 * 2.0 * 7.0));
-        assert_eq!(hull(Field::Pressure), ([4.0, 6.0], [4.0, 6.0], 2.0 * 6.0));
-        assert_eq!(hull(Field::Settlement), ([-1.5, 8.5], [-6.5, 12.5], 28.0 + 2.0));
-        assert_eq!(hull(Field::Gap), ([0.0; 2], [0.0; 2], 0.0));
+        assert_eq!(bounds_of(Field::Slope), ([5.0, 7.0], [-1.0, 7.0], 0.5 * 3.0 * 14.0));
+        assert_eq!(bounds_of(Field::Moment), ([-1.0, 5.0], [-3.0, 5.0], 3.0 * 5.0));
+        assert_eq!(bounds_of(Field::ShearForce), ([-0.5, 3.5], [-0.5, 3.5], 0.5 * 2.0 * 7.0));
+        assert_eq!(bounds_of(Field::Pressure), ([4.0, 6.0], [4.0, 6.0], 2.0 * 6.0));
+        assert_eq!(bounds_of(Field::Settlement), ([-1.5, 8.5], [-6.5, 12.5], 28.0 + 2.0));
+        assert_eq!(bounds_of(Field::Gap), ([0.0; 2], [0.0; 2], 0.0));
         of.open = Some([1.0, 2.0]);
         for (field, ends) in [(Field::Settlement, [1.0, 2.0]), (Field::Gap, [2.5, -6.5])] {
-            let open = of.hull(field);
+            let open = of.field_bounds(field);
             near(&open.ends, &ends);
             assert_eq!(open.bounds, [f64::NEG_INFINITY, f64::INFINITY]);
             assert_eq!(open.rounding, 0.0);
         }
     }
 
-    /// Polynomials whose derivatives have known roots, on a stretch of length 4.
+    /// Polynomials whose derivatives have known roots, on a piece of length 4.
     #[test]
     fn fields_turn_where_their_derivatives_vanish() {
-        let mut of = stretch([1.0, 5.0]);
+        let mut of = piece([1.0, 5.0]);
         // w = s³ − 3/16 s: w′ vanishes at s = ±1/4, w″ at 0.
         of.deflection = [0.0, -0.1875, 0.0, 1.0][..].into();
         // M = (s − 1/2)² and (s − 1/2)³: V = M′ turns where M″ vanishes.
@@ -386,7 +400,7 @@ mod tests {
     #[test]
     fn open_ground_turns_where_it_is_lowest() {
         for a in [0.7_f64, 1.3, 3.9] {
-            let mut of = stretch([0.0, 4.0]);
+            let mut of = piece([0.0, 4.0]);
             of.open = Some([a.cosh(), (4.0 - a).cosh()]);
             near(&turning_points(&of, Field::Settlement), &[0.5 * a - 1.0]);
             // w = s, w′ = 1/2; g₀′ = 3/4.
@@ -398,7 +412,7 @@ mod tests {
             near(&[lowest.x, lowest.value], &[a, 1.0]);
         }
         // Ground that falls all along turns nowhere.
-        let mut falling = stretch([0.0, 4.0]);
+        let mut falling = piece([0.0, 4.0]);
         falling.open = Some([1.0, (-4.0_f64).exp()]);
         near(&turning_points(&falling, Field::Settlement), &[]);
     }
@@ -407,7 +421,7 @@ mod tests {
     /// the ground's surface is exactly zero if both edges of contact are equally deep to the last bit.
     #[test]
     fn symmetric_open_ground_is_lowest_in_its_middle() {
-        let mut of = stretch([0.0, 4.0]);
+        let mut of = piece([0.0, 4.0]);
         of.open = Some([1.0; 2]);
         near(&turning_points(&of, Field::Settlement), &[0.0]);
         let model = Model::new(Beam::uniform(5.0, 1.0), Foundation::pasternak(4.0, 1.0))
@@ -426,7 +440,7 @@ mod tests {
     fn sign_changes_of_any_function_are_bisected() {
         let turns = |slope: &dyn Fn(f64) -> f64| {
             let mut found = Vec::new();
-            stretch([0.0, 1.0]).turns(slope, &mut found);
+            piece([0.0, 1.0]).turns(slope, &mut found);
             found
         };
         near(&turns(&|s| (s - 0.3) * (s + 0.77)), &[-0.77, 0.3]);
@@ -450,7 +464,7 @@ mod tests {
     /// Of equal values the leftmost counts, whatever the order in which they are met.
     #[test]
     fn the_leftmost_of_equal_values_counts() {
-        let spots = [
+        let places = [
             (0, 1.0, 2.0),
             (1, -1.0, 2.0),
             (1, 0.5, 1.0),
@@ -458,25 +472,25 @@ mod tests {
             (2, 0.0, 2.0),
             (2, 0.5, 1.5),
         ]
-        .map(|(stretch, s, value)| Spot { stretch, s, value });
-        for first in 0..spots.len() {
+        .map(|(piece, s, value)| ValueAt { piece, s, value });
+        for first in 0..places.len() {
             for step in [1, 5] {
                 let mut found = None;
-                (0..spots.len()).for_each(|i| widen(&mut found, spots[(first + i * step) % 6]));
+                (0..places.len()).for_each(|i| widen(&mut found, places[(first + i * step) % 6]));
                 let [min, max] =
-                    found.expect("spots").map(|spot| (spot.stretch, spot.s, spot.value));
+                    found.expect("places").map(|place| (place.piece, place.s, place.value));
                 assert_eq!((min, max), ((1, 0.5, 1.0), (0, 1.0, 2.0)));
             }
         }
-        // Within one stretch as well.
+        // Within one piece as well.
         let mut found = None;
         for s in [0.5, -0.5, 0.0] {
-            widen(&mut found, Spot { stretch: 0, s, value: 1.0 });
+            widen(&mut found, ValueAt { piece: 0, s, value: 1.0 });
         }
-        assert_eq!(found.expect("spots").map(|spot| spot.s), [-0.5; 2]);
+        assert_eq!(found.expect("places").map(|place| place.s), [-0.5; 2]);
     }
 
-    /// The field's value at all ends and turning points of all stretches, one by one.
+    /// The field's value at all ends and turning points of all pieces, one by one.
     #[test]
     fn a_range_is_the_least_and_the_largest_of_all_candidates() {
         let mut seed = 7_u64;
@@ -486,10 +500,10 @@ mod tests {
             (seed % 9) as f64 - 4.0
         };
         for round in 0..400 {
-            let mut all: Vec<Stretch> =
-                (0..1 + round % 5).map(|i| stretch([i as f64, i as f64 + 1.0])).collect();
+            let mut all: Vec<SolutionPiece> =
+                (0..1 + round % 5).map(|i| piece([i as f64, i as f64 + 1.0])).collect();
             for of in &mut all {
-                // Every few stretches one is far below the others: no root of it is asked for.
+                // Every few pieces one is far below the others: no root of it is asked for.
                 let size = if digit() > 1.0 { 1.0 } else { 0.0625 };
                 let mut some = |least: usize| -> crate::numeric::polynomial::Coefficients {
                     let count = least + (digit() + 4.0) as usize / 2;
@@ -505,7 +519,7 @@ mod tests {
             let solution = candidate(all);
             for field in Field::ALL {
                 let Range { min, max } = solution.range(field);
-                let values = solution.stretches.iter().flat_map(|of| {
+                let values = solution.pieces.iter().flat_map(|of| {
                     let value = |s: f64| of.fields(s).get(field);
                     of.candidates(field).into_iter().map(value)
                 });
@@ -521,7 +535,7 @@ mod tests {
     fn ends_within_rounding_of_the_least_are_seen_exactly() {
         // 0.1 + 0.2 + 0.3 is rounded otherwise than 0.3 + 0.2 + 0.1.
         let of = |from: f64, c: &[f64]| {
-            let mut of = stretch([from, from + 1.0]);
+            let mut of = piece([from, from + 1.0]);
             of.deflection = c.into();
             of
         };
@@ -537,7 +551,7 @@ mod tests {
                 let all = order.iter().enumerate().map(|(i, c)| of(i as f64, &c.map(|a| sign * a)));
                 let solution = candidate(all.collect());
                 let Range { min, max } = solution.range(Field::Deflection);
-                let ends = solution.stretches.iter().flat_map(|of| {
+                let ends = solution.pieces.iter().flat_map(|of| {
                     [(of.x[0], of.fields(-1.0).deflection), (of.x[1], of.fields(1.0).deflection)]
                 });
                 let ends: Vec<(f64, f64)> = ends.collect();
@@ -551,12 +565,12 @@ mod tests {
 
     #[test]
     fn rotations_of_a_beam_that_shears_are_its_own() {
-        let mut bends = stretch([0.0, 4.0]);
+        let mut bends = piece([0.0, 4.0]);
         // w′ = s + s²: least −1/4 at s = −1/2, largest 2 at the right end.
         bends.deflection = [0.0, 0.0, 1.0, 2.0 / 3.0][..].into();
         let Range { min, max } = candidate(vec![bends.clone()]).rotation_range();
         near(&[min.x, min.value, max.x, max.value], &[1.0, -0.25, 4.0, 2.0]);
-        let mut shears = stretch([4.0, 6.0]);
+        let mut shears = piece([4.0, 6.0]);
         // φ = 3 − 12 s²: largest 3 at the middle, least −9 at both ends.
         shears.rotation = [3.0, 0.0, -12.0][..].into();
         shears.deflection = [0.0, 100.0][..].into();

@@ -4,9 +4,9 @@ use crate::ground::link;
 use crate::mesh::cell::Cell;
 use crate::numeric::polynomial::{Coefficients, jet, value};
 
-/// A stretch of contact between beam and ground; of a single point, both ends are equal.
+/// A piece of contact between beam and ground; of a single point, both ends are equal.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ContactRegion {
+pub struct ContactZone {
     /// Left end \[m\].
     pub from: f64,
     /// Right end \[m\].
@@ -157,7 +157,7 @@ pub struct Range {
 
 /// A part of the beam on which every field is one closed form.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Stretch {
+pub(crate) struct SolutionPiece {
     /// Its ends \[m\].
     pub x: [f64; 2],
     /// Half its length \[m\]: not the difference of its ends, which are rounded.
@@ -178,10 +178,10 @@ pub(crate) struct Stretch {
     pub settlement: Coefficients,
 }
 
-impl Stretch {
+impl SolutionPiece {
     /// b·h of the open ground.
     fn decay(&self) -> f64 {
-        (self.cell.spring / self.cell.shear).sqrt() * 2.0 * self.half
+        (self.cell.subgrade / self.cell.shear_layer).sqrt() * 2.0 * self.half
     }
 
     fn gap_at(&self, s: f64) -> f64 {
@@ -194,7 +194,7 @@ impl Stretch {
         match self.open {
             None => [w - self.gap_at(s), slope - self.cell.gap_slope],
             Some(ends) => {
-                let ([u, du], [own, sinks]) = (self.pressed(s, ends), self.cell.settled_at(s));
+                let ([u, du], [own, sinks]) = (self.pressed(s, ends), self.cell.free_field_at(s));
                 [u + own, du + sinks]
             }
         }

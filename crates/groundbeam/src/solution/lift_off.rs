@@ -1,9 +1,9 @@
-//! Where the beam does not touch: free spans, and ends that are in the air.
+//! Open parts of the beam: free spans, and ends that have lifted off.
 
 use crate::solution::fields::{Extreme, Field};
 use crate::solution::solution::Solution;
 
-/// A stretch of the beam that does not touch: a free span, or an end that is in the air.
+/// A piece of the beam that does not touch: a free span, or an end that is in the air.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LiftOff {
     /// Left end \[m\].
@@ -24,23 +24,23 @@ impl LiftOff {
 }
 
 impl Solution {
-    /// The stretches that do not touch, each with its largest gap.
+    /// The pieces that do not touch, each with its largest gap.
     pub fn lift_off(&self) -> Vec<LiftOff> {
         let mut found: Vec<LiftOff> = Vec::new();
         // Nodal contact leaves slivers between touching nodes: within a region they are no lift-off.
         let inside = |x: [f64; 2]| self.contact().iter().any(|c| c.from <= x[0] && x[1] <= c.to);
-        for stretch in self.stretches() {
-            if stretch.open.is_none() || inside(stretch.x) {
+        for piece in self.pieces() {
+            if piece.open.is_none() || inside(piece.x) {
                 continue;
             }
-            let mut largest = Extreme { x: stretch.x[0], value: f64::NEG_INFINITY };
-            for s in stretch.candidates(Field::Gap) {
-                let here = stretch.fields(s).gap;
+            let mut largest = Extreme { x: piece.x[0], value: f64::NEG_INFINITY };
+            for s in piece.candidates(Field::Gap) {
+                let here = piece.fields(s).gap;
                 if here > largest.value {
-                    largest = Extreme { x: stretch.global(s), value: here };
+                    largest = Extreme { x: piece.global(s), value: here };
                 }
             }
-            let [from, to] = stretch.x;
+            let [from, to] = piece.x;
             let parted = self.contact().iter().any(|c| c.from == c.to && c.from == from);
             match found.last_mut() {
                 Some(last) if last.to == from && !parted => {

@@ -2,17 +2,17 @@
 
 use crate::Step;
 use crate::certificate::Certificate;
-use crate::existence::existence::Existence;
+use crate::existence::verdict::Existence;
 use crate::ground::link;
 use crate::mesh::cell::Cell;
 use crate::mesh::free_field;
-use crate::model::{Beyond, Model};
+use crate::model::{GroundOutside, Model};
 
 use crate::options::Method;
 use crate::solution::candidate::Candidate;
 use crate::solution::claim;
 use crate::solution::fields::{
-    ConcentratedForce, ContactRegion, EndForces, Field, Fields, Range, Reaction, Side, Stretch,
+    ConcentratedForce, ContactZone, EndForces, Field, Fields, Range, Reaction, Side, SolutionPiece,
 };
 use groundbeam_proof::{NotProven, Proof, Scalar, Wide};
 
@@ -26,6 +26,16 @@ pub struct Solution {
     existence: Existence,
     method: Method,
     history: Vec<Step>,
+    soil: Option<SoilRounds>,
+}
+
+/// How a solution's ground was made from the [soil](crate::soil) of its model.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SoilRounds {
+    /// γ, for layers.
+    pub gamma: Option<f64>,
+    /// Solutions it took: one, unless γ is taken from the solution.
+    pub rounds: usize,
 }
 
 impl Solution {
@@ -39,7 +49,12 @@ impl Solution {
         history: Vec<Step>,
     ) -> Self {
         let existence = candidate.settled_existence(existence);
-        Solution { candidate, certificate, existence, method, history }
+        Solution { candidate, certificate, existence, method, history, soil: None }
+    }
+
+    /// The same solution, on ground that was made from soil.
+    pub(crate) fn on_soil(self, soil: SoilRounds) -> Self {
+        Solution { soil: Some(soil), ..self }
     }
 
     /// The fields without their certificate, and the method's steps.
@@ -53,13 +68,18 @@ impl Solution {
     }
 
     /// The closed forms, from left to right.
-    pub(crate) fn stretches(&self) -> &[Stretch] {
-        &self.candidate.stretches
+    pub(crate) fn pieces(&self) -> &[SolutionPiece] {
+        &self.candidate.pieces
     }
 
-    /// The model that was solved.
+    /// The model that was solved, on ground whose constants are given: on soil, those of this solution.
     pub fn model(&self) -> &Model {
         &self.candidate.model
+    }
+
+    /// How the ground was made from soil; `None` for a model whose constants are given.
+    pub fn soil(&self) -> Option<SoilRounds> {
+        self.soil
     }
 
     /// The method that found it.
@@ -73,7 +93,7 @@ impl Solution {
     }
 
     /// Where beam and ground touch, from left to right. A beam that touches nowhere has none.
-    pub fn contact(&self) -> &[ContactRegion] {
+    pub fn contact(&self) -> &[ContactZone] {
         &self.candidate.contact
     }
 
@@ -157,18 +177,18 @@ impl Solution {
         if !self.candidate.model.has_ground_loads() {
             return link::beside(&beyond, end.settlement, distance);
         }
-        let cells: Vec<Cell> = self.stretches().iter().map(|stretch| stretch.cell).collect();
+        let cells: Vec<Cell> = self.pieces().iter().map(|piece| piece.cell).collect();
         let own =
             |distance: f64| free_field::at(&self.candidate.model, &beyond, right, &cells, distance);
         link::beside(&beyond, end.settlement - own(0.0), distance) + own(distance)
     }
 
     /// The ground beyond an end of the beam.
-    pub(crate) fn beyond(&self, right: bool) -> Beyond {
+    pub(crate) fn beyond(&self, right: bool) -> GroundOutside {
         let at_end = if right {
-            self.stretches()[self.stretches().len() - 1].cell.ground_at(1.0)
+            self.pieces()[self.pieces().len() - 1].cell.ground_at(1.0)
         } else {
-            self.stretches()[0].cell.ground_at(-1.0)
+            self.pieces()[0].cell.ground_at(-1.0)
         };
         self.candidate.model.foundation.beyond(right, self.candidate.model.beam.length, at_end)
     }

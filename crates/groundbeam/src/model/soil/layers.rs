@@ -45,11 +45,11 @@ pub struct LayeredSoil {
 
 /// A two-parameter ground, per length of beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Subgrade {
+pub struct GroundConstants {
     /// k \[N/m²\].
-    pub spring: f64,
+    pub subgrade: f64,
     /// μ \[N\].
-    pub shear: f64,
+    pub shear_layer: f64,
 }
 
 impl LayeredSoil {
@@ -61,16 +61,16 @@ impl LayeredSoil {
     ///
     /// let clay = SoilLayer { modulus: 20e6, poisson: 0.25, thickness: 4.0 };
     /// let ground = LayeredSoil { layers: vec![clay] }.subgrade(0.0, 1.5);
-    /// assert_eq!(ground.spring, 1.5 * 24e6 / 4.0);
-    /// assert!((ground.shear - 1.5 * 8e6 * 4.0 / 3.0).abs() < 1e-6);
+    /// assert_eq!(ground.subgrade, 1.5 * 24e6 / 4.0);
+    /// assert!((ground.shear_layer - 1.5 * 8e6 * 4.0 / 3.0).abs() < 1e-6);
     /// ```
-    pub fn subgrade(&self, rate: f64, width: f64) -> Subgrade {
+    pub fn subgrade(&self, rate: f64, width: f64) -> GroundConstants {
         let heights = self.heights(rate);
-        let mut ground = Subgrade { spring: 0.0, shear: 0.0 };
+        let mut ground = GroundConstants { subgrade: 0.0, shear_layer: 0.0 };
         for (layer, ends) in self.layers.iter().zip(heights.windows(2)) {
             let [square, slope] = squares(ends[0], ends[1], layer.decay(rate));
-            ground.spring += width * layer.constrained_modulus() * slope / layer.thickness;
-            ground.shear += width * layer.shear_modulus() * square * layer.thickness;
+            ground.subgrade += width * layer.constrained_modulus() * slope / layer.thickness;
+            ground.shear_layer += width * layer.shear_modulus() * square * layer.thickness;
         }
         ground
     }
@@ -173,7 +173,7 @@ mod tests {
         for gamma in [0.3_f64, 0.7, 3.0, 12.0] {
             let rate = gamma * gamma / 4.0 * e0 / g;
             let soil = LayeredSoil { layers: vec![layer] };
-            let Subgrade { spring, shear } = soil.subgrade(rate, 1.0);
+            let GroundConstants { subgrade: spring, shear_layer: shear } = soil.subgrade(rate, 1.0);
             let (s, c) = (gamma.sinh(), gamma.cosh());
             let k = e0 * gamma * (s * c + gamma) / (4.0 * s * s);
             let two_t = g * 2.0 * (s * c - gamma) / (2.0 * gamma * s * s);
@@ -191,8 +191,8 @@ mod tests {
         let cut = LayeredSoil { layers: vec![part(0.01), part(2.0), part(0.99)] };
         for rate in [0.0, 1e-9, 0.04, 1.0, 300.0] {
             let (a, b) = (whole.subgrade(rate, 1.0), cut.subgrade(rate, 1.0));
-            assert!((a.spring / b.spring - 1.0).abs() < 1e-13, "{rate}: {a:?} {b:?}");
-            assert!((a.shear / b.shear - 1.0).abs() < 1e-12, "{rate}: {a:?} {b:?}");
+            assert!((a.subgrade / b.subgrade - 1.0).abs() < 1e-13, "{rate}: {a:?} {b:?}");
+            assert!((a.shear_layer / b.shear_layer - 1.0).abs() < 1e-12, "{rate}: {a:?} {b:?}");
         }
     }
 
@@ -206,7 +206,7 @@ mod tests {
         });
         let soil = LayeredSoil { layers: layers.to_vec() };
         let compliance: f64 = layers.iter().map(|l| l.thickness / l.modulus).sum();
-        assert!((soil.subgrade(0.0, 2.0).spring * compliance - 2.0).abs() < 1e-14);
+        assert!((soil.subgrade(0.0, 2.0).subgrade * compliance - 2.0).abs() < 1e-14);
         for (top, bottom) in [(1.0, 0.0), (1.0, 0.9), (0.2, 1.0)] {
             let [below, above] = [0.5 - 1e-9, 0.5 + 1e-9].map(|c| squares(top, bottom, c));
             for (a, b) in below.iter().zip(above) {
@@ -222,7 +222,7 @@ mod tests {
             .map(|(modulus, poisson, thickness)| SoilLayer { modulus, poisson, thickness });
         let soil = LayeredSoil { layers: layers.to_vec() };
         for rate in [1e-6, 0.1, 2.0, 50.0] {
-            let Subgrade { spring, shear } = soil.subgrade(rate, 1.0);
+            let GroundConstants { subgrade: spring, shear_layer: shear } = soil.subgrade(rate, 1.0);
             let below = layers
                 .iter()
                 .rev()

@@ -3,10 +3,10 @@
 pub(crate) mod correlations;
 pub(crate) mod layers;
 
+use crate::model::Beam;
 use crate::model::soil::correlations as winkler;
 use crate::model::soil::correlations::{Elastic, PlateTest};
-use crate::model::{Beam, Foundation, Model};
-pub use layers::{LayeredSoil, SoilLayer, Subgrade};
+pub use layers::{GroundConstants, LayeredSoil, SoilLayer};
 
 /// What is known of the soil, and by whose method it becomes a ground.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,9 +29,9 @@ pub enum Soil {
     TerzaghiSand(PlateTest),
 }
 
-/// Soil under a beam that bears on a width of it.
+/// Soil under a beam that bears on a width of it: k and μ follow from it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Bed {
+pub struct SoilModel {
     /// The soil.
     pub soil: Soil,
     /// The width on which the beam bears \[m\].
@@ -46,16 +46,16 @@ const LONG: f64 = 2.25;
 /// From this Poisson's ratio on, E₀ tells more of ν than of the soil.
 const NEARLY_INCOMPRESSIBLE: f64 = 0.45;
 
-impl Bed {
+impl SoilModel {
     /// Soil under a beam that bears on a `width` \[m\] of it.
     pub fn new(soil: Soil, width: f64) -> Self {
-        Bed { soil, width, factors: [1.0; 2] }
+        SoilModel { soil, width, factors: [1.0; 2] }
     }
 
     /// k and μ under a beam, before anything is solved: for [`Soil::ModifiedVlasov`] those of γ = 1.
-    pub fn subgrade(&self, beam: &Beam) -> Subgrade {
+    pub fn subgrade(&self, beam: &Beam) -> GroundConstants {
         let (width, length, stiffness) = (self.width, beam.length, beam.bending_stiffness);
-        let springs = |spring: f64| Subgrade { spring, shear: 0.0 };
+        let springs = |spring: f64| GroundConstants { subgrade: spring, shear_layer: 0.0 };
         let ground = match &self.soil {
             Soil::Vlasov(layers, gamma) => layers.subgrade(layers.rate(*gamma), width),
             Soil::ModifiedVlasov(layers) => layers.subgrade(layers.rate(1.0), width),
@@ -67,6 +67,20 @@ impl Bed {
             Soil::TerzaghiSand(plate) => springs(winkler::terzaghi_sand(plate, width)),
         };
         ground.times(self.factors)
+    }
+
+    /// γ before anything is solved: that of [`Soil::Vlasov`], 1 for [`Soil::ModifiedVlasov`]; `None` without layers.
+    pub fn gamma(&self) -> Option<f64> {
+        match &self.soil {
+            Soil::Vlasov(_, gamma) => Some(*gamma),
+            Soil::ModifiedVlasov(layers) => Some(layers.gamma(layers.rate(1.0))),
+            _ => None,
+        }
+    }
+
+    /// Whether k and μ depend on the solution.
+    pub fn follows_solution(&self) -> bool {
+        matches!(self.soil, Soil::ModifiedVlasov(_))
     }
 
     /// Who published the method.
@@ -86,7 +100,7 @@ impl Bed {
     /// Where the method is used outside the range it was made for: a sentence each, without a full stop.
     pub fn doubts(&self, beam: &Beam) -> Vec<String> {
         let mut doubts = Vec::new();
-        let spring = self.subgrade(beam).spring;
+        let spring = self.subgrade(beam).subgrade;
         let waves = beam.length * (0.25 * spring / beam.bending_stiffness).powf(0.25);
         match &self.soil {
             Soil::Vesic(_) | Soil::Biot(_) if waves < LONG => doubts.push(format!(
@@ -115,17 +129,10 @@ impl Bed {
     }
 }
 
-impl Subgrade {
+impl GroundConstants {
     /// The same with k and μ multiplied.
     pub fn times(self, [spring, shear]: [f64; 2]) -> Self {
-        Subgrade { spring: self.spring * spring, shear: self.shear * shear }
-    }
-
-    /// The model on this ground.
-    pub fn under(&self, model: &Model) -> Model {
-        let mut model = model.clone();
-        model.foundation = Foundation::pasternak(self.spring, self.shear);
-        model
+        GroundConstants { subgrade: self.subgrade * spring, shear_layer: self.shear_layer * shear }
     }
 }
 
@@ -136,11 +143,11 @@ mod tests {
     #[test]
     fn short_beams_and_wide_plates_are_doubted() {
         let beam = |stiffness| Beam::uniform(5.0, stiffness);
-        let bed = |soil| Bed::new(soil, 1.0);
-        let vesic = || bed(Soil::Vesic(Elastic { modulus: 20e6, poisson: 0.3 }));
+        let on = |soil| SoilModel::new(soil, 1.0);
+        let vesic = || on(Soil::Vesic(Elastic { modulus: 20e6, poisson: 0.3 }));
         assert!(vesic().doubts(&beam(1e6)).is_empty());
         assert!(vesic().doubts(&beam(1e9))[0].contains("βl = 1.1"));
-        let plate = |width| bed(Soil::TerzaghiSand(PlateTest { modulus: 1e7, width }));
+        let plate = |width| on(Soil::TerzaghiSand(PlateTest { modulus: 1e7, width }));
         assert!(
             plate(0.3).doubts(&beam(1.0)).is_empty() && !plate(1.5).doubts(&beam(1.0)).is_empty()
         );

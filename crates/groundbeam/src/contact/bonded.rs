@@ -1,0 +1,260 @@
+//! The beam bonded to the ground on given intervals, solved exactly.
+
+use crate::cancel::Cancel;
+use crate::chain::elimination::Chain;
+use crate::chain::node::{ChainCell, NotDefinite};
+use crate::contact::intervals::{Interval, zones_of};
+use crate::contact::layout::Layout;
+use crate::contact::state::{ContactState, turned};
+use crate::element::element::TERMS;
+use crate::element::operator::{Operator, ZoneKind};
+use crate::element::{ExactElement, parts};
+use crate::mesh::cell::Cell;
+use crate::mesh::deflection::MeshZone;
+use crate::mesh::mesh::Mesh;
+use crate::model::Model;
+use crate::numeric::polynomial::rescale;
+use crate::numeric::polynomial::value;
+use std::borrow::Cow;
+
+/// One beam, bonded on intervals that change from step to step.
+#[derive(Debug)]
+pub(crate) struct Bonded<'a> {
+    pub model: &'a Model,
+    cancel: &'a Cancel,
+    /// The elements of the step before: most cells meet no edge, and are what they were.
+    known: Vec<Known>,
+}
+
+/// An element, and the cell it was made for.
+#[derive(Debug)]
+struct Known {
+    x: [f64; 2],
+    touch: ZoneKind,
+    exact: ExactElement,
+}
+
+/// Beam and ground bonded together, ready to be solved.
+#[derive(Debug)]
+pub(crate) struct BondedSystem {
+    pub mesh: Mesh,
+    pub zones: Vec<MeshZone>,
+    pub chain: Chain,
+}
+
+/// Which cells rest on the ground: those within an interval.
+fn zone_kind_of(intervals: &[Interval]) -> impl Fn(&Cell) -> ZoneKind + '_ {
+    |cell| {
+        let x = 0.5 * (cell.x[0] + cell.x[1]);
+        let next = intervals.partition_point(|s| s[1] <= x);
+        let touches = intervals.get(next).is_some_and(|s| s[0] < x);
+        if touches { ZoneKind::Contact } else { ZoneKind::Open }
+    }
+}
+
+/// Whether compression takes all stiffness against shear from a beam with nodes at given places somewhere, so that it
+/// folds in waves however short.
+pub(crate) fn folds(model: &Model, places: &[f64], touch: &impl Fn(&Cell) -> ZoneKind) -> bool {
+    let axial = model.beam.axial_force;
+    if axial >= 0.0 || !model.beam.shears() {
+        return false;
+    }
+    let stands =
+        |cell: &Cell| Operator::of(cell, axial, touch(cell)).bears_shear(model.beam.length);
+    !Mesh::build(model, places, |_| 1).cells.iter().all(stands)
+}
+
+impl<'a> Bonded<'a> {
+    pub fn new(model: &'a Model, cancel: &'a Cancel) -> Self {
+        Bonded { model, cancel, known: Vec::new() }
+    }
+
+    /// The beam bonded to the ground on given intervals. A cancelled solve has none: its steps end here.
+    pub fn solve_on(
+        &mut self,
+        intervals: &[Interval],
+        held: Option<GivenRotation>,
+    ) -> Result<ContactState, NotDefinite> {
+        let model = self.model;
+        let touch = zone_kind_of(intervals);
+        if self.cancel.is_cancelled() || folds(model, intervals.as_flattened(), &touch) {
+            return Err(NotDefinite);
+        }
+        let BondedSystem { mesh, zones, mut chain } = self.system_on(intervals, &[]);
+        if let Some(held) = held {
+            let node = if held.left { 0 } else { chain.nodes.len() - 1 };
+            let spring = model.beam.bending_stiffness / model.beam.length;
+            chain.nodes[node].rotational_spring += spring;
+            chain.nodes[node].moment += spring * held.slope;
+        }
+        let shapes = chain.solve()?;
+        let layered = self.known.iter().any(|known| known.exact.layers().is_some());
+        let (mesh, coefficients, zones) = if layered {
+            let (fine, coefficients) = self.in_layers(&mesh, &shapes);
+            let zones = zones_of(&fine, intervals, &touch);
+            (fine, coefficients, zones)
+        } else {
+            (mesh, self.unfolded(&shapes), zones)
+        };
+        let rotation = self.rotations(&mesh, &coefficients, &shapes);
+        if !coefficients.iter().chain(&rotation).all(|c| c.is_finite()) {
+            return Err(NotDefinite);
+        }
+        Ok(ContactState::exact(mesh, coefficients, rotation, zones))
+    }
+
+    /// The chain of beam and ground bonded together on given intervals, with nodes at `more` positions.
+    pub fn system_on(&mut self, intervals: &[Interval], more: &[f64]) -> BondedSystem {
+        let axial = self.model.beam.axial_force;
+        let touch = zone_kind_of(intervals);
+        let edges = intervals.as_flattened();
+        let places: Cow<'_, [f64]> =
+            if more.is_empty() { edges.into() } else { [edges, more].concat().into() };
+        let mesh = Mesh::graded(self.model, &places, |cell| {
+            parts(&Operator::of(cell, axial, touch(cell)), cell.length())
+        });
+        let zones = zones_of(&mesh, intervals, &touch);
+        let layout = Layout::of(&mesh, &zones);
+        self.make_elements(&mesh, &touch);
+        let cell = |(i, known): (usize, &Known)| {
+            // Only ends are tied.
+            let element = known.exact.element;
+            layout.chain_cell(&mesh, i, element, |s| element.end_row(s > 0.0))
+        };
+        let cells: Vec<ChainCell> = self.known.iter().enumerate().map(cell).collect();
+        let nodes = layout.nodes(&mesh);
+        let chain = Chain { nodes, cells, meeting: layout.meeting_node(&mesh) };
+        BondedSystem { mesh, zones, chain }
+    }
+
+    /// The elements of the last chain, and whether each rests on the ground.
+    pub fn elements(&self) -> impl Iterator<Item = (&ExactElement, ZoneKind)> {
+        self.known.iter().map(|known| (&known.exact, known.touch))
+    }
+
+    /// The elements of a mesh, of which those that were known are kept.
+    fn make_elements(&mut self, mesh: &Mesh, touch: &impl Fn(&Cell) -> ZoneKind) {
+        let axial = self.model.beam.axial_force;
+        let before = std::mem::replace(&mut self.known, Vec::with_capacity(mesh.cells.len()));
+        let mut before = before.into_iter().peekable();
+        for cell in &mesh.cells {
+            let (x, touch) = (cell.x, touch(cell));
+            while before.next_if(|known| known.x[0] < x[0]).is_some() {}
+            let known = before.next_if(|known| known.x == x && known.touch == touch);
+            self.known.push(known.unwrap_or_else(|| {
+                let exact = ExactElement::new(&Operator::of(cell, axial, touch), cell.length());
+                Known { x, touch, exact }
+            }));
+        }
+    }
+
+    /// φ on the cells of w, on which a beam that does not shear everywhere may have cut its boundary layers.
+    fn rotations(&self, mesh: &Mesh, coefficients: &[f64], shapes: &[[f64; 4]]) -> Vec<f64> {
+        if !self.model.beam.shears() {
+            return Vec::new();
+        }
+        let mut rotations = Vec::with_capacity(coefficients.len());
+        let mut known = self.known.iter().zip(shapes).peekable();
+        for (cell, w) in mesh.cells.iter().zip(coefficients.chunks(TERMS)) {
+            let middle = 0.5 * (cell.x[0] + cell.x[1]);
+            while known.next_if(|(known, _)| known.x[1] < middle).is_some() {}
+            let own = known.peek().and_then(|(known, v)| known.exact.rotation(v));
+            let rotation = own.map_or_else(|| turned(cell, w), |own| own[..].into());
+            rotations.extend_from_slice(&rotation.at_least(TERMS));
+        }
+        rotations
+    }
+
+    /// w as short series, one for each element.
+    fn unfolded(&self, shapes: &[[f64; 4]]) -> Vec<f64> {
+        let mut coefficients = Vec::with_capacity(self.known.len() * TERMS);
+        for (known, v) in self.known.iter().zip(shapes) {
+            coefficients.extend_from_slice(&known.exact.unfold(v).0);
+        }
+        coefficients
+    }
+
+    /// The same where there are boundary layers: elements that have them are cut into runs.
+    fn in_layers(&self, mesh: &Mesh, shapes: &[[f64; 4]]) -> (Mesh, Vec<f64>) {
+        let parts = self.known.iter().zip(shapes).map(|(known, v)| known.exact.unfold(v));
+        let parts: Vec<([f64; TERMS], [f64; 2])> = parts.collect();
+        let mut x = Vec::new();
+        for (known, (_, heights)) in self.known.iter().zip(&parts) {
+            x.push(known.x[1]);
+            if let Some(layers) = known.exact.layers() {
+                x.extend(layers.cuts(known.x, *heights));
+            }
+        }
+        let fine = Mesh::build(self.model, &x, |_| 1);
+        let mut coefficients = Vec::with_capacity(fine.cells.len() * TERMS);
+        let mut i = 0;
+        for run in &fine.cells {
+            let middle = 0.5 * (run.x[0] + run.x[1]);
+            while mesh.cells[i].x[1] < middle {
+                i += 1;
+            }
+            let cell = &mesh.cells[i];
+            let (series, heights) = &parts[i];
+            let mut c = if run.x == cell.x {
+                series[..].into()
+            } else {
+                let [a, b] = run.x.map(|x| cell.local(x));
+                rescale(series, 0.5 * (a + b), run.length() / cell.length())
+            };
+            if let Some(layers) = self.known[i].exact.layers() {
+                layers.add(cell.x, *heights, run.x, &mut c);
+            }
+            coefficients.extend_from_slice(&c);
+        }
+        (fine, coefficients)
+    }
+}
+
+/// A rotation given at an end, by a spring that equilibrium leaves without a moment.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct GivenRotation {
+    pub left: bool,
+    pub slope: f64,
+}
+
+impl GivenRotation {
+    /// The rotation that a deflection has at the left end.
+    pub fn as_in(found: &ContactState) -> GivenRotation {
+        GivenRotation { left: true, slope: value(&found.rotation(0), -1.0) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Beam, Foundation, Load};
+    use crate::numeric::polynomial::jet;
+
+    /// A gap of length h takes −π h off the ground's force and changes w by O(h), however short it is and
+    /// wherever a node stands in it: 10⁻¹³ of w is left for rounding.
+    #[test]
+    fn a_short_gap_keeps_the_digits_beside_it() {
+        let model = Model::new(Beam::uniform(1.0, 10.0), Foundation::pasternak(1.0, 3.4))
+            .with_load(Load::point_force(0.5, 1.0))
+            .with_load(Load::point_moment(0.5, 0.1));
+        let solved = |intervals: &[Interval], node: f64| {
+            let model = model.clone().with_load(Load::point_force(node, f64::MIN_POSITIVE));
+            let found = Bonded::new(&model, &Cancel::default())
+                .solve_on(intervals, None)
+                .expect("a solution");
+            let cell = found.mesh.cells.iter().position(|c| c.x[1] == 0.3).expect("a node");
+            let [w, _, bend, _] = jet(found.deflection().cell(cell), 1.0);
+            [w, bend / (0.5 * found.mesh.cells[cell].length()).powi(2)]
+        };
+        let bonded = solved(&[[0.0, 0.3], [0.3, 1.0]], 0.3);
+        for h in [1e-3, 1e-5, 1e-7, 1e-9, 1e-11] {
+            let intervals = [[0.0, 0.3], [0.3 + h, 1.0]];
+            for node in [0.0, 0.3 + 0.4 * h] {
+                let here = solved(&intervals, node);
+                for (a, b) in here.iter().zip(bonded) {
+                    assert!((a - b).abs() <= h * h + 1e-13, "{h}: {here:?} {bonded:?}");
+                }
+            }
+        }
+    }
+}

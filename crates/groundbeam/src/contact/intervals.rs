@@ -1,0 +1,100 @@
+//! Contact as positions, and as zones of a mesh with a node at each of them.
+
+use crate::element::operator::ZoneKind;
+use crate::mesh::cell::Cell;
+use crate::mesh::deflection::{BeamPoint, MeshZone};
+use crate::mesh::mesh::Mesh;
+
+/// Edges this close to a place of the model's own, as a part of the length, are there.
+const SAME_PLACE: f64 = 64.0 * f64::EPSILON;
+
+/// Open ground this short, relative to l, is rounding error.
+const SLIT: f64 = 1e-10;
+
+/// Stretches of contact as positions; a point has both equal.
+pub(crate) type Interval = [f64; 2];
+
+/// Zones as positions. An edge within rounding of a place of the model's own is there.
+pub(crate) fn positions(mesh: &Mesh, zones: &[MeshZone], places: &[f64]) -> Vec<Interval> {
+    let l = mesh.cells[mesh.cells.len() - 1].x[1];
+    let at = |point: BeamPoint| snapped(mesh.cells[point.cell].global(point.s), places, l);
+    // Without a shear layer an interval that rounding made is no point of contact: it carries nothing.
+    let carries = |zone: &MeshZone| mesh.cells[zone.from.cell].shear_layer > 0.0;
+    let kept = |(zone, [from, to]): &(&MeshZone, Interval)| from < to || carries(zone);
+    let all = zones.iter().map(|zone| (zone, [at(zone.from), at(zone.to)]));
+    all.filter(kept).map(|(_, interval)| interval).collect()
+}
+
+/// Stretches without the slits that rounding leaves between them, on a beam of length l. A point stays: it may be
+/// the end of a shear layer beside separate springs.
+pub(crate) fn joined(intervals: Vec<Interval>, l: f64) -> Vec<Interval> {
+    let mut joined: Vec<Interval> = Vec::with_capacity(intervals.len());
+    for interval in intervals {
+        match joined.last_mut() {
+            Some(last)
+                if last[0] < last[1]
+                    && interval[0] < interval[1]
+                    && interval[0] - last[1] <= SLIT * l =>
+            {
+                last[1] = interval[1];
+            }
+            _ => joined.push(interval),
+        }
+    }
+    joined
+}
+
+/// A position on a beam of length l; within rounding of a place of the model's own that place.
+pub(crate) fn snapped(x: f64, places: &[f64], l: f64) -> f64 {
+    let near = SAME_PLACE * l;
+    let next = places.partition_point(|place| *place < x - near);
+    places.get(next).copied().filter(|place| *place <= x + near).unwrap_or(x)
+}
+
+/// Stretches as zones of a mesh that has a node at each of their ends.
+pub(crate) fn zones_of(
+    mesh: &Mesh,
+    intervals: &[Interval],
+    touch: &impl Fn(&Cell) -> ZoneKind,
+) -> Vec<MeshZone> {
+    let mut zones: Vec<MeshZone> = Vec::new();
+    let kind = |i: usize| mesh.cells[i].shear_layer > 0.0;
+    for (i, cell) in mesh.cells.iter().enumerate() {
+        if touch(cell) == ZoneKind::Open {
+            continue;
+        }
+        let end = BeamPoint { cell: i, s: 1.0 };
+        match zones.last_mut() {
+            Some(last) if last.to.cell + 1 == i && kind(i - 1) == kind(i) => last.to = end,
+            _ => zones.push(MeshZone { from: BeamPoint { cell: i, s: -1.0 }, to: end }),
+        }
+    }
+    // Points: the node nearest to them, if no zone holds it already.
+    let count = mesh.cells.len();
+    for x in intervals.iter().filter(|s| s[1] <= s[0]).map(|s| s[0]) {
+        let right = mesh.nodes.partition_point(|n| n.x < x).min(count);
+        let left = right.saturating_sub(1);
+        let node = if x - mesh.nodes[left].x < mesh.nodes[right].x - x { left } else { right };
+        let node_of = |point: BeamPoint| point.cell + usize::from(point.s == 1.0);
+        let held = |zone: &MeshZone| {
+            kind(zone.from.cell) && node_of(zone.from) <= node && node <= node_of(zone.to)
+        };
+        if zones.iter().any(held) {
+            continue;
+        }
+        // A point can carry a force only on a shear layer: of two cells that meet, the one that has it.
+        let cell = if node == count || (node > 0 && !kind(node)) { node - 1 } else { node };
+        let point = BeamPoint { cell, s: if cell == node { -1.0 } else { 1.0 } };
+        zones.push(MeshZone { from: point, to: point });
+    }
+    zones.sort_by_key(|zone| (zone.from.cell, zone.from.s > 0.0));
+    zones
+}
+
+/// The largest move of an edge; infinite if a zone came or went.
+pub(crate) fn distance(a: &[Interval], b: &[Interval]) -> f64 {
+    if a.len() != b.len() {
+        return f64::INFINITY;
+    }
+    a.iter().flatten().zip(b.iter().flatten()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}

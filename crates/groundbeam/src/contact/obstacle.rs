@@ -1,0 +1,447 @@
+//! The obstacle problem: the contact set of the ground under a given deflection, (2.10) for a fixed w.
+//!
+//! For a fixed ψ = w − g₀ − u₀ the ground's surface is the least u ≥ ψ with −(μu')' + ku ≥ 0. One scan from left
+//! to right finds it, as the scan for a convex hull does: solutions of −(μu')' + ku = 0 take the place of
+//! straight lines.
+//!
+//! * Beam and ground touch along an interval only where π = kψ − (μψ')' ≥ 0. These candidate intervals, the
+//!   *arcs*, follow from the sign changes of the polynomial π.
+//! * The stack holds the contact intervals of the arcs read so far. A span of unloaded ground, tangent to both,
+//!   joins a new arc to the last one and trims both. An arc on which the ground would pull is dropped, and the
+//!   span runs on to the arc before.
+//! * At the span's ends a and b the concentrated forces A = μψ'(a) − μu'(a) and B = μu'(b) − μψ'(b) vanish.
+//!   There dA/da = −π(a) and dB/db = π(b), and neither depends on the other end to first order: Newton's method
+//!   on each in turn converges quadratically.
+//!
+//! The scan trims each arc from its ends only and passes each cell once: it is O(n).
+
+use crate::contact::short_span;
+use crate::ground::link::TwoPort;
+use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
+use crate::mesh::ground_runs::{GroundRun, ground_runs};
+use crate::mesh::mesh::Mesh;
+use crate::mesh::open_ground::cell_part;
+use crate::numeric::polynomial::value;
+use crate::numeric::roots::sign_changes;
+
+/// The intervals of contact, from left to right.
+pub(crate) fn contact(w: &Deflection) -> Vec<MeshZone> {
+    let mut zones = Vec::new();
+    for run in ground_runs(w.mesh) {
+        if run.pasternak {
+            zones.extend(Scan { w, run: &run }.run().into_iter().filter(|zone| !w.is_held(zone)));
+        } else {
+            zones.extend(winkler_contact(w, &run));
+        }
+    }
+    zones
+}
+
+/// The nodes that touch if only nodes can: the paper's pressures (5.5). They need a shear layer.
+pub(crate) fn nodal_contact(w: &Deflection) -> Vec<MeshZone> {
+    let mut zones = Vec::new();
+    for run in ground_runs(w.mesh) {
+        if run.pasternak {
+            zones.extend(Scan { w, run: &run }.contact_set(nodes_of(&run)));
+        }
+    }
+    zones
+}
+
+/// Contact everywhere: along the whole beam, or at each node.
+pub(crate) fn everywhere(mesh: &Mesh, nodal: bool) -> Vec<MeshZone> {
+    let runs = ground_runs(mesh);
+    if nodal {
+        return runs.iter().flat_map(nodes_of).collect();
+    }
+    let whole = |run: &GroundRun| MeshZone {
+        from: BeamPoint { cell: run.cells.start, s: -1.0 },
+        to: BeamPoint { cell: run.cells.end - 1, s: 1.0 },
+    };
+    runs.iter().map(whole).collect()
+}
+
+/// Every node of a run as a point of its own.
+fn nodes_of(run: &GroundRun) -> impl Iterator<Item = MeshZone> + use<> {
+    let last = point_zone(BeamPoint { cell: run.cells.end - 1, s: 1.0 });
+    run.cells.clone().map(|cell| point_zone(BeamPoint { cell, s: -1.0 })).chain([last])
+}
+
+/// Without a shear layer, contact is where ψ ≥ 0.
+fn winkler_contact(w: &Deflection, run: &GroundRun) -> Vec<MeshZone> {
+    let mut zones: Vec<MeshZone> = Vec::new();
+    let mut knots = Vec::new();
+    for cell in run.cells.clone() {
+        let obstacle = w.obstacle(cell);
+        for part in positive_parts(&obstacle, &mut knots) {
+            join(&mut zones, cell, part, true);
+        }
+    }
+    zones
+}
+
+/// The intervals of \[−1, 1\] on which a polynomial is not negative; `knots` is room for their ends.
+fn positive_parts<'a>(
+    c: &'a [f64],
+    knots: &'a mut Vec<f64>,
+) -> impl Iterator<Item = [f64; 2]> + 'a {
+    knots.clear();
+    knots.push(-1.0);
+    sign_changes(c, knots);
+    knots.push(1.0);
+    let parts = knots.windows(2).map(|k| [k[0], k[1]]);
+    parts.filter(|[a, b]| b > a && value(c, 0.5 * (a + b)) >= 0.0)
+}
+
+/// Appends a part of a cell to the last zone if the two meet and may be one.
+fn join(zones: &mut Vec<MeshZone>, cell: usize, [from, to]: [f64; 2], may_join: bool) {
+    if let Some(last) = zones.last_mut() {
+        let meets = last.to.cell + 1 == cell && last.to.s == 1.0 && from == -1.0;
+        if meets && may_join {
+            last.to = BeamPoint { cell, s: to };
+            return;
+        }
+    }
+    zones.push(MeshZone { from: BeamPoint { cell, s: from }, to: BeamPoint { cell, s: to } });
+}
+
+/// Open ground between two points; a missing one is the ground beyond the run.
+#[derive(Debug, Clone, Copy)]
+struct OpenSpan {
+    left: Option<BeamPoint>,
+    right: Option<BeamPoint>,
+    /// The whole cells strictly between, and the ground beyond where a point is missing.
+    middle: Option<TwoPort>,
+}
+
+/// A zone with the span to its left.
+#[derive(Debug, Clone, Copy)]
+struct KeptZone {
+    zone: MeshZone,
+    span: OpenSpan,
+}
+
+struct Scan<'a> {
+    w: &'a Deflection<'a>,
+    run: &'a GroundRun,
+}
+
+impl Scan<'_> {
+    fn run(&self) -> Vec<MeshZone> {
+        self.contact_set(self.arcs().into_iter())
+    }
+
+    fn contact_set(&self, arcs: impl Iterator<Item = MeshZone>) -> Vec<MeshZone> {
+        let mut stack: Vec<KeptZone> = Vec::new();
+        for arc in arcs {
+            let mut new = arc;
+            let start = arc.from.cell;
+            let mut span = match stack.last() {
+                Some(last) => OpenSpan {
+                    left: Some(last.zone.to),
+                    right: Some(new.from),
+                    middle: self.whole_cells(last.zone.to.cell + 1, start, None),
+                },
+                None => self.beyond_to(new.from),
+            };
+            loop {
+                let Some(last) = stack.last() else {
+                    self.trim_right(&mut span, new.to);
+                    break;
+                };
+                self.tighten(&mut span, last.zone.from, new.to);
+                if !self.drops_last(&mut stack, &mut span) {
+                    break;
+                }
+            }
+            if let Some(from) = span.right {
+                new.from = from;
+            }
+            stack.push(KeptZone { zone: new, span });
+        }
+        self.close(&mut stack);
+        stack.into_iter().map(|kept| kept.zone).collect()
+    }
+
+    /// Ends the last zone where the span begins. If the rest of it would pull, drops the zone and lets the span run
+    /// on to the zone before.
+    fn drops_last(&self, stack: &mut Vec<KeptZone>, span: &mut OpenSpan) -> bool {
+        let (Some(last), Some(touch)) = (stack.last_mut(), span.left) else { return false };
+        last.zone.to = touch;
+        let dropped = touch == last.zone.from && self.pull(&last.span, span) <= 0.0;
+        if dropped {
+            *span = self.merged(&last.span, &last.zone, span);
+            stack.pop();
+        }
+        dropped
+    }
+
+    /// The ground beyond the right end trims the last zones.
+    fn close(&self, stack: &mut Vec<KeptZone>) {
+        let end = self.run.cells.end;
+        let Some(last) = stack.last() else { return };
+        let beyond = TwoPort { series: 0.0, shunt_left: self.run.beyond[1], shunt_right: 0.0 };
+        let mut span = OpenSpan {
+            left: Some(last.zone.to),
+            right: None,
+            middle: Some(match self.whole_cells(last.zone.to.cell + 1, end, None) {
+                Some(cells) => cells.then(beyond),
+                None => beyond,
+            }),
+        };
+        while let Some(last) = stack.last() {
+            self.trim_left(&mut span, last.zone.from);
+            if !self.drops_last(stack, &mut span) {
+                break;
+            }
+        }
+    }
+
+    /// Where π ≥ 0, joined over cells unless a corner of ψ opens the ground; and single points that may
+    /// carry a force: the ends of the shear layer and corners that press into the ground.
+    fn arcs(&self) -> Vec<MeshZone> {
+        let cells = self.run.cells.clone();
+        let mut arcs: Vec<MeshZone> = Vec::new();
+        let mut knots = Vec::new();
+        for i in cells.clone() {
+            let corner = if i == cells.start { 1.0 } else { self.w.corner(i) };
+            let pressure = self.w.pressure(i);
+            let mut parts = positive_parts(&pressure, &mut knots).peekable();
+            let starts_here = parts.peek().is_some_and(|part| part[0] == -1.0);
+            let ended_here =
+                arcs.last().is_some_and(|a| a.to == BeamPoint { cell: i.wrapping_sub(1), s: 1.0 });
+            if corner > 0.0 && !starts_here && !ended_here {
+                arcs.push(point_zone(BeamPoint { cell: i, s: -1.0 }));
+            }
+            for part in parts {
+                join(&mut arcs, i, part, corner >= 0.0);
+            }
+        }
+        let end = BeamPoint { cell: cells.end - 1, s: 1.0 };
+        if arcs.last().is_none_or(|arc| arc.to != end) {
+            arcs.push(point_zone(end));
+        }
+        arcs
+    }
+
+    fn whole_cells(&self, from: usize, to: usize, before: Option<TwoPort>) -> Option<TwoPort> {
+        whole_cells(self.w.mesh, from, to, before)
+    }
+
+    fn beyond_to(&self, to: BeamPoint) -> OpenSpan {
+        let beyond = TwoPort { series: 0.0, shunt_left: 0.0, shunt_right: self.run.beyond[0] };
+        let middle = self.whole_cells(self.run.cells.start, to.cell, Some(beyond));
+        OpenSpan { left: None, right: Some(to), middle }
+    }
+
+    fn link(&self, span: &OpenSpan) -> TwoPort {
+        let part = |i: usize, from: f64, to: f64| cell_part(&self.w.mesh.cells[i], from, to);
+        if let (Some(a), Some(b)) = (span.left, span.right)
+            && a.cell == b.cell
+        {
+            return part(a.cell, a.s, b.s);
+        }
+        let head = span.left.filter(|a| a.s < 1.0).map(|a| part(a.cell, a.s, 1.0));
+        let tail = span.right.filter(|b| b.s > -1.0).map(|b| part(b.cell, -1.0, b.s));
+        let parts = [head, span.middle, tail];
+        let whole = parts.into_iter().flatten().reduce(TwoPort::then);
+        // A span without length between two points at one node: a rigid two-port.
+        whole.unwrap_or(TwoPort { series: f64::MAX, shunt_left: 0.0, shunt_right: 0.0 })
+    }
+
+    /// The contact force at a single point between two spans; not positive where the ground would have to pull.
+    fn pull(&self, before: &OpenSpan, after: &OpenSpan) -> f64 {
+        let fluxes =
+            |span: &OpenSpan| short_span::fluxes(self.w, [span.left, span.right], &self.link(span));
+        fluxes(before)[1] + fluxes(after)[0]
+    }
+
+    /// One span over a dropped zone.
+    fn merged(&self, before: &OpenSpan, zone: &MeshZone, after: &OpenSpan) -> OpenSpan {
+        let first = before.left.map_or(self.run.cells.start, |a| a.cell + 1);
+        let last = after.right.map_or(self.run.cells.end, |b| b.cell);
+        let from = zone.from.cell.max(first);
+        let to = (zone.to.cell + 1).min(last);
+        let inner = self.whole_cells(from, to, before.middle);
+        OpenSpan { left: before.left, right: after.right, middle: chained(inner, after.middle) }
+    }
+
+    /// Trims both ends in turn until neither moves.
+    fn tighten(&self, span: &mut OpenSpan, left_limit: BeamPoint, right_limit: BeamPoint) {
+        let opened =
+            span.left.zip(span.right).and_then(|(a, b)| short_span::opened(self.w, [a, b]));
+        if let Some([a, b]) = opened
+            && left_limit < a
+            && b < right_limit
+        {
+            (span.left, span.right) = (Some(a), Some(b));
+        }
+        for _ in 0..60 {
+            let before = (span.left, span.right);
+            self.trim_left(span, left_limit);
+            self.trim_right(span, right_limit);
+            if before == (span.left, span.right) {
+                break;
+            }
+        }
+    }
+
+    /// The concentrated force at the span's left end, which ends an interval of contact, and its slope
+    /// dA/da = −π + (S/μ) A, where S is the stiffness of the open ground seen from there.
+    fn force_at_left(&self, span: &OpenSpan, point: BeamPoint) -> [f64; 2] {
+        let trial = OpenSpan { left: Some(point), ..*span };
+        let [psi, slope, pressure] = self.w.obstacle_and_pressure(point);
+        let other = span.right.map_or(0.0, |b| self.w.obstacle_at(b));
+        let [_, shear] = self.w.mesh.cells[point.cell].ground_at(point.s);
+        let link = self.link(&trial);
+        let force = match self.short(&trial) {
+            Some([force, _]) => force,
+            None => shear * slope + link.force_left(psi, other),
+        };
+        [force, (link.shunt_left + link.series) / shear * force - pressure]
+    }
+
+    /// The same at its right end, dB/db = π − (S/μ) B.
+    fn force_at_right(&self, span: &OpenSpan, point: BeamPoint) -> [f64; 2] {
+        let trial = OpenSpan { right: Some(point), ..*span };
+        let [psi, slope, pressure] = self.w.obstacle_and_pressure(point);
+        let other = span.left.map_or(0.0, |a| self.w.obstacle_at(a));
+        let [_, shear] = self.w.mesh.cells[point.cell].ground_at(point.s);
+        let link = self.link(&trial);
+        let force = match self.short(&trial) {
+            Some([_, force]) => force,
+            None => link.force_right(other, psi) - shear * slope,
+        };
+        [force, pressure - (link.shunt_right + link.series) / shear * force]
+    }
+
+    /// The forces at both ends of a short span.
+    fn short(&self, span: &OpenSpan) -> Option<[f64; 2]> {
+        short_span::end_forces(self.w, [span.left, span.right])
+    }
+
+    /// Moves the span's left end to the left until nothing pulls there.
+    fn trim_left(&self, span: &mut OpenSpan, limit: BeamPoint) {
+        let Some(mut point) = span.left else { return };
+        if point == limit || self.force_at_left(span, point)[0] >= 0.0 {
+            return;
+        }
+        loop {
+            let start = if point.cell == limit.cell { limit.s } else { -1.0 };
+            let low = BeamPoint { cell: point.cell, s: start };
+            if self.force_at_left(span, low)[0] >= 0.0 {
+                let force = |s: f64| self.force_at_left(span, BeamPoint { cell: point.cell, s });
+                point.s = self.tangent(point.cell, [start, point.s], force, -1.0);
+                break;
+            }
+            if point.cell == limit.cell {
+                point = limit;
+                break;
+            }
+            // The whole cell opens; it lies between the points unless the right one is in it.
+            if span.right.is_none_or(|b| b.cell != point.cell) {
+                let opened = self.whole_cells(point.cell, point.cell + 1, None);
+                span.middle = chained(opened, span.middle);
+            }
+            point = BeamPoint { cell: point.cell - 1, s: 1.0 };
+            span.left = Some(point);
+        }
+        span.left = Some(point);
+    }
+
+    /// Moves the span's right end to the right until nothing pulls there.
+    fn trim_right(&self, span: &mut OpenSpan, limit: BeamPoint) {
+        let Some(mut point) = span.right else { return };
+        if point == limit || self.force_at_right(span, point)[0] >= 0.0 {
+            return;
+        }
+        loop {
+            let end = if point.cell == limit.cell { limit.s } else { 1.0 };
+            let high = BeamPoint { cell: point.cell, s: end };
+            if self.force_at_right(span, high)[0] >= 0.0 {
+                let force = |s: f64| self.force_at_right(span, BeamPoint { cell: point.cell, s });
+                point.s = self.tangent(point.cell, [point.s, end], force, 1.0);
+                break;
+            }
+            if point.cell == limit.cell {
+                point = limit;
+                break;
+            }
+            if span.left.is_none_or(|a| a.cell != point.cell) {
+                span.middle = self.whole_cells(point.cell, point.cell + 1, span.middle);
+            }
+            point = BeamPoint { cell: point.cell + 1, s: -1.0 };
+            span.right = Some(point);
+        }
+        span.right = Some(point);
+    }
+
+    /// The root of a concentrated force between two points of one cell, where it changes sign in the given
+    /// `sense`: Newton's method, halving where it leaves the bracket or does not halve the force.
+    fn tangent(
+        &self,
+        cell: usize,
+        [mut low, mut high]: [f64; 2],
+        force: impl Fn(f64) -> [f64; 2],
+        sense: f64,
+    ) -> f64 {
+        let half = 0.5 * self.w.mesh.cells[cell].length();
+        let mut s = if sense > 0.0 { low } else { high };
+        let mut before = f64::INFINITY;
+        // Twice the halvings that a double has.
+        for _ in 0..128 {
+            let [f, slope] = force(s);
+            if f == 0.0 {
+                return s;
+            }
+            if (f > 0.0) == (sense > 0.0) {
+                high = s;
+            } else {
+                low = s;
+            }
+            let newton = s - f / (slope * half);
+            let good = f.abs() < 0.5 * before && newton > low && newton < high;
+            let next = if good { newton } else { 0.5 * (low + high) };
+            before = f.abs();
+            // At a corner the force jumps: to its side without a pull.
+            if high - low <= 2.0 * f64::EPSILON {
+                return if sense > 0.0 { high } else { low };
+            }
+            if (next - s).abs() <= 2.0 * f64::EPSILON {
+                return next;
+            }
+            s = next;
+        }
+        s
+    }
+}
+
+fn chained(first: Option<TwoPort>, second: Option<TwoPort>) -> Option<TwoPort> {
+    match (first, second) {
+        (Some(a), Some(b)) => Some(a.then(b)),
+        (a, b) => a.or(b),
+    }
+}
+
+fn point_zone(point: BeamPoint) -> MeshZone {
+    MeshZone { from: point, to: point }
+}
+
+/// `before`, then the whole cells of a range. Runs of equal ground are one two-port.
+fn whole_cells(mesh: &Mesh, from: usize, to: usize, before: Option<TwoPort>) -> Option<TwoPort> {
+    let mut link = before;
+    let mut i = from;
+    while i < to {
+        let cell = &mesh.cells[i];
+        let mut end = i + 1;
+        while end < to && cell.shares_even_ground(&mesh.cells[end]) {
+            end += 1;
+        }
+        let length = mesh.cells[end - 1].x[1] - cell.x[0];
+        let uniform = || TwoPort::uniform(cell.subgrade, cell.shear_layer, length);
+        let own = if cell.ground_varies() { cell_part(cell, -1.0, 1.0) } else { uniform() };
+        link = Some(link.map_or(own, |link| link.then(own)));
+        i = end;
+    }
+    link
+}

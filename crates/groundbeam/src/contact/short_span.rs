@@ -1,0 +1,225 @@
+//! The contact forces at the ends of a short open span, from the pressure that would close it.
+//!
+//! Where a gap is just born, u and ψ differ in the last digits only, and so do their slopes: the
+//! concentrated forces A = μψ'(a) − μu'(a) and B = μu'(b) − μψ'(b) are small differences of large numbers.
+//! With e = u − ψ, −(μe')' + ke = −π between a and b and e = 0 at both, Green's identity gives them without:
+//!
+//! > A = ∫ π φ_a dx,  B = ∫ π φ_b dx,
+//!
+//! where φ_a is the unloaded ground that is 1 at a and 0 at b, φ_b the same from the other end, and π
+//! includes the point_forces −\[μψ'\] of corners. π is a polynomial with its own digits, and its sign is what the
+//! joint is about. Rounding leaves ε μψ/h of the differences and ε h (kψ + μψ″) of the integrals: whichever
+//! is less decides.
+
+use crate::ground::link::{TwoPort, between, settled};
+use crate::mesh::cell::Cell;
+use crate::mesh::deflection::{BeamPoint, Deflection};
+use crate::numeric::polynomial::value;
+
+/// The most cells a narrow joint reaches into; three are a gap and the cells beside it.
+const MOST_CELLS: usize = 4;
+/// The longest joint in wave lengths √(μ/k) of the ground: beyond, the differences keep twelve digits.
+const LONGEST: f64 = 0.03;
+
+/// A part of a cell with what the ground needs there.
+struct SpanPart {
+    cell: usize,
+    from: f64,
+    to: f64,
+    /// Half its length \[m\].
+    half: f64,
+    /// b·length.
+    length: f64,
+    stiffness: f64,
+    /// Where the ground varies: the part alone, and its ground as a two-port.
+    varying: Option<(Cell, TwoPort)>,
+}
+
+impl SpanPart {
+    fn of(cell: &Cell, i: usize, [from, to]: [f64; 2]) -> Option<Self> {
+        let half = half_length(cell, [from, to]);
+        let length = decay(cell, half);
+        let stiffness = (cell.subgrade * cell.shear_layer).sqrt();
+        let mut part = SpanPart { cell: i, from, to, half, length, stiffness, varying: None };
+        if cell.ground_varies() && to > from {
+            let own = cell.part([from, to]);
+            if !own.is_smooth() || !own.is_short_for_open_ground(half) {
+                return None;
+            }
+            let link = TwoPort::varying(&own.subgrade_along(), &own.shear_layer_along(), half);
+            part.varying = Some((own, link));
+        }
+        Some(part)
+    }
+
+    /// The unloaded ground across the part, from its value and its flux at the left end, or with `turned`
+    /// from those at the right end. Each step forward adds positive numbers only.
+    fn cross(&self, phi: f64, flux: f64, turned: bool) -> [f64; 2] {
+        if let Some((_, link)) = &self.varying {
+            let (behind, ahead) = if turned {
+                (link.shunt_right, link.shunt_left)
+            } else {
+                (link.shunt_left, link.shunt_right)
+            };
+            let held = behind * phi + flux;
+            let next = phi + held / link.series;
+            return [next, ahead * next + held];
+        }
+        let (sinh, cosh) = (self.length.sinh(), self.length.cosh());
+        let stiffness = self.stiffness;
+        [cosh * phi + sinh / stiffness * flux, stiffness * sinh * phi + cosh * flux]
+    }
+
+    /// ∫π over the part, its half length being 1, under the ground that is 1 at its left and at its right end.
+    fn under(&self, pi: &[f64]) -> [f64; 2] {
+        let at = |t: f64| value(pi, self.from + t * (self.to - self.from));
+        let mut under = [0.0; 2];
+        if let Some((cell, _)) = &self.varying {
+            let (spring, shear) = (cell.subgrade_along(), cell.shear_layer_along());
+            let shapes =
+                [[1.0, 0.0], [0.0, 1.0]].map(|ends| settled(&spring, &shear, self.half, ends));
+            for (x, weight) in GAUSS {
+                for s in [-x, x] {
+                    let p = weight * at(0.5 * (1.0 + s));
+                    under[0] += p * value(&shapes[0], s);
+                    under[1] += p * value(&shapes[1], s);
+                }
+            }
+            return under;
+        }
+        for (x, weight) in GAUSS {
+            let t = 0.5 - 0.5 * x;
+            let near = between(0.0, 1.0, self.length, t);
+            let far = between(1.0, 0.0, self.length, t);
+            let [p, q] = [t, 1.0 - t].map(at);
+            under[0] += weight * (p * far + q * near);
+            under[1] += weight * (p * near + q * far);
+        }
+        under
+    }
+}
+
+/// Half the length of a part of a cell.
+fn half_length(cell: &Cell, [from, to]: [f64; 2]) -> f64 {
+    0.25 * (to - from) * cell.length()
+}
+
+/// b·length.
+fn decay(cell: &Cell, half: f64) -> f64 {
+    (cell.subgrade / cell.shear_layer).sqrt() * 2.0 * half
+}
+
+/// What open ground takes at both ends of a joint, where it is held at ψ; `link` is all of it. A missing end is
+/// the ground beyond the run.
+pub(crate) fn fluxes(w: &Deflection, ends: [Option<BeamPoint>; 2], link: &TwoPort) -> [f64; 2] {
+    let of = |f: &dyn Fn(BeamPoint) -> f64| ends.map(|end| end.map_or(0.0, f));
+    if let Some([a, b]) = end_forces(w, ends) {
+        let [left, right] = of(&|point| w.flux(point));
+        return [a - left, b + right];
+    }
+    let [left, right] = of(&|point| w.obstacle_at(point));
+    [link.force_left(left, right), link.force_right(left, right)]
+}
+
+/// A and B of a joint, if it is narrow.
+pub(crate) fn end_forces(w: &Deflection, ends: [Option<BeamPoint>; 2]) -> Option<[f64; 2]> {
+    let [a, b] = [ends[0]?, ends[1]?];
+    if b.cell < a.cell || b.cell - a.cell >= MOST_CELLS {
+        return None;
+    }
+    let within = |i: usize| {
+        let from = if i == a.cell { a.s } else { -1.0 };
+        let to = if i == b.cell { b.s } else { 1.0 };
+        [from, to]
+    };
+    let length = |i: usize| decay(&w.mesh.cells[i], half_length(&w.mesh.cells[i], within(i)));
+    let whole: f64 = (a.cell..=b.cell).map(length).sum();
+    if whole > LONGEST {
+        return None;
+    }
+    let part = |i: usize| SpanPart::of(&w.mesh.cells[i], i, within(i));
+    let parts: Vec<SpanPart> = (a.cell..=b.cell).map(part).collect::<Option<_>>()?;
+    if whole <= 0.0 {
+        // Two arcs that meet at a corner: it opens if the corner pulls, at both alike.
+        let pull = parts.iter().skip(1).map(|part| 0.5 * w.corner(part.cell)).sum();
+        return Some([pull; 2]);
+    }
+    let noise: f64 = parts.iter().map(|part| 2.0 * part.half * pressure_size(w, part.cell)).sum();
+    let soft: f64 =
+        parts.iter().map(|part| 2.0 * part.half / w.mesh.cells[part.cell].shear_layer).sum();
+    if noise * soft > w.obstacle_at(a).abs() + w.obstacle_at(b).abs() {
+        return None;
+    }
+    let from_right = shape(parts.iter().rev(), true);
+    let from_left = shape(parts.iter(), false);
+    let count = parts.len();
+    let mut forces = [0.0; 2];
+    for (i, part) in parts.iter().enumerate() {
+        let phi_a = [from_right[count - i], from_right[count - i - 1]];
+        let phi_b = [from_left[i], from_left[i + 1]];
+        if i > 0 {
+            let point_force = w.corner(part.cell);
+            forces[0] += point_force * phi_a[0];
+            forces[1] += point_force * phi_b[0];
+        }
+        if part.to > part.from {
+            let under = part.under(&w.pressure(part.cell));
+            forces[0] += part.half * (phi_a[0] * under[0] + phi_a[1] * under[1]);
+            forces[1] += part.half * (phi_b[0] * under[0] + phi_b[1] * under[1]);
+        }
+    }
+    Some(forces)
+}
+
+/// A part of the joint that a corner opens between two arcs that meet there. On short even ground with a constant π
+/// both forces vanish where the joint reaches |c|/2π to each side of a corner that pulls with c; half of this still
+/// pulls at both ends, and the tangents are two or three steps away. None if the forces say otherwise.
+pub(crate) fn opened(w: &Deflection, ends: [BeamPoint; 2]) -> Option<[BeamPoint; 2]> {
+    let [a, b] = ends;
+    if a.cell + 1 != b.cell || a.s < 1.0 || b.s > -1.0 {
+        return None;
+    }
+    let pressure = ends.map(|point| w.obstacle_and_pressure(point)[2]);
+    let reach = -w.corner(b.cell) / (4.0 * pressure[0].max(pressure[1]));
+    let [before, after] = [a.cell, b.cell].map(|i| 2.0 * reach / w.mesh.cells[i].length());
+    if !(reach > 0.0 && before < 2.0 && after < 2.0) {
+        return None;
+    }
+    let points = [BeamPoint { s: 1.0 - before, ..a }, BeamPoint { s: after - 1.0, ..b }];
+    let forces = end_forces(w, points.map(Some))?;
+    (forces[0] < 0.0 && forces[1] < 0.0).then_some(points)
+}
+
+/// What the terms of π in a cell add up to without their signs.
+fn pressure_size(w: &Deflection, i: usize) -> f64 {
+    let cell = &w.mesh.cells[i];
+    let bend = 4.0 * cell.shear_layer / (cell.length() * cell.length());
+    let terms = w.obstacle(i);
+    let terms = terms.iter().enumerate();
+    terms.map(|(j, c)| c.abs() * (cell.subgrade + bend * (j * j.saturating_sub(1)) as f64)).sum()
+}
+
+/// The unloaded ground over parts in a row, 0 where the first begins and 1 where the last ends, at every
+/// joint of two.
+fn shape<'a>(parts: impl Iterator<Item = &'a SpanPart>, turned: bool) -> Vec<f64> {
+    let mut values = vec![0.0];
+    let (mut phi, mut flux) = (0.0, 1.0);
+    for part in parts {
+        [phi, flux] = part.cross(phi, flux, turned);
+        values.push(phi);
+    }
+    values.iter().map(|value| value / phi).collect()
+}
+
+/// Gauss's rule with sixteen points, \[−1, 1\]: exact to degree 31, a cell's series and the ground's shape.
+/// Abramowitz and Stegun (1964), table 25.4.
+const GAUSS: [(f64, f64); 8] = [
+    (0.095_012_509_837_637_44, 0.189_450_610_455_068_5),
+    (0.281_603_550_779_258_9, 0.182_603_415_044_923_58),
+    (0.458_016_777_657_227_37, 0.169_156_519_395_002_54),
+    (0.617_876_244_402_643_8, 0.149_595_988_816_576_74),
+    (0.755_404_408_355_003, 0.124_628_971_255_533_88),
+    (0.865_631_202_387_831_8, 0.095_158_511_682_492_79),
+    (0.944_575_023_073_232_6, 0.062_253_523_938_647_894),
+    (0.989_400_934_991_649_9, 0.027_152_459_411_754_096),
+];

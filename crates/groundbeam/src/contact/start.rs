@@ -1,0 +1,34 @@
+//! Initial guess of the contact zones.
+
+use crate::cancel::Cancel;
+use crate::element::operator::wave_number;
+use crate::model::{FoundationSegment, Model};
+
+/// Longest beam that starts from contact along its whole length, in units of 1/wave number.
+const SHORT: f64 = 24.0;
+
+/// The whole length of a short beam, the active nodes of a nodal solve of a long one; `None` without active nodes.
+/// Also `None` on supports: zones with almost no pressure may lie between them, so the continuation finds the start.
+pub(crate) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
+    if !model.supports.is_empty() {
+        return None;
+    }
+    if is_short(model) {
+        Some(vec![[0.0, model.beam.length]])
+    } else {
+        crate::nodal::edges::edges(model, cancel)
+    }
+}
+
+/// Whether a beam is so short that its contact zones influence each other.
+fn is_short(model: &Model) -> bool {
+    let largest = |s: &FoundationSegment| (s.subgrade.largest(), s.shear_layer.largest());
+    let segments = model.foundation.segments.iter().map(largest);
+    let ground = segments.chain([(model.foundation.subgrade, model.foundation.shear_layer)]);
+    let beam = model.beam.segments.iter().map(|s| s.bending_stiffness.smallest());
+    let softest = beam.fold(model.beam.bending_stiffness, f64::min);
+    let waves = |(k, mu): (f64, f64)| {
+        wave_number(softest, (model.beam.axial_force + mu).abs(), k) * model.beam.length
+    };
+    ground.map(waves).all(|waves| waves <= SHORT)
+}

@@ -1,0 +1,132 @@
+//! Names of parameters and outputs.
+
+use crate::derivatives::{Extent, LoadNumber, Output, Parameter, Property, SupportNumber};
+use crate::solution::fields::{Field, Side};
+
+impl Parameter {
+    /// How names are written: `k`, `mu_factor`, `EI[0]`, `load[1].at`, …
+    pub const NAMES: &str = "k, mu, EI, GA, axial_force, k_factor, mu_factor, EI_factor, GA_factor, load_factor; of segments k[0], \
+                             k_factor[0] and so on, of what is outside them k[]; of loads load[0], load[0].at, \
+                             load[0].from, load[0].to, load[0].start, load[0].end; support[0].settlement, \
+                             support[0].spring, support[0].rotational_spring, hinge[0], gap[0]";
+
+    /// The parameter that is called so.
+    ///
+    /// ```
+    /// use groundbeam::derivatives::{Extent, Parameter, Property};
+    ///
+    /// let softer = Parameter::named("k_factor[2]");
+    /// assert_eq!(softer, Some(Parameter::Factor(Property::Spring, Extent::Segment(2))));
+    /// assert_eq!(Parameter::named("load[0].size"), None);
+    /// ```
+    pub fn named(name: &str) -> Option<Self> {
+        let (word, number, part) = parts(name)?;
+        let property = |word: &str| {
+            Some(match word {
+                "k" => Property::Spring,
+                "mu" => Property::Shear,
+                "EI" => Property::BendingStiffness,
+                "GA" => Property::ShearStiffness,
+                _ => return None,
+            })
+        };
+        let extent = || match number {
+            None => Extent::Whole,
+            Some("") => Extent::OutsideSegments,
+            Some(digits) => digits.parse().map_or(Extent::Whole, Extent::Segment),
+        };
+        let count = || number.and_then(|digits| digits.parse::<usize>().ok());
+        if number.is_some_and(|digits| !digits.is_empty()) {
+            count()?;
+        }
+        if let Some(property) = property(word).filter(|_| part.is_empty()) {
+            return Some(Parameter::Value(property, extent()));
+        }
+        if let Some(property) = word.strip_suffix("_factor").and_then(property)
+            && part.is_empty()
+        {
+            return Some(Parameter::Factor(property, extent()));
+        }
+        Some(match (word, part) {
+            ("axial_force", "") if number.is_none() => Parameter::AxialForce,
+            ("load_factor", "") if number.is_none() => Parameter::LoadFactor,
+            ("load", part) => Parameter::Load(
+                count()?,
+                match part {
+                    "" => LoadNumber::Size,
+                    "at" => LoadNumber::At,
+                    "from" => LoadNumber::From,
+                    "to" => LoadNumber::To,
+                    "start" => LoadNumber::Start,
+                    "end" => LoadNumber::End,
+                    _ => return None,
+                },
+            ),
+            ("support", part) => Parameter::Support(
+                count()?,
+                match part {
+                    "settlement" => SupportNumber::Settlement,
+                    "spring" => SupportNumber::Spring,
+                    "rotational_spring" => SupportNumber::RotationalSpring,
+                    _ => return None,
+                },
+            ),
+            ("hinge", "") => Parameter::HingeSpring(count()?),
+            ("gap", "") => Parameter::Gap(count()?),
+            _ => return None,
+        })
+    }
+}
+
+impl Output {
+    /// How names are written, besides those of fields at a position.
+    pub const NAMES: &str = "largest moment, smallest gap and so on, edge[0].left, edge[0].right, end_force.left, \
+                             end_force.right, support[0].force, support[0].moment, potential_energy";
+
+    /// The output that is called so; fields at a position are not among them.
+    ///
+    /// ```
+    /// use groundbeam::{Field, Side, derivatives::Output};
+    ///
+    /// assert_eq!(Output::named("largest moment"), Some(Output::Largest(Field::Moment)));
+    /// assert_eq!(Output::named("edge[1].left"), Some(Output::Edge(1, Side::Left)));
+    /// ```
+    pub fn named(name: &str) -> Option<Self> {
+        let field = |name: &str| Field::ALL.into_iter().find(|field| field.name() == name);
+        if let Some((which, name)) = name.split_once(' ') {
+            let field = field(name)?;
+            return match which {
+                "largest" => Some(Output::Largest(field)),
+                "smallest" => Some(Output::Smallest(field)),
+                _ => None,
+            };
+        }
+        let (word, number, part) = parts(name)?;
+        let count = number.map(str::parse::<usize>);
+        let side = match part {
+            "left" => Some(Side::Left),
+            "right" => Some(Side::Right),
+            _ => None,
+        };
+        match (word, count, part) {
+            ("edge", Some(Ok(i)), _) => Some(Output::Edge(i, side?)),
+            ("end_force", None, _) => Some(Output::EndForce(side?)),
+            ("support", Some(Ok(i)), "force") => Some(Output::SupportForce(i)),
+            ("support", Some(Ok(i)), "moment") => Some(Output::SupportMoment(i)),
+            ("potential_energy", None, "") => Some(Output::PotentialEnergy),
+            _ => None,
+        }
+    }
+}
+
+/// `word[number].part`: the number and the part may be left out.
+fn parts(name: &str) -> Option<(&str, Option<&str>, &str)> {
+    let Some((word, rest)) = name.split_once('[') else {
+        let (word, part) = name.split_once('.').unwrap_or((name, ""));
+        return Some((word, None, part));
+    };
+    let (number, rest) = rest.split_once(']')?;
+    let part =
+        if rest.is_empty() { "" } else { rest.strip_prefix('.').filter(|p| !p.is_empty())? };
+    Some((word, Some(number), part))
+}

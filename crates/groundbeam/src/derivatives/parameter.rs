@@ -1,0 +1,307 @@
+//! Parameters: the numbers of a model by which outputs are derived.
+
+use crate::model::Extent as LoadExtent;
+use crate::model::{Load, Model};
+
+/// A property of beam or ground.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Property {
+    /// EI \[N·m²\].
+    BendingStiffness,
+    /// S = κGA of a beam that shears \[N\].
+    ShearStiffness,
+    /// k \[N/m²\].
+    Spring,
+    /// μ \[N\].
+    Shear,
+}
+
+/// Where a property is meant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Extent {
+    /// On all segments and outside them.
+    Whole,
+    /// Wherever no segment says otherwise: the model's own value.
+    OutsideSegments,
+    /// On one segment, counted from 0; of the ground with what goes on from it beside the beam.
+    Segment(usize),
+}
+
+/// A number of a load.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum LoadNumber {
+    /// Its force, moment or curvature; of a spread one the same all along, both ends at once.
+    Size,
+    /// The position of a point load \[m\].
+    At,
+    /// The left end of a distributed load \[m\].
+    From,
+    /// The right end of a distributed load \[m\].
+    To,
+    /// The intensity at the left end.
+    Start,
+    /// The intensity at the right end.
+    End,
+}
+
+/// A number of a support.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum SupportNumber {
+    /// Its settlement \[m\].
+    Settlement,
+    /// Its spring constant \[N/m\].
+    Spring,
+    /// Its rotational spring constant \[N·m/rad\].
+    RotationalSpring,
+}
+
+/// A number of a model. Parts are counted from 0, in the model's own order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Parameter {
+    /// A property's value, where it does not vary. On the `Whole` only where no segment gives it.
+    Value(Property, Extent),
+    /// A factor on a property, at 1.
+    Factor(Property, Extent),
+    /// P \[N\].
+    AxialForce,
+    /// A number of one load.
+    Load(usize, LoadNumber),
+    /// A factor on all loads, at 1.
+    LoadFactor,
+    /// A number of one support.
+    Support(usize, SupportNumber),
+    /// The rotational spring constant of one hinge \[N·m/rad\].
+    HingeSpring(usize),
+    /// The initial clearance at one point of the gap's profile \[m\].
+    Gap(usize),
+}
+
+impl Parameter {
+    /// Whether it is one of k and μ.
+    pub fn is_of_ground(self) -> bool {
+        use Property::{Shear, Spring};
+        matches!(self, Parameter::Value(Spring | Shear, _) | Parameter::Factor(Spring | Shear, _))
+    }
+
+    /// The number itself, as the model has it; none where it has none such.
+    pub fn value(self, model: &Model) -> Option<f64> {
+        match self {
+            Parameter::Value(property, extent) => constant(model, property, extent),
+            Parameter::Factor(property, extent) if !has(model, property, extent) => None,
+            Parameter::Factor(..) | Parameter::LoadFactor => Some(1.0),
+            Parameter::AxialForce => Some(model.beam.axial_force),
+            Parameter::Load(i, number) => of_load(model.loads.get(i)?, number),
+            Parameter::Support(i, number) => {
+                let support = model.supports.get(i)?;
+                match (number, support.kind) {
+                    (SupportNumber::Settlement, _) => Some(support.settlement),
+                    (SupportNumber::Spring, crate::SupportKind::Spring { spring, .. }) => {
+                        Some(spring)
+                    }
+                    (
+                        SupportNumber::RotationalSpring,
+                        crate::SupportKind::Spring { rotational_spring, .. },
+                    ) => Some(rotational_spring),
+                    _ => None,
+                }
+            }
+            Parameter::HingeSpring(i) => Some(model.hinges.get(i)?.rotational_spring),
+            Parameter::Gap(i) => Some(model.gap.get(i)?.value),
+        }
+    }
+
+    /// The model with another number; none where it has none such.
+    pub fn set(self, model: &Model, to: f64) -> Option<Model> {
+        let mut model = model.clone();
+        self.assign(&mut model, to).then_some(model)
+    }
+
+    /// Changes the number in a model, and tells whether the model has it.
+    pub fn assign(self, model: &mut Model, to: f64) -> bool {
+        self.value(model).is_some() && self.assigned(model, to).is_some()
+    }
+
+    fn assigned(self, model: &mut Model, to: f64) -> Option<()> {
+        match self {
+            Parameter::Value(property, extent) => set_property(model, property, extent, to),
+            Parameter::Factor(property, extent) => scale(model, property, extent, to),
+            Parameter::LoadFactor => {
+                for load in &mut model.loads {
+                    *load = load.scaled(to);
+                }
+            }
+            Parameter::AxialForce => model.beam.axial_force = to,
+            Parameter::Load(i, number) => set_load(model.loads.get_mut(i)?, number, to),
+            Parameter::Support(i, number) => {
+                let support = model.supports.get_mut(i)?;
+                match (number, &mut support.kind) {
+                    (SupportNumber::Settlement, _) => support.settlement = to,
+                    (SupportNumber::Spring, crate::SupportKind::Spring { spring, .. }) => {
+                        *spring = to;
+                    }
+                    (
+                        SupportNumber::RotationalSpring,
+                        crate::SupportKind::Spring { rotational_spring, .. },
+                    ) => *rotational_spring = to,
+                    _ => return None,
+                }
+            }
+            Parameter::HingeSpring(i) => model.hinges.get_mut(i)?.rotational_spring = to,
+            Parameter::Gap(i) => model.gap.get_mut(i)?.value = to,
+        }
+        Some(())
+    }
+}
+
+/// Whether there is any of a property.
+fn has(model: &Model, property: Property, extent: Extent) -> bool {
+    let beam = &model.beam;
+    match (property, extent) {
+        (Property::BendingStiffness, Extent::Segment(i)) => i < beam.segments.len(),
+        (Property::ShearStiffness, Extent::Segment(i)) => {
+            beam.segments.get(i).is_some_and(|segment| segment.shear_stiffness.is_some())
+        }
+        (Property::ShearStiffness, Extent::OutsideSegments) => beam.shear_stiffness.is_some(),
+        (Property::ShearStiffness, Extent::Whole) => beam.shears(),
+        (_, Extent::Segment(i)) => i < model.foundation.segments.len(),
+        _ => true,
+    }
+}
+
+/// A property's value where it is constant.
+fn constant(model: &Model, property: Property, extent: Extent) -> Option<f64> {
+    let (beam, ground) = (&model.beam, &model.foundation);
+    let (own, profile) = match property {
+        Property::BendingStiffness => {
+            (beam.bending_stiffness, beam.segments.iter().map(|s| s.bending_stiffness).collect())
+        }
+        Property::ShearStiffness => {
+            let own = beam.segments.iter().filter_map(|s| s.shear_stiffness);
+            match extent {
+                Extent::Segment(i) => {
+                    let profile = beam.segments.get(i)?.shear_stiffness?;
+                    return profile.is_constant().then(|| profile.start());
+                }
+                Extent::Whole | Extent::OutsideSegments => (beam.shear_stiffness?, own.collect()),
+            }
+        }
+        Property::Spring => {
+            (ground.subgrade, ground.segments.iter().map(|s| s.subgrade).collect::<Vec<_>>())
+        }
+        Property::Shear => {
+            (ground.shear_layer, ground.segments.iter().map(|s| s.shear_layer).collect())
+        }
+    };
+    match extent {
+        Extent::Whole => profile.is_empty().then_some(own),
+        Extent::OutsideSegments => Some(own),
+        Extent::Segment(i) => {
+            profile.get(i).filter(|profile| profile.is_constant()).map(|profile| profile.start())
+        }
+    }
+}
+
+fn set_property(model: &mut Model, property: Property, extent: Extent, to: f64) {
+    let (beam, ground) = (&mut model.beam, &mut model.foundation);
+    match (property, extent) {
+        (Property::BendingStiffness, Extent::Segment(i)) => {
+            if let Some(segment) = beam.segments.get_mut(i) {
+                segment.bending_stiffness = to.into();
+            }
+        }
+        (Property::ShearStiffness, Extent::Segment(i)) => {
+            if let Some(segment) = beam.segments.get_mut(i) {
+                segment.shear_stiffness = Some(to.into());
+            }
+        }
+        (Property::Spring, Extent::Segment(i)) => {
+            if let Some(segment) = ground.segments.get_mut(i) {
+                segment.subgrade = to.into();
+            }
+        }
+        (Property::Shear, Extent::Segment(i)) => {
+            if let Some(segment) = ground.segments.get_mut(i) {
+                segment.shear_layer = to.into();
+            }
+        }
+        (Property::BendingStiffness, _) => beam.bending_stiffness = to,
+        (Property::ShearStiffness, _) => beam.shear_stiffness = Some(to),
+        (Property::Spring, _) => ground.subgrade = to,
+        (Property::Shear, _) => ground.shear_layer = to,
+    }
+}
+
+fn scale(model: &mut Model, property: Property, extent: Extent, factor: f64) {
+    let (beam, ground) = (&mut model.beam, &mut model.foundation);
+    if !matches!(extent, Extent::Segment(_)) {
+        match property {
+            Property::BendingStiffness => beam.bending_stiffness *= factor,
+            Property::ShearStiffness => {
+                beam.shear_stiffness = beam.shear_stiffness.map(|own| own * factor);
+            }
+            Property::Spring => ground.subgrade *= factor,
+            Property::Shear => ground.shear_layer *= factor,
+        }
+    }
+    let meant = |i: usize| extent == Extent::Whole || extent == Extent::Segment(i);
+    match property {
+        Property::BendingStiffness => {
+            for (_, segment) in beam.segments.iter_mut().enumerate().filter(|(i, _)| meant(*i)) {
+                segment.bending_stiffness = segment.bending_stiffness.scaled(factor);
+            }
+        }
+        Property::ShearStiffness => {
+            for (_, segment) in beam.segments.iter_mut().enumerate().filter(|(i, _)| meant(*i)) {
+                segment.shear_stiffness = segment.shear_stiffness.map(|own| own.scaled(factor));
+            }
+        }
+        _ => {
+            for (_, segment) in ground.segments.iter_mut().enumerate().filter(|(i, _)| meant(*i)) {
+                let profile = match property {
+                    Property::Spring => &mut segment.subgrade,
+                    _ => &mut segment.shear_layer,
+                };
+                *profile = profile.scaled(factor);
+            }
+        }
+    }
+}
+
+/// A number of a load, if it has it.
+pub(super) fn of_load(load: &Load, number: LoadNumber) -> Option<f64> {
+    match (load.extent, number) {
+        (LoadExtent::Point { size, .. }, LoadNumber::Size) => Some(size),
+        // A distributed load on the ground, and the place of any load on it, are no parameters.
+        (LoadExtent::Point { at, .. }, LoadNumber::At) if !load.on_ground => Some(at),
+        (LoadExtent::Distributed { from, to, start, end }, number) if !load.on_ground => {
+            match number {
+                LoadNumber::Size => (start == end).then_some(start),
+                LoadNumber::From => Some(from),
+                LoadNumber::To => Some(to),
+                LoadNumber::Start => Some(start),
+                LoadNumber::End => Some(end),
+                LoadNumber::At => None,
+            }
+        }
+        _ => None,
+    }
+}
+
+fn set_load(load: &mut Load, number: LoadNumber, value: f64) {
+    match (&mut load.extent, number) {
+        (LoadExtent::Point { size, .. }, LoadNumber::Size) => *size = value,
+        (LoadExtent::Point { at, .. }, LoadNumber::At) if !load.on_ground => *at = value,
+        (LoadExtent::Distributed { from, to, start, end }, number) if !load.on_ground => {
+            match number {
+                LoadNumber::Size => [*start, *end] = [value; 2],
+                LoadNumber::From => *from = value,
+                LoadNumber::To => *to = value,
+                LoadNumber::Start => *start = value,
+                LoadNumber::End => *end = value,
+                LoadNumber::At => {}
+            }
+        }
+        _ => {}
+    }
+}

@@ -1,0 +1,260 @@
+//! The distance of a solution to the nearest change of contact, where its derivatives jump.
+
+use super::linearised::Linearised;
+use crate::contact::surface::can_carry;
+use crate::derivatives::{Side, Solution};
+use crate::numeric::polynomial::{derivative, value};
+use crate::numeric::roots::sign_changes;
+use crate::solution::fields::Field as Quantity;
+
+/// What a change of contact would bring to zero.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Condition {
+    /// The pressure, inside a region of contact or at its edge.
+    Pressure,
+    /// A concentrated force, at an end of the beam, a corner, a hinge or a single point of contact.
+    Force,
+    /// The gap, where beam and ground do not touch.
+    Gap,
+    /// The angle at which the beam leaves ground without a shear layer.
+    Angle,
+    /// The length of a region of contact, or of one without.
+    Length,
+    /// The force of a support that acts in one direction alone.
+    SupportForce,
+    /// The clearance of such a support.
+    SupportClearance,
+}
+
+impl Condition {
+    /// In words.
+    pub fn in_words(self) -> &'static str {
+        match self {
+            Condition::Pressure => "the pressure",
+            Condition::Force => "a concentrated force",
+            Condition::Gap => "the gap",
+            Condition::Angle => "the angle between beam and ground",
+            Condition::Length => "the length of a region",
+            Condition::SupportForce => "the force of a support",
+            Condition::SupportClearance => "the clearance of a support",
+        }
+    }
+}
+
+/// The nearest change of contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Nearest {
+    /// What is nearly zero.
+    pub condition: Condition,
+    /// Where \[m\].
+    pub at: f64,
+    /// How large it is, as a part of the largest of its kind; of a length, of the beam's.
+    pub margin: f64,
+}
+
+/// A gap that turns by less than this part of all deflections does so by rounding.
+const ROUNDING: f64 = 1e-8;
+
+/// Places closer than this part of the length are one.
+const HERE: f64 = 1e-9;
+
+/// Which of some places are lower than the highest on both sides by more than `least`, and are lowest between those;
+/// at an end of the beam one side is enough.
+fn deepest_between_peaks(places: &[(f64, f64)], ends: [f64; 2], least: f64) -> Vec<usize> {
+    let count = places.len();
+    let mut before = vec![f64::NEG_INFINITY; count];
+    let mut after = before.clone();
+    for i in 1..count {
+        before[i] = before[i - 1].max(places[i - 1].1);
+        after[count - 1 - i] = after[count - i].max(places[count - i].1);
+    }
+    let lowest = |i: usize| {
+        let (x, gap) = places[i];
+        // No neighbour is lower, and there is a peak on both sides, or the beam's end.
+        let beside = [i.checked_sub(1), Some(i + 1).filter(|next| *next < count)];
+        let turns = beside.into_iter().flatten().all(|j| places[j].1 >= gap);
+        let peaks = [(before[i], ends[0]), (after[i], ends[1])];
+        turns && peaks.into_iter().all(|(peak, end)| x == end || peak - gap > least)
+    };
+    (0..count).filter(|i| lowest(*i)).collect()
+}
+
+impl Solution {
+    /// The nearest change of contact.
+    pub(super) fn nearest_change_in(&self, lin: &Linearised) -> Option<Nearest> {
+        let mut all: Vec<Nearest> = Vec::new();
+        self.pressures(lin, &mut all);
+        self.forces(lin, &mut all);
+        self.gaps(&mut all);
+        self.lengths(&mut all);
+        self.one_way(&mut all);
+        all.into_iter().min_by(|a, b| a.margin.total_cmp(&b.margin))
+    }
+
+    /// Where the pressure is least within regions of contact, and at edges on a shear layer.
+    fn pressures(&self, lin: &Linearised, all: &mut Vec<Nearest>) {
+        let largest = self.range(Quantity::Pressure).max.value;
+        if largest <= 0.0 {
+            return;
+        }
+        let mut add = |condition, at, size: f64| {
+            all.push(Nearest { condition, at, margin: size.max(0.0) });
+        };
+        for piece in self.pieces().iter().filter(|piece| piece.open.is_none()) {
+            let winkler = piece.cell.shear_layer == 0.0;
+            let edge = |x: f64| {
+                self.contact().iter().any(|region| region.from == x || region.to == x)
+                    && x > 0.0
+                    && x < self.model().beam.length
+            };
+            let mut candidates = vec![-1.0];
+            sign_changes(&derivative(&piece.pressure), &mut candidates);
+            candidates.push(1.0);
+            for s in candidates {
+                let x =
+                    if s.abs() == 1.0 { piece.x[usize::from(s > 0.0)] } else { piece.global(s) };
+                if !(winkler && edge(x)) {
+                    add(Condition::Pressure, x, value(&piece.pressure, s) / largest);
+                }
+            }
+        }
+        // ψ' at edges on separate springs, against the largest ψ over the length.
+        let l = self.model().beam.length;
+        for zone in &lin.zones {
+            for spot in [zone.from, zone.to] {
+                let cell = &lin.mesh.cells[spot.cell];
+                if cell.shear_layer > 0.0 || lin.stays(spot) {
+                    continue;
+                }
+                let point = lin.look(&lin.state, spot, true);
+                let scale = largest / cell.subgrade / l;
+                add(Condition::Angle, cell.global(spot.s), point.rise.abs() / scale);
+            }
+        }
+    }
+
+    /// Concentrated forces, where they may stand.
+    fn forces(&self, lin: &Linearised, all: &mut Vec<Nearest>) {
+        let l = self.model().beam.length;
+        let ends = self.end_forces();
+        let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * l;
+        let force_at = |x: f64| {
+            if near(x, 0.0) {
+                return ends.left;
+            }
+            if near(x, l) {
+                return ends.right;
+            }
+            self.concentrated_forces().iter().find(|c| near(c.at, x)).map_or(0.0, |c| c.force)
+        };
+        let mut places: Vec<f64> = Vec::new();
+        for zone in &lin.zones {
+            let layered = lin.mesh.cells[zone.from.cell].shear_layer > 0.0;
+            if !layered {
+                continue;
+            }
+            let [from, to] = [zone.from, zone.to].map(|s| s.cell + usize::from(s.s > 0.0));
+            for node in from..=to {
+                let cell = node.min(lin.mesh.cells.len() - 1);
+                let s = if cell == node { -1.0 } else { 1.0 };
+                if can_carry(&lin.mesh, crate::mesh::deflection::BeamPoint { cell, s }) {
+                    places.push(lin.mesh.nodes[node].x);
+                }
+            }
+        }
+        let contact: f64 = self
+            .pieces()
+            .iter()
+            .map(|piece| {
+                let even = piece.pressure.iter().step_by(2).enumerate();
+                2.0 * piece.half * even.map(|(j, c)| c / (2 * j + 1) as f64).sum::<f64>()
+            })
+            .sum();
+        let forces: f64 = places.iter().map(|x| force_at(*x).abs()).sum();
+        // Where hardly anything is on the ground, against what the beam carries.
+        let carried = self.range(Quantity::ShearForce);
+        let carried = carried.max.value.abs().max(carried.min.value.abs());
+        let total = (contact.abs() + forces).max(carried);
+        for x in places {
+            let margin = if total > 0.0 { (force_at(x) / total).max(0.0) } else { 0.0 };
+            all.push(Nearest { condition: Condition::Force, at: x, margin });
+        }
+    }
+
+    /// Where the gap is least between regions of contact, and at the ends that are in the air.
+    fn gaps(&self, all: &mut Vec<Nearest>) {
+        let l = self.model().beam.length;
+        let deflections = self.range(Quantity::Deflection);
+        let gaps = self.range(Quantity::Gap).max.value;
+        let scale = deflections.max.value.abs().max(deflections.min.value.abs()).max(gaps);
+        if scale <= 0.0 {
+            return;
+        }
+        // From left to right where the gap may turn, each open length for itself.
+        let mut open: Vec<(f64, f64)> = Vec::new();
+        let mut add = |open: &mut Vec<(f64, f64)>| {
+            let touches = |x: f64| {
+                self.contact().iter().any(|c| x >= c.from - HERE * l && x <= c.to + HERE * l)
+            };
+            let deepest = deepest_between_peaks(open, [0.0, l], ROUNDING * scale);
+            for at in deepest.into_iter().filter(|at| !touches(open[*at].0)) {
+                let margin = (open[at].1 / scale).max(0.0);
+                all.push(Nearest { condition: Condition::Gap, at: open[at].0, margin });
+            }
+            open.clear();
+        };
+        for piece in self.pieces() {
+            let parts = self.contact().iter().any(|c| c.from == c.to && c.from == piece.x[0]);
+            if piece.open.is_none() || parts {
+                add(&mut open);
+            }
+            if piece.open.is_some() {
+                let gap = |s: f64| (piece.global(s), piece.fields(s).gap);
+                open.extend(piece.candidates(Quantity::Gap).into_iter().map(gap));
+            }
+        }
+        add(&mut open);
+    }
+
+    /// Regions of contact and those between.
+    fn lengths(&self, all: &mut Vec<Nearest>) {
+        let l = self.model().beam.length;
+        let mut at = None;
+        for region in self.contact() {
+            if region.from < region.to {
+                let margin = (region.to - region.from) / l;
+                all.push(Nearest { condition: Condition::Length, at: region.from, margin });
+            }
+            let before: f64 = at.unwrap_or(0.0);
+            let open = region.from - before;
+            if open > 0.0 {
+                all.push(Nearest { condition: Condition::Length, at: before, margin: open / l });
+            }
+            at = Some(region.to);
+        }
+        if let Some(last) = at.filter(|last| *last < l) {
+            let margin = (l - last) / l;
+            all.push(Nearest { condition: Condition::Length, at: last, margin });
+        }
+    }
+
+    /// Supports that act in one direction alone.
+    fn one_way(&self, all: &mut Vec<Nearest>) {
+        let supports = || self.model().supports.iter().zip(self.reactions());
+        let forces: f64 = supports().map(|(_, reaction)| reaction.force.abs()).sum();
+        let range = self.range(Quantity::Deflection);
+        let scale = range.max.value.abs().max(range.min.value.abs());
+        for (support, reaction) in supports().filter(|(support, _)| support.is_one_way()) {
+            let at = support.at;
+            if reaction.force != 0.0 {
+                let margin = reaction.force.abs() / forces;
+                all.push(Nearest { condition: Condition::SupportForce, at, margin });
+            } else if scale > 0.0 {
+                let clear = self.at(at, Side::Right).deflection - support.settlement;
+                let margin = clear.abs() / scale;
+                all.push(Nearest { condition: Condition::SupportClearance, at, margin });
+            }
+        }
+    }
+}

@@ -1,0 +1,165 @@
+//! The verdict on existence: what the static reactions say about equilibrium, and the motion that shows it.
+
+use crate::existence::rigid_motions::Mechanism;
+use crate::model::Model;
+
+/// What the statics say about equilibrium.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Verdict {
+    /// There is exactly one equilibrium.
+    #[default]
+    Unique,
+    /// A static reaction is zero, or the beam stands on one point alone: equilibria may exist, and then not
+    /// one alone. The motion changes no energy.
+    NotUnique(RigidMotion),
+    /// There is none: the motion never presses on the ground and the loads gain work in it.
+    None(RigidMotion),
+    /// Compression that the ground helps to bear: there is a stable equilibrium next to the unloaded state, on
+    /// the branch that begins without compression. It is a local one: others, far from it, are not ruled out.
+    Local(Local),
+    /// The branch of stable equilibria that begins without compression ends before the compression is
+    /// reached: the beam buckles.
+    Buckles(Buckling),
+}
+
+/// How firmly a local equilibrium stands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Local {
+    /// The smallest eigenvalue of the second variation ∫(EI z″² + P z'²) + springs + ground where it touches,
+    /// measured by the same without P: between 0, where the beam buckles, and 1, without compression.
+    /// It is 1 + P/P_b with the buckling load P_b of the beam bonded to the ground where it touches.
+    pub stability_margin: f64,
+    /// The compression at which the branch of stable equilibria ends as it grows, the loads staying as they
+    /// are \[N\].
+    pub critical_compression: f64,
+}
+
+/// Where the branch of stable equilibria ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Buckling {
+    /// The compression at which it ends, from below \[N\].
+    pub critical_compression: f64,
+    /// Where the buckling mode r is largest \[m\].
+    pub at: f64,
+    /// r(0), for r(`at`) = −1: up.
+    pub left: f64,
+    /// r(l).
+    pub right: f64,
+    /// F(r), the work of the loads in it \[N·m per m\].
+    pub work: f64,
+}
+
+impl Verdict {
+    /// Whether there is an equilibrium to be found: the only one, one of many, or a local one.
+    pub fn stands(&self) -> bool {
+        match self {
+            Verdict::Unique | Verdict::NotUnique(_) | Verdict::Local(_) => true,
+            Verdict::None(_) | Verdict::Buckles(_) => false,
+        }
+    }
+
+    /// Of the motion that the verdict rests on: r(0) and r(l), and F(r) \[N·m per m\].
+    pub fn motion(&self) -> Option<[f64; 3]> {
+        match self {
+            Verdict::None(motion) | Verdict::NotUnique(motion) => {
+                Some([motion.left, motion.right, motion.work])
+            }
+            Verdict::Buckles(mode) => Some([mode.left, mode.right, mode.work]),
+            Verdict::Unique | Verdict::Local(_) => None,
+        }
+    }
+}
+
+/// A rigid motion of the beam, r(x) = a x + b between its free hinges, scaled to a largest size of 1. It presses nowhere: r ≤ 0,
+/// unless the beam stands on one point inside and turns about it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RigidMotion {
+    /// r(0): 0 or −1; about a point inside, between −1 and 0.
+    pub left: f64,
+    /// r(l): 0 or −1; about a point inside, between 0 and 1.
+    pub right: f64,
+    /// F(r), the work of the loads in it \[N·m per m of lift\].
+    pub work: f64,
+    /// Of a beam with free hinges the first and the last of its ends and free hinges at which r = −1 \[m\]; it
+    /// is 0 at all others, and straight in between. None for a beam without.
+    pub lifted: Option<[f64; 2]>,
+}
+
+impl RigidMotion {
+    /// r at a position of a beam of this model.
+    ///
+    /// ```
+    /// use groundbeam::{Beam, Foundation, Hinge, Load, Model, Verdict, exists};
+    ///
+    /// let model = Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(1.0))
+    ///     .with_hinge(Hinge::free(2.0))
+    ///     .with_load(Load::point_force(1.0, 1.0))
+    ///     .with_load(Load::point_force(3.0, -0.25))
+    ///     .with_load(Load::point_force(2.0, 0.2));
+    /// let Verdict::None(motion) = exists(&model)?.verdict else { panic!("it stands") };
+    /// assert_eq!([0.0, 2.0, 3.0, 4.0].map(|x| motion.at(&model, x)), [0.0, 0.0, -0.5, -1.0]);
+    /// # Ok::<(), groundbeam::Error>(())
+    /// ```
+    pub fn at(&self, model: &Model, x: f64) -> f64 {
+        let nodes = Mechanism::of(model).nodes;
+        let l = model.beam.length;
+        let Some([from, to]) = self.lifted else {
+            return (self.left * (l - x) + self.right * x) / l;
+        };
+        let value = |node: f64| if from <= node && node <= to { -1.0 } else { 0.0 };
+        let after = nodes.partition_point(|node| *node <= x).clamp(1, nodes.len() - 1);
+        let [a, b] = [nodes[after - 1], nodes[after]];
+        (value(a) * (b - x) + value(b) * (x - a)) / (b - a)
+    }
+}
+
+/// The verdict and the statics it rests on.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Existence {
+    /// Whether an equilibrium exists, and is the only one.
+    pub verdict: Verdict,
+    /// R₀ and R_l: what supports under the beam's two ends would carry if the beam were rigid and stood on
+    /// them alone, up positive \[N\].
+    pub static_reactions: [f64; 2],
+}
+
+impl Existence {
+    /// The loads' resultant, down positive \[N\].
+    pub fn resultant(&self) -> f64 {
+        self.static_reactions[0] + self.static_reactions[1]
+    }
+
+    /// Where the resultant acts on a beam of length `l` \[m\]; none if it is zero.
+    pub fn resultant_position(&self, l: f64) -> Option<f64> {
+        let total = self.resultant();
+        (total != 0.0).then(|| l * (self.static_reactions[1] / total))
+    }
+
+    /// The same once the contact is known: a beam that stands on a single point inside, and that neither
+    /// tension nor a support keeps from turning there, has more than one equilibrium.
+    pub(crate) fn with_contact(self, model: &Model, contact: &[[f64; 2]]) -> Existence {
+        let mechanism = Mechanism::of(model);
+        // Contact that goes on over a hinge holds both pieces.
+        let within = |&[from, to]: &[f64; 2]| {
+            let nodes = mechanism.nodes.iter().copied();
+            let inside: Vec<f64> = nodes.filter(|node| from < *node && *node < to).collect();
+            [from, to].into_iter().chain(inside)
+        };
+        let points: Vec<f64> = contact.iter().flat_map(within).collect();
+        let free = mechanism.first_free_piece(&points);
+        let verdict = match (self.verdict, free, mechanism.point_held(&points)) {
+            (Verdict::Unique, Some(_), Some(x)) if mechanism.nodes.len() == 2 => {
+                let l = model.beam.length;
+                let largest = x.max(l - x);
+                let (left, right) = (-x / largest, (l - x) / largest);
+                Verdict::NotUnique(RigidMotion { left, right, work: 0.0, lifted: None })
+            }
+            (Verdict::Unique, Some(piece), _) if mechanism.nodes.len() > 2 => {
+                let lifted = Some(piece);
+                Verdict::NotUnique(RigidMotion { left: 0.0, right: 0.0, work: 0.0, lifted })
+            }
+            (verdict, ..) => verdict,
+        };
+        Existence { verdict, ..self }
+    }
+}

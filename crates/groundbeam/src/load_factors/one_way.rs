@@ -1,0 +1,339 @@
+//! The factor of first lift-off on one-way supports, over ranges of factors with the same active supports.
+//!
+//! A beam that touches along its whole length is a linear problem but for supports that act in one direction alone: on
+//! the supports that act, what each pushes with and how far the beam is from the others are linear in λ. Together they
+//! are a linear complementarity problem with a positive definite matrix, for the ground alone holds the beam, and so the
+//! supports that act just beyond a factor are found by Murty's principal pivoting: the first support that breaks its
+//! condition, at the factor or else by its rate, changes (K. G. Murty, *Note on a Bard-type scheme for solving the
+//! complementarity problem*, Opsearch 11 (1974) 123–130). They stay until the first of these numbers is zero, and there
+//! the next piece begins.
+
+use crate::cancel::Cancel;
+use crate::contact::state::ContactState;
+use crate::equilibrium::one_way;
+use crate::error::{Error, NotConverged, Stopped};
+use crate::existence::existence::size_of_loads;
+use crate::load_factors::bonded::{LiftOffCandidate, bonded_everywhere, lift_off_candidates};
+use crate::load_factors::parts::{FirstLiftOff, Parts};
+use crate::model::{Model, Support};
+use crate::options::Method;
+use crate::solution::candidate::{Candidate, Workspace};
+
+/// Pieces, and changes of the supports at the beginning of one, that end the search.
+const MOST_PIECES: usize = 200;
+const MOST_CHANGES: usize = 2000;
+/// A force, relative to all of them and the loads, and a clearance, relative to the deflections, that are zero: what the factor at
+/// which a piece begins is known to.
+const ZERO: f64 = 1e-11;
+
+/// Factors from one on, over which the same supports act.
+struct FactorRange {
+    /// The model at the factor on which it begins, and the fields there and per factor, on the supports that act.
+    staying: ContactState,
+    growing: ContactState,
+    /// How much the factor may grow, and the support whose condition then is at its end.
+    growth: f64,
+    ends: Option<usize>,
+}
+
+/// The factor of first lift-off, which is not beyond that at which equilibrium is lost.
+pub(crate) fn first_lift_off(
+    parts: &Parts,
+    loss: f64,
+    stability: f64,
+    cancel: &Cancel,
+) -> Result<FirstLiftOff, Error> {
+    let mut acts = vec![true; parts.model.supports.len()];
+    let mut from = 0.0;
+    let mut ended = None;
+    for _ in 0..MOST_PIECES {
+        let piece = FactorRange::beginning(parts, from, ended, &mut acts, cancel)?;
+        let all = lift_off_candidates(&piece.staying, &piece.growing);
+        if from == 0.0 && all.iter().any(LiftOffCandidate::pulls_at_first) {
+            return Ok(FirstLiftOff::AtOnce);
+        }
+        let mut least = piece.growth;
+        let mut found = None;
+        for place in &all {
+            let Some((growth, x)) = place.first_pull_below(least) else { continue };
+            if from == 0.0 && place.is_nothing(growth) {
+                return Ok(FirstLiftOff::AtOnce);
+            }
+            (least, found) = (growth, Some(x));
+        }
+        if let Some(x) = found {
+            // A beam in equilibrium under a pressure has one: rounding alone can say otherwise.
+            let factor = (from + least).min(loss);
+            prove(parts, factor, &acts, stability, cancel)?;
+            return Ok(FirstLiftOff::At { factor, x });
+        }
+        if piece.growth == f64::INFINITY {
+            return Ok(FirstLiftOff::Never);
+        }
+        from += piece.growth;
+        ended = piece.ends;
+    }
+    Err(not_found(f64::NAN))
+}
+
+impl FactorRange {
+    /// The piece that begins at a factor, from the supports that act before it to those that act on it.
+    /// The support whose condition `ended` the piece before has nothing left of it, whatever rounding says.
+    fn beginning(
+        parts: &Parts,
+        factor: f64,
+        ended: Option<usize>,
+        acts: &mut [bool],
+        cancel: &Cancel,
+    ) -> Result<Self, Error> {
+        let one_way: Vec<bool> = parts.model.supports.iter().map(Support::is_one_way).collect();
+        let [stays, grows] = [parts.at(factor), parts.growing()];
+        for _ in 0..MOST_CHANGES {
+            let [staying, growing] = [&stays, &grows]
+                .map(|model| bonded_everywhere(&model.with_supports_that(|i, _| acts[i]), cancel));
+            let staying = staying.map_err(|_| not_found(f64::NAN))?;
+            let growing = growing.map_err(|_| not_found(f64::NAN))?;
+            if !one_way.contains(&true) {
+                return Ok(FactorRange { staying, growing, growth: f64::INFINITY, ends: None });
+            }
+            let mut now = Room::of(&stays, &staying, acts);
+            ended.into_iter().for_each(|i| now.zero[i] = f64::INFINITY);
+            let rate = Room::of(&grows, &growing, acts);
+            let wrong =
+                |i: &usize| now.is_negative(*i) || (now.is_zero(*i) && rate.is_negative(*i));
+            let all = || (0..acts.len()).filter(|i| one_way[*i]);
+            if let Some(first) = all().find(wrong) {
+                acts[first] = !acts[first];
+                continue;
+            }
+            let falling = all().filter(|i| !now.is_zero(*i) && rate.is_negative(*i));
+            let ends = falling.map(|i| (now.left[i] / -rate.left[i], i));
+            let first = ends.min_by(|a, b| a.0.total_cmp(&b.0));
+            let growth = first.map_or(f64::INFINITY, |(growth, _)| growth);
+            return Ok(FactorRange { staying, growing, growth, ends: first.map(|(_, i)| i) });
+        }
+        Err(not_found(f64::NAN))
+    }
+}
+
+/// What is left of each support's condition: the force of one that acts, the clearance of one that does not.
+struct Room {
+    left: Vec<f64>,
+    zero: Vec<f64>,
+}
+
+impl Room {
+    fn of(model: &Model, found: &ContactState, acts: &[bool]) -> Self {
+        let held = model.with_supports_that(|i, _| acts[i]);
+        let candidate = Candidate::of(&held, found, &mut Workspace::default());
+        let (forces, all) = one_way::forces(model, acts, &candidate);
+        let (clear, size) = one_way::clearances(model, &candidate);
+        let each = || 0..acts.len();
+        let left = each().map(|i| if acts[i] { forces[i] } else { clear[i] });
+        let all = all + size_of_loads(model);
+        let zero = each().map(|i| ZERO * if acts[i] { all } else { size });
+        Room { left: left.collect(), zero: zero.collect() }
+    }
+
+    fn is_zero(&self, i: usize) -> bool {
+        self.left[i].abs() <= self.zero[i]
+    }
+
+    fn is_negative(&self, i: usize) -> bool {
+        self.left[i] < -self.zero[i]
+    }
+}
+
+/// The fields at the factor hold their certificate: the beam touches all along up to there.
+fn prove(
+    parts: &Parts,
+    factor: f64,
+    acts: &[bool],
+    stability: f64,
+    cancel: &Cancel,
+) -> Result<(), Error> {
+    let model = parts.at(factor);
+    let held = model.with_supports_that(|i, _| acts[i]);
+    let found = bonded_everywhere(&held, cancel).map_err(|_| not_found(f64::NAN))?;
+    let mut candidate = Candidate::of(&held, &found, &mut Workspace::default());
+    if model.has_one_way_supports() {
+        candidate = candidate.on_one_way_supports(&model, acts);
+    }
+    let certificate = candidate.certify(stability);
+    if certificate.holds() { Ok(()) } else { Err(not_found(certificate.violation())) }
+}
+
+fn not_found(violation: f64) -> Error {
+    let why = NotConverged::LiftOff(violation);
+    Error::NotConverged(Stopped { method: Method::Exact, iterations: 0, why })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::load_factors::{load_factors, parts::LossOfEquilibrium};
+    use crate::model::{Acts, Beam, Foundation, Load};
+
+    const LENGTH: f64 = 2.0;
+    const WEIGHT: f64 = 6.0;
+    /// A beam that bends so little that the formulas for a rigid one hold to 10⁻⁶.
+    const RIGID: f64 = 1e8;
+
+    /// A beam of length 2 under q = 3 on springs with k = 5: w = 0.6.
+    fn weighted(stiffness: f64) -> Model {
+        Model::new(Beam::uniform(LENGTH, stiffness), Foundation::winkler(5.0))
+            .with_load(Load::uniform_force(0.0, LENGTH, 3.0))
+    }
+
+    fn bearing(at: f64, down: f64) -> Support {
+        Support::pinned(at).settled(down).acting(Acts::Up)
+    }
+
+    fn strap(at: f64, down: f64) -> Support {
+        Support::pinned(at).settled(down).acting(Acts::Down)
+    }
+
+    /// First lift-off under a force at the right end that grows.
+    fn lift_off(stiffness: f64, supports: &[Support]) -> FirstLiftOff {
+        let mut model = weighted(stiffness).with_load(Load::point_force(LENGTH, 1.0));
+        model.supports = supports.to_vec();
+        let found = load_factors(&model, |load| load == 1).expect("factors");
+        assert_eq!(found.loss_of_equilibrium, LossOfEquilibrium::Never);
+        // The same in a mirror.
+        let mirrored = load_factors(&model.mirrored(), |load| load == 1).expect("factors");
+        match (found.first_lift_off, mirrored.first_lift_off) {
+            (FirstLiftOff::At { factor, x }, FirstLiftOff::At { factor: other, x: y }) => {
+                near(other, factor);
+                assert_eq!(x, LENGTH - y);
+            }
+            (found, mirrored) => assert_eq!(found, mirrored),
+        }
+        found.first_lift_off
+    }
+
+    #[track_caller]
+    fn near(found: f64, wanted: f64) {
+        assert!((found - wanted).abs() <= 1e-6 * wanted.abs(), "{found} {wanted}");
+    }
+
+    #[track_caller]
+    fn leaves_the_left_end(found: FirstLiftOff, at: f64) {
+        let FirstLiftOff::At { factor, x } = found else { panic!("{found:?}") };
+        near(factor, at);
+        assert_eq!(x, 0.0);
+    }
+
+    /// A force F at the right end lowers that end by 4F/(kl) and raises the left one by 2F/(kl): the left end leaves the ground
+    /// at F = ql/2, and a bearing under it that is δ deep at F = (q − kδ) l/2, before.
+    #[test]
+    fn a_bearing_that_is_left_does_not_change_what_follows() {
+        for supports in [
+            vec![],
+            vec![bearing(0.0, 0.4)],
+            vec![bearing(0.0, 0.4), strap(LENGTH, 0.3)],
+            // Never reached: the right end is 1.8 deep at F = ql/2.
+            vec![bearing(LENGTH, 1.9)],
+            vec![bearing(0.0, 0.55), bearing(LENGTH, 1.9)],
+        ] {
+            leaves_the_left_end(lift_off(RIGID, &supports), 0.5 * WEIGHT);
+        }
+    }
+
+    /// The strap lets the left end rise up to δ, and holds it there. The bearing under the right end carries the force from
+    /// then on alone.
+    #[test]
+    fn a_support_that_is_met_may_hold_the_beam_down() {
+        for supports in [
+            vec![strap(0.0, 0.4)],
+            vec![bearing(LENGTH, 0.8)],
+            vec![bearing(LENGTH, 0.55)],
+            vec![strap(0.0, 0.1), bearing(LENGTH, 1.7)],
+            vec![strap(0.0, 0.5), bearing(LENGTH, 1.7)],
+        ] {
+            assert_eq!(lift_off(RIGID, &supports), FirstLiftOff::Never, "{supports:?}");
+        }
+    }
+
+    /// A support that touches the beam as it lies carries nothing before anything grows. The rate decides then: the beam
+    /// presses on it, or leaves it.
+    #[test]
+    fn a_support_that_just_touches_acts_by_its_rate() {
+        let free = lift_off(1e3, &[]);
+        assert!(matches!(free, FirstLiftOff::At { x: 0.0, .. }));
+        for left in [bearing(0.0, 0.6), strap(LENGTH, 0.6)] {
+            assert_eq!(lift_off(1e3, &[left]), free, "{left:?}");
+        }
+        for pressed in [strap(0.0, 0.6), bearing(LENGTH, 0.6)] {
+            assert_eq!(lift_off(1e3, &[pressed]), FirstLiftOff::Never, "{pressed:?}");
+        }
+    }
+
+    /// A bearing δ deep under the middle, where w = 0.6 + F/(kl), is met at F = kδl − ql. Then the beam turns about it, by
+    /// 6F/(kl²): the left end leaves the ground at F = kδl/3.
+    #[test]
+    fn a_support_that_is_met_may_lift_the_beam_off_earlier() {
+        for (down, at) in [(0.7, 7.0 / 3.0), (0.8, 8.0 / 3.0), (0.85, 8.5 / 3.0)] {
+            let middle = bearing(0.5 * LENGTH, down);
+            leaves_the_left_end(lift_off(RIGID, &[middle]), at);
+            // The bearing under the left end is left before, at F = (0.6 − 0.58) kl/2.
+            leaves_the_left_end(lift_off(RIGID, &[bearing(0.0, 0.58), middle]), at);
+            leaves_the_left_end(lift_off(RIGID, &[middle, bearing(0.0, 0.58)]), at);
+        }
+        // It is met at F = ql/2 + 0.1 only: too late.
+        leaves_the_left_end(lift_off(RIGID, &[bearing(0.5 * LENGTH, 0.91)]), 0.5 * WEIGHT);
+    }
+
+    /// Supports that lift the beam off before anything grows.
+    #[test]
+    fn a_bearing_above_the_ground_lifts_the_beam_off_at_once() {
+        assert_eq!(lift_off(RIGID, &[bearing(0.0, -0.1)]), FirstLiftOff::AtOnce);
+        assert_eq!(lift_off(RIGID, &[bearing(0.5 * LENGTH, -0.1)]), FirstLiftOff::AtOnce);
+        assert_eq!(lift_off(RIGID, &[strap(0.0, 2.0)]), FirstLiftOff::AtOnce);
+    }
+
+    /// The bearing under the left end is δ = 0.4 deep, and carries (q − kδ) l/4 = 1/2: moments about it. The right end is at
+    /// δ + 3(q − kδ)/(2k) = 0.7, so that a strap for 0.5 is 0.2 from it.
+    #[test]
+    fn the_room_of_a_force_and_of_a_clearance() {
+        let model = weighted(RIGID)
+            .with_support(bearing(0.0, 0.4))
+            .with_support(strap(LENGTH, 0.5))
+            .with_support(Support::spring(1.0, 1e-12, 0.0));
+        let acts = [true, false, true];
+        let held = model.with_supports_that(|i, _| acts[i]);
+        let found = bonded_everywhere(&held, &Cancel::default()).expect("bonded");
+        let Room { left, zero } = Room::of(&model, &found, &acts);
+        near(left[0], 0.5);
+        near(left[1], 0.2);
+        // Forces are compared with the reactions and the loads, clearances with the largest deflection.
+        near(zero[0], ZERO * (0.5 + WEIGHT));
+        near(zero[1], ZERO * 0.7);
+    }
+
+    #[test]
+    fn what_is_left_is_zero_within_its_own_rounding() {
+        let room = Room { left: vec![-3.0, -2.0, -1.0, 0.0, 2.0, 3.0], zero: vec![2.0; 6] };
+        let each = |is: &dyn Fn(usize) -> bool| (0..6).map(is).collect::<Vec<_>>();
+        assert_eq!(each(&|i| room.is_zero(i)), [false, true, true, true, true, false]);
+        assert_eq!(each(&|i| room.is_negative(i)), [true, false, false, false, false, false]);
+    }
+
+    /// The certificate at a factor holds as far as the ground need not pull, and not beyond.
+    #[test]
+    fn a_factor_that_is_too_large_is_refused() {
+        let model = weighted(RIGID)
+            .with_support(bearing(0.0, 0.4))
+            .with_load(Load::point_force(LENGTH, 1.0));
+        let parts = Parts::of(&model, |load| load == 1);
+        let proves =
+            |factor: f64, acts: bool| prove(&parts, factor, &[acts], 1.0, &Cancel::default());
+        assert_eq!(proves(0.4 * WEIGHT, false), Ok(()));
+        let Err(Error::NotConverged(found)) = proves(0.6 * WEIGHT, false) else {
+            panic!("it pulls")
+        };
+        assert!(found.why.reached() > found.why.tolerance());
+        // Below F = 1 the bearing carries, and beyond it holds the beam no more.
+        assert_eq!(proves(0.9, true), Ok(()));
+        assert!(proves(0.9, false).is_err() && proves(1.1, true).is_err());
+    }
+}

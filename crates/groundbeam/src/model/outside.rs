@@ -1,0 +1,115 @@
+//! The ground outside the beam: its layers and its ends.
+
+use crate::model::foundation::Foundation;
+use crate::model::foundation::GroundEnd;
+
+/// A stretch of even ground with a shear layer beside the beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct OutsideLayer {
+    /// Its length \[m\]; infinite for the last one of endless ground.
+    pub length: f64,
+    /// k \[N/m²\].
+    pub subgrade: f64,
+    /// μ \[N\], positive.
+    pub shear_layer: f64,
+}
+
+/// The shear layer beyond an end of the beam, from there outward; none where it ends with the beam.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct GroundOutside {
+    pub layers: Vec<OutsideLayer>,
+    /// Whether the last one's far end is held; it is free otherwise.
+    pub held: bool,
+}
+
+impl GroundOutside {
+    /// Whether the layer has a free end.
+    pub fn is_free(&self) -> bool {
+        !self.held && self.layers.last().is_none_or(|layer| layer.length.is_finite())
+    }
+
+    /// How far it reaches \[m\].
+    pub fn length(&self) -> f64 {
+        self.layers.iter().map(|layer| layer.length).sum()
+    }
+}
+
+impl Foundation {
+    /// The ground to the left of a beam of length `l`, or to the right of it, with k and μ of the beam's end: it
+    /// goes on as it is, outward, until a segment says otherwise. None is tied to separate springs under the beam's
+    /// end: their surface is free to jump there.
+    pub(crate) fn beyond(&self, right: bool, l: f64, [spring, shear]: [f64; 2]) -> GroundOutside {
+        if shear == 0.0 {
+            return GroundOutside::default();
+        }
+        // Not −x, which would be −0 at the beam's end.
+        let outward = |x: f64| if right { x - l } else { 0.0 - x };
+        let mut stretches = vec![(0.0, spring, shear)];
+        for segment in &self.segments {
+            let (near, far) =
+                if right { (segment.from, segment.to) } else { (segment.to, segment.from) };
+            // What reaches under the beam is known at its end.
+            if outward(near) >= 0.0 && outward(far) > 0.0 {
+                stretches.push((
+                    outward(near),
+                    segment.subgrade.start(),
+                    segment.shear_layer.start(),
+                ));
+            }
+        }
+        stretches.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let (end, mut held) = match self.ends[usize::from(right)] {
+            GroundEnd::Endless => (f64::INFINITY, false),
+            GroundEnd::Free { at } => (outward(at), false),
+            GroundEnd::Held { at } => (outward(at), true),
+        };
+        let mut layers = Vec::new();
+        for (i, &(from, spring, shear)) in stretches.iter().enumerate() {
+            let to = stretches.get(i + 1).map_or(end, |next| next.0.min(end));
+            if to <= from {
+                continue;
+            }
+            if shear == 0.0 {
+                held = false;
+                break;
+            }
+            layers.push(OutsideLayer { length: to - from, subgrade: spring, shear_layer: shear });
+        }
+        GroundOutside { layers, held }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ground_goes_on_until_a_segment_says_otherwise() {
+        let mut ground = Foundation::pasternak(1.0, 2.0)
+            .with_segment(-1.0, 3.0, 5.0, 6.0)
+            .with_segment(-7.0, -4.0, 8.0, 9.0)
+            .with_segment(12.0, 13.0, 3.0, 0.0);
+        let lengths = |beyond: &GroundOutside| -> Vec<f64> {
+            beyond.layers.iter().map(|layer| layer.length).collect()
+        };
+        let left = ground.beyond(false, 10.0, [5.0, 6.0]);
+        assert_eq!(lengths(&left), [4.0, f64::INFINITY]);
+        assert_eq!((left.layers[0].subgrade, left.layers[1].shear_layer), (5.0, 9.0));
+        assert!(!left.is_free());
+        let right = ground.beyond(true, 10.0, [1.0, 2.0]);
+        assert_eq!(lengths(&right), [2.0], "the layer ends where springs begin");
+        assert!(right.is_free());
+        ground.ends = [GroundEnd::Held { at: -3.0 }, GroundEnd::Free { at: 10.0 }];
+        let left = ground.beyond(false, 10.0, [5.0, 6.0]);
+        assert!(left.held && lengths(&left) == [3.0]);
+        assert!(ground.beyond(true, 10.0, [1.0, 2.0]).layers.is_empty());
+        let at_both_ends = Foundation::pasternak(1.0, 2.0)
+            .with_segment(-1.0, 0.0, 3.0, 4.0)
+            .with_segment(10.0, 11.0, 3.0, 4.0);
+        for right in [false, true] {
+            let beyond = at_both_ends.beyond(right, 10.0, [1.0, 2.0]);
+            assert_eq!(beyond.layers.iter().map(|layer| layer.subgrade).collect::<Vec<_>>(), [3.0]);
+            assert_eq!(at_both_ends.beyond(right, 10.0, [1.0, 0.0]), GroundOutside::default());
+        }
+    }
+}

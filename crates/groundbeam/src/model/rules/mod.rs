@@ -1,0 +1,42 @@
+//! The rules of a model: every violation, with the remedy.
+
+mod beam;
+mod ground;
+mod loads;
+pub(crate) mod places;
+mod positions;
+mod supports;
+
+use crate::model::Model;
+use crate::model::problem::{Part, Problem, finite};
+
+impl Model {
+    /// Everything that is wrong with the model; empty when it can be solved.
+    ///
+    /// A beam so soft or ground so stiff that the products of the given numbers leave the range of
+    /// a 64-bit number is refused here too, so that no later step meets an infinity.
+    pub fn problems(&self) -> Vec<Problem> {
+        let mut found = Vec::new();
+        self.check_beam(&mut found);
+        self.check_foundation(&mut found);
+        self.check_loads(&mut found);
+        self.check_supports(&mut found);
+        self.check_hinges(&mut found);
+        self.check_one_way(&mut found);
+        self.check_gap(&mut found);
+        found
+    }
+
+    fn check_gap(&self, found: &mut Vec<Problem>) {
+        for (i, corner) in self.gap.iter().enumerate() {
+            self.check_position(found, Part::Gap(i), corner.at);
+            finite(found, Part::Gap(i), "value", corner.value);
+            if i > 0 && corner.at <= self.gap[i - 1].at {
+                let hint = "list the gap's corners from left to right, each at a place of its own";
+                let message = "this corner at {0} does not lie to the right of the one before";
+                let problem = Problem::new("GB501", Part::Gap(i), "at", message, hint);
+                found.push(problem.with_numbers(&[corner.at]));
+            }
+        }
+    }
+}

@@ -1,0 +1,207 @@
+//! Roots of polynomials: sign changes on s ∈ \[−1, 1\], and whether a circle is free of complex zeros.
+
+use super::polynomial::{Coefficients, rescale, value, with_slope};
+
+/// Whether f has no zero in the complex plane closer to s = 0 than `radius`: the test of Schur and Cohn,
+/// which takes one degree after the other away without moving a zero across the circle.
+pub(crate) fn is_free_of_zeros(c: &[f64], radius: f64) -> bool {
+    let mut power = 1.0;
+    let mut c: Coefficients = c
+        .iter()
+        .map(|a| {
+            let scaled = a * power;
+            power *= radius;
+            scaled
+        })
+        .collect();
+    while let Some(&last) = c.last() {
+        if last != 0.0 || c.len() == 1 {
+            break;
+        }
+        c.pop();
+    }
+    while c.len() > 1 {
+        let (first, last) = (c[0], c[c.len() - 1]);
+        let ratio = last / first;
+        if ratio.is_nan() || ratio.abs() >= 1.0 {
+            return false;
+        }
+        let degree = c.len() - 1;
+        c = (0..degree).map(|i| c[i] - ratio * c[degree - i]).collect();
+    }
+    c.first().is_some_and(|a| *a != 0.0)
+}
+
+/// Where f changes its sign within (−1, 1), from left to right, appended to `roots`.
+///
+/// The intervals on which f may vanish are told from those on which it cannot by the coefficients
+/// alone: |f(s)| ≥ |c₀| − Σ|cⱼ|. Nothing is sampled. A double root, where f touches zero without
+/// changing sign, is not reported.
+pub(crate) fn sign_changes(c: &[f64], roots: &mut Vec<f64>) {
+    // What is added up for nothing: high powers far below the rounding of all the others.
+    let mut negligible = f64::EPSILON / 16.0 * c.iter().map(|a| a.abs()).sum::<f64>();
+    let mut count = c.len();
+    while count > 1 && c[count - 1].abs() <= negligible {
+        count -= 1;
+        negligible -= c[count].abs();
+    }
+    isolate(&c[..count], -1.0, 1.0, 0, roots);
+}
+
+/// Halvings after which an interval is a point.
+pub(crate) const DEEPEST: u32 = 40;
+
+pub(crate) fn isolate(c: &[f64], low: f64, high: f64, depth: u32, roots: &mut Vec<f64>) {
+    let Some((&constant, rest)) = c.split_first() else { return };
+    let (mut spread, mut slope, mut bend) = (0.0, 0.0, 0.0);
+    for (a, j) in rest.iter().map(|a| a.abs()).zip(1_u8..) {
+        let j = f64::from(j);
+        spread += a;
+        slope += j * a;
+        bend += j * (j - 1.0) * a;
+    }
+    let sum = constant.abs() + spread;
+    if constant.abs() > spread || sum == 0.0 || sum.is_nan() {
+        return;
+    }
+    let first = rest.first().map_or(0.0, |a| a.abs());
+    let place = |s: f64| low + 0.5 * (high - low) * (s + 1.0);
+    if first > slope - first || depth >= DEEPEST {
+        let left = value(c, -1.0);
+        let begins = left == 0.0 && low > -1.0 && crosses_at_left_end(c);
+        if begins || left * value(c, 1.0) < 0.0 {
+            roots.push(place(monotone_root(c, [-1.0, 1.0], left)));
+        }
+        return;
+    }
+    for middle in [-0.5, 0.5] {
+        // Taylor's formula about the middle of a half, with all that it leaves out.
+        let [f, slope] = with_slope(c, middle);
+        if f.abs() > 0.5 * slope.abs() + 0.125 * bend {
+            continue;
+        }
+        let [from, to] = [middle - 0.5, middle + 0.5];
+        if slope.abs() > 0.5 * bend {
+            let left = value(c, from);
+            let begins = left == 0.0 && place(from) > -1.0;
+            if begins || left * value(c, to) < 0.0 {
+                roots.push(place(monotone_root(c, [from, to], left)));
+            }
+        } else {
+            isolate(&rescale(c, middle, 0.5), place(from), place(to), depth + 1, roots);
+        }
+    }
+}
+
+/// Whether a root exactly at s = −1 is of odd order.
+pub(crate) fn crosses_at_left_end(c: &[f64]) -> bool {
+    let about_end = rescale(c, -1.0, 1.0);
+    about_end.iter().position(|&a| a != 0.0).is_some_and(|order| order % 2 == 1)
+}
+
+/// The root of a function monotone between two points that changes sign there: Newton within a bracket.
+pub(crate) fn monotone_root(c: &[f64], [mut low, mut high]: [f64; 2], left: f64) -> f64 {
+    if left == 0.0 {
+        return low;
+    }
+    let mut s = 0.5 * (low + high);
+    for _ in 0..100 {
+        let [f, slope] = with_slope(c, s);
+        if f == 0.0 {
+            return s;
+        }
+        if (f > 0.0) == (left > 0.0) {
+            low = s;
+        } else {
+            high = s;
+        }
+        let newton = s - f / slope;
+        let is_inside = newton > low && newton < high;
+        let next = if is_inside { newton } else { 0.5 * (low + high) };
+        // Newton's next step would be the square of this one.
+        let last = is_inside && (next - s).abs() < 1e-10;
+        if next == s || last || high - low < 1e-16 {
+            return next;
+        }
+        s = next;
+    }
+    s
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::polynomial::product;
+
+    #[test]
+    fn zeros_in_a_circle() {
+        // (s − 3)²(s + 4) = 36 − 15 s − 2 s² + s³.
+        let c = [36.0, -15.0, -2.0, 1.0, 0.0];
+        assert!(is_free_of_zeros(&c, 2.999) && !is_free_of_zeros(&c, 3.001));
+        // (s² + 4)(s − 3): a pair beside the axis.
+        let c = [-12.0, 4.0, -3.0, 1.0];
+        assert!(is_free_of_zeros(&c, 1.999) && !is_free_of_zeros(&c, 2.001));
+        assert!(is_free_of_zeros(&[2.0, 0.0], 1e9) && !is_free_of_zeros(&[0.0, 1.0], 1e-9));
+    }
+
+    #[test]
+    fn all_sign_changes_of_a_chebyshev_polynomial() {
+        // T₁₀ has its roots at cos((2i−1)π/20).
+        let c = [-1.0, 0.0, 50.0, 0.0, -400.0, 0.0, 1120.0, 0.0, -1280.0, 0.0, 512.0];
+        let mut roots = vec![];
+        sign_changes(&c, &mut roots);
+        assert_eq!(roots.len(), 10);
+        for (i, r) in roots.iter().rev().enumerate() {
+            let exact = ((2 * i + 1) as f64 * std::f64::consts::PI / 20.0).cos();
+            assert!((r - exact).abs() < 1e-13, "{r} {exact}");
+        }
+    }
+
+    /// Products of real roots, at least 0.01 apart, and of pairs beside the axis.
+    #[test]
+    fn all_roots_of_random_products() {
+        let mut state = 1_u64;
+        let mut random = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        for _ in 0..3000 {
+            let mut c = Coefficients::from(&[1.0][..]);
+            let mut inside: Vec<f64> = Vec::new();
+            for _ in 0..(8.0 * random()) as usize {
+                let root = 3.0 * random() - 1.5;
+                if inside.iter().all(|other| (other - root).abs() > 0.01)
+                    && (root.abs() - 1.0).abs() > 1e-6
+                {
+                    c = product(&c, &[-root, 1.0]);
+                    inside.push(root);
+                }
+            }
+            for _ in 0..(4.0 * random()) as usize {
+                let (re, im) = (4.0 * random() - 2.0, 0.01 + random());
+                c = product(&c, &[re * re + im * im, -2.0 * re, 1.0]);
+            }
+            inside.retain(|root| root.abs() < 1.0);
+            inside.sort_by(f64::total_cmp);
+            let mut roots = vec![];
+            sign_changes(&c, &mut roots);
+            assert_eq!(roots.len(), inside.len(), "{c:?}: {roots:?}, not {inside:?}");
+            for (root, exact) in roots.iter().zip(&inside) {
+                assert!((root - exact).abs() < 1e-7, "{c:?}: {roots:?}, not {inside:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_root_between_two_halves_is_found_once() {
+        let mut roots = vec![];
+        sign_changes(&[0.0, 1.0, 0.0, -3.0], &mut roots);
+        assert_eq!(roots.len(), 3);
+        assert!(roots[1].abs() < 1e-15);
+        roots.clear();
+        sign_changes(&[0.0, 0.0, 1.0], &mut roots);
+        assert!(roots.is_empty(), "a double root changes no sign");
+    }
+}
