@@ -169,6 +169,9 @@ fn read_one(
         let hint = format!("give each load a {} of its own", list.title);
         reader.exclusive((kind.key, &value.span()), (other.key, &other_value.span()), &hint);
     }
+    if !list.on_ground {
+        curl::misplaced(reader, table, kind.key);
+    }
     let extent = if kind.is_distributed {
         let [from, to] = stretch(reader, table, part, kind, list, beam_length);
         let (start, end) = intensity(reader, part, kind.key, value, kind.wanted);

@@ -7,10 +7,11 @@
 use crate::code;
 use crate::fault::Fault;
 use crate::profile::{Along, Values};
-use crate::quantity::WIDTH;
+use crate::quantity::{SECOND_MOMENT_OF_AREA, WIDTH};
 use crate::reader::Reader;
 use crate::suggest::nearest;
 use crate::table::Section;
+use crate::units::Seen;
 use groundbeam::Profile;
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -269,6 +270,14 @@ fn rail(reader: &mut Reader, section: &Section) -> Shape {
     let Some((name, at)) = reader.words(section, "rail", "60E1") else {
         return Shape::unreadable(span);
     };
+    // Its numbers have units, so that the rest of the file must have them.
+    reader.quantities.push(Seen {
+        key: "rail".to_owned(),
+        kind: &SECOND_MOMENT_OF_AREA,
+        has_unit: true,
+        is_bare_zero: false,
+        span: span.clone(),
+    });
     let plain = name.to_uppercase().replace([' ', '-'], "");
     match RAILS.iter().find(|rail| rail.names.contains(&plain.as_str())) {
         Some(rail) => {

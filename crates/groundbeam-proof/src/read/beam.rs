@@ -1,13 +1,14 @@
 //! `[beam]` and its segments: EI, shear stiffness, and what follows from its section: own weight and depth.
 
+use super::case::{Cased, case};
 use super::error::{Read, wrong};
 use super::fields::{
-    Along, BENDING_STIFFNESS, DEFLECTION, FORCE, Fields, LENGTH, MODULUS, POSITION, Quantity,
-    SECOND_MOMENT, Section, UNIT_WEIGHT, Values,
+    Along, BENDING_STIFFNESS, DEFLECTION, FORCE, Fields, LENGTH, MODULUS, Quantity, SECOND_MOMENT,
+    Section, UNIT_WEIGHT, Values,
 };
-use super::load::Cased;
 use super::material::{self, Material};
-use super::product::{Found, Given, covers, is_left, left_out, overlapping};
+use super::place::{covers, left_out, overlapping, stretch};
+use super::product::{Found, Given};
 use super::section::{self, Shape};
 use super::shear::{self, Shear};
 use super::units::Exact;
@@ -215,31 +216,6 @@ impl<S: Scalar> Whole<S> {
     }
 }
 
-/// `from` and `to` on the beam.
-pub(crate) fn stretch<S: Scalar>(fields: &mut Fields, table: Section, length: S) -> Read<[S; 2]> {
-    let from: Quantity<S> = fields.required(table, "from", POSITION)?;
-    let to: Quantity<S> = fields.required(table, "to", POSITION)?;
-    on_beam(from.value, length, from.at)?;
-    on_beam(to.value, length, to.at)?;
-    ordered([from.value, to.value], to.at)
-}
-
-/// A position that is not off the beam.
-pub(crate) fn on_beam<S: Scalar>(x: S, length: S, at: usize) -> Read<()> {
-    if is_left(x, S::zero()) || is_left(length, x) {
-        return wrong(at, "the position lies off the beam");
-    }
-    Ok(())
-}
-
-/// A stretch that has a length.
-pub(crate) fn ordered<S: Scalar>([from, to]: [S; 2], at: usize) -> Read<[S; 2]> {
-    if !is_left(from, to) {
-        return wrong(at, "`to` must lie to the right of `from`");
-    }
-    Ok([from, to])
-}
-
 /// Whether a table gives EI or I by themselves: then no section of a parent's is that of the beam there.
 fn gives_stiffness(section: Section) -> bool {
     section.table.get("EI").is_some() || section.table.get("I").is_some()
@@ -272,7 +248,7 @@ fn weight<S: Scalar>(
     material: Option<Material>,
     mut areas: Vec<Stretch<S>>,
 ) -> Read<Vec<Cased<S>>> {
-    let case = super::load::case(table, "weight_case")?;
+    let case = case(table, "weight_case")?;
     let Some(node) = table.table.get("unit_weight") else {
         return match table.table.place("weight_case") {
             Some(at) => wrong(at, "`weight_case` is given without `unit_weight`"),

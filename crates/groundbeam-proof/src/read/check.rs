@@ -3,7 +3,7 @@
 use super::course::{is_constant, values};
 use super::error::{Read, wrong};
 use super::fields::is_within_reach;
-use super::product::is_left;
+use super::place::is_left;
 use crate::{
     Action, Course, Extent, Ground, GroundEnd, Hinge, Load, Model, Scalar, Support, SupportKind,
 };

@@ -1,8 +1,8 @@
 //! `[[combination]]`: the factors of load cases, written or by a set of a code of practice.
 
+use super::case::Cased;
 use super::error::{Read, Reason, fault, wrong};
 use super::fields::Section;
-use super::load::Cased;
 use super::number::Decimal;
 use super::sets::{self, Acting};
 use super::toml::Value;

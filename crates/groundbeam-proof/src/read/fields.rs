@@ -299,8 +299,7 @@ fn value<S: Scalar>(exact: &Exact, kind: Kind, key: &str, at: usize) -> Read<S> 
 
 /// Whether the size of a number lies between 1e-60 and 1e60, as far as its middle tells.
 pub(crate) fn is_within_reach<S: Scalar>(value: S) -> bool {
-    let size = value.middle().abs();
-    (1e-60..=1e60).contains(&size)
+    (1e-60..=1e60).contains(&value.middle().abs())
 }
 
 /// A quantity of this crate's own lists.

@@ -1,12 +1,12 @@
 //! `[foundation]`: k and μ, along the whole beam and by segments, and how the ground ends.
 
-use super::beam::ordered;
 use super::error::{Read, Reason, fault, wrong};
 use super::fields::{
     AREA_SHEAR, Along, Fields, GROUND_SHEAR, LENGTH, MODULUS, POSITION, Quantity, SUBGRADE_MODULUS,
     Section, Values,
 };
-use super::product::{Found, Given, covers, is_left, left_out, overlapping};
+use super::place::{covers, is_left, left_out, ordered, overlapping};
+use super::product::{Found, Given};
 use crate::{Course, Ground, GroundEnd, GroundSegment, Scalar};
 
 const KEYS: &[&str] =

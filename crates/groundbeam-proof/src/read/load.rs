@@ -1,22 +1,15 @@
 //! `[[load]]` and `[[ground_load]]`: forces, moments and imposed curvatures, each with its load case.
 
-use super::beam::{Depth, on_beam, ordered};
+use super::beam::Depth;
+use super::case::{Cased, case};
 use super::error::{Read, Reason, fault, wrong};
 use super::fields::{
     CURVATURE, EXPANSION, FORCE, FORCE_PER_LENGTH, Fields, Kind, LENGTH, MOMENT, NUMBER, POSITION,
     Quantity, Section, TEMPERATURE,
 };
-use super::product::is_left;
+use super::place::{is_left, on_beam, ordered};
 use super::toml::Node;
 use crate::{Action, Extent, Load, Scalar};
-
-/// A load, its case, and where the file gives it.
-#[derive(Debug, Clone)]
-pub(crate) struct Cased<S> {
-    pub load: Load<S>,
-    pub case: Option<String>,
-    pub at: usize,
-}
 
 /// What the beam says of how temperature and shrinkage curl it.
 pub(crate) struct Curls<'a, S> {
@@ -35,14 +28,6 @@ const ON_BEAM: [(&str, Kind, Action); 7] = [
 ];
 const ON_GROUND: [&str; 2] = ["point", "distributed"];
 const PLACES: &[&str] = &["at", "from", "to", "case"];
-
-/// The name of a load case.
-pub(crate) fn case(section: Section, key: &'static str) -> Read<Option<String>> {
-    match section.words(key)? {
-        Some((name, at)) if name.trim().is_empty() => wrong(at, "the load case has no name"),
-        name => Ok(name.map(|(name, _)| name.trim().to_owned())),
-    }
-}
 
 /// The loads on the beam.
 pub(crate) fn read<S: Scalar>(

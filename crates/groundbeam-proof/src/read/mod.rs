@@ -6,6 +6,7 @@
 //! fault. `title` and `[checks]` do not change the model and are not read.
 
 mod beam;
+mod case;
 mod check;
 mod combination;
 mod course;
@@ -15,6 +16,7 @@ mod ground;
 mod load;
 mod material;
 mod number;
+mod place;
 mod product;
 mod section;
 mod sets;

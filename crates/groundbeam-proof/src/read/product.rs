@@ -1,4 +1,4 @@
-//! A stiffness as one number or as the product of two, and what segments leave of a whole.
+//! A stiffness as one number or as the product of two.
 
 use super::error::{Read, Reason, fault};
 use super::fields::{Along, Section};
@@ -67,70 +67,5 @@ impl<S> Found<S> {
             Found::Nothing => section.missing(name),
             Found::Half(other) => section.missing(other),
         }
-    }
-}
-
-/// Whether a < b is certain.
-pub(crate) fn is_left<S: Scalar>(a: S, b: S) -> bool {
-    (b - a).low() > 0.0
-}
-
-/// The stretches of 0 to `length` that others leave out, from left to right, and each as parts of the length. Where
-/// nothing stands, the whole is left out, from 0 to 1 exactly.
-pub(crate) fn left_out<S: Scalar>(length: S, stretches: &[[S; 2]]) -> Vec<([S; 2], [S; 2])> {
-    if stretches.is_empty() {
-        return vec![([S::zero(), length], [S::zero(), S::one()])];
-    }
-    let mut stretches = stretches.to_vec();
-    stretches.sort_by(|a, b| a[0].middle().total_cmp(&b[0].middle()));
-    let mut rest = Vec::new();
-    let mut reached = S::zero();
-    for [from, to] in stretches {
-        let stop = if is_left(length, from) { length } else { from };
-        if is_left(reached, stop) {
-            rest.push([reached, stop]);
-        }
-        if is_left(reached, to) {
-            reached = to;
-        }
-    }
-    if is_left(reached, length) {
-        rest.push([reached, length]);
-    }
-    rest.into_iter().map(|ends| (ends, ends.map(|x| x.div(length)))).collect()
-}
-
-/// Whether stretches leave nothing of 0 to `length`.
-pub(crate) fn covers<S: Scalar>(length: S, stretches: &[[S; 2]]) -> bool {
-    left_out(length, stretches).is_empty()
-}
-
-/// Whether two of the stretches certainly overlap: the index of one of them.
-pub(crate) fn overlapping<S: Scalar>(stretches: &[[S; 2]]) -> Option<usize> {
-    let mut order: Vec<usize> = (0..stretches.len()).collect();
-    order.sort_by(|a, b| stretches[*a][0].middle().total_cmp(&stretches[*b][0].middle()));
-    order
-        .windows(2)
-        .find(|pair| is_left(stretches[pair[1]][0], stretches[pair[0]][1]))
-        .map(|p| p[1])
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_stretches_leave_out() {
-        let rest = |stretches: &[[f64; 2]]| -> Vec<[f64; 2]> {
-            left_out(10.0, stretches).into_iter().map(|(ends, _)| ends).collect()
-        };
-        assert_eq!(left_out(10.0, &[[2.0, 10.0]]), [([0.0, 2.0], [0.0, 0.2])]);
-        assert_eq!(rest(&[]), [[0.0, 10.0]]);
-        assert_eq!(rest(&[[4.0, 12.0], [-1.0, 2.0]]), [[2.0, 4.0]]);
-        assert_eq!(rest(&[[3.0, 5.0], [5.0, 6.0]]), [[0.0, 3.0], [6.0, 10.0]]);
-        assert_eq!(rest(&[[11.0, 12.0]]), [[0.0, 10.0]]);
-        assert!(covers(10.0, &[[0.0, 10.0]]));
-        assert_eq!(overlapping(&[[4.0, 6.0], [0.0, 5.0], [6.0, 7.0]]), Some(0));
-        assert_eq!(overlapping(&[[4.0, 6.0], [0.0, 4.0]]), None);
     }
 }

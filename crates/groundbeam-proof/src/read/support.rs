@@ -1,9 +1,8 @@
 //! `[[support]]`, `[[hinge]]` and `[[gap]]`.
 
-use super::beam::on_beam;
 use super::error::{Read, Reason, fault, wrong};
 use super::fields::{DEFLECTION, Fields, POSITION, Quantity, ROTATIONAL_SPRING, SPRING, Section};
-use super::product::is_left;
+use super::place::{is_left, on_beam};
 use crate::{Acts, GapCorner, Hinge, Scalar, Support, SupportKind};
 
 const KEYS: &[&str] = &["at", "type", "spring", "rotational_spring", "settlement", "acts"];
