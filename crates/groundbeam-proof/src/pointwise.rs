@@ -53,8 +53,7 @@ pub(crate) struct Pointwise<'a, S> {
 impl<S: Scalar> Pointwise<'_, S> {
     /// The bounds on all pieces.
     pub fn bounds(&self) -> Vec<PieceBounds> {
-        let count = self.fields.frame.spans.len();
-        let moments: Vec<Size> = (0..count).map(|i| self.moment(i)).collect();
+        let moments = self.moments();
         let mut bounds: Vec<PieceBounds> = moments
             .iter()
             .map(|moment| PieceBounds {
@@ -92,33 +91,36 @@ impl<S: Scalar> Pointwise<'_, S> {
         deflection + if span.touches { sunk } else { raised }
     }
 
-    /// |M − M*| on a piece: s₂ K(z) + |δ| with
+    /// |M − M*| on each piece: s₂ K(z) + |δ| with
     ///
     /// ```text
     /// K² = ∫EI z″² + ∫(P + μ)z′² + ∫kz² + K₀z(0)² + K_lz(l)² + Σκz² + Σκ_θz′²
     /// ```
     ///
     /// for any z with a unit kink at x, z = 0 at rigid supports and z′ = 0 at clamps.
-    fn moment(&self, i: usize) -> Size {
-        let (left, right) = (self.obstacle(i, 0), self.obstacle(i, 1));
-        let stiffness = self.short_kink(left..right);
-        let stiffness = stiffness.least(self.long_kink(i, 0)).least(self.long_kink(i, 1));
-        let span = &self.fields.frame.spans[i];
-        let [a, b] = self.balanced.moments[i].map(|moment| Size::of(moment.size()));
-        let residual = &self.fields.residual.pieces[i];
-        let load = Size::of(residual.constant.size()) + residual.rest;
-        let bent = span.length().square() * load;
-        let delta = a.worst(b) + bent.over(8.0) + self.balanced.added[i][0];
-        self.s2() * stiffness.root() + delta
-    }
-
-    /// The nearest node on one side of a piece that is an end of the beam or a rigid support.
-    fn obstacle(&self, i: usize, side: usize) -> usize {
-        let nodes = &self.fields.frame.nodes;
-        let last = nodes.len() - 1;
-        let stops = |node: &usize| *node == 0 || *node == last || nodes[*node].rigid.is_some();
-        let found = if side == 0 { (0..=i).rev().find(stops) } else { (i + 1..=last).find(stops) };
-        found.unwrap_or(if side == 0 { 0 } else { last })
+    fn moments(&self) -> Vec<Size> {
+        let frame = self.fields.frame;
+        let last = frame.spans.len();
+        let stops =
+            |node: &usize| *node == 0 || *node == last || frame.nodes[*node].rigid.is_some();
+        let stops: Vec<usize> = (0..=last).filter(stops).collect();
+        let mut stiffness = vec![Size::INFINITE; last];
+        for pair in stops.windows(2) {
+            let short = self.short_kink(pair[0]..pair[1]);
+            stiffness[pair[0]..pair[1]].fill(short);
+        }
+        for side in [0, 1] {
+            self.long_kinks(side, &mut stiffness);
+        }
+        let moment = |(i, stiffness): (usize, &Size)| {
+            let [a, b] = self.balanced.moments[i].map(|moment| Size::of(moment.size()));
+            let residual = &self.fields.residual.pieces[i];
+            let load = Size::of(residual.constant.size()) + residual.rest;
+            let bent = frame.spans[i].length().square() * load;
+            let delta = a.worst(b) + bent.over(8.0) + self.balanced.added[i][0];
+            self.s2() * stiffness.root() + delta
+        };
+        stiffness.iter().enumerate().map(moment).collect()
     }
 
     /// K² for z = t(1 − t/h)² on the side of x with more room between two obstacles:
@@ -163,30 +165,38 @@ impl<S: Scalar> Pointwise<'_, S> {
         largest
     }
 
-    /// K² for z = the distance from x to one side, up to the end of the beam, if no rigid support stands there:
+    /// K² for z = the distance from x to one side, up to the end of the beam, as long as no rigid support stands there:
     /// (P + μ)L + kL³/3 + K_eL² + Σ(κ(x − x_j)² + κ_θ). It has no EI: the bound for stiff beams.
-    fn long_kink(&self, i: usize, side: usize) -> Size {
+    fn long_kinks(&self, side: usize, stiffness: &mut [Size]) {
         let frame = self.fields.frame;
-        let last = frame.nodes.len() - 1;
-        let (beyond, end) = if side == 0 { (0..i + 1, 0) } else { (i + 1..last + 1, last) };
-        if frame.nodes[beyond.clone()].iter().any(|node| node.rigid.is_some()) {
-            return Size::INFINITE;
-        }
-        // x is anywhere on the piece.
-        let from = frame.nodes[i + 1 - side].x;
-        let reach = |x: S| Size::of((x - from).size());
-        let long = reach(frame.nodes[end].x);
-        let pieces = if side == 0 { 0..i + 1 } else { i..last };
-        let [_, layer, springs] = self.largest(pieces);
-        let mut sum = layer * long + (springs * long.square() * long).over(3.0);
-        sum += Size::of(frame.outside[side].high()) * long.square();
-        for node in &frame.nodes[beyond] {
-            if let Some([spring, _]) = node.spring {
-                sum += Size::of(spring.high()) * reach(node.x).square();
+        let count = frame.spans.len();
+        let (mut layer, mut springs) = (Size::ZERO, Size::ZERO);
+        let mut held: Vec<usize> = Vec::new();
+        for step in 0..count {
+            let i = if side == 0 { step } else { count - 1 - step };
+            // The outer node of the piece, and the inner one: x is anywhere on the piece.
+            let (outer, inner) = (i + side, i + 1 - side);
+            let node = &frame.nodes[outer];
+            if node.rigid.is_some() {
+                return;
             }
-            sum += node.turning.map_or(Size::ZERO, |turning| Size::of(turning.high()));
+            if node.spring.is_some() || node.turning.is_some() {
+                held.push(outer);
+            }
+            let [_, more_layer, more_springs] = self.largest(i..i + 1);
+            (layer, springs) = (layer.worst(more_layer), springs.worst(more_springs));
+            let from = frame.nodes[inner].x;
+            let reach = |x: S| Size::of((x - from).size());
+            let long = reach(frame.nodes[[0, count][side]].x);
+            let mut sum = layer * long + (springs * long.square() * long).over(3.0);
+            sum += Size::of(frame.outside[side].high()) * long.square();
+            for node in held.iter().map(|node| &frame.nodes[*node]) {
+                let spring = node.spring.map_or(0.0, |[spring, _]| spring.high());
+                sum += Size::of(spring) * reach(node.x).square();
+                sum += Size::of(node.turning.map_or(0.0, |turning| turning.high()));
+            }
+            stiffness[i] = stiffness[i].least(sum);
         }
-        sum
     }
 
     /// The parts of the beam between hinges of both kinds, as ranges of pieces.

@@ -301,7 +301,7 @@ mod tests {
 
     fn candidate(pieces: Vec<SolutionPiece>) -> Candidate {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0));
-        Candidate { pieces: pieces, ..Workspace::default().blank(&model) }
+        Candidate { pieces, ..Workspace::default().blank(&model) }
     }
 
     fn turning_points(of: &SolutionPiece, field: Field) -> Vec<f64> {
