@@ -116,7 +116,7 @@ impl Answer {
         let l = solution.model().beam.length;
         let x = self.numbers("x");
         let sides = self.stations["side"].as_array().expect("a list of sides");
-        for field in Field::ALL {
+        for field in Field::of(&solution.model().beam) {
             // A clearance is a difference of deflections.
             let largest = match field {
                 Field::Gap => self.largest["gap"].max(self.largest["deflection"]),

@@ -1,7 +1,7 @@
 //! Derivatives: against differences of exact solutions, forward against backward, and closed forms.
 
 use groundbeam::derivatives::{
-    Extent, Gradient, LoadNumber, OneSided, Output, Parameter, Property, SupportNumber,
+    Domain, Gradient, LoadNumber, OneSided, Output, Parameter, Property, SupportNumber,
 };
 use groundbeam::{Action, Field, Load, Model, Options, Outcome, Side, Solution, solve, solve_near};
 use groundbeam_verification::random::{Family, model};
@@ -28,10 +28,10 @@ fn parameters(model: &Model) -> Vec<Parameter> {
             BendingStiffness | ShearStiffness => model.beam.segments.len(),
             _ => model.foundation.segments.len(),
         };
-        let own = [Extent::Whole, Extent::OutsideSegments].into_iter();
-        for extent in own.chain((0..segments).map(Extent::Segment)) {
-            all.push(Parameter::Factor(property, extent));
-            let value = Parameter::Value(property, extent);
+        let own = [Domain::Whole, Domain::OutsideSegments].into_iter();
+        for domain in own.chain((0..segments).map(Domain::Segment)) {
+            all.push(Parameter::Factor(property, domain));
+            let value = Parameter::Value(property, domain);
             if value.value(model).is_some_and(|value| value > 0.0) {
                 all.push(value);
             }
@@ -75,19 +75,20 @@ fn outputs(solution: &Solution, rng: &mut ChaCha8Rng) -> Vec<(Output, f64)> {
     let sunk = largest(solution, Field::Deflection);
     // A field that is nothing but rounding has no derivatives to compare.
     let rounding = |field: Field| match field {
-        Field::Moment => 1e-9 * carried * l,
-        Field::ShearForce => 1e-9 * carried,
-        Field::Pressure => 1e-9 * carried / l,
-        Field::Slope => 1e-9 * sunk / l,
         Field::Deflection => 0.0,
-        Field::Settlement => 1e-9 * sunk,
         // A difference of two deflections.
         Field::Gap => 1e-5 * sunk,
+        _ => 1e-9 * field.natural_size(l, carried, sunk),
     };
     let size_of = |field: Field| largest(solution, field).max(rounding(field));
+    let mut place = (0.0, Side::Left);
     for field in Field::ALL {
-        let at = rng.random_range(0.0..1.0) * l;
-        let side = if rng.random_bool(0.5) { Side::Left } else { Side::Right };
+        // The rotation is compared where the slope is.
+        if field != Field::Rotation {
+            let at = rng.random_range(0.0..1.0) * l;
+            place = (at, if rng.random_bool(0.5) { Side::Left } else { Side::Right });
+        }
+        let (at, side) = place;
         let size = size_of(field);
         all.push((Output::Value(field, at, side), size));
         all.push((Output::Smallest(field), size));

@@ -1,7 +1,7 @@
 //! Derivatives: closed forms, theorems that hold for all models, and what is refused.
 
 use groundbeam::derivatives::{
-    Extent, LoadNumber, NotDifferentiable, OneSided, Output, Parameter, Property, SupportNumber,
+    Domain, LoadNumber, NotDifferentiable, OneSided, Output, Parameter, Property, SupportNumber,
 };
 use groundbeam::{
     Action, Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Side, Solution,
@@ -39,7 +39,7 @@ fn influence_lines_of_a_beam_on_two_supports() {
     let by = [
         Parameter::Load(0, LoadNumber::Size),
         Parameter::Load(0, LoadNumber::At),
-        Parameter::Value(Property::BendingStiffness, Extent::Whole),
+        Parameter::Value(Property::BendingStiffness, Domain::Whole),
         settles(0),
         settles(1),
     ];
@@ -73,8 +73,8 @@ fn a_beam_on_two_supports_that_shears() {
     let by = [
         Parameter::Load(0, LoadNumber::Size),
         Parameter::Load(0, LoadNumber::At),
-        Parameter::Value(Property::BendingStiffness, Extent::Whole),
-        Parameter::Value(Property::ShearStiffness, Extent::Whole),
+        Parameter::Value(Property::BendingStiffness, Domain::Whole),
+        Parameter::Value(Property::ShearStiffness, Domain::Whole),
     ];
     let b = l - x;
     let bends = |a: f64| a * b * (l * l - a * a - b * b) / (6.0 * ei * l);
@@ -87,8 +87,16 @@ fn a_beam_on_two_supports_that_shears() {
     // Beside the force w' differs by F/S, which the slope of the supports' line shares.
     let slope = |side| derivatives(&solution, Output::Value(Field::Slope, a, side), &by[..1])[0];
     near(slope(Side::Left) - slope(Side::Right), 1.0 / s);
+    // The sections beside the force turn by F a c (c − a)/(3 EI l) on both sides: of bending alone.
+    let (c, value) = (l - a, |side| Output::Value(Field::Rotation, a, side));
+    for side in [Side::Left, Side::Right] {
+        let turned = force * a * c * (c - a) / (3.0 * ei * l);
+        let found = derivatives(&solution, value(side), &[by[0], by[2], by[3]]);
+        let exact = [turned / force, -turned / ei, 0.0];
+        found.iter().zip(exact).for_each(|(found, exact)| near(*found, exact));
+    }
     // The energy −F w/2 at the force.
-    let (c, own) = (l - a, force * force);
+    let own = force * force;
     let energy = derivatives(&solution, Output::PotentialEnergy, &by);
     let under = a * a * c * c / (3.0 * ei * l) + a * c / (s * l);
     let moved = (2.0 * a * c * c - 2.0 * a * a * c) / (3.0 * ei * l) + (c - a) / (s * l);
@@ -109,9 +117,9 @@ fn an_even_load_on_even_springs() {
         .with_load(Load::uniform_force(0.0, l, q));
     let solution = solved(&model);
     let by = [
-        Parameter::Value(Property::Spring, Extent::Whole),
+        Parameter::Value(Property::Spring, Domain::Whole),
         Parameter::Load(0, LoadNumber::Size),
-        Parameter::Factor(Property::BendingStiffness, Extent::Whole),
+        Parameter::Factor(Property::BendingStiffness, Domain::Whole),
         Parameter::AxialForce,
     ];
     let deflection = derivatives(&solution, Output::Value(Field::Deflection, 1.0, Side::Left), &by);
@@ -133,7 +141,7 @@ fn the_edge_under_a_rigid_beam() {
     let by = [
         Parameter::Load(0, LoadNumber::At),
         Parameter::LoadFactor,
-        Parameter::Factor(Property::Spring, Extent::Whole),
+        Parameter::Factor(Property::Spring, Domain::Whole),
     ];
     let edge = derivatives(&solution, Output::Edge(0, Side::Right), &by);
     for (found, exact) in edge.iter().zip([3.0, 0.0, 0.0]) {
@@ -166,10 +174,10 @@ fn homogeneous_functions() {
             let by = [
                 Parameter::LoadFactor,
                 Parameter::AxialForce,
-                Parameter::Factor(Property::BendingStiffness, Extent::Whole),
-                Parameter::Factor(Property::Spring, Extent::Whole),
-                Parameter::Factor(Property::Shear, Extent::Whole),
-                Parameter::Factor(Property::ShearStiffness, Extent::Whole),
+                Parameter::Factor(Property::BendingStiffness, Domain::Whole),
+                Parameter::Factor(Property::Spring, Domain::Whole),
+                Parameter::Factor(Property::Shear, Domain::Whole),
+                Parameter::Factor(Property::ShearStiffness, Domain::Whole),
             ];
             let by = if model.beam.shears() { &by[..] } else { &by[..5] };
             let x = 0.37 * model.beam.length;
@@ -229,7 +237,7 @@ fn what_has_no_derivatives_is_refused() {
         .with_load(Load::point_force(0.5, 1.0));
     let output = [Output::Largest(Field::Deflection)];
     let by = |parameter| solved(&model).gradients(&output, &[parameter]).map(|_| ());
-    let mu = Parameter::Value(Property::Shear, Extent::Whole);
+    let mu = Parameter::Value(Property::Shear, Domain::Whole);
     assert_eq!(by(mu), Err(NotDifferentiable::NoShearLayer));
     let none = Parameter::Load(1, LoadNumber::Size);
     assert_eq!(by(none), Err(NotDifferentiable::NoSuchParameter(none)));

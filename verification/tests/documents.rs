@@ -1,5 +1,6 @@
 //! The documents agree with each other and with the code.
 
+use groundbeam::Field;
 use groundbeam::supported::{Feature, Way, refusal};
 use groundbeam_verification::architecture::sources;
 use groundbeam_verification::crossing;
@@ -139,6 +140,22 @@ fn every_spelling_in_the_notation_exists() {
         assert!(keys.iter().any(|k| spelled.contains(k)), "{place} has no key {key}");
     }
     assert!(count >= 25, "{count} lines of notation were read");
+}
+
+#[test]
+fn the_documents_have_the_facts_of_every_field() {
+    let (notation, derivatives) = (read("docs/notation.md"), read("docs/derivatives.md"));
+    for field in Field::ALL {
+        let name = field.name();
+        let row = notation.lines().find(|line| line.contains(&format!("`Fields::{name}`")));
+        let cells: Vec<&str> = row.unwrap_or(name).split('|').map(str::trim).collect();
+        let [_, symbol, _, _, key, unit, sign, ..] = cells[..] else { panic!("{row:?}") };
+        assert_eq!((symbol, key.trim_matches('`'), unit), (field.symbol(), name, field.unit()));
+        assert!(sign.ends_with(field.positive()), "{name}: {sign}");
+    }
+    let names = Field::ALL.map(|field| format!("`{}`", field.name())).join(", ");
+    let row = format!("| `Value(field, x, side)` | {names}, with positions |");
+    assert!(derivatives.contains(&row), "docs/derivatives.md has no row {row}");
 }
 
 #[test]

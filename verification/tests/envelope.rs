@@ -42,8 +42,7 @@ fn positions(length: f64) -> impl Iterator<Item = f64> {
 
 /// The bounds just right of a position.
 fn beside(envelope: &Envelope, field: Field, x: f64) -> Bounds {
-    let number = Field::ALL.iter().position(|other| *other == field).unwrap();
-    envelope.all_beside(x, Side::Right)[number]
+    envelope.all_beside(x, Side::Right)[field.index()]
 }
 
 /// The largest size a field has in any solution.

@@ -122,7 +122,7 @@ fn random_beams_balance_press_and_lie_on_the_ground() {
                 Err(Error::Unsupported(_)) => continue,
                 Err(error) => panic!("{family:?} {number}, {elements}: {error}"),
             }
-            let check = found.check;
+            let check = found.check.expect("a check");
             let good = check.force_balance < 1e-9
                 && check.moment_balance < 1e-9
                 && check.smallest_force > -1e-9
@@ -145,6 +145,17 @@ fn bits_scale_and_repeat() {
     for (a, b) in [(&once.deflection, &again.deflection), (&once.force, &again.force)] {
         assert!(a.iter().zip(b).all(|(a, b)| (2.0 * a).to_bits() == b.to_bits()));
     }
+}
+
+/// Nothing that was not solved for contact has a check that could hold.
+#[test]
+fn only_a_solution_has_a_check() {
+    let (mut solver, mut found) = (NodalSolver::new(), NodalSolution::default());
+    assert_eq!(found.check, None);
+    solver.solve_into(&kikuchi(0.4), 50, &mut found).expect("an answer");
+    assert!(found.check.is_some_and(|check| check.holds()));
+    solver.bonded_into(&kikuchi(0.4), 50, &mut found).expect("a bonded beam");
+    assert_eq!(found.check, None);
 }
 
 /// From the answer to a model nearby: the same answer as from nothing, by fewer solves.

@@ -197,7 +197,7 @@ fn mirror_images_mirror() {
             let bound = [&a, &b].map(|s| s.certificate().moment_rms_bound()).iter().sum::<f64>();
             let uncertain = |f: Field| match f {
                 _ if family != Family::Settled => 0.0,
-                Field::Slope => 1e-11 * largest(Field::Deflection) / l,
+                Field::Slope | Field::Rotation => 1e-11 * largest(Field::Deflection) / l,
                 Field::Moment => bound,
                 Field::ShearForce => bound / l,
                 _ => 0.0,
@@ -211,6 +211,7 @@ fn mirror_images_mirror() {
                     (Field::Moment, 1.0),
                     (Field::ShearForce, -1.0),
                     (Field::Slope, -1.0),
+                    (Field::Rotation, -1.0),
                 ] {
                     let error = (here.get(field) - sign * there.get(field)).abs();
                     if error > 1e-9 * scale(field) + uncertain(field) {

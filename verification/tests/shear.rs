@@ -46,7 +46,7 @@ fn linear_elements_go_to_the_same_answer() {
             let x = model.beam.length * (i as f64 / (fine.rotation.len() - 1) as f64);
             (exact.at(x, Side::Right).rotation - turned).abs()
         });
-        let range = exact.rotation_range();
+        let range = exact.range(Field::Rotation);
         let size = range.max.value.abs().max(range.min.value.abs()) + size / model.beam.length;
         let turned = turned.fold(0.0, f64::max) / size;
         assert!(turned < 2e-3, "{number}: φ off by {turned:e} {model:?}");

@@ -6,7 +6,7 @@ use crate::quantity::{
     SHEAR_CONSTANT, SPRING, SPRING_PER_LENGTH,
 };
 use crate::section::load::kind_of;
-use groundbeam::derivatives::{Extent, LoadNumber, Parameter, Property, SupportNumber};
+use groundbeam::derivatives::{Domain, LoadNumber, Parameter, Property, SupportNumber};
 use groundbeam::{Beam, Foundation, Model, Profile};
 
 /// How a quantity runs between numbers at even points from one end of the beam to the other.
@@ -43,7 +43,7 @@ pub fn most_control_values(property: Property) -> usize {
 pub fn along_the_beam(parameter: Parameter) -> Option<Property> {
     match parameter {
         Parameter::Value(Property::ShearStiffness, _) => None,
-        Parameter::Value(property, Extent::Whole) => Some(property),
+        Parameter::Value(property, Domain::Whole) => Some(property),
         _ => None,
     }
 }
@@ -80,7 +80,7 @@ pub fn problem(parameter: Parameter, name: &str, document: &Document) -> Option<
         {
             "the beam only bends: give it `shear_stiffness`, `G` or `nu`".to_owned()
         }
-        Parameter::Value(_, Extent::Whole) => {
+        Parameter::Value(_, Domain::Whole) => {
             format!("the model gives it by segments; `{name}_factor` multiplies it in all of them")
         }
         Parameter::Load(..) => "the load has no such number".to_owned(),

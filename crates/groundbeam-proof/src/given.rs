@@ -6,10 +6,10 @@ use crate::kinds::not_covered;
 use crate::model::{Action, Extent, Model, Support, SupportKind};
 use crate::outside;
 use crate::positions::Positions;
-use crate::range::{constant, not_negative, positive};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::units::Units;
+use crate::values::{constant, not_negative, positive};
 
 /// More pieces than this are refused.
 const MOST_PIECES: usize = 100_000;

@@ -30,13 +30,13 @@ mod polynomial;
 mod positions;
 mod pressure;
 mod proof;
-mod range;
 mod read;
 mod refusal;
 mod residual;
 mod scalar;
 mod size;
 mod units;
+mod values;
 mod wide;
 
 pub use answer::{Answer, Force, Piece, Reaction};

@@ -6,9 +6,9 @@
 
 use crate::frame::Frame;
 use crate::model::{GroundEnd, Model};
-use crate::range::{constant, not_negative, positive};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
+use crate::values::{constant, not_negative, positive};
 
 /// K₀ and K_l with flux = K u at the beam's ends; exactly zero where the layer ends with the beam.
 pub(crate) fn stiffness<S: Scalar>(

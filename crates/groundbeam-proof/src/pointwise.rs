@@ -227,10 +227,16 @@ impl<S: Scalar> Pointwise<'_, S> {
         let frame = self.fields.frame;
         let mut anchors: Vec<Vec<Anchor>> = parts.iter().map(|part| self.anchors(part)).collect();
         let mut found = vec![Size::INFINITE; parts.len()];
+        // How many anchors each part had when its bound was computed.
+        let mut used = vec![0; parts.len()];
         for _ in 0..2 {
             let order: Vec<usize> = (0..parts.len()).chain((0..parts.len()).rev()).collect();
             for j in order {
+                if anchors[j].len() == used[j] {
+                    continue;
+                }
                 found[j] = found[j].least(self.best_along(&parts[j], &anchors[j]));
+                used[j] = anchors[j].len();
                 if !(found[j] < Size::INFINITE) {
                     continue;
                 }
@@ -339,7 +345,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         let mut least = self.along(part, &sorted);
         let mut count = 1;
         while count < sorted.len() {
-            let level = 4.0 * sorted[count - 1].bound;
+            let level = 16.0 * sorted[count - 1].bound;
             while count < sorted.len() && sorted[count].bound <= level {
                 count += 1;
             }

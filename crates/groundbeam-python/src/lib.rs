@@ -16,7 +16,9 @@ mod solution;
 mod study;
 mod threads;
 
+use groundbeam::Field;
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
 
 #[pymodule]
 mod _native {
@@ -31,10 +33,11 @@ mod _native {
     #[pymodule_export]
     use super::study::{Study, merge};
 
-    use super::{Bound, PyModule, PyModuleMethods, PyResult};
+    use super::{Bound, Field, PyModule, PyModuleMethods, PyResult, PyTuple};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("FIELDS", PyTuple::new(module.py(), Field::ALL.map(Field::name))?)?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }

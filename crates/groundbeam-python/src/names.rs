@@ -5,8 +5,7 @@ use groundbeam::{Field, Side, Verdict};
 
 /// A field by its name.
 pub fn field(name: &str) -> Result<Field, Failure> {
-    let known = Field::ALL.into_iter().find(|field| field.name() == name);
-    known.ok_or_else(|| {
+    Field::named(name).ok_or_else(|| {
         let names = Field::ALL.map(Field::name).join(", ");
         Failure::Asked(format!("no field is called `{name}`; the fields are {names}"))
     })

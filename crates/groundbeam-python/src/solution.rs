@@ -64,13 +64,11 @@ impl Solution {
         from_side: &str,
     ) -> Result<Bound<'py, PyArray1<f64>>, Failure> {
         let side = side(from_side)?;
-        // What every beam has, and the rotation of the sections, which is another field where it shears.
-        let field = if name == "rotation" { None } else { Some(field(name)?) };
+        let field = field(name)?;
         let length = self.found.model().beam.length;
         let value = |x: f64| match field {
-            Some(Field::Settlement) if !(0.0..=length).contains(&x) => self.found.settlement(x),
-            Some(field) => self.found.at(x, side).get(field),
-            None => self.found.at(x, side).rotation,
+            Field::Settlement if !(0.0..=length).contains(&x) => self.found.settlement(x),
+            field => self.found.at(x, side).get(field),
         };
         let mut values = Vec::with_capacity(x.len());
         values.extend(x.as_array().iter().map(|&x| value(x)));

@@ -3,27 +3,26 @@
 use crate::curve::Jumps;
 use crate::quantity::Units;
 use ::csv::{Writer, WriterBuilder};
-use groundbeam::{Bounds, Field, Fields, Solution};
+use groundbeam::{Bounds, Field, Solution};
 use groundbeam_file::printable;
 use groundbeam_run::{Answers, InPassage, Passage, Passages};
 
-/// All fields at the given positions: `x_m, deflection_m, …`, without units in the header for plain numbers; of a
-/// beam that shears the rotation of its sections besides.
+/// All fields at the given positions: `x_m, deflection_m, …`, without units in the header for plain numbers.
 ///
 /// Where a field jumps (at point loads, supports and edges of contact) the position has two rows: first the
 /// values just to the left, then those just to the right. Numbers are written with as many digits as it
 /// takes to read back the same bits.
 pub fn table(solution: &Solution, positions: &[f64], units: Units) -> String {
     let mut rows = Rows::new();
-    let names = Field::ALL.map(|field| column(field.name(), unit(field), units));
-    let shears = solution.model().beam.shears();
-    let rotation = shears.then(|| column("rotation", "rad", units));
-    rows.push(std::iter::once(column("x", "m", units)).chain(names).chain(rotation));
+    let listed = Field::of(&solution.model().beam);
+    let names = listed.clone().map(|field| column(field.name(), field.unit(), units));
+    rows.push(std::iter::once(column("x", "m", units)).chain(names));
     let jumps = Jumps::of(solution);
     for &x in positions {
         let (left, right) = jumps.rows(solution, x);
         for fields in left.iter().chain([&right]) {
-            rows.push(row(x, fields).chain(shears.then(|| number(fields.rotation))));
+            let values = listed.clone().map(|field| number(fields.get(field)));
+            rows.push(std::iter::once(number(x)).chain(values));
         }
     }
     rows.finish()
@@ -35,16 +34,18 @@ pub fn table(solution: &Solution, positions: &[f64], units: Units) -> String {
 /// Where a field jumps, both sides count.
 pub fn envelope(answers: &Answers, positions: &[f64], units: Units) -> String {
     let mut rows = Rows::new();
-    let names = Field::ALL.into_iter().flat_map(|field| {
-        let bound = |bound| column(&format!("{}_{bound}", field.name()), unit(field), units);
+    let envelope = answers.envelope();
+    let names = envelope.fields().flat_map(|field| {
+        let bound = |bound| column(&format!("{}_{bound}", field.name()), field.unit(), units);
         let governs = |bound| format!("{}_governs_{bound}", field.name());
         [bound("min"), bound("max"), governs("min"), governs("max")]
     });
     rows.push(std::iter::once(column("x", "m", units)).chain(names));
     let combined: Vec<&str> = answers.solved().map(|(answer, _)| answer.name()).collect();
-    let envelope = answers.envelope();
     for &x in positions {
-        let cells = envelope.all_at(x).into_iter().flat_map(|Bounds { min, max }| {
+        let bounds = envelope.all_at(x);
+        let cells = envelope.fields().flat_map(|field| {
+            let Bounds { min, max } = bounds[field.index()];
             let [low, high] = [min, max].map(|governing| number(governing.extreme.value));
             let name = |by: usize| combined.get(by).copied().unwrap_or_default().to_owned();
             [low, high, name(min.by), name(max.by)]
@@ -60,8 +61,8 @@ pub fn trains(passages: &Passages, sections: &[f64], units: Units) -> String {
     let mut rows = Rows::new();
     let labels: Vec<String> = passages.all.iter().map(Passage::label).collect();
     let several = labels.len() > 1;
-    let names = Field::ALL.into_iter().flat_map(|field| {
-        let bound = |bound| column(&format!("{}_{bound}", field.name()), unit(field), units);
+    let names = passages.fields().flat_map(|field| {
+        let bound = |bound| column(&format!("{}_{bound}", field.name()), field.unit(), units);
         let governs = |bound| column(&format!("{}_governs_{bound}", field.name()), "m", units);
         let which = ["min", "max"].map(|bound| format!("{}_in_{bound}", field.name()));
         let which = which.into_iter().filter(move |_| several);
@@ -69,8 +70,9 @@ pub fn trains(passages: &Passages, sections: &[f64], units: Units) -> String {
     });
     rows.push(std::iter::once(column("x", "m", units)).chain(names));
     for &x in sections {
-        let bounds = passages.at(x).into_iter().flatten();
-        let cells = bounds.flat_map(|[min, max]| {
+        let bounds = passages.at(x);
+        let cells = passages.fields().filter_map(|field| Some(bounds?[field.index()]));
+        let cells = cells.flat_map(|[min, max]| {
             let [a, b] = [min.located, max.located];
             let numbers = [a.value, b.value, a.first_axle, b.first_axle].map(number);
             let which = [min, max].map(|InPassage { passage, .. }| labels[passage].clone());
@@ -96,10 +98,6 @@ pub fn history(solution: &Solution) -> String {
     rows.finish()
 }
 
-fn row(x: f64, fields: &Fields) -> impl Iterator<Item = String> {
-    std::iter::once(number(x)).chain(Field::ALL.map(|field| number(fields.get(field))))
-}
-
 /// The shortest text that reads back as the same bits.
 fn number(value: f64) -> String {
     // -0 is 0.
@@ -108,18 +106,8 @@ fn number(value: f64) -> String {
 
 fn column(name: &str, unit: &str, units: Units) -> String {
     match units {
-        Units::Si => format!("{name}_{unit}"),
+        Units::Si => format!("{name}_{}", unit.replace('·', "").replace('/', "_per_")),
         Units::Plain => name.to_owned(),
-    }
-}
-
-fn unit(field: Field) -> &'static str {
-    match field {
-        Field::Deflection | Field::Settlement | Field::Gap => "m",
-        Field::Slope => "rad",
-        Field::Moment => "Nm",
-        Field::ShearForce => "N",
-        Field::Pressure => "N_per_m",
     }
 }
 

@@ -1,21 +1,22 @@
 //! Fields along the beam as rows of points, with both sides of every jump.
 
 use crate::size::Sizes;
-use groundbeam::{Field, Fields, Side, Solution};
+use groundbeam::{ByField, Field, Fields, Side, Solution};
 
 /// A smaller difference of the two sides, relative to the field's largest value, is rounding.
 const JUMP: f64 = 1e-9;
 
 /// The fields' largest sizes, against which a jump is told from rounding.
 pub(crate) struct Jumps {
-    largest: [f64; Field::ALL.len()],
+    largest: ByField<f64>,
 }
 
 impl Jumps {
     pub fn of(solution: &Solution) -> Self {
         let sizes = Sizes::of(solution);
+        let ranges = solution.ranges();
         let largest = Field::ALL.map(|field| {
-            let range = solution.range(field);
+            let range = ranges[field.index()];
             let size = range.min.value.abs().max(range.max.value.abs());
             sizes.value(field, size)
         });

@@ -28,7 +28,7 @@ use groundbeam::{
     Support,
 };
 use groundbeam_file::is_unprintable;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 pub use study::study;
 pub use train::{checked_trains, trains};
 
@@ -95,7 +95,7 @@ struct Solved {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     hinges: Vec<Turned>,
     stations: Stations,
-    extremes: Extremes,
+    extremes: ByName<Range>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     checks: Vec<checks::Checked>,
     #[serde(serialize_with = "certificate::figures")]
@@ -153,7 +153,7 @@ impl Solved {
                 .map(|h| Turned { at: h.at, rotation: h.rotation, moment: h.moment })
                 .collect(),
             stations: Stations::of(solution, stations),
-            extremes: Extremes::of(solution),
+            extremes: ByName::of(Field::of(&model.beam), |field| solution.range(field).into()),
             checks: checks::of(context.limits, solution),
             certificate: *solution.certificate(),
             load_factors: context.factors.map(|factors| Grown::of(factors, Some(model))),
@@ -337,54 +337,35 @@ struct Turned {
     moment: f64,
 }
 
-#[derive(Serialize, Default)]
+/// Something of each field, by its name.
+struct ByName<T>(Vec<(Field, T)>);
+
+impl<T> ByName<T> {
+    fn of(fields: impl Iterator<Item = Field>, of: impl Fn(Field) -> T) -> Self {
+        ByName(fields.map(|field| (field, of(field))).collect())
+    }
+}
+
+impl<T: Serialize> Serialize for ByName<T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(field, of)| (field.name(), of)))
+    }
+}
+
+#[derive(Serialize)]
 struct Stations {
     x: Vec<f64>,
-    deflection: Vec<f64>,
-    slope: Vec<f64>,
-    /// Of a beam that shears.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    rotation: Option<Vec<f64>>,
-    moment: Vec<f64>,
-    shear_force: Vec<f64>,
-    settlement: Vec<f64>,
-    gap: Vec<f64>,
-    pressure: Vec<f64>,
+    #[serde(flatten)]
+    fields: ByName<Vec<f64>>,
 }
 
 impl Stations {
     fn of(solution: &Solution, positions: &[f64]) -> Self {
         let fields: Vec<_> = positions.iter().map(|&x| solution.at(x, Side::Right)).collect();
         let column = |field| fields.iter().map(|f| f.get(field)).collect();
-        Stations {
-            x: positions.to_vec(),
-            deflection: column(Field::Deflection),
-            slope: column(Field::Slope),
-            rotation: solution
-                .model()
-                .beam
-                .shears()
-                .then(|| fields.iter().map(|f| f.rotation).collect()),
-            moment: column(Field::Moment),
-            shear_force: column(Field::ShearForce),
-            settlement: column(Field::Settlement),
-            gap: column(Field::Gap),
-            pressure: column(Field::Pressure),
-        }
+        let listed = Field::of(&solution.model().beam);
+        Stations { x: positions.to_vec(), fields: ByName::of(listed, column) }
     }
-}
-
-#[derive(Serialize)]
-struct Extremes {
-    deflection: Range,
-    slope: Range,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    rotation: Option<Range>,
-    moment: Range,
-    shear_force: Range,
-    settlement: Range,
-    gap: Range,
-    pressure: Range,
 }
 
 #[derive(Serialize)]
@@ -405,21 +386,8 @@ impl From<Extreme> for Point {
     }
 }
 
-impl Extremes {
-    fn of(solution: &Solution) -> Self {
-        let written =
-            |range: groundbeam::Range| Range { min: range.min.into(), max: range.max.into() };
-        let range = |field| written(solution.range(field));
-        let shears = solution.model().beam.shears();
-        Extremes {
-            deflection: range(Field::Deflection),
-            slope: range(Field::Slope),
-            rotation: shears.then(|| written(solution.rotation_range())),
-            moment: range(Field::Moment),
-            shear_force: range(Field::ShearForce),
-            settlement: range(Field::Settlement),
-            gap: range(Field::Gap),
-            pressure: range(Field::Pressure),
-        }
+impl From<groundbeam::Range> for Range {
+    fn from(range: groundbeam::Range) -> Self {
+        Range { min: range.min.into(), max: range.max.into() }
     }
 }

@@ -1,7 +1,7 @@
 //! The unit in which a quantity is written.
 
 use crate::number::significant;
-use groundbeam::Field;
+use groundbeam::{Dimension, Field};
 use groundbeam_file::UnitSystem;
 
 /// How numbers are written.
@@ -126,12 +126,12 @@ kinds! {
 impl Kind {
     /// What a field measures.
     pub fn of(field: Field) -> Self {
-        match field {
-            Field::Deflection | Field::Settlement | Field::Gap => Kind::Deflection,
-            Field::Slope => Kind::Slope,
-            Field::Moment => Kind::Moment,
-            Field::ShearForce => Kind::Force,
-            Field::Pressure => Kind::Pressure,
+        match field.dimension() {
+            Dimension::Length => Kind::Deflection,
+            Dimension::Angle => Kind::Slope,
+            Dimension::Moment => Kind::Moment,
+            Dimension::Force => Kind::Force,
+            Dimension::ForcePerLength => Kind::Pressure,
         }
     }
 

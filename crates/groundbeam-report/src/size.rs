@@ -31,13 +31,7 @@ impl Sizes {
 
     /// The value, or zero where it is nothing but rounding.
     pub fn value(&self, field: Field, value: f64) -> f64 {
-        let natural = match field {
-            Field::Deflection | Field::Settlement | Field::Gap => self.deflection,
-            Field::Slope => self.deflection / self.length,
-            Field::Moment => self.force * self.length,
-            Field::ShearForce => self.force,
-            Field::Pressure => self.force / self.length,
-        };
+        let natural = field.natural_size(self.length, self.force, self.deflection);
         if value.abs() <= ROUNDING * natural { 0.0 } else { value }
     }
 

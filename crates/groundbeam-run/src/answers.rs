@@ -2,7 +2,7 @@
 
 use crate::answer::{Answer, Ground, Overall};
 use crate::trains::{Located, Passage, Swept};
-use groundbeam::{Envelope, Existence, Field, Solution};
+use groundbeam::{ByField, Envelope, Existence, Field, Solution};
 use groundbeam_file::LoadCase;
 
 /// What a file or its user asks for. Results are laid out accordingly.
@@ -93,8 +93,13 @@ pub struct InPassage {
 }
 
 impl Passages<'_> {
+    /// The fields to list, in the order of [`Field::ALL`]: without the rotation if the beam does not shear.
+    pub fn fields(&self) -> impl Iterator<Item = Field> + Clone + use<> {
+        self.all.first().map(Passage::fields).into_iter().flatten()
+    }
+
     /// The smallest and the largest value of every field at a section over all passages; none if nothing was solved.
-    pub fn at(&self, x: f64) -> Option<[[InPassage; 2]; 7]> {
+    pub fn at(&self, x: f64) -> Option<ByField<[InPassage; 2]>> {
         let each = self.all.iter().enumerate().filter_map(|(passage, one)| {
             let bounds = one.at(x)?;
             Some(bounds.map(|both| both.map(|located| InPassage { located, passage })))

@@ -1,7 +1,7 @@
 //! Bands of grounds: the results at multiples of k and μ.
 
 use crate::answers::Answers;
-use groundbeam::{Envelope, Field};
+use groundbeam::{ByField, Envelope, Field};
 
 /// A number on the best ground, and between which it lies on all grounds of a band that were solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,14 +20,14 @@ const BEST: [f64; 2] = [1.0, 1.0];
 impl Answers {
     /// The smallest and the largest value of each field, in the order of [`Field::ALL`], over all combinations on a
     /// ground, with their bands over the grounds; none without a band, or with no solution on the best ground.
-    pub fn bands(&self) -> Option<[[Banded; 2]; 7]> {
+    pub fn bands(&self) -> Option<ByField<[Banded; 2]>> {
         let mut grounds = vec![BEST];
         for ground in self.solved().filter_map(|(answer, _)| answer.label.combination.ground) {
             if !grounds.contains(&ground) {
                 grounds.push(ground);
             }
         }
-        let mut bands: Option<[[Banded; 2]; 7]> = None;
+        let mut bands: Option<ByField<[Banded; 2]>> = None;
         for ground in grounds {
             let extremes = self.extremes_on(ground)?;
             let first =
@@ -42,7 +42,7 @@ impl Answers {
     }
 
     /// The smallest and the largest values on a ground; none if nothing is solved there.
-    fn extremes_on(&self, ground: [f64; 2]) -> Option<[[f64; 2]; 7]> {
+    fn extremes_on(&self, ground: [f64; 2]) -> Option<ByField<[f64; 2]>> {
         let here =
             self.solved().filter(|(answer, _)| answer.label.combination.ground == Some(ground));
         let solutions: Vec<_> = here.map(|(_, solution)| solution).collect();

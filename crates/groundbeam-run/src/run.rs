@@ -6,7 +6,7 @@ use crate::growing::Growing;
 use crate::host::{Failed, Host};
 use crate::single::answered;
 use crate::trains::{ERROR, Reach, Sweep, Swept, checked};
-use groundbeam::{Error, Options, Solution, check_memory, exists};
+use groundbeam::{Error, Field, Options, Solution, check_memory, exists};
 use groundbeam_file::{Combination, Document, LoadCase, MovingTrain};
 use std::sync::Arc;
 
@@ -163,7 +163,7 @@ impl Run {
                 train: train.clone(),
                 answers: 0..0,
                 sections: Vec::new(),
-                reach: Reach { asked: self.error, reached: [f64::NAN; 7] },
+                reach: Reach { asked: self.error, reached: [f64::NAN; Field::ALL.len()] },
             });
         }
         if self.asked != Asked::Trains {

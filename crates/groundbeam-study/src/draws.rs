@@ -5,7 +5,7 @@ use crate::fields::Field;
 use crate::points::Points;
 use crate::symmetric::Symmetric;
 use groundbeam::Model;
-use groundbeam::derivatives::{Extent, Parameter, Property};
+use groundbeam::derivatives::{Domain, Parameter, Property};
 use groundbeam_file::study::{Plan, StudyFile};
 use groundbeam_file::{Change, Course, Shape, change};
 use std::fmt;
@@ -164,7 +164,7 @@ impl Draws {
             numbers.map(|(random, number)| (random.target, shape, std::slice::from_ref(number)));
         let fields = field.iter().flat_map(|field| &field.of).zip(&draw.fields);
         let fields = fields.map(|(of, values)| -> Change {
-            (Parameter::Value(of.property, Extent::Whole), shape, values)
+            (Parameter::Value(of.property, Domain::Whole), shape, values)
         });
         change(&mut model, numbers.chain(fields));
         model

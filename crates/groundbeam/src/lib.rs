@@ -54,8 +54,9 @@ pub mod model;
 pub mod soil;
 
 pub use crate::existence::verdict::{Buckling, Existence, Local, RigidMotion, Verdict};
+pub use crate::solution::field::{ByField, Dimension, Field};
 pub use crate::solution::fields::{
-    ConcentratedForce, ContactZone, EndForces, Extreme, Field, Fields, Range, Reaction, Side,
+    ConcentratedForce, ContactZone, EndForces, Extreme, Fields, Range, Reaction, Side,
 };
 pub use cancel::Cancel;
 pub use certificate::Certificate;

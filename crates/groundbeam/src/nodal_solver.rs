@@ -128,8 +128,9 @@ impl NodalSolver {
         into.work = workspace.work;
         settle_ground(&grid, into);
         into.grid = Some(grid);
-        into.check = check::check(model, into);
-        if into.check.holds() { Ok(()) } else { Err(stalled(into.work.solves)) }
+        let check = check::check(model, into);
+        into.check = Some(check);
+        if check.holds() { Ok(()) } else { Err(stalled(into.work.solves)) }
     }
 
     /// The beam bonded to the ground at every node, pulls and all: one sweep from each end. What the ground
@@ -156,6 +157,7 @@ impl NodalSolver {
         std::mem::swap(&mut workspace.force, &mut into.force);
         into.contact.clone_from(&workspace.zones);
         into.work = workspace.work;
+        into.check = None;
         into.grid = Some(grid);
         Ok(())
     }

@@ -2,7 +2,7 @@
 
 use super::growth::Growth;
 use super::scale::Kind;
-use groundbeam::{Field, Side, Solution};
+use groundbeam::{Dimension, Field, Side, Solution};
 use groundbeam_file::{UnitSystem, parse_positions};
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,13 +49,12 @@ impl Quantity {
             "right" => Ok(Side::Right),
             _ => Err(format!("`{inside}` is neither `left` nor `right`")),
         };
-        let field = |name: &str| Field::ALL.into_iter().find(|field| field.name() == name);
         let position = |text: &str| match parse_positions(text, units) {
             Ok(list) if list.len() == 1 => Ok(list[0]),
             _ => Err(format!("`{text}` is no position")),
         };
         let extreme = |largest, position| {
-            let field = field(inside).ok_or_else(|| format!("`{inside}` is no field"))?;
+            let field = Field::named(inside).ok_or_else(|| format!("`{inside}` is no field"))?;
             Ok(Quantity::Extreme { field, largest, position })
         };
         match what {
@@ -66,14 +65,15 @@ impl Quantity {
             "position_of_max" => extreme(true, true),
             "position_of_min" => extreme(false, true),
             "governs_max" | "governs_min" => {
-                let field = field(inside).ok_or_else(|| format!("`{inside}` is no field"))?;
+                let field =
+                    Field::named(inside).ok_or_else(|| format!("`{inside}` is no field"))?;
                 Ok(Quantity::Governs { field, largest: what == "governs_max" })
             }
             "force" => Ok(Quantity::Force(position(inside)?)),
             "reaction" => Ok(Quantity::Reaction(position(inside)?)),
             "reaction_moment" => Ok(Quantity::ReactionMoment(position(inside)?)),
             _ => {
-                let field = field(what).ok_or_else(unknown)?;
+                let field = Field::named(what).ok_or_else(unknown)?;
                 let (side, text) = match (inside.strip_prefix("left of "), field) {
                     (Some(text), _) => (Side::Left, text),
                     // The ground goes on beyond the beam.
@@ -89,12 +89,12 @@ impl Quantity {
 
     /// What it measures; none for a verdict.
     pub(super) fn kind(self) -> Option<Kind> {
-        let of = |field| match field {
-            Field::Deflection | Field::Settlement | Field::Gap => Kind::Length,
-            Field::Slope => Kind::Angle,
-            Field::Moment => Kind::Moment,
-            Field::ShearForce => Kind::Force,
-            Field::Pressure => Kind::LineLoad,
+        let of = |field: Field| match field.dimension() {
+            Dimension::Length => Kind::Length,
+            Dimension::Angle => Kind::Angle,
+            Dimension::Moment => Kind::Moment,
+            Dimension::Force => Kind::Force,
+            Dimension::ForcePerLength => Kind::LineLoad,
         };
         Some(match self {
             Quantity::At(field, ..) => of(field),

@@ -47,25 +47,25 @@ pub fn forces(solution: &Solution) -> String {
 fn of_fields(solution: &Solution, in_full: bool) -> String {
     let mut text = String::new();
     let mut add = |key: &str, values: &[f64]| text += &line(key, values);
-    let shears = solution.model().beam.shears();
-    let rotation = shears.then(|| ("rotation", solution.rotation_range()));
-    let ranges = Field::ALL.map(|field| (field.name(), solution.range(field)));
-    for (name, range) in ranges.into_iter().chain(rotation) {
+    // The frozen text has the rotation last.
+    let (last, first): (Vec<_>, Vec<_>) =
+        Field::of(&solution.model().beam).partition(|field| *field == Field::Rotation);
+    let listed = first.into_iter().chain(last);
+    for field in listed.clone() {
+        let range = solution.range(field);
         let values = [range.min.x, range.min.value, range.max.x, range.max.value];
-        add(&format!("extremes_{name}"), &values);
+        add(&format!("extremes_{}", field.name()), &values);
     }
     let l = solution.model().beam.length;
     let at = |i: usize| solution.at(l * (i as f64 / STEPS as f64), Side::Right);
     let fields: Vec<_> = (0..=STEPS).map(at).collect();
-    let all = |field: Field| fields.iter().map(|at| at.get(field)).collect::<Vec<f64>>();
-    let rotation = shears.then(|| ("rotation", fields.iter().map(|at| at.rotation).collect()));
-    let fields = Field::ALL.map(|field| (field.name(), all(field)));
     let mut digest = Digest::default();
-    for (name, values) in fields.into_iter().chain(rotation) {
+    for field in listed {
+        let values: Vec<f64> = fields.iter().map(|at| at.get(field)).collect();
         digest.add(&values);
         let step = if in_full { 1 } else { COARSE };
         let some: Vec<f64> = values.iter().copied().step_by(step).collect();
-        add(&format!("fields_{name}"), &some);
+        add(&format!("fields_{}", field.name()), &some);
     }
     text + &format!("fields_digest {:016x}\n", digest.0)
 }

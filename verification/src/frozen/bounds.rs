@@ -100,7 +100,7 @@ impl<'a> Comparison<'a> {
         self.contact();
         self.forces();
         self.settlements_and_moments();
-        for field in Field::ALL {
+        for field in Field::of(&self.solution.model().beam) {
             self.extremes(field);
             self.field(field);
         }

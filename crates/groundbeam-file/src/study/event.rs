@@ -7,7 +7,7 @@ use crate::lists;
 use crate::quantity::{CLEARANCE, FORCE, Kind, LOAD_PER_LENGTH, MOMENT, RATIO};
 use crate::reader::Reader;
 use crate::table::Section;
-use groundbeam::Field;
+use groundbeam::{Dimension, Field};
 
 /// Something that may happen.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,12 +83,12 @@ impl Judged {
             Judged::LiftedShare => &RATIO,
             Judged::EndForce(_) => &FORCE,
             Judged::Smallest(field) | Judged::Largest(field) | Judged::Difference(field) => {
-                match field {
-                    Field::Deflection | Field::Settlement | Field::Gap => &CLEARANCE,
-                    Field::Slope => &RATIO,
-                    Field::Moment => &MOMENT,
-                    Field::ShearForce => &FORCE,
-                    Field::Pressure => &LOAD_PER_LENGTH,
+                match field.dimension() {
+                    Dimension::Length => &CLEARANCE,
+                    Dimension::Angle => &RATIO,
+                    Dimension::Moment => &MOMENT,
+                    Dimension::Force => &FORCE,
+                    Dimension::ForcePerLength => &LOAD_PER_LENGTH,
                 }
             }
         }

@@ -8,7 +8,7 @@ use crate::quantity::{LENGTH, RATIO};
 use crate::reader::Reader;
 use crate::table::Section;
 use crate::target::{self, Course};
-use groundbeam::derivatives::{Extent, Parameter, Property};
+use groundbeam::derivatives::{Domain, Parameter, Property};
 
 /// Lognormal fields along the beam, all with one correlation function.
 #[derive(Debug, Clone, PartialEq)]
@@ -179,7 +179,7 @@ fn quantity(
     random: &[Random],
 ) -> Option<FieldOf> {
     reader.refuse_unknown(own, &["mean", "cov", "deviation"]);
-    let target = Parameter::Value(property, Extent::Whole);
+    let target = Parameter::Value(property, Domain::Whole);
     let kind = target::kind(target, &document.model);
     if let Some(problem) = target::problem(target, name, document) {
         let message = format!("`{name}` cannot vary at random here");

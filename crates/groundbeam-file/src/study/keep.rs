@@ -93,13 +93,10 @@ fn fields(reader: &mut Reader, table: &Section, key: &str) -> Option<Vec<Field>>
 /// The field of a name, or what is probably meant.
 pub(super) fn field(name: &str) -> Result<Field, String> {
     let names = Field::ALL.map(Field::name);
-    match names.iter().position(|known| *known == name.trim()) {
-        Some(index) => Ok(Field::ALL[index]),
-        None => Err(match nearest(name, names.iter().copied()) {
-            Some(meant) => format!("did you mean `{meant}`?"),
-            None => format!("the fields: {}", names.join(", ")),
-        }),
-    }
+    Field::named(name.trim()).ok_or_else(|| match nearest(name, names.iter().copied()) {
+        Some(meant) => format!("did you mean `{meant}`?"),
+        None => format!("the fields: {}", names.join(", ")),
+    })
 }
 
 fn positions(reader: &mut Reader, table: &Section) -> Vec<f64> {

@@ -11,8 +11,9 @@ from ._errors import ModelError, NoEquilibrium, NotConverged
 
 _Array = npt.NDArray[np.float64]
 
-__all__ = ["solve_many", "Answers", "Model", "text_of", "Solution", "Study", "merge", "__version__"]
+__all__ = ["FIELDS", "solve_many", "Answers", "Model", "text_of", "Solution", "Study", "merge", "__version__"]
 
+FIELDS: Tuple[str, ...]
 __version__: str
 
 @final

@@ -21,8 +21,8 @@ Position = Union[str, float]
 Positions = Union[Sequence[Position], npt.NDArray[np.floating], npt.NDArray[np.integer]]
 """Several of them."""
 
-FIELDS = ("deflection", "slope", "moment", "shear_force", "settlement", "gap", "pressure")
-"""Every field, in the order in which results list them."""
+FIELDS = _native.FIELDS
+"""The name of every field, in the order in which results list them."""
 
 
 class EndForces(NamedTuple):
@@ -248,8 +248,8 @@ class Solution:
     def at(self, x: Union[Position, Positions], side: str = "right") -> Fields:
         """All fields at positions on the beam; where a field jumps, just to the ``right`` or to the ``left``."""
         at = self._positions(x)
-        values = [self._field(name, at, side) for name in (*FIELDS, "rotation")]
-        return Fields(float(at) if at.ndim == 0 else at, *values)
+        values = {name: self._field(name, at, side) for name in FIELDS}
+        return Fields(float(at) if at.ndim == 0 else at, **values)
 
     def range(self, field: str) -> Range:
         """Where a field is smallest and largest on the whole beam: the roots of its derivative, not samples."""

@@ -2,6 +2,7 @@
 
 use super::print::{cell, words};
 use crate::text::sheet::{Entry, Sheet, Tone};
+use groundbeam::Field;
 use serde::Serialize;
 
 /// A whole report.
@@ -38,11 +39,22 @@ pub struct Verdict {
 #[derive(Debug, Clone, Serialize)]
 pub struct Key {
     /// What it is.
-    pub label: &'static str,
+    pub label: String,
     /// The number with its unit.
     pub value: String,
     /// Where it is, or of what.
     pub note: String,
+}
+
+impl Key {
+    /// The fields of which the largest value is named first.
+    pub(crate) const FIELDS: [Field; 4] =
+        [Field::Deflection, Field::Moment, Field::Pressure, Field::Gap];
+
+    /// The largest value of a field.
+    pub(crate) fn largest(field: Field, value: String, note: String) -> Self {
+        Key { label: format!("Largest {}", field.label().to_lowercase()), value, note }
+    }
 }
 
 /// A numbered part.

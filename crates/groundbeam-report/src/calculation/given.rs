@@ -12,23 +12,25 @@ use crate::svg::figures;
 use crate::text;
 use groundbeam::{Acts, Existence, Hinge, Method, Model, Profile, RigidMotion, SupportKind};
 
-/// The input, on the model of a file or of its first combination.
+/// The input, on the model of a file or of its first combination; what statics tell of it, if they are known.
 pub(super) fn section(
     model: &Model,
-    existence: &Existence,
+    existence: Option<&Existence>,
     motion: Option<RigidMotion>,
     context: &Context,
     source: &Source,
 ) -> Section {
     let units = context.units;
-    let found = Characteristics::of(model, existence);
     let caption = match motion {
         Some(_) => "The model as it is given; in dashes, the motion in which the loads do work",
         None => "The model as it is given",
     };
     let drawing = figures::model(source.model, motion, units);
     let mut blocks = vec![Block::Figure { svg: drawing, caption: caption.to_owned() }];
-    blocks.extend(facts(|sheet| text::structure(sheet, model, &found, context)));
+    if let Some(existence) = existence {
+        let found = Characteristics::of(model, existence);
+        blocks.extend(facts(|sheet| text::structure(sheet, model, &found, context)));
+    }
     blocks.extend(segments(model, units));
     blocks.extend(supports(model, units));
     blocks.extend(hinges(model, units));

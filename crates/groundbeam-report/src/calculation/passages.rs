@@ -16,8 +16,8 @@ pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) ->
     let first = all.iter().find_map(|passage| passage.solved().next());
     let model = first.map_or(source.model, |(_, solution)| solution.model());
     let existence = first.map(|(_, solution)| *solution.existence());
-    let existence = existence.or_else(|| groundbeam::exists(source.model).ok()).unwrap_or_default();
-    let mut given = given::section(model, &existence, None, context, source);
+    let existence = existence.or_else(|| groundbeam::exists(source.model).ok());
+    let mut given = given::section(model, existence.as_ref(), None, context, source);
     given.blocks.extend(facts(|sheet| {
         all.iter().for_each(|passage| train::head(sheet, passage, context.units));
     }));
@@ -97,7 +97,7 @@ fn envelope(passages: &Passages, units: Units) -> Section {
     columns.push(wording("unit"));
     let mut table =
         Table::new("Envelope of all positions; where the first axle then stands", columns);
-    for field in Field::ALL {
+    for field in passages.fields() {
         let Some(range) = passages.range(field) else { continue };
         let known = range.map(|governing| cleaned(passages, field, governing));
         let most = known.iter().fold(0.0_f64, |most, (located, _)| most.max(located.value.abs()));
@@ -107,7 +107,7 @@ fn envelope(passages: &Passages, units: Units) -> Section {
             cells.extend(several.then(|| number.to_string()));
             cells
         });
-        let name = [text::label(field).to_owned()];
+        let name = [field.label().to_owned()];
         table.push(name.into_iter().chain(min).chain(max).chain([unit.name.to_owned()]));
     }
     let mut blocks = vec![Block::Table(table)];
@@ -130,7 +130,7 @@ fn cleaned(passages: &Passages, field: Field, governing: InPassage) -> (Located,
 }
 
 fn keys(passages: &Passages, units: Units) -> Vec<Key> {
-    let largest = |label, field: Field| {
+    let largest = |field: Field| {
         let [min, max] = passages.range(field)?.map(|found| cleaned(passages, field, found).0);
         let most = if -min.value > max.value { min } else { max };
         let note = format!(
@@ -139,15 +139,9 @@ fn keys(passages: &Passages, units: Units) -> Vec<Key> {
             place(units, most.first_axle)
         );
         let value = print::words(&units.write(Kind::of(field), most.value, 4));
-        Some(Key { label, value, note: print::words(&note) })
+        Some(Key::largest(field, value, print::words(&note)))
     };
-    let all = [
-        largest("Largest deflection", Field::Deflection),
-        largest("Largest moment", Field::Moment),
-        largest("Largest pressure", Field::Pressure),
-        largest("Largest gap", Field::Gap),
-    ];
-    all.into_iter().flatten().collect()
+    Key::FIELDS.into_iter().filter_map(largest).collect()
 }
 
 /// The train where it bends the beam most, and the envelopes.

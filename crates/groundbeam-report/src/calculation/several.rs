@@ -6,7 +6,7 @@ use super::{Source, given, print, proof};
 use crate::combinations::{Numbered, noun, numbered};
 use crate::context::{Context, clean};
 use crate::number::significant;
-use crate::quantity::{Kind, Units};
+use crate::quantity::{Kind, Unit, Units};
 use crate::svg::figures;
 use crate::text;
 use crate::verdict;
@@ -19,10 +19,11 @@ use groundbeam_run::{Answers, Found, Overall};
 /// The report of all combinations.
 pub(super) fn combinations(all: &Answers, context: &Context, source: &Source) -> Report {
     let Some(first) = all.list.first() else { return Report::default() };
-    let existence = first.existence().copied().unwrap_or_default();
+    let existence = first.existence().copied();
+    let existence = existence.or_else(|| groundbeam::exists(first.model()).ok());
     let ground = first.ground.as_ref().filter(|ground| !ground.follows_solution());
     let of_first = Context { ground, ..*context };
-    let mut given = given::section(first.model(), &existence, None, &of_first, source);
+    let mut given = given::section(first.model(), existence.as_ref(), None, &of_first, source);
     given.blocks.push(list(all));
     let solved: Vec<Numbered> = numbered(all);
     let method = solved.first().map_or(Method::Exact, |row| row.solution.method());
@@ -170,35 +171,26 @@ fn force_unit(all: &Answers, units: Units) -> &'static str {
     units.unit(Kind::Force, largest_reaction(all)).name
 }
 
-/// The columns of numbers: which field, and whether its largest value.
-const COLUMNS: [(Field, bool, &str); 5] = [
-    (Field::Deflection, true, "largest deflection"),
-    (Field::Moment, false, "smallest moment"),
-    (Field::Moment, true, "largest moment"),
-    (Field::Pressure, true, "largest pressure"),
-    (Field::Gap, true, "largest gap"),
-];
-
 /// Contact and extremes, a line each.
 fn each(all: &Answers, solved: &[Numbered], units: Units) -> Section {
     let value = |row: &Numbered, (field, largest): (Field, bool)| {
         let range = row.solution.range(field);
         row.sizes.extreme(field, if largest { range.max } else { range.min }).value
     };
+    let extremes: Vec<_> = text::COLUMNS.into_iter().chain([(Field::Gap, true)]).collect();
     let most = |of: Field| {
-        let same = COLUMNS.iter().filter(move |column| column.0 == of);
-        let sizes = same.flat_map(|&(field, largest, _)| {
-            solved.iter().map(move |row| value(row, (field, largest)).abs())
-        });
+        let same = extremes.iter().filter(move |column| column.0 == of);
+        let sizes = same.flat_map(|&of| solved.iter().map(move |row| value(row, of).abs()));
         sizes.fold(0.0, f64::max)
     };
-    let in_units = COLUMNS.map(|(field, _, _)| units.unit(Kind::of(field), most(field)));
+    let in_units = extremes.iter().map(|&(field, _)| units.unit(Kind::of(field), most(field)));
+    let in_units: Vec<Unit> = in_units.collect();
     let forces = solved.iter().map(|row| row.solution.end_forces());
     let force = forces.fold(0.0_f64, |most, ends| most.max(ends.left).max(ends.right));
     let force = units.unit(Kind::Force, force);
     let mut columns = vec![numbers("#", ""), wording("touches"), numbers("lifted", "%")];
-    columns
-        .extend(COLUMNS.iter().zip(in_units).map(|((_, _, head), unit)| numbers(head, unit.name)));
+    let heads = extremes.iter().map(|&(field, largest)| text::extreme_of(field, largest));
+    columns.extend(heads.zip(&in_units).map(|(head, unit)| numbers(&head, unit.name)));
     columns.extend([numbers("p₀", force.name), numbers("p_l", force.name)]);
     let mut table = Table::new("Contact and extremes of every combination", columns);
     let x = units.unit(Kind::Position, all.list.first().map_or(1.0, |c| c.model().beam.length));
@@ -217,9 +209,8 @@ fn each(all: &Answers, solved: &[Numbered], units: Units) -> Section {
             many => format!("{many} zones"),
         };
         let share = significant(100.0 * row.solution.lifted_share(), 3);
-        let cells = COLUMNS.iter().zip(in_units);
-        let cells =
-            cells.map(|(&(field, largest, _), unit)| unit.number(value(row, (field, largest)), 5));
+        let cells = extremes.iter().zip(&in_units);
+        let cells = cells.map(|(&of, unit)| unit.number(value(row, of), 5));
         let ends = row.solution.end_forces();
         let ends = [ends.left, ends.right].map(|end| force.number(row.sizes.force(end), 5));
         table.push([row.number.to_string(), zones, share].into_iter().chain(cells).chain(ends));
@@ -245,7 +236,7 @@ fn envelope(all: &Answers, solved: &[Numbered], units: Units) -> Section {
         "Envelope: the smallest and largest values, and the combination that governs",
         columns,
     );
-    for field in Field::ALL {
+    for field in envelope.fields() {
         let range = envelope.range(field);
         let both = [range.min, range.max].map(|governing| known(governing, field, solved));
         let most = both.iter().fold(0.0_f64, |most, (extreme, _)| most.max(extreme.value.abs()));
@@ -253,7 +244,7 @@ fn envelope(all: &Answers, solved: &[Numbered], units: Units) -> Section {
         let [min, max] = both.map(|(Extreme { x: at, value }, number)| {
             [unit.number(value, 6), x.number(at, 6), number.to_string()]
         });
-        let name = [text::label(field).to_owned()];
+        let name = [field.label().to_owned()];
         table.push(name.into_iter().chain(min).chain(max).chain([unit.name.to_owned()]));
     }
     Section::new("Envelope", vec![Block::Table(table)])
@@ -270,32 +261,24 @@ fn known(governing: Governing, field: Field, solved: &[Numbered]) -> (Extreme, u
 
 fn keys(all: &Answers, solved: &[Numbered], units: Units) -> Vec<Key> {
     let envelope = all.envelope();
-    let largest = |label, field: Field| {
+    let largest = |field: Field| {
         let range = envelope.range(field);
         let [min, max] = [range.min, range.max].map(|governing| known(governing, field, solved));
         let (extreme, number) = if -min.0.value > max.0.value { min } else { max };
         let value = print::words(&units.write(Kind::of(field), extreme.value, 4));
         let note = print::words(&format!("at x = {}, #{number}", place(units, extreme.x)));
-        Key { label, value, note }
+        Key::largest(field, value, note)
     };
-    vec![
-        largest("Largest deflection", Field::Deflection),
-        largest("Largest moment", Field::Moment),
-        largest("Largest pressure", Field::Pressure),
-        largest("Largest gap", Field::Gap),
-    ]
+    Key::FIELDS.map(largest).into()
 }
 
 /// The envelopes, and the combination with the largest moment.
 fn diagrams(all: &Answers, units: Units) -> Section {
-    let captions = ["Deflection", "Contact pressure", "Bending moment", "Shear force"];
-    let figures =
-        figures::combinations(all, units).into_iter().zip(captions).map(|(svg, field)| {
-            Block::Figure {
-                svg,
-                caption: format!("{field}: envelope, and every combination as a thin line"),
-            }
-        });
+    let drawn = figures::combinations(all, units).into_iter().zip(figures::OF_ENVELOPES);
+    let figures = drawn.map(|(svg, field)| Block::Figure {
+        svg,
+        caption: format!("{}: envelope, and every combination as a thin line", field.title()),
+    });
     let range = all.envelope().range(Field::Moment);
     let most =
         if -range.min.extreme.value > range.max.extreme.value { range.min } else { range.max };

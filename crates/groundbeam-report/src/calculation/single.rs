@@ -18,7 +18,7 @@ pub(super) fn solved(solution: &Solution, context: &Context, source: &Source) ->
     verdicts.extend(checked(&checks));
     verdicts.push(certified(solution.certificate().relative_gap()));
     let mut sections = vec![
-        given::section(model, existence, None, context, source),
+        given::section(model, Some(existence), None, context, source),
         given::assumptions(model, solution.method()),
         given::statics(model, existence, context),
         contact(solution, context.units),
@@ -52,7 +52,7 @@ pub(super) fn no_equilibrium(
         _ => None,
     };
     let mut sections = vec![
-        given::section(model, existence, motion, context, source),
+        given::section(model, Some(existence), motion, context, source),
         given::assumptions(model, groundbeam::Method::Exact),
         given::statics(model, existence, context),
     ];
@@ -68,12 +68,12 @@ pub(super) fn not_converged(
     context: &Context,
     source: &Source,
 ) -> Report {
-    let existence = groundbeam::exists(model).unwrap_or_default();
+    let existence = groundbeam::exists(model).ok();
     let mut sections = vec![
-        given::section(model, &existence, None, context, source),
+        given::section(model, existence.as_ref(), None, context, source),
         given::assumptions(model, reached.method),
-        given::statics(model, &existence, context),
     ];
+    sections.extend(existence.map(|existence| given::statics(model, &existence, context)));
     sections.extend(proof::provenance(context, source));
     let words = format!("{reached}; no result is given, since none could be certified");
     let refused = Verdict { tone: "bad", head: "Not solved".into(), words: print::words(&words) };
@@ -124,14 +124,14 @@ fn key(solution: &Solution, units: Units) -> Vec<Key> {
         let [min, max] = [range.min, range.max].map(|extreme| sizes.extreme(field, extreme));
         if -min.value > max.value { min } else { max }
     };
-    let largest = |label, field: Field| {
+    let largest = |field: Field| {
         let Extreme { x, value } = size_of(field);
         let value = print::words(&units.write(Kind::of(field), value, 4));
-        Key { label, value, note: print::words(&format!("at x = {}", place(units, x))) }
+        Key::largest(field, value, print::words(&format!("at x = {}", place(units, x))))
     };
     let share = 100.0 * solution.lifted_share();
     let lifted = Key {
-        label: "Lifted off",
+        label: "Lifted off".to_owned(),
         value: format!("{} %", crate::number::significant(share, 3)),
         note: "of the beam's length".to_owned(),
     };
@@ -139,18 +139,11 @@ fn key(solution: &Solution, units: Units) -> Vec<Key> {
     let [left, right] =
         [ends.left, ends.right].map(|force| units.write(Kind::Force, sizes.force(force), 4));
     let end = Key {
-        label: "End forces",
+        label: "End forces".to_owned(),
         value: print::words(&left),
         note: print::words(&format!("left; right {right}")),
     };
-    vec![
-        largest("Largest deflection", Field::Deflection),
-        largest("Largest moment", Field::Moment),
-        largest("Largest pressure", Field::Pressure),
-        largest("Largest gap", Field::Gap),
-        lifted,
-        end,
-    ]
+    Key::FIELDS.map(largest).into_iter().chain([lifted, end]).collect()
 }
 
 pub(super) fn place(units: Units, x: f64) -> String {
@@ -225,12 +218,13 @@ fn extremes(solution: &Solution, units: Units) -> Section {
         wording("unit"),
     ];
     let mut table = Table::new("Smallest and largest values along the beam", columns);
-    for (label, field, range) in text::ranges(solution) {
+    for field in Field::of(&solution.model().beam) {
+        let range = solution.range(field);
         let both = [range.min, range.max].map(|extreme| sizes.extreme(field, extreme));
         let unit = units.unit(Kind::of(field), both[0].value.abs().max(both[1].value.abs()));
         let [min, max] =
             both.map(|extreme| [unit.number(extreme.value, 6), x.number(extreme.x, 6)]);
-        let name = [label.to_owned()];
+        let name = [field.label().to_owned()];
         table.push(name.into_iter().chain(min).chain(max).chain([unit.name.to_owned()]));
     }
     Section::new("Extremes", vec![Block::Table(table)])

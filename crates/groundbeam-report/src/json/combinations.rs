@@ -1,7 +1,7 @@
 //! The document of a file with combinations: each with its own result, and the envelope of all.
 
 use super::existence::Proven;
-use super::{Checked, EVEN_STEPS, Point, Solved, Unsolved, default_stations, text};
+use super::{ByName, Checked, EVEN_STEPS, Point, Solved, Unsolved, default_stations, text};
 use crate::context::Context;
 use groundbeam::{Bound, Bounds, Change, Envelope, Field, Governing};
 use groundbeam_run::{Alone, Answer, Answers, Banded, Found, Overall};
@@ -27,9 +27,11 @@ pub fn combinations(answers: &Answers, stations: Option<&[f64]>, context: &Conte
     text(&All {
         combinations: each(answers, stations, context),
         envelope: any.then(|| of.table(&stations_of_all())),
-        extremes: any.then(|| ByField::of(|field| of.extremes(field))),
-        band: answers.bands().map(|bands| ByField::of(|field| Band::of(bands[field.index()]))),
-        changes: any.then(|| ByField::of(|field| of.changes(field))),
+        extremes: any.then(|| ByName::of(envelope.fields(), |field| of.extremes(field))),
+        band: answers
+            .bands()
+            .map(|bands| ByName::of(envelope.fields(), |field| Band::of(bands[field.index()]))),
+        changes: any.then(|| ByName::of(envelope.fields(), |field| of.changes(field))),
         ..All::head(status, answers, context)
     })
 }
@@ -53,11 +55,11 @@ struct All<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     envelope: Option<Table<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    extremes: Option<ByField<Extremes<'a>>>,
+    extremes: Option<ByName<Extremes<'a>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    band: Option<ByField<Band>>,
+    band: Option<ByName<Band>>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    changes: Option<ByField<Vec<Changed<'a>>>>,
+    changes: Option<ByName<Vec<Changed<'a>>>>,
     seconds: Option<f64>,
 }
 
@@ -182,37 +184,11 @@ impl<'a> Case<'a> {
     }
 }
 
-/// Something of each field, by its name.
-#[derive(Serialize)]
-pub(super) struct ByField<T> {
-    deflection: T,
-    slope: T,
-    moment: T,
-    shear_force: T,
-    settlement: T,
-    gap: T,
-    pressure: T,
-}
-
-impl<T> ByField<T> {
-    pub fn of(of: impl Fn(Field) -> T) -> Self {
-        ByField {
-            deflection: of(Field::Deflection),
-            slope: of(Field::Slope),
-            moment: of(Field::Moment),
-            shear_force: of(Field::ShearForce),
-            settlement: of(Field::Settlement),
-            gap: of(Field::Gap),
-            pressure: of(Field::Pressure),
-        }
-    }
-}
-
 #[derive(Serialize)]
 struct Table<'a> {
     x: Vec<f64>,
     #[serde(flatten)]
-    fields: ByField<Lines<'a>>,
+    fields: ByName<Lines<'a>>,
 }
 
 #[derive(Serialize)]
@@ -267,7 +243,7 @@ impl<'a> Named<'_, 'a> {
                 governs_max: bounds().map(|bounds| self.name(bounds.max.by)).collect(),
             }
         };
-        Table { x: stations.to_vec(), fields: ByField::of(lines) }
+        Table { x: stations.to_vec(), fields: ByName::of(self.envelope.fields(), lines) }
     }
 
     fn extremes(&self, field: Field) -> Extremes<'a> {

@@ -1,9 +1,8 @@
 //! The document of passages: each train, the positions that were solved, and the envelope.
 
-use super::combinations::ByField;
-use super::{FreeSpan, text};
+use super::{ByName, FreeSpan, text};
 use crate::context::Context;
-use groundbeam::Field;
+use groundbeam::{ByField, Field};
 use groundbeam_file::MovingTrain;
 use groundbeam_run::{InPassage, Located, Opened, Overall, Passage, Passages};
 use serde::Serialize;
@@ -26,7 +25,9 @@ pub fn trains(passages: &Passages, stations: Option<&[f64]>, context: &Context) 
         trough_chords,
         passages: passages.all.iter().map(|&passage| One::of(passage, stations)).collect(),
         envelope: any.then(|| Table::of_all(passages, sections())),
-        extremes: any.then(|| ByField::of(|field| passages.range(field).map(Extremes::of_all))),
+        extremes: any.then(|| {
+            ByName::of(passages.fields(), |field| passages.range(field).map(Extremes::of_all))
+        }),
         seconds: context.seconds,
     })
 }
@@ -88,7 +89,7 @@ struct Several<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     envelope: Option<Table>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    extremes: Option<ByField<Option<Extremes>>>,
+    extremes: Option<ByName<Option<Extremes>>>,
     seconds: Option<f64>,
 }
 
@@ -114,7 +115,7 @@ struct One<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     envelope: Option<Table>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    extremes: Option<ByField<Option<Extremes>>>,
+    extremes: Option<ByName<Option<Extremes>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     uplift: Option<Uplift>,
     /// Left out where nothing was solved.
@@ -132,7 +133,9 @@ impl<'a> One<'a> {
             combination: passage.combination(),
             train: Head::of(passage),
             envelope: any.then(|| Table::of(passage, stations())),
-            extremes: any.then(|| ByField::of(|field| passage.range(field).map(Extremes::of))),
+            extremes: any.then(|| {
+                ByName::of(passage.fields(), |field| passage.range(field).map(Extremes::of))
+            }),
             uplift: any.then(|| Uplift {
                 ahead: uplift.ahead.map(Place::of),
                 between: uplift.between.map(Place::of),
@@ -196,7 +199,7 @@ impl Stretch {
 struct Error {
     stated: f64,
     reached: f64,
-    reached_by_field: ByField<f64>,
+    reached_by_field: ByName<f64>,
 }
 
 impl<'a> Head<'a> {
@@ -218,7 +221,7 @@ impl<'a> Head<'a> {
             error: Error {
                 stated: reach.asked,
                 reached: reach.largest(),
-                reached_by_field: ByField::of(|field| reach.of(field)),
+                reached_by_field: ByName::of(passage.fields(), |field| reach.of(field)),
             },
             without_equilibrium: passage
                 .without_equilibrium()
@@ -235,7 +238,7 @@ impl<'a> Head<'a> {
 struct Table {
     x: Vec<f64>,
     #[serde(flatten)]
-    fields: ByField<Lines>,
+    fields: ByName<Lines>,
 }
 
 #[derive(Serialize)]
@@ -256,15 +259,20 @@ impl Table {
     fn of(passage: Passage, x: Vec<f64>) -> Self {
         let in_it = |located| InPassage { located, passage: 0 };
         let at = |x| Some(passage.at(x)?.map(|both| both.map(in_it)));
-        Table::by(x, at, false)
+        Table::by(x, passage.fields(), at, false)
     }
 
     fn of_all(passages: &Passages, x: Vec<f64>) -> Self {
-        Table::by(x, |x| passages.at(x), true)
+        Table::by(x, passages.fields(), |x| passages.at(x), true)
     }
 
-    fn by(x: Vec<f64>, at: impl Fn(f64) -> Option<[[InPassage; 2]; 7]>, several: bool) -> Self {
-        let bounds: Vec<[[InPassage; 2]; 7]> = x.iter().filter_map(|&x| at(x)).collect();
+    fn by(
+        x: Vec<f64>,
+        fields: impl Iterator<Item = Field>,
+        at: impl Fn(f64) -> Option<ByField<[InPassage; 2]>>,
+        several: bool,
+    ) -> Self {
+        let bounds: Vec<ByField<[InPassage; 2]>> = x.iter().filter_map(|&x| at(x)).collect();
         let lines = |field: Field| {
             let [min, max] = [0, 1].map(|bound| {
                 bounds.iter().map(move |bounds| bounds[field.index()][bound]).collect::<Vec<_>>()
@@ -282,7 +290,7 @@ impl Table {
                 passage_max: which(&max),
             }
         };
-        Table { fields: ByField::of(lines), x }
+        Table { fields: ByName::of(fields, lines), x }
     }
 }
 

@@ -47,20 +47,20 @@ pub(super) struct Diagram<'a> {
 impl Diagram<'static> {
     /// The empty diagram of a field.
     pub fn of(field: Field, units: Units) -> Self {
-        let (title, note, colour, downward) = match field {
-            Field::Pressure => ("Contact pressure", "pushes the beam up", PRESSURE, true),
-            Field::Moment => ("Bending moment", "drawn on the tension side", MOMENT, true),
-            Field::ShearForce => ("Shear force", "", SHEAR, false),
-            Field::Gap => ("Gap", "between beam and ground", GROUND_LINE, false),
-            _ => ("Deflection", "down", BEAM, true),
+        let (note, colour) = match field {
+            Field::Pressure => (field.positive(), PRESSURE),
+            Field::Moment => ("drawn on the tension side", MOMENT),
+            Field::ShearForce => (field.positive(), SHEAR),
+            Field::Gap => ("between beam and ground", GROUND_LINE),
+            _ => (field.positive(), BEAM),
         };
         Diagram {
-            title,
+            title: field.title(),
             note,
             kind: Kind::of(field),
             units,
             colour,
-            downward,
+            downward: field.drawn_down(),
             values: Vec::new(),
             lower: Vec::new(),
             thin: Vec::new(),
@@ -80,7 +80,7 @@ pub(super) fn worth_naming(field: Field, mut extremes: Vec<Extreme>) -> Vec<Extr
 }
 
 /// The fields whose envelopes are drawn, from above.
-pub(super) const OF_ENVELOPES: [Field; 4] =
+pub(crate) const OF_ENVELOPES: [Field; 4] =
     [Field::Deflection, Field::Pressure, Field::Moment, Field::ShearForce];
 
 impl Diagram<'_> {

@@ -8,7 +8,7 @@ use super::{PANEL_SPACE, axis_of_x, header, numbers, stacked};
 use crate::context::Context;
 use crate::font::Metrics;
 use crate::quantity::Units;
-use groundbeam::{Envelope, Field, Side, Solution};
+use groundbeam::{ByField, Envelope, Field, Side, Solution};
 use groundbeam_run::Answers;
 
 /// Even steps along the beam: finer than a screen.
@@ -61,7 +61,7 @@ pub(super) fn diagrams(envelope: &Envelope, units: Units) -> [Diagram<'static>; 
 }
 
 /// The lines of smallest and largest values of all fields, with both sides of every jump.
-fn lines(envelope: &Envelope, stations: &[f64]) -> [[Vec<(f64, f64)>; 2]; Field::ALL.len()] {
+fn lines(envelope: &Envelope, stations: &[f64]) -> ByField<[Vec<(f64, f64)>; 2]> {
     let mut lines = Field::ALL.map(|_| [Vec::new(), Vec::new()]);
     for &x in stations {
         for side in [Side::Left, Side::Right] {

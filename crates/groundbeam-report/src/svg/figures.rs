@@ -1,6 +1,7 @@
 //! Figures for paper: one drawing or diagram each, so that a page may end between any two.
 
 use super::canvas::Canvas;
+pub(crate) use super::diagram::OF_ENVELOPES;
 use super::diagram::{Diagram, worth_naming};
 use super::frame::Frame;
 use super::samples::Samples;

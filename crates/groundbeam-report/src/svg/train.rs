@@ -10,7 +10,7 @@ use crate::context::{Context, clean};
 use crate::font::Metrics;
 use crate::quantity::Units;
 use crate::size::Sizes;
-use groundbeam::Extreme;
+use groundbeam::{ByField, Extreme};
 use groundbeam_run::{InPassage, Passages};
 
 /// Even steps along the beam.
@@ -55,12 +55,13 @@ pub fn trains(passages: &Passages, context: &Context) -> String {
 
 pub(super) fn diagrams(passages: &Passages, units: Units, sizes: Sizes) -> [Diagram<'static>; 4] {
     let stations = passages.stations(EVEN_STEPS);
-    let bounds: Vec<(f64, [[InPassage; 2]; 7])> =
+    let bounds: Vec<(f64, ByField<[InPassage; 2]>)> =
         stations.into_iter().filter_map(|x| Some((x, passages.at(x)?))).collect();
     OF_ENVELOPES.map(|field| {
         let line = |bound: usize| -> Vec<(f64, f64)> {
-            let value =
-                |x: &f64, all: &[[InPassage; 2]; 7]| (*x, all[field.index()][bound].located.value);
+            let value = |x: &f64, all: &ByField<[InPassage; 2]>| {
+                (*x, all[field.index()][bound].located.value)
+            };
             bounds.iter().map(|(x, all)| value(x, all)).collect()
         };
         let extremes = passages.range(field).into_iter().flatten().rev().map(|governing| {

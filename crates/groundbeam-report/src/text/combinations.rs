@@ -1,7 +1,7 @@
 //! The report of all combinations: a table of them, the envelope, and every load case by itself.
 
 use super::sheet::{Sheet, Tone};
-use super::{checks, label, structure, title};
+use super::{COLUMNS, checks, extreme_of, structure, title};
 use crate::characteristics::Characteristics;
 use crate::combinations::{Numbered, noun, numbered};
 use crate::context::{Context, clean};
@@ -9,7 +9,7 @@ use crate::number::{order, significant};
 use crate::quantity::{Kind, Unit, Units, duration};
 use crate::verdict;
 use crate::verdict::falls;
-use groundbeam::{Envelope, Extreme, Field, Governing, Verdict};
+use groundbeam::{Envelope, Extreme, Governing, Verdict};
 use groundbeam_run::{Answer, Answers, Banded, Found, Ground};
 
 /// The report of all combinations, solved or only checked; with `colour`, with escape codes for a terminal.
@@ -56,14 +56,6 @@ pub fn combinations(answers: &Answers, context: &Context, colour: bool) -> Strin
     sheet.finish()
 }
 
-/// The columns of numbers: which field, and whether its largest value.
-const COLUMNS: [(Field, bool); 4] = [
-    (Field::Deflection, true),
-    (Field::Moment, false),
-    (Field::Moment, true),
-    (Field::Pressure, true),
-];
-
 /// Numbers and names.
 fn names(sheet: &mut Sheet, answers: &Answers) {
     for (i, answer) in answers.list.iter().enumerate() {
@@ -80,8 +72,7 @@ fn band(sheet: &mut Sheet, answers: &Answers, units: Units) {
     for (field, largest) in COLUMNS {
         let Banded { best, low, high } = bands[field.index()][usize::from(largest)];
         let unit = units.unit(Kind::of(field), low.abs().max(high.abs()));
-        let words = if largest { "largest" } else { "smallest" };
-        let name = format!("{} {}", words, label(field).to_lowercase());
+        let name = extreme_of(field, largest);
         let best = unit.write(best, 6);
         let range = format!("{} to {}", unit.number(low, 6), unit.write(high, 6));
         sheet.line(&format!("{name:<31}{best:>14}    {range}"));
@@ -119,7 +110,7 @@ fn table(sheet: &mut Sheet, answers: &Answers, solved: &[Numbered], units: Units
         let cells: String = cells.iter().map(|cell| format!("{cell:>11}")).collect();
         format!("{first:<35}{cells}")
     };
-    let fields = COLUMNS.map(|(field, _)| label(field).to_lowercase());
+    let fields = COLUMNS.map(|(field, _)| field.label().to_lowercase());
     sheet.heading(&line("   #  equilibrium  zones of  lifted", fields));
     let words = COLUMNS.map(|(_, largest)| if largest { "largest" } else { "smallest" }.to_owned());
     sheet.heading(&line("                    contact   share", words));
@@ -204,7 +195,7 @@ fn alone(sheet: &mut Sheet, answers: &Answers, units: Units) {
 /// The extremes of all, each with the number of the combination that has it.
 fn envelope(sheet: &mut Sheet, envelope: &Envelope, solved: &[Numbered], units: Units) {
     sheet.heading(&format!("{:<13}{:>14}{:>33}", "Envelope", "smallest", "largest"));
-    for field in Field::ALL {
+    for field in envelope.fields() {
         let range = envelope.range(field);
         let known = |Governing { extreme, by }: Governing| {
             let row = solved.get(by);
@@ -215,14 +206,14 @@ fn envelope(sheet: &mut Sheet, envelope: &Envelope, solved: &[Numbered], units: 
         let unit = units.unit(Kind::of(field), min.0.value.abs().max(max.0.value.abs()));
         if min.0.value == max.0.value {
             let value = unit.write(min.0.value, 6);
-            sheet.row(label(field), &format!("{value:>14} everywhere, in every combination"));
+            sheet.row(field.label(), &format!("{value:>14} everywhere, in every combination"));
             continue;
         }
         let cell = |(Extreme { x, value }, number): (Extreme, usize)| {
             let place = format!("at {}", units.position(x));
             format!("{:>14} {place:<13}{:<5}", unit.write(value, 6), format!("#{number}"))
         };
-        sheet.row(label(field), &format!("{}{}", cell(min), cell(max)));
+        sheet.row(field.label(), &format!("{}{}", cell(min), cell(max)));
     }
     for (name, force) in [
         ("left end", (|row| row.solution.end_forces().left) as fn(&Numbered) -> f64),

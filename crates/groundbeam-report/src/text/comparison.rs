@@ -5,7 +5,7 @@ use super::title;
 use crate::context::Context;
 use crate::number::order;
 use crate::quantity::duration;
-use groundbeam::{Error, Solution};
+use groundbeam::{Error, Field, Solution};
 use groundbeam_run::{Answer, Answers, Errors, Found};
 
 /// The report of the answers of several methods, of which the first is the exact one; with `colour`, with escape codes for a terminal.
@@ -13,7 +13,8 @@ pub fn comparison(answers: &Answers, context: &Context, colour: bool) -> String 
     let mut sheet = Sheet::new(colour);
     title(&mut sheet, context);
     sheet.heading(&line("", ["error of", "", "", "", "energy", "", ""]));
-    let heads = ["w", "M", "u", "ends", "gap", "steps", "time"];
+    let [w, m, u] = [Field::Deflection, Field::Moment, Field::Settlement].map(Field::symbol);
+    let heads = [w, m, u, "ends", "gap", "steps", "time"];
     sheet.heading(&line("method", heads));
     let exact = answers.list.first().and_then(Answer::solution);
     let mut failures = Vec::new();

@@ -24,7 +24,7 @@ pub use combinations::combinations;
 pub use comparison::comparison;
 pub use drawing::drawing;
 use groundbeam::{
-    Acts, ContactZone, Existence, Extent, Extreme, Field, GroundEnd, Load, Model, Profile, Range,
+    Acts, ContactZone, Existence, Extent, Extreme, Field, GroundEnd, Load, Model, Profile,
     Reaction, Solution, Stopped, SupportKind, Verdict,
 };
 pub use passages::{checked_trains, trains};
@@ -63,7 +63,8 @@ pub fn summary(solution: &Solution, context: &Context) -> Vec<(String, String)> 
     let (units, sizes) = (context.units, Sizes::of(solution));
     contact(&mut sheet, solution, units, &sizes);
     forces(&mut sheet, solution, units, &sizes);
-    for (label, field, range) in ranges(solution) {
+    for field in Field::of(&solution.model().beam) {
+        let range = solution.range(field);
         let (min, max) = (sizes.extreme(field, range.min), sizes.extreme(field, range.max));
         let unit = units.unit(Kind::of(field), min.value.abs().max(max.value.abs()));
         let [low, high] = [min, max].map(|extreme| {
@@ -74,7 +75,7 @@ pub fn summary(solution: &Solution, context: &Context) -> Vec<(String, String)> 
         } else {
             format!("from {low} to {high}")
         };
-        sheet.row(label, &words);
+        sheet.row(field.label(), &words);
     }
     checks::rows(&mut sheet, solution, context);
     sheet.into_rows()
@@ -377,9 +378,24 @@ pub(crate) fn forces(sheet: &mut Sheet, solution: &Solution, units: Units, sizes
     });
 }
 
+/// The columns of numbers in tables of several solutions: which field, and whether its largest value.
+pub(crate) const COLUMNS: [(Field, bool); 4] = [
+    (Field::Deflection, true),
+    (Field::Moment, false),
+    (Field::Moment, true),
+    (Field::Pressure, true),
+];
+
+/// `largest moment`.
+pub(crate) fn extreme_of(field: Field, largest: bool) -> String {
+    let which = if largest { "largest" } else { "smallest" };
+    format!("{which} {}", field.label().to_lowercase())
+}
+
 fn extremes(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) {
     sheet.heading(&format!("{:<13}{:>17}{:>30}", "", "smallest", "largest"));
-    for (label, field, range) in ranges(solution) {
+    for field in Field::of(&solution.model().beam) {
+        let range = solution.range(field);
         let (min, max) = (sizes.extreme(field, range.min), sizes.extreme(field, range.max));
         let unit = units.unit(Kind::of(field), min.value.abs().max(max.value.abs()));
         let cell = |extreme: Extreme| {
@@ -390,31 +406,7 @@ fn extremes(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes)
             };
             format!("{:>17} {place:<12}", unit.write(extreme.value, 6))
         };
-        sheet.row(label, &format!("{}{}", cell(min), cell(max)));
-    }
-}
-
-/// The ranges that are listed, each with its label and the field whose unit it has: all fields, and the rotation of
-/// the sections of a beam that shears.
-pub(crate) fn ranges(solution: &Solution) -> Vec<(&'static str, Field, Range)> {
-    let mut all: Vec<_> =
-        Field::ALL.map(|field| (label(field), field, solution.range(field))).into();
-    if solution.model().beam.shears() {
-        let rotation = ("Rotation", Field::Slope, solution.rotation_range());
-        all.insert(Field::Slope.index() + 1, rotation);
-    }
-    all
-}
-
-pub(crate) fn label(field: Field) -> &'static str {
-    match field {
-        Field::Deflection => "Deflection",
-        Field::Slope => "Slope",
-        Field::Moment => "Moment",
-        Field::ShearForce => "Shear force",
-        Field::Settlement => "Settlement",
-        Field::Gap => "Gap",
-        Field::Pressure => "Pressure",
+        sheet.row(field.label(), &format!("{}{}", cell(min), cell(max)));
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::sheet::Sheet;
 use super::train::{cleaned, failures, limits, proof, ranges, train};
-use super::{free_spans, label, structure, title};
+use super::{COLUMNS, free_spans, structure, title};
 use crate::characteristics::Characteristics;
 use crate::context::{Context, clean};
 use crate::quantity::{Kind, Unit, Units};
@@ -76,14 +76,6 @@ pub fn checked_trains(passages: &Passages, context: &Context, colour: bool) -> S
     sheet.finish()
 }
 
-/// The columns of numbers: which field, and whether its largest value.
-const COLUMNS: [(Field, bool); 4] = [
-    (Field::Deflection, true),
-    (Field::Moment, false),
-    (Field::Moment, true),
-    (Field::Pressure, true),
-];
-
 /// Extremes of each passage, a line each.
 fn table(sheet: &mut Sheet, all: &[Passage], units: Units) {
     let extremes = |passage: &Passage| {
@@ -104,7 +96,7 @@ fn table(sheet: &mut Sheet, all: &[Passage], units: Units) {
         let cells: String = cells.iter().map(|cell| format!("{cell:>13}")).collect();
         format!("{first:<24}{cells}")
     };
-    let fields = COLUMNS.map(|(field, _)| label(field).to_lowercase());
+    let fields = COLUMNS.map(|(field, _)| field.label().to_lowercase());
     sheet.heading(&line("   #   positions", fields));
     let words = COLUMNS.map(|(_, largest)| if largest { "largest" } else { "smallest" }.to_owned());
     sheet.heading(&line("", words));
@@ -131,7 +123,7 @@ fn envelope(sheet: &mut Sheet, passages: &Passages, units: Units) {
     };
     let words = |largest| [largest, "at", "train", "#"];
     sheet.heading(&columns("Envelope", words("smallest"), words("largest")));
-    for field in Field::ALL {
+    for field in passages.fields() {
         let Some(range) = passages.range(field) else { continue };
         let known = range.map(|InPassage { located, passage }| {
             let located = cleaned(&passages.all[passage], field, located);
@@ -141,7 +133,7 @@ fn envelope(sheet: &mut Sheet, passages: &Passages, units: Units) {
         let unit = units.unit(Kind::of(field), min.abs().max(max.abs()));
         if min == max {
             let value = unit.write(min, 5);
-            sheet.row(label(field), &format!("{value:>13} everywhere, always"));
+            sheet.row(field.label(), &format!("{value:>13} everywhere, always"));
             continue;
         }
         let [a, b] = known.map(|InPassage { located, passage }| {
@@ -153,7 +145,7 @@ fn envelope(sheet: &mut Sheet, passages: &Passages, units: Units) {
             let [value, x, train, which] = cells;
             format!("{value:>13}{x:>8}{train:>8}{which:>4}")
         };
-        sheet.line(&format!("{:<13}{}{}", label(field), cells(&a), cells(&b)));
+        sheet.line(&format!("{:<13}{}{}", field.label(), cells(&a), cells(&b)));
     }
 }
 

@@ -1,7 +1,7 @@
 //! The report of one train's passage: the train, the envelope, uplift ahead of and behind the axles.
 
 use super::sheet::{Sheet, Tone};
-use super::{checks, free_spans, label};
+use super::{checks, free_spans};
 use crate::context::{Context, clean};
 use crate::number::{order, significant};
 use crate::quantity::{Kind, Units, duration};
@@ -85,7 +85,7 @@ pub(crate) fn positions(sheet: &mut Sheet, passage: &Passage) {
     let reach = passage.reach();
     let count = passage.solved().count();
     let (met, missed): (Vec<Field>, Vec<Field>) =
-        Field::ALL.into_iter().partition(|&field| reach.of(field) <= reach.asked);
+        passage.fields().partition(|&field| reach.of(field) <= reach.asked);
     let reached = met.into_iter().map(|field| reach.of(field)).fold(0.0, f64::max);
     let mut words = format!(
         "{count} solved; error of the envelope {} of each field's largest value, {} asked for",
@@ -93,7 +93,7 @@ pub(crate) fn positions(sheet: &mut Sheet, passage: &Passage) {
         order(reach.asked)
     );
     for field in missed {
-        let name = label(field).to_lowercase();
+        let name = field.label().to_lowercase();
         words += &format!("; of the {name} {}", order(reach.of(field)));
     }
     sheet.row("Positions", &words);
@@ -130,14 +130,14 @@ fn envelope(sheet: &mut Sheet, passage: &Passage, units: Units) {
     };
     let words = |largest| [largest, "at", "train at"];
     sheet.heading(&columns("Envelope", words("smallest"), words("largest")));
-    for field in Field::ALL {
+    for field in passage.fields() {
         let Some(range) = passage.range(field) else { continue };
         let known = range.map(|located| cleaned(passage, field, located));
         let [min, max] = known;
         let unit = units.unit(Kind::of(field), min.value.abs().max(max.value.abs()));
         if min.value == max.value {
             let value = unit.write(min.value, 6);
-            sheet.row(label(field), &format!("{value:>15} everywhere, always"));
+            sheet.row(field.label(), &format!("{value:>15} everywhere, always"));
             continue;
         }
         let cells = known.map(|Located { x, value, first_axle }| {
@@ -148,7 +148,7 @@ fn envelope(sheet: &mut Sheet, passage: &Passage, units: Units) {
         let of = |cell: &[String; 3]| -> String {
             format!("{:>15}{:>9}{:>9}", cell[0], cell[1], cell[2])
         };
-        sheet.line(&format!("{:<13}{}{}", label(field), of(a), of(b)));
+        sheet.line(&format!("{:<13}{}{}", field.label(), of(a), of(b)));
     }
 }
 

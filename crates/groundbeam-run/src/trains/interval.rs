@@ -2,6 +2,7 @@
 
 use super::position::{Beside, Position, Section};
 use groundbeam::model::Train;
+use groundbeam::{ByField, Field};
 use std::borrow::Borrow;
 
 /// The fields beside an axle that stands between two solved positions, a share t of the way from the left to the right
@@ -16,14 +17,14 @@ fn beside_axle(ends: [&Section; 2], axle: usize, t: f64) -> Option<Beside> {
 
 /// The envelope at the stations, from the left and from the right: smallest and largest values.
 pub(super) struct Table {
-    bounds: Vec<[[f64; 7]; 2]>,
+    bounds: Vec<[ByField<f64>; 2]>,
     /// Over the whole beam.
-    all: [[f64; 7]; 2],
+    all: [ByField<f64>; 2],
 }
 
 impl Table {
     pub fn of(found: &[Position], train: &Train, stations: &[f64]) -> Self {
-        let nothing = [[f64::INFINITY; 7], [f64::NEG_INFINITY; 7]];
+        let nothing = [[f64::INFINITY; Field::ALL.len()], [f64::NEG_INFINITY; Field::ALL.len()]];
         let mut table = Table { bounds: vec![nothing; 2 * stations.len()], all: nothing };
         for position in found {
             for (bounds, values) in table.bounds.iter_mut().zip(&position.samples) {
@@ -47,7 +48,7 @@ impl Table {
     }
 }
 
-fn widen([min, max]: &mut [[f64; 7]; 2], values: &[f64; 7]) {
+fn widen([min, max]: &mut [ByField<f64>; 2], values: &ByField<f64>) {
     for (field, value) in values.iter().enumerate() {
         min[field] = min[field].min(*value);
         max[field] = max[field].max(*value);
@@ -76,14 +77,15 @@ pub(super) fn sticks_out(
     train: &Train,
     stations: &[f64],
     table: &Table,
-    scale: &[f64; 7],
-) -> [f64; 7] {
-    let mut most = [0.0_f64; 7];
+    scale: &ByField<f64>,
+) -> ByField<f64> {
+    let mut most = [0.0_f64; Field::ALL.len()];
+    let near = stations.last().map_or(0.0, |l| train.same_place(*l));
     let mut note = |field: usize, by: f64| most[field] = most[field].max(by);
     for (i, (values, bounds)) in middle.samples.iter().zip(&table.bounds).enumerate() {
         let [start, end] = ends.map(|end| &end.samples[i]);
-        let is_smooth = !is_passed(stations[i / 2], ends, train);
-        for field in 0..7 {
+        let is_smooth = !is_passed(stations[i / 2], ends, train, near);
+        for field in 0..Field::ALL.len() {
             let [min, max] = [bounds[0][field], bounds[1][field]];
             let [a, value, b] = [start[field], values[field], end[field]];
             // Where the beam begins to touch or to lift off, pressure and gap turn from zero to something.
@@ -99,7 +101,8 @@ pub(super) fn sticks_out(
             (here, beside_axle(ends.map(|end| &end.section), axle, 0.5))
         {
             for (here, between) in here.beside.iter().zip(&between) {
-                (0..7).for_each(|field| note(field, (here[field] - between[field]).abs()));
+                (0..Field::ALL.len())
+                    .for_each(|field| note(field, (here[field] - between[field]).abs()));
             }
         }
     }
@@ -112,11 +115,9 @@ pub(super) fn sticks_out(
 }
 
 /// Whether an axle passes a section somewhere between two positions, or stands there in one of them.
-fn is_passed(x: f64, [start, end]: [&Position; 2], train: &Train) -> bool {
+fn is_passed(x: f64, [start, end]: [&Position; 2], train: &Train, near: f64) -> bool {
     let [from, to] = [start, end].map(|position| position.section.first_axle);
-    // An axle that stands there does so to rounding.
-    let rounding = Train::SAME_PLACE * (from.abs() + to.abs());
-    let passing = from - rounding..=to + rounding;
+    let passing = from - near..=to + near;
     train.axles.iter().any(|axle| passing.contains(&(x + axle.behind)))
 }
 
@@ -130,13 +131,6 @@ fn crest(a: f64, middle: f64, b: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::trains::position::{SHEAR, SLOPE};
-    use groundbeam::Field;
-
-    #[test]
-    fn fields_stand_where_they_are_looked_for() {
-        assert_eq!([SLOPE, SHEAR].map(|i| Field::ALL[i]), [Field::Slope, Field::ShearForce]);
-    }
 
     #[test]
     fn crests_of_parabolas() {

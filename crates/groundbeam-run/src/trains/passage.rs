@@ -4,7 +4,7 @@ use super::interval::passing;
 use super::position::Section;
 use crate::answer::{Answer, Found, Overall};
 use groundbeam::model::Train;
-use groundbeam::{Field, Model, Side, Solution};
+use groundbeam::{ByField, Field, Model, Side, Solution};
 use groundbeam_file::{Combination, MovingTrain};
 use std::ops::Range;
 use std::sync::Arc;
@@ -28,7 +28,7 @@ pub struct Reach {
     /// Of each field, in the order of [`Field::ALL`], the most by which the last position that was tried anywhere stuck
     /// out of the envelope of those before. Where a field jumps, as the pressure at a moving edge of contact may, it
     /// stays as large as the jump.
-    pub reached: [f64; 7],
+    pub reached: ByField<f64>,
 }
 
 impl Reach {
@@ -155,14 +155,19 @@ impl<'a> Passage<'a> {
         }
     }
 
+    /// The fields to list, in the order of [`Field::ALL`]: without the rotation if the beam does not shear.
+    pub fn fields(&self) -> impl Iterator<Item = Field> + Clone + use<> {
+        Field::of(&self.model().beam)
+    }
+
     /// The smallest and the largest value of every field at a section, in the order of [`Field::ALL`]; none if nothing
     /// was solved.
     ///
     /// Of all solved positions, and of each axle as it passes the section, where the fields beside it are interpolated
     /// between the solved positions before and after.
-    pub fn at(&self, x: f64) -> Option<[[Located; 2]; 7]> {
-        let mut bounds: Option<[[Located; 2]; 7]> = None;
-        let mut note = |first_axle: f64, values: [f64; 7]| {
+    pub fn at(&self, x: f64) -> Option<ByField<[Located; 2]>> {
+        let mut bounds: Option<ByField<[Located; 2]>> = None;
+        let mut note = |first_axle: f64, values: ByField<f64>| {
             let here = values.map(|value| [Located { x, value, first_axle }; 2]);
             let bounds = bounds.get_or_insert(here);
             for (bounds, [new, _]) in bounds.iter_mut().zip(here) {
@@ -235,7 +240,9 @@ impl<'a> Passage<'a> {
         let l = self.model().beam.length;
         let mut x: Vec<f64> = (0..=even).map(|i| l * (i as f64 / even.max(1) as f64)).collect();
         x.extend(self.model().marks());
-        x.extend(Field::ALL.iter().filter_map(|&field| self.range(field)).flatten().map(|e| e.x));
+        x.extend(
+            Field::ALL.into_iter().filter_map(|field| self.range(field)).flatten().map(|e| e.x),
+        );
         x.sort_by(f64::total_cmp);
         x.dedup();
         x

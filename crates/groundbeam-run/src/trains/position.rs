@@ -2,7 +2,7 @@
 
 use crate::answer::Answer;
 use groundbeam::model::Train;
-use groundbeam::{Action, Field, Fields, Model, Range};
+use groundbeam::{Action, ByField, Field, Fields, Model, Range};
 use std::borrow::Borrow;
 
 /// A position of the train: its answer, and the values by which envelopes are compared.
@@ -11,7 +11,7 @@ pub(crate) struct Position {
     pub answer: Answer,
     pub section: Section,
     /// Values at the stations from the left and from the right; none without an equilibrium.
-    pub samples: Vec<[f64; 7]>,
+    pub samples: Vec<ByField<f64>>,
 }
 
 impl Borrow<Section> for Position {
@@ -28,45 +28,44 @@ pub(crate) struct Section {
     /// Of each axle on the beam the fields beside it.
     pub under: Vec<Option<Under>>,
     /// Of each field; none without an equilibrium.
-    pub ranges: Option<[Range; 7]>,
+    pub ranges: Option<ByField<Range>>,
 }
 
 /// All fields, in the order of [`Field::ALL`].
-pub(crate) fn values(fields: Fields) -> [f64; 7] {
+pub(crate) fn values(fields: Fields) -> ByField<f64> {
     Field::ALL.map(|field| fields.get(field))
 }
 
-/// Where [`Field::Slope`] and [`Field::ShearForce`] stand in [`Field::ALL`].
-pub(crate) const SLOPE: usize = 1;
-
-pub(crate) const SHEAR: usize = 3;
+const SLOPE: usize = Field::Slope.index();
+const SHEAR_FORCE: usize = Field::ShearForce.index();
 
 /// Of each field the values just left and just right of an axle, as it passes a section.
-pub(crate) type Beside = [[f64; 7]; 2];
+pub(crate) type Beside = [ByField<f64>; 2];
 
 /// An axle on the beam: the fields beside it, and by how much each jumps for its sake.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Under {
     pub beside: Beside,
-    jump: [f64; 7],
+    jump: ByField<f64>,
 }
 
 impl Under {
     /// Of the axle with a number, at x. The shear force jumps by all of its force; a beam that shears has a kink, of which
     /// the ground may take part of the force.
     pub fn of(beside: Beside, model: &Model, train: &Train, axle: usize, x: f64) -> Self {
-        let mut jump = [0.0; 7];
+        let mut jump = [0.0; Field::ALL.len()];
         let own = force(train, axle);
-        jump[SHEAR] = own;
+        jump[SHEAR_FORCE] = own;
         if model.beam.shears() {
-            let here = |at: f64| (at - x).abs() <= Train::SAME_PLACE * model.beam.length;
+            let near = train.same_place(model.beam.length);
+            let here = |at: f64| (at - x).abs() <= near;
             let fixed = model.loads.iter().map(|load| match load.at_point(Action::Force) {
                 Some((at, force)) if here(at) => force,
                 _ => 0.0,
             });
             let all = own + fixed.sum::<f64>();
             let share = if all == 0.0 { 0.0 } else { own / all };
-            for field in [SLOPE, SHEAR] {
+            for field in [SLOPE, SHEAR_FORCE] {
                 jump[field] = share * (beside[0][field] - beside[1][field]);
             }
         }

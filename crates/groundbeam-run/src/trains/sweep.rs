@@ -8,7 +8,7 @@ use crate::answer::{Answer, Found, Label, Placed};
 use crate::host::{Failed, Host};
 use crate::single::answered;
 use groundbeam::model::Train;
-use groundbeam::{Error, Field, Model, Options, Side, Solution};
+use groundbeam::{ByField, Error, Field, Model, Options, Side, Solution};
 use groundbeam_file::{Combination, MovingTrain};
 use std::sync::Arc;
 
@@ -25,7 +25,7 @@ const MOST: usize = 20_000;
 #[derive(Debug, Clone, Copy)]
 struct Between {
     /// By how much its middle, or that of the interval it is a half of, stuck out of the envelope of each field.
-    error: [f64; 7],
+    error: ByField<f64>,
     open: bool,
 }
 
@@ -103,7 +103,7 @@ impl Sweep {
         let new: Vec<Position> =
             wanted.into_iter().zip(answers).map(|(at, answer)| self.sampled(at, answer)).collect();
         if self.found.is_empty() {
-            let untested = Between { error: [f64::INFINITY; 7], open: true };
+            let untested = Between { error: [f64::INFINITY; Field::ALL.len()], open: true };
             self.between = vec![untested; new.len().saturating_sub(1)];
             self.found = new;
         } else {
@@ -126,7 +126,7 @@ impl Sweep {
     /// The answers, and what is known of the way besides them.
     fn finish(self) -> (Vec<Answer>, Swept) {
         let each = self.between.iter().map(|between| between.error);
-        let reached = each.fold([0.0_f64; 7], |most, error| {
+        let reached = each.fold([0.0_f64; Field::ALL.len()], |most, error| {
             std::array::from_fn(|field| most[field].max(error[field]))
         });
         let stands = |position: &Position| {
@@ -169,7 +169,7 @@ impl Sweep {
             let error = match ends.iter().chain(&[&middle]).all(|end| end.section.ranges.is_some())
             {
                 true => sticks_out(&middle, ends, self.train(), &self.stations, &table, &scale),
-                false => [0.0; 7],
+                false => [0.0; Field::ALL.len()],
             };
             let is_edge = is_edge(ends[0], &middle) || is_edge(&middle, ends[1]);
             let open = is_edge || error.iter().any(|error| *error > self.error);
@@ -190,7 +190,7 @@ impl Sweep {
                 between.open = false;
                 // A jump as an axle comes or leaves has both its sides solved.
                 if between.error.contains(&f64::INFINITY) {
-                    between.error = [0.0; 7];
+                    between.error = [0.0; Field::ALL.len()];
                 }
             }
         }
@@ -207,7 +207,7 @@ impl Sweep {
         let of = |i: usize, x: f64| Under::of(both(x), model, train, i, x);
         let axles = 0..train.axles.len();
         let under = axles.map(|i| train.axle_at(i, first_axle, model).map(|x| of(i, x))).collect();
-        let ranges = Some(Field::ALL.map(|field| solution.range(field)));
+        let ranges = Some(solution.ranges());
         Position { section: Section { first_axle, under, ranges }, answer, samples }
     }
 }
@@ -223,16 +223,16 @@ fn is_edge(a: &Position, b: &Position) -> bool {
 }
 
 /// The largest absolute value of each field. Uplift and settlement are seen beside the deflection.
-fn scale<'p>(positions: impl Iterator<Item = &'p Position>) -> [f64; 7] {
+fn scale<'p>(positions: impl Iterator<Item = &'p Position>) -> ByField<f64> {
     /// A field that is smaller than this part of the deflection is as good as zero.
     const NOTHING: f64 = 1e-6;
-    let mut scale = [0.0_f64; 7];
+    let mut scale = [0.0_f64; Field::ALL.len()];
     for ranges in positions.filter_map(|position| position.section.ranges.as_ref()) {
         for (scale, range) in scale.iter_mut().zip(ranges) {
             *scale = scale.max(range.min.value.abs()).max(range.max.value.abs());
         }
     }
-    let deflection = scale[0];
+    let deflection = scale[Field::Deflection.index()];
     for (field, scale) in Field::ALL.iter().zip(&mut scale) {
         if matches!(field, Field::Settlement | Field::Gap) {
             *scale = scale.max(NOTHING * deflection);

@@ -4,9 +4,7 @@ use crate::element::operator::ZoneKind;
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{BeamPoint, MeshZone};
 use crate::mesh::mesh::Mesh;
-
-/// Edges this close to a place of the model's own, as a part of the length, are there.
-const SAME_PLACE: f64 = 64.0 * f64::EPSILON;
+use crate::numeric::tolerance::same_place;
 
 /// Open ground this short, relative to l, is rounding error.
 const SLIT: f64 = 1e-10;
@@ -46,7 +44,7 @@ pub(crate) fn joined(intervals: Vec<Interval>, l: f64) -> Vec<Interval> {
 
 /// A position on a beam of length l; within rounding of a place of the model's own that place.
 pub(crate) fn snapped(x: f64, places: &[f64], l: f64) -> f64 {
-    let near = SAME_PLACE * l;
+    let near = same_place(l);
     let next = places.partition_point(|place| *place < x - near);
     places.get(next).copied().filter(|place| *place <= x + near).unwrap_or(x)
 }

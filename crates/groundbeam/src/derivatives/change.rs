@@ -1,9 +1,9 @@
 //! The change of the equations by a parameter, ∂ of a(y, z) − F(z).
 
 use super::linearised::Linearised;
-use super::parameter::{Extent, LoadNumber, Parameter, Property, SupportNumber, of_load};
+use super::parameter::{Domain, LoadNumber, Parameter, Property, SupportNumber, of_load};
 use crate::derivatives::piece::Piece;
-use crate::model::Extent as LoadExtent;
+use crate::model::Extent;
 use crate::model::{Action, BeamSegment, Foundation, Load, Model, Profile};
 
 /// By how much everything that may change does, for a unit of the parameter.
@@ -120,11 +120,11 @@ impl Change {
         let model = &lin.model;
         let mut change = Change::default();
         match parameter {
-            Parameter::Value(property, extent) => {
+            Parameter::Value(property, domain) => {
                 let value = parameter.value(model).unwrap_or(1.0);
-                change.scale(lin, property, extent, 1.0 / value);
+                change.scale(lin, property, domain, 1.0 / value);
             }
-            Parameter::Factor(property, extent) => change.scale(lin, property, extent, 1.0),
+            Parameter::Factor(property, domain) => change.scale(lin, property, domain, 1.0),
             Parameter::AxialForce => change.axial = 1.0,
             Parameter::LoadFactor => {
                 for load in &model.loads {
@@ -148,7 +148,7 @@ impl Change {
         !self.spring.is_empty() || !self.shear.is_empty()
     }
 
-    fn scale(&mut self, lin: &Linearised, property: Property, extent: Extent, rate: f64) {
+    fn scale(&mut self, lin: &Linearised, property: Property, domain: Domain, rate: f64) {
         let (model, cells) = (&lin.model, &lin.mesh.cells);
         let beam = matches!(property, Property::BendingStiffness | Property::ShearStiffness);
         let ground = &model.foundation;
@@ -164,10 +164,10 @@ impl Change {
                 ground.segments.iter().position(|s| held(s.from, s.to))
             }
         };
-        let rate_of = |segment: Option<usize>| match extent {
-            Extent::Whole => rate,
-            Extent::OutsideSegments if segment.is_none() => rate,
-            Extent::Segment(i) if segment == Some(i) => rate,
+        let rate_of = |segment: Option<usize>| match domain {
+            Domain::Whole => rate,
+            Domain::OutsideSegments if segment.is_none() => rate,
+            Domain::Segment(i) if segment == Some(i) => rate,
             _ => 0.0,
         };
         let own: Vec<Option<usize>> =
@@ -199,8 +199,8 @@ impl Change {
     /// All of a load grows.
     fn grow(&mut self, load: &Load) {
         match load.extent {
-            LoadExtent::Point { at, size } => self.point(at, Against::at_point(load), size),
-            LoadExtent::Distributed { from, to, start, end } => {
+            Extent::Point { at, size } => self.point(at, Against::at_point(load), size),
+            Extent::Distributed { from, to, start, end } => {
                 let (x, values) = ([from, to], [start, end]);
                 self.spreads.push(Spread { kind: Kind::of(load), x, values });
             }
@@ -216,14 +216,14 @@ impl Change {
             self.moves = of_load(load, number);
         }
         let (from, to, start, end) = match load.extent {
-            LoadExtent::Distributed { from, to, start, end } => (from, to, start, end),
-            LoadExtent::Point { at, size } if number == LoadNumber::At => {
+            Extent::Distributed { from, to, start, end } => (from, to, start, end),
+            Extent::Point { at, size } if number == LoadNumber::At => {
                 return match load.action {
                     Action::Moment => self.point(at, Against::BendBeside, size),
                     _ => self.point(at, Against::SlopeBeside, size),
                 };
             }
-            LoadExtent::Point { at, .. } => return self.point(at, Against::at_point(load), 1.0),
+            Extent::Point { at, .. } => return self.point(at, Against::at_point(load), 1.0),
         };
         let kind = Kind::of(load);
         let rise = (end - start) / (to - from);

@@ -6,6 +6,7 @@ use super::output::Functional;
 use crate::derivatives::{NotDifferentiable, Quantity, Side, Solution};
 use crate::model::Load;
 use crate::numeric::polynomial::{derivative, jet, value};
+use crate::numeric::tolerance::{OTHER_EXTREME, TURNING_POINT};
 
 /// The place of an extreme.
 #[derive(Debug, Clone, Copy)]
@@ -24,10 +25,6 @@ pub(super) struct Place {
 
 /// A field is as large elsewhere if it differs by no more than this part of its size.
 const SAME: f64 = 1e-7;
-/// Places closer than this part of the length are one.
-const HERE: f64 = 1e-9;
-/// And elsewhere begins at this part of the length.
-const APART: f64 = 1e-6;
 
 impl Linearised {
     /// Whether one end of one load is all that stands at a place inside the beam.
@@ -118,13 +115,13 @@ impl Solution {
             .iter()
             .filter(|_| !always)
             .filter(|(at, other)| {
-                (at - x).abs() > APART * l && (other - value).abs() <= SAME * size
+                (at - x).abs() > OTHER_EXTREME * l && (other - value).abs() <= SAME * size
             })
             .map(|(at, _)| *at)
             .next();
         // A turning point may be an end but for rounding.
         let end = self.pieces()[i].x[usize::from(s > 0.0)];
-        let x = if (x - end).abs() <= HERE * l { end } else { x };
+        let x = if (x - end).abs() <= TURNING_POINT * l { end } else { x };
         let side = if s > 0.0 { Side::Left } else { Side::Right };
         let slope = if s.abs() < 1.0 || always { 0.0 } else { self.rise(i, s, field) };
         Place { x, side, value, slope, always, rival }
@@ -142,7 +139,8 @@ impl Solution {
         let settles = || piece.settlement(s, fields.deflection, fields.slope)[1];
         match field {
             Quantity::Deflection => fields.slope,
-            Quantity::Slope => jet(&piece.deflection, s)[2] / (half * half),
+            Quantity::Rotation if !piece.rotation.is_empty() => jet(&piece.rotation, s)[1] / half,
+            Quantity::Slope | Quantity::Rotation => jet(&piece.deflection, s)[2] / (half * half),
             Quantity::Moment => fields.shear_force,
             Quantity::ShearForce => moments(2),
             Quantity::Settlement => settles(),

@@ -25,13 +25,14 @@ mod topology;
 use crate::existence::verdict::Verdict;
 use crate::model::Load;
 use crate::options::Method;
-use crate::solution::fields::{Field as Quantity, Side};
+use crate::solution::field::Field as Quantity;
+use crate::solution::fields::Side;
 use crate::solution::solution::Solution;
 use change::Change;
 use linearised::Linearised;
 use output::Functional;
 pub use output::Output;
-pub use parameter::{Extent, LoadNumber, Parameter, Property, SupportNumber};
+pub use parameter::{Domain, LoadNumber, Parameter, Property, SupportNumber};
 use product::{Dual, Rate};
 use push::Push;
 use std::fmt;
@@ -144,13 +145,13 @@ impl Solution {
     ///
     /// ```
     /// use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, Side, solve};
-    /// use groundbeam::derivatives::{Extent, Output, Parameter, Property};
+    /// use groundbeam::derivatives::{Domain, Output, Parameter, Property};
     ///
     /// let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
     ///     .with_load(Load::point_force(0.5, 1.0))
     ///     .with_load(Load::point_moment(0.5, 0.49));
     /// let Outcome::Equilibrium(solution) = solve(&model)? else { panic!("it tips") };
-    /// let by_k = Parameter::Value(Property::Spring, Extent::Whole);
+    /// let by_k = Parameter::Value(Property::Spring, Domain::Whole);
     /// let edge = solution.gradients(&[Output::Edge(0, Side::Left)], &[by_k])?;
     /// // On stiffer ground less of the beam touches.
     /// assert!(edge[0].derivatives[0] > 0.0 && edge[0].one_sided.is_empty());

@@ -1,7 +1,8 @@
 //! Names of parameters and outputs.
 
-use crate::derivatives::{Extent, LoadNumber, Output, Parameter, Property, SupportNumber};
-use crate::solution::fields::{Field, Side};
+use super::{Domain, LoadNumber, Output, Parameter, Property, SupportNumber};
+use crate::solution::field::Field;
+use crate::solution::fields::Side;
 
 impl Parameter {
     /// How names are written: `k`, `mu_factor`, `EI[0]`, `load[1].at`, …
@@ -13,10 +14,10 @@ impl Parameter {
     /// The parameter that is called so.
     ///
     /// ```
-    /// use groundbeam::derivatives::{Extent, Parameter, Property};
+    /// use groundbeam::derivatives::{Domain, Parameter, Property};
     ///
     /// let softer = Parameter::named("k_factor[2]");
-    /// assert_eq!(softer, Some(Parameter::Factor(Property::Spring, Extent::Segment(2))));
+    /// assert_eq!(softer, Some(Parameter::Factor(Property::Spring, Domain::Segment(2))));
     /// assert_eq!(Parameter::named("load[0].size"), None);
     /// ```
     pub fn named(name: &str) -> Option<Self> {
@@ -30,22 +31,22 @@ impl Parameter {
                 _ => return None,
             })
         };
-        let extent = || match number {
-            None => Extent::Whole,
-            Some("") => Extent::OutsideSegments,
-            Some(digits) => digits.parse().map_or(Extent::Whole, Extent::Segment),
+        let domain = || match number {
+            None => Domain::Whole,
+            Some("") => Domain::OutsideSegments,
+            Some(digits) => digits.parse().map_or(Domain::Whole, Domain::Segment),
         };
         let count = || number.and_then(|digits| digits.parse::<usize>().ok());
         if number.is_some_and(|digits| !digits.is_empty()) {
             count()?;
         }
         if let Some(property) = property(word).filter(|_| part.is_empty()) {
-            return Some(Parameter::Value(property, extent()));
+            return Some(Parameter::Value(property, domain()));
         }
         if let Some(property) = word.strip_suffix("_factor").and_then(property)
             && part.is_empty()
         {
-            return Some(Parameter::Factor(property, extent()));
+            return Some(Parameter::Factor(property, domain()));
         }
         Some(match (word, part) {
             ("axial_force", "") if number.is_none() => Parameter::AxialForce,
@@ -92,9 +93,8 @@ impl Output {
     /// assert_eq!(Output::named("edge[1].left"), Some(Output::Edge(1, Side::Left)));
     /// ```
     pub fn named(name: &str) -> Option<Self> {
-        let field = |name: &str| Field::ALL.into_iter().find(|field| field.name() == name);
         if let Some((which, name)) = name.split_once(' ') {
-            let field = field(name)?;
+            let field = Field::named(name)?;
             return match which {
                 "largest" => Some(Output::Largest(field)),
                 "smallest" => Some(Output::Smallest(field)),

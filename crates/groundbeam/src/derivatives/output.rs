@@ -9,7 +9,8 @@ use crate::element::operator::ZoneKind;
 use crate::mesh::deflection::BeamPoint;
 use crate::model::SupportKind;
 use crate::numeric::polynomial::jet;
-use crate::solution::fields::{Field as Quantity, Side};
+use crate::solution::field::Field as Quantity;
+use crate::solution::fields::Side;
 
 /// A number of a solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -136,6 +137,7 @@ impl Linearised {
         match quantity {
             Quantity::Deflection => self.read_deflection(&mut f, spot, 1.0),
             Quantity::Slope => self.read_slope(&mut f, spot, 1.0),
+            Quantity::Rotation => self.read_rotation(&mut f, spot, 1.0),
             Quantity::Moment => self.read_moment(&mut f, spot, 1.0),
             Quantity::ShearForce => {
                 let axial = self.model.beam.axial_force;

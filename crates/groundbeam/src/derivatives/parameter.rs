@@ -1,6 +1,6 @@
 //! Parameters: the numbers of a model by which outputs are derived.
 
-use crate::model::Extent as LoadExtent;
+use crate::model::Extent;
 use crate::model::{Load, Model};
 
 /// A property of beam or ground.
@@ -16,9 +16,9 @@ pub enum Property {
     Shear,
 }
 
-/// Where a property is meant.
+/// The part of the beam or of the ground on which a parameter changes a property.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Extent {
+pub enum Domain {
     /// On all segments and outside them.
     Whole,
     /// Wherever no segment says otherwise: the model's own value.
@@ -60,9 +60,9 @@ pub enum SupportNumber {
 #[non_exhaustive]
 pub enum Parameter {
     /// A property's value, where it does not vary. On the `Whole` only where no segment gives it.
-    Value(Property, Extent),
+    Value(Property, Domain),
     /// A factor on a property, at 1.
-    Factor(Property, Extent),
+    Factor(Property, Domain),
     /// P \[N\].
     AxialForce,
     /// A number of one load.
@@ -87,8 +87,8 @@ impl Parameter {
     /// The number itself, as the model has it; none where it has none such.
     pub fn value(self, model: &Model) -> Option<f64> {
         match self {
-            Parameter::Value(property, extent) => constant(model, property, extent),
-            Parameter::Factor(property, extent) if !has(model, property, extent) => None,
+            Parameter::Value(property, domain) => constant(model, property, domain),
+            Parameter::Factor(property, domain) if !has(model, property, domain) => None,
             Parameter::Factor(..) | Parameter::LoadFactor => Some(1.0),
             Parameter::AxialForce => Some(model.beam.axial_force),
             Parameter::Load(i, number) => of_load(model.loads.get(i)?, number),
@@ -124,8 +124,8 @@ impl Parameter {
 
     fn assigned(self, model: &mut Model, to: f64) -> Option<()> {
         match self {
-            Parameter::Value(property, extent) => set_property(model, property, extent, to),
-            Parameter::Factor(property, extent) => scale(model, property, extent, to),
+            Parameter::Value(property, domain) => set_property(model, property, domain, to),
+            Parameter::Factor(property, domain) => scale(model, property, domain, to),
             Parameter::LoadFactor => {
                 for load in &mut model.loads {
                     *load = load.scaled(to);
@@ -155,22 +155,22 @@ impl Parameter {
 }
 
 /// Whether there is any of a property.
-fn has(model: &Model, property: Property, extent: Extent) -> bool {
+fn has(model: &Model, property: Property, domain: Domain) -> bool {
     let beam = &model.beam;
-    match (property, extent) {
-        (Property::BendingStiffness, Extent::Segment(i)) => i < beam.segments.len(),
-        (Property::ShearStiffness, Extent::Segment(i)) => {
+    match (property, domain) {
+        (Property::BendingStiffness, Domain::Segment(i)) => i < beam.segments.len(),
+        (Property::ShearStiffness, Domain::Segment(i)) => {
             beam.segments.get(i).is_some_and(|segment| segment.shear_stiffness.is_some())
         }
-        (Property::ShearStiffness, Extent::OutsideSegments) => beam.shear_stiffness.is_some(),
-        (Property::ShearStiffness, Extent::Whole) => beam.shears(),
-        (_, Extent::Segment(i)) => i < model.foundation.segments.len(),
+        (Property::ShearStiffness, Domain::OutsideSegments) => beam.shear_stiffness.is_some(),
+        (Property::ShearStiffness, Domain::Whole) => beam.shears(),
+        (_, Domain::Segment(i)) => i < model.foundation.segments.len(),
         _ => true,
     }
 }
 
 /// A property's value where it is constant.
-fn constant(model: &Model, property: Property, extent: Extent) -> Option<f64> {
+fn constant(model: &Model, property: Property, domain: Domain) -> Option<f64> {
     let (beam, ground) = (&model.beam, &model.foundation);
     let (own, profile) = match property {
         Property::BendingStiffness => {
@@ -178,12 +178,12 @@ fn constant(model: &Model, property: Property, extent: Extent) -> Option<f64> {
         }
         Property::ShearStiffness => {
             let own = beam.segments.iter().filter_map(|s| s.shear_stiffness);
-            match extent {
-                Extent::Segment(i) => {
+            match domain {
+                Domain::Segment(i) => {
                     let profile = beam.segments.get(i)?.shear_stiffness?;
                     return profile.is_constant().then(|| profile.start());
                 }
-                Extent::Whole | Extent::OutsideSegments => (beam.shear_stiffness?, own.collect()),
+                Domain::Whole | Domain::OutsideSegments => (beam.shear_stiffness?, own.collect()),
             }
         }
         Property::Spring => {
@@ -193,34 +193,34 @@ fn constant(model: &Model, property: Property, extent: Extent) -> Option<f64> {
             (ground.shear_layer, ground.segments.iter().map(|s| s.shear_layer).collect())
         }
     };
-    match extent {
-        Extent::Whole => profile.is_empty().then_some(own),
-        Extent::OutsideSegments => Some(own),
-        Extent::Segment(i) => {
+    match domain {
+        Domain::Whole => profile.is_empty().then_some(own),
+        Domain::OutsideSegments => Some(own),
+        Domain::Segment(i) => {
             profile.get(i).filter(|profile| profile.is_constant()).map(|profile| profile.start())
         }
     }
 }
 
-fn set_property(model: &mut Model, property: Property, extent: Extent, to: f64) {
+fn set_property(model: &mut Model, property: Property, domain: Domain, to: f64) {
     let (beam, ground) = (&mut model.beam, &mut model.foundation);
-    match (property, extent) {
-        (Property::BendingStiffness, Extent::Segment(i)) => {
+    match (property, domain) {
+        (Property::BendingStiffness, Domain::Segment(i)) => {
             if let Some(segment) = beam.segments.get_mut(i) {
                 segment.bending_stiffness = to.into();
             }
         }
-        (Property::ShearStiffness, Extent::Segment(i)) => {
+        (Property::ShearStiffness, Domain::Segment(i)) => {
             if let Some(segment) = beam.segments.get_mut(i) {
                 segment.shear_stiffness = Some(to.into());
             }
         }
-        (Property::Spring, Extent::Segment(i)) => {
+        (Property::Spring, Domain::Segment(i)) => {
             if let Some(segment) = ground.segments.get_mut(i) {
                 segment.subgrade = to.into();
             }
         }
-        (Property::Shear, Extent::Segment(i)) => {
+        (Property::Shear, Domain::Segment(i)) => {
             if let Some(segment) = ground.segments.get_mut(i) {
                 segment.shear_layer = to.into();
             }
@@ -232,9 +232,9 @@ fn set_property(model: &mut Model, property: Property, extent: Extent, to: f64) 
     }
 }
 
-fn scale(model: &mut Model, property: Property, extent: Extent, factor: f64) {
+fn scale(model: &mut Model, property: Property, domain: Domain, factor: f64) {
     let (beam, ground) = (&mut model.beam, &mut model.foundation);
-    if !matches!(extent, Extent::Segment(_)) {
+    if !matches!(domain, Domain::Segment(_)) {
         match property {
             Property::BendingStiffness => beam.bending_stiffness *= factor,
             Property::ShearStiffness => {
@@ -244,7 +244,7 @@ fn scale(model: &mut Model, property: Property, extent: Extent, factor: f64) {
             Property::Shear => ground.shear_layer *= factor,
         }
     }
-    let meant = |i: usize| extent == Extent::Whole || extent == Extent::Segment(i);
+    let meant = |i: usize| domain == Domain::Whole || domain == Domain::Segment(i);
     match property {
         Property::BendingStiffness => {
             for (_, segment) in beam.segments.iter_mut().enumerate().filter(|(i, _)| meant(*i)) {
@@ -271,37 +271,33 @@ fn scale(model: &mut Model, property: Property, extent: Extent, factor: f64) {
 /// A number of a load, if it has it.
 pub(super) fn of_load(load: &Load, number: LoadNumber) -> Option<f64> {
     match (load.extent, number) {
-        (LoadExtent::Point { size, .. }, LoadNumber::Size) => Some(size),
+        (Extent::Point { size, .. }, LoadNumber::Size) => Some(size),
         // A distributed load on the ground, and the place of any load on it, are no parameters.
-        (LoadExtent::Point { at, .. }, LoadNumber::At) if !load.on_ground => Some(at),
-        (LoadExtent::Distributed { from, to, start, end }, number) if !load.on_ground => {
-            match number {
-                LoadNumber::Size => (start == end).then_some(start),
-                LoadNumber::From => Some(from),
-                LoadNumber::To => Some(to),
-                LoadNumber::Start => Some(start),
-                LoadNumber::End => Some(end),
-                LoadNumber::At => None,
-            }
-        }
+        (Extent::Point { at, .. }, LoadNumber::At) if !load.on_ground => Some(at),
+        (Extent::Distributed { from, to, start, end }, number) if !load.on_ground => match number {
+            LoadNumber::Size => (start == end).then_some(start),
+            LoadNumber::From => Some(from),
+            LoadNumber::To => Some(to),
+            LoadNumber::Start => Some(start),
+            LoadNumber::End => Some(end),
+            LoadNumber::At => None,
+        },
         _ => None,
     }
 }
 
 fn set_load(load: &mut Load, number: LoadNumber, value: f64) {
     match (&mut load.extent, number) {
-        (LoadExtent::Point { size, .. }, LoadNumber::Size) => *size = value,
-        (LoadExtent::Point { at, .. }, LoadNumber::At) if !load.on_ground => *at = value,
-        (LoadExtent::Distributed { from, to, start, end }, number) if !load.on_ground => {
-            match number {
-                LoadNumber::Size => [*start, *end] = [value; 2],
-                LoadNumber::From => *from = value,
-                LoadNumber::To => *to = value,
-                LoadNumber::Start => *start = value,
-                LoadNumber::End => *end = value,
-                LoadNumber::At => {}
-            }
-        }
+        (Extent::Point { size, .. }, LoadNumber::Size) => *size = value,
+        (Extent::Point { at, .. }, LoadNumber::At) if !load.on_ground => *at = value,
+        (Extent::Distributed { from, to, start, end }, number) if !load.on_ground => match number {
+            LoadNumber::Size => [*start, *end] = [value; 2],
+            LoadNumber::From => *from = value,
+            LoadNumber::To => *to = value,
+            LoadNumber::Start => *start = value,
+            LoadNumber::End => *end = value,
+            LoadNumber::At => {}
+        },
         _ => {}
     }
 }

@@ -9,7 +9,8 @@ use super::linearised::Linearised;
 use super::product::{Dual, Rate};
 use crate::element::operator::ZoneKind;
 use crate::mesh::deflection::BeamPoint;
-use crate::solution::fields::{Field as Quantity, Side};
+use crate::solution::field::Field as Quantity;
+use crate::solution::fields::Side;
 
 /// Two sides of a place at which something moves differ by more than this part: the derivative is one-sided.
 const SAME: f64 = 1e-9;

@@ -11,7 +11,8 @@ use crate::ground::link;
 use crate::mesh::deflection::BeamPoint;
 use crate::model::SupportKind;
 use crate::numeric::polynomial::value;
-use crate::solution::fields::{Field as Quantity, Side};
+use crate::solution::field::Field as Quantity;
+use crate::solution::fields::Side;
 
 /// A dual field, and what is special about it.
 #[derive(Debug, Clone, Copy)]

@@ -5,7 +5,8 @@ use crate::contact::surface::can_carry;
 use crate::derivatives::{Side, Solution};
 use crate::numeric::polynomial::{derivative, value};
 use crate::numeric::roots::sign_changes;
-use crate::solution::fields::Field as Quantity;
+use crate::numeric::tolerance::TURNING_POINT;
+use crate::solution::field::Field as Quantity;
 
 /// What a change of contact would bring to zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,9 +56,6 @@ pub struct Nearest {
 
 /// A gap that turns by less than this part of all deflections does so by rounding.
 const ROUNDING: f64 = 1e-8;
-
-/// Places closer than this part of the length are one.
-const HERE: f64 = 1e-9;
 
 /// Which of some places are lower than the highest on both sides by more than `least`, and are lowest between those;
 /// at an end of the beam one side is enough.
@@ -195,7 +193,8 @@ impl Solution {
         let mut open: Vec<(f64, f64)> = Vec::new();
         let mut add = |open: &mut Vec<(f64, f64)>| {
             let touches = |x: f64| {
-                self.contact().iter().any(|c| x >= c.from - HERE * l && x <= c.to + HERE * l)
+                let near = TURNING_POINT * l;
+                self.contact().iter().any(|c| x >= c.from - near && x <= c.to + near)
             };
             let deepest = deepest_between_peaks(open, [0.0, l], ROUNDING * scale);
             for at in deepest.into_iter().filter(|at| !touches(open[*at].0)) {

@@ -3,7 +3,7 @@
 use crate::existence::rigid_motions::Mechanism;
 use crate::existence::statics::static_reactions;
 use crate::model::Model;
-use crate::solution::fields::Field;
+use crate::solution::field::Field;
 use crate::solution::solution::Solution;
 
 /// Limits; none where nothing is asked for.

@@ -2,7 +2,8 @@
 
 use crate::ground::link::{self, settled};
 use crate::numeric::polynomial::{Coefficients, derivative, rescale};
-use crate::solution::fields::{Field, SolutionPiece};
+use crate::solution::field::Field;
+use crate::solution::fields::SolutionPiece;
 use crate::solution::solution::Solution;
 
 /// One field of several solutions, ready to be cut.
@@ -71,7 +72,8 @@ fn form(piece: &SolutionPiece, field: Field, [from, to]: [f64; 2]) -> Coefficien
     let clearance = part(&[0.5 * (left + right), 0.5 * (right - left)]);
     match field {
         Field::Deflection => part(&piece.deflection),
-        Field::Slope => part(&per_length(&piece.deflection)),
+        Field::Rotation if !piece.rotation.is_empty() => part(&piece.rotation),
+        Field::Slope | Field::Rotation => part(&per_length(&piece.deflection)),
         Field::Moment => part(&piece.moment),
         Field::ShearForce => part(&per_length(&piece.moment)),
         Field::Pressure => part(&piece.pressure),

@@ -3,7 +3,8 @@
 mod forms;
 mod upper;
 
-use crate::solution::fields::{Extreme, Field, Fields, Range, Side};
+use crate::solution::field::{ByField, Field};
+use crate::solution::fields::{Extreme, Fields, Range, Side};
 use crate::solution::solution::Solution;
 use forms::Forms;
 
@@ -44,12 +45,10 @@ const BOUNDS: [Bound; 2] = [Bound::Max, Bound::Min];
 pub struct Envelope<'a> {
     solutions: Vec<&'a Solution>,
     /// Of each solution, in the order of [`Field::ALL`].
-    ranges: Vec<[Range; FIELDS]>,
+    ranges: Vec<ByField<Range>>,
     /// What is rounding in each field.
-    rounding: [f64; FIELDS],
+    rounding: ByField<f64>,
 }
-
-const FIELDS: usize = Field::ALL.len();
 
 /// A value and the solution that has it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -105,15 +104,19 @@ impl<'a> Envelope<'a> {
     /// solutions at all, every value is zero.
     pub fn of(solutions: impl IntoIterator<Item = &'a Solution>) -> Self {
         let solutions: Vec<&Solution> = solutions.into_iter().collect();
-        let range_of = |s: &&Solution| Field::ALL.map(|field| s.range(field));
-        let ranges: Vec<[Range; FIELDS]> = solutions.iter().map(range_of).collect();
-        let mut rounding = [0.0_f64; FIELDS];
+        let ranges: Vec<ByField<Range>> = solutions.iter().map(|s| s.ranges()).collect();
+        let mut rounding = [0.0_f64; Field::ALL.len()];
         for range in &ranges {
             for (rounding, Range { min, max }) in rounding.iter_mut().zip(range) {
                 *rounding = rounding.max(ROUNDING * min.value.abs().max(max.value.abs()));
             }
         }
         Envelope { solutions, ranges, rounding }
+    }
+
+    /// The fields to list, in the order of [`Field::ALL`]: without the rotation if no beam shears.
+    pub fn fields(&self) -> impl Iterator<Item = Field> + Clone + use<> {
+        Field::listed(self.solutions.iter().any(|solution| solution.model().beam.shears()))
     }
 
     /// The solutions, in the order in which they were given.
@@ -127,16 +130,16 @@ impl<'a> Envelope<'a> {
     }
 
     /// Those of all fields, in the order of [`Field::ALL`].
-    pub fn all_at(&self, x: f64) -> [Bounds; FIELDS] {
+    pub fn all_at(&self, x: f64) -> ByField<Bounds> {
         self.bounds(x, [Side::Left, Side::Right])
     }
 
     /// Those of all fields from one side only.
-    pub fn all_beside(&self, x: f64, side: Side) -> [Bounds; FIELDS] {
+    pub fn all_beside(&self, x: f64, side: Side) -> ByField<Bounds> {
         self.bounds(x, [side, side])
     }
 
-    fn bounds(&self, x: f64, sides: [Side; 2]) -> [Bounds; FIELDS] {
+    fn bounds(&self, x: f64, sides: [Side; 2]) -> ByField<Bounds> {
         let evaluated = |solution: &&Solution| {
             let first = solution.at(x, sides[0]);
             [first, if sides[0] == sides[1] { first } else { solution.at(x, sides[1]) }]
@@ -221,7 +224,7 @@ impl<'a> Envelope<'a> {
         let Some(first) = self.solutions.first() else { return Vec::new() };
         let mut x = first.stations(even);
         x.extend(self.solutions.iter().skip(1).flat_map(|solution| solution.stations(0)));
-        x.extend(Field::ALL.iter().flat_map(|&field| self.changes(field)).map(|change| change.x));
+        x.extend(self.fields().flat_map(|field| self.changes(field)).map(|change| change.x));
         x.sort_by(f64::total_cmp);
         x.dedup();
         x

@@ -4,10 +4,9 @@ use crate::existence::rigid_motions::Mechanism;
 use crate::model::Model;
 
 /// What the statics say about equilibrium.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Verdict {
     /// There is exactly one equilibrium.
-    #[default]
     Unique,
     /// A static reaction is zero, or the beam stands on one point alone: equilibria may exist, and then not
     /// one alone. The motion changes no energy.
@@ -114,7 +113,7 @@ impl RigidMotion {
 }
 
 /// The verdict and the statics it rests on.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Existence {
     /// Whether an equilibrium exists, and is the only one.
     pub verdict: Verdict,

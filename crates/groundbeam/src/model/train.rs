@@ -1,6 +1,7 @@
 //! Axle trains: loads at fixed distances that move along the beam together.
 
 use crate::model::{Load, Model};
+use crate::numeric::tolerance;
 
 /// Axles and distributed loads at fixed distances, which move along the beam together.
 ///
@@ -46,9 +47,13 @@ pub struct UniformPart {
 }
 
 impl Train {
-    /// Positions closer than this part of the beam's length are equal: an axle that comes so close to a load, a
-    /// support or an end stands there.
-    pub const SAME_PLACE: f64 = 1e-9;
+    /// The distance within which two positions are one place: an axle so close to a load, a support or an end stands there.
+    ///
+    /// Positions of axles are differences of lengths up to that of the passage.
+    pub fn same_place(&self, beam_length: f64) -> f64 {
+        let [from, to] = self.passage(beam_length);
+        tolerance::same_place(to - from)
+    }
 
     /// From the first axle to the last \[m\].
     pub fn length(&self) -> f64 {
@@ -91,17 +96,17 @@ impl Train {
     /// A model with the train on it, its first axle at a position; what is off the beam carries nothing.
     pub fn on(&self, model: &Model, position: f64) -> Model {
         let l = model.beam.length;
-        let marks = model.marks();
+        let (marks, near) = (model.marks(), self.same_place(l));
         let mut loaded = model.clone();
         for axle in &self.axles {
-            let at = snapped(position - axle.behind, &marks, l);
+            let at = snapped(position - axle.behind, &marks, near);
             if (0.0..=l).contains(&at) {
                 loaded.loads.push(Load::point_force(at, axle.force));
             }
         }
         for part in &self.uniform {
             let [from, to] = [part.to, part.from]
-                .map(|behind| snapped((position - behind).clamp(0.0, l), &marks, l));
+                .map(|behind| snapped((position - behind).clamp(0.0, l), &marks, near));
             if to > from {
                 loaded.loads.push(Load::uniform_force(from, to, part.intensity));
             }
@@ -112,7 +117,8 @@ impl Train {
     /// Where an axle stands if the first one is at a position; none off the beam.
     pub fn axle_at(&self, axle: usize, position: f64, model: &Model) -> Option<f64> {
         let l = model.beam.length;
-        let at = snapped(position - self.axles.get(axle)?.behind, &model.marks(), l);
+        let behind = self.axles.get(axle)?.behind;
+        let at = snapped(position - behind, &model.marks(), self.same_place(l));
         (0.0..=l).contains(&at).then_some(at)
     }
 }
@@ -135,10 +141,9 @@ impl Model {
     }
 }
 
-/// The mark that a position means, or the position itself.
-fn snapped(x: f64, marks: &[f64], beam_length: f64) -> f64 {
-    let near = marks.iter().find(|mark| (x - **mark).abs() <= Train::SAME_PLACE * beam_length);
-    near.copied().unwrap_or(x)
+/// The mark at the same place, or the position itself.
+fn snapped(x: f64, marks: &[f64], same_place: f64) -> f64 {
+    marks.iter().copied().find(|mark| (x - mark).abs() <= same_place).unwrap_or(x)
 }
 
 #[cfg(test)]

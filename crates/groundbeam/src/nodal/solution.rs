@@ -18,8 +18,8 @@ pub struct NodalSolution {
     pub contact: Vec<[usize; 2]>,
     /// What was done to find it.
     pub work: Work,
-    /// What holds of it at the nodes.
-    pub check: NodalCheck,
+    /// Balance and signs at the nodes; `None` of a beam that is bonded to the ground, and before a solve.
+    pub check: Option<NodalCheck>,
     pub(crate) grid: Option<Grid>,
 }
 
@@ -37,7 +37,7 @@ impl NodalSolution {
 }
 
 /// Balance and signs of a [`NodalSolution`].
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NodalCheck {
     /// |ΣF| relative to the sum of all forces' sizes.
     pub force_balance: f64,

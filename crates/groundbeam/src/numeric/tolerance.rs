@@ -7,6 +7,14 @@ pub(crate) fn same_place(l: f64) -> f64 {
     if distance.is_finite() { distance.max(0.0) } else { 0.0 }
 }
 
+/// The accuracy of the position of a turning point, as a part of the beam's length. It is not [`same_place`]: a field is
+/// flat at a turning point, and the gap is flat at an edge of contact as well, so that rounding of values moves the point by
+/// more than rounding of positions.
+pub(crate) const TURNING_POINT: f64 = 1e-9;
+/// The distance of two extremes of equal size, as a part of the beam's length, from which they are two. Both are turning
+/// points, and a closer pair is one flat crest.
+pub(crate) const OTHER_EXTREME: f64 = 1e-6;
+
 /// Newton's decrement on a mesh relative to twice the strain energy. Below it the iteration goes on only while each step
 /// halves the decrement.
 pub(crate) const ENERGY: f64 = 1e-15;

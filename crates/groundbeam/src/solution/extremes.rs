@@ -6,7 +6,8 @@
 use crate::numeric::polynomial::{derivative, jet, value, with_slope};
 use crate::numeric::roots::sign_changes;
 use crate::solution::candidate::Candidate;
-use crate::solution::fields::{Extreme, Field, Range, SolutionPiece};
+use crate::solution::field::Field;
+use crate::solution::fields::{Extreme, Range, SolutionPiece};
 
 impl Candidate {
     /// The smallest and largest value of a field, located by the roots of its derivative.
@@ -37,22 +38,6 @@ impl Candidate {
             piece.turning_points(field, &mut inside);
             for &s in &inside {
                 widen(&mut found, ValueAt { piece: i, s, value: piece.one(field, s) });
-            }
-        }
-        self.between(found)
-    }
-
-    /// The smallest and largest rotation of the sections; that of the slope where the beam does not shear.
-    pub fn rotation_range(&self) -> Range {
-        let mut found: Option<[ValueAt; 2]> = None;
-        for (i, piece) in self.pieces.iter().enumerate() {
-            let mut all = vec![-1.0, 1.0];
-            match piece.rotation.is_empty() {
-                true => piece.turning_points(Field::Slope, &mut all),
-                false => sign_changes(&derivative(&piece.rotation), &mut all),
-            }
-            for s in all {
-                widen(&mut found, ValueAt { piece: i, s, value: piece.fields(s).rotation });
             }
         }
         self.between(found)
@@ -132,7 +117,8 @@ impl SolutionPiece {
         let per_length = 1.0 / self.half;
         match field {
             Field::Deflection => value(&self.deflection, s),
-            Field::Slope => with_slope(&self.deflection, s)[1] * per_length,
+            Field::Rotation if !self.rotation.is_empty() => value(&self.rotation, s),
+            Field::Slope | Field::Rotation => with_slope(&self.deflection, s)[1] * per_length,
             Field::Moment => value(&self.moment, s),
             Field::ShearForce => with_slope(&self.moment, s)[1] * per_length,
             Field::Pressure => value(&self.pressure, s),
@@ -144,7 +130,10 @@ impl SolutionPiece {
         let per_length = 1.0 / self.half;
         match field {
             Field::Deflection => FieldBounds::of(&self.deflection),
-            Field::Slope => FieldBounds::of(&derivative(&self.deflection)).times(per_length),
+            Field::Rotation if !self.rotation.is_empty() => FieldBounds::of(&self.rotation),
+            Field::Slope | Field::Rotation => {
+                FieldBounds::of(&derivative(&self.deflection)).times(per_length)
+            }
             Field::Moment => FieldBounds::of(&self.moment),
             Field::ShearForce => FieldBounds::of(&derivative(&self.moment)).times(per_length),
             Field::Pressure => FieldBounds::of(&self.pressure),
@@ -178,7 +167,12 @@ impl SolutionPiece {
     fn turning_points(&self, field: Field, found: &mut Vec<f64>) {
         match field {
             Field::Deflection => sign_changes(&derivative(&self.deflection), found),
-            Field::Slope => sign_changes(&derivative(&derivative(&self.deflection)), found),
+            Field::Rotation if !self.rotation.is_empty() => {
+                sign_changes(&derivative(&self.rotation), found);
+            }
+            Field::Slope | Field::Rotation => {
+                sign_changes(&derivative(&derivative(&self.deflection)), found);
+            }
             Field::Moment => sign_changes(&derivative(&self.moment), found),
             Field::ShearForce => sign_changes(&derivative(&derivative(&self.moment)), found),
             Field::Pressure => sign_changes(&derivative(&self.pressure), found),
@@ -568,13 +562,13 @@ mod tests {
         let mut bends = piece([0.0, 4.0]);
         // w′ = s + s²: least −1/4 at s = −1/2, largest 2 at the right end.
         bends.deflection = [0.0, 0.0, 1.0, 2.0 / 3.0][..].into();
-        let Range { min, max } = candidate(vec![bends.clone()]).rotation_range();
+        let Range { min, max } = candidate(vec![bends.clone()]).range(Field::Rotation);
         near(&[min.x, min.value, max.x, max.value], &[1.0, -0.25, 4.0, 2.0]);
         let mut shears = piece([4.0, 6.0]);
         // φ = 3 − 12 s²: largest 3 at the middle, least −9 at both ends.
         shears.rotation = [3.0, 0.0, -12.0][..].into();
         shears.deflection = [0.0, 100.0][..].into();
-        let Range { min, max } = candidate(vec![bends, shears]).rotation_range();
+        let Range { min, max } = candidate(vec![bends, shears]).range(Field::Rotation);
         near(&[min.x, min.value, max.x, max.value], &[4.0, -9.0, 5.0, 3.0]);
     }
 
@@ -582,6 +576,5 @@ mod tests {
     fn a_beam_without_stretches_has_ranges_of_zero() {
         let none = Extreme { x: 0.0, value: 0.0 };
         assert_eq!(candidate(vec![]).range(Field::Moment), Range { min: none, max: none });
-        assert_eq!(candidate(vec![]).rotation_range(), Range { min: none, max: none });
     }
 }

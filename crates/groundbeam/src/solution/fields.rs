@@ -3,6 +3,7 @@
 use crate::ground::link;
 use crate::mesh::cell::Cell;
 use crate::numeric::polynomial::{Coefficients, jet, value};
+use crate::solution::field::Field;
 
 /// A piece of contact between beam and ground; of a single point, both ends are equal.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,62 +73,13 @@ pub struct Fields {
     pub pressure: f64,
 }
 
-/// One of the fields.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Field {
-    /// w.
-    Deflection,
-    /// w'.
-    Slope,
-    /// M.
-    Moment,
-    /// V.
-    ShearForce,
-    /// u.
-    Settlement,
-    /// u + g₀ − w.
-    Gap,
-    /// p.
-    Pressure,
-}
-
-impl Field {
-    /// All of them, in the order results list them.
-    pub const ALL: [Field; 7] = [
-        Field::Deflection,
-        Field::Slope,
-        Field::Moment,
-        Field::ShearForce,
-        Field::Settlement,
-        Field::Gap,
-        Field::Pressure,
-    ];
-
-    /// Its place in [`Field::ALL`].
-    pub fn index(self) -> usize {
-        self as usize
-    }
-
-    /// The name that results use: `deflection`, `shear_force`, …
-    pub fn name(self) -> &'static str {
-        match self {
-            Field::Deflection => "deflection",
-            Field::Slope => "slope",
-            Field::Moment => "moment",
-            Field::ShearForce => "shear_force",
-            Field::Settlement => "settlement",
-            Field::Gap => "gap",
-            Field::Pressure => "pressure",
-        }
-    }
-}
-
 impl Fields {
     /// The value of one field.
     pub fn get(&self, field: Field) -> f64 {
         match field {
             Field::Deflection => self.deflection,
             Field::Slope => self.slope,
+            Field::Rotation => self.rotation,
             Field::Moment => self.moment,
             Field::ShearForce => self.shear_force,
             Field::Settlement => self.settlement,

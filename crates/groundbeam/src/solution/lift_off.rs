@@ -1,6 +1,7 @@
 //! Open parts of the beam: free spans, and ends that have lifted off.
 
-use crate::solution::fields::{Extreme, Field};
+use crate::solution::field::Field;
+use crate::solution::fields::Extreme;
 use crate::solution::solution::Solution;
 
 /// A piece of the beam that does not touch: a free span, or an end that is in the air.

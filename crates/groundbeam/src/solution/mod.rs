@@ -4,6 +4,7 @@ pub(crate) mod assemble;
 pub(crate) mod candidate;
 mod claim;
 pub(crate) mod extremes;
+pub(crate) mod field;
 pub(crate) mod fields;
 pub(crate) mod hinges;
 pub(crate) mod lift_off;

@@ -11,8 +11,9 @@ use crate::model::{GroundOutside, Model};
 use crate::options::Method;
 use crate::solution::candidate::Candidate;
 use crate::solution::claim;
+use crate::solution::field::{ByField, Field};
 use crate::solution::fields::{
-    ConcentratedForce, ContactZone, EndForces, Field, Fields, Range, Reaction, Side, SolutionPiece,
+    ConcentratedForce, ContactZone, EndForces, Fields, Range, Reaction, Side, SolutionPiece,
 };
 use groundbeam_proof::{NotProven, Proof, Scalar, Wide};
 
@@ -154,9 +155,16 @@ impl Solution {
         self.candidate.range(field)
     }
 
-    /// The smallest and largest rotation of the sections; that of the slope where the beam does not shear.
-    pub fn rotation_range(&self) -> Range {
-        self.candidate.rotation_range()
+    /// The ranges of all fields.
+    pub fn ranges(&self) -> ByField<Range> {
+        let slope = self.range(Field::Slope);
+        let shears = self.candidate.model.beam.shears();
+        Field::ALL.map(|field| match field {
+            Field::Slope => slope,
+            // The range of an equal field is not searched twice.
+            Field::Rotation if !shears => slope,
+            _ => self.range(field),
+        })
     }
 
     /// One field at a position of the beam; where it jumps, from the right (at x = l from the left).
@@ -205,10 +213,7 @@ impl Solution {
                 .map(|n| n.x),
         );
         x.extend(self.candidate.contact.iter().flat_map(|c| [c.from, c.to]));
-        for field in Field::ALL {
-            let range = self.range(field);
-            x.extend([range.min.x, range.max.x]);
-        }
+        x.extend(self.ranges().into_iter().flat_map(|range| [range.min.x, range.max.x]));
         x.sort_by(f64::total_cmp);
         x.dedup();
         x

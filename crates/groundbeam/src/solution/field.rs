@@ -1,0 +1,191 @@
+//! The fields of a solution, and the table of their facts: name, words, symbol, unit, natural size and sign.
+
+use crate::model::Beam;
+
+/// A quantity that has a value at every position of the beam.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Field {
+    /// w.
+    Deflection,
+    /// w'.
+    Slope,
+    /// φ of the sections; w' where the beam does not shear.
+    Rotation,
+    /// M.
+    Moment,
+    /// V.
+    ShearForce,
+    /// u.
+    Settlement,
+    /// u + g₀ − w.
+    Gap,
+    /// p.
+    Pressure,
+}
+
+/// One value for each field, in the order of [`Field::ALL`].
+pub type ByField<T> = [T; Field::ALL.len()];
+
+/// What a field measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Dimension {
+    /// A length \[m\].
+    Length,
+    /// An angle \[rad\].
+    Angle,
+    /// A moment \[N·m\].
+    Moment,
+    /// A force \[N\].
+    Force,
+    /// A force per length of the beam \[N/m\].
+    ForcePerLength,
+}
+
+/// A row of the table of facts.
+struct Facts {
+    name: &'static str,
+    label: &'static str,
+    title: &'static str,
+    symbol: &'static str,
+    dimension: Dimension,
+    positive: &'static str,
+    drawn_down: bool,
+}
+
+impl Field {
+    /// All fields, in the order in which results list them.
+    pub const ALL: [Field; 8] = [
+        Field::Deflection,
+        Field::Slope,
+        Field::Rotation,
+        Field::Moment,
+        Field::ShearForce,
+        Field::Settlement,
+        Field::Gap,
+        Field::Pressure,
+    ];
+
+    /// The fields that results of a beam list, in their order: without the rotation if the beam does not shear, because it
+    /// equals the slope.
+    pub fn of(beam: &Beam) -> impl Iterator<Item = Field> + Clone + use<> {
+        Field::listed(beam.shears())
+    }
+
+    /// The fields that results list, with the rotation or without it.
+    pub(crate) fn listed(shears: bool) -> impl Iterator<Item = Field> + Clone + use<> {
+        Field::ALL.into_iter().filter(move |field| shears || *field != Field::Rotation)
+    }
+
+    /// The field with a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Field::ALL.into_iter().find(|field| field.name() == name)
+    }
+
+    /// The position in [`Field::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+
+    /// The name in JSON, CSV, model files, commands and Python: `deflection`, `shear_force`, …
+    pub const fn name(self) -> &'static str {
+        self.facts().name
+    }
+
+    /// The name in a line of text: `Moment`.
+    pub const fn label(self) -> &'static str {
+        self.facts().label
+    }
+
+    /// The name in full: `Bending moment`.
+    pub const fn title(self) -> &'static str {
+        self.facts().title
+    }
+
+    /// The symbol in formulas: `w′`.
+    pub const fn symbol(self) -> &'static str {
+        self.facts().symbol
+    }
+
+    /// What the field measures.
+    pub const fn dimension(self) -> Dimension {
+        self.facts().dimension
+    }
+
+    /// The unit in SI: `N·m`.
+    pub const fn unit(self) -> &'static str {
+        self.dimension().unit()
+    }
+
+    /// What a positive value means: `sagging`. It is empty if no words are shorter than the definition.
+    pub const fn positive(self) -> &'static str {
+        self.facts().positive
+    }
+
+    /// Whether a diagram shows positive values below the zero line.
+    pub const fn drawn_down(self) -> bool {
+        self.facts().drawn_down
+    }
+
+    /// The size that values of the field have in a solution with the given length of the beam, sum of forces and largest
+    /// deflection. Values that are small in comparison are rounding error.
+    pub fn natural_size(self, length: f64, force: f64, deflection: f64) -> f64 {
+        match self.dimension() {
+            Dimension::Length => deflection,
+            Dimension::Angle => deflection / length,
+            Dimension::Moment => force * length,
+            Dimension::Force => force,
+            Dimension::ForcePerLength => force / length,
+        }
+    }
+
+    #[rustfmt::skip]
+    const fn facts(self) -> Facts {
+        use Dimension::{Angle, Force, ForcePerLength, Length, Moment};
+        let (name, label, title, symbol, dimension, positive, drawn_down) = match self {
+            Field::Deflection => ("deflection", "Deflection", "Deflection", "w", Length, "down", true),
+            Field::Slope => ("slope", "Slope", "Slope", "w′", Angle, "the right side is lower", true),
+            Field::Rotation => ("rotation", "Rotation", "Rotation", "φ", Angle, "the right side is lower", true),
+            Field::Moment => ("moment", "Moment", "Bending moment", "M", Moment, "sagging", true),
+            Field::ShearForce => ("shear_force", "Shear force", "Shear force", "V", Force, "", false),
+            Field::Settlement => ("settlement", "Settlement", "Settlement", "u", Length, "down", true),
+            Field::Gap => ("gap", "Gap", "Gap", "u + g₀ − w", Length, "open", false),
+            Field::Pressure => ("pressure", "Pressure", "Contact pressure", "p", ForcePerLength, "pushes the beam up", true),
+        };
+        Facts { name, label, title, symbol, dimension, positive, drawn_down }
+    }
+}
+
+impl Dimension {
+    /// The unit in SI.
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Dimension::Length => "m",
+            Dimension::Angle => "rad",
+            Dimension::Moment => "N·m",
+            Dimension::Force => "N",
+            Dimension::ForcePerLength => "N/m",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_index_is_the_position_in_the_list_and_a_name_is_of_one_field() {
+        for (i, field) in Field::ALL.into_iter().enumerate() {
+            assert_eq!((field.index(), Field::named(field.name())), (i, Some(field)));
+        }
+        assert_eq!(Field::named("curvature"), None);
+    }
+
+    #[test]
+    fn a_beam_that_does_not_shear_lists_no_rotation() {
+        let beam = Beam::uniform(1.0, 1.0);
+        let listed: Vec<Field> = Field::of(&beam).collect();
+        assert_eq!(listed.len(), 7);
+        assert!(!listed.contains(&Field::Rotation));
+        assert!(Field::of(&beam.with_shear_stiffness(1.0)).eq(Field::ALL));
+    }
+}
