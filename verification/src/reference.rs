@@ -94,6 +94,22 @@ impl Answer {
         list.iter().map(|v| v.as_f64().unwrap_or(f64::NAN)).collect()
     }
 
+    /// The largest error of a field at the stations, away from edges; what the answer itself is rounded by does not
+    /// count.
+    pub fn largest_error(&self, solution: &Solution, field: Field) -> f64 {
+        let x = self.numbers("x");
+        let sides = self.stations["side"].as_array().expect("a list of sides");
+        let mut largest: f64 = 0.0;
+        for ((&x, side), wanted) in x.iter().zip(sides).zip(self.numbers(field.name())) {
+            if side == "" {
+                let found = solution.value(field, x);
+                let rounding = 4.0 * f64::EPSILON * self.largest[field.name()];
+                largest = largest.max((found - wanted).abs() - rounding);
+            }
+        }
+        largest
+    }
+
     /// How far a solution is from this answer.
     pub fn distance(&self, solution: &Solution) -> Distance {
         let mut distance = Distance::default();

@@ -94,10 +94,10 @@ impl Comparison {
     }
 
     fn ground(&mut self, first: &Model, second: &proof::Model<Wide>) {
-        let (Foundation { subgrade: spring, shear_layer: shear, segments, ends, soil: _ }, second) =
+        let (Foundation { subgrade, shear_layer, segments, ends, .. }, second) =
             (&first.foundation, &second.ground);
-        self.number("k", *spring, second.spring);
-        self.number("mu", *shear, second.shear);
+        self.number("k", *subgrade, second.spring);
+        self.number("mu", *shear_layer, second.shear);
         self.count("ground segments", segments.len(), second.segments.len());
         for (i, (first, second)) in segments.iter().zip(&second.segments).enumerate() {
             let name = |of: &str| format!("ground segment {i}: {of}");

@@ -1,8 +1,9 @@
 //! The proof of solutions: gaps reached, models covered, and wrong answers refused.
 
 use groundbeam::proof::{Ball, NotProven, Proof, Wide, prove};
-use groundbeam::{Outcome, Solution, solve};
+use groundbeam::{Field, Model, Outcome, Solution, solve};
 use groundbeam_verification::cases;
+use groundbeam_verification::reference::Answer;
 use rayon::prelude::*;
 
 /// Gaps relative to the strain energy as they were first reached, in numbers of 106 bits.
@@ -93,4 +94,117 @@ fn more_digits_prove_more() {
         let wide = prove(&model, &answer).expect("proven");
         assert!(wide.energy <= ball.energy * (1.0 + 1e-9), "{path}");
     }
+}
+
+/// Fields whose bounds are proven, with the bound.
+fn bounded(proof: &Proof) -> [(Field, f64); 4] {
+    let bounds = &proof.bounds;
+    [
+        (Field::Deflection, bounds.deflection),
+        (Field::Slope, bounds.slope),
+        (Field::Moment, bounds.moment),
+        (Field::Settlement, bounds.settlement),
+    ]
+}
+
+/// Positions between the joints of both solutions, where no field jumps.
+fn positions(model: &Model) -> Vec<f64> {
+    (0..97).map(|i| model.beam.length * (0.003 + 0.010_263 * f64::from(i))).collect()
+}
+
+/// The largest of |claimed − true| over bound; `rounding` is what the true values may be off, relative to the largest.
+fn over_bound(claimed: &Solution, truth: &Solution, proof: &Proof, rounding: f64) -> f64 {
+    let mut worst: f64 = 0.0;
+    for (field, bound) in bounded(proof) {
+        let range = truth.range(field);
+        let largest = range.max.value.abs().max(range.min.value.abs());
+        for x in positions(truth.model()) {
+            let error = (claimed.value(field, x) - truth.value(field, x)).abs();
+            worst = worst.max((error - rounding * largest) / bound);
+        }
+    }
+    worst
+}
+
+/// The energy of the error: ½∫(ΔM)²/EI and ½∫k(Δu)² along the beam, which is less than all of it.
+fn energy_of_error(claimed: &Solution, truth: &Solution) -> f64 {
+    let model = truth.model();
+    let steps = 4000;
+    let h = model.beam.length / f64::from(steps);
+    let density = |i: i32| {
+        let x = h * (0.5 + f64::from(i));
+        let of = |field| claimed.value(field, x) - truth.value(field, x);
+        let (moment, settled) = (of(Field::Moment), of(Field::Settlement));
+        let (spring, _) = model.foundation.constants_at(x);
+        moment * moment / model.beam.bending_stiffness_at(x) + spring * settled * settled
+    };
+    0.5 * h * (0..steps).map(density).sum::<f64>()
+}
+
+/// The answers in 60 digits lie within every bound.
+#[test]
+fn the_truth_lies_within_every_bound() {
+    let judged: Vec<(String, f64)> = Answer::all()
+        .into_par_iter()
+        .filter_map(|answer| {
+            let Ok(Outcome::Equilibrium(solution)) = solve(&answer.parsed()) else { return None };
+            let proof = solution.prove().ok()?;
+            let mut worst: f64 = 0.0;
+            for (field, bound) in bounded(&proof) {
+                worst = worst.max(answer.largest_error(&solution, field) / bound);
+            }
+            Some((answer.name, worst))
+        })
+        .collect();
+    assert!(judged.len() >= 230, "only {} models are proven", judged.len());
+    for (name, worst) in &judged {
+        assert!(*worst <= 1.0, "{name}: {worst}");
+    }
+}
+
+/// The answer to a model with one number changed, claimed for the model as it is: every bound holds.
+#[test]
+fn answers_to_neighbouring_models_lie_within_every_bound() {
+    let changes: [fn(&mut Model, f64); 4] = [
+        |model, factor| model.beam.bending_stiffness *= factor,
+        |model, factor| model.foundation = model.foundation.clone().scaled(factor, 1.0),
+        |model, factor| model.foundation = model.foundation.clone().scaled(1.0, factor),
+        |model, factor| *model = model.clone().with_loads_scaled(factor),
+    ];
+    let mut claims = Vec::new();
+    for (i, answer) in Answer::all().into_iter().enumerate() {
+        for (j, change) in changes.into_iter().enumerate() {
+            let size = [1e-6, 1e-4, 1e-2][(i + j) % 3];
+            claims.push((answer.name.clone(), answer.parsed(), change, size));
+        }
+    }
+    let judged: Vec<(String, f64, f64)> = claims
+        .into_par_iter()
+        .filter_map(|(name, model, change, size)| {
+            let Ok(Outcome::Equilibrium(truth)) = solve(&model) else { return None };
+            let mut neighbour = model.clone();
+            change(&mut neighbour, 1.0 + size);
+            let Ok(Outcome::Equilibrium(claimed)) = solve(&neighbour) else { return None };
+            let (_, answer) = claimed.claim::<Wide>();
+            let proof = prove(&model.to_prove::<Wide>(), &answer).ok()?;
+            let energy = energy_of_error(&claimed, &truth) / proof.energy;
+            Some((name, over_bound(&claimed, &truth, &proof, 1e-10), energy))
+        })
+        .collect();
+    assert!(judged.len() >= 700, "only {} claims are judged", judged.len());
+    let most = judged
+        .iter()
+        .fold([0.0_f64; 2], |most, (_, bound, energy)| [most[0].max(*bound), most[1].max(*energy)]);
+    println!(
+        "{} claims, error over bound {:.3}, energy over E {:.3}",
+        judged.len(),
+        most[0],
+        most[1]
+    );
+    for (name, bound, energy) in &judged {
+        assert!(*bound <= 1.0, "{name}: error over bound {bound}");
+        assert!(*energy <= 1.001, "{name}: energy of the error over E {energy}");
+    }
+    // A bound that nothing comes near would be a sign of a test that measures nothing.
+    assert!(most[0] > 0.1 && most[1] > 0.1, "{most:?}");
 }

@@ -5,7 +5,9 @@ use crate::scalar::Scalar;
 
 /// u on an open piece of length h, with x from its left end, b = √(k/μ), z = bh:
 ///
-///     u = (u_R − u_L) sinh(bx)/sinh z + u_L cosh(b(h/2 − x))/cosh(z/2).
+/// ```text
+/// u = (u_R − u_L) sinh(bx)/sinh z + u_L cosh(b(h/2 − x))/cosh(z/2).
+/// ```
 #[derive(Debug)]
 pub(crate) struct Arc<C> {
     ends: [C; 2],

@@ -4,7 +4,9 @@
 //! by construction. Within a distance d of one C̄ ≥ −τx, elsewhere C̄ ≥ −(deepest). With D = max(τd, deepest) the ground is
 //! raised by v = D min(x/d, 1), which vanishes at every touching node: the pressures do no work on it. It costs
 //!
-//!     ‖v‖_b² ≤ D²(Σ kh + Σ_touching ends μ/d + K₀ or K_l where the stretch reaches an end of the beam).
+//! ```text
+//! ‖v‖_b² ≤ D²(Σ kh + Σ_touching ends μ/d + K₀ or K_l where the stretch reaches an end of the beam).
+//! ```
 //!
 //! On separate springs ū = max(w̄ − g₀, 0) costs (Σ k η²ω)^½, η a bound of w̄ − g₀ on an open piece, positive on a length ω.
 
@@ -251,7 +253,7 @@ impl<C: Scalar> OpenPiece<C> {
             // rounding of C̄, or one that does not matter.
             let found = depth <= deepest || depth <= negligible;
             let blurred = Size::of(0.25 * (value.high() - value.low()));
-            let enough = found || depth <= blurred + 2.0 * (here + self.closed[0]);
+            let enough = found || depth <= blurred + 1.25 * (here + self.closed[0]);
             if !enough && a < m && m < b && budget.take() {
                 open.extend([[a, m], [m, b]]);
             } else {

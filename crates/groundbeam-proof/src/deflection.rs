@@ -5,7 +5,9 @@
 //! two rigid supports, bends: c is the cubic with given values a and slopes b at both ends. With A the largest |a|
 //! and B the largest |b|
 //!
-//!     bend: |c| ≤ A + 0.3Bh, |c′| ≤ 3A/h + B, |c″| ≤ 12A/h² + 6B/h;   rigid: |c| ≤ A + Bh, |c′| ≤ B, c″ = 0.
+//! ```text
+//! bend: |c| ≤ A + 0.3Bh, |c′| ≤ 3A/h + B, |c″| ≤ 12A/h² + 6B/h;   rigid: |c| ≤ A + Bh, |c′| ≤ B, c″ = 0.
+//! ```
 
 use crate::frame::Frame;
 use crate::refusal::NotProven;
@@ -182,16 +184,56 @@ impl<S: Scalar> Walk<'_, S> {
             let bounds = [Size::of(a.size()) + slope * Size::of(h.size()), slope, Size::ZERO];
             return Correction { slope: [b; 2], bounds };
         }
-        let right =
-            [self.value(i + 1) - self.claimed[i][1], self.turn(i + 1, 0) - self.slopes[i][1]];
-        let most = |x: [S; 2]| Size::of(x[0].size()).worst(Size::of(x[1].size()));
-        let slope = [b, right[1]];
-        let (largest, steepest) = (most([a, right[0]]), most(slope));
-        let bounds = [
-            largest + 0.3 * (steepest * Size::of(h.size())),
-            (3.0 * largest).over(h.low()) + steepest,
-            ((12.0 * largest).over(h.low()) + 6.0 * steepest).over(h.low()),
-        ];
+        let value = [a, self.value(i + 1) - self.claimed[i][1]];
+        let slope = [b, self.turn(i + 1, 0) - self.slopes[i][1]];
+        let bounds = bent(h, value, slope);
         Correction { slope, bounds }
+    }
+}
+
+/// Bounds of the cubic with given values and slopes at both ends, of its slope and of its curvature.
+fn bent<S: Scalar>(h: S, value: [S; 2], slope: [S; 2]) -> [Size; 3] {
+    let most = |x: [S; 2]| Size::of(x[0].size()).worst(Size::of(x[1].size()));
+    let (largest, steepest) = (most(value), most(slope));
+    [
+        largest + 0.3 * (steepest * Size::of(h.size())),
+        (3.0 * largest).over(h.low()) + steepest,
+        ((12.0 * largest).over(h.low()) + 6.0 * steepest).over(h.low()),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::bent;
+
+    /// The cubic on 0 ≤ x ≤ 1 of the length h, its slope and its curvature.
+    fn cubic([a, b, s, t]: [f64; 4], h: f64, x: f64) -> [f64; 3] {
+        let (square, cube) = (x * x, x * x * x);
+        let value = a * (1.0 - 3.0 * square + 2.0 * cube) + b * (3.0 * square - 2.0 * cube);
+        let slope = (b - a) * 6.0 * (x - square) / h;
+        let curvature = (b - a) * (6.0 - 12.0 * x) / (h * h);
+        [
+            value + h * (s * (x - 2.0 * square + cube) + t * (cube - square)),
+            slope + s * (1.0 - 4.0 * x + 3.0 * square) + t * (3.0 * square - 2.0 * x),
+            curvature + (s * (6.0 * x - 4.0) + t * (6.0 * x - 2.0)) / h,
+        ]
+    }
+
+    #[test]
+    fn the_cubic_and_its_derivatives_are_bounded() {
+        let values = [-1.0, -0.3, 0.0, 0.6, 1.0];
+        for i in 0..625 {
+            let ends = [0, 1, 2, 3].map(|j| values[i / 5_usize.pow(j) % 5]);
+            for h in [0.01, 1.0, 7.0] {
+                let bounds = bent(h, [ends[0], ends[1]], [ends[2], ends[3]]);
+                for step in 0..=40 {
+                    let all = cubic(ends, h, f64::from(step) / 40.0);
+                    for (value, bound) in all.into_iter().zip(bounds) {
+                        let bound = bound.value() * (1.0 + 1e-12);
+                        assert!(value.abs() <= bound, "{ends:?} {h}: {value} {bound}");
+                    }
+                }
+            }
+        }
     }
 }

@@ -3,8 +3,10 @@
 //! Where beam and ground touch, ū = w̄ − g₀. Open ground of a layer is solved exactly: on a piece of length h, with
 //! b = √(k/μ), z = bh, r = √(kμ),
 //!
-//!     flux at the left end  = −(s₁(u_L − u_R) + s₂u_L),   at the right end = s₁(u_R − u_L) + s₂u_R,
-//!     s₁ = r/sinh z, s₂ = r tanh(z/2),   flux = μu′,
+//! ```text
+//! flux at the left end  = −(s₁(u_L − u_R) + s₂u_L),   at the right end = s₁(u_R − u_L) + s₂u_R,
+//! s₁ = r/sinh z, s₂ = r tanh(z/2),   flux = μu′,
+//! ```
 //!
 //! and beside the beam flux = K₀u on the left, −K_lu on the right. At a touching node the jump of the flux,
 //! a = flux(x−) − flux(x+), is a concentrated force. Its negative part r is left unclaimed, which costs at most

@@ -16,6 +16,7 @@ mod clearance;
 mod decimal;
 mod deflection;
 mod document;
+mod fields;
 mod float;
 mod frame;
 mod given;
@@ -24,6 +25,7 @@ mod json;
 mod kinds;
 mod model;
 mod outside;
+mod pointwise;
 mod polynomial;
 mod positions;
 mod pressure;
@@ -45,6 +47,7 @@ pub use model::{
     Action, Acts, Beam, BeamSegment, Course, Extent, GapCorner, Ground, GroundEnd, GroundSegment,
     Hinge, Load, Model, Support, SupportKind,
 };
+pub use pointwise::Bounds;
 pub use proof::{Proof, prove};
 pub use read::{ReadError, Reason, read_model};
 pub use refusal::NotProven;

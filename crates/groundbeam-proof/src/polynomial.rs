@@ -235,9 +235,24 @@ pub(crate) fn below<C: Scalar>(
             let value = p.value(C::of(end)).low() - less.value();
             let depth = Size::below_zero(value.next_down());
             if depth.value() > 0.0 {
-                let all = Size::of((b - a).next_up());
+                let reach = |t: f64| Size::of(if rising { t - a } else { b - t }.next_up());
+                let mut width = Size::of((b - a).next_up()).least(depth.over(least));
+                // The function is not negative beyond a place where it is not negative.
+                let (mut t, mut step) = (m, 0.5 * (b - a));
+                for _ in 0..30 {
+                    step *= 0.5;
+                    if p.value(C::of(t)).low() >= less.value() {
+                        width = width.least(reach(t));
+                        t = if rising { t - step } else { t + step };
+                    } else {
+                        t = if rising { t + step } else { t - step };
+                    }
+                    if step * 32.0 < width.value() {
+                        break;
+                    }
+                }
                 found.depth = found.depth.worst(depth);
-                found.width += depth.over(least).least(all);
+                found.width += width;
             }
             continue;
         }
@@ -246,7 +261,7 @@ pub(crate) fn below<C: Scalar>(
         // A depth that halving would not change much, one as small as the rounding, or one that does not matter.
         let c0 = about.coefficient(0);
         let blurred = Size::of(0.25 * (c0.high() - c0.low()));
-        let enough = depth <= blurred + 2.0 * here || depth <= negligible;
+        let enough = depth <= blurred + 1.25 * here || depth <= negligible;
         if !enough && a < m && m < b && budget.take() {
             open.extend([[a, m], [m, b]]);
         } else {

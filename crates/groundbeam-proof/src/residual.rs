@@ -3,7 +3,9 @@
 //!
 //! With M = −EI(w″ − κ₀) and T = M′ + Pw′ − g,
 //!
-//!     r(x) = f − p + T′ on pieces,   r_i = F_i − a_i − R_i + [T]_i,   q_i = M₀_i − R_θi − [M]_i at nodes.
+//! ```text
+//! r(x) = f − p + T′ on pieces,   r_i = F_i − a_i − R_i + [T]_i,   q_i = M₀_i − R_θi − [M]_i at nodes.
+//! ```
 //!
 //! m = M + δ is in equilibrium if δ″ = −r, [δ′]_i = −r_i, [δ]_i = q_i.
 

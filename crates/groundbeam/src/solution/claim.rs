@@ -10,7 +10,8 @@ pub(super) fn prove<S: Scalar>(candidate: &Candidate) -> Result<Proof, NotProven
 }
 
 impl Model {
-    /// The model as the proof reads it, its doubles taken as exact numbers.
+    /// The model as the proof reads it, its doubles taken as exact numbers. On soil k and μ are those of the model's
+    /// fields: in a solution's model the ones that the solve made.
     pub fn to_prove<S: Scalar>(&self) -> proof::Model<S> {
         given(self)
     }

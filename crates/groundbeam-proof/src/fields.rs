@@ -1,0 +1,152 @@
+//! The admissible and balanced fields that are made from an answer, and the bound E of the difference of their energies.
+
+use crate::balance::{Balance, Balanced, fewest_cuts, more_cuts};
+use crate::clearance::{Clearance, clearance};
+use crate::deflection::{Deflection, admissible};
+use crate::frame::Frame;
+use crate::ground::{Surface, surface};
+use crate::polynomial::{Budget, Polynomial};
+use crate::pressure::{Pressure, carried, pressures, pulled};
+use crate::refusal::NotProven;
+use crate::residual::{Residual, at_support, residual};
+use crate::scalar::Scalar;
+use crate::size::Size;
+
+/// The fields that are made from an answer.
+pub(crate) struct Fields<'a, S> {
+    pub frame: &'a Frame<S>,
+    pub deflection: Deflection<S>,
+    pub surface: Surface<S>,
+    pub pressures: Vec<Pressure<S>>,
+    pub residual: Residual<S>,
+    pub clearance: Clearance,
+}
+
+impl<'a, S: Scalar> Fields<'a, S> {
+    pub fn of(frame: &'a Frame<S>) -> Result<Self, NotProven> {
+        let mut budget = Budget::new(frame.spans.len());
+        let deflection = admissible(frame)?;
+        let surface = surface(frame, &deflection);
+        let pressures = pressures(frame, &mut budget);
+        let residual = residual(frame, &deflection, &surface, &pressures);
+        let clearance = clearance(frame, &deflection, &surface, &mut budget);
+        Ok(Fields { frame, deflection, surface, pressures, residual, clearance })
+    }
+
+    /// E and the balance that gives it: with few cuts or with more, whichever is less.
+    pub fn energy(&self) -> Result<(Size, Balanced<S>), NotProven> {
+        let (few, more) = (fewest_cuts(self.frame), more_cuts(self.frame));
+        let with_more = (more.len() > few.len()).then(|| self.energy_with(more));
+        match (self.energy_with(few), with_more) {
+            (few, None) => few,
+            (Err(_), Some(more)) => more,
+            (few, Some(Err(_))) => few,
+            (Ok(few), Some(Ok(more))) => Ok(if more.0 < few.0 { more } else { few }),
+        }
+    }
+
+    /// E ≤ ½[(‖δ‖ + ‖c‖_beam)² + ‖hinges‖² + ‖c‖_P² + Σκc² + Σκ_θc′² + Ḡ²], with
+    /// Ḡ = ‖c‖_b + Σ|r|√g + Ση(ω/k)^½ + ‖Gδp‖ + Σ‖v‖ + (Σkη_o²ω_o)^½.
+    fn energy_with(&self, cuts: Vec<usize>) -> Result<(Size, Balanced<S>), NotProven> {
+        let (frame, surface) = (self.frame, &self.surface);
+        let balance =
+            Balance { frame, surface, pressures: &self.pressures, residual: &self.residual, cuts };
+        let balanced = balance.solve()?;
+        let closed: Vec<Size> = self.deflection.pieces.iter().map(|c| c.bounds[0]).collect();
+        let missed = carried(frame, &self.deflection).root()
+            + surface.unclaimed
+            + pulled(frame, &self.pressures);
+        let given_back = balance.ground(&balanced, &closed, missed).root();
+        let ground = missed + given_back + self.clearance.lifted + self.clearance.risen;
+        let [bent, drawn] = self.closing();
+        let beam = balance.bending(&balanced).root() + bent.root();
+        let supports = self.supports(&balanced) + self.hinges(&balanced);
+        let energy = 0.5 * (beam.square() + drawn + supports + ground.square());
+        Ok((energy, balanced))
+    }
+
+    /// ‖c‖²_beam = Σ h EI c″² and ‖c‖²_P = Σ h P c′².
+    fn closing(&self) -> [Size; 2] {
+        let tension = Size::of(self.frame.tension.map_or(0.0, |tension| tension.high()));
+        let mut both = [Size::ZERO; 2];
+        for (span, c) in self.frame.spans.iter().zip(&self.deflection.pieces) {
+            both[0] += span.length() * Size::of(span.bending.high()) * c.bounds[2].square();
+            both[1] += span.length() * tension * c.bounds[1].square();
+        }
+        both
+    }
+
+    /// Σ(κ(w̄ − δ) − R̄)²/κ + Σ(κ_θw̄′ − R̄_θ)²/κ_θ at the springs: κc, and the force given back.
+    fn supports(&self, balanced: &Balanced<S>) -> Size {
+        let mut sum = Size::ZERO;
+        let missed = |stiffness: S, change: S, added: Size| {
+            let force = Size::of(stiffness.high()) * Size::of(change.size()) + added;
+            force.square().over(stiffness.low())
+        };
+        for (i, node) in self.frame.nodes.iter().enumerate() {
+            let [w, slope] = at_support(&self.deflection, i);
+            if let Some([spring, _]) = node.spring {
+                let added = Size::of(balanced.factors[i].size()) * Size::of(node.weights.spring);
+                sum += missed(spring, self.deflection.values[i] - w, added);
+            }
+            if let Some(turning) = node.turning {
+                let piece = i.saturating_sub(1);
+                let side = usize::from(i > 0);
+                let turned = self.deflection.slopes[piece][side] - slope
+                    + self.deflection.pieces[piece].slope[side];
+                // A couple belongs to the cell on its right, at the right end of the beam to the one on its left.
+                let cell = if i < self.frame.spans.len() { i } else { i - 1 };
+                let added = balanced.steepness[cell] * Size::of(node.weights.turning);
+                sum += missed(turning, turned, added);
+            }
+        }
+        sum
+    }
+
+    /// Σ(k_φ[w̄′] + m)²/k_φ at elastic hinges.
+    fn hinges(&self, balanced: &Balanced<S>) -> Size {
+        let mut sum = Size::ZERO;
+        for (i, node) in self.frame.nodes.iter().enumerate() {
+            let Some(spring) = node.hinge.filter(|_| !node.is_free_hinge()) else { continue };
+            let slope = |piece: usize, side: usize| {
+                self.deflection.slopes[piece][side] + self.deflection.pieces[piece].slope[side]
+            };
+            let turn = slope(i, 0) - slope(i - 1, 1);
+            let moment = self.residual.pieces[i - 1].bending[1] + balanced.moments[i - 1][1];
+            let missed = Size::of((spring * turn + moment).size()) + balanced.added[i - 1][0];
+            sum += missed.square().over(spring.low());
+        }
+        sum
+    }
+
+    /// The strain energy by Gauss's rule with three points a piece: an estimate.
+    pub fn strain_energy(&self) -> f64 {
+        let mut sum = 0.0;
+        for (i, span) in self.frame.spans.iter().enumerate() {
+            let slope = span.derivative(&span.deflection);
+            let bent = span.derivative(&slope);
+            for (t, weight) in
+                [(-0.774_596_669_241_483_4, 5.0), (0.0, 8.0), (0.774_596_669_241_483_4, 5.0)]
+            {
+                let at = |p: &Polynomial<S>| {
+                    p.coefficients().iter().rev().fold(0.0, |sum, c| sum * t + c.middle())
+                };
+                let tension = self.frame.tension.map_or(0.0, |tension| tension.middle());
+                let density = span.bending.middle() * at(&bent) * at(&bent)
+                    + tension * at(&slope) * at(&slope)
+                    + at(&self.pressures[i].field) * at(&span.obstacle());
+                sum += weight / 9.0 * span.half.middle() * density;
+            }
+        }
+        for (i, node) in self.frame.nodes.iter().enumerate() {
+            let [w, slope] = at_support(&self.deflection, i).map(|x| x.middle());
+            let settled = node.rigid.map_or(0.0, |settled| settled.middle());
+            sum += node
+                .spring
+                .map_or(0.0, |[spring, _]| spring.middle() * (w - settled) * (w - settled));
+            sum += node.turning.map_or(0.0, |turning| turning.middle() * slope * slope);
+            sum += self.surface.force[i].middle() * self.surface.settlement[i].middle();
+        }
+        0.5 * sum
+    }
+}
