@@ -17,7 +17,7 @@ use crate::numeric::polynomial::rescale;
 use crate::numeric::polynomial::value;
 use std::borrow::Cow;
 
-/// One beam, bonded on intervals that change from step to step.
+/// The bonded problem of one beam, on contact intervals that change from step to step.
 #[derive(Debug)]
 pub(crate) struct Bonded<'a> {
     pub model: &'a Model,
@@ -42,7 +42,7 @@ pub(crate) struct BondedSystem {
     pub chain: Chain,
 }
 
-/// Which cells rest on the ground: those within an interval.
+/// The kind of zone in which a cell lies: contact within an interval, else open.
 fn zone_kind_of(intervals: &[Interval]) -> impl Fn(&Cell) -> ZoneKind + '_ {
     |cell| {
         let x = 0.5 * (cell.x[0] + cell.x[1]);
@@ -174,7 +174,7 @@ impl<'a> Bonded<'a> {
         coefficients
     }
 
-    /// The same where there are boundary layers: elements that have them are cut into runs.
+    /// The same where there are boundary layers: elements that have them are cut into parts.
     fn in_layers(&self, mesh: &Mesh, shapes: &[[f64; 4]]) -> (Mesh, Vec<f64>) {
         let parts = self.known.iter().zip(shapes).map(|(known, v)| known.exact.unfold(v));
         let parts: Vec<([f64; TERMS], [f64; 2])> = parts.collect();

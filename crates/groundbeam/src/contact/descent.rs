@@ -1,6 +1,6 @@
 //! A step of Newton's method on the edges that must not raise the energy.
 //!
-//! Near the answer each bonded solve squares the edges' error. Far from it one may throw a lightly held
+//! Close to the answer each bonded solve squares the error of the edges. Far from it a solve may throw a lightly held
 //! beam across its length. Then the step is shortened to where the slope of the convex energy Φ along it
 //! has nearly vanished: both deflections are polynomials on the cells of both, and on a line between two
 //! deflections the slope of Φ is known exactly.

@@ -9,7 +9,7 @@ use crate::numeric::tolerance::same_place;
 /// Open ground this short, relative to l, is rounding error.
 const SLIT: f64 = 1e-10;
 
-/// Stretches of contact as positions; a point has both equal.
+/// A contact zone as two positions; a point has both equal.
 pub(crate) type Interval = [f64; 2];
 
 /// Zones as positions. An edge within rounding of a place of the model's own is there.

@@ -7,7 +7,7 @@
 //! > A = ∫ π φ_a dx,  B = ∫ π φ_b dx,
 //!
 //! where φ_a is the unloaded ground that is 1 at a and 0 at b, φ_b the same from the other end, and π
-//! includes the point_forces −\[μψ'\] of corners. π is a polynomial with its own digits, and its sign is what the
+//! includes the point forces −\[μψ'\] of corners. π is a polynomial with its own digits, and its sign is what the
 //! joint is about. Rounding leaves ε μψ/h of the differences and ε h (kψ + μψ″) of the integrals: whichever
 //! is less decides.
 

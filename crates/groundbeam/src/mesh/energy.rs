@@ -9,7 +9,7 @@ use crate::mesh::varying;
 use crate::numeric::polynomial::inner;
 use crate::numeric::polynomial::{derivative, jet, product, rescale, value};
 
-/// A motion of the beam in runs: `terms` coefficients for each cell.
+/// A motion of the beam: `terms` coefficients for each cell.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Motion<'a> {
     pub terms: usize,

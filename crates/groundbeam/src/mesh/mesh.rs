@@ -65,7 +65,7 @@ impl Mesh {
     }
 
     /// Calls `each` with every cell of a [graded](Self::graded) mesh of one part to a cell, and with the number of
-    /// runs into which it is cut for the free-field settlement. Returns how many cells the model itself has.
+    /// parts into which it is cut for the free-field settlement. Returns how many cells the model itself has.
     pub fn each_graded(model: &Model, mut each: impl FnMut(&Cell, usize)) -> usize {
         let coarse = cells_between(model, &positions(model, &[]));
         for cell in &coarse {
@@ -239,7 +239,7 @@ fn each_smooth(cell: &Cell, halvings: u32, each: &mut impl FnMut(&Cell)) {
     each_smooth(&cell.part([0.0, 1.0]), halvings - 1, each);
 }
 
-/// Into how many runs a cell is cut where loads settle the ground: u₀ is a short power series in each.
+/// The number of parts into which a cell is cut where loads settle the ground: u₀ is a short power series in each.
 fn pieces_of_settled(cell: &Cell) -> usize {
     if !cell.has_free_field() || cell.shear_layer == 0.0 {
         return 1;

@@ -1,6 +1,6 @@
 //! The ground under given deflections of the nodes: which of them it touches.
 //!
-//! As in [`majorant`](crate::contact::obstacle), with nodes in place of points: only where the forces of
+//! As in the [obstacle problem](crate::contact::obstacle) of exact contact, with nodes in place of points: only where the forces of
 //! glued ground press can a row of nodes touch (an *arc*), and the scan joins arcs from left to right.
 //! Forces at the ends of an arc are monotone along it, so each end is found by bisection.
 

@@ -5,7 +5,7 @@ use crate::mesh::cell::Cell;
 use crate::numeric::polynomial::{Coefficients, jet, value};
 use crate::solution::field::Field;
 
-/// A piece of contact between beam and ground; of a single point, both ends are equal.
+/// A zone of contact between beam and ground; both ends of a single point are equal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactZone {
     /// Left end \[m\].

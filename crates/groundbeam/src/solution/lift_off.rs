@@ -4,7 +4,7 @@ use crate::solution::field::Field;
 use crate::solution::fields::Extreme;
 use crate::solution::solution::Solution;
 
-/// A piece of the beam that does not touch: a free span, or an end that is in the air.
+/// An open part of the beam: a free span, or an end that has lifted off.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LiftOff {
     /// Left end \[m\].
