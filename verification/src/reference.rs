@@ -18,6 +18,9 @@ pub struct Answer {
     pub contact: Vec<[f64; 2]>,
     /// p₀ and p_l.
     pub end_forces: BTreeMap<String, f64>,
+    /// Concentrated contact forces inside the beam.
+    #[serde(default)]
+    pub inner_forces: Vec<InnerForce>,
     /// Support reactions.
     pub reactions: Vec<AnswerReaction>,
     /// Primal energy.
@@ -37,6 +40,15 @@ pub struct AnswerReaction {
     pub force: f64,
     /// Moment against the slope.
     pub moment: f64,
+}
+
+/// A concentrated contact force inside the beam.
+#[derive(Debug, Deserialize)]
+pub struct InnerForce {
+    /// Position.
+    pub x: f64,
+    /// Force, up.
+    pub force: f64,
 }
 
 /// How far a solution is from an answer, each relative to the largest size of its kind.

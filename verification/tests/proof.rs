@@ -1,6 +1,6 @@
 //! The proof of solutions: gaps reached, models covered, and wrong answers refused.
 
-use groundbeam::proof::{Ball, NotProven, Proof, Wide, prove};
+use groundbeam::proof::{Ball, ContactForce, ContactSet, NotProven, Proof, Wide, prove};
 use groundbeam::{Field, Model, Outcome, Solution, solve};
 use groundbeam_verification::cases;
 use groundbeam_verification::reference::Answer;
@@ -160,6 +160,70 @@ fn the_truth_lies_within_every_bound() {
     for (name, worst) in &judged {
         assert!(*worst <= 1.0, "{name}: {worst}");
     }
+}
+
+/// The edges and concentrated forces of a shown contact set that lie outside their intervals.
+fn outside(answer: &Answer, contact: &ContactSet, length: f64) -> Vec<String> {
+    let holds = |[low, high]: [f64; 2], x: f64, scale: f64| {
+        let rounding = 4.0 * f64::EPSILON * scale;
+        low - rounding <= x && x <= high + rounding
+    };
+    let mut regions: Vec<[[f64; 2]; 2]> = Vec::new();
+    for region in &contact.regions {
+        // Contact on both sides of an end of a layer is one region of the answer.
+        match regions.last_mut() {
+            Some(last) if region.from[0] <= last[1][1] => last[1] = region.to,
+            _ => regions.push([region.from, region.to]),
+        }
+    }
+    let mut wrong = Vec::new();
+    if regions.len() != answer.contact.len() {
+        wrong.push(format!("{regions:?} in place of {:?}", answer.contact));
+    }
+    for ([from, to], exact) in regions.iter().zip(&answer.contact) {
+        if !holds(*from, exact[0], length) || !holds(*to, exact[1], length) {
+            wrong.push(format!("{exact:?} is not in {from:?}, {to:?}"));
+        }
+    }
+    let end = |key: &str| answer.end_forces.get(key).copied();
+    let ends = [(0.0, end("left")), (length, end("right"))];
+    let ends = ends.into_iter().filter_map(|(x, force)| Some((x, force?)));
+    let inner = answer.inner_forces.iter().map(|force| (force.x, force.force));
+    for (x, exact) in ends.chain(inner) {
+        let near = |found: &&ContactForce| (found.x - x).abs() <= 1e-14 * length;
+        let interval = contact.forces.iter().find(near).map_or([0.0; 2], |found| found.force);
+        if !holds(interval, exact, exact.abs()) {
+            wrong.push(format!("force {exact} at {x} is not in {interval:?}"));
+        }
+    }
+    wrong
+}
+
+/// The edges and forces of the answers in 60 digits lie within their intervals, and nearly all contact sets are shown.
+#[test]
+fn the_exact_contact_set_is_the_one_that_is_shown() {
+    let judged: Vec<(String, Result<Vec<String>, String>)> = Answer::all()
+        .into_par_iter()
+        .filter_map(|answer| {
+            let Ok(Outcome::Equilibrium(solution)) = solve(&answer.parsed()) else { return None };
+            let proof = solution.prove().ok()?;
+            let length = solution.model().beam.length;
+            let shown = proof.contact.map(|contact| outside(&answer, &contact, length));
+            Some((answer.name, shown.map_err(|why| why.to_string())))
+        })
+        .collect();
+    for (name, why) in judged.iter().filter_map(|(name, shown)| Some((name, shown.as_ref().err()?)))
+    {
+        println!("{name}: {why}");
+    }
+    let shown = judged.iter().filter(|(_, shown)| shown.is_ok()).count();
+    println!("{shown} of {} contact sets are shown", judged.len());
+    for (name, wrong) in
+        judged.iter().filter_map(|(name, shown)| Some((name, shown.as_ref().ok()?)))
+    {
+        assert!(wrong.is_empty(), "{name}: {wrong:?}");
+    }
+    assert!(shown >= 231, "only {shown} contact sets are shown");
 }
 
 /// The answer to a model with one number changed, claimed for the model as it is: every bound holds.

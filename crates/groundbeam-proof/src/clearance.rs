@@ -149,19 +149,19 @@ impl<S: Scalar> Stretch<'_, S> {
 }
 
 /// An open piece of a layer in few digits.
-struct OpenPiece<C> {
-    arc: Arc<C>,
+pub(crate) struct OpenPiece<C> {
+    pub arc: Arc<C>,
     /// ψ = w − g₀, ψ′ and ψ″ by x, as polynomials of t.
-    obstacle: [Polynomial<C>; 3],
-    half: C,
+    pub obstacle: [Polynomial<C>; 3],
+    pub half: C,
     /// t at both ends.
-    ends: [C; 2],
-    interval: [f64; 2],
+    pub ends: [C; 2],
+    pub interval: [f64; 2],
     closed: [Size; 3],
 }
 
 impl<C: Scalar> OpenPiece<C> {
-    fn of<S: Scalar<Coarse = C>>(span: &Span<S>, arc: Arc<C>, closed: [Size; 3]) -> Self {
+    pub fn of<S: Scalar<Coarse = C>>(span: &Span<S>, arc: Arc<C>, closed: [Size; 3]) -> Self {
         let obstacle = span.obstacle();
         let slope = span.derivative(&obstacle);
         let bent = span.derivative(&slope);
@@ -176,12 +176,12 @@ impl<C: Scalar> OpenPiece<C> {
     }
 
     /// u and u′ at t.
-    fn settlement(&self, t: f64) -> [C; 2] {
+    pub fn settlement(&self, t: f64) -> [C; 2] {
         self.arc.at((C::of(t) - self.ends[0]) * self.half)
     }
 
     /// A lower bound of C̄″ on |t − m| ≤ r: b²u − ψ″ less |c″|, u above its tangent bent by its least value.
-    fn curvature(&self, m: f64, r: f64, [u, slope]: [C; 2]) -> f64 {
+    pub fn curvature(&self, m: f64, r: f64, [u, slope]: [C; 2]) -> f64 {
         let reach = C::of(r) * self.half;
         let least = self.arc.least();
         let bent = self.arc.curvature_factor();

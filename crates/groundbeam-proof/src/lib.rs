@@ -9,10 +9,12 @@
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
 mod answer;
+mod approach;
 mod arc;
 mod balance;
 mod ball;
 mod clearance;
+mod contact;
 mod decimal;
 mod deflection;
 mod document;
@@ -35,12 +37,14 @@ mod refusal;
 mod residual;
 mod scalar;
 mod size;
+mod springs;
 mod units;
 mod values;
 mod wide;
 
 pub use answer::{Answer, Force, Piece, Reaction};
 pub use ball::Ball;
+pub use contact::{ContactForce, ContactRegion, ContactSet};
 pub use document::{Document, Extreme};
 pub use json::JsonError;
 pub use model::{

@@ -1,6 +1,7 @@
 //! The proof: an admissible deflection, an exactly balanced pressure, and a bound of the difference of their energies.
 
 use crate::answer::Answer;
+use crate::contact::{Contact, ContactSet};
 use crate::fields::Fields;
 use crate::frame::Frame;
 use crate::given::frame;
@@ -18,6 +19,9 @@ pub struct Proof {
     pub energy: f64,
     /// Bounds of the error of the fields at every point of the beam.
     pub bounds: Bounds,
+    /// The exact contact set: an interval for every edge and concentrated force, or the name of the step that fails. The
+    /// other bounds hold in both cases.
+    pub contact: Result<ContactSet, NotProven>,
     /// The strain energy of beam, ground and springs \[N·m\], an estimate to compare E with.
     pub strain_energy: f64,
 }
@@ -31,9 +35,11 @@ pub fn prove<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Proof, NotP
         return Err(NotProven::new("the bound of the energy is infinite"));
     }
     let pointwise = Pointwise { fields: &fields, balanced: &balanced, energy };
+    let pieces = pointwise.bounds();
     Ok(Proof {
         energy: frame.units.restored(energy.value(), 1, 1),
-        bounds: largest(&frame, &pointwise.bounds()),
+        bounds: largest(&frame, &pieces),
+        contact: Contact { fields: &fields, bounds: &pieces }.set(),
         strain_energy: frame.units.restored(fields.strain_energy(), 1, 1),
     })
 }

@@ -82,6 +82,33 @@ fn worst(attack: &Attack, answer: &Answer, proof: &Proof) -> f64 {
     worst
 }
 
+/// Where a contact set is shown it is the exact one, with every edge and end force in its interval.
+fn contact_is_true(attack: &Attack, proof: &Proof) {
+    let Ok(contact) = &proof.contact else { return };
+    let number = |value: &Value| value.as_str().and_then(|x| x.parse().ok()).unwrap_or(f64::NAN);
+    let list = |name: &str| attack.truth[name].as_array().cloned().unwrap_or_default();
+    let mut exact: Vec<[f64; 2]> =
+        list("contact").iter().map(|region| [number(&region[0]), number(&region[1])]).collect();
+    exact.extend(list("points").iter().map(|at| [number(at); 2]));
+    exact.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    assert_eq!(contact.regions.len(), exact.len(), "{}: {contact:?}", attack.name);
+    // The truth has 20 digits, of which a double keeps 16.
+    let holds = |[low, high]: [f64; 2], x: f64| {
+        let rounding = 4.0 * f64::EPSILON * x.abs();
+        low - rounding <= x && x <= high + rounding
+    };
+    for (region, [from, to]) in contact.regions.iter().zip(&exact) {
+        assert!(holds(region.from, *from) && holds(region.to, *to), "{}: {region:?}", attack.name);
+    }
+    let length = read_model::<f64>(&attack.model, None).expect("a model").beam.length;
+    for (key, x) in [("left", 0.0), ("right", length)] {
+        let wanted = number(&attack.truth["end_forces"][key]);
+        let found = contact.forces.iter().find(|force| force.x == x);
+        let held = found.map_or([0.0; 2], |force| force.force);
+        assert!(wanted.is_nan() || holds(held, wanted), "{}: {held:?} {wanted}", attack.name);
+    }
+}
+
 #[test]
 fn no_attack_is_proven_and_all_bounds_hold() {
     let mut proven = Vec::new();
@@ -102,7 +129,14 @@ fn no_attack_is_proven_and_all_bounds_hold() {
                     "{:30} E {relative:.1e} error over bound {ratio:.2} {:?}",
                     attack.name, proof.bounds
                 );
+                println!("{:30} {:?}", "", proof.contact);
                 assert!(ratio <= 1.0, "{}: {ratio}", attack.name);
+                contact_is_true(&attack, &proof);
+                let right = attack.name.starts_with("right");
+                assert!(!right || proof.contact.is_ok(), "{}: {:?}", attack.name, proof.contact);
+                // Of a `refused` document the contact may be shown only if E shows the error.
+                let shown = attack.expected == "refused" && proof.contact.is_ok();
+                assert!(!shown || relative > 1e-20, "{} is shown", attack.name);
                 proven.push((attack.name, attack.expected, relative));
             }
         }

@@ -1,0 +1,329 @@
+//! The exact contact set: intervals that hold the edges of every region, and the concentrated forces of a layer.
+//!
+//! From the bounds of w, w′, M and u on each piece. A layer is judged stretch by stretch of open ground, then region by
+//! region; separate springs by the sign of w − g₀. Where a step fails, its name and place are returned.
+
+use crate::approach::{Approach, more};
+use crate::fields::Fields;
+use crate::pointwise::PieceBounds;
+use crate::polynomial::{Budget, below};
+use crate::refusal::NotProven;
+use crate::scalar::Scalar;
+use crate::size::Size;
+
+/// The exact contact set, as far as it differs from the claimed one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ContactSet {
+    /// The regions and points of exact contact, from left to right, and no others. A region is cut where a shear layer
+    /// ends under the beam.
+    pub regions: Vec<ContactRegion>,
+    /// Intervals that hold the exact concentrated contact forces. There is no other concentrated force.
+    pub forces: Vec<ContactForce>,
+}
+
+/// One region or point of exact contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactRegion {
+    /// An interval that holds the exact left end \[m\].
+    pub from: [f64; 2],
+    /// An interval that holds the exact right end \[m\]; of a point the same.
+    pub to: [f64; 2],
+}
+
+/// A concentrated contact force.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactForce {
+    /// Position, that of a node of the answer \[m\].
+    pub x: f64,
+    /// An interval that holds the exact force \[N\], positive where it pushes the beam up.
+    pub force: [f64; 2],
+}
+
+/// What the contact set is shown from.
+pub(crate) struct Contact<'a, S> {
+    pub fields: &'a Fields<'a, S>,
+    pub bounds: &'a [PieceBounds],
+}
+
+/// By how much an exact edge may lie outside and inside the claimed region.
+#[derive(Debug, Clone, Copy)]
+struct Reach {
+    outside: Size,
+    inside: Size,
+}
+
+impl<S: Scalar> Contact<'_, S> {
+    /// The contact set of all layers and springs.
+    pub fn set(&self) -> Result<ContactSet, NotProven> {
+        let spans = &self.fields.frame.spans;
+        let mut set = ContactSet { regions: Vec::new(), forces: Vec::new() };
+        let mut first = 0;
+        while first < spans.len() {
+            let mut end = first + 1;
+            while end < spans.len() && spans[end].layered == spans[first].layered {
+                end += 1;
+            }
+            if spans[first].layered {
+                self.layer(first, end, &mut set)?;
+            } else {
+                self.springs(first, end, &mut set)?;
+            }
+            first = end;
+        }
+        Ok(set)
+    }
+
+    pub(crate) fn failed(&self, what: &str, node: usize) -> NotProven {
+        NotProven::new(format!("the contact set is not shown: {what}"))
+            .at(self.fields.frame.place(node))
+    }
+
+    /// A layer: first its open stretches, then its regions and points.
+    fn layer(&self, first: usize, end: usize, set: &mut ContactSet) -> Result<(), NotProven> {
+        let (spans, touches) = (&self.fields.frame.spans, &self.fields.surface.touches);
+        // What is known on the left and on the right of each node of the layer.
+        let mut beside: Vec<[Option<Approach>; 2]> = vec![[None; 2]; spans.len() + 1];
+        let mut i = first;
+        while i < end {
+            let from = i;
+            i += 1;
+            if spans[from].touches {
+                continue;
+            }
+            while i < end && !spans[i].touches && !touches[i] {
+                i += 1;
+            }
+            let [left, right] = self
+                .stretch(from, i)
+                .ok_or_else(|| self.failed("the clearance of open ground is too small", from))?;
+            beside[from][1] = left;
+            beside[i][0] = right;
+        }
+        let mut node = first;
+        while node <= end {
+            if !touches[node] {
+                node += 1;
+                continue;
+            }
+            let mut last = node;
+            while last < end && spans[last].touches {
+                last += 1;
+            }
+            if last == node {
+                self.point(node, &beside, set)?;
+            } else {
+                self.region([node, last], &beside, set)?;
+            }
+            node = last + 1;
+        }
+        Ok(())
+    }
+
+    /// A point: the only contact nearby if its force is above its tolerance.
+    fn point(
+        &self,
+        node: usize,
+        beside: &[[Option<Approach>; 2]],
+        set: &mut ContactSet,
+    ) -> Result<(), NotProven> {
+        let tolerance = self.tolerance(node, beside);
+        let alone = beside[node].iter().flatten().all(|side| side.theta == Size::ZERO);
+        if !(alone && self.fields.surface.jump[node].low() > tolerance.value()) {
+            return Err(self.failed("a point may be open or a short region", node));
+        }
+        set.forces.push(self.force(node, tolerance, true));
+        let x = self.interval(node, [Size::ZERO; 2]);
+        set.regions.push(ContactRegion { from: x, to: x });
+        Ok(())
+    }
+
+    /// A region between two nodes.
+    fn region(
+        &self,
+        [a, b]: [usize; 2],
+        beside: &[[Option<Approach>; 2]],
+        set: &mut ContactSet,
+    ) -> Result<(), NotProven> {
+        let frame = self.fields.frame;
+        let mut budget = Budget::new(b - a);
+        for i in a..b {
+            let field = self.fields.pressures[i].field.coarse();
+            let error = more(self.pressure_error(i));
+            let span = &frame.spans[i];
+            if below(&field, error, Size::ZERO, span.interval(), &mut budget).depth != Size::ZERO {
+                return Err(self.failed("the pressure may be zero within its bound", i));
+            }
+        }
+        let left = self.edge(a, 0, beside, b - a)?;
+        let right = self.edge(b, 1, beside, b - a)?;
+        let room = (frame.nodes[b].x - frame.nodes[a].x).low();
+        if !((left.inside + right.inside).value() < room) {
+            return Err(self.failed("the region is shorter than its bounds", a));
+        }
+        for node in a..=b {
+            let at_edge = node == a || node == b;
+            if self.smooth(node) || (!at_edge && self.only_a_corner(node)) {
+                if !at_edge && !self.smooth(node) {
+                    self.inner_force(node, [a, b], [left, right], beside, set)?;
+                }
+                continue;
+            }
+            if at_edge {
+                let inside = if node == a { left.inside } else { right.inside };
+                let tolerance = self.tolerance(node, beside);
+                set.forces.push(self.force(node, tolerance, inside == Size::ZERO));
+                continue;
+            }
+            let tolerance = self.tolerance(node, beside);
+            if !(self.fields.surface.jump[node].low() >= tolerance.value()) {
+                return Err(self.failed("a force inside a region may pull", node));
+            }
+            self.inner_force(node, [a, b], [left, right], beside, set)?;
+        }
+        set.regions.push(ContactRegion {
+            from: self.interval(a, [left.outside, left.inside]),
+            to: self.interval(b, [right.inside, right.outside]),
+        });
+        Ok(())
+    }
+
+    /// The force at an inner node, which has contact on both sides: it is farther from both edges than they may move.
+    fn inner_force(
+        &self,
+        node: usize,
+        ends: [usize; 2],
+        edges: [Reach; 2],
+        beside: &[[Option<Approach>; 2]],
+        set: &mut ContactSet,
+    ) -> Result<(), NotProven> {
+        let nodes = &self.fields.frame.nodes;
+        let x = nodes[node].x;
+        let far = [(x - nodes[ends[0]].x).low(), (nodes[ends[1]].x - x).low()];
+        if !(far[0] > edges[0].inside.value() && far[1] > edges[1].inside.value()) {
+            return Err(self.failed("an edge may lie at a force", node));
+        }
+        set.forces.push(self.force(node, self.tolerance(node, beside), true));
+        Ok(())
+    }
+
+    /// By how much the exact end of a region may differ: outside by θ, inside by θ′ with ∫(p − ε_p) ≥ ε_a − a over θ′.
+    fn edge(
+        &self,
+        node: usize,
+        side: usize,
+        beside: &[[Option<Approach>; 2]],
+        pieces: usize,
+    ) -> Result<Reach, NotProven> {
+        let outside = beside[node][side].map_or(Size::ZERO, |approach| approach.theta);
+        let tolerance = self.tolerance(node, beside);
+        let jump = self.fields.surface.jump[node];
+        let missing = Size::below_zero((jump - S::of(tolerance.value())).low());
+        if missing == Size::ZERO {
+            return Ok(Reach { outside, inside: Size::ZERO });
+        }
+        // The piece of the region at this end.
+        let i = if side == 0 { node } else { node - 1 };
+        let span = &self.fields.frame.spans[i];
+        let (field, error) = (&self.fields.pressures[i].field, self.pressure_error(i));
+        let end = span.interval()[side];
+        let mut inside = Size::INFINITE;
+        // On the part from the end inward p − ε_p is at least `least`.
+        let mut part = 1.0;
+        for _ in 0..40 {
+            let m = if side == 0 { end + 0.5 * part } else { end - 0.5 * part };
+            let about = field.shifted(m);
+            let r = (0.5 * part).next_up() + 4.0 * f64::EPSILON;
+            let lost = about.tail(r) + error;
+            let least = (about.coefficient(0).low() - lost.value()).next_down();
+            let found = missing.over(least);
+            let room = ((part - 1e-12).next_down() * span.half.low()).next_down();
+            if found.value() <= room {
+                inside = inside.least(found);
+            }
+            part *= 0.5;
+        }
+        if inside < Size::INFINITE && pieces > 0 {
+            Ok(Reach { outside, inside })
+        } else {
+            Err(self.failed("the edge of a region is not bounded", node))
+        }
+    }
+
+    /// ε_a, the bound of the error of a concentrated force: of the flux on both sides.
+    fn tolerance(&self, node: usize, beside: &[[Option<Approach>; 2]]) -> Size {
+        let frame = self.fields.frame;
+        let (last, layered) = (frame.spans.len(), frame.layered(node));
+        let mut sum = Size::ZERO;
+        for side in [0, 1] {
+            if layered[side] {
+                let i = node + side - 1;
+                let span = &frame.spans[i];
+                sum += match (span.touches, beside[node][side]) {
+                    (true, _) => Size::of(span.shear.high()) * self.bounds[i].slope,
+                    (false, Some(approach)) => approach.flux,
+                    (false, None) => Size::INFINITE,
+                };
+            } else if node == [0, last][side] {
+                let i = if side == 0 { 0 } else { last - 1 };
+                sum += Size::of(frame.outside[side].high()) * self.bounds[i].settlement;
+            }
+        }
+        sum
+    }
+
+    /// ε_p = kε_u + με_w″.
+    pub(crate) fn pressure_error(&self, i: usize) -> Size {
+        let (span, bounds) = (&self.fields.frame.spans[i], &self.bounds[i]);
+        let bent = bounds.moment.over(span.bending.low());
+        Size::of(span.spring.high()) * bounds.settlement + Size::of(span.shear.size()) * bent
+    }
+
+    /// Whether μ is the same on both sides of a node inside a layer, and no hinge is there.
+    fn even(&self, node: usize) -> bool {
+        let frame = self.fields.frame;
+        frame.layered(node) == [true; 2]
+            && frame.spans[node - 1].shear == frame.spans[node].shear
+            && !frame.nodes[node].is_hinged()
+    }
+
+    /// Whether a node lies inside the layer and has no hinge, no corner of g₀, no step of μ.
+    pub(crate) fn smooth(&self, node: usize) -> bool {
+        self.even(node) && !self.fields.frame.nodes[node].corner
+    }
+
+    /// Whether a node has a corner of g₀ that points up, and nothing else that makes the flux jump.
+    fn only_a_corner(&self, node: usize) -> bool {
+        let slope = |i: usize, side: usize| {
+            let span = &self.fields.frame.spans[i];
+            span.derivative(&span.gap).value(span.t[side])
+        };
+        self.even(node) && (slope(node, 0) - slope(node - 1, 1)).low() >= 0.0
+    }
+
+    /// A concentrated force; it may also be zero unless contact is shown at the node.
+    fn force(&self, node: usize, tolerance: Size, shown: bool) -> ContactForce {
+        let frame = self.fields.frame;
+        let jump = self.fields.surface.jump[node];
+        let (low, high) = (
+            (jump.low() - tolerance.value()).next_down(),
+            (jump.high() + tolerance.value()).next_up(),
+        );
+        let low = if shown && low > 0.0 { low } else { 0.0 };
+        let high = if high > 0.0 { high } else { 0.0 };
+        let below = frame.units.restored(low, 1, 0);
+        let below = if below > 1e-280 { below } else { 0.0 };
+        let force = [below, frame.units.restored(high, 1, 0)];
+        ContactForce { x: frame.place(node), force }
+    }
+
+    /// An interval about a node, in the units of the model, within the beam.
+    pub(crate) fn interval(&self, node: usize, [before, after]: [Size; 2]) -> [f64; 2] {
+        let frame = self.fields.frame;
+        let x = frame.nodes[node].x;
+        let low = (x.low() - before.value()).next_down();
+        let low = if low > 0.0 { frame.units.restored(low, 0, 1) } else { 0.0 };
+        let low = if low > 1e-280 { low } else { 0.0 };
+        let high = (x.high() + after.value()).next_up();
+        [low, frame.units.restored(if high > 0.0 { high } else { 0.0 }, 0, 1)]
+    }
+}

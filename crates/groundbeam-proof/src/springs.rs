@@ -1,0 +1,105 @@
+//! The exact contact set on separate springs: the closure of the set where w* > g₀.
+
+use crate::approach::more;
+use crate::contact::{Contact, ContactRegion, ContactSet};
+use crate::polynomial::{Budget, Polynomial, below};
+use crate::refusal::NotProven;
+use crate::scalar::Scalar;
+use crate::size::Size;
+
+/// The neighbourhood of an edge on one piece, on which w* − g₀ is monotone.
+#[derive(Debug, Clone, Copy)]
+struct Zone {
+    /// Its length.
+    theta: Size,
+    /// t of its end inside the piece.
+    to: f64,
+}
+
+impl<S: Scalar> Contact<'_, S> {
+    /// Springs between two nodes. Every edge has a zone on both sides; elsewhere the sign of w* − g₀ is shown.
+    pub(crate) fn springs(
+        &self,
+        first: usize,
+        end: usize,
+        set: &mut ContactSet,
+    ) -> Result<(), NotProven> {
+        let spans = &self.fields.frame.spans;
+        let differs = |i: usize, j: usize| spans[i].touches != spans[j].touches;
+        let mut zones = vec![[Size::ZERO; 2]; end - first];
+        for i in first..end {
+            let field = self.signed(i);
+            let edges = [i > first && differs(i - 1, i), i + 1 < end && differs(i, i + 1)];
+            let mut interval = spans[i].interval();
+            for side in [0, 1] {
+                if edges[side] {
+                    let zone = self.zone(i, side, &field).ok_or_else(|| {
+                        self.failed("the edge of a region is not bounded", i + side)
+                    })?;
+                    (zones[i - first][side], interval[side]) = (zone.theta, zone.to);
+                }
+            }
+            let error = more(self.bounds[i].deflection);
+            let shown = interval[0] < interval[1]
+                && below(&field, error, Size::ZERO, interval, &mut Budget::new(1)).depth
+                    == Size::ZERO;
+            if !shown {
+                return Err(self.failed("contact and clearance are too close on springs", i));
+            }
+        }
+        let mut i = first;
+        while i < end {
+            let from = i;
+            i += 1;
+            if !spans[from].touches {
+                continue;
+            }
+            while i < end && spans[i].touches {
+                i += 1;
+            }
+            let before = if from > first { zones[from - 1 - first][1] } else { Size::ZERO };
+            let after = if i < end { zones[i - first][0] } else { Size::ZERO };
+            set.regions.push(ContactRegion {
+                from: self.interval(from, [before, zones[from - first][0]]),
+                to: self.interval(i, [zones[i - 1 - first][1], after]),
+            });
+        }
+        Ok(())
+    }
+
+    /// w − g₀ where the piece touches, g₀ − w where it is open.
+    fn signed(&self, i: usize) -> Polynomial<S::Coarse> {
+        let span = &self.fields.frame.spans[i];
+        let field = if span.touches { span.obstacle() } else { &span.gap - &span.deflection };
+        field.coarse()
+    }
+
+    /// The least zone found: the field grows inward faster than its slope is off, up to a value above its bound.
+    fn zone(&self, i: usize, side: usize, field: &Polynomial<S::Coarse>) -> Option<Zone> {
+        let (span, bounds) = (&self.fields.frame.spans[i], &self.bounds[i]);
+        let [limit, steep] = [more(bounds.deflection), more(bounds.slope)];
+        let end = span.interval()[side];
+        let inward = if side == 0 { 1.0 } else { -1.0 };
+        // The derivative by x is the one by t over `half`.
+        let slope = field.derivative().times(S::Coarse::of(inward));
+        let steep = steep * Size::of(span.half.high());
+        let at_end = slope.value(S::Coarse::of(end)).low();
+        let mut long = (2.0 * limit.over(at_end)).value();
+        for _ in 0..12 {
+            let to = end + inward * long;
+            if !(long < 0.75) || to == end {
+                return None;
+            }
+            let m = end + 0.5 * (to - end);
+            let about = slope.shifted(m);
+            let r = (0.5 * long).next_up() + 4.0 * f64::EPSILON;
+            let least = (about.coefficient(0).low() - about.tail(r).value()).next_down();
+            if least > steep.value() && field.value(S::Coarse::of(to)).low() > limit.value() {
+                let theta = Size::of((to - end).abs().next_up()) * Size::of(span.half.high());
+                return Some(Zone { theta, to });
+            }
+            long *= 2.0;
+        }
+        None
+    }
+}
