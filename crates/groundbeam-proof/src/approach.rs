@@ -2,7 +2,7 @@
 
 use crate::arc::Arc;
 use crate::clearance::OpenPiece;
-use crate::contact::Contact;
+use crate::contact_set::{Contact, more};
 use crate::polynomial::half_width;
 use crate::scalar::Scalar;
 use crate::size::Size;
@@ -127,11 +127,6 @@ impl<S: Scalar> Contact<'_, S> {
         }
         None
     }
-}
-
-/// A size that is strictly larger.
-pub(crate) fn more(size: Size) -> Size {
-    1.0001 * size + Size::of(1e-250)
 }
 
 /// C′ at t, positive where C grows towards the touching end.

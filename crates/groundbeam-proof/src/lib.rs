@@ -15,6 +15,7 @@ mod balance;
 mod ball;
 mod clearance;
 mod contact;
+mod contact_set;
 mod decimal;
 mod deflection;
 mod document;
@@ -44,7 +45,7 @@ mod wide;
 
 pub use answer::{Answer, Force, Piece, Reaction};
 pub use ball::Ball;
-pub use contact::{ContactForce, ContactRegion, ContactSet};
+pub use contact_set::{ContactForce, ContactRegion, ContactSet};
 pub use document::{Document, Extreme};
 pub use json::JsonError;
 pub use model::{

@@ -1,7 +1,7 @@
 //! The proof: an admissible deflection, an exactly balanced pressure, and a bound of the difference of their energies.
 
 use crate::answer::Answer;
-use crate::contact::{Contact, ContactSet};
+use crate::contact_set::{Contact, ContactSet};
 use crate::fields::Fields;
 use crate::frame::Frame;
 use crate::given::frame;

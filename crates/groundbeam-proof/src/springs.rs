@@ -1,7 +1,6 @@
 //! The exact contact set on separate springs: the closure of the set where w* > g₀.
 
-use crate::approach::more;
-use crate::contact::{Contact, ContactRegion, ContactSet};
+use crate::contact_set::{Contact, ContactRegion, ContactSet, more};
 use crate::polynomial::{Budget, Polynomial, below};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
