@@ -173,7 +173,7 @@ pub struct Ground {
     /// The width on which the beam bears \[m\].
     pub width: f64,
     /// k and μ.
-    pub subgrade: GroundConstants,
+    pub constants: GroundConstants,
     /// The soil, and the method.
     pub soil: Option<SoilModel>,
     /// How the soil made them.
@@ -193,10 +193,8 @@ impl Ground {
         Some(match found {
             Found::NotConverged(_) => return None,
             Found::Equilibrium(solution) => {
-                let Foundation { subgrade: spring, shear_layer: shear, .. } =
-                    solution.model().foundation;
-                let subgrade = GroundConstants { subgrade: spring, shear_layer: shear };
-                Ground { subgrade, rounds: solution.soil(), ..before }
+                let after = Ground::before(solution.model(), Some(before.width))?;
+                Ground { soil: before.soil, rounds: solution.soil(), ..after }
             }
             _ => Ground { rounds: gamma.map(|_| SoilRounds { gamma, rounds: 1 }), ..before },
         })
@@ -205,14 +203,13 @@ impl Ground {
     /// The ground of a model before anything is solved; `None` where it is not the same everywhere, or its width is
     /// not known.
     pub(crate) fn before(model: &Model, width: Option<f64>) -> Option<Self> {
-        let Foundation { subgrade: spring, shear_layer: shear, segments, soil, .. } =
-            &model.foundation;
+        let &Foundation { subgrade, shear_layer, ref segments, ref soil, .. } = &model.foundation;
         let width = soil.as_ref().map(|soil| soil.width).or(width)?;
-        let subgrade = match soil {
+        let constants = match soil {
             Some(soil) => soil.subgrade(&model.beam),
-            None => GroundConstants { subgrade: *spring, shear_layer: *shear },
+            None => GroundConstants { subgrade, shear_layer },
         };
-        let ground = Ground { width, subgrade, soil: soil.clone(), rounds: None };
+        let ground = Ground { width, constants, soil: soil.clone(), rounds: None };
         segments.is_empty().then_some(ground)
     }
 }

@@ -33,24 +33,6 @@ pub(super) fn all(length: f64, base: Option<Along>, mut segments: Vec<Depth>) ->
     segments
 }
 
-/// Refuses `expansion` and `depth` beside a load that has no use for them.
-pub(super) fn misplaced(reader: &mut Reader, table: &Section, kind: &str) {
-    let mut refuse = |key: &str, advice: &str| {
-        if let Some((name, _)) = table.table.get_key_value(key) {
-            let message = format!("`{key}` does not go with `{kind}`");
-            reader.report(Fault::new(code::MISPLACED, name.span(), message, "", advice));
-        }
-    };
-    if kind != "temperature_difference" {
-        refuse("expansion", "`expansion` belongs to a `temperature_difference`");
-    }
-    match kind {
-        "temperature_difference" | "shrinkage_difference" => {}
-        "curvature" => refuse("depth", "a curvature needs no depth"),
-        _ => refuse("depth", "`depth` belongs to a difference between top and bottom"),
-    }
-}
-
 /// What one of a difference between top and bottom is as a curvature: 1 for a curvature itself, α/h for the
 /// temperature of the top above that of the bottom, −1/h for the shrinkage of the top beyond that of the
 /// bottom. A warmer top is longer, and bends the ends down, as a positive curvature does.

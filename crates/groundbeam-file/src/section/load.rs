@@ -170,7 +170,7 @@ fn read_one(
         reader.exclusive((kind.key, &value.span()), (other.key, &other_value.span()), &hint);
     }
     if !list.on_ground {
-        curl::misplaced(reader, table, kind.key);
+        refuse_keys_of_curvatures(reader, table, kind.key);
     }
     let extent = if kind.is_distributed {
         let [from, to] = stretch(reader, table, part, kind, list, beam_length);
@@ -262,6 +262,20 @@ fn intensity(
     reader.places.field(part, "start", &start);
     reader.places.field(part, "end", &end);
     (start.value, end.value)
+}
+
+/// Refuses `expansion` and `depth` beside a load that has no use for them.
+fn refuse_keys_of_curvatures(reader: &mut Reader, table: &Section, kind: &str) {
+    if kind != "temperature_difference" {
+        let advice = "`expansion` belongs to a `temperature_difference`";
+        misplaced(reader, table, kind, &["expansion"], advice);
+    }
+    let advice = match kind {
+        "temperature_difference" | "shrinkage_difference" => return,
+        "curvature" => "a curvature needs no depth",
+        _ => "`depth` belongs to a difference between top and bottom",
+    };
+    misplaced(reader, table, kind, &["depth"], advice);
 }
 
 fn misplaced(reader: &mut Reader, table: &Section, kind: &str, keys: &[&str], advice: &str) {

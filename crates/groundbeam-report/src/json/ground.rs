@@ -26,15 +26,15 @@ pub(super) struct Ground {
 
 impl Ground {
     pub fn of(ground: &run::Ground, model: &Model) -> Self {
-        let (width, subgrade) = (ground.width, ground.subgrade);
+        let (width, constants) = (ground.width, ground.constants);
         let gamma = ground.rounds.and_then(|soil| soil.gamma);
         Ground {
             source: ground.soil.as_ref().map(SoilModel::source),
             width,
-            k: subgrade.subgrade,
-            mu: subgrade.shear_layer,
-            area_spring: subgrade.subgrade / width,
-            area_shear: subgrade.shear_layer / width,
+            k: constants.subgrade,
+            mu: constants.shear_layer,
+            area_spring: constants.subgrade / width,
+            area_shear: constants.shear_layer / width,
             gamma,
             rounds: gamma.and(ground.rounds).map(|soil| soil.rounds),
             warnings: ground.soil.as_ref().map(|soil| soil.doubts(&model.beam)).unwrap_or_default(),

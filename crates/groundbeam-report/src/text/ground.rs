@@ -11,7 +11,7 @@ use groundbeam::soil::SoilRounds;
 pub fn rows(sheet: &mut Sheet, model: &Model, context: &Context) {
     let Some(ground) = context.ground else { return };
     let units = context.units;
-    let (width, subgrade) = (ground.width, ground.subgrade);
+    let (width, constants) = (ground.width, ground.constants);
     if let Some(soil) = &ground.soil {
         let mut words = format!("by {}", soil.source());
         if let Some(SoilRounds { gamma: Some(gamma), rounds }) = ground.rounds {
@@ -22,10 +22,10 @@ pub fn rows(sheet: &mut Sheet, model: &Model, context: &Context) {
         }
         sheet.row("Soil", &words);
     }
-    let area = units.write(Kind::AreaSpring, subgrade.subgrade / width, 6);
+    let area = units.write(Kind::AreaSpring, constants.subgrade / width, 6);
     let mut values = format!("on a width of {}: C1 = k/b = {area}", units.position(width));
-    if subgrade.shear_layer > 0.0 {
-        let shear = units.write(Kind::AreaShear, subgrade.shear_layer / width, 6);
+    if constants.shear_layer > 0.0 {
+        let shear = units.write(Kind::AreaShear, constants.shear_layer / width, 6);
         values += &format!(", C2 = mu/b = {shear}");
     }
     sheet.row("", &values);

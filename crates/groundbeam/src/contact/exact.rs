@@ -140,8 +140,21 @@ fn from_edges(
     intervals: &[Interval],
     judge: &mut dyn FnMut(&ContactState) -> Proof,
 ) -> Result<ContactState, Unconverged> {
-    let found =
-        bonded.solve_on(intervals, None).map_err(|NotDefinite| edges_not_converged(0, f64::NAN))?;
+    let found = bonded_on(bonded, intervals)?;
+    from_bonded(bonded, intervals, found, judge)
+}
+
+fn bonded_on(bonded: &mut Bonded, intervals: &[Interval]) -> Result<ContactState, Unconverged> {
+    bonded.solve_on(intervals, None).map_err(|NotDefinite| edges_not_converged(0, f64::NAN))
+}
+
+/// Solves from the bonded solution on given intervals.
+fn from_bonded(
+    bonded: &mut Bonded,
+    intervals: &[Interval],
+    found: ContactState,
+    judge: &mut dyn FnMut(&ContactState) -> Proof,
+) -> Result<ContactState, Unconverged> {
     let zones = obstacle::contact(&found.deflection());
     if positions(&found.mesh, &zones, &[]) == intervals {
         judge(&found);
@@ -158,8 +171,7 @@ fn from_likely(
     intervals: &[Interval],
     judge: &mut dyn FnMut(&ContactState) -> Proof,
 ) -> Result<ContactState, Unconverged> {
-    let found =
-        bonded.solve_on(intervals, None).map_err(|NotDefinite| edges_not_converged(0, f64::NAN))?;
+    let found = bonded_on(bonded, intervals)?;
     let near = |next: &Vec<Interval>| {
         next != intervals && distance(intervals, next) <= NEAR * bonded.model.beam.length
     };
@@ -169,7 +181,7 @@ fn from_likely(
             refine(bonded, start, Goal::Answer(NEAR_STEPS), judge)
         }
         // Edge Newton does not apply: the whole beam touches, or the number of zones changes.
-        None => from_edges(bonded, intervals, judge),
+        None => from_bonded(bonded, intervals, found, judge),
     }
 }
 

@@ -1,41 +1,35 @@
 //! Model and solution in the form that the proof reads: its numbers are exact doubles.
 
-use crate::model::{Action, Acts, Extent, GroundEnd, Model, Profile, SupportKind};
+use crate::model::{Action, Acts, Extent, GapPoint, GroundEnd, Hinge, Load, Model, Profile};
+use crate::model::{Support, SupportKind};
 use crate::solution::candidate::Candidate;
 use groundbeam_proof::{self as proof, Answer, NotProven, Proof, Scalar};
 
 /// The proof of a solution, in numbers of the given type.
 pub(super) fn prove<S: Scalar>(candidate: &Candidate) -> Result<Proof, NotProven> {
-    groundbeam_proof::prove(&candidate.model.to_prove::<S>(), &answer(candidate))
+    proof::prove(&candidate.model.to_prove::<S>(), &answer(candidate))
 }
 
 impl Model {
     /// The model as the proof reads it, its doubles taken as exact numbers. On soil k and μ are those of the model's
     /// fields: in a solution's model the ones that the solve made.
     pub fn to_prove<S: Scalar>(&self) -> proof::Model<S> {
-        given(self)
-    }
-}
-
-fn given<S: Scalar>(model: &Model) -> proof::Model<S> {
-    proof::Model {
-        beam: beam(model),
-        ground: ground(model),
-        loads: model.loads.iter().map(load).collect(),
-        supports: model.supports.iter().map(support).collect(),
-        hinges: model
-            .hinges
-            .iter()
-            .map(|hinge| proof::Hinge {
-                at: S::of(hinge.at),
-                rotational_spring: S::of(hinge.rotational_spring),
-            })
-            .collect(),
-        gap: model
-            .gap
-            .iter()
-            .map(|corner| proof::GapCorner { at: S::of(corner.at), value: S::of(corner.value) })
-            .collect(),
+        let hinge = |hinge: &Hinge| proof::Hinge {
+            at: S::of(hinge.at),
+            rotational_spring: S::of(hinge.rotational_spring),
+        };
+        let corner = |corner: &GapPoint| proof::GapCorner {
+            at: S::of(corner.at),
+            value: S::of(corner.value),
+        };
+        proof::Model {
+            beam: beam(self),
+            ground: ground(self),
+            loads: self.loads.iter().map(load).collect(),
+            supports: self.supports.iter().map(support).collect(),
+            hinges: self.hinges.iter().map(hinge).collect(),
+            gap: self.gap.iter().map(corner).collect(),
+        }
     }
 }
 
@@ -84,7 +78,7 @@ fn ground<S: Scalar>(model: &Model) -> proof::Ground<S> {
     }
 }
 
-fn load<S: Scalar>(load: &crate::model::Load) -> proof::Load<S> {
+fn load<S: Scalar>(load: &Load) -> proof::Load<S> {
     proof::Load {
         action: match load.action() {
             Action::Force => proof::Action::Force,
@@ -104,7 +98,7 @@ fn load<S: Scalar>(load: &crate::model::Load) -> proof::Load<S> {
     }
 }
 
-fn support<S: Scalar>(support: &crate::model::Support) -> proof::Support<S> {
+fn support<S: Scalar>(support: &Support) -> proof::Support<S> {
     proof::Support {
         at: S::of(support.at),
         kind: match support.kind {
