@@ -1,4 +1,4 @@
-//! What is claimed: the fields of an answer, piece by piece, with its concentrated forces and reactions.
+//! The answer to be proven: its fields, piece by piece, its concentrated forces and reactions.
 
 /// The answer that is to be proven: what a program or a document says. Its numbers are exact doubles.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -281,7 +281,7 @@ impl<S: Scalar> Balance<'_, S> {
         let slope = (ends[1] - ends[0]) * per_length;
         for i in cell.pieces.start..=cell.pieces.end {
             let x = self.frame.nodes[i].x;
-            // Both hats, each computed by itself: their radii do not add up near an end.
+            // Each hat is computed on its own: 1 − φ would add its radius near an end.
             let hats = [(cell.ends[1] - x) * per_length, (x - cell.ends[0]) * per_length];
             balanced.factors[i] = match i {
                 _ if i == cell.pieces.start => ends[0],

@@ -6,7 +6,7 @@ use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The exact contact set, as far as it differs from the claimed one.
+/// The exact contact set, with an interval for each edge and each concentrated force.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactSet {
     /// The regions and points of exact contact, from left to right, and no others. A region is cut where a shear layer

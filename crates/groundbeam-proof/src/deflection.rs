@@ -88,7 +88,7 @@ fn bending<S: Scalar>(frame: &Frame<S>) -> Vec<bool> {
     bends
 }
 
-/// w̄ at the nodes and w̄′ on both sides of them, as far as they are known.
+/// w̄ at the nodes and w̄′ on both sides of them; `None` before they are set.
 struct Walk<'a, S> {
     frame: &'a Frame<S>,
     claimed: &'a [[S; 2]],

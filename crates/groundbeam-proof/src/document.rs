@@ -228,7 +228,7 @@ fn piece(mut piece: Object) -> Result<Piece, JsonError> {
     }
 }
 
-/// Adds the keys of what is left of an object that hold numbers.
+/// Adds the remaining keys of an object that hold numbers.
 fn rest(path: &str, object: &Object, not_covered: &mut BTreeSet<String>) {
     for (key, _) in object.iter().filter(|(_, value)| value.has_number()) {
         let name = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
@@ -306,7 +306,7 @@ fn numbers(parent: &mut Object, key: &str) -> Result<Option<Vec<f64>>, JsonError
     }
 }
 
-/// Coefficients of a polynomial; none of them if the key is missing.
+/// Coefficients of a polynomial; an empty list if the key is missing.
 fn coefficients(parent: &mut Object, key: &str) -> Result<Vec<f64>, JsonError> {
     let read = numbers(parent, key)?.unwrap_or_default();
     if read.len() > MOST_COEFFICIENTS {

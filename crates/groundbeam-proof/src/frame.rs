@@ -86,7 +86,7 @@ pub(crate) struct Frame<S> {
     pub nodes: Vec<Node<S>>,
     /// The tension P; none if it is zero.
     pub tension: Option<S>,
-    /// Stiffness K₀, K_l of the ground beside the beam: flux = K u. Exactly 0 where there is none.
+    /// Stiffness K₀, K_l of the ground beside the beam: flux = K u. Exactly 0 without such ground.
     pub outside: [S; 2],
     pub length: S,
     pub units: Units,

@@ -34,7 +34,7 @@ pub(crate) struct Surface<S> {
     pub force: Vec<S>,
     /// A bound of √g(x, x) on each piece of a layer; infinite on separate springs.
     pub flexibility: Vec<Size>,
-    /// Σ|r|√g over the forces that pull, which nobody claims.
+    /// Σ|r|√g over the pulling forces, which p̄ leaves out.
     pub unclaimed: Size,
 }
 

@@ -1,4 +1,4 @@
-//! What is given: beam, ground, loads, supports, hinges and initial gap, as exact numbers or balls.
+//! The model: beam, ground, loads, supports, hinges and initial gap, as exact numbers or balls.
 //!
 //! All numbers are in one coherent system of units (m, N, rad and their products). Positions are measured from the
 //! beam's left end. Deflections, settlements and forces are positive down.

@@ -39,7 +39,7 @@ pub struct Solver {
     options: Options,
 }
 
-/// What mechanics says, lent by the [`Solver`] that knows it.
+/// The outcome of a solve, borrowed from the [`Solver`].
 #[derive(Debug, Clone, Copy)]
 pub enum Answer<'a> {
     /// An equilibrium, certified.

@@ -2,8 +2,8 @@
 //!
 //! S (with r) is the stiffness (and force) that everything behind a node offers to the node's own
 //! x = (w, θ) and, where beam and ground have parted, u. Crossing an element, x' = T x + d, either x
-//! or d is eliminated in each of its two directions, whichever is held more stiffly, and never is a
-//! stiffness found as a small difference of large ones. Each element is crossed once on the way in
+//! or d is eliminated in each of its two directions, whichever is held more stiffly. No stiffness is
+//! computed as a small difference of large numbers. Each element is crossed once on the way in
 //! and once on the way out: the cost is linear in the number of elements.
 //!
 //! In a narrow gap, or near the edge of a wide one, a short two-port of stiffness μ/h ties the surface to the

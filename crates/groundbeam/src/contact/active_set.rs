@@ -96,7 +96,7 @@ pub(crate) fn solve(
         if let Some(step) = history.last_mut() {
             step.step = t;
         }
-        // A direction that leads nowhere is one in which the contact holds the beam by rounding alone.
+        // A vanishing step means that the bonded system is numerically singular in this direction.
         least_damping = if t < 1e-9 { (100.0 * damping).max(LEAST_DAMPING) } else { 0.0 };
         let full = t == 1.0 && damping == 0.0;
         before = if full { line.decrement } else { f64::INFINITY };

@@ -118,8 +118,8 @@ fn follow(
     Err(edges_not_converged(0, f64::NAN))
 }
 
-/// Where edges on a beam of length l go on to that went from `before` to `here`, by so large a `part` of that
-/// way; none where zones came or went, or would meet.
+/// Extrapolates the edges from `before` to `here` by a `part` of this move, on a beam of length l. `None` if the number of
+/// zones changed or two zones would meet.
 fn ahead(before: &[Interval], here: &[Interval], part: f64, l: f64) -> Option<Vec<Interval>> {
     let further = |a: f64, b: f64| (b + part * (b - a)).clamp(0.0, l);
     let pairs = before.iter().zip(here);

@@ -34,9 +34,8 @@ impl OpenSpan {
     }
 }
 
-/// The intervals after a step on every edge of the given zones, whose ends are nodes. None where that is
-/// not for edges to tell: on separate springs, and where an end or a point of contact pulls or an edge
-/// goes far.
+/// The intervals after a step on every edge of the given zones, whose ends are nodes. `None` if edge
+/// Newton does not apply: on separate springs, if an end or a point of contact pulls, or if a step is too long.
 pub(crate) fn next_intervals(w: &Deflection, zones: &[MeshZone]) -> Option<Vec<Interval>> {
     let runs = ground_runs(w.mesh);
     let [run] = runs.as_slice() else { return None };

@@ -39,8 +39,8 @@ pub(crate) fn coarse_meshes(model: &Model, per_wave: f64) -> impl Iterator<Item 
     })
 }
 
-/// Solves on a given mesh: from coarser ones to one as fine, and if that is too coarse for the beam's waves
-/// from a beam that it suits to the beam itself.
+/// Solves on a given mesh, starting from coarser ones. If the mesh is too coarse for the beam's waves, it starts from a
+/// stiffer beam.
 pub(crate) fn solve_on(
     model: &Model,
     mesh: Mesh,

@@ -7,8 +7,8 @@
 //! > A = ∫ π φ_a dx,  B = ∫ π φ_b dx,
 //!
 //! where φ_a is the unloaded ground that is 1 at a and 0 at b, φ_b the same from the other end, and π
-//! includes the point forces −\[μψ'\] of corners. π is a polynomial with its own digits, and its sign is what the
-//! joint is about. Rounding leaves ε μψ/h of the differences and ε h (kψ + μψ″) of the integrals: whichever
+//! includes the point forces −\[μψ'\] of corners. π is a polynomial with its own digits, and its sign decides
+//! about the span. Rounding leaves ε μψ/h of the differences and ε h (kψ + μψ″) of the integrals: whichever
 //! is less decides.
 
 use crate::ground::link::{TwoPort, between, settled};
@@ -16,9 +16,9 @@ use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{BeamPoint, Deflection};
 use crate::numeric::polynomial::value;
 
-/// The most cells a narrow joint reaches into; three are a gap and the cells beside it.
+/// The most cells of a short span; three are a gap and the cells beside it.
 const MOST_CELLS: usize = 4;
-/// The longest joint in wave lengths √(μ/k) of the ground: beyond, the differences keep twelve digits.
+/// The longest short span in wave lengths √(μ/k) of the ground: beyond, the differences keep twelve digits.
 const LONGEST: f64 = 0.03;
 
 /// A part of a cell with what the ground needs there.
@@ -109,7 +109,7 @@ fn decay(cell: &Cell, half: f64) -> f64 {
     (cell.subgrade / cell.shear_layer).sqrt() * 2.0 * half
 }
 
-/// What open ground takes at both ends of a joint, where it is held at ψ; `link` is all of it. A missing end is
+/// The fluxes of open ground into both ends of a span, where it is held at ψ; `link` is its two-port. A missing end is
 /// the ground beyond the run.
 pub(crate) fn fluxes(w: &Deflection, ends: [Option<BeamPoint>; 2], link: &TwoPort) -> [f64; 2] {
     let of = |f: &dyn Fn(BeamPoint) -> f64| ends.map(|end| end.map_or(0.0, f));
@@ -121,7 +121,7 @@ pub(crate) fn fluxes(w: &Deflection, ends: [Option<BeamPoint>; 2], link: &TwoPor
     [link.force_left(left, right), link.force_right(left, right)]
 }
 
-/// A and B of a joint, if it is narrow.
+/// A and B of a span, if it is short.
 pub(crate) fn end_forces(w: &Deflection, ends: [Option<BeamPoint>; 2]) -> Option<[f64; 2]> {
     let [a, b] = [ends[0]?, ends[1]?];
     if b.cell < a.cell || b.cell - a.cell >= MOST_CELLS {
@@ -171,8 +171,8 @@ pub(crate) fn end_forces(w: &Deflection, ends: [Option<BeamPoint>; 2]) -> Option
     Some(forces)
 }
 
-/// A part of the joint that a corner opens between two arcs that meet there. On short even ground with a constant π
-/// both forces vanish where the joint reaches |c|/2π to each side of a corner that pulls with c; half of this still
+/// A part of the span that a corner opens between two arcs that meet there. On short even ground with a constant π
+/// both forces vanish where the span reaches |c|/2π to each side of a corner that pulls with c; half of this still
 /// pulls at both ends, and the tangents are two or three steps away. None if the forces say otherwise.
 pub(crate) fn opened(w: &Deflection, ends: [BeamPoint; 2]) -> Option<[BeamPoint; 2]> {
     let [a, b] = ends;

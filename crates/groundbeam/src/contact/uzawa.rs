@@ -160,8 +160,8 @@ fn sweep(
     next
 }
 
-/// Solves slope·step = balance. One touching node cannot balance a moment, and none nothing: the slope is
-/// then made regular by a part of what all nodes together would have, and the step goes until others touch.
+/// Solves slope·step = balance. One touching node cannot balance a moment, and no touching node balances
+/// anything. A fraction of the slope at full contact then regularises it, and the step goes on until other nodes touch.
 fn newton(balance: &[f64; 2], slope: &[[f64; 2]; 2], free: usize, whole: f64) -> [f64; 2] {
     let [a, b] = *balance;
     if free == 1 {

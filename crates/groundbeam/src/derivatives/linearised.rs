@@ -1,9 +1,8 @@
-//! The contact problem linearised at a solution: the chain glued on its own contact, without loads.
+//! The contact problem linearised at a solution: the chain bonded on its own contact, without loads.
 //!
 //! Moving an edge of contact changes the energy in third order only: no force stands there, and the pressure is finite.
-//! So to first order whatever is changed of a model changes w as if beam and ground were glued together where they
-//! touch and nowhere else. A small force that the glued edge then carries is what the pressure on the strip makes by
-//! which the edge moves.
+//! To first order a change of the model changes w as if beam and ground were bonded where they touch and nowhere
+//! else. The small force that the bonded edge then carries equals the pressure on the strip by which the edge moves.
 
 use super::field::{Field, Point};
 use super::joint::{Joint, joints};
@@ -27,7 +26,7 @@ use crate::numeric::polynomial::{Coefficients, jet, rescale};
 use crate::solution::fields::{ConcentratedForce, Side};
 use crate::solution::solution::Solution;
 
-/// Beam and ground glued on the contact of a solution.
+/// Beam and ground bonded on the contact of a solution.
 #[derive(Debug)]
 pub(super) struct Linearised {
     /// The model, on the supports that act.

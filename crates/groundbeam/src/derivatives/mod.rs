@@ -1,4 +1,4 @@
-//! Derivatives of what is found by what is given, exact, from the contact problem linearised at its solution.
+//! Exact derivatives of results by the data of the model, from the contact problem linearised at its solution.
 //!
 //! With a(y, z; p) = F(z; p) for all z on the contact that the solution has, an output j(y; p) changes by
 //!

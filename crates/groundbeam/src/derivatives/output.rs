@@ -206,7 +206,7 @@ impl Linearised {
         }
     }
 
-    /// The concentrated force at an end of a zone: what its glue would bear there.
+    /// The concentrated force at an end of a zone: the force that the bond would carry there.
     pub fn force_at_edge(&self, zone: usize, side: Side) -> Functional {
         let mut f = Functional::default();
         let zone = self.zones[zone];

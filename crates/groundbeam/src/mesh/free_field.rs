@@ -20,8 +20,7 @@ struct Strip {
     load: [f64; 2],
 }
 
-/// What a strip's load presses its two ends with, these being held: ∫q φ, φ the ground that is 1 at one
-/// end and 0 at the other.
+/// The end forces of a strip with both ends held: ∫q φ, with unloaded ground φ = 1 at one end and 0 at the other.
 fn carried(strip: &Strip, link: &TwoPort) -> [f64; 2] {
     let stiffness = (strip.spring * strip.shear).sqrt();
     let z = (strip.spring / strip.shear).sqrt() * (strip.x[1] - strip.x[0]);

@@ -4,7 +4,7 @@ use super::beam::Beam;
 use super::profile::{CellPolynomial, Profile};
 use super::soil::{GroundConstants, SoilModel};
 
-/// A Pasternak foundation; with `shear` = 0 a Winkler foundation.
+/// A Pasternak foundation; with `shear_layer` = 0 a Winkler foundation.
 ///
 /// Beside the beam the ground goes on as it is at the beam's ends, outward, until a segment says otherwise or it
 /// [ends](GroundEnd).
@@ -19,8 +19,9 @@ pub struct Foundation {
     pub segments: Vec<FoundationSegment>,
     /// How the ground ends on the left and on the right.
     pub ends: [GroundEnd; 2],
-    /// The soil from which k and μ follow; `None` where they are given. On soil a solve makes `spring` and `shear`
-    /// anew, by the modified Vlasov model from its own solution. Such ground is uniform and endless.
+    /// The soil from which k and μ follow; `None` where they are given. A solve on soil sets `subgrade` and
+    /// `shear_layer`: for the modified Vlasov model from its own solution, otherwise from the method. Such ground is
+    /// uniform and endless.
     pub soil: Option<SoilModel>,
 }
 

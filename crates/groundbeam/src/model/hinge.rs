@@ -1,4 +1,4 @@
-//! Hinges inside the beam: they transmit shear, and a moment only as far as their spring does.
+//! Hinges inside the beam: they transmit shear force, and the moment of their rotational spring.
 
 /// A hinge at one point inside the beam: w is continuous there, w' jumps.
 ///

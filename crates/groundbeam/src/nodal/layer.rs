@@ -17,7 +17,7 @@ impl Layer {
         Layer { stiffness: (spring * shear).sqrt(), rate: (spring / shear).sqrt() }
     }
 
-    /// Open ground of a length, as [`Link::uniform`] with one exponential:
+    /// Open ground of a length, as [`TwoPort::uniform`] with one exponential:
     /// 1/sinh z = 2e^(−z)/(1 − e^(−z))(1 + e^(−z)) and tanh(z/2) = (1 − e^(−z))/(1 + e^(−z)).
     pub fn open(&self, length: f64) -> TwoPort {
         if self.stiffness == 0.0 {

@@ -184,9 +184,8 @@ fn reactions(candidate: &Candidate) -> Vec<Reaction> {
     supports.iter().map(reaction).collect()
 }
 
-/// The force of a support at x: what the beam between the middles of the spans on both sides of it lacks
-/// to be in equilibrium. Next to a pin, where the beam hardly does more than turn, an element's own shear
-/// has lost its digits; half a span away it has not.
+/// The force of a support at x, from equilibrium of the beam between the middles of the two adjacent spans. Beside a
+/// pin an element's own shear force has lost its digits; half a span away it has not.
 fn lift(candidate: &Candidate, x: f64) -> f64 {
     let model = &candidate.model;
     let (axial, l) = (model.beam.axial_force, model.beam.length);

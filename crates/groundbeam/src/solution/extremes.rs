@@ -1,7 +1,7 @@
 //! Extremes of the fields: at the ends of pieces, and where derivatives vanish.
 //!
-//! Nothing is sampled: the roots of a polynomial are told from its coefficients. So is on which pieces a field may
-//! exceed what it is at their ends; on the others no root is sought.
+//! Nothing is sampled. The coefficients of a polynomial give its roots, and bounds of its values. Only pieces on which a
+//! field may exceed its end values are searched for roots.
 
 use crate::numeric::polynomial::{derivative, jet, value, with_slope};
 use crate::numeric::roots::sign_changes;
@@ -112,7 +112,7 @@ impl FieldBounds {
 }
 
 impl SolutionPiece {
-    /// One field, to the bit what [`Stretch::fields`] says.
+    /// One field, the same to the last bit as in [`SolutionPiece::fields`].
     fn one(&self, field: Field, s: f64) -> f64 {
         let per_length = 1.0 / self.half;
         match field {
