@@ -8,6 +8,7 @@
 // `!(a <= b)` refuses when a number is NaN; `a > b` would accept.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
+mod anchors;
 mod answer;
 mod approach;
 mod arc;
@@ -39,6 +40,7 @@ mod residual;
 mod scalar;
 mod size;
 mod springs;
+mod test_functions;
 mod units;
 mod values;
 mod wide;

@@ -1,0 +1,88 @@
+//! K² of the functions z that test the error of the moment and of the reactions.
+//!
+//! ```text
+//! K² = ∫EI z″² + ∫(P + μ)z′² + ∫kz² + K₀z(0)² + K_lz(l)² + Σκz² + Σκ_θz′².
+//! ```
+
+use crate::pointwise::Pointwise;
+use crate::scalar::Scalar;
+use crate::size::Size;
+use std::ops::Range;
+
+impl<S: Scalar> Pointwise<'_, S> {
+    /// K² for z = t(1 − t/h)² on the side of x with more room between two obstacles:
+    /// 4EI/h + (2/15)(P + μ)h + kh³/105 + Σκ(4h/27)² + Σκ_θ.
+    pub(crate) fn short_kink(&self, nodes: Range<usize>) -> Size {
+        let frame = self.fields.frame;
+        let room = (frame.nodes[nodes.end].x - frame.nodes[nodes.start].x).scaled(-1);
+        let [bending, layer, springs] = self.largest(nodes.clone());
+        let (mut supports, mut turning) = (Size::ZERO, Size::ZERO);
+        for node in &frame.nodes[nodes.start..=nodes.end] {
+            supports += node.spring.map_or(Size::ZERO, |[spring, _]| Size::of(spring.high()));
+            turning += node.turning.map_or(Size::ZERO, |turning| Size::of(turning.high()));
+        }
+        let mut least = Size::INFINITE;
+        let mut h = room.low();
+        for _ in 0..24 {
+            let long = Size::of(h);
+            let cube = long.square() * long;
+            let all = (4.0 * bending).over(h)
+                + 0.134 * (layer * long)
+                + (springs * cube).over(105.0)
+                + supports * (0.1482 * long).square()
+                + turning;
+            least = least.least(all);
+            h *= 0.5;
+        }
+        least
+    }
+
+    /// The largest EI, P + μ and k between two nodes.
+    pub(crate) fn largest(&self, nodes: Range<usize>) -> [Size; 3] {
+        let frame = self.fields.frame;
+        let tension = Size::of(frame.tension.map_or(0.0, |tension| tension.high()));
+        let mut largest = [Size::ZERO; 3];
+        for span in &frame.spans[nodes] {
+            let layer = tension + Size::of(span.shear.size());
+            let here = [Size::of(span.bending.high()), layer, Size::of(span.spring.high())];
+            for (most, here) in largest.iter_mut().zip(here) {
+                *most = most.worst(here);
+            }
+        }
+        largest
+    }
+
+    /// K² for z = the distance from x to one side, up to the end of the beam, as long as no rigid support stands there:
+    /// (P + μ)L + kL³/3 + K_eL² + Σ(κ(x − x_j)² + κ_θ). It has no EI: the bound for stiff beams.
+    pub(crate) fn long_kinks(&self, side: usize, stiffness: &mut [Size]) {
+        let frame = self.fields.frame;
+        let count = frame.spans.len();
+        let (mut layer, mut springs) = (Size::ZERO, Size::ZERO);
+        let mut held: Vec<usize> = Vec::new();
+        for step in 0..count {
+            let i = if side == 0 { step } else { count - 1 - step };
+            // The outer node of the piece, and the inner one: x is anywhere on the piece.
+            let (outer, inner) = (i + side, i + 1 - side);
+            let node = &frame.nodes[outer];
+            if node.rigid.is_some() {
+                return;
+            }
+            if node.spring.is_some() || node.turning.is_some() {
+                held.push(outer);
+            }
+            let [_, more_layer, more_springs] = self.largest(i..i + 1);
+            (layer, springs) = (layer.worst(more_layer), springs.worst(more_springs));
+            let from = frame.nodes[inner].x;
+            let reach = |x: S| Size::of((x - from).size());
+            let long = reach(frame.nodes[[0, count][side]].x);
+            let mut sum = layer * long + (springs * long.square() * long).over(3.0);
+            sum += Size::of(frame.outside[side].high()) * long.square();
+            for node in held.iter().map(|node| &frame.nodes[*node]) {
+                let spring = node.spring.map_or(0.0, |[spring, _]| spring.high());
+                sum += Size::of(spring) * reach(node.x).square();
+                sum += Size::of(node.turning.map_or(0.0, |turning| turning.high()));
+            }
+            stiffness[i] = stiffness[i].least(sum);
+        }
+    }
+}
