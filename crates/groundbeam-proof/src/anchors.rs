@@ -1,5 +1,6 @@
 //! Bounds of the error e of the deflection, from the places where e is bounded: its anchors.
 
+use crate::model::Acts;
 use crate::pointwise::Pointwise;
 use crate::scalar::Scalar;
 use crate::size::Size;
@@ -85,10 +86,12 @@ impl<S: Scalar> Pointwise<'_, S> {
         for node in part.start..=part.end {
             let here = &frame.nodes[node];
             let x = [here.x.low(), here.x.high()];
-            if here.rigid.is_some() {
+            if here.acts != Acts::Both {
+                anchors.extend(self.pushed(node).map(|bound| Anchor { x, bound, clamp: false }));
+            } else if here.rigid.is_some() {
                 anchors.push(Anchor { x, bound: Size::ZERO, clamp: here.clamped });
             }
-            if let Some([spring, _]) = here.spring {
+            if let Some([spring, _]) = here.spring.filter(|_| here.acts == Acts::Both) {
                 let bound = (2.0 * self.energy).over(spring.low()).root();
                 anchors.push(Anchor { x, bound, clamp: false });
             }
@@ -108,6 +111,19 @@ impl<S: Scalar> Pointwise<'_, S> {
         let force = self.kept(self.balanced.factors[node].size()) * surface.force[node].low();
         (surface.touches[node] && force > 0.0)
             .then(|| self.s2() * surface.flexibility_at(node) + self.energy.over(force.next_down()))
+    }
+
+    /// At a support of one direction that acts. A rigid one with ρ̄ ≥ (1 − |λ|)|R|: ρ̄ς(w̄ − w*) ≤ E. A spring with
+    /// κv̄ > (2κE)^½ acts in the exact solution too, and ½κe² ≤ E.
+    fn pushed(&self, node: usize) -> Option<Size> {
+        let pushing = self.fields.residual.pushing[node].low();
+        if let Some([spring, _]) = self.fields.frame.nodes[node].spring {
+            let least = (2.0 * Size::of(spring.high()) * self.energy).root();
+            let bound = (2.0 * self.energy).over(spring.low()).root();
+            return (pushing > least.value()).then_some(bound);
+        }
+        let kept = (self.kept(self.balanced.factors[node].size()) * pushing).next_down();
+        (kept > 0.0).then(|| self.energy.over(kept))
     }
 
     /// A lower bound of 1 − γ.

@@ -158,7 +158,8 @@ impl<S: Scalar> Balance<'_, S> {
             self.give_back(&self.cell(j), [factors[j], factors[j + 1]], &mut balanced);
         }
         let unsafe_factor = |i: &usize| {
-            let presses = self.surface.force[*i].size() > 0.0;
+            let presses =
+                self.surface.force[*i].size() > 0.0 || self.residual.pushing[*i].size() > 0.0;
             presses && !(balanced.factors[*i].size() < 0.5)
         };
         let piece = (0..pieces)
@@ -175,10 +176,13 @@ impl<S: Scalar> Balance<'_, S> {
         Cell { pieces, ends, length: ends[1] - ends[0] }
     }
 
-    /// The weight at a node: its concentrated force, and the weights of its supports.
+    /// The weight at a node: its concentrated force, the weights of its supports, and what one of one direction pushes.
     fn carried_at(&self, node: usize) -> S {
         let weights = &self.frame.nodes[node].weights;
-        self.surface.force[node] + S::of(weights.rigid) + S::of(weights.spring)
+        self.surface.force[node]
+            + S::of(weights.rigid)
+            + S::of(weights.spring)
+            + self.residual.pushing[node]
     }
 
     /// The weight for rotation of a cell: of what holds the slope at its left end and inside, at the right end of the beam

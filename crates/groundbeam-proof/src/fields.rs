@@ -5,6 +5,7 @@ use crate::clearance::{Clearance, clearance};
 use crate::deflection::{Deflection, admissible};
 use crate::frame::Frame;
 use crate::ground::{Surface, surface};
+use crate::model::Acts;
 use crate::polynomial::{Budget, Polynomial};
 use crate::pressure::{Pressure, carried, pressures, pulled};
 use crate::refusal::NotProven;
@@ -86,8 +87,18 @@ impl<'a, S: Scalar> Fields<'a, S> {
         for (i, node) in self.frame.nodes.iter().enumerate() {
             let [w, slope] = at_support(&self.deflection, i);
             if let Some([spring, _]) = node.spring {
-                let added = Size::of(balanced.factors[i].size()) * Size::of(node.weights.spring);
-                sum += missed(spring, self.deflection.values[i] - w, added);
+                let factor = Size::of(balanced.factors[i].size());
+                sum += match node.acts {
+                    Acts::Both => {
+                        let added = factor * Size::of(node.weights.spring);
+                        missed(spring, self.deflection.values[i] - w, added)
+                    }
+                    _ => missed(
+                        spring,
+                        S::zero(),
+                        factor * Size::of(self.residual.pushing[i].size()),
+                    ),
+                };
             }
             if let Some(turning) = node.turning {
                 let piece = i.saturating_sub(1);
@@ -140,10 +151,13 @@ impl<'a, S: Scalar> Fields<'a, S> {
         }
         for (i, node) in self.frame.nodes.iter().enumerate() {
             let [w, slope] = at_support(&self.deflection, i).map(|x| x.middle());
-            let settled = node.rigid.map_or(0.0, |settled| settled.middle());
-            sum += node
-                .spring
-                .map_or(0.0, |[spring, _]| spring.middle() * (w - settled) * (w - settled));
+            if let Some([spring, settled]) = node.spring.map(|both| both.map(|x| x.middle())) {
+                let force = match node.acts {
+                    Acts::Both => spring * w - settled,
+                    _ => self.residual.pushing[i].middle(),
+                };
+                sum += force * force / spring;
+            }
             sum += node.turning.map_or(0.0, |turning| turning.middle() * slope * slope);
             sum += self.surface.force[i].middle() * self.surface.settlement[i].middle();
         }

@@ -2,6 +2,7 @@
 //! and supports node by node.
 
 use crate::answer::{Answer, Piece};
+use crate::model::Acts;
 use crate::polynomial::{HIGHEST, Polynomial};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
@@ -51,6 +52,8 @@ pub(crate) struct Node<S> {
     pub rigid: Option<S>,
     /// Whether a clamp holds the slope.
     pub clamped: bool,
+    /// In which directions its support acts. One that acts in one direction is the only support of the node.
+    pub acts: Acts,
     /// Springs against deflection, with the sum of κδ, and against rotation.
     pub spring: Option<[S; 2]>,
     pub turning: Option<S>,
@@ -79,11 +82,21 @@ pub(crate) struct Weights {
     pub turning: f64,
 }
 
+/// A support of one direction that has no reaction in the answer. No piece need end there.
+#[derive(Debug)]
+pub(crate) struct Idle<S> {
+    pub x: S,
+    pub settled: S,
+    pub acts: Acts,
+}
+
 /// The problem on the pieces of the answer.
 #[derive(Debug)]
 pub(crate) struct Frame<S> {
     pub spans: Vec<Span<S>>,
     pub nodes: Vec<Node<S>>,
+    /// The supports of one direction that have no reaction.
+    pub idle: Vec<Idle<S>>,
     /// The tension P; none if it is zero.
     pub tension: Option<S>,
     /// Stiffness K₀, K_l of the ground beside the beam: flux = K u. Exactly 0 without such ground.
@@ -101,6 +114,7 @@ impl<S: Scalar> Node<S> {
             moment: zero,
             rigid: None,
             clamped: false,
+            acts: Acts::Both,
             spring: None,
             turning: None,
             hinge: None,

@@ -1,9 +1,10 @@
 //! From model and answer to the problem on the pieces: checks of range, and where everything stands.
 
-use crate::answer::Answer;
+use crate::answer::{Answer, Reaction};
 use crate::frame::{Frame, Node, spans};
+use crate::held;
 use crate::kinds::not_covered;
-use crate::model::{Action, Extent, Model, Support, SupportKind};
+use crate::model::{Action, Extent, Model};
 use crate::outside;
 use crate::positions::Positions;
 use crate::refusal::NotProven;
@@ -19,7 +20,8 @@ struct Places {
     beam: Vec<[usize; 2]>,
     ground: Vec<[usize; 2]>,
     loads: Vec<[usize; 2]>,
-    supports: Vec<usize>,
+    /// None for an idle support.
+    supports: Vec<Option<usize>>,
     hinges: Vec<usize>,
     gap: Vec<usize>,
 }
@@ -35,7 +37,8 @@ pub(crate) fn frame<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Fram
     let units = Units::of(model)?;
     let length = units.metres(model.beam.length);
     let mut positions = Positions::of(answer, length, units)?;
-    let places = places(model, &mut positions, units)?;
+    let reactions = held::reactions(model, answer)?;
+    let places = places(model, &reactions, &mut positions, units)?;
     let pressed = pressed(answer, &positions)?;
     let exact = positions.exact()?;
     let mut nodes: Vec<Node<S>> = exact.iter().map(|x| Node::at(*x)).collect();
@@ -48,6 +51,7 @@ pub(crate) fn frame<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Fram
     let mut frame = Frame {
         spans,
         nodes,
+        idle: Vec::new(),
         tension: (tension.high() > 0.0).then_some(tension),
         outside,
         length,
@@ -56,15 +60,16 @@ pub(crate) fn frame<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Fram
     stiffness(model, &places, &mut frame)?;
     loads(model, &places, &mut frame);
     gap(model, &places, &mut frame)?;
-    supports(model, answer, &places, &mut frame)?;
-    hinges(model, &places, &mut frame)?;
+    held::supports(model, &reactions, &places.supports, &mut frame)?;
+    held::hinges(model, &places.hinges, &mut frame)?;
     frame.outside = outside::stiffness(model, &frame)?;
-    weights(&mut frame);
+    held::weights(&mut frame);
     Ok(frame)
 }
 
 fn places<S: Scalar>(
     model: &Model<S>,
+    reactions: &[Option<Reaction>],
     positions: &mut Positions<S>,
     units: Units,
 ) -> Result<Places, NotProven> {
@@ -86,8 +91,14 @@ fn places<S: Scalar>(
             }
         });
     }
-    let supports = model.supports.iter().map(|s| positions.find(units.metres(s.at)));
-    let supports = supports.collect::<Result<_, _>>()?;
+    let mut supports = Vec::new();
+    for (support, reaction) in model.supports.iter().zip(reactions) {
+        let idle = held::is_idle(support, reaction);
+        supports.push(match idle {
+            true => None,
+            false => Some(positions.find(units.metres(support.at))?),
+        });
+    }
     let hinges = model.hinges.iter().map(|hinge| positions.find(units.metres(hinge.at)));
     let hinges = hinges.collect::<Result<_, _>>()?;
     let gap = gap?.into_iter().map(|[node, _]| node).collect();
@@ -226,140 +237,4 @@ fn gap<S: Scalar>(
         frame.nodes[*node].corner = true;
     }
     Ok(())
-}
-
-fn supports<S: Scalar>(
-    model: &Model<S>,
-    answer: &Answer,
-    places: &Places,
-    frame: &mut Frame<S>,
-) -> Result<(), NotProven> {
-    for (support, node) in model.supports.iter().zip(&places.supports) {
-        hold(support, *node, frame)?;
-    }
-    let mut listed = vec![false; model.supports.len()];
-    for reaction in &answer.reactions {
-        let place = listed.get_mut(reaction.support);
-        let place =
-            place.ok_or_else(|| NotProven::new("a reaction of a support that is not there"))?;
-        if std::mem::replace(place, true) {
-            return Err(NotProven::new("two reactions of one support"));
-        }
-        if matches!(model.supports[reaction.support].kind, SupportKind::Spring { .. }) {
-            continue;
-        }
-        let force = frame.units.scaled(S::of(reaction.force), 1, 0);
-        let moment = frame.units.scaled(S::of(reaction.moment), 1, 1);
-        if !(force.size() <= 1e60 && moment.size() <= 1e60) {
-            return Err(NotProven::new("a reaction is not finite, or too large"));
-        }
-        let node = &mut frame.nodes[places.supports[reaction.support]];
-        node.reaction = [node.reaction[0] + force, node.reaction[1] - moment];
-    }
-    Ok(())
-}
-
-fn hold<S: Scalar>(
-    support: &Support<S>,
-    node: usize,
-    frame: &mut Frame<S>,
-) -> Result<(), NotProven> {
-    let units = frame.units;
-    let place = frame.place(node);
-    let settlement = units.metres(support.settlement);
-    if !(settlement.size() <= 1e60) {
-        return Err(NotProven::new("the settlement of a support is out of range").at(place));
-    }
-    let node = &mut frame.nodes[node];
-    match support.kind {
-        SupportKind::Pinned | SupportKind::Fixed => {
-            if node.rigid.is_some_and(|other| other != settlement) {
-                return Err(NotProven::new("two rigid supports at one place").at(place));
-            }
-            node.rigid = Some(settlement);
-            node.clamped |= matches!(support.kind, SupportKind::Fixed);
-        }
-        SupportKind::Spring { spring, rotational_spring } => {
-            let spring = not_negative(units.scaled(spring, 1, -1), "a spring")?;
-            let turning =
-                not_negative(units.scaled(rotational_spring, 1, 1), "a rotational spring")?;
-            if spring != S::zero() {
-                let [sum, settled] = node.spring.unwrap_or([S::zero(); 2]);
-                node.spring = Some([sum + spring, settled + spring * settlement]);
-            }
-            if turning != S::zero() {
-                node.turning = Some(node.turning.map_or(turning, |sum| sum + turning));
-            }
-        }
-    }
-    Ok(())
-}
-
-fn hinges<S: Scalar>(
-    model: &Model<S>,
-    places: &Places,
-    frame: &mut Frame<S>,
-) -> Result<(), NotProven> {
-    let last = frame.spans.len();
-    for (hinge, i) in model.hinges.iter().zip(&places.hinges) {
-        let place = frame.place(*i);
-        let spring = units_of_hinge(frame.units, hinge.rotational_spring)?;
-        let node = &mut frame.nodes[*i];
-        let refused = |what: &str| Err(NotProven::new(what).at(place));
-        if *i == 0 || *i == last {
-            return refused("a hinge at an end of the beam");
-        }
-        if node.hinge.replace(spring).is_some() {
-            return refused("two hinges at one place");
-        }
-        if node.clamped || node.turning.is_some() {
-            return refused("not covered: a hinge at a support that holds the slope");
-        }
-        if node.moment != S::zero() {
-            return refused("not covered: a moment at a hinge");
-        }
-    }
-    Ok(())
-}
-
-fn units_of_hinge<S: Scalar>(units: Units, spring: S) -> Result<S, NotProven> {
-    not_negative(units.scaled(spring, 1, 1), "a rotational spring of a hinge")
-}
-
-/// Supports take part with W = 10 max(Σ|F|, Σ|R|, EI max|κ₀|/l, κ|δ|), clamps with Wl². A spring takes part with the force
-/// that it has at the largest deflection, at most W.
-fn weights<S: Scalar>(frame: &mut Frame<S>) {
-    let (mut forces, mut reactions, mut largest) = (0.0, 0.0, 0.0);
-    let mut moved = 0.0;
-    for node in &frame.nodes {
-        forces += node.force.size() + node.moment.size();
-        reactions += node.reaction[0].size() + node.reaction[1].size();
-        let settled = node.spring.map_or(0.0, |[_, settled]| settled.size());
-        largest = larger(largest, settled);
-    }
-    for span in &frame.spans {
-        let load = span.force.size(span.tau).value() + span.moment.size(span.tau).value();
-        forces += load * span.h.high();
-        let curled = span.bending.size() * span.curvature.size(span.tau).value();
-        largest = larger(largest, curled);
-        moved = larger(moved, span.deflection.coefficient(0).size());
-    }
-    let all = 10.0 * larger(larger(forces, reactions), largest);
-    // Without loads any weight will do: the unit of force.
-    let rigid = if all > 0.0 && all < 1e60 { all } else { 1.0 };
-    let clamp = rigid * frame.length.square().middle();
-    let limited = |force: f64, most: f64| if force < most { force } else { most };
-    for node in &mut frame.nodes {
-        let weights = &mut node.weights;
-        weights.rigid = if node.rigid.is_some() { rigid } else { 0.0 };
-        weights.clamp = if node.clamped { clamp } else { 0.0 };
-        let spring = node.spring.map_or(0.0, |[spring, _]| spring.middle() * moved);
-        let turning = node.turning.map_or(0.0, |turning| turning.middle() * moved);
-        weights.spring = limited(spring, rigid);
-        weights.turning = limited(turning, clamp);
-    }
-}
-
-fn larger(a: f64, b: f64) -> f64 {
-    if a >= b { a } else { b }
 }

@@ -296,7 +296,7 @@ impl<'a, S: Scalar> Layer<'a, S> {
 }
 
 /// A ball that holds max(x, 0) for all x of a ball.
-fn positive_part<S: Scalar>(x: S) -> S {
+pub(crate) fn positive_part<S: Scalar>(x: S) -> S {
     if x.low() >= 0.0 {
         x
     } else if x.high() <= 0.0 {

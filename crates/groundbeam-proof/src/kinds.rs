@@ -1,6 +1,6 @@
 //! Which kinds of model are covered.
 
-use crate::model::{Acts, Course, Extent, Model};
+use crate::model::{Acts, Course, Extent, Model, SupportKind};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 
@@ -17,13 +17,21 @@ pub(crate) fn not_covered<S: Scalar>(model: &Model<S>) -> Option<NotProven> {
         load.action == crate::model::Action::Curvature
             && matches!(load.extent, Extent::Point { .. })
     });
+    let turned_in_one_direction = model.supports.iter().any(|support| {
+        support.acts != Acts::Both
+            && match support.kind {
+                SupportKind::Pinned => false,
+                SupportKind::Fixed => true,
+                SupportKind::Spring { rotational_spring, .. } => rotational_spring != S::zero(),
+            }
+    });
     let kinds = [
         (shears, "a beam that shears"),
         (!(beam.axial_force.low() >= 0.0), "an axial compression"),
         (varying_beam, "a bending stiffness that varies within a segment"),
         (varying_ground, "ground that varies within a segment"),
-        (model.supports.iter().any(|s| s.acts != Acts::Both), "supports that act in one direction"),
         (model.loads.iter().any(|load| load.on_ground), "loads on the ground"),
+        (turned_in_one_direction, "a support that holds the slope in one direction"),
         (point_curvature, "an imposed curvature at a point"),
     ];
     let (_, kind) = kinds.into_iter().find(|(present, _)| *present)?;

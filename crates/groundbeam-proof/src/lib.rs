@@ -25,6 +25,8 @@ mod float;
 mod frame;
 mod given;
 mod ground;
+mod held;
+mod idle;
 mod json;
 mod kinds;
 mod model;

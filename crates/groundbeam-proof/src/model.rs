@@ -3,6 +3,8 @@
 //! All numbers are in one coherent system of units (m, N, rad and their products). Positions are measured from the
 //! beam's left end. Deflections, settlements and forces are positive down.
 
+use crate::scalar::Scalar;
+
 /// A beam, the ground under it, and what acts on them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Model<S> {
@@ -179,6 +181,16 @@ pub enum Acts {
     Up,
     /// It only pulls the beam down.
     Down,
+}
+
+impl Acts {
+    /// The part of a deflection or of an upward force in the direction in which a support acts: it pushes if this is positive.
+    pub(crate) fn towards<S: Scalar>(self, x: S) -> S {
+        match self {
+            Acts::Both | Acts::Up => x,
+            Acts::Down => -x,
+        }
+    }
 }
 
 /// A hinge inside the beam.

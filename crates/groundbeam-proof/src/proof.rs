@@ -5,6 +5,7 @@ use crate::contact_set::{Contact, ContactSet};
 use crate::fields::Fields;
 use crate::frame::Frame;
 use crate::given::frame;
+use crate::idle;
 use crate::model::Model;
 use crate::pointwise::{Bounds, PieceBounds, Pointwise};
 use crate::refusal::NotProven;
@@ -36,6 +37,7 @@ pub fn prove<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Proof, NotP
     }
     let pointwise = Pointwise { fields: &fields, balanced: &balanced, energy };
     let pieces = pointwise.bounds();
+    idle::clear(&frame, &pieces)?;
     Ok(Proof {
         energy: frame.units.restored(energy.value(), 1, 1),
         bounds: largest(&frame, &pieces),

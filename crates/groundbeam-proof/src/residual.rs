@@ -11,7 +11,8 @@
 
 use crate::deflection::Deflection;
 use crate::frame::Frame;
-use crate::ground::Surface;
+use crate::ground::{Surface, positive_part};
+use crate::model::Acts;
 use crate::pressure::Pressure;
 use crate::scalar::Scalar;
 use crate::size::Size;
@@ -38,6 +39,8 @@ pub(crate) struct Residual<S> {
     pub pieces: Vec<PieceResidual<S>>,
     /// r_i and q_i at the nodes.
     pub nodes: Vec<[S; 2]>,
+    /// With what the support of a node that acts in one direction pushes in this direction, not negative; else zero.
+    pub pushing: Vec<S>,
 }
 
 pub(crate) fn residual<S: Scalar>(
@@ -47,9 +50,22 @@ pub(crate) fn residual<S: Scalar>(
     pressures: &[Pressure<S>],
 ) -> Residual<S> {
     let pieces: Vec<_> = (0..frame.spans.len()).map(|i| on_piece(frame, pressures, i)).collect();
-    let at = |i: usize| at_node(frame, deflection, surface, &pieces, i);
+    let pushing: Vec<S> = (0..frame.nodes.len()).map(|i| pushes(frame, deflection, i)).collect();
+    let at = |i: usize| at_node(frame, deflection, surface, &pieces, pushing[i], i);
     let nodes = (0..frame.nodes.len()).map(at).collect();
-    Residual { pieces, nodes }
+    Residual { pieces, nodes, pushing }
+}
+
+/// With what a support of one direction pushes: a rigid one as claimed, a spring κ times the positive part of w̄ − δ.
+fn pushes<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>, i: usize) -> S {
+    let node = &frame.nodes[i];
+    match (node.acts, node.spring) {
+        (Acts::Both, _) => S::zero(),
+        (acts, Some([spring, settled])) => {
+            positive_part(acts.towards(spring * deflection.values[i] - settled))
+        }
+        (acts, None) => acts.towards(node.reaction[0]),
+    }
 }
 
 fn on_piece<S: Scalar>(frame: &Frame<S>, pressures: &[Pressure<S>], i: usize) -> PieceResidual<S> {
@@ -79,6 +95,7 @@ fn at_node<S: Scalar>(
     deflection: &Deflection<S>,
     surface: &Surface<S>,
     pieces: &[PieceResidual<S>],
+    pushed: S,
     i: usize,
 ) -> [S; 2] {
     let node = &frame.nodes[i];
@@ -91,7 +108,11 @@ fn at_node<S: Scalar>(
     let mut moment = node.moment - node.reaction[1] - jump(&|p| p.bending);
     let [w, slope] = at_support(deflection, i);
     if let Some([spring, settled]) = node.spring {
-        force = force - (spring * w - settled);
+        force = force
+            - match node.acts {
+                Acts::Both => spring * w - settled,
+                acts => acts.towards(pushed),
+            };
     }
     if let Some(turning) = node.turning {
         moment = moment - turning * slope;

@@ -1,0 +1,180 @@
+//! What holds the beam at its nodes: supports with their stored reactions, hinges, and weights for what is given back.
+
+use crate::answer::{Answer, Reaction};
+use crate::frame::{Frame, Idle};
+use crate::model::{Acts, Model, Support, SupportKind};
+use crate::refusal::NotProven;
+use crate::scalar::Scalar;
+use crate::values::not_negative;
+
+/// The stored reaction of each support of the model; none if it is not listed.
+pub(crate) fn reactions<S: Scalar>(
+    model: &Model<S>,
+    answer: &Answer,
+) -> Result<Vec<Option<Reaction>>, NotProven> {
+    let mut all = vec![None; model.supports.len()];
+    for reaction in &answer.reactions {
+        let place = all.get_mut(reaction.support);
+        let place =
+            place.ok_or_else(|| NotProven::new("a reaction of a support that is not there"))?;
+        if place.replace(*reaction).is_some() {
+            return Err(NotProven::new("two reactions of one support"));
+        }
+    }
+    Ok(all)
+}
+
+/// Whether a support of one direction has no reaction. It then need not be at a node.
+pub(crate) fn is_idle<S: Scalar>(support: &Support<S>, reaction: &Option<Reaction>) -> bool {
+    support.acts != Acts::Both && reaction.is_none_or(|reaction| reaction.force == 0.0)
+}
+
+/// Places the supports, and takes the stored reactions of the rigid ones. Idle ones have no node.
+pub(crate) fn supports<S: Scalar>(
+    model: &Model<S>,
+    reactions: &[Option<Reaction>],
+    places: &[Option<usize>],
+    frame: &mut Frame<S>,
+) -> Result<(), NotProven> {
+    let units = frame.units;
+    for ((support, reaction), node) in model.supports.iter().zip(reactions).zip(places) {
+        let Some(node) = *node else {
+            let (x, settled) = (units.metres(support.at), units.metres(support.settlement));
+            frame.idle.push(Idle { x, settled, acts: support.acts });
+            continue;
+        };
+        hold(support, node, frame)?;
+        let Some(reaction) = reaction else { continue };
+        if matches!(support.kind, SupportKind::Spring { .. }) {
+            continue;
+        }
+        let force = units.scaled(S::of(reaction.force), 1, 0);
+        let moment = units.scaled(S::of(reaction.moment), 1, 1);
+        if !(force.size() <= 1e60 && moment.size() <= 1e60) {
+            return Err(NotProven::new("a reaction is not finite, or too large"));
+        }
+        if reaction.moment != 0.0 && matches!(support.kind, SupportKind::Pinned) {
+            return Err(NotProven::new("a pin has a moment").at(frame.place(node)));
+        }
+        if support.acts != Acts::Both && !(support.acts.towards(force).low() > 0.0) {
+            let what = "a support of one direction acts in the other";
+            return Err(NotProven::new(what).at(frame.place(node)));
+        }
+        let node = &mut frame.nodes[node];
+        node.reaction = [node.reaction[0] + force, node.reaction[1] - moment];
+    }
+    Ok(())
+}
+
+fn hold<S: Scalar>(
+    support: &Support<S>,
+    node: usize,
+    frame: &mut Frame<S>,
+) -> Result<(), NotProven> {
+    let units = frame.units;
+    let place = frame.place(node);
+    let settlement = units.metres(support.settlement);
+    if !(settlement.size() <= 1e60) {
+        return Err(NotProven::new("the settlement of a support is out of range").at(place));
+    }
+    let node = &mut frame.nodes[node];
+    let first = node.rigid.is_none() && node.spring.is_none() && node.turning.is_none();
+    if node.acts != Acts::Both || (support.acts != Acts::Both && !first) {
+        let what = "two supports at one place, one of which acts in one direction";
+        return Err(NotProven::new(what).at(place));
+    }
+    node.acts = support.acts;
+    match support.kind {
+        SupportKind::Pinned | SupportKind::Fixed => {
+            if node.rigid.is_some_and(|other| other != settlement) {
+                return Err(NotProven::new("two rigid supports at one place").at(place));
+            }
+            node.rigid = Some(settlement);
+            node.clamped |= matches!(support.kind, SupportKind::Fixed);
+        }
+        SupportKind::Spring { spring, rotational_spring } => {
+            let spring = not_negative(units.scaled(spring, 1, -1), "a spring")?;
+            let turning =
+                not_negative(units.scaled(rotational_spring, 1, 1), "a rotational spring")?;
+            if spring != S::zero() {
+                let [sum, settled] = node.spring.unwrap_or([S::zero(); 2]);
+                node.spring = Some([sum + spring, settled + spring * settlement]);
+            }
+            if turning != S::zero() {
+                node.turning = Some(node.turning.map_or(turning, |sum| sum + turning));
+            }
+        }
+    }
+    Ok(())
+}
+
+pub(crate) fn hinges<S: Scalar>(
+    model: &Model<S>,
+    places: &[usize],
+    frame: &mut Frame<S>,
+) -> Result<(), NotProven> {
+    let last = frame.spans.len();
+    for (hinge, i) in model.hinges.iter().zip(places) {
+        let place = frame.place(*i);
+        let spring = frame.units.scaled(hinge.rotational_spring, 1, 1);
+        let spring = not_negative(spring, "a rotational spring of a hinge")?;
+        let node = &mut frame.nodes[*i];
+        let refused = |what: &str| Err(NotProven::new(what).at(place));
+        if *i == 0 || *i == last {
+            return refused("a hinge at an end of the beam");
+        }
+        if node.hinge.replace(spring).is_some() {
+            return refused("two hinges at one place");
+        }
+        // The slope at a hinge is not one number, so nothing can hold it or turn it: such a model is not valid.
+        if node.clamped || node.turning.is_some() {
+            return refused("a hinge at a support that holds the slope");
+        }
+        if node.moment != S::zero() {
+            return refused("a moment at a hinge");
+        }
+    }
+    Ok(())
+}
+
+/// Supports take part with W = 10 max(Σ|F|, Σ|R|, EI max|κ₀|/l, κ|δ|), clamps with Wl². A spring takes part with the force
+/// that it has at the largest deflection, at most W.
+pub(crate) fn weights<S: Scalar>(frame: &mut Frame<S>) {
+    let (mut forces, mut reactions, mut largest) = (0.0, 0.0, 0.0);
+    let mut moved = 0.0;
+    for node in &frame.nodes {
+        forces += node.force.size() + node.moment.size();
+        reactions += node.reaction[0].size() + node.reaction[1].size();
+        let settled = node.spring.map_or(0.0, |[_, settled]| settled.size());
+        largest = larger(largest, settled);
+    }
+    for span in &frame.spans {
+        let load = span.force.size(span.tau).value() + span.moment.size(span.tau).value();
+        forces += load * span.h.high();
+        let curled = span.bending.size() * span.curvature.size(span.tau).value();
+        largest = larger(largest, curled);
+        moved = larger(moved, span.deflection.coefficient(0).size());
+    }
+    let all = 10.0 * larger(larger(forces, reactions), largest);
+    // Without loads any weight will do: the unit of force.
+    let rigid = if all > 0.0 && all < 1e60 { all } else { 1.0 };
+    let clamp = rigid * frame.length.square().middle();
+    let limited = |force: f64, most: f64| if force < most { force } else { most };
+    for node in &mut frame.nodes {
+        if node.acts != Acts::Both {
+            // It takes part with what it pushes.
+            continue;
+        }
+        let weights = &mut node.weights;
+        weights.rigid = if node.rigid.is_some() { rigid } else { 0.0 };
+        weights.clamp = if node.clamped { clamp } else { 0.0 };
+        let spring = node.spring.map_or(0.0, |[spring, _]| spring.middle() * moved);
+        let turning = node.turning.map_or(0.0, |turning| turning.middle() * moved);
+        weights.spring = limited(spring, rigid);
+        weights.turning = limited(turning, clamp);
+    }
+}
+
+fn larger(a: f64, b: f64) -> f64 {
+    if a >= b { a } else { b }
+}

@@ -1,0 +1,217 @@
+//! The proof of kinds of model beyond those of the 60-digit answers: right answers of frozen random models, and answers to
+//! neighbouring models claimed for them.
+
+use groundbeam::proof::{Proof, Wide, prove};
+use groundbeam::{Field, Model, Outcome, Solution, SupportKind, solve};
+use groundbeam_verification::frozen;
+use rayon::prelude::*;
+
+/// The frozen models of a family that have an equilibrium, with their number and solution.
+fn solutions(family: &str) -> Vec<(String, Solution)> {
+    let all = frozen::family(&frozen::folder(), family).expect("a family");
+    let models = all.par_iter().map(|one| (format!("{family} {}", one.number()), one.model()));
+    let solved = models.filter_map(|(name, model)| match solve(&model.ok()?) {
+        Ok(Outcome::Equilibrium(solution)) => Some((name, *solution)),
+        _ => None,
+    });
+    solved.collect()
+}
+
+/// Fields whose bounds are proven, with the bound.
+fn bounded(proof: &Proof) -> Vec<(Field, f64)> {
+    let bounds = &proof.bounds;
+    vec![
+        (Field::Deflection, bounds.deflection),
+        (Field::Slope, bounds.slope),
+        (Field::Moment, bounds.moment),
+        (Field::Settlement, bounds.settlement),
+    ]
+}
+
+/// The largest of |claimed − true| over bound; the true values are computed with a relative error of 10⁻¹⁰ of the largest.
+fn over_bound(claimed: &Solution, truth: &Solution, proof: &Proof) -> f64 {
+    let length = truth.model().beam.length;
+    // The proof solves the open ground with the model's own numbers. The claimed surface has those of the neighbour.
+    let same_ground = claimed.model().foundation == truth.model().foundation;
+    let judged = bounded(proof).into_iter();
+    let mut worst: f64 = 0.0;
+    for (field, bound) in judged.filter(|(field, _)| same_ground || *field != Field::Settlement) {
+        let range = truth.range(field);
+        let largest = range.max.value.abs().max(range.min.value.abs());
+        for i in 0..97 {
+            let x = length * (0.003 + 0.010_263 * f64::from(i));
+            let error = (claimed.value(field, x) - truth.value(field, x)).abs();
+            worst = worst.max((error - 1e-10 * largest) / bound);
+        }
+    }
+    worst
+}
+
+/// A part of the energy of the error: ½∫(ΔM)²/EI, and ½∫k(Δu)² along the beam if both grounds are the same.
+fn energy_of_error(claimed: &Solution, truth: &Solution) -> f64 {
+    let model = truth.model();
+    let steps = 2000;
+    let h = model.beam.length / f64::from(steps);
+    let same_ground = claimed.model().foundation == model.foundation;
+    let density = |i: i32| {
+        let x = h * (0.5 + f64::from(i));
+        let of = |field| claimed.value(field, x) - truth.value(field, x);
+        let (moment, settled) = (of(Field::Moment), of(Field::Settlement));
+        let (spring, _) = model.foundation.constants_at(x);
+        let spring = if same_ground { spring } else { 0.0 };
+        moment * moment / model.beam.bending_stiffness_at(x) + spring * settled * settled
+    };
+    0.5 * h * (0..steps).map(density).sum::<f64>()
+}
+
+/// Changes of one kind of number of a model by a factor.
+const CHANGES: [fn(&mut Model, f64); 6] = [
+    |model, factor| {
+        model.beam.bending_stiffness *= factor;
+        for segment in &mut model.beam.segments {
+            segment.bending_stiffness = segment.bending_stiffness.scaled(factor);
+        }
+    },
+    |model, factor| model.foundation = model.foundation.clone().scaled(factor, 1.0),
+    |model, factor| model.foundation = model.foundation.clone().scaled(1.0, factor),
+    |model, factor| *model = model.clone().with_loads_scaled(factor),
+    |model, factor| {
+        for support in &mut model.supports {
+            support.settlement *= factor;
+            if let SupportKind::Spring { spring, rotational_spring } = &mut support.kind {
+                (*spring, *rotational_spring) = (*spring * factor, *rotational_spring * factor);
+            }
+        }
+    },
+    |model, factor| model.beam.axial_force *= factor,
+];
+
+/// What the claims of a family gave.
+struct Judged {
+    /// E over the strain energy of the right answers, increasing.
+    gaps: Vec<f64>,
+    /// Why right answers are not proven.
+    refused: Vec<String>,
+    /// How many contact sets of right answers are shown.
+    shown: usize,
+    claims: usize,
+    /// The largest error over bound and energy of the error over E of wrong claims.
+    most: [f64; 2],
+}
+
+fn judge(family: &str) -> Judged {
+    let solutions = solutions(family);
+    let right: Vec<_> = solutions.par_iter().map(|(name, s)| (name, s.prove())).collect();
+    let mut found =
+        Judged { gaps: Vec::new(), refused: Vec::new(), shown: 0, claims: 0, most: [0.0; 2] };
+    for (name, proof) in right {
+        match proof {
+            Ok(proof) => {
+                found.gaps.push(proof.energy / proof.strain_energy);
+                found.shown += usize::from(proof.contact.is_ok());
+                if let Err(why) = proof.contact {
+                    println!("{name}: {why}");
+                }
+            }
+            Err(why) => found.refused.push(format!("{name}: {why}")),
+        }
+    }
+    found.gaps.sort_by(f64::total_cmp);
+    let mut claims = Vec::new();
+    for (i, (name, truth)) in solutions.iter().enumerate() {
+        for (j, change) in CHANGES.into_iter().enumerate() {
+            let size = [1e-6, 1e-4, 1e-3, 1e-2, 1e-1][(i + j) % 5];
+            claims.push((name, truth, change, size));
+        }
+    }
+    let judged: Vec<(&String, f64, f64)> = claims
+        .into_par_iter()
+        .filter_map(|(name, truth, change, size)| {
+            let mut neighbour = truth.model().clone();
+            change(&mut neighbour, 1.0 + size);
+            if neighbour == *truth.model() {
+                return None;
+            }
+            let Ok(Outcome::Equilibrium(claimed)) = solve(&neighbour) else { return None };
+            let (_, answer) = claimed.claim::<Wide>();
+            let proof = prove(&truth.model().to_prove::<Wide>(), &answer).ok()?;
+            let energy = energy_of_error(&claimed, truth) / proof.energy;
+            Some((name, over_bound(&claimed, truth, &proof), energy))
+        })
+        .collect();
+    found.claims = judged.len();
+    for (name, bound, energy) in judged {
+        assert!(bound <= 1.0, "{name}: error over bound {bound}");
+        assert!(energy <= 1.001, "{name}: energy of the error over E {energy}");
+        found.most = [found.most[0].max(bound), found.most[1].max(energy)];
+    }
+    println!("{}", found.refused.join("\n"));
+    println!(
+        "{family}: {} proven, E over strain energy median {:.1e}, most {:.1e}; {} contact sets shown; {} claims, error over bound {:.3}, energy over E {:.3}",
+        found.gaps.len(),
+        found.gaps.get(found.gaps.len() / 2).copied().unwrap_or(f64::NAN),
+        found.gaps.last().copied().unwrap_or(f64::NAN),
+        found.shown,
+        found.claims,
+        found.most[0],
+        found.most[1],
+    );
+    found
+}
+
+#[test]
+fn supports_that_act_in_one_direction() {
+    let found = judge("OneWay");
+    assert!(found.gaps.len() >= 191 && found.claims >= 600, "{}", found.claims);
+    assert!(found.gaps.last().is_some_and(|gap| *gap < 1e-18));
+    assert!(found.most[0] > 0.1 && found.most[1] > 0.1, "{:?}", found.most);
+}
+
+/// The answer to a model without the supports that act, claimed for the model with them as if they were idle.
+#[test]
+fn a_beam_that_passes_a_support_is_refused() {
+    let mut judged = 0;
+    for (name, truth) in solutions("OneWay") {
+        let acts =
+            |i: usize| truth.model().supports[i].is_one_way() && truth.reactions()[i].force != 0.0;
+        let kept: Vec<usize> = (0..truth.reactions().len()).filter(|i| !acts(*i)).collect();
+        let mut without = truth.model().clone();
+        without.supports = kept.iter().map(|i| truth.model().supports[*i]).collect();
+        if kept.len() == truth.model().supports.len() {
+            continue;
+        }
+        let Ok(Outcome::Equilibrium(claimed)) = solve(&without) else { continue };
+        let (_, mut answer) = claimed.claim::<Wide>();
+        for reaction in &mut answer.reactions {
+            reaction.support = kept[reaction.support];
+        }
+        let proof = prove(&truth.model().to_prove::<Wide>(), &answer);
+        assert!(proof.is_err(), "{name} is accepted");
+        judged += 1;
+    }
+    assert!(judged > 100, "{judged}");
+}
+
+/// The answer to a model with clamps, claimed for pins: a pin has no moment.
+#[test]
+fn a_moment_at_a_pin_is_refused() {
+    let mut judged = 0;
+    for (name, clamped) in solutions("Supported") {
+        let mut pinned = clamped.model().clone();
+        for support in &mut pinned.supports {
+            if support.kind == SupportKind::Fixed {
+                support.kind = SupportKind::Pinned;
+            }
+        }
+        let (_, answer) = clamped.claim::<Wide>();
+        if answer.reactions.iter().all(|reaction| reaction.moment == 0.0)
+            || pinned == *clamped.model()
+        {
+            continue;
+        }
+        let proof = prove(&pinned.to_prove::<Wide>(), &answer);
+        assert!(proof.is_err(), "{name} is accepted");
+        judged += 1;
+    }
+    assert!(judged > 20, "{judged}");
+}
