@@ -65,7 +65,14 @@ fn energy_of_error(claimed: &Solution, truth: &Solution) -> f64 {
 }
 
 /// Changes of one kind of number of a model by a factor.
-const CHANGES: [fn(&mut Model, f64); 6] = [
+const CHANGES: [fn(&mut Model, f64); 7] = [
+    |model, factor| {
+        let stiffness = &mut model.beam.shear_stiffness;
+        *stiffness = stiffness.map(|stiffness| stiffness * factor);
+        for segment in &mut model.beam.segments {
+            segment.shear_stiffness = segment.shear_stiffness.map(|s| s.scaled(factor));
+        }
+    },
     |model, factor| {
         model.beam.bending_stiffness *= factor;
         for segment in &mut model.beam.segments {
@@ -163,6 +170,14 @@ fn judge(family: &str) -> Judged {
 fn supports_that_act_in_one_direction() {
     let found = judge("OneWay");
     assert!(found.gaps.len() >= 191 && found.claims >= 600, "{}", found.claims);
+    assert!(found.gaps.last().is_some_and(|gap| *gap < 1e-18));
+    assert!(found.most[0] > 0.1 && found.most[1] > 0.1, "{:?}", found.most);
+}
+
+#[test]
+fn beams_that_shear() {
+    let found = judge("Shearing");
+    assert!(found.gaps.len() >= 100 && found.claims >= 400, "{}", found.claims);
     assert!(found.gaps.last().is_some_and(|gap| *gap < 1e-18));
     assert!(found.most[0] > 0.1 && found.most[1] > 0.1, "{:?}", found.most);
 }

@@ -1,5 +1,6 @@
 //! Bounds of the error e of the deflection, from the places where e is bounded: its anchors.
 
+use crate::frame::Span;
 use crate::model::Acts;
 use crate::pointwise::Pointwise;
 use crate::scalar::Scalar;
@@ -30,12 +31,16 @@ impl<S: Scalar> Pointwise<'_, S> {
         parts
     }
 
-    /// s = s₂/√EI_min of a part: (∫e″²)^½ ≤ s.
-    pub(crate) fn flexure(&self, part: &Range<usize>) -> Size {
+    /// s = s₂/√EI_min and s_γ = s₂/√S_min of a part: e′ = e_φ + γ with (∫e_φ′²)^½ ≤ s and (∫γ²)^½ ≤ s_γ, where γ = 0 and
+    /// s_γ = 0 if the part does not shear.
+    pub(crate) fn flexure(&self, part: &Range<usize>) -> [Size; 2] {
         let spans = &self.fields.frame.spans[part.clone()];
-        let lows = spans.iter().map(|span| span.bending.low());
-        let least = lows.fold(f64::INFINITY, |least, low| if low < least { low } else { least });
-        (2.0 * self.energy).over(least).root()
+        let most = |of: &dyn Fn(&Span<S>) -> Option<S>| {
+            let all = spans.iter().filter_map(of);
+            let largest = all.map(|x| Size::of(1.0).over(x.low())).fold(Size::ZERO, Size::worst);
+            (2.0 * self.energy * largest).root()
+        };
+        [most(&|span| Some(span.bending)), most(&|span| span.stiffness)]
     }
 
     /// sup|e| on each part. A part needs two anchors or a clamp, and hands its bound on at hinges. Under tension one anchor
@@ -135,11 +140,11 @@ impl<S: Scalar> Pointwise<'_, S> {
     /// straight line by little. Both ends of the interval are anchors with
     ///
     /// ```text
-    /// |e| ≤ (1 + √2)(d₁ + E/(p_m h) + (2/(5√3)) s(h/2)^{3/2}) + s(h/2)^{3/2}/√3,
+    /// |e| ≤ (1 + √2)(d₁ + E/(p_m h) + (2/(5√3)) s(h/2)^{3/2} + ⅔s_γ(h/2)^½) + s(h/2)^{3/2}/√3 + s_γ(h/2)^½,
     /// ```
     ///
     /// d₁ = s₂√g in a layer, (2E/(kh))^½ on separate springs.
-    fn pressing(&self, i: usize, s: Size) -> Option<[Anchor; 2]> {
+    fn pressing(&self, i: usize, [s, sheared]: [Size; 2]) -> Option<[Anchor; 2]> {
         let span = &self.fields.frame.spans[i];
         let pressure = &self.fields.pressures[i].field;
         let kept = self.kept(self.balanced.factor(i).value());
@@ -155,13 +160,15 @@ impl<S: Scalar> Pointwise<'_, S> {
             let ends = [-part, part].map(|t| span.middle + span.half * S::of(t));
             let half = Size::of((part * span.half.high()).next_up());
             let curved = s * half * half.root();
+            let slid = sheared * half.root();
             let spread = (self.energy.over(least)).over(length);
             let settled = if span.layered {
                 self.s2() * self.fields.surface.flexibility[i]
             } else {
                 (2.0 * self.energy).over(span.spring.low()).over(length).root()
             };
-            let bound = 2.4143 * (settled + spread + 0.2310 * curved) + 0.5774 * curved;
+            let mean = settled + spread + 0.2310 * curved + 0.6667 * slid;
+            let bound = 2.4143 * mean + 0.5774 * curved + slid;
             if best.is_none_or(|best| bound < best[0].bound) {
                 let inside = [ends[0].high(), ends[1].low()];
                 best = Some(inside.map(|x| Anchor { x: [x; 2], bound, clamp: false }));
@@ -187,11 +194,12 @@ impl<S: Scalar> Pointwise<'_, S> {
         least
     }
 
-    /// sup|e| on a part: between anchors at distance h the larger bound + s(h³/48)^½; on an overhang o beyond anchors b₁
-    /// (nearer) and b₂ at distance h: b₁ + (b₁ + b₂)o/h + s(o²(h + o)/3)^½; beyond a clamp s o^{3/2}/√3.
+    /// sup|e| on a part: between anchors at distance h the larger bound + s(h³/48)^½ + ½s_γh^½; on an overhang o beyond
+    /// anchors b₁ (nearer) and b₂ at distance h: b₁ + (b₁ + b₂)o/h + s(o²(h + o)/3)^½ + s_γ(o(h + o)/h)^½; beyond a clamp
+    /// s o^{3/2}/√3 + s_γo^½.
     fn along(&self, part: &Range<usize>, anchors: &[Anchor]) -> Size {
         let frame = self.fields.frame;
-        let s = self.flexure(part);
+        let [s, sheared] = self.flexure(part);
         let mut anchors: Vec<&Anchor> =
             anchors.iter().filter(|anchor| anchor.bound < Size::INFINITE).collect();
         anchors.sort_by(|a, b| a.x[0].total_cmp(&b.x[0]));
@@ -202,7 +210,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         for pair in anchors.windows(2) {
             let gap = distance(pair[0].x[0], pair[1].x[1]);
             let cube = gap.square() * gap;
-            let bent = s * cube.over(48.0).root();
+            let bent = s * cube.over(48.0).root() + 0.5 * (sheared * gap.root());
             largest = largest.worst(pair[0].bound.worst(pair[1].bound) + bent);
         }
         largest = largest.worst(first.bound).worst(last.bound);
@@ -212,7 +220,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         for (near, over, side) in [(first, left, 0), (last, right, 1)] {
             let mut least = Size::INFINITE;
             if near.clamp {
-                least = 0.5774 * (s * over * over.root());
+                least = 0.5774 * (s * over * over.root()) + sheared * over.root();
             }
             for far in &anchors {
                 let gap = if side == 0 { far.x[0] - near.x[1] } else { near.x[0] - far.x[1] };
@@ -221,7 +229,8 @@ impl<S: Scalar> Pointwise<'_, S> {
                     let turn = ((near.bound + far.bound) * over).over(gap);
                     let long = distance(far.x[0], near.x[1]).worst(distance(near.x[0], far.x[1]));
                     let bent = s * (over.square() * (long + over)).over(3.0).root();
-                    least = least.least(near.bound + turn + bent);
+                    let slid = sheared * (over * (long + over)).over(gap).root();
+                    least = least.least(near.bound + turn + bent + slid);
                 }
             }
             let outside = over.value() > 0.0;

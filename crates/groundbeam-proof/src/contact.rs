@@ -22,6 +22,9 @@ impl<S: Scalar> Contact<'_, S> {
     pub fn set(&self) -> Result<ContactSet, NotProven> {
         let spans = &self.fields.frame.spans;
         let mut set = ContactSet { regions: Vec::new(), forces: Vec::new() };
+        if let Some(i) = spans.iter().position(|span| span.stiffness.is_some()) {
+            return Err(self.failed("the beam shears", i));
+        }
         let mut first = 0;
         while first < spans.len() {
             let mut end = first + 1;

@@ -1,6 +1,6 @@
-//! The admissible deflection w̄ = w + c: continuous, with a continuous slope except at hinges, and held by the supports.
+//! The admissible deflection w̄ = w + c and rotation φ̄ = φ + c′: continuous, φ̄ except at hinges, and held by the supports.
 //!
-//! c closes the jumps of the claimed deflection. A piece shorter than a wave (4EI/k)^¼ is carried rigidly: c is the
+//! Where the beam does not shear φ = w′. c closes the jumps of the claimed fields. A piece shorter than a wave (4EI/k)^¼ is carried rigidly: c is the
 //! straight line that continues what its neighbour leaves. A piece of a wave or more, and the longest piece between
 //! two rigid supports, bends: c is the cubic with given values a and slopes b at both ends. With A the largest |a|
 //! and B the largest |b|
@@ -9,7 +9,7 @@
 //! bend: |c| ≤ A + 0.3Bh, |c′| ≤ 3A/h + B, |c″| ≤ 12A/h² + 6B/h;   rigid: |c| ≤ A + Bh, |c′| ≤ B, c″ = 0.
 //! ```
 
-use crate::frame::Frame;
+use crate::frame::{Frame, Span};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
@@ -31,6 +31,8 @@ pub(crate) struct Deflection<S> {
     pub claimed: Vec<[S; 2]>,
     /// w′ at both ends of each piece, as claimed.
     pub slopes: Vec<[S; 2]>,
+    /// φ at both ends of each piece, as claimed: w′ where it does not shear.
+    pub rotations: Vec<[S; 2]>,
     /// w̄ at the nodes.
     pub values: Vec<S>,
 }
@@ -41,11 +43,15 @@ pub(crate) fn admissible<S: Scalar>(frame: &Frame<S>) -> Result<Deflection<S>, N
     let spans = frame.spans.iter();
     let claimed: Vec<_> = spans.clone().map(|s| ends(&s.deflection, s.t)).collect();
     let slopes: Vec<_> = spans.map(|s| ends(&s.derivative(&s.deflection), s.t)).collect();
+    let rotated = |(s, slope): (&Span<S>, &[S; 2])| {
+        s.rotation.as_ref().map_or(*slope, |rotation| ends(rotation, s.t))
+    };
+    let rotations: Vec<_> = frame.spans.iter().zip(&slopes).map(rotated).collect();
     let bends = bending(frame);
     let mut walk = Walk {
         frame,
         claimed: &claimed,
-        slopes: &slopes,
+        rotations: &rotations,
         bends: &bends,
         values: vec![None; frame.nodes.len()],
         turns: vec![[None; 2]; frame.nodes.len()],
@@ -60,7 +66,7 @@ pub(crate) fn admissible<S: Scalar>(frame: &Frame<S>) -> Result<Deflection<S>, N
     let (Some(values), Some(pieces)) = (values, walk.corrections()) else {
         return Err(NotProven::new("the deflection cannot be closed"));
     };
-    Ok(Deflection { pieces, claimed, slopes, values })
+    Ok(Deflection { pieces, claimed, slopes, rotations, values })
 }
 
 /// Pieces of a wave or more bend, and the longest one between two neighbouring rigid supports.
@@ -88,11 +94,11 @@ fn bending<S: Scalar>(frame: &Frame<S>) -> Vec<bool> {
     bends
 }
 
-/// w̄ at the nodes and w̄′ on both sides of them; `None` before they are set.
+/// w̄ at the nodes and φ̄ on both sides of them; `None` before they are set.
 struct Walk<'a, S> {
     frame: &'a Frame<S>,
     claimed: &'a [[S; 2]],
-    slopes: &'a [[S; 2]],
+    rotations: &'a [[S; 2]],
     bends: &'a [bool],
     values: Vec<Option<S>>,
     turns: Vec<[Option<S>; 2]>,
@@ -129,28 +135,28 @@ impl<S: Scalar> Walk<'_, S> {
             (_, false) => (start - 1, 1),
         };
         let value = nodes[start].rigid.unwrap_or(self.claimed[keeps.0][keeps.1]);
-        let slope = if nodes[start].clamped { S::zero() } else { self.slopes[keeps.0][keeps.1] };
+        let slope = if nodes[start].clamped { S::zero() } else { self.rotations[keeps.0][keeps.1] };
         self.held[start] = nodes[start].rigid.is_some();
         self.values[start] = Some(value);
         self.turns[start] = [0, 1].map(|side| Some(self.handed_on(start, side, slope)));
         for i in start..end {
             let [a, b] = self.left_of(i);
             self.values[i + 1] = Some(self.claimed[i][1] + a + b * self.frame.spans[i].h);
-            let slope = self.slopes[i][1] + b;
+            let slope = self.rotations[i][1] + b;
             self.turns[i + 1] = [Some(slope), Some(self.handed_on(i + 1, 1, slope))];
         }
         for i in (first..start).rev() {
-            let b = self.turn(i + 1, 0) - self.slopes[i][1];
+            let b = self.turn(i + 1, 0) - self.rotations[i][1];
             let a = self.value(i + 1) - self.claimed[i][1] - b * self.frame.spans[i].h;
             self.values[i] = Some(self.claimed[i][0] + a);
-            let slope = self.slopes[i][0] + b;
+            let slope = self.rotations[i][0] + b;
             self.turns[i] = [Some(self.handed_on(i, 0, slope)), Some(slope)];
         }
     }
 
     /// The slope on one side of a node: the given one, or at a hinge the one that the piece on this side claims.
     fn handed_on(&self, node: usize, side: usize, slope: S) -> S {
-        let piece = (node + side).checked_sub(1).and_then(|piece| self.slopes.get(piece));
+        let piece = (node + side).checked_sub(1).and_then(|piece| self.rotations.get(piece));
         match piece {
             Some(claimed) if self.frame.nodes[node].is_hinged() => claimed[1 - side],
             _ => slope,
@@ -167,7 +173,7 @@ impl<S: Scalar> Walk<'_, S> {
 
     /// c and c′ at the left end of a piece.
     fn left_of(&self, piece: usize) -> [S; 2] {
-        [self.value(piece) - self.claimed[piece][0], self.turn(piece, 1) - self.slopes[piece][0]]
+        [self.value(piece) - self.claimed[piece][0], self.turn(piece, 1) - self.rotations[piece][0]]
     }
 
     /// c on every piece.
@@ -185,7 +191,7 @@ impl<S: Scalar> Walk<'_, S> {
             return Correction { slope: [b; 2], bounds };
         }
         let value = [a, self.value(i + 1) - self.claimed[i][1]];
-        let slope = [b, self.turn(i + 1, 0) - self.slopes[i][1]];
+        let slope = [b, self.turn(i + 1, 0) - self.rotations[i][1]];
         let bounds = bent(h, value, slope);
         Correction { slope, bounds }
     }

@@ -11,6 +11,7 @@ use crate::pressure::{Pressure, carried, pressures, pulled};
 use crate::refusal::NotProven;
 use crate::residual::{Residual, at_support, residual};
 use crate::scalar::Scalar;
+use crate::shearing::shearing_energy;
 use crate::size::Size;
 
 /// The fields that are made from an answer.
@@ -46,7 +47,7 @@ impl<'a, S: Scalar> Fields<'a, S> {
         }
     }
 
-    /// E ≤ ½[(‖δ‖ + ‖c‖_beam)² + ‖hinges‖² + ‖c‖_P² + Σκc² + Σκ_θc′² + Ḡ²], with
+    /// E ≤ ½[(‖δ‖ + ‖c‖_beam)² + (‖η‖ + ‖δ′‖)² + ‖hinges‖² + ‖c‖_P² + Σκc² + Σκ_θc′² + Ḡ²], with
     /// Ḡ = ‖c‖_b + Σ|r|√g + Ση(ω/k)^½ + ‖Gδp‖ + Σ‖v‖ + (Σkη_o²ω_o)^½.
     fn energy_with(&self, cuts: Vec<usize>) -> Result<(Size, Balanced<S>), NotProven> {
         let (frame, surface) = (self.frame, &self.surface);
@@ -62,7 +63,8 @@ impl<'a, S: Scalar> Fields<'a, S> {
         let [bent, drawn] = self.closing();
         let beam = balance.bending(&balanced).root() + bent.root();
         let supports = self.supports(&balanced) + self.hinges(&balanced);
-        let energy = 0.5 * (beam.square() + drawn + supports + ground.square());
+        let sheared = shearing_energy(frame, &self.residual, &balanced);
+        let energy = 0.5 * (beam.square() + sheared + drawn + supports + ground.square());
         Ok((energy, balanced))
     }
 
@@ -103,7 +105,7 @@ impl<'a, S: Scalar> Fields<'a, S> {
             if let Some(turning) = node.turning {
                 let piece = i.saturating_sub(1);
                 let side = usize::from(i > 0);
-                let turned = self.deflection.slopes[piece][side] - slope
+                let turned = self.deflection.rotations[piece][side] - slope
                     + self.deflection.pieces[piece].slope[side];
                 // A couple belongs to the cell on its right, at the right end of the beam to the one on its left.
                 let cell = if i < self.frame.spans.len() { i } else { i - 1 };
@@ -120,7 +122,7 @@ impl<'a, S: Scalar> Fields<'a, S> {
         for (i, node) in self.frame.nodes.iter().enumerate() {
             let Some(spring) = node.hinge.filter(|_| !node.is_free_hinge()) else { continue };
             let slope = |piece: usize, side: usize| {
-                self.deflection.slopes[piece][side] + self.deflection.pieces[piece].slope[side]
+                self.deflection.rotations[piece][side] + self.deflection.pieces[piece].slope[side]
             };
             let turn = slope(i, 0) - slope(i - 1, 1);
             let moment = self.residual.pieces[i - 1].bending[1] + balanced.moments[i - 1][1];
@@ -135,7 +137,8 @@ impl<'a, S: Scalar> Fields<'a, S> {
         let mut sum = 0.0;
         for (i, span) in self.frame.spans.iter().enumerate() {
             let slope = span.derivative(&span.deflection);
-            let bent = span.derivative(&slope);
+            let bent = span.derivative(span.rotation.as_deref().unwrap_or(&slope));
+            let sheared = span.rotation.as_deref().map(|rotation| &slope - rotation);
             for (t, weight) in
                 [(-0.774_596_669_241_483_4, 5.0), (0.0, 8.0), (0.774_596_669_241_483_4, 5.0)]
             {
@@ -143,7 +146,10 @@ impl<'a, S: Scalar> Fields<'a, S> {
                     p.coefficients().iter().rev().fold(0.0, |sum, c| sum * t + c.middle())
                 };
                 let tension = self.frame.tension.map_or(0.0, |tension| tension.middle());
-                let density = span.bending.middle() * at(&bent) * at(&bent)
+                let angle = sheared.as_ref().map_or(0.0, &at);
+                let shear_stiffness = span.stiffness.map_or(0.0, |stiffness| stiffness.middle());
+                let density = shear_stiffness * angle * angle
+                    + span.bending.middle() * at(&bent) * at(&bent)
                     + tension * at(&slope) * at(&slope)
                     + at(&self.pressures[i].field) * at(&span.obstacle());
                 sum += weight / 9.0 * span.half.middle() * density;

@@ -28,7 +28,11 @@ pub(crate) struct Span<S> {
     pub touches: bool,
     /// w(t).
     pub deflection: Polynomial<S>,
+    /// φ(t) of a piece that shears; else φ = w′.
+    pub rotation: Option<Box<Polynomial<S>>>,
     pub bending: S,
+    /// The shear stiffness of a beam that shears, S.
+    pub stiffness: Option<S>,
     pub spring: S,
     /// μ; exactly 0 on separate springs.
     pub shear: S,
@@ -143,21 +147,27 @@ impl<S: Scalar> Span<S> {
     /// whose sum bounds nothing.
     pub fn of(piece: &Piece, x: [S; 2], units: Units) -> Result<Self, NotProven> {
         let wrong = |what: &str| NotProven::new(what).at(piece.x[0]);
-        let coefficients = &piece.deflection;
-        if coefficients.is_empty() || coefficients.len() > HIGHEST + 1 {
-            return Err(wrong("a deflection has no coefficients, or a degree above 25"));
+        if piece.deflection.is_empty() {
+            return Err(wrong("a deflection has no coefficients"));
         }
-        if !piece.rotation.is_empty() {
-            return Err(wrong("a rotation is given on a beam that does not shear"));
-        }
+        let field = |coefficients: &[f64], length: i32| {
+            if coefficients.len() > HIGHEST + 1 {
+                return Err(wrong("a field has a degree above 25"));
+            }
+            let scaled = coefficients.iter().map(|c| units.scaled(S::of(*c), 0, length));
+            let field = Polynomial::from_coefficients(scaled);
+            match field.coefficients().iter().all(|c| c.size() <= 1e60) {
+                true => Ok(field),
+                false => Err(wrong("a coefficient is not finite, or too large")),
+            }
+        };
+        let rotation = match piece.rotation.is_empty() {
+            true => None,
+            false => Some(Box::new(field(&piece.rotation, 0)?)),
+        };
         let half = units.metres(S::of(piece.half));
         if !(half.low() > 0.0) {
             return Err(wrong("`half` is not positive"));
-        }
-        let deflection =
-            Polynomial::from_coefficients(coefficients.iter().map(|c| units.metres(S::of(*c))));
-        if !deflection.coefficients().iter().all(|c| c.size() <= 1e60) {
-            return Err(wrong("a coefficient is not finite, or too large"));
         }
         let ends = piece.x.map(|x| units.metres(S::of(x)));
         let middle = (ends[0] + ends[1]).scaled(-1);
@@ -177,8 +187,10 @@ impl<S: Scalar> Span<S> {
             t,
             tau: largest.value(),
             touches: piece.touches,
-            deflection,
+            deflection: field(&piece.deflection, 1)?,
+            rotation,
             bending: zero,
+            stiffness: None,
             spring: zero,
             shear: zero,
             layered: false,
@@ -213,9 +225,9 @@ impl<S: Scalar> Span<S> {
         &self.deflection - &self.gap
     }
 
-    /// M = −EI (w″ − κ₀).
-    pub fn bending_moment(&self, slope: &Polynomial<S>) -> Polynomial<S> {
-        (&self.curvature - &self.derivative(slope)).times(self.bending)
+    /// M = −EI (φ′ − κ₀).
+    pub fn bending_moment(&self, rotation: &Polynomial<S>) -> Polynomial<S> {
+        (&self.curvature - &self.derivative(rotation)).times(self.bending)
     }
 
     /// The interval of t that holds the piece, in doubles.

@@ -132,6 +132,8 @@ fn stiffness<S: Scalar>(
             not_negative(units.scaled(mu, 1, 0), "the shear constant of the ground")?,
         ])
     };
+    let shearing = |x: S| positive(units.scaled(x, 1, 0), "the shear stiffness");
+    let own_shear = model.beam.shear_stiffness.map(shearing).transpose()?;
     let (own, below) = (
         bending(model.beam.bending_stiffness)?,
         ground([model.ground.spring, model.ground.shear])?,
@@ -142,6 +144,8 @@ fn stiffness<S: Scalar>(
     let mut stiffnesses = vec![None; frame.spans.len()];
     for (segment, [from, to]) in model.beam.segments.iter().zip(&places.beam) {
         let value = bending(constant(&segment.bending_stiffness))?;
+        let shear = segment.shear_stiffness.as_ref().map(|course| shearing(constant(course)));
+        let value = (value, shear.transpose()?.or(own_shear));
         set(&mut stiffnesses, [*from, *to], value)?;
     }
     let mut grounds = vec![None; frame.spans.len()];
@@ -150,7 +154,11 @@ fn stiffness<S: Scalar>(
         set(&mut grounds, [*from, *to], value)?;
     }
     for (i, span) in frame.spans.iter_mut().enumerate() {
-        span.bending = stiffnesses[i].unwrap_or(own);
+        (span.bending, span.stiffness) = stiffnesses[i].unwrap_or((own, own_shear));
+        if span.stiffness.is_some() != span.rotation.is_some() {
+            let what = "a rotation is given where the beam does not shear, or none where it does";
+            return Err(NotProven::new(what).at(units.restored(span.x[0].middle(), 0, 1)));
+        }
         [span.spring, span.shear] = grounds[i].unwrap_or(below);
         span.layered = span.shear != S::zero();
     }

@@ -8,9 +8,9 @@ use crate::scalar::Scalar;
 pub(crate) fn not_covered<S: Scalar>(model: &Model<S>) -> Option<NotProven> {
     let beam = &model.beam;
     let varies = |course: &Course<S>| matches!(course, Course::Varying(_));
-    let shears = beam.shear_stiffness.is_some()
-        || beam.segments.iter().any(|segment| segment.shear_stiffness.is_some());
-    let varying_beam = beam.segments.iter().any(|segment| varies(&segment.bending_stiffness));
+    let varying_beam = beam.segments.iter().any(|segment| {
+        varies(&segment.bending_stiffness) || segment.shear_stiffness.as_ref().is_some_and(varies)
+    });
     let ground = &model.ground.segments;
     let varying_ground = ground.iter().any(|s| varies(&s.spring) || varies(&s.shear));
     let point_curvature = model.loads.iter().any(|load| {
@@ -26,9 +26,8 @@ pub(crate) fn not_covered<S: Scalar>(model: &Model<S>) -> Option<NotProven> {
             }
     });
     let kinds = [
-        (shears, "a beam that shears"),
         (!(beam.axial_force.low() >= 0.0), "an axial compression"),
-        (varying_beam, "a bending stiffness that varies within a segment"),
+        (varying_beam, "a stiffness that varies within a segment"),
         (varying_ground, "ground that varies within a segment"),
         (model.loads.iter().any(|load| load.on_ground), "loads on the ground"),
         (turned_in_one_direction, "a support that holds the slope in one direction"),

@@ -40,6 +40,7 @@ mod read;
 mod refusal;
 mod residual;
 mod scalar;
+mod shearing;
 mod size;
 mod springs;
 mod test_functions;

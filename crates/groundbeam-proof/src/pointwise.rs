@@ -114,7 +114,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         stiffness.iter().enumerate().map(moment).collect()
     }
 
-    /// ε_w = sup|e| + max|c|, and ε_θ = min_h {2 sup|e|/h + min(½h max(ε_w″ + |c″|), s(h/3)^½)} + max|c′|.
+    /// ε_w = sup|e| + max|c|, and ε_φ = min_h {2 sup|e|/h + s_γ/h^½ + min(½h max(ε_κ + |c″|), s(h/3)^½)} + max|c′| with
+    /// ε_κ = ε_M/EI. Where the beam does not shear ε_θ = ε_φ.
     fn on_part(
         &self,
         part: &Range<usize>,
@@ -124,7 +125,7 @@ impl<S: Scalar> Pointwise<'_, S> {
     ) {
         let frame = self.fields.frame;
         let closed = &self.fields.deflection.pieces;
-        let s = self.flexure(part);
+        let [s, sheared] = self.flexure(part);
         let mut most = [Size::ZERO; 3];
         for i in part.clone() {
             let curvature = moments[i].over(frame.spans[i].bending.low()) + closed[i].bounds[2];
@@ -138,12 +139,15 @@ impl<S: Scalar> Pointwise<'_, S> {
         for _ in 0..60 {
             let long = Size::of(h);
             let bent = (0.5 * (long * most[2])).least(s * long.over(3.0).root());
-            slope = slope.least((2.0 * error).over(h) + bent);
+            let slid = sheared * Size::of(1.0).over(h).root();
+            slope = slope.least((2.0 * error).over(h) + slid + bent);
             h *= 0.7;
         }
         for i in part.clone() {
             bounds[i].deflection = error + most[0];
-            bounds[i].slope = slope + most[1];
+            if frame.spans[i].stiffness.is_none() {
+                bounds[i].slope = slope + most[1];
+            }
         }
     }
 }

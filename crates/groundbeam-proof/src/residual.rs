@@ -1,7 +1,7 @@
 //! What the claimed deflection and the pressures miss of equilibrium: forces along the pieces and at the nodes, and
 //! jumps of the moment.
 //!
-//! With M = −EI(w″ − κ₀) and T = M′ + Pw′ − g,
+//! With M = −EI(φ′ − κ₀), V = M′ − g and T = V + Pw′, φ = w′ where the beam does not shear,
 //!
 //! ```text
 //! r(x) = f − p + T′ on pieces,   r_i = F_i − a_i − R_i + [T]_i,   q_i = M₀_i − R_θi − [M]_i at nodes.
@@ -10,9 +10,10 @@
 //! m = M + δ is in equilibrium if δ″ = −r, [δ′]_i = −r_i, [δ]_i = q_i.
 
 use crate::deflection::Deflection;
-use crate::frame::Frame;
+use crate::frame::{Frame, Span};
 use crate::ground::{Surface, positive_part};
 use crate::model::Acts;
+use crate::polynomial::Polynomial;
 use crate::pressure::Pressure;
 use crate::scalar::Scalar;
 use crate::size::Size;
@@ -31,6 +32,8 @@ pub(crate) struct PieceResidual<S> {
     pub bending: [S; 2],
     /// T at both ends.
     pub shear: [S; 2],
+    /// On a piece that shears, bounds of η = S(w′ − φ) − V and of η′.
+    pub misfit: [Size; 2],
 }
 
 /// The residual of equilibrium.
@@ -71,15 +74,16 @@ fn pushes<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>, i: usize) -> 
 fn on_piece<S: Scalar>(frame: &Frame<S>, pressures: &[Pressure<S>], i: usize) -> PieceResidual<S> {
     let span = &frame.spans[i];
     let slope = span.derivative(&span.deflection);
-    let moment = span.bending_moment(&slope);
+    let moment = span.bending_moment(span.rotation.as_deref().unwrap_or(&slope));
     let mut shear = &span.derivative(&moment) - &span.moment;
+    let misfit = misfit(span, &slope, &shear);
     if let Some(tension) = frame.tension {
         shear = &shear + &slope.times(tension);
     }
     let load = &span.force - &pressures[i].field;
     let r = &load + &span.derivative(&shear);
     // X_R − x = half (t_R − t).
-    let lever = crate::polynomial::Polynomial::line(span.t[1], -S::one());
+    let lever = Polynomial::line(span.t[1], -S::one());
     PieceResidual {
         force: r.integral(span.t) * span.half,
         moment: (&r * &lever).integral(span.t) * span.half.square(),
@@ -87,7 +91,21 @@ fn on_piece<S: Scalar>(frame: &Frame<S>, pressures: &[Pressure<S>], i: usize) ->
         rest: r.tail(span.tau),
         bending: span.t.map(|t| moment.value(t)),
         shear: span.t.map(|t| shear.value(t)),
+        misfit,
     }
+}
+
+/// Bounds of η = S(w′ − φ) − V and of η′ on a piece that shears.
+fn misfit<S: Scalar>(
+    span: &Span<S>,
+    slope: &Polynomial<S>,
+    shear_force: &Polynomial<S>,
+) -> [Size; 2] {
+    let (Some(stiffness), Some(rotation)) = (span.stiffness, &span.rotation) else {
+        return [Size::ZERO; 2];
+    };
+    let misfit = &(slope - rotation).times(stiffness) - shear_force;
+    [misfit.size(span.tau), span.derivative(&misfit).size(span.tau)]
 }
 
 fn at_node<S: Scalar>(
@@ -120,10 +138,10 @@ fn at_node<S: Scalar>(
     [force, moment]
 }
 
-/// w and w′ at a node as the springs there feel them: as claimed on its left, at the left end of the beam on its right.
+/// w and φ at a node as the springs there feel them: as claimed on its left, at the left end of the beam on its right.
 pub(crate) fn at_support<S: Scalar>(deflection: &Deflection<S>, node: usize) -> [S; 2] {
     match node.checked_sub(1) {
-        Some(left) => [deflection.claimed[left][1], deflection.slopes[left][1]],
-        None => [deflection.claimed[0][0], deflection.slopes[0][0]],
+        Some(left) => [deflection.claimed[left][1], deflection.rotations[left][1]],
+        None => [deflection.claimed[0][0], deflection.rotations[0][0]],
     }
 }

@@ -1,0 +1,88 @@
+//! A beam that shears: what its shear force misses of S(w′ − φ), in the energy norm.
+//!
+//! With V = M′ − g, η = S(w′ − φ) − V and the balancing moment δ, the part of E is
+//!
+//! ```text
+//! ½∫(S(w̄′ − φ̄) − V − δ′)²/S ≤ ½(‖η‖ + ‖δ′‖)²,   ‖x‖² = ∫x²/S.
+//! ```
+
+use crate::balance::Balanced;
+use crate::frame::Frame;
+use crate::residual::Residual;
+use crate::scalar::Scalar;
+use crate::size::Size;
+
+/// (‖η‖ + ‖δ′‖)² over the pieces that shear.
+pub(crate) fn shearing_energy<S: Scalar>(
+    frame: &Frame<S>,
+    residual: &Residual<S>,
+    balanced: &Balanced<S>,
+) -> Size {
+    let (mut misfit, mut balancing) = (Size::ZERO, Size::ZERO);
+    for (i, span) in frame.spans.iter().enumerate() {
+        let Some(stiffness) = span.stiffness else { continue };
+        let piece = &residual.pieces[i];
+        misfit += (span.length() * piece.misfit[0].square()).over(stiffness.low());
+        let norm = shear_norm(span.h, balanced.shears[i], piece.rest, balanced.added[i][1]);
+        balancing += norm.square().over(stiffness.low());
+    }
+    (misfit.root() + balancing.root()).square()
+}
+
+/// (∫δ′²)^½ on a piece of length h with δ′ = a and b at its ends, δ″ = −r, r within R of a constant, and a further shear
+/// force of at most Δ′: the chord, a part below ½hR, and Δ′,
+///
+/// ```text
+/// |h(a² + ab + b²)/3|^½ + ½h^{3/2} R + h^½ Δ′.
+/// ```
+fn shear_norm<S: Scalar>(h: S, [a, b]: [S; 2], rest: Size, added: Size) -> Size {
+    let chord = h.div(S::of(3.0)) * (a * a + a * b + b * b);
+    let long = Size::of(h.high());
+    Size::of(chord.size()).root() + long.root() * (0.5 * (long * rest) + added)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::shear_norm;
+    use crate::ball::Ball;
+    use crate::scalar::Scalar;
+    use crate::size::Size;
+
+    /// δ′ for r = c₁t + c₂t² + c₃t³ on |t| ≤ 1, h = 2 half: its chord less half times the antiderivative without its chord.
+    fn shear(c: &[f64; 3], half: f64, [a, b]: [f64; 2], t: f64) -> f64 {
+        let once = |t: f64| {
+            let terms = c.iter().enumerate();
+            terms.map(|(j, c)| c * t.powi(j as i32 + 2) / (j + 2) as f64).sum::<f64>()
+        };
+        let chord = |left: f64, right: f64| 0.5 * (left + right) + 0.5 * (right - left) * t;
+        chord(a, b) - half * (once(t) - chord(once(-1.0), once(1.0)))
+    }
+
+    #[test]
+    fn the_norm_of_the_shear_force_is_a_bound_and_sharp_without_a_rest() {
+        let mut state = 1_u64;
+        let mut random = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+        };
+        for case in 0..500 {
+            let half = 10.0_f64.powf(2.0 * random());
+            let mut c = [random(), random(), random()];
+            if case % 2 == 0 {
+                c = [0.0; 3];
+            }
+            let ends = [random(), random()].map(|x| x * half);
+            let square =
+                |i: i32| shear(&c, half, ends, -1.0 + (f64::from(i) + 0.5) / 1000.0).powi(2);
+            let exact = ((0..2000).map(square).sum::<f64>() * half / 1000.0).sqrt();
+            let rest = Size::of(c.iter().map(|c| c.abs()).sum());
+            let norm = shear_norm(Ball::of(2.0 * half), ends.map(Ball::of), rest, Size::ZERO);
+            assert!(exact <= norm.value() * (1.0 + 1e-6), "{exact} {norm:?}");
+            if case % 2 == 0 {
+                assert!(norm.value() <= exact * (1.0 + 1e-5), "{exact} {norm:?} is not sharp");
+            }
+        }
+    }
+}
