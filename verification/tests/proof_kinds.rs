@@ -21,10 +21,10 @@ fn solutions(family: &str) -> Vec<(String, Solution)> {
 fn bounded(proof: &Proof) -> Vec<(Field, f64)> {
     let bounds = &proof.bounds;
     vec![
-        (Field::Deflection, bounds.deflection),
-        (Field::Slope, bounds.slope),
-        (Field::Moment, bounds.moment),
-        (Field::Settlement, bounds.settlement),
+        (Field::Deflection, bounds.deflection.error),
+        (Field::Slope, bounds.slope.error),
+        (Field::Moment, bounds.moment.error),
+        (Field::Settlement, bounds.settlement.error),
     ]
 }
 

@@ -102,11 +102,11 @@ impl<S: Scalar> Contact<'_, S> {
         if falls(piece, side, [reach, end], limit) {
             return Some(Size::ZERO);
         }
-        if !self.smooth(i + side) {
+        if !self.fields.frame.smooth(i + side) {
             return None;
         }
         let span = &self.fields.frame.spans[i];
-        let curved = self.pressure_error(i).over(span.shear.low());
+        let curved = self.bounds[i].pressure.over(span.shear.low());
         let slope = Size::of(fall(piece, side, end).size()) + limit;
         let bent = piece.curvature(end, 0.0, piece.settlement(end));
         let mut theta = (1.05 * slope.over(bent).over(span.half.low())).value();

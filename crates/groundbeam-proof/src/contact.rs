@@ -4,26 +4,29 @@
 //! region; separate springs by the sign of w − g₀. Where a step fails, its name and place are returned.
 
 use crate::approach::Approach;
-use crate::contact_set::{Contact, ContactForce, ContactRegion, ContactSet, more};
+use crate::contact_set::{
+    Contact, ContactForce, ContactRegion, ContactSet, EdgeShift, Shown, more,
+};
 use crate::polynomial::{Budget, below};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// By how much an exact edge may lie outside and inside the claimed region.
-#[derive(Debug, Clone, Copy)]
-struct Reach {
-    outside: Size,
-    inside: Size,
-}
-
 impl<S: Scalar> Contact<'_, S> {
     /// The contact set of all layers and springs.
-    pub fn set(&self) -> Result<ContactSet, NotProven> {
-        let spans = &self.fields.frame.spans;
-        let mut set = ContactSet { regions: Vec::new(), forces: Vec::new() };
+    pub fn shown(&self) -> Shown {
+        let frame = self.fields.frame;
+        let spans = &frame.spans;
+        let mut shown = Shown {
+            set: ContactSet { regions: Vec::new(), forces: Vec::new() },
+            edges: Vec::new(),
+            tolerances: vec![Size::ZERO; frame.nodes.len()],
+            pressed: vec![false; frame.nodes.len()],
+            failed: [None, None],
+        };
         if let Some(i) = spans.iter().position(|span| span.stiffness.is_some()) {
-            return Err(self.failed("the beam shears", i));
+            shown.failed[0] = Some(self.failed("the beam shears", i));
+            return shown;
         }
         let mut first = 0;
         while first < spans.len() {
@@ -31,18 +34,21 @@ impl<S: Scalar> Contact<'_, S> {
             while end < spans.len() && spans[end].layered == spans[first].layered {
                 end += 1;
             }
-            if spans[first].layered {
-                self.layer(first, end, &mut set)?;
-            } else {
-                self.springs(first, end, &mut set)?;
+            let layered = spans[first].layered;
+            let found = match layered {
+                true => self.layer(first, end, &mut shown),
+                false => self.springs(first, end, &mut shown.set),
+            };
+            if let Err(why) = found {
+                shown.failed[usize::from(!layered)].get_or_insert(why);
             }
             first = end;
         }
-        Ok(set)
+        shown
     }
 
     /// A layer: first its open stretches, then its regions and points.
-    fn layer(&self, first: usize, end: usize, set: &mut ContactSet) -> Result<(), NotProven> {
+    fn layer(&self, first: usize, end: usize, shown: &mut Shown) -> Result<(), NotProven> {
         let (spans, touches) = (&self.fields.frame.spans, &self.fields.surface.touches);
         // What is known on the left and on the right of each node of the layer.
         let mut beside: Vec<[Option<Approach>; 2]> = vec![[None; 2]; spans.len() + 1];
@@ -62,6 +68,10 @@ impl<S: Scalar> Contact<'_, S> {
             beside[from][1] = left;
             beside[i][0] = right;
         }
+        for node in (first..=end).filter(|node| touches[*node]) {
+            let tolerance = self.tolerance(node, &beside);
+            shown.tolerances[node] = shown.tolerances[node].worst(tolerance);
+        }
         let mut node = first;
         while node <= end {
             if !touches[node] {
@@ -73,9 +83,9 @@ impl<S: Scalar> Contact<'_, S> {
                 last += 1;
             }
             if last == node {
-                self.point(node, &beside, set)?;
+                self.point(node, &beside, shown)?;
             } else {
-                self.region([node, last], &beside, set)?;
+                self.region([node, last], &beside, shown)?;
             }
             node = last + 1;
         }
@@ -87,16 +97,16 @@ impl<S: Scalar> Contact<'_, S> {
         &self,
         node: usize,
         beside: &[[Option<Approach>; 2]],
-        set: &mut ContactSet,
+        shown: &mut Shown,
     ) -> Result<(), NotProven> {
         let tolerance = self.tolerance(node, beside);
         let alone = beside[node].iter().flatten().all(|side| side.theta == Size::ZERO);
         if !(alone && self.fields.surface.jump[node].low() > tolerance.value()) {
             return Err(self.failed("a point may be open or a short region", node));
         }
-        set.forces.push(self.force(node, tolerance, true));
+        self.force(node, tolerance, true, shown);
         let x = self.interval(node, [Size::ZERO; 2]);
-        set.regions.push(ContactRegion { from: x, to: x });
+        shown.set.regions.push(ContactRegion { from: x, to: x });
         Ok(())
     }
 
@@ -105,13 +115,13 @@ impl<S: Scalar> Contact<'_, S> {
         &self,
         [a, b]: [usize; 2],
         beside: &[[Option<Approach>; 2]],
-        set: &mut ContactSet,
+        shown: &mut Shown,
     ) -> Result<(), NotProven> {
         let frame = self.fields.frame;
         let mut budget = Budget::new(b - a);
         for i in a..b {
             let field = self.fields.pressures[i].field.coarse();
-            let error = more(self.pressure_error(i));
+            let error = more(self.bounds[i].pressure);
             let span = &frame.spans[i];
             if below(&field, error, Size::ZERO, span.interval(), &mut budget).depth != Size::ZERO {
                 return Err(self.failed("the pressure may be zero within its bound", i));
@@ -119,31 +129,32 @@ impl<S: Scalar> Contact<'_, S> {
         }
         let left = self.edge(a, 0, beside, b - a)?;
         let right = self.edge(b, 1, beside, b - a)?;
+        shown.edges.extend([left, right]);
         let room = (frame.nodes[b].x - frame.nodes[a].x).low();
         if !((left.inside + right.inside).value() < room) {
             return Err(self.failed("the region is shorter than its bounds", a));
         }
         for node in a..=b {
             let at_edge = node == a || node == b;
-            if self.smooth(node) || (!at_edge && self.only_a_corner(node)) {
-                if !at_edge && !self.smooth(node) {
-                    self.inner_force(node, [a, b], [left, right], beside, set)?;
+            if self.fields.frame.smooth(node) || (!at_edge && self.only_a_corner(node)) {
+                if !at_edge && !self.fields.frame.smooth(node) {
+                    self.inner_force(node, [a, b], [left, right], beside, shown)?;
                 }
                 continue;
             }
             if at_edge {
                 let inside = if node == a { left.inside } else { right.inside };
                 let tolerance = self.tolerance(node, beside);
-                set.forces.push(self.force(node, tolerance, inside == Size::ZERO));
+                self.force(node, tolerance, inside == Size::ZERO, shown);
                 continue;
             }
             let tolerance = self.tolerance(node, beside);
             if !(self.fields.surface.jump[node].low() >= tolerance.value()) {
                 return Err(self.failed("a force inside a region may pull", node));
             }
-            self.inner_force(node, [a, b], [left, right], beside, set)?;
+            self.inner_force(node, [a, b], [left, right], beside, shown)?;
         }
-        set.regions.push(ContactRegion {
+        shown.set.regions.push(ContactRegion {
             from: self.interval(a, [left.outside, left.inside]),
             to: self.interval(b, [right.inside, right.outside]),
         });
@@ -155,9 +166,9 @@ impl<S: Scalar> Contact<'_, S> {
         &self,
         node: usize,
         ends: [usize; 2],
-        edges: [Reach; 2],
+        edges: [EdgeShift; 2],
         beside: &[[Option<Approach>; 2]],
-        set: &mut ContactSet,
+        shown: &mut Shown,
     ) -> Result<(), NotProven> {
         let nodes = &self.fields.frame.nodes;
         let x = nodes[node].x;
@@ -165,7 +176,7 @@ impl<S: Scalar> Contact<'_, S> {
         if !(far[0] > edges[0].inside.value() && far[1] > edges[1].inside.value()) {
             return Err(self.failed("an edge may lie at a force", node));
         }
-        set.forces.push(self.force(node, self.tolerance(node, beside), true));
+        self.force(node, self.tolerance(node, beside), true, shown);
         Ok(())
     }
 
@@ -176,18 +187,18 @@ impl<S: Scalar> Contact<'_, S> {
         side: usize,
         beside: &[[Option<Approach>; 2]],
         pieces: usize,
-    ) -> Result<Reach, NotProven> {
+    ) -> Result<EdgeShift, NotProven> {
         let outside = beside[node][side].map_or(Size::ZERO, |approach| approach.theta);
         let tolerance = self.tolerance(node, beside);
         let jump = self.fields.surface.jump[node];
         let missing = Size::below_zero((jump - S::of(tolerance.value())).low());
         if missing == Size::ZERO {
-            return Ok(Reach { outside, inside: Size::ZERO });
+            return Ok(EdgeShift { node, side, outside, inside: Size::ZERO });
         }
         // The piece of the region at this end.
         let i = if side == 0 { node } else { node - 1 };
         let span = &self.fields.frame.spans[i];
-        let (field, error) = (&self.fields.pressures[i].field, self.pressure_error(i));
+        let (field, error) = (&self.fields.pressures[i].field, self.bounds[i].pressure);
         let end = span.interval()[side];
         let mut inside = Size::INFINITE;
         // On the part from the end inward p − ε_p is at least `least`.
@@ -206,7 +217,7 @@ impl<S: Scalar> Contact<'_, S> {
             part *= 0.5;
         }
         if inside < Size::INFINITE && pieces > 0 {
-            Ok(Reach { outside, inside })
+            Ok(EdgeShift { node, side, outside, inside })
         } else {
             Err(self.failed("the edge of a region is not bounded", node))
         }
@@ -240,22 +251,23 @@ impl<S: Scalar> Contact<'_, S> {
             let span = &self.fields.frame.spans[i];
             span.derivative(&span.gap).value(span.t[side])
         };
-        self.even(node) && (slope(node, 0) - slope(node - 1, 1)).low() >= 0.0
+        self.fields.frame.even(node) && (slope(node, 0) - slope(node - 1, 1)).low() >= 0.0
     }
 
-    /// A concentrated force; it may also be zero unless contact is shown at the node.
-    fn force(&self, node: usize, tolerance: Size, shown: bool) -> ContactForce {
+    /// Adds a concentrated force. Unless contact is known at the node, it may also be zero.
+    fn force(&self, node: usize, tolerance: Size, contact: bool, shown: &mut Shown) {
         let frame = self.fields.frame;
         let jump = self.fields.surface.jump[node];
         let (low, high) = (
             (jump.low() - tolerance.value()).next_down(),
             (jump.high() + tolerance.value()).next_up(),
         );
-        let low = if shown && low > 0.0 { low } else { 0.0 };
+        let low = if contact && low > 0.0 { low } else { 0.0 };
         let high = if high > 0.0 { high } else { 0.0 };
         let below = frame.units.restored(low, 1, 0);
         let below = if below > 1e-280 { below } else { 0.0 };
         let force = [below, frame.units.restored(high, 1, 0)];
-        ContactForce { x: frame.place(node), force }
+        shown.pressed[node] = below > 0.0;
+        shown.set.forces.push(ContactForce { x: frame.place(node), force });
     }
 }

@@ -34,6 +34,43 @@ pub struct ContactForce {
     pub force: [f64; 2],
 }
 
+/// By how much the end of a claimed region may differ from the exact one.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct EdgeShift {
+    pub node: usize,
+    /// 0: the left end of the region, 1: its right end.
+    pub side: usize,
+    /// θ, outward.
+    pub outside: Size,
+    /// θ′, inward.
+    pub inside: Size,
+}
+
+/// The contact set as far as it is shown.
+#[derive(Debug)]
+pub(crate) struct Shown {
+    pub set: ContactSet,
+    /// The ends of the regions of all layers.
+    pub edges: Vec<EdgeShift>,
+    /// ε_a at the touching nodes of layers.
+    pub tolerances: Vec<Size>,
+    /// Whether the exact contact force at a node is shown to be positive.
+    pub pressed: Vec<bool>,
+    /// The first step that fails in a layer, and on separate springs.
+    pub failed: [Option<NotProven>; 2],
+}
+
+impl Shown {
+    /// The contact set, or the first step that fails.
+    pub fn result(self) -> Result<ContactSet, NotProven> {
+        let [layer, springs] = self.failed;
+        match layer.or(springs) {
+            Some(why) => Err(why),
+            None => Ok(self.set),
+        }
+    }
+}
+
 /// What the contact set is shown from.
 pub(crate) struct Contact<'a, S> {
     pub fields: &'a Fields<'a, S>,
@@ -44,26 +81,6 @@ impl<S: Scalar> Contact<'_, S> {
     pub fn failed(&self, what: &str, node: usize) -> NotProven {
         NotProven::new(format!("the contact set is not shown: {what}"))
             .at(self.fields.frame.place(node))
-    }
-
-    /// ε_p = kε_u + με_w″.
-    pub fn pressure_error(&self, i: usize) -> Size {
-        let (span, bounds) = (&self.fields.frame.spans[i], &self.bounds[i]);
-        let bent = bounds.moment.over(span.bending.low());
-        Size::of(span.spring.high()) * bounds.settlement + Size::of(span.shear.size()) * bent
-    }
-
-    /// Whether μ is the same on both sides of a node inside a layer, and no hinge is there.
-    pub fn even(&self, node: usize) -> bool {
-        let frame = self.fields.frame;
-        frame.layered(node) == [true; 2]
-            && frame.spans[node - 1].shear == frame.spans[node].shear
-            && !frame.nodes[node].is_hinged()
-    }
-
-    /// Whether a node lies inside the layer and has no hinge, no corner of g₀, no step of μ.
-    pub fn smooth(&self, node: usize) -> bool {
-        self.even(node) && !self.fields.frame.nodes[node].corner
     }
 
     /// An interval about a node, in the units of the model, within the beam.

@@ -94,6 +94,19 @@ pub(crate) struct Idle<S> {
     pub acts: Acts,
 }
 
+/// A support of the model, and what the answer claims of it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Held<S> {
+    /// `None` if it is idle.
+    pub node: Option<usize>,
+    /// κ and κ_θ; `None` if it is rigid.
+    pub springs: Option<[S; 2]>,
+    /// δ.
+    pub settlement: S,
+    /// The claimed force up, and the moment that turns the right side down.
+    pub claimed: [S; 2],
+}
+
 /// The problem on the pieces of the answer.
 #[derive(Debug)]
 pub(crate) struct Frame<S> {
@@ -101,6 +114,8 @@ pub(crate) struct Frame<S> {
     pub nodes: Vec<Node<S>>,
     /// The supports of one direction that have no reaction.
     pub idle: Vec<Idle<S>>,
+    /// The supports of the model, in its order.
+    pub supports: Vec<Held<S>>,
     /// The tension P; none if it is zero.
     pub tension: Option<S>,
     /// Stiffness K₀, K_l of the ground beside the beam: flux = K u. Exactly 0 without such ground.
@@ -149,6 +164,9 @@ impl<S: Scalar> Span<S> {
         let wrong = |what: &str| NotProven::new(what).at(piece.x[0]);
         if piece.deflection.is_empty() {
             return Err(wrong("a deflection has no coefficients"));
+        }
+        if piece.pressure.len() > HIGHEST + 1 {
+            return Err(wrong("a field has a degree above 25"));
         }
         let field = |coefficients: &[f64], length: i32| {
             if coefficients.len() > HIGHEST + 1 {
@@ -230,6 +248,11 @@ impl<S: Scalar> Span<S> {
         (&self.curvature - &self.derivative(rotation)).times(self.bending)
     }
 
+    /// V = M′ − g.
+    pub fn shear_force(&self, moment: &Polynomial<S>) -> Polynomial<S> {
+        &self.derivative(moment) - &self.moment
+    }
+
     /// The interval of t that holds the piece, in doubles.
     pub fn interval(&self) -> [f64; 2] {
         [self.t[0].low(), self.t[1].high()]
@@ -254,6 +277,18 @@ impl<S: Scalar> Frame<S> {
     pub fn touching(&self, node: usize) -> [bool; 2] {
         let left = node > 0 && self.spans[node - 1].touches;
         [left, self.spans.get(node).is_some_and(|span| span.touches)]
+    }
+
+    /// Whether μ is the same on both sides of a node inside a layer, and no hinge is there.
+    pub fn even(&self, node: usize) -> bool {
+        self.layered(node) == [true; 2]
+            && self.spans[node - 1].shear == self.spans[node].shear
+            && !self.nodes[node].is_hinged()
+    }
+
+    /// Whether a node lies inside the layer and has no hinge, no corner of g₀, no step of μ.
+    pub fn smooth(&self, node: usize) -> bool {
+        self.even(node) && !self.nodes[node].corner
     }
 
     /// A position in the units of the model.

@@ -52,6 +52,7 @@ pub(crate) fn frame<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Fram
         spans,
         nodes,
         idle: Vec::new(),
+        supports: Vec::new(),
         tension: (tension.high() > 0.0).then_some(tension),
         outside,
         length,

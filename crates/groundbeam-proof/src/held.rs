@@ -1,7 +1,7 @@
 //! What holds the beam at its nodes: supports with their stored reactions, hinges, and weights for what is given back.
 
 use crate::answer::{Answer, Reaction};
-use crate::frame::{Frame, Idle};
+use crate::frame::{Frame, Held, Idle};
 use crate::model::{Acts, Model, Support, SupportKind};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
@@ -38,22 +38,32 @@ pub(crate) fn supports<S: Scalar>(
 ) -> Result<(), NotProven> {
     let units = frame.units;
     for ((support, reaction), node) in model.supports.iter().zip(reactions).zip(places) {
+        let claimed = reaction.map_or([S::zero(); 2], |reaction| {
+            let (force, moment) = (S::of(reaction.force), S::of(reaction.moment));
+            [units.scaled(force, 1, 0), units.scaled(moment, 1, 1)]
+        });
+        if !claimed.iter().all(|claimed| claimed.size() <= 1e60) {
+            return Err(NotProven::new("a reaction is not finite, or too large"));
+        }
+        let settlement = units.metres(support.settlement);
+        let springs = match support.kind {
+            SupportKind::Pinned | SupportKind::Fixed => None,
+            SupportKind::Spring { spring, rotational_spring } => {
+                Some([units.scaled(spring, 1, -1), units.scaled(rotational_spring, 1, 1)])
+            }
+        };
+        frame.supports.push(Held { node: *node, springs, settlement, claimed });
         let Some(node) = *node else {
-            let (x, settled) = (units.metres(support.at), units.metres(support.settlement));
+            let (x, settled) = (units.metres(support.at), settlement);
             frame.idle.push(Idle { x, settled, acts: support.acts });
             continue;
         };
         hold(support, node, frame)?;
-        let Some(reaction) = reaction else { continue };
-        if matches!(support.kind, SupportKind::Spring { .. }) {
+        if springs.is_some() || reaction.is_none() {
             continue;
         }
-        let force = units.scaled(S::of(reaction.force), 1, 0);
-        let moment = units.scaled(S::of(reaction.moment), 1, 1);
-        if !(force.size() <= 1e60 && moment.size() <= 1e60) {
-            return Err(NotProven::new("a reaction is not finite, or too large"));
-        }
-        if reaction.moment != 0.0 && matches!(support.kind, SupportKind::Pinned) {
+        let [force, moment] = claimed;
+        if moment != S::zero() && matches!(support.kind, SupportKind::Pinned) {
             return Err(NotProven::new("a pin has a moment").at(frame.place(node)));
         }
         if support.acts != Acts::Both && !(support.acts.towards(force).low() > 0.0) {

@@ -14,6 +14,7 @@ mod approach;
 mod arc;
 mod balance;
 mod ball;
+mod bounds;
 mod clearance;
 mod contact;
 mod contact_set;
@@ -36,20 +37,25 @@ mod polynomial;
 mod positions;
 mod pressure;
 mod proof;
+mod reactions;
 mod read;
 mod refusal;
 mod residual;
 mod scalar;
+mod scales;
+mod shear_force;
 mod shearing;
 mod size;
 mod springs;
 mod test_functions;
+mod unique;
 mod units;
 mod values;
 mod wide;
 
 pub use answer::{Answer, Force, Piece, Reaction};
 pub use ball::Ball;
+pub use bounds::{Bound, Bounds, ReactionBound, Scales};
 pub use contact_set::{ContactForce, ContactRegion, ContactSet};
 pub use document::{Document, Extreme};
 pub use json::JsonError;
@@ -57,7 +63,6 @@ pub use model::{
     Action, Acts, Beam, BeamSegment, Course, Extent, GapCorner, Ground, GroundEnd, GroundSegment,
     Hinge, Load, Model, Support, SupportKind,
 };
-pub use pointwise::Bounds;
 pub use proof::{Proof, prove};
 pub use read::{ReadError, Reason, read_model};
 pub use refusal::NotProven;

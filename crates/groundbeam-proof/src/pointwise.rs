@@ -12,26 +12,32 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use std::ops::Range;
 
-/// Bounds of the error at every point of the beam: |claimed − exact| is at most this. Infinite: nothing is proven.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bounds {
-    /// Of w \[m\].
-    pub deflection: f64,
-    /// Of w′ \[rad\], on both sides of hinges.
-    pub slope: f64,
-    /// Of M \[N·m\].
-    pub moment: f64,
-    /// Of u \[m\].
-    pub settlement: f64,
-}
-
 /// The bounds on one piece, in the units of the proof.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PieceBounds {
     pub deflection: Size,
     pub slope: Size,
+    pub rotation: Size,
+    /// Of the moment m in equilibrium, M = m − δ.
+    pub balanced_moment: Size,
     pub moment: Size,
+    pub shear_force: Size,
     pub settlement: Size,
+    /// Where both answers touch.
+    pub pressure: Size,
+}
+
+impl PieceBounds {
+    const NOTHING: PieceBounds = PieceBounds {
+        deflection: Size::INFINITE,
+        slope: Size::INFINITE,
+        rotation: Size::INFINITE,
+        balanced_moment: Size::INFINITE,
+        moment: Size::INFINITE,
+        shear_force: Size::INFINITE,
+        settlement: Size::INFINITE,
+        pressure: Size::INFINITE,
+    };
 }
 
 /// Everything that the bounds are computed from.
@@ -42,24 +48,17 @@ pub(crate) struct Pointwise<'a, S> {
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// The bounds on all pieces.
+    /// The bounds on all pieces, but for the shear force.
     pub fn bounds(&self) -> Vec<PieceBounds> {
-        let moments = self.moments();
-        let mut bounds: Vec<PieceBounds> = moments
-            .iter()
-            .map(|moment| PieceBounds {
-                deflection: Size::INFINITE,
-                slope: Size::INFINITE,
-                moment: *moment,
-                settlement: Size::INFINITE,
-            })
-            .collect();
+        let mut bounds = vec![PieceBounds::NOTHING; self.fields.frame.spans.len()];
+        self.moments(&mut bounds);
         let parts = self.parts();
         for (part, error) in parts.iter().zip(self.deflections(&parts)) {
-            self.on_part(part, error, &moments, &mut bounds);
+            self.on_part(part, error, &mut bounds);
         }
         for (i, piece) in bounds.iter_mut().enumerate() {
             piece.settlement = self.settlement(i, piece.deflection);
+            piece.pressure = self.pressure(i, piece);
         }
         bounds
     }
@@ -89,46 +88,54 @@ impl<S: Scalar> Pointwise<'_, S> {
     /// ```
     ///
     /// for any z with a unit kink at x, z = 0 at rigid supports and z′ = 0 at clamps.
-    fn moments(&self) -> Vec<Size> {
+    fn moments(&self, bounds: &mut [PieceBounds]) {
         let frame = self.fields.frame;
-        let last = frame.spans.len();
-        let stops =
-            |node: &usize| *node == 0 || *node == last || frame.nodes[*node].rigid.is_some();
-        let stops: Vec<usize> = (0..=last).filter(stops).collect();
-        let mut stiffness = vec![Size::INFINITE; last];
-        for pair in stops.windows(2) {
+        let mut stiffness = vec![Size::INFINITE; frame.spans.len()];
+        for pair in self.obstacles().windows(2) {
             let short = self.short_kink(pair[0]..pair[1]);
             stiffness[pair[0]..pair[1]].fill(short);
         }
         for side in [0, 1] {
             self.long_kinks(side, &mut stiffness);
         }
-        let moment = |(i, stiffness): (usize, &Size)| {
+        for (i, (piece, stiffness)) in bounds.iter_mut().zip(stiffness).enumerate() {
             let [a, b] = self.balanced.moments[i].map(|moment| Size::of(moment.size()));
             let residual = &self.fields.residual.pieces[i];
             let load = Size::of(residual.constant.size()) + residual.rest;
             let bent = frame.spans[i].length().square() * load;
             let delta = a.worst(b) + bent.over(8.0) + self.balanced.added[i][0];
-            self.s2() * stiffness.root() + delta
-        };
-        stiffness.iter().enumerate().map(moment).collect()
+            piece.balanced_moment = self.s2() * stiffness.root();
+            piece.moment = piece.balanced_moment + delta;
+        }
+    }
+
+    /// The nodes at which no test function may move: ends of the beam and rigid supports.
+    pub(crate) fn obstacles(&self) -> Vec<usize> {
+        let nodes = &self.fields.frame.nodes;
+        let stops = |i: &usize| *i == 0 || *i + 1 == nodes.len() || nodes[*i].rigid.is_some();
+        (0..nodes.len()).filter(stops).collect()
+    }
+
+    /// |p − p*| where both touch: kε_u + με_w″ in a layer, kε_u on separate springs.
+    fn pressure(&self, i: usize, bounds: &PieceBounds) -> Size {
+        let span = &self.fields.frame.spans[i];
+        if span.layered && span.stiffness.is_some() {
+            return Size::INFINITE;
+        }
+        let bent = bounds.moment.over(span.bending.low());
+        Size::of(span.spring.high()) * bounds.settlement + Size::of(span.shear.size()) * bent
     }
 
     /// ε_w = sup|e| + max|c|, and ε_φ = min_h {2 sup|e|/h + s_γ/h^½ + min(½h max(ε_κ + |c″|), s(h/3)^½)} + max|c′| with
     /// ε_κ = ε_M/EI. Where the beam does not shear ε_θ = ε_φ.
-    fn on_part(
-        &self,
-        part: &Range<usize>,
-        error: Size,
-        moments: &[Size],
-        bounds: &mut [PieceBounds],
-    ) {
+    fn on_part(&self, part: &Range<usize>, error: Size, bounds: &mut [PieceBounds]) {
         let frame = self.fields.frame;
         let closed = &self.fields.deflection.pieces;
         let [s, sheared] = self.flexure(part);
         let mut most = [Size::ZERO; 3];
         for i in part.clone() {
-            let curvature = moments[i].over(frame.spans[i].bending.low()) + closed[i].bounds[2];
+            let curvature =
+                bounds[i].moment.over(frame.spans[i].bending.low()) + closed[i].bounds[2];
             let here = [closed[i].bounds[0], closed[i].bounds[1], curvature];
             for (most, here) in most.iter_mut().zip(here) {
                 *most = most.worst(here);
@@ -145,8 +152,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
         for i in part.clone() {
             bounds[i].deflection = error + most[0];
+            bounds[i].rotation = slope + most[1];
             if frame.spans[i].stiffness.is_none() {
-                bounds[i].slope = slope + most[1];
+                bounds[i].slope = bounds[i].rotation;
             }
         }
     }

@@ -1,15 +1,18 @@
 //! The proof: an admissible deflection, an exactly balanced pressure, and a bound of the difference of their energies.
 
 use crate::answer::Answer;
+use crate::bounds::{Bound, Bounds, ReactionBound, Scales};
 use crate::contact_set::{Contact, ContactSet};
 use crate::fields::Fields;
 use crate::frame::Frame;
 use crate::given::frame;
 use crate::idle;
 use crate::model::Model;
-use crate::pointwise::{Bounds, PieceBounds, Pointwise};
+use crate::pointwise::{PieceBounds, Pointwise};
+use crate::polynomial::Polynomial;
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
+use crate::scales::FieldScales;
 use crate::size::Size;
 
 /// What is proven of an answer.
@@ -18,13 +21,61 @@ pub struct Proof {
     /// E \[N·m\]: the energy of the error of the deflection and of the settlement, and that of the error of moment and
     /// pressure, together are at most this.
     pub energy: f64,
-    /// Bounds of the error of the fields at every point of the beam.
+    /// The strain energy of beam, ground and springs \[N·m\], an estimate to compare E with.
+    pub strain_energy: f64,
+    /// Bounds of the error of the fields at every point of the beam. A finite bound of w proves that a solution exists.
     pub bounds: Bounds,
+    /// Bounds of the error of the reactions, for each support of the model.
+    pub reactions: Vec<ReactionBound>,
     /// The exact contact set: an interval for every edge and concentrated force, or the name of the step that fails. The
     /// other bounds hold in both cases.
     pub contact: Result<ContactSet, NotProven>,
-    /// The strain energy of beam, ground and springs \[N·m\], an estimate to compare E with.
-    pub strain_energy: f64,
+    /// Whether the solution is unique.
+    pub unique: Result<(), NotProven>,
+    /// The scales of edges and concentrated forces.
+    pub scales: Scales,
+}
+
+impl Proof {
+    /// The first reason why the answer is not proven; `None` if it is.
+    ///
+    /// Proven means: a solution exists and is unique, the contact set is shown, and every error is at most 10⁻⁶ of its scale.
+    pub fn shortfall(&self) -> Option<NotProven> {
+        if !(self.bounds.deflection.error < f64::INFINITY) {
+            return Some(NotProven::new("no equilibrium is shown: the deflection has no bound"));
+        }
+        let too_large = |name: &str, bound: Bound| {
+            let Bound { error, scale } = bound;
+            let what = format!("the error of the {name} is not small: {error:.1e} of {scale:.1e}");
+            (!bound.is_small()).then(|| NotProven::new(what))
+        };
+        let unique = self.unique.as_ref().err().cloned();
+        let set = unique.or_else(|| self.contact.as_ref().err().cloned());
+        let fields = || {
+            let named = self.bounds.named().into_iter();
+            named.filter_map(|(name, bound)| too_large(&name.replace('_', " "), bound)).next()
+        };
+        let supports = || {
+            let both = self.reactions.iter().flat_map(|r| [r.force, r.moment]);
+            both.filter_map(|bound| too_large("reactions", bound)).next()
+        };
+        set.or_else(fields).or_else(|| self.intervals(too_large)).or_else(supports)
+    }
+
+    /// The same for the intervals of edges and concentrated forces.
+    fn intervals(&self, too_large: impl Fn(&str, Bound) -> Option<NotProven>) -> Option<NotProven> {
+        let set = self.contact.as_ref().ok()?;
+        let width = |[low, high]: [f64; 2]| (high - low).next_up();
+        let mut edges = set.regions.iter().flat_map(|region| [region.from, region.to]);
+        let scale = self.scales.length;
+        let edge =
+            edges.find_map(|x| too_large("edges of contact", Bound { error: width(x), scale }));
+        let mut forces = set.forces.iter().map(|force| force.force);
+        let scale = self.scales.force;
+        edge.or_else(|| {
+            forces.find_map(|f| too_large("concentrated forces", Bound { error: width(f), scale }))
+        })
+    }
 }
 
 /// Bounds how far the answer is from the solution of the model.
@@ -36,26 +87,79 @@ pub fn prove<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Proof, NotP
         return Err(NotProven::new("the bound of the energy is infinite"));
     }
     let pointwise = Pointwise { fields: &fields, balanced: &balanced, energy };
-    let pieces = pointwise.bounds();
+    let mut pieces = pointwise.bounds();
     idle::clear(&frame, &pieces)?;
+    let shown = Contact { fields: &fields, bounds: &pieces }.shown();
+    pointwise.shear_forces(&shown, &mut pieces);
+    let of_supports = pointwise.reactions(&pieces);
+    add_stored(answer, &fields, &mut pieces);
+    let scales = FieldScales::of(&fields, &pieces);
+    let units = frame.units;
     Ok(Proof {
-        energy: frame.units.restored(energy.value(), 1, 1),
-        bounds: largest(&frame, &pieces),
-        contact: Contact { fields: &fields, bounds: &pieces }.set(),
-        strain_energy: frame.units.restored(fields.strain_energy(), 1, 1),
+        energy: units.restored(energy.value(), 1, 1),
+        strain_energy: units.restored(fields.strain_energy(), 1, 1),
+        bounds: largest(&frame, &pieces, &scales),
+        reactions: reactions(&frame, &of_supports, &scales),
+        unique: pointwise.unique(&shown, &of_supports),
+        contact: shown.result(),
+        scales: Scales {
+            length: units.restored(frame.length.low(), 0, 1),
+            force: units.restored(scales.force, 1, 0),
+        },
     })
 }
 
-/// The largest bounds of all pieces, in the units of the model.
-fn largest<S: Scalar>(frame: &Frame<S>, pieces: &[PieceBounds]) -> Bounds {
-    let most = |of: &dyn Fn(&PieceBounds) -> Size, force: i32, length: i32| {
-        let largest = pieces.iter().map(of).fold(Size::ZERO, Size::worst);
-        frame.units.restored(largest.value(), force, length)
-    };
-    Bounds {
-        deflection: most(&|piece| piece.deflection, 0, 1),
-        slope: most(&|piece| piece.slope, 0, 0),
-        moment: most(&|piece| piece.moment, 1, 1),
-        settlement: most(&|piece| piece.settlement, 0, 1),
+/// Adds the differences of the pressures and settlements that the answer stores from those that belong to its deflection.
+fn add_stored<S: Scalar>(answer: &Answer, fields: &Fields<S>, bounds: &mut [PieceBounds]) {
+    let units = fields.frame.units;
+    for (i, (piece, bounds)) in answer.pieces.iter().zip(bounds).enumerate() {
+        let span = &fields.frame.spans[i];
+        if !piece.pressure.is_empty() {
+            let stored = piece.pressure.iter().map(|c| units.scaled(S::of(*c), 1, -1));
+            let differs = &Polynomial::from_coefficients(stored) - &fields.pressures[i].field;
+            bounds.pressure += differs.size(span.tau);
+        }
+        if let Some(stored) = piece.open {
+            let computed = fields.surface.open[i].unwrap_or([S::zero(); 2]);
+            let differs = [0, 1].map(|end| units.metres(S::of(stored[end])) - computed[end]);
+            let [left, right] = differs.map(|differs| Size::of(differs.size()));
+            bounds.settlement += left.worst(right);
+        }
     }
+}
+
+/// A bound in the units of the model.
+fn bound<S>(frame: &Frame<S>, error: Size, scale: f64, force: i32, length: i32) -> Bound {
+    let restored = |x: f64| frame.units.restored(x, force, length);
+    Bound { error: restored(error.value()), scale: restored(scale) }
+}
+
+/// The largest bounds of all pieces, in the units of the model.
+fn largest<S: Scalar>(frame: &Frame<S>, pieces: &[PieceBounds], scales: &FieldScales) -> Bounds {
+    let most =
+        |of: &dyn Fn(&PieceBounds) -> Size| pieces.iter().map(of).fold(Size::ZERO, Size::worst);
+    let both = frame.spans.iter().zip(pieces);
+    let pressing = both.filter(|(span, _)| span.touches || !span.layered);
+    let pressure = pressing.map(|(_, piece)| piece.pressure).fold(Size::ZERO, Size::worst);
+    Bounds {
+        deflection: bound(frame, most(&|p| p.deflection), scales.deflection, 0, 1),
+        slope: bound(frame, most(&|p| p.slope), scales.slope, 0, 0),
+        rotation: bound(frame, most(&|p| p.rotation), scales.slope, 0, 0),
+        moment: bound(frame, most(&|p| p.moment), scales.moment, 1, 1),
+        shear_force: bound(frame, most(&|p| p.shear_force), scales.shear_force, 1, 0),
+        settlement: bound(frame, most(&|p| p.settlement), scales.deflection, 0, 1),
+        pressure: bound(frame, pressure, scales.pressure, 1, -1),
+    }
+}
+
+fn reactions<S>(
+    frame: &Frame<S>,
+    errors: &[[Size; 2]],
+    scales: &FieldScales,
+) -> Vec<ReactionBound> {
+    let of = |[force, moment]: &[Size; 2]| ReactionBound {
+        force: bound(frame, *force, scales.force, 1, 0),
+        moment: bound(frame, *moment, scales.turning, 1, 1),
+    };
+    errors.iter().map(of).collect()
 }

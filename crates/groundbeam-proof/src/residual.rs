@@ -75,7 +75,7 @@ fn on_piece<S: Scalar>(frame: &Frame<S>, pressures: &[Pressure<S>], i: usize) ->
     let span = &frame.spans[i];
     let slope = span.derivative(&span.deflection);
     let moment = span.bending_moment(span.rotation.as_deref().unwrap_or(&slope));
-    let mut shear = &span.derivative(&moment) - &span.moment;
+    let mut shear = span.shear_force(&moment);
     let misfit = misfit(span, &slope, &shear);
     if let Some(tension) = frame.tension {
         shear = &shear + &slope.times(tension);

@@ -117,12 +117,13 @@ fn what_is_left_out_is_refused_by_name() {
 #[test]
 fn what_is_wrong_is_refused() {
     let value = |text: &str| assert!(matches!(reason(text), Reason::Value(_)), "{text}");
+    let large = reason(&format!("{SMALL}[[load]]\npoint = 1e61\nat = 1\n"));
+    assert!(matches!(large, Reason::OutOfRange(_)), "{large:?}");
     for added in [
         "[[load]]\npoint = '1 kN'\nat = 1\n",
         "[[load]]\npoint = 1\nat = 3\n",
         "[[load]]\ndistributed = 1\nfrom = 1\nto = 1\n",
         "[[load]]\ndistributed = [1, 2, 3]\n",
-        "[[load]]\npoint = 1e61\nat = 1\n",
         "[[load]]\npoint = 'x'\nat = 1\n",
         "[[support]]\nat = 1\nspring = -1\n",
         "[[support]]\nat = 1\ntype = 'roller'\n",

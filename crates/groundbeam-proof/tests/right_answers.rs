@@ -103,9 +103,9 @@ fn other_units_give_the_same_digits() {
             let scaled = scaled.unwrap_or_else(|why| panic!("{name}: {why}"));
             let energy = f64::scaled(proof.energy, length + force);
             assert_eq!(scaled.energy, energy, "{name}: 2^{length} m, 2^{force} N");
-            let moment = f64::scaled(proof.bounds.moment, length + force);
-            assert_eq!(scaled.bounds.moment, moment, "{name}");
-            assert_eq!(scaled.bounds.slope, proof.bounds.slope, "{name}");
+            let moment = f64::scaled(proof.bounds.moment.error, length + force);
+            assert_eq!(scaled.bounds.moment.error, moment, "{name}");
+            assert_eq!(scaled.bounds.slope.error, proof.bounds.slope.error, "{name}");
         }
     }
 }
@@ -165,7 +165,7 @@ fn a_change_of_any_number_is_covered() {
 }
 
 fn covered(what: &str, (old, old_proof): (&Answer, &Proof), (new, new_proof): (&Answer, &Proof)) {
-    let bound = old_proof.bounds.deflection + new_proof.bounds.deflection;
+    let bound = old_proof.bounds.deflection.error + new_proof.bounds.deflection.error;
     for (a, b) in deflections(old).iter().zip(deflections(new)) {
         assert!((a - b).abs() <= bound * (1.0 + 1e-9) + 1e-15, "{what}: {a} {b} {bound:e}");
     }

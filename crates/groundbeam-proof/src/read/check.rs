@@ -1,7 +1,7 @@
 //! Rules that hold between the parts of a model: what is one place, where there is ground, which numbers are in range.
 
 use super::course::{is_constant, values};
-use super::error::{Read, wrong};
+use super::error::{Read, out_of_range, wrong};
 use super::fields::is_within_reach;
 use super::place::is_left;
 use crate::{
@@ -87,10 +87,10 @@ fn ranges<S: Scalar>(model: &Model<S>) -> Read<()> {
         }
     }
     if !positive.into_iter().all(|value| value.low() > 0.0 && is_within_reach(value)) {
-        return wrong(0, "a stiffness is not between 1e-60 and 1e60");
+        return out_of_range(0, "a stiffness is not between 1e-60 and 1e60");
     }
     if !other.into_iter().all(|value| value.middle() == 0.0 || is_within_reach(value)) {
-        return wrong(0, "a load or `mu` is not 0 and not between 1e-60 and 1e60");
+        return out_of_range(0, "a load or `mu` is not 0 and not between 1e-60 and 1e60");
     }
     Ok(())
 }

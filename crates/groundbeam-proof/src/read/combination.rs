@@ -1,7 +1,7 @@
 //! `[[combination]]`: the factors of load cases, written or by a set of a code of practice.
 
 use super::case::Cased;
-use super::error::{Read, Reason, fault, wrong};
+use super::error::{Read, Reason, fault, out_of_range, wrong};
 use super::fields::Section;
 use super::number::Decimal;
 use super::sets::{self, Acting};
@@ -49,7 +49,7 @@ pub(crate) fn loads<S: Scalar>(
             continue;
         }
         let Some(factor) = S::decimal(factor) else {
-            return wrong(at, "the factor of this load's case is out of range");
+            return out_of_range(at, "the factor of this load's case is out of range");
         };
         combined.push(scaled(load, factor));
     }

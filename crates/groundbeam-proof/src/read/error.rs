@@ -30,6 +30,8 @@ pub enum Reason {
     Together(&'static str, &'static str),
     /// A value that the key cannot have.
     Value(String),
+    /// A number of the model is too large or too small to compute with.
+    OutOfRange(String),
     /// A key with which the model does not follow from the file alone in closed form: this reader does not know it.
     NotRead(&'static str),
     /// The file has no combination of the wanted name.
@@ -46,7 +48,7 @@ impl fmt::Display for ReadError {
             Reason::Unknown(key) => write!(f, "`{key}` means nothing here"),
             Reason::Missing(key) => write!(f, "`{key}` is missing"),
             Reason::Together(a, b) => write!(f, "`{a}` and `{b}` exclude each other"),
-            Reason::Value(what) => f.write_str(what),
+            Reason::Value(what) | Reason::OutOfRange(what) => f.write_str(what),
             Reason::NotRead(key) => write!(f, "the second reader does not know `{key}`"),
             Reason::NoCombination(name) => {
                 write!(f, "the file has no combination `{name}`")
@@ -75,6 +77,11 @@ pub(crate) fn fault<T>(at: usize, reason: Reason) -> Read<T> {
 /// A value that cannot be.
 pub(crate) fn wrong<T>(at: usize, what: impl Into<String>) -> Read<T> {
     fault(at, Reason::Value(what.into()))
+}
+
+/// A number that is too large or too small to compute with.
+pub(crate) fn out_of_range<T>(at: usize, what: impl Into<String>) -> Read<T> {
+    fault(at, Reason::OutOfRange(what.into()))
 }
 
 impl Fault {

@@ -1,6 +1,6 @@
 //! The values of a table as quantities: numbers with units, lists that vary along a stretch, words.
 
-use super::error::{Fault, Read, Reason, fault, wrong};
+use super::error::{Fault, Read, Reason, fault, out_of_range, wrong};
 use super::number::Decimal;
 use super::toml::{Node, Table, Value};
 use super::units::{Dimension, Exact, Factor, Unit};
@@ -284,7 +284,7 @@ fn written(text: &str, kind: Kind, key: &str, at: usize) -> Read<(Exact, bool)> 
 fn value<S: Scalar>(exact: &Exact, kind: Kind, key: &str, at: usize) -> Read<S> {
     let value = exact.value::<S>().filter(|value| exact.is_zero() || is_within_reach(*value));
     let Some(value) = value else {
-        return wrong(at, format!("`{key}` is not 0 and not between 1e-60 and 1e60"));
+        return out_of_range(at, format!("`{key}` is not 0 and not between 1e-60 and 1e60"));
     };
     let right = match kind.range {
         Range::Any => true,

@@ -1,0 +1,72 @@
+//! Bounds of the errors of an answer, each with the scale with which it is compared.
+
+/// An error is small if it is at most this part of its scale.
+const SMALL: f64 = 1e-6;
+
+/// A bound of the error of one quantity: |claimed − exact| is at most `error`. Infinite: nothing is proven.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bound {
+    /// The bound, in the unit of the quantity.
+    pub error: f64,
+    /// The scale of the quantity, a proven lower bound, in the same unit.
+    pub scale: f64,
+}
+
+impl Bound {
+    /// Whether the error is at most 10⁻⁶ of its scale.
+    pub fn is_small(self) -> bool {
+        self.error <= SMALL * self.scale
+    }
+}
+
+/// Bounds of the errors of the fields, each the largest over the beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds {
+    /// Of w \[m\].
+    pub deflection: Bound,
+    /// Of w′ \[rad\], on both sides of hinges.
+    pub slope: Bound,
+    /// Of the rotation of the sections \[rad\].
+    pub rotation: Bound,
+    /// Of M \[N·m\].
+    pub moment: Bound,
+    /// Of V \[N\].
+    pub shear_force: Bound,
+    /// Of u \[m\].
+    pub settlement: Bound,
+    /// Of p \[N/m\], outside the intervals that hold the edges of contact.
+    pub pressure: Bound,
+}
+
+impl Bounds {
+    /// All of them with the names that documents use.
+    pub fn named(&self) -> [(&'static str, Bound); 7] {
+        [
+            ("deflection", self.deflection),
+            ("slope", self.slope),
+            ("rotation", self.rotation),
+            ("moment", self.moment),
+            ("shear_force", self.shear_force),
+            ("settlement", self.settlement),
+            ("pressure", self.pressure),
+        ]
+    }
+}
+
+/// Bounds of the error of what one support does to the beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ReactionBound {
+    /// Of the force \[N\].
+    pub force: Bound,
+    /// Of the moment \[N·m\].
+    pub moment: Bound,
+}
+
+/// Scales of the quantities that are proven by intervals.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scales {
+    /// Of the edges of contact: the length of the beam \[m\].
+    pub length: f64,
+    /// Of concentrated forces: the sum of the loads \[N\].
+    pub force: f64,
+}

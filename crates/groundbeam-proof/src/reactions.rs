@@ -1,0 +1,205 @@
+//! Bounds of the error of the reactions of supports.
+//!
+//! A spring's reaction is off by κ|w − w*|, and by at most s₂√κ + κ|c|. That of a rigid support is off by s₂K + W|λ|, K of a
+//! test function z with z = 1 at the support and z = 0 at all others; the moment of a clamp by s₂K + W_θ|λ′|, with z′ = 1.
+
+use crate::frame::Held;
+use crate::model::Acts;
+use crate::pointwise::{PieceBounds, Pointwise};
+use crate::scalar::Scalar;
+use crate::size::Size;
+
+impl<S: Scalar> Pointwise<'_, S> {
+    /// Bounds of the errors of force and moment of each support of the model.
+    pub fn reactions(&self, bounds: &[PieceBounds]) -> Vec<[Size; 2]> {
+        let frame = self.fields.frame;
+        let rigid_at = |node: usize| {
+            let others = frame.supports.iter();
+            others.filter(|other| other.node == Some(node) && other.springs.is_none()).count()
+        };
+        let of = |held: &Held<S>| match (held.node, held.springs) {
+            // The exact reaction of an idle support is zero.
+            (None, _) => held.claimed.map(|claimed| Size::of(claimed.size())),
+            (Some(node), Some(springs)) => self.of_springs(held, node, springs, bounds),
+            // How two rigid supports at one place share the load is not determined.
+            (Some(node), None) if rigid_at(node) > 1 => [Size::INFINITE; 2],
+            (Some(node), None) => [self.of_rigid_support(node), self.of_clamp(node)],
+        };
+        frame.supports.iter().map(of).collect()
+    }
+
+    /// min(κε_w, s₂√κ + κ|c|) and what the claimed reaction differs from κ(w − δ), likewise for rotation.
+    fn of_springs(
+        &self,
+        held: &Held<S>,
+        node: usize,
+        springs: [S; 2],
+        bounds: &[PieceBounds],
+    ) -> [Size; 2] {
+        let [w, slope] = crate::residual::at_support(&self.fields.deflection, node);
+        let piece = node.saturating_sub(1);
+        let closed = self.fields.deflection.pieces[piece].bounds;
+        let errors = [bounds[piece].deflection, bounds[piece].rotation];
+        let computed = [springs[0] * (w - held.settlement), -(springs[1] * slope)];
+        let mut found = [Size::ZERO; 2];
+        for j in [0, 1] {
+            let stiffness = Size::of(springs[j].high());
+            if stiffness == Size::ZERO {
+                found[j] = Size::of(held.claimed[j].size());
+                continue;
+            }
+            let energy = self.s2() * stiffness.root() + stiffness * closed[j];
+            let differs = Size::of((held.claimed[j] - computed[j]).size());
+            found[j] = (stiffness * errors[j]).least(energy) + differs;
+        }
+        found
+    }
+
+    fn of_rigid_support(&self, node: usize) -> Size {
+        let here = &self.fields.frame.nodes[node];
+        let own = here.spring.map_or(Size::ZERO, |[spring, _]| Size::of(spring.high()));
+        let sides = self.lifted_side(node, 0) + self.lifted_side(node, 1);
+        let stiffness = (sides + own).least(self.tilted(node));
+        let factor = Size::of(self.balanced.factors[node].size());
+        let given_back = match here.acts {
+            Acts::Both => Size::of(here.weights.rigid),
+            _ => Size::of(here.reaction[0].size()),
+        };
+        self.s2() * stiffness.root() + factor * given_back
+    }
+
+    fn of_clamp(&self, node: usize) -> Size {
+        let here = &self.fields.frame.nodes[node];
+        if !here.clamped {
+            // A pin claims no moment: another claim is refused.
+            return Size::ZERO;
+        }
+        let own = here.turning.map_or(Size::ZERO, |turning| Size::of(turning.high()));
+        let sides = self.turned_side(node, 0) + self.turned_side(node, 1) + own;
+        let stiffness = sides.least(self.turned(node));
+        let last = self.balanced.steepness.len() - 1;
+        let left = self.balanced.steepness[node.saturating_sub(1)];
+        let steep = left.worst(self.balanced.steepness[node.min(last)]);
+        self.s2() * stiffness.root() + steep * Size::of(here.weights.clamp)
+    }
+
+    /// The next rigid support on one side of a node, or the end of the beam, and whether a support stands there.
+    fn next(&self, node: usize, side: usize) -> (usize, bool) {
+        let nodes = &self.fields.frame.nodes;
+        let mut next = node;
+        while next != [0, nodes.len() - 1][side] {
+            next = if side == 0 { next - 1 } else { next + 1 };
+            if nodes[next].rigid.is_some() {
+                return (next, true);
+            }
+        }
+        (next, false)
+    }
+
+    /// The largest EI, P + μ and k between a node and the next obstacle, the room, and the sums of the springs between
+    /// them, without those at the node.
+    fn beside(&self, node: usize, next: usize) -> ([Size; 3], S, [Size; 2]) {
+        let frame = self.fields.frame;
+        let (from, to) = if next < node { (next, node) } else { (node, next) };
+        let mut springs = [Size::ZERO; 2];
+        for other in (from..=to).filter(|other| *other != node) {
+            let here = &frame.nodes[other];
+            springs[0] += here.spring.map_or(Size::ZERO, |[spring, _]| Size::of(spring.high()));
+            springs[1] += here.turning.map_or(Size::ZERO, |turning| Size::of(turning.high()));
+        }
+        (self.largest(from..to), frame.nodes[to].x - frame.nodes[from].x, springs)
+    }
+
+    /// K² on one side: z = 1 − 3τ² + 2τ³, τ = t/h, with 12EI/h³ + 6(P + μ)/(5h) + 13kh/35 + Σ(κ + κ_θ(3/(2h))²); or
+    /// z = 1 to the end of the beam, with kL + K_e + Σκ.
+    fn lifted_side(&self, node: usize, side: usize) -> Size {
+        let (next, held) = self.next(node, side);
+        let ([bending, layer, ground], room, [springs, turning]) = self.beside(node, next);
+        let mut least = Size::INFINITE;
+        if !held {
+            let outside = Size::of(self.fields.frame.outside[side].high());
+            least = ground * Size::of(room.high()) + outside + springs;
+        }
+        if next == node {
+            return least;
+        }
+        let mut h = room.low();
+        for _ in 0..24 {
+            let long = Size::of(h);
+            let steep = Size::of(1.5).over(h).square();
+            let all = (12.0 * bending).over(h).over(h).over(h)
+                + (1.2 * layer).over(h)
+                + 0.3715 * (ground * long)
+                + springs
+                + turning * steep;
+            least = least.least(all);
+            h *= 0.5;
+        }
+        least
+    }
+
+    /// K² on one side for z = t(1 − t/h)²: 4EI/h + (2/15)(P + μ)h + kh³/105 + Σκ(4h/27)² + Σκ_θ.
+    fn turned_side(&self, node: usize, side: usize) -> Size {
+        let (next, _) = self.next(node, side);
+        if next == node {
+            return Size::ZERO;
+        }
+        let ([bending, layer, ground], room, [springs, turning]) = self.beside(node, next);
+        let mut least = Size::INFINITE;
+        let mut h = room.low();
+        for _ in 0..24 {
+            let long = Size::of(h);
+            let all = (4.0 * bending).over(h)
+                + 0.134 * (layer * long)
+                + (ground * (long.square() * long)).over(105.0)
+                + springs * (0.1482 * long).square()
+                + turning;
+            least = least.least(all);
+            h *= 0.5;
+        }
+        least
+    }
+
+    /// K² for the straight line that is 1 at a support and 0 at the only other one; no clamp may stand there.
+    fn tilted(&self, node: usize) -> Size {
+        let nodes = &self.fields.frame.nodes;
+        let rigid: Vec<usize> = (0..nodes.len()).filter(|i| nodes[*i].rigid.is_some()).collect();
+        let other = rigid.iter().find(|other| **other != node);
+        match other {
+            Some(other) if rigid.len() == 2 && rigid.iter().all(|i| !nodes[*i].clamped) => {
+                let base = nodes[*other].x;
+                let slope = S::one().div(nodes[node].x - base);
+                self.straight(|x| (x - base) * slope, slope)
+            }
+            _ => Size::INFINITE,
+        }
+    }
+
+    /// K² for z = x − x_i if the clamp is the only rigid support.
+    fn turned(&self, node: usize) -> Size {
+        let nodes = &self.fields.frame.nodes;
+        if nodes.iter().filter(|node| node.rigid.is_some()).count() > 1 {
+            return Size::INFINITE;
+        }
+        self.straight(|x| x - nodes[node].x, S::one())
+    }
+
+    /// K² of a straight line over the whole beam.
+    fn straight(&self, z: impl Fn(S) -> S, slope: S) -> Size {
+        let frame = self.fields.frame;
+        let count = frame.spans.len();
+        let [_, layer, ground] = self.largest(0..count);
+        let ends = [frame.nodes[0].x, frame.nodes[count].x].map(|x| Size::of(z(x).size()));
+        let (long, steep) = (Size::of(frame.length.high()), Size::of(slope.size()).square());
+        let mut sum = layer * long * steep + ground * long * ends[0].worst(ends[1]).square();
+        for side in [0, 1] {
+            sum += Size::of(frame.outside[side].high()) * ends[side].square();
+        }
+        for node in &frame.nodes {
+            let spring = node.spring.map_or(0.0, |[spring, _]| spring.high());
+            sum += Size::of(spring) * Size::of(z(node.x).size()).square();
+            sum += Size::of(node.turning.map_or(0.0, |turning| turning.high())) * steep;
+        }
+        sum
+    }
+}

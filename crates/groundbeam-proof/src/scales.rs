@@ -1,0 +1,137 @@
+//! Scales with which the bounds of errors are compared: proven lower bounds of the largest values of the fields.
+
+use crate::fields::Fields;
+use crate::pointwise::PieceBounds;
+use crate::polynomial::Polynomial;
+use crate::scalar::Scalar;
+use crate::size::Size;
+
+/// The scale of every quantity, in the units of the proof. Lower bounds.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct FieldScales {
+    /// U, the larger of the largest |w| and |u|.
+    pub deflection: f64,
+    /// The larger of the largest |w′| and U/λ.
+    pub slope: f64,
+    /// The largest of max|M|, p_max λ² and F₀λ.
+    pub moment: f64,
+    /// The largest of max|V|, p_max λ and F₀.
+    pub shear_force: f64,
+    /// The larger of the largest p and k_max U.
+    pub pressure: f64,
+    /// The sum of all loads as forces, and the largest reaction.
+    pub force: f64,
+    /// The same times λ, for moments of supports.
+    pub turning: f64,
+}
+
+/// The largest values of the exact fields, as far as nodes and middles of the pieces show them.
+#[derive(Default)]
+struct Largest {
+    deflection: f64,
+    slope: f64,
+    moment: f64,
+    shear_force: f64,
+    settlement: f64,
+    pressure: f64,
+}
+
+impl FieldScales {
+    /// λ is the smaller of the length and the largest (4EI/k)^¼; F₀ the largest single load, as a force.
+    pub fn of<S: Scalar>(fields: &Fields<S>, bounds: &[PieceBounds]) -> Self {
+        let most = Largest::of(fields, bounds);
+        let wave = wave(fields);
+        let (largest_load, sum) = loads(fields, wave);
+        let spans = &fields.frame.spans;
+        let stiffest = spans.iter().map(|span| span.spring.low()).fold(0.0, larger);
+        let deflection = larger(most.deflection, most.settlement);
+        let pressed = most.pressure;
+        FieldScales {
+            deflection,
+            slope: larger(most.slope, below(deflection / wave)),
+            moment: larger(most.moment, below(larger(pressed * wave, largest_load) * wave)),
+            shear_force: larger(most.shear_force, below(larger(pressed * wave, largest_load))),
+            pressure: larger(pressed, below(stiffest * deflection)),
+            force: larger(sum, largest_load),
+            turning: below(larger(sum, largest_load) * wave),
+        }
+    }
+}
+
+impl Largest {
+    fn of<S: Scalar>(fields: &Fields<S>, bounds: &[PieceBounds]) -> Self {
+        let mut most = Largest::default();
+        for (i, (span, error)) in fields.frame.spans.iter().zip(bounds).enumerate() {
+            let slope = span.derivative(&span.deflection);
+            let moment = span.bending_moment(span.rotation.as_deref().unwrap_or(&slope));
+            let shear = span.shear_force(&moment);
+            let places = [span.t[0], (span.t[0] + span.t[1]).scaled(-1), span.t[1]];
+            let on = |field: &Polynomial<S>, error: Size| {
+                let value = |t: &S| shown(field.value(*t), error);
+                places.iter().map(value).fold(0.0, larger)
+            };
+            let raise = |most: &mut f64, value: f64| *most = larger(*most, value);
+            raise(&mut most.deflection, on(&span.deflection, error.deflection));
+            raise(&mut most.slope, on(&slope, error.slope));
+            raise(&mut most.moment, on(&moment, error.moment));
+            raise(&mut most.shear_force, on(&shear, error.shear_force));
+            if span.touches {
+                raise(&mut most.settlement, on(&span.obstacle(), error.settlement));
+                raise(&mut most.pressure, on(&fields.pressures[i].field, error.pressure));
+            }
+            for u in fields.surface.open[i].iter().flatten() {
+                raise(&mut most.settlement, shown(*u, error.settlement));
+            }
+        }
+        most
+    }
+}
+
+/// A lower bound of the exact value, from the claimed one.
+fn shown<S: Scalar>(claimed: S, error: Size) -> f64 {
+    let value = if claimed.low() > 0.0 { claimed.low() } else { (-claimed).low() };
+    (value - error.value()).next_down()
+}
+
+/// The smaller of the length and the largest (4EI/k)^¼.
+fn wave<S: Scalar>(fields: &Fields<S>) -> f64 {
+    let spans = fields.frame.spans.iter();
+    let waves = spans.map(|span| (4.0 * span.bending.low() / span.spring.high()).sqrt().sqrt());
+    let (wave, length) = (waves.fold(0.0, larger), fields.frame.length.low());
+    below(if wave < length { wave } else { length })
+}
+
+/// The largest load or reaction and the sum of all loads, as forces.
+fn loads<S: Scalar>(fields: &Fields<S>, wave: f64) -> (f64, f64) {
+    let (mut most, mut sum) = (0.0, 0.0);
+    for span in &fields.frame.spans {
+        let at_ends = |field: &Polynomial<S>| {
+            span.t.iter().map(|t| shown(field.value(*t), Size::ZERO)).fold(0.0, larger)
+        };
+        let (force, couple) = (at_ends(&span.force), at_ends(&span.moment));
+        let curled = span.bending.low() * at_ends(&span.curvature) / wave;
+        most = larger(larger(most, larger(force * wave, couple)), curled);
+        // The mean size of a straight line is at least 0.41 of its largest size.
+        sum += 0.4 * (force + couple / wave) * span.h.low();
+    }
+    for (i, node) in fields.frame.nodes.iter().enumerate() {
+        let force = shown(node.force, Size::ZERO);
+        let couple = shown(node.moment, Size::ZERO) / wave;
+        let [w, _] = crate::residual::at_support(&fields.deflection, i);
+        let elastic =
+            node.spring.map_or(0.0, |[spring, settled]| shown(spring * w - settled, Size::ZERO));
+        let reaction = larger(shown(node.reaction[0], Size::ZERO), elastic);
+        most = larger(larger(most, larger(force, couple)), reaction);
+        sum += larger(force, 0.0) + larger(couple, 0.0);
+    }
+    (below(most), below(larger(sum, most)))
+}
+
+fn larger(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
+}
+
+/// Slightly less, for the roundings of a few operations.
+fn below(x: f64) -> f64 {
+    x * (1.0 - 1e-12)
+}

@@ -1,0 +1,158 @@
+//! Bounds of the error of the shear force, from the change of moment over a window and the load errors inside it.
+//!
+//! T̃ = (m − M*)′ + P(e′ − c′) is the error of the transverse force. On a window of length h without rigid support its
+//! mean is at most (2s₂K + 2P sup|e|)/h + P max|c′|, and it differs from its mean by the errors of pressure, concentrated
+//! forces and springs inside:
+//!
+//! ```text
+//! ε_T = min_h {(2s₂K + 2P sup|e| + Σs₂√κ_θ)/h + ½hq} + P max|c′| + Σmax(θp_o, θ′p_i) + Σ(ε_a + |λ|a) + Σs₂√κ,
+//! ε_V = |δ′| + Pε_θ + ε_T,   q = max(ε_p + γp + (1 + γ)η).
+//! ```
+
+use crate::contact_set::Shown;
+use crate::pointwise::{PieceBounds, Pointwise};
+use crate::scalar::Scalar;
+use crate::size::Size;
+use std::ops::Range;
+
+/// How many pieces a window reaches to each side.
+const REACHES: [usize; 5] = [0, 1, 3, 7, 15];
+/// How often a window is shortened.
+const TRIALS: usize = 24;
+
+/// The error of the loads on one piece.
+#[derive(Clone, Copy)]
+struct LoadError {
+    /// q, per length.
+    spread: Size,
+    /// Of the parts where only one of both answers touches, as forces.
+    edges: Size,
+}
+
+impl<S: Scalar> Pointwise<'_, S> {
+    /// Adds the bound of the shear force to the bounds on all pieces. It needs the contact set of all layers.
+    pub fn shear_forces(&self, shown: &Shown, bounds: &mut [PieceBounds]) {
+        if shown.failed[0].is_some() {
+            return;
+        }
+        let loads = self.load_errors(shown, bounds);
+        let nodes: Vec<[Size; 2]> =
+            (0..=bounds.len()).map(|node| self.node_error(node, shown)).collect();
+        for pair in self.obstacles().windows(2) {
+            for i in pair[0]..pair[1] {
+                let mut least = Size::INFINITE;
+                for reach in REACHES {
+                    let from = i.saturating_sub(reach).max(pair[0]);
+                    let window = from..(i + 1 + reach).min(pair[1]);
+                    least = least.least(self.mean(window.clone(), bounds, &loads, &nodes));
+                    if window == (pair[0]..pair[1]) {
+                        break;
+                    }
+                }
+                let tension = Size::of(self.fields.frame.tension.map_or(0.0, S::high));
+                let turned = tension * bounds[i].slope;
+                bounds[i].shear_force = least + turned + self.balancing_shear(i);
+            }
+        }
+    }
+
+    /// |δ′| on a piece.
+    fn balancing_shear(&self, i: usize) -> Size {
+        let [a, b] = self.balanced.shears[i].map(|shear| Size::of(shear.size()));
+        let long = self.fields.frame.spans[i].length();
+        a.worst(b) + long * self.fields.residual.pieces[i].rest + self.balanced.added[i][1]
+    }
+
+    /// ε_T in windows that hold a piece and lie within a range of pieces.
+    fn mean(
+        &self,
+        window: Range<usize>,
+        bounds: &[PieceBounds],
+        loads: &[LoadError],
+        nodes: &[[Size; 2]],
+    ) -> Size {
+        let frame = self.fields.frame;
+        let tension = Size::of(frame.tension.map_or(0.0, S::high));
+        let [mut moment, mut moved, mut turned] = [Size::ZERO; 3];
+        let [mut spread, mut forces, mut couples] = [Size::ZERO; 3];
+        for i in window.clone() {
+            moment = moment.worst(bounds[i].balanced_moment);
+            moved = moved.worst(bounds[i].deflection);
+            turned = turned.worst(self.fields.deflection.pieces[i].bounds[1]);
+            spread = spread.worst(loads[i].spread);
+            forces += loads[i].edges;
+            if i > window.start {
+                forces += nodes[i][0];
+                couples += nodes[i][1];
+            }
+        }
+        let swing = if frame.tension.is_some() { tension * moved } else { Size::ZERO };
+        let change = 2.0 * moment + 2.0 * swing + couples;
+        let mut h = (frame.nodes[window.end].x - frame.nodes[window.start].x).low();
+        let mut least = Size::INFINITE;
+        for _ in 0..TRIALS {
+            least = least.least(change.over(h) + 0.5 * (Size::of(h) * spread));
+            h *= 0.5;
+        }
+        least + tension * turned + forces
+    }
+
+    /// The errors of the pressure on all pieces.
+    fn load_errors(&self, shown: &Shown, bounds: &[PieceBounds]) -> Vec<LoadError> {
+        let spans = &self.fields.frame.spans;
+        let on_piece = |i: usize| {
+            let (span, pressure) = (&spans[i], &self.fields.pressures[i]);
+            let factor = self.balanced.factor(i);
+            let given_back = factor * pressure.field.size(span.tau);
+            let pulled = (Size::of(1.0) + factor) * pressure.depth;
+            let spread = match span.touches || !span.layered {
+                true => bounds[i].pressure + given_back + pulled,
+                false => Size::ZERO,
+            };
+            LoadError { spread, edges: Size::ZERO }
+        };
+        let mut errors: Vec<LoadError> = (0..spans.len()).map(on_piece).collect();
+        // The exact beam may touch on θ of an open piece, and be open on θ′ of a touching one.
+        for edge in &shown.edges {
+            let [outer, inner] = match edge.side {
+                0 => [edge.node.wrapping_sub(1), edge.node],
+                _ => [edge.node, edge.node.wrapping_sub(1)],
+            };
+            if edge.outside > Size::ZERO && outer < errors.len() {
+                let pressure = self.open_pressure(outer) + bounds[outer].pressure;
+                errors[outer].edges += edge.outside * pressure;
+            }
+            if edge.inside > Size::ZERO && inner < errors.len() {
+                let pressure = self.fields.pressures[inner].field.size(spans[inner].tau);
+                let kept = Size::of(1.0) + self.balanced.factor(inner);
+                errors[inner].edges += edge.inside * (kept * pressure);
+            }
+        }
+        errors
+    }
+
+    /// A bound of |ku − μψ″| on an open piece of a layer: the pressure if it touched with its own settlement.
+    fn open_pressure(&self, i: usize) -> Size {
+        let span = &self.fields.frame.spans[i];
+        let Some(ends) = self.fields.surface.open[i] else { return Size::INFINITE };
+        let settled = Size::of(ends[0].size()).worst(Size::of(ends[1].size()));
+        let bent = span.derivative(&span.derivative(&span.deflection)).size(span.tau);
+        Size::of(span.spring.high()) * settled + Size::of(span.shear.high()) * bent
+    }
+
+    /// The error of the forces at a node, and that of its rotational spring.
+    fn node_error(&self, node: usize, shown: &Shown) -> [Size; 2] {
+        let (frame, surface) = (self.fields.frame, &self.fields.surface);
+        let here = &frame.nodes[node];
+        let elastic = |spring: S| self.s2() * Size::of(spring.high()).root();
+        let mut force = here.spring.map_or(Size::ZERO, |[spring, _]| elastic(spring));
+        if surface.touches[node] {
+            let (jump, factor) = (&surface.jump[node], self.balanced.factors[node].size());
+            let size = Size::of(jump.size());
+            // At a smooth node the exact answer has no force.
+            let missed = if frame.smooth(node) { size } else { shown.tolerances[node] };
+            force += missed + Size::of(factor) * size;
+        }
+        [force, here.turning.map_or(Size::ZERO, elastic)]
+    }
+}

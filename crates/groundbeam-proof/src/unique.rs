@@ -1,0 +1,108 @@
+//! Uniqueness: two solutions have the same u and p. They differ by a rigid motion that vanishes wherever p* > 0 and at all
+//! supports. The solution is unique if every part between hinges is held in two places, or in one and against rotation.
+
+use crate::contact_set::Shown;
+use crate::model::Acts;
+use crate::pointwise::Pointwise;
+use crate::refusal::NotProven;
+use crate::scalar::Scalar;
+use crate::size::Size;
+use std::ops::Range;
+
+/// How far a part of the beam is held.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Holds {
+    places: usize,
+    turning: bool,
+}
+
+impl Holds {
+    fn is_enough(self) -> bool {
+        self.places + usize::from(self.turning) > 1 && self.places > 0
+    }
+}
+
+impl<S: Scalar> Pointwise<'_, S> {
+    /// Whether the solution is unique. Forces count if the contact set shows them, supports of one direction if their
+    /// reaction is larger than the bound of its error.
+    pub fn unique(&self, shown: &Shown, reactions: &[[Size; 2]]) -> Result<(), NotProven> {
+        let frame = self.fields.frame;
+        let mut pressed = match shown.failed[0] {
+            None => shown.pressed.clone(),
+            Some(_) => vec![false; shown.pressed.len()],
+        };
+        for (held, [error, _]) in frame.supports.iter().zip(reactions) {
+            let Some(node) = held.node else { continue };
+            let acting = frame.nodes[node].acts.towards(held.claimed[0]).low() > error.value();
+            pressed[node] |= acting && frame.nodes[node].acts != Acts::Both;
+        }
+        let parts = self.parts();
+        let mut holds: Vec<Holds> = parts.iter().map(|part| self.holds(part, &pressed)).collect();
+        // A string under tension that is held anywhere keeps its direction.
+        if self.fields.frame.tension.is_some() && holds.iter().any(|part| part.places > 0) {
+            return Ok(());
+        }
+        for _ in 0..parts.len() {
+            let held: Vec<bool> = holds.iter().map(|part| part.is_enough()).collect();
+            if held.iter().all(|held| *held) {
+                return Ok(());
+            }
+            let mut changed = false;
+            for j in 0..parts.len() {
+                let by_neighbour = (j > 0 && held[j - 1], j + 1 < held.len() && held[j + 1]);
+                let own = self.holds(&parts[j], &pressed);
+                let hinges = usize::from(by_neighbour.0) + usize::from(by_neighbour.1);
+                let now = Holds { places: own.places + hinges, ..own };
+                changed |= now != holds[j];
+                holds[j] = now;
+            }
+            if !changed {
+                break;
+            }
+        }
+        let loose = holds.iter().position(|part| !part.is_enough());
+        match loose {
+            None => Ok(()),
+            Some(j) => {
+                let what = "the solution is not shown to be unique: a part of the beam may move";
+                Err(NotProven::new(what).at(self.fields.frame.place(parts[j].start)))
+            }
+        }
+    }
+
+    /// What holds a part: supports, forces and pressure. A support at a hinge holds both parts.
+    fn holds(&self, part: &Range<usize>, pressed: &[bool]) -> Holds {
+        let nodes = &self.fields.frame.nodes;
+        let inside = part.start..=part.end;
+        let held = |i: &usize| {
+            let both = nodes[*i].acts == Acts::Both;
+            both && (nodes[*i].rigid.is_some() || nodes[*i].spring.is_some())
+        };
+        let at_nodes = inside.clone().filter(|i| held(i) || pressed[*i]).count();
+        let turning = inside.clone().any(|i| nodes[i].clamped || nodes[i].turning.is_some());
+        let pieces = if part.clone().any(|i| self.presses(i)) { 2 } else { 0 };
+        Holds { places: at_nodes + pieces, turning }
+    }
+
+    /// Whether p* > 0 is shown in both halves of an interval of a piece: a bump z ≥ 0 of length h with
+    /// p_m∫z > s₂‖z‖_b, z = 1 − (2t/h)², ∫z = 2h/3, ‖z‖_b² = 8kh/15 + 16μ/(3h).
+    fn presses(&self, i: usize) -> bool {
+        let span = &self.fields.frame.spans[i];
+        if !span.touches {
+            return false;
+        }
+        let pressure = &self.fields.pressures[i].field;
+        let kept = self.kept(self.balanced.factor(i).value());
+        [0.9, 0.5, 0.25, 0.0625].into_iter().any(|part| {
+            let least = pressure.coefficient(0).low() - pressure.tail(part).value();
+            let least = (least.next_down() * kept).next_down();
+            // Half of |t| ≤ part.
+            let h = (part * span.half.low()).next_down();
+            let long = Size::of((part * span.half.high()).next_up());
+            let ground = (8.0 * (Size::of(span.spring.high()) * long)).over(15.0)
+                + (16.0 * Size::of(span.shear.size())).over(3.0).over(h);
+            let missed = self.s2() * ground.root();
+            least > 0.0 && (0.666 * h).next_down() * least > missed.value().next_up()
+        })
+    }
+}
