@@ -37,7 +37,7 @@ fn attacks() -> Vec<Attack> {
 enum Verdict {
     Unreadable,
     NotProven(NotProven),
-    Proven(Answer, Proof),
+    Proven(Answer, Box<Proof>),
 }
 
 fn verdict(attack: &Attack) -> Verdict {
@@ -49,7 +49,7 @@ fn verdict(attack: &Attack) -> Verdict {
         Err(_) => Verdict::Unreadable,
         Ok(model) => match prove(&model, &answer) {
             Err(why) => Verdict::NotProven(why),
-            Ok(proof) => Verdict::Proven(answer, proof),
+            Ok(proof) => Verdict::Proven(answer, Box::new(proof)),
         },
     }
 }
