@@ -60,11 +60,15 @@ fn solutions_of_all_case_files_are_proven_or_their_kind_is_named() {
         .into_par_iter()
         .map(|(path, solution)| (path, solution.certificate().relative_gap(), solution.prove()))
         .collect();
-    let mut proven = 0;
+    let (mut bounded, mut proven) = (0, 0);
     for (path, today, proof) in &found {
         match proof {
             Ok(proof) => {
-                proven += 1;
+                bounded += 1;
+                match proof.shortfall() {
+                    None => proven += 1,
+                    Some(why) => println!("{path}: {why}"),
+                }
                 let gap = relative(proof);
                 assert!(gap <= today.max(1e-28), "{path}: {gap:e}, certificate {today:e}");
             }
@@ -75,7 +79,8 @@ fn solutions_of_all_case_files_are_proven_or_their_kind_is_named() {
             }
         }
     }
-    assert!(proven >= 101, "only {proven} solutions are proven");
+    println!("{bounded} of {} solutions have bounds, {proven} are proven", found.len());
+    assert!(bounded >= 101, "only {bounded} solutions have bounds");
     for (path, reached) in REACHED {
         let of_path = found.iter().filter(|(found, ..)| found == path);
         for (_, _, proof) in of_path {
@@ -200,7 +205,7 @@ fn the_truth_lies_within_every_bound() {
     let proven = judged.iter().filter(|(_, _, shortfall)| shortfall.is_none()).count();
     println!("{proven} of {} are proven; errors over bounds {worst:.2?}", judged.len());
     assert!(judged.len() >= 230, "only {} models have bounds", judged.len());
-    assert!(proven >= 220, "only {proven} models are proven");
+    assert!(proven >= 232, "only {proven} models are proven");
 }
 
 /// The edges and concentrated forces of a shown contact set that lie outside their intervals.
@@ -264,7 +269,7 @@ fn the_exact_contact_set_is_the_one_that_is_shown() {
     {
         assert!(wrong.is_empty(), "{name}: {wrong:?}");
     }
-    assert!(shown >= 231, "only {shown} contact sets are shown");
+    assert!(shown >= 232, "only {shown} contact sets are shown");
 }
 
 /// The answer to a model with one number changed, claimed for the model as it is: every bound holds.

@@ -31,11 +31,17 @@ impl<S: Scalar> Contact<'_, S> {
             let edges = [i > first && differs(i - 1, i), i + 1 < end && differs(i, i + 1)];
             let mut interval = spans[i].interval();
             for side in [0, 1] {
-                if edges[side] {
-                    let zone = self.zone(i, side, &field).ok_or_else(|| {
-                        self.failed("the edge of a region is not bounded", i + side)
-                    })?;
-                    (zones[i - first][side], interval[side]) = (zone.theta, zone.to);
+                let stands = self.stands(i, side);
+                if !edges[side] && !stands {
+                    continue;
+                }
+                let zone = self
+                    .zone(i, side, &field)
+                    .ok_or_else(|| self.failed("the edge of a region is not bounded", i + side))?;
+                interval[side] = zone.to;
+                // At a support that stands on the ground the edge is the support.
+                if !stands {
+                    zones[i - first][side] = zone.theta;
                 }
             }
             let error = more(self.bounds[i].deflection);
@@ -73,29 +79,49 @@ impl<S: Scalar> Contact<'_, S> {
         field.coarse()
     }
 
-    /// The least zone found: the field grows inward faster than its slope is off, up to a value above its bound.
+    /// Whether the end of a piece is a rigid support that stands on the ground: w* = δ = g₀.
+    fn stands(&self, i: usize, side: usize) -> bool {
+        let (span, node) = (&self.fields.frame.spans[i], &self.fields.frame.nodes[i + side]);
+        let gap = span.gap.value(span.t[side]);
+        node.rigid == Some(gap)
+    }
+
+    /// Whether also the slope of w* − g₀ is zero there: at a clamp above level ground.
+    fn lies(&self, i: usize, side: usize) -> bool {
+        let (span, node) = (&self.fields.frame.spans[i], &self.fields.frame.nodes[i + side]);
+        self.stands(i, side) && node.clamped && span.gap.tail(1.0) == Size::ZERO
+    }
+
+    /// The least zone found: the field grows inward faster than its slope is off, up to a value above its bound. Where the
+    /// exact slope is zero the curvature takes the place of the slope.
     fn zone(&self, i: usize, side: usize, field: &Polynomial<S::Coarse>) -> Option<Zone> {
         let (span, bounds) = (&self.fields.frame.spans[i], &self.bounds[i]);
-        let [limit, steep] = [more(bounds.deflection), more(bounds.slope)];
+        let half = Size::of(span.half.high());
+        let limit = more(bounds.deflection);
         let end = span.interval()[side];
         let inward = if side == 0 { 1.0 } else { -1.0 };
-        // The derivative by x is the one by t over `half`.
-        let slope = field.derivative().times(S::Coarse::of(inward));
-        let steep = steep * Size::of(span.half.high());
-        let at_end = slope.value(S::Coarse::of(end)).low();
-        let mut long = (2.0 * limit.over(at_end)).value();
+        let lies = self.lies(i, side);
+        // Derivatives by t, `half` or its square times those by x.
+        let (growth, error) = if lies {
+            let bent = bounds.moment.over(span.bending.low());
+            (field.derivative().derivative(), more(bent) * half.square())
+        } else {
+            (field.derivative().times(S::Coarse::of(inward)), more(bounds.slope) * half)
+        };
+        let at_end = growth.value(S::Coarse::of(end)).low();
+        let far = (2.0 * limit.over(at_end)).value();
+        let mut long = if lies { (2.0 * far).sqrt() } else { far };
         for _ in 0..12 {
             let to = end + inward * long;
             if !(long < 0.75) || to == end {
                 return None;
             }
             let m = end + 0.5 * (to - end);
-            let about = slope.shifted(m);
+            let about = growth.shifted(m);
             let r = (0.5 * long).next_up() + 4.0 * f64::EPSILON;
             let least = (about.coefficient(0).low() - about.tail(r).value()).next_down();
-            if least > steep.value() && field.value(S::Coarse::of(to)).low() > limit.value() {
-                let theta = Size::of((to - end).abs().next_up()) * Size::of(span.half.high());
-                return Some(Zone { theta, to });
+            if least > error.value() && field.value(S::Coarse::of(to)).low() > limit.value() {
+                return Some(Zone { theta: Size::of((to - end).abs().next_up()) * half, to });
             }
             long *= 2.0;
         }
