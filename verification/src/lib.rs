@@ -1,6 +1,7 @@
 //! groundbeam checked against what is known: shared by the tests.
 
 pub mod architecture;
+pub mod attack;
 pub mod cases;
 pub mod convergence;
 pub mod crossing;
