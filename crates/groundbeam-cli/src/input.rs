@@ -15,6 +15,7 @@ pub struct Input {
     name: String,
     /// As it was read.
     text: String,
+    digest: String,
 }
 
 impl Input {
@@ -32,7 +33,8 @@ impl Input {
         let text = groundbeam_file::text_of(&bytes).map_err(wrong)?;
         let folder = path.parent().unwrap_or(Path::new(""));
         let document = groundbeam_file::parse_beside(text, folder).map_err(wrong)?;
-        Ok(Input { document, name, text: text.to_owned() })
+        let digest = groundbeam_report::model_digest(&document);
+        Ok(Input { document, name, text: text.to_owned(), digest })
     }
 
     /// The model as it is written, and the file it stands in.
@@ -41,9 +43,9 @@ impl Input {
         Source::of(&self.document, name.unwrap_or(&self.name), &self.text)
     }
 
-    /// Title, units and limits, as reports want them.
+    /// Title, units, limits and digest, as reports want them.
     pub fn context(&self) -> Context<'_> {
-        Context::of(&self.document)
+        Context { digest: Some(&self.digest), ..Context::of(&self.document) }
     }
 
     /// Why a model is not solved, at its place in the file.

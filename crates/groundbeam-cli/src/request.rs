@@ -26,6 +26,8 @@ pub enum Request {
 pub struct Solve {
     pub file: PathBuf,
     pub json: bool,
+    /// Whether the document holds the pieces of the answer.
+    pub pieces: bool,
     pub csv: Option<PathBuf>,
     pub plot: Option<Plot>,
     pub report: Option<Report>,
@@ -219,6 +221,7 @@ impl Solve {
         Ok(Solve {
             file: typed.file,
             json: typed.json,
+            pieces: typed.pieces,
             csv: typed.csv,
             plot,
             report,

@@ -22,7 +22,8 @@ pub fn run(request: &Solve) -> Result<Status, Failure> {
     let stations = request.at.as_deref().map(|list| positions(&input, list)).transpose()?;
     let (run, title) = asked(&input, request)?;
     let (answers, seconds) = solved(&run, &input, request.options.method.name())?;
-    let context = Context { title: title.as_deref(), ..input.context() }.with_seconds(seconds);
+    let context = Context { title: title.as_deref(), pieces: request.pieces, ..input.context() };
+    let context = context.with_seconds(seconds);
     deliver(&Results::new(&answers, context), &input, request, stations.as_deref())
 }
 
@@ -50,6 +51,10 @@ fn asked(input: &Input, request: &Solve) -> Result<(Run, Option<String>), Failur
         if let Some(rule) = rule {
             return Err(Failure::usage(format!("{option}: {rule}")));
         }
+    }
+    if request.pieces && run.asked() == Asked::Trains {
+        let rule = "the document of a train has no pieces";
+        return Err(Failure::usage(format!("--pieces: {rule}")));
     }
     let growing = match (&request.factors, run.combinations()) {
         (Some(grow), [combination, ..]) => Some(growing(input, grow, combination)?),

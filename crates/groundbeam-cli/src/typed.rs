@@ -64,6 +64,10 @@ pub struct Solve {
     #[arg(long)]
     pub json: bool,
 
+    /// Add the pieces of the answer to the document, from which `groundbeam verify` proves it
+    #[arg(long, requires = "json")]
+    pub pieces: bool,
+
     /// Write all fields along the beam as a table; of combinations, the envelope
     #[arg(long, value_name = "OUT")]
     pub csv: Option<PathBuf>,

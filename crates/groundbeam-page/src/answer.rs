@@ -6,7 +6,7 @@ use crate::view::View;
 use groundbeam::Options;
 use groundbeam_file::Document;
 use groundbeam_report::calculation::Source;
-use groundbeam_report::{Context, Results, html};
+use groundbeam_report::{Context, Results, html, model_digest};
 use groundbeam_run::{Failed, Host, Run};
 use std::convert::Infallible;
 use std::fmt::Display;
@@ -190,6 +190,12 @@ fn seen(
         }
     })?;
     let seconds = Some(host.seconds() - started).filter(|seconds| seconds.is_finite());
-    let context = Context { title: title.as_deref(), seconds, ..Context::of(document) };
+    let digest = model_digest(document);
+    let context = Context {
+        title: title.as_deref(),
+        seconds,
+        digest: Some(&digest),
+        ..Context::of(document)
+    };
     deliver(&Results::new(&answers, context))
 }

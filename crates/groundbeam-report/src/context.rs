@@ -22,6 +22,13 @@ pub struct Context<'a> {
     pub limits: Option<&'a Limits>,
     /// How many chords of the initial gap replace settlement troughs; left out where there are no troughs.
     pub chords: Option<usize>,
+    /// The digest of the model file and of the tables that it names, as [`model_digest`](crate::model_digest) makes it;
+    /// left out where the model does not come from a file.
+    pub digest: Option<&'a str>,
+    /// The combination that is solved alone; left out for a model as it is written.
+    pub combination: Option<&'a str>,
+    /// Whether a document holds the pieces of the answer, from which it is proven.
+    pub pieces: bool,
 }
 
 impl<'a> Context<'a> {
@@ -45,6 +52,9 @@ impl<'a> Context<'a> {
             ground: None,
             limits: None,
             chords: None,
+            digest: None,
+            combination: None,
+            pieces: false,
         }
     }
 

@@ -13,6 +13,7 @@ mod comparison;
 mod existence;
 mod factors;
 mod ground;
+mod pieces;
 mod study;
 mod train;
 
@@ -28,6 +29,7 @@ use groundbeam::{
     Support,
 };
 use groundbeam_file::is_unprintable;
+use pieces::Claimed;
 use serde::{Serialize, Serializer};
 pub use study::study;
 pub use train::{checked_trains, trains};
@@ -92,6 +94,8 @@ struct Solved {
     end_forces: Ends,
     concentrated_forces: Vec<Force>,
     reactions: Vec<Held>,
+    #[serde(flatten)]
+    claimed: Option<Claimed>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     hinges: Vec<Turned>,
     stations: Stations,
@@ -140,13 +144,16 @@ impl Solved {
                 .reactions()
                 .iter()
                 .zip(&model.supports)
-                .map(|(r, support)| Held {
+                .enumerate()
+                .map(|(i, (r, support))| Held {
+                    support: i,
                     at: r.at,
                     force: r.force,
                     moment: r.moment,
                     state: state(support, r.force),
                 })
                 .collect(),
+            claimed: context.pieces.then(|| Claimed::of(solution)),
             hinges: solution
                 .hinges()
                 .iter()
@@ -223,6 +230,10 @@ struct Head {
     units: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     trough_chords: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    model_digest: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    combination: Option<String>,
 }
 
 impl Head {
@@ -232,6 +243,8 @@ impl Head {
             title: context.title.map(str::to_owned),
             units: context.units.name(),
             trough_chords: context.chords,
+            model_digest: context.digest.map(str::to_owned),
+            combination: context.combination.map(str::to_owned),
         }
     }
 }
@@ -311,6 +324,8 @@ struct Force {
 
 #[derive(Serialize)]
 struct Held {
+    /// Its index in the model's list of supports.
+    support: usize,
     at: f64,
     force: f64,
     moment: f64,

@@ -35,6 +35,7 @@ mod characteristics;
 mod combinations;
 mod context;
 mod curve;
+mod digest;
 mod font;
 mod load;
 mod number;
@@ -56,6 +57,7 @@ pub mod text;
 
 pub use characteristics::{Characteristics, Resultant};
 pub use context::Context;
+pub use digest::model_digest;
 pub use load::{load_kind, load_name};
 pub use quantity::{Kind, Units};
 pub use results::Results;

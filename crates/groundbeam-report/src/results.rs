@@ -21,9 +21,10 @@ impl<'a> Results<'a> {
             _ => (None, None),
         };
         let one = answers.list.first().filter(|_| answers.asked == Asked::One);
+        let combination = one.map(Answer::name).filter(|name| !name.is_empty());
         let seconds = one.map(|one| one.seconds).filter(|seconds| seconds.is_finite());
         let seconds = seconds.or(context.seconds);
-        Results { answers, context: Context { ground, factors, seconds, ..context } }
+        Results { answers, context: Context { ground, factors, seconds, combination, ..context } }
     }
 
     /// The answers.

@@ -69,7 +69,7 @@ pub fn report(answers: &Answers, context: &Context, source: &Source) -> Report {
     Report {
         title: context.clean_title().unwrap_or_else(|| clean(source.name)),
         version: env!("CARGO_PKG_VERSION"),
-        digest: proof::digest(source.text),
+        digest: crate::digest::digest(source.text),
         ..report
     }
 }

@@ -3,15 +3,10 @@
 use super::content::{Block, Section, facts};
 use super::{Source, equations};
 use crate::context::{Context, clean};
+use crate::digest::digest;
 use crate::quantity::Units;
 use crate::text;
 use groundbeam::Solution;
-use sha2::{Digest, Sha256};
-
-/// The SHA-256 digest of a text, in hexadecimal digits.
-pub(super) fn digest(text: &str) -> String {
-    Sha256::digest(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect()
-}
 
 /// What was proven of one solution.
 pub(super) fn certificate(solution: &Solution, units: Units) -> Section {

@@ -50,6 +50,8 @@ struct All<'a> {
     units: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     trough_chords: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    model_digest: Option<&'a str>,
     combinations: Vec<One<'a>>,
     cases: Vec<Case<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -64,12 +66,13 @@ struct All<'a> {
 }
 
 impl<'a> All<'a> {
-    fn head(status: &'static str, answers: &'a Answers, context: &Context) -> Self {
+    fn head(status: &'static str, answers: &'a Answers, context: &Context<'a>) -> Self {
         All {
             status,
             title: context.title.map(str::to_owned),
             units: context.units.name(),
             trough_chords: context.chords,
+            model_digest: context.digest,
             combinations: Vec::new(),
             cases: answers.alone.iter().map(|case| Case::of(case, context)).collect(),
             envelope: None,
@@ -129,7 +132,7 @@ enum Result {
 }
 
 fn each<'a>(answers: &'a Answers, stations: Option<&[f64]>, context: &Context) -> Vec<One<'a>> {
-    let context = Context::new(context.units);
+    let context = Context { pieces: context.pieces, ..Context::new(context.units) };
     let one = |answer: &'a Answer| {
         let combination = &answer.label.combination;
         let model = &combination.model;
