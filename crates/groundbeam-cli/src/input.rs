@@ -43,6 +43,11 @@ impl Input {
         Source::of(&self.document, name.unwrap_or(&self.name), &self.text)
     }
 
+    /// The digest of the file and of the tables that it names.
+    pub fn digest(&self) -> &str {
+        &self.digest
+    }
+
     /// Title, units, limits and digest, as reports want them.
     pub fn context(&self) -> Context<'_> {
         Context { digest: Some(&self.digest), ..Context::of(&self.document) }

@@ -17,6 +17,7 @@ mod starter;
 mod status;
 mod study;
 mod typed;
+mod verify;
 mod waiting;
 
 use clap::Parser;
@@ -40,6 +41,7 @@ fn run(request: Request) -> Result<Status, Failure> {
     match request {
         Request::Solve(solve) => solve::run(&solve),
         Request::Check(check) => check::run(&check),
+        Request::Verify(verify) => verify::run(&verify),
         Request::Compare(compare) => compare::run(&compare),
         Request::New(new) => starter::run(&new),
         Request::Serve(serve) => serve::run(&serve),

@@ -13,6 +13,7 @@ use std::path::PathBuf;
 pub enum Request {
     Solve(Solve),
     Check(Check),
+    Verify(Verify),
     Compare(Compare),
     New(New),
     Serve(Serve),
@@ -88,6 +89,15 @@ pub enum Setting {
 /// Tell whether an equilibrium exists.
 pub struct Check {
     pub file: PathBuf,
+    pub json: bool,
+}
+
+/// Prove a result document.
+pub struct Verify {
+    pub result: PathBuf,
+    pub model: PathBuf,
+    /// Whether keys that are not covered count as not proven.
+    pub strict: bool,
     pub json: bool,
 }
 
@@ -171,6 +181,9 @@ impl Request {
         Ok(match typed.command {
             Command::Solve(solve) => Request::Solve(Solve::of(solve)?),
             Command::Check(check) => Request::Check(Check { file: check.file, json: check.json }),
+            Command::Verify(typed::Verify { result, model, strict, json }) => {
+                Request::Verify(Verify { result, model, strict, json })
+            }
             Command::Compare(compare) => Request::Compare(Compare {
                 file: compare.file,
                 json: compare.json,

@@ -7,15 +7,19 @@ use std::process::ExitCode;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
     /// Solved, or whatever else was asked for is done.
-    Done = 0,
+    Done,
+    /// Something is not proven.
+    NotProven,
     /// The input or the command line is wrong.
-    Wrong = 2,
+    Wrong,
     /// The model is right and has no equilibrium.
-    NoEquilibrium = 3,
+    NoEquilibrium,
+    /// Proven for the model that the document contains alone.
+    ProvenForDocument,
     /// The solver did not meet its own tolerance.
-    NotConverged = 4,
+    NotConverged,
     /// Stopped from the keyboard; what is done is kept.
-    Interrupted = 130,
+    Interrupted,
 }
 
 impl From<Overall> for Status {
@@ -28,8 +32,22 @@ impl From<Overall> for Status {
     }
 }
 
+impl Status {
+    /// Its number.
+    pub fn code(self) -> u8 {
+        match self {
+            Status::Done => 0,
+            Status::NotProven => 1,
+            Status::Wrong => 2,
+            Status::NoEquilibrium | Status::ProvenForDocument => 3,
+            Status::NotConverged => 4,
+            Status::Interrupted => 130,
+        }
+    }
+}
+
 impl From<Status> for ExitCode {
     fn from(status: Status) -> Self {
-        ExitCode::from(status as u8)
+        ExitCode::from(status.code())
     }
 }

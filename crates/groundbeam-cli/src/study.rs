@@ -144,7 +144,7 @@ impl Watcher {
         let handled = ctrlc::set_handler(move || {
             if pressed.swap(true, Ordering::Relaxed) {
                 // Pressed twice: at once.
-                std::process::exit(i32::from(Status::Interrupted as u8));
+                std::process::exit(i32::from(Status::Interrupted.code()));
             }
         });
         handled.map_err(|error| Failure::usage(error.to_string()))?;

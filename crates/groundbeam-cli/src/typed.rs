@@ -34,6 +34,8 @@ pub enum Command {
     Solve(Solve),
     /// Read a model and tell whether an equilibrium exists, without solving
     Check(Check),
+    /// Prove a result document against its model file
+    Verify(Verify),
     /// Write a commented model file to begin with
     New(New),
     /// Solve a model with every method and show their errors against `exact`
@@ -145,6 +147,36 @@ pub struct Check {
     #[arg(long)]
     pub json: bool,
 }
+
+/// Prove a result document against its model file
+///
+/// The document is one of `groundbeam solve --json --pieces`, or of another program. Each number in it is compared with the
+/// exact solution of the model in arithmetic that encloses all rounding. The proof shares no code with the solver.
+#[derive(Debug, Args)]
+#[command(after_long_help = VERIFIED)]
+pub struct Verify {
+    /// Result document (JSON); `-` for standard input
+    pub result: PathBuf,
+
+    /// Model file (TOML)
+    pub model: PathBuf,
+
+    /// Keys with numbers that the proof does not cover make the exit status 1
+    #[arg(long)]
+    pub strict: bool,
+
+    /// Print what is proven as one JSON document, and nothing else, on standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+const VERIFIED: &str = "\
+Exit status:
+  0  proven: there is exactly one equilibrium, its contact set is that of the document, and every
+     error is at most a millionth of its scale
+  1  not proven; the first reason and all proven bounds are printed
+  2  the document or the model file cannot be read
+  3  proven for the model in the document alone: the proof does not read the model file";
 
 #[derive(Debug, Args)]
 pub struct New {

@@ -18,12 +18,14 @@ pub struct Document {
     pub units: Option<String>,
     /// `model_digest`: that of the model file and of the tables that it names.
     pub model_digest: Option<String>,
+    /// `model`: the text of a model file, where the model does not follow from its own file in closed form.
+    pub model: Option<String>,
     /// Name of the combination of load cases.
     pub combination: Option<String>,
     /// Pieces, concentrated forces and reactions.
     pub answer: Answer,
-    /// Listed regions of contact, from and to; a point has both the same.
-    pub contact: Vec<[f64; 2]>,
+    /// Listed regions of contact, from and to; a point has both the same. `None`: none are listed.
+    pub contact: Option<Vec<[f64; 2]>>,
     /// Listed forces under the beam's left and right end.
     pub end_forces: Option<[f64; 2]>,
     /// Places of the listed stations.
@@ -85,6 +87,7 @@ impl Document {
             status: text_of(&mut root, "status")?,
             units: text_of(&mut root, "units")?,
             model_digest: text_of(&mut root, "model_digest")?,
+            model: text_of(&mut root, "model")?,
             combination: text_of(&mut root, "combination")?,
             ..Document::default()
         };
@@ -127,9 +130,13 @@ impl Document {
     }
 
     fn contact(&mut self, root: &mut Object) -> Result<(), JsonError> {
-        for mut region in elements(root, "contact")? {
-            self.contact.push([number(&mut region, "from")?, number(&mut region, "to")?]);
-            rest("contact", &region, &mut self.not_covered);
+        if root.contains_key("contact") {
+            let mut contact = Vec::new();
+            for mut region in elements(root, "contact")? {
+                contact.push([number(&mut region, "from")?, number(&mut region, "to")?]);
+                rest("contact", &region, &mut self.not_covered);
+            }
+            self.contact = Some(contact);
         }
         if let Some(ends) = root.remove("end_forces") {
             let mut ends = object(ends, "end_forces")?;
@@ -357,8 +364,8 @@ mod tests {
         let reaction = Reaction { support: 1, force: 2.0, moment: -1.0 };
         assert_eq!(document.answer.reactions, [reaction]);
         assert_eq!(
-            (&document.contact[..], document.end_forces),
-            (&[[0.0, 1.5]][..], Some([4.5, 0.0]))
+            (document.contact.as_deref(), document.end_forces),
+            (Some(&[[0.0, 1.5]][..]), Some([4.5, 0.0]))
         );
         assert_eq!(document.fields, [("deflection".to_owned(), vec![1.0, 2.0])]);
         assert_eq!(document.extremes.len(), 2);

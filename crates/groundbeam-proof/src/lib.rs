@@ -30,8 +30,10 @@ mod held;
 mod idle;
 mod json;
 mod kinds;
+mod listed;
 mod model;
 mod outside;
+mod patches;
 mod pointwise;
 mod polynomial;
 mod positions;
@@ -51,6 +53,7 @@ mod test_functions;
 mod unique;
 mod units;
 mod values;
+mod verification;
 mod wide;
 
 pub use answer::{Answer, Force, Piece, Reaction};
@@ -59,6 +62,7 @@ pub use bounds::{Bound, Bounds, ReactionBound, Scales};
 pub use contact_set::{ContactForce, ContactRegion, ContactSet};
 pub use document::{Document, Extreme};
 pub use json::JsonError;
+pub use listed::Checked;
 pub use model::{
     Action, Acts, Beam, BeamSegment, Course, Extent, GapCorner, Ground, GroundEnd, GroundSegment,
     Hinge, Load, Model, Support, SupportKind,
@@ -67,4 +71,5 @@ pub use proof::{Proof, prove};
 pub use read::{ReadError, Reason, read_model};
 pub use refusal::NotProven;
 pub use scalar::Scalar;
+pub use verification::{Verification, verify};
 pub use wide::Wide;

@@ -17,6 +17,11 @@ pub fn model_digest(document: &Document) -> String {
     of_files(document.text(), tables)
 }
 
+/// The digest of a model file that names no tables.
+pub fn digest_of_text(model: &str) -> String {
+    of_files(model, [])
+}
+
 fn of_files<'t>(model: &'t str, tables: impl IntoIterator<Item = &'t str>) -> String {
     let all: Vec<String> = [model].into_iter().chain(tables).map(digest).collect();
     let whole = match &all[..] {

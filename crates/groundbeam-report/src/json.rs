@@ -16,6 +16,7 @@ mod ground;
 mod pieces;
 mod study;
 mod train;
+mod verified;
 
 use crate::characteristics::Characteristics;
 use crate::context::Context;
@@ -33,6 +34,7 @@ use pieces::Claimed;
 use serde::{Serialize, Serializer};
 pub use study::study;
 pub use train::{checked_trains, trains};
+pub use verified::verified;
 
 /// Equal steps of the grid that [`default_stations`] is made of.
 const EVEN_STEPS: usize = 100;

@@ -45,6 +45,7 @@ mod results;
 mod size;
 mod study;
 mod verdict;
+mod verified;
 
 pub mod calculation;
 pub mod csv;
@@ -57,9 +58,10 @@ pub mod text;
 
 pub use characteristics::{Characteristics, Resultant};
 pub use context::Context;
-pub use digest::model_digest;
+pub use digest::{digest_of_text, model_digest};
 pub use load::{load_kind, load_name};
 pub use quantity::{Kind, Units};
 pub use results::Results;
 pub use study::{Estimate, Interval, Limit, Spread, Study, Way};
 pub use verdict::sentence;
+pub use verified::{ModelOf, Named, Verified};

@@ -34,6 +34,21 @@ pub(crate) fn order(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.0e}") }
 }
 
+/// A bound with two digits, rounded up: `1.64e-14` as `1.7e-14`.
+pub(crate) fn above(bound: f64) -> String {
+    if bound == 0.0 || !bound.is_finite() {
+        return significant(bound, 2);
+    }
+    let nearest = format!("{bound:.1e}");
+    if nearest.parse().is_ok_and(|shown: f64| shown > bound) {
+        return nearest;
+    }
+    // Five hundredths of the leading digit's unit more: the next number with two digits.
+    let exponent = nearest.split_once('e').map_or("0", |(_, exponent)| exponent);
+    let step: f64 = format!("0.1e{exponent}").parse().unwrap_or(f64::INFINITY);
+    format!("{:.1e}", bound + step)
+}
+
 fn without_trailing_zeros(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
 }
@@ -62,5 +77,26 @@ mod tests {
             assert_eq!(significant(value, 6), text);
         }
         assert_eq!(order(3.2e-13), "3e-13");
+    }
+
+    #[test]
+    fn bounds_are_rounded_up() {
+        let cases = [
+            (1.64e-14, "1.7e-14"),
+            (1.61e-14, "1.7e-14"),
+            (9.99e-3, "1.0e-2"),
+            (9.91e300, "1.0e301"),
+            (2.0, "2.1e0"),
+            (0.0, "0"),
+            (f64::INFINITY, "inf"),
+        ];
+        for (bound, text) in cases {
+            assert_eq!(above(bound), text);
+        }
+        for i in 1..1000 {
+            let bound = f64::from(i) * 0.001_234_5;
+            let shown: f64 = above(bound).parse().unwrap();
+            assert!(shown > bound && shown <= 1.11 * bound, "{bound} {shown}");
+        }
     }
 }

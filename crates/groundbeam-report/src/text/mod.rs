@@ -9,6 +9,7 @@ pub(crate) mod factors;
 pub(crate) mod free_spans;
 mod ground;
 mod passages;
+pub(crate) mod proof;
 pub(crate) mod sheet;
 mod study;
 pub(crate) mod train;
@@ -28,6 +29,7 @@ use groundbeam::{
     Reaction, Solution, Stopped, SupportKind, Verdict,
 };
 pub use passages::{checked_trains, trains};
+pub use proof::verified;
 use sheet::{Sheet, Tone};
 pub use study::study;
 

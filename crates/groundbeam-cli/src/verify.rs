@@ -1,0 +1,118 @@
+//! `groundbeam verify`.
+
+use crate::colour::standard_output_has_colour;
+use crate::failure::Failure;
+use crate::input::Input;
+use crate::output::print;
+use crate::request::Verify;
+use crate::status::Status;
+use groundbeam::proof::{self, Document, NotProven, Reason, Verification, Wide};
+use groundbeam_file::{read_bounded, read_file};
+use groundbeam_report::{ModelOf, Named, Units, Verified, digest_of_text, json, text};
+use std::fmt::Display;
+use std::path::{Path, PathBuf};
+
+pub fn run(request: &Verify) -> Result<Status, Failure> {
+    let documents = documents(&request.result)?;
+    let model = ModelFile::read(&request.model)?;
+    let units = documents.iter().find_map(|document| document.units.as_deref());
+    let verified = Verified {
+        units: if units == Some("SI") { Units::Si } else { Units::Plain },
+        other_model: model.differs_from(&documents),
+        results: documents
+            .iter()
+            .map(|document| model.prove(document))
+            .collect::<Result<_, Failure>>()?,
+    };
+    print(&match request.json {
+        true => json::verified(&verified),
+        false => text::verified(&verified, standard_output_has_colour()),
+    })?;
+    Ok(match (verified.is_proven(), verified.is_of_document()) {
+        (false, _) => Status::NotProven,
+        (true, _) if request.strict && verified.leaves_out() => Status::NotProven,
+        (true, true) => Status::ProvenForDocument,
+        (true, false) => Status::Done,
+    })
+}
+
+/// The bytes of a file; of standard input for `-`.
+fn bytes(path: &Path) -> Result<(String, Vec<u8>), Failure> {
+    let (name, bytes) = if path.as_os_str() == "-" {
+        ("<stdin>".to_owned(), read_bounded(std::io::stdin().lock()))
+    } else {
+        (path.display().to_string(), read_file(path))
+    };
+    let bytes = bytes.map_err(|error| Failure::file(Path::new(&name), &error))?;
+    Ok((name, bytes))
+}
+
+/// The results of a document.
+fn documents(path: &Path) -> Result<Vec<Document>, Failure> {
+    let (name, bytes) = bytes(path)?;
+    let failure = |error: &dyn Display| Failure::file(Path::new(&name), error);
+    let text = std::str::from_utf8(&bytes).map_err(|error| failure(&error))?;
+    let read = Document::read(text).map_err(|error| failure(&error))?;
+    if read.is_empty() { Err(failure(&"the document has no results")) } else { Ok(read) }
+}
+
+/// A model file as the second reader reads it.
+struct ModelFile {
+    path: PathBuf,
+    name: String,
+    text: String,
+    digest: String,
+}
+
+impl ModelFile {
+    /// The solver's reader is asked for faults, which it shows at their places, and for the tables that the file names.
+    fn read(path: &Path) -> Result<Self, Failure> {
+        let (name, bytes) = bytes(path)?;
+        let text = groundbeam_file::text_of(&bytes).map_err(|found| {
+            Failure::diagnostics(&found, &name, &String::from_utf8_lossy(&bytes))
+        })?;
+        let of_any = proof::read_model::<f64>(text, None).map_err(|error| error.reason);
+        let digest = match of_any {
+            Ok(_) | Err(Reason::OutOfRange(_)) => digest_of_text(text),
+            Err(_) => Input::read(path)?.digest().to_owned(),
+        };
+        Ok(ModelFile { path: path.to_owned(), name, text: text.to_owned(), digest })
+    }
+
+    /// Why documents do not belong to the file: their digest is another one.
+    fn differs_from(&self, documents: &[Document]) -> Option<String> {
+        let mut digests = documents.iter().filter_map(|document| document.model_digest.as_deref());
+        let other = digests.find(|digest| *digest != self.digest)?;
+        let [other, own] = [other, &self.digest].map(|d| d.chars().take(19).collect::<String>());
+        Some(format!(
+            "the document belongs to another model file: its digest is {other}…, that of {} is {own}…",
+            self.path.display()
+        ))
+    }
+
+    /// What is proven of one result: for the model of the file or, if the second reader does not know one of its keys,
+    /// for the model that the document contains.
+    fn prove(&self, document: &Document) -> Result<Named, Failure> {
+        let combination = document.combination.clone();
+        let read = proof::read_model::<Wide>(&self.text, combination.as_deref());
+        let named = |model: ModelOf, found: Result<Verification, NotProven>| {
+            Ok(Named { combination: combination.clone(), model, found })
+        };
+        let error = match read {
+            Ok(model) => return named(ModelOf::File, proof::verify(&model, document)),
+            Err(error) => error,
+        };
+        match (&error.reason, &document.model) {
+            (Reason::NotRead(_), Some(own)) => {
+                let model = proof::read_model::<Wide>(own, None).map_err(|error| {
+                    Failure::usage(format!("the model in the document: {error}"))
+                })?;
+                named(ModelOf::Document, proof::verify(&model, document))
+            }
+            (Reason::NotRead(_) | Reason::NoCombination(_) | Reason::OutOfRange(_), _) => {
+                named(ModelOf::File, Err(NotProven::new(error.to_string())))
+            }
+            _ => Err(Failure::usage(format!("{}: {error}", self.name))),
+        }
+    }
+}

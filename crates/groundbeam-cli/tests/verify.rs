@@ -1,0 +1,227 @@
+//! `groundbeam verify`: every exit status with a real document, and every listed number is compared.
+
+#[allow(dead_code)]
+mod common;
+
+use common::{Done, FOOTING, Folder, LIFTS};
+use serde_json::{Value, json};
+
+/// A pin, and a spring that settles.
+const SUPPORTED: &str = "\
+[beam]
+length = 4
+EI = 3
+[foundation]
+k = 2
+mu = 0.5
+[[support]]
+at = 0
+type = 'pinned'
+[[support]]
+at = 3
+spring = 7
+rotational_spring = 2
+settlement = 0.01
+[[load]]
+distributed = 1.5
+[[load]]
+point = -2
+at = 2.5
+";
+
+fn solved(model: &str, options: &[&str]) -> (Folder, Value) {
+    let folder = Folder::with(model);
+    let done = folder.run(&[&["solve", "model.toml", "--json", "--pieces"], options].concat());
+    done.is_clean(0);
+    folder.write("result.json", done.stdout.as_bytes());
+    (folder, done.json())
+}
+
+fn verify(folder: &Folder, options: &[&str]) -> Done {
+    folder.run(&[&["verify", "result.json", "model.toml"], options].concat())
+}
+
+fn with(folder: &Folder, document: &Value) -> Done {
+    folder.write("result.json", document.to_string().as_bytes());
+    verify(folder, &[])
+}
+
+#[test]
+fn a_right_document_is_proven() {
+    for model in [LIFTS, FOOTING, SUPPORTED] {
+        let (folder, _) = solved(model, &[]);
+        let done = verify(&folder, &[]);
+        println!("{}", done.stdout);
+        done.is_clean(0);
+        assert!(done.stdout.contains("Proven "), "{}", done.stdout);
+        assert!(done.stdout.lines().all(|line| line.chars().count() <= 80), "{}", done.stdout);
+        let done = verify(&folder, &["--json"]);
+        done.is_clean(0);
+        let found = done.json();
+        assert_eq!(found["status"], "proven");
+        let bound = &found["results"][0]["bounds"]["moment"];
+        let (error, scale) = (bound["error"].as_f64().unwrap(), bound["scale"].as_f64().unwrap());
+        assert!(error < 1e-10 * scale, "{bound}");
+    }
+}
+
+#[test]
+fn keys_that_are_not_covered_are_named_and_strict_refuses_them() {
+    let (folder, mut document) = solved(LIFTS, &[]);
+    let done = verify(&folder, &["--strict"]);
+    assert_eq!(done.status, 1);
+    assert!(done.stdout.contains("Not covered") && done.stdout.contains("certificate"));
+    let covered = [
+        "status",
+        "units",
+        "pieces",
+        "forces",
+        "reactions",
+        "contact",
+        "end_forces",
+        "stations",
+        "extremes",
+        "model_digest",
+    ];
+    document.as_object_mut().unwrap().retain(|key, _| covered.contains(&key.as_str()));
+    folder.write("result.json", document.to_string().as_bytes());
+    verify(&folder, &["--strict"]).is_clean(0);
+}
+
+#[test]
+fn another_model_is_told() {
+    let (folder, mut document) = solved(LIFTS, &[]);
+    folder.write("model.toml", LIFTS.replace("0.49", "0.4901").as_bytes());
+    let done = verify(&folder, &[]);
+    assert_eq!(done.status, 1);
+    assert!(done.stdout.contains("belongs to another model file"), "{}", done.stdout);
+    // Without its digest the numbers tell.
+    document.as_object_mut().unwrap().remove("model_digest");
+    let done = with(&folder, &document);
+    assert_eq!(done.status, 1);
+    assert!(done.stdout.starts_with("Not proven"), "{}", done.stdout);
+}
+
+#[test]
+fn documents_that_cannot_be_read() {
+    let (folder, document) = solved(LIFTS, &[]);
+    let text = document.to_string();
+    let wrong = [
+        text.replacen("\"half\":", "\"half\":1,\"half\":", 1),
+        text.replacen("\"half\":0.", "\"half\":NaN,\"a\":0.", 1),
+        text.replacen("\"half\":0.", "\"half\":1e999,\"a\":0.", 1),
+        format!("{text} x"),
+        text[..text.len() - 1].to_owned(),
+        "{}".to_owned() + "{}",
+        "{\"combinations\": []}".to_owned(),
+    ];
+    for wrong in wrong {
+        assert_ne!(wrong, text);
+        folder.write("result.json", wrong.as_bytes());
+        verify(&folder, &[]).fails(2, "result.json: ");
+    }
+    folder.write("result.json", b"\xff");
+    verify(&folder, &[]).fails(2, "result.json: ");
+    folder.run(&["verify", "missing.json", "model.toml"]).fails(2, "missing.json: ");
+    folder.write("result.json", text.as_bytes());
+    folder.write("model.toml", LIFTS.replace("EI = 1", "EI = -1").as_bytes());
+    verify(&folder, &[]).fails(2, "error[GB102]");
+    folder.write("model.toml", LIFTS.as_bytes());
+    folder.write("result.json", b"{\"status\": \"solved\"}");
+    let done = verify(&folder, &[]);
+    assert_eq!(done.status, 1);
+    assert!(done.stdout.contains("has no `pieces`"), "{}", done.stdout);
+}
+
+#[test]
+fn each_combination_is_proven() {
+    let model = format!(
+        "{LIFTS}case = 'Q'\n[[combination]]\nname = 'one'\nfactors = {{ Q = 1.0 }}\n\
+         [[combination]]\nname = 'two'\nfactors = {{ Q = 0.5 }}\n"
+    );
+    let (folder, mut document) = solved(&model, &[]);
+    let done = verify(&folder, &[]);
+    done.is_clean(0);
+    assert_eq!(done.stdout.matches("Proven ").count(), 2);
+    // Each under its own loads.
+    document["combinations"][1]["name"] = json!("one");
+    assert_eq!(with(&folder, &document).status, 1);
+    document["combinations"][1]["name"] = json!("three");
+    let done = with(&folder, &document);
+    assert_eq!(done.status, 1);
+    assert!(done.stdout.contains("no combination `three`"), "{}", done.stdout);
+    let (folder, _) = solved(&model, &["--combination", "two"]);
+    verify(&folder, &[]).is_clean(0);
+}
+
+/// Every number of a document as a path of keys.
+fn numbers(value: &Value, path: &str, found: &mut Vec<String>) {
+    match value {
+        Value::Number(_) => found.push(path.to_owned()),
+        Value::Array(items) => {
+            for (i, item) in items.iter().enumerate() {
+                numbers(item, &format!("{path}/{i}"), found);
+            }
+        }
+        Value::Object(entries) => {
+            for (key, entry) in entries {
+                numbers(entry, &format!("{path}/{key}"), found);
+            }
+        }
+        _ => {}
+    }
+}
+
+#[test]
+fn every_listed_number_is_compared() {
+    for model in [LIFTS, SUPPORTED] {
+        let (folder, document) = solved(model, &["--at", "0,0.3,0.6,0.9,1"]);
+        let mut paths = Vec::new();
+        let listed =
+            ["pieces", "forces", "reactions", "contact", "end_forces", "stations", "extremes"];
+        for key in listed {
+            numbers(&document[key], &format!("/{key}"), &mut paths);
+        }
+        let mut tried = 0;
+        for path in paths {
+            let value = document.pointer(&path).unwrap().as_f64().unwrap();
+            // The place of a reaction is not covered; a flat field keeps its value where it is moved.
+            let skipped = (path.starts_with("/reactions") && path.ends_with("/at"))
+                || path.ends_with("/support")
+                || path.starts_with("/stations/x")
+                || (path.starts_with("/extremes") && path.ends_with("/x"));
+            if value.abs() < 1e-6 || skipped {
+                continue;
+            }
+            let mut changed = document.clone();
+            *changed.pointer_mut(&path).unwrap() = json!(value * 1.001);
+            let done = with(&folder, &changed);
+            // The top coefficients of a piece change the answer by less than a millionth.
+            let negligible = path.starts_with("/pieces") && done.status == 0;
+            assert!(done.status == 1 || negligible, "{path}: {}", done.stdout);
+            tried += 1;
+        }
+        assert!(tried > 60, "{tried}");
+    }
+}
+
+#[test]
+fn attacks() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/attacks.json");
+    let all: Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+    for attack in all.as_array().unwrap() {
+        let folder = Folder::with(attack["model"].as_str().unwrap());
+        let claimed = match &attack["claimed_text"] {
+            Value::String(text) => text.clone(),
+            _ => attack["claimed"].to_string(),
+        };
+        folder.write("result.json", claimed.as_bytes());
+        let done = verify(&folder, &[]);
+        let name = &attack["name"];
+        match attack["exit"].as_i64() {
+            Some(exit) => assert_eq!(i64::from(done.status), exit, "{name}: {done:?}"),
+            None => assert!([0, 1].contains(&done.status), "{name}: {done:?}"),
+        }
+        assert!(attack["expected"] != "refused" || done.status != 0, "{name}");
+    }
+}

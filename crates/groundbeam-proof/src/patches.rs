@@ -1,0 +1,177 @@
+//! The fields of an answer as polynomials on stretches of its pieces: what listed numbers are compared with.
+//!
+//! On a stretch |s| ≤ r, s = t − m, all fields are polynomials. The surface of open ground of a layer, a sum of
+//! exponentials, is its Taylor polynomial about m, whose rest is in the radius of the constant coefficient.
+
+use crate::fields::Fields;
+use crate::frame::Span;
+use crate::polynomial::Polynomial;
+use crate::scalar::Scalar;
+use crate::size::Size;
+
+/// The fields of documents: name, and exponents of force and length in the unit.
+pub(crate) const FIELDS: [(&str, i32, i32); 8] = [
+    ("deflection", 0, 1),
+    ("slope", 0, 0),
+    ("rotation", 0, 0),
+    ("moment", 1, 1),
+    ("shear_force", 1, 0),
+    ("settlement", 0, 1),
+    ("gap", 0, 1),
+    ("pressure", 1, -1),
+];
+
+/// The indices of gap and pressure in [`FIELDS`].
+pub(crate) const GAP: usize = 6;
+pub(crate) const PRESSURE: usize = 7;
+
+/// The index of a field in [`FIELDS`].
+pub(crate) fn field_named(name: &str) -> Option<usize> {
+    FIELDS.iter().position(|(known, ..)| *known == name)
+}
+
+/// The most stretches of one piece of open ground.
+const MOST: f64 = 2000.0;
+/// The most decay lengths √(μ/k) in half a stretch of open ground.
+const LONGEST: f64 = 2.0;
+/// Coefficients of the Taylor polynomial of open ground.
+const TERMS: usize = 26;
+
+/// The fields on one stretch of a piece.
+#[derive(Debug)]
+pub(crate) struct Patch<S> {
+    /// The middle m of the stretch, in t.
+    pub middle: f64,
+    /// An interval of s that holds the stretch.
+    pub interval: [f64; 2],
+    /// In the order of [`FIELDS`], as polynomials of s = t − m.
+    pub fields: [Polynomial<S>; 8],
+}
+
+/// The fields of all pieces.
+#[derive(Debug)]
+pub(crate) struct Patches<S> {
+    /// The stretches of each piece, from left to right.
+    pub pieces: Vec<Vec<Patch<S>>>,
+}
+
+impl<S: Scalar> Patches<S> {
+    pub fn of(fields: &Fields<S>) -> Self {
+        Patches { pieces: (0..fields.frame.spans.len()).map(|i| patches(fields, i)).collect() }
+    }
+
+    /// The value of a field at t on a piece.
+    pub fn value(&self, field: usize, piece: usize, t: S) -> S {
+        let patches = &self.pieces[piece];
+        let after = patches.partition_point(|patch| patch.middle <= t.middle());
+        let distance = |i: usize| (t.middle() - patches[i].middle).abs();
+        let nearest = match after {
+            0 => 0,
+            _ if after == patches.len() || distance(after - 1) <= distance(after) => after - 1,
+            _ => after,
+        };
+        let patch = &patches[nearest];
+        patch.fields[field].value(t - S::of(patch.middle))
+    }
+}
+
+fn patches<S: Scalar>(fields: &Fields<S>, i: usize) -> Vec<Patch<S>> {
+    let span = &fields.frame.spans[i];
+    let [from, to] = span.interval();
+    let open = fields.surface.open[i].filter(|_| span.layered && !span.touches);
+    let Some(ends) = open else {
+        let own = if span.touches { span.obstacle() } else { Polynomial::zero() };
+        return vec![patch(fields, i, 0.0, [from, to], &own)];
+    };
+    let surface = Surface::of(span, ends);
+    let count = (surface.decay.high() * (to - from) / (2.0 * LONGEST)).ceil();
+    let count = if count >= 1.0 && count <= MOST { count } else { MOST };
+    let last = count as usize - 1;
+    let end = |n: usize| from + (to - from) * (n as f64 / count);
+    let on_stretch = |n: usize| {
+        let ends = [end(n), if n == last { to } else { end(n + 1) }];
+        let middle = 0.5 * (ends[0] + ends[1]);
+        let interval = [(ends[0] - middle).next_down(), (ends[1] - middle).next_up()];
+        // A place beside the stretch by rounding belongs to it.
+        let r = interval[1] * (1.0 + 1e-9);
+        patch(fields, i, middle, interval, &surface.taylor(middle, r))
+    };
+    (0..=last).map(on_stretch).collect()
+}
+
+/// All fields about m; `own` is the settlement, of s on open ground of a layer, else of t with m = 0.
+fn patch<S: Scalar>(
+    fields: &Fields<S>,
+    i: usize,
+    middle: f64,
+    interval: [f64; 2],
+    own: &Polynomial<S>,
+) -> Patch<S> {
+    let span = &fields.frame.spans[i];
+    let deflection = span.deflection.shifted(middle);
+    let slope = span.derivative(&span.deflection);
+    let rotation = span.rotation.as_deref().unwrap_or(&slope);
+    let moment = span.bending_moment(rotation);
+    let shear_force = span.shear_force(&moment);
+    let gap = match span.touches {
+        true => Polynomial::zero(),
+        false => &(own + &span.gap.shifted(middle)) - &deflection,
+    };
+    let pressure = fields.pressures[i].field.shifted(middle);
+    let [slope, rotation, moment, shear_force] =
+        [&slope, rotation, &moment, &shear_force].map(|field| field.shifted(middle));
+    let fields = [deflection, slope, rotation, moment, shear_force, own.clone(), gap, pressure];
+    Patch { middle, interval, fields }
+}
+
+/// The surface of an open piece of even ground without loads: μu″ = ku between its values at both ends.
+struct Surface<'a, S> {
+    span: &'a Span<S>,
+    ends: [S; 2],
+    /// √(k/μ).
+    rate: S,
+    /// √(k/μ)·half, the decay per t.
+    decay: S,
+}
+
+impl<'a, S: Scalar> Surface<'a, S> {
+    fn of(span: &'a Span<S>, ends: [S; 2]) -> Self {
+        let rate = span.spring.div(span.shear).sqrt();
+        Surface { span, ends, rate, decay: rate * span.half }
+    }
+
+    /// The Taylor polynomial about m on |t − m| ≤ r.
+    ///
+    /// With z = bh and the distances d, e of m from both ends, b u_R and b u_L are multiplied in u′ by cosh(bd)/sinh z and
+    /// −cosh(be)/sinh z, in u by sinh(bd)/sinh z and sinh(be)/sinh z. |u| is largest at an end, so the rest of the
+    /// series is at most max|u|(qr)ⁿ/n!, q = b·half.
+    fn taylor(&self, m: f64, r: f64) -> Polynomial<S> {
+        let span = self.span;
+        let at = span.middle + span.half * S::of(m);
+        let [near, far] = [at - span.x[0], span.x[1] - at].map(|d| self.rate * d);
+        let two = |x: S| (-x.scaled(1)).expm1();
+        let whole = two(self.rate * span.h);
+        // sinh(a)/sinh(z) and cosh(a)/sinh(z), with z = a + b.
+        let sinh = |a: S, b: S| ((-b).expm1() + S::one()) * two(a).div(whole);
+        let cosh = |a: S, b: S| -(((-b).expm1() + S::one()) * (two(a) + S::of(2.0)).div(whole));
+        let [left, right] = self.ends;
+        let value = left * sinh(far, near) + right * sinh(near, far);
+        let slope = right * cosh(near, far) - left * cosh(far, near);
+        let mut terms = [value, slope];
+        let mut coefficients = Vec::with_capacity(TERMS);
+        let mut power = S::one();
+        for n in 0..TERMS {
+            coefficients.push(terms[n % 2] * power);
+            power = (power * self.decay).div(S::of((n + 1) as f64));
+        }
+        terms = self.ends;
+        let largest = Size::of(terms[0].size()).worst(Size::of(terms[1].size()));
+        let mut reach = Size::of(power.size());
+        for _ in 0..TERMS {
+            reach = Size::of(r) * reach;
+        }
+        let rest = largest * reach;
+        coefficients[0] = coefficients[0].widened(rest.value());
+        Polynomial::from_coefficients(coefficients)
+    }
+}

@@ -1,0 +1,162 @@
+//! The proof of a whole document: its answer is proven, and every number that it lists besides is compared with enclosures.
+
+use crate::bounds::Bound;
+use crate::document::Document;
+use crate::fields::Fields;
+use crate::given::frame;
+use crate::listed::{Checked, Differences, differences};
+use crate::model::Model;
+use crate::patches::GAP;
+use crate::proof::{Proof, prove};
+use crate::refusal::NotProven;
+use crate::scalar::Scalar;
+use crate::size::Size;
+use std::collections::BTreeSet;
+
+/// What is proven of a document.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Verification {
+    /// The proof of its answer. The errors of fields and reactions hold for the listed numbers too.
+    pub proof: Proof,
+    /// The errors of the gap u + g₀ − w.
+    pub gap: Bound,
+    /// The largest error of a listed edge of contact; infinite if the contact set is not shown.
+    pub edges: Bound,
+    /// The largest error of a listed concentrated force; infinite if the contact set is not shown.
+    pub forces: Bound,
+    /// How many listed numbers were compared.
+    pub checked: Checked,
+    /// Keys with numbers of which nothing is claimed.
+    pub not_covered: BTreeSet<String>,
+    /// The first reason why the document is not proven; `None` if it is.
+    pub shortfall: Option<NotProven>,
+}
+
+/// Proves a document: its answer, and the numbers that it lists besides.
+///
+/// # Errors
+///
+/// Why nothing is proven.
+pub fn verify<S: Scalar>(model: &Model<S>, document: &Document) -> Result<Verification, NotProven> {
+    if let Some(status) = document.status.as_deref().filter(|status| *status != "solved") {
+        return Err(NotProven::new(format!("the status of the document is `{status}`")));
+    }
+    if document.answer.pieces.is_empty() {
+        return Err(NotProven::new("the document has no `pieces`"));
+    }
+    let mut proof = prove(model, &document.answer)?;
+    let frame = frame(model, &document.answer)?;
+    let fields = Fields::of(&frame)?;
+    let contact = proof.contact.as_ref().ok();
+    let found = differences(document, &fields, contact);
+    let is_shown = contact.is_some();
+    let shown = |difference: f64| if is_shown { difference } else { f64::INFINITY };
+    let (edges, forces) = (
+        Bound { error: shown(found.edges), scale: proof.scales.length },
+        Bound { error: shown(found.forces), scale: proof.scales.force },
+    );
+    let gap = Bound {
+        error: sum(
+            sum(proof.bounds.deflection.error, proof.bounds.settlement.error),
+            found.fields[GAP],
+        ),
+        scale: proof.bounds.deflection.scale,
+    };
+    add(&mut proof, &found);
+    let mut not_covered = document.not_covered.clone();
+    not_covered.extend(found.unknown.iter().cloned());
+    let mut verification = Verification {
+        proof,
+        gap,
+        edges,
+        forces,
+        checked: found.checked,
+        not_covered,
+        shortfall: None,
+    };
+    let claimed = verification.claimed(document);
+    verification.shortfall = verification
+        .proof
+        .shortfall()
+        .or_else(|| found.failed.or(verification.large()))
+        .or(claimed);
+    Ok(verification)
+}
+
+impl Verification {
+    /// All bounds with the names that documents use. Of edges, forces and reactions the largest.
+    pub fn named(&self) -> Vec<(&'static str, Bound)> {
+        let mut named = self.proof.bounds.named().to_vec();
+        named.push(("gap", self.gap));
+        named.push(("edges", self.edges));
+        named.push(("forces", self.forces));
+        let largest = |bounds: Vec<Bound>| {
+            bounds.into_iter().reduce(|a, b| if b.error <= a.error { a } else { b })
+        };
+        let reactions = &self.proof.reactions;
+        let forces = largest(reactions.iter().map(|reaction| reaction.force).collect());
+        let moments = largest(reactions.iter().map(|reaction| reaction.moment).collect());
+        named.extend(forces.map(|bound| ("reactions", bound)));
+        named.extend(moments.map(|bound| ("reaction_moments", bound)));
+        named
+    }
+
+    /// The first of the document's own bounds of which an error is larger. Unknown names are not covered.
+    fn claimed(&mut self, document: &Document) -> Option<NotProven> {
+        let mut first = None;
+        for (name, claimed) in &document.bounds {
+            let named = self.named();
+            let Some((_, proven)) = named.iter().find(|(known, _)| known == name) else {
+                self.not_covered.insert(format!("proof.bounds.{name}"));
+                continue;
+            };
+            for claimed in claimed {
+                self.checked.bounds += 1;
+                if !(*claimed >= proven.error) && first.is_none() {
+                    let what = format!(
+                        "the document claims {claimed:e} as the bound of `{name}`; {:e} is proven",
+                        proven.error
+                    );
+                    first = Some(NotProven::new(what));
+                }
+            }
+        }
+        first
+    }
+
+    /// The first of gap, edges and forces whose error is not small.
+    fn large(&self) -> Option<NotProven> {
+        let all = [
+            ("gap", self.gap),
+            ("listed edges of contact", self.edges),
+            ("listed concentrated forces", self.forces),
+        ];
+        let (name, Bound { error, scale }) =
+            all.into_iter().find(|(_, bound)| !bound.is_small())?;
+        Some(NotProven::new(format!(
+            "the error of the {name} is not small: {error:.1e} of {scale:.1e}"
+        )))
+    }
+}
+
+/// Adds the differences of listed numbers to the errors of their fields.
+fn add(proof: &mut Proof, found: &Differences) {
+    let bounds = &mut proof.bounds;
+    let [deflection, slope, rotation, moment, shear_force, settlement, _, pressure] = found.fields;
+    for (bound, difference) in [
+        (&mut bounds.deflection, deflection),
+        (&mut bounds.slope, slope),
+        (&mut bounds.rotation, rotation),
+        (&mut bounds.moment, moment),
+        (&mut bounds.shear_force, shear_force),
+        (&mut bounds.settlement, settlement),
+        (&mut bounds.pressure, pressure),
+    ] {
+        bound.error = sum(bound.error, difference);
+    }
+}
+
+/// The sum, rounded up.
+fn sum(a: f64, b: f64) -> f64 {
+    (Size::of(a) + Size::of(b)).value()
+}
