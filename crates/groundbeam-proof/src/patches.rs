@@ -85,7 +85,7 @@ fn patches<S: Scalar>(fields: &Fields<S>, i: usize) -> Vec<Patch<S>> {
     };
     let surface = Surface::of(span, ends);
     let count = (surface.decay.high() * (to - from) / (2.0 * LONGEST)).ceil();
-    let count = if count >= 1.0 && count <= MOST { count } else { MOST };
+    let count = if (1.0..=MOST).contains(&count) { count } else { MOST };
     let last = count as usize - 1;
     let end = |n: usize| from + (to - from) * (n as f64 / count);
     let on_stretch = |n: usize| {
