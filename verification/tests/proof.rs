@@ -73,6 +73,9 @@ fn solutions_of_all_case_files_are_proven_or_their_kind_is_named() {
                 assert!(gap <= today.max(1e-28), "{path}: {gap:e}, certificate {today:e}");
             }
             Err(why) if why.what.starts_with("not covered: ") => {}
+            Err(why) if why.what == "no critical load above the compression is proven" => {
+                println!("{path}: {why}");
+            }
             Err(why) => {
                 assert!(BALANCED.contains(&path.as_str()), "{path}: {why}");
                 assert!(why.what.starts_with("no lever"), "{path}: {why}");
@@ -80,7 +83,7 @@ fn solutions_of_all_case_files_are_proven_or_their_kind_is_named() {
         }
     }
     println!("{bounded} of {} solutions have bounds, {proven} are proven", found.len());
-    assert!(bounded >= 101, "only {bounded} solutions have bounds");
+    assert!(bounded >= 110, "only {bounded} solutions have bounds");
     for (path, reached) in REACHED {
         let of_path = found.iter().filter(|(found, ..)| found == path);
         for (_, _, proof) in of_path {
@@ -205,6 +208,7 @@ fn the_truth_lies_within_every_bound() {
     let proven = judged.iter().filter(|(_, _, shortfall)| shortfall.is_none()).count();
     println!("{proven} of {} are proven; errors over bounds {worst:.2?}", judged.len());
     assert!(judged.len() >= 230, "only {} models have bounds", judged.len());
+    println!("{proven} solutions are proven");
     assert!(proven >= 232, "only {proven} models are proven");
 }
 

@@ -38,7 +38,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         let most = |of: &dyn Fn(&Span<S>) -> Option<S>| {
             let all = spans.iter().filter_map(of);
             let largest = all.map(|x| Size::of(1.0).over(x.low())).fold(Size::ZERO, Size::worst);
-            (2.0 * self.energy * largest).root()
+            (2.0 * self.beam_energy() * largest).root()
         };
         [most(&|span| Some(span.bending)), most(&|span| span.stiffness)]
     }
@@ -97,7 +97,7 @@ impl<S: Scalar> Pointwise<'_, S> {
                 anchors.push(Anchor { x, bound: Size::ZERO, clamp: here.clamped });
             }
             if let Some([spring, _]) = here.spring.filter(|_| here.acts == Acts::Both) {
-                let bound = (2.0 * self.energy).over(spring.low()).root();
+                let bound = (2.0 * self.beam_energy()).over(spring.low()).root();
                 anchors.push(Anchor { x, bound, clamp: false });
             }
             if let Some(bound) = self.pressed(node) {

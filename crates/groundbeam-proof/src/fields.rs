@@ -48,7 +48,8 @@ impl<'a, S: Scalar> Fields<'a, S> {
     }
 
     /// E ≤ ½[(‖δ‖ + ‖c‖_beam)² + (‖η‖ + ‖δ′‖)² + ‖hinges‖² + ‖c‖_P² + Σκc² + Σκ_θc′² + Ḡ²], with
-    /// Ḡ = ‖c‖_b + Σ|r|√g + Ση(ω/k)^½ + ‖Gδp‖ + Σ‖v‖ + (Σkη_o²ω_o)^½.
+    /// Ḡ = ‖c‖_b + Σ|r|√g + Ση(ω/k)^½ + ‖Gδp‖ + Σ‖v‖ + (Σkη_o²ω_o)^½. Under a compression the parts of the beam without
+    /// ‖c‖_P² become (their root + N_c)²/σ.
     fn energy_with(&self, cuts: Vec<usize>) -> Result<(Size, Balanced<S>), NotProven> {
         let (frame, surface) = (self.frame, &self.surface);
         let balance =
@@ -60,21 +61,28 @@ impl<'a, S: Scalar> Fields<'a, S> {
             + pulled(frame, &self.pressures);
         let given_back = balance.ground(&balanced, &closed, missed).root();
         let ground = missed + given_back + self.clearance.lifted + self.clearance.risen;
-        let [bent, drawn] = self.closing();
+        let [bent, turned] = self.closing();
         let beam = balance.bending(&balanced).root() + bent.root();
         let supports = self.supports(&balanced) + self.hinges(&balanced);
         let sheared = shearing_energy(frame, &self.residual, &balanced);
-        let energy = 0.5 * (beam.square() + sheared + drawn + supports + ground.square());
+        let beam = beam.square() + sheared + supports;
+        let drawn = turned * Size::of(frame.tension.map_or(0.0, S::high));
+        let beam = match &frame.compression {
+            None => beam + drawn,
+            Some(compression) => {
+                (beam.root() + compression.misfit(turned)).square().over(compression.margin)
+            }
+        };
+        let energy = 0.5 * (beam + ground.square());
         Ok((energy, balanced))
     }
 
-    /// ‖c‖²_beam = Σ h EI c″² and ‖c‖²_P = Σ h P c′².
-    fn closing(&self) -> [Size; 2] {
-        let tension = Size::of(self.frame.tension.map_or(0.0, |tension| tension.high()));
+    /// ‖c‖²_beam = Σ h EI c″² and Σ h c′².
+    pub fn closing(&self) -> [Size; 2] {
         let mut both = [Size::ZERO; 2];
         for (span, c) in self.frame.spans.iter().zip(&self.deflection.pieces) {
             both[0] += span.length() * Size::of(span.bending.high()) * c.bounds[2].square();
-            both[1] += span.length() * tension * c.bounds[1].square();
+            both[1] += span.length() * c.bounds[1].square();
         }
         both
     }
@@ -145,12 +153,12 @@ impl<'a, S: Scalar> Fields<'a, S> {
                 let at = |p: &Polynomial<S>| {
                     p.coefficients().iter().rev().fold(0.0, |sum, c| sum * t + c.middle())
                 };
-                let tension = self.frame.tension.map_or(0.0, |tension| tension.middle());
+                let axial = self.frame.axial_force().map_or(0.0, |force| force.middle());
                 let angle = sheared.as_ref().map_or(0.0, &at);
                 let shear_stiffness = span.stiffness.map_or(0.0, |stiffness| stiffness.middle());
                 let density = shear_stiffness * angle * angle
                     + span.bending.middle() * at(&bent) * at(&bent)
-                    + tension * at(&slope) * at(&slope)
+                    + axial * at(&slope) * at(&slope)
                     + at(&self.pressures[i].field) * at(&span.obstacle());
                 sum += weight / 9.0 * span.half.middle() * density;
             }

@@ -107,6 +107,22 @@ pub(crate) struct Held<S> {
     pub claimed: [S; 2],
 }
 
+/// An axial compression.
+#[derive(Debug)]
+pub(crate) struct Compression<S> {
+    /// N = −P.
+    pub force: S,
+    /// A lower bound of σ, the part of the energy's convexity that it leaves.
+    pub margin: f64,
+}
+
+impl<S: Scalar> Compression<S> {
+    /// N_c = ((1 − σ)N Σhc′²)^½ from Σhc′².
+    pub fn misfit(&self, turned: Size) -> Size {
+        (Size::of((1.0 - self.margin).next_up()) * Size::of(self.force.high()) * turned).root()
+    }
+}
+
 /// The problem on the pieces of the answer.
 #[derive(Debug)]
 pub(crate) struct Frame<S> {
@@ -118,6 +134,8 @@ pub(crate) struct Frame<S> {
     pub supports: Vec<Held<S>>,
     /// The tension P; none if it is zero.
     pub tension: Option<S>,
+    /// The compression; none if P ≥ 0.
+    pub compression: Option<Compression<S>>,
     /// Stiffness K₀, K_l of the ground beside the beam: flux = K u. Exactly 0 without such ground.
     pub outside: [S; 2],
     pub length: S,
@@ -289,6 +307,11 @@ impl<S: Scalar> Frame<S> {
     /// Whether a node lies inside the layer and has no hinge, no corner of g₀, no step of μ.
     pub fn smooth(&self, node: usize) -> bool {
         self.even(node) && !self.nodes[node].corner
+    }
+
+    /// P; none if it is zero.
+    pub fn axial_force(&self) -> Option<S> {
+        self.tension.or(self.compression.as_ref().map(|compression| -compression.force))
     }
 
     /// A position in the units of the model.

@@ -1,7 +1,7 @@
 //! From model and answer to the problem on the pieces: checks of range, and where everything stands.
 
 use crate::answer::{Answer, Reaction};
-use crate::frame::{Frame, Node, spans};
+use crate::frame::{Compression, Frame, Node, spans};
 use crate::held;
 use crate::kinds::not_covered;
 use crate::model::{Action, Extent, Model};
@@ -9,6 +9,7 @@ use crate::outside;
 use crate::positions::Positions;
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
+use crate::stability::margin;
 use crate::units::Units;
 use crate::values::{constant, not_negative, positive};
 
@@ -54,6 +55,7 @@ pub(crate) fn frame<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Fram
         idle: Vec::new(),
         supports: Vec::new(),
         tension: (tension.high() > 0.0).then_some(tension),
+        compression: None,
         outside,
         length,
         units,
@@ -63,6 +65,12 @@ pub(crate) fn frame<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Fram
     gap(model, &places, &mut frame)?;
     held::supports(model, &reactions, &places.supports, &mut frame)?;
     held::hinges(model, &places.hinges, &mut frame)?;
+    if tension.high() < 0.0 {
+        let force = positive(-tension, "the axial force")?;
+        let what = "no critical load above the compression is proven";
+        let margin = margin(&frame, force).ok_or_else(|| NotProven::new(what))?;
+        frame.compression = Some(Compression { force, margin });
+    }
     frame.outside = outside::stiffness(model, &frame)?;
     held::weights(&mut frame);
     Ok(frame)

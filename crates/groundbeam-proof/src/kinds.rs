@@ -7,6 +7,7 @@ use crate::scalar::Scalar;
 /// The first feature of a model for which the theorem has not been built in.
 pub(crate) fn not_covered<S: Scalar>(model: &Model<S>) -> Option<NotProven> {
     let beam = &model.beam;
+    let axial = beam.axial_force;
     let varies = |course: &Course<S>| matches!(course, Course::Varying(_));
     let varying_beam = beam.segments.iter().any(|segment| {
         varies(&segment.bending_stiffness) || segment.shear_stiffness.as_ref().is_some_and(varies)
@@ -26,7 +27,7 @@ pub(crate) fn not_covered<S: Scalar>(model: &Model<S>) -> Option<NotProven> {
             }
     });
     let kinds = [
-        (!(beam.axial_force.low() >= 0.0), "an axial compression"),
+        (!(axial.low() >= 0.0 || axial.high() < 0.0), "an axial force of unknown sign"),
         (varying_beam, "a stiffness that varies within a segment"),
         (varying_ground, "ground that varies within a segment"),
         (model.loads.iter().any(|load| load.on_ground), "loads on the ground"),

@@ -49,6 +49,7 @@ mod shear_force;
 mod shearing;
 mod size;
 mod springs;
+mod stability;
 mod test_functions;
 mod unique;
 mod units;

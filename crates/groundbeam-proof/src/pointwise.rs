@@ -67,6 +67,14 @@ impl<S: Scalar> Pointwise<'_, S> {
         (2.0 * self.energy).root()
     }
 
+    /// A bound of ½∫EI e_φ′² and of the energy of e in springs: E/σ.
+    pub(crate) fn beam_energy(&self) -> Size {
+        match &self.fields.frame.compression {
+            None => self.energy,
+            Some(compression) => self.energy.over(compression.margin),
+        }
+    }
+
     /// |u − u*| in a layer: d(x) = b(d, g(x, ·)) ≤ s₂√g, and what closing and lifting add. On separate springs
     /// u* = max(w* − g₀, 0).
     fn settlement(&self, i: usize, deflection: Size) -> Size {
@@ -98,13 +106,14 @@ impl<S: Scalar> Pointwise<'_, S> {
         for side in [0, 1] {
             self.long_kinks(side, &mut stiffness);
         }
+        let factor = self.test_factor();
         for (i, (piece, stiffness)) in bounds.iter_mut().zip(stiffness).enumerate() {
             let [a, b] = self.balanced.moments[i].map(|moment| Size::of(moment.size()));
             let residual = &self.fields.residual.pieces[i];
             let load = Size::of(residual.constant.size()) + residual.rest;
             let bent = frame.spans[i].length().square() * load;
             let delta = a.worst(b) + bent.over(8.0) + self.balanced.added[i][0];
-            piece.balanced_moment = self.s2() * stiffness.root();
+            piece.balanced_moment = factor * stiffness.root();
             piece.moment = piece.balanced_moment + delta;
         }
     }

@@ -48,7 +48,8 @@ impl<S: Scalar> Pointwise<'_, S> {
                 found[j] = Size::of(held.claimed[j].size());
                 continue;
             }
-            let energy = self.s2() * stiffness.root() + stiffness * closed[j];
+            let energy =
+                (2.0 * self.beam_energy()).root() * stiffness.root() + stiffness * closed[j];
             let differs = Size::of((held.claimed[j] - computed[j]).size());
             found[j] = (stiffness * errors[j]).least(energy) + differs;
         }
@@ -65,7 +66,7 @@ impl<S: Scalar> Pointwise<'_, S> {
             Acts::Both => Size::of(here.weights.rigid),
             _ => Size::of(here.reaction[0].size()),
         };
-        self.s2() * stiffness.root() + factor * given_back
+        self.test_factor() * stiffness.root() + factor * given_back
     }
 
     fn of_clamp(&self, node: usize) -> Size {
@@ -80,7 +81,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         let last = self.balanced.steepness.len() - 1;
         let left = self.balanced.steepness[node.saturating_sub(1)];
         let steep = left.worst(self.balanced.steepness[node.min(last)]);
-        self.s2() * stiffness.root() + steep * Size::of(here.weights.clamp)
+        self.test_factor() * stiffness.root() + steep * Size::of(here.weights.clamp)
     }
 
     /// The next rigid support on one side of a node, or the end of the beam, and whether a support stands there.

@@ -77,8 +77,8 @@ fn on_piece<S: Scalar>(frame: &Frame<S>, pressures: &[Pressure<S>], i: usize) ->
     let moment = span.bending_moment(span.rotation.as_deref().unwrap_or(&slope));
     let mut shear = span.shear_force(&moment);
     let misfit = misfit(span, &slope, &shear);
-    if let Some(tension) = frame.tension {
-        shear = &shear + &slope.times(tension);
+    if let Some(force) = frame.axial_force() {
+        shear = &shear + &slope.times(force);
     }
     let load = &span.force - &pressures[i].field;
     let r = &load + &span.derivative(&shear);

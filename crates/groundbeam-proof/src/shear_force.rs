@@ -49,11 +49,16 @@ impl<S: Scalar> Pointwise<'_, S> {
                         break;
                     }
                 }
-                let tension = Size::of(self.fields.frame.tension.map_or(0.0, S::high));
+                let tension = self.axial_size();
                 let turned = tension * bounds[i].slope;
                 bounds[i].shear_force = least + turned + self.balancing_shear(i);
             }
         }
+    }
+
+    /// |P|.
+    fn axial_size(&self) -> Size {
+        Size::of(self.fields.frame.axial_force().map_or(0.0, S::size))
     }
 
     /// |δ′| on a piece.
@@ -72,7 +77,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         nodes: &[[Size; 2]],
     ) -> Size {
         let frame = self.fields.frame;
-        let tension = Size::of(frame.tension.map_or(0.0, S::high));
+        let tension = self.axial_size();
         let [mut moment, mut moved, mut turned] = [Size::ZERO; 3];
         let [mut spread, mut forces, mut couples] = [Size::ZERO; 3];
         for i in window.clone() {
@@ -86,7 +91,7 @@ impl<S: Scalar> Pointwise<'_, S> {
                 couples += nodes[i][1];
             }
         }
-        let swing = if frame.tension.is_some() { tension * moved } else { Size::ZERO };
+        let swing = if tension == Size::ZERO { tension } else { tension * moved };
         let change = 2.0 * moment + 2.0 * swing + couples;
         let mut h = (frame.nodes[window.end].x - frame.nodes[window.start].x).low();
         let mut least = Size::INFINITE;
@@ -144,7 +149,7 @@ impl<S: Scalar> Pointwise<'_, S> {
     fn node_error(&self, node: usize, shown: &Shown) -> [Size; 2] {
         let (frame, surface) = (self.fields.frame, &self.fields.surface);
         let here = &frame.nodes[node];
-        let elastic = |spring: S| self.s2() * Size::of(spring.high()).root();
+        let elastic = |spring: S| self.test_factor() * Size::of(spring.high()).root();
         let mut force = here.spring.map_or(Size::ZERO, |[spring, _]| elastic(spring));
         if surface.touches[node] {
             let (jump, factor) = (&surface.jump[node], self.balanced.factors[node].size());

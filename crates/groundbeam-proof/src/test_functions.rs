@@ -37,10 +37,43 @@ impl<S: Scalar> Pointwise<'_, S> {
         least
     }
 
+    /// P, or under a compression the number (((1 − σ)N)^½ + N(σΣhc′²)^½/s₂)² that takes its place. With the factor of
+    /// `test_factor` K² then bounds what the misfit s − Pw*′ does: by Cauchy,
+    ///
+    /// ```text
+    /// (s₂ + N_c)K₁/√σ + s₂((1 − σ)NZ/σ)^½ + N(ZΣhc′²)^½ ≤ (((s₂ + N_c)² + s₂²)/σ)^½ (K₁² + PZ)^½,   Z = ∫z′².
+    /// ```
+    fn tension(&self) -> Size {
+        let frame = self.fields.frame;
+        let Some(compression) = &frame.compression else {
+            return Size::of(frame.tension.map_or(0.0, S::high));
+        };
+        let force = Size::of(compression.force.high());
+        let convex = (Size::of((1.0 - compression.margin).next_up()) * force).root();
+        let turned = self.fields.closing()[1];
+        if turned == Size::ZERO {
+            return convex.square();
+        }
+        let closed = force * (compression.margin * turned).root();
+        (convex + closed.over(self.energy_root())).square()
+    }
+
+    /// s₂, or ((s₂ + N_c)² + s₂²)^½/√σ under a compression.
+    pub(crate) fn test_factor(&self) -> Size {
+        let Some(compression) = &self.fields.frame.compression else { return self.s2() };
+        let missed = self.s2() + compression.misfit(self.fields.closing()[1]);
+        (missed.square() + self.s2().square()).over(compression.margin).root()
+    }
+
+    /// A lower bound of s₂.
+    fn energy_root(&self) -> f64 {
+        (2.0 * self.energy.value()).sqrt().next_down()
+    }
+
     /// The largest EI, P + μ and k between two nodes.
     pub(crate) fn largest(&self, nodes: Range<usize>) -> [Size; 3] {
         let frame = self.fields.frame;
-        let tension = Size::of(frame.tension.map_or(0.0, |tension| tension.high()));
+        let tension = self.tension();
         let mut largest = [Size::ZERO; 3];
         for span in &frame.spans[nodes] {
             let layer = tension + Size::of(span.shear.size());

@@ -1,0 +1,439 @@
+//! How much of the convexity of the beam's energy an axial compression leaves.
+//!
+//! With N = |P| and a₀ = ∫EI z″² + Σκz² + Σκ_θz′² + Σk_φ[z′]² over the supports of both directions, a number σ > 0 with
+//! N∫z′² ≤ (1 − σ)a₀(z, z) for all z is proven in one of two ways.
+//!
+//! Spans between rigid supports, without hinges, L, EI and S of each span: ∫z′ = 0 on a span, so
+//!
+//! ```text
+//! σ = 1 − N max(L²/(π²EI) + 1/S);   one clamp at an end and nothing else: 2L for L, without shear.
+//! ```
+//!
+//! Any supports and hinges, without shear: the beam is cut into elements. z is its cubic interpolant and a rest ζ that
+//! is clamped at the ends of the elements, ∫ζ′² ≤ (h/2π)²∫ζ″². So σ = 1 − N/N₁ if the matrix
+//! K_bend + springs − Σ N₁/(1 − N₁h²/(4π²EI)) K_geo of the elements is positive definite.
+
+use crate::frame::{Frame, Node};
+use crate::model::Acts;
+use crate::scalar::Scalar;
+use crate::size::Size;
+
+/// Below π² and 4π².
+const PI_SQUARED: f64 = 9.869_604;
+const FOUR_PI_SQUARED: f64 = 39.478_417;
+/// Elements of the length of the beam, in the order in which they are tried. Fewer keep more digits of a stiff beam.
+const ELEMENTS: [f64; 3] = [16.0, 4.0, 1.0];
+/// The largest N₁/N that is tried.
+const MOST: f64 = 64.0;
+
+/// A lower bound of σ for a compression N; none if none is found.
+pub(crate) fn margin<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
+    let by_spans = of_spans(frame, compression);
+    if by_spans.is_some_and(|margin| margin > 0.5) || shears(frame) {
+        return by_spans;
+    }
+    let by_elements = ELEMENTS.into_iter().find_map(|count| {
+        let few_digits = of_elements(frame, compression, count, |x: S| x.coarse());
+        few_digits.or_else(|| of_elements(frame, compression, count, |x: S| x))
+    });
+    match (by_spans, by_elements) {
+        (Some(a), Some(b)) => Some(if a >= b { a } else { b }),
+        (a, b) => a.or(b),
+    }
+}
+
+fn shears<S: Scalar>(frame: &Frame<S>) -> bool {
+    frame.spans.iter().any(|span| span.stiffness.is_some())
+}
+
+fn is_rigid<S: Scalar>(node: &Node<S>) -> bool {
+    node.rigid.is_some() && node.acts == Acts::Both
+}
+
+/// From the spans between rigid supports, or of a beam that one clamp holds.
+fn of_spans<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
+    let nodes = &frame.nodes;
+    let last = nodes.len() - 1;
+    if nodes.iter().any(Node::is_hinged) {
+        return None;
+    }
+    let rigid: Vec<usize> = (0..=last).filter(|i| is_rigid(&nodes[*i])).collect();
+    // L²/(π²EI) + 1/S of a stretch.
+    let flexibility = |from: usize, to: usize, length: f64| {
+        let mut most = Size::ZERO;
+        let mut sheared = Size::ZERO;
+        for span in &frame.spans[from..to] {
+            most = most.worst(Size::of(1.0).over(span.bending.low()));
+            let own = span.stiffness.map(|stiffness| Size::of(1.0).over(stiffness.low()));
+            sheared = sheared.worst(own.unwrap_or(Size::ZERO));
+        }
+        (Size::of(length).square() * most).over(PI_SQUARED) + sheared
+    };
+    let largest = if rigid.first() == Some(&0) && rigid.last() == Some(&last) {
+        let spans = rigid.windows(2).map(|ends| {
+            let length = (nodes[ends[1]].x - nodes[ends[0]].x).high();
+            flexibility(ends[0], ends[1], length)
+        });
+        spans.fold(Size::ZERO, Size::worst)
+    } else {
+        let clamped = [0, last].into_iter().any(|end| nodes[end].clamped);
+        if !(clamped && rigid.len() == 1) || shears(frame) {
+            return None;
+        }
+        flexibility(0, last, (2.0 * frame.length.high()).next_up())
+    };
+    let lost = Size::of(compression.high()) * largest;
+    let left = (1.0 - lost.value()).next_down();
+    (left > 0.0).then_some(left)
+}
+
+/// From the largest N₁/N for which the elements are found stable.
+fn of_elements<S: Scalar, C: Scalar>(
+    frame: &Frame<S>,
+    compression: S,
+    count: f64,
+    to: impl Fn(S) -> C,
+) -> Option<f64> {
+    let (first, elements) = (Joint::of(&frame.nodes[0], &to), elements(frame, count, &to));
+    let stable = |ratio: f64| {
+        let load = to(compression) * C::of(ratio);
+        is_stable(&first, &elements, load).is_some()
+    };
+    let (mut low, mut high) = (1.0, MOST);
+    if stable(high) {
+        low = high;
+    }
+    // Until σ is known to a tenth.
+    while high - low > 0.1 * (low - 1.0) && high - 1.0 > 1e-3 {
+        let (mean, least) = (f64::sqrt((high - 1.0) * (low - 1.0)), 0.125 * (high - 1.0));
+        let middle = 1.0 + if mean >= least { mean } else { least };
+        if stable(middle) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    let left = (1.0 - (1.0 / low).next_up()).next_down();
+    (left > 0.0).then_some(left)
+}
+
+/// What holds a node in both directions.
+struct Joint<C> {
+    spring: C,
+    turning: C,
+    hinge: Option<C>,
+    /// Whether z = 0, and whether z′ = 0.
+    held: [bool; 2],
+}
+
+impl<C: Scalar> Joint<C> {
+    fn of<S: Scalar>(node: &Node<S>, to: &impl Fn(S) -> C) -> Self {
+        let spring = node.spring.filter(|_| node.acts == Acts::Both);
+        Joint {
+            spring: spring.map_or_else(C::zero, |[spring, _]| to(spring)),
+            turning: node.turning.map_or_else(C::zero, to),
+            hinge: node.hinge.map(to),
+            held: [is_rigid(node), node.clamped],
+        }
+    }
+}
+
+/// An element of the beam, and the joint at its right end, if there is one.
+struct Element<C> {
+    length: C,
+    bending: C,
+    end: Option<Joint<C>>,
+}
+
+/// The elements between supports, hinges and steps of EI, so many of equal length to the length of the beam.
+fn elements<S: Scalar, C: Scalar>(
+    frame: &Frame<S>,
+    count: f64,
+    to: &impl Fn(S) -> C,
+) -> Vec<Element<C>> {
+    let mut elements = Vec::new();
+    let mut first = 0;
+    for i in 1..frame.nodes.len() {
+        let node = &frame.nodes[i];
+        let bare = !is_rigid(node)
+            && node.spring.is_none()
+            && node.turning.is_none()
+            && !node.is_hinged()
+            && i < frame.spans.len()
+            && frame.spans[i].bending == frame.spans[first].bending;
+        if bare {
+            continue;
+        }
+        let length = frame.nodes[i].x - frame.nodes[first].x;
+        let parts = (count * length.middle() / frame.length.middle()).ceil();
+        let parts = if parts >= 1.0 && parts <= count { parts } else { 1.0 };
+        let part = to(length.div(S::of(parts)));
+        for j in 0..parts as usize {
+            let end = (j + 1 == parts as usize).then(|| Joint::of(node, to));
+            elements.push(Element { length: part, bending: to(frame.spans[first].bending), end });
+        }
+        first = i;
+    }
+    elements
+}
+
+/// The stiffness of all that lies on the left of a place, against its deflection and its slope.
+#[derive(Clone, Copy)]
+struct Left<C> {
+    /// Against z, z and z′, and z′.
+    stiffness: [C; 3],
+    /// Whether z = 0, and whether z′ = 0.
+    held: [bool; 2],
+}
+
+impl<C: Scalar> Left<C> {
+    /// Adds what holds a node, and goes over to the right side of its hinge; none if not proven positive.
+    fn at(self, joint: &Joint<C>) -> Option<Left<C>> {
+        let [mut a, mut b, mut c] = self.stiffness;
+        (a, c) = (a + joint.spring, c + joint.turning);
+        if let Some(spring) = joint.hinge {
+            let pivot = c + spring;
+            if !(pivot.low() > 0.0) {
+                return None;
+            }
+            a = a - (b * b).div(pivot);
+            (b, c) = ((b * spring).div(pivot), (c * spring).div(pivot));
+        }
+        Some(Left { stiffness: [a, b, c], held: joint.held })
+    }
+
+    /// Whether the stiffness is positive definite for what is free.
+    fn is_positive(&self) -> bool {
+        let [a, b, c] = self.stiffness;
+        match self.held {
+            [true, true] => true,
+            [true, false] => c.low() > 0.0,
+            [false, true] => a.low() > 0.0,
+            [false, false] => a.low() > 0.0 && (c - (b * b).div(a)).low() > 0.0,
+        }
+    }
+
+    /// The stiffness at the right end of an element under a compression.
+    fn across(self, element: &Element<C>, load: C) -> Option<Left<C>> {
+        let h = element.length;
+        let waves = (load * h * h).div(element.bending * C::of(FOUR_PI_SQUARED));
+        let share = C::one() - waves;
+        if !(share.low() > 0.0) {
+            return None;
+        }
+        let geometric = load.div(share * C::of(30.0) * h);
+        let bending = element.bending.div(h * h * h);
+        let entry = |bent: f64, drawn: f64| bending * C::of(bent) - geometric * C::of(drawn);
+        let (h1, h2) = (h, h * h);
+        let own = entry(12.0, 36.0);
+        let turned = entry(6.0, 3.0) * h1;
+        let steep = entry(4.0, 4.0) * h2;
+        let across = entry(2.0, -1.0) * h2;
+        // Left: z and z′; what they share with the right end is −own, turned; −turned, across.
+        let [a, b, c] = self.stiffness;
+        let joined = Left { stiffness: [a + own, b + turned, c + steep], held: self.held };
+        if !joined.is_positive() {
+            return None;
+        }
+        let [a, b, c] = joined.stiffness;
+        let coupling = [[-own, turned], [-turned, across]];
+        let zero = C::zero();
+        // The inverse of the stiffness for what is free.
+        let inverse = match self.held {
+            [true, true] => [zero; 3],
+            [true, false] => [zero, zero, C::one().div(c)],
+            [false, true] => [C::one().div(a), zero, zero],
+            [false, false] => {
+                let determinant = a * c - b * b;
+                [c.div(determinant), -b.div(determinant), a.div(determinant)]
+            }
+        };
+        let condensed = |i: usize, j: usize| {
+            let [p, q] = [coupling[0][j], coupling[1][j]];
+            coupling[0][i] * (inverse[0] * p + inverse[1] * q)
+                + coupling[1][i] * (inverse[1] * p + inverse[2] * q)
+        };
+        let stiffness = [own - condensed(0, 0), -turned - condensed(0, 1), steep - condensed(1, 1)];
+        Some(Left { stiffness, held: [false; 2] })
+    }
+}
+
+/// Whether the matrix of the elements is positive definite.
+fn is_stable<C: Scalar>(first: &Joint<C>, elements: &[Element<C>], load: C) -> Option<()> {
+    let nothing = Left { stiffness: [C::zero(); 3], held: [false; 2] };
+    let mut left = nothing.at(first)?;
+    for element in elements {
+        left = left.across(element, load)?;
+        if let Some(joint) = &element.end {
+            left = left.at(joint)?;
+        }
+    }
+    left.is_positive().then_some(())
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::answer::{Answer, Piece};
+    use crate::ball::Ball;
+    use crate::given::frame;
+    use crate::model::{Acts, Beam, Ground, GroundEnd, Hinge, Model, Support, SupportKind};
+    use crate::scalar::Scalar;
+    use crate::wide::Wide;
+    use std::f64::consts::PI;
+
+    /// A beam of length 1 and EI = 1 with supports at quarters of the length and a hinge in the middle.
+    fn beam(
+        supports: &[(f64, SupportKind<f64>)],
+        shear: Option<f64>,
+        hinge: Option<f64>,
+    ) -> Model<f64> {
+        let support = |(at, kind): &(f64, SupportKind<f64>)| Support {
+            at: *at,
+            kind: *kind,
+            settlement: 0.0,
+            acts: Acts::Both,
+        };
+        Model {
+            beam: Beam {
+                length: 1.0,
+                bending_stiffness: 1.0,
+                shear_stiffness: shear,
+                segments: Vec::new(),
+                axial_force: 0.0,
+            },
+            ground: Ground {
+                spring: 1.0,
+                shear: 0.0,
+                segments: Vec::new(),
+                ends: [GroundEnd::Endless; 2],
+            },
+            loads: Vec::new(),
+            supports: supports.iter().map(support).collect(),
+            hinges: hinge.map(|k| Hinge { at: 0.5, rotational_spring: k }).into_iter().collect(),
+            gap: Vec::new(),
+        }
+    }
+
+    fn margin(model: &Model<f64>, compression: f64) -> Option<f64> {
+        margin_in::<f64>(model, compression)
+    }
+
+    /// σ under a compression; none if none is proven.
+    fn margin_in<S: Scalar>(model: &Model<f64>, compression: f64) -> Option<f64> {
+        let support = |support: &Support<f64>| Support {
+            at: S::of(support.at),
+            kind: match support.kind {
+                SupportKind::Pinned => SupportKind::Pinned,
+                SupportKind::Fixed => SupportKind::Fixed,
+                SupportKind::Spring { spring, rotational_spring } => SupportKind::Spring {
+                    spring: S::of(spring),
+                    rotational_spring: S::of(rotational_spring),
+                },
+            },
+            settlement: S::zero(),
+            acts: support.acts,
+        };
+        let hinge = |hinge: &Hinge<f64>| Hinge {
+            at: S::of(hinge.at),
+            rotational_spring: S::of(hinge.rotational_spring),
+        };
+        let model = Model {
+            beam: Beam {
+                length: S::of(model.beam.length),
+                bending_stiffness: S::of(model.beam.bending_stiffness),
+                shear_stiffness: model.beam.shear_stiffness.map(S::of),
+                segments: Vec::new(),
+                axial_force: S::of(-compression),
+            },
+            ground: Ground {
+                spring: S::one(),
+                shear: S::zero(),
+                segments: Vec::new(),
+                ends: [GroundEnd::Endless; 2],
+            },
+            loads: Vec::new(),
+            supports: model.supports.iter().map(support).collect(),
+            hinges: model.hinges.iter().map(hinge).collect(),
+            gap: Vec::new(),
+        };
+        let rotation = if model.beam.shear_stiffness.is_some() { vec![0.0] } else { Vec::new() };
+        let piece = |i: u32| Piece {
+            x: [0.25 * f64::from(i), 0.25 * f64::from(i + 1)],
+            half: 0.125,
+            deflection: vec![0.0],
+            rotation: rotation.clone(),
+            ..Piece::default()
+        };
+        let answer = Answer { pieces: (0..4).map(piece).collect(), ..Answer::default() };
+        let frame = frame(&model, &answer);
+        frame.ok().and_then(|frame| frame.compression.map(|compression| compression.margin))
+    }
+
+    #[test]
+    fn critical_loads_are_bounded_from_below_and_nearly_reached() {
+        use SupportKind::{Fixed, Pinned};
+        let spring = |spring, rotational_spring| SupportKind::Spring { spring, rotational_spring };
+        // The smallest roots of tan z = z and of z tan z = 2; P = z².
+        let tangent: f64 = 4.493_409_457_909_064;
+        let held: f64 = 1.076_873_986_311_804;
+        for (supports, hinge, critical) in [
+            (vec![(0.0, Pinned), (1.0, Pinned)], None, PI * PI),
+            (vec![(0.0, Fixed), (1.0, Pinned)], None, tangent * tangent),
+            (vec![(0.0, Fixed), (1.0, Fixed)], None, 4.0 * PI * PI),
+            (vec![(0.0, Fixed)], None, 0.25 * PI * PI),
+            (vec![(0.0, Pinned), (0.5, Pinned), (1.0, Pinned)], None, 4.0 * PI * PI),
+            // A spring of 16π²EI/l³ makes a support of the middle.
+            (
+                vec![(0.0, Pinned), (0.5, spring(16.0 * PI * PI, 0.0)), (1.0, Pinned)],
+                None,
+                4.0 * PI * PI,
+            ),
+            // A column with a free end on a rotational spring: z tan z = k_θ.
+            (vec![(0.0, Pinned), (0.0, spring(0.0, 2.0))], None, held * held),
+            // Half the column has the rotational spring 2k_φ at its end.
+            (vec![(0.0, Pinned), (1.0, Pinned)], Some(1.0), 4.0 * held_by_hinge()),
+        ] {
+            let model = beam(&supports, None, hinge);
+            assert_eq!(margin(&model, 1.0001 * critical), None, "{supports:?}");
+            let left = margin(&model, 0.9 * critical).expect("stable");
+            assert!(left <= 0.1 && left > 0.07, "{supports:?}: {left}");
+            let left = margin(&model, 0.5 * critical).expect("stable");
+            assert!(left <= 0.5 && left > 0.4, "{supports:?}: {left}");
+        }
+    }
+
+    /// z² with z tan z = 2k_φ·½ = 1: half the column, pinned at its end, on a rotational spring 2k_φ in the middle.
+    fn held_by_hinge() -> f64 {
+        let z: f64 = 0.860_333_589_019_379_8;
+        z * z
+    }
+
+    /// A stiff beam on soft springs, in balls: Pl/4 from the equilibrium of two rigid bars with a rotational spring.
+    #[test]
+    fn a_stiff_beam_on_soft_springs_keeps_its_digits() {
+        let ends = [(0.0, SupportKind::Pinned), (1.0, SupportKind::Pinned)];
+        let model = beam(&ends, None, Some(1e-6));
+        assert_eq!(margin(&model, 4.01e-6), None);
+        for digits in [margin_in::<Ball>(&model, 3e-6), margin_in::<Wide>(&model, 3e-6)] {
+            let left = digits.expect("stable");
+            assert!(left <= 0.25 && left > 0.2, "{left}");
+        }
+    }
+
+    #[test]
+    fn shear_lowers_the_critical_load_of_spans() {
+        let ends = [(0.0, SupportKind::Pinned), (1.0, SupportKind::Pinned)];
+        let model = beam(&ends, Some(20.0), None);
+        let critical = 1.0 / (1.0 / (PI * PI) + 1.0 / 20.0);
+        assert_eq!(margin(&model, 1.0001 * critical), None);
+        let left = margin(&model, 0.9 * critical).expect("stable");
+        assert!((left - 0.1).abs() < 1e-6, "{left}");
+    }
+
+    #[test]
+    fn a_beam_that_nothing_holds_has_no_critical_load() {
+        assert_eq!(margin(&beam(&[], None, None), 1e-3), None);
+        let hung = beam(&[(0.0, SupportKind::Pinned)], None, None);
+        assert_eq!(margin(&hung, 1e-3), None);
+    }
+}
