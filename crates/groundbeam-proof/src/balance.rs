@@ -13,7 +13,6 @@
 
 use crate::frame::Frame;
 use crate::ground::Surface;
-use crate::polynomial::Polynomial;
 use crate::pressure::Pressure;
 use crate::refusal::NotProven;
 use crate::residual::Residual;
@@ -259,15 +258,17 @@ impl<S: Scalar> Balance<'_, S> {
             let span = &self.frame.spans[i];
             let slope = span.half * per_length;
             let hats = [
-                Polynomial::line((cell.ends[1] - span.middle) * per_length, -slope),
-                Polynomial::line((span.middle - cell.ends[0]) * per_length, slope),
+                [(cell.ends[1] - span.middle) * per_length, -slope],
+                [(span.middle - cell.ends[0]) * per_length, slope],
             ];
-            let p = &self.pressures[i].field;
-            let [with_left, with_right] = hats.each_ref().map(|hat| p * hat);
-            let mass = |p: &Polynomial<S>| p.integral(span.t) * span.half;
-            system.diagonal[j] = system.diagonal[j] + mass(&(&with_left * &hats[0]));
-            system.beside[j] = system.beside[j] + mass(&(&with_left * &hats[1]));
-            system.diagonal[j + 1] = system.diagonal[j + 1] + mass(&(&with_right * &hats[1]));
+            // ∫(a + bt)(c + dt)p.
+            let [whole, turned, spread] = self.pressures[i].masses;
+            let mass = |[a, b]: [S; 2], [c, d]: [S; 2]| {
+                a * c * whole + (a * d + b * c) * turned + b * d * spread
+            };
+            system.diagonal[j] = system.diagonal[j] + mass(hats[0], hats[0]);
+            system.beside[j] = system.beside[j] + mass(hats[0], hats[1]);
+            system.diagonal[j + 1] = system.diagonal[j + 1] + mass(hats[1], hats[1]);
             pulls += self.pressures[i].pull();
         }
         for k in [j, j + 1] {
@@ -297,7 +298,7 @@ impl<S: Scalar> Balance<'_, S> {
         for i in cell.pieces.clone() {
             let factor = balanced.factor(i);
             let pressure = &self.pressures[i];
-            load += factor * Size::of(pressure.total.size());
+            load += factor * Size::of(pressure.masses[0].size());
             load += (Size::of(1.0) + factor) * pressure.pull();
             if i > cell.pieces.start {
                 let at_node = Size::of(balanced.factors[i].size());

@@ -12,6 +12,9 @@ use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
+/// The shortest part of a piece, in units of t, on which the pressure beside an edge is bounded.
+const SHORTEST_PART: f64 = 4e-12;
+
 impl<S: Scalar> Contact<'_, S> {
     /// The contact set of all layers and springs.
     pub fn shown(&self) -> Shown {
@@ -198,29 +201,33 @@ impl<S: Scalar> Contact<'_, S> {
         // The piece of the region at this end.
         let i = if side == 0 { node } else { node - 1 };
         let span = &self.fields.frame.spans[i];
-        let (field, error) = (&self.fields.pressures[i].field, self.bounds[i].pressure);
+        let (field, error) = (self.fields.pressures[i].field.coarse(), self.bounds[i].pressure);
         let end = span.interval()[side];
-        let mut inside = Size::INFINITE;
-        // On the part from the end inward p − ε_p is at least `least`.
-        let mut part = 1.0;
-        for _ in 0..40 {
+        let at_end = (field.value(S::Coarse::of(end)).low() - error.value()).next_down();
+        // The part from the end inward on which p − ε_p is bounded: four times what is needed if p changes little, or more.
+        let first = (4.0 * missing.over(at_end).over(span.half.low())).value();
+        let mut part = if first > SHORTEST_PART { first } else { SHORTEST_PART };
+        if !(at_end > 0.0) {
+            part = SHORTEST_PART;
+        }
+        while pieces > 0 {
+            part = if part < 1.0 { part } else { 1.0 };
             let m = if side == 0 { end + 0.5 * part } else { end - 0.5 * part };
             let about = field.shifted(m);
             let r = (0.5 * part).next_up() + 4.0 * f64::EPSILON;
             let lost = about.tail(r) + error;
             let least = (about.coefficient(0).low() - lost.value()).next_down();
-            let found = missing.over(least);
+            let inside = missing.over(least);
             let room = ((part - 1e-12).next_down() * span.half.low()).next_down();
-            if found.value() <= room {
-                inside = inside.least(found);
+            if inside.value() <= room {
+                return Ok(EdgeShift { node, side, outside, inside });
             }
-            part *= 0.5;
+            if part == 1.0 {
+                break;
+            }
+            part *= 4.0;
         }
-        if inside < Size::INFINITE && pieces > 0 {
-            Ok(EdgeShift { node, side, outside, inside })
-        } else {
-            Err(self.failed("the edge of a region is not bounded", node))
-        }
+        Err(self.failed("the edge of a region is not bounded", node))
     }
 
     /// ε_a, the bound of the error of a concentrated force: of the flux on both sides.

@@ -25,6 +25,8 @@ pub(crate) struct Span<S> {
     pub t: [S; 2],
     /// The largest |t| on the piece, at least 1.
     pub tau: f64,
+    /// ∫tʲ over the piece.
+    powers: Vec<S>,
     pub touches: bool,
     /// w(t).
     pub deflection: Polynomial<S>,
@@ -222,6 +224,7 @@ impl<S: Scalar> Span<S> {
             per_length: S::one().div(half),
             t,
             tau: largest.value(),
+            powers: powers(t, coefficients_of(piece) + 4),
             touches: piece.touches,
             deflection: field(&piece.deflection, 1)?,
             rotation,
@@ -251,6 +254,19 @@ impl<S: Scalar> Span<S> {
         Polynomial::line(start + slope * (self.middle - from), slope * self.half)
     }
 
+    /// ∫tᵏp over the piece by x, for k = 0, 1, … as many as wanted.
+    pub fn integrals<const N: usize>(&self, p: &Polynomial<S>) -> [S; N] {
+        let c = p.coefficients();
+        if c.len() + N > self.powers.len() + 1 {
+            let times = |k: usize| p.raised(k).integral(self.t) * self.half;
+            return std::array::from_fn(times);
+        }
+        std::array::from_fn(|k| {
+            let terms = c.iter().zip(&self.powers[k..]);
+            terms.fold(S::zero(), |sum, (c, power)| sum + *c * *power) * self.half
+        })
+    }
+
     /// The derivative by x.
     pub fn derivative(&self, p: &Polynomial<S>) -> Polynomial<S> {
         p.derivative().times(self.per_length)
@@ -275,6 +291,22 @@ impl<S: Scalar> Span<S> {
     pub fn interval(&self) -> [f64; 2] {
         [self.t[0].low(), self.t[1].high()]
     }
+}
+
+/// The number of coefficients of the longest field of a piece.
+fn coefficients_of(piece: &Piece) -> usize {
+    piece.deflection.len().max(piece.rotation.len()).max(piece.pressure.len())
+}
+
+/// ∫tʲ from t_L to t_R for j = 0, 1, … below a number.
+fn powers<S: Scalar>(ends: [S; 2], count: usize) -> Vec<S> {
+    let mut power = ends;
+    let mut integrals = Vec::with_capacity(count);
+    for j in 1..=count {
+        integrals.push((power[1] - power[0]).div(S::of(j as f64)));
+        power = [power[0] * ends[0], power[1] * ends[1]];
+    }
+    integrals
 }
 
 impl<S: Scalar> Frame<S> {

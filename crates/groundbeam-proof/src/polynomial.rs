@@ -50,6 +50,12 @@ impl<S: Scalar> Polynomial<S> {
         Self::from_coefficients(derived.map(|(j, c)| *c * S::of(j as f64)))
     }
 
+    /// tᵏp. Terms beyond the room are not formed: only fields with two straight lines are raised.
+    pub fn raised(&self, k: usize) -> Self {
+        let zeros = std::iter::repeat_n(S::zero(), k);
+        Self::from_coefficients(zeros.chain(self.coefficients().iter().copied()))
+    }
+
     pub fn times(&self, factor: S) -> Self {
         Self::from_coefficients(self.coefficients().iter().map(|c| *c * factor))
     }

@@ -10,8 +10,8 @@ use crate::size::Size;
 #[derive(Debug)]
 pub(crate) struct Pressure<S> {
     pub field: Polynomial<S>,
-    /// ∫p.
-    pub total: S,
+    /// ∫p, ∫tp and ∫t²p.
+    pub masses: [S; 3],
     /// p ≥ −η.
     pub depth: Size,
     /// p < 0 on at most this length ω: the pull max(−p, 0) is a load of at most ηω.
@@ -20,8 +20,8 @@ pub(crate) struct Pressure<S> {
 
 impl<S: Scalar> Pressure<S> {
     fn none() -> Self {
-        let (field, total) = (Polynomial::zero(), S::zero());
-        Pressure { field, total, depth: Size::ZERO, width: Size::ZERO }
+        let (field, masses) = (Polynomial::zero(), [S::zero(); 3]);
+        Pressure { field, masses, depth: Size::ZERO, width: Size::ZERO }
     }
 
     fn of(span: &Span<S>, negligible: Size, budget: &mut Budget) -> Self {
@@ -31,11 +31,11 @@ impl<S: Scalar> Pressure<S> {
             let bent = span.derivative(&span.derivative(&span.deflection));
             field = &field - &bent.times(span.shear);
         }
-        let total = field.integral(span.t) * span.half;
+        let masses = span.integrals(&field);
         let negligible = Size::of(span.spring.size()) * negligible;
         let pull = below(&field.coarse(), Size::ZERO, negligible, span.interval(), budget);
         let width = (pull.width * Size::of(span.half.high())).least(span.length());
-        Pressure { field, total, depth: pull.depth, width }
+        Pressure { field, masses, depth: pull.depth, width }
     }
 
     /// The pull as a load, ηω.
@@ -45,7 +45,7 @@ impl<S: Scalar> Pressure<S> {
 
     /// The total of max(p, 0).
     pub fn pressing(&self) -> Size {
-        Size::of(self.total.size()) + self.pull()
+        Size::of(self.masses[0].size()) + self.pull()
     }
 }
 

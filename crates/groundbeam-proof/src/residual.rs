@@ -83,10 +83,10 @@ fn on_piece<S: Scalar>(frame: &Frame<S>, pressures: &[Pressure<S>], i: usize) ->
     let load = &span.force - &pressures[i].field;
     let r = &load + &span.derivative(&shear);
     // X_R − x = half (t_R − t).
-    let lever = Polynomial::line(span.t[1], -S::one());
+    let [force, turned] = span.integrals(&r);
     PieceResidual {
-        force: r.integral(span.t) * span.half,
-        moment: (&r * &lever).integral(span.t) * span.half.square(),
+        force,
+        moment: (span.t[1] * force - turned) * span.half,
         constant: r.coefficient(0),
         rest: r.tail(span.tau),
         bending: span.t.map(|t| moment.value(t)),

@@ -67,7 +67,8 @@ impl Largest {
             let shear = span.shear_force(&moment);
             let places = [span.t[0], (span.t[0] + span.t[1]).scaled(-1), span.t[1]];
             let on = |field: &Polynomial<S>, error: Size| {
-                let value = |t: &S| shown(field.value(*t), error);
+                let field = field.coarse();
+                let value = |t: &S| shown(field.value(t.coarse()), error);
                 places.iter().map(value).fold(0.0, larger)
             };
             let raise = |most: &mut f64, value: f64| *most = larger(*most, value);
