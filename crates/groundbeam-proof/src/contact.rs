@@ -130,8 +130,8 @@ impl<S: Scalar> Contact<'_, S> {
                 return Err(self.failed("the pressure may be zero within its bound", i));
             }
         }
-        let left = self.edge(a, 0, beside, b - a)?;
-        let right = self.edge(b, 1, beside, b - a)?;
+        let left = self.edge(a, 0, beside)?;
+        let right = self.edge(b, 1, beside)?;
         shown.edges.extend([left, right]);
         let room = (frame.nodes[b].x - frame.nodes[a].x).low();
         if !((left.inside + right.inside).value() < room) {
@@ -189,7 +189,6 @@ impl<S: Scalar> Contact<'_, S> {
         node: usize,
         side: usize,
         beside: &[[Option<Approach>; 2]],
-        pieces: usize,
     ) -> Result<EdgeShift, NotProven> {
         let outside = beside[node][side].map_or(Size::ZERO, |approach| approach.theta);
         let tolerance = self.tolerance(node, beside);
@@ -210,7 +209,7 @@ impl<S: Scalar> Contact<'_, S> {
         if !(at_end > 0.0) {
             part = SHORTEST_PART;
         }
-        while pieces > 0 {
+        loop {
             part = if part < 1.0 { part } else { 1.0 };
             let m = if side == 0 { end + 0.5 * part } else { end - 0.5 * part };
             let about = field.shifted(m);
