@@ -4,6 +4,7 @@ use crate::colour::standard_error_has_colour;
 use crate::failure::Failure;
 use crate::status::Status;
 use groundbeam::Error;
+use groundbeam::proof::Reason;
 use groundbeam_file::{Diagnostics, Document, read_bounded, read_file};
 use groundbeam_report::calculation::Source;
 use groundbeam_report::{Context, text};
@@ -46,6 +47,22 @@ impl Input {
     /// The digest of the file and of the tables that it names.
     pub fn digest(&self) -> &str {
         &self.digest
+    }
+
+    /// The file as it was read.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The name of the file.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Whether the second reader, which reads model files for proofs, does not know a key of the file.
+    pub fn is_not_proven_as_written(&self) -> bool {
+        let read = groundbeam::proof::read_model::<f64>(&self.text, None);
+        read.is_err_and(|error| matches!(error.reason, Reason::NotRead(_)))
     }
 
     /// Title, units, limits and digest, as reports want them.

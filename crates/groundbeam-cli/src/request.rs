@@ -29,6 +29,8 @@ pub struct Solve {
     pub json: bool,
     /// Whether the document holds the pieces of the answer.
     pub pieces: bool,
+    /// Whether the answer is proven.
+    pub proven: bool,
     pub csv: Option<PathBuf>,
     pub plot: Option<Plot>,
     pub report: Option<Report>,
@@ -234,7 +236,8 @@ impl Solve {
         Ok(Solve {
             file: typed.file,
             json: typed.json,
-            pieces: typed.pieces,
+            pieces: typed.pieces || typed.proven,
+            proven: typed.proven,
             csv: typed.csv,
             plot,
             report,

@@ -8,10 +8,12 @@ use crate::input::Input;
 use crate::output::{draw, print, report, standard_output_is_a_terminal, write};
 use crate::request::{Grow, Solve};
 use crate::status::Status;
+use crate::verify::prove;
+use groundbeam::proof::Document;
 use groundbeam_file::{
     Combination, Diagnostic, Diagnostics, Severity, parse_cases, parse_positions,
 };
-use groundbeam_report::{Context, Results, csv, text};
+use groundbeam_report::{Context, Named, Results, csv, text};
 use groundbeam_run::{Answer, Asked, Found, Growing, Run};
 use std::path::Path;
 
@@ -23,8 +25,31 @@ pub fn run(request: &Solve) -> Result<Status, Failure> {
     let (run, title) = asked(&input, request)?;
     let (answers, seconds) = solved(&run, &input, request.options.method.name())?;
     let context = Context { title: title.as_deref(), pieces: request.pieces, ..input.context() };
-    let context = context.with_seconds(seconds);
-    deliver(&Results::new(&answers, context), &input, request, stations.as_deref())
+    let context =
+        Context { model: input.is_not_proven_as_written(), ..context.with_seconds(seconds) };
+    let stations = stations.as_deref();
+    let proofs = match request.proven {
+        true => proven(&Results::new(&answers, context), &input, stations)?,
+        false => Vec::new(),
+    };
+    let context = Context { proofs: &proofs, ..context };
+    let status = deliver(&Results::new(&answers, context), &input, request, stations)?;
+    let all = proofs.iter().all(Named::is_proven);
+    Ok(if status == Status::Done && !all { Status::NotProven } else { status })
+}
+
+/// What is proven of the document of the answers; nothing if there is none.
+fn proven(
+    results: &Results,
+    input: &Input,
+    stations: Option<&[f64]>,
+) -> Result<Vec<Named>, Failure> {
+    if !results.has_fields() {
+        return Ok(Vec::new());
+    }
+    let documents = Document::read(&results.json(stations))
+        .map_err(|error| Failure::usage(format!("the document of the answer: {error}")))?;
+    documents.iter().map(|document| prove(input.text(), input.name(), document)).collect()
 }
 
 /// What is to be solved, and what it is called.
@@ -53,8 +78,11 @@ fn asked(input: &Input, request: &Solve) -> Result<(Run, Option<String>), Failur
         }
     }
     if request.pieces && run.asked() == Asked::Trains {
-        let rule = "the document of a train has no pieces";
-        return Err(Failure::usage(format!("--pieces: {rule}")));
+        let (option, rule) = match request.proven {
+            true => ("--proven", "positions of trains are not proven"),
+            false => ("--pieces", "the document of a train has no pieces"),
+        };
+        return Err(Failure::usage(format!("{option}: {rule}")));
     }
     let growing = match (&request.factors, run.combinations()) {
         (Some(grow), [combination, ..]) => Some(growing(input, grow, combination)?),

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 /// Beams on ground that can only push back.
 ///
 /// Given a beam, a Pasternak or Winkler foundation and loads, finds where the beam touches, where it lifts
-/// off and how hard the ground pushes, and proves the answer. If no equilibrium exists, says which way the
+/// off and how hard the ground pushes, and bounds the error of the answer. If no equilibrium exists, says which way the
 /// beam tips.
 #[derive(Debug, Parser)]
 #[command(name = "groundbeam", version, max_term_width = 100, after_long_help = AFTER)]
@@ -20,6 +20,7 @@ pub struct Typed {
 const AFTER: &str = "\
 Exit status:
   0  solved; of a file with combinations, all of them; of a train, every position
+  1  something is not proven (--proven)
   2  the input or the command line is wrong
   3  the model is right and no equilibrium exists, of a combination or position at least
   4  the solver could not meet its own tolerance
@@ -69,6 +70,13 @@ pub struct Solve {
     /// Add the pieces of the answer to the document, from which `groundbeam verify` proves it
     #[arg(long, requires = "json")]
     pub pieces: bool,
+
+    /// Prove the answer: existence, uniqueness, contact set, and a bound of the error of every printed quantity
+    ///
+    /// All rounding is enclosed. The exit status is 1 if something is not proven. With --json the document holds the pieces
+    /// of the answer and the bounds, which `groundbeam verify` proves again.
+    #[arg(long)]
+    pub proven: bool,
 
     /// Write all fields along the beam as a table; of combinations, the envelope
     #[arg(long, value_name = "OUT")]

@@ -21,7 +21,7 @@ pub fn run(request: &Verify) -> Result<Status, Failure> {
         other_model: model.differs_from(&documents),
         results: documents
             .iter()
-            .map(|document| model.prove(document))
+            .map(|document| prove(&model.text, &model.name, document))
             .collect::<Result<_, Failure>>()?,
     };
     print(&match request.json {
@@ -89,30 +89,29 @@ impl ModelFile {
             self.path.display()
         ))
     }
+}
 
-    /// What is proven of one result: for the model of the file or, if the second reader does not know one of its keys,
-    /// for the model that the document contains.
-    fn prove(&self, document: &Document) -> Result<Named, Failure> {
-        let combination = document.combination.clone();
-        let read = proof::read_model::<Wide>(&self.text, combination.as_deref());
-        let named = |model: ModelOf, found: Result<Verification, NotProven>| {
-            Ok(Named { combination: combination.clone(), model, found })
-        };
-        let error = match read {
-            Ok(model) => return named(ModelOf::File, proof::verify(&model, document)),
-            Err(error) => error,
-        };
-        match (&error.reason, &document.model) {
-            (Reason::NotRead(_), Some(own)) => {
-                let model = proof::read_model::<Wide>(own, None).map_err(|error| {
-                    Failure::usage(format!("the model in the document: {error}"))
-                })?;
-                named(ModelOf::Document, proof::verify(&model, document))
-            }
-            (Reason::NotRead(_) | Reason::NoCombination(_) | Reason::OutOfRange(_), _) => {
-                named(ModelOf::File, Err(NotProven::new(error.to_string())))
-            }
-            _ => Err(Failure::usage(format!("{}: {error}", self.name))),
+/// What is proven of one result: for the model of the file or, if the second reader does not know one of its keys,
+/// for the model that the document contains.
+pub fn prove(text: &str, name: &str, document: &Document) -> Result<Named, Failure> {
+    let combination = document.combination.clone();
+    let read = proof::read_model::<Wide>(text, combination.as_deref());
+    let named = |model: ModelOf, found: Result<Verification, NotProven>| {
+        Ok(Named { combination: combination.clone(), model, found })
+    };
+    let error = match read {
+        Ok(model) => return named(ModelOf::File, proof::verify(&model, document)),
+        Err(error) => error,
+    };
+    match (&error.reason, &document.model) {
+        (Reason::NotRead(_), Some(own)) => {
+            let model = proof::read_model::<Wide>(own, None)
+                .map_err(|error| Failure::usage(format!("the model in the document: {error}")))?;
+            named(ModelOf::Document, proof::verify(&model, document))
         }
+        (Reason::NotRead(_) | Reason::NoCombination(_) | Reason::OutOfRange(_), _) => {
+            named(ModelOf::File, Err(NotProven::new(error.to_string())))
+        }
+        _ => Err(Failure::usage(format!("{}: {error}", name))),
     }
 }

@@ -1,6 +1,7 @@
 //! The context of a report: title, units, ground, limits, load factors.
 
 use crate::quantity::Units;
+use crate::verified::Named;
 use groundbeam::Limits;
 use groundbeam_file::{Document, printable};
 use groundbeam_run::{Factors, Ground};
@@ -29,6 +30,10 @@ pub struct Context<'a> {
     pub combination: Option<&'a str>,
     /// Whether a document holds the pieces of the answer, from which it is proven.
     pub pieces: bool,
+    /// Whether a document holds the model: the proof does not read the model file.
+    pub model: bool,
+    /// What is proven of each answer, in their order; empty where nobody asked.
+    pub proofs: &'a [Named],
 }
 
 impl<'a> Context<'a> {
@@ -55,6 +60,8 @@ impl<'a> Context<'a> {
             digest: None,
             combination: None,
             pieces: false,
+            model: false,
+            proofs: &[],
         }
     }
 

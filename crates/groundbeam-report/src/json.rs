@@ -155,7 +155,7 @@ impl Solved {
                     state: state(support, r.force),
                 })
                 .collect(),
-            claimed: context.pieces.then(|| Claimed::of(solution)),
+            claimed: context.pieces.then(|| Claimed::of(solution, context)),
             hinges: solution
                 .hinges()
                 .iter()

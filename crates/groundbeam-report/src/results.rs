@@ -74,8 +74,16 @@ impl<'a> Results<'a> {
         }
     }
 
-    /// The report for a terminal.
+    /// The report for a terminal, with what is proven.
     pub fn text(&self, colour: bool) -> String {
+        let report = self.report(colour);
+        match self.context.proofs {
+            [] => report,
+            proofs => report + "\n" + &text::proofs(proofs, self.context.units, colour),
+        }
+    }
+
+    fn report(&self, colour: bool) -> String {
         let (answers, context) = (self.answers, &self.context);
         let Some(one) = self.one() else {
             return match answers.asked {

@@ -132,11 +132,13 @@ enum Result {
 }
 
 fn each<'a>(answers: &'a Answers, stations: Option<&[f64]>, context: &Context) -> Vec<One<'a>> {
-    let context = Context { pieces: context.pieces, ..Context::new(context.units) };
-    let one = |answer: &'a Answer| {
+    let (pieces, model, proofs) = (context.pieces, context.model, context.proofs);
+    let context = Context { pieces, model, ..Context::new(context.units) };
+    let one = |(i, answer): (usize, &'a Answer)| {
         let combination = &answer.label.combination;
         let model = &combination.model;
-        let context = Context { ground: answer.ground.as_ref(), ..context };
+        let proofs = proofs.get(i..=i).unwrap_or_default();
+        let context = Context { ground: answer.ground.as_ref(), proofs, ..context };
         let result = match &answer.found {
             Found::Equilibrium(solution) => {
                 let own = stations.map_or_else(|| default_stations(solution), <[f64]>::to_vec);
@@ -163,7 +165,7 @@ fn each<'a>(answers: &'a Answers, stations: Option<&[f64]>, context: &Context) -
         let ground_factors = combination.ground.map(|[k, mu]| GroundFactors { k, mu });
         One { name: &combination.name, factors, ground_factors, result }
     };
-    answers.list.iter().map(one).collect()
+    answers.list.iter().enumerate().map(one).collect()
 }
 
 #[derive(Serialize)]

@@ -1,14 +1,24 @@
 //! The answer piece by piece, as the proof reads it.
 
+use crate::context::Context;
+use crate::quantity::Units;
+use crate::text::proof::reason;
+use crate::verified::Named;
 use groundbeam::Solution;
-use groundbeam::proof::{Answer, Force, Piece};
+use groundbeam::proof::{Answer, Force, Piece, Verification};
+use groundbeam_file::{UnitSystem, write_toml};
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// Pieces and concentrated forces of a solution.
 #[derive(Serialize)]
 pub(super) struct Claimed {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    model: Option<String>,
     pieces: Vec<Stretch>,
     forces: Vec<Concentrated>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    proof: Option<Proof>,
 }
 
 /// A piece; of t = (x − (x₀ + x₁)/2)/half.
@@ -35,7 +45,7 @@ struct Concentrated {
 }
 
 impl Claimed {
-    pub fn of(solution: &Solution) -> Self {
+    pub fn of(solution: &Solution, context: &Context) -> Self {
         let (_, Answer { pieces, forces, .. }) = solution.claim::<f64>();
         let stretch = |piece: Piece| Stretch {
             x: piece.x,
@@ -51,6 +61,54 @@ impl Claimed {
         Claimed {
             pieces: pieces.into_iter().map(stretch).collect(),
             forces: forces.into_iter().map(concentrated).collect(),
+            model: context.model.then(|| model_file(solution, context.units)),
+            proof: context.proofs.first().map(Proof::of),
+        }
+    }
+}
+
+/// The text of a model file with the model that was solved: its ground by constants, all its loads with their factors.
+fn model_file(solution: &Solution, units: Units) -> String {
+    let mut model = solution.model().clone();
+    model.foundation.soil = None;
+    let units = match units {
+        Units::Si => UnitSystem::Si,
+        Units::Plain => UnitSystem::Plain,
+    };
+    write_toml(&model, None, units)
+}
+
+/// What is proven of the answer.
+#[derive(Serialize)]
+pub(super) struct Proof {
+    /// `proven`, or the first reason why it is not.
+    statement: String,
+    scalar: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    energy: Option<f64>,
+    /// Of each quantity, if it has a bound.
+    bounds: BTreeMap<&'static str, f64>,
+    exists: bool,
+    unique: bool,
+    log: [(); 0],
+}
+
+impl Proof {
+    pub fn of(named: &Named) -> Self {
+        let found = named.found.as_ref();
+        let why = found.map_or_else(Some, |found| found.shortfall.as_ref());
+        let found = found.ok();
+        let bounds = found.map(Verification::named).unwrap_or_default();
+        let finite = bounds.into_iter().filter(|(_, bound)| bound.error.is_finite());
+        let finite: BTreeMap<_, _> = finite.map(|(name, bound)| (name, bound.error)).collect();
+        Proof {
+            statement: why.map_or_else(|| "proven".to_owned(), reason),
+            scalar: "wide",
+            energy: found.map(|found| found.proof.energy),
+            exists: finite.contains_key("deflection"),
+            unique: found.is_some_and(|found| found.proof.unique.is_ok()),
+            bounds: finite,
+            log: [],
         }
     }
 }

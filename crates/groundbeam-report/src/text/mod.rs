@@ -29,7 +29,7 @@ use groundbeam::{
     Reaction, Solution, Stopped, SupportKind, Verdict,
 };
 pub use passages::{checked_trains, trains};
-pub use proof::verified;
+pub use proof::{proofs, verified};
 use sheet::{Sheet, Tone};
 pub use study::study;
 

@@ -22,6 +22,59 @@ pub fn verified(verified: &Verified, colour: bool) -> String {
     sheet.finish()
 }
 
+/// What is proven of the answers of a report.
+pub fn proofs(proofs: &[Named], units: Units, colour: bool) -> String {
+    let mut sheet = Sheet::new(colour);
+    for (i, named) in proofs.iter().enumerate() {
+        if i > 0 {
+            sheet.blank();
+        }
+        match &named.combination {
+            Some(name) => sheet.heading(&format!("Proof: {name}")),
+            None => sheet.heading("Proof"),
+        }
+        match &named.found {
+            Err(why) => sheet.toned_row("Not proven", &reason(why), Tone::Bad),
+            Ok(found) => {
+                verdict(&mut sheet, named, found);
+                proven_parts(&mut sheet, named, found);
+                bounds(&mut sheet, found, units);
+            }
+        }
+    }
+    sheet.finish()
+}
+
+/// Existence, uniqueness and contact set, and every bound that is not small.
+fn proven_parts(sheet: &mut Sheet, named: &Named, found: &Verification) {
+    let proof = &found.proof;
+    let exists = match proof.bounds.deflection.error.is_finite() {
+        true => "an equilibrium exists",
+        false => "existence is not proven",
+    };
+    let unique = match &proof.unique {
+        Ok(()) => "it is the only one".to_owned(),
+        Err(why) => format!("uniqueness is not proven: {}", reason(why)),
+    };
+    sheet.row("Equilibrium", &format!("{exists}; {unique}"));
+    match &proof.contact {
+        Ok(set) => {
+            let words = match set.regions.len() {
+                1 => "exactly one region or point, as printed".to_owned(),
+                n => format!("exactly {n} regions and points, as printed"),
+            };
+            sheet.row("Contact", &words);
+        }
+        Err(why) => sheet.row("Contact", &format!("not proven: {}", reason(why))),
+    }
+    let large = found.named().into_iter().filter(|(_, bound)| !bound.is_small());
+    let large: Vec<&str> = large.map(|(name, _)| label(name)).collect();
+    if !named.is_proven() && !large.is_empty() {
+        let words = format!("not within a millionth of its scale: {}", large.join(", "));
+        sheet.row("Too large", &words);
+    }
+}
+
 fn result(sheet: &mut Sheet, named: &Named, units: Units) {
     match &named.found {
         Err(why) => {
@@ -50,13 +103,12 @@ fn verdict(sheet: &mut Sheet, named: &Named, found: &Verification) {
             sheet.row("", "The bounds below are proven. An infinite one proves nothing.");
         }
         (None, ModelOf::File) => {
-            let words =
-                "there is exactly one equilibrium, and the document shows it within these bounds";
+            let words = "there is exactly one equilibrium, and the errors are at most these";
             sheet.toned_row("Proven", words, Tone::Good);
         }
         (None, ModelOf::Document) => {
-            let words = "proven for the model in the document alone: the second reader does not \
-                         know all keys of the model file";
+            let words = "for the model as the solver read it alone: the second reader does not \
+                         know a key of the model file";
             sheet.toned_row("Proven", words, Tone::Doubtful);
         }
     }
