@@ -28,11 +28,15 @@ impl Input {
             (path.display().to_string(), read_file(path))
         };
         let bytes = bytes.map_err(|error| Failure::file(Path::new(&name), &error))?;
+        Input::of(name, &bytes, path.parent().unwrap_or(Path::new("")))
+    }
+
+    /// Parses the bytes of a file of a folder.
+    pub fn of(name: String, bytes: &[u8], folder: &Path) -> Result<Self, Failure> {
         let wrong = |found: Diagnostics| {
-            Failure::diagnostics(&found, &name, &String::from_utf8_lossy(&bytes))
+            Failure::diagnostics(&found, &name, &String::from_utf8_lossy(bytes))
         };
-        let text = groundbeam_file::text_of(&bytes).map_err(wrong)?;
-        let folder = path.parent().unwrap_or(Path::new(""));
+        let text = groundbeam_file::text_of(bytes).map_err(wrong)?;
         let document = groundbeam_file::parse_beside(text, folder).map_err(wrong)?;
         let digest = groundbeam_report::model_digest(&document);
         Ok(Input { document, name, text: text.to_owned(), digest })

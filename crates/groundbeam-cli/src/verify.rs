@@ -10,14 +10,13 @@ use groundbeam::proof::{self, Document, NotProven, Reason, Verification, Wide};
 use groundbeam_file::{read_bounded, read_file};
 use groundbeam_report::{ModelOf, Named, Units, Verified, digest_of_text, json, text};
 use std::fmt::Display;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 pub fn run(request: &Verify) -> Result<Status, Failure> {
     let documents = documents(&request.result)?;
     let model = ModelFile::read(&request.model)?;
-    let units = documents.iter().find_map(|document| document.units.as_deref());
     let verified = Verified {
-        units: if units == Some("SI") { Units::Si } else { Units::Plain },
+        units: model.units.unwrap_or(Units::Plain),
         other_model: model.differs_from(&documents),
         results: documents
             .iter()
@@ -58,10 +57,11 @@ fn documents(path: &Path) -> Result<Vec<Document>, Failure> {
 
 /// A model file as the second reader reads it.
 struct ModelFile {
-    path: PathBuf,
     name: String,
     text: String,
     digest: String,
+    /// As the solver's reader finds them; none if it refuses the file.
+    units: Option<Units>,
 }
 
 impl ModelFile {
@@ -71,22 +71,34 @@ impl ModelFile {
         let text = groundbeam_file::text_of(&bytes).map_err(|found| {
             Failure::diagnostics(&found, &name, &String::from_utf8_lossy(&bytes))
         })?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let of_solver = Input::of(name.clone(), &bytes, folder);
         let of_any = proof::read_model::<f64>(text, None).map_err(|error| error.reason);
-        let digest = match of_any {
-            Ok(_) | Err(Reason::OutOfRange(_)) => digest_of_text(text),
-            Err(_) => Input::read(path)?.digest().to_owned(),
+        let (digest, units) = match (of_solver, of_any) {
+            (Ok(input), _) => (input.digest().to_owned(), Some(input.document.units.into())),
+            (Err(_), Ok(_) | Err(Reason::OutOfRange(_))) => (digest_of_text(text), None),
+            (Err(failure), Err(_)) => return Err(failure),
         };
-        Ok(ModelFile { path: path.to_owned(), name, text: text.to_owned(), digest })
+        Ok(ModelFile { name, text: text.to_owned(), digest, units })
     }
 
-    /// Why documents do not belong to the file: their digest is another one.
+    /// Why documents do not belong to the file: their digest or their units are others.
     fn differs_from(&self, documents: &[Document]) -> Option<String> {
+        let mut units = documents.iter().filter_map(|document| document.units.as_deref());
+        if let Some(own) = self.units.map(Units::name)
+            && let Some(other) = units.find(|units| *units != own)
+        {
+            return Some(format!(
+                "the units of the document are `{other}`, those of {} are `{own}`",
+                self.name
+            ));
+        }
         let mut digests = documents.iter().filter_map(|document| document.model_digest.as_deref());
         let other = digests.find(|digest| *digest != self.digest)?;
         let [other, own] = [other, &self.digest].map(|d| d.chars().take(19).collect::<String>());
         Some(format!(
             "the document belongs to another model file: its digest is {other}…, that of {} is {own}…",
-            self.path.display()
+            self.name
         ))
     }
 }

@@ -95,6 +95,12 @@ fn another_model_is_told() {
     let done = verify(&folder, &[]);
     assert_eq!(done.status, 1);
     assert!(done.stdout.contains("belongs to another model file"), "{}", done.stdout);
+    // The units are those of the model file.
+    let (other, mut in_others) = solved(FOOTING, &[]);
+    in_others["units"] = json!("none");
+    let done = with(&other, &in_others);
+    assert_eq!(done.status, 1);
+    assert!(done.stdout.contains("the units of the document are `none`"), "{}", done.stdout);
     // Without its digest the numbers tell.
     document.as_object_mut().unwrap().remove("model_digest");
     let done = with(&folder, &document);

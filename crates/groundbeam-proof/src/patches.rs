@@ -30,8 +30,10 @@ pub(crate) fn field_named(name: &str) -> Option<usize> {
     FIELDS.iter().position(|(known, ..)| *known == name)
 }
 
-/// The most stretches of one piece of open ground.
-const MOST: f64 = 2000.0;
+/// The most stretches of one piece of open ground, and of all pieces beyond the first stretch of each. With fewer than the
+/// decay asks for, the rest of the series is large, and nothing is shown.
+const MOST: usize = 2000;
+const MOST_OF_ALL: usize = 20_000;
 /// The most decay lengths √(μ/k) in half a stretch of open ground.
 const LONGEST: f64 = 2.0;
 /// Coefficients of the Taylor polynomial of open ground.
@@ -85,7 +87,8 @@ fn patches<S: Scalar>(fields: &Fields<S>, i: usize) -> Vec<Patch<S>> {
     };
     let surface = Surface::of(span, ends);
     let count = (surface.decay.high() * (to - from) / (2.0 * LONGEST)).ceil();
-    let count = if (1.0..=MOST).contains(&count) { count } else { MOST };
+    let most = (MOST_OF_ALL / fields.frame.spans.len()).clamp(1, MOST) as f64;
+    let count = if (1.0..=most).contains(&count) { count } else { most };
     let last = count as usize - 1;
     let end = |n: usize| from + (to - from) * (n as f64 / count);
     let on_stretch = |n: usize| {
