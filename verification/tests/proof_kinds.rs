@@ -48,6 +48,8 @@ fn bounded(proof: &Proof) -> Vec<(Field, f64)> {
     vec![
         (Field::Deflection, bounds.deflection.error),
         (Field::Slope, bounds.slope.error),
+        (Field::Rotation, bounds.rotation.error),
+        (Field::ShearForce, bounds.shear_force.error),
         (Field::Moment, bounds.moment.error),
         (Field::Settlement, bounds.settlement.error),
     ]
@@ -70,6 +72,16 @@ fn over_bound(claimed: &Solution, truth: &Solution, proof: &Proof) -> f64 {
         }
     }
     worst
+}
+
+/// The ends of the true contact zones that lie in no interval of a shown contact set.
+fn missed_edges(truth: &Solution, proof: &Proof) -> Vec<f64> {
+    let Ok(set) = &proof.contact else { return Vec::new() };
+    let rounding = 1e-8 * truth.model().beam.length;
+    let holds = |[low, high]: [f64; 2], x: f64| low - rounding <= x && x <= high + rounding;
+    let known = |x: f64| set.regions.iter().any(|r| holds(r.from, x) || holds(r.to, x));
+    let edges = truth.contact().iter().flat_map(|zone| [zone.from, zone.to]);
+    edges.filter(|x| !known(*x)).collect()
 }
 
 /// A part of the energy of the error: ½∫(ΔM)²/EI, and ½∫k(Δu)² along the beam if both grounds are the same.
@@ -171,6 +183,8 @@ fn judge(family: &str, solutions: &[(String, Solution)]) -> Judged {
             let (_, answer) = claimed.claim::<Wide>();
             let proof = prove(&truth.model().to_prove::<Wide>(), &answer).ok()?;
             let energy = energy_of_error(&claimed, truth) / proof.energy;
+            let missed = missed_edges(truth, &proof);
+            assert!(missed.is_empty(), "{name}: edges {missed:?} are not in {:?}", proof.contact);
             Some((name, over_bound(&claimed, truth, &proof), energy))
         })
         .collect();

@@ -4,9 +4,7 @@
 //! region; separate springs by the sign of w − g₀. Where a step fails, its name and place are returned.
 
 use crate::approach::Approach;
-use crate::contact_set::{
-    Contact, ContactForce, ContactRegion, ContactSet, EdgeShift, Shown, more,
-};
+use crate::contact_set::{Contact, ContactForce, ContactRegion, EdgeShift, Shown, more};
 use crate::polynomial::{Budget, below};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
@@ -20,15 +18,9 @@ impl<S: Scalar> Contact<'_, S> {
     pub fn shown(&self) -> Shown {
         let frame = self.fields.frame;
         let spans = &frame.spans;
-        let mut shown = Shown {
-            set: ContactSet { regions: Vec::new(), forces: Vec::new() },
-            edges: Vec::new(),
-            tolerances: vec![Size::ZERO; frame.nodes.len()],
-            pressed: vec![false; frame.nodes.len()],
-            failed: [None, None],
-        };
-        if let Some(i) = spans.iter().position(|span| span.stiffness.is_some()) {
-            shown.failed[0] = Some(self.failed("the beam shears", i));
+        let mut shown = Shown::nothing(frame.nodes.len());
+        if frame.shears() && spans.iter().any(|span| span.layered) {
+            shown.failed[0] = Some(self.failed("the beam shears on a shear layer", 0));
             return shown;
         }
         let mut first = 0;

@@ -61,6 +61,17 @@ pub(crate) struct Shown {
 }
 
 impl Shown {
+    /// No contact, on so many nodes.
+    pub fn nothing(nodes: usize) -> Self {
+        Shown {
+            set: ContactSet { regions: Vec::new(), forces: Vec::new() },
+            edges: Vec::new(),
+            tolerances: vec![Size::ZERO; nodes],
+            pressed: vec![false; nodes],
+            failed: [None, None],
+        }
+    }
+
     /// The contact set, or the first step that fails.
     pub fn result(self) -> Result<ContactSet, NotProven> {
         let [layer, springs] = self.failed;

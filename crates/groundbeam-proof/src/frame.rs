@@ -341,6 +341,11 @@ impl<S: Scalar> Frame<S> {
         self.even(node) && !self.nodes[node].corner
     }
 
+    /// Whether a piece shears.
+    pub fn shears(&self) -> bool {
+        self.spans.iter().any(|span| span.stiffness.is_some())
+    }
+
     /// P; none if it is zero.
     pub fn axial_force(&self) -> Option<S> {
         self.tension.or(self.compression.as_ref().map(|compression| -compression.force))

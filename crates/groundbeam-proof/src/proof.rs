@@ -2,7 +2,7 @@
 
 use crate::answer::Answer;
 use crate::bounds::{Bound, Bounds, ReactionBound, Scales};
-use crate::contact_set::{Contact, ContactSet};
+use crate::contact_set::{Contact, ContactSet, Shown};
 use crate::fields::Fields;
 use crate::frame::Frame;
 use crate::given::frame;
@@ -89,6 +89,10 @@ pub fn prove<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Proof, NotP
     let pointwise = Pointwise { fields: &fields, balanced: &balanced, energy };
     let mut pieces = pointwise.bounds();
     idle::clear(&frame, &pieces)?;
+    if frame.shears() && !frame.spans.iter().any(|span| span.layered) {
+        // On separate springs the bound of the shear force needs no contact set, and the slope needs it.
+        pointwise.shear_forces(&Shown::nothing(frame.nodes.len()), &mut pieces);
+    }
     let shown = Contact { fields: &fields, bounds: &pieces }.shown();
     pointwise.shear_forces(&shown, &mut pieces);
     let of_supports = pointwise.reactions(&pieces);

@@ -6,7 +6,7 @@
 //!
 //! ```text
 //! ε_T = min_h {(2s₂K + 2P sup|e| + Σs₂√κ_θ)/h + ½hq} + P max|c′| + Σmax(θp_o, θ′p_i) + Σ(ε_a + |λ|a) + Σs₂√κ,
-//! ε_V = |δ′| + Pε_θ + ε_T,   q = max(ε_p + γp + (1 + γ)η).
+//! ε_V = |δ′| + Pε_φ + ε_T,   q = max(ε_p + γp + (1 + γ)η).
 //! ```
 
 use crate::contact_set::Shown;
@@ -49,11 +49,30 @@ impl<S: Scalar> Pointwise<'_, S> {
                         break;
                     }
                 }
-                let tension = self.axial_size();
-                let turned = tension * bounds[i].slope;
-                bounds[i].shear_force = least + turned + self.balancing_shear(i);
+                let turned = self.axial_size() * bounds[i].rotation;
+                let all = least + turned + self.balancing_shear(i);
+                self.on_piece(i, all, &mut bounds[i]);
             }
         }
+    }
+
+    /// The bounds of V, and of w′ where the beam shears, from a bound of ε_T + |δ′| + |P|ε_φ: with η = S(w′ − φ) − V
+    ///
+    /// ```text
+    /// ε_V = (ε_T + |δ′| + |P|ε_φ + |P||η|/S)/(1 + P/S),   ε_θ = ε_φ + (ε_V + |η|)/S.
+    /// ```
+    fn on_piece(&self, i: usize, all: Size, bounds: &mut PieceBounds) {
+        let frame = self.fields.frame;
+        let Some(stiffness) = frame.spans[i].stiffness else {
+            bounds.shear_force = all;
+            return;
+        };
+        let misfit = self.fields.residual.pieces[i].misfit[0];
+        let slid = self.axial_size() * misfit.over(stiffness.low());
+        let axial = frame.axial_force().unwrap_or_else(S::zero);
+        let stiffened = (S::one() + axial.div(stiffness)).low();
+        bounds.shear_force = (all + slid).over(stiffened);
+        bounds.slope = bounds.rotation + (bounds.shear_force + misfit).over(stiffness.low());
     }
 
     /// |P|.

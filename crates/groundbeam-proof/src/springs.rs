@@ -1,6 +1,7 @@
 //! The exact contact set on separate springs: the closure of the set where w* > g₀.
 
 use crate::contact_set::{Contact, ContactRegion, ContactSet, more};
+use crate::model::Acts;
 use crate::polynomial::{Budget, Polynomial, below};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
@@ -79,17 +80,18 @@ impl<S: Scalar> Contact<'_, S> {
         field.coarse()
     }
 
-    /// Whether the end of a piece is a rigid support that stands on the ground: w* = δ = g₀.
+    /// Whether the end of a piece is a rigid support of both directions that stands on the ground: w* = δ = g₀.
     fn stands(&self, i: usize, side: usize) -> bool {
         let (span, node) = (&self.fields.frame.spans[i], &self.fields.frame.nodes[i + side]);
         let gap = span.gap.value(span.t[side]);
-        node.rigid == Some(gap)
+        node.rigid == Some(gap) && node.acts == Acts::Both
     }
 
-    /// Whether also the slope of w* − g₀ is zero there: at a clamp above level ground.
+    /// Whether also the slope of w* − g₀ is zero there: at a clamp of a beam that does not shear, above level ground.
     fn lies(&self, i: usize, side: usize) -> bool {
         let (span, node) = (&self.fields.frame.spans[i], &self.fields.frame.nodes[i + side]);
-        self.stands(i, side) && node.clamped && span.gap.tail(1.0) == Size::ZERO
+        let shears = span.stiffness.is_some();
+        self.stands(i, side) && node.clamped && !shears && span.gap.tail(1.0) == Size::ZERO
     }
 
     /// The least zone found: the field grows inward faster than its slope is off, up to a value above its bound. Where the

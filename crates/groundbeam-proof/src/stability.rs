@@ -29,7 +29,7 @@ const MOST: f64 = 64.0;
 /// A lower bound of σ for a compression N; none if none is found.
 pub(crate) fn margin<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
     let by_spans = of_spans(frame, compression);
-    if by_spans.is_some_and(|margin| margin > 0.5) || shears(frame) {
+    if by_spans.is_some_and(|margin| margin > 0.5) || frame.shears() {
         return by_spans;
     }
     let by_elements = ELEMENTS.into_iter().find_map(|count| {
@@ -40,10 +40,6 @@ pub(crate) fn margin<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64>
         (Some(a), Some(b)) => Some(if a >= b { a } else { b }),
         (a, b) => a.or(b),
     }
-}
-
-fn shears<S: Scalar>(frame: &Frame<S>) -> bool {
-    frame.spans.iter().any(|span| span.stiffness.is_some())
 }
 
 fn is_rigid<S: Scalar>(node: &Node<S>) -> bool {
@@ -77,7 +73,7 @@ fn of_spans<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
         spans.fold(Size::ZERO, Size::worst)
     } else {
         let clamped = [0, last].into_iter().any(|end| nodes[end].clamped);
-        if !(clamped && rigid.len() == 1) || shears(frame) {
+        if !(clamped && rigid.len() == 1) || frame.shears() {
             return None;
         }
         flexibility(0, last, (2.0 * frame.length.high()).next_up())
