@@ -29,6 +29,18 @@ point = -2
 at = 2.5
 ";
 
+/// The extreme of the pressure lies one double beside the force, where the shear force jumps.
+const CENTRAL: &str = "\
+[beam]
+length = 2
+EI = 1
+[foundation]
+k = 4
+[[load]]
+point = 1
+at = 1
+";
+
 fn solved(model: &str, options: &[&str]) -> (Folder, Value) {
     let folder = Folder::with(model);
     let done = folder.run(&[&["solve", "model.toml", "--json", "--pieces"], options].concat());
@@ -48,7 +60,7 @@ fn with(folder: &Folder, document: &Value) -> Done {
 
 #[test]
 fn a_right_document_is_proven() {
-    for model in [LIFTS, FOOTING, SUPPORTED] {
+    for model in [LIFTS, FOOTING, SUPPORTED, CENTRAL] {
         let (folder, _) = solved(model, &[]);
         let done = verify(&folder, &[]);
         println!("{}", done.stdout);

@@ -9,7 +9,7 @@ use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// A station this close to a node is at the node, as a part of the length.
+/// Places are told apart if they are farther from one another than this, as a part of the length.
 const NEAR: f64 = 16.0 * f64::EPSILON;
 
 /// How many listed numbers were compared.
@@ -85,17 +85,18 @@ impl<S: Scalar> Comparison<'_, S> {
         self.document.answer.pieces.last().map_or(0.0, |piece| piece.x[1])
     }
 
-    /// Piece and t of a place; of a node those on its right, at the right end of the beam on its left.
+    /// Piece and t of a place, by the stored ends of the pieces; of a node those on its right, at the right end of the beam
+    /// on its left.
     fn place(&self, x: f64) -> Result<(usize, S), NotProven> {
         let (pieces, near) = (&self.document.answer.pieces, NEAR * self.length());
         if !(-near <= x && x <= self.length() + near) {
             return Err(NotProven::new("a listed number stands off the beam").at(x));
         }
-        let i = pieces.partition_point(|piece| piece.x[0] - near <= x).saturating_sub(1);
+        let i = pieces.partition_point(|piece| piece.x[0] <= x).saturating_sub(1);
         let span = &self.fields.frame.spans[i];
-        let t = if x <= pieces[i].x[0] + near {
+        let t = if x <= pieces[i].x[0] {
             span.t[0]
-        } else if x >= pieces[i].x[1] - near {
+        } else if x >= pieces[i].x[1] {
             span.t[1]
         } else {
             (self.fields.frame.units.metres(S::of(x)) - span.middle).div(span.half)
