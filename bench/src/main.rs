@@ -4,6 +4,7 @@ mod batch;
 mod clock;
 mod mesh;
 mod models;
+mod proof;
 mod quad;
 mod reference;
 mod study;
@@ -14,6 +15,7 @@ groundbeam-bench mesh     case B on meshes of 10³ … 10⁶ elements, beside th
 groundbeam-bench batch    1000 random beams on meshes; footings and case C exactly, on one thread and two
 groundbeam-bench study    random footings drawn, solved, certified and written, beside the bare solver
 groundbeam-bench rail     a rail of 1 to 10 km, exactly
+groundbeam-bench proof    the proof of an answer beside the solve that gave it
 groundbeam-bench all      all of it, into bench/RESULTS.md; what bench/rivals.py wrote is kept";
 
 fn main() {
@@ -25,6 +27,7 @@ fn main() {
         Some("batch") => print(&[batch::meshes(), batch::exact()]),
         Some("study") => print(&[study::table(number(1).unwrap_or(100_000.0) as u64)]),
         Some("rail") => print(&[batch::rails()]),
+        Some("proof") => print(&[proof::table()]),
         Some("peak") => mesh::peak(number(1).unwrap_or(0.0), number(2).unwrap_or(1e3) as usize),
         Some("problem") => {
             let file = arguments.get(2).map(std::path::PathBuf::from).unwrap_or_default();
@@ -36,6 +39,7 @@ fn main() {
                 batch::meshes(),
                 batch::exact(),
                 batch::rails(),
+                proof::table(),
                 study::table(100_000),
             ];
             write(&parts.concat());
