@@ -1,6 +1,5 @@
 //! Open ground of a layer in the exact solution: where the exact clearance is positive next to open pieces of the answer.
 
-use crate::arc::Arc;
 use crate::clearance::OpenPiece;
 use crate::contact_set::{Contact, more};
 use crate::polynomial::half_width;
@@ -51,7 +50,7 @@ impl<S: Scalar> Contact<'_, S> {
     fn open_piece(&self, i: usize) -> Option<OpenPiece<S::Coarse>> {
         let open = self.fields.surface.open[i]?;
         let span = &self.fields.frame.spans[i];
-        Some(OpenPiece::of(span, Arc::of(span, open), [Size::ZERO; 3]))
+        Some(OpenPiece::of(span, open, [Size::ZERO; 3]))
     }
 
     /// The approach to the touching end of a piece.

@@ -67,14 +67,14 @@ pub(crate) fn clearance<S: Scalar>(
     found
 }
 
-/// Where w̄ > g₀ on an open piece of separate springs.
+/// Where w̄ > g₀ + q/k on an open piece of separate springs.
 fn above_springs<S: Scalar>(
     span: &Span<S>,
     closed: Size,
     negligible: Size,
     budget: &mut Budget,
 ) -> Below {
-    let clear = (&span.gap - &span.deflection).coarse();
+    let clear = (&Polynomial::zero() - &span.above_free_field()).coarse();
     below(&clear, closed, negligible, span.interval(), budget)
 }
 
@@ -109,7 +109,7 @@ impl<S: Scalar> Stretch<'_, S> {
             let Some(open) = self.surface.open[i] else { return (Size::INFINITE, Size::INFINITE) };
             budget.begin();
             let span = &self.frame.spans[i];
-            let piece = OpenPiece::of(span, Arc::of(span, open), self.deflection.pieces[i].bounds);
+            let piece = OpenPiece::of(span, open, self.deflection.pieces[i].bounds);
             let [mut from, mut to] = span.interval();
             stiffness += Size::of(span.spring.high()) * span.length();
             for side in [0, 1] {
@@ -148,7 +148,7 @@ impl<S: Scalar> Stretch<'_, S> {
     }
 }
 
-/// An open piece of a layer in few digits.
+/// An open piece of a layer in few digits. Under a load on the ground, v = u − q/k and ψ − q/k stand for u and ψ.
 pub(crate) struct OpenPiece<C> {
     pub arc: Arc<C>,
     /// ψ = w − g₀, ψ′ and ψ″ by x, as polynomials of t.
@@ -161,8 +161,9 @@ pub(crate) struct OpenPiece<C> {
 }
 
 impl<C: Scalar> OpenPiece<C> {
-    pub fn of<S: Scalar<Coarse = C>>(span: &Span<S>, arc: Arc<C>, closed: [Size; 3]) -> Self {
-        let obstacle = span.obstacle();
+    pub fn of<S: Scalar<Coarse = C>>(span: &Span<S>, ends: [S; 2], closed: [Size; 3]) -> Self {
+        let obstacle = span.above_free_field();
+        let arc = Arc::of(span, span.above_free_ends(ends));
         let slope = span.derivative(&obstacle);
         let bent = span.derivative(&slope);
         OpenPiece {

@@ -45,6 +45,8 @@ pub(crate) struct Span<S> {
     pub moment: Polynomial<S>,
     pub curvature: Polynomial<S>,
     pub gap: Polynomial<S>,
+    /// q of the loads on the ground, a straight line of t; none if it is zero.
+    pub ground_load: Option<Box<Polynomial<S>>>,
 }
 
 /// A place between pieces, or an end of the beam.
@@ -54,6 +56,8 @@ pub(crate) struct Node<S> {
     /// Point force and point moment.
     pub force: S,
     pub moment: S,
+    /// Q, a force on the ground.
+    pub ground_force: S,
     /// The settlement of a rigid support.
     pub rigid: Option<S>,
     /// Whether a clamp holds the slope.
@@ -140,6 +144,8 @@ pub(crate) struct Frame<S> {
     pub compression: Option<Compression<S>>,
     /// Stiffness K₀, K_l of the ground beside the beam: flux = K u. Exactly 0 without such ground.
     pub outside: [S; 2],
+    /// T₀, T_l of the loads on the ground beside the beam: flux = K u − T.
+    pub pushed: [S; 2],
     pub length: S,
     pub units: Units,
 }
@@ -151,6 +157,7 @@ impl<S: Scalar> Node<S> {
             x,
             force: zero,
             moment: zero,
+            ground_force: zero,
             rigid: None,
             clamped: false,
             acts: Acts::Both,
@@ -237,6 +244,7 @@ impl<S: Scalar> Span<S> {
             moment: none.clone(),
             curvature: none.clone(),
             gap: none,
+            ground_load: None,
         })
     }
 
@@ -270,6 +278,27 @@ impl<S: Scalar> Span<S> {
     /// The derivative by x.
     pub fn derivative(&self, p: &Polynomial<S>) -> Polynomial<S> {
         p.derivative().times(self.per_length)
+    }
+
+    /// q/k, the settlement of the ground under its own loads far from the beam; none without loads.
+    pub fn free_field(&self) -> Option<Polynomial<S>> {
+        self.ground_load.as_ref().map(|load| load.times(S::one().div(self.spring)))
+    }
+
+    /// u − q/k at the ends of the piece.
+    pub fn above_free_ends(&self, [left, right]: [S; 2]) -> [S; 2] {
+        match self.free_field() {
+            None => [left, right],
+            Some(free) => [left - free.value(self.t[0]), right - free.value(self.t[1])],
+        }
+    }
+
+    /// w − g₀ − q/k.
+    pub fn above_free_field(&self) -> Polynomial<S> {
+        match self.free_field() {
+            None => self.obstacle(),
+            Some(free) => &self.obstacle() - &free,
+        }
     }
 
     /// w − g₀.
@@ -329,14 +358,15 @@ impl<S: Scalar> Frame<S> {
         [left, self.spans.get(node).is_some_and(|span| span.touches)]
     }
 
-    /// Whether μ is the same on both sides of a node inside a layer, and no hinge is there.
+    /// Whether μ is the same on both sides of a node inside a layer, and no hinge and no force on the ground is there.
     pub fn even(&self, node: usize) -> bool {
         self.layered(node) == [true; 2]
             && self.spans[node - 1].shear == self.spans[node].shear
+            && self.nodes[node].ground_force == S::zero()
             && !self.nodes[node].is_hinged()
     }
 
-    /// Whether a node lies inside the layer and has no hinge, no corner of g₀, no step of μ.
+    /// Whether a node lies inside the layer and has no hinge, no force on the ground, no corner of g₀, no step of μ.
     pub fn smooth(&self, node: usize) -> bool {
         self.even(node) && !self.nodes[node].corner
     }

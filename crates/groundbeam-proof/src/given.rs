@@ -20,7 +20,8 @@ const MOST_PIECES: usize = 100_000;
 struct Places {
     beam: Vec<[usize; 2]>,
     ground: Vec<[usize; 2]>,
-    loads: Vec<[usize; 2]>,
+    /// None: at a place beside the beam.
+    loads: Vec<Option<[usize; 2]>>,
     /// None for an idle support.
     supports: Vec<Option<usize>>,
     hinges: Vec<usize>,
@@ -48,7 +49,6 @@ pub(crate) fn frame<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Fram
     }
     let spans = spans(answer, &exact, units)?;
     let tension = units.scaled(model.beam.axial_force, 1, 0);
-    let outside = [S::zero(); 2];
     let mut frame = Frame {
         spans,
         nodes,
@@ -56,7 +56,8 @@ pub(crate) fn frame<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Fram
         supports: Vec::new(),
         tension: (tension.high() > 0.0).then_some(tension),
         compression: None,
-        outside,
+        outside: [S::zero(); 2],
+        pushed: [S::zero(); 2],
         length,
         units,
     };
@@ -71,7 +72,7 @@ pub(crate) fn frame<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Fram
         let margin = margin(&frame, force).ok_or_else(|| NotProven::new(what))?;
         frame.compression = Some(Compression { force, margin });
     }
-    frame.outside = outside::stiffness(model, &frame)?;
+    (frame.outside, frame.pushed) = outside::beside(model, &frame)?;
     held::weights(&mut frame);
     Ok(frame)
 }
@@ -82,21 +83,36 @@ fn places<S: Scalar>(
     positions: &mut Positions<S>,
     units: Units,
 ) -> Result<Places, NotProven> {
-    let mut stretch = |from: S, to: S| -> Result<[usize; 2], NotProven> {
-        Ok([positions.find_clipped(units.metres(from))?, positions.find_clipped(units.metres(to))?])
+    let stretch = |positions: &mut Positions<S>, from: S, to: S| {
+        let mut find = |x: S| positions.find_clipped(units.metres(x));
+        Ok::<_, NotProven>([find(from)?, find(to)?])
     };
-    let beam =
-        model.beam.segments.iter().map(|s| stretch(s.from, s.to)).collect::<Result<_, _>>()?;
-    let ground =
-        model.ground.segments.iter().map(|s| stretch(s.from, s.to)).collect::<Result<_, _>>()?;
+    let beam = model
+        .beam
+        .segments
+        .iter()
+        .map(|s| stretch(positions, s.from, s.to))
+        .collect::<Result<_, _>>()?;
+    let ground = model
+        .ground
+        .segments
+        .iter()
+        .map(|s| stretch(positions, s.from, s.to))
+        .collect::<Result<_, _>>()?;
     let gap: Result<Vec<_>, _> =
-        model.gap.iter().map(|corner| stretch(corner.at, corner.at)).collect();
+        model.gap.iter().map(|corner| stretch(positions, corner.at, corner.at)).collect();
     let mut loads = Vec::new();
     for load in &model.loads {
         loads.push(match load.extent {
-            Extent::Point { at, .. } => [positions.find(units.metres(at))?; 2],
+            Extent::Point { at, .. } => match positions.is_beside(units.metres(at)) {
+                true if load.on_ground => None,
+                _ => Some([positions.find(units.metres(at))?; 2]),
+            },
+            Extent::Distributed { from, to, .. } if load.on_ground => {
+                Some(stretch(positions, from, to)?)
+            }
             Extent::Distributed { from, to, .. } => {
-                [positions.find(units.metres(from))?, positions.find(units.metres(to))?]
+                Some([positions.find(units.metres(from))?, positions.find(units.metres(to))?])
             }
         });
     }
@@ -190,7 +206,8 @@ fn set<T: Copy>(
 
 fn loads<S: Scalar>(model: &Model<S>, places: &Places, frame: &mut Frame<S>) {
     let units = frame.units;
-    for (load, [first, last]) in model.loads.iter().zip(&places.loads) {
+    for (load, place) in model.loads.iter().zip(&places.loads) {
+        let Some([first, last]) = place else { continue };
         let (force, length) = match load.action {
             Action::Force => (1, 0),
             Action::Moment => (1, 1),
@@ -201,6 +218,9 @@ fn loads<S: Scalar>(model: &Model<S>, places: &Places, frame: &mut Frame<S>) {
                 let node = &mut frame.nodes[*first];
                 let size = units.scaled(size, force, length);
                 match load.action {
+                    Action::Force if load.on_ground => {
+                        node.ground_force = node.ground_force + size;
+                    }
                     Action::Force => node.force = node.force + size,
                     Action::Moment | Action::Curvature => node.moment = node.moment + size,
                 }
@@ -210,6 +230,11 @@ fn loads<S: Scalar>(model: &Model<S>, places: &Places, frame: &mut Frame<S>) {
                 let sizes = [start, end].map(|size| units.scaled(size, force, length - 1));
                 for span in frame.spans.iter_mut().take(*last).skip(*first) {
                     let line = span.line(ends, sizes);
+                    if load.on_ground {
+                        let sum = span.ground_load.take().map(|sum| &*sum + &line);
+                        span.ground_load = Some(Box::new(sum.unwrap_or(line)));
+                        continue;
+                    }
                     let sum = match load.action {
                         Action::Force => &mut span.force,
                         Action::Moment => &mut span.moment,
@@ -250,8 +275,10 @@ fn gap<S: Scalar>(
             span.gap = span.line([pair[0][0], pair[1][0]], [pair[0][1], pair[1][1]]);
         }
     }
-    for node in &places.gap {
-        frame.nodes[*node].corner = true;
+    let last = frame.spans.len();
+    for node in places.gap.iter().filter(|node| (1..last).contains(*node)) {
+        let slope = |i: usize| frame.spans[i].derivative(&frame.spans[i].gap).coefficient(0);
+        frame.nodes[*node].corner = slope(node - 1) != slope(*node);
     }
     Ok(())
 }

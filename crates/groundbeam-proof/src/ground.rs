@@ -36,6 +36,8 @@ pub(crate) struct Surface<S> {
     pub flexibility: Vec<Size>,
     /// Σ|r|√g over the pulling forces, which p̄ leaves out.
     pub unclaimed: Size,
+    /// A bound of how far the loads on the ground lift it.
+    pub lifted: Size,
 }
 
 impl<S> Surface<S> {
@@ -45,12 +47,6 @@ impl<S> Surface<S> {
         let left = node.checked_sub(1).map_or(Size::INFINITE, |i| self.flexibility[i]);
         right.least(left)
     }
-}
-
-/// s₁, s₂ of an open piece.
-struct Link<S> {
-    across: S,
-    own: S,
 }
 
 /// Solves the open ground and takes the fluxes at all nodes.
@@ -64,6 +60,7 @@ pub(crate) fn surface<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -
         force: vec![S::zero(); frame.nodes.len()],
         flexibility: vec![Size::INFINITE; frame.spans.len()],
         unclaimed: Size::ZERO,
+        lifted: Size::ZERO,
         touches,
     };
     let mut first = 0;
@@ -78,6 +75,7 @@ pub(crate) fn surface<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -
             layer.flexibility(&mut surface);
             layer.solve(&mut surface);
             layer.forces(&mut surface);
+            surface.lifted += layer.lifted(&surface);
         }
         first = end + 1;
     }
@@ -91,11 +89,27 @@ fn touches<S: Scalar>(frame: &Frame<S>, node: usize) -> bool {
     (layered[0] && touching[0]) || (layered[1] && touching[1]) || (any && frame.nodes[node].pressed)
 }
 
-/// The stiffness and the source of what lies on the left of a node: flux = S u − j.
+/// What lies behind a node, as the node feels it: flux = S u − T.
 #[derive(Clone, Copy)]
-struct Left<S> {
+struct Behind<S> {
     stiffness: S,
-    source: S,
+    pushed: S,
+}
+
+impl<S: Scalar> Behind<S> {
+    /// The same with a force on the surface at the node.
+    fn loaded(self, force: S) -> Self {
+        Behind { pushed: self.pushed + force, ..self }
+    }
+}
+
+/// An open piece with u = q/k + v.
+struct Link<S> {
+    /// s₁ and s₂.
+    across: S,
+    own: S,
+    /// q/k at both ends, and μq′/k; `None` without a load on the piece.
+    load: Option<([S; 2], S)>,
 }
 
 impl<S: Scalar> Link<S> {
@@ -106,13 +120,59 @@ impl<S: Scalar> Link<S> {
         let e = (-z).expm1();
         let sum = e + S::of(2.0);
         let across = (root * (e + S::one()).scaled(1)).div(-e * sum);
-        Link { across, own: (root * -e).div(sum) }
+        let load = span.free_field().map(|free| {
+            let slope = span.derivative(&free).coefficient(0);
+            (span.t.map(|t| free.value(t)), span.shear * slope)
+        });
+        Link { across, own: (root * -e).div(sum), load }
     }
 
-    /// The stiffness of what lies behind the piece, seen across it. A sum of positive terms.
-    fn across(&self, behind: S) -> S {
-        let all = behind + self.own + self.across;
-        (self.across * (behind + self.own)).div(all) + self.own
+    /// S + s₁ + s₂ with S behind the piece.
+    fn divisor(&self, behind: Behind<S>) -> S {
+        behind.stiffness + self.own + self.across
+    }
+
+    /// What drives u at the near end, where `behind` lies: (S + s₁ + s₂)u = s₁u_far + this.
+    fn source(&self, behind: Behind<S>, near: usize) -> S {
+        let Some((free, slope)) = self.load else { return behind.pushed };
+        let (a, b) = (free[near], free[1 - near]);
+        let outward = if near == 0 { slope } else { -slope };
+        behind.pushed + outward + self.own * a + self.across * (a - b)
+    }
+
+    /// u at the near end from u at the far one.
+    fn near(&self, behind: Behind<S>, near: usize, far: S) -> S {
+        (self.across * far + self.source(behind, near)).div(self.divisor(behind))
+    }
+
+    /// What lies behind the far end. Its stiffness is a sum of positive terms.
+    fn behind(&self, behind: Behind<S>, near: usize) -> Behind<S> {
+        let part = self.across.div(self.divisor(behind));
+        Behind {
+            stiffness: part * (behind.stiffness + self.own) + self.own,
+            pushed: part * self.source(behind, near) + self.own_push(near),
+        }
+    }
+
+    /// The same for a surface that is held at the near end.
+    fn behind_held(&self, near: usize, u: S) -> Behind<S> {
+        Behind { stiffness: self.across + self.own, pushed: self.across * u + self.own_push(near) }
+    }
+
+    /// s₂b + s₁(b − a) less the outward μq′/k, with a, b = q/k at the near and the far end.
+    fn own_push(&self, near: usize) -> S {
+        let Some((free, slope)) = self.load else { return S::zero() };
+        let (a, b) = (free[near], free[1 - near]);
+        let outward = if near == 0 { slope } else { -slope };
+        self.own * b + self.across * (b - a) - outward
+    }
+
+    /// μu′ at both ends.
+    fn fluxes(&self, [left, right]: [S; 2]) -> [S; 2] {
+        let ([a, b], slope) = self.load.unwrap_or(([S::zero(); 2], S::zero()));
+        let (left, right) = (left - a, right - b);
+        let across = self.across * (right - left) + slope;
+        [across - self.own * left, across + self.own * right]
     }
 }
 
@@ -122,8 +182,8 @@ struct Layer<'a, S> {
     deflection: &'a Deflection<S>,
     links: &'a [Link<S>],
     first: usize,
-    /// The stiffness of all of the layer on the left and on the right of each node, as if it were open.
-    stiffness: [Vec<S>; 2],
+    /// All of the layer on the left and on the right of each node, as if it were open, without the force at the node.
+    behind: [Vec<Behind<S>>; 2],
 }
 
 impl<'a, S: Scalar> Layer<'a, S> {
@@ -134,19 +194,22 @@ impl<'a, S: Scalar> Layer<'a, S> {
         first: usize,
     ) -> Self {
         let (count, end) = (links.len(), first + links.len());
-        let beyond = |at_end: bool, side: usize| {
-            if at_end { frame.outside[side] } else { S::zero() }
+        let beyond = |at_end: bool, side: usize| match at_end {
+            true => Behind { stiffness: frame.outside[side], pushed: frame.pushed[side] },
+            false => Behind { stiffness: S::zero(), pushed: S::zero() },
         };
+        let force = |i: usize| frame.nodes[first + i].ground_force;
         let mut left = vec![beyond(first == 0, 0)];
         for i in 0..count {
-            left.push(links[i].across(left[i]));
+            left.push(links[i].behind(left[i].loaded(force(i)), 0));
         }
         let mut right = vec![beyond(end == frame.spans.len(), 1)];
         for i in 0..count {
-            right.push(links[count - 1 - i].across(right[i]));
+            let at_right = right[i].loaded(force(count - i));
+            right.push(links[count - 1 - i].behind(at_right, 1));
         }
         right.reverse();
-        Layer { frame, deflection, links, first, stiffness: [left, right] }
+        Layer { frame, deflection, links, first, behind: [left, right] }
     }
 
     /// The last node of the layer.
@@ -159,7 +222,7 @@ impl<'a, S: Scalar> Layer<'a, S> {
     /// μ or the layer grow, and is largest at a free end.
     fn flexibility(&self, surface: &mut Surface<S>) {
         let least = |side: usize, i: usize| {
-            let [a, b] = [self.stiffness[side][i].low(), self.stiffness[side][i + 1].low()];
+            let [a, b] = [i, i + 1].map(|j| self.behind[side][j].stiffness.low());
             if a <= b { a } else { b }
         };
         let whole = self.least_stiffness();
@@ -191,17 +254,20 @@ impl<'a, S: Scalar> Layer<'a, S> {
         self.deflection.values[node] - span.gap.value(span.t[piece.1])
     }
 
-    /// Solves the open pieces, run by run. A layer that touches nowhere stays where it is.
+    /// The force on the surface at a node.
+    fn force(&self, node: usize) -> S {
+        self.frame.nodes[node].ground_force
+    }
+
+    /// Solves the open pieces, run by run.
     fn solve(&self, surface: &mut Surface<S>) {
-        for (i, span) in self.frame.spans[self.first..self.end()].iter().enumerate() {
-            if !span.touches {
-                surface.open[self.first + i] = Some([S::zero(); 2]);
-            }
-        }
         let nodes = self.first..=self.end();
         let touching: Vec<usize> = nodes.filter(|node| surface.touches[*node]).collect();
-        let (Some(first), Some(last)) = (touching.first(), touching.last()) else { return };
-        self.leading(*first, surface);
+        let (Some(first), Some(last)) = (touching.first(), touching.last()) else {
+            self.leading(self.end(), self.free_end(), surface);
+            return;
+        };
+        self.leading(*first, self.held(*first), surface);
         self.trailing(*last, surface);
         for pair in touching.windows(2) {
             if !self.frame.spans[pair[0]].touches {
@@ -210,14 +276,25 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
+    /// u at the right end of a layer that touches nowhere. Without loads it stays where it is.
+    fn free_end(&self) -> S {
+        let [left, right] = [0, 1].map(|side| self.behind[side][self.links.len()]);
+        let pushed = left.pushed + right.pushed + self.force(self.end());
+        if pushed == S::zero() { pushed } else { pushed.div(left.stiffness + right.stiffness) }
+    }
+
     /// From the left end of the layer to the first touching node.
-    fn leading(&self, node: usize, surface: &mut Surface<S>) {
-        let mut u = self.held(node);
+    fn leading(&self, node: usize, held: S, surface: &mut Surface<S>) {
+        let mut u = held;
         for i in (0..node - self.first).rev() {
-            let (link, behind) = (&self.links[i], &self.stiffness[0]);
-            let next = (link.across * u).div(behind[i] + link.across + link.own);
+            let (behind, at_right) = (&self.behind[0], self.behind[0][i + 1]);
+            let at_left = behind[i].loaded(self.force(self.first + i));
+            let next = self.links[i].near(at_left, 0, u);
             surface.open[self.first + i] = Some([next, u]);
-            surface.flux[self.first + i] = [behind[i] * next, behind[i + 1] * u];
+            surface.flux[self.first + i] = [
+                at_left.stiffness * next - at_left.pushed,
+                at_right.stiffness * u - at_right.pushed,
+            ];
             u = next;
         }
     }
@@ -226,10 +303,14 @@ impl<'a, S: Scalar> Layer<'a, S> {
     fn trailing(&self, node: usize, surface: &mut Surface<S>) {
         let mut u = self.held(node);
         for i in node - self.first..self.links.len() {
-            let (link, behind) = (&self.links[i], &self.stiffness[1]);
-            let next = (link.across * u).div(behind[i + 1] + link.across + link.own);
+            let (behind, at_left) = (&self.behind[1], self.behind[1][i]);
+            let at_right = behind[i + 1].loaded(self.force(self.first + i + 1));
+            let next = self.links[i].near(at_right, 1, u);
             surface.open[self.first + i] = Some([u, next]);
-            surface.flux[self.first + i] = [-(behind[i] * u), -(behind[i + 1] * next)];
+            surface.flux[self.first + i] = [
+                at_left.pushed - at_left.stiffness * u,
+                at_right.pushed - at_right.stiffness * next,
+            ];
             u = next;
         }
     }
@@ -237,27 +318,21 @@ impl<'a, S: Scalar> Layer<'a, S> {
     /// Between two touching nodes: what lies on the left of each open node, then back from the right.
     fn between(&self, from: usize, to: usize, surface: &mut Surface<S>) {
         let link = |piece: usize| &self.links[piece - self.first];
-        let first = link(from);
-        let stiffness = first.across + first.own;
-        let mut seen = vec![Left { stiffness, source: first.across * self.held(from) }];
+        let mut seen = vec![link(from).behind_held(0, self.held(from))];
         for piece in from + 1..to - 1 {
-            let (link, left) = (link(piece), seen[piece - from - 1]);
-            let all = left.stiffness + link.own + link.across;
-            let source = (link.across * left.source).div(all);
-            seen.push(Left { stiffness: link.across(left.stiffness), source });
+            let left = seen[piece - from - 1].loaded(self.force(piece));
+            seen.push(link(piece).behind(left, 0));
         }
         let mut right = self.held(to);
         for piece in (from..to).rev() {
-            let link = link(piece);
             let u = if piece == from {
                 self.held(from)
             } else {
-                let left = seen[piece - from - 1];
-                (link.across * right + left.source).div(left.stiffness + link.across + link.own)
+                let left = seen[piece - from - 1].loaded(self.force(piece));
+                link(piece).near(left, 0, right)
             };
-            let across = link.across * (right - u);
             surface.open[piece] = Some([u, right]);
-            surface.flux[piece] = [across - link.own * u, across + link.own * right];
+            surface.flux[piece] = link(piece).fluxes([u, right]);
             right = u;
         }
     }
@@ -267,7 +342,8 @@ impl<'a, S: Scalar> Layer<'a, S> {
         let piece = if side == 0 { node.checked_sub(1) } else { Some(node) };
         let piece = piece.filter(|piece| (self.first..self.end()).contains(piece));
         let Some(piece) = piece else {
-            let outward = self.stiffness[side][node - self.first] * self.held(node);
+            let behind = self.behind[side][node - self.first];
+            let outward = behind.stiffness * self.held(node) - behind.pushed;
             return if side == 0 { outward } else { -outward };
         };
         let span = &self.frame.spans[piece];
@@ -280,13 +356,29 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
+    /// max(q⁻/k) + ΣQ⁻g + T⁻g at the ends: Gq is at least minus this.
+    fn lifted(&self, surface: &Surface<S>) -> Size {
+        let upward = |force: S, node: usize| match force == S::zero() {
+            true => Size::ZERO,
+            false => Size::below_zero(force.low()) * surface.flexibility_at(node).square(),
+        };
+        let free = self.links.iter().filter_map(|link| link.load.as_ref());
+        let sunk = free.flat_map(|(ends, _)| ends.iter().map(|u| Size::below_zero(u.low())));
+        let spread = sunk.fold(Size::ZERO, Size::worst);
+        let at_nodes = (self.first..=self.end()).map(|node| upward(self.force(node), node));
+        let beyond = [(0, 0), (1, self.links.len())];
+        let beyond = beyond.map(|(side, i)| upward(self.behind[side][i].pushed, self.first + i));
+        spread + at_nodes.sum() + beyond[0] + beyond[1]
+    }
+
     /// The concentrated forces at touching nodes.
     fn forces(&self, surface: &mut Surface<S>) {
         for node in self.first..=self.end() {
             if !surface.touches[node] {
                 continue;
             }
-            let jump = self.flux_at(node, 0, surface) - self.flux_at(node, 1, surface);
+            let jump =
+                self.flux_at(node, 0, surface) - self.flux_at(node, 1, surface) - self.force(node);
             surface.jump[node] = jump;
             surface.settlement[node] = self.held(node);
             surface.force[node] = positive_part(jump);

@@ -30,7 +30,6 @@ pub(crate) fn not_covered<S: Scalar>(model: &Model<S>) -> Option<NotProven> {
         (!(axial.low() >= 0.0 || axial.high() < 0.0), "an axial force of unknown sign"),
         (varying_beam, "a stiffness that varies within a segment"),
         (varying_ground, "ground that varies within a segment"),
-        (model.loads.iter().any(|load| load.on_ground), "loads on the ground"),
         (turned_in_one_direction, "a support that holds the slope in one direction"),
         (point_curvature, "an imposed curvature at a point"),
     ];

@@ -1,138 +1,254 @@
-//! Stiffness of the ground beside the beam, as the beam's end feels it.
+//! Stiffness and push of the ground beside the beam, as the beam's end feels them.
 //!
 //! The ground beside the beam is a row of even stretches. Over a stretch of length h with K = √(kμ) and t = tanh(h√(k/μ))
 //! the stiffness S of all that lies beyond it becomes S⁺ = K(S + Kt)/(K + St). It begins with S = K on an endless stretch,
 //! S = 0 where the layer ends free or meets separate springs, and with S⁺ = K/t where the surface is held.
+//!
+//! Loads on the ground push: flux = S u − T. With q at the near and the far end, q′ = (q_n − q_f)/h,
+//!
+//! ```text
+//! T⁺ = (T + μq′/k − S q_f/k) K/(K cosh z + S sinh z) + S⁺q_n/k − μq′/k,   T⁺ = S⁺q_n/k − μq′/k − (q_f/k)K/sinh z if held,
+//! ```
+//!
+//! and a force Q at a place adds to T there.
 
 use crate::frame::Frame;
-use crate::model::{GroundEnd, Model};
+use crate::model::{Extent, GroundEnd, Load, Model};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
+use crate::units::Units;
 use crate::values::{constant, not_negative, positive};
 
-/// K₀ and K_l with flux = K u at the beam's ends; exactly zero where the layer ends with the beam.
-pub(crate) fn stiffness<S: Scalar>(
+/// K₀, K_l and T₀, T_l with flux = K u − T at the beam's ends; exactly zero where the layer ends with the beam.
+pub(crate) fn beside<S: Scalar>(
     model: &Model<S>,
     frame: &Frame<S>,
-) -> Result<[S; 2], NotProven> {
-    let mut both = [S::zero(); 2];
-    for (side, outside) in both.iter_mut().enumerate() {
+) -> Result<([S; 2], [S; 2]), NotProven> {
+    let (mut stiffness, mut pushed) = ([S::zero(); 2], [S::zero(); 2]);
+    for side in [0, 1] {
         let span = if side == 0 { &frame.spans[0] } else { &frame.spans[frame.spans.len() - 1] };
         if span.layered {
-            let (row, end) = row(model, frame, side, [span.spring, span.shear])?;
-            *outside = beyond(&row, end)?;
+            let own = [span.spring, span.shear];
+            let beside = Beside { model, units: frame.units, length: frame.length, side };
+            (stiffness[side], pushed[side]) = beside.seen(own)?;
         }
     }
-    Ok(both)
+    Ok((stiffness, pushed))
 }
 
-/// An even stretch that begins at a distance from the beam's end.
+/// A part of the ground between two distances from the beam's end; without the second it has no end.
 #[derive(Clone, Copy)]
 struct Stretch<S> {
     from: S,
+    to: Option<S>,
     ground: [S; 2],
 }
 
 /// How the row of stretches ends.
+#[derive(Clone, Copy)]
 enum End<S> {
     Endless,
     Free(S),
     Held(S),
 }
 
-/// The stretches beside one end of the beam, outward.
-fn row<S: Scalar>(
-    model: &Model<S>,
-    frame: &Frame<S>,
+/// The ground on one side of the beam.
+struct Beside<'a, S> {
+    model: &'a Model<S>,
+    units: Units,
+    length: S,
     side: usize,
-    own: [S; 2],
-) -> Result<(Vec<Stretch<S>>, End<S>), NotProven> {
-    let units = frame.units;
-    let outward = |at: S| {
-        let (at, end) = (units.metres(at), if side == 0 { S::zero() } else { frame.length });
-        match at == end {
-            true => S::zero(),
-            false if side == 0 => end - at,
-            false => at - end,
-        }
-    };
-    let mut row = vec![Stretch { from: S::zero(), ground: own }];
-    for segment in &model.ground.segments {
-        let (near, far) =
-            if side == 0 { (segment.to, segment.from) } else { (segment.from, segment.to) };
-        if outward(near).low() >= 0.0 && outward(far).low() > 0.0 {
-            let spring = positive(units.scaled(constant(&segment.spring), 1, -2), "k")?;
-            let shear = units.scaled(constant(&segment.shear), 1, 0);
-            let shear = not_negative(shear, "the shear constant of the ground")?;
-            row.push(Stretch { from: outward(near), ground: [spring, shear] });
-        }
-    }
-    row.sort_by(|a, b| a.from.middle().total_cmp(&b.from.middle()));
-    let end = match model.ground.ends[side] {
-        GroundEnd::Endless => End::Endless,
-        GroundEnd::Free(at) => End::Free(outward(at)),
-        GroundEnd::Held(at) => End::Held(outward(at)),
-    };
-    Ok((row, end))
 }
 
-/// The stiffness of a row of stretches, from the far end inward.
-fn beyond<S: Scalar>(row: &[Stretch<S>], end: End<S>) -> Result<S, NotProven> {
-    let unclear =
-        || NotProven::new("the ends of stretches of ground beside the beam are too close");
-    let zero = S::zero();
-    let (reach, mut held) = match end {
-        End::Endless => (None, false),
-        End::Free(at) => (Some(at), false),
-        End::Held(at) => (Some(at), true),
-    };
-    let mut stretches: Vec<(Stretch<S>, Option<S>)> = Vec::new();
-    for (i, stretch) in row.iter().enumerate() {
-        if reach.is_some_and(|reach| reach == stretch.from || (stretch.from - reach).low() > 0.0) {
-            break;
-        }
-        if stretch.ground[1] == zero {
-            held = false;
-            break;
-        }
-        let next = row.get(i + 1).map(|next| next.from);
-        let to = match (next, reach) {
-            (Some(next), Some(reach)) if (reach - next).low() > 0.0 => Some(next),
-            (Some(next), Some(reach)) if (next - reach).low() >= 0.0 || next == reach => {
-                Some(reach)
-            }
-            (Some(_), Some(_)) => return Err(unclear()),
-            (next, reach) => next.or(reach),
-        };
-        let length = match to {
-            Some(to) if to == stretch.from => continue,
-            Some(to) if (to - stretch.from).low() > 0.0 => Some(to - stretch.from),
-            Some(_) => return Err(unclear()),
-            None => None,
-        };
-        stretches.push((*stretch, length));
+fn unclear() -> NotProven {
+    NotProven::new("positions of the ground beside the beam are too close")
+}
+
+/// Whether a < b; refused where the balls do not tell.
+fn is_before<S: Scalar>(a: S, b: S) -> Result<bool, NotProven> {
+    if a == b || (a - b).low() > 0.0 {
+        Ok(false)
+    } else if (b - a).low() > 0.0 {
+        Ok(true)
+    } else {
+        Err(unclear())
     }
-    let mut stiffness = None;
-    for (stretch, length) in stretches.iter().rev() {
-        let [spring, shear] = stretch.ground;
-        let own = (spring * shear).sqrt();
-        stiffness = Some(match length {
-            None => own,
-            Some(length) => {
-                let t = hyperbolic_tangent(spring.div(shear).sqrt() * *length);
-                match stiffness {
-                    None if held => own.div(t),
-                    behind => {
-                        let behind = behind.unwrap_or(zero);
-                        (own * (behind + own * t)).div(own + behind * t)
-                    }
+}
+
+impl<S: Scalar> Beside<'_, S> {
+    /// The distance of a position from the beam's end, positive beside the beam.
+    fn outward(&self, at: S) -> S {
+        let at = self.units.metres(at);
+        match self.side {
+            0 => -at,
+            _ if at == self.length => S::zero(),
+            _ => at - self.length,
+        }
+    }
+
+    /// The ends of a stretch of the model, the one nearer to the beam first.
+    fn ends(&self, from: S, to: S) -> [S; 2] {
+        let (near, far) = if self.side == 0 { (to, from) } else { (from, to) };
+        [self.outward(near), self.outward(far)]
+    }
+
+    /// The stretches of even ground, outward, up to where the layer ends, and whether it is held there.
+    fn row(&self, own: [S; 2]) -> Result<(Vec<Stretch<S>>, bool), NotProven> {
+        let zero = S::zero();
+        let mut grounds = vec![(zero, own)];
+        for segment in &self.model.ground.segments {
+            let [near, far] = self.ends(segment.from, segment.to);
+            if near.low() >= 0.0 && far.low() > 0.0 {
+                let spring = constant(&segment.spring);
+                let spring = positive(self.units.scaled(spring, 1, -2), "k")?;
+                let shear = self.units.scaled(constant(&segment.shear), 1, 0);
+                let shear = not_negative(shear, "the shear constant of the ground")?;
+                grounds.push((near, [spring, shear]));
+            }
+        }
+        grounds.sort_by(|a, b| a.0.middle().total_cmp(&b.0.middle()));
+        let end = match self.model.ground.ends[self.side] {
+            GroundEnd::Endless => End::Endless,
+            GroundEnd::Free(at) => End::Free(self.outward(at)),
+            GroundEnd::Held(at) => End::Held(self.outward(at)),
+        };
+        let (reach, held) = match end {
+            End::Endless => (None, false),
+            End::Free(at) => (Some(at), false),
+            End::Held(at) => (Some(at), true),
+        };
+        let mut row = Vec::new();
+        for (i, (from, ground)) in grounds.iter().enumerate() {
+            let next = grounds.get(i + 1).map(|next| next.0);
+            if let Some(reach) = reach
+                && !is_before(*from, reach)?
+            {
+                break;
+            }
+            if ground[1] == zero {
+                return Ok((row, false));
+            }
+            let to = match (next, reach) {
+                (Some(next), Some(reach)) if !is_before(next, reach)? => Some(reach),
+                (next, reach) => next.or(reach),
+            };
+            if let Some(to) = to
+                && !is_before(*from, to)?
+            {
+                continue;
+            }
+            row.push(Stretch { from: *from, to, ground: *ground });
+        }
+        Ok((row, held))
+    }
+
+    /// Cuts the row at the ends of the loads on it.
+    fn cut(&self, row: Vec<Stretch<S>>) -> Result<Vec<Stretch<S>>, NotProven> {
+        let mut places = Vec::new();
+        for load in self.loads() {
+            places.extend(match load.extent {
+                Extent::Point { at, .. } => [self.outward(at); 2],
+                Extent::Distributed { from, to, .. } => self.ends(from, to),
+            });
+        }
+        places.sort_by(|a, b| a.middle().total_cmp(&b.middle()));
+        let mut cut = Vec::new();
+        for mut stretch in row {
+            for place in &places {
+                let after = is_before(stretch.from, *place)?;
+                let before = stretch.to.map_or(Ok(true), |to| is_before(*place, to))?;
+                if after && before {
+                    cut.push(Stretch { to: Some(*place), ..stretch });
+                    stretch.from = *place;
                 }
             }
-        });
+            cut.push(stretch);
+        }
+        Ok(cut)
     }
-    match stiffness {
-        None if held => Err(NotProven::new("the ground is held at the end of the beam")),
-        stiffness => Ok(stiffness.unwrap_or(zero)),
+
+    fn loads(&self) -> impl Iterator<Item = &Load<S>> {
+        self.model.loads.iter().filter(|load| load.on_ground)
+    }
+
+    /// The forces at a distance beside the beam.
+    fn forces_at(&self, x: S) -> Result<S, NotProven> {
+        let mut sum = S::zero();
+        for load in self.loads() {
+            if let Extent::Point { at, size } = load.extent {
+                let at = self.outward(at);
+                if at == x {
+                    sum = sum + self.units.scaled(size, 1, 0);
+                } else {
+                    // The order of the two is clear.
+                    is_before(at, x)?;
+                }
+            }
+        }
+        Ok(sum)
+    }
+
+    /// q at the near and at the far end of a stretch, each load over all of it or over nothing of it.
+    fn spread_over(&self, [near, far]: [S; 2]) -> Result<[S; 2], NotProven> {
+        let mut sum = [S::zero(); 2];
+        for load in self.loads() {
+            let Extent::Distributed { from, to, start, end } = load.extent else { continue };
+            let [first, last] = self.ends(from, to);
+            if is_before(near, first)? || is_before(last, far)? {
+                continue;
+            }
+            let sizes = [start, end].map(|size| self.units.scaled(size, 1, -1));
+            let [inner, outer] = if self.side == 0 { [sizes[1], sizes[0]] } else { sizes };
+            for (sum, x) in sum.iter_mut().zip([near, far]) {
+                let part = (x - first).div(last - first);
+                let value = if inner == outer { inner } else { inner + (outer - inner) * part };
+                *sum = *sum + value;
+            }
+        }
+        Ok(sum)
+    }
+
+    /// K and T of all ground on this side.
+    fn seen(&self, own: [S; 2]) -> Result<(S, S), NotProven> {
+        let (row, held) = self.row(own)?;
+        let row = self.cut(row)?;
+        let mut seen: Option<(S, S)> = None;
+        for stretch in row.iter().rev() {
+            let [spring, shear] = stretch.ground;
+            let root = (spring * shear).sqrt();
+            let Some(to) = stretch.to else {
+                // Loads end somewhere, so the last stretch has none.
+                seen = Some((root, S::zero()));
+                continue;
+            };
+            let length = to - stretch.from;
+            let z = spring.div(shear).sqrt() * length;
+            let [near, far] = self.spread_over([stretch.from, to])?.map(|q| q.div(spring));
+            let slope = shear * (near - far).div(length);
+            seen = Some(match seen {
+                None if held => {
+                    let stiffness = root.div(hyperbolic_tangent(z));
+                    (stiffness, stiffness * near - slope - far * root * inverse_sine(z))
+                }
+                behind => {
+                    let (stiffness, pushed) = behind.unwrap_or((S::zero(), S::zero()));
+                    let pushed = pushed + self.forces_at(to)?;
+                    let t = hyperbolic_tangent(z);
+                    let next = (root * (stiffness + root * t)).div(root + stiffness * t);
+                    // K/(K cosh z + S sinh z).
+                    let fallen = (-z).expm1() + S::one();
+                    let double = (-z.scaled(1)).expm1() + S::one();
+                    let divisor = root + stiffness + (root - stiffness) * double;
+                    let passed = (root * fallen).scaled(1).div(divisor);
+                    let driven = pushed + slope - stiffness * far;
+                    (next, driven * passed + next * near - slope)
+                }
+            });
+        }
+        match seen {
+            None if held => Err(NotProven::new("the ground is held at the end of the beam")),
+            seen => Ok(seen.unwrap_or((S::zero(), S::zero()))),
+        }
     }
 }
 
@@ -140,4 +256,10 @@ fn beyond<S: Scalar>(row: &[Stretch<S>], end: End<S>) -> Result<S, NotProven> {
 fn hyperbolic_tangent<S: Scalar>(z: S) -> S {
     let fallen = (-z.scaled(1)).expm1();
     (-fallen).div(fallen + S::of(2.0))
+}
+
+/// 1/sinh z for z > 0.
+fn inverse_sine<S: Scalar>(z: S) -> S {
+    let fallen = (-z).expm1() + S::one();
+    fallen.scaled(1).div(-(-z.scaled(1)).expm1())
 }

@@ -82,10 +82,11 @@ fn patches<S: Scalar>(fields: &Fields<S>, i: usize) -> Vec<Patch<S>> {
     let [from, to] = span.interval();
     let open = fields.surface.open[i].filter(|_| span.layered && !span.touches);
     let Some(ends) = open else {
-        let own = if span.touches { span.obstacle() } else { Polynomial::zero() };
+        let free = || span.free_field().unwrap_or_else(Polynomial::zero);
+        let own = if span.touches { span.obstacle() } else { free() };
         return vec![patch(fields, i, 0.0, [from, to], &own)];
     };
-    let surface = Surface::of(span, ends);
+    let surface = Surface::of(span, span.above_free_ends(ends));
     let count = (surface.decay.high() * (to - from) / (2.0 * LONGEST)).ceil();
     let most = (MOST_OF_ALL / fields.frame.spans.len()).clamp(1, MOST) as f64;
     let count = if (1.0..=most).contains(&count) { count } else { most };
@@ -97,7 +98,9 @@ fn patches<S: Scalar>(fields: &Fields<S>, i: usize) -> Vec<Patch<S>> {
         let interval = [(ends[0] - middle).next_down(), (ends[1] - middle).next_up()];
         // A place beside the stretch by rounding belongs to it.
         let r = interval[1] * (1.0 + 1e-9);
-        patch(fields, i, middle, interval, &surface.taylor(middle, r))
+        let above = surface.taylor(middle, r);
+        let own = span.free_field().map(|free| &above + &free.shifted(middle));
+        patch(fields, i, middle, interval, &own.unwrap_or(above))
     };
     (0..=last).map(on_stretch).collect()
 }
@@ -127,7 +130,7 @@ fn patch<S: Scalar>(
     Patch { middle, interval, fields }
 }
 
-/// The surface of an open piece of even ground without loads: μu″ = ku between its values at both ends.
+/// The surface of an open piece of even ground above its free field: μv″ = kv between its values at both ends.
 struct Surface<'a, S> {
     span: &'a Span<S>,
     ends: [S; 2],

@@ -88,6 +88,11 @@ impl<S: Scalar> Positions<S> {
         }
     }
 
+    /// Whether a position stands beside the beam.
+    pub fn is_beside(&self, at: S) -> bool {
+        at.high() < 0.0 || (at - self.length).low() > 0.0
+    }
+
     /// The same for the end of a stretch; beyond the beam it counts as the beam's end.
     pub fn find_clipped(&mut self, at: S) -> Result<usize, NotProven> {
         if at.high() < 0.0 {

@@ -31,6 +31,9 @@ impl<S: Scalar> Pressure<S> {
             let bent = span.derivative(&span.derivative(&span.deflection));
             field = &field - &bent.times(span.shear);
         }
+        if let Some(load) = &span.ground_load {
+            field = &field - load;
+        }
         let masses = span.integrals(&field);
         let negligible = Size::of(span.spring.size()) * negligible;
         let pull = below(&field.coarse(), Size::ZERO, negligible, span.interval(), budget);

@@ -124,7 +124,8 @@ fn add_stored<S: Scalar>(answer: &Answer, fields: &Fields<S>, bounds: &mut [Piec
             bounds.pressure += differs.size(span.tau);
         }
         if let Some(stored) = piece.open {
-            let computed = fields.surface.open[i].unwrap_or([S::zero(); 2]);
+            let free = || span.free_field().map(|free| span.t.map(|t| free.value(t)));
+            let computed = fields.surface.open[i].or_else(free).unwrap_or([S::zero(); 2]);
             let differs = [0, 1].map(|end| units.metres(S::of(stored[end])) - computed[end]);
             let [left, right] = differs.map(|differs| Size::of(differs.size()));
             bounds.settlement += left.worst(right);

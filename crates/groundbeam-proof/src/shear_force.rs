@@ -155,10 +155,11 @@ impl<S: Scalar> Pointwise<'_, S> {
         errors
     }
 
-    /// A bound of |ku − μψ″| on an open piece of a layer: the pressure if it touched with its own settlement.
+    /// A bound of |ku − q − μψ″| on an open piece of a layer: the pressure if it touched with its own settlement.
     fn open_pressure(&self, i: usize) -> Size {
         let span = &self.fields.frame.spans[i];
         let Some(ends) = self.fields.surface.open[i] else { return Size::INFINITE };
+        let ends = span.above_free_ends(ends);
         let settled = Size::of(ends[0].size()).worst(Size::of(ends[1].size()));
         let bent = span.derivative(&span.derivative(&span.deflection)).size(span.tau);
         Size::of(span.spring.high()) * settled + Size::of(span.shear.high()) * bent

@@ -73,18 +73,19 @@ impl<S: Scalar> Contact<'_, S> {
         Ok(())
     }
 
-    /// w − g₀ where the piece touches, g₀ − w where it is open.
+    /// w − g₀ − q/k where the piece touches, its negative where it is open.
     fn signed(&self, i: usize) -> Polynomial<S::Coarse> {
         let span = &self.fields.frame.spans[i];
-        let field = if span.touches { span.obstacle() } else { &span.gap - &span.deflection };
-        field.coarse()
+        let field = span.above_free_field();
+        if span.touches { field } else { &Polynomial::zero() - &field }.coarse()
     }
 
     /// Whether the end of a piece is a rigid support of both directions that stands on the ground: w* = δ = g₀.
     fn stands(&self, i: usize, side: usize) -> bool {
         let (span, node) = (&self.fields.frame.spans[i], &self.fields.frame.nodes[i + side]);
         let gap = span.gap.value(span.t[side]);
-        node.rigid == Some(gap) && node.acts == Acts::Both
+        let held = node.rigid == Some(gap) && node.acts == Acts::Both;
+        held && span.ground_load.is_none()
     }
 
     /// Whether also the slope of w* − g₀ is zero there: at a clamp of a beam that does not shear, above level ground.
