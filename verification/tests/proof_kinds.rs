@@ -2,7 +2,9 @@
 //! neighbouring models claimed for them.
 
 use groundbeam::proof::{Proof, Wide, prove};
-use groundbeam::{Field, Model, Outcome, Solution, SupportKind, own_buckling_load, solve};
+use groundbeam::{
+    Extent, Field, Load, Model, Outcome, Solution, SupportKind, own_buckling_load, solve,
+};
 use groundbeam_verification::frozen;
 use rayon::prelude::*;
 
@@ -59,7 +61,7 @@ fn bounded(proof: &Proof) -> Vec<(Field, f64)> {
 fn over_bound(claimed: &Solution, truth: &Solution, proof: &Proof) -> f64 {
     let length = truth.model().beam.length;
     // The proof solves the open ground with the model's own numbers. The claimed surface has those of the neighbour.
-    let same_ground = claimed.model().foundation == truth.model().foundation;
+    let same_ground = same_ground(claimed.model(), truth.model());
     let judged = bounded(proof).into_iter();
     let mut worst: f64 = 0.0;
     for (field, bound) in judged.filter(|(field, _)| same_ground || *field != Field::Settlement) {
@@ -84,12 +86,17 @@ fn missed_edges(truth: &Solution, proof: &Proof) -> Vec<f64> {
     edges.filter(|x| !known(*x)).collect()
 }
 
+/// Whether the ground and the loads on it are the same.
+fn same_ground(a: &Model, b: &Model) -> bool {
+    a.foundation == b.foundation && a.ground_loads().eq(b.ground_loads())
+}
+
 /// A part of the energy of the error: ½∫(ΔM)²/EI, and ½∫k(Δu)² along the beam if both grounds are the same.
 fn energy_of_error(claimed: &Solution, truth: &Solution) -> f64 {
     let model = truth.model();
     let steps = 2000;
     let h = model.beam.length / f64::from(steps);
-    let same_ground = claimed.model().foundation == model.foundation;
+    let same_ground = same_ground(claimed.model(), model);
     let density = |i: i32| {
         let x = h * (0.5 + f64::from(i));
         let of = |field| claimed.value(field, x) - truth.value(field, x);
@@ -220,6 +227,29 @@ fn supports_that_act_in_one_direction() {
 fn beams_that_shear() {
     let found = judge("Shearing", &solutions("Shearing"));
     assert!(found.gaps.len() >= 125 && found.claims >= 600, "{}", found.claims);
+    assert!(found.gaps.last().is_some_and(|gap| *gap < 1e-18));
+    assert!(found.most[0] > 0.1 && found.most[1] > 0.1, "{:?}", found.most);
+}
+
+/// Frozen models with loads on the ground, as they are and on separate springs.
+#[test]
+fn loads_on_the_ground() {
+    let mut all: Vec<_> = ["Beside", "Neighbours"].into_iter().flat_map(solutions).collect();
+    let given: Vec<(String, Model)> =
+        all.iter().map(|(name, solution)| (name.clone(), solution.model().clone())).collect();
+    let others = given.into_par_iter().filter_map(|(name, mut model)| {
+        model.foundation = model.foundation.scaled(1.0, 0.0);
+        let at_a_point = |load: &Load| matches!(load.extent(), Extent::Point { .. });
+        model.loads.retain(|load| !(load.is_on_ground() && at_a_point(load)));
+        match solve(&model) {
+            Ok(Outcome::Equilibrium(solution)) => Some((format!("{name} on springs"), *solution)),
+            _ => None,
+        }
+    });
+    all.extend(others.collect::<Vec<_>>());
+    all.retain(|(_, s)| s.model().loads.iter().any(|load| load.is_on_ground()));
+    let found = judge("ground loads", &all);
+    assert!(found.gaps.len() >= 306 && found.shown >= 306 && found.claims >= 1100, "{}", found.claims);
     assert!(found.gaps.last().is_some_and(|gap| *gap < 1e-18));
     assert!(found.most[0] > 0.1 && found.most[1] > 0.1, "{:?}", found.most);
 }

@@ -332,7 +332,7 @@ impl<S: Scalar> Balance<'_, S> {
         for (i, span) in self.frame.spans.iter().enumerate().filter(|(_, span)| span.touches) {
             let pressure = &self.pressures[i];
             let per_load = if span.layered {
-                let settled = span.obstacle().size(span.tau) + corrections[i] + self.surface.lifted;
+                let settled = span.obstacle().size(span.tau) + corrections[i];
                 settled + self.surface.flexibility[i] * missed
             } else {
                 pressure.field.size(span.tau).over(span.spring.low())
@@ -349,7 +349,7 @@ impl<S: Scalar> Balance<'_, S> {
                 return Size::ZERO;
             }
             let factor = Size::of(balanced.factors[node].size());
-            let settled = Size::of(self.surface.settlement[node].size()) + self.surface.lifted;
+            let settled = Size::of(self.surface.settlement[node].size());
             let missed = self.surface.flexibility_at(node) * missed;
             factor.square() * force * (settled + missed)
         };

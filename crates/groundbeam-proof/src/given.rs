@@ -4,7 +4,7 @@ use crate::answer::{Answer, Reaction};
 use crate::frame::{Compression, Frame, Node, spans};
 use crate::held;
 use crate::kinds::not_covered;
-use crate::model::{Action, Extent, Model};
+use crate::model::{Action, Extent, Load, Model};
 use crate::outside;
 use crate::positions::Positions;
 use crate::refusal::NotProven;
@@ -62,6 +62,9 @@ pub(crate) fn frame<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Fram
         units,
     };
     stiffness(model, &places, &mut frame)?;
+    if model.loads.iter().any(lifts) {
+        return Err(NotProven::new("a load on the ground lifts it"));
+    }
     loads(model, &places, &mut frame);
     gap(model, &places, &mut frame)?;
     held::supports(model, &reactions, &places.supports, &mut frame)?;
@@ -202,6 +205,15 @@ fn set<T: Copy>(
         }
     }
     Ok(())
+}
+
+/// Whether a load on the ground may lift it: the settlement under such a load is no upper bound of Gp.
+fn lifts<S: Scalar>(load: &Load<S>) -> bool {
+    let sizes = match load.extent {
+        Extent::Point { size, .. } => [size; 2],
+        Extent::Distributed { start, end, .. } => [start, end],
+    };
+    load.on_ground && sizes.iter().any(|size| *size != S::zero() && !(size.low() > 0.0))
 }
 
 fn loads<S: Scalar>(model: &Model<S>, places: &Places, frame: &mut Frame<S>) {

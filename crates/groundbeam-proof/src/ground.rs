@@ -36,8 +36,6 @@ pub(crate) struct Surface<S> {
     pub flexibility: Vec<Size>,
     /// Σ|r|√g over the pulling forces, which p̄ leaves out.
     pub unclaimed: Size,
-    /// A bound of how far the loads on the ground lift it.
-    pub lifted: Size,
 }
 
 impl<S> Surface<S> {
@@ -60,7 +58,6 @@ pub(crate) fn surface<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -
         force: vec![S::zero(); frame.nodes.len()],
         flexibility: vec![Size::INFINITE; frame.spans.len()],
         unclaimed: Size::ZERO,
-        lifted: Size::ZERO,
         touches,
     };
     let mut first = 0;
@@ -75,7 +72,6 @@ pub(crate) fn surface<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -
             layer.flexibility(&mut surface);
             layer.solve(&mut surface);
             layer.forces(&mut surface);
-            surface.lifted += layer.lifted(&surface);
         }
         first = end + 1;
     }
@@ -354,21 +350,6 @@ impl<'a, S: Scalar> Layer<'a, S> {
         } else {
             surface.flux[piece][1 - side]
         }
-    }
-
-    /// max(q⁻/k) + ΣQ⁻g + T⁻g at the ends: Gq is at least minus this.
-    fn lifted(&self, surface: &Surface<S>) -> Size {
-        let upward = |force: S, node: usize| match force == S::zero() {
-            true => Size::ZERO,
-            false => Size::below_zero(force.low()) * surface.flexibility_at(node).square(),
-        };
-        let free = self.links.iter().filter_map(|link| link.load.as_ref());
-        let sunk = free.flat_map(|(ends, _)| ends.iter().map(|u| Size::below_zero(u.low())));
-        let spread = sunk.fold(Size::ZERO, Size::worst);
-        let at_nodes = (self.first..=self.end()).map(|node| upward(self.force(node), node));
-        let beyond = [(0, 0), (1, self.links.len())];
-        let beyond = beyond.map(|(side, i)| upward(self.behind[side][i].pushed, self.first + i));
-        spread + at_nodes.sum() + beyond[0] + beyond[1]
     }
 
     /// The concentrated forces at touching nodes.

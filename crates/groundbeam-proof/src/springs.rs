@@ -33,7 +33,10 @@ impl<S: Scalar> Contact<'_, S> {
             let mut interval = spans[i].interval();
             for side in [0, 1] {
                 let stands = self.stands(i, side);
-                if !edges[side] && !stands {
+                // At a step of a load on the ground, or of g₀, the sign changes without a zero.
+                let at_end = field.value(S::Coarse::of(interval[side])).low();
+                let steps = at_end > more(self.bounds[i].deflection).value();
+                if (!edges[side] || steps) && !stands {
                     continue;
                 }
                 let zone = self
