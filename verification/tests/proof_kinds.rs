@@ -249,7 +249,11 @@ fn loads_on_the_ground() {
     all.extend(others.collect::<Vec<_>>());
     all.retain(|(_, s)| s.model().loads.iter().any(|load| load.is_on_ground()));
     let found = judge("ground loads", &all);
-    assert!(found.gaps.len() >= 306 && found.shown >= 306 && found.claims >= 1100, "{}", found.claims);
+    assert!(
+        found.gaps.len() >= 306 && found.shown >= 306 && found.claims >= 1100,
+        "{}",
+        found.claims
+    );
     assert!(found.gaps.last().is_some_and(|gap| *gap < 1e-18));
     assert!(found.most[0] > 0.1 && found.most[1] > 0.1, "{:?}", found.most);
 }
