@@ -45,13 +45,16 @@ pub(crate) fn sign_changes(c: &[f64], roots: &mut Vec<f64>) {
         count -= 1;
         negligible -= c[count].abs();
     }
-    isolate(&c[..count], -1.0, 1.0, 0, roots);
+    let c = &c[..count];
+    isolate(c, [-1.0, 1.0], [-1.0, 1.0].map(|s| value(c, s)), 0, roots);
 }
 
 /// Halvings after which an interval is a point.
 pub(crate) const DEEPEST: u32 = 40;
 
-pub(crate) fn isolate(c: &[f64], low: f64, high: f64, depth: u32, roots: &mut Vec<f64>) {
+/// Finds the sign changes on an interval from the values at its ends. Neighbouring intervals share the value between them,
+/// so that rounding cannot hide a root there.
+fn isolate(c: &[f64], x: [f64; 2], ends: [f64; 2], depth: u32, roots: &mut Vec<f64>) {
     let Some((&constant, rest)) = c.split_first() else { return };
     let (mut spread, mut slope, mut bend) = (0.0, 0.0, 0.0);
     for (a, j) in rest.iter().map(|a| a.abs()).zip(1_u8..) {
@@ -65,45 +68,47 @@ pub(crate) fn isolate(c: &[f64], low: f64, high: f64, depth: u32, roots: &mut Ve
         return;
     }
     let first = rest.first().map_or(0.0, |a| a.abs());
-    let place = |s: f64| low + 0.5 * (high - low) * (s + 1.0);
+    let place = |s: f64| x[0] + 0.5 * (x[1] - x[0]) * (s + 1.0);
     if first > slope - first || depth >= DEEPEST {
-        let left = value(c, -1.0);
-        let begins = left == 0.0 && low > -1.0 && crosses_at_left_end(c);
-        if begins || left * value(c, 1.0) < 0.0 {
-            roots.push(place(monotone_root(c, [-1.0, 1.0], left)));
+        if differ(ends) {
+            roots.push(place(monotone_root(c, [-1.0, 1.0], ends[0])));
         }
         return;
     }
-    for middle in [-0.5, 0.5] {
+    let beside = beside_middle(c);
+    for (middle, ends) in [(-0.5, [ends[0], beside[0]]), (0.5, [beside[1], ends[1]])] {
+        if middle > 0.0 && differ(beside) {
+            roots.push(place(0.0));
+        }
         // Taylor's formula about the middle of a half, with all that it leaves out.
         let [f, slope] = with_slope(c, middle);
         if f.abs() > 0.5 * slope.abs() + 0.125 * bend {
             continue;
         }
-        let [from, to] = [middle - 0.5, middle + 0.5];
+        let half = [middle - 0.5, middle + 0.5];
         if slope.abs() > 0.5 * bend {
-            let left = value(c, from);
-            let begins = left == 0.0 && place(from) > -1.0;
-            if begins || left * value(c, to) < 0.0 {
-                roots.push(place(monotone_root(c, [from, to], left)));
+            if differ(ends) {
+                roots.push(place(monotone_root(c, half, ends[0])));
             }
         } else {
-            isolate(&rescale(c, middle, 0.5), place(from), place(to), depth + 1, roots);
+            isolate(&rescale(c, middle, 0.5), half.map(place), ends, depth + 1, roots);
         }
     }
 }
 
-/// Whether a root exactly at s = −1 is of odd order.
-pub(crate) fn crosses_at_left_end(c: &[f64]) -> bool {
-    let about_end = rescale(c, -1.0, 1.0);
-    about_end.iter().position(|&a| a != 0.0).is_some_and(|order| order % 2 == 1)
+fn differ([left, right]: [f64; 2]) -> bool {
+    (left > 0.0 && right < 0.0) || (left < 0.0 && right > 0.0)
+}
+
+/// Numbers with the signs of a polynomial just left and right of s = 0: of its first term that is not zero.
+fn beside_middle(c: &[f64]) -> [f64; 2] {
+    let order = c.iter().position(|&a| a != 0.0).unwrap_or(0);
+    let right = c[order];
+    [if order % 2 == 1 { -right } else { right }, right]
 }
 
 /// The root of a function monotone between two points that changes sign there: Newton within a bracket.
 pub(crate) fn monotone_root(c: &[f64], [mut low, mut high]: [f64; 2], left: f64) -> f64 {
-    if left == 0.0 {
-        return low;
-    }
     let mut s = 0.5 * (low + high);
     for _ in 0..100 {
         let [f, slope] = with_slope(c, s);
@@ -142,6 +147,24 @@ mod tests {
         let c = [-12.0, 4.0, -3.0, 1.0];
         assert!(is_free_of_zeros(&c, 1.999) && !is_free_of_zeros(&c, 2.001));
         assert!(is_free_of_zeros(&[2.0, 0.0], 1e9) && !is_free_of_zeros(&[0.0, 1.0], 1e-9));
+    }
+
+    /// The slope of the pressure of a beam between pins on soft springs. Rounding hid its root at the middle.
+    #[test]
+    fn a_root_between_two_halves() {
+        let w = [9.130750818000197e-5, 0.0, -1.0956900980259498e-4, 0.0, 1.826150161472349e-5];
+        let rest = [0.0, 8.16100210943466e-15, 0.0, -2.9146436074731087e-16, 0.0, -4.34e-26];
+        let c: Vec<f64> = w.into_iter().chain(rest).collect();
+        for scale in [1.0, 1.1, 1.3, 1.7, 3.1] {
+            let slope: Vec<f64> = (1..c.len()).map(|j| scale * j as f64 * c[j]).collect();
+            let mut roots = vec![];
+            sign_changes(&slope, &mut roots);
+            assert_eq!(roots, [0.0], "{scale}");
+        }
+        // A double root is no sign change.
+        let mut roots = vec![];
+        sign_changes(&[0.0, 0.0, 1.0, 0.0, 0.1, 0.2], &mut roots);
+        assert!(roots.is_empty(), "{roots:?}");
     }
 
     #[test]
