@@ -263,3 +263,118 @@ fn inverse_sine<S: Scalar>(z: S) -> S {
     let fallen = (-z).expm1() + S::one();
     fallen.scaled(1).div(-(-z.scaled(1)).expm1())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Action, Beam, Course, Ground, GroundSegment};
+
+    fn segment(from: f64, to: f64, spring: f64, shear: f64) -> GroundSegment<f64> {
+        let [spring, shear] = [spring, shear].map(Course::Constant);
+        GroundSegment { from, to, spring, shear }
+    }
+
+    fn load(extent: Extent<f64>) -> Load<f64> {
+        Load { action: Action::Force, extent, on_ground: true }
+    }
+
+    /// A beam on 0 to 2 with steps of the ground and loads on both sides of it.
+    fn model(ends: [GroundEnd<f64>; 2]) -> Model<f64> {
+        let segments = vec![
+            segment(-2.5, -0.7, 3.0, 0.4),
+            segment(-8.0, -2.5, 0.6, 2.0),
+            segment(2.3, 4.0, 0.5, 1.7),
+        ];
+        let spread = |from, to, start, end| load(Extent::Distributed { from, to, start, end });
+        let point = |at, size| load(Extent::Point { at, size });
+        Model {
+            beam: Beam {
+                length: 2.0,
+                bending_stiffness: 1.0,
+                shear_stiffness: None,
+                segments: Vec::new(),
+                axial_force: 0.0,
+            },
+            ground: Ground { spring: 1.3, shear: 0.8, segments, ends },
+            loads: vec![
+                spread(-3.0, 1.0, 0.7, 2.0),
+                spread(2.0, 3.5, 1.1, 0.2),
+                point(-1.1, 0.9),
+                point(2.9, 1.6),
+                point(2.3, 0.3),
+            ],
+            supports: Vec::new(),
+            hinges: Vec::new(),
+            gap: Vec::new(),
+        }
+    }
+
+    /// K and T by straight elements of the length h up to a distance `far`: −(μu′)′ + ku = q, and at the end K u − T is the
+    /// flux. The ground there is held, or free.
+    fn by_elements(model: &Model<f64>, side: usize, far: f64, held: bool) -> [f64; 2] {
+        let h = 1.0 / 4000.0;
+        let count = (far / h).round() as usize;
+        let place = |distance: f64| if side == 0 { -distance } else { 2.0 + distance };
+        let ground = |x: f64| {
+            // Beside the beam a segment holds outward until the next one.
+            let outward = |at: f64| if side == 0 { -at } else { at - 2.0 };
+            let mut best = (0.0, [model.ground.spring, model.ground.shear]);
+            for s in &model.ground.segments {
+                let near = outward(if side == 0 { s.to } else { s.from });
+                if near >= best.0 && near > 0.0 && near <= outward(x) {
+                    best = (near, [constant(&s.spring), constant(&s.shear)]);
+                }
+            }
+            best.1
+        };
+        let spread = |x: f64| -> f64 {
+            let of = |load: &Load<f64>| match load.extent {
+                Extent::Distributed { from, to, start, end } if from <= x && x <= to => {
+                    start + (end - start) * (x - from) / (to - from)
+                }
+                _ => 0.0,
+            };
+            model.loads.iter().map(of).sum()
+        };
+        let (mut stiffness, mut pushed) = if held { (1e30, 0.0) } else { (0.0, 0.0) };
+        for i in (0..count).rev() {
+            let [a, b] = [i, i + 1].map(|i| i as f64 * h);
+            let [k, mu] = ground(place(0.5 * (a + b)));
+            let q = spread(place(0.5 * (a + b))) * h;
+            for load in &model.loads {
+                if let Extent::Point { at, size } = load.extent
+                    && (at - place(b)).abs() < 0.5 * h
+                {
+                    pushed += size;
+                }
+            }
+            let [own, across] = [k * h / 3.0 + mu / h, k * h / 6.0 - mu / h];
+            let all = stiffness + own;
+            let next = own - across * across / all;
+            pushed = 0.5 * q - across * (pushed + 0.5 * q) / all;
+            stiffness = next;
+        }
+        [stiffness, pushed]
+    }
+
+    #[test]
+    fn stiffness_and_push_agree_with_elements() {
+        let ends = [
+            ([GroundEnd::Endless, GroundEnd::Endless], 60.0, false),
+            ([GroundEnd::Free(-4.0), GroundEnd::Free(6.0)], 4.0, false),
+            ([GroundEnd::Held(-3.0), GroundEnd::Held(5.0)], 3.0, true),
+        ];
+        for (ends, far, held) in ends {
+            let model = model(ends);
+            for side in [0, 1] {
+                let units = Units { length: 0, force: 0 };
+                let beside = Beside { model: &model, units, length: 2.0, side };
+                let (stiffness, pushed) = beside.seen([1.3, 0.8]).expect("a row");
+                let [k, t] = by_elements(&model, side, far, held);
+                let near = |a: f64, b: f64| (a - b).abs() <= 2e-6 * b.abs();
+                assert!(near(stiffness, k), "{far} {side}: K {stiffness} {k}");
+                assert!(near(pushed, t), "{far} {side}: T {pushed} {t}");
+            }
+        }
+    }
+}
