@@ -162,8 +162,25 @@ fn each_combination_is_proven() {
     done.is_clean(0);
     assert_eq!(done.stdout.matches("Proven ").count(), 2);
     // Each under its own loads.
+    let right = document.clone();
+    document["combinations"][0]["name"] = json!("two");
     document["combinations"][1]["name"] = json!("one");
     assert_eq!(with(&folder, &document).status, 1);
+    // What stands at two places must agree, and no combination may stand twice.
+    for (pointer, value) in [
+        ("/combinations/1/name", json!("one")),
+        ("/combinations/0/combination", json!("two")),
+        ("/units", json!("kip, inch")),
+        ("/model_digest", json!("sha256:00")),
+    ] {
+        let mut changed = right.clone();
+        let (parent, key) = pointer.rsplit_once('/').expect("a key");
+        changed.pointer_mut(parent).expect("an object")[key] = value;
+        changed["combinations"][0]["units"] = json!("none");
+        changed["combinations"][0]["model_digest"] = right["model_digest"].clone();
+        assert_eq!(with(&folder, &changed).status, 2, "{pointer}");
+    }
+    document = right;
     document["combinations"][1]["name"] = json!("three");
     let done = with(&folder, &document);
     assert_eq!(done.status, 1);

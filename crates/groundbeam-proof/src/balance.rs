@@ -151,7 +151,11 @@ impl<S: Scalar> Balance<'_, S> {
             system.right[j + 1] = system.right[j + 1] + right;
             self.masses(&cell, j, &mut system);
         }
-        let no_lever = || NotProven::new("no lever: what presses cannot balance the residual");
+        let no_lever = || {
+            NotProven::new(
+                "no lever: contact pressure and supports cannot balance the loads about every point",
+            )
+        };
         let factors = system.solved().ok_or_else(no_lever)?;
         for j in 0..self.cuts.len() - 1 {
             self.give_back(&self.cell(j), [factors[j], factors[j + 1]], &mut balanced);

@@ -60,11 +60,12 @@ pub(crate) fn admissible<S: Scalar>(frame: &Frame<S>) -> Result<Deflection<S>, N
     walk.chains();
     let loose = (0..frame.nodes.len()).find(|i| frame.nodes[*i].rigid.is_some() && !walk.held[*i]);
     if let Some(node) = loose {
-        return Err(NotProven::new("a support is not met").at(frame.place(node)));
+        return Err(NotProven::new("the pieces do not meet the settlement of a support")
+            .at(frame.place(node)));
     }
     let values: Option<Vec<S>> = walk.values.iter().copied().collect();
     let (Some(values), Some(pieces)) = (values, walk.corrections()) else {
-        return Err(NotProven::new("the deflection cannot be closed"));
+        return Err(NotProven::new("the pieces do not join"));
     };
     Ok(Deflection { pieces, claimed, slopes, rotations, values })
 }

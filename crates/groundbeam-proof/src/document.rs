@@ -66,14 +66,18 @@ impl Document {
         let Some(combinations) = root.remove("combinations") else {
             return Ok(vec![Document::of(root)?]);
         };
-        let digest = text_of(&mut root, "model_digest")?;
-        let mut read = Vec::new();
+        let [digest, units] = [text_of(&mut root, "model_digest")?, text_of(&mut root, "units")?];
+        let mut read: Vec<Document> = Vec::new();
         for combination in list(combinations, "combinations")? {
             let mut combination = object(combination, "combinations")?;
             let name = text_of(&mut combination, "name")?;
             let mut document = Document::of(combination)?;
-            document.combination = document.combination.or(name);
-            document.model_digest = document.model_digest.or(digest.clone());
+            document.combination = agreed(document.combination, &name, "name")?;
+            document.model_digest = agreed(document.model_digest, &digest, "model_digest")?;
+            document.units = agreed(document.units, &units, "units")?;
+            if read.iter().any(|other| other.combination == document.combination) {
+                return wrong("`combinations` has two elements of one name");
+            }
             read.push(document);
         }
         for document in &mut read {
@@ -232,6 +236,19 @@ fn piece(mut piece: Object) -> Result<Piece, JsonError> {
     match piece.keys().next() {
         Some(key) => wrong(format!("`{key}` means nothing in a piece")),
         None => Ok(read),
+    }
+}
+
+/// A text that may stand at two places: both must be the same.
+fn agreed(
+    own: Option<String>,
+    other: &Option<String>,
+    key: &str,
+) -> Result<Option<String>, JsonError> {
+    match (&own, other) {
+        (Some(a), Some(b)) if a != b => wrong(format!("`{key}` says `{b}`, and elsewhere `{a}`")),
+        (None, Some(b)) => Ok(Some(b.clone())),
+        _ => Ok(own),
     }
 }
 

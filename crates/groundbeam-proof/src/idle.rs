@@ -13,7 +13,8 @@ pub(crate) fn clear<S: Scalar>(frame: &Frame<S>, bounds: &[PieceBounds]) -> Resu
     match frame.idle.iter().find(|support| !is_clear(frame, bounds, support)) {
         None => Ok(()),
         Some(support) => {
-            let what = "whether a support acts is within the bound of the deflection";
+            let what =
+                "the beam is too close to a support of one direction to tell whether it acts";
             Err(NotProven::new(what).at(frame.units.restored(support.x.middle(), 0, 1)))
         }
     }

@@ -128,6 +128,7 @@ impl<S: Scalar> Comparison<'_, S> {
                 let at_edge = contact.is_some_and(|contact| self.is_at_edge(*x, contact));
                 if field == PRESSURE && at_edge {
                     found.checked.at_edges += 1;
+                    enlarge(&mut found.fields[field], self.off_an_edge(*value, *place));
                     continue;
                 }
                 found.checked.values += 1;
@@ -135,6 +136,30 @@ impl<S: Scalar> Comparison<'_, S> {
             }
         }
         Ok(())
+    }
+
+    /// By how much a pressure at an edge lies outside of zero and the pressures of the pieces on both sides.
+    fn off_an_edge(&self, listed: f64, (piece, t): (usize, S)) -> f64 {
+        let units = self.fields.frame.units;
+        let listed = units.scaled(S::of(listed), 1, -1);
+        let [mut low, mut high] = [0.0; 2];
+        let neighbours = [piece.checked_sub(1), Some(piece), Some(piece + 1)];
+        let spans = &self.fields.frame.spans;
+        for i in neighbours.into_iter().flatten().filter(|i| *i < spans.len()) {
+            let t = if i < piece {
+                spans[i].t[1]
+            } else if i > piece {
+                spans[i].t[0]
+            } else {
+                t
+            };
+            let value = self.patches.value(PRESSURE, i, t);
+            low = if value.low() < low { value.low() } else { low };
+            high = if value.high() > high { value.high() } else { high };
+        }
+        let off =
+            Size::below_zero(listed.low() - low).worst(Size::below_zero(high - listed.high()));
+        units.restored(off.value(), 1, -1)
     }
 
     /// Whether a place may be the exact edge of a region, inside the beam.
@@ -241,7 +266,11 @@ fn edges(document: &Document, contact: &ContactSet) -> Result<f64, NotProven> {
             _ => shown.push([region.from, region.to]),
         }
     }
-    let Some(listed) = &document.contact else { return Ok(0.0) };
+    let Some(listed) = &document.contact else {
+        // The edges of the pieces lie within the shown intervals.
+        let widths = shown.iter().flatten().map(|[low, high]| (high - low).next_up());
+        return Ok(widths.fold(0.0, |most, width| if width > most { width } else { most }));
+    };
     if listed.len() != shown.len() {
         let [listed, shown] = [listed.len(), shown.len()];
         let what = format!("{listed} contact regions are listed, {shown} are shown");

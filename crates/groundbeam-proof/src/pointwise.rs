@@ -28,6 +28,19 @@ pub(crate) struct PieceBounds {
 }
 
 impl PieceBounds {
+    /// No error.
+    pub const EXACT: PieceBounds = PieceBounds {
+        deflection: Size::ZERO,
+        slope: Size::ZERO,
+        rotation: Size::ZERO,
+        balanced_moment: Size::ZERO,
+        moment: Size::ZERO,
+        shear_force: Size::ZERO,
+        settlement: Size::ZERO,
+        pressure: Size::ZERO,
+    };
+
+    /// Nothing proven.
     const NOTHING: PieceBounds = PieceBounds {
         deflection: Size::INFINITE,
         slope: Size::INFINITE,

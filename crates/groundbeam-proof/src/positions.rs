@@ -72,7 +72,7 @@ impl<S: Scalar> Positions<S> {
         let place = self.units.restored(at.middle(), 0, 1);
         if !self.reached(node, at) {
             return Err(NotProven::new(
-                "no piece of the answer ends where the model has a position",
+                "a load, support, hinge or step of the model is not at an end of a piece",
             )
             .at(place));
         }

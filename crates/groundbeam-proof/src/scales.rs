@@ -58,6 +58,23 @@ impl FieldScales {
     }
 }
 
+/// The largest values of deflection, slope, rotation, moment, shear force, settlement and pressure at nodes and middles of
+/// pieces, as the answer claims them.
+pub(crate) fn claimed<S: Scalar>(fields: &Fields<S>) -> [f64; 7] {
+    let exact = vec![PieceBounds::EXACT; fields.frame.spans.len()];
+    let most = Largest::of(fields, &exact);
+    let turned = most.slope;
+    [
+        most.deflection,
+        most.slope,
+        turned,
+        most.moment,
+        most.shear_force,
+        most.settlement,
+        most.pressure,
+    ]
+}
+
 impl Largest {
     fn of<S: Scalar>(fields: &Fields<S>, bounds: &[PieceBounds]) -> Self {
         let mut most = Largest::default();

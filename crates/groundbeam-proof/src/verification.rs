@@ -10,6 +10,7 @@ use crate::patches::GAP;
 use crate::proof::{Proof, prove};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
+use crate::scales::claimed;
 use crate::size::Size;
 use std::collections::BTreeSet;
 
@@ -75,10 +76,12 @@ pub fn verify<S: Scalar>(model: &Model<S>, document: &Document) -> Result<Verifi
         shortfall: None,
     };
     let claimed = verification.claimed(document);
+    let far = far(&fields, &found.fields, &verification.proof);
     verification.shortfall = verification
         .proof
         .shortfall()
         .or_else(|| found.failed.or(verification.large()))
+        .or(far)
         .or(claimed);
     Ok(verification)
 }
@@ -137,6 +140,26 @@ impl Verification {
             "the error of the {name} is not small: {error:.1e} of {scale:.1e}"
         )))
     }
+}
+
+/// The first field of which a listed number differs from the answer by more than 10⁻⁶ of the field's own largest value, and
+/// by more than rounding. The scale of a field may be much larger than its values.
+fn far<S: Scalar>(fields: &Fields<S>, differences: &[f64; 8], proof: &Proof) -> Option<NotProven> {
+    let largest = claimed(fields);
+    let units = fields.frame.units;
+    let [deflection, slope, rotation, moment, shear_force, settlement, _, pressure] = *differences;
+    let listed = [deflection, slope, rotation, moment, shear_force, settlement, pressure];
+    let dimensions = [(0, 1), (0, 0), (0, 0), (1, 1), (1, 0), (0, 1), (1, -1)];
+    let named = proof.bounds.named().into_iter().zip(listed).zip(largest).zip(dimensions);
+    for ((((name, bound), difference), largest), (force, length)) in named {
+        let own = units.restored(largest, force, length);
+        if !(difference <= 1e-6 * own + 1e-11 * bound.scale) {
+            let name = name.replace('_', " ");
+            let what = format!("a listed {name} differs from the pieces by {difference:.1e}");
+            return Some(NotProven::new(what));
+        }
+    }
+    None
 }
 
 /// Adds the differences of listed numbers to the errors of their fields.

@@ -11,6 +11,7 @@ pub fn verified(verified: &Verified, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     if let Some(why) = &verified.other_model {
         sheet.toned_row("Not proven", why, Tone::Bad);
+        sheet.row("", "The rest holds for the numbers alone, read in the units of the model file.");
     }
     for named in &verified.results {
         if let Some(name) = &named.combination {
@@ -71,7 +72,7 @@ fn proven_parts(sheet: &mut Sheet, named: &Named, found: &Verification) {
     let large: Vec<&str> = large.map(|(name, _)| label(name)).collect();
     if !named.is_proven() && !large.is_empty() {
         let words = format!("not within a millionth of its scale: {}", large.join(", "));
-        sheet.row("Too large", &words);
+        sheet.row("Not small", &words);
     }
 }
 
@@ -180,7 +181,8 @@ fn checked(sheet: &mut Sheet, found: &Verification) {
     sheet.row("Checked", &parts.join(" "));
     if checked.at_edges > 0 {
         let what = count(checked.at_edges, "pressure", "pressures");
-        sheet.row("", &format!("not {what} at an edge of contact, where the pressure jumps"));
+        let words = "at edges of contact: compared with zero and the values beside them";
+        sheet.row("", &format!("{what} {words}"));
     }
     if checked.bounds > 0 {
         let what = count(checked.bounds, "bound", "bounds");
