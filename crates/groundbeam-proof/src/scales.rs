@@ -48,12 +48,15 @@ impl FieldScales {
         let pressed = most.pressure;
         FieldScales {
             deflection,
-            slope: larger(most.slope, below(deflection / wave)),
-            moment: larger(most.moment, below(larger(pressed * wave, largest_load) * wave)),
-            shear_force: larger(most.shear_force, below(larger(pressed * wave, largest_load))),
-            pressure: larger(pressed, below(stiffest * deflection)),
+            slope: larger(most.slope, slightly_less(deflection / wave)),
+            moment: larger(most.moment, slightly_less(larger(pressed * wave, largest_load) * wave)),
+            shear_force: larger(
+                most.shear_force,
+                slightly_less(larger(pressed * wave, largest_load)),
+            ),
+            pressure: larger(pressed, slightly_less(stiffest * deflection)),
             force: larger(sum, largest_load),
-            turning: below(larger(sum, largest_load) * wave),
+            turning: slightly_less(larger(sum, largest_load) * wave),
         }
     }
 }
@@ -116,7 +119,7 @@ fn wave<S: Scalar>(fields: &Fields<S>) -> f64 {
     let spans = fields.frame.spans.iter();
     let waves = spans.map(|span| (4.0 * span.bending.low() / span.spring.high()).sqrt().sqrt());
     let (wave, length) = (waves.fold(0.0, larger), fields.frame.length.low());
-    below(if wave < length { wave } else { length })
+    slightly_less(if wave < length { wave } else { length })
 }
 
 /// The largest load or reaction and the sum of all loads, as forces.
@@ -142,7 +145,7 @@ fn loads<S: Scalar>(fields: &Fields<S>, wave: f64) -> (f64, f64) {
         most = larger(larger(most, larger(force, couple)), reaction);
         sum += larger(force, 0.0) + larger(couple, 0.0);
     }
-    (below(most), below(larger(sum, most)))
+    (slightly_less(most), slightly_less(larger(sum, most)))
 }
 
 fn larger(a: f64, b: f64) -> f64 {
@@ -150,6 +153,6 @@ fn larger(a: f64, b: f64) -> f64 {
 }
 
 /// Slightly less, for the roundings of a few operations.
-fn below(x: f64) -> f64 {
+fn slightly_less(x: f64) -> f64 {
     x * (1.0 - 1e-12)
 }
