@@ -7,6 +7,9 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use std::ops::Range;
 
+/// The parts |t| ≤ … of a piece on which the least pressure is tried.
+pub(crate) const PARTS: [f64; 4] = [0.9, 0.5, 0.25, 0.0625];
+
 /// A place with a bound of |e|.
 #[derive(Debug, Clone, Copy)]
 struct Anchor {
@@ -132,8 +135,15 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 
     /// A lower bound of 1 − γ.
-    pub(crate) fn kept(&self, factor: f64) -> f64 {
+    fn kept(&self, factor: f64) -> f64 {
         (1.0 - factor).next_down()
+    }
+
+    /// A lower bound p_m of p̄ ≥ (1 − γ)p on the part |t| ≤ `part` of a touching piece.
+    pub(crate) fn least_pressure(&self, i: usize, part: f64) -> f64 {
+        let pressure = &self.fields.pressures[i].field;
+        let least = pressure.coefficient(0).low() - pressure.tail(part).value();
+        (least.next_down() * self.kept(self.balanced.factor(i).value())).next_down()
     }
 
     /// On an interval of length h with p̄ ≥ p_m > 0 the mean of |d + C*| is at most d₁ + E/(p_m h), and e differs from a
@@ -146,12 +156,10 @@ impl<S: Scalar> Pointwise<'_, S> {
     /// d₁ = s₂√g in a layer, (2E/(kh))^½ on separate springs.
     fn pressing(&self, i: usize, [s, sheared]: [Size; 2]) -> Option<[Anchor; 2]> {
         let span = &self.fields.frame.spans[i];
-        let pressure = &self.fields.pressures[i].field;
         let kept = self.kept(self.balanced.factor(i).value());
         let mut best: Option<[Anchor; 2]> = None;
-        for part in [0.9, 0.5, 0.25, 0.0625] {
-            let least = pressure.coefficient(0).low() - pressure.tail(part).value();
-            let least = (least.next_down() * kept).next_down();
+        for part in PARTS {
+            let least = self.least_pressure(i, part);
             if !(least > 0.0 && kept > 0.5) {
                 continue;
             }

@@ -81,29 +81,37 @@ impl Proof {
 /// Bounds how far the answer is from the solution of the model.
 pub fn prove<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Proof, NotProven> {
     let frame = frame(model, answer)?;
-    let fields = Fields::of(&frame)?;
+    of_fields(&Fields::of(&frame)?, answer)
+}
+
+/// The proof of the answer from which the fields were made.
+pub(crate) fn of_fields<S: Scalar>(
+    fields: &Fields<S>,
+    answer: &Answer,
+) -> Result<Proof, NotProven> {
+    let frame = fields.frame;
     let (energy, balanced) = fields.energy()?;
     if !(energy.value() < f64::INFINITY) {
         return Err(NotProven::new("the bound of the energy is infinite"));
     }
-    let pointwise = Pointwise { fields: &fields, balanced: &balanced, energy };
+    let pointwise = Pointwise { fields, balanced: &balanced, energy };
     let mut pieces = pointwise.bounds();
-    idle::clear(&frame, &pieces)?;
+    idle::clear(frame, &pieces)?;
     if frame.shears() && !frame.spans.iter().any(|span| span.layered) {
         // On separate springs the bound of the shear force needs no contact set, and the slope needs it.
         pointwise.shear_forces(&Shown::nothing(frame.nodes.len()), &mut pieces);
     }
-    let shown = Contact { fields: &fields, bounds: &pieces }.shown();
+    let shown = Contact { fields, bounds: &pieces }.shown();
     pointwise.shear_forces(&shown, &mut pieces);
     let of_supports = pointwise.reactions(&pieces);
-    add_stored(answer, &fields, &mut pieces);
-    let scales = FieldScales::of(&fields, &pieces);
+    add_stored(answer, fields, &mut pieces);
+    let scales = FieldScales::of(fields, &pieces);
     let units = frame.units;
     Ok(Proof {
         energy: units.restored(energy.value(), 1, 1),
         strain_energy: units.restored(fields.strain_energy(), 1, 1),
-        bounds: largest(&frame, &pieces, &scales),
-        reactions: reactions(&frame, &of_supports, &scales),
+        bounds: largest(frame, &pieces, &scales),
+        reactions: reactions(frame, &of_supports, &scales),
         unique: pointwise.unique(&shown, &of_supports),
         contact: shown.result(),
         scales: Scales {

@@ -8,6 +8,7 @@ use crate::model::Acts;
 use crate::pointwise::{PieceBounds, Pointwise};
 use crate::scalar::Scalar;
 use crate::size::Size;
+use crate::test_functions::{kink, least_of_halves};
 
 impl<S: Scalar> Pointwise<'_, S> {
     /// Bounds of the errors of force and moment of each support of the model.
@@ -124,41 +125,25 @@ impl<S: Scalar> Pointwise<'_, S> {
         if next == node {
             return least;
         }
-        let mut h = room.low();
-        for _ in 0..24 {
+        least.least(least_of_halves(room.low(), |h| {
             let long = Size::of(h);
             let steep = Size::of(1.5).over(h).square();
-            let all = (12.0 * bending).over(h).over(h).over(h)
+            (12.0 * bending).over(h).over(h).over(h)
                 + (1.2 * layer).over(h)
                 + 0.3715 * (ground * long)
                 + springs
-                + turning * steep;
-            least = least.least(all);
-            h *= 0.5;
-        }
-        least
+                + turning * steep
+        }))
     }
 
-    /// K² on one side for z = t(1 − t/h)²: 4EI/h + (2/15)(P + μ)h + kh³/105 + Σκ(4h/27)² + Σκ_θ.
+    /// K² on one side for z = t(1 − t/h)².
     fn turned_side(&self, node: usize, side: usize) -> Size {
         let (next, _) = self.next(node, side);
         if next == node {
             return Size::ZERO;
         }
-        let ([bending, layer, ground], room, [springs, turning]) = self.beside(node, next);
-        let mut least = Size::INFINITE;
-        let mut h = room.low();
-        for _ in 0..24 {
-            let long = Size::of(h);
-            let all = (4.0 * bending).over(h)
-                + 0.134 * (layer * long)
-                + (ground * (long.square() * long)).over(105.0)
-                + springs * (0.1482 * long).square()
-                + turning;
-            least = least.least(all);
-            h *= 0.5;
-        }
-        least
+        let (largest, room, springs) = self.beside(node, next);
+        kink(largest, springs, room.low())
     }
 
     /// K² for the straight line that is 1 at a support and 0 at the only other one; no clamp may stand there.

@@ -13,12 +13,11 @@ use crate::contact_set::Shown;
 use crate::pointwise::{PieceBounds, Pointwise};
 use crate::scalar::Scalar;
 use crate::size::Size;
+use crate::test_functions::least_of_halves;
 use std::ops::Range;
 
 /// How many pieces a window reaches to each side.
 const REACHES: [usize; 5] = [0, 1, 3, 7, 15];
-/// How often a window is shortened.
-const TRIALS: usize = 24;
 
 /// The error of the loads on one piece.
 #[derive(Clone, Copy)]
@@ -112,12 +111,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
         let swing = if tension == Size::ZERO { tension } else { tension * moved };
         let change = 2.0 * moment + 2.0 * swing + couples;
-        let mut h = (frame.nodes[window.end].x - frame.nodes[window.start].x).low();
-        let mut least = Size::INFINITE;
-        for _ in 0..TRIALS {
-            least = least.least(change.over(h) + 0.5 * (Size::of(h) * spread));
-            h *= 0.5;
-        }
+        let room = (frame.nodes[window.end].x - frame.nodes[window.start].x).low();
+        let least = least_of_halves(room, |h| change.over(h) + 0.5 * (Size::of(h) * spread));
         least + tension * turned + forces
     }
 

@@ -9,9 +9,38 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use std::ops::Range;
 
+/// How often a length is halved in search of the least bound.
+const HALVINGS: usize = 24;
+
+/// The least of a bound over a length and its halves.
+pub(crate) fn least_of_halves(mut h: f64, bound: impl Fn(f64) -> Size) -> Size {
+    let mut least = Size::INFINITE;
+    for _ in 0..HALVINGS {
+        least = least.least(bound(h));
+        h *= 0.5;
+    }
+    least
+}
+
+/// The least K² for z = t(1 − t/h)² on one side, h at most the room: 4EI/h + (2/15)(P + μ)h + kh³/105 + Σκ(4h/27)² + Σκ_θ,
+/// from EI, P + μ and k and from the sums of κ and κ_θ.
+pub(crate) fn kink(
+    [bending, layer, ground]: [Size; 3],
+    [springs, turning]: [Size; 2],
+    room: f64,
+) -> Size {
+    least_of_halves(room, |h| {
+        let long = Size::of(h);
+        (4.0 * bending).over(h)
+            + 0.134 * (layer * long)
+            + (ground * (long.square() * long)).over(105.0)
+            + springs * (0.1482 * long).square()
+            + turning
+    })
+}
+
 impl<S: Scalar> Pointwise<'_, S> {
-    /// K² for z = t(1 − t/h)² on the side of x with more room between two obstacles:
-    /// 4EI/h + (2/15)(P + μ)h + kh³/105 + Σκ(4h/27)² + Σκ_θ.
+    /// K² for z = t(1 − t/h)² on the side of x with more room between two obstacles.
     pub(crate) fn short_kink(&self, nodes: Range<usize>) -> Size {
         let frame = self.fields.frame;
         let room = (frame.nodes[nodes.end].x - frame.nodes[nodes.start].x).scaled(-1);
@@ -21,20 +50,7 @@ impl<S: Scalar> Pointwise<'_, S> {
             supports += node.spring.map_or(Size::ZERO, |[spring, _]| Size::of(spring.high()));
             turning += node.turning.map_or(Size::ZERO, |turning| Size::of(turning.high()));
         }
-        let mut least = Size::INFINITE;
-        let mut h = room.low();
-        for _ in 0..24 {
-            let long = Size::of(h);
-            let cube = long.square() * long;
-            let all = (4.0 * bending).over(h)
-                + 0.134 * (layer * long)
-                + (springs * cube).over(105.0)
-                + supports * (0.1482 * long).square()
-                + turning;
-            least = least.least(all);
-            h *= 0.5;
-        }
-        least
+        kink([bending, layer, springs], [supports, turning], room.low())
     }
 
     /// P, or under a compression the number (((1 − σ)N)^½ + N(σΣhc′²)^½/s₂)² that takes its place. With the factor of

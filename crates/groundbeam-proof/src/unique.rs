@@ -1,6 +1,7 @@
 //! Uniqueness: two solutions have the same u and p. They differ by a rigid motion that vanishes wherever p* > 0 and at all
 //! supports. The solution is unique if every part between hinges is held in two places, or in one and against rotation.
 
+use crate::anchors::PARTS;
 use crate::contact_set::Shown;
 use crate::model::Acts;
 use crate::pointwise::Pointwise;
@@ -41,35 +42,28 @@ impl<S: Scalar> Pointwise<'_, S> {
             pressed[node] |= acting && frame.nodes[node].acts != Acts::Both;
         }
         let parts = self.parts();
-        let mut holds: Vec<Holds> = parts.iter().map(|part| self.holds(part, &pressed)).collect();
+        let holds: Vec<Holds> = parts.iter().map(|part| self.holds(part, &pressed)).collect();
         // A string under tension that is held anywhere keeps its direction.
-        if self.fields.frame.tension.is_some() && holds.iter().any(|part| part.places > 0) {
+        if frame.tension.is_some() && holds.iter().any(|part| part.places > 0) {
             return Ok(());
         }
-        for _ in 0..parts.len() {
-            let held: Vec<bool> = holds.iter().map(|part| part.is_enough()).collect();
-            if held.iter().all(|held| *held) {
-                return Ok(());
-            }
-            let mut changed = false;
-            for j in 0..parts.len() {
-                let by_neighbour = (j > 0 && held[j - 1], j + 1 < held.len() && held[j + 1]);
-                let own = self.holds(&parts[j], &pressed);
-                let hinges = usize::from(by_neighbour.0) + usize::from(by_neighbour.1);
-                let now = Holds { places: own.places + hinges, ..own };
-                changed |= now != holds[j];
-                holds[j] = now;
-            }
-            if !changed {
-                break;
-            }
+        // A part that is held holds its neighbours at their hinges.
+        let mut held = vec![false; parts.len()];
+        let next = |held: &[bool]| {
+            (0..held.len()).find(|&j| {
+                let beside = [j.wrapping_sub(1), j + 1];
+                let hinges = beside.iter().filter(|i| held.get(**i) == Some(&true)).count();
+                !held[j] && Holds { places: holds[j].places + hinges, ..holds[j] }.is_enough()
+            })
+        };
+        while let Some(j) = next(&held) {
+            held[j] = true;
         }
-        let loose = holds.iter().position(|part| !part.is_enough());
-        match loose {
+        match held.iter().position(|held| !held) {
             None => Ok(()),
             Some(j) => {
                 let what = "the solution is not shown to be unique: a part of the beam may move";
-                Err(NotProven::new(what).at(self.fields.frame.place(parts[j].start)))
+                Err(NotProven::new(what).at(frame.place(parts[j].start)))
             }
         }
     }
@@ -95,11 +89,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         if !span.touches {
             return false;
         }
-        let pressure = &self.fields.pressures[i].field;
-        let kept = self.kept(self.balanced.factor(i).value());
-        [0.9, 0.5, 0.25, 0.0625].into_iter().any(|part| {
-            let least = pressure.coefficient(0).low() - pressure.tail(part).value();
-            let least = (least.next_down() * kept).next_down();
+        PARTS.into_iter().any(|part| {
+            let least = self.least_pressure(i, part);
             // Half of |t| ≤ part.
             let h = (part * span.half.low()).next_down();
             let long = Size::of((part * span.half.high()).next_up());

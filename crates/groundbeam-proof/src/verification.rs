@@ -7,7 +7,7 @@ use crate::given::frame;
 use crate::listed::{Checked, Differences, differences};
 use crate::model::Model;
 use crate::patches::GAP;
-use crate::proof::{Proof, prove};
+use crate::proof::{Proof, of_fields};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::scales::claimed;
@@ -45,9 +45,9 @@ pub fn verify<S: Scalar>(model: &Model<S>, document: &Document) -> Result<Verifi
     if document.answer.pieces.is_empty() {
         return Err(NotProven::new("the document has no `pieces`"));
     }
-    let mut proof = prove(model, &document.answer)?;
     let frame = frame(model, &document.answer)?;
     let fields = Fields::of(&frame)?;
+    let mut proof = of_fields(&fields, &document.answer)?;
     let contact = proof.contact.as_ref().ok();
     let found = differences(document, &fields, contact);
     let is_shown = contact.is_some();
