@@ -1,5 +1,6 @@
 //! Wrong answers: documents made from right ones by random changes, and how far each is from the truth.
 
+use crate::claims::{error_bound, holds_at};
 use groundbeam::proof::{Answer, ContactSet, Force, Model as Given, Piece, Proof, Wide, prove};
 use groundbeam::{Field, Model, Outcome, Solution, solve};
 use rand::seq::IndexedRandom;
@@ -88,7 +89,7 @@ impl Target {
             for (field, value, bound) in self.fields(piece, x, proof) {
                 let range = self.solution.range(field);
                 let largest = range.max.value.abs().max(range.min.value.abs());
-                let own = proven_error(&self.proof, field);
+                let own = error_bound(&self.proof, field).unwrap_or(0.0);
                 let error = (value - self.solution.value(field, x)).abs();
                 judge(field.name(), error - own - ROUNDING * largest, bound);
             }
@@ -142,7 +143,7 @@ impl Target {
             let settled = w[0] - clearance(model, x);
             said.push((Field::Settlement, settled, bounds.settlement.error));
         }
-        if away_from_edges(proof, x) {
+        if holds_at(proof, Field::Pressure, x) {
             let pressure = match piece.pressure.is_empty() {
                 true => 0.0,
                 false => derivatives(piece, &piece.pressure, x)[0],
@@ -151,20 +152,6 @@ impl Target {
         }
         said
     }
-}
-
-fn proven_error(proof: &Proof, field: Field) -> f64 {
-    let name = field.name();
-    let bound = proof.bounds.named().into_iter().find(|(known, _)| *known == name);
-    bound.map_or(0.0, |(_, bound)| bound.error)
-}
-
-fn away_from_edges(proof: &Proof, x: f64) -> bool {
-    let holds = |[low, high]: [f64; 2]| low <= x && x <= high;
-    proof
-        .contact
-        .as_ref()
-        .is_ok_and(|set| !set.regions.iter().any(|region| holds(region.from) || holds(region.to)))
 }
 
 /// g₀ at x.

@@ -3,6 +3,7 @@
 pub mod architecture;
 pub mod attack;
 pub mod cases;
+pub mod claims;
 pub mod convergence;
 pub mod crossing;
 pub mod dense;

@@ -3,6 +3,7 @@
 use groundbeam::proof::{Ball, ContactForce, ContactSet, NotProven, Proof, Wide, prove};
 use groundbeam::{Field, Model, Outcome, Solution, solve};
 use groundbeam_verification::cases;
+use groundbeam_verification::claims::{energy_of_error, error_bound, over_bound};
 use groundbeam_verification::reference::Answer;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -105,72 +106,12 @@ fn more_digits_prove_more() {
     }
 }
 
-/// Fields whose bounds are proven, with the bound.
-fn bounded(proof: &Proof) -> [(Field, f64); 6] {
-    let bounds = &proof.bounds;
-    [
-        (Field::Deflection, bounds.deflection.error),
-        (Field::Slope, bounds.slope.error),
-        (Field::Moment, bounds.moment.error),
-        (Field::ShearForce, bounds.shear_force.error),
-        (Field::Settlement, bounds.settlement.error),
-        (Field::Pressure, bounds.pressure.error),
-    ]
-}
-
-/// Whether the bound of a field holds at x: that of the pressure holds outside the intervals of the edges.
-fn claimed_at(proof: &Proof, field: Field, x: f64) -> bool {
-    let inside = |[low, high]: [f64; 2]| low <= x && x <= high;
-    match (field, &proof.contact) {
-        (Field::Pressure, Ok(set)) => {
-            !set.regions.iter().any(|region| inside(region.from) || inside(region.to))
-        }
-        (Field::Pressure, Err(_)) => false,
-        _ => true,
-    }
-}
-
-/// Positions between the joints of both solutions, where no field jumps.
-fn positions(model: &Model) -> Vec<f64> {
-    (0..97).map(|i| model.beam.length * (0.003 + 0.010_263 * f64::from(i))).collect()
-}
-
-/// The largest of |claimed − true| over bound; `rounding` is what the true values may be off, relative to the largest.
-fn over_bound(claimed: &Solution, truth: &Solution, proof: &Proof, rounding: f64) -> f64 {
-    let mut worst: f64 = 0.0;
-    for (field, bound) in bounded(proof) {
-        let range = truth.range(field);
-        let largest = range.max.value.abs().max(range.min.value.abs());
-        let claimed_there = |x: &f64| claimed_at(proof, field, *x);
-        for x in positions(truth.model()).into_iter().filter(claimed_there) {
-            let error = (claimed.value(field, x) - truth.value(field, x)).abs();
-            worst = worst.max((error - rounding * largest) / bound);
-        }
-    }
-    worst
-}
-
-/// The energy of the error: ½∫(ΔM)²/EI and ½∫k(Δu)² along the beam, which is less than all of it.
-fn energy_of_error(claimed: &Solution, truth: &Solution) -> f64 {
-    let model = truth.model();
-    let steps = 4000;
-    let h = model.beam.length / f64::from(steps);
-    let density = |i: i32| {
-        let x = h * (0.5 + f64::from(i));
-        let of = |field| claimed.value(field, x) - truth.value(field, x);
-        let (moment, settled) = (of(Field::Moment), of(Field::Settlement));
-        let (spring, _) = model.foundation.constants_at(x);
-        moment * moment / model.beam.bending_stiffness_at(x) + spring * settled * settled
-    };
-    0.5 * h * (0..steps).map(density).sum::<f64>()
-}
-
 /// The largest errors of a solution over their bounds, by quantity, against the answer in 60 digits.
 fn errors(answer: &Answer, solution: &Solution, proof: &Proof) -> Vec<(&'static str, f64)> {
-    let mut errors: Vec<_> = bounded(proof)
-        .into_iter()
-        .map(|(field, bound)| (field.name(), answer.largest_error(solution, field) / bound))
-        .collect();
+    let fields = Field::of(&solution.model().beam).filter_map(|field| {
+        Some((field.name(), answer.largest_error(solution, field) / error_bound(proof, field)?))
+    });
+    let mut errors: Vec<_> = fields.collect();
     for (bound, found) in proof.reactions.iter().zip(solution.reactions()) {
         let exact = answer.reactions.iter().find(|exact| exact.at == found.at);
         let exact = exact.expect("a reaction of every support");
@@ -301,8 +242,8 @@ fn answers_to_neighbouring_models_lie_within_every_bound() {
             let Ok(Outcome::Equilibrium(claimed)) = solve(&neighbour) else { return None };
             let (_, answer) = claimed.claim::<Wide>();
             let proof = prove(&model.to_prove::<Wide>(), &answer).ok()?;
-            let energy = energy_of_error(&claimed, &truth) / proof.energy;
-            Some((name, over_bound(&claimed, &truth, &proof, 1e-10), energy))
+            let energy = energy_of_error(&claimed, &truth, true) / proof.energy;
+            Some((name, over_bound(&claimed, &truth, &proof, true), energy))
         })
         .collect();
     assert!(judged.len() >= 700, "only {} claims are judged", judged.len());

@@ -2,9 +2,8 @@
 //! neighbouring models claimed for them.
 
 use groundbeam::proof::{Proof, Wide, prove};
-use groundbeam::{
-    Extent, Field, Load, Model, Outcome, Solution, SupportKind, own_buckling_load, solve,
-};
+use groundbeam::{Extent, Load, Model, Outcome, Solution, SupportKind, own_buckling_load, solve};
+use groundbeam_verification::claims::{energy_of_error, over_bound};
 use groundbeam_verification::frozen;
 use rayon::prelude::*;
 
@@ -44,38 +43,6 @@ fn compressed(family: &str) -> Vec<(String, Solution)> {
     solved.collect()
 }
 
-/// Fields whose bounds are proven, with the bound.
-fn bounded(proof: &Proof) -> Vec<(Field, f64)> {
-    let bounds = &proof.bounds;
-    vec![
-        (Field::Deflection, bounds.deflection.error),
-        (Field::Slope, bounds.slope.error),
-        (Field::Rotation, bounds.rotation.error),
-        (Field::ShearForce, bounds.shear_force.error),
-        (Field::Moment, bounds.moment.error),
-        (Field::Settlement, bounds.settlement.error),
-    ]
-}
-
-/// The largest of |claimed − true| over bound; the true values are computed with a relative error of 10⁻¹⁰ of the largest.
-fn over_bound(claimed: &Solution, truth: &Solution, proof: &Proof) -> f64 {
-    let length = truth.model().beam.length;
-    // The proof solves the open ground with the model's own numbers. The claimed surface has those of the neighbour.
-    let same_ground = same_ground(claimed.model(), truth.model());
-    let judged = bounded(proof).into_iter();
-    let mut worst: f64 = 0.0;
-    for (field, bound) in judged.filter(|(field, _)| same_ground || *field != Field::Settlement) {
-        let range = truth.range(field);
-        let largest = range.max.value.abs().max(range.min.value.abs());
-        for i in 0..97 {
-            let x = length * (0.003 + 0.010_263 * f64::from(i));
-            let error = (claimed.value(field, x) - truth.value(field, x)).abs();
-            worst = worst.max((error - 1e-10 * largest) / bound);
-        }
-    }
-    worst
-}
-
 /// The ends of the true contact zones that lie in no interval of a shown contact set.
 fn missed_edges(truth: &Solution, proof: &Proof) -> Vec<f64> {
     let Ok(set) = &proof.contact else { return Vec::new() };
@@ -91,25 +58,10 @@ fn same_ground(a: &Model, b: &Model) -> bool {
     a.foundation == b.foundation && a.ground_loads().eq(b.ground_loads())
 }
 
-/// A part of the energy of the error: ½∫(ΔM)²/EI, and ½∫k(Δu)² along the beam if both grounds are the same.
-fn energy_of_error(claimed: &Solution, truth: &Solution) -> f64 {
-    let model = truth.model();
-    let steps = 2000;
-    let h = model.beam.length / f64::from(steps);
-    let same_ground = same_ground(claimed.model(), model);
-    let density = |i: i32| {
-        let x = h * (0.5 + f64::from(i));
-        let of = |field| claimed.value(field, x) - truth.value(field, x);
-        let (moment, settled) = (of(Field::Moment), of(Field::Settlement));
-        let (spring, _) = model.foundation.constants_at(x);
-        let spring = if same_ground { spring } else { 0.0 };
-        moment * moment / model.beam.bending_stiffness_at(x) + spring * settled * settled
-    };
-    // σ of a compression: less than 1 by the compression over the critical load.
-    let buckling = own_buckling_load(model);
-    let left =
-        if model.beam.axial_force < 0.0 { 1.0 + model.beam.axial_force / buckling } else { 1.0 };
-    0.5 * h * left * (0..steps).map(density).sum::<f64>()
+/// σ of a compression: less than 1 by the compression over the critical load.
+fn margin(model: &Model) -> f64 {
+    let axial = model.beam.axial_force;
+    if axial < 0.0 { 1.0 + axial / own_buckling_load(model) } else { 1.0 }
 }
 
 /// Changes of one kind of number of a model by a factor.
@@ -189,10 +141,13 @@ fn judge(family: &str, solutions: &[(String, Solution)]) -> Judged {
             let Ok(Outcome::Equilibrium(claimed)) = solve(&neighbour) else { return None };
             let (_, answer) = claimed.claim::<Wide>();
             let proof = prove(&truth.model().to_prove::<Wide>(), &answer).ok()?;
-            let energy = energy_of_error(&claimed, truth) / proof.energy;
+            // The proof solves the open ground with the model's own numbers. The claimed surface has the neighbour's.
+            let ground = same_ground(&neighbour, truth.model());
+            let energy = margin(truth.model()) * energy_of_error(&claimed, truth, ground);
             let missed = missed_edges(truth, &proof);
             assert!(missed.is_empty(), "{name}: edges {missed:?} are not in {:?}", proof.contact);
-            Some((name, over_bound(&claimed, truth, &proof), energy))
+            let ratio = over_bound(&claimed, truth, &proof, ground);
+            Some((name, ratio, energy / proof.energy))
         })
         .collect();
     found.claims = judged.len();

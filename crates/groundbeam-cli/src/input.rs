@@ -10,6 +10,17 @@ use groundbeam_report::calculation::Source;
 use groundbeam_report::{Context, text};
 use std::path::Path;
 
+/// Name and bytes of a file; of standard input for `-`.
+pub fn bytes_of(path: &Path) -> Result<(String, Vec<u8>), Failure> {
+    let (name, bytes) = if path.as_os_str() == "-" {
+        ("<stdin>".to_owned(), read_bounded(std::io::stdin().lock()))
+    } else {
+        (path.display().to_string(), read_file(path))
+    };
+    let bytes = bytes.map_err(|error| Failure::file(Path::new(&name), &error))?;
+    Ok((name, bytes))
+}
+
 /// A model with the name of where it came from.
 pub struct Input {
     pub document: Document,
@@ -22,12 +33,7 @@ pub struct Input {
 impl Input {
     /// Reads and parses a file; `-` is standard input, beside which stands what is in the current folder.
     pub fn read(path: &Path) -> Result<Self, Failure> {
-        let (name, bytes) = if path.as_os_str() == "-" {
-            ("<stdin>".to_owned(), read_bounded(std::io::stdin().lock()))
-        } else {
-            (path.display().to_string(), read_file(path))
-        };
-        let bytes = bytes.map_err(|error| Failure::file(Path::new(&name), &error))?;
+        let (name, bytes) = bytes_of(path)?;
         Input::of(name, &bytes, path.parent().unwrap_or(Path::new("")))
     }
 

@@ -25,8 +25,8 @@ pub fn run(request: &Solve) -> Result<Status, Failure> {
     let (run, title) = asked(&input, request)?;
     let (answers, seconds) = solved(&run, &input, request.options.method.name())?;
     let context = Context { title: title.as_deref(), pieces: request.pieces, ..input.context() };
-    let context =
-        Context { model: input.is_not_proven_as_written(), ..context.with_seconds(seconds) };
+    let model = request.pieces && input.is_not_proven_as_written();
+    let context = Context { model, ..context.with_seconds(seconds) };
     let stations = stations.as_deref();
     let proofs = match request.proven {
         true => proven(&Results::new(&answers, context), &input, stations)?,
@@ -38,7 +38,7 @@ pub fn run(request: &Solve) -> Result<Status, Failure> {
     Ok(if status == Status::Done && !all { Status::NotProven } else { status })
 }
 
-/// What is proven of the document of the answers; nothing if there is none.
+/// The proof of each answer of the document. Without equilibrium there is none.
 fn proven(
     results: &Results,
     input: &Input,

@@ -2,12 +2,11 @@
 
 use crate::colour::standard_output_has_colour;
 use crate::failure::Failure;
-use crate::input::Input;
+use crate::input::{Input, bytes_of};
 use crate::output::print;
 use crate::request::Verify;
 use crate::status::Status;
 use groundbeam::proof::{self, Document, NotProven, Reason, Verification, Wide};
-use groundbeam_file::{read_bounded, read_file};
 use groundbeam_report::{ModelOf, Named, Units, Verified, digest_of_text, json, text};
 use std::fmt::Display;
 use std::path::Path;
@@ -35,20 +34,9 @@ pub fn run(request: &Verify) -> Result<Status, Failure> {
     })
 }
 
-/// The bytes of a file; of standard input for `-`.
-fn bytes(path: &Path) -> Result<(String, Vec<u8>), Failure> {
-    let (name, bytes) = if path.as_os_str() == "-" {
-        ("<stdin>".to_owned(), read_bounded(std::io::stdin().lock()))
-    } else {
-        (path.display().to_string(), read_file(path))
-    };
-    let bytes = bytes.map_err(|error| Failure::file(Path::new(&name), &error))?;
-    Ok((name, bytes))
-}
-
 /// The results of a document.
 fn documents(path: &Path) -> Result<Vec<Document>, Failure> {
-    let (name, bytes) = bytes(path)?;
+    let (name, bytes) = bytes_of(path)?;
     let failure = |error: &dyn Display| Failure::file(Path::new(&name), error);
     let text = std::str::from_utf8(&bytes).map_err(|error| failure(&error))?;
     let read = Document::read(text).map_err(|error| failure(&error))?;
@@ -67,7 +55,7 @@ struct ModelFile {
 impl ModelFile {
     /// The solver's reader is asked for faults, which it shows at their places, and for the tables that the file names.
     fn read(path: &Path) -> Result<Self, Failure> {
-        let (name, bytes) = bytes(path)?;
+        let (name, bytes) = bytes_of(path)?;
         let text = groundbeam_file::text_of(&bytes).map_err(|found| {
             Failure::diagnostics(&found, &name, &String::from_utf8_lossy(&bytes))
         })?;

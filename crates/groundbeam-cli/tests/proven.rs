@@ -3,7 +3,7 @@
 #[allow(dead_code)]
 mod common;
 
-use common::{FOOTING, Folder, LIFTS, tips};
+use common::{FOOTING, Folder, LIFTS, combined, tips};
 use serde_json::json;
 
 #[test]
@@ -58,10 +58,7 @@ fn a_mesh_is_not_proven_and_its_bounds_are_printed() {
 
 #[test]
 fn each_combination_has_its_proof() {
-    let model = format!(
-        "{LIFTS}case = 'Q'\n[[combination]]\nname = 'one'\nfactors = {{ Q = 1.0 }}\n\
-         [[combination]]\nname = 'two'\nfactors = {{ Q = 0.5 }}\n"
-    );
+    let model = combined();
     let folder = Folder::with(&model);
     let done = folder.run(&["solve", "model.toml", "--proven"]);
     done.is_clean(0);

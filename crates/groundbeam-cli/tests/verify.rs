@@ -3,7 +3,7 @@
 #[allow(dead_code)]
 mod common;
 
-use common::{Done, FOOTING, Folder, LIFTS};
+use common::{Done, FOOTING, Folder, LIFTS, combined};
 use serde_json::{Value, json};
 
 /// A pin, and a spring that settles.
@@ -153,10 +153,7 @@ fn documents_that_cannot_be_read() {
 
 #[test]
 fn each_combination_is_proven() {
-    let model = format!(
-        "{LIFTS}case = 'Q'\n[[combination]]\nname = 'one'\nfactors = {{ Q = 1.0 }}\n\
-         [[combination]]\nname = 'two'\nfactors = {{ Q = 0.5 }}\n"
-    );
+    let model = combined();
     let (folder, mut document) = solved(&model, &[]);
     let done = verify(&folder, &[]);
     done.is_clean(0);

@@ -34,7 +34,7 @@ impl<S: Scalar> Contact<'_, S> {
             let here = [i == first && ends[0], i + 1 == end && ends[1]];
             for side in [0, 1] {
                 if here[side] {
-                    let approach = self.approach(i, side, here[1 - side])?;
+                    let approach = self.approach(&piece, i, side, here[1 - side])?;
                     interval[side] = approach.reach;
                     found[side] = Some(approach);
                 }
@@ -54,8 +54,14 @@ impl<S: Scalar> Contact<'_, S> {
     }
 
     /// The approach to the touching end of a piece.
-    fn approach(&self, i: usize, side: usize, both: bool) -> Option<Approach> {
-        let (span, piece) = (&self.fields.frame.spans[i], self.open_piece(i)?);
+    fn approach(
+        &self,
+        piece: &OpenPiece<S::Coarse>,
+        i: usize,
+        side: usize,
+        both: bool,
+    ) -> Option<Approach> {
+        let span = &self.fields.frame.spans[i];
         let [from, to] = piece.interval;
         let (end, wide) = (piece.interval[side], to - from);
         let inward = if side == 0 { 1.0 } else { -1.0 };
@@ -67,7 +73,7 @@ impl<S: Scalar> Contact<'_, S> {
             let length = ((far - reach).abs().next_down() * span.half.low()).next_down();
             let steep = self.settlement_slope(i, length);
             let limit = more(steep + self.bounds[i].slope);
-            if let Some(theta) = self.theta(i, side, &piece, reach, limit) {
+            if let Some(theta) = self.theta(i, side, piece, reach, limit) {
                 return Some(Approach { theta, flux: Size::of(span.shear.high()) * steep, reach });
             }
             part *= 0.7;

@@ -381,6 +381,7 @@ fn moment_norm<S: Scalar>(h: S, [a, b]: [S; 2], (r, rest): (S, Size), added: Siz
 mod tests {
     use super::moment_norm;
     use crate::ball::Ball;
+    use crate::random::numbers;
     use crate::scalar::Scalar;
     use crate::size::Size;
 
@@ -397,13 +398,7 @@ mod tests {
 
     #[test]
     fn the_norm_of_the_moment_is_a_bound_and_sharp_without_a_rest() {
-        let mut state = 1_u64;
-        let mut random = || {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-        };
+        let mut random = numbers();
         for case in 0..500 {
             let half = 10.0_f64.powf(2.0 * random());
             let mut c = [random(), random(), random(), random()];

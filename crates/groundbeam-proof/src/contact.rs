@@ -129,49 +129,29 @@ impl<S: Scalar> Contact<'_, S> {
         if !((left.inside + right.inside).value() < room) {
             return Err(self.failed("the region is shorter than its bounds", a));
         }
-        for node in a..=b {
-            let at_edge = node == a || node == b;
-            if self.fields.frame.smooth(node) || (!at_edge && self.only_a_corner(node)) {
-                if !at_edge && !self.fields.frame.smooth(node) {
-                    self.inner_force(node, [a, b], [left, right], beside, shown)?;
-                }
-                continue;
-            }
-            if at_edge {
+        for node in (a..=b).filter(|node| !frame.smooth(*node)) {
+            let tolerance = self.tolerance(node, beside);
+            if node == a || node == b {
                 let inside = if node == a { left.inside } else { right.inside };
-                let tolerance = self.tolerance(node, beside);
                 self.force(node, tolerance, inside == Size::ZERO, shown);
                 continue;
             }
-            let tolerance = self.tolerance(node, beside);
-            if !(self.fields.surface.jump[node].low() >= tolerance.value()) {
+            let pushes = self.fields.surface.jump[node].low() >= tolerance.value();
+            if !pushes && !self.only_a_corner(node) {
                 return Err(self.failed("a force inside a region may pull", node));
             }
-            self.inner_force(node, [a, b], [left, right], beside, shown)?;
+            // An inner node has contact on both sides if it is farther from both edges than they may move.
+            let x = frame.nodes[node].x;
+            let far = [(x - frame.nodes[a].x).low(), (frame.nodes[b].x - x).low()];
+            if !(far[0] > left.inside.value() && far[1] > right.inside.value()) {
+                return Err(self.failed("an edge may lie at a force", node));
+            }
+            self.force(node, tolerance, true, shown);
         }
         shown.set.regions.push(ContactRegion {
             from: self.interval(a, [left.outside, left.inside]),
             to: self.interval(b, [right.inside, right.outside]),
         });
-        Ok(())
-    }
-
-    /// The force at an inner node, which has contact on both sides: it is farther from both edges than they may move.
-    fn inner_force(
-        &self,
-        node: usize,
-        ends: [usize; 2],
-        edges: [EdgeShift; 2],
-        beside: &[[Option<Approach>; 2]],
-        shown: &mut Shown,
-    ) -> Result<(), NotProven> {
-        let nodes = &self.fields.frame.nodes;
-        let x = nodes[node].x;
-        let far = [(x - nodes[ends[0]].x).low(), (nodes[ends[1]].x - x).low()];
-        if !(far[0] > edges[0].inside.value() && far[1] > edges[1].inside.value()) {
-            return Err(self.failed("an edge may lie at a force", node));
-        }
-        self.force(node, self.tolerance(node, beside), true, shown);
         Ok(())
     }
 
@@ -197,10 +177,7 @@ impl<S: Scalar> Contact<'_, S> {
         let at_end = (field.value(S::Coarse::of(end)).low() - error.value()).next_down();
         // The part from the end inward on which p − ε_p is bounded: four times what is needed if p changes little, or more.
         let first = (4.0 * missing.over(at_end).over(span.half.low())).value();
-        let mut part = if first > SHORTEST_PART { first } else { SHORTEST_PART };
-        if !(at_end > 0.0) {
-            part = SHORTEST_PART;
-        }
+        let mut part = if at_end > 0.0 && first > SHORTEST_PART { first } else { SHORTEST_PART };
         loop {
             part = if part < 1.0 { part } else { 1.0 };
             let m = if side == 0 { end + 0.5 * part } else { end - 0.5 * part };

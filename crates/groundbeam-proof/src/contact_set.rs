@@ -46,7 +46,7 @@ pub(crate) struct EdgeShift {
     pub inside: Size,
 }
 
-/// The contact set as far as it is shown.
+/// The regions, forces and edges that are shown, and the steps that fail.
 #[derive(Debug)]
 pub(crate) struct Shown {
     pub set: ContactSet,

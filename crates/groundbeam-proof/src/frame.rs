@@ -92,18 +92,12 @@ pub(crate) struct Weights {
     pub turning: f64,
 }
 
-/// A support of one direction that has no reaction in the answer. No piece need end there.
-#[derive(Debug)]
-pub(crate) struct Idle<S> {
-    pub x: S,
-    pub settled: S,
-    pub acts: Acts,
-}
-
 /// A support of the model, and what the answer claims of it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Held<S> {
-    /// `None` if it is idle.
+    pub x: S,
+    pub acts: Acts,
+    /// `None` if it is idle: it acts in one direction and has no reaction. No piece need end there.
     pub node: Option<usize>,
     /// κ and κ_θ; `None` if it is rigid.
     pub springs: Option<[S; 2]>,
@@ -134,8 +128,6 @@ impl<S: Scalar> Compression<S> {
 pub(crate) struct Frame<S> {
     pub spans: Vec<Span<S>>,
     pub nodes: Vec<Node<S>>,
-    /// The supports of one direction that have no reaction.
-    pub idle: Vec<Idle<S>>,
     /// The supports of the model, in its order.
     pub supports: Vec<Held<S>>,
     /// The tension P; none if it is zero.

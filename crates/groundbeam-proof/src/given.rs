@@ -52,7 +52,6 @@ pub(crate) fn frame<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Fram
     let mut frame = Frame {
         spans,
         nodes,
-        idle: Vec::new(),
         supports: Vec::new(),
         tension: (tension.high() > 0.0).then_some(tension),
         compression: None,

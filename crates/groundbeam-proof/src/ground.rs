@@ -128,12 +128,19 @@ impl<S: Scalar> Link<S> {
         behind.stiffness + self.own + self.across
     }
 
+    /// q/k at the near and at the far end, and μq′/k outward.
+    fn load_from(&self, near: usize) -> Option<(S, S, S)> {
+        let (free, slope) = self.load?;
+        let outward = if near == 0 { slope } else { -slope };
+        Some((free[near], free[1 - near], outward))
+    }
+
     /// What drives u at the near end, where `behind` lies: (S + s₁ + s₂)u = s₁u_far + this.
     fn source(&self, behind: Behind<S>, near: usize) -> S {
-        let Some((free, slope)) = self.load else { return behind.pushed };
-        let (a, b) = (free[near], free[1 - near]);
-        let outward = if near == 0 { slope } else { -slope };
-        behind.pushed + outward + self.own * a + self.across * (a - b)
+        match self.load_from(near) {
+            None => behind.pushed,
+            Some((a, b, outward)) => behind.pushed + outward + self.own * a + self.across * (a - b),
+        }
     }
 
     /// u at the near end from u at the far one.
@@ -157,10 +164,10 @@ impl<S: Scalar> Link<S> {
 
     /// s₂b + s₁(b − a) less the outward μq′/k, with a, b = q/k at the near and the far end.
     fn own_push(&self, near: usize) -> S {
-        let Some((free, slope)) = self.load else { return S::zero() };
-        let (a, b) = (free[near], free[1 - near]);
-        let outward = if near == 0 { slope } else { -slope };
-        self.own * b + self.across * (b - a) - outward
+        match self.load_from(near) {
+            None => S::zero(),
+            Some((a, b, outward)) => self.own * b + self.across * (b - a) - outward,
+        }
     }
 
     /// μu′ at both ends.

@@ -1,7 +1,7 @@
-//! What holds the beam at its nodes: supports with their stored reactions, hinges, and weights for what is given back.
+//! Supports with their stored reactions, and hinges, at the nodes; the weights with which supports take part in the balance.
 
 use crate::answer::{Answer, Reaction};
-use crate::frame::{Frame, Held, Idle};
+use crate::frame::{Frame, Held};
 use crate::model::{Acts, Model, Support, SupportKind};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
@@ -45,20 +45,23 @@ pub(crate) fn supports<S: Scalar>(
         if !claimed.iter().all(|claimed| claimed.size() <= 1e60) {
             return Err(NotProven::new("a reaction is not finite, or too large"));
         }
-        let settlement = units.metres(support.settlement);
+        let (x, settlement) = (units.metres(support.at), units.metres(support.settlement));
+        if !(settlement.size() <= 1e60) {
+            let place = units.restored(x.middle(), 0, 1);
+            return Err(NotProven::new("the settlement of a support is out of range").at(place));
+        }
         let springs = match support.kind {
             SupportKind::Pinned | SupportKind::Fixed => None,
-            SupportKind::Spring { spring, rotational_spring } => {
-                Some([units.scaled(spring, 1, -1), units.scaled(rotational_spring, 1, 1)])
-            }
+            SupportKind::Spring { spring, rotational_spring } => Some([
+                not_negative(units.scaled(spring, 1, -1), "a spring")?,
+                not_negative(units.scaled(rotational_spring, 1, 1), "a rotational spring")?,
+            ]),
         };
-        frame.supports.push(Held { node: *node, springs, settlement, claimed });
-        let Some(node) = *node else {
-            let (x, settled) = (units.metres(support.at), settlement);
-            frame.idle.push(Idle { x, settled, acts: support.acts });
-            continue;
-        };
-        hold(support, node, frame)?;
+        let held = Held { x, acts: support.acts, node: *node, springs, settlement, claimed };
+        frame.supports.push(held);
+        let Some(node) = *node else { continue };
+        let clamps = matches!(support.kind, SupportKind::Fixed);
+        hold(held, clamps, node, frame)?;
         if springs.is_some() || reaction.is_none() {
             continue;
         }
@@ -76,44 +79,35 @@ pub(crate) fn supports<S: Scalar>(
     Ok(())
 }
 
+/// Adds a support to its node.
 fn hold<S: Scalar>(
-    support: &Support<S>,
+    held: Held<S>,
+    clamps: bool,
     node: usize,
     frame: &mut Frame<S>,
 ) -> Result<(), NotProven> {
-    let units = frame.units;
     let place = frame.place(node);
-    let settlement = units.metres(support.settlement);
-    if !(settlement.size() <= 1e60) {
-        return Err(NotProven::new("the settlement of a support is out of range").at(place));
-    }
     let node = &mut frame.nodes[node];
     let first = node.rigid.is_none() && node.spring.is_none() && node.turning.is_none();
-    if node.acts != Acts::Both || (support.acts != Acts::Both && !first) {
+    if node.acts != Acts::Both || (held.acts != Acts::Both && !first) {
         let what = "two supports at one place, one of which acts in one direction";
         return Err(NotProven::new(what).at(place));
     }
-    node.acts = support.acts;
-    match support.kind {
-        SupportKind::Pinned | SupportKind::Fixed => {
-            if node.rigid.is_some_and(|other| other != settlement) {
-                return Err(NotProven::new("two rigid supports at one place").at(place));
-            }
-            node.rigid = Some(settlement);
-            node.clamped |= matches!(support.kind, SupportKind::Fixed);
+    node.acts = held.acts;
+    let Some([spring, turning]) = held.springs else {
+        if node.rigid.is_some_and(|other| other != held.settlement) {
+            return Err(NotProven::new("two rigid supports at one place").at(place));
         }
-        SupportKind::Spring { spring, rotational_spring } => {
-            let spring = not_negative(units.scaled(spring, 1, -1), "a spring")?;
-            let turning =
-                not_negative(units.scaled(rotational_spring, 1, 1), "a rotational spring")?;
-            if spring != S::zero() {
-                let [sum, settled] = node.spring.unwrap_or([S::zero(); 2]);
-                node.spring = Some([sum + spring, settled + spring * settlement]);
-            }
-            if turning != S::zero() {
-                node.turning = Some(node.turning.map_or(turning, |sum| sum + turning));
-            }
-        }
+        node.rigid = Some(held.settlement);
+        node.clamped |= clamps;
+        return Ok(());
+    };
+    if spring != S::zero() {
+        let [sum, settled] = node.spring.unwrap_or([S::zero(); 2]);
+        node.spring = Some([sum + spring, settled + spring * held.settlement]);
+    }
+    if turning != S::zero() {
+        node.turning = Some(node.turning.map_or(turning, |sum| sum + turning));
     }
     Ok(())
 }

@@ -3,14 +3,15 @@
 //! With ς = 1 for a support that pushes up and −1 for one that pulls down, −ς(w − δ) > ε_w is required. The corrected
 //! deflection w̄ then is admissible, and the exact reaction is zero, because |w̄ − w| and |w − w*| are at most ε_w.
 
-use crate::frame::{Frame, Idle};
+use crate::frame::{Frame, Held};
 use crate::pointwise::PieceBounds;
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 
 /// Fails at the first support that the exact beam may reach.
 pub(crate) fn clear<S: Scalar>(frame: &Frame<S>, bounds: &[PieceBounds]) -> Result<(), NotProven> {
-    match frame.idle.iter().find(|support| !is_clear(frame, bounds, support)) {
+    let mut idle = frame.supports.iter().filter(|support| support.node.is_none());
+    match idle.find(|support| !is_clear(frame, bounds, support)) {
         None => Ok(()),
         Some(support) => {
             let what =
@@ -20,7 +21,7 @@ pub(crate) fn clear<S: Scalar>(frame: &Frame<S>, bounds: &[PieceBounds]) -> Resu
     }
 }
 
-fn is_clear<S: Scalar>(frame: &Frame<S>, bounds: &[PieceBounds], support: &Idle<S>) -> bool {
+fn is_clear<S: Scalar>(frame: &Frame<S>, bounds: &[PieceBounds], support: &Held<S>) -> bool {
     let x = support.x;
     let inside = x.high() >= 0.0 && (frame.length - x).high() >= 0.0;
     let after = frame.nodes.partition_point(|node| node.x.middle() < x.middle());
@@ -33,7 +34,7 @@ fn is_clear<S: Scalar>(frame: &Frame<S>, bounds: &[PieceBounds], support: &Idle<
     let clear = |i: usize| {
         let span = &frame.spans[i];
         let t = (x - span.middle).div(span.half);
-        let distance = support.acts.towards(support.settled - span.deflection.value(t));
+        let distance = support.acts.towards(support.settlement - span.deflection.value(t));
         distance.low() > bounds[i].deflection.value()
     };
     inside && near.filter(|i| holds(*i)).all(clear)

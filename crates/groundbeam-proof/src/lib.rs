@@ -39,6 +39,8 @@ mod polynomial;
 mod positions;
 mod pressure;
 mod proof;
+#[cfg(test)]
+mod random;
 mod reactions;
 mod read;
 mod refusal;

@@ -44,14 +44,6 @@ struct Stretch<S> {
     ground: [S; 2],
 }
 
-/// How the row of stretches ends.
-#[derive(Clone, Copy)]
-enum End<S> {
-    Endless,
-    Free(S),
-    Held(S),
-}
-
 /// The ground on one side of the beam.
 struct Beside<'a, S> {
     model: &'a Model<S>,
@@ -107,15 +99,10 @@ impl<S: Scalar> Beside<'_, S> {
             }
         }
         grounds.sort_by(|a, b| a.0.middle().total_cmp(&b.0.middle()));
-        let end = match self.model.ground.ends[self.side] {
-            GroundEnd::Endless => End::Endless,
-            GroundEnd::Free(at) => End::Free(self.outward(at)),
-            GroundEnd::Held(at) => End::Held(self.outward(at)),
-        };
-        let (reach, held) = match end {
-            End::Endless => (None, false),
-            End::Free(at) => (Some(at), false),
-            End::Held(at) => (Some(at), true),
+        let (reach, held) = match self.model.ground.ends[self.side] {
+            GroundEnd::Endless => (None, false),
+            GroundEnd::Free(at) => (Some(self.outward(at)), false),
+            GroundEnd::Held(at) => (Some(self.outward(at)), true),
         };
         let mut row = Vec::new();
         for (i, (from, ground)) in grounds.iter().enumerate() {

@@ -6,7 +6,7 @@ use crate::fields::Fields;
 use crate::given::frame;
 use crate::listed::{Checked, Differences, differences};
 use crate::model::Model;
-use crate::patches::GAP;
+use crate::patches::{FIELDS, GAP};
 use crate::proof::{Proof, of_fields};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
@@ -76,7 +76,7 @@ pub fn verify<S: Scalar>(model: &Model<S>, document: &Document) -> Result<Verifi
         shortfall: None,
     };
     let claimed = verification.claimed(document);
-    let far = far(&fields, &found.fields, &verification.proof);
+    let far = far(&fields, &found.fields, &verification.named());
     verification.shortfall = verification
         .proof
         .shortfall()
@@ -144,16 +144,17 @@ impl Verification {
 
 /// The first field of which a listed number differs from the answer by more than 10⁻⁶ of the field's own largest value, and
 /// by more than rounding. The scale of a field may be much larger than its values.
-fn far<S: Scalar>(fields: &Fields<S>, differences: &[f64; 8], proof: &Proof) -> Option<NotProven> {
-    let largest = claimed(fields);
-    let units = fields.frame.units;
-    let [deflection, slope, rotation, moment, shear_force, settlement, _, pressure] = *differences;
-    let listed = [deflection, slope, rotation, moment, shear_force, settlement, pressure];
-    let dimensions = [(0, 1), (0, 0), (0, 0), (1, 1), (1, 0), (0, 1), (1, -1)];
-    let named = proof.bounds.named().into_iter().zip(listed).zip(largest).zip(dimensions);
-    for ((((name, bound), difference), largest), (force, length)) in named {
-        let own = units.restored(largest, force, length);
-        if !(difference <= 1e-6 * own + 1e-11 * bound.scale) {
+fn far<S: Scalar>(
+    fields: &Fields<S>,
+    differences: &[f64; 8],
+    bounds: &[(&'static str, Bound)],
+) -> Option<NotProven> {
+    let fields_of = FIELDS.iter().zip(claimed(fields)).zip(differences);
+    for (((name, force, length), largest), difference) in fields_of {
+        let own = fields.frame.units.restored(largest, *force, *length);
+        let bound = bounds.iter().find(|(known, _)| known == name);
+        let scale = bound.map_or(0.0, |(_, bound)| bound.scale);
+        if !(*difference <= 1e-6 * own + 1e-11 * scale) {
             let name = name.replace('_', " ");
             let what = format!("a listed {name} differs from the pieces by {difference:.1e}");
             return Some(NotProven::new(what));

@@ -32,7 +32,7 @@ pub struct Context<'a> {
     pub pieces: bool,
     /// Whether a document holds the model: the proof does not read the model file.
     pub model: bool,
-    /// What is proven of each answer, in their order; empty where nobody asked.
+    /// The proof of each answer, in their order; empty if none is asked for.
     pub proofs: &'a [Named],
 }
 

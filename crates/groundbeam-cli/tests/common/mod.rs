@@ -26,6 +26,14 @@ pub fn tips() -> String {
     LIFTS.replace("0.49", "0.6")
 }
 
+/// [`LIFTS`] in two combinations.
+pub fn combined() -> String {
+    format!(
+        "{LIFTS}case = 'Q'\n[[combination]]\nname = 'one'\nfactors = {{ Q = 1.0 }}\n\
+         [[combination]]\nname = 'two'\nfactors = {{ Q = 0.5 }}\n"
+    )
+}
+
 /// A footing with units.
 pub const FOOTING: &str = "\
 [beam]

@@ -45,16 +45,15 @@ pub(crate) fn sign_changes(c: &[f64], roots: &mut Vec<f64>) {
         count -= 1;
         negligible -= c[count].abs();
     }
-    let c = &c[..count];
-    isolate(c, [-1.0, 1.0], [-1.0, 1.0].map(|s| value(c, s)), 0, roots);
+    isolate(&c[..count], [-1.0, 1.0], None, 0, roots);
 }
 
 /// Halvings after which an interval is a point.
 pub(crate) const DEEPEST: u32 = 40;
 
-/// Finds the sign changes on an interval from the values at its ends. Neighbouring intervals share the value between them,
-/// so that rounding cannot hide a root there.
-fn isolate(c: &[f64], x: [f64; 2], ends: [f64; 2], depth: u32, roots: &mut Vec<f64>) {
+/// Finds the sign changes on an interval from the values at its ends, computed if they are not given. Neighbouring intervals
+/// share the value between them, so that rounding cannot hide a root there.
+fn isolate(c: &[f64], x: [f64; 2], ends: Option<[f64; 2]>, depth: u32, roots: &mut Vec<f64>) {
     let Some((&constant, rest)) = c.split_first() else { return };
     let (mut spread, mut slope, mut bend) = (0.0, 0.0, 0.0);
     for (a, j) in rest.iter().map(|a| a.abs()).zip(1_u8..) {
@@ -67,6 +66,7 @@ fn isolate(c: &[f64], x: [f64; 2], ends: [f64; 2], depth: u32, roots: &mut Vec<f
     if constant.abs() > spread || sum == 0.0 || sum.is_nan() {
         return;
     }
+    let ends = ends.unwrap_or_else(|| [-1.0, 1.0].map(|s| value(c, s)));
     let first = rest.first().map_or(0.0, |a| a.abs());
     let place = |s: f64| x[0] + 0.5 * (x[1] - x[0]) * (s + 1.0);
     if first > slope - first || depth >= DEEPEST {
@@ -91,7 +91,7 @@ fn isolate(c: &[f64], x: [f64; 2], ends: [f64; 2], depth: u32, roots: &mut Vec<f
                 roots.push(place(monotone_root(c, half, ends[0])));
             }
         } else {
-            isolate(&rescale(c, middle, 0.5), half.map(place), ends, depth + 1, roots);
+            isolate(&rescale(c, middle, 0.5), half.map(place), Some(ends), depth + 1, roots);
         }
     }
 }

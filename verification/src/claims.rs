@@ -1,0 +1,59 @@
+//! Claimed answers beside the true one: errors over proven bounds, and the energy of the error over E.
+
+use groundbeam::proof::Proof;
+use groundbeam::{Field, Solution};
+
+/// The true values are computed with this error, relative to the largest of their field.
+const ROUNDING: f64 = 1e-10;
+
+/// The proven bound of the error of a field; none of the gap, of which no bound of its own is proven.
+pub fn error_bound(proof: &Proof, field: Field) -> Option<f64> {
+    let named = proof.bounds.named().into_iter().find(|(name, _)| *name == field.name());
+    named.map(|(_, bound)| bound.error)
+}
+
+/// Whether the bound of a field holds at x: that of the pressure holds outside the intervals of the edges.
+pub fn holds_at(proof: &Proof, field: Field, x: f64) -> bool {
+    let inside = |[low, high]: [f64; 2]| low <= x && x <= high;
+    match (field, &proof.contact) {
+        (Field::Pressure, Ok(set)) => {
+            !set.regions.iter().any(|region| inside(region.from) || inside(region.to))
+        }
+        (Field::Pressure, Err(_)) => false,
+        _ => true,
+    }
+}
+
+/// The largest of |claimed − true| over bound, at places where no field jumps. The claimed settlement has the ground of the
+/// claim; without `ground` it is not compared.
+pub fn over_bound(claimed: &Solution, truth: &Solution, proof: &Proof, ground: bool) -> f64 {
+    let length = truth.model().beam.length;
+    let mut worst: f64 = 0.0;
+    for field in Field::ALL.into_iter().filter(|field| ground || *field != Field::Settlement) {
+        let Some(bound) = error_bound(proof, field) else { continue };
+        let range = truth.range(field);
+        let largest = range.max.value.abs().max(range.min.value.abs());
+        let positions = (0..97).map(|i| length * (0.003 + 0.010_263 * f64::from(i)));
+        for x in positions.filter(|x| holds_at(proof, field, *x)) {
+            let error = (claimed.value(field, x) - truth.value(field, x)).abs();
+            worst = worst.max((error - ROUNDING * largest) / bound);
+        }
+    }
+    worst
+}
+
+/// A part of the energy of the error: ½∫(ΔM)²/EI, and ½∫k(Δu)² along the beam if the grounds are compared.
+pub fn energy_of_error(claimed: &Solution, truth: &Solution, ground: bool) -> f64 {
+    let model = truth.model();
+    let steps = 4000;
+    let h = model.beam.length / f64::from(steps);
+    let density = |i: i32| {
+        let x = h * (0.5 + f64::from(i));
+        let of = |field| claimed.value(field, x) - truth.value(field, x);
+        let (moment, settled) = (of(Field::Moment), of(Field::Settlement));
+        let (spring, _) = model.foundation.constants_at(x);
+        let spring = if ground { spring } else { 0.0 };
+        moment * moment / model.beam.bending_stiffness_at(x) + spring * settled * settled
+    };
+    0.5 * h * (0..steps).map(density).sum::<f64>()
+}
