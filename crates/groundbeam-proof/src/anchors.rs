@@ -1,5 +1,6 @@
 //! Bounds of the error e of the deflection, from the places where e is bounded: its anchors.
 
+use crate::coefficient::Coefficient;
 use crate::frame::Span;
 use crate::model::Acts;
 use crate::pointwise::Pointwise;
@@ -38,12 +39,12 @@ impl<S: Scalar> Pointwise<'_, S> {
     /// s_γ = 0 if the part does not shear.
     pub(crate) fn flexure(&self, part: &Range<usize>) -> [Size; 2] {
         let spans = &self.fields.frame.spans[part.clone()];
-        let most = |of: &dyn Fn(&Span<S>) -> Option<S>| {
+        let most = |of: &dyn Fn(&Span<S>) -> Option<&Coefficient<S>>| {
             let all = spans.iter().filter_map(of);
             let largest = all.map(|x| Size::of(1.0).over(x.low())).fold(Size::ZERO, Size::worst);
             (2.0 * self.beam_energy() * largest).root()
         };
-        [most(&|span| Some(span.bending)), most(&|span| span.stiffness)]
+        [most(&|span| Some(&span.bending)), most(&|span| span.stiffness.as_ref())]
     }
 
     /// sup|e| on each part. A part needs two anchors or a clamp, and hands its bound on at hinges. Under tension one anchor

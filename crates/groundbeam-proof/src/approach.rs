@@ -50,7 +50,8 @@ impl<S: Scalar> Contact<'_, S> {
     fn open_piece(&self, i: usize) -> Option<OpenPiece<S::Coarse>> {
         let open = self.fields.surface.open[i]?;
         let span = &self.fields.frame.spans[i];
-        Some(OpenPiece::of(span, open, [Size::ZERO; 3]))
+        let along = self.fields.surface.along[i].as_deref();
+        Some(OpenPiece::of(span, open, along, [Size::ZERO; 3]))
     }
 
     /// The approach to the touching end of a piece.
@@ -87,7 +88,7 @@ impl<S: Scalar> Contact<'_, S> {
             return Size::INFINITE;
         }
         let span = &self.fields.frame.spans[i];
-        let decay = span.spring.div(span.shear).sqrt();
+        let decay = span.spring.least().div(span.shear.least()).sqrt();
         let fallen = (-(decay * S::of(length))).expm1();
         let factor = decay * (fallen + S::of(2.0)).div(-fallen);
         Size::of(factor.high()) * self.bounds[i].settlement

@@ -21,7 +21,7 @@ pub(crate) struct Arc<C> {
 
 impl<C: Scalar> Arc<C> {
     pub fn of<S: Scalar<Coarse = C>>(span: &Span<S>, ends: [S; 2]) -> Self {
-        let decay = span.spring.div(span.shear).sqrt().coarse();
+        let decay = span.spring.least().div(span.shear.least()).sqrt().coarse();
         let length = span.h.coarse();
         let z = decay * length;
         let divisors = [(-z.scaled(1)).expm1(), (-z).expm1() + C::of(2.0)];

@@ -74,8 +74,15 @@ fn above_springs<S: Scalar>(
     negligible: Size,
     budget: &mut Budget,
 ) -> Below {
-    let clear = (&Polynomial::zero() - &span.above_free_field()).coarse();
-    below(&clear, closed, negligible, span.interval(), budget)
+    let Some(load) = span.ground_load.as_ref().filter(|_| span.spring.even().is_none()) else {
+        let clear = (&Polynomial::zero() - &span.above_free_field()).coarse();
+        return below(&clear, closed, negligible, span.interval(), budget);
+    };
+    // Where k varies q − k(w̄ − g₀) has the sign, and q/k is no polynomial.
+    let stiff = Size::of(span.spring.high());
+    let clear = (&**load - &span.spring.times(&span.obstacle())).coarse();
+    let found = below(&clear, stiff * closed, stiff * negligible, span.interval(), budget);
+    Below { depth: found.depth.over(span.spring.low()), ..found }
 }
 
 /// Open pieces of a layer between two nodes that touch, or to the end of the layer.
@@ -109,7 +116,8 @@ impl<S: Scalar> Stretch<'_, S> {
             let Some(open) = self.surface.open[i] else { return (Size::INFINITE, Size::INFINITE) };
             budget.begin();
             let span = &self.frame.spans[i];
-            let piece = OpenPiece::of(span, open, self.deflection.pieces[i].bounds);
+            let along = self.surface.along[i].as_deref();
+            let piece = OpenPiece::of(span, open, along, self.deflection.pieces[i].bounds);
             let [mut from, mut to] = span.interval();
             stiffness += Size::of(span.spring.high()) * span.length();
             for side in [0, 1] {
@@ -141,7 +149,7 @@ impl<S: Scalar> Stretch<'_, S> {
     /// C̄′ at a touching node, into the open piece: u′ + g₀′ − w′ − c′.
     fn slope_at(&self, i: usize, side: usize) -> S {
         let span = &self.frame.spans[i];
-        let settling = self.surface.flux[i][side].div(span.shear);
+        let settling = self.surface.flux[i][side].div(span.shear.at_end(side));
         let gap = span.derivative(&span.gap).value(span.t[side]);
         let bent = self.deflection.slopes[i][side] + self.deflection.pieces[i].slope[side];
         settling + gap - bent
@@ -161,9 +169,17 @@ pub(crate) struct OpenPiece<C> {
 }
 
 impl<C: Scalar> OpenPiece<C> {
-    pub fn of<S: Scalar<Coarse = C>>(span: &Span<S>, ends: [S; 2], closed: [Size; 3]) -> Self {
-        let obstacle = span.above_free_field();
-        let arc = Arc::of(span, span.above_free_ends(ends));
+    /// `along` is u on ground that varies: there ψ − u and 0 stand for ψ and u.
+    pub fn of<S: Scalar<Coarse = C>>(
+        span: &Span<S>,
+        ends: [S; 2],
+        along: Option<&Polynomial<S>>,
+        closed: [Size; 3],
+    ) -> Self {
+        let (obstacle, arc) = match along {
+            Some(u) => (&span.obstacle() - u, Arc::of(span, [S::zero(); 2])),
+            None => (span.above_free_field(), Arc::of(span, span.above_free_ends(ends))),
+        };
         let slope = span.derivative(&obstacle);
         let bent = span.derivative(&slope);
         OpenPiece {

@@ -77,8 +77,8 @@ fn bending<S: Scalar>(frame: &Frame<S>) -> Vec<bool> {
         .spans
         .iter()
         .map(|span| {
-            let waves = span.h.square().square() * span.spring;
-            waves.middle() >= 4.0 * span.bending.middle()
+            let waves = span.h.square().square().middle() * span.spring.middle();
+            waves >= 4.0 * span.bending.middle()
         })
         .collect();
     let rigid: Vec<usize> =

@@ -6,7 +6,7 @@ use crate::deflection::{Deflection, admissible};
 use crate::frame::Frame;
 use crate::ground::{Surface, surface};
 use crate::model::Acts;
-use crate::polynomial::{Budget, Polynomial};
+use crate::polynomial::Budget;
 use crate::pressure::{Pressure, carried, pressures, pulled};
 use crate::refusal::NotProven;
 use crate::residual::{Residual, at_support, residual};
@@ -138,43 +138,5 @@ impl<'a, S: Scalar> Fields<'a, S> {
             sum += missed.square().over(spring.low());
         }
         sum
-    }
-
-    /// The strain energy by Gauss's rule with three points a piece: an estimate.
-    pub fn strain_energy(&self) -> f64 {
-        let mut sum = 0.0;
-        for (i, span) in self.frame.spans.iter().enumerate() {
-            let slope = span.derivative(&span.deflection);
-            let bent = span.derivative(span.rotation.as_deref().unwrap_or(&slope));
-            let sheared = span.rotation.as_deref().map(|rotation| &slope - rotation);
-            for (t, weight) in
-                [(-0.774_596_669_241_483_4, 5.0), (0.0, 8.0), (0.774_596_669_241_483_4, 5.0)]
-            {
-                let at = |p: &Polynomial<S>| {
-                    p.coefficients().iter().rev().fold(0.0, |sum, c| sum * t + c.middle())
-                };
-                let axial = self.frame.axial_force().map_or(0.0, |force| force.middle());
-                let angle = sheared.as_ref().map_or(0.0, &at);
-                let shear_stiffness = span.stiffness.map_or(0.0, |stiffness| stiffness.middle());
-                let density = shear_stiffness * angle * angle
-                    + span.bending.middle() * at(&bent) * at(&bent)
-                    + axial * at(&slope) * at(&slope)
-                    + at(&self.pressures[i].field) * at(&span.obstacle());
-                sum += weight / 9.0 * span.half.middle() * density;
-            }
-        }
-        for (i, node) in self.frame.nodes.iter().enumerate() {
-            let [w, slope] = at_support(&self.deflection, i).map(|x| x.middle());
-            if let Some([spring, settled]) = node.spring.map(|both| both.map(|x| x.middle())) {
-                let force = match node.acts {
-                    Acts::Both => spring * w - settled,
-                    _ => self.residual.pushing[i].middle(),
-                };
-                sum += force * force / spring;
-            }
-            sum += node.turning.map_or(0.0, |turning| turning.middle() * slope * slope);
-            sum += self.surface.force[i].middle() * self.surface.settlement[i].middle();
-        }
-        0.5 * sum
     }
 }

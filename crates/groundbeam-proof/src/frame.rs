@@ -2,6 +2,7 @@
 //! and supports node by node.
 
 use crate::answer::{Answer, Piece};
+use crate::coefficient::Coefficient;
 use crate::model::Acts;
 use crate::polynomial::{HIGHEST, Polynomial};
 use crate::refusal::NotProven;
@@ -32,12 +33,14 @@ pub(crate) struct Span<S> {
     pub deflection: Polynomial<S>,
     /// φ(t) of a piece that shears; else φ = w′.
     pub rotation: Option<Box<Polynomial<S>>>,
-    pub bending: S,
+    /// EI.
+    pub bending: Coefficient<S>,
     /// The shear stiffness of a beam that shears, S.
-    pub stiffness: Option<S>,
-    pub spring: S,
+    pub stiffness: Option<Coefficient<S>>,
+    /// k.
+    pub spring: Coefficient<S>,
     /// μ; exactly 0 on separate springs.
-    pub shear: S,
+    pub shear: Coefficient<S>,
     /// Whether μ > 0.
     pub layered: bool,
     /// f, g and κ₀ of the loads and g₀, straight lines of t.
@@ -47,6 +50,9 @@ pub(crate) struct Span<S> {
     pub gap: Polynomial<S>,
     /// q of the loads on the ground, a straight line of t; none if it is zero.
     pub ground_load: Option<Box<Polynomial<S>>>,
+    /// u as the answer stores it on open ground: at both ends, and along ground that varies.
+    pub stored: Option<[S; 2]>,
+    pub settlement: Option<Box<Polynomial<S>>>,
 }
 
 /// A place between pieces, or an end of the beam.
@@ -202,6 +208,10 @@ impl<S: Scalar> Span<S> {
             true => None,
             false => Some(Box::new(field(&piece.rotation, 0)?)),
         };
+        let settlement = match piece.settlement.is_empty() {
+            true => None,
+            false => Some(Box::new(field(&piece.settlement, 1)?)),
+        };
         let half = units.metres(S::of(piece.half));
         if !(half.low() > 0.0) {
             return Err(wrong("`half` is not positive"));
@@ -227,17 +237,30 @@ impl<S: Scalar> Span<S> {
             touches: piece.touches,
             deflection: field(&piece.deflection, 1)?,
             rotation,
-            bending: zero,
+            bending: Coefficient::Even(zero),
             stiffness: None,
-            spring: zero,
-            shear: zero,
+            spring: Coefficient::Even(zero),
+            shear: Coefficient::Even(zero),
             layered: false,
             force: none.clone(),
             moment: none.clone(),
             curvature: none.clone(),
             gap: none,
             ground_load: None,
+            stored: piece.open.map(|ends| ends.map(|u| units.metres(S::of(u)))),
+            settlement,
         })
+    }
+
+    /// Whether EI, S, k and μ are constant.
+    pub fn is_even(&self) -> bool {
+        let shears_evenly = self.stiffness.as_ref().is_none_or(|s| s.even().is_some());
+        self.bending.even().is_some() && shears_evenly && self.has_even_ground()
+    }
+
+    /// Whether k and μ are constant.
+    pub fn has_even_ground(&self) -> bool {
+        self.spring.even().is_some() && self.shear.even().is_some()
     }
 
     /// An upper bound of the length.
@@ -272,9 +295,10 @@ impl<S: Scalar> Span<S> {
         p.derivative().times(self.per_length)
     }
 
-    /// q/k, the settlement of the ground under its own loads far from the beam; none without loads.
+    /// q/k on even ground, the settlement under the ground's own loads far from the beam; none without loads.
     pub fn free_field(&self) -> Option<Polynomial<S>> {
-        self.ground_load.as_ref().map(|load| load.times(S::one().div(self.spring)))
+        let spring = self.spring.even()?;
+        self.ground_load.as_ref().map(|load| load.times(S::one().div(spring)))
     }
 
     /// u − q/k at the ends of the piece.
@@ -300,7 +324,7 @@ impl<S: Scalar> Span<S> {
 
     /// M = −EI (φ′ − κ₀).
     pub fn bending_moment(&self, rotation: &Polynomial<S>) -> Polynomial<S> {
-        (&self.curvature - &self.derivative(rotation)).times(self.bending)
+        self.bending.times(&(&self.curvature - &self.derivative(rotation)))
     }
 
     /// V = M′ − g.
@@ -353,6 +377,7 @@ impl<S: Scalar> Frame<S> {
     /// Whether μ is the same on both sides of a node inside a layer, and no hinge and no force on the ground is there.
     pub fn even(&self, node: usize) -> bool {
         self.layered(node) == [true; 2]
+            && self.spans[node - 1].shear.even().is_some()
             && self.spans[node - 1].shear == self.spans[node].shear
             && self.nodes[node].ground_force == S::zero()
             && !self.nodes[node].is_hinged()
@@ -361,6 +386,11 @@ impl<S: Scalar> Frame<S> {
     /// Whether a node lies inside the layer and has no hinge, no force on the ground, no corner of g₀, no step of μ.
     pub fn smooth(&self, node: usize) -> bool {
         self.even(node) && !self.nodes[node].corner
+    }
+
+    /// Whether EI, S, k or μ varies along a piece.
+    pub fn varies(&self) -> bool {
+        self.spans.iter().any(|span| !span.is_even())
     }
 
     /// Whether a piece shears.

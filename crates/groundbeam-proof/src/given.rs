@@ -1,17 +1,19 @@
 //! From model and answer to the problem on the pieces: checks of range, and where everything stands.
 
 use crate::answer::{Answer, Reaction};
-use crate::frame::{Compression, Frame, Node, spans};
+use crate::coefficient::{Coefficient, HIGHEST_COURSE};
+use crate::frame::{Compression, Frame, Node, Span, spans};
 use crate::held;
 use crate::kinds::not_covered;
-use crate::model::{Action, Extent, Load, Model};
+use crate::model::{Action, Course, Extent, Load, Model};
 use crate::outside;
+use crate::polynomial::Polynomial;
 use crate::positions::Positions;
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::stability::margin;
 use crate::units::Units;
-use crate::values::{constant, not_negative, positive};
+use crate::values::{in_range, positive};
 
 /// More pieces than this are refused.
 const MOST_PIECES: usize = 100_000;
@@ -29,7 +31,13 @@ struct Places {
 }
 
 /// The problem on the pieces of the answer, in the units of the proof.
-pub(crate) fn frame<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Frame<S>, NotProven> {
+///
+/// Under compression a lower bound σ of the part of the energy's convexity that remains is proven unless one is given.
+pub(crate) fn frame<S: Scalar>(
+    model: &Model<S>,
+    answer: &Answer,
+    stability: Option<f64>,
+) -> Result<Frame<S>, NotProven> {
     if let Some(kind) = not_covered(model) {
         return Err(kind);
     }
@@ -71,7 +79,8 @@ pub(crate) fn frame<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Fram
     if tension.high() < 0.0 {
         let force = positive(-tension, "the axial force")?;
         let what = "no critical load above the compression is proven";
-        let margin = margin(&frame, force).ok_or_else(|| NotProven::new(what))?;
+        let margin = stability.or_else(|| margin(&frame, force));
+        let margin = margin.ok_or_else(|| NotProven::new(what))?;
         frame.compression = Some(Compression { force, margin });
     }
     (frame.outside, frame.pushed) = outside::beside(model, &frame)?;
@@ -152,58 +161,95 @@ fn stiffness<S: Scalar>(
     frame: &mut Frame<S>,
 ) -> Result<(), NotProven> {
     let units = frame.units;
-    let bending = |x: S| positive(units.scaled(x, 1, 2), "EI");
-    let ground = |[k, mu]: [S; 2]| -> Result<[S; 2], NotProven> {
-        Ok([
-            positive(units.scaled(k, 1, -2), "k")?,
-            not_negative(units.scaled(mu, 1, 0), "the shear constant of the ground")?,
-        ])
-    };
-    let shearing = |x: S| positive(units.scaled(x, 1, 0), "the shear stiffness");
-    let own_shear = model.beam.shear_stiffness.map(shearing).transpose()?;
-    let (own, below) = (
-        bending(model.beam.bending_stiffness)?,
-        ground([model.ground.spring, model.ground.shear])?,
-    );
     if let Some(tension) = frame.tension {
         positive(tension, "the axial force")?;
     }
-    let mut stiffnesses = vec![None; frame.spans.len()];
-    for (segment, [from, to]) in model.beam.segments.iter().zip(&places.beam) {
-        let value = bending(constant(&segment.bending_stiffness))?;
-        let shear = segment.shear_stiffness.as_ref().map(|course| shearing(constant(course)));
-        let value = (value, shear.transpose()?.or(own_shear));
-        set(&mut stiffnesses, [*from, *to], value)?;
+    let (beam, ground) = (&model.beam, &model.ground);
+    let even = |x: S, length: i32| Coefficient::Even(units.scaled(x, 1, length));
+    let mut shears = vec![beam.shear_stiffness.map(|x| even(x, 0)); frame.spans.len()];
+    for span in &mut frame.spans {
+        span.bending = even(beam.bending_stiffness, 2);
+        span.spring = even(ground.spring, -2);
+        span.shear = even(ground.shear, 0);
     }
-    let mut grounds = vec![None; frame.spans.len()];
-    for (segment, [from, to]) in model.ground.segments.iter().zip(&places.ground) {
-        let value = ground([constant(&segment.spring), constant(&segment.shear)])?;
-        set(&mut grounds, [*from, *to], value)?;
+    for (piece, j) in pieces_of(places.beam.iter().copied(), frame.spans.len())? {
+        let segment = &beam.segments[j];
+        let part = Part::of(&frame.spans[piece], [segment.from, segment.to], units);
+        frame.spans[piece].bending = part.course(&segment.bending_stiffness, 2)?;
+        if let Some(course) = &segment.shear_stiffness {
+            shears[piece] = Some(part.course(course, 0)?);
+        }
     }
-    for (i, span) in frame.spans.iter_mut().enumerate() {
-        (span.bending, span.stiffness) = stiffnesses[i].unwrap_or((own, own_shear));
+    for (piece, j) in pieces_of(places.ground.iter().copied(), frame.spans.len())? {
+        let segment = &ground.segments[j];
+        let part = Part::of(&frame.spans[piece], [segment.from, segment.to], units);
+        frame.spans[piece].spring = part.course(&segment.spring, -2)?;
+        frame.spans[piece].shear = part.course(&segment.shear, 0)?;
+    }
+    for (span, shear) in frame.spans.iter_mut().zip(shears) {
+        in_range(&span.bending, "EI")?;
+        in_range(&span.spring, "k")?;
+        span.layered = span.shear != Coefficient::Even(S::zero());
+        if span.layered {
+            in_range(&span.shear, "the shear constant of the ground")?;
+        }
+        if let Some(shear) = &shear {
+            in_range(shear, "the shear stiffness")?;
+        }
+        span.stiffness = shear;
         if span.stiffness.is_some() != span.rotation.is_some() {
             let what = "a rotation is given where the beam does not shear, or none where it does";
             return Err(NotProven::new(what).at(units.restored(span.x[0].middle(), 0, 1)));
         }
-        [span.spring, span.shear] = grounds[i].unwrap_or(below);
-        span.layered = span.shear != S::zero();
     }
     Ok(())
 }
 
-/// Gives the pieces of a segment their value. Segments do not overlap.
-fn set<T: Copy>(
-    values: &mut [Option<T>],
-    [from, to]: [usize; 2],
-    value: T,
-) -> Result<(), NotProven> {
-    for place in values.iter_mut().take(to).skip(from) {
-        if place.replace(value).is_some() {
-            return Err(NotProven::new("two segments overlap"));
+/// The pieces of segments, each with the index of its segment. Segments do not overlap.
+fn pieces_of(
+    segments: impl Iterator<Item = [usize; 2]>,
+    pieces: usize,
+) -> Result<Vec<(usize, usize)>, NotProven> {
+    let mut taken = vec![false; pieces];
+    let mut found = Vec::new();
+    for (j, [from, to]) in segments.enumerate() {
+        for (piece, taken) in taken.iter_mut().enumerate().take(to).skip(from) {
+            if std::mem::replace(taken, true) {
+                return Err(NotProven::new("two segments overlap"));
+            }
+            found.push((piece, j));
         }
     }
-    Ok(())
+    Ok(found)
+}
+
+/// A piece as a part of a segment: s = line(t) runs from 0 to 1 along the segment, and between `ends` on the piece.
+struct Part<S> {
+    line: Polynomial<S>,
+    ends: [S; 2],
+    units: Units,
+}
+
+impl<S: Scalar> Part<S> {
+    fn of(span: &Span<S>, segment: [S; 2], units: Units) -> Self {
+        let [from, to] = segment.map(|x| units.metres(x));
+        let length = to - from;
+        let s = |x: S| (x - from).div(length);
+        Part {
+            line: Polynomial::line(s(span.middle), span.half.div(length)),
+            ends: span.x.map(s),
+            units,
+        }
+    }
+
+    /// A course on the piece, of the unit N m^`length`.
+    fn course(&self, course: &Course<S>, length: i32) -> Result<Coefficient<S>, NotProven> {
+        if matches!(course, Course::Varying(values) if values.len() > HIGHEST_COURSE + 1) {
+            return Err(NotProven::new("a coefficient varies with a degree above 5"));
+        }
+        let scaled = |x: S| self.units.scaled(x, 1, length);
+        Ok(Coefficient::of(course, &self.line, self.ends, scaled))
+    }
 }
 
 /// Whether a load on the ground may lift it: the settlement under such a load is no upper bound of Gp.

@@ -14,14 +14,18 @@
 
 use crate::deflection::Deflection;
 use crate::frame::{Frame, Span};
+use crate::polynomial::Polynomial;
 use crate::scalar::Scalar;
 use crate::size::Size;
+use std::ops::Range;
 
 /// The ground's surface and its forces.
 #[derive(Debug)]
 pub(crate) struct Surface<S> {
     /// ū at both ends of each open piece of a layer.
     pub open: Vec<Option<[S; 2]>>,
+    /// ū on each open piece of a layer whose k or μ varies.
+    pub along: Vec<Option<Box<Polynomial<S>>>>,
     /// μū′ at both ends of each open piece of a layer.
     pub flux: Vec<[S; 2]>,
     /// Whether beam and layer touch at a node.
@@ -34,7 +38,7 @@ pub(crate) struct Surface<S> {
     pub force: Vec<S>,
     /// A bound of √g(x, x) on each piece of a layer; infinite on separate springs.
     pub flexibility: Vec<Size>,
-    /// Σ|r|√g over the pulling forces, which p̄ leaves out.
+    /// Σ|r|√g over the forces and (Σ∫ρ²/k)^½ over the pressures which p̄ leaves out.
     pub unclaimed: Size,
 }
 
@@ -52,6 +56,7 @@ pub(crate) fn surface<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -
     let touches: Vec<bool> = (0..frame.nodes.len()).map(|i| touches(frame, i)).collect();
     let mut surface = Surface {
         open: vec![None; frame.spans.len()],
+        along: vec![None; frame.spans.len()],
         flux: vec![[S::zero(); 2]; frame.spans.len()],
         jump: vec![S::zero(); frame.nodes.len()],
         settlement: vec![S::zero(); frame.nodes.len()],
@@ -99,7 +104,7 @@ impl<S: Scalar> Behind<S> {
     }
 }
 
-/// An open piece with u = q/k + v.
+/// An open piece with u = q/k + v. Where k or μ varies, that of the least k and μ.
 struct Link<S> {
     /// s₁ and s₂.
     across: S,
@@ -110,15 +115,16 @@ struct Link<S> {
 
 impl<S: Scalar> Link<S> {
     fn of(span: &Span<S>) -> Self {
-        let root = (span.spring * span.shear).sqrt();
-        let z = span.spring.div(span.shear).sqrt() * span.h;
+        let (spring, shear) = (span.spring.least(), span.shear.least());
+        let root = (spring * shear).sqrt();
+        let z = spring.div(shear).sqrt() * span.h;
         // e = exp(−z) − 1: sinh z = −e(2 + e)/(2(1 + e)), tanh(z/2) = −e/(2 + e), without cancellation for small z.
         let e = (-z).expm1();
         let sum = e + S::of(2.0);
         let across = (root * (e + S::one()).scaled(1)).div(-e * sum);
         let load = span.free_field().map(|free| {
             let slope = span.derivative(&free).coefficient(0);
-            (span.t.map(|t| free.value(t)), span.shear * slope)
+            (span.t.map(|t| free.value(t)), shear * slope)
         });
         Link { across, own: (root * -e).div(sum), load }
     }
@@ -243,7 +249,8 @@ impl<'a, S: Scalar> Layer<'a, S> {
             let all = spans.iter().map(of);
             all.reduce(|a, b| if b.low() < a.low() { b } else { a }).unwrap_or_else(S::zero)
         };
-        let (spring, shear) = (least(&|span| span.spring), least(&|span| span.shear));
+        let (spring, shear) =
+            (least(&|span| span.spring.least()), least(&|span| span.shear.least()));
         let length = spans[spans.len() - 1].x[1] - spans[0].x[0];
         let decay = spring.div(shear).sqrt() * length;
         let fallen = (-decay.scaled(1)).expm1();
@@ -266,15 +273,30 @@ impl<'a, S: Scalar> Layer<'a, S> {
     fn solve(&self, surface: &mut Surface<S>) {
         let nodes = self.first..=self.end();
         let touching: Vec<usize> = nodes.filter(|node| surface.touches[*node]).collect();
+        let even = |pieces: Range<usize>| {
+            self.frame.spans[pieces].iter().all(|span| span.has_even_ground())
+        };
         let (Some(first), Some(last)) = (touching.first(), touching.last()) else {
-            self.leading(self.end(), self.free_end(), surface);
+            match even(self.first..self.end()) {
+                true => self.leading(self.end(), self.free_end(), surface),
+                false => self.as_stored(self.first..self.end(), surface),
+            }
             return;
         };
-        self.leading(*first, self.held(*first), surface);
-        self.trailing(*last, surface);
+        match even(self.first..*first) {
+            true => self.leading(*first, self.held(*first), surface),
+            false => self.as_stored(self.first..*first, surface),
+        }
+        match even(*last..self.end()) {
+            true => self.trailing(*last, surface),
+            false => self.as_stored(*last..self.end(), surface),
+        }
         for pair in touching.windows(2) {
             if !self.frame.spans[pair[0]].touches {
-                self.between(pair[0], pair[1], surface);
+                match even(pair[0]..pair[1]) {
+                    true => self.between(pair[0], pair[1], surface),
+                    false => self.as_stored(pair[0]..pair[1], surface),
+                }
             }
         }
     }
@@ -340,20 +362,68 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
+    /// A stretch in which k or μ varies: the stored settlement, with the values of the nodes. What it misses of the ground's
+    /// equation, ρ = kû − (μû′)′ − q along the pieces and the jumps r of the flux at open nodes, is left unclaimed. It
+    /// costs at most (Σ∫ρ²/k)^½ + Σ|r|√g (K10).
+    fn as_stored(&self, pieces: Range<usize>, surface: &mut Surface<S>) {
+        let mut missed = Size::ZERO;
+        for i in pieces.clone() {
+            let ends = [i, i + 1].map(|node| self.stored_at(node, surface));
+            surface.open[i] = Some(ends);
+            let span = &self.frame.spans[i];
+            if span.has_even_ground() {
+                surface.flux[i] = self.links[i - self.first].fluxes(ends);
+                continue;
+            }
+            let along = with_ends(span, ends);
+            let flux = span.shear.times(&span.derivative(&along));
+            surface.flux[i] = span.t.map(|t| flux.value(t));
+            let mut rest = &span.spring.times(&along) - &span.derivative(&flux);
+            if let Some(load) = &span.ground_load {
+                rest = &rest - load;
+            }
+            missed += (span.length() * rest.size(span.tau).square()).over(span.spring.low());
+            surface.along[i] = Some(Box::new(along));
+        }
+        surface.unclaimed += missed.root();
+        for node in pieces.start..=pieces.end {
+            if !surface.touches[node] {
+                let jump = self.jump_at(node, surface);
+                surface.unclaimed += Size::of(jump.size()) * surface.flexibility_at(node);
+            }
+        }
+    }
+
+    /// ū at a node: that of the beam where they touch, else as stored on one side.
+    fn stored_at(&self, node: usize, surface: &Surface<S>) -> S {
+        if surface.touches[node] {
+            return self.held(node);
+        }
+        let spans = &self.frame.spans;
+        let left = (node > self.first).then(|| spans[node - 1].stored).flatten();
+        let right = (node < self.end()).then(|| spans[node].stored).flatten();
+        left.map(|ends| ends[1]).or(right.map(|ends| ends[0])).unwrap_or_else(S::zero)
+    }
+
+    /// The jump of the flux at a node, less the force on the ground there.
+    fn jump_at(&self, node: usize, surface: &Surface<S>) -> S {
+        self.flux_at(node, 0, surface) - self.flux_at(node, 1, surface) - self.force(node)
+    }
+
     /// The flux on one side of a node.
     fn flux_at(&self, node: usize, side: usize, surface: &Surface<S>) -> S {
         let piece = if side == 0 { node.checked_sub(1) } else { Some(node) };
         let piece = piece.filter(|piece| (self.first..self.end()).contains(piece));
         let Some(piece) = piece else {
             let behind = self.behind[side][node - self.first];
-            let outward = behind.stiffness * self.held(node) - behind.pushed;
+            let outward = behind.stiffness * self.stored_at(node, surface) - behind.pushed;
             return if side == 0 { outward } else { -outward };
         };
         let span = &self.frame.spans[piece];
         if span.touches {
             let slope = self.deflection.slopes[piece][1 - side];
             let gap = span.derivative(&span.gap).value(span.t[1 - side]);
-            span.shear * (slope - gap)
+            span.shear.at_end(1 - side) * (slope - gap)
         } else {
             surface.flux[piece][1 - side]
         }
@@ -365,14 +435,21 @@ impl<'a, S: Scalar> Layer<'a, S> {
             if !surface.touches[node] {
                 continue;
             }
-            let jump =
-                self.flux_at(node, 0, surface) - self.flux_at(node, 1, surface) - self.force(node);
+            let jump = self.jump_at(node, surface);
             surface.jump[node] = jump;
             surface.settlement[node] = self.held(node);
             surface.force[node] = positive_part(jump);
             surface.unclaimed += Size::below_zero(jump.low()) * surface.flexibility_at(node);
         }
     }
+}
+
+/// The stored settlement of a piece, with a straight line added that gives it these values at the ends.
+fn with_ends<S: Scalar>(span: &Span<S>, ends: [S; 2]) -> Polynomial<S> {
+    let stored = span.settlement.as_deref().cloned().unwrap_or_else(Polynomial::zero);
+    let missed = [0, 1].map(|side| ends[side] - stored.value(span.t[side]));
+    let slope = (missed[1] - missed[0]).div(span.t[1] - span.t[0]);
+    &stored + &Polynomial::line(missed[0] - slope * span.t[0], slope)
 }
 
 /// A ball that holds max(x, 0) for all x of a ball.

@@ -28,7 +28,7 @@ pub(crate) fn beside<S: Scalar>(
     for side in [0, 1] {
         let span = if side == 0 { &frame.spans[0] } else { &frame.spans[frame.spans.len() - 1] };
         if span.layered {
-            let own = [span.spring, span.shear];
+            let own = [span.spring.at_end(side), span.shear.at_end(side)];
             let beside = Beside { model, units: frame.units, length: frame.length, side };
             (stiffness[side], pushed[side]) = beside.seen(own)?;
         }
@@ -91,9 +91,9 @@ impl<S: Scalar> Beside<'_, S> {
         for segment in &self.model.ground.segments {
             let [near, far] = self.ends(segment.from, segment.to);
             if near.low() >= 0.0 && far.low() > 0.0 {
-                let spring = constant(&segment.spring);
+                let spring = constant(&segment.spring)?;
                 let spring = positive(self.units.scaled(spring, 1, -2), "k")?;
-                let shear = self.units.scaled(constant(&segment.shear), 1, 0);
+                let shear = self.units.scaled(constant(&segment.shear)?, 1, 0);
                 let shear = not_negative(shear, "the shear constant of the ground")?;
                 grounds.push((near, [spring, shear]));
             }
@@ -309,7 +309,7 @@ mod tests {
             for s in &model.ground.segments {
                 let near = outward(if side == 0 { s.to } else { s.from });
                 if near >= best.0 && near > 0.0 && near <= outward(x) {
-                    best = (near, [constant(&s.spring), constant(&s.shear)]);
+                    best = (near, [&s.spring, &s.shear].map(|course| constant(course).unwrap()));
                 }
             }
             best.1

@@ -86,6 +86,9 @@ fn patches<S: Scalar>(fields: &Fields<S>, i: usize) -> Vec<Patch<S>> {
         let own = if span.touches { span.obstacle() } else { free() };
         return vec![patch(fields, i, 0.0, [from, to], &own)];
     };
+    if let Some(own) = &fields.surface.along[i] {
+        return vec![patch(fields, i, 0.0, [from, to], own)];
+    }
     let surface = Surface::of(span, span.above_free_ends(ends));
     let count = (surface.decay.high() * (to - from) / (2.0 * LONGEST)).ceil();
     let most = (MOST_OF_ALL / fields.frame.spans.len()).clamp(1, MOST) as f64;
@@ -142,7 +145,7 @@ struct Surface<'a, S> {
 
 impl<'a, S: Scalar> Surface<'a, S> {
     fn of(span: &'a Span<S>, ends: [S; 2]) -> Self {
-        let rate = span.spring.div(span.shear).sqrt();
+        let rate = span.spring.least().div(span.shear.least()).sqrt();
         Surface { span, ends, rate, decay: rate * span.half }
     }
 

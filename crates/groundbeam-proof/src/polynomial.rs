@@ -1,16 +1,17 @@
 //! Polynomials of t on a piece, with balls as coefficients, and bounds of how far they fall below zero.
 
+use crate::coefficient::HIGHEST_COURSE;
 use crate::scalar::Scalar;
 use crate::size::Size;
 use std::ops::{Add, Mul, Sub};
 
 /// The highest degree of a claimed deflection.
 pub(crate) const HIGHEST: usize = 25;
-/// Products with two straight lines have two coefficients more.
-const MOST: usize = HIGHEST + 3;
+/// The room: a field times a course that varies and t². All products of this crate fit.
+const MOST: usize = HIGHEST + HIGHEST_COURSE + 3;
 
 /// Σ cⱼ tʲ.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Polynomial<S> {
     len: usize,
     c: [S; MOST],
@@ -50,7 +51,7 @@ impl<S: Scalar> Polynomial<S> {
         Self::from_coefficients(derived.map(|(j, c)| *c * S::of(j as f64)))
     }
 
-    /// tᵏp. Terms beyond the room are not formed: only fields with two straight lines are raised.
+    /// tᵏp. Terms beyond the room are not formed: only fields times a course are raised, to k = 2.
     pub fn raised(&self, k: usize) -> Self {
         let zeros = std::iter::repeat_n(S::zero(), k);
         Self::from_coefficients(zeros.chain(self.coefficients().iter().copied()))
@@ -144,7 +145,7 @@ impl<S: Scalar> Sub for &Polynomial<S> {
 
 impl<S: Scalar> Mul for &Polynomial<S> {
     type Output = Polynomial<S>;
-    /// The product. Only products that have room are formed: of a field and two straight lines.
+    /// The product. Only products that have room are formed.
     fn mul(self, other: &Polynomial<S>) -> Polynomial<S> {
         let mut product = Polynomial::zero();
         product.len = usize::min((self.len + other.len).saturating_sub(1), MOST);

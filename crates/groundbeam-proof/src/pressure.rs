@@ -1,4 +1,4 @@
-//! The pressure p = k(w − g₀) − μw″ where beam and ground touch, from the claimed deflection, and where it pulls.
+//! The pressure p = k(w − g₀) − (μ(w − g₀)′)′ where beam and ground touch, from the claimed deflection, and where it pulls.
 
 use crate::deflection::Deflection;
 use crate::frame::{Frame, Span};
@@ -26,10 +26,10 @@ impl<S: Scalar> Pressure<S> {
 
     fn of(span: &Span<S>, negligible: Size, budget: &mut Budget) -> Self {
         let settled = span.obstacle();
-        let mut field = settled.times(span.spring);
+        let mut field = span.spring.times(&settled);
         if span.layered {
-            let bent = span.derivative(&span.derivative(&span.deflection));
-            field = &field - &bent.times(span.shear);
+            let flux = span.shear.times(&span.derivative(&settled));
+            field = &field - &span.derivative(&flux);
         }
         if let Some(load) = &span.ground_load {
             field = &field - load;

@@ -3,6 +3,7 @@
 use crate::answer::Answer;
 use crate::bounds::{Bound, Bounds, ReactionBound, Scales};
 use crate::contact_set::{Contact, ContactSet, Shown};
+use crate::energies::Energies;
 use crate::fields::Fields;
 use crate::frame::Frame;
 use crate::given::frame;
@@ -80,7 +81,7 @@ impl Proof {
 
 /// Bounds how far the answer is from the solution of the model.
 pub fn prove<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Proof, NotProven> {
-    let frame = frame(model, answer)?;
+    let frame = frame(model, answer, None)?;
     of_fields(&Fields::of(&frame)?, answer)
 }
 
@@ -90,6 +91,9 @@ pub(crate) fn of_fields<S: Scalar>(
     answer: &Answer,
 ) -> Result<Proof, NotProven> {
     let frame = fields.frame;
+    if frame.varies() {
+        return Err(NotProven::new("not covered: a coefficient that varies within a segment"));
+    }
     let (energy, balanced) = fields.energy()?;
     if !(energy.value() < f64::INFINITY) {
         return Err(NotProven::new("the bound of the energy is infinite"));
@@ -109,7 +113,7 @@ pub(crate) fn of_fields<S: Scalar>(
     let units = frame.units;
     Ok(Proof {
         energy: units.restored(energy.value(), 1, 1),
-        strain_energy: units.restored(fields.strain_energy(), 1, 1),
+        strain_energy: units.restored(Energies::of(fields).strain, 1, 1),
         bounds: largest(frame, &pieces, &scales),
         reactions: reactions(frame, &of_supports, &scales),
         unique: pointwise.unique(&shown, &of_supports),

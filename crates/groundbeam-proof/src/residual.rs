@@ -101,10 +101,10 @@ fn misfit<S: Scalar>(
     slope: &Polynomial<S>,
     shear_force: &Polynomial<S>,
 ) -> [Size; 2] {
-    let (Some(stiffness), Some(rotation)) = (span.stiffness, &span.rotation) else {
+    let (Some(stiffness), Some(rotation)) = (&span.stiffness, &span.rotation) else {
         return [Size::ZERO; 2];
     };
-    let misfit = &(slope - rotation).times(stiffness) - shear_force;
+    let misfit = &stiffness.times(&(slope - rotation)) - shear_force;
     [misfit.size(span.tau), span.derivative(&misfit).size(span.tau)]
 }
 

@@ -62,14 +62,14 @@ impl<S: Scalar> Pointwise<'_, S> {
     /// ```
     fn on_piece(&self, i: usize, all: Size, bounds: &mut PieceBounds) {
         let frame = self.fields.frame;
-        let Some(stiffness) = frame.spans[i].stiffness else {
+        let Some(stiffness) = &frame.spans[i].stiffness else {
             bounds.shear_force = all;
             return;
         };
         let misfit = self.fields.residual.pieces[i].misfit[0];
         let slid = self.axial_size() * misfit.over(stiffness.low());
         let axial = frame.axial_force().unwrap_or_else(S::zero);
-        let stiffened = (S::one() + axial.div(stiffness)).low();
+        let stiffened = (S::one() + axial.div(stiffness.least())).low();
         bounds.shear_force = (all + slid).over(stiffened);
         bounds.slope = bounds.rotation + (bounds.shear_force + misfit).over(stiffness.low());
     }

@@ -20,7 +20,7 @@ pub(crate) fn shearing_energy<S: Scalar>(
 ) -> Size {
     let (mut misfit, mut balancing) = (Size::ZERO, Size::ZERO);
     for (i, span) in frame.spans.iter().enumerate() {
-        let Some(stiffness) = span.stiffness else { continue };
+        let Some(stiffness) = &span.stiffness else { continue };
         let piece = &residual.pieces[i];
         misfit += (span.length() * piece.misfit[0].square()).over(stiffness.low());
         let norm = shear_norm(span.h, balanced.shears[i], piece.rest, balanced.added[i][1]);

@@ -60,7 +60,7 @@ fn of_spans<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
         let mut sheared = Size::ZERO;
         for span in &frame.spans[from..to] {
             most = most.worst(Size::of(1.0).over(span.bending.low()));
-            let own = span.stiffness.map(|stiffness| Size::of(1.0).over(stiffness.low()));
+            let own = span.stiffness.as_ref().map(|stiffness| Size::of(1.0).over(stiffness.low()));
             sheared = sheared.worst(own.unwrap_or(Size::ZERO));
         }
         (Size::of(length).square() * most).over(PI_SQUARED) + sheared
@@ -156,6 +156,7 @@ fn elements<S: Scalar, C: Scalar>(
             && node.turning.is_none()
             && !node.is_hinged()
             && i < frame.spans.len()
+            && frame.spans[i].bending.even().is_some()
             && frame.spans[i].bending == frame.spans[first].bending;
         if bare {
             continue;
@@ -166,7 +167,11 @@ fn elements<S: Scalar, C: Scalar>(
         let part = to(length.div(S::of(parts)));
         for j in 0..parts as usize {
             let end = (j + 1 == parts as usize).then(|| Joint::of(node, to));
-            elements.push(Element { length: part, bending: to(frame.spans[first].bending), end });
+            elements.push(Element {
+                length: part,
+                bending: to(frame.spans[first].bending.least()),
+                end,
+            });
         }
         first = i;
     }
@@ -361,7 +366,7 @@ mod tests {
             ..Piece::default()
         };
         let answer = Answer { pieces: (0..4).map(piece).collect(), ..Answer::default() };
-        let frame = frame(&model, &answer);
+        let frame = frame(&model, &answer, None);
         frame.ok().and_then(|frame| frame.compression.map(|compression| compression.margin))
     }
 

@@ -1,15 +1,27 @@
 //! Numbers of the model: the value of a constant course, and the checks of a sign and a range.
 
+use crate::coefficient::Coefficient;
 use crate::model::Course;
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 
-/// The value of a covered course.
-pub(crate) fn constant<S: Scalar>(course: &Course<S>) -> S {
+/// The value of a constant course.
+pub(crate) fn constant<S: Scalar>(course: &Course<S>) -> Result<S, NotProven> {
     match course {
-        Course::Constant(value) => *value,
-        // Refused before: a kind that is not covered.
-        Course::Varying(values) => values.first().copied().unwrap_or_else(S::zero),
+        Course::Constant(value) => Ok(*value),
+        Course::Varying(_) => Err(NotProven::new("ground beside the beam varies along a segment")),
+    }
+}
+
+/// Checks that a coefficient is positive all along, and neither too small nor too large to compute with.
+pub(crate) fn in_range<S: Scalar>(
+    coefficient: &Coefficient<S>,
+    name: &str,
+) -> Result<(), NotProven> {
+    if coefficient.low() >= 1e-60 && coefficient.high() <= 1e60 {
+        Ok(())
+    } else {
+        Err(NotProven::new(format!("{name} is out of range, relative to length and loads")))
     }
 }
 

@@ -45,7 +45,7 @@ pub fn verify<S: Scalar>(model: &Model<S>, document: &Document) -> Result<Verifi
     if document.answer.pieces.is_empty() {
         return Err(NotProven::new("the document has no `pieces`"));
     }
-    let frame = frame(model, &document.answer)?;
+    let frame = frame(model, &document.answer, None)?;
     let fields = Fields::of(&frame)?;
     let mut proof = of_fields(&fields, &document.answer)?;
     let contact = proof.contact.as_ref().ok();

@@ -1,0 +1,193 @@
+//! A coefficient of the equations along a piece, EI, S, k or μ: constant, or a polynomial of t with its bounds.
+
+use crate::model::Course;
+use crate::polynomial::Polynomial;
+use crate::scalar::Scalar;
+
+/// The highest degree of a course that varies.
+pub(crate) const HIGHEST_COURSE: usize = 5;
+
+/// A coefficient along a piece.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Coefficient<S> {
+    /// The same all along.
+    Even(S),
+    /// A polynomial of t.
+    Varying(Box<Varying<S>>),
+}
+
+/// A coefficient that varies along a piece.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Varying<S> {
+    along: Polynomial<S>,
+    /// Its least and largest value on the piece.
+    bounds: [f64; 2],
+    /// Its values at the ends of the piece.
+    ends: [S; 2],
+}
+
+impl<S: Scalar> Coefficient<S> {
+    /// A course along a segment from `s` = 0 to 1, on a piece with s = `line`(t), which runs from s = `ends[0]` to `ends[1]`.
+    /// `scaled` gives the control values the units of the proof.
+    pub fn of(
+        course: &Course<S>,
+        line: &Polynomial<S>,
+        ends: [S; 2],
+        scaled: impl Fn(S) -> S,
+    ) -> Self {
+        let values: Vec<S> = match course {
+            Course::Constant(value) => return Coefficient::Even(scaled(*value)),
+            Course::Varying(values) => values.iter().map(|value| scaled(*value)).collect(),
+        };
+        if values.iter().all(|value| *value == values[0]) {
+            return Coefficient::Even(values[0]);
+        }
+        let controls = controls(&values, ends);
+        let mut bounds = [controls[0].low(), controls[0].high()];
+        for control in &controls {
+            bounds[0] = if control.low() >= bounds[0] { bounds[0] } else { control.low() };
+            bounds[1] = if control.high() <= bounds[1] { bounds[1] } else { control.high() };
+        }
+        let ends = [controls[0], controls[controls.len() - 1]];
+        Coefficient::Varying(Box::new(Varying { along: in_powers(&values, line), bounds, ends }))
+    }
+
+    /// The constant value; `None` if it varies.
+    pub fn even(&self) -> Option<S> {
+        match self {
+            Coefficient::Even(value) => Some(*value),
+            Coefficient::Varying(_) => None,
+        }
+    }
+
+    /// The polynomial of t; `None` if it is constant.
+    pub fn along(&self) -> Option<&Polynomial<S>> {
+        match self {
+            Coefficient::Even(_) => None,
+            Coefficient::Varying(varying) => Some(&varying.along),
+        }
+    }
+
+    /// The value at the left or at the right end.
+    pub fn at_end(&self, side: usize) -> S {
+        match self {
+            Coefficient::Even(value) => *value,
+            Coefficient::Varying(varying) => varying.ends[side],
+        }
+    }
+
+    /// The product with a field.
+    pub fn times(&self, field: &Polynomial<S>) -> Polynomial<S> {
+        match self {
+            Coefficient::Even(value) => field.times(*value),
+            Coefficient::Varying(varying) => field * &varying.along,
+        }
+    }
+
+    /// A lower bound on the piece.
+    pub fn low(&self) -> f64 {
+        match self {
+            Coefficient::Even(value) => value.low(),
+            Coefficient::Varying(varying) => varying.bounds[0],
+        }
+    }
+
+    /// An upper bound on the piece.
+    pub fn high(&self) -> f64 {
+        match self {
+            Coefficient::Even(value) => value.high(),
+            Coefficient::Varying(varying) => varying.bounds[1],
+        }
+    }
+
+    /// A value in the middle of the piece: a figure for decisions, no bound.
+    pub fn middle(&self) -> f64 {
+        match self {
+            Coefficient::Even(value) => value.middle(),
+            Coefficient::Varying(varying) => varying.along.coefficient(0).middle(),
+        }
+    }
+
+    /// An upper bound of the size on the piece. No coefficient is negative.
+    pub fn size(&self) -> f64 {
+        self.high()
+    }
+
+    /// The least value on the piece, as a number of the proof.
+    pub fn least(&self) -> S {
+        self.even().unwrap_or_else(|| S::of(self.low()))
+    }
+}
+
+/// The control values of the part of a course between two values of s, by blossoming.
+fn controls<S: Scalar>(values: &[S], [a, b]: [S; 2]) -> Vec<S> {
+    let degree = values.len() - 1;
+    let control = |j: usize| {
+        let mut row = values.to_vec();
+        for round in 0..degree {
+            let s = if round < degree - j { a } else { b };
+            row = row.windows(2).map(|pair| (S::one() - s) * pair[0] + s * pair[1]).collect();
+        }
+        row[0]
+    };
+    (0..=degree).map(control).collect()
+}
+
+/// The course in powers of t, by de Casteljau's algorithm with s = line(t).
+fn in_powers<S: Scalar>(values: &[S], line: &Polynomial<S>) -> Polynomial<S> {
+    let rest = &Polynomial::from_coefficients([S::one()]) - line;
+    let mut row: Vec<_> =
+        values.iter().map(|value| Polynomial::from_coefficients([*value])).collect();
+    while row.len() > 1 {
+        row = row.windows(2).map(|pair| &(&pair[0] * &rest) + &(&pair[1] * line)).collect();
+    }
+    row.pop().unwrap_or_else(Polynomial::zero)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Coefficient, HIGHEST_COURSE};
+    use crate::model::Course;
+    use crate::polynomial::Polynomial;
+    use crate::random::numbers;
+    use crate::scalar::Scalar;
+    use crate::wide::Wide;
+
+    /// A course by Bernstein's formula.
+    fn course(values: &[f64], s: f64) -> f64 {
+        let n = values.len() - 1;
+        let mut sum = 0.0;
+        let mut binomial = 1.0;
+        for (i, value) in values.iter().enumerate() {
+            sum += value * binomial * s.powi(i as i32) * (1.0 - s).powi((n - i) as i32);
+            binomial *= (n - i) as f64 / (i + 1) as f64;
+        }
+        sum
+    }
+
+    #[test]
+    fn a_course_keeps_its_values_on_a_part_of_its_segment() {
+        let mut random = numbers();
+        for case in 0..300 {
+            let values: Vec<f64> = (0..2 + case % HIGHEST_COURSE).map(|_| 2.0 + random()).collect();
+            let from = 0.5 * (random() + 1.0) * 0.6;
+            let to = from + 0.1 + 0.15 * (random() + 1.0);
+            let [middle, half] = [0.5 * (from + to), 0.5 * (to - from)].map(Wide::of);
+            let exact: Vec<Wide> = values.iter().map(|value| Wide::of(*value)).collect();
+            let line = Polynomial::line(middle, half);
+            let ends = [middle - half, middle + half];
+            let found = Coefficient::of(&Course::Varying(exact), &line, ends, |x| x);
+            for step in 0..=20 {
+                let t = f64::from(step) / 10.0 - 1.0;
+                let s = middle.middle() + half.middle() * t;
+                let one = Polynomial::from_coefficients([Wide::of(1.0)]);
+                let value = found.times(&one).value(Wide::of(t)).middle();
+                assert!((value - course(&values, s)).abs() < 1e-14);
+                assert!(found.low() <= value + 1e-14 && value <= found.high() + 1e-14);
+            }
+            for (side, s) in [(0, from), (1, to)] {
+                assert!((found.at_end(side).middle() - course(&values, s)).abs() < 1e-14);
+            }
+        }
+    }
+}

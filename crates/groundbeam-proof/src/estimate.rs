@@ -1,0 +1,42 @@
+//! The energies of an answer in doubles: an estimate of the error for every solve, not a proof.
+
+use crate::answer::Answer;
+use crate::energies::Energies;
+use crate::fields::Fields;
+use crate::given::frame;
+use crate::model::Model;
+use crate::refusal::NotProven;
+
+/// The energies of an answer, in plain doubles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Estimate {
+    /// E \[N·m\]: the difference of the potential and the reciprocal energy of the fields made from the answer.
+    pub energy: f64,
+    /// The strain energy of beam, ground and springs \[N·m\].
+    pub strain_energy: f64,
+    /// The potential energy J of the claimed deflection \[N·m\].
+    pub potential_energy: f64,
+}
+
+/// Estimates the energies of an answer. Under compression `stability` is the part of the energy's convexity that remains:
+/// 1 less the compression over its critical value. `None`: it is computed from supports and stiffness alone.
+///
+/// # Errors
+///
+/// The reason why no balanced pressure or no admissible deflection can be made from the answer.
+pub fn estimate(
+    model: &Model<f64>,
+    answer: &Answer,
+    stability: Option<f64>,
+) -> Result<Estimate, NotProven> {
+    let frame = frame(model, answer, stability)?;
+    let fields = Fields::of(&frame)?;
+    let (energy, _) = fields.energy()?;
+    let energies = Energies::of(&fields);
+    let restored = |x: f64| frame.units.restored(x, 1, 1);
+    Ok(Estimate {
+        energy: restored(energy.value()),
+        strain_energy: restored(energies.strain),
+        potential_energy: restored(energies.potential),
+    })
+}
