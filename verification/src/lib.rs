@@ -2,6 +2,7 @@
 
 pub mod architecture;
 pub mod attack;
+pub mod carried;
 pub mod cases;
 pub mod claims;
 pub mod convergence;

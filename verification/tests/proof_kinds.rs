@@ -3,6 +3,7 @@
 
 use groundbeam::proof::{Proof, Wide, prove};
 use groundbeam::{Extent, Load, Model, Outcome, Solution, SupportKind, own_buckling_load, solve};
+use groundbeam_verification::carried::model as carried;
 use groundbeam_verification::claims::{energy_of_error, over_bound};
 use groundbeam_verification::frozen;
 use rayon::prelude::*;
@@ -226,6 +227,21 @@ fn beams_under_compression() {
     }
     assert!(found.gaps.len() >= 245 && found.claims >= 1300, "{}", found.claims);
     assert!(found.gaps.last().is_some_and(|gap| *gap < 1e-15));
+    assert!(found.most[0] > 0.1 && found.most[1] > 0.1, "{:?}", found.most);
+}
+
+/// Beams that one end or one corner of the ground holds: without the tension, what presses has no lever.
+#[test]
+fn beams_that_tension_balances() {
+    let solved = (0..120_u64).into_par_iter().filter_map(|number| match solve(&carried(number)) {
+        Ok(Outcome::Equilibrium(solution)) => Some((format!("carried {number}"), *solution)),
+        _ => None,
+    });
+    let solutions: Vec<_> = solved.collect();
+    let found = judge("carried", &solutions);
+    assert!(found.refused.is_empty(), "{:?}", found.refused);
+    assert!(found.gaps.len() >= 100 && found.claims >= 500, "{}", found.claims);
+    assert!(found.gaps.last().is_some_and(|gap| *gap < 1e-18));
     assert!(found.most[0] > 0.1 && found.most[1] > 0.1, "{:?}", found.most);
 }
 

@@ -10,6 +10,10 @@
 //! ```
 //!
 //! Pressures that pull are left out; E_j and M_jk are widened by at most their load ηω.
+//!
+//! Under tension the axial force can carry a part: with any B > 0 it adds ∫Bφ_j′φ_k′ to M_jk and the transverse force
+//! β = Bλ′ to each cell. Then anything that presses makes the system positive definite. It is used only where pressures
+//! and supports alone cannot balance the loads, as its cost ∫β²/P is not needed elsewhere.
 
 use crate::frame::Frame;
 use crate::ground::Surface;
@@ -27,6 +31,8 @@ pub(crate) struct Balance<'a, S> {
     pub residual: &'a Residual<S>,
     /// Indices of nodes, the first and the last one among them.
     pub cuts: Vec<usize>,
+    /// B; 0: the tension carries nothing.
+    pub carrier: f64,
 }
 
 /// The exact balance.
@@ -42,6 +48,8 @@ pub(crate) struct Balanced<S> {
     pub shears: Vec<[S; 2]>,
     /// A bound of the moment, and of the shear force, that the forces given back add in the cell of each piece.
     pub added: Vec<[Size; 2]>,
+    /// |β| on each piece, the transverse force that the tension carries.
+    pub drawn: Vec<Size>,
 }
 
 impl<S: Scalar> Balanced<S> {
@@ -138,6 +146,7 @@ impl<S: Scalar> Balance<'_, S> {
             moments: vec![[S::zero(); 2]; pieces],
             shears: vec![[S::zero(); 2]; pieces],
             added: vec![[Size::ZERO; 2]; pieces],
+            drawn: vec![Size::ZERO; pieces],
         };
         let mut system = System::of(self.cuts.len());
         for (j, node) in self.cuts.iter().enumerate() {
@@ -257,6 +266,9 @@ impl<S: Scalar> Balance<'_, S> {
             add(self.carried_at(node), hats);
         }
         add(self.turned_in(cell), [-per_length, per_length]);
+        if self.carrier > 0.0 {
+            add(S::of(self.carrier) * cell.length, [-per_length, per_length]);
+        }
         let mut pulls = Size::ZERO;
         for i in cell.pieces.clone().filter(|i| self.frame.spans[*i].touches) {
             let span = &self.frame.spans[i];
@@ -315,6 +327,7 @@ impl<S: Scalar> Balance<'_, S> {
         for i in cell.pieces.clone() {
             balanced.added[i] = added;
             balanced.steepness[i] = Size::of(slope.size());
+            balanced.drawn[i] = Size::of(self.carrier) * balanced.steepness[i];
         }
     }
 
@@ -327,6 +340,13 @@ impl<S: Scalar> Balance<'_, S> {
             norm.square().over(span.bending.low())
         };
         (0..self.frame.spans.len()).map(of).sum()
+    }
+
+    /// Σβ²h/P.
+    pub fn drawn(&self, balanced: &Balanced<S>) -> Size {
+        let Some(tension) = self.frame.tension else { return Size::ZERO };
+        let pieces = self.frame.spans.iter().zip(&balanced.drawn);
+        pieces.map(|(span, drawn)| (span.length() * drawn.square()).over(tension.low())).sum()
     }
 
     /// ‖Gδp‖²: δp = λp̄ with |λ| ≤ γ, and the kernel of G is positive. In a layer ⟨δp, Gδp⟩ ≤ Σγ²∫p̄ Gp̄ with

@@ -35,11 +35,19 @@ impl<'a, S: Scalar> Fields<'a, S> {
         Ok(Fields { frame, deflection, surface, pressures, residual, clearance })
     }
 
-    /// E and the balance that gives it: with few cuts or with more, whichever is less.
+    /// E and the balance that gives it. The tension helps to balance if pressures and supports alone cannot.
     pub fn energy(&self) -> Result<(Size, Balanced<S>), NotProven> {
+        match (self.least_energy(0.0), self.frame.tension) {
+            (Err(_), Some(_)) => self.least_energy(self.frame.carrier),
+            (found, _) => found,
+        }
+    }
+
+    /// The same with few cuts or with more, whichever is less.
+    fn least_energy(&self, carrier: f64) -> Result<(Size, Balanced<S>), NotProven> {
         let (few, more) = (fewest_cuts(self.frame), more_cuts(self.frame));
-        let with_more = (more.len() > few.len()).then(|| self.energy_with(more));
-        match (self.energy_with(few), with_more) {
+        let with_more = (more.len() > few.len()).then(|| self.energy_with(more, carrier));
+        match (self.energy_with(few, carrier), with_more) {
             (few, None) => few,
             (Err(_), Some(more)) => more,
             (few, Some(Err(_))) => few,
@@ -47,13 +55,17 @@ impl<'a, S: Scalar> Fields<'a, S> {
         }
     }
 
-    /// E ≤ ½[(‖δ‖ + ‖c‖_beam)² + (‖η‖ + ‖δ′‖)² + ‖hinges‖² + ‖c‖_P² + Σκc² + Σκ_θc′² + Ḡ²], with
+    /// E ≤ ½[(‖δ‖ + ‖c‖_beam)² + (‖η‖ + ‖δ′‖)² + ‖hinges‖² + (‖c‖_P + (Σβ²h/P)^½)² + Σκc² + Σκ_θc′² + Ḡ²], with
     /// Ḡ = ‖c‖_b + Σ|r|√g + Ση(ω/k)^½ + ‖Gδp‖ + Σ‖v‖ + (Σkη_o²ω_o)^½. Under a compression the parts of the beam without
     /// ‖c‖_P² become (their root + N_c)²/σ.
-    fn energy_with(&self, cuts: Vec<usize>) -> Result<(Size, Balanced<S>), NotProven> {
+    fn energy_with(
+        &self,
+        cuts: Vec<usize>,
+        carrier: f64,
+    ) -> Result<(Size, Balanced<S>), NotProven> {
         let (frame, surface) = (self.frame, &self.surface);
-        let balance =
-            Balance { frame, surface, pressures: &self.pressures, residual: &self.residual, cuts };
+        let (pressures, residual) = (&self.pressures, &self.residual);
+        let balance = Balance { frame, surface, pressures, residual, cuts, carrier };
         let balanced = balance.solve()?;
         let closed: Vec<Size> = self.deflection.pieces.iter().map(|c| c.bounds[0]).collect();
         let missed = carried(frame, &self.deflection).root()
@@ -66,9 +78,10 @@ impl<'a, S: Scalar> Fields<'a, S> {
         let supports = self.supports(&balanced) + self.hinges(&balanced);
         let sheared = shearing_energy(frame, &self.residual, &balanced);
         let beam = beam.square() + sheared + supports;
-        let drawn = turned * Size::of(frame.tension.map_or(0.0, S::high));
+        let closed = turned * Size::of(frame.tension.map_or(0.0, S::high));
+        let drawn = closed.root() + balance.drawn(&balanced).root();
         let beam = match &frame.compression {
-            None => beam + drawn,
+            None => beam + drawn.square(),
             Some(compression) => {
                 (beam.root() + compression.misfit(turned)).square().over(compression.margin)
             }

@@ -138,6 +138,8 @@ pub(crate) struct Frame<S> {
     pub supports: Vec<Held<S>>,
     /// The tension P; none if it is zero.
     pub tension: Option<S>,
+    /// B, with which the tension takes part when forces are given back. Any positive number is valid.
+    pub carrier: f64,
     /// The compression; none if P ≥ 0.
     pub compression: Option<Compression<S>>,
     /// Stiffness K₀, K_l of the ground beside the beam: flux = K u. Exactly 0 without such ground.

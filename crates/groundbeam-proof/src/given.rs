@@ -62,6 +62,7 @@ pub(crate) fn frame<S: Scalar>(
         nodes,
         supports: Vec::new(),
         tension: (tension.high() > 0.0).then_some(tension),
+        carrier: 0.0,
         compression: None,
         outside: [S::zero(); 2],
         pushed: [S::zero(); 2],

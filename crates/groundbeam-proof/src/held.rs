@@ -141,7 +141,7 @@ pub(crate) fn hinges<S: Scalar>(
     Ok(())
 }
 
-/// Supports take part with W = 10 max(Σ|F|, Σ|R|, EI max|κ₀|/l, κ|δ|), clamps with Wl². A spring takes part with the force
+/// Supports take part with W = 10 max(Σ|F|, Σ|R|, EI max|κ₀|/l, κ|δ|), clamps with Wl², a tension with Wl. A spring takes part with the force
 /// that it has at the largest deflection, at most W.
 pub(crate) fn weights<S: Scalar>(frame: &mut Frame<S>) {
     let (mut forces, mut reactions, mut largest) = (0.0, 0.0, 0.0);
@@ -163,6 +163,7 @@ pub(crate) fn weights<S: Scalar>(frame: &mut Frame<S>) {
     // Without loads any weight will do: the unit of force.
     let rigid = if all > 0.0 && all < 1e60 { all } else { 1.0 };
     let clamp = rigid * frame.length.square().middle();
+    frame.carrier = rigid * frame.length.middle();
     let limited = |force: f64, most: f64| if force < most { force } else { most };
     for node in &mut frame.nodes {
         if node.acts != Acts::Both {

@@ -1,12 +1,12 @@
 //! Bounds of the error of the shear force, from the change of moment over a window and the load errors inside it.
 //!
-//! T̃ = (m − M*)′ + P(e′ − c′) is the error of the transverse force. On a window of length h without rigid support its
-//! mean is at most (2s₂K + 2P sup|e|)/h + P max|c′|, and it differs from its mean by the errors of pressure, concentrated
-//! forces and springs inside:
+//! T̃ = (m − M*)′ + P(e′ − c′) + β is the error of the transverse force, β what the tension carries of the balance. On a
+//! window of length h without rigid support its mean is at most (2s₂K + 2P sup|e|)/h + P max|c′| + max|β|, and it differs
+//! from its mean by the errors of pressure, concentrated forces and springs inside:
 //!
 //! ```text
-//! ε_T = min_h {(2s₂K + 2P sup|e| + Σs₂√κ_θ)/h + ½hq} + P max|c′| + Σmax(θp_o, θ′p_i) + Σ(ε_a + |λ|a) + Σs₂√κ,
-//! ε_V = |δ′| + Pε_φ + ε_T,   q = max(ε_p + γp + (1 + γ)η).
+//! ε_T = min_h {(2s₂K + 2P sup|e| + Σs₂√κ_θ)/h + ½hq} + P max|c′| + max|β| + Σmax(θp_o, θ′p_i) + Σ(ε_a + |λ|a) + Σs₂√κ,
+//! ε_V = |δ′| + Pε_φ + |β| + ε_T,   q = max(ε_p + γp + (1 + γ)η).
 //! ```
 
 use crate::contact_set::Shown;
@@ -49,7 +49,7 @@ impl<S: Scalar> Pointwise<'_, S> {
                     }
                 }
                 let turned = self.axial_size() * bounds[i].rotation;
-                let all = least + turned + self.balancing_shear(i);
+                let all = least + turned + self.balancing_shear(i) + self.balanced.drawn[i];
                 self.on_piece(i, all, &mut bounds[i]);
             }
         }
@@ -97,12 +97,13 @@ impl<S: Scalar> Pointwise<'_, S> {
         let frame = self.fields.frame;
         let tension = self.axial_size();
         let [mut moment, mut moved, mut turned] = [Size::ZERO; 3];
-        let [mut spread, mut forces, mut couples] = [Size::ZERO; 3];
+        let [mut spread, mut forces, mut couples, mut drawn] = [Size::ZERO; 4];
         for i in window.clone() {
             moment = moment.worst(bounds[i].balanced_moment);
             moved = moved.worst(bounds[i].deflection);
             turned = turned.worst(self.fields.deflection.pieces[i].bounds[1]);
             spread = spread.worst(loads[i].spread);
+            drawn = drawn.worst(self.balanced.drawn[i]);
             forces += loads[i].edges;
             if i > window.start {
                 forces += nodes[i][0];
@@ -113,7 +114,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         let change = 2.0 * moment + 2.0 * swing + couples;
         let room = (frame.nodes[window.end].x - frame.nodes[window.start].x).low();
         let least = least_of_halves(room, |h| change.over(h) + 0.5 * (Size::of(h) * spread));
-        least + tension * turned + forces
+        least + tension * turned + forces + drawn
     }
 
     /// The errors of the pressure on all pieces.
