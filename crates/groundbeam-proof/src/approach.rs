@@ -47,7 +47,7 @@ impl<S: Scalar> Contact<'_, S> {
         Some(found)
     }
 
-    fn open_piece(&self, i: usize) -> Option<OpenPiece<S::Coarse>> {
+    pub(crate) fn open_piece(&self, i: usize) -> Option<OpenPiece<S::Coarse>> {
         let open = self.fields.surface.open[i]?;
         let span = &self.fields.frame.spans[i];
         let along = self.fields.surface.along[i].as_deref();
@@ -171,7 +171,7 @@ fn falls<C: Scalar>(piece: &OpenPiece<C>, side: usize, [far, near]: [f64; 2], li
 }
 
 /// Whether C > limit on an interval of t.
-fn clear<C: Scalar>(piece: &OpenPiece<C>, [from, to]: [f64; 2], limit: Size) -> bool {
+pub(crate) fn clear<C: Scalar>(piece: &OpenPiece<C>, [from, to]: [f64; 2], limit: Size) -> bool {
     let mut open = vec![[from, to]];
     let mut left = HALVINGS;
     while let Some([a, b]) = open.pop() {

@@ -19,10 +19,6 @@ impl<S: Scalar> Contact<'_, S> {
         let frame = self.fields.frame;
         let spans = &frame.spans;
         let mut shown = Shown::nothing(frame.nodes.len());
-        if frame.shears() && spans.iter().any(|span| span.layered) {
-            shown.failed[0] = Some(self.failed("the beam shears on a shear layer", 0));
-            return shown;
-        }
         let mut first = 0;
         while first < spans.len() {
             let mut end = first + 1;
@@ -137,7 +133,7 @@ impl<S: Scalar> Contact<'_, S> {
                 continue;
             }
             let pushes = self.fields.surface.jump[node].low() >= tolerance.value();
-            if !pushes && !self.only_a_corner(node) {
+            if !pushes && !self.bends_open(node) {
                 return Err(self.failed("a force inside a region may pull", node));
             }
             // An inner node has contact on both sides if it is farther from both edges than they may move.
@@ -163,15 +159,19 @@ impl<S: Scalar> Contact<'_, S> {
         beside: &[[Option<Approach>; 2]],
     ) -> Result<EdgeShift, NotProven> {
         let outside = beside[node][side].map_or(Size::ZERO, |approach| approach.theta);
+        // The piece of the region at this end.
+        let i = if side == 0 { node } else { node - 1 };
+        let span = &self.fields.frame.spans[i];
+        // The slope of a beam that shears may be off by more than what is known without it.
+        let shears = self.fields.frame.shears();
+        let rough = if shears { self.opened_at(i, side) } else { None };
+        let mut most = rough.unwrap_or(Size::INFINITE);
         let tolerance = self.tolerance(node, beside);
         let jump = self.fields.surface.jump[node];
         let missing = Size::below_zero((jump - S::of(tolerance.value())).low());
         if missing == Size::ZERO {
             return Ok(EdgeShift { node, side, outside, inside: Size::ZERO });
         }
-        // The piece of the region at this end.
-        let i = if side == 0 { node } else { node - 1 };
-        let span = &self.fields.frame.spans[i];
         let (field, error) = (self.fields.pressures[i].field.coarse(), self.bounds[i].pressure);
         let end = span.interval()[side];
         let at_end = (field.value(S::Coarse::of(end)).low() - error.value()).next_down();
@@ -188,14 +188,18 @@ impl<S: Scalar> Contact<'_, S> {
             let inside = missing.over(least);
             let room = ((part - 1e-12).next_down() * span.half.low()).next_down();
             if inside.value() <= room {
-                return Ok(EdgeShift { node, side, outside, inside });
+                most = most.least(inside);
+                break;
             }
             if part == 1.0 {
                 break;
             }
             part *= 4.0;
         }
-        Err(self.failed("the edge of a region is not bounded", node))
+        match most < Size::INFINITE {
+            true => Ok(EdgeShift { node, side, outside, inside: most }),
+            false => Err(self.failed("the edge of a region is not bounded", node)),
+        }
     }
 
     /// ε_a, the bound of the error of a concentrated force: of the flux on both sides.
@@ -220,13 +224,18 @@ impl<S: Scalar> Contact<'_, S> {
         sum
     }
 
-    /// Whether a node has a corner of g₀ that points up, and nothing else that makes the flux jump.
-    fn only_a_corner(&self, node: usize) -> bool {
+    /// Whether the slope of the exact clearance cannot fall at a node if the beam is open there: a corner of g₀ points up,
+    /// a beam that shears is bent down by a force, [C*′] = F/(S + P), and nothing else makes the flux jump.
+    fn bends_open(&self, node: usize) -> bool {
+        let frame = self.fields.frame;
         let slope = |i: usize, side: usize| {
-            let span = &self.fields.frame.spans[i];
+            let span = &frame.spans[i];
             span.derivative(&span.gap).value(span.t[side])
         };
-        self.fields.frame.even(node) && (slope(node, 0) - slope(node - 1, 1)).low() >= 0.0
+        let here = &frame.nodes[node];
+        let alone = here.rigid.is_none() && here.spring.is_none() && here.force.low() >= 0.0;
+        let down = alone || !frame.kinks(node);
+        down && frame.even(node) && (slope(node, 0) - slope(node - 1, 1)).low() >= 0.0
     }
 
     /// Adds a concentrated force. Unless contact is known at the node, it may also be zero.

@@ -1,7 +1,7 @@
 //! The exact contact set, and the fields and bounds from which it is shown.
 
 use crate::fields::Fields;
-use crate::pointwise::PieceBounds;
+use crate::pointwise::{PieceBounds, Pointwise};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
@@ -86,6 +86,33 @@ impl Shown {
 pub(crate) struct Contact<'a, S> {
     pub fields: &'a Fields<'a, S>,
     pub bounds: &'a [PieceBounds],
+}
+
+/// How often the contact set of a beam that shears is shown with the slope that follows from it.
+const ROUNDS: usize = 3;
+
+impl<S: Scalar> Pointwise<'_, S> {
+    /// The contact set, and with it the bounds of the shear force.
+    ///
+    /// On a beam that shears the contact set needs the slope, and the slope the shear force. It begins with what is known
+    /// of the contact without a slope.
+    pub fn contact(&self, pieces: &mut [PieceBounds]) -> Shown {
+        let (fields, frame) = (self.fields, self.fields.frame);
+        let mut rounds = 1;
+        if frame.shears() {
+            let rough = Contact { fields, bounds: pieces }.roughly();
+            self.shear_forces(&rough, pieces);
+            rounds = if frame.spans.iter().any(|span| span.layered) { ROUNDS } else { 1 };
+        }
+        loop {
+            let shown = Contact { fields, bounds: pieces }.shown();
+            self.shear_forces(&shown, pieces);
+            rounds -= 1;
+            if rounds == 0 || shown.failed[0].is_some() {
+                return shown;
+            }
+        }
+    }
 }
 
 impl<S: Scalar> Contact<'_, S> {

@@ -376,18 +376,30 @@ impl<S: Scalar> Frame<S> {
         [left, self.spans.get(node).is_some_and(|span| span.touches)]
     }
 
-    /// Whether μ is the same on both sides of a node inside a layer, and no hinge and no force on the ground is there.
+    /// Whether μ and S are the same on both sides of a node inside a layer, and no hinge and no force on the ground is
+    /// there.
     pub fn even(&self, node: usize) -> bool {
         self.layered(node) == [true; 2]
             && self.spans[node - 1].shear.even().is_some()
             && self.spans[node - 1].shear == self.spans[node].shear
+            && self.spans[node - 1].stiffness == self.spans[node].stiffness
             && self.nodes[node].ground_force == S::zero()
             && !self.nodes[node].is_hinged()
     }
 
-    /// Whether a node lies inside the layer and has no hinge, no force on the ground, no corner of g₀, no step of μ.
+    /// Whether a force bends the slope at a node: that of a load or support on a beam that shears.
+    pub fn kinks(&self, node: usize) -> bool {
+        let here = &self.nodes[node];
+        let forced = here.force != S::zero() || here.rigid.is_some() || here.spring.is_some();
+        let beside = [node.checked_sub(1), Some(node)].into_iter().flatten();
+        let shears = |i: usize| self.spans.get(i).is_some_and(|span| span.stiffness.is_some());
+        forced && beside.into_iter().any(shears)
+    }
+
+    /// Whether a node lies inside the layer and has no hinge, no force on the ground, no corner of g₀, no step of μ or S,
+    /// and no force that bends a beam that shears.
     pub fn smooth(&self, node: usize) -> bool {
-        self.even(node) && !self.nodes[node].corner
+        self.even(node) && !self.nodes[node].corner && !self.kinks(node)
     }
 
     /// Whether EI, S, k or μ varies along a piece.

@@ -48,6 +48,7 @@ mod reactions;
 mod read;
 mod refusal;
 mod residual;
+mod rough_contact;
 mod scalar;
 mod scales;
 mod shear_force;

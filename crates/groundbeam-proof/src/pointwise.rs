@@ -139,13 +139,36 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 
     /// |p − p*| where both touch: kε_u + με_w″ in a layer, kε_u on separate springs.
+    ///
+    /// On a beam that shears w″(1 + P/S) = φ′ + (p − f + r + η′)/S, so that in a layer
+    ///
+    /// ```text
+    /// ε_p = {kε_u + μS/(S + P)·[ε_κ + (|r| + |η′|)/S]}/(1 + μ/(S + P)).
+    /// ```
+    ///
+    /// On open pieces it bounds the error of μC″, without the divisor.
     fn pressure(&self, i: usize, bounds: &PieceBounds) -> Size {
         let span = &self.fields.frame.spans[i];
-        if span.layered && span.stiffness.is_some() {
+        let bent = bounds.moment.over(span.bending.low());
+        let settled = Size::of(span.spring.high()) * bounds.settlement;
+        let Some(stiffness) = span.stiffness.as_ref().filter(|_| span.layered) else {
+            return settled + Size::of(span.shear.size()) * bent;
+        };
+        let (Some(stiffness), Some(shear)) = (stiffness.even(), span.shear.even()) else {
+            return Size::INFINITE;
+        };
+        let whole = stiffness + self.fields.frame.axial_force().unwrap_or_else(S::zero);
+        if !(whole.low() > 0.0) {
             return Size::INFINITE;
         }
-        let bent = bounds.moment.over(span.bending.low());
-        Size::of(span.spring.high()) * bounds.settlement + Size::of(span.shear.size()) * bent
+        let residual = &self.fields.residual.pieces[i];
+        let load = Size::of(residual.constant.size()) + residual.rest + residual.misfit[1];
+        let bent = bent + load.over(stiffness.low());
+        let error = settled + Size::of((shear * stiffness.div(whole)).high()) * bent;
+        match span.touches {
+            true => error.over((S::one() + shear.div(whole)).low()),
+            false => error,
+        }
     }
 
     /// ε_w = sup|e| + max|c|, and ε_φ = min_h {2 sup|e|/h + s_γ/h^½ + min(½h max(ε_κ + |c″|), s(h/3)^½)} + max|c′| with

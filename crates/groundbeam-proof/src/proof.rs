@@ -2,7 +2,7 @@
 
 use crate::answer::Answer;
 use crate::bounds::{Bound, Bounds, ReactionBound, Scales};
-use crate::contact_set::{Contact, ContactSet, Shown};
+use crate::contact_set::ContactSet;
 use crate::energies::Energies;
 use crate::fields::Fields;
 use crate::frame::Frame;
@@ -101,12 +101,7 @@ pub(crate) fn of_fields<S: Scalar>(
     let pointwise = Pointwise { fields, balanced: &balanced, energy };
     let mut pieces = pointwise.bounds();
     idle::clear(frame, &pieces)?;
-    if frame.shears() && !frame.spans.iter().any(|span| span.layered) {
-        // On separate springs the bound of the shear force needs no contact set, and the slope needs it.
-        pointwise.shear_forces(&Shown::nothing(frame.nodes.len()), &mut pieces);
-    }
-    let shown = Contact { fields, bounds: &pieces }.shown();
-    pointwise.shear_forces(&shown, &mut pieces);
+    let shown = pointwise.contact(&mut pieces);
     let of_supports = pointwise.reactions(&pieces);
     add_stored(answer, fields, &mut pieces);
     let scales = FieldScales::of(fields, &pieces);

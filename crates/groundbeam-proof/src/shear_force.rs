@@ -29,7 +29,8 @@ struct LoadError {
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// Adds the bound of the shear force to the bounds on all pieces. It needs the contact set of all layers.
+    /// Lowers the bound of the shear force on all pieces, and that of the slope where the beam shears. It needs the contact
+    /// set of all layers, or what is roughly known of it.
     pub fn shear_forces(&self, shown: &Shown, bounds: &mut [PieceBounds]) {
         if shown.failed[0].is_some() {
             return;
@@ -63,15 +64,16 @@ impl<S: Scalar> Pointwise<'_, S> {
     fn on_piece(&self, i: usize, all: Size, bounds: &mut PieceBounds) {
         let frame = self.fields.frame;
         let Some(stiffness) = &frame.spans[i].stiffness else {
-            bounds.shear_force = all;
+            bounds.shear_force = bounds.shear_force.least(all);
             return;
         };
         let misfit = self.fields.residual.pieces[i].misfit[0];
         let slid = self.axial_size() * misfit.over(stiffness.low());
         let axial = frame.axial_force().unwrap_or_else(S::zero);
         let stiffened = (S::one() + axial.div(stiffness.least())).low();
-        bounds.shear_force = (all + slid).over(stiffened);
-        bounds.slope = bounds.rotation + (bounds.shear_force + misfit).over(stiffness.low());
+        bounds.shear_force = bounds.shear_force.least((all + slid).over(stiffened));
+        let slope = bounds.rotation + (bounds.shear_force + misfit).over(stiffness.low());
+        bounds.slope = bounds.slope.least(slope);
     }
 
     /// |P|.
