@@ -1,8 +1,7 @@
 //! Claims wrong answers for random models and compares every proven bound with the truth:
 //! `… --example attacks -- 10000`. Behind the number of models may stand the number of the first.
 
-use groundbeam_verification::attack::Target;
-use groundbeam_verification::random::{Family, model};
+use groundbeam_verification::attack::{KINDS, Target, random};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -12,16 +11,15 @@ const EACH: u64 = 8;
 fn main() {
     let number = |i: usize| std::env::args().nth(i).and_then(|n| n.parse::<u64>().ok());
     let (count, first) = (number(1).unwrap_or(500), number(2).unwrap_or(0));
-    let families = Family::ALL;
     let judged: Vec<_> = (first..first + count)
         .into_par_iter()
         .flat_map_iter(|i| {
-            let family = families[i as usize % families.len()];
-            let target = Target::of(&model(family, 1_000_000 + i));
+            let (name, model) = random(i % KINDS, 1_000_000 + i);
+            let target = Target::of(&model);
             (0..EACH).filter_map(move |j| {
                 let target = target.as_ref()?;
                 let attack = target.attack(EACH * i + j);
-                Some((format!("{family:?} {i}.{j}"), attack.change, target.judge(&attack)))
+                Some((format!("{name}, attack {j}"), attack.change, target.judge(&attack)))
             })
         })
         .collect();

@@ -1,11 +1,25 @@
 //! Wrong answers: documents made from right ones by random changes, and how far each is from the truth.
 
+use crate::carried;
 use crate::claims::{error_bound, holds_at};
+use crate::random::{Family, model};
 use groundbeam::proof::{Answer, ContactSet, Force, Model as Given, Piece, Proof, Wide, prove};
 use groundbeam::{Field, Model, Outcome, Solution, solve};
 use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+
+/// How many kinds of random model are attacked.
+pub const KINDS: u64 = Family::ALL.len() as u64 + 2;
+
+/// A random model of a kind, with the kind's name: of a family, a beam that shears, or one that its tension balances.
+pub fn random(kind: u64, number: u64) -> (String, Model) {
+    let families = Family::ALL.into_iter().chain([Family::Shearing]);
+    match families.into_iter().nth(kind as usize) {
+        Some(family) => (format!("{family:?} {number}"), model(family, number)),
+        None => (format!("Carried {number}"), carried::model(number)),
+    }
+}
 
 /// The true values are computed with this error, relative to the largest of their kind.
 const ROUNDING: f64 = 1e-12;

@@ -16,6 +16,8 @@ pub(crate) struct Approach {
     pub theta: Size,
     /// A bound of the error of μu′ at the node, if the exact beam is open on the piece.
     pub flux: Size,
+    /// μ|C′| at the node.
+    pub steep: Size,
     /// t of the place up to which the clearance itself has to be shown.
     reach: f64,
 }
@@ -75,7 +77,10 @@ impl<S: Scalar> Contact<'_, S> {
             let steep = self.settlement_slope(i, length);
             let limit = more(steep + self.bounds[i].slope);
             if let Some(theta) = self.theta(i, side, piece, reach, limit) {
-                return Some(Approach { theta, flux: Size::of(span.shear.high()) * steep, reach });
+                let layer = Size::of(span.shear.high());
+                let at_node = Size::of(fall(piece, side, end).size());
+                let (flux, steep) = (layer * steep, layer * at_node);
+                return Some(Approach { theta, flux, steep, reach });
             }
             part *= 0.7;
         }

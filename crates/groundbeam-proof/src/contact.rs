@@ -158,7 +158,8 @@ impl<S: Scalar> Contact<'_, S> {
         side: usize,
         beside: &[[Option<Approach>; 2]],
     ) -> Result<EdgeShift, NotProven> {
-        let outside = beside[node][side].map_or(Size::ZERO, |approach| approach.theta);
+        let approach = beside[node][side];
+        let outside = approach.map_or(Size::ZERO, |approach| approach.theta);
         // The piece of the region at this end.
         let i = if side == 0 { node } else { node - 1 };
         let span = &self.fields.frame.spans[i];
@@ -168,9 +169,14 @@ impl<S: Scalar> Contact<'_, S> {
         let mut most = rough.unwrap_or(Size::INFINITE);
         let tolerance = self.tolerance(node, beside);
         let jump = self.fields.surface.jump[node];
+        let without_slope = self.tolerance_beside(node, side, beside);
+        let beyond = [
+            approach.map_or(Size::ZERO, |approach| approach.flux + approach.steep),
+            Size::below_zero((jump - S::of(without_slope.value())).low()),
+        ];
         let missing = Size::below_zero((jump - S::of(tolerance.value())).low());
         if missing == Size::ZERO {
-            return Ok(EdgeShift { node, side, outside, inside: Size::ZERO });
+            return Ok(EdgeShift { node, side, outside, inside: Size::ZERO, beyond });
         }
         let (field, error) = (self.fields.pressures[i].field.coarse(), self.bounds[i].pressure);
         let end = span.interval()[side];
@@ -197,31 +203,34 @@ impl<S: Scalar> Contact<'_, S> {
             part *= 4.0;
         }
         match most < Size::INFINITE {
-            true => Ok(EdgeShift { node, side, outside, inside: most }),
+            true => Ok(EdgeShift { node, side, outside, inside: most, beyond }),
             false => Err(self.failed("the edge of a region is not bounded", node)),
         }
     }
 
     /// ε_a, the bound of the error of a concentrated force: of the flux on both sides.
     fn tolerance(&self, node: usize, beside: &[[Option<Approach>; 2]]) -> Size {
+        self.tolerance_beside(node, 0, beside) + self.tolerance_beside(node, 1, beside)
+    }
+
+    /// The bound of the error of the flux on one side of a node.
+    fn tolerance_beside(&self, node: usize, side: usize, beside: &[[Option<Approach>; 2]]) -> Size {
         let frame = self.fields.frame;
-        let (last, layered) = (frame.spans.len(), frame.layered(node));
-        let mut sum = Size::ZERO;
-        for side in [0, 1] {
-            if layered[side] {
-                let i = node + side - 1;
-                let span = &frame.spans[i];
-                sum += match (span.touches, beside[node][side]) {
-                    (true, _) => Size::of(span.shear.high()) * self.bounds[i].slope,
-                    (false, Some(approach)) => approach.flux,
-                    (false, None) => Size::INFINITE,
-                };
-            } else if node == [0, last][side] {
-                let i = if side == 0 { 0 } else { last - 1 };
-                sum += Size::of(frame.outside[side].high()) * self.bounds[i].settlement;
-            }
+        let last = frame.spans.len();
+        if frame.layered(node)[side] {
+            let i = node + side - 1;
+            let span = &frame.spans[i];
+            return match (span.touches, beside[node][side]) {
+                (true, _) => Size::of(span.shear.high()) * self.bounds[i].slope,
+                (false, Some(approach)) => approach.flux,
+                (false, None) => Size::INFINITE,
+            };
         }
-        sum
+        if node != [0, last][side] {
+            return Size::ZERO;
+        }
+        let i = if side == 0 { 0 } else { last - 1 };
+        Size::of(frame.outside[side].high()) * self.bounds[i].settlement
     }
 
     /// Whether the slope of the exact clearance cannot fall at a node if the beam is open there: a corner of g₀ points up,

@@ -44,6 +44,8 @@ pub(crate) struct EdgeShift {
     pub outside: Size,
     /// θ′, inward.
     pub inside: Size,
+    /// Φ₀ of the flux outside and inside: how far it may jump without an error of the slope.
+    pub beyond: [Size; 2],
 }
 
 /// The regions, forces and edges that are shown, and the steps that fail.

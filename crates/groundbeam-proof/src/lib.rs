@@ -22,6 +22,7 @@ mod contact_set;
 mod decimal;
 mod deflection;
 mod document;
+mod edge_forces;
 mod energies;
 mod estimate;
 mod fields;

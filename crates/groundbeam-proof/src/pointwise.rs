@@ -157,16 +157,12 @@ impl<S: Scalar> Pointwise<'_, S> {
         let (Some(stiffness), Some(shear)) = (stiffness.even(), span.shear.even()) else {
             return Size::INFINITE;
         };
-        let whole = stiffness + self.fields.frame.axial_force().unwrap_or_else(S::zero);
-        if !(whole.low() > 0.0) {
-            return Size::INFINITE;
-        }
+        let axial = self.fields.frame.axial_force().unwrap_or_else(S::zero);
         let residual = &self.fields.residual.pieces[i];
         let load = Size::of(residual.constant.size()) + residual.rest + residual.misfit[1];
-        let bent = bent + load.over(stiffness.low());
-        let error = settled + Size::of((shear * stiffness.div(whole)).high()) * bent;
+        let error = sheared_pressure([stiffness, axial, shear], [settled, bent, load]);
         match span.touches {
-            true => error.over((S::one() + shear.div(whole)).low()),
+            true => error.over((S::one() + shear.div(stiffness + axial)).low()),
             false => error,
         }
     }
@@ -200,6 +196,60 @@ impl<S: Scalar> Pointwise<'_, S> {
             bounds[i].rotation = slope + most[1];
             if frame.spans[i].stiffness.is_none() {
                 bounds[i].slope = bounds[i].rotation;
+            }
+        }
+    }
+}
+
+/// kε_u + μS/(S + P)·[ε_κ + (|r| + |η′|)/S] from S, P and μ and from kε_u, ε_κ and |r| + |η′|.
+fn sheared_pressure<S: Scalar>(
+    [stiffness, axial, shear]: [S; 3],
+    [settled, bent, load]: [Size; 3],
+) -> Size {
+    let whole = stiffness + axial;
+    if !(whole.low() > 0.0) {
+        return Size::INFINITE;
+    }
+    settled + Size::of((shear * stiffness.div(whole)).high()) * (bent + load.over(stiffness.low()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::sheared_pressure;
+    use crate::ball::Ball;
+    use crate::random::numbers;
+    use crate::scalar::Scalar;
+    use crate::size::Size;
+
+    /// Errors of u, φ′ and of the balance of a beam that shears, and the error of w″ and p that they make: the bound holds
+    /// where both touch, and for μC″ where neither does, and is reached.
+    #[test]
+    fn the_pressure_of_a_beam_that_shears_is_bounded_and_the_bound_is_sharp() {
+        let mut random = numbers();
+        for _ in 0..2000 {
+            let [stiffness, shear] = [0, 1].map(|_| 10.0_f64.powf(3.0 * random()));
+            let axial = stiffness * (2.0 * random()).max(-0.9);
+            let [settled, turned, load] = [0, 1, 2].map(|_| random());
+            for touches in [true, false] {
+                for signs in [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0]] {
+                    let [u, bent, r] = [settled * signs[0], turned * signs[1], load * signs[2]];
+                    // (S + P)w″ = Sφ′ + p + r, and p = u − μw″ where both touch, p = 0 and μC″ = u − μw″ where open.
+                    let whole = stiffness + axial;
+                    let curved = match touches {
+                        true => (stiffness * bent + u + r) / (whole + shear),
+                        false => (stiffness * bent + r) / whole,
+                    };
+                    let error = u - shear * curved;
+                    let part = shear / whole;
+                    let bound = sheared_pressure(
+                        [stiffness, axial, shear].map(Ball::of),
+                        [u, bent, r].map(|x| Size::of(x.abs())),
+                    );
+                    let bound = bound.value() / if touches { 1.0 + part } else { 1.0 };
+                    assert!(error.abs() <= bound * (1.0 + 1e-9), "{error} {bound}");
+                    let aligned = u >= 0.0 && bent <= 0.0 && r <= 0.0;
+                    assert!(!aligned || error.abs() >= bound * (1.0 - 1e-9), "{error} {bound}");
+                }
             }
         }
     }

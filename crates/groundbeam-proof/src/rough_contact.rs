@@ -33,6 +33,7 @@ impl<S: Scalar> Contact<'_, S> {
                         side,
                         outside: Size::ZERO,
                         inside: inside[side],
+                        beyond: [Size::INFINITE; 2],
                     })
                 }),
                 // The left end of an open piece is the right end of a region.
@@ -42,6 +43,7 @@ impl<S: Scalar> Contact<'_, S> {
                         side: 1 - side,
                         outside: outside[side],
                         inside: Size::ZERO,
+                        beyond: [Size::INFINITE; 2],
                     })
                 }),
             };

@@ -10,6 +10,7 @@
 //! ```
 
 use crate::contact_set::Shown;
+use crate::edge_forces::edges_of_pieces;
 use crate::pointwise::{PieceBounds, Pointwise};
 use crate::scalar::Scalar;
 use crate::size::Size;
@@ -38,9 +39,18 @@ impl<S: Scalar> Pointwise<'_, S> {
         let loads = self.load_errors(shown, bounds);
         let nodes: Vec<[Size; 2]> =
             (0..=bounds.len()).map(|node| self.node_error(node, shown)).collect();
+        let edges = edges_of_pieces(&shown.edges, bounds.len());
         for pair in self.obstacles().windows(2) {
             for i in pair[0]..pair[1] {
+                let turned = self.axial_size() * bounds[i].rotation;
+                let rest = turned + self.balancing_shear(i) + self.balanced.drawn[i];
                 let mut least = Size::INFINITE;
+                if edges[i] != [None; 2] {
+                    let steady = self.steady(i..i + 1, 0.5, bounds, &loads, Size::ZERO);
+                    let slid = self.slid(i);
+                    let both = [steady, rest + slid];
+                    least = self.beside_edges(i, &bounds[i], &edges[i], both);
+                }
                 for reach in REACHES {
                     let from = i.saturating_sub(reach).max(pair[0]);
                     let window = from..(i + 1 + reach).min(pair[1]);
@@ -49,9 +59,7 @@ impl<S: Scalar> Pointwise<'_, S> {
                         break;
                     }
                 }
-                let turned = self.axial_size() * bounds[i].rotation;
-                let all = least + turned + self.balancing_shear(i) + self.balanced.drawn[i];
-                self.on_piece(i, all, &mut bounds[i]);
+                self.on_piece(i, least + rest, &mut bounds[i]);
             }
         }
     }
@@ -68,12 +76,18 @@ impl<S: Scalar> Pointwise<'_, S> {
             return;
         };
         let misfit = self.fields.residual.pieces[i].misfit[0];
-        let slid = self.axial_size() * misfit.over(stiffness.low());
         let axial = frame.axial_force().unwrap_or_else(S::zero);
         let stiffened = (S::one() + axial.div(stiffness.least())).low();
-        bounds.shear_force = bounds.shear_force.least((all + slid).over(stiffened));
+        bounds.shear_force = bounds.shear_force.least((all + self.slid(i)).over(stiffened));
         let slope = bounds.rotation + (bounds.shear_force + misfit).over(stiffness.low());
         bounds.slope = bounds.slope.least(slope);
+    }
+
+    /// |P||η|/S.
+    fn slid(&self, i: usize) -> Size {
+        let stiffness = self.fields.frame.spans[i].stiffness.as_ref();
+        let misfit = self.fields.residual.pieces[i].misfit[0];
+        stiffness.map_or(Size::ZERO, |s| self.axial_size() * misfit.over(s.low()))
     }
 
     /// |P|.
@@ -96,27 +110,42 @@ impl<S: Scalar> Pointwise<'_, S> {
         loads: &[LoadError],
         nodes: &[[Size; 2]],
     ) -> Size {
-        let frame = self.fields.frame;
-        let tension = self.axial_size();
-        let [mut moment, mut moved, mut turned] = [Size::ZERO; 3];
-        let [mut spread, mut forces, mut couples, mut drawn] = [Size::ZERO; 4];
+        let [mut forces, mut couples] = [Size::ZERO; 2];
         for i in window.clone() {
-            moment = moment.worst(bounds[i].balanced_moment);
-            moved = moved.worst(bounds[i].deflection);
-            turned = turned.worst(self.fields.deflection.pieces[i].bounds[1]);
-            spread = spread.worst(loads[i].spread);
-            drawn = drawn.worst(self.balanced.drawn[i]);
             forces += loads[i].edges;
             if i > window.start {
                 forces += nodes[i][0];
                 couples += nodes[i][1];
             }
         }
+        self.steady(window, 1.0, bounds, loads, couples) + forces
+    }
+
+    /// The part of ε_T without edges and concentrated forces, in windows within a part of a range of pieces.
+    fn steady(
+        &self,
+        window: Range<usize>,
+        part: f64,
+        bounds: &[PieceBounds],
+        loads: &[LoadError],
+        couples: Size,
+    ) -> Size {
+        let frame = self.fields.frame;
+        let tension = self.axial_size();
+        let [mut moment, mut moved, mut turned] = [Size::ZERO; 3];
+        let [mut spread, mut drawn] = [Size::ZERO; 2];
+        for i in window.clone() {
+            moment = moment.worst(bounds[i].balanced_moment);
+            moved = moved.worst(bounds[i].deflection);
+            turned = turned.worst(self.fields.deflection.pieces[i].bounds[1]);
+            spread = spread.worst(loads[i].spread);
+            drawn = drawn.worst(self.balanced.drawn[i]);
+        }
         let swing = if tension == Size::ZERO { tension } else { tension * moved };
         let change = 2.0 * moment + 2.0 * swing + couples;
-        let room = (frame.nodes[window.end].x - frame.nodes[window.start].x).low();
+        let room = part * (frame.nodes[window.end].x - frame.nodes[window.start].x).low();
         let least = least_of_halves(room, |h| change.over(h) + 0.5 * (Size::of(h) * spread));
-        least + tension * turned + forces + drawn
+        least + tension * turned + drawn
     }
 
     /// The errors of the pressure on all pieces.
