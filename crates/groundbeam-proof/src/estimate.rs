@@ -29,7 +29,7 @@ pub fn estimate(
     answer: &Answer,
     stability: Option<f64>,
 ) -> Result<Estimate, NotProven> {
-    let frame = frame(model, answer, stability)?;
+    let frame = frame(model, answer, stability, &[])?;
     let fields = Fields::of(&frame)?;
     let (energy, _) = fields.energy()?;
     let energies = Energies::of(&fields);

@@ -4,6 +4,7 @@ use crate::answer::{Answer, Reaction};
 use crate::coefficient::{Coefficient, HIGHEST_COURSE};
 use crate::frame::{Compression, Frame, Node, Span, spans};
 use crate::held;
+use crate::idle::too_close;
 use crate::kinds::not_covered;
 use crate::model::{Action, Course, Extent, Load, Model};
 use crate::outside;
@@ -33,10 +34,12 @@ struct Places {
 /// The problem on the pieces of the answer, in the units of the proof.
 ///
 /// Under compression a lower bound σ of the part of the energy's convexity that remains is proven unless one is given.
+/// The supports in `placed` stand at nodes although they have no reaction.
 pub(crate) fn frame<S: Scalar>(
     model: &Model<S>,
     answer: &Answer,
     stability: Option<f64>,
+    placed: &[usize],
 ) -> Result<Frame<S>, NotProven> {
     if let Some(kind) = not_covered(model) {
         return Err(kind);
@@ -48,7 +51,7 @@ pub(crate) fn frame<S: Scalar>(
     let length = units.metres(model.beam.length);
     let mut positions = Positions::of(answer, length, units)?;
     let reactions = held::reactions(model, answer)?;
-    let places = places(model, &reactions, &mut positions, units)?;
+    let places = places(model, &reactions, placed, &mut positions, units)?;
     let pressed = pressed(answer, &positions)?;
     let exact = positions.exact()?;
     let mut nodes: Vec<Node<S>> = exact.iter().map(|x| Node::at(*x)).collect();
@@ -92,6 +95,7 @@ pub(crate) fn frame<S: Scalar>(
 fn places<S: Scalar>(
     model: &Model<S>,
     reactions: &[Option<Reaction>],
+    placed: &[usize],
     positions: &mut Positions<S>,
     units: Units,
 ) -> Result<Places, NotProven> {
@@ -129,11 +133,15 @@ fn places<S: Scalar>(
         });
     }
     let mut supports = Vec::new();
-    for (support, reaction) in model.supports.iter().zip(reactions) {
-        let idle = held::is_idle(support, reaction);
-        supports.push(match idle {
-            true => None,
-            false => Some(positions.find(units.metres(support.at))?),
+    for (i, (support, reaction)) in model.supports.iter().zip(reactions).enumerate() {
+        let (idle, x) = (held::is_idle(support, reaction), units.metres(support.at));
+        supports.push(match (idle, placed.contains(&i)) {
+            (true, false) => None,
+            (true, true) => {
+                let place = units.restored(x.middle(), 0, 1);
+                Some(positions.find(x).map_err(|_| too_close().at(place))?)
+            }
+            (false, _) => Some(positions.find(x)?),
         });
     }
     let hinges = model.hinges.iter().map(|hinge| positions.find(units.metres(hinge.at)));

@@ -69,7 +69,8 @@ pub(crate) fn supports<S: Scalar>(
         if moment != S::zero() && matches!(support.kind, SupportKind::Pinned) {
             return Err(NotProven::new("a pin has a moment").at(frame.place(node)));
         }
-        if support.acts != Acts::Both && !(support.acts.towards(force).low() > 0.0) {
+        let pulls = !(support.acts.towards(force).low() > 0.0);
+        if support.acts != Acts::Both && force != S::zero() && pulls {
             let what = "a support of one direction acts in the other";
             return Err(NotProven::new(what).at(frame.place(node)));
         }

@@ -1,24 +1,43 @@
-//! Supports of one direction that have no reaction: the exact beam is shown to be clear of them.
+//! Supports of one direction: which act, and from which the exact beam is shown to be clear.
 //!
-//! With ς = 1 for a support that pushes up and −1 for one that pulls down, −ς(w − δ) > ε_w is required. The corrected
-//! deflection w̄ then is admissible, and the exact reaction is zero, because |w̄ − w| and |w − w*| are at most ε_w.
+//! With ς = 1 for a support that pushes up and −1 for one that pulls down, −ς(w − δ) > ε_w is required of one that has no
+//! reaction. The corrected deflection w̄ then is admissible, and the exact reaction is zero, because |w̄ − w| and |w − w*|
+//! are at most ε_w. A support that is closer takes part at a node of its own: a rigid one with w̄ = δ and R̄ = 0, a spring
+//! with R̄ = κv̄⁺. Then all bounds hold without knowing whether it acts.
 
 use crate::frame::{Frame, Held};
+use crate::model::Acts;
 use crate::pointwise::PieceBounds;
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
+use crate::size::Size;
 
-/// Fails at the first support that the exact beam may reach.
-pub(crate) fn clear<S: Scalar>(frame: &Frame<S>, bounds: &[PieceBounds]) -> Result<(), NotProven> {
-    let mut idle = frame.supports.iter().filter(|support| support.node.is_none());
-    match idle.find(|support| !is_clear(frame, bounds, support)) {
+/// The supports without a node that the exact beam may reach, as indices of the model.
+pub(crate) fn close<S: Scalar>(frame: &Frame<S>, bounds: &[PieceBounds]) -> Vec<usize> {
+    let supports = frame.supports.iter().enumerate();
+    let idle = supports.filter(|(_, support)| support.node.is_none());
+    idle.filter(|(_, support)| !is_clear(frame, bounds, support)).map(|(i, _)| i).collect()
+}
+
+/// Fails at the first support of one direction of which it is not shown whether it acts: neither is its reaction larger
+/// than the bound of its error nor the beam clear of it.
+pub(crate) fn decided<S: Scalar>(
+    frame: &Frame<S>,
+    bounds: &[PieceBounds],
+    reactions: &[[Size; 2]],
+) -> Result<(), NotProven> {
+    let undecided = |(support, [error, _]): &(&Held<S>, &[Size; 2])| {
+        let acts = support.acts.towards(support.claimed[0]).low() > error.value();
+        support.acts != Acts::Both && !acts && !is_clear(frame, bounds, support)
+    };
+    match frame.supports.iter().zip(reactions).find(undecided) {
         None => Ok(()),
-        Some(support) => {
-            let what =
-                "the beam is too close to a support of one direction to tell whether it acts";
-            Err(NotProven::new(what).at(frame.units.restored(support.x.middle(), 0, 1)))
-        }
+        Some((support, _)) => Err(too_close().at(frame.units.restored(support.x.middle(), 0, 1))),
     }
+}
+
+pub(crate) fn too_close() -> NotProven {
+    NotProven::new("the beam is too close to a support of one direction to tell whether it acts")
 }
 
 fn is_clear<S: Scalar>(frame: &Frame<S>, bounds: &[PieceBounds], support: &Held<S>) -> bool {

@@ -33,6 +33,8 @@ pub struct Proof {
     pub contact: Result<ContactSet, NotProven>,
     /// Whether the solution is unique.
     pub unique: Result<(), NotProven>,
+    /// Whether each support of one direction is shown to act or to be idle. The bounds hold in both cases.
+    pub supports: Result<(), NotProven>,
     /// The scales of edges and concentrated forces.
     pub scales: Scales,
 }
@@ -40,7 +42,8 @@ pub struct Proof {
 impl Proof {
     /// The first reason why the answer is not proven; `None` if it is.
     ///
-    /// Proven means: a solution exists and is unique, the contact set is shown, and every error is at most 10⁻⁶ of its scale.
+    /// Proven means: a solution exists and is unique, the contact set is shown, the supports that act are known, and every
+    /// error is at most 10⁻⁶ of its scale.
     pub fn shortfall(&self) -> Option<NotProven> {
         if !(self.bounds.deflection.error < f64::INFINITY) {
             return Some(NotProven::new("no equilibrium is shown: the deflection has no bound"));
@@ -52,6 +55,7 @@ impl Proof {
         };
         let unique = self.unique.as_ref().err().cloned();
         let set = unique.or_else(|| self.contact.as_ref().err().cloned());
+        let set = set.or_else(|| self.supports.as_ref().err().cloned());
         let fields = || {
             let named = self.bounds.named().into_iter();
             named.filter_map(|(name, bound)| too_large(&name.replace('_', " "), bound)).next()
@@ -81,15 +85,35 @@ impl Proof {
 
 /// Bounds how far the answer is from the solution of the model.
 pub fn prove<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Proof, NotProven> {
-    let frame = frame(model, answer, None)?;
-    of_fields(&Fields::of(&frame)?, answer)
+    proven(model, answer, |_, proof| proof)
+}
+
+/// What follows from the proof of an answer and from the fields that were made from it.
+pub(crate) fn proven<S: Scalar, T>(
+    model: &Model<S>,
+    answer: &Answer,
+    conclude: impl FnOnce(&Fields<S>, Proof) -> T,
+) -> Result<T, NotProven> {
+    let mut placed = Vec::new();
+    loop {
+        let frame = frame(model, answer, None, &placed)?;
+        let fields = Fields::of(&frame)?;
+        match of_fields(&fields, answer)? {
+            Attempt::Done(proof) => return Ok(conclude(&fields, *proof)),
+            Attempt::Close(supports) => placed.extend(supports),
+        }
+    }
+}
+
+/// What an attempt to prove an answer gives.
+enum Attempt {
+    Done(Box<Proof>),
+    /// Supports without a node that the exact beam may reach.
+    Close(Vec<usize>),
 }
 
 /// The proof of the answer from which the fields were made.
-pub(crate) fn of_fields<S: Scalar>(
-    fields: &Fields<S>,
-    answer: &Answer,
-) -> Result<Proof, NotProven> {
+fn of_fields<S: Scalar>(fields: &Fields<S>, answer: &Answer) -> Result<Attempt, NotProven> {
     let frame = fields.frame;
     if frame.varies() {
         return Err(NotProven::new("not covered: a coefficient that varies within a segment"));
@@ -100,13 +124,17 @@ pub(crate) fn of_fields<S: Scalar>(
     }
     let pointwise = Pointwise { fields, balanced: &balanced, energy };
     let mut pieces = pointwise.bounds();
-    idle::clear(frame, &pieces)?;
+    let close = idle::close(frame, &pieces);
+    if !close.is_empty() {
+        return Ok(Attempt::Close(close));
+    }
     let shown = pointwise.contact(&mut pieces);
     let of_supports = pointwise.reactions(&pieces);
+    let supports = idle::decided(frame, &pieces, &of_supports);
     add_stored(answer, fields, &mut pieces);
     let scales = FieldScales::of(fields, &pieces);
     let units = frame.units;
-    Ok(Proof {
+    Ok(Attempt::Done(Box::new(Proof {
         energy: units.restored(energy.value(), 1, 1),
         strain_energy: units.restored(Energies::of(fields).strain, 1, 1),
         bounds: largest(frame, &pieces, &scales),
@@ -117,7 +145,8 @@ pub(crate) fn of_fields<S: Scalar>(
             length: units.restored(frame.length.low(), 0, 1),
             force: units.restored(scales.force, 1, 0),
         },
-    })
+        supports,
+    })))
 }
 
 /// Adds the differences of the pressures and settlements that the answer stores from those that belong to its deflection.

@@ -4,6 +4,7 @@
 //! test function z with z = 1 at the support and z = 0 at all others; the moment of a clamp by s₂K + W_θ|λ′|, with z′ = 1.
 
 use crate::frame::Held;
+use crate::ground::positive_part;
 use crate::model::Acts;
 use crate::pointwise::{PieceBounds, Pointwise};
 use crate::scalar::Scalar;
@@ -41,7 +42,12 @@ impl<S: Scalar> Pointwise<'_, S> {
         let piece = node.saturating_sub(1);
         let closed = self.fields.deflection.pieces[piece].bounds;
         let errors = [bounds[piece].deflection, bounds[piece].rotation];
-        let computed = [springs[0] * (w - held.settlement), -(springs[1] * slope)];
+        let force = springs[0] * (w - held.settlement);
+        let force = match held.acts {
+            Acts::Both => force,
+            acts => acts.towards(positive_part(acts.towards(force))),
+        };
+        let computed = [force, -(springs[1] * slope)];
         let mut found = [Size::ZERO; 2];
         for j in [0, 1] {
             let stiffness = Size::of(springs[j].high());

@@ -366,7 +366,7 @@ mod tests {
             ..Piece::default()
         };
         let answer = Answer { pieces: (0..4).map(piece).collect(), ..Answer::default() };
-        let frame = frame(&model, &answer, None);
+        let frame = frame(&model, &answer, None, &[]);
         frame.ok().and_then(|frame| frame.compression.map(|compression| compression.margin))
     }
 

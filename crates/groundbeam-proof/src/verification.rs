@@ -3,11 +3,10 @@
 use crate::bounds::Bound;
 use crate::document::Document;
 use crate::fields::Fields;
-use crate::given::frame;
 use crate::listed::{Checked, Differences, differences};
 use crate::model::Model;
 use crate::patches::{FIELDS, GAP};
-use crate::proof::{Proof, of_fields};
+use crate::proof::{Proof, proven};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::scales::claimed;
@@ -45,11 +44,13 @@ pub fn verify<S: Scalar>(model: &Model<S>, document: &Document) -> Result<Verifi
     if document.answer.pieces.is_empty() {
         return Err(NotProven::new("the document has no `pieces`"));
     }
-    let frame = frame(model, &document.answer, None)?;
-    let fields = Fields::of(&frame)?;
-    let mut proof = of_fields(&fields, &document.answer)?;
+    proven(model, &document.answer, |fields, proof| compared(document, fields, proof))
+}
+
+/// The numbers that a document lists besides its answer, compared with the fields and the proof of the answer.
+fn compared<S: Scalar>(document: &Document, fields: &Fields<S>, mut proof: Proof) -> Verification {
     let contact = proof.contact.as_ref().ok();
-    let found = differences(document, &fields, contact);
+    let found = differences(document, fields, contact);
     let is_shown = contact.is_some();
     let shown = |difference: f64| if is_shown { difference } else { f64::INFINITY };
     let (edges, forces) = (
@@ -76,14 +77,14 @@ pub fn verify<S: Scalar>(model: &Model<S>, document: &Document) -> Result<Verifi
         shortfall: None,
     };
     let claimed = verification.claimed(document);
-    let far = far(&fields, &found.fields, &verification.named());
+    let far = far(fields, &found.fields, &verification.named());
     verification.shortfall = verification
         .proof
         .shortfall()
         .or_else(|| found.failed.or(verification.large()))
         .or(far)
         .or(claimed);
-    Ok(verification)
+    verification
 }
 
 impl Verification {

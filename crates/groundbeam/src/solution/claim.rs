@@ -3,7 +3,11 @@
 use crate::model::{Action, Acts, Extent, GapPoint, GroundEnd, Hinge, Load, Model, Profile};
 use crate::model::{Support, SupportKind};
 use crate::solution::candidate::Candidate;
+use crate::solution::fields::{Reaction, Side};
 use groundbeam_proof::{self as proof, Answer, NotProven, Proof, Scalar};
+
+/// A beam is close to a support if it is nearer than this part of the deflection there.
+const NEAR: f64 = 1e-6;
 
 /// The proof of a solution, in numbers of the given type.
 pub(super) fn prove<S: Scalar>(candidate: &Candidate) -> Result<Proof, NotProven> {
@@ -133,6 +137,10 @@ pub(super) fn answer(candidate: &Candidate) -> Answer {
             settlement: piece.settlement.to_vec(),
         }
     });
+    let mut pieces: Vec<proof::Piece> = pieces.collect();
+    for support in candidate.model.supports.iter().zip(&candidate.reactions) {
+        end_at_support(candidate, support, &mut pieces);
+    }
     let ends = candidate.end_forces;
     let force = |x: f64, force: f64| proof::Force { x, force };
     let mut forces = vec![force(0.0, ends.left)];
@@ -141,5 +149,64 @@ pub(super) fn answer(candidate: &Candidate) -> Answer {
     let reactions = candidate.reactions.iter().enumerate().map(|(support, reaction)| {
         proof::Reaction { support, force: reaction.force, moment: reaction.moment }
     });
-    Answer { pieces: pieces.collect(), forces, reactions: reactions.collect() }
+    Answer { pieces, forces, reactions: reactions.collect() }
+}
+
+/// Lets two pieces meet at an idle support of one direction that the beam nearly reaches. The proof can then leave open
+/// whether it acts.
+fn end_at_support(
+    candidate: &Candidate,
+    (support, reaction): (&Support, &Reaction),
+    pieces: &mut Vec<proof::Piece>,
+) {
+    let at = support.at;
+    let here = candidate.at(at, Side::Right);
+    let largest = here.deflection.abs().max(support.settlement.abs());
+    let close = (here.deflection - support.settlement).abs() <= NEAR * largest;
+    if !(support.is_one_way() && reaction.force == 0.0 && close) {
+        return;
+    }
+    // Within rounding of an end of a piece the support stands there already.
+    let apart = 64.0 * f64::EPSILON * candidate.model.beam.length;
+    let inside = |piece: &proof::Piece| piece.x[0] + apart < at && at + apart < piece.x[1];
+    let Some(i) = pieces.iter().position(inside) else { return };
+    let piece = pieces[i].clone();
+    let settled = |side: usize| {
+        let mut ends = piece.open?;
+        ends[1 - side] = here.settlement;
+        Some(ends)
+    };
+    pieces[i] = part(&piece, [piece.x[0], at], settled(0));
+    pieces.insert(i + 1, part(&piece, [at, piece.x[1]], settled(1)));
+}
+
+/// The same functions on a part of a piece.
+fn part(piece: &proof::Piece, x: [f64; 2], open: Option<[f64; 2]>) -> proof::Piece {
+    let half = 0.5 * (x[1] - x[0]);
+    let offset = (0.5 * (x[0] + x[1]) - 0.5 * (piece.x[0] + piece.x[1])) / piece.half;
+    let ratio = half / piece.half;
+    // Horner's rule with polynomials: p(offset + ratio t).
+    let moved = |coefficients: &[f64]| {
+        let mut sum: Vec<f64> = Vec::new();
+        for c in coefficients.iter().rev() {
+            let times_t = std::iter::once(0.0).chain(sum.iter().map(|s| s * ratio));
+            let kept = sum.iter().map(|s| s * offset).chain(std::iter::once(0.0));
+            sum = times_t.zip(kept).map(|(a, b)| a + b).collect();
+            if let Some(first) = sum.first_mut() {
+                *first += c;
+            }
+            sum.truncate(coefficients.len());
+        }
+        sum
+    };
+    proof::Piece {
+        x,
+        half,
+        touches: piece.touches,
+        deflection: moved(&piece.deflection),
+        rotation: moved(&piece.rotation),
+        pressure: moved(&piece.pressure),
+        open,
+        settlement: moved(&piece.settlement),
+    }
 }
