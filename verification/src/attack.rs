@@ -153,10 +153,12 @@ impl Target {
             let shear = truth(Field::ShearForce) - stiffness * (turned[2] - exact[3]);
             said.push((Field::ShearForce, shear, bounds.shear_force.error));
         }
-        if piece.touches {
-            let settled = w[0] - clearance(model, x);
-            said.push((Field::Settlement, settled, bounds.settlement.error));
-        }
+        let settled = match piece.touches {
+            true => Some(w[0] - clearance(model, x)),
+            false if piece.settlement.is_empty() => None,
+            false => Some(derivatives(piece, &piece.settlement, x)[0]),
+        };
+        said.extend(settled.map(|u| (Field::Settlement, u, bounds.settlement.error)));
         if holds_at(proof, Field::Pressure, x) {
             let pressure = match piece.pressure.is_empty() {
                 true => 0.0,
@@ -235,7 +237,7 @@ fn any(answer: &Answer, rng: &mut ChaCha8Rng) -> usize {
     rng.random_range(0..answer.pieces.len())
 }
 
-const CHANGES: [Change; 13] = [
+const CHANGES: [Change; 14] = [
     ("an edge moved", move_edge),
     ("a bump", |answer, rng, target| {
         let (i, size) = (any(answer, rng), tiny(rng) * largest(target));
@@ -305,6 +307,16 @@ const CHANGES: [Change; 13] = [
         let i = any(answer, rng);
         if let Some(c) = answer.pieces[i].pressure.first_mut() {
             *c *= 1.0 + tiny(rng);
+        }
+    }),
+    ("another settlement", |answer, rng, _| {
+        // Open ground that varies is proven with the settlement that is stored.
+        let stored: Vec<_> =
+            answer.pieces.iter_mut().filter(|piece| !piece.settlement.is_empty()).collect();
+        let count = stored.len();
+        if let Some(piece) = stored.into_iter().nth(rng.random_range(0..count.max(1))) {
+            let j = rng.random_range(0..piece.settlement.len());
+            piece.settlement[j] *= 1.0 + tiny(rng);
         }
     }),
     ("a piece cut", |answer, rng, _| {

@@ -74,12 +74,10 @@ impl<S: Scalar> Contact<'_, S> {
         for _ in 0..40 {
             let reach = end + inward * wide * part;
             let length = ((far - reach).abs().next_down() * span.half.low()).next_down();
-            let steep = self.settlement_slope(i, length);
-            let limit = more(steep + self.bounds[i].slope);
+            let flux = self.settlement_flux(i, length);
+            let limit = more(flux.over(span.shear.low()) + self.bounds[i].slope);
             if let Some(theta) = self.theta(i, side, piece, reach, limit) {
-                let layer = Size::of(span.shear.high());
-                let at_node = Size::of(fall(piece, side, end).size());
-                let (flux, steep) = (layer * steep, layer * at_node);
+                let steep = Size::of(span.shear.high()) * Size::of(fall(piece, side, end).size());
                 return Some(Approach { theta, flux, steep, reach });
             }
             part *= 0.7;
@@ -87,20 +85,45 @@ impl<S: Scalar> Contact<'_, S> {
         None
     }
 
-    /// ε_u′ = b coth(bL/2) ε_u: u − u* is a sum of exponentials on the length L and at most ε_u.
-    fn settlement_slope(&self, i: usize, length: f64) -> Size {
+    /// A bound of μ|u − u*|′ at the end of a length L of open ground on which |u − u*| ≤ ε_u.
+    ///
+    /// On even ground u − u* is a sum of exponentials: μb coth(bL/2) ε_u. Else (μ(u − u*)′)′ = k(u − u*) − ρ, and by the mean
+    /// value theorem |u − u*|′ ≤ 2ε_u/h somewhere on a length h ≤ L: 2με_u/h + h(kε_u + max|ρ|).
+    fn settlement_flux(&self, i: usize, length: f64) -> Size {
         if !(length > 0.0) {
             return Size::INFINITE;
         }
         let span = &self.fields.frame.spans[i];
+        let error = self.bounds[i].settlement;
+        let shear = Size::of(span.shear.high());
+        if self.fields.surface.along[i].is_some() {
+            let load = Size::of(span.spring.high()) * error + self.fields.surface.missed[i];
+            return varying_flux(shear * error, load, length);
+        }
         let decay = span.spring.least().div(span.shear.least()).sqrt();
         let fallen = (-(decay * S::of(length))).expm1();
         let factor = decay * (fallen + S::of(2.0)).div(-fallen);
-        Size::of(factor.high()) * self.bounds[i].settlement
+        shear * Size::of(factor.high()) * error
+    }
+
+    /// A lower bound of (μC′)′ less its error on |t − m| ≤ r of an open piece.
+    fn presses(&self, i: usize, piece: &OpenPiece<S::Coarse>, m: f64, r: f64) -> bool {
+        let (span, error) = (&self.fields.frame.spans[i], more(self.bounds[i].pressure));
+        match &self.fields.surface.along[i] {
+            None => {
+                let bent = piece.curvature(m, r, piece.settlement(m));
+                bent > more(self.bounds[i].pressure.over(span.shear.low())).value()
+            }
+            Some(along) => {
+                let pressure = span.pressure_under(along).coarse().shifted(m);
+                let lost = pressure.tail(r) + error;
+                (pressure.coefficient(0).low() - lost.value()).next_down() > 0.0
+            }
+        }
     }
 
     /// The least θ found for which C falls faster than `limit` from the reach to the node, less θ. Where θ > 0 the node
-    /// is smooth and μC″ > ε_p on the last θ.
+    /// is smooth and (μC′)′ > ε_p on the last θ, with (μC′)′ = ku − q − (μψ′)′ but for ρ.
     fn theta(
         &self,
         i: usize,
@@ -117,7 +140,6 @@ impl<S: Scalar> Contact<'_, S> {
             return None;
         }
         let span = &self.fields.frame.spans[i];
-        let curved = self.bounds[i].pressure.over(span.shear.low());
         let slope = Size::of(fall(piece, side, end).size()) + limit;
         let bent = piece.curvature(end, 0.0, piece.settlement(end));
         let mut theta = (1.05 * slope.over(bent).over(span.half.low())).value();
@@ -129,8 +151,7 @@ impl<S: Scalar> Contact<'_, S> {
             }
             let m = 0.5 * (near + end);
             let r = if side == 0 { half_width(end, m, near) } else { half_width(near, m, end) };
-            let bends = piece.curvature(m, r, piece.settlement(m)) > more(curved).value();
-            if bends && falls(piece, side, [reach, near], limit) {
+            if self.presses(i, piece, m, r) && falls(piece, side, [reach, near], limit) {
                 let far = Size::of((end - near).abs().next_up());
                 return Some(far * Size::of(span.half.high()));
             }
@@ -138,6 +159,13 @@ impl<S: Scalar> Contact<'_, S> {
         }
         None
     }
+}
+
+/// The least of 2με/h + h·load over h ≤ length.
+fn varying_flux(stiff: Size, load: Size, length: f64) -> Size {
+    let best = (2.0 * stiff.value() / load.value()).sqrt();
+    let h = if best < length { best } else { length };
+    (2.0 * stiff).over(h) + Size::of(h) * load
 }
 
 /// C′ at t, positive where C grows towards the touching end.
@@ -202,4 +230,116 @@ pub(crate) fn clear<C: Scalar>(piece: &OpenPiece<C>, [from, to]: [f64; 2], limit
         open.extend([[a, m], [m, b]]);
     }
     true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::varying_flux;
+    use crate::random::numbers;
+    use crate::size::Size;
+
+    const COUNT: usize = 2000;
+
+    /// Ground that varies on a length: k, μ and a load as parabolas through their values at both ends and in the middle.
+    struct Ground {
+        length: f64,
+        k: [f64; 3],
+        mu: [f64; 3],
+        load: [f64; 3],
+    }
+
+    /// Bernstein's formula.
+    fn parabola([a, b, c]: [f64; 3], s: f64) -> f64 {
+        (1.0 - s) * ((1.0 - s) * a + s * b) + s * ((1.0 - s) * b + s * c)
+    }
+
+    impl Ground {
+        fn random(random: &mut impl FnMut() -> f64) -> Self {
+            let mut three = |least: f64| {
+                [0; 3].map(|_| if least > 0.0 { least.powf(random()) } else { random() })
+            };
+            let (k, mu, load) = (three(20.0), three(20.0), three(0.0));
+            Ground { length: 3.0_f64.powf(random()), k, mu, load }
+        }
+
+        /// The largest or least value along the ground.
+        fn most(&self, of: [f64; 3], sign: f64) -> f64 {
+            let at = |i: usize| sign * parabola(of, i as f64 / COUNT as f64);
+            sign * (0..=COUNT).map(at).fold(f64::NEG_INFINITY, f64::max)
+        }
+
+        /// y of −(μy′)′ + ky = load at the nodes of straight elements, from given values at the ends or, if there are none, with
+        /// free ends, and −μy′ at the left end.
+        fn solve(&self, ends: Option<[f64; 2]>) -> (Vec<f64>, f64) {
+            let h = self.length / COUNT as f64;
+            let mut own = vec![0.0; COUNT + 1];
+            let mut across = vec![0.0; COUNT];
+            let mut load = vec![0.0; COUNT + 1];
+            for i in 0..COUNT {
+                let s = (i as f64 + 0.5) / COUNT as f64;
+                let [k, mu, q] = [self.k, self.mu, self.load].map(|of| parabola(of, s));
+                across[i] = k * h / 6.0 - mu / h;
+                for node in [i, i + 1] {
+                    own[node] += k * h / 3.0 + mu / h;
+                    load[node] += 0.5 * q * h;
+                }
+            }
+            let first = [own[0], across[0], load[0]];
+            if let Some(ends) = ends {
+                for (node, value) in [(0, ends[0]), (COUNT, ends[1])] {
+                    own[node] = 1e30;
+                    load[node] = 1e30 * value;
+                }
+            }
+            for i in 0..COUNT {
+                let factor = across[i] / own[i];
+                own[i + 1] -= factor * across[i];
+                load[i + 1] -= factor * load[i];
+            }
+            let mut y = vec![load[COUNT] / own[COUNT]; COUNT + 1];
+            for i in (0..COUNT).rev() {
+                y[i] = (load[i] - across[i] * y[i + 1]) / own[i];
+            }
+            let flux = first[0] * y[0] + first[1] * y[1] - first[2];
+            (y, flux)
+        }
+    }
+
+    /// (13a) of docs/proof.md.
+    #[test]
+    fn the_flux_at_the_end_of_varying_ground_is_bounded() {
+        let mut random = numbers();
+        let mut largest: f64 = 0.0;
+        for _ in 0..200 {
+            let ground = Ground::random(&mut random);
+            let (y, flux) = ground.solve(Some([random(), random()]));
+            let most = y.iter().fold(0.0_f64, |most, y| most.max(y.abs()));
+            let load = ground.most(ground.load, 1.0).max(-ground.most(ground.load, -1.0));
+            let stiff = Size::of(ground.most(ground.mu, 1.0) * most);
+            let load = Size::of(ground.most(ground.k, 1.0) * most + load);
+            let bound = varying_flux(stiff, load, ground.length).value();
+            assert!(flux.abs() <= bound, "{flux} {bound}");
+            largest = largest.max(flux.abs() / bound);
+        }
+        assert!(largest > 0.3, "{largest}");
+    }
+
+    /// (4a) of docs/proof.md: ‖Gρ‖_b² = ∫ρGρ.
+    #[test]
+    fn a_pressure_that_is_left_unclaimed_costs_no_more_than_its_norm() {
+        let mut random = numbers();
+        let mut largest: f64 = 0.0;
+        for _ in 0..200 {
+            let ground = Ground::random(&mut random);
+            let (y, _) = ground.solve(None);
+            let h = ground.length / COUNT as f64;
+            let at = |i: usize| parabola(ground.load, (i as f64 + 0.5) / COUNT as f64);
+            let work: f64 = (0..COUNT).map(|i| 0.5 * h * at(i) * (y[i] + y[i + 1])).sum();
+            let square: f64 = (0..COUNT).map(|i| h * at(i) * at(i)).sum();
+            let bound = square / ground.most(ground.k, -1.0);
+            assert!(work <= bound, "{work} {bound}");
+            largest = largest.max(work / bound);
+        }
+        assert!(largest > 0.3, "{largest}");
+    }
 }

@@ -102,11 +102,13 @@ impl<S: Scalar> Pointwise<'_, S> {
         let (fields, frame) = (self.fields, self.fields.frame);
         let mut rounds = 1;
         if frame.shears() {
+            self.first_slopes(pieces);
             let rough = Contact { fields, bounds: pieces }.roughly();
             self.shear_forces(&rough, pieces);
             rounds = if frame.spans.iter().any(|span| span.layered) { ROUNDS } else { 1 };
         }
         loop {
+            self.lower_pressures(pieces);
             let shown = Contact { fields, bounds: pieces }.shown();
             self.shear_forces(&shown, pieces);
             rounds -= 1;

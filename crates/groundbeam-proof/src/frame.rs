@@ -83,6 +83,8 @@ pub(crate) struct Node<S> {
     pub pressed: bool,
     /// Whether g₀ has a corner.
     pub corner: bool,
+    /// Whether μ or S differs on its two sides.
+    pub stepped: bool,
 }
 
 /// The weights with which supports take part when forces are given back. Any positive numbers are valid.
@@ -168,6 +170,7 @@ impl<S: Scalar> Node<S> {
             weights: Weights::default(),
             pressed: false,
             corner: false,
+            stepped: false,
         }
     }
 
@@ -254,12 +257,6 @@ impl<S: Scalar> Span<S> {
         })
     }
 
-    /// Whether EI, S, k and μ are constant.
-    pub fn is_even(&self) -> bool {
-        let shears_evenly = self.stiffness.as_ref().is_none_or(|s| s.even().is_some());
-        self.bending.even().is_some() && shears_evenly && self.has_even_ground()
-    }
-
     /// Whether k and μ are constant.
     pub fn has_even_ground(&self) -> bool {
         self.spring.even().is_some() && self.shear.even().is_some()
@@ -324,6 +321,24 @@ impl<S: Scalar> Span<S> {
         &self.deflection - &self.gap
     }
 
+    /// ku − q − (μ(w − g₀)′)′: the pressure if the beam touched ground of the settlement u.
+    pub fn pressure_under(&self, settlement: &Polynomial<S>) -> Polynomial<S> {
+        let mut pressure = self.spring.times(settlement);
+        if self.layered {
+            let flux = self.shear.times(&self.derivative(&self.obstacle()));
+            pressure = &pressure - &self.derivative(&flux);
+        }
+        match &self.ground_load {
+            None => pressure,
+            Some(load) => &pressure - load,
+        }
+    }
+
+    /// A bound of the slope of a coefficient along the piece.
+    pub fn steepness(&self, coefficient: &Coefficient<S>) -> Size {
+        coefficient.along().map_or(Size::ZERO, |along| self.derivative(along).size(self.tau))
+    }
+
     /// M = −EI (φ′ − κ₀).
     pub fn bending_moment(&self, rotation: &Polynomial<S>) -> Polynomial<S> {
         self.bending.times(&(&self.curvature - &self.derivative(rotation)))
@@ -380,9 +395,7 @@ impl<S: Scalar> Frame<S> {
     /// there.
     pub fn even(&self, node: usize) -> bool {
         self.layered(node) == [true; 2]
-            && self.spans[node - 1].shear.even().is_some()
-            && self.spans[node - 1].shear == self.spans[node].shear
-            && self.spans[node - 1].stiffness == self.spans[node].stiffness
+            && !self.nodes[node].stepped
             && self.nodes[node].ground_force == S::zero()
             && !self.nodes[node].is_hinged()
     }
@@ -400,11 +413,6 @@ impl<S: Scalar> Frame<S> {
     /// and no force that bends a beam that shears.
     pub fn smooth(&self, node: usize) -> bool {
         self.even(node) && !self.nodes[node].corner && !self.kinks(node)
-    }
-
-    /// Whether EI, S, k or μ varies along a piece.
-    pub fn varies(&self) -> bool {
-        self.spans.iter().any(|span| !span.is_even())
     }
 
     /// Whether a piece shears.

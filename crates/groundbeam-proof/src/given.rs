@@ -181,20 +181,25 @@ fn stiffness<S: Scalar>(
         span.spring = even(ground.spring, -2);
         span.shear = even(ground.shear, 0);
     }
+    // The courses of μ and S on each piece, where a segment says them.
+    let mut courses = vec![[None; 2]; frame.spans.len()];
     for (piece, j) in pieces_of(places.beam.iter().copied(), frame.spans.len())? {
         let segment = &beam.segments[j];
         let part = Part::of(&frame.spans[piece], [segment.from, segment.to], units);
         frame.spans[piece].bending = part.course(&segment.bending_stiffness, 2)?;
         if let Some(course) = &segment.shear_stiffness {
+            courses[piece][1] = Some(course);
             shears[piece] = Some(part.course(course, 0)?);
         }
     }
     for (piece, j) in pieces_of(places.ground.iter().copied(), frame.spans.len())? {
         let segment = &ground.segments[j];
+        courses[piece][0] = Some(&segment.shear);
         let part = Part::of(&frame.spans[piece], [segment.from, segment.to], units);
         frame.spans[piece].spring = part.course(&segment.spring, -2)?;
         frame.spans[piece].shear = part.course(&segment.shear, 0)?;
     }
+    steps(model, &courses, frame);
     for (span, shear) in frame.spans.iter_mut().zip(shears) {
         in_range(&span.bending, "EI")?;
         in_range(&span.spring, "k")?;
@@ -212,6 +217,21 @@ fn stiffness<S: Scalar>(
         }
     }
     Ok(())
+}
+
+/// Finds the nodes at which μ or S differs on the two sides. A course has no step inside its segment.
+fn steps<S: Scalar>(model: &Model<S>, courses: &[[Option<&Course<S>>; 2]], frame: &mut Frame<S>) {
+    let (shear, stiffness) = (model.ground.shear, model.beam.shear_stiffness);
+    let same = |a: Option<&Course<S>>, b: Option<&Course<S>>, base: Option<S>| match (a, b) {
+        (None, None) => true,
+        (Some(a), Some(b)) if std::ptr::eq(a, b) => true,
+        _ => a.map_or(base, |a| a.end(1)) == b.map_or(base, |b| b.end(0)),
+    };
+    for (node, pair) in frame.nodes.iter_mut().skip(1).zip(courses.windows(2)) {
+        let [left, right] = [pair[0], pair[1]];
+        node.stepped =
+            !(same(left[0], right[0], Some(shear)) && same(left[1], right[1], stiffness));
+    }
 }
 
 /// The pieces of segments, each with the index of its segment. Segments do not overlap.

@@ -26,6 +26,8 @@ pub(crate) struct Surface<S> {
     pub open: Vec<Option<[S; 2]>>,
     /// ū on each open piece of a layer whose k or μ varies.
     pub along: Vec<Option<Box<Polynomial<S>>>>,
+    /// max|ρ| of the pressure that ū misses on each such piece; zero elsewhere.
+    pub missed: Vec<Size>,
     /// μū′ at both ends of each open piece of a layer.
     pub flux: Vec<[S; 2]>,
     /// Whether beam and layer touch at a node.
@@ -57,6 +59,7 @@ pub(crate) fn surface<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -
     let mut surface = Surface {
         open: vec![None; frame.spans.len()],
         along: vec![None; frame.spans.len()],
+        missed: vec![Size::ZERO; frame.spans.len()],
         flux: vec![[S::zero(); 2]; frame.spans.len()],
         jump: vec![S::zero(); frame.nodes.len()],
         settlement: vec![S::zero(); frame.nodes.len()],
@@ -382,7 +385,9 @@ impl<'a, S: Scalar> Layer<'a, S> {
             if let Some(load) = &span.ground_load {
                 rest = &rest - load;
             }
-            missed += (span.length() * rest.size(span.tau).square()).over(span.spring.low());
+            let rest = rest.size(span.tau);
+            missed += (span.length() * rest.square()).over(span.spring.low());
+            surface.missed[i] = rest;
             surface.along[i] = Some(Box::new(along));
         }
         surface.unclaimed += missed.root();

@@ -61,6 +61,7 @@ mod test_functions;
 mod unique;
 mod units;
 mod values;
+mod varying_shear;
 mod verification;
 mod wide;
 

@@ -87,6 +87,17 @@ pub enum Course<S> {
     Varying(Vec<S>),
 }
 
+impl<S: Copy> Course<S> {
+    /// The value at the left or at the right end.
+    pub(crate) fn end(&self, side: usize) -> Option<S> {
+        match self {
+            Course::Constant(value) => Some(*value),
+            Course::Varying(values) if side == 0 => values.first().copied(),
+            Course::Varying(values) => values.last().copied(),
+        }
+    }
+}
+
 /// How the ground ends beyond an end of the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum GroundEnd<S> {

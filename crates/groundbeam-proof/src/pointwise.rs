@@ -138,7 +138,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         (0..nodes.len()).filter(stops).collect()
     }
 
-    /// |p − p*| where both touch: kε_u + με_w″ in a layer, kε_u on separate springs.
+    /// |p − p*| where both touch: kε_u + |μ′|ε_θ + με_w″ in a layer, kε_u on separate springs.
     ///
     /// On a beam that shears w″(1 + P/S) = φ′ + (p − f + r + η′)/S, so that in a layer
     ///
@@ -147,15 +147,19 @@ impl<S: Scalar> Pointwise<'_, S> {
     /// ```
     ///
     /// On open pieces it bounds the error of μC″, without the divisor.
-    fn pressure(&self, i: usize, bounds: &PieceBounds) -> Size {
+    pub(crate) fn pressure(&self, i: usize, bounds: &PieceBounds) -> Size {
         let span = &self.fields.frame.spans[i];
         let bent = bounds.moment.over(span.bending.low());
         let settled = Size::of(span.spring.high()) * bounds.settlement;
         let Some(stiffness) = span.stiffness.as_ref().filter(|_| span.layered) else {
-            return settled + Size::of(span.shear.size()) * bent;
+            let turned = match span.shear.along() {
+                Some(_) => span.steepness(&span.shear) * bounds.slope,
+                None => Size::ZERO,
+            };
+            return settled + turned + Size::of(span.shear.size()) * bent;
         };
         let (Some(stiffness), Some(shear)) = (stiffness.even(), span.shear.even()) else {
-            return Size::INFINITE;
+            return self.varying_pressure(i, bounds);
         };
         let axial = self.fields.frame.axial_force().unwrap_or_else(S::zero);
         let residual = &self.fields.residual.pieces[i];

@@ -25,15 +25,7 @@ impl<S: Scalar> Pressure<S> {
     }
 
     fn of(span: &Span<S>, negligible: Size, budget: &mut Budget) -> Self {
-        let settled = span.obstacle();
-        let mut field = span.spring.times(&settled);
-        if span.layered {
-            let flux = span.shear.times(&span.derivative(&settled));
-            field = &field - &span.derivative(&flux);
-        }
-        if let Some(load) = &span.ground_load {
-            field = &field - load;
-        }
+        let field = span.pressure_under(&span.obstacle());
         let masses = span.integrals(&field);
         let negligible = Size::of(span.spring.size()) * negligible;
         let pull = below(&field.coarse(), Size::ZERO, negligible, span.interval(), budget);

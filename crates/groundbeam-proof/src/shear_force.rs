@@ -9,6 +9,7 @@
 //! ε_V = |δ′| + Pε_φ + |β| + ε_T,   q = max(ε_p + γp + (1 + γ)η).
 //! ```
 
+use crate::coefficient::Coefficient;
 use crate::contact_set::Shown;
 use crate::edge_forces::edges_of_pieces;
 use crate::pointwise::{PieceBounds, Pointwise};
@@ -76,8 +77,7 @@ impl<S: Scalar> Pointwise<'_, S> {
             return;
         };
         let misfit = self.fields.residual.pieces[i].misfit[0];
-        let axial = frame.axial_force().unwrap_or_else(S::zero);
-        let stiffened = (S::one() + axial.div(stiffness.least())).low();
+        let stiffened = self.stiffened(stiffness);
         bounds.shear_force = bounds.shear_force.least((all + self.slid(i)).over(stiffened));
         let slope = bounds.rotation + (bounds.shear_force + misfit).over(stiffness.low());
         bounds.slope = bounds.slope.least(slope);
@@ -90,13 +90,20 @@ impl<S: Scalar> Pointwise<'_, S> {
         stiffness.map_or(Size::ZERO, |s| self.axial_size() * misfit.over(s.low()))
     }
 
+    /// A lower bound of 1 + P/S.
+    pub(crate) fn stiffened(&self, stiffness: &Coefficient<S>) -> f64 {
+        let axial = self.fields.frame.axial_force().unwrap_or_else(S::zero);
+        let worst = if axial.low() > 0.0 { stiffness.high() } else { stiffness.low() };
+        (S::one() + axial.div(S::of(worst))).low()
+    }
+
     /// |P|.
-    fn axial_size(&self) -> Size {
+    pub(crate) fn axial_size(&self) -> Size {
         Size::of(self.fields.frame.axial_force().map_or(0.0, S::size))
     }
 
     /// |δ′| on a piece.
-    fn balancing_shear(&self, i: usize) -> Size {
+    pub(crate) fn balancing_shear(&self, i: usize) -> Size {
         let [a, b] = self.balanced.shears[i].map(|shear| Size::of(shear.size()));
         let long = self.fields.frame.spans[i].length();
         a.worst(b) + long * self.fields.residual.pieces[i].rest + self.balanced.added[i][1]
@@ -182,9 +189,12 @@ impl<S: Scalar> Pointwise<'_, S> {
         errors
     }
 
-    /// A bound of |ku − q − μψ″| on an open piece of a layer: the pressure if it touched with its own settlement.
-    fn open_pressure(&self, i: usize) -> Size {
+    /// A bound of |ku − q − (μψ′)′| on an open piece of a layer: the pressure if it touched with its own settlement.
+    pub(crate) fn open_pressure(&self, i: usize) -> Size {
         let span = &self.fields.frame.spans[i];
+        if let Some(along) = &self.fields.surface.along[i] {
+            return span.pressure_under(along).size(span.tau);
+        }
         let Some(ends) = self.fields.surface.open[i] else { return Size::INFINITE };
         let ends = span.above_free_ends(ends);
         let settled = Size::of(ends[0].size()).worst(Size::of(ends[1].size()));
