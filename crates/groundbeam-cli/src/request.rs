@@ -98,6 +98,8 @@ pub struct Check {
 pub struct Verify {
     pub result: PathBuf,
     pub model: PathBuf,
+    /// Where the log of the proof is written.
+    pub log: Option<PathBuf>,
     /// Whether keys that are not covered count as not proven.
     pub strict: bool,
     pub json: bool,
@@ -183,8 +185,8 @@ impl Request {
         Ok(match typed.command {
             Command::Solve(solve) => Request::Solve(Solve::of(solve)?),
             Command::Check(check) => Request::Check(Check { file: check.file, json: check.json }),
-            Command::Verify(typed::Verify { result, model, strict, json }) => {
-                Request::Verify(Verify { result, model, strict, json })
+            Command::Verify(typed::Verify { result, model, log, strict, json }) => {
+                Request::Verify(Verify { result, model, log, strict, json })
             }
             Command::Compare(compare) => Request::Compare(Compare {
                 file: compare.file,

@@ -169,6 +169,10 @@ pub struct Verify {
     /// Model file (TOML)
     pub model: PathBuf,
 
+    /// Write the log of the proof, which `reference/replay.py` recomputes
+    #[arg(long, value_name = "FILE")]
+    pub log: Option<PathBuf>,
+
     /// Keys with numbers that the proof does not cover make the exit status 1
     #[arg(long)]
     pub strict: bool,

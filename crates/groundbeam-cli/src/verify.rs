@@ -3,25 +3,35 @@
 use crate::colour::standard_output_has_colour;
 use crate::failure::Failure;
 use crate::input::{Input, bytes_of};
-use crate::output::print;
+use crate::output::{print, write};
 use crate::request::Verify;
 use crate::status::Status;
-use groundbeam::proof::{self, Document, NotProven, Reason, Verification, Wide};
-use groundbeam_report::{ModelOf, Named, Units, Verified, digest_of_text, json, text};
+use groundbeam::proof::{self, Document, Log, NotProven, Reason, Verification, Wide};
+use groundbeam_report::{LeftOut, ModelOf, Named, Units, Verified, digest_of_text, json, text};
 use std::fmt::Display;
 use std::path::Path;
 
 pub fn run(request: &Verify) -> Result<Status, Failure> {
     let documents = documents(&request.result)?;
     let model = ModelFile::read(&request.model)?;
+    let mut logs = Vec::new();
     let verified = Verified {
         units: model.units.unwrap_or(Units::Plain),
         other_model: model.differs_from(&documents),
+        left_out: model.left_out(&documents),
         results: documents
             .iter()
-            .map(|document| prove(&model.text, &model.name, document))
+            .map(|document| {
+                let mut log = request.log.is_some().then(Log::new);
+                let named = prove_and_log(&model.text, &model.name, document, log.as_mut());
+                logs.extend(log.map(|log| logged(document, &log)));
+                named
+            })
             .collect::<Result<_, Failure>>()?,
     };
+    if let Some(path) = &request.log {
+        write(path, logs.concat().as_bytes())?;
+    }
     print(&match request.json {
         true => json::verified(&verified),
         false => text::verified(&verified, standard_output_has_colour()),
@@ -50,6 +60,8 @@ struct ModelFile {
     digest: String,
     /// As the solver's reader finds them; none if it refuses the file.
     units: Option<Units>,
+    /// The names of its combinations, as the solver's reader finds them.
+    combinations: Vec<String>,
 }
 
 impl ModelFile {
@@ -62,12 +74,27 @@ impl ModelFile {
         let folder = path.parent().unwrap_or(Path::new(""));
         let of_solver = Input::of(name.clone(), &bytes, folder);
         let of_any = proof::read_model::<f64>(text, None).map_err(|error| error.reason);
-        let (digest, units) = match (of_solver, of_any) {
-            (Ok(input), _) => (input.digest().to_owned(), Some(input.document.units.into())),
-            (Err(_), Ok(_) | Err(Reason::OutOfRange(_))) => (digest_of_text(text), None),
+        let (digest, units, combinations) = match (of_solver, of_any) {
+            (Ok(input), _) => {
+                let names = input.document.combinations().into_iter().map(|c| c.name);
+                let units = input.document.units.into();
+                (input.digest().to_owned(), Some(units), names.collect())
+            }
+            (Err(_), Ok(_) | Err(Reason::OutOfRange(_))) => {
+                (digest_of_text(text), None, Vec::new())
+            }
             (Err(failure), Err(_)) => return Err(failure),
         };
-        Ok(ModelFile { name, text: text.to_owned(), digest, units })
+        Ok(ModelFile { name, text: text.to_owned(), digest, units, combinations })
+    }
+
+    /// The combinations of the file of which there is no document.
+    fn left_out(&self, documents: &[Document]) -> Option<LeftOut> {
+        let is_there =
+            |name: &&String| documents.iter().any(|d| d.combination.as_ref() == Some(*name));
+        let names = self.combinations.iter().filter(|name| !is_there(name)).cloned();
+        let (all, names) = (self.combinations.len(), names.collect::<Vec<_>>());
+        (!names.is_empty()).then_some(LeftOut { all, names })
     }
 
     /// Why documents do not belong to the file: their digest or their units are others.
@@ -94,20 +121,36 @@ impl ModelFile {
 /// What is proven of one result: for the model of the file or, if the second reader does not know one of its keys,
 /// for the model that the document contains.
 pub fn prove(text: &str, name: &str, document: &Document) -> Result<Named, Failure> {
+    prove_and_log(text, name, document, None)
+}
+
+/// A log with the name of its result before it.
+fn logged(document: &Document, log: &Log) -> String {
+    let combination = serde_json::json!(document.combination);
+    format!("{{\"name\":\"result\",\"combination\":{combination}}}\n{}", log.text())
+}
+
+/// The same, and writes the log of the proof.
+fn prove_and_log(
+    text: &str,
+    name: &str,
+    document: &Document,
+    log: Option<&mut Log>,
+) -> Result<Named, Failure> {
     let combination = document.combination.clone();
     let read = proof::read_model::<Wide>(text, combination.as_deref());
     let named = |model: ModelOf, found: Result<Verification, NotProven>| {
         Ok(Named { combination: combination.clone(), model, found })
     };
     let error = match read {
-        Ok(model) => return named(ModelOf::File, proof::verify(&model, document)),
+        Ok(model) => return named(ModelOf::File, proof::verify_and_log(&model, document, log)),
         Err(error) => error,
     };
     match (&error.reason, &document.model) {
         (Reason::NotRead(_), Some(own)) => {
             let model = proof::read_model::<Wide>(own, None)
                 .map_err(|error| Failure::usage(format!("the model in the document: {error}")))?;
-            named(ModelOf::Document, proof::verify(&model, document))
+            named(ModelOf::Document, proof::verify_and_log(&model, document, log))
         }
         (Reason::NotRead(_) | Reason::NoCombination(_) | Reason::OutOfRange(_), _) => {
             named(ModelOf::File, Err(NotProven::new(error.to_string())))

@@ -13,6 +13,11 @@ fn a_report_with_its_proof() {
         done.is_clean(0);
         assert!(done.stdout.contains("\nProof\nProven "), "{}", done.stdout);
         assert!(done.stdout.contains("it is the only one"), "{}", done.stdout);
+        // Each number of the results has its bound.
+        for label in ["Deflection", "Slope", "Moment", "Shear force", "Pressure", "End forces"] {
+            let row = done.stdout.lines().find(|line| line.starts_with(label)).unwrap_or_default();
+            assert!(row.contains(" ± "), "{label}: {}", done.stdout);
+        }
         assert!(done.stdout.lines().all(|line| line.chars().count() <= 80), "{}", done.stdout);
     }
     let plain = Folder::with(LIFTS).run(&["solve", "model.toml"]);
@@ -32,7 +37,11 @@ fn a_document_with_its_proof_is_verified() {
     folder.write("result.json", done.stdout.as_bytes());
     let verified = folder.run(&["verify", "result.json", "model.toml", "--json"]);
     verified.is_clean(0);
-    assert_eq!(verified.json()["results"][0]["checked"]["bounds"], 10);
+    // Seven fields and the gap, two edges, the forces under both ends twice.
+    assert_eq!(verified.json()["results"][0]["checked"]["bounds"], 14);
+    let each = &verified.json()["results"][0]["each"];
+    assert_eq!(each["edges"], document["proof"]["bounds"]["edges"]);
+    assert_eq!(each["end_forces"].as_array().unwrap().len(), 2);
     // A bound that is too small is not accepted.
     let bound = document["proof"]["bounds"]["moment"].as_f64().unwrap();
     document["proof"]["bounds"]["moment"] = json!(0.9 * bound);
@@ -40,6 +49,16 @@ fn a_document_with_its_proof_is_verified() {
     let verified = folder.run(&["verify", "result.json", "model.toml"]);
     assert_eq!(verified.status, 1);
     assert!(verified.stdout.contains("the document claims"), "{}", verified.stdout);
+    document["proof"]["bounds"]["moment"] = json!(bound);
+    let edge = document["proof"]["bounds"]["edges"][1].as_f64().unwrap();
+    document["proof"]["bounds"]["edges"][1] = json!(0.9 * edge);
+    folder.write("result.json", document.to_string().as_bytes());
+    let verified = folder.run(&["verify", "result.json", "model.toml"]);
+    assert!(verified.stdout.contains("the bound of `edges`"), "{}", verified.stdout);
+    document["proof"]["bounds"]["edges"] = json!([1.0]);
+    folder.write("result.json", document.to_string().as_bytes());
+    let verified = folder.run(&["verify", "result.json", "model.toml"]);
+    assert!(verified.stdout.contains("claims 1 bounds of `edges`"), "{}", verified.stdout);
 }
 
 #[test]
@@ -49,11 +68,17 @@ fn a_mesh_is_not_proven_and_its_bounds_are_printed() {
     let done = folder.run(&[&["solve", "model.toml", "--proven"][..], &mesh].concat());
     done.is_clean(1);
     assert!(done.stdout.contains("\nProof\nNot proven "), "{}", done.stdout);
-    assert!(done.stdout.contains("Deflection   ± "), "{}", done.stdout);
+    assert!(done.stdout.contains("Shear force  ") && done.stdout.contains("(not proven) at"));
+    assert!(done.stdout.contains("No bound     shear force, edges, forces"), "{}", done.stdout);
+    let row = done.stdout.lines().find(|line| line.starts_with("Deflection ")).unwrap();
+    assert!(row.contains(" ± "), "{row}");
     assert!(done.stdout.lines().all(|line| line.chars().count() <= 80), "{}", done.stdout);
     let done = folder.run(&[&["solve", "model.toml", "--proven", "--json"][..], &mesh].concat());
     done.is_clean(1);
-    assert_ne!(done.json()["proof"]["statement"], "proven");
+    let proof = &done.json()["proof"];
+    assert_ne!(proof["statement"], "proven");
+    assert!(proof["bounds"]["deflection"].is_number() && proof["bounds"]["edges"].is_null());
+    assert!(proof["not_proven"]["edges"].as_str().unwrap().contains("is too small"), "{proof}");
 }
 
 #[test]

@@ -257,3 +257,59 @@ fn attacks() {
         assert!(attack["expected"] != "refused" || done.status != 0, "{name}");
     }
 }
+
+/// A document of one combination belongs to the file; the others are named.
+#[test]
+fn combinations_that_the_document_leaves_out_are_named() {
+    let folder = Folder::with(&combined());
+    let one = ["solve", "model.toml", "--json", "--pieces", "--combination", "two"];
+    folder.write("result.json", folder.run(&one).stdout.as_bytes());
+    let done = verify(&folder, &[]);
+    done.is_clean(0);
+    let words = "Document     1 of 2 combinations of the file; left out: one";
+    assert!(done.stdout.contains(words), "{}", done.stdout);
+    let left_out = &verify(&folder, &["--json"]).json()["left_out"];
+    assert_eq!(*left_out, json!({"all": 2, "names": ["one"]}));
+    let all = folder.run(&["solve", "model.toml", "--json", "--pieces"]);
+    folder.write("result.json", all.stdout.as_bytes());
+    assert!(!verify(&folder, &[]).stdout.contains("left out"));
+}
+
+/// The shear force of documents is M′, also under a distributed moment.
+#[test]
+fn the_shear_force_under_a_distributed_moment_is_that_of_documents() {
+    let model = format!("{FOOTING}[[load]]\ndistributed_moment = '5 kN m/m'\n");
+    let (folder, document) = solved(&model, &[]);
+    verify(&folder, &[]).is_clean(0);
+    let mut wrong = document.clone();
+    let value = document["extremes"]["shear_force"]["max"]["value"].as_f64().unwrap();
+    wrong["extremes"]["shear_force"]["max"]["value"] = json!(value - 5e3);
+    assert_eq!(with(&folder, &wrong).status, 1);
+}
+
+/// Near an extreme the values hardly differ, so that its place is compared by itself.
+#[test]
+fn places_of_extremes_are_compared() {
+    let (folder, document) = solved(include_str!("../../../docs/strip-footing.toml"), &[]);
+    let places = verify(&folder, &["--json"]).json()["results"][0]["places"].clone();
+    let of = |field: &str, extreme: &str| {
+        let all = places.as_array().unwrap().iter();
+        let mut found = all.filter(|p| p["field"] == field && p["extreme"] == extreme);
+        found.next().unwrap()["places"].clone()
+    };
+    // The largest moment is under the load; the slope is least where the moment vanishes.
+    assert_eq!(of("moment", "max"), json!([[1.5, 1.5]]));
+    let listed = document["extremes"]["slope"]["min"]["x"].as_f64().unwrap();
+    let place = of("slope", "min");
+    let [low, high] = [0, 1].map(|end| place[0][end].as_f64().unwrap());
+    assert!(low <= listed + 1e-12 && listed <= high + 1e-12 && high - low < 1e-6, "{place}");
+    let mut wrong = document.clone();
+    wrong["extremes"]["slope"]["min"]["x"] = json!(listed + 1e-4);
+    let done = with(&folder, &wrong);
+    assert_eq!(done.status, 1);
+    assert!(
+        done.stdout.contains("the listed place of the smallest slope is wrong"),
+        "{}",
+        done.stdout
+    );
+}

@@ -38,6 +38,8 @@ pub(crate) struct Balance<'a, S> {
 /// The exact balance.
 #[derive(Debug)]
 pub(crate) struct Balanced<S> {
+    /// The nodes at which the beam is cut.
+    pub cuts: Vec<usize>,
     /// λ at the nodes.
     pub factors: Vec<S>,
     /// |λ′| in the cell of each piece.
@@ -116,6 +118,10 @@ impl<S: Scalar> System<S> {
     /// Elimination; none if a pivot may be zero or negative.
     fn solved(mut self) -> Option<Vec<S>> {
         let count = self.diagonal.len();
+        if self.right.iter().all(|rest| *rest == S::zero()) {
+            // Nothing remains to be given back.
+            return Some(self.right);
+        }
         for j in 0..count {
             if !(self.diagonal[j].low() > 0.0) {
                 return None;
@@ -141,6 +147,7 @@ impl<S: Scalar> Balance<'_, S> {
     pub fn solve(&self) -> Result<Balanced<S>, NotProven> {
         let pieces = self.frame.spans.len();
         let mut balanced = Balanced {
+            cuts: self.cuts.clone(),
             factors: vec![S::zero(); pieces + 1],
             steepness: vec![Size::ZERO; pieces],
             moments: vec![[S::zero(); 2]; pieces],

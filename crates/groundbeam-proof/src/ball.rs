@@ -139,6 +139,10 @@ impl Scalar for Ball {
         self.m
     }
 
+    fn parts(self) -> [f64; 3] {
+        [self.m, 0.0, self.r]
+    }
+
     fn coarse(self) -> Ball {
         self
     }

@@ -21,7 +21,7 @@ use crate::size::Size;
 /// The cost of an admissible clearance.
 #[derive(Debug)]
 pub(crate) struct Clearance {
-    /// Σ‖v‖_b over the stretches of open layers.
+    /// (Σ‖v‖_b²)^½ over the stretches of open layers. Each v vanishes at touching nodes, so they do not overlap.
     pub lifted: Size,
     /// (Σ kη²ω)^½ on open separate springs.
     pub risen: Size,
@@ -38,7 +38,7 @@ pub(crate) fn clearance<S: Scalar>(
     let count = frame.spans.len();
     let mut found =
         Clearance { lifted: Size::ZERO, risen: Size::ZERO, raised: vec![Size::ZERO; count] };
-    let mut risen = Size::ZERO;
+    let (mut lifted, mut risen) = (Size::ZERO, Size::ZERO);
     let negligible = frame.negligible();
     let mut i = 0;
     while i < count {
@@ -60,9 +60,10 @@ pub(crate) fn clearance<S: Scalar>(
         }
         let stretch = Stretch { frame, deflection, surface, first, end: i, negligible };
         let (depth, cost) = stretch.lift(budget);
-        found.lifted += cost;
+        lifted += cost.square();
         found.raised[first..i].fill(depth);
     }
+    found.lifted = lifted.root();
     found.risen = risen.root();
     found
 }

@@ -4,9 +4,6 @@ use crate::model::Course;
 use crate::polynomial::Polynomial;
 use crate::scalar::Scalar;
 
-/// The highest degree of a course that varies.
-pub(crate) const HIGHEST_COURSE: usize = 5;
-
 /// A coefficient along a piece.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Coefficient<S> {
@@ -146,9 +143,9 @@ fn in_powers<S: Scalar>(values: &[S], line: &Polynomial<S>) -> Polynomial<S> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Coefficient, HIGHEST_COURSE};
+    use super::Coefficient;
     use crate::model::Course;
-    use crate::polynomial::Polynomial;
+    use crate::polynomial::{HIGHEST_COURSE, Polynomial};
     use crate::random::numbers;
     use crate::scalar::Scalar;
     use crate::wide::Wide;

@@ -132,7 +132,9 @@ impl<S: Scalar> Contact<'_, S> {
         let low = (x.low() - before.value()).next_down();
         let low = if low > 0.0 { frame.units.restored(low, 0, 1) } else { 0.0 };
         let low = if low > 1e-280 { low } else { 0.0 };
-        let high = (x.high() + after.value()).next_up();
+        // The left end of the beam is exactly zero.
+        let high =
+            if x == S::zero() { after.value() } else { (x.high() + after.value()).next_up() };
         [low, frame.units.restored(if high > 0.0 { high } else { 0.0 }, 0, 1)]
     }
 }

@@ -35,6 +35,17 @@ pub(crate) struct Deflection<S> {
     pub rotations: Vec<[S; 2]>,
     /// w̄ at the nodes.
     pub values: Vec<S>,
+    /// The piece beside each node, and its end there, whose claimed values the springs of the node feel: the one with the
+    /// smaller coefficients, whose values have less rounding error.
+    pub felt: Vec<[usize; 2]>,
+}
+
+impl<S: Scalar> Deflection<S> {
+    /// w and φ at a node as the springs there feel them.
+    pub fn at_support(&self, node: usize) -> [S; 2] {
+        let [piece, side] = self.felt[node];
+        [self.claimed[piece][side], self.rotations[piece][side]]
+    }
 }
 
 /// Decides for each piece whether it bends, then walks along the pieces.
@@ -67,7 +78,18 @@ pub(crate) fn admissible<S: Scalar>(frame: &Frame<S>) -> Result<Deflection<S>, N
     let (Some(values), Some(pieces)) = (values, walk.corrections()) else {
         return Err(NotProven::new("the pieces do not join"));
     };
-    Ok(Deflection { pieces, claimed, slopes, rotations, values })
+    let felt = (0..frame.nodes.len()).map(|node| felt(frame, node)).collect();
+    Ok(Deflection { pieces, claimed, slopes, rotations, values, felt })
+}
+
+/// The piece beside a node with the smaller coefficients of w, and its end at the node.
+fn felt<S: Scalar>(frame: &Frame<S>, node: usize) -> [usize; 2] {
+    let size = |piece: usize| frame.spans[piece].deflection.size(1.0);
+    match (node.checked_sub(1), node < frame.spans.len()) {
+        (Some(left), true) if size(node) < size(left) => [node, 0],
+        (Some(left), _) => [left, 1],
+        (None, _) => [node, 0],
+    }
 }
 
 /// Pieces of a wave or more bend, and the longest one between two neighbouring rigid supports.

@@ -34,6 +34,10 @@ pub struct Document {
     pub fields: Vec<(String, Vec<f64>)>,
     /// Listed extremes.
     pub extremes: Vec<Extreme>,
+    /// Listed stretches that have lifted off: from, to, place and size of the largest gap.
+    pub lift_off: Vec<[f64; 4]>,
+    /// Listed hinges: place, rotation and moment.
+    pub hinges: Vec<[f64; 3]>,
     /// Listed bounds of errors by their names, one or several each.
     pub bounds: Vec<(String, Vec<f64>)>,
     /// Other keys that hold numbers: nothing is claimed of them.
@@ -142,6 +146,20 @@ impl Document {
             }
             self.contact = Some(contact);
         }
+        for mut stretch in elements(root, "lift_off")? {
+            let ends = [number(&mut stretch, "from")?, number(&mut stretch, "to")?];
+            if let Some(largest) = stretch.remove("largest_gap") {
+                let mut largest = object(largest, "largest_gap")?;
+                let [x, gap] = [number(&mut largest, "x")?, number(&mut largest, "value")?];
+                self.lift_off.push([ends[0], ends[1], x, gap]);
+            }
+            rest("lift_off", &stretch, &mut self.not_covered);
+        }
+        for mut hinge in elements(root, "hinges")? {
+            let [at, rotation] = [number(&mut hinge, "at")?, number(&mut hinge, "rotation")?];
+            self.hinges.push([at, rotation, number(&mut hinge, "moment")?]);
+            rest("hinges", &hinge, &mut self.not_covered);
+        }
         if let Some(ends) = root.remove("end_forces") {
             let mut ends = object(ends, "end_forces")?;
             self.end_forces = Some([number(&mut ends, "left")?, number(&mut ends, "right")?]);
@@ -186,8 +204,11 @@ impl Document {
         if let Some(bounds) = proof.remove("bounds") {
             for (name, bound) in object(bounds, "bounds")? {
                 let bounds = match bound {
-                    Json::Number(bound) => vec![bound],
-                    bounds => all_numbers(bounds, &name)?,
+                    Json::List(bounds) => bounds
+                        .into_iter()
+                        .map(|bound| claimed(bound, &name))
+                        .collect::<Result<_, _>>()?,
+                    bound => vec![claimed(bound, &name)?],
                 };
                 self.bounds.push((name, bounds));
             }
@@ -320,6 +341,15 @@ fn all_numbers(value: Json, name: &str) -> Result<Vec<f64>, JsonError> {
         _ => wrong(format!("`{name}` holds something that is no number")),
     };
     list(value, name)?.into_iter().map(number).collect()
+}
+
+/// A bound that a document claims; `null` claims nothing.
+fn claimed(bound: Json, name: &str) -> Result<f64, JsonError> {
+    match bound {
+        Json::Number(bound) => Ok(bound),
+        Json::Null => Ok(f64::INFINITY),
+        _ => wrong(format!("`{name}` holds something that is no bound")),
+    }
 }
 
 /// A list of numbers; none if it is missing or null.

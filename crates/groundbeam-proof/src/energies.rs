@@ -2,13 +2,12 @@
 //!
 //! These are figures to compare E with, no bounds: they carry the rounding error of the sums.
 
-use crate::coefficient::{Coefficient, HIGHEST_COURSE};
+use crate::coefficient::Coefficient;
 use crate::deflection::Deflection;
 use crate::fields::Fields;
 use crate::frame::{Frame, Span};
 use crate::model::Acts;
-use crate::polynomial::{HIGHEST, Polynomial};
-use crate::residual::at_support;
+use crate::polynomial::{HIGHEST, HIGHEST_COURSE, Polynomial};
 use crate::scalar::Scalar;
 
 /// The energies of an answer \[N·m\], in the units of the proof.
@@ -102,7 +101,7 @@ impl Sums {
 
     fn node<S: Scalar>(&mut self, fields: &Fields<S>, i: usize) {
         let (node, deflection) = (&fields.frame.nodes[i], &fields.deflection);
-        let [w, slope] = at_support(deflection, i).map(S::middle);
+        let [w, slope] = deflection.at_support(i).map(S::middle);
         self.work += node.force.middle() * w + node.moment.middle() * slope;
         if node.ground_force != S::zero() {
             self.work += node.ground_force.middle() * settlement(fields, i);
@@ -168,77 +167,122 @@ fn weighted<S: Scalar>(c: &Coefficient<S>, a: &Field, b: &Field) -> f64 {
     }
 }
 
-/// A field in doubles on −1 ≤ t ≤ 1.
+/// A field in doubles on −1 ≤ t ≤ 1: the coefficients of even and of odd powers of t apart.
 #[derive(Clone, Copy)]
 struct Field {
     len: usize,
-    c: [f64; MOST],
+    parts: [[f64; HALF]; 2],
 }
 
 impl Field {
+    const ZERO: Field = Field { len: 0, parts: [[0.0; HALF]; 2] };
+
     fn of<S: Scalar>(p: &Polynomial<S>) -> Self {
-        let mut field = Field { len: 0, c: [0.0; MOST] };
-        for (place, c) in field.c.iter_mut().zip(p.coefficients()) {
-            *place = c.middle();
-            field.len += 1;
+        let mut field = Self::ZERO;
+        for (j, c) in p.coefficients().iter().enumerate() {
+            field.parts[j % 2][j / 2] = c.middle();
         }
+        field.len = p.coefficients().len();
         field
     }
 
+    /// The coefficients of the powers of one parity.
+    fn part(&self, parity: usize) -> &[f64] {
+        &self.parts[parity][..(self.len + 1 - parity) / 2]
+    }
+
+    fn coefficient(&self, j: usize) -> f64 {
+        self.parts[j % 2][j / 2]
+    }
+
     /// The derivative by x.
-    fn derivative(mut self, half: f64) -> Self {
-        self.len = self.len.saturating_sub(1);
-        for j in 0..self.len {
-            self.c[j] = self.c[j + 1] * (j + 1) as f64 / half;
+    fn derivative(&self, half: f64) -> Self {
+        let mut derived = Field { len: self.len.saturating_sub(1), ..Self::ZERO };
+        for j in 0..derived.len {
+            derived.parts[j % 2][j / 2] = self.coefficient(j + 1) * (j + 1) as f64 / half;
         }
-        self
+        derived
     }
 
     fn less(mut self, other: &Field) -> Self {
-        self.c[self.len..].fill(0.0);
         self.len = self.len.max(other.len);
-        for (c, less) in self.c.iter_mut().zip(&other.c[..other.len]) {
-            *c -= less;
+        for parity in [0, 1] {
+            for (c, less) in self.parts[parity].iter_mut().zip(other.part(parity)) {
+                *c -= less;
+            }
         }
         self
     }
 
     fn product(&self, other: &Field) -> Self {
-        let mut product = Field { len: (self.len + other.len).saturating_sub(1), c: [0.0; MOST] };
-        for (i, a) in self.c[..self.len].iter().enumerate() {
-            for (j, b) in other.c[..other.len].iter().enumerate() {
-                product.c[i + j] += a * b;
+        let mut product = Field { len: (self.len + other.len).saturating_sub(1), ..Self::ZERO };
+        for i in 0..self.len {
+            for j in 0..other.len {
+                product.parts[(i + j) % 2][(i + j) / 2] +=
+                    self.coefficient(i) * other.coefficient(j);
             }
         }
         product
     }
 
     fn value(&self, t: f64) -> f64 {
-        self.c[..self.len].iter().rev().fold(0.0, |sum, c| sum * t + c)
+        (0..self.len).rev().fold(0.0, |sum, j| sum * t + self.coefficient(j))
     }
 
     /// ∫ of the product over −1 ≤ t ≤ 1.
     fn times(&self, other: &Field) -> f64 {
         let mut sum = 0.0;
-        for (i, a) in self.c[..self.len].iter().enumerate() {
-            let even = other.c[..other.len].iter().enumerate().skip(i % 2).step_by(2);
-            let inner: f64 = even.map(|(j, b)| b * POWERS[(i + j) / 2]).sum();
-            sum += a * inner;
+        for parity in [0, 1] {
+            let others = other.part(parity);
+            for (i, a) in self.part(parity).iter().enumerate() {
+                let powers = &POWERS[i + parity..];
+                let inner: f64 = others.iter().zip(powers).map(|(b, power)| b * power).sum();
+                sum += a * inner;
+            }
         }
         sum
     }
 }
 
-/// Room for a field times a course.
-const MOST: usize = HIGHEST + HIGHEST_COURSE + 1;
+/// Room for the even or the odd powers of a field times a course.
+const HALF: usize = (HIGHEST + HIGHEST_COURSE) / 2 + 1;
 
 /// ∫t²ʲ over −1 ≤ t ≤ 1.
-const POWERS: [f64; MOST] = {
-    let mut powers = [0.0; MOST];
+const POWERS: [f64; 2 * HALF] = {
+    let mut powers = [0.0; 2 * HALF];
     let mut j = 0;
-    while j < MOST {
+    while j < powers.len() {
         powers[j] = 2.0 / (2 * j + 1) as f64;
         j += 1;
     }
     powers
 };
+
+#[cfg(test)]
+mod tests {
+    use super::Field;
+    use crate::polynomial::Polynomial;
+    use crate::random::numbers;
+
+    /// ∫fg over −1 ≤ t ≤ 1 by the midpoint rule.
+    fn integral(f: &Field, g: &Field) -> f64 {
+        let t = |i: usize| -1.0 + (i as f64 + 0.5) / 10_000.0;
+        (0..20_000).map(|i| f.value(t(i)) * g.value(t(i)) / 10_000.0).sum()
+    }
+
+    #[test]
+    fn products_are_integrated_and_derived() {
+        let mut random = numbers();
+        for degrees in [[0, 0], [3, 4], [7, 2], [12, 12]] {
+            let [f, g] = degrees.map(|degree| {
+                Field::of(&Polynomial::from_coefficients((0..=degree).map(|_| random())))
+            });
+            assert!((f.times(&g) - integral(&f, &g)).abs() < 1e-6, "{degrees:?}");
+            let one = Field::of(&Polynomial::from_coefficients([1.0]));
+            assert!((f.product(&g).times(&one) - f.times(&g)).abs() < 1e-14);
+            let rise = f.value(1.0) - f.value(-1.0);
+            assert!((0.5 * f.derivative(0.5).times(&one) - rise).abs() < 1e-12);
+            assert!(f.less(&f).times(&f).abs() < 1e-15);
+        }
+    }
+}

@@ -4,6 +4,7 @@ use crate::answer::Answer;
 use crate::energies::Energies;
 use crate::fields::Fields;
 use crate::given::frame;
+use crate::idle;
 use crate::model::Model;
 use crate::refusal::NotProven;
 
@@ -30,8 +31,9 @@ pub fn estimate(
     stability: Option<f64>,
 ) -> Result<Estimate, NotProven> {
     let frame = frame(model, answer, stability, &[])?;
+    idle::nearly_clear(&frame)?;
     let fields = Fields::of(&frame)?;
-    let (energy, _) = fields.energy()?;
+    let energy = fields.estimated_energy()?;
     let energies = Energies::of(&fields);
     let restored = |x: f64| frame.units.restored(x, 1, 1);
     Ok(Estimate {

@@ -95,7 +95,7 @@ fn touches<S: Scalar>(frame: &Frame<S>, node: usize) -> bool {
 
 /// What lies behind a node, as the node feels it: flux = S u − T.
 #[derive(Clone, Copy)]
-struct Behind<S> {
+pub(crate) struct Behind<S> {
     stiffness: S,
     pushed: S,
 }
@@ -108,7 +108,7 @@ impl<S: Scalar> Behind<S> {
 }
 
 /// An open piece with u = q/k + v. Where k or μ varies, that of the least k and μ.
-struct Link<S> {
+pub(crate) struct Link<S> {
     /// s₁ and s₂.
     across: S,
     own: S,
@@ -180,7 +180,7 @@ impl<S: Scalar> Link<S> {
     }
 
     /// μu′ at both ends.
-    fn fluxes(&self, [left, right]: [S; 2]) -> [S; 2] {
+    pub(crate) fn fluxes(&self, [left, right]: [S; 2]) -> [S; 2] {
         let ([a, b], slope) = self.load.unwrap_or(([S::zero(); 2], S::zero()));
         let (left, right) = (left - a, right - b);
         let across = self.across * (right - left) + slope;
@@ -189,11 +189,11 @@ impl<S: Scalar> Link<S> {
 }
 
 /// A maximal run of pieces with μ > 0.
-struct Layer<'a, S> {
-    frame: &'a Frame<S>,
+pub(crate) struct Layer<'a, S> {
+    pub(crate) frame: &'a Frame<S>,
     deflection: &'a Deflection<S>,
-    links: &'a [Link<S>],
-    first: usize,
+    pub(crate) links: &'a [Link<S>],
+    pub(crate) first: usize,
     /// All of the layer on the left and on the right of each node, as if it were open, without the force at the node.
     behind: [Vec<Behind<S>>; 2],
 }
@@ -225,7 +225,7 @@ impl<'a, S: Scalar> Layer<'a, S> {
     }
 
     /// The last node of the layer.
-    fn end(&self) -> usize {
+    pub(crate) fn end(&self) -> usize {
         self.first + self.links.len()
     }
 
@@ -261,7 +261,7 @@ impl<'a, S: Scalar> Layer<'a, S> {
     }
 
     /// ū at a touching node.
-    fn held(&self, node: usize) -> S {
+    pub(crate) fn held(&self, node: usize) -> S {
         let piece = if node < self.end() { (node, 0) } else { (node - 1, 1) };
         let span = &self.frame.spans[piece.0];
         self.deflection.values[node] - span.gap.value(span.t[piece.1])
@@ -365,53 +365,8 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
-    /// A stretch in which k or μ varies: the stored settlement, with the values of the nodes. What it misses of the ground's
-    /// equation, ρ = kû − (μû′)′ − q along the pieces and the jumps r of the flux at open nodes, is left unclaimed. It
-    /// costs at most (Σ∫ρ²/k)^½ + Σ|r|√g (K10).
-    fn as_stored(&self, pieces: Range<usize>, surface: &mut Surface<S>) {
-        let mut missed = Size::ZERO;
-        for i in pieces.clone() {
-            let ends = [i, i + 1].map(|node| self.stored_at(node, surface));
-            surface.open[i] = Some(ends);
-            let span = &self.frame.spans[i];
-            if span.has_even_ground() {
-                surface.flux[i] = self.links[i - self.first].fluxes(ends);
-                continue;
-            }
-            let along = with_ends(span, ends);
-            let flux = span.shear.times(&span.derivative(&along));
-            surface.flux[i] = span.t.map(|t| flux.value(t));
-            let mut rest = &span.spring.times(&along) - &span.derivative(&flux);
-            if let Some(load) = &span.ground_load {
-                rest = &rest - load;
-            }
-            let rest = rest.size(span.tau);
-            missed += (span.length() * rest.square()).over(span.spring.low());
-            surface.missed[i] = rest;
-            surface.along[i] = Some(Box::new(along));
-        }
-        surface.unclaimed += missed.root();
-        for node in pieces.start..=pieces.end {
-            if !surface.touches[node] {
-                let jump = self.jump_at(node, surface);
-                surface.unclaimed += Size::of(jump.size()) * surface.flexibility_at(node);
-            }
-        }
-    }
-
-    /// ū at a node: that of the beam where they touch, else as stored on one side.
-    fn stored_at(&self, node: usize, surface: &Surface<S>) -> S {
-        if surface.touches[node] {
-            return self.held(node);
-        }
-        let spans = &self.frame.spans;
-        let left = (node > self.first).then(|| spans[node - 1].stored).flatten();
-        let right = (node < self.end()).then(|| spans[node].stored).flatten();
-        left.map(|ends| ends[1]).or(right.map(|ends| ends[0])).unwrap_or_else(S::zero)
-    }
-
     /// The jump of the flux at a node, less the force on the ground there.
-    fn jump_at(&self, node: usize, surface: &Surface<S>) -> S {
+    pub(crate) fn jump_at(&self, node: usize, surface: &Surface<S>) -> S {
         self.flux_at(node, 0, surface) - self.flux_at(node, 1, surface) - self.force(node)
     }
 
@@ -447,14 +402,6 @@ impl<'a, S: Scalar> Layer<'a, S> {
             surface.unclaimed += Size::below_zero(jump.low()) * surface.flexibility_at(node);
         }
     }
-}
-
-/// The stored settlement of a piece, with a straight line added that gives it these values at the ends.
-fn with_ends<S: Scalar>(span: &Span<S>, ends: [S; 2]) -> Polynomial<S> {
-    let stored = span.settlement.as_deref().cloned().unwrap_or_else(Polynomial::zero);
-    let missed = [0, 1].map(|side| ends[side] - stored.value(span.t[side]));
-    let slope = (missed[1] - missed[0]).div(span.t[1] - span.t[0]);
-    &stored + &Polynomial::line(missed[0] - slope * span.t[0], slope)
 }
 
 /// A ball that holds max(x, 0) for all x of a ball.

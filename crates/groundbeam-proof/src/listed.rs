@@ -2,12 +2,15 @@
 
 use crate::contact_set::ContactSet;
 use crate::document::{Document, Extreme};
+use crate::extremes::{PlacedExtreme, placed};
 use crate::fields::Fields;
-use crate::patches::{FIELDS, PRESSURE, Patches, field_named};
+use crate::patches::{FIELDS, GAP, MOMENT, PRESSURE, Patches, ROTATION, field_named};
 use crate::polynomial::{Budget, Polynomial, below};
+use crate::proof::Proof;
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
+use std::ops::Range;
 
 /// Places are told apart if they are farther from one another than this, as a part of the length.
 const NEAR: f64 = 16.0 * f64::EPSILON;
@@ -31,15 +34,61 @@ pub struct Checked {
     pub bounds: usize,
 }
 
+/// Bounds of the errors of single listed numbers. All are infinite if the contact set is not shown.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ListedErrors {
+    /// Of both ends of each listed region of contact \[m\]. Without listed regions of those that are shown.
+    pub edges: Vec<[f64; 2]>,
+    /// Of each of the `forces` \[N\].
+    pub forces: Vec<f64>,
+    /// Of the `end_forces`, left and right \[N\], if they are listed.
+    pub end_forces: Option<[f64; 2]>,
+    /// Of the forces that are not listed, as zero \[N\].
+    pub unlisted: f64,
+    /// Of rotation \[rad\] and moment \[N·m\] of each of the `hinges`.
+    pub hinges: Vec<[f64; 2]>,
+}
+
+impl ListedErrors {
+    /// The largest error of an edge.
+    pub fn largest_edge(&self) -> f64 {
+        largest(self.edges.iter().flatten())
+    }
+
+    /// The largest error of a force.
+    pub fn largest_force(&self) -> f64 {
+        largest(self.forces.iter().chain(self.end_forces.iter().flatten()).chain([&self.unlisted]))
+    }
+
+    /// Nothing is proven of the listed numbers of a document.
+    fn nothing(document: &Document) -> Self {
+        let regions = document.contact.as_ref().map_or(1, |listed| listed.len().max(1));
+        ListedErrors {
+            edges: vec![[f64::INFINITY; 2]; regions],
+            forces: vec![f64::INFINITY; document.answer.forces.len()],
+            end_forces: document.end_forces.map(|_| [f64::INFINITY; 2]),
+            unlisted: f64::INFINITY,
+            hinges: Vec::new(),
+        }
+    }
+}
+
+/// The largest of several errors, zero of none.
+fn largest<'a>(errors: impl Iterator<Item = &'a f64>) -> f64 {
+    errors.map(|error| Size::of(*error)).fold(Size::ZERO, Size::worst).value()
+}
+
 /// By how much listed numbers differ from what the answer's pieces give, at most.
 #[derive(Debug, Default)]
 pub(crate) struct Differences {
     /// Of each field, in the order of [`FIELDS`].
     pub fields: [f64; 8],
-    /// Of the edges of contact from the exact ones.
-    pub edges: f64,
-    /// Of concentrated forces from the exact ones.
-    pub forces: f64,
+    /// Of edges and concentrated forces from the exact ones.
+    pub contact: ListedErrors,
+    /// Of the rotation and of the moment of each hinge.
+    pub hinges: Vec<[f64; 2]>,
+    /// The places of the listed extremes.
+    pub extremes: Vec<PlacedExtreme>,
     pub checked: Checked,
     /// Listed fields that are not known.
     pub unknown: Vec<String>,
@@ -47,26 +96,41 @@ pub(crate) struct Differences {
     pub failed: Option<NotProven>,
 }
 
-/// Compares stations, extremes, contact and forces.
+/// Compares stations, extremes, contact and forces, and finds the places of the exact extremes.
 pub(crate) fn differences<S: Scalar>(
     document: &Document,
     fields: &Fields<S>,
-    contact: Option<&ContactSet>,
+    proof: &Proof,
 ) -> Differences {
+    let contact = proof.contact.as_ref().ok();
     let comparison = Comparison { document, fields, patches: Patches::of(fields) };
-    let mut found = Differences::default();
+    let place = |extreme| placed(extreme, fields, &comparison.patches, &proof.bounds);
+    let mut found = Differences {
+        extremes: document.extremes.iter().map(place).collect(),
+        ..Differences::default()
+    };
     let extremes = || document.extremes.iter();
     let mut failed = comparison.stations(contact, &mut found).err();
     for extreme in extremes() {
         failed = failed.or(comparison.extreme(extreme, &mut found).err());
     }
+    found.contact = ListedErrors::nothing(document);
+    for stretch in &document.lift_off {
+        failed = failed.or(comparison.lift_off(stretch, &mut found).err());
+    }
+    match document.hinges.iter().map(|hinge| comparison.hinge(hinge)).collect() {
+        Ok(hinges) => found.hinges = hinges,
+        Err(why) => failed = failed.or(Some(why)),
+    }
     if let Some(contact) = contact {
         match edges(document, contact) {
-            Ok(edges) => found.edges = edges,
+            Ok(edges) => found.contact.edges = edges,
             Err(why) => failed = failed.or(Some(why)),
         }
-        comparison.forces(contact, &mut found);
+        comparison.forces(contact, &mut found.contact);
     }
+    found.checked.forces =
+        document.answer.forces.len() + 2 * usize::from(document.end_forces.is_some());
     comparison.idle_pressures(&mut found);
     found.checked.regions = document.contact.as_ref().map_or(0, Vec::len);
     found.checked.extremes = extremes().filter(|e| field_named(&e.field).is_some()).count();
@@ -188,17 +252,54 @@ impl<S: Scalar> Comparison<'_, S> {
             off = if on_left < off { on_left } else { off };
         }
         enlarge(&mut found.fields[field], off);
-        enlarge(&mut found.fields[field], self.beyond(field, extreme));
+        enlarge(
+            &mut found.fields[field],
+            self.beyond(field, extreme, 0..self.patches.pieces.len()),
+        );
         Ok(())
     }
 
-    /// By how much a field exceeds its listed extreme anywhere.
-    fn beyond(&self, field: usize, extreme: &Extreme) -> f64 {
+    /// The same for the largest gap of a stretch that has lifted off. It ends at listed edges or at an end of the beam.
+    fn lift_off(
+        &self,
+        [from, to, x, value]: &[f64; 4],
+        found: &mut Differences,
+    ) -> Result<(), NotProven> {
+        let pieces = &self.document.answer.pieces;
+        let edges = self.document.contact.iter().flatten().flatten();
+        let ends: Vec<f64> = edges.copied().chain([0.0, self.length()]).collect();
+        if !(ends.contains(from) && ends.contains(to) && from <= x && x <= to) {
+            return Err(NotProven::new("a listed stretch does not end at a listed edge").at(*from));
+        }
+        let first = pieces.partition_point(|piece| piece.x[0] < *from);
+        let range = first..pieces.partition_point(|piece| piece.x[1] <= *to).max(first);
+        let largest = Extreme { field: "gap".to_owned(), is_max: true, x: *x, value: *value };
+        let off = self.difference(GAP, *value, self.place(*x)?);
+        enlarge(&mut found.fields[GAP], off);
+        enlarge(&mut found.fields[GAP], self.beyond(GAP, &largest, range));
+        found.checked.values += 1;
+        Ok(())
+    }
+
+    /// |listed − computed| of the rotation and of the moment of a hinge.
+    fn hinge(&self, [at, rotation, moment]: &[f64; 3]) -> Result<[f64; 2], NotProven> {
+        let (i, t) = self.place(*at)?;
+        let spans = &self.fields.frame.spans;
+        if i == 0 || t != spans[i].t[0] {
+            return Err(NotProven::new("a listed hinge is not at an end of a piece").at(*at));
+        }
+        let value = |field: usize, i: usize, t: S| self.patches.value(field, i, t);
+        let turned = value(ROTATION, i, t) - value(ROTATION, i - 1, spans[i - 1].t[1]);
+        Ok([(S::of(*rotation) - turned).size(), self.difference(MOMENT, *moment, (i, t))])
+    }
+
+    /// By how much a field exceeds its listed extreme anywhere on some pieces.
+    fn beyond(&self, field: usize, extreme: &Extreme, pieces: Range<usize>) -> f64 {
         let ((_, force, length), units) = (FIELDS[field], self.fields.frame.units);
         let listed = units.scaled(S::of(extreme.value), force, length);
         let negligible = Size::of(f64::EPSILON * listed.size());
         let level = Polynomial::from_coefficients([listed]);
-        let all = || self.patches.pieces.iter().flatten();
+        let all = || self.patches.pieces[pieces.clone()].iter().flatten();
         let mut budget = Budget::new(all().count());
         let deepest = all().map(|patch| {
             let inside = match extreme.is_max {
@@ -224,24 +325,24 @@ impl<S: Scalar> Comparison<'_, S> {
     }
 
     /// Listed concentrated forces against the exact ones. A force that is not listed is zero.
-    fn forces(&self, contact: &ContactSet, found: &mut Differences) {
-        let near = NEAR * self.length();
-        let mut listed: Vec<[f64; 2]> =
-            self.document.answer.forces.iter().map(|force| [force.x, force.force]).collect();
-        if let Some([left, right]) = self.document.end_forces {
-            listed.extend([[0.0, left], [self.length(), right]]);
-        }
-        let exact_at = |x: f64| contact.forces.iter().find(|force| (force.x - x).abs() <= near);
-        for [x, force] in &listed {
-            let exact = exact_at(*x).map_or([0.0; 2], |exact| exact.force);
-            enlarge(&mut found.forces, farthest(*force, exact));
-        }
-        for exact in &contact.forces {
-            if !listed.iter().any(|[x, _]| (exact.x - x).abs() <= near) {
-                enlarge(&mut found.forces, farthest(0.0, exact.force));
-            }
-        }
-        found.checked.forces = listed.len();
+    fn forces(&self, contact: &ContactSet, found: &mut ListedErrors) {
+        let (near, length) = (NEAR * self.length(), self.length());
+        let error = |x: f64, force: f64| {
+            let exact = contact.forces.iter().find(|exact| (exact.x - x).abs() <= near);
+            farthest(force, exact.map_or([0.0; 2], |exact| exact.force))
+        };
+        let listed = &self.document.answer.forces;
+        found.forces = listed.iter().map(|force| error(force.x, force.force)).collect();
+        let ends = self.document.end_forces;
+        found.end_forces = ends.map(|[left, right]| [error(0.0, left), error(length, right)]);
+        let mut places: Vec<f64> = listed.iter().map(|force| force.x).collect();
+        places.extend(ends.iter().flat_map(|_| [0.0, length]));
+        let unlisted = contact
+            .forces
+            .iter()
+            .filter(|exact| !places.iter().any(|x| (exact.x - x).abs() <= near));
+        let errors: Vec<f64> = unlisted.map(|exact| farthest(0.0, exact.force)).collect();
+        found.unlisted = largest(errors.iter());
     }
 }
 
@@ -253,11 +354,11 @@ fn enlarge(most: &mut f64, value: f64) {
 /// The largest distance of a number from those of an interval, rounded up.
 fn farthest(x: f64, [low, high]: [f64; 2]) -> f64 {
     let [below, above] = [x - low, high - x].map(|d| if d == 0.0 { 0.0 } else { d.next_up() });
-    if below >= above { below } else { above }
+    Size::of(if below >= above { below } else { above }).value()
 }
 
-/// The largest distance of listed edges from the exact ones.
-fn edges(document: &Document, contact: &ContactSet) -> Result<f64, NotProven> {
+/// The largest distances of both ends of the listed regions from the exact ones.
+fn edges(document: &Document, contact: &ContactSet) -> Result<Vec<[f64; 2]>, NotProven> {
     let mut shown: Vec<[[f64; 2]; 2]> = Vec::new();
     for region in &contact.regions {
         match shown.last_mut() {
@@ -268,19 +369,14 @@ fn edges(document: &Document, contact: &ContactSet) -> Result<f64, NotProven> {
     }
     let Some(listed) = &document.contact else {
         // The edges of the pieces lie within the shown intervals.
-        let widths = shown.iter().flatten().map(|[low, high]| (high - low).next_up());
-        return Ok(widths.fold(0.0, |most, width| if width > most { width } else { most }));
+        let width = |[low, high]: [f64; 2]| (high - low).next_up();
+        return Ok(shown.into_iter().map(|ends| ends.map(width)).collect());
     };
     if listed.len() != shown.len() {
         let [listed, shown] = [listed.len(), shown.len()];
         let what = format!("{listed} contact regions are listed, {shown} are shown");
         return Err(NotProven::new(what));
     }
-    let mut most = 0.0;
-    for (listed, shown) in listed.iter().zip(&shown) {
-        for (x, interval) in listed.iter().zip(shown) {
-            enlarge(&mut most, farthest(*x, *interval));
-        }
-    }
-    Ok(most)
+    let both = listed.iter().zip(&shown);
+    Ok(both.map(|(x, exact)| [0, 1].map(|end| farthest(x[end], exact[end]))).collect())
 }

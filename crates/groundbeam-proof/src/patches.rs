@@ -21,7 +21,9 @@ pub(crate) const FIELDS: [(&str, i32, i32); 8] = [
     ("pressure", 1, -1),
 ];
 
-/// The indices of gap and pressure in [`FIELDS`].
+/// The indices of some fields in [`FIELDS`].
+pub(crate) const ROTATION: usize = 2;
+pub(crate) const MOMENT: usize = 3;
 pub(crate) const GAP: usize = 6;
 pub(crate) const PRESSURE: usize = 7;
 
@@ -121,7 +123,8 @@ fn patch<S: Scalar>(
     let slope = span.derivative(&span.deflection);
     let rotation = span.rotation.as_deref().unwrap_or(&slope);
     let moment = span.bending_moment(rotation);
-    let shear_force = span.shear_force(&moment);
+    // Documents list V = M′, also under distributed moments.
+    let shear_force = span.derivative(&moment);
     let gap = match span.touches {
         true => Polynomial::zero(),
         false => &(own + &span.gap.shifted(middle)) - &deflection,

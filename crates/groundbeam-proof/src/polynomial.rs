@@ -1,12 +1,13 @@
 //! Polynomials of t on a piece, with balls as coefficients, and bounds of how far they fall below zero.
 
-use crate::coefficient::HIGHEST_COURSE;
 use crate::scalar::Scalar;
 use crate::size::Size;
 use std::ops::{Add, Mul, Sub};
 
 /// The highest degree of a claimed deflection.
 pub(crate) const HIGHEST: usize = 25;
+/// The highest degree of a coefficient that varies.
+pub(crate) const HIGHEST_COURSE: usize = 5;
 /// The room: a field times a course that varies and t². All products of this crate fit.
 const MOST: usize = HIGHEST + HIGHEST_COURSE + 3;
 

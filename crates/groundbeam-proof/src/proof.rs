@@ -8,6 +8,7 @@ use crate::fields::Fields;
 use crate::frame::{Frame, Span};
 use crate::given::frame;
 use crate::idle;
+use crate::log::Log;
 use crate::model::Model;
 use crate::pointwise::{PieceBounds, Pointwise};
 use crate::polynomial::Polynomial;
@@ -85,20 +86,21 @@ impl Proof {
 
 /// Bounds how far the answer is from the solution of the model.
 pub fn prove<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Proof, NotProven> {
-    proven(model, answer, |_, proof| proof)
+    proven(model, answer, None, |_, proof| proof)
 }
 
-/// What follows from the proof of an answer and from the fields that were made from it.
+/// The conclusion from the proof of an answer and the fields that were made from it. The proof writes a log if one is given.
 pub(crate) fn proven<S: Scalar, T>(
     model: &Model<S>,
     answer: &Answer,
+    mut log: Option<&mut Log>,
     conclude: impl FnOnce(&Fields<S>, Proof) -> T,
 ) -> Result<T, NotProven> {
     let mut placed = Vec::new();
     loop {
         let frame = frame(model, answer, None, &placed)?;
         let fields = Fields::of(&frame)?;
-        match of_fields(&fields, answer)? {
+        match of_fields(&fields, answer, log.as_deref_mut())? {
             Attempt::Done(proof) => return Ok(conclude(&fields, *proof)),
             Attempt::Close(supports) => placed.extend(supports),
         }
@@ -113,7 +115,11 @@ enum Attempt {
 }
 
 /// The proof of the answer from which the fields were made.
-fn of_fields<S: Scalar>(fields: &Fields<S>, answer: &Answer) -> Result<Attempt, NotProven> {
+fn of_fields<S: Scalar>(
+    fields: &Fields<S>,
+    answer: &Answer,
+    log: Option<&mut Log>,
+) -> Result<Attempt, NotProven> {
     let frame = fields.frame;
     let loose = |span: &Span<S>| !span.layered && span.ground_load.is_some();
     if frame.spans.iter().any(|span| loose(span) && span.spring.even().is_none()) {
@@ -132,6 +138,11 @@ fn of_fields<S: Scalar>(fields: &Fields<S>, answer: &Answer) -> Result<Attempt, 
     let shown = pointwise.contact(&mut pieces);
     let of_supports = pointwise.reactions(&pieces);
     let supports = idle::decided(frame, &pieces, &of_supports);
+    let unique = pointwise.unique(&shown, &of_supports);
+    if let Some(log) = log {
+        log.record(&pointwise, &pieces, &shown);
+        log.unique(&shown, unique.is_ok());
+    }
     add_stored(answer, fields, &mut pieces);
     let scales = FieldScales::of(fields, &pieces);
     let units = frame.units;
@@ -140,7 +151,7 @@ fn of_fields<S: Scalar>(fields: &Fields<S>, answer: &Answer) -> Result<Attempt, 
         strain_energy: units.restored(Energies::of(fields).strain, 1, 1),
         bounds: largest(frame, &pieces, &scales),
         reactions: reactions(frame, &of_supports, &scales),
-        unique: pointwise.unique(&shown, &of_supports),
+        unique,
         contact: shown.result(),
         scales: Scales {
             length: units.restored(frame.length.low(), 0, 1),

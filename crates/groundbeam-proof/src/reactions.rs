@@ -38,7 +38,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         springs: [S; 2],
         bounds: &[PieceBounds],
     ) -> [Size; 2] {
-        let [w, slope] = crate::residual::at_support(&self.fields.deflection, node);
+        let [w, slope] = self.fields.deflection.at_support(node);
         let piece = node.saturating_sub(1);
         let closed = self.fields.deflection.pieces[piece].bounds;
         let errors = [bounds[piece].deflection, bounds[piece].rotation];

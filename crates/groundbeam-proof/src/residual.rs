@@ -124,7 +124,7 @@ fn at_node<S: Scalar>(
     let jump = |of: &dyn Fn(&PieceResidual<S>) -> [S; 2]| end(1, of) - end(0, of);
     let mut force = node.force - surface.force[i] - node.reaction[0] + jump(&|p| p.shear);
     let mut moment = node.moment - node.reaction[1] - jump(&|p| p.bending);
-    let [w, slope] = at_support(deflection, i);
+    let [w, slope] = deflection.at_support(i);
     if let Some([spring, settled]) = node.spring {
         force = force
             - match node.acts {
@@ -136,12 +136,4 @@ fn at_node<S: Scalar>(
         moment = moment - turning * slope;
     }
     [force, moment]
-}
-
-/// w and φ at a node as the springs there feel them: as claimed on its left, at the left end of the beam on its right.
-pub(crate) fn at_support<S: Scalar>(deflection: &Deflection<S>, node: usize) -> [S; 2] {
-    match node.checked_sub(1) {
-        Some(left) => [deflection.claimed[left][1], deflection.rotations[left][1]],
-        None => [deflection.claimed[0][0], deflection.rotations[0][0]],
-    }
 }

@@ -60,6 +60,9 @@ pub trait Scalar:
     /// The middle of the ball, as a double: a point near which a decision is tried, never a bound.
     fn middle(self) -> f64;
 
+    /// Middle, correction of the middle and radius of the ball: exactly these numbers hold it.
+    fn parts(self) -> [f64; 3];
+
     /// The same number in the type for clearances.
     fn coarse(self) -> Self::Coarse;
 
@@ -210,6 +213,10 @@ impl Scalar for f64 {
 
     fn middle(self) -> f64 {
         self
+    }
+
+    fn parts(self) -> [f64; 3] {
+        [self, 0.0, 0.0]
     }
 
     fn coarse(self) -> f64 {

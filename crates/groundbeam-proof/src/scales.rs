@@ -85,7 +85,7 @@ impl Largest {
         for (i, (span, error)) in fields.frame.spans.iter().zip(bounds).enumerate() {
             let slope = span.derivative(&span.deflection);
             let moment = span.bending_moment(span.rotation.as_deref().unwrap_or(&slope));
-            let shear = span.shear_force(&moment);
+            let shear = span.derivative(&moment);
             let places = [span.t[0], (span.t[0] + span.t[1]).scaled(-1), span.t[1]];
             let on = |field: &Polynomial<S>, error: Size| {
                 let field = field.coarse();
@@ -139,7 +139,7 @@ fn loads<S: Scalar>(fields: &Fields<S>, wave: f64) -> (f64, f64) {
     for (i, node) in fields.frame.nodes.iter().enumerate() {
         let force = shown(node.force, Size::ZERO);
         let couple = shown(node.moment, Size::ZERO) / wave;
-        let [w, _] = crate::residual::at_support(&fields.deflection, i);
+        let [w, _] = fields.deflection.at_support(i);
         let elastic =
             node.spring.map_or(0.0, |[spring, settled]| shown(spring * w - settled, Size::ZERO));
         let reaction = larger(shown(node.reaction[0], Size::ZERO), elastic);

@@ -2,8 +2,10 @@
 
 use crate::bounds::Bound;
 use crate::document::Document;
+use crate::extremes::PlacedExtreme;
 use crate::fields::Fields;
-use crate::listed::{Checked, Differences, differences};
+use crate::listed::{Checked, Differences, ListedErrors, differences};
+use crate::log::Log;
 use crate::model::Model;
 use crate::patches::{FIELDS, GAP};
 use crate::proof::{Proof, proven};
@@ -24,6 +26,10 @@ pub struct Verification {
     pub edges: Bound,
     /// The largest error of a listed concentrated force; infinite if the contact set is not shown.
     pub forces: Bound,
+    /// The errors of each listed edge and of each listed concentrated force.
+    pub listed: ListedErrors,
+    /// The places of the listed extremes.
+    pub extremes: Vec<PlacedExtreme>,
     /// How many listed numbers were compared.
     pub checked: Checked,
     /// Keys with numbers of which nothing is claimed.
@@ -38,24 +44,34 @@ pub struct Verification {
 ///
 /// Why nothing is proven.
 pub fn verify<S: Scalar>(model: &Model<S>, document: &Document) -> Result<Verification, NotProven> {
+    verify_and_log(model, document, None)
+}
+
+/// The same, and writes the log of the proof.
+///
+/// # Errors
+///
+/// Why nothing is proven.
+pub fn verify_and_log<S: Scalar>(
+    model: &Model<S>,
+    document: &Document,
+    log: Option<&mut Log>,
+) -> Result<Verification, NotProven> {
     if let Some(status) = document.status.as_deref().filter(|status| *status != "solved") {
         return Err(NotProven::new(format!("the status of the document is `{status}`")));
     }
     if document.answer.pieces.is_empty() {
         return Err(NotProven::new("the document has no `pieces`"));
     }
-    proven(model, &document.answer, |fields, proof| compared(document, fields, proof))
+    proven(model, &document.answer, log, |fields, proof| compared(document, fields, proof))
 }
 
 /// The numbers that a document lists besides its answer, compared with the fields and the proof of the answer.
 fn compared<S: Scalar>(document: &Document, fields: &Fields<S>, mut proof: Proof) -> Verification {
-    let contact = proof.contact.as_ref().ok();
-    let found = differences(document, fields, contact);
-    let is_shown = contact.is_some();
-    let shown = |difference: f64| if is_shown { difference } else { f64::INFINITY };
+    let found = differences(document, fields, &proof);
     let (edges, forces) = (
-        Bound { error: shown(found.edges), scale: proof.scales.length },
-        Bound { error: shown(found.forces), scale: proof.scales.force },
+        Bound { error: found.contact.largest_edge(), scale: proof.scales.length },
+        Bound { error: found.contact.largest_force(), scale: proof.scales.force },
     );
     let gap = Bound {
         error: sum(
@@ -65,6 +81,16 @@ fn compared<S: Scalar>(document: &Document, fields: &Fields<S>, mut proof: Proof
         scale: proof.bounds.deflection.scale,
     };
     add(&mut proof, &found);
+    let mut listed = found.contact;
+    let bounds = &proof.bounds;
+    listed.hinges = found
+        .hinges
+        .iter()
+        .map(|[turned, moment]| {
+            let turned = sum(sum(bounds.rotation.error, bounds.rotation.error), *turned);
+            [turned, sum(bounds.moment.error, *moment)]
+        })
+        .collect();
     let mut not_covered = document.not_covered.clone();
     not_covered.extend(found.unknown.iter().cloned());
     let mut verification = Verification {
@@ -72,6 +98,8 @@ fn compared<S: Scalar>(document: &Document, fields: &Fields<S>, mut proof: Proof
         gap,
         edges,
         forces,
+        listed,
+        extremes: found.extremes,
         checked: found.checked,
         not_covered,
         shortfall: None,
@@ -81,7 +109,7 @@ fn compared<S: Scalar>(document: &Document, fields: &Fields<S>, mut proof: Proof
     verification.shortfall = verification
         .proof
         .shortfall()
-        .or_else(|| found.failed.or(verification.large()))
+        .or_else(|| found.failed.or(verification.large()).or(verification.misplaced()))
         .or(far)
         .or(claimed);
     verification
@@ -105,27 +133,74 @@ impl Verification {
         named
     }
 
+    /// Why some quantities have no finite bound: the first step that fails.
+    pub fn without_bound(&self) -> Option<&NotProven> {
+        let contact = self.proof.contact.as_ref().err();
+        contact.or(self.proof.unique.as_ref().err()).or(self.shortfall.as_ref())
+    }
+
+    /// The errors of edges, forces and reactions, one for each number in the order of the document, under the names that the
+    /// bounds of documents have.
+    pub fn errors_of_numbers(&self) -> Vec<(&'static str, Vec<f64>)> {
+        let (listed, reactions) = (&self.listed, self.proof.reactions.iter());
+        let mut errors = vec![
+            ("edges", listed.edges.iter().flatten().copied().collect()),
+            ("forces", listed.forces.clone()),
+            ("reactions", reactions.clone().map(|r| r.force.error).collect()),
+            ("reaction_moments", reactions.map(|r| r.moment.error).collect()),
+        ];
+        errors.push(("hinge_rotations", listed.hinges.iter().map(|hinge| hinge[0]).collect()));
+        errors.push(("hinge_moments", listed.hinges.iter().map(|hinge| hinge[1]).collect()));
+        errors.extend(listed.end_forces.map(|ends| ("end_forces", ends.to_vec())));
+        errors
+    }
+
+    /// The errors of the fields, one each, and those of edges, forces and reactions.
+    pub fn errors(&self) -> Vec<(&'static str, Vec<f64>)> {
+        let one = |(name, bound): (&'static str, Bound)| (name, vec![bound.error]);
+        let fields = self.proof.bounds.named().into_iter().chain([("gap", self.gap)]);
+        fields.map(one).chain(self.errors_of_numbers()).collect()
+    }
+
     /// The first of the document's own bounds of which an error is larger. Unknown names are not covered.
     fn claimed(&mut self, document: &Document) -> Option<NotProven> {
+        let errors = self.errors();
         let mut first = None;
         for (name, claimed) in &document.bounds {
-            let named = self.named();
-            let Some((_, proven)) = named.iter().find(|(known, _)| known == name) else {
+            let Some((_, proven)) = errors.iter().find(|(known, _)| known == name) else {
                 self.not_covered.insert(format!("proof.bounds.{name}"));
                 continue;
             };
-            for claimed in claimed {
+            if claimed.len() != proven.len() {
+                let what = format!(
+                    "the document claims {} bounds of `{name}`; it lists {} numbers",
+                    claimed.len(),
+                    proven.len()
+                );
+                first = first.or(Some(NotProven::new(what)));
+                continue;
+            }
+            for (claimed, proven) in claimed.iter().zip(proven) {
                 self.checked.bounds += 1;
-                if !(*claimed >= proven.error) && first.is_none() {
+                if !(claimed >= proven) && first.is_none() {
                     let what = format!(
-                        "the document claims {claimed:e} as the bound of `{name}`; {:e} is proven",
-                        proven.error
+                        "the document claims {claimed:e} as the bound of `{name}`; {proven:e} is proven"
                     );
                     first = Some(NotProven::new(what));
                 }
             }
         }
         first
+    }
+
+    /// The first extreme whose listed place is farther than 10⁻⁶ of the length from every place of the exact one.
+    fn misplaced(&self) -> Option<NotProven> {
+        let far = 1e-6 * self.proof.scales.length;
+        let extreme = self.extremes.iter().find(|extreme| extreme.distance() > far)?;
+        let which = if extreme.is_max { "largest" } else { "smallest" };
+        let what =
+            format!("the listed place of the {which} {} is wrong", extreme.field.replace('_', " "));
+        Some(NotProven::new(what).at(extreme.listed))
     }
 
     /// The first of gap, edges and forces whose error is not small.

@@ -207,6 +207,10 @@ impl Scalar for Wide {
         self.h
     }
 
+    fn parts(self) -> [f64; 3] {
+        [self.h, self.l, self.r]
+    }
+
     fn coarse(self) -> Ball {
         self.ball()
     }

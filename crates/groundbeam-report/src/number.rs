@@ -49,7 +49,7 @@ pub(crate) fn above(bound: f64) -> String {
     format!("{:.1e}", bound + step)
 }
 
-fn without_trailing_zeros(text: &str) -> &str {
+pub(crate) fn without_trailing_zeros(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
 }
 

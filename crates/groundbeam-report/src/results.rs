@@ -77,9 +77,14 @@ impl<'a> Results<'a> {
     /// The report for a terminal, with what is proven.
     pub fn text(&self, colour: bool) -> String {
         let report = self.report(colour);
-        match self.context.proofs {
-            [] => report,
-            proofs => report + "\n" + &text::proofs(proofs, self.context.units, colour),
+        let units = self.context.units;
+        match (self.context.proofs, self.one()) {
+            ([], _) => report,
+            ([named, ..], Some(_)) => report + "\n" + &text::proof(named, units, colour),
+            (proofs, None) => {
+                let solutions = self.answers.list.iter().map(Answer::solution);
+                report + "\n" + &text::proofs(solutions.zip(proofs), units, colour)
+            }
         }
     }
 

@@ -29,6 +29,11 @@ impl Sizes {
         }
     }
 
+    /// The length of the beam.
+    pub fn length(&self) -> f64 {
+        self.length
+    }
+
     /// The value, or zero where it is nothing but rounding.
     pub fn value(&self, field: Field, value: f64) -> f64 {
         let natural = field.natural_size(self.length, self.force, self.deflection);

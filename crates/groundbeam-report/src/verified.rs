@@ -10,8 +10,19 @@ pub struct Verified {
     pub units: Units,
     /// Why the document does not belong to the model file; none if it does.
     pub other_model: Option<String>,
+    /// How many combinations the model file has, and the names of those that the document leaves out.
+    pub left_out: Option<LeftOut>,
     /// Of each of its results.
     pub results: Vec<Named>,
+}
+
+/// Combinations of a model file that a document does not hold.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LeftOut {
+    /// How many combinations the file has.
+    pub all: usize,
+    /// The names of those that are missing.
+    pub names: Vec<String>,
 }
 
 /// What is proven of one result.
@@ -52,8 +63,11 @@ impl Verified {
         self.results.iter().any(|named| named.model == ModelOf::Document)
     }
 
-    /// Whether there is a key with numbers of which nothing is claimed.
+    /// Whether there is a key with numbers of which nothing is claimed, or a combination of the file is missing.
     pub fn leaves_out(&self) -> bool {
+        if self.left_out.is_some() {
+            return true;
+        }
         let found = self.results.iter().filter_map(|named| named.found.as_ref().ok());
         found.into_iter().any(|found| !found.not_covered.is_empty())
     }

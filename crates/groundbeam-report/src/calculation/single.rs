@@ -3,6 +3,7 @@
 use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
 use super::{Source, given, print, proof};
 use crate::context::Context;
+use crate::numbers::Numbers;
 use crate::quantity::{Kind, Units};
 use crate::size::Sizes;
 use crate::svg::figures;
@@ -186,7 +187,7 @@ fn contact(solution: &Solution, units: Units) -> Section {
         table.push([kind.to_owned()].into_iter().chain(ends).chain(gap));
     }
     let mut blocks = vec![Block::Table(table)];
-    blocks.extend(facts(|sheet| text::forces(sheet, solution, units, &sizes)));
+    blocks.extend(facts(|sheet| text::forces(sheet, solution, &Numbers::plain(solution, units))));
     Section::new("Contact and forces", blocks)
 }
 

@@ -4,8 +4,8 @@ use crate::context::Context;
 use crate::quantity::Units;
 use crate::text::proof::reason;
 use crate::verified::Named;
-use groundbeam::Solution;
 use groundbeam::proof::{Answer, Force, Piece, Verification};
+use groundbeam::{Field, Solution};
 use groundbeam_file::{UnitSystem, write_toml};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -86,11 +86,21 @@ pub(super) struct Proof {
     scalar: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     energy: Option<f64>,
-    /// Of each quantity, if it has a bound.
-    bounds: BTreeMap<&'static str, f64>,
+    /// Of each quantity: of a field one, else one for each number in the order of the document, `null` where there is none.
+    bounds: BTreeMap<&'static str, Errors>,
+    /// Why a quantity has no bound at all.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    not_proven: BTreeMap<&'static str, String>,
     exists: bool,
     unique: bool,
-    log: [(); 0],
+}
+
+/// The bounds of one field, or of several numbers.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Errors {
+    Field(f64),
+    Numbers(Vec<f64>),
 }
 
 impl Proof {
@@ -98,17 +108,24 @@ impl Proof {
         let found = named.found.as_ref();
         let why = found.map_or_else(Some, |found| found.shortfall.as_ref());
         let found = found.ok();
-        let bounds = found.map(Verification::named).unwrap_or_default();
-        let finite = bounds.into_iter().filter(|(_, bound)| bound.error.is_finite());
-        let finite: BTreeMap<_, _> = finite.map(|(name, bound)| (name, bound.error)).collect();
+        let errors = found.map(Verification::errors).unwrap_or_default();
+        let (finite, infinite): (Vec<_>, Vec<_>) = errors
+            .into_iter()
+            .partition(|(_, errors)| errors.is_empty() || errors.iter().any(|e| e.is_finite()));
+        let without = found.and_then(Verification::without_bound).map(reason).unwrap_or_default();
+        let is_field = |name: &str| Field::named(name).is_some();
+        let of = |(name, errors): (&'static str, Vec<f64>)| match errors[..] {
+            [error] if is_field(name) => (name, Errors::Field(error)),
+            _ => (name, Errors::Numbers(errors)),
+        };
         Proof {
             statement: why.map_or_else(|| "proven".to_owned(), reason),
             scalar: "wide",
             energy: found.map(|found| found.proof.energy),
-            exists: finite.contains_key("deflection"),
+            exists: finite.iter().any(|(name, _)| *name == "deflection"),
             unique: found.is_some_and(|found| found.proof.unique.is_ok()),
-            bounds: finite,
-            log: [],
+            bounds: finite.into_iter().map(of).collect(),
+            not_proven: infinite.into_iter().map(|(name, _)| (name, without.clone())).collect(),
         }
     }
 }

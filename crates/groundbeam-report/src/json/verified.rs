@@ -2,7 +2,7 @@
 
 use super::text;
 use crate::verified::{ModelOf, Named, Verified};
-use groundbeam::proof::{Bound, Verification};
+use groundbeam::proof::{Bound, PlacedExtreme, Verification};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -16,6 +16,10 @@ pub fn verified(verified: &Verified) -> String {
         },
         units: verified.units.name(),
         other_model: verified.other_model.as_deref(),
+        left_out: verified
+            .left_out
+            .as_ref()
+            .map(|left_out| Missing { all: left_out.all, names: &left_out.names }),
         results: verified.results.iter().map(Of::new).collect(),
     })
 }
@@ -26,7 +30,16 @@ struct Document<'a> {
     units: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     other_model: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    left_out: Option<Missing<'a>>,
     results: Vec<Of<'a>>,
+}
+
+/// The number of combinations of the file, and those that the document does not hold.
+#[derive(Serialize)]
+struct Missing<'a> {
+    all: usize,
+    names: &'a [String],
 }
 
 #[derive(Serialize)]
@@ -41,6 +54,12 @@ struct Of<'a> {
     energy: Option<f64>,
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     bounds: BTreeMap<&'static str, Pair>,
+    /// The bounds of edges, forces and reactions one by one, in the order of the document.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    each: BTreeMap<&'static str, Vec<f64>>,
+    /// Of each listed extreme, in the order of the fields, the intervals that hold the places of the exact one.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    places: Vec<Place<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     checked: Option<Checked>,
     not_covered: Vec<&'a str>,
@@ -51,6 +70,15 @@ struct Of<'a> {
 struct Pair {
     error: f64,
     scale: f64,
+}
+
+/// Where an extreme is; no places if none is shown.
+#[derive(Serialize)]
+struct Place<'a> {
+    field: &'a str,
+    extreme: &'static str,
+    listed: f64,
+    places: &'a [[f64; 2]],
 }
 
 #[derive(Serialize)]
@@ -82,6 +110,20 @@ impl<'a> Of<'a> {
             reason: why.map(crate::text::proof::reason),
             energy: found.map(|found| found.proof.energy),
             bounds: bounds.into_iter().map(pair).collect(),
+            each: found
+                .map(Verification::errors_of_numbers)
+                .unwrap_or_default()
+                .into_iter()
+                .collect(),
+            places: found.map_or_else(Vec::new, |found| {
+                let place = |extreme: &'a PlacedExtreme| Place {
+                    field: &extreme.field,
+                    extreme: if extreme.is_max { "max" } else { "min" },
+                    listed: extreme.listed,
+                    places: &extreme.places,
+                };
+                found.extremes.iter().map(place).collect()
+            }),
             checked: found.map(|found| Checked {
                 stations: found.checked.stations,
                 values: found.checked.values,

@@ -10,6 +10,7 @@ pub(crate) mod free_spans;
 mod ground;
 mod passages;
 pub(crate) mod proof;
+mod results;
 pub(crate) mod sheet;
 mod study;
 pub(crate) mod train;
@@ -18,18 +19,19 @@ use crate::characteristics::Characteristics;
 use crate::context::Context;
 use crate::load::load_kind;
 use crate::number::significant;
+use crate::numbers::Numbers;
 use crate::quantity::{Kind, Units, duration};
-use crate::size::Sizes;
 use crate::verdict;
 pub use combinations::combinations;
 pub use comparison::comparison;
 pub use drawing::drawing;
 use groundbeam::{
-    Acts, ContactZone, Existence, Extent, Extreme, Field, GroundEnd, Load, Model, Profile,
-    Reaction, Solution, Stopped, SupportKind, Verdict,
+    Existence, Extent, Field, GroundEnd, Load, Model, Profile, Solution, Stopped, Verdict,
 };
 pub use passages::{checked_trains, trains};
-pub use proof::{proofs, verified};
+pub use proof::{proof, proofs, verified};
+use results::{between, contact};
+pub(crate) use results::{forces, results};
 use sheet::{Sheet, Tone};
 pub use study::study;
 
@@ -40,15 +42,12 @@ const MOST_ROWS: usize = 20;
 pub fn solved(solution: &Solution, context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     let units = context.units;
-    let sizes = Sizes::of(solution);
+    let numbers = Numbers::plain(solution, units).with_proof(context.proofs.first());
     problem(&mut sheet, solution.model(), solution.existence(), context);
     verdict_row(&mut sheet, solution.model(), solution.existence(), units);
     factors::rows(&mut sheet, context);
     sheet.blank();
-    contact(&mut sheet, solution, units, &sizes);
-    forces(&mut sheet, solution, units, &sizes);
-    sheet.blank();
-    extremes(&mut sheet, solution, units, &sizes);
+    results(&mut sheet, solution, &numbers);
     sheet.blank();
     checks::rows(&mut sheet, solution, context);
     let verdict = solution.existence().verdict;
@@ -62,9 +61,10 @@ pub fn solved(solution: &Solution, context: &Context, colour: bool) -> String {
 /// on with the one above.
 pub fn summary(solution: &Solution, context: &Context) -> Vec<(String, String)> {
     let mut sheet = Sheet::new(false);
-    let (units, sizes) = (context.units, Sizes::of(solution));
-    contact(&mut sheet, solution, units, &sizes);
-    forces(&mut sheet, solution, units, &sizes);
+    let numbers = Numbers::plain(solution, context.units);
+    let (units, sizes) = (context.units, numbers.sizes());
+    contact(&mut sheet, solution, &numbers);
+    forces(&mut sheet, solution, &numbers);
     for field in Field::of(&solution.model().beam) {
         let range = solution.range(field);
         let (min, max) = (sizes.extreme(field, range.min), sizes.extreme(field, range.max));
@@ -273,40 +273,6 @@ pub(crate) fn verdict_row(sheet: &mut Sheet, model: &Model, existence: &Existenc
     }
 }
 
-pub(crate) fn contact(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) {
-    let regions = solution.contact();
-    let l = solution.model().beam.length;
-    if regions.is_empty() {
-        sheet.row("Contact", "nowhere");
-    }
-    listed(sheet, "Contact", regions, |region| match *region {
-        ContactZone { from, to } if from == to => {
-            format!("at the point x = {}", units.position(sizes.position(from)))
-        }
-        ContactZone { from, to } if from == 0.0 && to == l => "the whole beam".to_owned(),
-        ContactZone { from, to } => between(units, sizes.position(from), to),
-    });
-    let lifted = solution.lift_off();
-    if lifted.is_empty() {
-        sheet.row("Lift-off", "none");
-    }
-    if lifted.len() > 1 {
-        return free_spans::table(sheet, &lifted, units, sizes);
-    }
-    listed(sheet, "Lift-off", &lifted, |stretch| {
-        let largest = sizes.extreme(Field::Gap, stretch.largest_gap);
-        let gap = units.write(Kind::Deflection, largest.value, 6);
-        let place = between(units, sizes.position(stretch.from), stretch.to);
-        format!("{place}, up to {gap} at x = {}", units.position(largest.x))
-    });
-}
-
-/// `from 0 to 10.2 m`
-fn between(units: Units, from: f64, to: f64) -> String {
-    let unit = units.unit(Kind::Position, to);
-    format!("from {} to {}", unit.number(from, 6), unit.write(to, 6))
-}
-
 /// One row each; of very many only the first.
 fn listed<T>(sheet: &mut Sheet, label: &str, items: &[T], write: impl Fn(&T) -> String) {
     for (i, item) in items.iter().take(MOST_ROWS).enumerate() {
@@ -315,69 +281,6 @@ fn listed<T>(sheet: &mut Sheet, label: &str, items: &[T], write: impl Fn(&T) -> 
     if items.len() > MOST_ROWS {
         sheet.row("", &format!("and {} more", items.len() - MOST_ROWS));
     }
-}
-
-pub(crate) fn forces(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) {
-    let write = |force: f64| units.write(Kind::Force, sizes.force(force), 6);
-    let ends = solution.end_forces();
-    let words = format!("left {}, right {}", write(ends.left), write(ends.right));
-    sheet.row("End forces", &words);
-    let inside = solution.concentrated_forces().iter();
-    let inside: Vec<_> = inside.filter(|force| sizes.force(force.force) != 0.0).collect();
-    listed(sheet, "Forces", &inside, |force| {
-        format!("{} at x = {}, from the ground", write(force.force), units.position(force.at))
-    });
-    let supports = solution.model().supports.iter();
-    let reactions: Vec<_> = solution.reactions().iter().zip(supports).collect();
-    listed(sheet, "Supports", &reactions, |(reaction, support)| {
-        let Reaction { at, force, moment } = **reaction;
-        let kind = match support.kind {
-            SupportKind::Pinned => "pinned",
-            SupportKind::Fixed => "fixed",
-            SupportKind::Spring { .. } => "spring",
-        };
-        let settled = match support.settlement {
-            0.0 => String::new(),
-            by => format!(", settled by {},", units.write(Kind::Deflection, by, 6)),
-        };
-        let one_way = match support.acts {
-            Acts::Both => "",
-            Acts::Up => ", acting up alone,",
-            Acts::Down => ", holding down alone,",
-        };
-        if support.is_one_way() && force == 0.0 {
-            let left = if support.acts == Acts::Up {
-                "the beam has lifted from it"
-            } else {
-                "it is slack"
-            };
-            return format!("{kind}{one_way} at x = {}{settled}: {left}", units.position(at));
-        }
-        let force = sizes.force(force);
-        let sense = if force < 0.0 { "holds down with" } else { "carries" };
-        let size = units.write(Kind::Force, force.abs(), 6);
-        let place = units.position(at);
-        let mut words = format!("{kind}{one_way} at x = {place}{settled} {sense} {size}");
-        let turns = match support.kind {
-            SupportKind::Pinned => false,
-            SupportKind::Fixed => true,
-            SupportKind::Spring { rotational_spring, .. } => rotational_spring > 0.0,
-        };
-        if turns {
-            let moment = units.write(Kind::Moment, sizes.moment(moment), 6);
-            words += &format!(", moment {moment}");
-        }
-        words
-    });
-    listed(sheet, "Hinges", &solution.hinges(), |hinge| {
-        let angle = units.write(Kind::Slope, sizes.value(Field::Slope, hinge.rotation), 6);
-        let mut words = format!("at x = {} turns by {angle}", units.position(hinge.at));
-        if hinge.moment != 0.0 {
-            let moment = units.write(Kind::Moment, sizes.moment(hinge.moment), 6);
-            words += &format!(", moment {moment}");
-        }
-        words
-    });
 }
 
 /// The columns of numbers in tables of several solutions: which field, and whether its largest value.
@@ -392,24 +295,6 @@ pub(crate) const COLUMNS: [(Field, bool); 4] = [
 pub(crate) fn extreme_of(field: Field, largest: bool) -> String {
     let which = if largest { "largest" } else { "smallest" };
     format!("{which} {}", field.label().to_lowercase())
-}
-
-fn extremes(sheet: &mut Sheet, solution: &Solution, units: Units, sizes: &Sizes) {
-    sheet.heading(&format!("{:<13}{:>17}{:>30}", "", "smallest", "largest"));
-    for field in Field::of(&solution.model().beam) {
-        let range = solution.range(field);
-        let (min, max) = (sizes.extreme(field, range.min), sizes.extreme(field, range.max));
-        let unit = units.unit(Kind::of(field), min.value.abs().max(max.value.abs()));
-        let cell = |extreme: Extreme| {
-            let place = if min.value == max.value {
-                "everywhere".to_owned()
-            } else {
-                format!("at {}", units.position(extreme.x))
-            };
-            format!("{:>17} {place:<12}", unit.write(extreme.value, 6))
-        };
-        sheet.row(field.label(), &format!("{}{}", cell(min), cell(max)));
-    }
 }
 
 fn method(sheet: &mut Sheet, solution: &Solution, context: &Context) {

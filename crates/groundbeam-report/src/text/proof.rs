@@ -2,9 +2,14 @@
 
 use super::sheet::{Sheet, Tone};
 use crate::number::{above, significant};
+use crate::numbers::Numbers;
 use crate::quantity::Units;
-use crate::verified::{ModelOf, Named, Verified};
+use crate::verified::{LeftOut, ModelOf, Named, Verified};
+use groundbeam::Solution;
 use groundbeam::proof::{Bound, NotProven, Verification};
+
+/// More names than this are counted, not listed.
+const MOST_NAMES: usize = 10;
 
 /// The report of `groundbeam verify`.
 pub fn verified(verified: &Verified, colour: bool) -> String {
@@ -12,6 +17,19 @@ pub fn verified(verified: &Verified, colour: bool) -> String {
     if let Some(why) = &verified.other_model {
         sheet.toned_row("Not proven", why, Tone::Bad);
         sheet.row("", "The rest holds for the numbers alone, read in the units of the model file.");
+    }
+    if let Some(LeftOut { all, names }) = &verified.left_out {
+        let shown: Vec<&str> = names.iter().take(MOST_NAMES).map(String::as_str).collect();
+        let more = match names.len() - shown.len() {
+            0 => String::new(),
+            more => format!(" and {more} more"),
+        };
+        let words = format!(
+            "{} of {all} combinations of the file; left out: {}{more}",
+            all - names.len(),
+            shown.join(", ")
+        );
+        sheet.toned_row("Document", &words, Tone::Doubtful);
     }
     for named in &verified.results {
         if let Some(name) = &named.combination {
@@ -23,31 +41,43 @@ pub fn verified(verified: &Verified, colour: bool) -> String {
     sheet.finish()
 }
 
-/// What is proven of the answers of a report.
-pub fn proofs(proofs: &[Named], units: Units, colour: bool) -> String {
+/// What is proven of the answer of a report, whose numbers have their bounds.
+pub fn proof(named: &Named, units: Units, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
-    for (i, named) in proofs.iter().enumerate() {
+    sheet.heading("Proof");
+    proven(&mut sheet, named, units);
+    sheet.finish()
+}
+
+/// The numbers of each of several answers with their bounds, and what is proven of it.
+pub fn proofs<'a>(
+    answers: impl Iterator<Item = (Option<&'a Solution>, &'a Named)>,
+    units: Units,
+    colour: bool,
+) -> String {
+    let mut sheet = Sheet::new(colour);
+    for (i, (solution, named)) in answers.enumerate() {
         if i > 0 {
             sheet.blank();
         }
-        match &named.combination {
-            Some(name) => sheet.heading(&format!("Proof: {name}")),
-            None => sheet.heading("Proof"),
+        sheet.heading(&format!("Proof: {}", named.combination.as_deref().unwrap_or_default()));
+        if let Some(solution) = solution {
+            let numbers = Numbers::plain(solution, units).with_proof(Some(named));
+            super::results(&mut sheet, solution, &numbers);
+            sheet.blank();
         }
-        match &named.found {
-            Err(why) => sheet.toned_row("Not proven", &reason(why), Tone::Bad),
-            Ok(found) => {
-                verdict(&mut sheet, named, found);
-                proven_parts(&mut sheet, named, found);
-                bounds(&mut sheet, found, units);
-            }
-        }
+        proven(&mut sheet, named, units);
     }
     sheet.finish()
 }
 
-/// Existence, uniqueness and contact set, and every bound that is not small.
-fn proven_parts(sheet: &mut Sheet, named: &Named, found: &Verification) {
+/// The statement, existence, uniqueness, contact set and energy, and the quantities without a bound or with a large one.
+fn proven(sheet: &mut Sheet, named: &Named, units: Units) {
+    let found = match &named.found {
+        Err(why) => return sheet.toned_row("Not proven", &reason(why), Tone::Bad),
+        Ok(found) => found,
+    };
+    verdict(sheet, named, found, "the errors are at most the printed ones");
     let proof = &found.proof;
     let exists = match proof.bounds.deflection.error.is_finite() {
         true => "an equilibrium exists",
@@ -68,11 +98,18 @@ fn proven_parts(sheet: &mut Sheet, named: &Named, found: &Verification) {
         }
         Err(why) => sheet.row("Contact", &format!("not proven: {}", reason(why))),
     }
-    let large = found.named().into_iter().filter(|(_, bound)| !bound.is_small());
-    let large: Vec<&str> = large.map(|(name, _)| label(name)).collect();
-    if !named.is_proven() && !large.is_empty() {
-        let words = format!("not within a millionth of its scale: {}", large.join(", "));
-        sheet.row("Not small", &words);
+    energy(sheet, found, units);
+    let names = |of: &dyn Fn(Bound) -> bool| {
+        let named = found.named().into_iter().filter(|(_, bound)| of(*bound));
+        let labels: Vec<String> = named.map(|(name, _)| label(name).to_lowercase()).collect();
+        (!labels.is_empty()).then(|| labels.join(", "))
+    };
+    if let Some(names) = names(&|bound| !bound.error.is_finite()) {
+        let why = found.without_bound().map_or(String::new(), |why| format!(": {}", reason(why)));
+        sheet.row("No bound", &format!("{names}{why}"));
+    }
+    if let Some(names) = names(&|bound| bound.error.is_finite() && !bound.is_small()) {
+        sheet.row("Not small", &format!("not within a millionth of its scale: {names}"));
     }
 }
 
@@ -82,7 +119,7 @@ fn result(sheet: &mut Sheet, named: &Named, units: Units) {
             sheet.toned_row("Not proven", &reason(why), Tone::Bad);
         }
         Ok(found) => {
-            verdict(sheet, named, found);
+            verdict(sheet, named, found, "the errors are at most these");
             bounds(sheet, found, units);
             checked(sheet, found);
         }
@@ -97,15 +134,15 @@ pub(crate) fn reason(why: &NotProven) -> String {
     }
 }
 
-fn verdict(sheet: &mut Sheet, named: &Named, found: &Verification) {
+fn verdict(sheet: &mut Sheet, named: &Named, found: &Verification, errors: &str) {
     match (&found.shortfall, named.model) {
         (Some(why), _) => {
             sheet.toned_row("Not proven", &reason(why), Tone::Bad);
-            sheet.row("", "The bounds below are proven. An infinite one proves nothing.");
+            sheet.row("", "The bounds are proven. An infinite one proves nothing.");
         }
         (None, ModelOf::File) => {
-            let words = "there is exactly one equilibrium, and the errors are at most these";
-            sheet.toned_row("Proven", words, Tone::Good);
+            let words = format!("there is exactly one equilibrium, and {errors}");
+            sheet.toned_row("Proven", &words, Tone::Good);
         }
         (None, ModelOf::Document) => {
             let words = "for the model as the solver read it alone: the second reader does not \
@@ -116,22 +153,23 @@ fn verdict(sheet: &mut Sheet, named: &Named, found: &Verification) {
 }
 
 /// Each bound with the scale with which it is compared.
-pub(crate) fn bounds(sheet: &mut Sheet, found: &Verification, units: Units) {
+fn bounds(sheet: &mut Sheet, found: &Verification, units: Units) {
     let written = |Bound { error, scale }: Bound, unit: &str| {
         let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
         format!("± {}{unit}, scale {}{unit}", above(error), significant(scale, 3))
     };
-    let proof = &found.proof;
-    let energy = units_of(units, "energy");
-    let words = format!(
-        "at most {} {energy}, strain energy {} {energy}",
-        above(proof.energy),
-        significant(proof.strain_energy, 3)
-    );
-    sheet.row("Energy", &words.replace(" ,", ","));
+    energy(sheet, found, units);
     for (name, bound) in found.named() {
         sheet.row(label(name), &written(bound, units_of(units, name)));
     }
+}
+
+/// The energy of the error, and the strain energy.
+fn energy(sheet: &mut Sheet, found: &Verification, units: Units) {
+    let (proof, unit) = (&found.proof, units_of(units, "energy"));
+    let [error, strain] = [above(proof.energy), significant(proof.strain_energy, 3)];
+    let words = format!("error at most {error} {unit}, strain energy {strain} {unit}");
+    sheet.row("Energy", words.replace(" ,", ",").trim_end());
 }
 
 fn label(name: &str) -> &'static str {

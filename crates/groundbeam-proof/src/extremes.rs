@@ -1,0 +1,205 @@
+//! Where the exact extremes of the fields are: intervals that hold every place of a largest or smallest value.
+//!
+//! With |f − f*| ≤ ε a place of the largest value has f ≥ f(x₀) − 2ε, for any x₀. Inside a piece f*′ is zero there, so parts
+//! with |f′| > ε′ drop out, |f′ − f*′| ≤ ε′. The ends of pieces count by their values alone.
+
+use crate::bounds::Bounds;
+use crate::document::Extreme;
+use crate::fields::Fields;
+use crate::patches::{FIELDS, Patch, Patches, field_named};
+use crate::polynomial::{Budget, Polynomial, half_width};
+use crate::scalar::Scalar;
+use crate::size::Size;
+
+/// The shortest interval of t that is halved, where the slope is known and where it is not.
+const SHORTEST: [f64; 2] = [1e-13, 1e-9];
+
+/// Where a listed extreme is in the exact solution.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlacedExtreme {
+    /// Name of the field.
+    pub field: String,
+    /// Whether it is the largest value, else the smallest.
+    pub is_max: bool,
+    /// The listed place \[m\].
+    pub listed: f64,
+    /// Intervals that hold all places of the exact extreme \[m\], from left to right. Empty: nothing is shown.
+    pub places: Vec<[f64; 2]>,
+}
+
+impl PlacedExtreme {
+    /// The interval that holds the listed place, or the nearest one.
+    pub fn nearest(&self) -> Option<[f64; 2]> {
+        let off = |[low, high]: &[f64; 2]| (low - self.listed).max(self.listed - high).max(0.0);
+        self.places.iter().copied().min_by(|a, b| off(a).total_cmp(&off(b)))
+    }
+
+    /// The distance of the listed place from the nearest interval; zero within one, and where nothing is shown.
+    pub fn distance(&self) -> f64 {
+        let off = |[low, high]: [f64; 2]| (low - self.listed).max(self.listed - high).max(0.0);
+        self.nearest().map_or(0.0, off)
+    }
+
+    /// A bound of the distance of the listed place from the exact one, or from the nearest of several.
+    pub fn error(&self) -> f64 {
+        let [low, high] = self.nearest().unwrap_or([-f64::INFINITY, f64::INFINITY]);
+        let [below, above] = [self.listed - low, high - self.listed].map(|d| d.abs().next_up());
+        if self.listed == low && self.listed == high {
+            0.0
+        } else if below >= above {
+            below
+        } else {
+            above
+        }
+    }
+}
+
+/// What the search of one extreme needs.
+struct Search<'a, S: Scalar> {
+    fields: &'a Fields<'a, S>,
+    field: usize,
+    /// 1 or −1: the largest value of this times the field.
+    sign: f64,
+    /// Places with less are not extreme.
+    level: f64,
+    /// The bound of the error of the derivative on each piece; infinite if there is none.
+    steep: Vec<Size>,
+}
+
+/// The places of a listed extreme.
+pub(crate) fn placed<S: Scalar>(
+    extreme: &Extreme,
+    fields: &Fields<S>,
+    patches: &Patches<S>,
+    bounds: &Bounds,
+) -> PlacedExtreme {
+    let places = search(extreme, fields, patches, bounds).map(|search| search.places(patches));
+    PlacedExtreme {
+        field: extreme.field.clone(),
+        is_max: extreme.is_max,
+        listed: extreme.x,
+        places: places.unwrap_or_default(),
+    }
+}
+
+fn search<'a, S: Scalar>(
+    extreme: &Extreme,
+    fields: &'a Fields<'a, S>,
+    patches: &Patches<S>,
+    bounds: &Bounds,
+) -> Option<Search<'a, S>> {
+    let field = field_named(&extreme.field)?;
+    let (frame, (_, force, length)) = (fields.frame, FIELDS[field]);
+    let named = bounds.named();
+    let error = |name: &str| named.iter().find(|(known, _)| *known == name).map(|(_, b)| b.error);
+    let scaled = |error: f64, force: i32, length: i32| {
+        Size::of(frame.units.scaled(S::of(error), force, length).high())
+    };
+    let error = match extreme.field.as_str() {
+        // Within the interval of an edge the pressure has no bound.
+        "pressure" => return None,
+        "gap" => scaled(bounds.deflection.error, 0, 1) + scaled(bounds.settlement.error, 0, 1),
+        name => scaled(error(name)?, force, length),
+    };
+    if !(error.value() < f64::INFINITY) {
+        return None;
+    }
+    let sign = if extreme.is_max { 1.0 } else { -1.0 };
+    // The largest value that is found at an end of a piece or at the listed place.
+    let mut top = -f64::INFINITY;
+    let mut raise = |piece: usize, t: S| {
+        let value = (patches.value(field, piece, t) * S::of(sign)).low();
+        top = if value > top { value } else { top };
+    };
+    let listed = frame.units.metres(S::of(extreme.x));
+    for (i, span) in frame.spans.iter().enumerate() {
+        span.t.into_iter().for_each(|t| raise(i, t));
+        if (listed - span.x[0]).low() >= 0.0 && (span.x[1] - listed).low() >= 0.0 {
+            raise(i, (listed - span.middle).div(span.half));
+        }
+    }
+    let level = (top - (2.0 * error).value()).next_down();
+    let moment = scaled(bounds.moment.error, 1, 1);
+    let steep = frame.spans.iter().map(|span| match extreme.field.as_str() {
+        "deflection" => scaled(bounds.slope.error, 0, 0),
+        "slope" if span.stiffness.is_none() => moment.over(span.bending.low()),
+        "rotation" => moment.over(span.bending.low()),
+        "moment" => scaled(bounds.shear_force.error, 1, 0),
+        _ => Size::INFINITE,
+    });
+    Some(Search { fields, field, sign, level, steep: steep.collect() })
+}
+
+impl<S: Scalar> Search<'_, S> {
+    /// The intervals, joined where they meet.
+    fn places(&self, patches: &Patches<S>) -> Vec<[f64; 2]> {
+        let frame = self.fields.frame;
+        let mut found: Vec<[f64; 2]> = Vec::new();
+        let mut add = |low: S, high: S| {
+            let [low, high] = [low.low(), high.high()].map(|x| if x > 1e-270 { x } else { 0.0 });
+            let [low, high] = [low, high].map(|x| frame.units.restored(x, 0, 1));
+            match found.last_mut() {
+                Some(last) if low <= last[1] => {
+                    last[1] = if high > last[1] { high } else { last[1] }
+                }
+                _ => found.push([low, high]),
+            }
+        };
+        let mut budget = Budget::new(patches.pieces.iter().map(Vec::len).sum());
+        for (i, span) in frame.spans.iter().enumerate() {
+            let reaches = |side: usize| {
+                let value = patches.value(self.field, i, span.t[side]) * S::of(self.sign);
+                value.high() >= self.level
+            };
+            if reaches(0) {
+                add(span.x[0], span.x[0]);
+            }
+            for patch in &patches.pieces[i] {
+                for ends in self.on_patch(patch, i, &mut budget) {
+                    let [a, b] =
+                        ends.map(|s| span.middle + span.half * (S::of(patch.middle) + S::of(s)));
+                    add(a, b);
+                }
+            }
+            if reaches(1) {
+                add(span.x[1], span.x[1]);
+            }
+        }
+        found
+    }
+
+    /// The parts of a stretch that may hold an extreme, from left to right.
+    fn on_patch(&self, patch: &Patch<S>, piece: usize, budget: &mut Budget) -> Vec<[f64; 2]> {
+        let field = patch.fields[self.field].times(S::of(self.sign)).coarse();
+        let span = &self.fields.frame.spans[piece];
+        let steep = (self.steep[piece] * Size::of(span.half.high())).value();
+        let shortest = SHORTEST[usize::from(steep == f64::INFINITY)];
+        let mut kept = Vec::new();
+        let mut open = vec![patch.interval];
+        budget.begin();
+        while let Some([a, b]) = open.pop() {
+            let m = 0.5 * (a + b);
+            let r = half_width(a, m, b);
+            let about: Polynomial<S::Coarse> = field.shifted(m);
+            if (about.coefficient(0).high() + about.tail(r).value()).next_up() < self.level {
+                continue;
+            }
+            if about.tail(r) == Size::ZERO {
+                kept.push([a, b]);
+                continue;
+            }
+            let slope = about.derivative();
+            let [low, high] = [slope.coefficient(0).low(), slope.coefficient(0).high()];
+            let least = if low > 0.0 { low } else { -high };
+            if (least - slope.tail(r).value()).next_down() > steep {
+                continue;
+            }
+            if b - a > shortest && a < m && m < b && budget.take() {
+                open.extend([[m, b], [a, m]]);
+            } else {
+                kept.push([a, b]);
+            }
+        }
+        kept
+    }
+}

@@ -1,0 +1,222 @@
+//! The log of a proof: its inputs and its inequalities, one JSON object a line, for a program that recomputes them.
+//!
+//! Numbers are in the units of the proof. A double is written as the shortest decimal that reads back as it, a ball as the
+//! list of its middle, a correction of the middle, and its radius. `docs/verify.md` describes the lines.
+
+use crate::coefficient::Coefficient;
+use crate::contact_set::Shown;
+use crate::frame::{Node, Span};
+use crate::model::Acts;
+use crate::pointwise::{PieceBounds, Pointwise};
+use crate::polynomial::Polynomial;
+use crate::scalar::Scalar;
+use crate::size::Size;
+
+/// The lines of the log of one proof.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Log {
+    text: String,
+}
+
+/// A line that is being written.
+struct Line<'a> {
+    text: &'a mut String,
+}
+
+impl Line<'_> {
+    /// Adds a key with its JSON text.
+    fn with(self, key: &str, json: impl AsRef<str>) -> Self {
+        self.text.push_str(&format!(",\"{key}\":{}", json.as_ref()));
+        self
+    }
+
+    fn end(self) {
+        self.text.push_str("}\n");
+    }
+}
+
+impl Log {
+    /// An empty log.
+    pub fn new() -> Self {
+        Log::default()
+    }
+
+    /// The lines.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    fn line(&mut self, name: &str, section: &str) -> Line<'_> {
+        self.text.push_str(&format!("{{\"name\":\"{name}\",\"section\":\"{section}\""));
+        Line { text: &mut self.text }
+    }
+
+    /// Writes the problem, the claimed fields, what was made of them, and the bounds.
+    pub(crate) fn record<S: Scalar>(
+        &mut self,
+        pointwise: &Pointwise<S>,
+        bounds: &[PieceBounds],
+        shown: &Shown,
+    ) {
+        let (fields, balanced) = (pointwise.fields, pointwise.balanced);
+        let frame = fields.frame;
+        self.line("problem", "3")
+            .with("P", optional(frame.axial_force().map(ball)))
+            .with("outside", list(frame.outside.map(ball)))
+            .with("pushed", list(frame.pushed.map(ball)))
+            .with("cuts", list(balanced.cuts.iter().map(usize::to_string)))
+            .with("units", list([frame.units.force, frame.units.length].map(|n| n.to_string())))
+            .end();
+        for (i, node) in frame.nodes.iter().enumerate() {
+            self.node(i, node);
+        }
+        for (i, span) in frame.spans.iter().enumerate() {
+            self.piece(i, span);
+        }
+        for (i, value) in fields.deflection.values.iter().enumerate() {
+            self.line("admissible at a node", "3, deflection")
+                .with("node", i.to_string())
+                .with("w", ball(*value))
+                .with("touches", fields.surface.touches[i].to_string())
+                .end();
+        }
+        for (i, closing) in fields.deflection.pieces.iter().enumerate() {
+            self.line("closing", "(3)")
+                .with("piece", i.to_string())
+                .with("slopes", list(closing.slope.map(ball)))
+                .with("bounds", list(closing.bounds.map(size)))
+                .end();
+        }
+        for (i, pressure) in fields.pressures.iter().enumerate() {
+            self.line("pull", "3, signs of p")
+                .with("piece", i.to_string())
+                .with("depth", size(pressure.depth))
+                .with("width", size(pressure.width))
+                .end();
+        }
+        for i in 0..frame.spans.len() {
+            self.line("ground", "(4)")
+                .with("piece", i.to_string())
+                .with("root_g", size(fields.surface.flexibility[i]))
+                .with("raised", size(fields.clearance.raised[i]))
+                .end();
+        }
+        self.line("clearance", "(10)")
+            .with("lifted", size(fields.clearance.lifted))
+            .with("risen", size(fields.clearance.risen))
+            .end();
+        self.line("energy", "(11)").with("E", size(pointwise.energy)).end();
+        for (i, piece) in bounds.iter().enumerate() {
+            self.bounds(i, piece);
+        }
+        self.contact(shown);
+    }
+
+    /// Writes whether the solution is unique, and which nodes are shown to press.
+    pub(crate) fn unique(&mut self, shown: &Shown, is_unique: bool) {
+        let pressed = shown.pressed.iter().map(|p| (*p && shown.failed[0].is_none()).to_string());
+        self.line("unique", "7")
+            .with("shown", is_unique.to_string())
+            .with("pressed", list(pressed))
+            .end();
+    }
+
+    fn node<S: Scalar>(&mut self, i: usize, node: &Node<S>) {
+        let weights = &node.weights;
+        let weights = [weights.rigid, weights.spring, weights.clamp, weights.turning];
+        self.line("node", "3, positions")
+            .with("node", i.to_string())
+            .with("x", ball(node.x))
+            .with("F", ball(node.force))
+            .with("M0", ball(node.moment))
+            .with("Q", ball(node.ground_force))
+            .with("rigid", optional(node.rigid.map(ball)))
+            .with("clamped", node.clamped.to_string())
+            .with("both", (node.acts == Acts::Both).to_string())
+            .with("spring", optional(node.spring.map(|spring| list(spring.map(ball)))))
+            .with("turning", optional(node.turning.map(ball)))
+            .with("hinge", optional(node.hinge.map(ball)))
+            .with("reaction", list(node.reaction.map(ball)))
+            .with("weights", list(weights.map(double)))
+            .end();
+    }
+
+    fn piece<S: Scalar>(&mut self, i: usize, span: &Span<S>) {
+        let constant = |coefficient: &Coefficient<S>| optional(coefficient.even().map(ball));
+        self.line("piece", "1")
+            .with("piece", i.to_string())
+            .with("middle", ball(span.middle))
+            .with("half", ball(span.half))
+            .with("touches", span.touches.to_string())
+            .with("w", polynomial(&span.deflection))
+            .with("phi", optional(span.rotation.as_deref().map(polynomial)))
+            .with("EI", constant(&span.bending))
+            .with("k", constant(&span.spring))
+            .with("mu", constant(&span.shear))
+            .with("f", polynomial(&span.force))
+            .with("g", polynomial(&span.moment))
+            .with("kappa0", polynomial(&span.curvature))
+            .with("g0", polynomial(&span.gap))
+            .with("q", optional(span.ground_load.as_deref().map(polynomial)))
+            .end();
+    }
+
+    fn bounds(&mut self, i: usize, bounds: &PieceBounds) {
+        self.line("bounds", "4")
+            .with("piece", i.to_string())
+            .with("w", size(bounds.deflection))
+            .with("slope", size(bounds.slope))
+            .with("m", size(bounds.balanced_moment))
+            .with("M", size(bounds.moment))
+            .with("V", size(bounds.shear_force))
+            .with("u", size(bounds.settlement))
+            .with("p", size(bounds.pressure))
+            .end();
+    }
+
+    fn contact(&mut self, shown: &Shown) {
+        for edge in &shown.edges {
+            self.line("edge", "5")
+                .with("node", edge.node.to_string())
+                .with("side", edge.side.to_string())
+                .with("outside", size(edge.outside))
+                .with("inside", size(edge.inside))
+                .end();
+        }
+        for (node, tolerance) in shown.tolerances.iter().enumerate() {
+            self.line("tolerance of a force", "5")
+                .with("node", node.to_string())
+                .with("error", size(*tolerance))
+                .end();
+        }
+        let shown = [shown.failed[0].is_none(), shown.failed[1].is_none()];
+        self.line("contact set", "5")
+            .with("shown", list(shown.map(|shown| shown.to_string())))
+            .end();
+    }
+}
+
+fn double(x: f64) -> String {
+    if x.is_finite() { format!("{x:?}") } else { "null".to_owned() }
+}
+
+fn size(x: Size) -> String {
+    double(x.value())
+}
+
+fn ball<S: Scalar>(x: S) -> String {
+    list(x.parts().map(double))
+}
+
+fn polynomial<S: Scalar>(p: &Polynomial<S>) -> String {
+    list(p.coefficients().iter().map(|c| ball(*c)))
+}
+
+fn list(items: impl IntoIterator<Item = String>) -> String {
+    let items: Vec<String> = items.into_iter().collect();
+    format!("[{}]", items.join(","))
+}
+
+fn optional(json: Option<String>) -> String {
+    json.unwrap_or_else(|| "null".to_owned())
+}

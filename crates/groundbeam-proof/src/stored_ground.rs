@@ -1,0 +1,63 @@
+//! Open ground whose k or μ varies: the stored settlement, and what it misses of the ground's equation.
+
+use crate::frame::Span;
+use crate::ground::{Layer, Surface};
+use crate::polynomial::Polynomial;
+use crate::scalar::Scalar;
+use crate::size::Size;
+use std::ops::Range;
+
+impl<S: Scalar> Layer<'_, S> {
+    /// A stretch in which k or μ varies: the stored settlement, with the values of the nodes. What it misses of the ground's
+    /// equation, ρ = kû − (μû′)′ − q along the pieces and the jumps r of the flux at open nodes, is left unclaimed. It
+    /// costs at most (Σ∫ρ²/k)^½ + Σ|r|√g (K10).
+    pub(crate) fn as_stored(&self, pieces: Range<usize>, surface: &mut Surface<S>) {
+        let mut missed = Size::ZERO;
+        for i in pieces.clone() {
+            let ends = [i, i + 1].map(|node| self.stored_at(node, surface));
+            surface.open[i] = Some(ends);
+            let span = &self.frame.spans[i];
+            if span.has_even_ground() {
+                surface.flux[i] = self.links[i - self.first].fluxes(ends);
+                continue;
+            }
+            let along = with_ends(span, ends);
+            let flux = span.shear.times(&span.derivative(&along));
+            surface.flux[i] = span.t.map(|t| flux.value(t));
+            let mut rest = &span.spring.times(&along) - &span.derivative(&flux);
+            if let Some(load) = &span.ground_load {
+                rest = &rest - load;
+            }
+            let rest = rest.size(span.tau);
+            missed += (span.length() * rest.square()).over(span.spring.low());
+            surface.missed[i] = rest;
+            surface.along[i] = Some(Box::new(along));
+        }
+        surface.unclaimed += missed.root();
+        for node in pieces.start..=pieces.end {
+            if !surface.touches[node] {
+                let jump = self.jump_at(node, surface);
+                surface.unclaimed += Size::of(jump.size()) * surface.flexibility_at(node);
+            }
+        }
+    }
+
+    /// ū at a node: that of the beam where they touch, else as stored on one side.
+    pub(crate) fn stored_at(&self, node: usize, surface: &Surface<S>) -> S {
+        if surface.touches[node] {
+            return self.held(node);
+        }
+        let spans = &self.frame.spans;
+        let left = (node > self.first).then(|| spans[node - 1].stored).flatten();
+        let right = (node < self.end()).then(|| spans[node].stored).flatten();
+        left.map(|ends| ends[1]).or(right.map(|ends| ends[0])).unwrap_or_else(S::zero)
+    }
+}
+
+/// The stored settlement of a piece, with a straight line added that gives it these values at the ends.
+fn with_ends<S: Scalar>(span: &Span<S>, ends: [S; 2]) -> Polynomial<S> {
+    let stored = span.settlement.as_deref().cloned().unwrap_or_else(Polynomial::zero);
+    let missed = [0, 1].map(|side| ends[side] - stored.value(span.t[side]));
+    let slope = (missed[1] - missed[0]).div(span.t[1] - span.t[0]);
+    &stored + &Polynomial::line(missed[0] - slope * span.t[0], slope)
+}
