@@ -1,6 +1,6 @@
 //! The proof of solutions: gaps reached, models covered, and wrong answers refused.
 
-use groundbeam::proof::{Ball, ContactForce, ContactSet, NotProven, Proof, Wide, prove};
+use groundbeam::proof::{Ball, ContactForce, ContactSet, NotProven, Proof, Wide, estimate, prove};
 use groundbeam::{Field, Model, Outcome, Solution, solve};
 use groundbeam_verification::cases;
 use groundbeam_verification::claims::{energy_of_error, error_bound, over_bound};
@@ -263,4 +263,21 @@ fn answers_to_neighbouring_models_lie_within_every_bound() {
     }
     // A bound that nothing comes near would be a sign of a test that measures nothing.
     assert!(most[0] > 0.1 && most[1] > 0.1, "{most:?}");
+}
+
+/// The energies of the estimate in doubles are those of the core's certificate, and its gap is rounding error.
+#[test]
+fn the_estimate_has_the_energies_of_the_certificate() {
+    let mut count = 0;
+    for (path, solution) in solutions() {
+        let (model, answer) = solution.claim::<f64>();
+        let Ok(found) = estimate(&model, &answer, None) else { continue };
+        count += 1;
+        let energy = solution.certificate().primal_energy();
+        let off = (found.potential_energy - energy).abs() / found.strain_energy;
+        assert!(off < 1e-12, "{path}: {} and {energy}", found.potential_energy);
+        let gap = found.energy / found.strain_energy;
+        assert!(gap < 1e-12, "{path}: {gap:e}");
+    }
+    assert!(count > 100, "{count}");
 }
