@@ -19,6 +19,8 @@ use crate::size::Size;
 pub(crate) struct Correction<S> {
     /// c′ at both ends.
     pub slope: [S; 2],
+    /// c at the right end less c at the left end.
+    pub rise: S,
     /// Bounds of |c|, |c′| and |c″|.
     pub bounds: [Size; 3],
 }
@@ -211,12 +213,12 @@ impl<S: Scalar> Walk<'_, S> {
         if !self.bends[i] {
             let slope = Size::of(b.size());
             let bounds = [Size::of(a.size()) + slope * Size::of(h.size()), slope, Size::ZERO];
-            return Correction { slope: [b; 2], bounds };
+            return Correction { slope: [b; 2], rise: b * h, bounds };
         }
         let value = [a, self.value(i + 1) - self.claimed[i][1]];
         let slope = [b, self.turn(i + 1, 0) - self.rotations[i][1]];
         let bounds = bent(h, value, slope);
-        Correction { slope, bounds }
+        Correction { slope, rise: value[1] - value[0], bounds }
     }
 }
 

@@ -107,13 +107,21 @@ impl<S: Scalar> Behind<S> {
     }
 }
 
+/// q/k at both ends of an open piece, its rise from left to right, and μq′/k.
+#[derive(Clone, Copy)]
+struct FreeField<S> {
+    ends: [S; 2],
+    rise: S,
+    slope: S,
+}
+
 /// An open piece with u = q/k + v. Where k or μ varies, that of the least k and μ.
 pub(crate) struct Link<S> {
     /// s₁ and s₂.
     across: S,
     own: S,
-    /// q/k at both ends, and μq′/k; `None` without a load on the piece.
-    load: Option<([S; 2], S)>,
+    /// Zero without a load on the piece.
+    free: FreeField<S>,
 }
 
 impl<S: Scalar> Link<S> {
@@ -125,11 +133,16 @@ impl<S: Scalar> Link<S> {
         let e = (-z).expm1();
         let sum = e + S::of(2.0);
         let across = (root * (e + S::one()).scaled(1)).div(-e * sum);
-        let load = span.free_field().map(|free| {
-            let slope = span.derivative(&free).coefficient(0);
-            (span.t.map(|t| free.value(t)), shear * slope)
-        });
-        Link { across, own: (root * -e).div(sum), load }
+        let zero = S::zero();
+        let free = match span.free_field() {
+            None => FreeField { ends: [zero; 2], rise: zero, slope: zero },
+            Some(free) => FreeField {
+                ends: span.t.map(|t| free.value(t)),
+                rise: free.rise(span.t),
+                slope: shear * span.derivative(&free).coefficient(0),
+            },
+        };
+        Link { across, own: (root * -e).div(sum), free }
     }
 
     /// S + s₁ + s₂ with S behind the piece.
@@ -137,19 +150,22 @@ impl<S: Scalar> Link<S> {
         behind.stiffness + self.own + self.across
     }
 
-    /// q/k at the near and at the far end, and μq′/k outward.
-    fn load_from(&self, near: usize) -> Option<(S, S, S)> {
-        let (free, slope) = self.load?;
-        let outward = if near == 0 { slope } else { -slope };
-        Some((free[near], free[1 - near], outward))
+    /// The same piece with u measured from another height. What is held at this height loses no digits to it.
+    fn above(&self, height: S) -> Self {
+        let ends = self.free.ends.map(|free| free - height);
+        Link { free: FreeField { ends, ..self.free }, ..*self }
+    }
+
+    /// The rise of q/k and μq′/k from the near end outward.
+    fn outward(&self, near: usize) -> [S; 2] {
+        let FreeField { rise, slope, .. } = self.free;
+        if near == 0 { [rise, slope] } else { [-rise, -slope] }
     }
 
     /// What drives u at the near end, where `behind` lies: (S + s₁ + s₂)u = s₁u_far + this.
     fn source(&self, behind: Behind<S>, near: usize) -> S {
-        match self.load_from(near) {
-            None => behind.pushed,
-            Some((a, b, outward)) => behind.pushed + outward + self.own * a + self.across * (a - b),
-        }
+        let [rise, slope] = self.outward(near);
+        behind.pushed + slope + self.own * self.free.ends[near] - self.across * rise
     }
 
     /// u at the near end from u at the far one.
@@ -166,25 +182,29 @@ impl<S: Scalar> Link<S> {
         }
     }
 
-    /// The same for a surface that is held at the near end.
-    fn behind_held(&self, near: usize, u: S) -> Behind<S> {
-        Behind { stiffness: self.across + self.own, pushed: self.across * u + self.own_push(near) }
+    /// The same for a surface that is held at u = 0 at the near end.
+    fn behind_held(&self, near: usize) -> Behind<S> {
+        Behind { stiffness: self.across + self.own, pushed: self.own_push(near) }
     }
 
     /// s₂b + s₁(b − a) less the outward μq′/k, with a, b = q/k at the near and the far end.
     fn own_push(&self, near: usize) -> S {
-        match self.load_from(near) {
-            None => S::zero(),
-            Some((a, b, outward)) => self.own * b + self.across * (b - a) - outward,
-        }
+        let [rise, slope] = self.outward(near);
+        self.own * self.free.ends[1 - near] + self.across * rise - slope
     }
 
     /// μu′ at both ends.
     pub(crate) fn fluxes(&self, [left, right]: [S; 2]) -> [S; 2] {
-        let ([a, b], slope) = self.load.unwrap_or(([S::zero(); 2], S::zero()));
+        let FreeField { ends: [a, b], slope, .. } = self.free;
         let (left, right) = (left - a, right - b);
         let across = self.across * (right - left) + slope;
         [across - self.own * left, across + self.own * right]
+    }
+
+    /// The flux at the right end less that at the left end, s₂(u_L + u_R − q_L/k − q_R/k).
+    fn flux_gained(&self, [left, right]: [S; 2]) -> S {
+        let [a, b] = self.free.ends;
+        self.own * ((left - a) + (right - b))
     }
 }
 
@@ -343,26 +363,38 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
-    /// Between two touching nodes: what lies on the left of each open node, then back from the right.
+    /// Between two touching nodes: what lies on the left of each open node, then back from the right. Heights are measured
+    /// from the left node: over a short run the difference of two settlements would have few digits.
     fn between(&self, from: usize, to: usize, surface: &mut Surface<S>) {
-        let link = |piece: usize| &self.links[piece - self.first];
-        let mut seen = vec![link(from).behind_held(0, self.held(from))];
-        for piece in from + 1..to - 1 {
-            let left = seen[piece - from - 1].loaded(self.force(piece));
-            seen.push(link(piece).behind(left, 0));
+        let start = self.held(from);
+        let link = |piece: usize| self.links[piece - self.first].above(start);
+        let mut behind = vec![link(from).behind_held(0)];
+        for piece in from + 1..to {
+            let left = behind[piece - from - 1].loaded(self.force(piece));
+            behind.push(link(piece).behind(left, 0));
         }
+        let mut risen = (from..to).fold(S::zero(), |sum, piece| sum + self.rise(piece));
+        let all = behind[to - from - 1];
+        let mut flux = all.stiffness * risen - all.pushed;
         let mut right = self.held(to);
         for piece in (from..to).rev() {
-            let u = if piece == from {
-                self.held(from)
-            } else {
-                let left = seen[piece - from - 1].loaded(self.force(piece));
-                link(piece).near(left, 0, right)
+            risen = match piece - from {
+                0 => S::zero(),
+                i => link(piece).near(behind[i - 1].loaded(self.force(piece)), 0, risen),
             };
-            surface.open[piece] = Some([u, right]);
-            surface.flux[piece] = link(piece).fluxes([u, right]);
-            right = u;
+            let left = start + risen;
+            let at_left = flux - self.links[piece - self.first].flux_gained([left, right]);
+            surface.open[piece] = Some([left, right]);
+            surface.flux[piece] = [at_left, flux];
+            flux = at_left + self.force(piece);
+            right = left;
         }
+    }
+
+    /// w̄ − g₀ at the right end of a piece less that at its left end, without their common part.
+    fn rise(&self, piece: usize) -> S {
+        let span = &self.frame.spans[piece];
+        span.obstacle().rise(span.t) + self.deflection.pieces[piece].rise
     }
 
     /// The jump of the flux at a node, less the force on the ground there.

@@ -68,6 +68,15 @@ impl<S: Scalar> Polynomial<S> {
         from_top.fold(*top, |sum, c| sum * t + *c)
     }
 
+    /// p at one position less p at another, without the constant that both have.
+    pub fn rise(&self, [from, to]: [S; 2]) -> S {
+        let above = |t: S| {
+            let terms = self.coefficients().iter().skip(1).rev();
+            terms.fold(S::zero(), |sum, c| sum * t + *c) * t
+        };
+        above(to) - above(from)
+    }
+
     /// The integral over t from one position to another.
     pub fn integral(&self, [from, to]: [S; 2]) -> S {
         let antiderivative = |t: S| {
