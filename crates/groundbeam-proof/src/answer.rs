@@ -41,7 +41,7 @@ pub struct Force {
     pub force: f64,
 }
 
-/// What a support does to the beam.
+/// The force and the moment of a support on the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reaction {
     /// Index of the support in the model's list.

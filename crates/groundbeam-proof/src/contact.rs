@@ -41,7 +41,7 @@ impl<S: Scalar> Contact<'_, S> {
     /// A layer: first its open stretches, then its regions and points.
     fn layer(&self, first: usize, end: usize, shown: &mut Shown) -> Result<(), NotProven> {
         let (spans, touches) = (&self.fields.frame.spans, &self.fields.surface.touches);
-        // What is known on the left and on the right of each node of the layer.
+        // The contact on the left and on the right of each node of the layer, where it is shown.
         let mut beside: Vec<[Option<Approach>; 2]> = vec![[None; 2]; spans.len() + 1];
         let mut i = first;
         while i < end {

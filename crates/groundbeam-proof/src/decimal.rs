@@ -1,6 +1,6 @@
 //! A decimal number from its text: digits as a whole number, and a power of ten.
 
-/// A decimal number as it is written.
+/// A decimal number with the digits of the file.
 pub(crate) struct Decimal {
     pub negative: bool,
     /// At most 37 digits.

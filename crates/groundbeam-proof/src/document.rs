@@ -9,7 +9,7 @@ const MOST_PIECES: usize = 100_000;
 /// The most coefficients of a polynomial.
 const MOST_COEFFICIENTS: usize = 26;
 
-/// What a document says of one model.
+/// The answer of a document to one model.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Document {
     /// `status`: `solved`, `no-equilibrium`, …
@@ -64,7 +64,7 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// What is no JSON, has a key twice, or does not have the form of a result.
+    /// The text is not JSON, has a key twice, or does not have the form of a result.
     pub fn read(text: &str) -> Result<Vec<Document>, JsonError> {
         let mut root = object(json::read(text)?, "the document")?;
         let Some(combinations) = root.remove("combinations") else {
@@ -299,13 +299,13 @@ fn list(value: Json, name: &str) -> Result<Vec<Json>, JsonError> {
     }
 }
 
-/// The objects of a list; none if the key is missing.
+/// The objects of a list; an empty list if the key is missing.
 fn elements(parent: &mut Object, key: &str) -> Result<Vec<Object>, JsonError> {
     let Some(value) = parent.remove(key) else { return Ok(Vec::new()) };
     list(value, key)?.into_iter().map(|element| object(element, key)).collect()
 }
 
-/// A text; none if it is missing or null.
+/// A text; `None` if it is missing or null.
 fn text_of(parent: &mut Object, key: &str) -> Result<Option<String>, JsonError> {
     match parent.remove(key) {
         None | Some(Json::Null) => Ok(None),
@@ -314,7 +314,7 @@ fn text_of(parent: &mut Object, key: &str) -> Result<Option<String>, JsonError> 
     }
 }
 
-/// A number; none if it is missing or null.
+/// A number; `None` if it is missing or null.
 fn optional(parent: &mut Object, key: &str) -> Result<Option<f64>, JsonError> {
     match parent.remove(key) {
         None | Some(Json::Null) => Ok(None),
@@ -352,7 +352,7 @@ fn claimed(bound: Json, name: &str) -> Result<f64, JsonError> {
     }
 }
 
-/// A list of numbers; none if it is missing or null.
+/// A list of numbers; `None` if it is missing or null.
 fn numbers(parent: &mut Object, key: &str) -> Result<Option<Vec<f64>>, JsonError> {
     match parent.remove(key) {
         None | Some(Json::Null) => Ok(None),
@@ -369,7 +369,7 @@ fn coefficients(parent: &mut Object, key: &str) -> Result<Vec<f64>, JsonError> {
     Ok(read)
 }
 
-/// Two numbers; none if the key is missing.
+/// Two numbers; `None` if the key is missing.
 fn pair(parent: &mut Object, key: &str) -> Result<Option<[f64; 2]>, JsonError> {
     match numbers(parent, key)?.as_deref() {
         None => Ok(None),

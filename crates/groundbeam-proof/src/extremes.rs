@@ -23,21 +23,24 @@ pub struct PlacedExtreme {
     pub is_max: bool,
     /// The listed place \[m\].
     pub listed: f64,
-    /// Intervals that hold all places of the exact extreme \[m\], from left to right. Empty: nothing is shown.
+    /// Intervals that hold all places of the exact extreme \[m\], from left to right. Empty if no interval is shown.
     pub places: Vec<[f64; 2]>,
 }
 
 impl PlacedExtreme {
     /// The interval that holds the listed place, or the nearest one.
     pub fn nearest(&self) -> Option<[f64; 2]> {
-        let off = |[low, high]: &[f64; 2]| (low - self.listed).max(self.listed - high).max(0.0);
+        let off = |place: &[f64; 2]| self.distance_from(*place);
         self.places.iter().copied().min_by(|a, b| off(a).total_cmp(&off(b)))
     }
 
-    /// The distance of the listed place from the nearest interval; zero within one, and where nothing is shown.
+    /// The distance of the listed place from the nearest interval; zero within one, and if no interval is shown.
     pub fn distance(&self) -> f64 {
-        let off = |[low, high]: [f64; 2]| (low - self.listed).max(self.listed - high).max(0.0);
-        self.nearest().map_or(0.0, off)
+        self.nearest().map_or(0.0, |place| self.distance_from(place))
+    }
+
+    fn distance_from(&self, [low, high]: [f64; 2]) -> f64 {
+        (low - self.listed).max(self.listed - high).max(0.0)
     }
 
     /// A bound of the distance of the listed place from the exact one, or from the nearest of several.
@@ -54,7 +57,7 @@ impl PlacedExtreme {
     }
 }
 
-/// What the search of one extreme needs.
+/// The data of the search for one extreme.
 struct Search<'a, S: Scalar> {
     fields: &'a Fields<'a, S>,
     field: usize,
@@ -62,7 +65,7 @@ struct Search<'a, S: Scalar> {
     sign: f64,
     /// Places with less are not extreme.
     level: f64,
-    /// The bound of the error of the derivative on each piece; infinite if there is none.
+    /// The bound of the error of the derivative on each piece; infinite if no bound is known.
     steep: Vec<Size>,
 }
 

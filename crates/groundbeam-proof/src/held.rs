@@ -7,7 +7,7 @@ use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::values::not_negative;
 
-/// The stored reaction of each support of the model; none if it is not listed.
+/// The stored reaction of each support of the model; `None` if the answer does not list it.
 pub(crate) fn reactions<S: Scalar>(
     model: &Model<S>,
     answer: &Answer,

@@ -17,7 +17,7 @@ pub struct JsonError {
     pub line: usize,
     /// Character in the line, from 1; 0 where the fault has no single place.
     pub column: usize,
-    /// What is wrong.
+    /// The fault.
     pub what: String,
 }
 

@@ -14,7 +14,7 @@ pub struct Model<S> {
     pub ground: Ground<S>,
     /// Everything that acts on the beam or on the ground.
     pub loads: Vec<Load<S>>,
-    /// What holds the beam besides the ground. An answer names a support by its index in this list.
+    /// The supports of the beam. An answer names a support by its index in this list.
     pub supports: Vec<Support<S>>,
     /// Hinges inside the beam.
     pub hinges: Vec<Hinge<S>>,
@@ -109,7 +109,7 @@ pub enum GroundEnd<S> {
     Held(S),
 }
 
-/// What a load does.
+/// The effect of a load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Action {
     /// A force \[N\] or \[N/m\], positive down.
@@ -146,7 +146,7 @@ pub enum Extent<S> {
 /// A load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Load<S> {
-    /// What it does.
+    /// Its effect.
     pub action: Action,
     /// Where, and its size.
     pub extent: Extent<S>,
@@ -159,7 +159,7 @@ pub struct Load<S> {
 pub struct Support<S> {
     /// Position \[m\].
     pub at: S,
-    /// What it holds.
+    /// The motions that it restrains.
     pub kind: SupportKind<S>,
     /// Settlement δ \[m\], positive down.
     pub settlement: S,
@@ -167,7 +167,7 @@ pub struct Support<S> {
     pub acts: Acts,
 }
 
-/// What a support holds.
+/// The motions that a support restrains.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SupportKind<S> {
     /// w = δ; the beam may turn.

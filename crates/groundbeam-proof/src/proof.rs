@@ -17,7 +17,7 @@ use crate::scalar::Scalar;
 use crate::scales::FieldScales;
 use crate::size::Size;
 
-/// What is proven of an answer.
+/// The quantities of an answer that are proven, with their bounds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Proof {
     /// E \[N·m\]: the energy of the error of the deflection and of the settlement, and that of the error of moment and
@@ -107,7 +107,7 @@ pub(crate) fn proven<S: Scalar, T>(
     }
 }
 
-/// What an attempt to prove an answer gives.
+/// The result of an attempt to prove an answer.
 enum Attempt {
     Done(Box<Proof>),
     /// Supports without a node that the exact beam may reach.

@@ -68,7 +68,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// What holds a part: supports, forces and pressure. A support at a hinge holds both parts.
+    /// The supports, forces and pressures that hold a part. A support at a hinge holds both parts.
     fn holds(&self, part: &Range<usize>, pressed: &[bool]) -> Holds {
         let nodes = &self.fields.frame.nodes;
         let inside = part.start..=part.end;

@@ -15,7 +15,7 @@ use crate::scales::claimed;
 use crate::size::Size;
 use std::collections::BTreeSet;
 
-/// What is proven of a document.
+/// The parts of a document that are proven.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verification {
     /// The proof of its answer. The errors of fields and reactions hold for the listed numbers too.

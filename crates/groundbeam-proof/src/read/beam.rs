@@ -30,7 +30,7 @@ const KEYS: &[&str] = &[
 const SEGMENT_KEYS: &[&str] = &["from", "to", "EI", "E", "material", "I", "section"];
 const NAMES: [&str; 3] = ["EI", "E", "I"];
 
-/// What `[beam]` says.
+/// The keys of `[beam]`.
 pub(crate) struct ReadBeam<S> {
     pub beam: Beam<S>,
     /// Own weight and camber.
@@ -53,7 +53,7 @@ pub(crate) struct Depth<S> {
     pub of: Option<(Exact, S)>,
 }
 
-/// What a table says of bending.
+/// The keys of a table about bending.
 struct Bending<S> {
     given: Given<S>,
     shape: Option<Shape<S>>,
@@ -134,7 +134,7 @@ fn merged<S: Scalar>(mut stretches: Vec<Stretch<S>>) -> Vec<Depth<S>> {
     depths
 }
 
-/// What was read of segments.
+/// The segments read so far.
 struct Parts<S> {
     segments: Vec<BeamSegment<S>>,
     areas: Vec<Stretch<S>>,
@@ -149,7 +149,7 @@ impl<S: Scalar> Parts<S> {
     }
 }
 
-/// What holds for the whole beam.
+/// The data of the whole beam.
 struct Whole<S> {
     given: Given<S>,
     shear: Shear<S>,
@@ -221,7 +221,7 @@ fn gives_stiffness(section: Section) -> bool {
     section.table.get("EI").is_some() || section.table.get("I").is_some()
 }
 
-/// What a table says of EI, and its section.
+/// EI as a table gives it, and its section.
 fn bending<S: Scalar>(fields: &mut Fields, section: Section) -> Read<Bending<S>> {
     section.exclusive("I", "section")?;
     section.exclusive("E", "material")?;

@@ -107,7 +107,7 @@ fn recipes(root: Section, names: &[&str]) -> Read<Vec<Recipe>> {
     Ok(recipes)
 }
 
-/// What acts in each case, for a set of a code.
+/// The actions of each load case, for a set of combinations of a code.
 fn acting<'t>(root: Section<'t>, names: &[&str], at: usize) -> Read<Vec<Acting<'t>>> {
     let mut described: BTreeMap<&str, Acting> = BTreeMap::new();
     for table in root.tables("case")? {

@@ -9,11 +9,11 @@ pub struct ReadError {
     pub line: usize,
     /// Character in the line, from 1.
     pub column: usize,
-    /// What is wrong there.
+    /// The fault at this place.
     pub reason: Reason,
 }
 
-/// What is wrong with a model file.
+/// A fault of a model file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Reason {
     /// The file is longer, or deeper nested, than this reader accepts.
@@ -66,7 +66,7 @@ pub(crate) struct Fault {
     pub reason: Reason,
 }
 
-/// What a part of the reader returns.
+/// The result of a part of the reader.
 pub(crate) type Read<T> = Result<T, Fault>;
 
 /// A fault.

@@ -16,7 +16,7 @@ pub(crate) struct Section<'t> {
     pub at: usize,
 }
 
-/// What a key wants: a dimension and a range.
+/// The dimension and the range that a key requires.
 #[derive(Clone, Copy)]
 pub(crate) struct Kind {
     dimension: Dimension,

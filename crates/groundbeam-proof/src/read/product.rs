@@ -4,17 +4,17 @@ use super::error::{Read, Reason, fault};
 use super::fields::{Along, Section};
 use crate::Scalar;
 
-/// What a table says of a stiffness: itself, or its two factors.
+/// A stiffness as a table gives it: one number, or its two factors.
 #[derive(Debug, Clone)]
 pub(crate) struct Given<S> {
     pub whole: Option<Along<S>>,
     pub factors: [Option<Along<S>>; 2],
 }
 
-/// What follows.
+/// The stiffness that follows from the keys of a table.
 pub(crate) enum Found<S> {
     Known(Along<S>),
-    /// Nothing is said.
+    /// The table has none of the keys.
     Nothing,
     /// One factor is not known: its key.
     Half(&'static str),

@@ -9,7 +9,7 @@ use super::fields::{Along, Fields, LENGTH, Section, Values};
 use super::units::pi;
 use crate::{Course, Scalar};
 
-/// What a cross section is to the beam.
+/// Area, second moment, shear area and depth of a cross section.
 #[derive(Debug, Clone)]
 pub(crate) struct Shape<S> {
     pub area: Along<S>,

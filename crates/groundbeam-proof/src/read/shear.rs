@@ -1,4 +1,4 @@
-//! What a beam resists shear with: one number, or G and the area that shears.
+//! The shear stiffness of a beam: one number, or G and the shear area.
 
 use super::error::{Read, wrong};
 use super::fields::{
@@ -12,7 +12,7 @@ use crate::Scalar;
 pub(crate) const KEYS: &[&str] = &["shear_stiffness", "GA", "G", "nu", "shear_area"];
 const NAMES: [&str; 3] = ["shear_stiffness", "G", "shear_area"];
 
-/// What a table says of shear.
+/// The keys of a table about shear.
 #[derive(Debug, Clone)]
 pub(crate) struct Shear<S> {
     given: Given<S>,
@@ -32,7 +32,7 @@ impl<S: Scalar> Shear<S> {
         Shear { given: self.given.between(way), ..self.clone() }
     }
 
-    /// What a table says; `modulus` is its own E and that of the whole beam there, `shape` its own section.
+    /// The shear stiffness that a table gives; `modulus` is its own E and that of the whole beam there, `shape` its own section.
     pub fn read(
         fields: &mut Fields,
         section: Section,
@@ -72,7 +72,7 @@ impl<S: Scalar> Shear<S> {
         Ok(Shear { given, poisson, says_area })
     }
 
-    /// The shear stiffness of a table; none if the table does not ask for one.
+    /// The shear stiffness of a table; `None` if the table has no key about shear.
     pub fn settle(&self, section: Section, parent: &Shear<S>) -> Read<Option<Along<S>>> {
         let mut given = self.given.clone();
         if given.whole.is_some() && !self.says_area {

@@ -73,7 +73,7 @@ impl<'t> Scanner<'t> {
         Ok(())
     }
 
-    /// What ends a line, or the file.
+    /// The end of a line or of the file.
     pub fn end_of_line(&mut self) -> Read<()> {
         self.skip_spaces();
         if self.peek() == Some(b'#') {

@@ -86,7 +86,7 @@ impl Factor {
     }
 }
 
-/// A number with its unit, exactly as it is written. Equal ones are equal numbers.
+/// A number with its unit, with the digits of the file. Equal values are equal numbers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Exact {
     number: Decimal,
@@ -104,7 +104,7 @@ impl Exact {
         self.number.is_zero()
     }
 
-    /// The value; none if the number is beyond the range of the scalar.
+    /// The value; `None` if the number is beyond the range of the scalar.
     pub fn value<S: Scalar>(&self) -> Option<S> {
         let number = S::decimal(&self.number.text())?;
         let (mut above, mut below) = (None, None);
@@ -332,7 +332,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The power behind a factor; 1 if there is none.
+    /// The power behind a factor; 1 if none is written.
     fn power(&mut self) -> Option<i32> {
         let after = self.rest.trim_start();
         let marked = after.strip_prefix('^').or(after.strip_prefix("**"));
