@@ -62,7 +62,7 @@ const FLOORS: [&[&str]; 15] = [
     &["chain", "nodal"],
     &["element", "supported"],
     &["mesh"],
-    &["certificate", "error", "existence", "ground"],
+    &["error", "existence", "ground"],
     &["model"],
     &["numeric", "options"],
     &["cancel"],
@@ -160,18 +160,6 @@ fn the_core_is_pure() {
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
-}
-
-#[test]
-fn the_certificate_shares_nothing_with_the_methods() {
-    for source in sources("crates/groundbeam/src/certificate") {
-        for line in source.code().lines().filter(|line| line.contains("crate::")) {
-            let shared = ["crate::certificate", "crate::model", "crate::numeric"]
-                .iter()
-                .any(|m| line.contains(m));
-            assert!(shared, "{}: {line}", source.path);
-        }
-    }
 }
 
 #[test]

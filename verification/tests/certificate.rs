@@ -1,6 +1,7 @@
 //! The certificate's claims: errors stay within their bounds, and the bounds are sharp.
 
 use groundbeam::{Field, Method, Model, Options, Outcome, Side, Solution, solve, solve_with};
+use groundbeam_verification::estimated::estimated_bounds;
 use groundbeam_verification::random::{Family, model};
 use groundbeam_verification::reference::Answer;
 
@@ -62,8 +63,8 @@ fn a_mesh_is_as_good_as_it_says() {
             let Some(exact) = solved(&model, &Options::default()) else { continue };
             let Some(coarse) = solved(&model, &options) else { continue };
             count += 1;
-            let (own, other) = (coarse.certificate(), exact.certificate());
-            let bound = own.settlement_bound() + other.settlement_bound();
+            let [own, other] = [&coarse, &exact].map(|solution| estimated_bounds(solution)[0]);
+            let bound = own + other;
             let l = model.beam.length;
             for i in 0..=40 {
                 let x = l * (f64::from(i) / 40.0);
@@ -76,7 +77,9 @@ fn a_mesh_is_as_good_as_it_says() {
                     sharpest[0] = sharpest[0].max(error / bound);
                 }
             }
-            let bound = own.moment_bound() + other.moment_bound();
+            // (∫(M − M*)²/EI)^½ ≤ ‖m − M*‖ + ‖δ‖, each at most (2E)^½.
+            let energies = [&coarse, &exact].map(|solution| solution.certificate().gap());
+            let bound: f64 = energies.iter().map(|energy| 2.0 * (2.0 * energy).sqrt()).sum();
             let error = moment_error(&coarse, &exact);
             if error.is_nan() || error > bound {
                 faults.push(format!("{family:?} {number}: M: {error:e} > {bound:e}"));
@@ -93,7 +96,7 @@ fn a_mesh_is_as_good_as_it_says() {
     assert!(count > 400, "{count}");
     assert!(faults.is_empty(), "{} of {count}:\n{}", faults.len(), faults.join("\n"));
     // A bound that is never nearly reached would say little.
-    assert!(sharpest[0] > 0.1 && sharpest[1] > 0.5, "{sharpest:?}");
+    assert!(sharpest[0] > 0.1 && sharpest[1] > 0.25, "{sharpest:?}");
 }
 
 /// The exact method's settlements are within their bounds of sixty digits, rounding and all, and the bounds
@@ -104,7 +107,7 @@ fn bounds_hold_against_sixty_digits() {
     let mut relative = Vec::new();
     for answer in Answer::all().into_iter().filter(|a| !TOO_STIFF.contains(&a.name.as_str())) {
         let Ok(Outcome::Equilibrium(solution)) = solve(&answer.parsed()) else { continue };
-        let bound = solution.certificate().settlement_bound();
+        let [bound, _] = estimated_bounds(&solution);
         if !bound.is_finite() {
             continue;
         }
@@ -114,7 +117,8 @@ fn bounds_hold_against_sixty_digits() {
         };
         for (x, wanted) in numbers("x").into_iter().zip(numbers("settlement")) {
             let error = (solution.settlement(x) - wanted).abs();
-            if error > bound {
+            // The bound is that of the polynomials, before a value is computed.
+            if error > bound + 2.0 * f64::EPSILON * wanted.abs() {
                 faults.push(format!("{}: u({x}): {error:e} > {bound:e}", answer.name));
                 break;
             }

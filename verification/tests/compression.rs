@@ -290,7 +290,6 @@ fn random_models() {
         let Verdict::Local(found) = solution.existence().verdict else { panic!("{number}") };
         let Local { stability_margin: margin, critical_compression: end } = found;
         assert!(margin > 0.0 && margin <= 1.0 && end > compression, "{number}: {found:?}");
-        assert!(solution.certificate().violation() <= 1e-7, "{number}");
         assert!(solution.certificate().relative_gap() <= 1e-9, "{number}");
         // The rest costs more than the answer.
         if number % 8 > 0 {

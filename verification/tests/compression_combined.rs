@@ -334,7 +334,6 @@ fn random_models() {
         let (solution, found) = local(&model);
         let Local { stability_margin: margin, critical_compression: end } = found;
         assert!(margin > 0.0 && margin <= 1.0 && end > compression, "{number}: {found:?}");
-        assert!(solution.certificate().violation() <= 1e-7, "{number}");
         assert!(solution.certificate().relative_gap() <= 1e-9, "{number}");
         sheared += usize::from(model.beam.shears());
         borne += usize::from(model.supports.iter().any(|support| support.acts != Acts::Both));

@@ -59,7 +59,9 @@ fn on_separate_springs_the_pressure_is_as_good_as_the_deflection() {
     let model = kikuchi_on_springs(0.4);
     for quantity in [Quantity::Deflection, Quantity::Pressure, Quantity::Gap] {
         let found = order(&errors(&model, Distributed, quantity), FLOOR).expect("errors");
-        assert!((found - 4.0).abs() < 0.2, "{}: order {found}", quantity.name());
+        // The gap also has parts that fall faster.
+        let most = if quantity == Quantity::Gap { 5.0 } else { 4.2 };
+        assert!((3.8..most).contains(&found), "{}: order {found}", quantity.name());
     }
 }
 

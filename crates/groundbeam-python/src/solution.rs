@@ -156,7 +156,7 @@ impl Solution {
 
     /// The figures of the certificate, in their order.
     #[getter]
-    fn certificate(&self) -> [f64; 13] {
+    fn certificate(&self) -> [f64; 4] {
         self.found.certificate().figures().map(|(_, value)| value)
     }
 

@@ -63,13 +63,13 @@ pub enum NotConverged {
     Supports,
     /// The stability margin at which the path of equilibria under compression was lost.
     Branch(f64),
-    /// At the factor of first lift-off the certificate is violated by this much.
+    /// The relative gap of the certificate at the factor of first lift-off.
     LiftOff(f64),
     /// The last change of the rate r = ∫u'²/∫u² of layered soil, from one solution to the next.
     Soil(f64),
-    /// The largest violation of the certificate.
-    Certificate(f64),
-    /// The energy gap of the certificate.
+    /// The relative gap of the certificate, where it is the rounding error of loads that cancel each other.
+    CancellingLoads(f64),
+    /// The relative gap of the certificate.
     Gap(f64),
 }
 
@@ -86,9 +86,11 @@ impl NotConverged {
             NotConverged::Nodes => "the set of contact nodes",
             NotConverged::Supports => "the set of active one-way supports",
             NotConverged::Branch(_) => "the stability margin where the path of equilibria ends",
-            NotConverged::LiftOff(_) => "the certificate's largest violation at first lift-off",
+            NotConverged::LiftOff(_) => "the certificate's relative gap at first lift-off",
             NotConverged::Soil(_) => "the relative change of the rate r = ∫u'²/∫u²",
-            NotConverged::Certificate(_) => "the certificate's largest violation",
+            NotConverged::CancellingLoads(_) => {
+                "loads cancel each other to rounding error: the certificate's relative gap"
+            }
             NotConverged::Gap(_) => "the certificate's relative gap",
         }
     }
@@ -103,7 +105,7 @@ impl NotConverged {
             | NotConverged::Branch(reached)
             | NotConverged::LiftOff(reached)
             | NotConverged::Soil(reached)
-            | NotConverged::Certificate(reached)
+            | NotConverged::CancellingLoads(reached)
             | NotConverged::Gap(reached) => Some(reached).filter(|reached| reached.is_finite()),
         }
     }
@@ -116,9 +118,10 @@ impl NotConverged {
             NotConverged::Sweeps(_) => Some(tolerance::SWEEPS),
             NotConverged::Edges(_) => Some(tolerance::EDGES),
             NotConverged::Branch(_) => Some(tolerance::BRANCH),
-            NotConverged::LiftOff(_) | NotConverged::Certificate(_) => Some(tolerance::CERTIFICATE),
             NotConverged::Soil(_) => Some(tolerance::SOIL),
-            NotConverged::Gap(_) => Some(tolerance::GAP),
+            NotConverged::LiftOff(_) | NotConverged::CancellingLoads(_) | NotConverged::Gap(_) => {
+                Some(tolerance::GAP)
+            }
         }
     }
 }
@@ -191,7 +194,7 @@ mod tests {
             NotConverged::Branch(figure),
             NotConverged::LiftOff(figure),
             NotConverged::Soil(figure),
-            NotConverged::Certificate(figure),
+            NotConverged::CancellingLoads(figure),
             NotConverged::Gap(figure),
         ];
         // A new variant has a number here, and then an entry above.
@@ -205,7 +208,7 @@ mod tests {
             NotConverged::Branch(_) => 6,
             NotConverged::LiftOff(_) => 7,
             NotConverged::Soil(_) => 8,
-            NotConverged::Certificate(_) => 9,
+            NotConverged::CancellingLoads(_) => 9,
             NotConverged::Gap(_) => 10,
         };
         assert!(all.iter().enumerate().all(|(i, why)| number(why) == i));
@@ -228,9 +231,9 @@ the method `uzawa` stopped after 7 iterations: the beam is a mechanism on a tria
 the method `uzawa` stopped after 7 iterations: the set of contact nodes did not settle
 the method `uzawa` stopped after 7 iterations: the set of active one-way supports did not settle
 the method `uzawa` stopped after 7 iterations: the stability margin where the path of equilibria ends is 1.2e-3; the tolerance is 1.0e-3
-the method `uzawa` stopped after 7 iterations: the certificate's largest violation at first lift-off is 1.2e-3; the tolerance is 1.0e-7
+the method `uzawa` stopped after 7 iterations: the certificate's relative gap at first lift-off is 1.2e-3; the tolerance is 1.0e-9
 the method `uzawa` stopped after 7 iterations: the relative change of the rate r = ∫u'²/∫u² is 1.2e-3; the tolerance is 1.0e-12
-the method `uzawa` stopped after 7 iterations: the certificate's largest violation is 1.2e-3; the tolerance is 1.0e-7
+the method `uzawa` stopped after 7 iterations: loads cancel each other to rounding error: the certificate's relative gap is 1.2e-3; the tolerance is 1.0e-9
 the method `uzawa` stopped after 7 iterations: the certificate's relative gap is 1.2e-3; the tolerance is 1.0e-9
 ";
         assert_eq!(written(1.23e-3), expected);

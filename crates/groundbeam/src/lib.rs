@@ -27,7 +27,6 @@
 #![deny(missing_docs)]
 
 mod cancel;
-mod certificate;
 mod chain;
 mod contact;
 pub mod derivatives;
@@ -59,7 +58,6 @@ pub use crate::solution::fields::{
     ConcentratedForce, ContactZone, EndForces, Extreme, Fields, Range, Reaction, Side,
 };
 pub use cancel::Cancel;
-pub use certificate::Certificate;
 pub use contact::state::Step;
 pub use design::checks::{Check, Checked, Limits, overturning};
 pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
@@ -86,3 +84,4 @@ pub use solver::{Answer, Solver};
 
 /// The crate that proves solutions.
 pub use groundbeam_proof as proof;
+pub use solution::certificate::Certificate;

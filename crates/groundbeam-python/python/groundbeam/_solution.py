@@ -104,34 +104,16 @@ class Gradient(NamedTuple):
 
 
 class Certificate(NamedTuple):
-    """The proof, recomputed from the model alone (docs/certificate.md)."""
+    """The energies, recomputed from model and answer (docs/proof.md)."""
 
     primal_energy: float
-    """Of the deflections [N m]."""
+    """The potential energy of the deflections [N m]."""
     dual_energy: float
-    """Of the forces [N m]."""
+    """The reciprocal energy of moments and pressures [N m]."""
     gap: float
-    """The difference, which bounds the error [N m]."""
+    """The difference, an estimate of the energy of the error [N m]."""
     relative_gap: float
-    """The gap, of the strain energy."""
-    force_balance: float
-    """What is left of all forces, of the sum of their sizes."""
-    moment_balance: float
-    """What is left of all moments, of the sum of their sizes."""
-    smallest_pressure: float
-    """Of the largest; negative would be a pull."""
-    deepest_penetration: float
-    """Of the largest deflection."""
-    continuity: float
-    """The largest jump where there must be none, relative."""
-    complementarity: float
-    """The largest product of a force and the gap over it, relative."""
-    settlement_bound: float
-    """The settlement is right to this everywhere [m]."""
-    moment_bound: float
-    """The root of the integral of (M - M*)^2/EI is at most this."""
-    moment_rms_bound: float
-    """The root mean square error of the moment is at most this [N m]."""
+    """The gap relative to the strain energy."""
 
 
 def positions_of(native: Union[_native.Model, None], x: Union[Position, Positions]) -> Array:

@@ -8,15 +8,15 @@ use crate::quantity::Units;
 use crate::text;
 use groundbeam::Solution;
 
-/// What was proven of one solution.
-pub(super) fn certificate(solution: &Solution, units: Units) -> Section {
-    let (proof, verdict) = (solution.certificate(), solution.existence().verdict);
+/// The certificate of one solution.
+pub(super) fn certificate(solution: &Solution) -> Section {
+    let (certificate, verdict) = (solution.certificate(), solution.existence().verdict);
     let mut blocks = explained();
-    blocks.extend(facts(|sheet| text::certificate::rows(sheet, proof, verdict, units)));
+    blocks.extend(facts(|sheet| text::certificate::rows(sheet, certificate, verdict)));
     Section::new("Certificate", blocks)
 }
 
-/// What was proven of several, in the words that the report for a terminal has for them.
+/// The certificates of several, in the words that the report for a terminal has for them.
 pub(super) fn certificates(say: impl FnOnce(&mut text::sheet::Sheet)) -> Section {
     let mut blocks = explained();
     blocks.extend(facts(say));
@@ -24,14 +24,13 @@ pub(super) fn certificates(say: impl FnOnce(&mut text::sheet::Sheet)) -> Section
 }
 
 fn explained() -> Vec<Block> {
-    let words = "This answer carries a proof of its own accuracy. From the model and the fields that are claimed, code that \
-                 shares nothing with the method integrates loads and pressure to shear and moment, closes force and moment \
-                 balance, checks that the ground nowhere pulls and is nowhere pierced, and forms the energy gap";
-    let after = "which no error can escape: it is at least half the squared distance of the deflections from the exact \
-                 solution (w*, u*) in the energy norm, whatever method or mesh found them (Prager and Synge). To recompute it, \
-                 take w, u, p and the concentrated forces at the stations of the result document, integrate loads and \
-                 pressure from the left end to s and m, and evaluate the formula. An answer whose certificate does not \
-                 hold is not printed.";
+    let words = "Code that shares nothing with the method checks this answer. From the model and the claimed fields it makes a \
+                 deflection that enters the ground nowhere and a pressure that pulls nowhere and is in balance with the loads. \
+                 It forms their energy gap";
+    let after = "which is at least half the squared distance of the deflections from the exact solution (w*, u*) in the \
+                 energy norm, whatever method or mesh found them (Prager and Synge). Here it is an estimate: the sums carry \
+                 rounding error. groundbeam solve FILE --proven computes it in numbers that enclose all rounding error, and \
+                 bounds the error of every printed number. An exact answer with a gap above 1e-9 is not printed.";
     let text = |words: &str| Block::Text { words: words.to_owned() };
     vec![text(words), equations::energy_gap(), text(after)]
 }

@@ -29,7 +29,7 @@ pub(super) fn solved(solution: &Solution, context: &Context, source: &Source) ->
     if let Some(block) = facts(|sheet| text::checks::rows(sheet, solution, context)) {
         sections.push(Section::new("Checks", vec![block]));
     }
-    sections.push(proof::certificate(solution, context.units));
+    sections.push(proof::certificate(solution));
     sections.extend(proof::provenance(context, source));
     let key = key(solution, context.units);
     Report {

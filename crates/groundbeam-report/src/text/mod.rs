@@ -51,7 +51,7 @@ pub fn solved(solution: &Solution, context: &Context, colour: bool) -> String {
     sheet.blank();
     checks::rows(&mut sheet, solution, context);
     let verdict = solution.existence().verdict;
-    certificate::rows(&mut sheet, solution.certificate(), verdict, units);
+    certificate::rows(&mut sheet, solution.certificate(), verdict);
     sheet.blank();
     method(&mut sheet, solution, context);
     sheet.finish()

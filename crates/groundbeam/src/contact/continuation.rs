@@ -13,7 +13,6 @@ use crate::contact::intervals::Interval;
 use crate::contact::levels;
 use crate::contact::refine::{Goal, InitialGuess, refine};
 use crate::contact::state::{ContactState, Unconverged, edges_not_converged};
-use crate::contact::stopping::Proof;
 use crate::element::operator::{Operator, ZoneKind};
 use crate::mesh::cell::Cell;
 use crate::mesh::mesh::Mesh;
@@ -105,7 +104,8 @@ fn follow(
             let l = softer.beam.length;
             start.intervals = ahead(intervals, &here, part, l).unwrap_or(start.intervals);
         }
-        match refine(&mut Bonded::new(&softer, cancel), start, Goal::Start, &mut |_| Proof::NONE) {
+        match refine(&mut Bonded::new(&softer, cancel), start, Goal::Start, &mut |_| f64::INFINITY)
+        {
             Ok(settled) => {
                 before = Some((doublings, here));
                 (found, doublings) = (settled, next);

@@ -25,7 +25,7 @@ use crate::contact::refine::{Goal, InitialGuess, refine};
 use crate::contact::start;
 use crate::contact::state::edges_not_converged;
 use crate::contact::state::{ContactState, Step, Unconverged};
-use crate::contact::stopping::{LAST, Proof};
+use crate::contact::stopping::LAST;
 use crate::contact::stopping::{LOCAL, MOST_STEPS, NEAR, NEAR_STEPS, REFINEMENTS};
 use crate::mesh::cell::gap_at;
 use crate::mesh::mesh::Mesh;
@@ -39,9 +39,9 @@ pub(crate) fn solve(
     model: &Model,
     likely: Option<&[Interval]>,
     cancel: &Cancel,
-    mut judge: impl FnMut(&ContactState) -> Proof,
+    mut judge: impl FnMut(&ContactState) -> f64,
 ) -> Result<ContactState, Unconverged> {
-    let judge: &mut dyn FnMut(&ContactState) -> Proof = &mut judge;
+    let judge: &mut dyn FnMut(&ContactState) -> f64 = &mut judge;
     let bonded = &mut Bonded::new(model, cancel);
     if let Some(likely) = likely
         && let Ok(found) = from_likely(bonded, &on_the_beam(likely, model.beam.length), judge)
@@ -83,8 +83,8 @@ pub(crate) fn solve(
 }
 
 /// Stands in for the certificate where a solution is only an initial guess.
-fn unjudged(_: &ContactState) -> Proof {
-    Proof::NONE
+fn unjudged(_: &ContactState) -> f64 {
+    f64::INFINITY
 }
 
 /// The model of the initial guess: the free-field settlement as an initial gap, linear between nodes.
@@ -109,7 +109,7 @@ pub(crate) fn from_stable(
     model: &Model,
     contact: &[Interval],
     cancel: &Cancel,
-    mut judge: impl FnMut(&ContactState) -> Proof,
+    mut judge: impl FnMut(&ContactState) -> f64,
 ) -> Result<ContactState, Unconverged> {
     let l = model.beam.length;
     let bonded = &mut Bonded::new(model, cancel);
@@ -124,7 +124,7 @@ pub(crate) fn from_stable(
     // Close to a limit point a Newton step leads away from the equilibrium: keep the given contact.
     let found =
         bonded.solve_on(contact, None).map_err(|NotDefinite| edges_not_converged(0, moved))?;
-    if judge(&found).is_within(LAST) { Ok(found) } else { Err(edges_not_converged(0, moved)) }
+    if judge(&found) <= LAST { Ok(found) } else { Err(edges_not_converged(0, moved)) }
 }
 
 /// Contact zones clipped to a beam of length `l`.
@@ -138,7 +138,7 @@ fn on_the_beam(contact: &[Interval], l: f64) -> Vec<Interval> {
 fn from_edges(
     bonded: &mut Bonded,
     intervals: &[Interval],
-    judge: &mut dyn FnMut(&ContactState) -> Proof,
+    judge: &mut dyn FnMut(&ContactState) -> f64,
 ) -> Result<ContactState, Unconverged> {
     let found = bonded_on(bonded, intervals)?;
     from_bonded(bonded, intervals, found, judge)
@@ -153,7 +153,7 @@ fn from_bonded(
     bonded: &mut Bonded,
     intervals: &[Interval],
     found: ContactState,
-    judge: &mut dyn FnMut(&ContactState) -> Proof,
+    judge: &mut dyn FnMut(&ContactState) -> f64,
 ) -> Result<ContactState, Unconverged> {
     let zones = obstacle::contact(&found.deflection());
     if positions(&found.mesh, &zones, &[]) == intervals {
@@ -169,7 +169,7 @@ fn from_bonded(
 fn from_likely(
     bonded: &mut Bonded,
     intervals: &[Interval],
-    judge: &mut dyn FnMut(&ContactState) -> Proof,
+    judge: &mut dyn FnMut(&ContactState) -> f64,
 ) -> Result<ContactState, Unconverged> {
     let found = bonded_on(bonded, intervals)?;
     let near = |next: &Vec<Interval>| {

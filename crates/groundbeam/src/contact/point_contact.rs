@@ -6,7 +6,7 @@ use crate::contact::bonded::GivenRotation;
 use crate::contact::exact::solve;
 use crate::contact::state::edges_not_converged;
 use crate::contact::state::{ContactState, Unconverged};
-use crate::contact::stopping::{ENOUGH, Proof};
+use crate::contact::stopping::ENOUGH;
 use crate::model::{Load, Model};
 use crate::numeric::polynomial::value;
 
@@ -21,12 +21,12 @@ pub(crate) fn solve_over_an_end(
     resultant: f64,
     over_left: bool,
     cancel: &Cancel,
-    mut judge: impl FnMut(&ContactState) -> Proof,
+    mut judge: impl FnMut(&ContactState) -> f64,
 ) -> Result<ContactState, Unconverged> {
     let l = model.beam.length;
     let inward = if over_left { ALMOST } else { -ALMOST };
     let nearly = model.clone().with_load(Load::point_moment(0.5 * l, inward * resultant * l));
-    let limit = solve(&nearly, None, cancel, |_| Proof::NONE)?;
+    let limit = solve(&nearly, None, cancel, |_| f64::INFINITY)?;
     let last = limit.mesh.cells.len() - 1;
     let (cell, s) = if over_left { (0, -1.0) } else { (last, 1.0) };
     let w = value(limit.deflection().cell(cell), s);
@@ -40,7 +40,7 @@ pub(crate) fn solve_over_an_end(
     match Bonded::new(model, cancel)
         .solve_on(&[[end, end]], Some(GivenRotation { left: over_left, slope }))
     {
-        Ok(found) if judge(&found).is_within(ENOUGH) => Ok(ContactState { history, ..found }),
+        Ok(found) if judge(&found) <= ENOUGH => Ok(ContactState { history, ..found }),
         _ => Err(edges_not_converged(history.len(), f64::NAN)),
     }
 }

@@ -13,7 +13,7 @@ use crate::contact::stopping::{
     EDGES_CLOSE, LAST_STEPS, LOCAL, MOST_STRAYS, NEAR, NEAR_STEPS, PATIENCE, ROUGH, ROUNDS,
     SQUARING, STILL, WALKING, WEAKEST,
 };
-use crate::contact::stopping::{ENOUGH, LAST, PROVEN, Proof};
+use crate::contact::stopping::{ENOUGH, LAST, PROVEN};
 use crate::mesh::mesh::Mesh;
 use crate::numeric::polynomial::jet;
 use std::rc::Rc;
@@ -47,7 +47,7 @@ pub(crate) fn refine(
     bonded: &mut Bonded,
     start: InitialGuess,
     goal: Goal,
-    judge: &mut dyn FnMut(&ContactState) -> Proof,
+    judge: &mut dyn FnMut(&ContactState) -> f64,
 ) -> Result<ContactState, Unconverged> {
     let (start_only, most_steps) = match goal {
         Goal::Answer(most_steps) => (false, most_steps),
@@ -76,7 +76,7 @@ pub(crate) fn refine(
         let Ok(found) = bonded.solve_on(&intervals, None) else {
             // A beam balanced on one point may rotate about it until another point touches.
             let on_point = bonded.solve_on(&intervals, Some(GivenRotation::as_in(&now))).ok();
-            let mut proven = |found: &ContactState| judge(found).is_within(LAST);
+            let mut proven = |found: &ContactState| judge(found) <= LAST;
             let found = match on_point.filter(&mut proven) {
                 Some(found) => Some(found),
                 None => last.map(Rc::unwrap_or_clone).filter(proven),
@@ -111,7 +111,7 @@ pub(crate) fn refine(
         }
         let halved = moved <= 0.5 * before && moved.is_finite();
         no_progress = if halved { 0 } else { no_progress + 1 };
-        let proof = match step {
+        let enough = match step {
             _ if step > LAST_STEPS => LAST,
             // The number of zones changed: not only the last digits of edges.
             _ if moved.is_infinite() => PROVEN,
@@ -128,8 +128,8 @@ pub(crate) fn refine(
                 distance(&intervals, &positions(&found.mesh, &zones, &places)) <= LOCAL * l
             };
             if by_scan || has_these_zones() {
-                let shown = judge(&found);
-                if (converged && by_scan) || shown.is_within(proof) {
+                let gap = judge(&found);
+                if (converged && by_scan) || gap <= enough {
                     return Ok(ContactState { history, ..found });
                 }
             }
@@ -140,7 +140,7 @@ pub(crate) fn refine(
         if from_own_start
             && step.is_multiple_of(WALKING)
             && let Some(found) = corner::on_a_corner(bonded, &found, &next)
-            && judge(&found).is_within(LAST)
+            && judge(&found) <= LAST
         {
             return Ok(ContactState { history, ..found });
         }
@@ -179,7 +179,7 @@ pub(crate) fn refine(
         };
         last = Some(found);
     }
-    match last.filter(|found| judge(found).is_within(ENOUGH)) {
+    match last.filter(|found| judge(found) <= ENOUGH) {
         Some(found) => Ok(ContactState { history, ..Rc::unwrap_or_clone(found) }),
         None => Err(edges_not_converged(most_steps, moved)),
     }

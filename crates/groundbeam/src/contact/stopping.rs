@@ -1,32 +1,13 @@
-//! The certificate figures at which the contact iteration stops, and those that it accepts.
-
-/// Two figures of the certificate.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Proof {
-    /// The relative gap.
-    pub gap: f64,
-    /// The largest violation of balance, signs and complementarity. An edge that is off by δ leaves pδ
-    /// unbalanced.
-    pub violation: f64,
-}
-
-impl Proof {
-    /// Without a certificate.
-    pub(super) const NONE: Proof = Proof { gap: f64::INFINITY, violation: f64::INFINITY };
-
-    pub(super) fn is_within(self, wanted: Proof) -> bool {
-        self.gap <= wanted.gap && self.violation <= wanted.violation
-    }
-}
+//! The relative gaps of the certificate at which the contact iteration stops, and its limits.
 
 /// Ends the iteration at once.
-pub(crate) const PROVEN: Proof = Proof { gap: 1e-22, violation: 1e-13 };
+pub(crate) const PROVEN: f64 = 1e-22;
 
 /// Ends the iteration when the edges no longer converge quadratically.
-pub(crate) const ENOUGH: Proof = Proof { gap: 1e-11, violation: 3e-8 };
+pub(crate) const ENOUGH: f64 = 1e-11;
 
 /// Ends the iteration after [`LAST_STEPS`], where rounding error moves the edges without end.
-pub(crate) const LAST: Proof = Proof { gap: 9e-10, violation: 5e-8 };
+pub(crate) const LAST: f64 = 9e-10;
 
 /// Relative Newton decrement that ends the iteration on a mesh that is only the start of the next.
 pub(crate) const COARSE_CLOSE: f64 = 1e-6;
@@ -50,7 +31,7 @@ pub(crate) const LOCAL: f64 = 1e-8;
 pub(crate) const NEAR: f64 = 0.1;
 
 /// Move of the edges, relative to l, below which the certificate is computed.
-pub(crate) const EDGES_CLOSE: f64 = 1e-13;
+pub(crate) const EDGES_CLOSE: f64 = 1e-14;
 
 /// A step is quadratic if its move is at most this part of the move before.
 pub(crate) const SQUARING: f64 = 0.1;

@@ -1,11 +1,11 @@
 //! A deflection of beam and ground: the solution itself, or how it answers to a small change.
 
 use super::joint::Joint;
-use crate::certificate::gauss;
 use crate::derivatives::piece::Piece;
 use crate::element::operator::ZoneKind;
 use crate::ground::link::{between, settled, slope_between};
 use crate::numeric::polynomial::{Coefficients, jet};
+use crate::numeric::quadrature::gauss;
 
 /// Points of quadrature of a piece.
 pub(super) const POINTS: usize = 12;

@@ -5,12 +5,12 @@ use super::field::{Field, POINTS, Point};
 use super::linearised::{Linearised, is_rigid};
 use super::parameter::SupportNumber;
 use super::push::Push;
-use crate::certificate::gauss;
 use crate::element::operator::ZoneKind;
 use crate::ground::link;
 use crate::mesh::deflection::BeamPoint;
 use crate::model::SupportKind;
 use crate::numeric::polynomial::value;
+use crate::numeric::quadrature::gauss;
 use crate::solution::field::Field as Quantity;
 use crate::solution::fields::Side;
 

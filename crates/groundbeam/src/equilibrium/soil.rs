@@ -4,13 +4,13 @@
 //! (*Modified Vlasov model for beams on elastic foundations*, J. Geotech. Eng. 117(6), 1991) iterate
 //! between the two; here every u is exact, on the whole line, beyond the beam and where it has lifted off.
 
-use crate::certificate::gauss;
 use crate::error::{Error, NotConverged, Stopped};
 use crate::ground::link::{between, cut, slope_between};
 use crate::model::soil::layers::squares;
 use crate::model::soil::{LayeredSoil, Soil, SoilModel};
 use crate::model::{Extent, Model};
 use crate::numeric::polynomial::inner;
+use crate::numeric::quadrature::gauss;
 use crate::numeric::tolerance::SOIL;
 use crate::options::Method;
 use crate::outcome::Outcome;

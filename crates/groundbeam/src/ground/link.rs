@@ -245,7 +245,7 @@ fn sinh_ratio(z: f64, r: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::OutsideLayer;
+    use crate::model::outside::OutsideLayer;
 
     #[test]
     fn two_halves_make_a_whole() {

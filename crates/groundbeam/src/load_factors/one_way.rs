@@ -16,8 +16,10 @@ use crate::existence::existence::size_of_loads;
 use crate::load_factors::bonded::{LiftOffCandidate, bonded_everywhere, lift_off_candidates};
 use crate::load_factors::parts::{FirstLiftOff, Parts};
 use crate::model::{Model, Support};
+use crate::numeric::tolerance::GAP;
 use crate::options::Method;
 use crate::solution::candidate::{Candidate, Workspace};
+use crate::solution::certificate::Certificate;
 
 /// Pieces, and changes of the supports at the beginning of one, that end the search.
 const MOST_PIECES: usize = 200;
@@ -25,6 +27,10 @@ const MOST_CHANGES: usize = 2000;
 /// A force, relative to all of them and the loads, and a clearance, relative to the deflections, that are zero: what the factor at
 /// which a piece begins is known to.
 const ZERO: f64 = 1e-11;
+
+/// Where equilibrium is lost nothing holds the beam any more, and no certificate exists. It is computed at this part of the
+/// factor.
+const NEARLY: f64 = 1.0 - 1e-6;
 
 /// Factors from one on, over which the same supports act.
 struct FactorRange {
@@ -64,7 +70,7 @@ pub(crate) fn first_lift_off(
         if let Some(x) = found {
             // A beam in equilibrium under a pressure has one: rounding alone can say otherwise.
             let factor = (from + least).min(loss);
-            prove(parts, factor, &acts, stability, cancel)?;
+            prove(parts, factor.min(NEARLY * loss), &acts, stability, cancel)?;
             return Ok(FirstLiftOff::At { factor, x });
         }
         if piece.growth == f64::INFINITY {
@@ -159,12 +165,12 @@ fn prove(
     if model.has_one_way_supports() {
         candidate = candidate.on_one_way_supports(&model, acts);
     }
-    let certificate = candidate.certify(stability);
-    if certificate.holds() { Ok(()) } else { Err(not_found(certificate.violation())) }
+    let gap = Certificate::of(&candidate, stability).relative_gap();
+    if gap <= GAP { Ok(()) } else { Err(not_found(gap)) }
 }
 
-fn not_found(violation: f64) -> Error {
-    let why = NotConverged::LiftOff(violation);
+fn not_found(gap: f64) -> Error {
+    let why = NotConverged::LiftOff(gap);
     Error::NotConverged(Stopped { method: Method::Exact, iterations: 0, why })
 }
 

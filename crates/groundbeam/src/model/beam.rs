@@ -123,14 +123,6 @@ impl Beam {
         own.or(self.shear_stiffness)
     }
 
-    /// S on a stretch of the beam within which no segment ends.
-    pub(crate) fn shear_stiffness_on(&self, x: [f64; 2]) -> Option<CellPolynomial> {
-        let middle = 0.5 * (x[0] + x[1]);
-        let segment = self.segments.iter().find(|s| s.from <= middle && middle < s.to);
-        let own = segment.and_then(|s| Some(s.shear_stiffness?.on([s.from, s.to], x)));
-        own.or(self.shear_stiffness.map(CellPolynomial::constant))
-    }
-
     /// The same beam, as many times as stiff in shear.
     pub(crate) fn stiffened_in_shear(mut self, times: f64) -> Self {
         self.shear_stiffness = self.shear_stiffness.map(|stiffness| stiffness * times);
@@ -147,23 +139,10 @@ impl Beam {
         self
     }
 
-    /// The smallest shear stiffness given: it is nowhere less. Infinite where the beam does not shear.
-    pub(crate) fn softest_in_shear(&self) -> f64 {
-        let segments = self.segments.iter().filter_map(|s| Some(s.shear_stiffness?.smallest()));
-        segments.chain(self.shear_stiffness).fold(f64::INFINITY, f64::min)
-    }
-
     /// The largest bending stiffness given: it is nowhere more.
     pub(crate) fn stiffest(&self) -> f64 {
         let segments = self.segments.iter().map(|s| s.bending_stiffness.largest());
         segments.fold(self.bending_stiffness, f64::max)
-    }
-
-    /// EI on a stretch of the beam within which no segment ends.
-    pub(crate) fn bending_stiffness_on(&self, x: [f64; 2]) -> CellPolynomial {
-        let middle = 0.5 * (x[0] + x[1]);
-        let segment = self.segments.iter().find(|s| s.from <= middle && middle < s.to);
-        segment.map_or(CellPolynomial::constant(self.bending_stiffness), |s| s.course(x))
     }
 
     /// The same beam, as many times as stiff, in bending and in shear.

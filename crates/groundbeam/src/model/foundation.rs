@@ -101,15 +101,6 @@ impl Foundation {
         segment.map_or((self.subgrade, self.shear_layer), |s| s.constants_at(x))
     }
 
-    /// k and μ on a stretch of the beam within which no segment ends.
-    pub(crate) fn constants_on(&self, x: [f64; 2]) -> [CellPolynomial; 2] {
-        let middle = 0.5 * (x[0] + x[1]);
-        let segment = self.segments.iter().find(|s| s.from <= middle && middle < s.to);
-        segment.map_or([self.subgrade, self.shear_layer].map(CellPolynomial::constant), |s| {
-            s.courses(x)
-        })
-    }
-
     pub(super) fn mirrored(&self, l: f64) -> Self {
         let segments = self.segments.iter().rev();
         Foundation {

@@ -28,7 +28,7 @@ pub use gap::GapPoint;
 pub use hinge::Hinge;
 pub(crate) use load::triangles;
 pub use load::{Action, Extent, Load};
-pub(crate) use outside::{GroundOutside, OutsideLayer};
+pub(crate) use outside::GroundOutside;
 pub(crate) use profile::CellPolynomial;
 pub use profile::Profile;
 pub use support::{Acts, Support, SupportKind};

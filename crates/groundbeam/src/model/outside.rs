@@ -22,17 +22,7 @@ pub(crate) struct GroundOutside {
     pub held: bool,
 }
 
-impl GroundOutside {
-    /// Whether the layer has a free end.
-    pub fn is_free(&self) -> bool {
-        !self.held && self.layers.last().is_none_or(|layer| layer.length.is_finite())
-    }
-
-    /// How far it reaches \[m\].
-    pub fn length(&self) -> f64 {
-        self.layers.iter().map(|layer| layer.length).sum()
-    }
-}
+impl GroundOutside {}
 
 impl Foundation {
     /// The ground to the left of a beam of length `l`, or to the right of it, with k and μ of the beam's end: it
@@ -95,10 +85,10 @@ mod tests {
         let left = ground.beyond(false, 10.0, [5.0, 6.0]);
         assert_eq!(lengths(&left), [4.0, f64::INFINITY]);
         assert_eq!((left.layers[0].subgrade, left.layers[1].shear_layer), (5.0, 9.0));
-        assert!(!left.is_free());
+        assert!(!left.held);
         let right = ground.beyond(true, 10.0, [1.0, 2.0]);
         assert_eq!(lengths(&right), [2.0], "the layer ends where springs begin");
-        assert!(right.is_free());
+        assert!(!right.held);
         ground.ends = [GroundEnd::Held { at: -3.0 }, GroundEnd::Free { at: 10.0 }];
         let left = ground.beyond(false, 10.0, [5.0, 6.0]);
         assert!(left.held && lengths(&left) == [3.0]);

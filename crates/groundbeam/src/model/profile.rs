@@ -6,8 +6,6 @@
 //! without looking anywhere in between; seen in a mirror they only change their order; and every part of the
 //! curve has control values of its own, sums of given ones with positive weights.
 
-use crate::numeric::polynomial::{jet, value};
-
 /// A quantity along a segment from its left end to its right one.
 ///
 /// ```
@@ -199,22 +197,6 @@ impl CellPolynomial {
         coefficients[0] = value;
         CellPolynomial { coefficients, ends: [value; 2], bounds: [value; 2] }
     }
-
-    /// Whether it is the same all along.
-    pub fn is_constant(&self) -> bool {
-        self.bounds[0] == self.bounds[1]
-    }
-
-    /// The value at s.
-    pub fn at(&self, s: f64) -> f64 {
-        if self.is_constant() { self.ends[0] } else { value(&self.coefficients, s) }
-    }
-
-    /// Value and derivative by s.
-    pub fn rising_at(&self, s: f64) -> [f64; 2] {
-        let [value, slope, ..] = jet(&self.coefficients, s);
-        [value, slope]
-    }
 }
 
 /// How near x is to the right and to the left end, as parts of the length.
@@ -239,6 +221,7 @@ fn bernstein(n: usize, i: usize, j: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numeric::polynomial::value;
 
     #[test]
     fn a_part_of_a_curve_is_the_curve() {

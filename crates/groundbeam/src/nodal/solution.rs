@@ -2,6 +2,7 @@
 
 use crate::nodal::grid::Grid;
 use crate::nodal::newton::Work;
+use crate::numeric::tolerance::NODES;
 
 /// A beam whose ground presses at nodes alone: values at every node.
 #[derive(Debug, Clone, Default)]
@@ -50,11 +51,11 @@ pub struct NodalCheck {
 }
 
 impl NodalCheck {
-    /// Whether all of it holds to rounding: [`Certificate::TOLERANCE`](crate::Certificate::TOLERANCE).
+    /// Whether all of it holds to rounding: [`Certificate::TOLERANCE`](NODES).
     pub fn holds(&self) -> bool {
         let NodalCheck { force_balance, moment_balance, smallest_force, deepest_penetration } =
             *self;
         let worst = [force_balance, moment_balance, -smallest_force, deepest_penetration];
-        worst.iter().all(|part| *part <= crate::Certificate::TOLERANCE)
+        worst.iter().all(|part| *part <= NODES)
     }
 }

@@ -27,7 +27,7 @@ pub(crate) const EDGES: f64 = 1e-12;
 pub(crate) const BRANCH: f64 = 1e-3;
 /// The change of the soil's rate r from one solution to the next.
 pub(crate) const SOIL: f64 = 1e-12;
-/// The violation of balance, signs and complementarity above which a result is refused.
-pub(crate) const CERTIFICATE: f64 = 1e-7;
+/// The violation of balance and signs at the nodes of a long beam above which its solution is refused.
+pub(crate) const NODES: f64 = 1e-7;
 /// The energy gap that the exact method must certify.
 pub(crate) const GAP: f64 = 1e-9;

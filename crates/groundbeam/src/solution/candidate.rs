@@ -1,6 +1,5 @@
 //! The fields, contact zones and forces of an equilibrium before its certificate, and the memory for the next.
 
-use crate::certificate::{Certificate, Claim, ClaimedPiece, certify};
 use crate::existence::verdict::Existence;
 use crate::model::Model;
 use crate::solution::fields::{
@@ -50,32 +49,6 @@ impl Candidate {
         let carries = |i: usize| self.reactions[i].force != 0.0;
         let holding = self.model.with_supports_that(|i, s| !s.is_one_way() || carries(i));
         existence.with_contact(&holding, &contact)
-    }
-
-    /// The certificate, by the part of the energy's convexity that compression leaves.
-    pub fn certify(&self, stability: f64) -> Certificate {
-        let EndForces { left, right } = self.end_forces;
-        let mut forces = vec![(0.0, left)];
-        forces.extend(self.concentrated.iter().map(|c| (c.at, c.force)));
-        forces.push((self.model.beam.length, right));
-        let pieces = self.pieces.iter().map(|piece| ClaimedPiece {
-            x: piece.x,
-            half: piece.half,
-            deflection: &piece.deflection,
-            rotation: &piece.rotation,
-            pressure: &piece.pressure,
-            open: piece.open.map(|ends| {
-                let own = [-1.0, 1.0].map(|s| piece.cell.free_field_at(s)[0]);
-                [ends[0] + own[0], ends[1] + own[1]]
-            }),
-        });
-        let claim = Claim {
-            pieces: pieces.collect(),
-            forces,
-            reactions: self.reactions.iter().map(|r| (r.at, r.force, r.moment)).collect(),
-            stability,
-        };
-        certify(&self.model, &claim)
     }
 }
 

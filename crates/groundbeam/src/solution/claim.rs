@@ -124,7 +124,9 @@ fn support<S: Scalar>(support: &Support) -> proof::Support<S> {
 
 /// The solution, piece by piece.
 pub(super) fn answer(candidate: &Candidate) -> Answer {
-    let pieces = candidate.pieces.iter().map(|piece| {
+    // An edge exactly at the end of a cell leaves a piece without length.
+    let long = candidate.pieces.iter().filter(|piece| piece.x[0] < piece.x[1]);
+    let pieces = long.map(|piece| {
         let own = [-1.0, 1.0].map(|s| piece.cell.free_field_at(s)[0]);
         proof::Piece {
             x: piece.x,

@@ -2,6 +2,7 @@
 
 pub(crate) mod assemble;
 pub(crate) mod candidate;
+pub(crate) mod certificate;
 mod claim;
 pub(crate) mod extremes;
 pub(crate) mod field;

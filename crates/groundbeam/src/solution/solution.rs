@@ -1,12 +1,12 @@
 //! An equilibrium: deflections, moments, the ground's surface, contact and forces, at any position.
 
 use crate::Step;
-use crate::certificate::Certificate;
 use crate::existence::verdict::Existence;
 use crate::ground::link;
 use crate::mesh::cell::Cell;
 use crate::mesh::free_field;
 use crate::model::{GroundOutside, Model};
+use crate::solution::certificate::Certificate;
 
 use crate::options::Method;
 use crate::solution::candidate::Candidate;

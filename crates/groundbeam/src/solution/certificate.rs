@@ -1,0 +1,98 @@
+//! The certificate of a solution: energies of the problem, and an estimate of the energy of its error, from model and
+//! answer alone.
+
+use crate::model::{Action, Extent, Model};
+use crate::numeric::tolerance::GAP;
+use crate::solution::candidate::Candidate;
+use crate::solution::claim::answer;
+use groundbeam_proof::{Estimate, estimate};
+
+/// The energies of a solution and the energy of its error, by the crate `groundbeam_proof` in doubles.
+///
+/// The gap bounds the energy of the error but for rounding, so it is an estimate. [`Solution::prove`](crate::Solution::prove)
+/// bounds the error in numbers that enclose all rounding.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Certificate {
+    primal_energy: f64,
+    gap: f64,
+    relative_gap: f64,
+}
+
+impl Certificate {
+    /// The certificate of a candidate. Under compression `stability` is the part of the energy's convexity that remains.
+    pub(crate) fn of(candidate: &Candidate, stability: f64) -> Self {
+        let model = candidate.model.to_prove();
+        let stability = (candidate.model.beam.axial_force < 0.0).then_some(stability);
+        let Ok(found) = estimate(&model, &answer(candidate), stability) else {
+            let none = f64::INFINITY;
+            return Certificate { primal_energy: f64::NAN, gap: none, relative_gap: none };
+        };
+        let Estimate { energy: gap, strain_energy, potential_energy } = found;
+        let relative_gap = if gap == 0.0 { 0.0 } else { gap / strain_energy };
+        Certificate { primal_energy: potential_energy, gap, relative_gap }
+    }
+
+    /// ½∫(EI (w″ − κ₀)² + P w'²) + ½b(u, u) − F(w): (3.8) and the ground's own energy \[N·m\].
+    pub fn primal_energy(&self) -> f64 {
+        self.primal_energy
+    }
+
+    /// The reciprocal energy of the balanced moments and pressures, the primal energy less the gap \[N·m\].
+    pub fn dual_energy(&self) -> f64 {
+        self.primal_energy - self.gap
+    }
+
+    /// E, the primal less the dual energy \[N·m\]: the energies of the errors of (w, u) and of (M, p) together are at most this.
+    pub fn gap(&self) -> f64 {
+        self.gap
+    }
+
+    /// The gap relative to the strain energy of beam, ground and springs, and of bending straight what an imposed
+    /// curvature has bent, ½∫EI κ₀².
+    pub fn relative_gap(&self) -> f64 {
+        self.relative_gap
+    }
+
+    /// Whether the gap is within the rounding error of loads that cancel each other or that rigid supports take: of the energy
+    /// that they would put into ground and beam one by one.
+    pub(crate) fn is_rounding_of_loads(&self, model: &Model) -> bool {
+        self.gap <= GAP * f64::EPSILON * energy_of_single_loads(model)
+    }
+
+    /// All figures with the names that results give them, in the order in which results list them.
+    pub fn figures(&self) -> [(&'static str, f64); 4] {
+        [
+            ("primal_energy", self.primal_energy),
+            ("dual_energy", self.dual_energy()),
+            ("gap", self.gap),
+            ("relative_gap", self.relative_gap),
+        ]
+    }
+}
+
+/// The energy of the loads if each acted with its whole size: F²/(kl) + M²/(kl³) of a rigid beam that sinks and turns,
+/// (M + Fa)²a/EI of one that bends over a wave length a, and EI(δ/a)²/a of settling supports.
+fn energy_of_single_loads(model: &Model) -> f64 {
+    let (l, k, ei) = (model.beam.length, model.foundation.subgrade, model.beam.bending_stiffness);
+    let wave = (4.0 * ei / k).sqrt().sqrt().min(l);
+    let (mut forces, mut moments) = (0.0, 0.0);
+    for load in model.loads.iter().filter(|load| !load.is_on_ground()) {
+        let size = match load.extent() {
+            Extent::Point { size, .. } => size.abs(),
+            Extent::Distributed { from, to, start, end } => {
+                (to - from) * start.abs().max(end.abs())
+            }
+        };
+        match load.action() {
+            Action::Force => forces += size,
+            Action::Moment => moments += size,
+            Action::Curvature => moments += ei * size,
+        }
+    }
+    let sunk = forces * (forces / (k * l));
+    let turned = moments / l * (moments / (k * l * l));
+    let bending = moments + forces * wave;
+    let bent = bending * wave * (bending / ei);
+    let settled = model.supports.iter().map(|s| s.settlement.abs()).fold(0.0, f64::max) / wave;
+    sunk + turned + bent + ei / wave * (settled * settled)
+}
