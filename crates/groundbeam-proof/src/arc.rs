@@ -46,6 +46,11 @@ impl<C: Scalar> Arc<C> {
         }
     }
 
+    /// The larger end value by size.
+    pub fn size(&self) -> f64 {
+        self.ends[0].size().max(self.ends[1].size())
+    }
+
     /// u and u′ at a distance x from the left end, 0 ≤ x ≤ h.
     pub fn at(&self, x: C) -> [C; 2] {
         let two = C::of(2.0);

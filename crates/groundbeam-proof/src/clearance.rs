@@ -236,8 +236,11 @@ impl<C: Scalar> OpenPiece<C> {
             if slope.low() >= fall.value() {
                 return ramp(Size::ZERO);
             }
-            if !(b - a > 1e-12) || !budget.take() {
-                return ramp((steep + fall) * long);
+            let depth = (steep + fall) * long;
+            // On a short piece τd is less than the rounding error of C̄, with which the rest of the piece would be bounded.
+            let blurred = Size::of(f64::EPSILON * self.arc.size());
+            if depth <= blurred || !(b - a > 1e-12) || !budget.take() {
+                return ramp(depth);
             }
             reach = m;
         }
