@@ -291,7 +291,7 @@ impl<S: Scalar> Span<S> {
 
     /// The derivative by x.
     pub fn derivative(&self, p: &Polynomial<S>) -> Polynomial<S> {
-        p.derivative().times(self.per_length)
+        p.derivative_times(self.per_length)
     }
 
     /// q/k on even ground, the settlement under the ground's own loads far from the beam; none without loads.

@@ -8,29 +8,21 @@ use std::ops::{Add, Mul, Sub};
 pub(crate) const HIGHEST: usize = 25;
 /// The highest degree of a coefficient that varies.
 pub(crate) const HIGHEST_COURSE: usize = 5;
-/// The room: a field times a course that varies and t². All products of this crate fit.
-const MOST: usize = HIGHEST + HIGHEST_COURSE + 3;
 
 /// Σ cⱼ tʲ.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Polynomial<S> {
-    len: usize,
-    c: [S; MOST],
+    c: Vec<S>,
 }
 
 impl<S: Scalar> Polynomial<S> {
     pub fn zero() -> Self {
-        Polynomial { len: 0, c: [S::zero(); MOST] }
+        Polynomial { c: Vec::new() }
     }
 
-    /// From the constant coefficient on; at most as many as there is room for.
+    /// From the constant coefficient on.
     pub fn from_coefficients(coefficients: impl IntoIterator<Item = S>) -> Self {
-        let mut p = Self::zero();
-        for (place, c) in p.c.iter_mut().zip(coefficients) {
-            *place = c;
-            p.len += 1;
-        }
-        p
+        Polynomial { c: coefficients.into_iter().collect() }
     }
 
     /// c₀ + c₁t.
@@ -39,12 +31,12 @@ impl<S: Scalar> Polynomial<S> {
     }
 
     pub fn coefficients(&self) -> &[S] {
-        &self.c[..self.len]
+        &self.c
     }
 
     /// The coefficient of tʲ.
     pub fn coefficient(&self, j: usize) -> S {
-        if j < self.len { self.c[j] } else { S::zero() }
+        self.c.get(j).copied().unwrap_or_else(S::zero)
     }
 
     pub fn derivative(&self) -> Self {
@@ -52,7 +44,13 @@ impl<S: Scalar> Polynomial<S> {
         Self::from_coefficients(derived.map(|(j, c)| *c * S::of(j as f64)))
     }
 
-    /// tᵏp. Terms beyond the room are not formed: only fields times a course are raised, to k = 2.
+    /// The derivative times a factor.
+    pub fn derivative_times(&self, factor: S) -> Self {
+        let derived = self.coefficients().iter().enumerate().skip(1);
+        Self::from_coefficients(derived.map(|(j, c)| *c * S::of(j as f64) * factor))
+    }
+
+    /// tᵏp.
     pub fn raised(&self, k: usize) -> Self {
         let zeros = std::iter::repeat_n(S::zero(), k);
         Self::from_coefficients(zeros.chain(self.coefficients().iter().copied()))
@@ -110,8 +108,8 @@ impl<S: Scalar> Polynomial<S> {
             return p;
         }
         let m = S::of(m);
-        for first in 0..p.len.saturating_sub(1) {
-            for j in (first..p.len - 1).rev() {
+        for first in 0..p.c.len().saturating_sub(1) {
+            for j in (first..p.c.len() - 1).rev() {
                 p.c[j] = p.c[j] + p.c[j + 1] * m;
             }
         }
@@ -128,11 +126,10 @@ fn raised<S: Copy>(coefficients: &[S], tau: f64, size: impl Fn(S) -> f64) -> f64
 impl<S: Scalar> Add for &Polynomial<S> {
     type Output = Polynomial<S>;
     fn add(self, other: &Polynomial<S>) -> Polynomial<S> {
-        let (mut sum, less) = match self.len >= other.len {
-            true => (self.clone(), other),
-            false => (other.clone(), self),
-        };
-        for (c, more) in sum.c.iter_mut().zip(less.coefficients()) {
+        let (longer, less) =
+            if self.c.len() >= other.c.len() { (self, other) } else { (other, self) };
+        let mut sum = longer.clone();
+        for (c, more) in sum.c.iter_mut().zip(&less.c) {
             *c = *c + *more;
         }
         sum
@@ -142,32 +139,26 @@ impl<S: Scalar> Add for &Polynomial<S> {
 impl<S: Scalar> Sub for &Polynomial<S> {
     type Output = Polynomial<S>;
     fn sub(self, other: &Polynomial<S>) -> Polynomial<S> {
-        let mut difference = self.clone();
-        if difference.len < other.len {
-            difference.len = other.len;
-        }
-        for (c, less) in difference.c.iter_mut().zip(other.coefficients()) {
+        let mut c = Vec::with_capacity(self.c.len().max(other.c.len()));
+        c.extend_from_slice(&self.c);
+        c.resize(self.c.len().max(other.c.len()), S::zero());
+        for (c, less) in c.iter_mut().zip(&other.c) {
             *c = *c - *less;
         }
-        difference
+        Polynomial { c }
     }
 }
 
 impl<S: Scalar> Mul for &Polynomial<S> {
     type Output = Polynomial<S>;
-    /// The product. Only products that have room are formed.
     fn mul(self, other: &Polynomial<S>) -> Polynomial<S> {
-        let mut product = Polynomial::zero();
-        product.len = usize::min((self.len + other.len).saturating_sub(1), MOST);
-        for (i, a) in self.coefficients().iter().enumerate() {
-            for (j, b) in other.coefficients().iter().enumerate() {
-                debug_assert!(i + j < MOST, "no room for the product");
-                if let Some(c) = product.c.get_mut(i + j) {
-                    *c = *c + *a * *b;
-                }
+        let mut c = vec![S::zero(); (self.c.len() + other.c.len()).saturating_sub(1)];
+        for (i, a) in self.c.iter().enumerate() {
+            for (c, b) in c[i..].iter_mut().zip(&other.c) {
+                *c = *c + *a * *b;
             }
         }
-        product
+        Polynomial { c }
     }
 }
 
