@@ -107,7 +107,7 @@ fn bounds_hold_against_sixty_digits() {
     let mut relative = Vec::new();
     for answer in Answer::all().into_iter().filter(|a| !TOO_STIFF.contains(&a.name.as_str())) {
         let Ok(Outcome::Equilibrium(solution)) = solve(&answer.parsed()) else { continue };
-        let [bound, _] = estimated_bounds(&solution);
+        let [bound, ..] = estimated_bounds(&solution);
         if !bound.is_finite() {
             continue;
         }

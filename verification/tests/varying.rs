@@ -160,7 +160,7 @@ fn the_mesh_comes_closer_and_keeps_its_own_bounds() {
             // Nodal pressures let the beam enter the ground between the nodes.
             let least = if method == Method::ActiveSet { -1e-12 } else { -proof.gap() };
             assert!(excess >= least && excess <= proof.gap() * (1.0 + 1e-9), "{proof:?}");
-            let [bound, _] = estimated_bounds(&found);
+            let [bound, ..] = estimated_bounds(&found);
             for i in 0..=20 {
                 let x = 0.2 * f64::from(i);
                 let [_, _, u] = fields(&found, x);

@@ -75,6 +75,7 @@ impl Mul for Ball {
 
 impl Scalar for Ball {
     type Coarse = Ball;
+    const ENCLOSES: bool = true;
 
     fn of(x: f64) -> Self {
         Ball::new(x, 0.0)

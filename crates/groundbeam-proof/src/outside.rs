@@ -71,9 +71,10 @@ impl<S: Scalar> Beside<'_, S> {
     /// The distance of a position from the beam's end, positive beside the beam.
     fn outward(&self, at: S) -> S {
         let at = self.units.metres(at);
+        // The end of the beam is exactly at 0: −0 would be sorted before it.
         match self.side {
+            _ if at == [S::zero(), self.length][self.side] => S::zero(),
             0 => -at,
-            _ if at == self.length => S::zero(),
             _ => at - self.length,
         }
     }
@@ -268,9 +269,11 @@ mod tests {
     /// A beam on 0 to 2 with steps of the ground and loads on both sides of it.
     fn model(ends: [GroundEnd<f64>; 2]) -> Model<f64> {
         let segments = vec![
+            segment(-0.7, 0.0, 1.9, 0.6),
             segment(-2.5, -0.7, 3.0, 0.4),
             segment(-8.0, -2.5, 0.6, 2.0),
             segment(2.3, 4.0, 0.5, 1.7),
+            segment(2.0, 2.3, 2.2, 0.9),
         ];
         let spread = |from, to, start, end| load(Extent::Distributed { from, to, start, end });
         let point = |at, size| load(Extent::Point { at, size });
@@ -305,10 +308,10 @@ mod tests {
         let ground = |x: f64| {
             // Beside the beam a segment holds outward until the next one.
             let outward = |at: f64| if side == 0 { -at } else { at - 2.0 };
-            let mut best = (0.0, [model.ground.spring, model.ground.shear]);
+            let mut best = (-1.0, [model.ground.spring, model.ground.shear]);
             for s in &model.ground.segments {
                 let near = outward(if side == 0 { s.to } else { s.from });
-                if near >= best.0 && near > 0.0 && near <= outward(x) {
+                if near >= best.0 && near >= 0.0 && near <= outward(x) {
                     best = (near, [&s.spring, &s.shear].map(|course| constant(course).unwrap()));
                 }
             }

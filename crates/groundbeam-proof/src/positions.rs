@@ -66,7 +66,8 @@ impl<S: Scalar> Positions<S> {
         (at - self.stored[node]).size() <= NEAR * self.length.low()
     }
 
-    /// The node of a position of the model, which then stands exactly there.
+    /// The node of a position of the model, which then stands exactly there. In an estimate positions that a rounding error
+    /// separates share a node: the first one.
     pub fn find(&mut self, at: S) -> Result<usize, NotProven> {
         let node = self.nearest(at);
         let place = self.units.restored(at.middle(), 0, 1);
@@ -77,12 +78,12 @@ impl<S: Scalar> Positions<S> {
             .at(place));
         }
         match self.given[node] {
-            Some(other) if other != at => {
+            Some(other) if other != at && S::ENCLOSES => {
                 Err(NotProven::new("two positions of the model are too close to tell apart")
                     .at(place))
             }
-            _ => {
-                self.given[node] = Some(at);
+            given => {
+                self.given[node] = given.or(Some(at));
                 Ok(node)
             }
         }
@@ -123,7 +124,7 @@ impl<S: Scalar> Positions<S> {
         }
         let given: Vec<S> = self.given.iter().flatten().copied().collect();
         for pair in given.windows(2) {
-            if !((pair[1] - pair[0]).low() > APART * self.length.high()) {
+            if S::ENCLOSES && !((pair[1] - pair[0]).low() > APART * self.length.high()) {
                 let what = "two positions of the model are too close to tell apart";
                 return Err(NotProven::new(what).at(place(pair[0])));
             }

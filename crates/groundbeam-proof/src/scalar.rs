@@ -22,6 +22,9 @@ pub trait Scalar:
     /// The type in which signs of clearances are decided, where few digits suffice.
     type Coarse: Scalar;
 
+    /// Whether values hold their rounding error. Plain doubles do not: they give estimates.
+    const ENCLOSES: bool;
+
     /// The exact value of a double. A value that is not finite gives a ball of infinite radius.
     fn of(x: f64) -> Self;
 
@@ -173,6 +176,7 @@ fn of_digits<S: Scalar>(mut digits: u128, mut exponent: i32) -> Option<S> {
 
 impl Scalar for f64 {
     type Coarse = f64;
+    const ENCLOSES: bool = false;
 
     fn of(x: f64) -> Self {
         x

@@ -130,6 +130,7 @@ impl Mul for Wide {
 
 impl Scalar for Wide {
     type Coarse = Ball;
+    const ENCLOSES: bool = true;
 
     fn of(x: f64) -> Self {
         Wide::new(x, 0.0, 0.0)

@@ -22,8 +22,6 @@ pub(crate) struct GroundOutside {
     pub held: bool,
 }
 
-impl GroundOutside {}
-
 impl Foundation {
     /// The ground to the left of a beam of length `l`, or to the right of it, with k and μ of the beam's end: it
     /// goes on as it is, outward, until a segment says otherwise. None is tied to separate springs under the beam's

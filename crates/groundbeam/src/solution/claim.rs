@@ -124,12 +124,12 @@ fn support<S: Scalar>(support: &Support) -> proof::Support<S> {
 
 /// The solution, piece by piece.
 pub(super) fn answer(candidate: &Candidate) -> Answer {
-    // An edge exactly at the end of a cell leaves a piece without length.
-    let long = candidate.pieces.iter().filter(|piece| piece.x[0] < piece.x[1]);
-    let pieces = long.map(|piece| {
+    let mut pieces: Vec<proof::Piece> = Vec::with_capacity(candidate.pieces.len());
+    for piece in candidate.pieces.iter().filter(|piece| has_inside(piece.x)) {
         let own = [-1.0, 1.0].map(|s| piece.cell.free_field_at(s)[0]);
-        proof::Piece {
-            x: piece.x,
+        let from = pieces.last().map_or(0.0, |last| last.x[1]);
+        pieces.push(proof::Piece {
+            x: [from, piece.x[1]],
             half: piece.half,
             touches: piece.open.is_none(),
             deflection: piece.deflection.to_vec(),
@@ -137,9 +137,11 @@ pub(super) fn answer(candidate: &Candidate) -> Answer {
             pressure: piece.pressure.to_vec(),
             open: piece.open.map(|ends| [ends[0] + own[0], ends[1] + own[1]]),
             settlement: piece.settlement.to_vec(),
-        }
-    });
-    let mut pieces: Vec<proof::Piece> = pieces.collect();
+        });
+    }
+    if let Some(last) = pieces.last_mut() {
+        last.x[1] = candidate.model.beam.length;
+    }
     for support in candidate.model.supports.iter().zip(&candidate.reactions) {
         end_at_support(candidate, support, &mut pieces);
     }
@@ -152,6 +154,13 @@ pub(super) fn answer(candidate: &Candidate) -> Answer {
         proof::Reaction { support, force: reaction.force, moment: reaction.moment }
     });
     Answer { pieces, forces, reactions: reactions.collect() }
+}
+
+/// Whether there is a double between the ends of a piece. An edge of contact beside the end of a cell can leave a piece
+/// without; its neighbours meet there.
+fn has_inside([from, to]: [f64; 2]) -> bool {
+    let middle = 0.5 * (from + to);
+    from < middle && middle < to
 }
 
 /// Lets two pieces meet at an idle support of one direction that the beam nearly reaches. The proof can then leave open
