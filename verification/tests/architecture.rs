@@ -5,8 +5,9 @@ use groundbeam_verification::documents;
 use groundbeam_verification::imports::Imports;
 
 /// What each crate may depend on within the workspace.
-const ARROWS: [(&str, &[&str]); 12] = [
+const ARROWS: [(&str, &[&str]); 13] = [
     ("groundbeam-proof", &[]),
+    ("groundbeam-proof-wasm", &["groundbeam-proof"]),
     ("groundbeam", &["groundbeam-proof"]),
     ("groundbeam-file", &["groundbeam"]),
     ("groundbeam-run", &["groundbeam", "groundbeam-file"]),

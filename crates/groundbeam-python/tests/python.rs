@@ -3,7 +3,9 @@
 //! Needs Python from 3.10 on and packages from its index. Without them this test says that it was skipped, or fails
 //! where the variable `GROUNDBEAM_DEMAND_PYTHON` is set.
 
-use std::io::Write;
+mod environment;
+
+use environment::{environment, tools_or_skip};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -22,17 +24,9 @@ const NEEDS: [&str; 9] = [
 
 #[test]
 fn the_package_does_what_its_tests_say() {
-    let python = match environment() {
-        Ok(python) => python,
-        Err(why) => {
-            let demanded = std::env::var_os("GROUNDBEAM_DEMAND_PYTHON").is_some();
-            assert!(!demanded, "the Python package cannot be tested here: {why}");
-            let words = format!("\n*** SKIPPED: the Python package was NOT tested: {why}\n\n");
-            // Not `eprintln!`, which a test that passes keeps to itself.
-            std::io::stderr().write_all(words.as_bytes()).expect("standard error");
-            return;
-        }
-    };
+    let python = environment(&workplace(), &NEEDS);
+    let (variable, subject) = ("GROUNDBEAM_DEMAND_PYTHON", "the Python package");
+    let Some(python) = tools_or_skip(python, variable, subject) else { return };
     install(&python);
     let package = folder();
     // Outside the sources, so that the installed package is tested and not they.
@@ -58,45 +52,6 @@ fn spelled(path: PathBuf) -> String {
 /// Where everything is made that is not kept.
 fn workplace() -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join("python")
-}
-
-/// An interpreter with everything that is needed, kept from run to run.
-fn environment() -> Result<PathBuf, String> {
-    let place = workplace();
-    std::fs::create_dir_all(&place).map_err(|error| error.to_string())?;
-    let home = place.join("environment");
-    let (programs, name) =
-        if cfg!(windows) { ("Scripts", "python.exe") } else { ("bin", "python") };
-    let python = home.join(programs).join(name);
-    let (stamp, needs) = (place.join("needs"), NEEDS.join("\n"));
-    if python.exists() && std::fs::read_to_string(&stamp).is_ok_and(|made| made == needs) {
-        return Ok(python);
-    }
-    let system = if cfg!(windows) { "python" } else { "python3" };
-    let version = "import sys; sys.exit(sys.version_info < (3, 10))";
-    quietly(Command::new(system).args(["-c", version]), "there is no Python from 3.10 on")?;
-    let make = ["-m", "venv", "--clear", &spelled(home)];
-    quietly(Command::new(system).args(make), "no virtual environment can be made")?;
-    let install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check"];
-    let needed = Command::new(&python).args(install).args(NEEDS).output();
-    match needed {
-        Ok(done) if done.status.success() => {}
-        Ok(done) => {
-            let last = String::from_utf8_lossy(&done.stderr);
-            let last = last.lines().last().unwrap_or_default().to_owned();
-            return Err(format!("pip cannot install {}: {last}", NEEDS.join(", ")));
-        }
-        Err(error) => return Err(error.to_string()),
-    }
-    std::fs::write(&stamp, needs).map_err(|error| error.to_string())?;
-    Ok(python)
-}
-
-fn quietly(command: &mut Command, otherwise: &str) -> Result<(), String> {
-    match command.output() {
-        Ok(done) if done.status.success() => Ok(()),
-        _ => Err(otherwise.to_owned()),
-    }
 }
 
 /// Builds the wheel with what `cargo test` has compiled already, as far as it is the same, and installs it.

@@ -1,0 +1,50 @@
+//! The proofs of a result document as text with every number, from the text of its model file and its own text.
+//!
+//! The text is the same on every platform if all numbers have the same bits: a double is written as the shortest decimal
+//! that reads back as it, and every NaN as `NaN`.
+
+#![cfg_attr(not(target_family = "wasm"), forbid(unsafe_code))]
+
+#[cfg(target_family = "wasm")]
+mod module;
+
+use groundbeam_proof::{Ball, Document, Log, Scalar, Wide, read_model, verify_and_log};
+
+/// The proofs of a document in all types of numbers, each with its log.
+///
+/// The input is the text of the model file, the name of the combination or nothing, and the document of one result, with a
+/// zero byte between them.
+pub fn proofs(input: &str) -> String {
+    let parts: Vec<&str> = input.split('\0').collect();
+    let [file, combination, document] = parts[..] else {
+        return format!("the input has {} parts, not 3", parts.len());
+    };
+    let document = match Document::read(document).as_deref() {
+        Ok([document]) => document.clone(),
+        Ok(results) => return format!("the document has {} results, not 1", results.len()),
+        Err(error) => return error.to_string(),
+    };
+    let combination = Some(combination).filter(|name| !name.is_empty());
+    let wide = proof::<Wide>(file, combination, &document);
+    let ball = proof::<Ball>(file, combination, &document);
+    let double = proof::<f64>(file, combination, &document);
+    format!("wide: {wide}\nball: {ball}\ndouble: {double}\n")
+}
+
+/// The proof in one type of numbers: for the model of the file or, if the reader refuses the file, for the model in the
+/// document.
+fn proof<S: Scalar>(file: &str, combination: Option<&str>, document: &Document) -> String {
+    let read = read_model::<S>(file, combination);
+    let model = match (read, &document.model) {
+        (Err(_), Some(own)) => read_model::<S>(own, None),
+        (read, _) => read,
+    };
+    let mut log = Log::new();
+    match model {
+        Ok(model) => {
+            let found = verify_and_log(&model, document, Some(&mut log));
+            format!("{found:#?}\n{}", log.text())
+        }
+        Err(error) => error.to_string(),
+    }
+}

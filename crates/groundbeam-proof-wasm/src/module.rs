@@ -1,0 +1,27 @@
+//! The functions of the WebAssembly module: a text in its memory that the caller writes, and that its proofs replace.
+
+use crate::proofs;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// The input; after `prove` the proofs.
+static TEXT: Mutex<Vec<u8>> = Mutex::new(Vec::new());
+
+fn text() -> MutexGuard<'static, Vec<u8>> {
+    TEXT.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Makes the text that many bytes long, and returns its place in the memory of the module.
+#[unsafe(no_mangle)]
+pub extern "C" fn place(length: usize) -> *mut u8 {
+    let mut text = text();
+    text.resize(length, 0);
+    text.as_mut_ptr()
+}
+
+/// Replaces the text by its proofs, and returns their length in bytes.
+#[unsafe(no_mangle)]
+pub extern "C" fn prove() -> usize {
+    let mut text = text();
+    *text = proofs(&String::from_utf8_lossy(&text)).into_bytes();
+    text.len()
+}

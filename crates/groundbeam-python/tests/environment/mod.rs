@@ -1,0 +1,58 @@
+//! A virtual environment of Python with given packages, and the skip of a test whose tools are missing.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// An interpreter with the packages that are needed. The environment is made in a folder and kept from run to run.
+pub fn environment(place: &Path, needs: &[&str]) -> Result<PathBuf, String> {
+    std::fs::create_dir_all(place).map_err(|error| error.to_string())?;
+    let home = place.join("environment");
+    let (programs, name) =
+        if cfg!(windows) { ("Scripts", "python.exe") } else { ("bin", "python") };
+    let python = home.join(programs).join(name);
+    let (stamp, list) = (place.join("needs"), needs.join("\n"));
+    if python.exists() && std::fs::read_to_string(&stamp).is_ok_and(|made| made == list) {
+        return Ok(python);
+    }
+    let system = if cfg!(windows) { "python" } else { "python3" };
+    let version = "import sys; sys.exit(sys.version_info < (3, 10))";
+    quietly(Command::new(system).args(["-c", version]), "there is no Python from 3.10 on")?;
+    let mut make = Command::new(system);
+    make.args(["-m", "venv", "--clear"]).arg(&home);
+    quietly(&mut make, "no virtual environment can be made")?;
+    let install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check"];
+    let done = Command::new(&python).args(install).args(needs).output();
+    let done = done.map_err(|error| error.to_string())?;
+    if !done.status.success() {
+        let last = String::from_utf8_lossy(&done.stderr);
+        let last = last.lines().last().unwrap_or_default();
+        return Err(format!("pip cannot install {}: {last}", needs.join(", ")));
+    }
+    std::fs::write(&stamp, list).map_err(|error| error.to_string())?;
+    Ok(python)
+}
+
+fn quietly(command: &mut Command, otherwise: &str) -> Result<(), String> {
+    match command.output() {
+        Ok(done) if done.status.success() => Ok(()),
+        _ => Err(otherwise.to_owned()),
+    }
+}
+
+/// The tools of a test. Without them one line on standard error says that the test was skipped.
+///
+/// # Panics
+///
+/// If they are missing and the environment variable demands the test.
+pub fn tools_or_skip<T>(tools: Result<T, String>, variable: &str, subject: &str) -> Option<T> {
+    let why = match tools {
+        Ok(tools) => return Some(tools),
+        Err(why) => why,
+    };
+    assert!(std::env::var_os(variable).is_none(), "{subject} cannot be tested here: {why}");
+    let words = format!("\n*** SKIPPED: {subject} was NOT tested: {why}\n\n");
+    // Not `eprintln!`, which a test that passes keeps to itself.
+    std::io::stderr().write_all(words.as_bytes()).expect("standard error");
+    None
+}
