@@ -69,7 +69,7 @@ fn compared(answer: &Answer, report: &str) -> Result<usize, String> {
         let found = intervals(report, label);
         let exact = answer.largest[field];
         let most = found.iter().map(|[value, bound]| value.abs() + bound).fold(0.0, f64::max);
-        if !(most >= exact * (1.0 - 4.0 * f64::EPSILON)) {
+        if most < exact * (1.0 - 4.0 * f64::EPSILON) {
             return wrong(label, &found, &[exact]);
         }
         count += 1;
