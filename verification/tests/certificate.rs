@@ -1,6 +1,9 @@
 //! The certificate's claims: errors stay within their bounds, and the bounds are sharp.
 
-use groundbeam::{Field, Method, Model, Options, Outcome, Side, Solution, solve, solve_with};
+use groundbeam::{
+    Beam, Error, Field, Foundation, Load, Method, Model, NotConverged, Options, Outcome, Side,
+    Solution, Support, solve, solve_with,
+};
 use groundbeam_verification::estimated::estimated_bounds;
 use groundbeam_verification::random::{Family, model};
 use groundbeam_verification::reference::Answer;
@@ -47,6 +50,48 @@ fn moment_error(coarse: &Solution, exact: &Solution) -> f64 {
         }
     }
     sum.sqrt()
+}
+
+/// Two moments of 10¹³ N·m cancel each other beside a force of 1 N. The beam is rigid: its pressure is that of the force.
+#[test]
+fn moments_that_cancel_leave_the_pressure() {
+    let model = Model::new(Beam::uniform(1.0, 1e30), Foundation::winkler(1.0))
+        .with_load(Load::point_force(0.5, 1.0))
+        .with_load(Load::point_moment(0.4, 1e13))
+        .with_load(Load::point_moment(0.6, -1e13));
+    let solution = solved(&model, &Options::default()).expect("an equilibrium");
+    assert!(solution.certificate().relative_gap() < 1e-20, "{:?}", solution.certificate());
+    for x in [0.0, 0.3, 0.5, 1.0] {
+        assert!((solution.value(Field::Pressure, x) - 1.0).abs() < 1e-12);
+    }
+    let pressure = solution.prove().expect("a proof").bounds.pressure;
+    assert!(pressure.error < 1e-12, "{pressure:?}");
+}
+
+/// A couple of large forces and a moment cancel each other up to a rounding error that turns the beam.
+#[test]
+fn loads_that_cancel_to_rounding_are_named() {
+    for size in [1e13, 1e14, 1e15].map(|size| size / 3.0) {
+        let model = Model::new(Beam::uniform(1.0, 1e30), Foundation::winkler(1.0))
+            .with_load(Load::uniform_force(0.0, 1.0, 1.0))
+            .with_load(Load::point_force(0.3, size))
+            .with_load(Load::point_force(0.6, -size))
+            .with_load(Load::point_moment(0.5, 0.3 * size));
+        let Err(Error::NotConverged(stopped)) = solve(&model) else { panic!("{size}: solved") };
+        let named = matches!(stopped.why, NotConverged::CancellingLoads(gap) if gap > 1e-9);
+        assert!(named, "{size}: {stopped:?}");
+    }
+}
+
+/// The clamp takes all: the beam touches nothing, and the energy of the error is compared with the strain energy alone.
+#[test]
+fn a_clamp_that_takes_moments_alone_is_certified() {
+    let model = Model::new(Beam::uniform(49.0, 26e3), Foundation::pasternak(43.0, 14.1e3))
+        .with_load(Load::point_moment(40.1, -4.8))
+        .with_load(Load::distributed_moment(0.0, 10.1, -0.00123, 0.0247))
+        .with_support(Support::fixed(28.8));
+    let solution = solved(&model, &Options::default()).expect("an equilibrium");
+    assert!(solution.certificate().relative_gap() < 1e-15, "{:?}", solution.certificate());
 }
 
 /// A mesh's answer is as close to the exact one as it says.

@@ -11,6 +11,8 @@ pub(crate) struct Sizes {
     length: f64,
     force: f64,
     deflection: f64,
+    /// What the springs of the ground give at the largest deflection.
+    pressure: f64,
 }
 
 impl Sizes {
@@ -22,11 +24,11 @@ impl Sizes {
         };
         let reactions = solution.reactions().iter().map(|r| r.force.abs());
         let force = load_size(model) + reactions.sum::<f64>();
-        Sizes {
-            length: model.beam.length,
-            force,
-            deflection: largest(Field::Deflection).max(largest(Field::Settlement)),
-        }
+        let deflection = largest(Field::Deflection).max(largest(Field::Settlement));
+        let ground = &model.foundation;
+        let segments = ground.segments.iter().map(|segment| segment.subgrade.largest());
+        let subgrade = segments.fold(ground.subgrade, f64::max);
+        Sizes { length: model.beam.length, force, deflection, pressure: subgrade * deflection }
     }
 
     /// The length of the beam.
@@ -37,6 +39,8 @@ impl Sizes {
     /// The value, or zero where it is nothing but rounding.
     pub fn value(&self, field: Field, value: f64) -> f64 {
         let natural = field.natural_size(self.length, self.force, self.deflection);
+        // Moments that cancel each other do not press on the ground.
+        let natural = if field == Field::Pressure { natural.min(self.pressure) } else { natural };
         if value.abs() <= ROUNDING * natural { 0.0 } else { value }
     }
 
