@@ -78,7 +78,7 @@ fn outputs(solution: &Solution, rng: &mut ChaCha8Rng) -> Vec<(Output, f64)> {
         Field::Deflection => 0.0,
         // A difference of two deflections.
         Field::Gap => 1e-5 * sunk,
-        _ => 1e-9 * field.natural_size(l, carried, sunk),
+        _ => 1e-9 * field.natural_size(l, carried, sunk, carried / l),
     };
     let size_of = |field: Field| largest(solution, field).max(rounding(field));
     let mut place = (0.0, Side::Left);

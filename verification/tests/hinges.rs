@@ -115,10 +115,10 @@ fn what_stands_at_a_hinge() {
     assert!(pressed > 50 && parted > 10, "{pressed} {parted}");
 }
 
-/// A spring that stiffens closes the hinge, one that softens frees it.
 /// A model with an end piece that has no load: a free hinge lets it turn.
 const UNLOADED: u64 = 78;
 
+/// A spring that stiffens closes the hinge, one that softens frees it.
 #[test]
 fn between_free_and_closed() {
     for number in 0..100 {
@@ -159,8 +159,8 @@ fn between_free_and_closed() {
                 Ok(Outcome::Equilibrium(soft)) => distance(&soft, &free),
                 other => panic!("{number}: {other:?}"),
             });
-            // A piece that is hardly held is moved by little: in proportion to the spring, or to its cube root where
-            // the piece has no load of its own (0.01^⅓ = 0.215).
+            // A soft spring displaces a piece in proportion to its stiffness. It displaces an unloaded piece in proportion
+            // to the cube root of its stiffness: 0.01^⅓ = 0.215.
             let share = if number == UNLOADED { 0.25 } else { 0.2 };
             assert!(apart < (share * before).max(1e-7), "{number}: {apart:e} after {before:e}");
         }

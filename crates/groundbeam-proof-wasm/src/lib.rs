@@ -19,15 +19,17 @@ pub fn proofs(input: &str) -> String {
     let [file, combination, document] = parts[..] else {
         return format!("the input has {} parts, not 3", parts.len());
     };
-    let document = match Document::read(document).as_deref() {
-        Ok([document]) => document.clone(),
-        Ok(results) => return format!("the document has {} results, not 1", results.len()),
+    let results = match Document::read(document) {
+        Ok(results) => results,
         Err(error) => return error.to_string(),
     };
+    let [document] = &results[..] else {
+        return format!("the document has {} results, not 1", results.len());
+    };
     let combination = Some(combination).filter(|name| !name.is_empty());
-    let wide = proof::<Wide>(file, combination, &document);
-    let ball = proof::<Ball>(file, combination, &document);
-    let double = proof::<f64>(file, combination, &document);
+    let wide = proof::<Wide>(file, combination, document);
+    let ball = proof::<Ball>(file, combination, document);
+    let double = proof::<f64>(file, combination, document);
     format!("wide: {wide}\nball: {ball}\ndouble: {double}\n")
 }
 

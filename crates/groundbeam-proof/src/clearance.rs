@@ -220,6 +220,8 @@ impl<C: Scalar> OpenPiece<C> {
         let [from, to] = self.interval;
         let end = self.interval[side];
         let mut reach = if alone { self.interval[1 - side] } else { 0.5 * (from + to) };
+        // The rounding error of C̄. A ramp of this depth is not halved: it bounds a short piece better than values of C̄ do.
+        let blurred = Size::of(f64::EPSILON * self.arc.size());
         loop {
             let [a, b] = if side == 0 { [end, reach] } else { [reach, end] };
             let m = 0.5 * (a + b);
@@ -237,8 +239,6 @@ impl<C: Scalar> OpenPiece<C> {
                 return ramp(Size::ZERO);
             }
             let depth = (steep + fall) * long;
-            // On a short piece τd is less than the rounding error of C̄, with which the rest of the piece would be bounded.
-            let blurred = Size::of(f64::EPSILON * self.arc.size());
             if depth <= blurred || !(b - a > 1e-12) || !budget.take() {
                 return ramp(depth);
             }

@@ -70,7 +70,7 @@ impl<'a, S: Scalar> Fields<'a, S> {
     }
 
     /// E ≤ ½[(‖δ‖ + ‖c‖_beam)² + (‖η‖ + ‖δ′‖)² + ‖hinges‖² + (‖c‖_P + (Σβ²h/P)^½)² + Σκc² + Σκ_θc′² + Ḡ²], with
-    /// Ḡ = ‖c‖_b + Σ|r|√g + Ση(ω/k)^½ + ‖Gδp‖ + Σ‖v‖ + (Σkη_o²ω_o)^½. Under a compression the parts of the beam without
+    /// Ḡ = ‖c‖_b + Σ|r|√g + Ση(ω/k)^½ + ‖Gδp‖ + (Σ‖v‖²)^½ + (Σkη_o²ω_o)^½. Under a compression the parts of the beam without
     /// ‖c‖_P² become (their root + N_c)²/σ.
     fn energy_with(
         &self,

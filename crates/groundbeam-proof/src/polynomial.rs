@@ -40,14 +40,17 @@ impl<S: Scalar> Polynomial<S> {
     }
 
     pub fn derivative(&self) -> Self {
-        let derived = self.coefficients().iter().enumerate().skip(1);
-        Self::from_coefficients(derived.map(|(j, c)| *c * S::of(j as f64)))
+        Self::from_coefficients(self.derived())
     }
 
     /// The derivative times a factor.
     pub fn derivative_times(&self, factor: S) -> Self {
-        let derived = self.coefficients().iter().enumerate().skip(1);
-        Self::from_coefficients(derived.map(|(j, c)| *c * S::of(j as f64) * factor))
+        Self::from_coefficients(self.derived().map(|c| c * factor))
+    }
+
+    /// The coefficients of the derivative.
+    fn derived(&self) -> impl Iterator<Item = S> {
+        self.c.iter().enumerate().skip(1).map(|(j, c)| *c * S::of(j as f64))
     }
 
     /// tᵏp.
@@ -139,9 +142,10 @@ impl<S: Scalar> Add for &Polynomial<S> {
 impl<S: Scalar> Sub for &Polynomial<S> {
     type Output = Polynomial<S>;
     fn sub(self, other: &Polynomial<S>) -> Polynomial<S> {
-        let mut c = Vec::with_capacity(self.c.len().max(other.c.len()));
+        let len = self.c.len().max(other.c.len());
+        let mut c = Vec::with_capacity(len);
         c.extend_from_slice(&self.c);
-        c.resize(self.c.len().max(other.c.len()), S::zero());
+        c.resize(len, S::zero());
         for (c, less) in c.iter_mut().zip(&other.c) {
             *c = *c - *less;
         }

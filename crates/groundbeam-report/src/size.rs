@@ -11,7 +11,6 @@ pub(crate) struct Sizes {
     length: f64,
     force: f64,
     deflection: f64,
-    /// What the springs of the ground give at the largest deflection.
     pressure: f64,
 }
 
@@ -24,11 +23,12 @@ impl Sizes {
         };
         let reactions = solution.reactions().iter().map(|r| r.force.abs());
         let force = load_size(model) + reactions.sum::<f64>();
+        let length = model.beam.length;
         let deflection = largest(Field::Deflection).max(largest(Field::Settlement));
-        let ground = &model.foundation;
-        let segments = ground.segments.iter().map(|segment| segment.subgrade.largest());
-        let subgrade = segments.fold(ground.subgrade, f64::max);
-        Sizes { length: model.beam.length, force, deflection, pressure: subgrade * deflection }
+        // Moments that cancel each other do not press on the ground: its springs bound the pressure.
+        let (subgrade, _) = model.foundation.largest();
+        let pressure = (force / length).min(subgrade * deflection);
+        Sizes { length, force, deflection, pressure }
     }
 
     /// The length of the beam.
@@ -38,9 +38,8 @@ impl Sizes {
 
     /// The value, or zero where it is nothing but rounding.
     pub fn value(&self, field: Field, value: f64) -> f64 {
-        let natural = field.natural_size(self.length, self.force, self.deflection);
-        // Moments that cancel each other do not press on the ground.
-        let natural = if field == Field::Pressure { natural.min(self.pressure) } else { natural };
+        let Sizes { length, force, deflection, pressure } = *self;
+        let natural = field.natural_size(length, force, deflection, pressure);
         if value.abs() <= ROUNDING * natural { 0.0 } else { value }
     }
 

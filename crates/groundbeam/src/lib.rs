@@ -53,6 +53,7 @@ pub mod model;
 pub mod soil;
 
 pub use crate::existence::verdict::{Buckling, Existence, Local, RigidMotion, Verdict};
+pub use crate::solution::certificate::Certificate;
 pub use crate::solution::field::{ByField, Dimension, Field};
 pub use crate::solution::fields::{
     ConcentratedForce, ContactZone, EndForces, Extreme, Fields, Range, Reaction, Side,
@@ -84,4 +85,3 @@ pub use solver::{Answer, Solver};
 
 /// The crate that proves solutions.
 pub use groundbeam_proof as proof;
-pub use solution::certificate::Certificate;

@@ -11,7 +11,7 @@ use crate::element::parts;
 use crate::error::{Error, TooLarge};
 use crate::mesh::mesh::Mesh;
 use crate::model::problem::Bytes;
-use crate::model::{FoundationSegment, Model, Part, Problem};
+use crate::model::{Model, Part, Problem};
 use crate::options::{Method, Options};
 
 /// The most elements that are power series.
@@ -75,12 +75,7 @@ fn few(model: &Model) -> Option<Count> {
     }
     let softest = beam.segments.iter().map(|segment| segment.bending_stiffness.smallest());
     let softest = softest.fold(beam.bending_stiffness, f64::min);
-    let largest = |s: &FoundationSegment| [s.subgrade.largest(), s.shear_layer.largest()];
-    let ground = foundation.segments.iter().map(largest);
-    let [spring, shear] = ground
-        .fold([foundation.subgrade, foundation.shear_layer], |[k, mu], other| {
-            [k.max(other[0]), mu.max(other[1])]
-        });
+    let (spring, shear) = foundation.largest();
     let waves = wave_number(softest, beam.axial_force.abs() + shear, spring) * beam.length;
     let ends = 2 * (beam.segments.len() + foundation.segments.len() + loads.len());
     let cells = 1 + ends + supports.len() + hinges.len() + gap.len();

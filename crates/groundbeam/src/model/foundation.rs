@@ -101,6 +101,13 @@ impl Foundation {
         segment.map_or((self.subgrade, self.shear_layer), |s| s.constants_at(x))
     }
 
+    /// The largest k \[N/m²\] and the largest μ \[N\] given: they are nowhere more.
+    pub fn largest(&self) -> (f64, f64) {
+        self.segments.iter().fold((self.subgrade, self.shear_layer), |(k, mu), s| {
+            (k.max(s.subgrade.largest()), mu.max(s.shear_layer.largest()))
+        })
+    }
+
     pub(super) fn mirrored(&self, l: f64) -> Self {
         let segments = self.segments.iter().rev();
         Foundation {

@@ -51,7 +51,7 @@ pub struct NodalCheck {
 }
 
 impl NodalCheck {
-    /// Whether all of it holds to rounding: to 1e-7.
+    /// Whether every figure is at most 1e-7.
     pub fn holds(&self) -> bool {
         let NodalCheck { force_balance, moment_balance, smallest_force, deepest_penetration } =
             *self;

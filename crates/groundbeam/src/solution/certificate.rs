@@ -1,7 +1,7 @@
 //! The certificate of a solution: energies of the problem, and an estimate of the energy of its error, from model and
 //! answer alone.
 
-use crate::model::{Action, Extent, Model};
+use crate::model::{Action, Model};
 use crate::numeric::tolerance::GAP;
 use crate::solution::candidate::Candidate;
 use crate::solution::claim::answer;
@@ -77,12 +77,7 @@ fn energy_of_single_loads(model: &Model) -> f64 {
     let wave = (4.0 * ei / k).sqrt().sqrt().min(l);
     let (mut forces, mut moments) = (0.0, 0.0);
     for load in model.loads.iter().filter(|load| !load.is_on_ground()) {
-        let size = match load.extent() {
-            Extent::Point { size, .. } => size.abs(),
-            Extent::Distributed { from, to, start, end } => {
-                (to - from) * start.abs().max(end.abs())
-            }
-        };
+        let size = load.extent().total();
         match load.action() {
             Action::Force => forces += size,
             Action::Moment => moments += size,

@@ -126,15 +126,15 @@ impl Field {
         self.facts().drawn_down
     }
 
-    /// The size that values of the field have in a solution with the given length of the beam, sum of forces and largest
-    /// deflection. Values that are small in comparison are rounding error.
-    pub fn natural_size(self, length: f64, force: f64, deflection: f64) -> f64 {
+    /// The size that values of the field have in a solution with the given length of the beam, sum of forces, largest
+    /// deflection and natural pressure. Values that are small in comparison are rounding error.
+    pub fn natural_size(self, length: f64, force: f64, deflection: f64, pressure: f64) -> f64 {
         match self.dimension() {
             Dimension::Length => deflection,
             Dimension::Angle => deflection / length,
             Dimension::Moment => force * length,
             Dimension::Force => force,
-            Dimension::ForcePerLength => force / length,
+            Dimension::ForcePerLength => pressure,
         }
     }
 
