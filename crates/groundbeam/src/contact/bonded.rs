@@ -2,16 +2,17 @@
 
 use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
-use crate::chain::node::{ChainCell, NotDefinite};
+use crate::chain::node::{ChainCell, ChainNode, NotDefinite};
 use crate::contact::intervals::{Interval, zones_of};
 use crate::contact::layout::Layout;
 use crate::contact::state::{ContactState, turned};
+use crate::contact::stopping::{STIFFEST_TETHER, TIGHTEN};
 use crate::element::element::TERMS;
 use crate::element::operator::{Operator, ZoneKind};
 use crate::element::{ExactElement, parts};
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::MeshZone;
-use crate::mesh::mesh::Mesh;
+use crate::mesh::mesh::{Mesh, Node};
 use crate::model::Model;
 use crate::numeric::polynomial::rescale;
 use crate::numeric::polynomial::value;
@@ -42,6 +43,33 @@ pub(crate) struct BondedSystem {
     pub chain: Chain,
 }
 
+/// A spring of the tether.
+struct TetherSpring {
+    at: f64,
+    stiffness: f64,
+    /// The deflection at which it has no force.
+    rest: f64,
+}
+
+/// Springs at the nodes of a mesh, at rest in a deflection: a part ε of the ground's springs, each gathered from half
+/// of the cells beside its node.
+fn tether(mesh: &Mesh, now: &ContactState, epsilon: f64) -> Vec<TetherSpring> {
+    let spring =
+        |node: &Node| TetherSpring { at: node.x, stiffness: 0.0, rest: deflection_at(now, node.x) };
+    let mut springs: Vec<TetherSpring> = mesh.nodes.iter().map(spring).collect();
+    for (i, cell) in mesh.cells.iter().enumerate() {
+        let half = 0.5 * epsilon * cell.subgrade * cell.length();
+        springs[i].stiffness += half;
+        springs[i + 1].stiffness += half;
+    }
+    springs
+}
+
+fn deflection_at(found: &ContactState, x: f64) -> f64 {
+    let cell = found.mesh.cell_at(x);
+    value(found.deflection().cell(cell), found.mesh.cells[cell].local(x))
+}
+
 /// The kind of zone in which a cell lies: contact within an interval, else open.
 fn zone_kind_of(intervals: &[Interval]) -> impl Fn(&Cell) -> ZoneKind + '_ {
     |cell| {
@@ -70,10 +98,62 @@ impl<'a> Bonded<'a> {
     }
 
     /// The beam bonded to the ground on given intervals. A cancelled solve has none: its steps end here.
-    pub fn solve_on(
+    pub fn solve_on(&mut self, intervals: &[Interval]) -> Result<ContactState, NotDefinite> {
+        self.solve_with(intervals, |_, _| ())
+    }
+
+    /// The same with the rotation of an end given.
+    pub fn solve_held(
         &mut self,
         intervals: &[Interval],
-        held: Option<GivenRotation>,
+        held: GivenRotation,
+    ) -> Result<ContactState, NotDefinite> {
+        let spring = self.model.beam.bending_stiffness / self.model.beam.length;
+        self.solve_with(intervals, |_, nodes| {
+            let node = if held.left { 0 } else { nodes.len() - 1 };
+            nodes[node].rotational_spring += spring;
+            nodes[node].moment += spring * held.slope;
+        })
+    }
+
+    /// The same with springs at all nodes that are at rest in the deflection `now`, for a beam that is a mechanism on
+    /// its trial contact. `epsilon` is their stiffness as a part of the ground's. It grows until the beam is held.
+    /// Also returns the work ε|w̃ − w|² of the springs.
+    pub fn solve_tethered(
+        &mut self,
+        intervals: &[Interval],
+        now: &ContactState,
+        epsilon: &mut f64,
+    ) -> Option<(ContactState, f64)> {
+        while *epsilon <= STIFFEST_TETHER {
+            let mut springs = Vec::new();
+            let solved = self.solve_with(intervals, |mesh, nodes| {
+                springs = tether(mesh, now, *epsilon);
+                for (node, spring) in nodes.iter_mut().zip(&springs) {
+                    node.spring += spring.stiffness;
+                    node.force += spring.stiffness * (spring.rest - node.settlement);
+                }
+            });
+            if let Ok(found) = solved {
+                let work = springs.iter().map(|spring| {
+                    spring.stiffness * (deflection_at(&found, spring.at) - spring.rest).powi(2)
+                });
+                let work = work.sum();
+                return Some((found, work));
+            }
+            if self.cancel.is_cancelled() {
+                return None;
+            }
+            *epsilon *= TIGHTEN;
+        }
+        None
+    }
+
+    /// The bonded beam; `hold` changes the nodes of its chain.
+    fn solve_with(
+        &mut self,
+        intervals: &[Interval],
+        hold: impl FnOnce(&Mesh, &mut [ChainNode]),
     ) -> Result<ContactState, NotDefinite> {
         let model = self.model;
         let touch = zone_kind_of(intervals);
@@ -81,12 +161,7 @@ impl<'a> Bonded<'a> {
             return Err(NotDefinite);
         }
         let BondedSystem { mesh, zones, mut chain } = self.system_on(intervals, &[]);
-        if let Some(held) = held {
-            let node = if held.left { 0 } else { chain.nodes.len() - 1 };
-            let spring = model.beam.bending_stiffness / model.beam.length;
-            chain.nodes[node].rotational_spring += spring;
-            chain.nodes[node].moment += spring * held.slope;
-        }
+        hold(&mesh, &mut chain.nodes);
         let shapes = chain.solve()?;
         let layered = self.known.iter().any(|known| known.exact.layers().is_some());
         let (mesh, coefficients, zones) = if layered {
@@ -239,9 +314,8 @@ mod tests {
             .with_load(Load::point_moment(0.5, 0.1));
         let solved = |intervals: &[Interval], node: f64| {
             let model = model.clone().with_load(Load::point_force(node, f64::MIN_POSITIVE));
-            let found = Bonded::new(&model, &Cancel::default())
-                .solve_on(intervals, None)
-                .expect("a solution");
+            let found =
+                Bonded::new(&model, &Cancel::default()).solve_on(intervals).expect("a solution");
             let cell = found.mesh.cells.iter().position(|c| c.x[1] == 0.3).expect("a node");
             let [w, _, bend, _] = jet(found.deflection().cell(cell), 1.0);
             [w, bend / (0.5 * found.mesh.cells[cell].length()).powi(2)]

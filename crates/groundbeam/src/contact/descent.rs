@@ -7,6 +7,7 @@
 
 use crate::contact::obstacle;
 use crate::contact::state::ContactState;
+use crate::contact::stopping::LEAST_PART;
 use crate::element::element::TERMS;
 use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
 use crate::mesh::energy::{Motion, beam_form, ground_work};
@@ -17,8 +18,6 @@ use crate::numeric::polynomial::{Coefficients, rescale};
 
 /// The relative fall that rounding leaves.
 const LEAST: f64 = 1e-26;
-/// A shorter part of a step is no step: the line search has met rounding.
-const LEAST_PART: f64 = 1e-9;
 
 /// A step on the way from a deflection to the beam bonded to the ground on its contact.
 #[derive(Debug, Clone)]
@@ -29,8 +28,14 @@ pub(crate) struct Shortened {
     pub between: Option<ContactState>,
 }
 
-/// How far to go from the deflection `now` towards the beam `bonded` to the ground on its contact.
-pub(crate) fn shorten(model: &Model, now: &ContactState, bonded: &ContactState) -> Shortened {
+/// How far to go from the deflection `now` towards the beam `bonded` to the ground on its contact. `tether` is the work
+/// ε|w̃ − w|² of springs that hold the bonded beam.
+pub(crate) fn shorten(
+    model: &Model,
+    now: &ContactState,
+    bonded: &ContactState,
+    tether: f64,
+) -> Shortened {
     let x: Vec<f64> = [now, bonded].iter().flat_map(|f| f.mesh.nodes.iter().map(|n| n.x)).collect();
     let mesh = Mesh::build(model, &x, |_| 1);
     let [from, to] =
@@ -50,7 +55,7 @@ pub(crate) fn shorten(model: &Model, now: &ContactState, bonded: &ContactState) 
         beam_form(&mesh, motion, motion)
     };
     let beam = form(&delta, &turn);
-    let fall = beam + ground_work(&mesh, TERMS, &zones, &delta, &delta);
+    let fall = beam + ground_work(&mesh, TERMS, &zones, &delta, &delta) + tether;
     let psi = obstacle(&mesh, &to);
     let energy = form(&to, &turned_to) + ground_work(&mesh, TERMS, &zones, &psi, &psi);
     // Newton's estimate of what the energy has left to fall, relative to twice the strain energy.
@@ -69,11 +74,11 @@ pub(crate) fn shorten(model: &Model, now: &ContactState, bonded: &ContactState) 
         let w = at(t);
         let zones = obstacle::contact(&Deflection { mesh: &mesh, terms: TERMS, coefficients: &w });
         let ground = ground_work(&mesh, TERMS, &zones, &obstacle(&mesh, &w), &delta);
-        (ground - bonded_work) - (1.0 - t) * beam
+        (ground - bonded_work) - (1.0 - t) * beam - tether
     };
     let t = settle(fall, slope);
     if t == 1.0 || t < LEAST_PART {
-        return whole;
+        return Shortened { part: t, between: None };
     }
     let coefficients = at(t);
     let w = Deflection { mesh: &mesh, terms: TERMS, coefficients: &coefficients };

@@ -1,79 +1,298 @@
-//! Edge Newton: the next position of each contact edge, from the concentrated force at it.
+//! Phase B of the contact iteration: Newton's method on the contact edges.
 //!
-//! An edge inside the beam can carry no concentrated force. Where one of a bonded beam's edges is off, the
-//! ground leaves it at an angle, and a force A stands there that is known exactly. Near the answer a step
-//! of Newton's method on each A, for the deflection found, squares the error of the edge, as the
-//! [scan](crate::contact::obstacle) of the whole beam does, for a small part of its work. What only the scan sees
-//! (zones that split, appear or vanish) the certificate tells from an answer.
+//! Each step bonds the beam to the ground on the trial contact Z and asks the bonded deflection for its own contact:
+//! edge Newton near the answer, else the obstacle problem. The move of the contact is the longest interval of the
+//! symmetric difference. A step that halves the least move so far is taken whole. Every other step is shortened by a
+//! line search, so that the energy Φ falls.
+//!
+//! The iteration stops by the edges, never by the energy. A zone that presses with 10⁻¹² of the rest has 10⁻²⁴ of
+//! the energy, so the energy cannot tell whether it touches.
 
-use super::surface::can_carry;
-use crate::contact::intervals::Interval;
-use crate::contact::short_span;
-use crate::ground::link::TwoPort;
-use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
-use crate::mesh::ground_runs::{GroundRun, ground_runs};
-use crate::mesh::open_ground::open_link;
+use crate::contact::bonded::{Bonded, GivenRotation};
+use crate::contact::descent::shorten;
+use crate::contact::edge_step;
+use crate::contact::intervals::{Interval, longest_difference, positions, snapped};
+use crate::contact::obstacle;
+use crate::contact::state::edges_not_converged;
+use crate::contact::state::{ContactState, Step, Unconverged};
+use crate::contact::stopping::{
+    BLIND, JITTER, LEAST_PART, NEAR, NOT_SHORTENED, PATIENCE, RELAX, ROUNDED, SAME, SETTLED,
+    TETHER, TIGHTEN, WEIGHTLESS,
+};
+use crate::contact::zone_forces::zone_forces;
+use crate::mesh::mesh::Mesh;
+use crate::numeric::tolerance::GAP;
+use std::rc::Rc;
 
-/// An edge may move by this part of the zone and of the open ground beside it.
-const NEAR: f64 = 0.25;
-
-/// Open ground on one side of a zone, and what it takes at its two ends.
-struct OpenSpan {
-    link: TwoPort,
-    fluxes: [f64; 2],
-    length: f64,
+/// A trial contact from which the iteration starts.
+pub(crate) struct Start {
+    pub contact: Vec<Interval>,
+    /// The deflection that asks for this contact, if it is known.
+    pub now: Option<ContactState>,
+    /// Whether the first step may be edge Newton.
+    pub near: bool,
 }
 
-impl OpenSpan {
-    fn of(w: &Deflection, run: &GroundRun, ends: [Option<BeamPoint>; 2]) -> Self {
-        let link = open_link(w.mesh, run, ends[0], ends[1]).unwrap_or_default();
-        let l = w.mesh.cells[w.mesh.cells.len() - 1].x[1];
-        let [from, to] =
-            [ends[0].map_or(0.0, |a| w.position(a)), ends[1].map_or(l, |b| w.position(b))];
-        OpenSpan { link, fluxes: short_span::fluxes(w, ends, &link), length: to - from }
+impl Start {
+    /// A trial contact without a deflection.
+    pub fn on(contact: Vec<Interval>) -> Self {
+        Start { contact, now: None, near: false }
+    }
+
+    /// The contact that a deflection asks for.
+    pub fn of(found: ContactState) -> Self {
+        let contact = positions(&found.mesh, &found.zones, &[]);
+        Start { contact, now: Some(found), near: false }
     }
 }
 
-/// The intervals after a step on every edge of the given zones, whose ends are nodes. `None` if edge
-/// Newton does not apply: on separate springs, if an end or a point of contact pulls, or if a step is too long.
-pub(crate) fn next_intervals(w: &Deflection, zones: &[MeshZone]) -> Option<Vec<Interval>> {
-    let runs = ground_runs(w.mesh);
-    let [run] = runs.as_slice() else { return None };
-    if !run.pasternak || zones.is_empty() {
-        return None;
-    }
-    let span = |i: usize| {
-        let left = i.checked_sub(1).map(|before| zones[before].to);
-        OpenSpan::of(w, run, [left, zones.get(i).map(|next| next.from)])
+/// Newton's method on the edges of contact, from a start. `judge` gives the relative gap of an answer.
+pub(crate) fn edges(
+    bonded: &mut Bonded,
+    start: Start,
+    most_steps: usize,
+    judge: &mut dyn FnMut(&ContactState) -> f64,
+) -> Result<ContactState, Unconverged> {
+    let places = Mesh::build(bonded.model, &[], |_| 1).nodes.iter().map(|node| node.x).collect();
+    let mut search = Search {
+        bonded,
+        judge,
+        places,
+        history: Vec::new(),
+        visited: Vec::new(),
+        now: start.now.map(Rc::new),
+        before: f64::INFINITY,
+        moved: if start.near { 0.0 } else { f64::INFINITY },
+        least: f64::INFINITY,
+        stale: 0,
+        epsilon: TETHER,
+        is_loose: false,
     };
-    let mut after = span(0);
-    let interval = |(i, zone): (usize, &MeshZone)| {
-        let before = std::mem::replace(&mut after, span(i + 1));
-        let interval = [zone.from, zone.to].map(|end| w.position(end));
-        if zone.from == zone.to {
-            return (before.fluxes[1] + after.fluxes[0] >= 0.0).then_some(interval);
+    let mut contact = search.placed(start.contact);
+    for _ in 0..most_steps {
+        let trial = match search.bond(&contact)? {
+            Bond::OnOnePoint(found) => return Ok(search.with_history(found)),
+            Bond::Trial(trial) => trial,
+        };
+        let asked = search.next_contact(&contact, &trial);
+        if let Some(answer) = search.answer(&contact, &trial, &asked) {
+            return Ok(search.with_history(answer));
         }
-        let forces = [before.fluxes[1] - w.flux(zone.from), after.fluxes[0] + w.flux(zone.to)];
-        let stiffness = before.link.shunt_right + before.link.series;
-        let outward = outward(w, zone.from, forces[0], stiffness)?;
-        let stiffness = after.link.shunt_left + after.link.series;
-        let steps = [outward, self::outward(w, zone.to, forces[1], stiffness)?];
-        let length = interval[1] - interval[0];
-        let small = [&before, &after].map(|span| NEAR * length.min(span.length));
-        let near = (0..2).all(|i| steps[i] == 0.0 || steps[i].abs() <= small[i]);
-        near.then_some([interval[0] - steps[0], interval[1] + steps[1]])
-    };
-    zones.iter().enumerate().map(interval).collect()
+        contact = search.step(contact, trial, asked.contact);
+    }
+    Err(search.stalled())
 }
 
-/// How far an edge moves out of its zone: dA = (π − S A/μ) times that, where S is the stiffness of the open
-/// ground seen from there. The end of the ground's layer or of the beam, or a corner, may carry its force.
-fn outward(w: &Deflection, edge: BeamPoint, force: f64, stiffness: f64) -> Option<f64> {
-    if can_carry(w.mesh, edge) {
-        return (force >= 0.0).then_some(0.0);
+/// The state of the iteration between two steps.
+struct Search<'a, 'm> {
+    bonded: &'a mut Bonded<'m>,
+    judge: &'a mut dyn FnMut(&ContactState) -> f64,
+    /// The positions of the model's own nodes.
+    places: Vec<f64>,
+    history: Vec<Step>,
+    /// The trial contacts since the last searched step.
+    visited: Vec<Visited>,
+    /// The deflection from which the next step starts.
+    now: Option<Rc<ContactState>>,
+    /// The last two moves of the contact and the least one, relative to the length.
+    before: f64,
+    moved: f64,
+    least: f64,
+    /// Steps in a row that did not halve the least move.
+    stale: usize,
+    /// Stiffness of the next tether.
+    epsilon: f64,
+    /// Whether the last line search met rounding error: the next trial is tethered.
+    is_loose: bool,
+}
+
+/// A trial contact and the beam bonded on it.
+struct Visited {
+    contact: Vec<Interval>,
+    found: Rc<ContactState>,
+}
+
+/// The bonded solve of one step.
+enum Bond {
+    /// An answer: the beam is balanced on one point and may rotate about it until another point touches.
+    OnOnePoint(ContactState),
+    Trial(Trial),
+}
+
+/// The beam bonded on a trial contact.
+struct Trial {
+    found: Rc<ContactState>,
+    /// The tether's work ε|w̃ − w|² if the bonded beam is a mechanism.
+    tether: Option<f64>,
+}
+
+/// The contact that a bonded deflection asks for.
+struct Asked {
+    contact: Vec<Interval>,
+    /// Whether the obstacle problem was solved, and not edge Newton.
+    by_scan: bool,
+}
+
+impl Search<'_, '_> {
+    fn length(&self) -> f64 {
+        self.bonded.model.beam.length
     }
-    let [_, _, pressure] = w.obstacle_and_pressure(edge);
-    let [_, shear] = w.mesh.cells[edge.cell].ground_at(edge.s);
-    let slope = pressure - stiffness / shear * force;
-    (slope > 0.0).then_some(force / slope)
+
+    fn placed(&self, contact: Vec<Interval>) -> Vec<Interval> {
+        let l = self.length();
+        contact.into_iter().map(|ends| ends.map(|x| snapped(x, &self.places, l))).collect()
+    }
+
+    /// The contact of a deflection by the obstacle problem.
+    fn scan(&self, found: &ContactState) -> Vec<Interval> {
+        positions(&found.mesh, &obstacle::contact(&found.deflection()), &self.places)
+    }
+
+    /// Whether the obstacle problem of a deflection has this contact.
+    fn confirms(&self, contact: &[Interval], found: &ContactState) -> bool {
+        longest_difference(contact, &self.scan(found)) <= ROUNDED * self.length()
+    }
+
+    fn holds(&mut self, found: &ContactState) -> bool {
+        (self.judge)(found) <= GAP
+    }
+
+    fn with_history(self, found: ContactState) -> ContactState {
+        ContactState { history: self.history, ..found }
+    }
+
+    fn stalled(&self) -> Unconverged {
+        edges_not_converged(self.history.len(), self.moved)
+    }
+
+    /// Bonds the beam on a trial contact. A mechanism is tethered to the deflection before.
+    fn bond(&mut self, contact: &[Interval]) -> Result<Bond, Unconverged> {
+        if !self.is_loose
+            && let Ok(found) = self.bonded.solve_on(contact)
+        {
+            return Ok(Bond::Trial(Trial { found: Rc::new(found), tether: None }));
+        }
+        let Some(now) = self.now.clone() else { return Err(self.stalled()) };
+        if let Ok(found) = self.bonded.solve_held(contact, GivenRotation::as_in(&now))
+            && self.confirms(contact, &found)
+            && self.holds(&found)
+        {
+            return Ok(Bond::OnOnePoint(found));
+        }
+        let tethered = self.bonded.solve_tethered(contact, &now, &mut self.epsilon);
+        let (found, work) = tethered.ok_or_else(|| self.stalled())?;
+        Ok(Bond::Trial(Trial { found: Rc::new(found), tether: Some(work) }))
+    }
+
+    /// The contact that the bonded beam asks for, by edge Newton where the last move was short, else by the scan.
+    fn next_contact(&mut self, contact: &[Interval], trial: &Trial) -> Asked {
+        let found = &trial.found;
+        let is_near = self.moved < NEAR && self.moved <= self.least && trial.tether.is_none();
+        let by_edges =
+            is_near.then(|| edge_step::next_intervals(&found.deflection(), &found.zones)).flatten();
+        let asked = match by_edges {
+            Some(next) => Asked { contact: self.placed(next), by_scan: false },
+            None => Asked { contact: self.scan(found), by_scan: true },
+        };
+        self.before = self.moved;
+        self.moved = longest_difference(contact, &asked.contact) / self.length();
+        self.stale = if self.moved <= 0.5 * self.least { 0 } else { self.stale + 1 };
+        let zones = asked.contact.len();
+        self.history.push(Step { zones, step: 1.0, decrement: self.moved });
+        asked
+    }
+
+    /// The answer, if the trial contact is settled, if only rounding error moves it, or if the iteration returns to a
+    /// contact that it has visited.
+    fn answer(
+        &mut self,
+        contact: &[Interval],
+        trial: &Trial,
+        asked: &Asked,
+    ) -> Option<ContactState> {
+        if trial.tether.is_some() {
+            return None;
+        }
+        let found = &trial.found;
+        let (moved, before) = (self.moved, self.before);
+        let is_still = moved <= SETTLED || moved <= ROUNDED && moved >= 0.25 * before;
+        let is_settled = is_still && (asked.by_scan || self.confirms(contact, found));
+        let jitters = moved <= JITTER && self.stale >= PATIENCE;
+        if is_settled || jitters {
+            if let Some(rest) = self.without_weightless(contact, found) {
+                return Some(rest);
+            }
+            if self.holds(found) {
+                return Some(found.as_ref().clone());
+            }
+        }
+        self.visited.push(Visited { contact: contact.to_vec(), found: Rc::clone(found) });
+        let same = SAME * self.length();
+        let returns = |one: &Visited| longest_difference(&one.contact, &asked.contact) <= same;
+        if moved <= SAME {
+            return None;
+        }
+        // Rounding error decides between the contacts of a cycle. Fewest zones are the least claim.
+        let first = self.visited.iter().position(returns)?;
+        let mut cycle: Vec<Visited> = self.visited.drain(first..).collect();
+        cycle.sort_by_key(|one| one.contact.len());
+        let one = cycle.into_iter().find(|one| self.holds(&one.found))?;
+        Some(Rc::unwrap_or_clone(one.found))
+    }
+
+    /// The beam bonded without the zones that press with rounding error alone, if it has the other zones as its contact.
+    fn without_weightless(
+        &mut self,
+        contact: &[Interval],
+        found: &ContactState,
+    ) -> Option<ContactState> {
+        let forces = zone_forces(&found.deflection(), contact, &found.zones);
+        let all: f64 = forces.iter().map(|force| force.abs()).sum();
+        let strong = contact.iter().zip(&forces).filter(|(_, force)| **force > WEIGHTLESS * all);
+        let strong: Vec<Interval> = strong.map(|(interval, _)| *interval).collect();
+        if strong.len() == contact.len() {
+            return None;
+        }
+        let rest = self.bonded.solve_on(&strong).ok()?;
+        (self.confirms(&strong, &rest) && self.holds(&rest)).then_some(rest)
+    }
+
+    /// The next trial contact: the one that was asked for, or the one of a shortened step.
+    fn step(
+        &mut self,
+        contact: Vec<Interval>,
+        trial: Trial,
+        asked: Vec<Interval>,
+    ) -> Vec<Interval> {
+        let Trial { found, tether } = trial;
+        let is_whole = tether.is_none() && (self.moved <= 0.5 * self.least || self.moved <= BLIND);
+        self.least = self.least.min(self.moved);
+        self.is_loose = false;
+        let from = match &self.now {
+            Some(from) if !is_whole => Rc::clone(from),
+            _ => {
+                self.now = Some(found);
+                return asked;
+            }
+        };
+        let shortened = shorten(self.bonded.model, &from, &found, tether.unwrap_or(0.0));
+        if let Some(step) = self.history.last_mut() {
+            step.step = shortened.part;
+        }
+        let change = if shortened.part < NOT_SHORTENED { TIGHTEN } else { RELAX };
+        self.epsilon = (self.epsilon * change).max(TETHER);
+        if shortened.part < LEAST_PART {
+            self.is_loose = true;
+            return contact;
+        }
+        let Some(between) = shortened.between else {
+            self.now = Some(found);
+            return asked;
+        };
+        self.visited.clear();
+        self.moved = f64::INFINITY;
+        let next = positions(&between.mesh, &between.zones, &self.places);
+        self.now = Some(Rc::new(between));
+        next
+    }
 }

@@ -14,27 +14,22 @@
 //! Close to the answer [edge Newton](super::edges) moves every edge alone, which also squares the error. If
 //! the steps do not converge, the iteration starts again from a finer mesh.
 
-use super::edges;
 use crate::cancel::Cancel;
-use crate::chain::node::NotDefinite;
 use crate::contact::bonded::Bonded;
 use crate::contact::continuation;
-use crate::contact::intervals::{Interval, distance, joined, positions};
-use crate::contact::obstacle;
-use crate::contact::refine::{Goal, InitialGuess, refine};
+use crate::contact::edges::{Start, edges};
+use crate::contact::intervals::{Interval, longest_difference, positions};
 use crate::contact::start;
-use crate::contact::state::edges_not_converged;
-use crate::contact::state::{ContactState, Step, Unconverged};
-use crate::contact::stopping::LAST;
-use crate::contact::stopping::{LOCAL, MOST_STEPS, NEAR, NEAR_STEPS, REFINEMENTS};
+use crate::contact::state::{ContactState, Unconverged, edges_not_converged};
+use crate::contact::stopping::{BLIND, FEW_STEPS, LEVELS, MOST_STEPS};
 use crate::mesh::cell::gap_at;
 use crate::mesh::mesh::Mesh;
 use crate::model::{GapPoint, Model};
+use crate::numeric::tolerance::GAP;
 use std::borrow::Cow;
 
-/// Solves a model. `judge` computes the certificate of a deflection with its contact. The certificate ends the
-/// iteration where an edge is not determined to its last digit: a zone without pressure, a beam balanced on one
-/// point. Returns the state that was judged last. `likely` is the contact of a neighbouring model, a warm start.
+/// Solves a model. `judge` computes the relative gap of a deflection with its contact. Returns the state that was
+/// judged last. `likely` is the contact of a neighbouring model, a warm start.
 pub(crate) fn solve(
     model: &Model,
     likely: Option<&[Interval]>,
@@ -43,48 +38,32 @@ pub(crate) fn solve(
 ) -> Result<ContactState, Unconverged> {
     let judge: &mut dyn FnMut(&ContactState) -> f64 = &mut judge;
     let bonded = &mut Bonded::new(model, cancel);
-    if let Some(likely) = likely
-        && let Ok(found) = from_likely(bonded, &on_the_beam(likely, model.beam.length), judge)
-    {
-        return Ok(found);
+    if let Some(likely) = likely {
+        let contact = on_the_beam(likely, model.beam.length);
+        let start = Start { contact, now: None, near: true };
+        if let Ok(found) = edges(bonded, start, FEW_STEPS, judge) {
+            return Ok(found);
+        }
     }
     let nearly = with_free_field_as_gap(model);
-    if let Some(intervals) = start::edges(&nearly, cancel)
-        && let Ok(found) = from_edges(bonded, &intervals, judge)
+    if let Some(contact) = start::edges(&nearly, cancel)
+        && let Ok(found) = edges(bonded, Start::on(contact), FEW_STEPS, judge)
     {
         return Ok(found);
     }
     let mut last = Unconverged::SINGULAR;
     let mut iterations = 0;
-    for level in 0..=REFINEMENTS {
-        let start = continuation::start(&nearly, level, cancel);
-        let found = start.and_then(|start| {
-            refine(bonded, InitialGuess::of_contact_set(start), Goal::Answer(MOST_STEPS), judge)
-        });
-        match found {
+    for level in 0..LEVELS {
+        let start = continuation::follow(&nearly, level, cancel);
+        match start.and_then(|start| edges(bonded, start, MOST_STEPS, judge)) {
             Ok(found) => return Ok(found),
             Err(stalled) => {
                 iterations += stalled.iterations;
                 last = stalled;
             }
         }
-        if level == 0
-            && model.beam.shears()
-            && let Ok(start) = continuation::from_bending(&nearly, cancel, |model| {
-                solve(model, None, cancel, unjudged)
-            })
-            && let Ok(found) =
-                refine(bonded, InitialGuess::of_contact_set(start), Goal::Answer(MOST_STEPS), judge)
-        {
-            return Ok(found);
-        }
     }
     Err(Unconverged { iterations, ..last })
-}
-
-/// Stands in for the certificate where a solution is only an initial guess.
-fn unjudged(_: &ContactState) -> f64 {
-    f64::INFINITY
 }
 
 /// The model of the initial guess: the free-field settlement as an initial gap, linear between nodes.
@@ -113,18 +92,22 @@ pub(crate) fn from_stable(
 ) -> Result<ContactState, Unconverged> {
     let l = model.beam.length;
     let bonded = &mut Bonded::new(model, cancel);
-    let moved = |found: &ContactState| {
-        distance(contact, &joined(positions(&found.mesh, &found.zones, &[]), l))
-    };
-    let moved = match from_edges(bonded, contact, &mut judge) {
-        Ok(found) if moved(&found) <= LOCAL * l => return Ok(found),
-        Ok(found) => moved(&found),
+    let start = Start::on(contact.to_vec());
+    let moved = match edges(bonded, start, FEW_STEPS, &mut judge) {
+        Ok(found) => {
+            let moved = longest_difference(contact, &positions(&found.mesh, &found.zones, &[]));
+            if moved <= BLIND * l {
+                return Ok(found);
+            }
+            moved
+        }
         Err(stalled) => stalled.why.reached().unwrap_or(f64::NAN),
     };
     // Close to a limit point a Newton step leads away from the equilibrium: keep the given contact.
-    let found =
-        bonded.solve_on(contact, None).map_err(|NotDefinite| edges_not_converged(0, moved))?;
-    if judge(&found) <= LAST { Ok(found) } else { Err(edges_not_converged(0, moved)) }
+    match bonded.solve_on(contact) {
+        Ok(found) if judge(&found) <= GAP => Ok(found),
+        _ => Err(edges_not_converged(0, moved)),
+    }
 }
 
 /// Contact zones clipped to a beam of length `l`.
@@ -133,61 +116,10 @@ fn on_the_beam(contact: &[Interval], l: f64) -> Vec<Interval> {
     within.map(|&[from, to]| [from, to.min(l)]).collect()
 }
 
-/// Solves from the beam bonded to the ground on given intervals. If its contact set is these intervals, it is the
-/// answer.
-fn from_edges(
-    bonded: &mut Bonded,
-    intervals: &[Interval],
-    judge: &mut dyn FnMut(&ContactState) -> f64,
-) -> Result<ContactState, Unconverged> {
-    let found = bonded_on(bonded, intervals)?;
-    from_bonded(bonded, intervals, found, judge)
-}
-
-fn bonded_on(bonded: &mut Bonded, intervals: &[Interval]) -> Result<ContactState, Unconverged> {
-    bonded.solve_on(intervals, None).map_err(|NotDefinite| edges_not_converged(0, f64::NAN))
-}
-
-/// Solves from the bonded solution on given intervals.
-fn from_bonded(
-    bonded: &mut Bonded,
-    intervals: &[Interval],
-    found: ContactState,
-    judge: &mut dyn FnMut(&ContactState) -> f64,
-) -> Result<ContactState, Unconverged> {
-    let zones = obstacle::contact(&found.deflection());
-    if positions(&found.mesh, &zones, &[]) == intervals {
-        judge(&found);
-        let history = vec![Step { zones: intervals.len(), step: 1.0, decrement: 0.0 }];
-        return Ok(ContactState { history, ..found });
-    }
-    let start = InitialGuess::of_contact_set(ContactState { zones, ..found });
-    refine(bonded, start, Goal::Answer(NEAR_STEPS), judge)
-}
-
-/// Solves from a warm start: edge Newton from the first step on.
-fn from_likely(
-    bonded: &mut Bonded,
-    intervals: &[Interval],
-    judge: &mut dyn FnMut(&ContactState) -> f64,
-) -> Result<ContactState, Unconverged> {
-    let found = bonded_on(bonded, intervals)?;
-    let near = |next: &Vec<Interval>| {
-        next != intervals && distance(intervals, next) <= NEAR * bonded.model.beam.length
-    };
-    match edges::next_intervals(&found.deflection(), &found.zones).filter(near) {
-        Some(next) => {
-            let start = InitialGuess { found, intervals: next, near: true };
-            refine(bonded, start, Goal::Answer(NEAR_STEPS), judge)
-        }
-        // Edge Newton does not apply: the whole beam touches, or the number of zones changes.
-        None => from_bonded(bonded, intervals, found, judge),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::obstacle;
     use crate::model::{Beam, Foundation, Load};
 
     /// Kikuchi's case IV: the edge from 60-digit arithmetic, and how fast it is reached.
@@ -199,9 +131,8 @@ mod tests {
         let mut intervals = vec![[0.8, 1.0]];
         let mut errors = Vec::new();
         for _ in 0..4 {
-            let found = Bonded::new(&model, &Cancel::default())
-                .solve_on(&intervals, None)
-                .expect("a solution");
+            let found =
+                Bonded::new(&model, &Cancel::default()).solve_on(&intervals).expect("a solution");
             let zones = obstacle::contact(&found.deflection());
             intervals = positions(&found.mesh, &zones, &[]);
             errors.push((intervals[0][0] - 0.811_326_256_449_155).abs());

@@ -96,3 +96,34 @@ pub(crate) fn distance(a: &[Interval], b: &[Interval]) -> f64 {
     }
     a.iter().flatten().zip(b.iter().flatten()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
+
+/// The longest interval of the symmetric difference of two contacts, or the largest distance of a point of contact from
+/// the other contact. Infinite if one contact is empty and the other has a point.
+pub(crate) fn longest_difference(a: &[Interval], b: &[Interval]) -> f64 {
+    let mut ends: Vec<f64> = a.iter().chain(b).flatten().copied().collect();
+    ends.sort_by(f64::total_cmp);
+    let (mut longest, mut length) = (0.0_f64, 0.0);
+    for part in ends.windows(2) {
+        let middle = 0.5 * (part[0] + part[1]);
+        length =
+            if covers(a, middle) == covers(b, middle) { 0.0 } else { length + part[1] - part[0] };
+        longest = longest.max(length);
+    }
+    let points = |of: &[Interval], other: &[Interval]| {
+        let points = of.iter().filter(|interval| interval[0] == interval[1]);
+        points.map(|point| distance_to(other, point[0])).fold(0.0, f64::max)
+    };
+    longest.max(points(a, b)).max(points(b, a))
+}
+
+/// Whether a position lies within a contact.
+fn covers(contact: &[Interval], x: f64) -> bool {
+    let next = contact.partition_point(|interval| interval[1] <= x);
+    contact.get(next).is_some_and(|interval| interval[0] < x)
+}
+
+/// How far a position is from the nearest zone of a contact.
+fn distance_to(contact: &[Interval], x: f64) -> f64 {
+    let apart = |[from, to]: &Interval| (from - x).max(x - to).max(0.0);
+    contact.iter().map(apart).fold(f64::INFINITY, f64::min)
+}

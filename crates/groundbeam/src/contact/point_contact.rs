@@ -6,9 +6,9 @@ use crate::contact::bonded::GivenRotation;
 use crate::contact::exact::solve;
 use crate::contact::state::edges_not_converged;
 use crate::contact::state::{ContactState, Unconverged};
-use crate::contact::stopping::ENOUGH;
 use crate::model::{Load, Model};
 use crate::numeric::polynomial::value;
+use crate::numeric::tolerance::GAP;
 
 /// How far from an end the resultant stands whose limit is taken, as a part of the length.
 const ALMOST: f64 = 1e-6;
@@ -38,9 +38,9 @@ pub(crate) fn solve_over_an_end(
     let end = if over_left { 0.0 } else { l };
     let history = limit.history;
     match Bonded::new(model, cancel)
-        .solve_on(&[[end, end]], Some(GivenRotation { left: over_left, slope }))
+        .solve_held(&[[end, end]], GivenRotation { left: over_left, slope })
     {
-        Ok(found) if judge(&found) <= ENOUGH => Ok(ContactState { history, ..found }),
+        Ok(found) if judge(&found) <= GAP => Ok(ContactState { history, ..found }),
         _ => Err(edges_not_converged(history.len(), f64::NAN)),
     }
 }

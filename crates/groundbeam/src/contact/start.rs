@@ -8,11 +8,7 @@ use crate::model::{FoundationSegment, Model};
 const SHORT: f64 = 24.0;
 
 /// The whole length of a short beam, the active nodes of a nodal solve of a long one; `None` without active nodes.
-/// Also `None` on supports: zones with almost no pressure may lie between them, so the continuation finds the start.
 pub(crate) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
-    if !model.supports.is_empty() {
-        return None;
-    }
     if is_short(model) {
         Some(vec![[0.0, model.beam.length]])
     } else {

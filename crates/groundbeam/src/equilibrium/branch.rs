@@ -11,8 +11,8 @@
 use crate::cancel::Cancel;
 use crate::chain::node::NotDefinite;
 use crate::contact::bonded::Bonded;
-use crate::contact::edges;
-use crate::contact::intervals::{Interval, distance, joined, positions};
+use crate::contact::continuation::secant;
+use crate::contact::intervals::{Interval, joined, longest_difference, positions};
 use crate::contact::obstacle;
 use crate::contact::state::ContactState;
 use crate::element::element::MOST;
@@ -35,9 +35,6 @@ const MOST_CHANGES: usize = 10;
 /// no smaller.
 const STILL: f64 = 1e-13;
 const ROUNDING: f64 = 1e-9;
-/// Moves of the edges, relative to the beam's length, between which they are moved by themselves.
-const CLOSE: f64 = 1e-9;
-const NEAR: f64 = 0.03;
 /// How near the way back must come to where the way began, and which equilibria are next to each other.
 const SAME: f64 = 1e-7;
 const NEXT: f64 = 1e-3;
@@ -90,6 +87,7 @@ pub(crate) fn follow(model: &Model, begin: PathPoint, cancel: &Cancel) -> Equili
     let places: Vec<f64> = Mesh::build(model, &[], |_| 1).nodes.iter().map(|n| n.x).collect();
     let mut found = None;
     let mut last = PathPoint { contact: joined(begin.contact, l), ..begin };
+    let mut before: Option<PathPoint> = None;
     let mut step = FIRST * wanted;
     let mut failed = false;
     let mut end = PathEnd::NotStable(last.active.clone());
@@ -104,12 +102,13 @@ pub(crate) fn follow(model: &Model, begin: PathPoint, cancel: &Cancel) -> Equili
             let last = PathPoint { compression: f64::INFINITY, ..last };
             return EquilibriumPath { wanted: found, last, end };
         }
-        match next(model, &places, &last, target, cancel) {
+        let start = predicted(before.as_ref(), &last, target, l);
+        match next(model, &places, &last, &start, target, cancel) {
             Ok(state) => {
                 if target == wanted {
                     found = Some(state.clone());
                 }
-                last = state;
+                before = Some(std::mem::replace(&mut last, state));
                 if !failed {
                     step *= 2.0;
                 }
@@ -125,23 +124,34 @@ pub(crate) fn follow(model: &Model, begin: PathPoint, cancel: &Cancel) -> Equili
     EquilibriumPath { wanted: found, last, end }
 }
 
+/// The start of a step to another compression: the edges on the secant of the last two equilibria.
+fn predicted(before: Option<&PathPoint>, last: &PathPoint, compression: f64, l: f64) -> PathPoint {
+    let edges = before.filter(|before| before.active == last.active).and_then(|before| {
+        let part = (compression - last.compression) / (last.compression - before.compression);
+        secant(&before.contact, &last.contact, part, l)
+    });
+    PathPoint { contact: edges.unwrap_or_else(|| last.contact.clone()), ..last.clone() }
+}
+
 /// The next equilibrium on the branch. Of two that are on one branch each is found from the other; of two next to
 /// each other that need not be seen.
 fn next(
     model: &Model,
     places: &[f64],
     last: &PathPoint,
+    start: &PathPoint,
     compression: f64,
     cancel: &Cancel,
 ) -> Result<PathPoint, PathEnd> {
-    let next = settled(model, places, compression, last, cancel)?;
-    let near = distance(&next.contact, &last.contact) <= NEXT * model.beam.length;
+    let l = model.beam.length;
+    let next = settled(model, places, compression, start, cancel)?;
+    let near = longest_difference(&next.contact, &last.contact) <= NEXT * l;
     if last.compression == 0.0 || (near && next.active == last.active) {
         return Ok(next);
     }
     let back = settled(model, places, last.compression, &next, cancel)?;
-    let same = distance(&back.contact, &last.contact) <= SAME * model.beam.length
-        && back.active == last.active;
+    let same =
+        longest_difference(&back.contact, &last.contact) <= SAME * l && back.active == last.active;
     if same { Ok(next) } else { Err(PathEnd::NotConverged) }
 }
 
@@ -161,26 +171,13 @@ fn settled(
     'supports: for _ in 0..=MOST_CHANGES {
         let mut bonded = Bonded::new(&held, cancel);
         let mut before = f64::INFINITY;
-        // Whether edges may be moved by themselves: not where they move each other more than that.
-        let mut alone = true;
         for _ in 0..MOST_STEPS {
             let found = bonded
-                .solve_on(&contact, None)
+                .solve_on(&contact)
                 .map_err(|NotDefinite| PathEnd::NotStable(acts.clone()))?;
-            // Edge Newton until the obstacle problem confirms the zones.
-            let by_themselves =
-                if alone { edges::next_intervals(&found.deflection(), &found.zones) } else { None };
-            let by_edges = by_themselves.filter(|next| {
-                (CLOSE..NEAR).contains(&(distance(&contact, next) / model.beam.length))
-            });
-            let scan = || {
-                joined(
-                    positions(&found.mesh, &obstacle::contact(&found.deflection()), places),
-                    model.beam.length,
-                )
-            };
-            let next = by_edges.unwrap_or_else(scan);
-            let moved = distance(&contact, &next) / model.beam.length;
+            let zones = obstacle::contact(&found.deflection());
+            let next = joined(positions(&found.mesh, &zones, places), model.beam.length);
+            let moved = longest_difference(&contact, &next) / model.beam.length;
             contact = next;
             if moved <= STILL || (moved <= ROUNDING && moved >= 0.25 * before) {
                 let state = PathPoint { compression, contact, active: acts };
@@ -191,7 +188,6 @@ fn settled(
                 (contact, acts) = (asked.contact, asked.active);
                 continue 'supports;
             }
-            alone &= moved <= 0.5 * before;
             before = moved;
         }
         break;

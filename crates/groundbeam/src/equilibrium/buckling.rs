@@ -48,7 +48,7 @@ pub(crate) fn convexity(model: &Model, cancel: &Cancel) -> Option<f64> {
 /// state of no stiffness, from below and to twelve digits.
 pub(crate) fn bonded_buckling_load(model: &Model, contact: &[Interval], cancel: &Cancel) -> f64 {
     least_unstable(model, |compression| {
-        Bonded::new(&compressed(model, compression), cancel).solve_on(contact, None).is_ok()
+        Bonded::new(&compressed(model, compression), cancel).solve_on(contact).is_ok()
     })
 }
 

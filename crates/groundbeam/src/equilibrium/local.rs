@@ -117,7 +117,7 @@ fn mode(model: &Model, contact: &[Interval], cancel: &Cancel) -> Option<(f64, [f
     let l = model.beam.length;
     // In no symmetry, and no polynomial along the beam: even loads leave even modes alone.
     nearly.loads.push(Load::distributed_force(0.0, 0.618 * l, 1.0, -0.37));
-    let found = Bonded::new(&nearly, cancel).solve_on(contact, None).ok()?;
+    let found = Bonded::new(&nearly, cancel).solve_on(contact).ok()?;
     let w = found.deflection();
     let mut largest = (0.0, 0.0_f64);
     for (i, cell) in found.mesh.cells.iter().enumerate() {

@@ -17,7 +17,7 @@ pub(super) fn bonded_everywhere(
     model: &Model,
     cancel: &Cancel,
 ) -> Result<ContactState, NotDefinite> {
-    Bonded::new(model, cancel).solve_on(&[[0.0, model.beam.length]], None)
+    Bonded::new(model, cancel).solve_on(&[[0.0, model.beam.length]])
 }
 
 /// What must not be negative on a stretch of the beam or at a point of it: the pressure there, or a

@@ -1,0 +1,79 @@
+//! Edge Newton: the next position of each contact edge, from the concentrated force at it.
+//!
+//! An edge inside the beam can carry no concentrated force. Where one of a bonded beam's edges is off, the
+//! ground leaves it at an angle, and a force A stands there that is known exactly. Near the answer a step
+//! of Newton's method on each A, for the deflection found, squares the error of the edge, as the
+//! [scan](crate::contact::obstacle) of the whole beam does, for a small part of its work. What only the scan sees
+//! (zones that split, appear or vanish) the certificate tells from an answer.
+
+use super::surface::can_carry;
+use crate::contact::intervals::Interval;
+use crate::contact::short_span;
+use crate::ground::link::TwoPort;
+use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
+use crate::mesh::ground_runs::{GroundRun, ground_runs};
+use crate::mesh::open_ground::open_link;
+
+/// An edge may move by this part of the zone and of the open ground beside it.
+const NEAR: f64 = 0.25;
+
+/// Open ground on one side of a zone, and what it takes at its two ends.
+pub(super) struct OpenSpan {
+    link: TwoPort,
+    pub fluxes: [f64; 2],
+    length: f64,
+}
+
+impl OpenSpan {
+    pub fn of(w: &Deflection, run: &GroundRun, ends: [Option<BeamPoint>; 2]) -> Self {
+        let link = open_link(w.mesh, run, ends[0], ends[1]).unwrap_or_default();
+        let l = w.mesh.cells[w.mesh.cells.len() - 1].x[1];
+        let [from, to] =
+            [ends[0].map_or(0.0, |a| w.position(a)), ends[1].map_or(l, |b| w.position(b))];
+        OpenSpan { link, fluxes: short_span::fluxes(w, ends, &link), length: to - from }
+    }
+}
+
+/// The intervals after a step on every edge of the given zones, whose ends are nodes. `None` if edge
+/// Newton does not apply: on separate springs, if an end or a point of contact pulls, or if a step is too long.
+pub(crate) fn next_intervals(w: &Deflection, zones: &[MeshZone]) -> Option<Vec<Interval>> {
+    let runs = ground_runs(w.mesh);
+    let [run] = runs.as_slice() else { return None };
+    if !run.pasternak || zones.is_empty() {
+        return None;
+    }
+    let span = |i: usize| {
+        let left = i.checked_sub(1).map(|before| zones[before].to);
+        OpenSpan::of(w, run, [left, zones.get(i).map(|next| next.from)])
+    };
+    let mut after = span(0);
+    let interval = |(i, zone): (usize, &MeshZone)| {
+        let before = std::mem::replace(&mut after, span(i + 1));
+        let interval = [zone.from, zone.to].map(|end| w.position(end));
+        if zone.from == zone.to {
+            return (before.fluxes[1] + after.fluxes[0] >= 0.0).then_some(interval);
+        }
+        let forces = [before.fluxes[1] - w.flux(zone.from), after.fluxes[0] + w.flux(zone.to)];
+        let stiffness = before.link.shunt_right + before.link.series;
+        let outward = outward(w, zone.from, forces[0], stiffness)?;
+        let stiffness = after.link.shunt_left + after.link.series;
+        let steps = [outward, self::outward(w, zone.to, forces[1], stiffness)?];
+        let length = interval[1] - interval[0];
+        let small = [&before, &after].map(|span| NEAR * length.min(span.length));
+        let near = (0..2).all(|i| steps[i] == 0.0 || steps[i].abs() <= small[i]);
+        near.then_some([interval[0] - steps[0], interval[1] + steps[1]])
+    };
+    zones.iter().enumerate().map(interval).collect()
+}
+
+/// How far an edge moves out of its zone: dA = (π − S A/μ) times that, where S is the stiffness of the open
+/// ground seen from there. The end of the ground's layer or of the beam, or a corner, may carry its force.
+fn outward(w: &Deflection, edge: BeamPoint, force: f64, stiffness: f64) -> Option<f64> {
+    if can_carry(w.mesh, edge) {
+        return (force >= 0.0).then_some(0.0);
+    }
+    let [_, _, pressure] = w.obstacle_and_pressure(edge);
+    let [_, shear] = w.mesh.cells[edge.cell].ground_at(edge.s);
+    let slope = pressure - stiffness / shear * force;
+    (slope > 0.0).then_some(force / slope)
+}
