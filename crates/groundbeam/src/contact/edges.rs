@@ -282,8 +282,11 @@ impl Search<'_, '_> {
         let change = if shortened.part < NOT_SHORTENED { TIGHTEN } else { RELAX };
         self.epsilon = (self.epsilon * change).max(TETHER);
         if shortened.part < LEAST_PART {
-            self.is_loose = true;
-            return contact;
+            // Only the scan of a deflection gives a contact along which Φ falls; edge Newton need not.
+            let own = self.scan(&from);
+            self.is_loose = longest_difference(&contact, &own) <= ROUNDED * self.length();
+            self.moved = f64::INFINITY;
+            return own;
         }
         let Some(between) = shortened.between else {
             self.now = Some(found);

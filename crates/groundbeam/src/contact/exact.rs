@@ -1,18 +1,12 @@
 //! The contact problem without a mesh: the edges of contact as unknowns.
 //!
-//! Between loads, supports, hinges and edges of contact the deflection solves (2.11) in closed form. The
-//! unknowns are the number of contact zones and their edges. An [initial guess](super::start) gives the first
-//! zones: the whole length of a short beam, the active nodes of a nodal solve of a long one, or a coarse
-//! [mesh](super::active_set). Each step then
+//! Between loads, supports, hinges and edges of contact the deflection solves (2.11) in closed form. The unknowns are
+//! the number of contact zones and their edges. [Phase B](super::edges) finds them by Newton's method from the first
+//! start that leads to an answer:
 //!
-//! 1. puts a node at every edge and solves the bonded problem with [exact elements](crate::element);
-//! 2. solves the [obstacle problem](crate::contact::obstacle) for this deflection. The new edges are where the
-//!    unloaded ground leaves the beam tangentially, u' = w' − g₀' (w = g₀ for μ = 0). This step also splits,
-//!    merges, adds and removes zones.
-//!
-//! This is Newton's method on Φ in the space of all deflections: each step squares the error of the edges.
-//! Close to the answer [edge Newton](super::edges) moves every edge alone, which also squares the error. If
-//! the steps do not converge, the iteration starts again from a finer mesh.
+//! 1. the contact of a neighbouring model, if it is given;
+//! 2. the whole length of a short beam, or the active nodes of a nodal solve of a long one ([`start`](super::start));
+//! 3. the contact of a stiffer beam, followed to the beam's own stiffness ([`continuation`](super::continuation)).
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;

@@ -89,14 +89,6 @@ pub(crate) fn zones_of(
     zones
 }
 
-/// The largest move of an edge; infinite if a zone came or went.
-pub(crate) fn distance(a: &[Interval], b: &[Interval]) -> f64 {
-    if a.len() != b.len() {
-        return f64::INFINITY;
-    }
-    a.iter().flatten().zip(b.iter().flatten()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
-}
-
 /// The longest interval of the symmetric difference of two contacts, or the largest distance of a point of contact from
 /// the other contact. Infinite if one contact is empty and the other has a point.
 pub(crate) fn longest_difference(a: &[Interval], b: &[Interval]) -> f64 {

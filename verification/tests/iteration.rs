@@ -1,0 +1,76 @@
+//! The contact iteration on single models: each needs one line of the iteration, and fails or changes without it.
+
+use groundbeam::{Outcome, Solution, solve};
+use groundbeam_verification::random::{Family, model};
+
+fn solved(family: Family, number: u64) -> Box<Solution> {
+    match solve(&model(family, number)) {
+        Ok(Outcome::Equilibrium(solution)) => solution,
+        other => panic!("{family:?} {number}: {other:?}"),
+    }
+}
+
+/// The zones as parts of the length.
+fn zones(solution: &Solution) -> Vec<[f64; 2]> {
+    let l = solution.model().beam.length;
+    solution.contact().iter().map(|zone| [zone.from / l, zone.to / l]).collect()
+}
+
+#[test]
+fn a_zone_that_presses_with_rounding_error_is_left_out() {
+    // A zone 0.65 l long reproduces itself in doubles. Its force is rounding error.
+    let zones = zones(&solved(Family::Supported, 973));
+    assert_eq!(zones.len(), 1, "{zones:?}");
+    assert!((zones[0][0] - 0.057_137).abs() < 1e-5, "{zones:?}");
+}
+
+#[test]
+fn a_cycle_of_contacts_ends_at_the_contact_with_fewest_zones() {
+    // A third zone from 0 to 0.0371 comes and goes.
+    let zones = zones(&solved(Family::Supported, 1303));
+    assert_eq!(zones.len(), 2, "{zones:?}");
+    assert!(zones[0][0] > 0.39, "{zones:?}");
+}
+
+#[test]
+fn a_beam_on_one_corner_touches_at_a_point() {
+    for (family, number) in [(Family::Gap, 738), (Family::Shearing, 361)] {
+        let zones = zones(&solved(family, number));
+        assert!(matches!(zones[..], [[from, to]] if from == to), "{family:?} {number}: {zones:?}");
+    }
+}
+
+#[test]
+fn a_mechanism_on_its_trial_contact_is_tethered() {
+    for (family, number) in [(Family::Gap, 30), (Family::Hinged, 46), (Family::OneWay, 301)] {
+        solved(family, number);
+    }
+}
+
+#[test]
+fn edges_that_rounding_moves_are_accepted() {
+    solved(Family::Hard, 774);
+}
+
+#[test]
+fn the_continuation_starts_from_a_stiff_beam_and_takes_small_steps() {
+    solved(Family::Extreme, 230);
+    assert_eq!(zones(&solved(Family::Hard, 6164)).len(), 5);
+}
+
+#[test]
+fn a_direction_without_a_fall_of_energy_is_scanned_again() {
+    assert_eq!(zones(&solved(Family::Shearing, 439)).len(), 4);
+}
+
+#[test]
+fn models_that_took_seconds_or_failed_are_solved() {
+    for (family, number, count) in [
+        (Family::Extreme, 19, None),
+        (Family::Hard, 7371, Some(2)),
+        (Family::Settled, 2606, Some(3)),
+    ] {
+        let zones = zones(&solved(family, number));
+        assert!(count.is_none_or(|count| zones.len() == count), "{family:?} {number}: {zones:?}");
+    }
+}
