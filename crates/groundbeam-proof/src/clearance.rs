@@ -76,12 +76,12 @@ fn above_springs<S: Scalar>(
     budget: &mut Budget,
 ) -> Below {
     let Some(load) = span.ground_load.as_ref().filter(|_| span.spring.even().is_none()) else {
-        let clear = (&Polynomial::zero() - &span.above_free_field()).coarse();
+        let clear = span.above_free_field().times(-S::one()).coarse();
         return below(&clear, closed, negligible, span.interval(), budget);
     };
     // Where k varies q − k(w̄ − g₀) has the sign, and q/k is no polynomial.
     let stiff = Size::of(span.spring.high());
-    let clear = (&**load - &span.spring.times(&span.obstacle())).coarse();
+    let clear = (span.spring.times(&span.obstacle()).times(-S::one()) + load).coarse();
     let found = below(&clear, stiff * closed, stiff * negligible, span.interval(), budget);
     Below { depth: found.depth.over(span.spring.low()), ..found }
 }
@@ -151,7 +151,7 @@ impl<S: Scalar> Stretch<'_, S> {
     fn slope_at(&self, i: usize, side: usize) -> S {
         let span = &self.frame.spans[i];
         let settling = self.surface.flux[i][side].div(span.shear.at_end(side));
-        let gap = span.derivative(&span.gap).value(span.t[side]);
+        let gap = span.gap_slope();
         let bent = self.deflection.slopes[i][side] + self.deflection.pieces[i].slope[side];
         settling + gap - bent
     }
@@ -178,7 +178,7 @@ impl<C: Scalar> OpenPiece<C> {
         closed: [Size; 3],
     ) -> Self {
         let (obstacle, arc) = match along {
-            Some(u) => (&span.obstacle() - u, Arc::of(span, [S::zero(); 2])),
+            Some(u) => (span.obstacle() - u, Arc::of(span, [S::zero(); 2])),
             None => (span.above_free_field(), Arc::of(span, span.above_free_ends(ends))),
         };
         let slope = span.derivative(&obstacle);

@@ -237,14 +237,11 @@ impl<S: Scalar> Contact<'_, S> {
     /// a beam that shears is bent down by a force, [C*′] = F/(S + P), and nothing else makes the flux jump.
     fn bends_open(&self, node: usize) -> bool {
         let frame = self.fields.frame;
-        let slope = |i: usize, side: usize| {
-            let span = &frame.spans[i];
-            span.derivative(&span.gap).value(span.t[side])
-        };
+        let corner = || (frame.spans[node].gap_slope() - frame.spans[node - 1].gap_slope()).low();
         let here = &frame.nodes[node];
         let alone = here.rigid.is_none() && here.spring.is_none() && here.force.low() >= 0.0;
         let down = alone || !frame.kinks(node);
-        down && frame.even(node) && (slope(node, 0) - slope(node - 1, 1)).low() >= 0.0
+        down && frame.even(node) && corner() >= 0.0
     }
 
     /// Adds a concentrated force. Unless contact is known at the node, it may also be zero.

@@ -139,7 +139,7 @@ impl<S: Scalar> Link<S> {
             Some(free) => FreeField {
                 ends: span.t.map(|t| free.value(t)),
                 rise: free.rise(span.t),
-                slope: shear * span.derivative(&free).coefficient(0),
+                slope: shear * free.coefficient(1) * span.per_length,
             },
         };
         Link { across, own: (root * -e).div(sum), free }
@@ -414,8 +414,7 @@ impl<'a, S: Scalar> Layer<'a, S> {
         let span = &self.frame.spans[piece];
         if span.touches {
             let slope = self.deflection.slopes[piece][1 - side];
-            let gap = span.derivative(&span.gap).value(span.t[1 - side]);
-            span.shear.at_end(1 - side) * (slope - gap)
+            span.shear.at_end(1 - side) * (slope - span.gap_slope())
         } else {
             surface.flux[piece][1 - side]
         }

@@ -168,7 +168,7 @@ fn add_stored<S: Scalar>(answer: &Answer, fields: &Fields<S>, bounds: &mut [Piec
         let span = &fields.frame.spans[i];
         if !piece.pressure.is_empty() {
             let stored = piece.pressure.iter().map(|c| units.scaled(S::of(*c), 1, -1));
-            let differs = &Polynomial::from_coefficients(stored) - &fields.pressures[i].field;
+            let differs = <Polynomial<_>>::from_coefficients(stored) - &fields.pressures[i].field;
             bounds.pressure += differs.size(span.tau);
         }
         if let Some(stored) = piece.open {
@@ -179,7 +179,7 @@ fn add_stored<S: Scalar>(answer: &Answer, fields: &Fields<S>, bounds: &mut [Piec
             bounds.settlement += left.worst(right);
         }
         if let (Some(stored), Some(along)) = (&span.settlement, &fields.surface.along[i]) {
-            bounds.settlement += (&**stored - along).size(span.tau);
+            bounds.settlement += (**stored - along).size(span.tau);
         }
     }
 }

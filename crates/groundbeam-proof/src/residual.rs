@@ -78,10 +78,9 @@ fn on_piece<S: Scalar>(frame: &Frame<S>, pressures: &[Pressure<S>], i: usize) ->
     let mut shear = span.shear_force(&moment);
     let misfit = misfit(span, &slope, &shear);
     if let Some(force) = frame.axial_force() {
-        shear = &shear + &slope.times(force);
+        shear = shear + &slope.times(force);
     }
-    let load = &span.force - &pressures[i].field;
-    let r = &load + &span.derivative(&shear);
+    let r = span.derivative(&shear) + &span.force - &pressures[i].field;
     // X_R − x = half (t_R − t).
     let [force, turned] = span.integrals(&r);
     PieceResidual {
@@ -104,7 +103,7 @@ fn misfit<S: Scalar>(
     let (Some(stiffness), Some(rotation)) = (&span.stiffness, &span.rotation) else {
         return [Size::ZERO; 2];
     };
-    let misfit = &stiffness.times(&(slope - rotation)) - shear_force;
+    let misfit = stiffness.times(&(*slope - rotation)) - shear_force;
     [misfit.size(span.tau), span.derivative(&misfit).size(span.tau)]
 }
 

@@ -2,7 +2,7 @@
 
 use crate::frame::Span;
 use crate::ground::{Layer, Surface};
-use crate::polynomial::Polynomial;
+use crate::polynomial::{Line, Polynomial};
 use crate::scalar::Scalar;
 use crate::size::Size;
 use std::ops::Range;
@@ -24,9 +24,9 @@ impl<S: Scalar> Layer<'_, S> {
             let along = with_ends(span, ends);
             let flux = span.shear.times(&span.derivative(&along));
             surface.flux[i] = span.t.map(|t| flux.value(t));
-            let mut rest = &span.spring.times(&along) - &span.derivative(&flux);
+            let mut rest = span.spring.times(&along) - &span.derivative(&flux);
             if let Some(load) = &span.ground_load {
-                rest = &rest - load;
+                rest = rest - load;
             }
             let rest = rest.size(span.tau);
             missed += (span.length() * rest.square()).over(span.spring.low());
@@ -56,8 +56,8 @@ impl<S: Scalar> Layer<'_, S> {
 
 /// The stored settlement of a piece, with a straight line added that gives it these values at the ends.
 fn with_ends<S: Scalar>(span: &Span<S>, ends: [S; 2]) -> Polynomial<S> {
-    let stored = span.settlement.as_deref().cloned().unwrap_or_else(Polynomial::zero);
+    let stored = span.settlement.as_deref().copied().unwrap_or_else(Polynomial::zero);
     let missed = [0, 1].map(|side| ends[side] - stored.value(span.t[side]));
     let slope = (missed[1] - missed[0]).div(span.t[1] - span.t[0]);
-    &stored + &Polynomial::line(missed[0] - slope * span.t[0], slope)
+    stored + &Line::from_coefficients([missed[0] - slope * span.t[0], slope])
 }
