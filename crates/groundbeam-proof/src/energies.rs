@@ -95,10 +95,10 @@ impl Sums {
             let springs = weighted(&span.spring, &u, &u);
             self.strain += half * (springs + weighted(&span.shear, &slope, &slope));
             self.work += load.map_or(0.0, |load| half * load.times(&u));
-        } else if let Some(ends) = fields.surface.open[i] {
+        } else if let Some(ends) = fields.surface.pieces[i].open {
             let [left, right] = ends.map(S::middle);
-            let flux = fields.surface.flux[i].map(S::middle);
-            let along = fields.surface.along[i].as_deref().map(Series::of);
+            let flux = fields.surface.pieces[i].flux.map(S::middle);
+            let along = fields.surface.pieces[i].along.as_deref().map(Series::of);
             let pushed = load.map_or(0.0, |load| match along {
                 Some(u) => half * load.times(&u),
                 None => pushed(span, &load, [left, right], flux),
@@ -161,9 +161,10 @@ fn pushed<S: Scalar>(span: &Span<S>, load: &Series, ends: [f64; 2], flux: [f64; 
 /// ū at a node of a layer.
 fn settlement<S: Scalar>(fields: &Fields<S>, node: usize) -> f64 {
     if fields.surface.touches[node] {
-        return fields.surface.settlement[node].middle();
+        return fields.surface.nodes[node].settlement.middle();
     }
-    let open = |i: usize, side: usize| fields.surface.open.get(i)?.map(|ends| ends[side].middle());
+    let open =
+        |i: usize, side: usize| fields.surface.pieces.get(i)?.open.map(|ends| ends[side].middle());
     let left = node.checked_sub(1).and_then(|i| open(i, 1));
     left.or_else(|| open(node, 0)).unwrap_or(0.0)
 }

@@ -52,7 +52,7 @@ impl<'a, S: Scalar> Fields<'a, S> {
         let (energy, balanced) = self.least_energy(self.frame.carrier)?;
         let work = |i: usize| {
             let slope = self.deflection.slopes[i].map(|slope| Size::of(slope.size()));
-            balanced.drawn[i] * self.frame.spans[i].length() * slope[0].worst(slope[1])
+            balanced.pieces[i].drawn * self.frame.spans[i].length() * slope[0].worst(slope[1])
         };
         Ok(energy + 2.0 * (0..self.frame.spans.len()).map(work).sum::<Size>())
     }
@@ -143,7 +143,7 @@ impl<'a, S: Scalar> Fields<'a, S> {
                     + self.deflection.pieces[piece].slope[side];
                 // A couple belongs to the cell on its right, at the right end of the beam to the one on its left.
                 let cell = if i < self.frame.spans.len() { i } else { i - 1 };
-                let added = balanced.steepness[cell] * Size::of(node.weights.turning);
+                let added = balanced.pieces[cell].steepness * Size::of(node.weights.turning);
                 sum += missed(turning, turned, added);
             }
         }
@@ -159,8 +159,9 @@ impl<'a, S: Scalar> Fields<'a, S> {
                 self.deflection.rotations[piece][side] + self.deflection.pieces[piece].slope[side]
             };
             let turn = slope(i, 0) - slope(i - 1, 1);
-            let moment = self.residual.pieces[i - 1].bending[1] + balanced.moments[i - 1][1];
-            let missed = Size::of((spring * turn + moment).size()) + balanced.added[i - 1][0];
+            let moment = self.residual.pieces[i - 1].bending[1] + balanced.pieces[i - 1].moments[1];
+            let missed =
+                Size::of((spring * turn + moment).size()) + balanced.pieces[i - 1].added[0];
             sum += missed.square().over(spring.low());
         }
         sum

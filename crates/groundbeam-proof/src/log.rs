@@ -97,7 +97,7 @@ impl Log {
         for i in 0..frame.spans.len() {
             self.line("ground", "(4)")
                 .with("piece", i.to_string())
-                .with("root_g", size(fields.surface.flexibility[i]))
+                .with("root_g", size(fields.surface.pieces[i].flexibility))
                 .with("raised", size(fields.clearance.raised[i]))
                 .end();
         }

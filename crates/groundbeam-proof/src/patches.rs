@@ -82,7 +82,7 @@ impl<S: Scalar> Patches<S> {
 fn patches<S: Scalar>(fields: &Fields<S>, i: usize) -> Vec<Patch<S>> {
     let span = &fields.frame.spans[i];
     let [from, to] = span.interval();
-    let open = fields.surface.open[i].filter(|_| span.layered && !span.touches);
+    let open = fields.surface.pieces[i].open.filter(|_| span.layered && !span.touches);
     let Some(ends) = open else {
         let own = match span.free_field() {
             _ if span.touches => span.obstacle(),
@@ -91,7 +91,7 @@ fn patches<S: Scalar>(fields: &Fields<S>, i: usize) -> Vec<Patch<S>> {
         };
         return vec![patch(fields, i, 0.0, [from, to], &own)];
     };
-    if let Some(own) = &fields.surface.along[i] {
+    if let Some(own) = &fields.surface.pieces[i].along {
         return vec![patch(fields, i, 0.0, [from, to], own)];
     }
     let surface = Surface::of(span, span.above_free_ends(ends));

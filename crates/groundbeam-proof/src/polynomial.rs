@@ -41,12 +41,12 @@ impl<S: Scalar, const N: usize> Polynomial<S, N> {
 
     /// From the constant coefficient on, at most N of them.
     pub fn from_coefficients(coefficients: impl IntoIterator<Item = S>) -> Self {
-        let mut p = Self::zero();
-        for c in coefficients {
-            p.c[p.len] = c;
-            p.len += 1;
+        let (mut len, mut c) = (0, [S::zero(); N]);
+        for coefficient in coefficients {
+            c[len] = coefficient;
+            len += 1;
         }
-        p
+        Polynomial { len, c }
     }
 
     pub fn coefficients(&self) -> &[S] {
@@ -109,7 +109,7 @@ impl<S: Scalar, const N: usize> Polynomial<S, N> {
     }
 
     pub fn coarse(&self) -> Polynomial<S::Coarse, N> {
-        Polynomial::from_coefficients(self.coefficients().iter().map(|c| c.coarse()))
+        Polynomial { len: self.len, c: self.c.map(S::coarse) }
     }
 
     /// The coefficients about another point: the polynomial of t − m.
@@ -231,9 +231,10 @@ pub(crate) fn below<C: Scalar>(
     budget: &mut Budget,
 ) -> Below {
     let mut found = Below::NOWHERE;
-    let mut open = vec![[from, to]];
+    let mut open = Vec::new();
+    let mut next = Some([from, to]);
     budget.begin();
-    while let Some([a, b]) = open.pop() {
+    while let Some([a, b]) = next.take().or_else(|| open.pop()) {
         let m = if a < 0.0 && b > 0.0 && a == from && b == to { 0.0 } else { 0.5 * (a + b) };
         let r = half_width(a, m, b);
         let about = p.shifted(m);

@@ -173,12 +173,12 @@ fn add_stored<S: Scalar>(answer: &Answer, fields: &Fields<S>, bounds: &mut [Piec
         }
         if let Some(stored) = piece.open {
             let free = || span.free_field().map(|free| span.t.map(|t| free.value(t)));
-            let computed = fields.surface.open[i].or_else(free).unwrap_or([S::zero(); 2]);
+            let computed = fields.surface.pieces[i].open.or_else(free).unwrap_or([S::zero(); 2]);
             let differs = [0, 1].map(|end| units.metres(S::of(stored[end])) - computed[end]);
             let [left, right] = differs.map(|differs| Size::of(differs.size()));
             bounds.settlement += left.worst(right);
         }
-        if let (Some(stored), Some(along)) = (&span.settlement, &fields.surface.along[i]) {
+        if let (Some(stored), Some(along)) = (&span.settlement, &fields.surface.pieces[i].along) {
             bounds.settlement += (**stored - along).size(span.tau);
         }
     }

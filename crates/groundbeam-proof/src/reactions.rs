@@ -85,9 +85,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         let own = here.turning.map_or(Size::ZERO, |turning| Size::of(turning.high()));
         let sides = self.turned_side(node, 0) + self.turned_side(node, 1) + own;
         let stiffness = sides.least(self.turned(node));
-        let last = self.balanced.steepness.len() - 1;
-        let left = self.balanced.steepness[node.saturating_sub(1)];
-        let steep = left.worst(self.balanced.steepness[node.min(last)]);
+        let last = self.balanced.pieces.len() - 1;
+        let left = self.balanced.pieces[node.saturating_sub(1)].steepness;
+        let steep = left.worst(self.balanced.pieces[node.min(last)].steepness);
         self.test_factor() * stiffness.root() + steep * Size::of(here.weights.clamp)
     }
 

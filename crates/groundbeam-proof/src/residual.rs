@@ -121,7 +121,7 @@ fn at_node<S: Scalar>(
         piece.and_then(|i| pieces.get(i)).map_or_else(S::zero, |piece| of(piece)[1 - side])
     };
     let jump = |of: &dyn Fn(&PieceResidual<S>) -> [S; 2]| end(1, of) - end(0, of);
-    let mut force = node.force - surface.force[i] - node.reaction[0] + jump(&|p| p.shear);
+    let mut force = node.force - surface.nodes[i].force - node.reaction[0] + jump(&|p| p.shear);
     let mut moment = node.moment - node.reaction[1] - jump(&|p| p.bending);
     let [w, slope] = deflection.at_support(i);
     if let Some([spring, settled]) = node.spring {

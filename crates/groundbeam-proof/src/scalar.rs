@@ -1,7 +1,7 @@
 //! The number type of the proof: `f64` for an estimate, `Ball` and `Wide` for a theorem.
 
 use crate::decimal::Decimal;
-use crate::float::{ABOVE, HUGE, times_power_of_two};
+use crate::float::{ABOVE, HUGE, scale};
 use std::fmt::Debug;
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -200,7 +200,7 @@ impl Scalar for f64 {
     }
 
     fn scaled(self, exponent: i32) -> Self {
-        times_power_of_two(self, exponent).unwrap_or(f64::INFINITY)
+        scale(self, exponent)
     }
 
     fn size(self) -> f64 {

@@ -101,7 +101,7 @@ impl Largest {
                 raise(&mut most.settlement, on(&span.obstacle(), error.settlement));
                 raise(&mut most.pressure, on(&fields.pressures[i].field, error.pressure));
             }
-            for u in fields.surface.open[i].iter().flatten() {
+            for u in fields.surface.pieces[i].open.iter().flatten() {
                 raise(&mut most.settlement, shown(*u, error.settlement));
             }
         }

@@ -15,23 +15,23 @@ impl<S: Scalar> Layer<'_, S> {
         let mut missed = Size::ZERO;
         for i in pieces.clone() {
             let ends = [i, i + 1].map(|node| self.stored_at(node, surface));
-            surface.open[i] = Some(ends);
+            surface.pieces[i].open = Some(ends);
             let span = &self.frame.spans[i];
             if span.has_even_ground() {
-                surface.flux[i] = self.links[i - self.first].fluxes(ends);
+                surface.pieces[i].flux = self.links[i - self.first].fluxes(ends);
                 continue;
             }
             let along = with_ends(span, ends);
             let flux = span.shear.times(&span.derivative(&along));
-            surface.flux[i] = span.t.map(|t| flux.value(t));
+            surface.pieces[i].flux = span.t.map(|t| flux.value(t));
             let mut rest = span.spring.times(&along) - &span.derivative(&flux);
             if let Some(load) = &span.ground_load {
                 rest = rest - load;
             }
             let rest = rest.size(span.tau);
             missed += (span.length() * rest.square()).over(span.spring.low());
-            surface.missed[i] = rest;
-            surface.along[i] = Some(Box::new(along));
+            surface.pieces[i].missed = rest;
+            surface.pieces[i].along = Some(Box::new(along));
         }
         surface.unclaimed += missed.root();
         for node in pieces.start..=pieces.end {
