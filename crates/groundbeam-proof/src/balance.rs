@@ -15,6 +15,7 @@
 //! β = Bλ′ to each cell. Then anything that presses makes the system positive definite. It is used only where pressures
 //! and supports alone cannot balance the loads, as its cost ∫β²/P is not needed elsewhere.
 
+use crate::deflection::Deflection;
 use crate::frame::{Frame, Span};
 use crate::ground::Surface;
 use crate::pressure::Pressure;
@@ -380,12 +381,12 @@ impl<S: Scalar> Balance<'_, S> {
 
     /// ‖Gδp‖²: δp = λp̄ with |λ| ≤ γ, and the kernel of G is positive. In a layer ⟨δp, Gδp⟩ ≤ Σγ²∫p̄ Gp̄ with
     /// Gp̄ ≤ û + |c| + √g‖ū − G(p̄ + q)‖; on separate springs it is ∫(δp)²/k.
-    pub fn ground(&self, balanced: &Balanced<S>, corrections: &[Size], missed: Size) -> Size {
+    pub fn ground(&self, balanced: &Balanced<S>, deflection: &Deflection<S>, missed: Size) -> Size {
         let mut sum = Size::ZERO;
         for (i, span) in self.frame.spans.iter().enumerate().filter(|(_, span)| span.touches) {
             let pressure = &self.pressures[i];
             let per_load = if span.layered {
-                let settled = span.obstacle().size(span.tau) + corrections[i];
+                let settled = span.obstacle().size(span.tau) + deflection.pieces[i].bounds[0];
                 settled + self.surface.pieces[i].flexibility * missed
             } else {
                 pressure.field.size(span.tau).over(span.spring.low())

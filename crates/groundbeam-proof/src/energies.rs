@@ -62,20 +62,21 @@ impl Sums {
         slope: &Series,
     ) {
         let half = span.half.middle();
-        let rotation = span.rotation.as_deref().map_or(*slope, Series::of);
+        let own = span.rotation.as_deref().map(Series::of);
+        let rotation = own.as_ref().unwrap_or(slope);
         let curvature = Series::of(&span.curvature);
         let bent = rotation.derivative(half).less(&curvature);
         self.strain += half * weighted(&span.bending, &bent, &bent);
         self.curled += half * weighted(&span.bending, &curvature, &curvature);
         if let Some(stiffness) = &span.stiffness {
-            let sheared = slope.less(&rotation);
+            let sheared = slope.less(rotation);
             self.strain += half * weighted(stiffness, &sheared, &sheared);
         }
         if let Some(force) = frame.axial_force() {
             self.axial += half * force.middle() * slope.times(slope);
         }
         self.work += half * Series::of(&span.force).times(deflection);
-        self.work += half * Series::of(&span.moment).times(&rotation);
+        self.work += half * Series::of(&span.moment).times(rotation);
     }
 
     /// ∫(ku² + μu′²) and ∫qu. On open ground of a layer the former is the flux times u at both ends and ∫qu.
@@ -146,7 +147,7 @@ impl Sums {
 }
 
 /// ∫qu on an open piece, u = q/k + v with v″ = b²v: ∫q²/k + (μ/k)\[qv′ − q′v\].
-fn pushed<S: Scalar>(span: &Span<S>, load: &Series, ends: [f64; 2], flux: [f64; 2]) -> f64 {
+fn pushed<S: Scalar>(span: &Span<S>, load: &Series<2>, ends: [f64; 2], flux: [f64; 2]) -> f64 {
     let half = span.half.middle();
     let [k, mu] = [&span.spring, &span.shear].map(Coefficient::middle);
     let [middle, rise] = [load.a[0], load.a[1]];
@@ -175,7 +176,7 @@ fn turn<S: Scalar>(deflection: &Deflection<S>, node: usize) -> f64 {
 }
 
 /// ∫cab over −1 ≤ t ≤ 1.
-fn weighted<S: Scalar>(c: &Coefficient<S>, a: &Series, b: &Series) -> f64 {
+fn weighted<S: Scalar, const N: usize>(c: &Coefficient<S>, a: &Series<N>, b: &Series<N>) -> f64 {
     match c.along() {
         None => c.middle() * a.times(b),
         Some(along) => a.product(along).times(b),
@@ -184,22 +185,24 @@ fn weighted<S: Scalar>(c: &Coefficient<S>, a: &Series, b: &Series) -> f64 {
 
 /// A field in doubles by Legendre's polynomials, Σ aₖPₖ(t), which are orthogonal on −1 ≤ t ≤ 1.
 #[derive(Clone, Copy)]
-struct Series {
+struct Series<const N: usize = ROOM> {
     len: usize,
     /// Zero from `len` on.
-    a: [f64; ROOM],
+    a: [f64; N],
 }
 
-impl Series {
-    const ZERO: Series = Series { len: 0, a: [0.0; ROOM] };
+impl<const N: usize> Series<N> {
+    const ZERO: Self = Series { len: 0, a: [0.0; N] };
 
-    fn of<S: Scalar, const N: usize>(p: &Polynomial<S, N>) -> Self {
+    fn of<S: Scalar>(p: &Polynomial<S, N>) -> Self {
         let mut series = Self::ZERO;
         for (c, power) in p.coefficients().iter().zip(&POWERS) {
             let c = c.middle();
             series.len += 1;
-            for (a, part) in series.a.iter_mut().zip(&power[..series.len]) {
-                *a += c * part;
+            // Four at a time: the parts above tʲ are zero.
+            let fours = series.a.chunks_mut(4).zip(power.chunks(4));
+            for (a, part) in fours.take(series.len.div_ceil(4)) {
+                a.iter_mut().zip(part).for_each(|(a, part)| *a += c * part);
             }
         }
         series
@@ -216,7 +219,8 @@ impl Series {
         derived
     }
 
-    fn less(mut self, other: &Series) -> Self {
+    fn less<const M: usize>(mut self, other: &Series<M>) -> Self {
+        const { assert!(M <= N) };
         self.len = self.len.max(other.len);
         for (a, less) in self.a.iter_mut().zip(&other.a[..other.len]) {
             *a -= less;
@@ -224,6 +228,26 @@ impl Series {
         self
     }
 
+    /// ∫ of the product over −1 ≤ t ≤ 1.
+    fn times<const M: usize>(&self, other: &Series<M>) -> f64 {
+        let both = self.a[..self.len].iter().zip(&other.a[..other.len]);
+        both.zip(&SQUARES).map(|((a, b), square)| a * b * square).sum()
+    }
+
+    fn product<S: Scalar>(&self, other: &Polynomial<S>) -> Series {
+        let mut product = Series::ZERO;
+        for c in other.coefficients().iter().rev() {
+            product = product.raised();
+            for (a, more) in product.a.iter_mut().zip(&self.a) {
+                *a += c.middle() * more;
+            }
+            product.len = product.len.max(self.len);
+        }
+        product
+    }
+}
+
+impl Series {
     /// The product with t: tPₖ = ((k + 1)Pₖ₊₁ + kPₖ₋₁)/(2k + 1).
     fn raised(&self) -> Self {
         let mut raised = Series { len: self.len + 1, ..Self::ZERO };
@@ -235,24 +259,6 @@ impl Series {
             }
         }
         raised
-    }
-
-    fn product<S: Scalar>(&self, other: &Polynomial<S>) -> Self {
-        let mut product = Self::ZERO;
-        for c in other.coefficients().iter().rev() {
-            product = product.raised();
-            for (a, more) in product.a.iter_mut().zip(&self.a) {
-                *a += c.middle() * more;
-            }
-            product.len = product.len.max(self.len);
-        }
-        product
-    }
-
-    /// ∫ of the product over −1 ≤ t ≤ 1.
-    fn times(&self, other: &Series) -> f64 {
-        let both = self.a[..self.len].iter().zip(&other.a[..other.len]);
-        both.zip(&SQUARES).map(|((a, b), square)| a * b * square).sum()
     }
 }
 

@@ -22,6 +22,10 @@ pub(crate) struct Fields<'a, S> {
     pub pressures: Vec<Pressure<S>>,
     pub residual: Residual<S>,
     pub clearance: Clearance,
+    /// ‖c‖²_beam = Σ h EI c″² and Σ h c′².
+    pub closing: [Size; 2],
+    /// ‖c‖_b + Σ|r|√g + Ση(ω/k)^½.
+    missed: Size,
 }
 
 impl<'a, S: Scalar> Fields<'a, S> {
@@ -32,7 +36,10 @@ impl<'a, S: Scalar> Fields<'a, S> {
         let pressures = pressures(frame, &mut budget);
         let residual = residual(frame, &deflection, &surface, &pressures);
         let clearance = clearance(frame, &deflection, &surface, &mut budget);
-        Ok(Fields { frame, deflection, surface, pressures, residual, clearance })
+        let closing = closing(frame, &deflection);
+        let missed =
+            carried(frame, &deflection).root() + surface.unclaimed + pulled(frame, &pressures);
+        Ok(Fields { frame, deflection, surface, pressures, residual, clearance, closing, missed })
     }
 
     /// E and the balance that gives it. The tension helps to balance if pressures and supports alone cannot.
@@ -81,13 +88,9 @@ impl<'a, S: Scalar> Fields<'a, S> {
         let (pressures, residual) = (&self.pressures, &self.residual);
         let balance = Balance { frame, surface, pressures, residual, cuts, carrier };
         let balanced = balance.solve()?;
-        let closed: Vec<Size> = self.deflection.pieces.iter().map(|c| c.bounds[0]).collect();
-        let missed = carried(frame, &self.deflection).root()
-            + surface.unclaimed
-            + pulled(frame, &self.pressures);
-        let given_back = balance.ground(&balanced, &closed, missed).root();
-        let ground = missed + given_back + self.clearance.lifted + self.clearance.risen;
-        let [bent, turned] = self.closing();
+        let given_back = balance.ground(&balanced, &self.deflection, self.missed).root();
+        let ground = self.missed + given_back + self.clearance.lifted + self.clearance.risen;
+        let [bent, turned] = self.closing;
         let beam = balance.bending(&balanced).root() + bent.root();
         let supports = self.supports(&balanced) + self.hinges(&balanced);
         let sheared = shearing_energy(frame, &self.residual, &balanced);
@@ -102,16 +105,6 @@ impl<'a, S: Scalar> Fields<'a, S> {
         };
         let energy = 0.5 * (beam + ground.square());
         Ok((energy, balanced))
-    }
-
-    /// ‖c‖²_beam = Σ h EI c″² and Σ h c′².
-    pub fn closing(&self) -> [Size; 2] {
-        let mut both = [Size::ZERO; 2];
-        for (span, c) in self.frame.spans.iter().zip(&self.deflection.pieces) {
-            both[0] += span.length() * Size::of(span.bending.high()) * c.bounds[2].square();
-            both[1] += span.length() * c.bounds[1].square();
-        }
-        both
     }
 
     /// Σ(κ(w̄ − δ) − R̄)²/κ + Σ(κ_θw̄′ − R̄_θ)²/κ_θ at the springs: κc, and the force given back.
@@ -166,4 +159,14 @@ impl<'a, S: Scalar> Fields<'a, S> {
         }
         sum
     }
+}
+
+/// ‖c‖²_beam = Σ h EI c″² and Σ h c′².
+fn closing<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -> [Size; 2] {
+    let mut both = [Size::ZERO; 2];
+    for (span, c) in frame.spans.iter().zip(&deflection.pieces) {
+        both[0] += span.length() * Size::of(span.bending.high()) * c.bounds[2].square();
+        both[1] += span.length() * c.bounds[1].square();
+    }
+    both
 }

@@ -117,7 +117,7 @@ fn places<S: Scalar>(
         .collect::<Result<_, _>>()?;
     let gap: Result<Vec<_>, _> =
         model.gap.iter().map(|corner| stretch(positions, corner.at, corner.at)).collect();
-    let mut loads = Vec::new();
+    let mut loads = Vec::with_capacity(model.loads.len());
     for load in &model.loads {
         loads.push(match load.extent {
             Extent::Point { at, .. } => match positions.is_beside(units.metres(at)) {

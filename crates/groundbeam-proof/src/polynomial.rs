@@ -237,7 +237,13 @@ pub(crate) fn below<C: Scalar>(
     while let Some([a, b]) = next.take().or_else(|| open.pop()) {
         let m = if a < 0.0 && b > 0.0 && a == from && b == to { 0.0 } else { 0.5 * (a + b) };
         let r = half_width(a, m, b);
-        let about = p.shifted(m);
+        let shifted;
+        let about = if m == 0.0 {
+            p
+        } else {
+            shifted = p.shifted(m);
+            &shifted
+        };
         let low = about.coefficient(0).low();
         let lost = about.tail(r) + less;
         if low >= lost.value() {
