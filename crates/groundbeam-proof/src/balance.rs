@@ -386,7 +386,7 @@ impl<S: Scalar> Balance<'_, S> {
         for (i, span) in self.frame.spans.iter().enumerate().filter(|(_, span)| span.touches) {
             let pressure = &self.pressures[i];
             let per_load = if span.layered {
-                let settled = span.obstacle().size(span.tau) + deflection.pieces[i].bounds[0];
+                let settled = pressure.obstacle + deflection.pieces[i].bounds[0];
                 settled + self.surface.pieces[i].flexibility * missed
             } else {
                 pressure.field.size(span.tau).over(span.spring.low())

@@ -81,7 +81,7 @@ fn above_springs<S: Scalar>(
     };
     // Where k varies q − k(w̄ − g₀) has the sign, and q/k is no polynomial.
     let stiff = Size::of(span.spring.high());
-    let clear = (span.spring.times(&span.obstacle()).times(-S::one()) + load).coarse();
+    let clear = (span.spring.times(span.obstacle()).times(-S::one()) + load).coarse();
     let found = below(&clear, stiff * closed, stiff * negligible, span.interval(), budget);
     Below { depth: found.depth.over(span.spring.low()), ..found }
 }
@@ -154,7 +154,7 @@ impl<S: Scalar> Stretch<'_, S> {
         let span = &self.frame.spans[i];
         let settling = self.surface.pieces[i].flux[side].div(span.shear.at_end(side));
         let gap = span.gap_slope();
-        let bent = self.deflection.slopes[i][side] + self.deflection.pieces[i].slope[side];
+        let bent = self.deflection.claimed[i].slope[side] + self.deflection.pieces[i].slope[side];
         settling + gap - bent
     }
 }

@@ -69,10 +69,10 @@ impl<S: Scalar> Coefficient<S> {
     }
 
     /// The product with a field.
-    pub fn times(&self, field: &Polynomial<S>) -> Polynomial<S> {
+    pub fn times(&self, field: Polynomial<S>) -> Polynomial<S> {
         match self {
             Coefficient::Even(value) => field.times(*value),
-            Coefficient::Varying(varying) => field * &varying.along,
+            Coefficient::Varying(varying) => &field * &varying.along,
         }
     }
 
@@ -174,7 +174,7 @@ mod tests {
                 let t = f64::from(step) / 10.0 - 1.0;
                 let s = middle.middle() + half.middle() * t;
                 let one = Polynomial::from_coefficients([Wide::of(1.0)]);
-                let value = found.times(&one).value(Wide::of(t)).middle();
+                let value = found.times(one).value(Wide::of(t)).middle();
                 assert!((value - course(&values, s)).abs() < 1e-14);
                 assert!(found.low() <= value + 1e-14 && value <= found.high() + 1e-14);
             }

@@ -172,7 +172,8 @@ fn settlement<S: Scalar>(fields: &Fields<S>, node: usize) -> f64 {
 
 /// \[φ\] at a hinge.
 fn turn<S: Scalar>(deflection: &Deflection<S>, node: usize) -> f64 {
-    deflection.rotations[node][0].middle() - deflection.rotations[node - 1][1].middle()
+    deflection.claimed[node].rotation[0].middle()
+        - deflection.claimed[node - 1].rotation[1].middle()
 }
 
 /// ∫cab over −1 ≤ t ≤ 1.

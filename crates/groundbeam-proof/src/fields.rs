@@ -58,7 +58,7 @@ impl<'a, S: Scalar> Fields<'a, S> {
         }
         let (energy, balanced) = self.least_energy(self.frame.carrier)?;
         let work = |i: usize| {
-            let slope = self.deflection.slopes[i].map(|slope| Size::of(slope.size()));
+            let slope = self.deflection.claimed[i].slope.map(|slope| Size::of(slope.size()));
             balanced.pieces[i].drawn * self.frame.spans[i].length() * slope[0].worst(slope[1])
         };
         Ok(energy + 2.0 * (0..self.frame.spans.len()).map(work).sum::<Size>())
@@ -132,7 +132,7 @@ impl<'a, S: Scalar> Fields<'a, S> {
             }
             if let Some(turning) = node.turning {
                 let [piece, side] = self.deflection.felt[i];
-                let turned = self.deflection.rotations[piece][side] - slope
+                let turned = self.deflection.claimed[piece].rotation[side] - slope
                     + self.deflection.pieces[piece].slope[side];
                 // A couple belongs to the cell on its right, at the right end of the beam to the one on its left.
                 let cell = if i < self.frame.spans.len() { i } else { i - 1 };
@@ -149,7 +149,8 @@ impl<'a, S: Scalar> Fields<'a, S> {
         for (i, node) in self.frame.nodes.iter().enumerate() {
             let Some(spring) = node.hinge.filter(|_| !node.is_free_hinge()) else { continue };
             let slope = |piece: usize, side: usize| {
-                self.deflection.rotations[piece][side] + self.deflection.pieces[piece].slope[side]
+                self.deflection.claimed[piece].rotation[side]
+                    + self.deflection.pieces[piece].slope[side]
             };
             let turn = slope(i, 0) - slope(i - 1, 1);
             let moment = self.residual.pieces[i - 1].bending[1] + balanced.pieces[i - 1].moments[1];

@@ -332,9 +332,10 @@ impl<S: Scalar> Span<S> {
 
     /// ku − q − (μ(w − g₀)′)′: the pressure if the beam touched ground of the settlement u.
     pub fn pressure_under(&self, settlement: &Polynomial<S>) -> Polynomial<S> {
-        let mut pressure = self.spring.times(settlement);
+        let mut pressure = self.spring.times(*settlement);
         if self.layered {
-            let flux = self.shear.times(&self.derivative(&self.obstacle()));
+            let gap = Line::from_coefficients([self.gap_slope()]);
+            let flux = self.shear.times(self.derivative(&self.deflection) - &gap);
             pressure = pressure - &self.derivative(&flux);
         }
         match &self.ground_load {
@@ -350,7 +351,7 @@ impl<S: Scalar> Span<S> {
 
     /// M = −EI (φ′ − κ₀).
     pub fn bending_moment(&self, rotation: &Polynomial<S>) -> Polynomial<S> {
-        self.bending.times(&(rotation.derivative_times(-self.per_length) + &self.curvature))
+        self.bending.times(rotation.derivative_times(-self.per_length) + &self.curvature)
     }
 
     /// V = M′ − g.

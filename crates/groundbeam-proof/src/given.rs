@@ -239,9 +239,10 @@ fn pieces_of(
     segments: impl Iterator<Item = [usize; 2]>,
     pieces: usize,
 ) -> Result<Vec<(usize, usize)>, NotProven> {
-    let mut taken = vec![false; pieces];
+    let mut taken = Vec::new();
     let mut found = Vec::new();
     for (j, [from, to]) in segments.enumerate() {
+        taken.resize(pieces, false);
         for (piece, taken) in taken.iter_mut().enumerate().take(to).skip(from) {
             if std::mem::replace(taken, true) {
                 return Err(NotProven::new("two segments overlap"));

@@ -430,7 +430,7 @@ impl<'a, S: Scalar> Layer<'a, S> {
         };
         let span = &self.frame.spans[piece];
         if span.touches {
-            let slope = self.deflection.slopes[piece][1 - side];
+            let slope = self.deflection.claimed[piece].slope[1 - side];
             span.shear.at_end(1 - side) * (slope - span.gap_slope())
         } else {
             surface.pieces[piece].flux[1 - side]

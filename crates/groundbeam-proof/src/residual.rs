@@ -103,7 +103,7 @@ fn misfit<S: Scalar>(
     let (Some(stiffness), Some(rotation)) = (&span.stiffness, &span.rotation) else {
         return [Size::ZERO; 2];
     };
-    let misfit = stiffness.times(&(*slope - rotation)) - shear_force;
+    let misfit = stiffness.times(*slope - rotation) - shear_force;
     [misfit.size(span.tau), span.derivative(&misfit).size(span.tau)]
 }
 

@@ -22,9 +22,9 @@ impl<S: Scalar> Layer<'_, S> {
                 continue;
             }
             let along = with_ends(span, ends);
-            let flux = span.shear.times(&span.derivative(&along));
+            let flux = span.shear.times(span.derivative(&along));
             surface.pieces[i].flux = span.t.map(|t| flux.value(t));
-            let mut rest = span.spring.times(&along) - &span.derivative(&flux);
+            let mut rest = span.spring.times(along) - &span.derivative(&flux);
             if let Some(load) = &span.ground_load {
                 rest = rest - load;
             }
