@@ -229,6 +229,7 @@ impl<S: Scalar> Span<S> {
             return Err(wrong("`half` does not fit the ends of the piece"));
         }
         let largest = Size::of(1.0).worst(Size::of(t[0].size())).worst(Size::of(t[1].size()));
+        let longest = piece.deflection.len().max(piece.rotation.len()).max(piece.pressure.len());
         let (zero, none) = (S::zero(), Line::zero());
         Ok(Span {
             x,
@@ -238,7 +239,7 @@ impl<S: Scalar> Span<S> {
             per_length: S::one().div(half),
             t,
             tau: largest.value(),
-            powers: powers(t, coefficients_of(piece) + 4),
+            powers: powers(t, longest + 4),
             touches: piece.touches,
             deflection: field(&piece.deflection, 1)?,
             rotation,
@@ -279,14 +280,9 @@ impl<S: Scalar> Span<S> {
     /// ∫tᵏp over the piece by x, for k = 0, 1, … as many as wanted.
     pub fn integrals<const N: usize>(&self, p: &Polynomial<S>) -> [S; N] {
         let c = p.coefficients();
-        let more;
-        let powers = match c.len() + N {
-            count if count <= self.powers.len() + 1 => &self.powers,
-            count => {
-                more = powers(self.t, count);
-                &more
-            }
-        };
+        let count = c.len() + N;
+        let more = (count > self.powers.len() + 1).then(|| powers(self.t, count));
+        let powers = more.as_ref().unwrap_or(&self.powers);
         std::array::from_fn(|k| {
             let terms = c.iter().zip(&powers[k..]);
             terms.fold(S::zero(), |sum, (c, power)| sum + *c * *power) * self.half
@@ -363,11 +359,6 @@ impl<S: Scalar> Span<S> {
     pub fn interval(&self) -> [f64; 2] {
         [self.t[0].low(), self.t[1].high()]
     }
-}
-
-/// The number of coefficients of the longest field of a piece.
-fn coefficients_of(piece: &Piece) -> usize {
-    piece.deflection.len().max(piece.rotation.len()).max(piece.pressure.len())
 }
 
 /// ∫tʲ from t_L to t_R for j = 0, 1, … below a number.

@@ -15,7 +15,7 @@
 use crate::deflection::Deflection;
 use crate::frame::{Frame, Span};
 use crate::polynomial::Polynomial;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, positive_part};
 use crate::size::Size;
 use std::ops::Range;
 
@@ -45,12 +45,11 @@ pub(crate) struct SurfacePiece<S> {
     pub flexibility: Size,
 }
 
-/// The surface at one node; zero where beam and layer do not touch.
+/// The settlement ū and the forces at one node; zero where beam and layer do not touch.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SurfaceNode<S> {
     /// The jump of the flux.
     pub jump: S,
-    /// ū.
     pub settlement: S,
     /// The concentrated force: the positive part of the jump.
     pub force: S,
@@ -76,10 +75,9 @@ pub(crate) fn surface<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -
         flux: [zero; 2],
         flexibility: Size::INFINITE,
     };
-    let node = SurfaceNode { jump: zero, settlement: zero, force: zero };
     let mut surface = Surface {
         pieces: vec![piece; frame.spans.len()],
-        nodes: vec![node; frame.nodes.len()],
+        nodes: vec![SurfaceNode { jump: zero, settlement: zero, force: zero }; frame.nodes.len()],
         unclaimed: Size::ZERO,
         touches,
     };
@@ -444,21 +442,9 @@ impl<'a, S: Scalar> Layer<'a, S> {
                 continue;
             }
             let jump = self.jump_at(node, surface);
-            let (settlement, force) = (self.held(node), positive_part(jump));
-            surface.nodes[node] = SurfaceNode { jump, settlement, force };
+            let force = positive_part(jump);
+            surface.nodes[node] = SurfaceNode { jump, settlement: self.held(node), force };
             surface.unclaimed += Size::below_zero(jump.low()) * surface.flexibility_at(node);
         }
-    }
-}
-
-/// A ball that holds max(x, 0) for all x of a ball.
-pub(crate) fn positive_part<S: Scalar>(x: S) -> S {
-    if x.low() >= 0.0 {
-        x
-    } else if x.high() <= 0.0 {
-        S::zero()
-    } else {
-        let half = 0.5 * x.high();
-        S::of(half).widened(half.next_up())
     }
 }

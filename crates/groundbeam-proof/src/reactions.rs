@@ -4,10 +4,9 @@
 //! test function z with z = 1 at the support and z = 0 at all others; the moment of a clamp by s₂K + W_θ|λ′|, with z′ = 1.
 
 use crate::frame::Held;
-use crate::ground::positive_part;
 use crate::model::Acts;
 use crate::pointwise::{PieceBounds, Pointwise};
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, positive_part};
 use crate::size::Size;
 use crate::test_functions::{kink, least_of_halves};
 

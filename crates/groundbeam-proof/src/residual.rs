@@ -11,11 +11,11 @@
 
 use crate::deflection::Deflection;
 use crate::frame::{Frame, Span};
-use crate::ground::{Surface, positive_part};
+use crate::ground::Surface;
 use crate::model::Acts;
 use crate::polynomial::Polynomial;
 use crate::pressure::Pressure;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, positive_part};
 use crate::size::Size;
 
 /// The residual of one piece.

@@ -128,6 +128,18 @@ pub(crate) fn expm1_by_series<S: Scalar>(x: S, terms: u32) -> S {
     e
 }
 
+/// A ball that holds max(x, 0) for all x of a ball.
+pub(crate) fn positive_part<S: Scalar>(x: S) -> S {
+    if x.low() >= 0.0 {
+        x
+    } else if x.high() <= 0.0 {
+        S::zero()
+    } else {
+        let half = 0.5 * x.high();
+        S::of(half).widened(half.next_up())
+    }
+}
+
 /// A whole number.
 fn whole<S: Scalar>(n: u128) -> S {
     let h = n as f64;
