@@ -117,7 +117,7 @@ impl<S: Scalar> Pointwise<'_, S> {
     /// At a touching node with a force ā ≥ (1 − |λ|)a > 0: e = d + C*, and āC* ≤ E.
     fn pressed(&self, node: usize) -> Option<Size> {
         let surface = &self.fields.surface;
-        let force = self.kept(self.balanced.factors[node].size()) * surface.force[node].low();
+        let force = self.kept(self.balanced.factors[node].size()) * surface.nodes[node].force.low();
         (surface.touches[node] && force > 0.0)
             .then(|| self.s2() * surface.flexibility_at(node) + self.energy.over(force.next_down()))
     }
@@ -172,7 +172,7 @@ impl<S: Scalar> Pointwise<'_, S> {
             let slid = sheared * half.root();
             let spread = (self.energy.over(least)).over(length);
             let settled = if span.layered {
-                self.s2() * self.fields.surface.flexibility[i]
+                self.s2() * self.fields.surface.pieces[i].flexibility
             } else {
                 (2.0 * self.energy).over(span.spring.low()).over(length).root()
             };

@@ -50,9 +50,9 @@ impl<S: Scalar> Contact<'_, S> {
     }
 
     pub(crate) fn open_piece(&self, i: usize) -> Option<OpenPiece<S::Coarse>> {
-        let open = self.fields.surface.open[i]?;
+        let open = self.fields.surface.pieces[i].open?;
         let span = &self.fields.frame.spans[i];
-        let along = self.fields.surface.along[i].as_deref();
+        let along = self.fields.surface.pieces[i].along.as_deref();
         Some(OpenPiece::of(span, open, along, [Size::ZERO; 3]))
     }
 
@@ -96,8 +96,8 @@ impl<S: Scalar> Contact<'_, S> {
         let span = &self.fields.frame.spans[i];
         let error = self.bounds[i].settlement;
         let shear = Size::of(span.shear.high());
-        if self.fields.surface.along[i].is_some() {
-            let load = Size::of(span.spring.high()) * error + self.fields.surface.missed[i];
+        if self.fields.surface.pieces[i].along.is_some() {
+            let load = Size::of(span.spring.high()) * error + self.fields.surface.pieces[i].missed;
             return varying_flux(shear * error, load, length);
         }
         let decay = span.spring.least().div(span.shear.least()).sqrt();
@@ -109,7 +109,7 @@ impl<S: Scalar> Contact<'_, S> {
     /// A lower bound of (μC′)′ less its error on |t − m| ≤ r of an open piece.
     fn presses(&self, i: usize, piece: &OpenPiece<S::Coarse>, m: f64, r: f64) -> bool {
         let (span, error) = (&self.fields.frame.spans[i], more(self.bounds[i].pressure));
-        match &self.fields.surface.along[i] {
+        match &self.fields.surface.pieces[i].along {
             None => {
                 let bent = piece.curvature(m, r, piece.settlement(m));
                 bent > more(self.bounds[i].pressure.over(span.shear.low())).value()

@@ -15,7 +15,8 @@
 //! β = Bλ′ to each cell. Then anything that presses makes the system positive definite. It is used only where pressures
 //! and supports alone cannot balance the loads, as its cost ∫β²/P is not needed elsewhere.
 
-use crate::frame::Frame;
+use crate::deflection::Deflection;
+use crate::frame::{Frame, Span};
 use crate::ground::Surface;
 use crate::pressure::Pressure;
 use crate::refusal::NotProven;
@@ -42,16 +43,22 @@ pub(crate) struct Balanced<S> {
     pub cuts: Vec<usize>,
     /// λ at the nodes.
     pub factors: Vec<S>,
-    /// |λ′| in the cell of each piece.
-    pub steepness: Vec<Size>,
-    /// δ at both ends of each piece, without what the forces given back add.
-    pub moments: Vec<[S; 2]>,
-    /// −δ′ at both ends of each piece, likewise.
-    pub shears: Vec<[S; 2]>,
-    /// A bound of the moment, and of the shear force, that the forces given back add in the cell of each piece.
-    pub added: Vec<[Size; 2]>,
-    /// |β| on each piece, the transverse force that the tension carries.
-    pub drawn: Vec<Size>,
+    pub pieces: Vec<BalancedPiece<S>>,
+}
+
+/// The exact balance on one piece.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct BalancedPiece<S> {
+    /// |λ′| in its cell.
+    pub steepness: Size,
+    /// δ at both ends, without what the forces given back add.
+    pub moments: [S; 2],
+    /// −δ′ at both ends, likewise.
+    pub shears: [S; 2],
+    /// A bound of the moment, and of the shear force, that the forces given back add in its cell.
+    pub added: [Size; 2],
+    /// |β|, the transverse force that the tension carries.
+    pub drawn: Size,
 }
 
 impl<S: Scalar> Balanced<S> {
@@ -104,40 +111,49 @@ struct Cell<S> {
 
 /// The tridiagonal system for λ at the cuts.
 struct System<S> {
-    diagonal: Vec<S>,
-    beside: Vec<S>,
-    right: Vec<S>,
+    rows: Vec<Row<S>>,
+}
+
+/// The equation of one cut.
+#[derive(Clone, Copy)]
+struct Row<S> {
+    diagonal: S,
+    /// The coefficient of the next cut, and of this cut in the next equation.
+    beside: S,
+    right: S,
 }
 
 impl<S: Scalar> System<S> {
     fn of(cuts: usize) -> Self {
-        let zeros = vec![S::zero(); cuts];
-        System { diagonal: zeros.clone(), beside: zeros.clone(), right: zeros }
+        let zero = S::zero();
+        System { rows: vec![Row { diagonal: zero, beside: zero, right: zero }; cuts] }
     }
 
     /// Elimination; none if a pivot may be zero or negative.
     fn solved(mut self) -> Option<Vec<S>> {
-        let count = self.diagonal.len();
-        if self.right.iter().all(|rest| *rest == S::zero()) {
+        let rows = &mut self.rows;
+        if rows.iter().all(|row| row.right == S::zero()) {
             // Nothing remains to be given back.
-            return Some(self.right);
+            return Some(rows.iter().map(|row| row.right).collect());
         }
-        for j in 0..count {
-            if !(self.diagonal[j].low() > 0.0) {
+        for j in 0..rows.len() {
+            let row = rows[j];
+            if !(row.diagonal.low() > 0.0) {
                 return None;
             }
-            if j + 1 < count {
-                let factor = self.beside[j].div(self.diagonal[j]);
-                self.diagonal[j + 1] = self.diagonal[j + 1] - factor * self.beside[j];
-                self.right[j + 1] = self.right[j + 1] - factor * self.right[j];
+            if let Some(next) = rows.get_mut(j + 1) {
+                let factor = row.beside.div(row.diagonal);
+                next.diagonal = next.diagonal - factor * row.beside;
+                next.right = next.right - factor * row.right;
             }
         }
-        let mut solution = self.right;
-        for j in (0..count).rev() {
-            if j + 1 < count {
-                solution[j] = solution[j] - self.beside[j] * solution[j + 1];
-            }
-            solution[j] = solution[j].div(self.diagonal[j]);
+        let mut solution = vec![S::zero(); rows.len()];
+        for (j, row) in rows.iter().enumerate().rev() {
+            let right = match solution.get(j + 1) {
+                Some(next) => row.right - row.beside * *next,
+                None => row.right,
+            };
+            solution[j] = right.div(row.diagonal);
         }
         Some(solution)
     }
@@ -146,25 +162,28 @@ impl<S: Scalar> System<S> {
 impl<S: Scalar> Balance<'_, S> {
     pub fn solve(&self) -> Result<Balanced<S>, NotProven> {
         let pieces = self.frame.spans.len();
+        let nothing = BalancedPiece {
+            steepness: Size::ZERO,
+            moments: [S::zero(); 2],
+            shears: [S::zero(); 2],
+            added: [Size::ZERO; 2],
+            drawn: Size::ZERO,
+        };
         let mut balanced = Balanced {
             cuts: self.cuts.clone(),
             factors: vec![S::zero(); pieces + 1],
-            steepness: vec![Size::ZERO; pieces],
-            moments: vec![[S::zero(); 2]; pieces],
-            shears: vec![[S::zero(); 2]; pieces],
-            added: vec![[Size::ZERO; 2]; pieces],
-            drawn: vec![Size::ZERO; pieces],
+            pieces: vec![nothing; pieces],
         };
         let mut system = System::of(self.cuts.len());
         for (j, node) in self.cuts.iter().enumerate() {
-            system.right[j] = system.right[j] + self.residual.nodes[*node][0];
-            system.diagonal[j] = system.diagonal[j] + self.carried_at(*node);
+            system.rows[j].right = system.rows[j].right + self.residual.nodes[*node][0];
+            system.rows[j].diagonal = system.rows[j].diagonal + self.carried_at(*node);
         }
         for j in 0..self.cuts.len() - 1 {
             let cell = self.cell(j);
             let [left, right] = self.shear_forces(&cell, &mut balanced);
-            system.right[j] = system.right[j] - left;
-            system.right[j + 1] = system.right[j + 1] + right;
+            system.rows[j].right = system.rows[j].right - left;
+            system.rows[j + 1].right = system.rows[j + 1].right + right;
             self.masses(&cell, j, &mut system);
         }
         let no_lever = || {
@@ -178,7 +197,7 @@ impl<S: Scalar> Balance<'_, S> {
         }
         let unsafe_factor = |i: &usize| {
             let presses =
-                self.surface.force[*i].size() > 0.0 || self.residual.pushing[*i].size() > 0.0;
+                self.surface.nodes[*i].force.size() > 0.0 || self.residual.pushing[*i].size() > 0.0;
             presses && !(balanced.factors[*i].size() < 0.5)
         };
         let piece = (0..pieces)
@@ -198,7 +217,7 @@ impl<S: Scalar> Balance<'_, S> {
     /// The weight at a node: its concentrated force, the weights of its supports, and what one of one direction pushes.
     fn carried_at(&self, node: usize) -> S {
         let weights = &self.frame.nodes[node].weights;
-        self.surface.force[node]
+        self.surface.nodes[node].force
             + S::of(weights.rigid)
             + S::of(weights.spring)
             + self.residual.pushing[node]
@@ -252,8 +271,8 @@ impl<S: Scalar> Balance<'_, S> {
             let (piece, [force, turn]) = (&self.residual.pieces[i], inner(i));
             (shear, delta) = (shear + force, delta + turn);
             let after = delta - shear * self.frame.spans[i].h - piece.moment;
-            balanced.moments[i] = [delta, after];
-            balanced.shears[i] = [shear, shear + piece.force];
+            balanced.pieces[i].moments = [delta, after];
+            balanced.pieces[i].shears = [shear, shear + piece.force];
             (shear, delta) = (shear + piece.force, after);
         }
         [first, shear]
@@ -263,9 +282,9 @@ impl<S: Scalar> Balance<'_, S> {
     fn masses(&self, cell: &Cell<S>, j: usize, system: &mut System<S>) {
         let per_length = S::one().div(cell.length);
         let mut add = |mass: S, [a, b]: [S; 2]| {
-            system.diagonal[j] = system.diagonal[j] + mass * a * a;
-            system.diagonal[j + 1] = system.diagonal[j + 1] + mass * b * b;
-            system.beside[j] = system.beside[j] + mass * a * b;
+            system.rows[j].diagonal = system.rows[j].diagonal + mass * a * a;
+            system.rows[j + 1].diagonal = system.rows[j + 1].diagonal + mass * b * b;
+            system.rows[j].beside = system.rows[j].beside + mass * a * b;
         };
         for node in cell.pieces.start + 1..cell.pieces.end {
             let x = self.frame.nodes[node].x;
@@ -289,16 +308,16 @@ impl<S: Scalar> Balance<'_, S> {
             let mass = |[a, b]: [S; 2], [c, d]: [S; 2]| {
                 a * c * whole + (a * d + b * c) * turned + b * d * spread
             };
-            system.diagonal[j] = system.diagonal[j] + mass(hats[0], hats[0]);
-            system.beside[j] = system.beside[j] + mass(hats[0], hats[1]);
-            system.diagonal[j + 1] = system.diagonal[j + 1] + mass(hats[1], hats[1]);
+            system.rows[j].diagonal = system.rows[j].diagonal + mass(hats[0], hats[0]);
+            system.rows[j].beside = system.rows[j].beside + mass(hats[0], hats[1]);
+            system.rows[j + 1].diagonal = system.rows[j + 1].diagonal + mass(hats[1], hats[1]);
             pulls += self.pressures[i].pull();
         }
         for k in [j, j + 1] {
-            system.diagonal[k] = system.diagonal[k].widened(pulls.value());
-            system.right[k] = system.right[k].widened(pulls.value());
+            system.rows[k].diagonal = system.rows[k].diagonal.widened(pulls.value());
+            system.rows[k].right = system.rows[k].right.widened(pulls.value());
         }
-        system.beside[j] = system.beside[j].widened(pulls.value());
+        system.rows[j].beside = system.rows[j].beside.widened(pulls.value());
     }
 
     /// λ on a cell, and what the forces given back add to moment and shear force there: a load on a simply supported
@@ -332,9 +351,9 @@ impl<S: Scalar> Balance<'_, S> {
         let (high, low) = (Size::of(cell.length.high()), cell.length.low());
         let added = [0.25 * (high * load) + couple, load + couple.over(low)];
         for i in cell.pieces.clone() {
-            balanced.added[i] = added;
-            balanced.steepness[i] = Size::of(slope.size());
-            balanced.drawn[i] = Size::of(self.carrier) * balanced.steepness[i];
+            balanced.pieces[i].added = added;
+            balanced.pieces[i].steepness = Size::of(slope.size());
+            balanced.pieces[i].drawn = Size::of(self.carrier) * balanced.pieces[i].steepness;
         }
     }
 
@@ -343,7 +362,8 @@ impl<S: Scalar> Balance<'_, S> {
         let of = |i: usize| {
             let (span, piece) = (&self.frame.spans[i], &self.residual.pieces[i]);
             let load = (piece.constant, piece.rest);
-            let norm = moment_norm(span.h, balanced.moments[i], load, balanced.added[i][0]);
+            let norm =
+                moment_norm(span.h, balanced.pieces[i].moments, load, balanced.pieces[i].added[0]);
             norm.square().over(span.bending.low())
         };
         (0..self.frame.spans.len()).map(of).sum()
@@ -352,19 +372,22 @@ impl<S: Scalar> Balance<'_, S> {
     /// Σβ²h/P.
     pub fn drawn(&self, balanced: &Balanced<S>) -> Size {
         let Some(tension) = self.frame.tension else { return Size::ZERO };
-        let pieces = self.frame.spans.iter().zip(&balanced.drawn);
-        pieces.map(|(span, drawn)| (span.length() * drawn.square()).over(tension.low())).sum()
+        let pieces = self.frame.spans.iter().zip(&balanced.pieces);
+        let of = |(span, piece): (&Span<S>, &BalancedPiece<S>)| {
+            (span.length() * piece.drawn.square()).over(tension.low())
+        };
+        pieces.map(of).sum()
     }
 
     /// ‖Gδp‖²: δp = λp̄ with |λ| ≤ γ, and the kernel of G is positive. In a layer ⟨δp, Gδp⟩ ≤ Σγ²∫p̄ Gp̄ with
     /// Gp̄ ≤ û + |c| + √g‖ū − G(p̄ + q)‖; on separate springs it is ∫(δp)²/k.
-    pub fn ground(&self, balanced: &Balanced<S>, corrections: &[Size], missed: Size) -> Size {
+    pub fn ground(&self, balanced: &Balanced<S>, deflection: &Deflection<S>, missed: Size) -> Size {
         let mut sum = Size::ZERO;
         for (i, span) in self.frame.spans.iter().enumerate().filter(|(_, span)| span.touches) {
             let pressure = &self.pressures[i];
             let per_load = if span.layered {
-                let settled = span.obstacle().size(span.tau) + corrections[i];
-                settled + self.surface.flexibility[i] * missed
+                let settled = pressure.obstacle + deflection.pieces[i].bounds[0];
+                settled + self.surface.pieces[i].flexibility * missed
             } else {
                 pressure.field.size(span.tau).over(span.spring.low())
             };
@@ -375,12 +398,12 @@ impl<S: Scalar> Balance<'_, S> {
 
     fn ground_at_nodes(&self, balanced: &Balanced<S>, missed: Size) -> Size {
         let of = |node: usize| {
-            let force = Size::of(self.surface.force[node].size());
+            let force = Size::of(self.surface.nodes[node].force.size());
             if !self.surface.touches[node] || force.value() == 0.0 {
                 return Size::ZERO;
             }
             let factor = Size::of(balanced.factors[node].size());
-            let settled = Size::of(self.surface.settlement[node].size());
+            let settled = Size::of(self.surface.nodes[node].settlement.size());
             let missed = self.surface.flexibility_at(node) * missed;
             factor.square() * force * (settled + missed)
         };

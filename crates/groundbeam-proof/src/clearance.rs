@@ -55,7 +55,7 @@ pub(crate) fn clearance<S: Scalar>(
             found.raised[first] = above.depth;
             continue;
         }
-        while i < count && surface.open[i].is_some() && !surface.touches[i] {
+        while i < count && surface.pieces[i].open.is_some() && !surface.touches[i] {
             i += 1;
         }
         let stretch = Stretch { frame, deflection, surface, first, end: i, negligible };
@@ -76,12 +76,12 @@ fn above_springs<S: Scalar>(
     budget: &mut Budget,
 ) -> Below {
     let Some(load) = span.ground_load.as_ref().filter(|_| span.spring.even().is_none()) else {
-        let clear = (&Polynomial::zero() - &span.above_free_field()).coarse();
+        let clear = span.above_free_field().times(-S::one()).coarse();
         return below(&clear, closed, negligible, span.interval(), budget);
     };
     // Where k varies q − k(w̄ − g₀) has the sign, and q/k is no polynomial.
     let stiff = Size::of(span.spring.high());
-    let clear = (&**load - &span.spring.times(&span.obstacle())).coarse();
+    let clear = (span.spring.times(span.obstacle()).times(-S::one()) + load).coarse();
     let found = below(&clear, stiff * closed, stiff * negligible, span.interval(), budget);
     Below { depth: found.depth.over(span.spring.low()), ..found }
 }
@@ -114,10 +114,12 @@ impl<S: Scalar> Stretch<'_, S> {
         let mut stiffness = Size::ZERO;
         let ends = [self.first, self.end];
         for i in self.first..self.end {
-            let Some(open) = self.surface.open[i] else { return (Size::INFINITE, Size::INFINITE) };
+            let Some(open) = self.surface.pieces[i].open else {
+                return (Size::INFINITE, Size::INFINITE);
+            };
             budget.begin();
             let span = &self.frame.spans[i];
-            let along = self.surface.along[i].as_deref();
+            let along = self.surface.pieces[i].along.as_deref();
             let piece = OpenPiece::of(span, open, along, self.deflection.pieces[i].bounds);
             let [mut from, mut to] = span.interval();
             stiffness += Size::of(span.spring.high()) * span.length();
@@ -150,9 +152,9 @@ impl<S: Scalar> Stretch<'_, S> {
     /// C̄′ at a touching node, into the open piece: u′ + g₀′ − w′ − c′.
     fn slope_at(&self, i: usize, side: usize) -> S {
         let span = &self.frame.spans[i];
-        let settling = self.surface.flux[i][side].div(span.shear.at_end(side));
-        let gap = span.derivative(&span.gap).value(span.t[side]);
-        let bent = self.deflection.slopes[i][side] + self.deflection.pieces[i].slope[side];
+        let settling = self.surface.pieces[i].flux[side].div(span.shear.at_end(side));
+        let gap = span.gap_slope();
+        let bent = self.deflection.claimed[i].slope[side] + self.deflection.pieces[i].slope[side];
         settling + gap - bent
     }
 }
@@ -178,7 +180,7 @@ impl<C: Scalar> OpenPiece<C> {
         closed: [Size; 3],
     ) -> Self {
         let (obstacle, arc) = match along {
-            Some(u) => (&span.obstacle() - u, Arc::of(span, [S::zero(); 2])),
+            Some(u) => (span.obstacle() - u, Arc::of(span, [S::zero(); 2])),
             None => (span.above_free_field(), Arc::of(span, span.above_free_ends(ends))),
         };
         let slope = span.derivative(&obstacle);
@@ -249,8 +251,9 @@ impl<C: Scalar> OpenPiece<C> {
     /// A bound of −C̄ on an interval of t.
     fn deepest(&self, [from, to]: [f64; 2], negligible: Size, budget: &mut Budget) -> Size {
         let mut deepest = Size::ZERO;
-        let mut open = vec![[from, to]];
-        while let Some([a, b]) = open.pop() {
+        let mut open = Vec::new();
+        let mut next = Some([from, to]);
+        while let Some([a, b]) = next.take().or_else(|| open.pop()) {
             if !(a < b) {
                 continue;
             }

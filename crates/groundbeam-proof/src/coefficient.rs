@@ -1,7 +1,7 @@
 //! A coefficient of the equations along a piece, EI, S, k or μ: constant, or a polynomial of t with its bounds.
 
 use crate::model::Course;
-use crate::polynomial::Polynomial;
+use crate::polynomial::{Line, Polynomial};
 use crate::scalar::Scalar;
 
 /// A coefficient along a piece.
@@ -26,12 +26,7 @@ pub(crate) struct Varying<S> {
 impl<S: Scalar> Coefficient<S> {
     /// A course along a segment from `s` = 0 to 1, on a piece with s = `line`(t), which runs from s = `ends[0]` to `ends[1]`.
     /// `scaled` gives the control values the units of the proof.
-    pub fn of(
-        course: &Course<S>,
-        line: &Polynomial<S>,
-        ends: [S; 2],
-        scaled: impl Fn(S) -> S,
-    ) -> Self {
+    pub fn of(course: &Course<S>, line: &Line<S>, ends: [S; 2], scaled: impl Fn(S) -> S) -> Self {
         let values: Vec<S> = match course {
             Course::Constant(value) => return Coefficient::Even(scaled(*value)),
             Course::Varying(values) => values.iter().map(|value| scaled(*value)).collect(),
@@ -74,10 +69,10 @@ impl<S: Scalar> Coefficient<S> {
     }
 
     /// The product with a field.
-    pub fn times(&self, field: &Polynomial<S>) -> Polynomial<S> {
+    pub fn times(&self, field: Polynomial<S>) -> Polynomial<S> {
         match self {
             Coefficient::Even(value) => field.times(*value),
-            Coefficient::Varying(varying) => field * &varying.along,
+            Coefficient::Varying(varying) => &field * &varying.along,
         }
     }
 
@@ -131,12 +126,13 @@ fn controls<S: Scalar>(values: &[S], [a, b]: [S; 2]) -> Vec<S> {
 }
 
 /// The course in powers of t, by de Casteljau's algorithm with s = line(t).
-fn in_powers<S: Scalar>(values: &[S], line: &Polynomial<S>) -> Polynomial<S> {
-    let rest = &Polynomial::from_coefficients([S::one()]) - line;
+fn in_powers<S: Scalar>(values: &[S], line: &Line<S>) -> Polynomial<S> {
+    let line = Polynomial::zero() + line;
+    let rest = Polynomial::from_coefficients([S::one()]) - &line;
     let mut row: Vec<_> =
         values.iter().map(|value| Polynomial::from_coefficients([*value])).collect();
     while row.len() > 1 {
-        row = row.windows(2).map(|pair| &(&pair[0] * &rest) + &(&pair[1] * line)).collect();
+        row = row.windows(2).map(|pair| &pair[0] * &rest + &(&pair[1] * &line)).collect();
     }
     row.pop().unwrap_or_else(Polynomial::zero)
 }
@@ -145,7 +141,7 @@ fn in_powers<S: Scalar>(values: &[S], line: &Polynomial<S>) -> Polynomial<S> {
 mod tests {
     use super::Coefficient;
     use crate::model::Course;
-    use crate::polynomial::{HIGHEST_COURSE, Polynomial};
+    use crate::polynomial::{HIGHEST_COURSE, Line, Polynomial};
     use crate::random::numbers;
     use crate::scalar::Scalar;
     use crate::wide::Wide;
@@ -171,14 +167,14 @@ mod tests {
             let to = from + 0.1 + 0.15 * (random() + 1.0);
             let [middle, half] = [0.5 * (from + to), 0.5 * (to - from)].map(Wide::of);
             let exact: Vec<Wide> = values.iter().map(|value| Wide::of(*value)).collect();
-            let line = Polynomial::line(middle, half);
+            let line = Line::from_coefficients([middle, half]);
             let ends = [middle - half, middle + half];
             let found = Coefficient::of(&Course::Varying(exact), &line, ends, |x| x);
             for step in 0..=20 {
                 let t = f64::from(step) / 10.0 - 1.0;
                 let s = middle.middle() + half.middle() * t;
                 let one = Polynomial::from_coefficients([Wide::of(1.0)]);
-                let value = found.times(&one).value(Wide::of(t)).middle();
+                let value = found.times(one).value(Wide::of(t)).middle();
                 assert!((value - course(&values, s)).abs() < 1e-14);
                 assert!(found.low() <= value + 1e-14 && value <= found.high() + 1e-14);
             }

@@ -92,7 +92,7 @@ impl<S: Scalar> Contact<'_, S> {
     ) -> Result<(), NotProven> {
         let tolerance = self.tolerance(node, beside);
         let alone = beside[node].iter().flatten().all(|side| side.theta == Size::ZERO);
-        if !(alone && self.fields.surface.jump[node].low() > tolerance.value()) {
+        if !(alone && self.fields.surface.nodes[node].jump.low() > tolerance.value()) {
             return Err(self.failed("a point may be open or a short region", node));
         }
         self.force(node, tolerance, true, shown);
@@ -132,7 +132,7 @@ impl<S: Scalar> Contact<'_, S> {
                 self.force(node, tolerance, inside == Size::ZERO, shown);
                 continue;
             }
-            let pushes = self.fields.surface.jump[node].low() >= tolerance.value();
+            let pushes = self.fields.surface.nodes[node].jump.low() >= tolerance.value();
             if !pushes && !self.bends_open(node) {
                 return Err(self.failed("a force inside a region may pull", node));
             }
@@ -168,7 +168,7 @@ impl<S: Scalar> Contact<'_, S> {
         let rough = if shears { self.opened_at(i, side) } else { None };
         let mut most = rough.unwrap_or(Size::INFINITE);
         let tolerance = self.tolerance(node, beside);
-        let jump = self.fields.surface.jump[node];
+        let jump = self.fields.surface.nodes[node].jump;
         let without_slope = self.tolerance_beside(node, side, beside);
         let beyond = [
             approach.map_or(Size::ZERO, |approach| approach.flux + approach.steep),
@@ -237,20 +237,17 @@ impl<S: Scalar> Contact<'_, S> {
     /// a beam that shears is bent down by a force, [C*′] = F/(S + P), and nothing else makes the flux jump.
     fn bends_open(&self, node: usize) -> bool {
         let frame = self.fields.frame;
-        let slope = |i: usize, side: usize| {
-            let span = &frame.spans[i];
-            span.derivative(&span.gap).value(span.t[side])
-        };
+        let corner = || (frame.spans[node].gap_slope() - frame.spans[node - 1].gap_slope()).low();
         let here = &frame.nodes[node];
         let alone = here.rigid.is_none() && here.spring.is_none() && here.force.low() >= 0.0;
         let down = alone || !frame.kinks(node);
-        down && frame.even(node) && (slope(node, 0) - slope(node - 1, 1)).low() >= 0.0
+        down && frame.even(node) && corner() >= 0.0
     }
 
     /// Adds a concentrated force. Unless contact is known at the node, it may also be zero.
     fn force(&self, node: usize, tolerance: Size, contact: bool, shown: &mut Shown) {
         let frame = self.fields.frame;
-        let jump = self.fields.surface.jump[node];
+        let jump = self.fields.surface.nodes[node].jump;
         let (low, high) = (
             (jump.low() - tolerance.value()).next_down(),
             (jump.high() + tolerance.value()).next_up(),

@@ -10,6 +10,7 @@
 //! ```
 
 use crate::frame::{Frame, Span};
+use crate::polynomial::Polynomial;
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
@@ -25,16 +26,31 @@ pub(crate) struct Correction<S> {
     pub bounds: [Size; 3],
 }
 
+/// The claimed fields at both ends of a piece.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Claimed<S> {
+    /// w.
+    pub value: [S; 2],
+    /// w′.
+    pub slope: [S; 2],
+    /// φ: w′ where the piece does not shear.
+    pub rotation: [S; 2],
+}
+
+impl<S: Scalar> Claimed<S> {
+    fn of(span: &Span<S>) -> Self {
+        let ends = |p: &Polynomial<S>| span.t.map(|t| p.value(t));
+        let slope = ends(&span.derivative(&span.deflection));
+        let rotation = span.rotation.as_deref().map_or(slope, ends);
+        Claimed { value: ends(&span.deflection), slope, rotation }
+    }
+}
+
 /// The admissible deflection.
 #[derive(Debug)]
 pub(crate) struct Deflection<S> {
     pub pieces: Vec<Correction<S>>,
-    /// w at both ends of each piece, as claimed.
-    pub claimed: Vec<[S; 2]>,
-    /// w′ at both ends of each piece, as claimed.
-    pub slopes: Vec<[S; 2]>,
-    /// φ at both ends of each piece, as claimed: w′ where it does not shear.
-    pub rotations: Vec<[S; 2]>,
+    pub claimed: Vec<Claimed<S>>,
     /// w̄ at the nodes.
     pub values: Vec<S>,
     /// The piece beside each node, and its end there, whose claimed values the springs of the node feel: the one with the
@@ -46,25 +62,18 @@ impl<S: Scalar> Deflection<S> {
     /// w and φ at a node as the springs there feel them.
     pub fn at_support(&self, node: usize) -> [S; 2] {
         let [piece, side] = self.felt[node];
-        [self.claimed[piece][side], self.rotations[piece][side]]
+        let claimed = &self.claimed[piece];
+        [claimed.value[side], claimed.rotation[side]]
     }
 }
 
 /// Decides for each piece whether it bends, then walks along the pieces.
 pub(crate) fn admissible<S: Scalar>(frame: &Frame<S>) -> Result<Deflection<S>, NotProven> {
-    let ends = |p: &crate::polynomial::Polynomial<S>, t: [S; 2]| t.map(|t| p.value(t));
-    let spans = frame.spans.iter();
-    let claimed: Vec<_> = spans.clone().map(|s| ends(&s.deflection, s.t)).collect();
-    let slopes: Vec<_> = spans.map(|s| ends(&s.derivative(&s.deflection), s.t)).collect();
-    let rotated = |(s, slope): (&Span<S>, &[S; 2])| {
-        s.rotation.as_ref().map_or(*slope, |rotation| ends(rotation, s.t))
-    };
-    let rotations: Vec<_> = frame.spans.iter().zip(&slopes).map(rotated).collect();
+    let claimed: Vec<_> = frame.spans.iter().map(Claimed::of).collect();
     let bends = bending(frame);
     let mut walk = Walk {
         frame,
         claimed: &claimed,
-        rotations: &rotations,
         bends: &bends,
         values: vec![None; frame.nodes.len()],
         turns: vec![[None; 2]; frame.nodes.len()],
@@ -81,7 +90,7 @@ pub(crate) fn admissible<S: Scalar>(frame: &Frame<S>) -> Result<Deflection<S>, N
         return Err(NotProven::new("the pieces do not join"));
     };
     let felt = (0..frame.nodes.len()).map(|node| felt(frame, node)).collect();
-    Ok(Deflection { pieces, claimed, slopes, rotations, values, felt })
+    Ok(Deflection { pieces, claimed, values, felt })
 }
 
 /// The piece beside a node with the smaller coefficients of w, and its end at the node.
@@ -122,8 +131,7 @@ fn bending<S: Scalar>(frame: &Frame<S>) -> Vec<bool> {
 /// w̄ at the nodes and φ̄ on both sides of them; `None` before they are set.
 struct Walk<'a, S> {
     frame: &'a Frame<S>,
-    claimed: &'a [[S; 2]],
-    rotations: &'a [[S; 2]],
+    claimed: &'a [Claimed<S>],
     bends: &'a [bool],
     values: Vec<Option<S>>,
     turns: Vec<[Option<S>; 2]>,
@@ -159,31 +167,32 @@ impl<S: Scalar> Walk<'_, S> {
             (_, true) => (start, 0),
             (_, false) => (start - 1, 1),
         };
-        let value = nodes[start].rigid.unwrap_or(self.claimed[keeps.0][keeps.1]);
-        let slope = if nodes[start].clamped { S::zero() } else { self.rotations[keeps.0][keeps.1] };
+        let value = nodes[start].rigid.unwrap_or(self.claimed[keeps.0].value[keeps.1]);
+        let slope =
+            if nodes[start].clamped { S::zero() } else { self.claimed[keeps.0].rotation[keeps.1] };
         self.held[start] = nodes[start].rigid.is_some();
         self.values[start] = Some(value);
         self.turns[start] = [0, 1].map(|side| Some(self.handed_on(start, side, slope)));
         for i in start..end {
             let [a, b] = self.left_of(i);
-            self.values[i + 1] = Some(self.claimed[i][1] + a + b * self.frame.spans[i].h);
-            let slope = self.rotations[i][1] + b;
+            self.values[i + 1] = Some(self.claimed[i].value[1] + a + b * self.frame.spans[i].h);
+            let slope = self.claimed[i].rotation[1] + b;
             self.turns[i + 1] = [Some(slope), Some(self.handed_on(i + 1, 1, slope))];
         }
         for i in (first..start).rev() {
-            let b = self.turn(i + 1, 0) - self.rotations[i][1];
-            let a = self.value(i + 1) - self.claimed[i][1] - b * self.frame.spans[i].h;
-            self.values[i] = Some(self.claimed[i][0] + a);
-            let slope = self.rotations[i][0] + b;
+            let b = self.turn(i + 1, 0) - self.claimed[i].rotation[1];
+            let a = self.value(i + 1) - self.claimed[i].value[1] - b * self.frame.spans[i].h;
+            self.values[i] = Some(self.claimed[i].value[0] + a);
+            let slope = self.claimed[i].rotation[0] + b;
             self.turns[i] = [Some(self.handed_on(i, 0, slope)), Some(slope)];
         }
     }
 
     /// The slope on one side of a node: the given one, or at a hinge the one that the piece on this side claims.
     fn handed_on(&self, node: usize, side: usize, slope: S) -> S {
-        let piece = (node + side).checked_sub(1).and_then(|piece| self.rotations.get(piece));
+        let piece = (node + side).checked_sub(1).and_then(|piece| self.claimed.get(piece));
         match piece {
-            Some(claimed) if self.frame.nodes[node].is_hinged() => claimed[1 - side],
+            Some(claimed) if self.frame.nodes[node].is_hinged() => claimed.rotation[1 - side],
             _ => slope,
         }
     }
@@ -198,7 +207,10 @@ impl<S: Scalar> Walk<'_, S> {
 
     /// c and c′ at the left end of a piece.
     fn left_of(&self, piece: usize) -> [S; 2] {
-        [self.value(piece) - self.claimed[piece][0], self.turn(piece, 1) - self.rotations[piece][0]]
+        [
+            self.value(piece) - self.claimed[piece].value[0],
+            self.turn(piece, 1) - self.claimed[piece].rotation[0],
+        ]
     }
 
     /// c on every piece.
@@ -215,8 +227,8 @@ impl<S: Scalar> Walk<'_, S> {
             let bounds = [Size::of(a.size()) + slope * Size::of(h.size()), slope, Size::ZERO];
             return Correction { slope: [b; 2], rise: b * h, bounds };
         }
-        let value = [a, self.value(i + 1) - self.claimed[i][1]];
-        let slope = [b, self.turn(i + 1, 0) - self.rotations[i][1]];
+        let value = [a, self.value(i + 1) - self.claimed[i].value[1]];
+        let slope = [b, self.turn(i + 1, 0) - self.claimed[i].rotation[1]];
         let bounds = bent(h, value, slope);
         Correction { slope, rise: value[1] - value[0], bounds }
     }

@@ -7,7 +7,7 @@ use crate::deflection::Deflection;
 use crate::fields::Fields;
 use crate::frame::{Frame, Span};
 use crate::model::Acts;
-use crate::polynomial::{HIGHEST, HIGHEST_COURSE, Polynomial};
+use crate::polynomial::{Polynomial, ROOM};
 use crate::scalar::Scalar;
 
 /// The energies of an answer \[N·m\], in the units of the proof.
@@ -23,8 +23,11 @@ impl Energies {
     pub fn of<S: Scalar>(fields: &Fields<S>) -> Self {
         let mut sums = Sums::default();
         for i in 0..fields.frame.spans.len() {
-            sums.beam(fields.frame, i);
-            sums.ground(fields, i);
+            let span = &fields.frame.spans[i];
+            let deflection = Series::of(&span.deflection);
+            let slope = deflection.derivative(span.half.middle());
+            sums.beam(fields.frame, span, &deflection, &slope);
+            sums.ground(fields, i, deflection, slope);
         }
         for i in 0..fields.frame.nodes.len() {
             sums.node(fields, i);
@@ -51,41 +54,52 @@ struct Sums {
 }
 
 impl Sums {
-    fn beam<S: Scalar>(&mut self, frame: &Frame<S>, i: usize) {
-        let span = &frame.spans[i];
+    fn beam<S: Scalar>(
+        &mut self,
+        frame: &Frame<S>,
+        span: &Span<S>,
+        deflection: &Series,
+        slope: &Series,
+    ) {
         let half = span.half.middle();
-        let slope = Field::of(&span.deflection).derivative(half);
-        let rotation = span.rotation.as_deref().map_or(slope, Field::of);
-        let curvature = Field::of(&span.curvature);
+        let own = span.rotation.as_deref().map(Series::of);
+        let rotation = own.as_ref().unwrap_or(slope);
+        let curvature = Series::of(&span.curvature);
         let bent = rotation.derivative(half).less(&curvature);
         self.strain += half * weighted(&span.bending, &bent, &bent);
         self.curled += half * weighted(&span.bending, &curvature, &curvature);
         if let Some(stiffness) = &span.stiffness {
-            let sheared = slope.less(&rotation);
+            let sheared = slope.less(rotation);
             self.strain += half * weighted(stiffness, &sheared, &sheared);
         }
         if let Some(force) = frame.axial_force() {
-            self.axial += half * force.middle() * slope.times(&slope);
+            self.axial += half * force.middle() * slope.times(slope);
         }
-        self.work += half * Field::of(&span.force).times(&Field::of(&span.deflection));
-        self.work += half * Field::of(&span.moment).times(&rotation);
+        self.work += half * Series::of(&span.force).times(deflection);
+        self.work += half * Series::of(&span.moment).times(rotation);
     }
 
     /// ∫(ku² + μu′²) and ∫qu. On open ground of a layer the former is the flux times u at both ends and ∫qu.
-    fn ground<S: Scalar>(&mut self, fields: &Fields<S>, i: usize) {
+    fn ground<S: Scalar>(
+        &mut self,
+        fields: &Fields<S>,
+        i: usize,
+        deflection: Series,
+        slope: Series,
+    ) {
         let span = &fields.frame.spans[i];
         let half = span.half.middle();
-        let load = span.ground_load.as_deref().map(Field::of);
+        let load = span.ground_load.as_ref().map(Series::of);
         if span.touches {
-            let u = Field::of(&span.deflection).less(&Field::of(&span.gap));
-            let slope = u.derivative(half);
+            let gap = Series::of(&span.gap);
+            let (u, slope) = (deflection.less(&gap), slope.less(&gap.derivative(half)));
             let springs = weighted(&span.spring, &u, &u);
             self.strain += half * (springs + weighted(&span.shear, &slope, &slope));
             self.work += load.map_or(0.0, |load| half * load.times(&u));
-        } else if let Some(ends) = fields.surface.open[i] {
+        } else if let Some(ends) = fields.surface.pieces[i].open {
             let [left, right] = ends.map(S::middle);
-            let flux = fields.surface.flux[i].map(S::middle);
-            let along = fields.surface.along[i].as_deref().map(Field::of);
+            let flux = fields.surface.pieces[i].flux.map(S::middle);
+            let along = fields.surface.pieces[i].along.as_deref().map(Series::of);
             let pushed = load.map_or(0.0, |load| match along {
                 Some(u) => half * load.times(&u),
                 None => pushed(span, &load, [left, right], flux),
@@ -133,12 +147,13 @@ impl Sums {
 }
 
 /// ∫qu on an open piece, u = q/k + v with v″ = b²v: ∫q²/k + (μ/k)\[qv′ − q′v\].
-fn pushed<S: Scalar>(span: &Span<S>, load: &Field, ends: [f64; 2], flux: [f64; 2]) -> f64 {
+fn pushed<S: Scalar>(span: &Span<S>, load: &Series<2>, ends: [f64; 2], flux: [f64; 2]) -> f64 {
     let half = span.half.middle();
     let [k, mu] = [&span.spring, &span.shear].map(Coefficient::middle);
-    let slope = load.derivative(half).value(0.0);
+    let [middle, rise] = [load.a[0], load.a[1]];
+    let slope = rise / half;
     let at = |side: usize| {
-        let q = load.value([-1.0, 1.0][side]);
+        let q = middle + [-rise, rise][side];
         q * (flux[side] - mu * slope / k) - mu * slope * (ends[side] - q / k)
     };
     half * load.times(load) / k + (at(1) - at(0)) / k
@@ -147,112 +162,134 @@ fn pushed<S: Scalar>(span: &Span<S>, load: &Field, ends: [f64; 2], flux: [f64; 2
 /// ū at a node of a layer.
 fn settlement<S: Scalar>(fields: &Fields<S>, node: usize) -> f64 {
     if fields.surface.touches[node] {
-        return fields.surface.settlement[node].middle();
+        return fields.surface.nodes[node].settlement.middle();
     }
-    let open = |i: usize, side: usize| fields.surface.open.get(i)?.map(|ends| ends[side].middle());
+    let open =
+        |i: usize, side: usize| fields.surface.pieces.get(i)?.open.map(|ends| ends[side].middle());
     let left = node.checked_sub(1).and_then(|i| open(i, 1));
     left.or_else(|| open(node, 0)).unwrap_or(0.0)
 }
 
 /// \[φ\] at a hinge.
 fn turn<S: Scalar>(deflection: &Deflection<S>, node: usize) -> f64 {
-    deflection.rotations[node][0].middle() - deflection.rotations[node - 1][1].middle()
+    deflection.claimed[node].rotation[0].middle()
+        - deflection.claimed[node - 1].rotation[1].middle()
 }
 
 /// ∫cab over −1 ≤ t ≤ 1.
-fn weighted<S: Scalar>(c: &Coefficient<S>, a: &Field, b: &Field) -> f64 {
+fn weighted<S: Scalar, const N: usize>(c: &Coefficient<S>, a: &Series<N>, b: &Series<N>) -> f64 {
     match c.along() {
         None => c.middle() * a.times(b),
-        Some(along) => a.product(&Field::of(along)).times(b),
+        Some(along) => a.product(along).times(b),
     }
 }
 
-/// A field in doubles on −1 ≤ t ≤ 1: the coefficients of even and of odd powers of t apart.
+/// A field in doubles by Legendre's polynomials, Σ aₖPₖ(t), which are orthogonal on −1 ≤ t ≤ 1.
 #[derive(Clone, Copy)]
-struct Field {
+struct Series<const N: usize = ROOM> {
     len: usize,
-    parts: [[f64; HALF]; 2],
+    /// Zero from `len` on.
+    a: [f64; N],
 }
 
-impl Field {
-    const ZERO: Field = Field { len: 0, parts: [[0.0; HALF]; 2] };
+impl<const N: usize> Series<N> {
+    const ZERO: Self = Series { len: 0, a: [0.0; N] };
 
-    fn of<S: Scalar>(p: &Polynomial<S>) -> Self {
-        let mut field = Self::ZERO;
-        for (j, c) in p.coefficients().iter().enumerate() {
-            field.parts[j % 2][j / 2] = c.middle();
+    fn of<S: Scalar>(p: &Polynomial<S, N>) -> Self {
+        let mut series = Self::ZERO;
+        for (c, power) in p.coefficients().iter().zip(&POWERS) {
+            let c = c.middle();
+            series.len += 1;
+            // Four at a time: the parts above tʲ are zero.
+            let fours = series.a.chunks_mut(4).zip(power.chunks(4));
+            for (a, part) in fours.take(series.len.div_ceil(4)) {
+                a.iter_mut().zip(part).for_each(|(a, part)| *a += c * part);
+            }
         }
-        field.len = p.coefficients().len();
-        field
+        series
     }
 
-    /// The coefficients of the powers of one parity.
-    fn part(&self, parity: usize) -> &[f64] {
-        &self.parts[parity][..(self.len + 1 - parity) / 2]
-    }
-
-    fn coefficient(&self, j: usize) -> f64 {
-        self.parts[j % 2][j / 2]
-    }
-
-    /// The derivative by x.
+    /// The derivative by x: P′ₖ₊₁ = (2k + 1)Pₖ + P′ₖ₋₁.
     fn derivative(&self, half: f64) -> Self {
-        let mut derived = Field { len: self.len.saturating_sub(1), ..Self::ZERO };
-        for j in 0..derived.len {
-            derived.parts[j % 2][j / 2] = self.coefficient(j + 1) * (j + 1) as f64 / half;
+        let mut derived = Series { len: self.len.saturating_sub(1), ..Self::ZERO };
+        let mut above = [0.0; 2];
+        for k in (0..derived.len).rev() {
+            above[k % 2] += self.a[k + 1];
+            derived.a[k] = (2 * k + 1) as f64 / half * above[k % 2];
         }
         derived
     }
 
-    fn less(mut self, other: &Field) -> Self {
+    fn less<const M: usize>(mut self, other: &Series<M>) -> Self {
+        // There is room: M > N would not compile.
+        let _ = const { N - M };
         self.len = self.len.max(other.len);
-        for parity in [0, 1] {
-            for (c, less) in self.parts[parity].iter_mut().zip(other.part(parity)) {
-                *c -= less;
-            }
+        for (a, less) in self.a.iter_mut().zip(&other.a[..other.len]) {
+            *a -= less;
         }
         self
     }
 
-    fn product(&self, other: &Field) -> Self {
-        let mut product = Field { len: (self.len + other.len).saturating_sub(1), ..Self::ZERO };
-        for i in 0..self.len {
-            for j in 0..other.len {
-                product.parts[(i + j) % 2][(i + j) / 2] +=
-                    self.coefficient(i) * other.coefficient(j);
+    /// ∫ of the product over −1 ≤ t ≤ 1.
+    fn times<const M: usize>(&self, other: &Series<M>) -> f64 {
+        let both = self.a[..self.len].iter().zip(&other.a[..other.len]);
+        both.zip(&SQUARES).map(|((a, b), square)| a * b * square).sum()
+    }
+
+    fn product<S: Scalar>(&self, other: &Polynomial<S>) -> Series {
+        let mut product = Series::ZERO;
+        for c in other.coefficients().iter().rev() {
+            product = product.raised();
+            for (a, more) in product.a.iter_mut().zip(&self.a) {
+                *a += c.middle() * more;
             }
+            product.len = product.len.max(self.len);
         }
         product
     }
+}
 
-    fn value(&self, t: f64) -> f64 {
-        (0..self.len).rev().fold(0.0, |sum, j| sum * t + self.coefficient(j))
-    }
-
-    /// ∫ of the product over −1 ≤ t ≤ 1.
-    fn times(&self, other: &Field) -> f64 {
-        let mut sum = 0.0;
-        for parity in [0, 1] {
-            let others = other.part(parity);
-            for (i, a) in self.part(parity).iter().enumerate() {
-                let powers = &POWERS[i + parity..];
-                let inner: f64 = others.iter().zip(powers).map(|(b, power)| b * power).sum();
-                sum += a * inner;
+impl Series {
+    /// The product with t: tPₖ = ((k + 1)Pₖ₊₁ + kPₖ₋₁)/(2k + 1).
+    fn raised(&self) -> Self {
+        let mut raised = Series { len: self.len + 1, ..Self::ZERO };
+        for k in 0..self.len {
+            let part = self.a[k] / (2 * k + 1) as f64;
+            raised.a[k + 1] += (k + 1) as f64 * part;
+            if k > 0 {
+                raised.a[k - 1] += k as f64 * part;
             }
         }
-        sum
+        raised
     }
 }
 
-/// Room for the even or the odd powers of a field times a course.
-const HALF: usize = (HIGHEST + HIGHEST_COURSE) / 2 + 1;
+/// ∫Pₖ² over −1 ≤ t ≤ 1, 2/(2k + 1).
+const SQUARES: [f64; ROOM] = {
+    let mut squares = [0.0; ROOM];
+    let mut k = 0;
+    while k < ROOM {
+        squares[k] = 2.0 / (2 * k + 1) as f64;
+        k += 1;
+    }
+    squares
+};
 
-/// ∫t²ʲ over −1 ≤ t ≤ 1.
-const POWERS: [f64; 2 * HALF] = {
-    let mut powers = [0.0; 2 * HALF];
-    let mut j = 0;
-    while j < powers.len() {
-        powers[j] = 2.0 / (2 * j + 1) as f64;
+/// tʲ by Legendre's polynomials. No part is negative, and their sum is 1.
+static POWERS: [[f64; ROOM]; ROOM] = {
+    let mut powers = [[0.0; ROOM]; ROOM];
+    powers[0][0] = 1.0;
+    let mut j = 1;
+    while j < ROOM {
+        let mut k = 0;
+        while k < j {
+            let part = powers[j - 1][k] / (2 * k + 1) as f64;
+            powers[j][k + 1] += (k + 1) as f64 * part;
+            if k > 0 {
+                powers[j][k - 1] += k as f64 * part;
+            }
+            k += 1;
+        }
         j += 1;
     }
     powers
@@ -260,29 +297,31 @@ const POWERS: [f64; 2 * HALF] = {
 
 #[cfg(test)]
 mod tests {
-    use super::Field;
-    use crate::polynomial::Polynomial;
+    use super::Series;
+    use crate::polynomial::{HIGHEST_COURSE, Polynomial};
     use crate::random::numbers;
 
-    /// ∫fg over −1 ≤ t ≤ 1 by the midpoint rule.
-    fn integral(f: &Field, g: &Field) -> f64 {
-        let t = |i: usize| -1.0 + (i as f64 + 0.5) / 10_000.0;
-        (0..20_000).map(|i| f.value(t(i)) * g.value(t(i)) / 10_000.0).sum()
+    /// ∫ over −1 ≤ t ≤ 1 by the midpoint rule.
+    fn integral(of: impl Fn(f64) -> f64) -> f64 {
+        (0..20_000).map(|i| of(-1.0 + (f64::from(i) + 0.5) / 10_000.0) / 10_000.0).sum()
     }
 
     #[test]
     fn products_are_integrated_and_derived() {
         let mut random = numbers();
-        for degrees in [[0, 0], [3, 4], [7, 2], [12, 12]] {
-            let [f, g] = degrees.map(|degree| {
-                Field::of(&Polynomial::from_coefficients((0..=degree).map(|_| random())))
-            });
-            assert!((f.times(&g) - integral(&f, &g)).abs() < 1e-6, "{degrees:?}");
-            let one = Field::of(&Polynomial::from_coefficients([1.0]));
-            assert!((f.product(&g).times(&one) - f.times(&g)).abs() < 1e-14);
-            let rise = f.value(1.0) - f.value(-1.0);
-            assert!((0.5 * f.derivative(0.5).times(&one) - rise).abs() < 1e-12);
-            assert!(f.less(&f).times(&f).abs() < 1e-15);
+        let mut polynomial =
+            |degree: usize| <Polynomial<f64>>::from_coefficients((0..=degree).map(|_| random()));
+        for degrees in [[0, 0], [3, 4], [7, 2], [12, 12], [25, 25]] {
+            let [f, g] = degrees.map(&mut polynomial);
+            let course = polynomial(HIGHEST_COURSE);
+            let [a, b] = [&f, &g].map(Series::of);
+            let product = integral(|t| f.value(t) * g.value(t));
+            assert!((a.times(&b) - product).abs() < 1e-6, "{degrees:?}");
+            let weighted = integral(|t| course.value(t) * f.value(t) * g.value(t));
+            assert!((a.product(&course).times(&b) - weighted).abs() < 1e-6, "{degrees:?}");
+            let slope = Series::of(&f.derivative_times(2.0));
+            assert!(slope.less(&a.derivative(0.5)).times(&slope).abs() < 1e-10, "{degrees:?}");
+            assert!(a.less(&a).times(&a).abs() < 1e-15);
         }
     }
 }

@@ -22,6 +22,10 @@ pub(crate) struct Fields<'a, S> {
     pub pressures: Vec<Pressure<S>>,
     pub residual: Residual<S>,
     pub clearance: Clearance,
+    /// ‖c‖²_beam = Σ h EI c″² and Σ h c′².
+    pub closing: [Size; 2],
+    /// ‖c‖_b + Σ|r|√g + Ση(ω/k)^½.
+    missed: Size,
 }
 
 impl<'a, S: Scalar> Fields<'a, S> {
@@ -32,7 +36,10 @@ impl<'a, S: Scalar> Fields<'a, S> {
         let pressures = pressures(frame, &mut budget);
         let residual = residual(frame, &deflection, &surface, &pressures);
         let clearance = clearance(frame, &deflection, &surface, &mut budget);
-        Ok(Fields { frame, deflection, surface, pressures, residual, clearance })
+        let closing = closing(frame, &deflection);
+        let missed =
+            carried(frame, &deflection).root() + surface.unclaimed + pulled(frame, &pressures);
+        Ok(Fields { frame, deflection, surface, pressures, residual, clearance, closing, missed })
     }
 
     /// E and the balance that gives it. The tension helps to balance if pressures and supports alone cannot.
@@ -51,8 +58,8 @@ impl<'a, S: Scalar> Fields<'a, S> {
         }
         let (energy, balanced) = self.least_energy(self.frame.carrier)?;
         let work = |i: usize| {
-            let slope = self.deflection.slopes[i].map(|slope| Size::of(slope.size()));
-            balanced.drawn[i] * self.frame.spans[i].length() * slope[0].worst(slope[1])
+            let slope = self.deflection.claimed[i].slope.map(|slope| Size::of(slope.size()));
+            balanced.pieces[i].drawn * self.frame.spans[i].length() * slope[0].worst(slope[1])
         };
         Ok(energy + 2.0 * (0..self.frame.spans.len()).map(work).sum::<Size>())
     }
@@ -81,13 +88,9 @@ impl<'a, S: Scalar> Fields<'a, S> {
         let (pressures, residual) = (&self.pressures, &self.residual);
         let balance = Balance { frame, surface, pressures, residual, cuts, carrier };
         let balanced = balance.solve()?;
-        let closed: Vec<Size> = self.deflection.pieces.iter().map(|c| c.bounds[0]).collect();
-        let missed = carried(frame, &self.deflection).root()
-            + surface.unclaimed
-            + pulled(frame, &self.pressures);
-        let given_back = balance.ground(&balanced, &closed, missed).root();
-        let ground = missed + given_back + self.clearance.lifted + self.clearance.risen;
-        let [bent, turned] = self.closing();
+        let given_back = balance.ground(&balanced, &self.deflection, self.missed).root();
+        let ground = self.missed + given_back + self.clearance.lifted + self.clearance.risen;
+        let [bent, turned] = self.closing;
         let beam = balance.bending(&balanced).root() + bent.root();
         let supports = self.supports(&balanced) + self.hinges(&balanced);
         let sheared = shearing_energy(frame, &self.residual, &balanced);
@@ -102,16 +105,6 @@ impl<'a, S: Scalar> Fields<'a, S> {
         };
         let energy = 0.5 * (beam + ground.square());
         Ok((energy, balanced))
-    }
-
-    /// ‖c‖²_beam = Σ h EI c″² and Σ h c′².
-    pub fn closing(&self) -> [Size; 2] {
-        let mut both = [Size::ZERO; 2];
-        for (span, c) in self.frame.spans.iter().zip(&self.deflection.pieces) {
-            both[0] += span.length() * Size::of(span.bending.high()) * c.bounds[2].square();
-            both[1] += span.length() * c.bounds[1].square();
-        }
-        both
     }
 
     /// Σ(κ(w̄ − δ) − R̄)²/κ + Σ(κ_θw̄′ − R̄_θ)²/κ_θ at the springs: κc, and the force given back.
@@ -139,11 +132,11 @@ impl<'a, S: Scalar> Fields<'a, S> {
             }
             if let Some(turning) = node.turning {
                 let [piece, side] = self.deflection.felt[i];
-                let turned = self.deflection.rotations[piece][side] - slope
+                let turned = self.deflection.claimed[piece].rotation[side] - slope
                     + self.deflection.pieces[piece].slope[side];
                 // A couple belongs to the cell on its right, at the right end of the beam to the one on its left.
                 let cell = if i < self.frame.spans.len() { i } else { i - 1 };
-                let added = balanced.steepness[cell] * Size::of(node.weights.turning);
+                let added = balanced.pieces[cell].steepness * Size::of(node.weights.turning);
                 sum += missed(turning, turned, added);
             }
         }
@@ -156,13 +149,25 @@ impl<'a, S: Scalar> Fields<'a, S> {
         for (i, node) in self.frame.nodes.iter().enumerate() {
             let Some(spring) = node.hinge.filter(|_| !node.is_free_hinge()) else { continue };
             let slope = |piece: usize, side: usize| {
-                self.deflection.rotations[piece][side] + self.deflection.pieces[piece].slope[side]
+                self.deflection.claimed[piece].rotation[side]
+                    + self.deflection.pieces[piece].slope[side]
             };
             let turn = slope(i, 0) - slope(i - 1, 1);
-            let moment = self.residual.pieces[i - 1].bending[1] + balanced.moments[i - 1][1];
-            let missed = Size::of((spring * turn + moment).size()) + balanced.added[i - 1][0];
+            let moment = self.residual.pieces[i - 1].bending[1] + balanced.pieces[i - 1].moments[1];
+            let missed =
+                Size::of((spring * turn + moment).size()) + balanced.pieces[i - 1].added[0];
             sum += missed.square().over(spring.low());
         }
         sum
     }
+}
+
+/// ‖c‖²_beam = Σ h EI c″² and Σ h c′².
+fn closing<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -> [Size; 2] {
+    let mut both = [Size::ZERO; 2];
+    for (span, c) in frame.spans.iter().zip(&deflection.pieces) {
+        both[0] += span.length() * Size::of(span.bending.high()) * c.bounds[2].square();
+        both[1] += span.length() * c.bounds[1].square();
+    }
+    both
 }

@@ -28,7 +28,7 @@ pub(crate) fn magnitude_scaled(r: f64, exponent: i32) -> f64 {
 }
 
 /// x·2ⁿ in steps that are powers of two themselves.
-fn scale(mut x: f64, mut exponent: i32) -> f64 {
+pub(crate) fn scale(mut x: f64, mut exponent: i32) -> f64 {
     while exponent > 500 && x != 0.0 && magnitude(x) <= HUGE {
         (x, exponent) = (x * power_of_two(500), exponent - 500);
     }

@@ -4,7 +4,7 @@
 use crate::answer::{Answer, Piece};
 use crate::coefficient::Coefficient;
 use crate::model::Acts;
-use crate::polynomial::{HIGHEST, Polynomial};
+use crate::polynomial::{HIGHEST, Line, Polynomial};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
@@ -44,12 +44,12 @@ pub(crate) struct Span<S> {
     /// Whether μ > 0.
     pub layered: bool,
     /// f, g and κ₀ of the loads and g₀, straight lines of t.
-    pub force: Polynomial<S>,
-    pub moment: Polynomial<S>,
-    pub curvature: Polynomial<S>,
-    pub gap: Polynomial<S>,
+    pub force: Line<S>,
+    pub moment: Line<S>,
+    pub curvature: Line<S>,
+    pub gap: Line<S>,
     /// q of the loads on the ground, a straight line of t; none if it is zero.
-    pub ground_load: Option<Box<Polynomial<S>>>,
+    pub ground_load: Option<Line<S>>,
     /// u as the answer stores it on open ground: at both ends, and along ground that varies.
     pub stored: Option<[S; 2]>,
     pub settlement: Option<Box<Polynomial<S>>>,
@@ -229,7 +229,8 @@ impl<S: Scalar> Span<S> {
             return Err(wrong("`half` does not fit the ends of the piece"));
         }
         let largest = Size::of(1.0).worst(Size::of(t[0].size())).worst(Size::of(t[1].size()));
-        let (zero, none) = (S::zero(), Polynomial::zero());
+        let longest = piece.deflection.len().max(piece.rotation.len()).max(piece.pressure.len());
+        let (zero, none) = (S::zero(), Line::zero());
         Ok(Span {
             x,
             h: x[1] - x[0],
@@ -238,7 +239,7 @@ impl<S: Scalar> Span<S> {
             per_length: S::one().div(half),
             t,
             tau: largest.value(),
-            powers: powers(t, coefficients_of(piece) + 4),
+            powers: powers(t, longest + 4),
             touches: piece.touches,
             deflection: field(&piece.deflection, 1)?,
             rotation,
@@ -247,9 +248,9 @@ impl<S: Scalar> Span<S> {
             spring: Coefficient::Even(zero),
             shear: Coefficient::Even(zero),
             layered: false,
-            force: none.clone(),
-            moment: none.clone(),
-            curvature: none.clone(),
+            force: none,
+            moment: none,
+            curvature: none,
             gap: none,
             ground_load: None,
             stored: piece.open.map(|ends| ends.map(|u| units.metres(S::of(u)))),
@@ -268,23 +269,22 @@ impl<S: Scalar> Span<S> {
     }
 
     /// A straight line through two points (x, value), as a polynomial of t.
-    pub fn line(&self, [from, to]: [S; 2], [start, end]: [S; 2]) -> Polynomial<S> {
+    pub fn line(&self, [from, to]: [S; 2], [start, end]: [S; 2]) -> Line<S> {
         if start == end {
-            return Polynomial::from_coefficients([start]);
+            return Line::from_coefficients([start]);
         }
         let slope = (end - start).div(to - from);
-        Polynomial::line(start + slope * (self.middle - from), slope * self.half)
+        Line::from_coefficients([start + slope * (self.middle - from), slope * self.half])
     }
 
     /// ∫tᵏp over the piece by x, for k = 0, 1, … as many as wanted.
     pub fn integrals<const N: usize>(&self, p: &Polynomial<S>) -> [S; N] {
         let c = p.coefficients();
-        if c.len() + N > self.powers.len() + 1 {
-            let times = |k: usize| p.raised(k).integral(self.t) * self.half;
-            return std::array::from_fn(times);
-        }
+        let count = c.len() + N;
+        let more = (count > self.powers.len() + 1).then(|| powers(self.t, count));
+        let powers = more.as_ref().unwrap_or(&self.powers);
         std::array::from_fn(|k| {
-            let terms = c.iter().zip(&self.powers[k..]);
+            let terms = c.iter().zip(&powers[k..]);
             terms.fold(S::zero(), |sum, (c, power)| sum + *c * *power) * self.half
         })
     }
@@ -294,8 +294,13 @@ impl<S: Scalar> Span<S> {
         p.derivative_times(self.per_length)
     }
 
+    /// g₀′.
+    pub fn gap_slope(&self) -> S {
+        self.gap.coefficient(1) * self.per_length
+    }
+
     /// q/k on even ground, the settlement under the ground's own loads far from the beam; none without loads.
-    pub fn free_field(&self) -> Option<Polynomial<S>> {
+    pub fn free_field(&self) -> Option<Line<S>> {
         let spring = self.spring.even()?;
         self.ground_load.as_ref().map(|load| load.times(S::one().div(spring)))
     }
@@ -312,25 +317,26 @@ impl<S: Scalar> Span<S> {
     pub fn above_free_field(&self) -> Polynomial<S> {
         match self.free_field() {
             None => self.obstacle(),
-            Some(free) => &self.obstacle() - &free,
+            Some(free) => self.obstacle() - &free,
         }
     }
 
     /// w − g₀.
     pub fn obstacle(&self) -> Polynomial<S> {
-        &self.deflection - &self.gap
+        self.deflection - &self.gap
     }
 
     /// ku − q − (μ(w − g₀)′)′: the pressure if the beam touched ground of the settlement u.
     pub fn pressure_under(&self, settlement: &Polynomial<S>) -> Polynomial<S> {
-        let mut pressure = self.spring.times(settlement);
+        let mut pressure = self.spring.times(*settlement);
         if self.layered {
-            let flux = self.shear.times(&self.derivative(&self.obstacle()));
-            pressure = &pressure - &self.derivative(&flux);
+            let gap = Line::from_coefficients([self.gap_slope()]);
+            let flux = self.shear.times(self.derivative(&self.deflection) - &gap);
+            pressure = pressure - &self.derivative(&flux);
         }
         match &self.ground_load {
             None => pressure,
-            Some(load) => &pressure - load,
+            Some(load) => pressure - load,
         }
     }
 
@@ -341,12 +347,12 @@ impl<S: Scalar> Span<S> {
 
     /// M = −EI (φ′ − κ₀).
     pub fn bending_moment(&self, rotation: &Polynomial<S>) -> Polynomial<S> {
-        self.bending.times(&(&self.curvature - &self.derivative(rotation)))
+        self.bending.times(rotation.derivative_times(-self.per_length) + &self.curvature)
     }
 
     /// V = M′ − g.
     pub fn shear_force(&self, moment: &Polynomial<S>) -> Polynomial<S> {
-        &self.derivative(moment) - &self.moment
+        self.derivative(moment) - &self.moment
     }
 
     /// The interval of t that holds the piece, in doubles.
@@ -355,20 +361,15 @@ impl<S: Scalar> Span<S> {
     }
 }
 
-/// The number of coefficients of the longest field of a piece.
-fn coefficients_of(piece: &Piece) -> usize {
-    piece.deflection.len().max(piece.rotation.len()).max(piece.pressure.len())
-}
-
 /// ∫tʲ from t_L to t_R for j = 0, 1, … below a number.
 fn powers<S: Scalar>(ends: [S; 2], count: usize) -> Vec<S> {
     let mut power = ends;
-    let mut integrals = Vec::with_capacity(count);
-    for j in 1..=count {
-        integrals.push((power[1] - power[0]).div(S::of(j as f64)));
+    let integral = |j: usize| {
+        let integral = (power[1] - power[0]).div(S::of(j as f64));
         power = [power[0] * ends[0], power[1] * ends[1]];
-    }
-    integrals
+        integral
+    };
+    (1..=count).map(integral).collect()
 }
 
 impl<S: Scalar> Frame<S> {
@@ -438,5 +439,9 @@ pub(crate) fn spans<S: Scalar>(
     units: Units,
 ) -> Result<Vec<Span<S>>, NotProven> {
     let ends = exact.windows(2).map(|ends| [ends[0], ends[1]]);
-    answer.pieces.iter().zip(ends).map(|(piece, x)| Span::of(piece, x, units)).collect()
+    let mut spans = Vec::with_capacity(answer.pieces.len());
+    for (piece, x) in answer.pieces.iter().zip(ends) {
+        spans.push(Span::of(piece, x, units)?);
+    }
+    Ok(spans)
 }

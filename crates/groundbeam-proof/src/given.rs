@@ -8,7 +8,7 @@ use crate::idle::too_close;
 use crate::kinds::not_covered;
 use crate::model::{Action, Course, Extent, Load, Model};
 use crate::outside;
-use crate::polynomial::{HIGHEST_COURSE, Polynomial};
+use crate::polynomial::{HIGHEST_COURSE, Line};
 use crate::positions::Positions;
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
@@ -117,7 +117,7 @@ fn places<S: Scalar>(
         .collect::<Result<_, _>>()?;
     let gap: Result<Vec<_>, _> =
         model.gap.iter().map(|corner| stretch(positions, corner.at, corner.at)).collect();
-    let mut loads = Vec::new();
+    let mut loads = Vec::with_capacity(model.loads.len());
     for load in &model.loads {
         loads.push(match load.extent {
             Extent::Point { at, .. } => match positions.is_beside(units.metres(at)) {
@@ -239,9 +239,10 @@ fn pieces_of(
     segments: impl Iterator<Item = [usize; 2]>,
     pieces: usize,
 ) -> Result<Vec<(usize, usize)>, NotProven> {
-    let mut taken = vec![false; pieces];
+    let mut taken = Vec::new();
     let mut found = Vec::new();
     for (j, [from, to]) in segments.enumerate() {
+        taken.resize(pieces, false);
         for (piece, taken) in taken.iter_mut().enumerate().take(to).skip(from) {
             if std::mem::replace(taken, true) {
                 return Err(NotProven::new("two segments overlap"));
@@ -254,7 +255,7 @@ fn pieces_of(
 
 /// A piece as a part of a segment: s = line(t) runs from 0 to 1 along the segment, and between `ends` on the piece.
 struct Part<S> {
-    line: Polynomial<S>,
+    line: Line<S>,
     ends: [S; 2],
     units: Units,
 }
@@ -265,7 +266,7 @@ impl<S: Scalar> Part<S> {
         let length = to - from;
         let s = |x: S| (x - from).div(length);
         Part {
-            line: Polynomial::line(s(span.middle), span.half.div(length)),
+            line: Line::from_coefficients([s(span.middle), span.half.div(length)]),
             ends: span.x.map(s),
             units,
         }
@@ -317,8 +318,7 @@ fn loads<S: Scalar>(model: &Model<S>, places: &Places, frame: &mut Frame<S>) {
                 for span in frame.spans.iter_mut().take(*last).skip(*first) {
                     let line = span.line(ends, sizes);
                     if load.on_ground {
-                        let sum = span.ground_load.take().map(|sum| &*sum + &line);
-                        span.ground_load = Some(Box::new(sum.unwrap_or(line)));
+                        span.ground_load = Some(span.ground_load.map_or(line, |sum| sum + &line));
                         continue;
                     }
                     let sum = match load.action {
@@ -326,7 +326,7 @@ fn loads<S: Scalar>(model: &Model<S>, places: &Places, frame: &mut Frame<S>) {
                         Action::Moment => &mut span.moment,
                         Action::Curvature => &mut span.curvature,
                     };
-                    *sum = &*sum + &line;
+                    *sum = *sum + &line;
                 }
             }
         }
@@ -363,7 +363,7 @@ fn gap<S: Scalar>(
     }
     let last = frame.spans.len();
     for node in places.gap.iter().filter(|node| (1..last).contains(*node)) {
-        let slope = |i: usize| frame.spans[i].derivative(&frame.spans[i].gap).coefficient(0);
+        let slope = |i: usize| frame.spans[i].gap_slope();
         frame.nodes[*node].corner = slope(node - 1) != slope(*node);
     }
     Ok(())

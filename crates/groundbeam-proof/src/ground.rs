@@ -15,40 +15,51 @@
 use crate::deflection::Deflection;
 use crate::frame::{Frame, Span};
 use crate::polynomial::Polynomial;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, positive_part};
 use crate::size::Size;
 use std::ops::Range;
 
 /// The ground's surface and its forces.
 #[derive(Debug)]
 pub(crate) struct Surface<S> {
-    /// ū at both ends of each open piece of a layer.
-    pub open: Vec<Option<[S; 2]>>,
-    /// ū on each open piece of a layer whose k or μ varies.
-    pub along: Vec<Option<Box<Polynomial<S>>>>,
-    /// max|ρ| of the pressure that ū misses on each such piece; zero elsewhere.
-    pub missed: Vec<Size>,
-    /// μū′ at both ends of each open piece of a layer.
-    pub flux: Vec<[S; 2]>,
+    pub pieces: Vec<SurfacePiece<S>>,
+    pub nodes: Vec<SurfaceNode<S>>,
     /// Whether beam and layer touch at a node.
     pub touches: Vec<bool>,
-    /// The jump of the flux at touching nodes, zero elsewhere.
-    pub jump: Vec<S>,
-    /// ū at touching nodes, zero elsewhere.
-    pub settlement: Vec<S>,
-    /// The concentrated force: the positive part of the jump.
-    pub force: Vec<S>,
-    /// A bound of √g(x, x) on each piece of a layer; infinite on separate springs.
-    pub flexibility: Vec<Size>,
     /// Σ|r|√g over the forces and (Σ∫ρ²/k)^½ over the pressures which p̄ leaves out.
     pub unclaimed: Size,
+}
+
+/// The surface on one piece.
+#[derive(Debug, Clone)]
+pub(crate) struct SurfacePiece<S> {
+    /// ū at both ends of an open piece of a layer.
+    pub open: Option<[S; 2]>,
+    /// ū on an open piece of a layer whose k or μ varies.
+    pub along: Option<Box<Polynomial<S>>>,
+    /// max|ρ| of the pressure that ū misses on such a piece; zero elsewhere.
+    pub missed: Size,
+    /// μū′ at both ends of an open piece of a layer.
+    pub flux: [S; 2],
+    /// A bound of √g(x, x) on a piece of a layer; infinite on separate springs.
+    pub flexibility: Size,
+}
+
+/// The settlement ū and the forces at one node; zero where beam and layer do not touch.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct SurfaceNode<S> {
+    /// The jump of the flux.
+    pub jump: S,
+    pub settlement: S,
+    /// The concentrated force: the positive part of the jump.
+    pub force: S,
 }
 
 impl<S> Surface<S> {
     /// √g at a node: the lesser bound of the pieces beside it.
     pub fn flexibility_at(&self, node: usize) -> Size {
-        let right = self.flexibility.get(node).copied().unwrap_or(Size::INFINITE);
-        let left = node.checked_sub(1).map_or(Size::INFINITE, |i| self.flexibility[i]);
+        let right = self.pieces.get(node).map_or(Size::INFINITE, |piece| piece.flexibility);
+        let left = node.checked_sub(1).map_or(Size::INFINITE, |i| self.pieces[i].flexibility);
         right.least(left)
     }
 }
@@ -56,15 +67,17 @@ impl<S> Surface<S> {
 /// Solves the open ground and takes the fluxes at all nodes.
 pub(crate) fn surface<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -> Surface<S> {
     let touches: Vec<bool> = (0..frame.nodes.len()).map(|i| touches(frame, i)).collect();
+    let zero = S::zero();
+    let piece = SurfacePiece {
+        open: None,
+        along: None,
+        missed: Size::ZERO,
+        flux: [zero; 2],
+        flexibility: Size::INFINITE,
+    };
     let mut surface = Surface {
-        open: vec![None; frame.spans.len()],
-        along: vec![None; frame.spans.len()],
-        missed: vec![Size::ZERO; frame.spans.len()],
-        flux: vec![[S::zero(); 2]; frame.spans.len()],
-        jump: vec![S::zero(); frame.nodes.len()],
-        settlement: vec![S::zero(); frame.nodes.len()],
-        force: vec![S::zero(); frame.nodes.len()],
-        flexibility: vec![Size::INFINITE; frame.spans.len()],
+        pieces: vec![piece; frame.spans.len()],
+        nodes: vec![SurfaceNode { jump: zero, settlement: zero, force: zero }; frame.nodes.len()],
         unclaimed: Size::ZERO,
         touches,
     };
@@ -139,7 +152,7 @@ impl<S: Scalar> Link<S> {
             Some(free) => FreeField {
                 ends: span.t.map(|t| free.value(t)),
                 rise: free.rise(span.t),
-                slope: shear * span.derivative(&free).coefficient(0),
+                slope: shear * free.coefficient(1) * span.per_length,
             },
         };
         Link { across, own: (root * -e).div(sum), free }
@@ -231,11 +244,13 @@ impl<'a, S: Scalar> Layer<'a, S> {
             false => Behind { stiffness: S::zero(), pushed: S::zero() },
         };
         let force = |i: usize| frame.nodes[first + i].ground_force;
-        let mut left = vec![beyond(first == 0, 0)];
+        let mut left = Vec::with_capacity(count + 1);
+        left.push(beyond(first == 0, 0));
         for i in 0..count {
             left.push(links[i].behind(left[i].loaded(force(i)), 0));
         }
-        let mut right = vec![beyond(end == frame.spans.len(), 1)];
+        let mut right = Vec::with_capacity(count + 1);
+        right.push(beyond(end == frame.spans.len(), 1));
         for i in 0..count {
             let at_right = right[i].loaded(force(count - i));
             right.push(links[count - 1 - i].behind(at_right, 1));
@@ -261,7 +276,7 @@ impl<'a, S: Scalar> Layer<'a, S> {
         for i in 0..self.links.len() {
             let stiffness = (least(0, i) + least(1, i)).next_down();
             let stiffness = if whole > stiffness { whole } else { stiffness };
-            surface.flexibility[self.first + i] = Size::of(1.0).over(stiffness).root();
+            surface.pieces[self.first + i].flexibility = Size::of(1.0).over(stiffness).root();
         }
     }
 
@@ -338,8 +353,8 @@ impl<'a, S: Scalar> Layer<'a, S> {
             let (behind, at_right) = (&self.behind[0], self.behind[0][i + 1]);
             let at_left = behind[i].loaded(self.force(self.first + i));
             let next = self.links[i].near(at_left, 0, u);
-            surface.open[self.first + i] = Some([next, u]);
-            surface.flux[self.first + i] = [
+            surface.pieces[self.first + i].open = Some([next, u]);
+            surface.pieces[self.first + i].flux = [
                 at_left.stiffness * next - at_left.pushed,
                 at_right.stiffness * u - at_right.pushed,
             ];
@@ -354,8 +369,8 @@ impl<'a, S: Scalar> Layer<'a, S> {
             let (behind, at_left) = (&self.behind[1], self.behind[1][i]);
             let at_right = behind[i + 1].loaded(self.force(self.first + i + 1));
             let next = self.links[i].near(at_right, 1, u);
-            surface.open[self.first + i] = Some([u, next]);
-            surface.flux[self.first + i] = [
+            surface.pieces[self.first + i].open = Some([u, next]);
+            surface.pieces[self.first + i].flux = [
                 at_left.pushed - at_left.stiffness * u,
                 at_right.pushed - at_right.stiffness * next,
             ];
@@ -384,8 +399,8 @@ impl<'a, S: Scalar> Layer<'a, S> {
             };
             let left = start + risen;
             let at_left = flux - self.links[piece - self.first].flux_gained([left, right]);
-            surface.open[piece] = Some([left, right]);
-            surface.flux[piece] = [at_left, flux];
+            surface.pieces[piece].open = Some([left, right]);
+            surface.pieces[piece].flux = [at_left, flux];
             flux = at_left + self.force(piece);
             right = left;
         }
@@ -413,11 +428,10 @@ impl<'a, S: Scalar> Layer<'a, S> {
         };
         let span = &self.frame.spans[piece];
         if span.touches {
-            let slope = self.deflection.slopes[piece][1 - side];
-            let gap = span.derivative(&span.gap).value(span.t[1 - side]);
-            span.shear.at_end(1 - side) * (slope - gap)
+            let slope = self.deflection.claimed[piece].slope[1 - side];
+            span.shear.at_end(1 - side) * (slope - span.gap_slope())
         } else {
-            surface.flux[piece][1 - side]
+            surface.pieces[piece].flux[1 - side]
         }
     }
 
@@ -428,22 +442,9 @@ impl<'a, S: Scalar> Layer<'a, S> {
                 continue;
             }
             let jump = self.jump_at(node, surface);
-            surface.jump[node] = jump;
-            surface.settlement[node] = self.held(node);
-            surface.force[node] = positive_part(jump);
+            let force = positive_part(jump);
+            surface.nodes[node] = SurfaceNode { jump, settlement: self.held(node), force };
             surface.unclaimed += Size::below_zero(jump.low()) * surface.flexibility_at(node);
         }
-    }
-}
-
-/// A ball that holds max(x, 0) for all x of a ball.
-pub(crate) fn positive_part<S: Scalar>(x: S) -> S {
-    if x.low() >= 0.0 {
-        x
-    } else if x.high() <= 0.0 {
-        S::zero()
-    } else {
-        let half = 0.5 * x.high();
-        S::of(half).widened(half.next_up())
     }
 }

@@ -5,7 +5,7 @@ use crate::document::{Document, Extreme};
 use crate::extremes::{PlacedExtreme, placed};
 use crate::fields::Fields;
 use crate::patches::{FIELDS, GAP, MOMENT, PRESSURE, Patches, ROTATION, field_named};
-use crate::polynomial::{Budget, Polynomial, below};
+use crate::polynomial::{Budget, Line, Polynomial, below};
 use crate::proof::Proof;
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
@@ -298,13 +298,13 @@ impl<S: Scalar> Comparison<'_, S> {
         let ((_, force, length), units) = (FIELDS[field], self.fields.frame.units);
         let listed = units.scaled(S::of(extreme.value), force, length);
         let negligible = Size::of(f64::EPSILON * listed.size());
-        let level = Polynomial::from_coefficients([listed]);
+        let level = Line::from_coefficients([listed]);
         let all = || self.patches.pieces[pieces.clone()].iter().flatten();
         let mut budget = Budget::new(all().count());
         let deepest = all().map(|patch| {
             let inside = match extreme.is_max {
-                true => &level - &patch.fields[field],
-                false => &patch.fields[field] - &level,
+                true => patch.fields[field].times(-S::one()) + &level,
+                false => patch.fields[field] - &level,
             };
             below(&inside.coarse(), Size::ZERO, negligible, patch.interval, &mut budget).depth
         });
@@ -318,7 +318,7 @@ impl<S: Scalar> Comparison<'_, S> {
         for (piece, span) in self.document.answer.pieces.iter().zip(&self.fields.frame.spans) {
             if !span.touches {
                 let stored = piece.pressure.iter().map(|c| units.scaled(S::of(*c), 1, -1));
-                let size = Polynomial::from_coefficients(stored).size(span.tau);
+                let size = <Polynomial<_>>::from_coefficients(stored).size(span.tau);
                 enlarge(&mut found.fields[PRESSURE], units.restored(size.value(), 1, -1));
             }
         }

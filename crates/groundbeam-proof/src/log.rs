@@ -97,7 +97,7 @@ impl Log {
         for i in 0..frame.spans.len() {
             self.line("ground", "(4)")
                 .with("piece", i.to_string())
-                .with("root_g", size(fields.surface.flexibility[i]))
+                .with("root_g", size(fields.surface.pieces[i].flexibility))
                 .with("raised", size(fields.clearance.raised[i]))
                 .end();
         }
@@ -157,7 +157,7 @@ impl Log {
             .with("g", polynomial(&span.moment))
             .with("kappa0", polynomial(&span.curvature))
             .with("g0", polynomial(&span.gap))
-            .with("q", optional(span.ground_load.as_deref().map(polynomial)))
+            .with("q", optional(span.ground_load.as_ref().map(polynomial)))
             .end();
     }
 
@@ -208,7 +208,7 @@ fn ball<S: Scalar>(x: S) -> String {
     list(x.parts().map(double))
 }
 
-fn polynomial<S: Scalar>(p: &Polynomial<S>) -> String {
+fn polynomial<S: Scalar, const N: usize>(p: &Polynomial<S, N>) -> String {
     list(p.coefficients().iter().map(|c| ball(*c)))
 }
 

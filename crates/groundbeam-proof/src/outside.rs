@@ -139,6 +139,9 @@ impl<S: Scalar> Beside<'_, S> {
                 Extent::Distributed { from, to, .. } => self.ends(from, to),
             });
         }
+        if places.is_empty() {
+            return Ok(row);
+        }
         places.sort_by(|a, b| a.middle().total_cmp(&b.middle()));
         let mut cut = Vec::new();
         for mut stretch in row {

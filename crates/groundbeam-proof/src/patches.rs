@@ -82,13 +82,16 @@ impl<S: Scalar> Patches<S> {
 fn patches<S: Scalar>(fields: &Fields<S>, i: usize) -> Vec<Patch<S>> {
     let span = &fields.frame.spans[i];
     let [from, to] = span.interval();
-    let open = fields.surface.open[i].filter(|_| span.layered && !span.touches);
+    let open = fields.surface.pieces[i].open.filter(|_| span.layered && !span.touches);
     let Some(ends) = open else {
-        let free = || span.free_field().unwrap_or_else(Polynomial::zero);
-        let own = if span.touches { span.obstacle() } else { free() };
+        let own = match span.free_field() {
+            _ if span.touches => span.obstacle(),
+            Some(free) => Polynomial::zero() + &free,
+            None => Polynomial::zero(),
+        };
         return vec![patch(fields, i, 0.0, [from, to], &own)];
     };
-    if let Some(own) = &fields.surface.along[i] {
+    if let Some(own) = &fields.surface.pieces[i].along {
         return vec![patch(fields, i, 0.0, [from, to], own)];
     }
     let surface = Surface::of(span, span.above_free_ends(ends));
@@ -104,8 +107,8 @@ fn patches<S: Scalar>(fields: &Fields<S>, i: usize) -> Vec<Patch<S>> {
         // A place beside the stretch by rounding belongs to it.
         let r = interval[1] * (1.0 + 1e-9);
         let above = surface.taylor(middle, r);
-        let own = span.free_field().map(|free| &above + &free.shifted(middle));
-        patch(fields, i, middle, interval, &own.unwrap_or(above))
+        let own = span.free_field().map_or(above, |free| above + &free.shifted(middle));
+        patch(fields, i, middle, interval, &own)
     };
     (0..=last).map(on_stretch).collect()
 }
@@ -127,12 +130,12 @@ fn patch<S: Scalar>(
     let shear_force = span.derivative(&moment);
     let gap = match span.touches {
         true => Polynomial::zero(),
-        false => &(own + &span.gap.shifted(middle)) - &deflection,
+        false => *own + &span.gap.shifted(middle) - &deflection,
     };
     let pressure = fields.pressures[i].field.shifted(middle);
     let [slope, rotation, moment, shear_force] =
-        [&slope, rotation, &moment, &shear_force].map(|field| field.shifted(middle));
-    let fields = [deflection, slope, rotation, moment, shear_force, own.clone(), gap, pressure];
+        [slope, *rotation, moment, shear_force].map(|field| field.shifted(middle));
+    let fields = [deflection, slope, rotation, moment, shear_force, *own, gap, pressure];
     Patch { middle, interval, fields }
 }
 

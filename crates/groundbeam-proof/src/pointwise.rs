@@ -94,7 +94,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         let fields = self.fields;
         let (span, raised) = (&fields.frame.spans[i], fields.clearance.raised[i]);
         if span.layered {
-            let energy = self.s2() * fields.surface.flexibility[i];
+            let energy = self.s2() * fields.surface.pieces[i].flexibility;
             return energy
                 + if span.touches { fields.deflection.pieces[i].bounds[0] } else { raised };
         }
@@ -121,11 +121,11 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
         let factor = self.test_factor();
         for (i, (piece, stiffness)) in bounds.iter_mut().zip(stiffness).enumerate() {
-            let [a, b] = self.balanced.moments[i].map(|moment| Size::of(moment.size()));
+            let [a, b] = self.balanced.pieces[i].moments.map(|moment| Size::of(moment.size()));
             let residual = &self.fields.residual.pieces[i];
             let load = Size::of(residual.constant.size()) + residual.rest;
             let bent = frame.spans[i].length().square() * load;
-            let delta = a.worst(b) + bent.over(8.0) + self.balanced.added[i][0];
+            let delta = a.worst(b) + bent.over(8.0) + self.balanced.pieces[i].added[0];
             piece.balanced_moment = factor * stiffness.root();
             piece.moment = piece.balanced_moment + delta;
         }

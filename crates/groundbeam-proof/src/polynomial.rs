@@ -9,58 +9,80 @@ pub(crate) const HIGHEST: usize = 25;
 /// The highest degree of a coefficient that varies.
 pub(crate) const HIGHEST_COURSE: usize = 5;
 
-/// Σ cⱼ tʲ.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Polynomial<S> {
-    c: Vec<S>,
+/// Room for the product of a field and a coefficient that varies.
+pub(crate) const ROOM: usize = HIGHEST + HIGHEST_COURSE + 1;
+
+/// 1, 2, 3, …
+const NUMBERS: [f64; ROOM] = {
+    let mut numbers = [1.0; ROOM];
+    let mut j = 1;
+    while j < ROOM {
+        numbers[j] = numbers[j - 1] + 1.0;
+        j += 1;
+    }
+    numbers
+};
+
+/// Σ cⱼ tʲ with at most N coefficients, without memory of its own: most polynomials live for one formula.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Polynomial<S, const N: usize = ROOM> {
+    len: usize,
+    /// Zero from `len` on.
+    c: [S; N],
 }
 
-impl<S: Scalar> Polynomial<S> {
+/// c₀ + c₁t.
+pub(crate) type Line<S> = Polynomial<S, 2>;
+
+impl<S: Scalar, const N: usize> Polynomial<S, N> {
     pub fn zero() -> Self {
-        Polynomial { c: Vec::new() }
+        Polynomial { len: 0, c: [S::zero(); N] }
     }
 
-    /// From the constant coefficient on.
+    /// Does not compile for more coefficients than there is room for.
+    const fn has_room_for<const M: usize>() {
+        let _ = const { N - M };
+    }
+
+    /// From the constant coefficient on, at most N of them.
     pub fn from_coefficients(coefficients: impl IntoIterator<Item = S>) -> Self {
-        Polynomial { c: coefficients.into_iter().collect() }
-    }
-
-    /// c₀ + c₁t.
-    pub fn line(c0: S, c1: S) -> Self {
-        Self::from_coefficients([c0, c1])
+        let (mut len, mut c) = (0, [S::zero(); N]);
+        for coefficient in coefficients {
+            c[len] = coefficient;
+            len += 1;
+        }
+        Polynomial { len, c }
     }
 
     pub fn coefficients(&self) -> &[S] {
-        &self.c
+        &self.c[..self.len]
     }
 
     /// The coefficient of tʲ.
     pub fn coefficient(&self, j: usize) -> S {
-        self.c.get(j).copied().unwrap_or_else(S::zero)
+        self.coefficients().get(j).copied().unwrap_or_else(S::zero)
     }
 
     pub fn derivative(&self) -> Self {
-        Self::from_coefficients(self.derived())
+        self.derivative_times(S::one())
     }
 
     /// The derivative times a factor.
     pub fn derivative_times(&self, factor: S) -> Self {
-        Self::from_coefficients(self.derived().map(|c| c * factor))
+        let mut derived = Self::zero();
+        derived.len = self.len.saturating_sub(1);
+        let above = self.coefficients().iter().skip(1);
+        for ((derived, c), j) in derived.c.iter_mut().zip(above).zip(&NUMBERS) {
+            *derived = *c * S::of(*j) * factor;
+        }
+        derived
     }
 
-    /// The coefficients of the derivative.
-    fn derived(&self) -> impl Iterator<Item = S> {
-        self.c.iter().enumerate().skip(1).map(|(j, c)| *c * S::of(j as f64))
-    }
-
-    /// tᵏp.
-    pub fn raised(&self, k: usize) -> Self {
-        let zeros = std::iter::repeat_n(S::zero(), k);
-        Self::from_coefficients(zeros.chain(self.coefficients().iter().copied()))
-    }
-
-    pub fn times(&self, factor: S) -> Self {
-        Self::from_coefficients(self.coefficients().iter().map(|c| *c * factor))
+    pub fn times(mut self, factor: S) -> Self {
+        for c in &mut self.c[..self.len] {
+            *c = *c * factor;
+        }
+        self
     }
 
     pub fn value(&self, t: S) -> S {
@@ -78,15 +100,6 @@ impl<S: Scalar> Polynomial<S> {
         above(to) - above(from)
     }
 
-    /// The integral over t from one position to another.
-    pub fn integral(&self, [from, to]: [S; 2]) -> S {
-        let antiderivative = |t: S| {
-            let terms = self.coefficients().iter().enumerate().rev();
-            terms.fold(S::zero(), |sum, (j, c)| sum * t + c.div(S::of((j + 1) as f64))) * t
-        };
-        antiderivative(to) - antiderivative(from)
-    }
-
     /// Σ|cⱼ|τʲ, a bound of the polynomial on |t| ≤ τ.
     pub fn size(&self, tau: f64) -> Size {
         Size::of(raised(self.coefficients(), tau, S::size))
@@ -100,23 +113,22 @@ impl<S: Scalar> Polynomial<S> {
         }
     }
 
-    pub fn coarse(&self) -> Polynomial<S::Coarse> {
-        Polynomial::from_coefficients(self.coefficients().iter().map(|c| c.coarse()))
+    pub fn coarse(&self) -> Polynomial<S::Coarse, N> {
+        Polynomial { len: self.len, c: self.c.map(S::coarse) }
     }
 
     /// The coefficients about another point: the polynomial of t − m.
-    pub fn shifted(&self, m: f64) -> Self {
-        let mut p = self.clone();
+    pub fn shifted(mut self, m: f64) -> Self {
         if m == 0.0 {
-            return p;
+            return self;
         }
         let m = S::of(m);
-        for first in 0..p.c.len().saturating_sub(1) {
-            for j in (first..p.c.len() - 1).rev() {
-                p.c[j] = p.c[j] + p.c[j + 1] * m;
+        for first in 0..self.len.saturating_sub(1) {
+            for j in (first..self.len - 1).rev() {
+                self.c[j] = self.c[j] + self.c[j + 1] * m;
             }
         }
-        p
+        self
     }
 }
 
@@ -126,43 +138,41 @@ fn raised<S: Copy>(coefficients: &[S], tau: f64, size: impl Fn(S) -> f64) -> f64
     if sum == 0.0 { 0.0 } else { sum * (1.0 + 64.0 * f64::EPSILON) + f64::MIN_POSITIVE }
 }
 
-impl<S: Scalar> Add for &Polynomial<S> {
-    type Output = Polynomial<S>;
-    fn add(self, other: &Polynomial<S>) -> Polynomial<S> {
-        let (longer, less) =
-            if self.c.len() >= other.c.len() { (self, other) } else { (other, self) };
-        let mut sum = longer.clone();
-        for (c, more) in sum.c.iter_mut().zip(&less.c) {
+impl<S: Scalar, const N: usize, const M: usize> Add<&Polynomial<S, M>> for Polynomial<S, N> {
+    type Output = Self;
+    fn add(mut self, other: &Polynomial<S, M>) -> Self {
+        Self::has_room_for::<M>();
+        for (c, more) in self.c.iter_mut().zip(other.coefficients()) {
             *c = *c + *more;
         }
-        sum
+        self.len = self.len.max(other.len);
+        self
     }
 }
 
-impl<S: Scalar> Sub for &Polynomial<S> {
-    type Output = Polynomial<S>;
-    fn sub(self, other: &Polynomial<S>) -> Polynomial<S> {
-        let len = self.c.len().max(other.c.len());
-        let mut c = Vec::with_capacity(len);
-        c.extend_from_slice(&self.c);
-        c.resize(len, S::zero());
-        for (c, less) in c.iter_mut().zip(&other.c) {
+impl<S: Scalar, const N: usize, const M: usize> Sub<&Polynomial<S, M>> for Polynomial<S, N> {
+    type Output = Self;
+    fn sub(mut self, other: &Polynomial<S, M>) -> Self {
+        Self::has_room_for::<M>();
+        for (c, less) in self.c.iter_mut().zip(other.coefficients()) {
             *c = *c - *less;
         }
-        Polynomial { c }
+        self.len = self.len.max(other.len);
+        self
     }
 }
 
 impl<S: Scalar> Mul for &Polynomial<S> {
     type Output = Polynomial<S>;
     fn mul(self, other: &Polynomial<S>) -> Polynomial<S> {
-        let mut c = vec![S::zero(); (self.c.len() + other.c.len()).saturating_sub(1)];
-        for (i, a) in self.c.iter().enumerate() {
-            for (c, b) in c[i..].iter_mut().zip(&other.c) {
+        let mut product = Polynomial::zero();
+        for (i, a) in self.coefficients().iter().enumerate() {
+            for (c, b) in product.c[i..].iter_mut().zip(other.coefficients()) {
                 *c = *c + *a * *b;
             }
         }
-        Polynomial { c }
+        product.len = (self.len + other.len).saturating_sub(1);
+        product
     }
 }
 
@@ -226,12 +236,19 @@ pub(crate) fn below<C: Scalar>(
     budget: &mut Budget,
 ) -> Below {
     let mut found = Below::NOWHERE;
-    let mut open = vec![[from, to]];
+    let mut open = Vec::new();
+    let mut next = Some([from, to]);
     budget.begin();
-    while let Some([a, b]) = open.pop() {
+    while let Some([a, b]) = next.take().or_else(|| open.pop()) {
         let m = if a < 0.0 && b > 0.0 && a == from && b == to { 0.0 } else { 0.5 * (a + b) };
         let r = half_width(a, m, b);
-        let about = p.shifted(m);
+        let shifted;
+        let about = if m == 0.0 {
+            p
+        } else {
+            shifted = p.shifted(m);
+            &shifted
+        };
         let low = about.coefficient(0).low();
         let lost = about.tail(r) + less;
         if low >= lost.value() {

@@ -10,6 +10,8 @@ use crate::size::Size;
 #[derive(Debug)]
 pub(crate) struct Pressure<S> {
     pub field: Polynomial<S>,
+    /// A bound of |w − g₀|.
+    pub obstacle: Size,
     /// ∫p, ∫tp and ∫t²p.
     pub masses: [S; 3],
     /// p ≥ −η.
@@ -21,16 +23,17 @@ pub(crate) struct Pressure<S> {
 impl<S: Scalar> Pressure<S> {
     fn none() -> Self {
         let (field, masses) = (Polynomial::zero(), [S::zero(); 3]);
-        Pressure { field, masses, depth: Size::ZERO, width: Size::ZERO }
+        Pressure { field, obstacle: Size::ZERO, masses, depth: Size::ZERO, width: Size::ZERO }
     }
 
     fn of(span: &Span<S>, negligible: Size, budget: &mut Budget) -> Self {
-        let field = span.pressure_under(&span.obstacle());
+        let obstacle = span.obstacle();
+        let field = span.pressure_under(&obstacle);
         let masses = span.integrals(&field);
         let negligible = Size::of(span.spring.size()) * negligible;
         let pull = below(&field.coarse(), Size::ZERO, negligible, span.interval(), budget);
         let width = (pull.width * Size::of(span.half.high())).least(span.length());
-        Pressure { field, masses, depth: pull.depth, width }
+        Pressure { field, obstacle: obstacle.size(span.tau), masses, depth: pull.depth, width }
     }
 
     /// The pull as a load, ηω.

@@ -168,18 +168,18 @@ fn add_stored<S: Scalar>(answer: &Answer, fields: &Fields<S>, bounds: &mut [Piec
         let span = &fields.frame.spans[i];
         if !piece.pressure.is_empty() {
             let stored = piece.pressure.iter().map(|c| units.scaled(S::of(*c), 1, -1));
-            let differs = &Polynomial::from_coefficients(stored) - &fields.pressures[i].field;
+            let differs = <Polynomial<_>>::from_coefficients(stored) - &fields.pressures[i].field;
             bounds.pressure += differs.size(span.tau);
         }
         if let Some(stored) = piece.open {
             let free = || span.free_field().map(|free| span.t.map(|t| free.value(t)));
-            let computed = fields.surface.open[i].or_else(free).unwrap_or([S::zero(); 2]);
+            let computed = fields.surface.pieces[i].open.or_else(free).unwrap_or([S::zero(); 2]);
             let differs = [0, 1].map(|end| units.metres(S::of(stored[end])) - computed[end]);
             let [left, right] = differs.map(|differs| Size::of(differs.size()));
             bounds.settlement += left.worst(right);
         }
-        if let (Some(stored), Some(along)) = (&span.settlement, &fields.surface.along[i]) {
-            bounds.settlement += (&**stored - along).size(span.tau);
+        if let (Some(stored), Some(along)) = (&span.settlement, &fields.surface.pieces[i].along) {
+            bounds.settlement += (**stored - along).size(span.tau);
         }
     }
 }

@@ -4,10 +4,9 @@
 //! test function z with z = 1 at the support and z = 0 at all others; the moment of a clamp by s₂K + W_θ|λ′|, with z′ = 1.
 
 use crate::frame::Held;
-use crate::ground::positive_part;
 use crate::model::Acts;
 use crate::pointwise::{PieceBounds, Pointwise};
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, positive_part};
 use crate::size::Size;
 use crate::test_functions::{kink, least_of_halves};
 
@@ -85,9 +84,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         let own = here.turning.map_or(Size::ZERO, |turning| Size::of(turning.high()));
         let sides = self.turned_side(node, 0) + self.turned_side(node, 1) + own;
         let stiffness = sides.least(self.turned(node));
-        let last = self.balanced.steepness.len() - 1;
-        let left = self.balanced.steepness[node.saturating_sub(1)];
-        let steep = left.worst(self.balanced.steepness[node.min(last)]);
+        let last = self.balanced.pieces.len() - 1;
+        let left = self.balanced.pieces[node.saturating_sub(1)].steepness;
+        let steep = left.worst(self.balanced.pieces[node.min(last)].steepness);
         self.test_factor() * stiffness.root() + steep * Size::of(here.weights.clamp)
     }
 

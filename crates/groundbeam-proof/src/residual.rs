@@ -11,11 +11,11 @@
 
 use crate::deflection::Deflection;
 use crate::frame::{Frame, Span};
-use crate::ground::{Surface, positive_part};
+use crate::ground::Surface;
 use crate::model::Acts;
 use crate::polynomial::Polynomial;
 use crate::pressure::Pressure;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, positive_part};
 use crate::size::Size;
 
 /// The residual of one piece.
@@ -78,10 +78,9 @@ fn on_piece<S: Scalar>(frame: &Frame<S>, pressures: &[Pressure<S>], i: usize) ->
     let mut shear = span.shear_force(&moment);
     let misfit = misfit(span, &slope, &shear);
     if let Some(force) = frame.axial_force() {
-        shear = &shear + &slope.times(force);
+        shear = shear + &slope.times(force);
     }
-    let load = &span.force - &pressures[i].field;
-    let r = &load + &span.derivative(&shear);
+    let r = span.derivative(&shear) + &span.force - &pressures[i].field;
     // X_R − x = half (t_R − t).
     let [force, turned] = span.integrals(&r);
     PieceResidual {
@@ -104,7 +103,7 @@ fn misfit<S: Scalar>(
     let (Some(stiffness), Some(rotation)) = (&span.stiffness, &span.rotation) else {
         return [Size::ZERO; 2];
     };
-    let misfit = &stiffness.times(&(slope - rotation)) - shear_force;
+    let misfit = stiffness.times(*slope - rotation) - shear_force;
     [misfit.size(span.tau), span.derivative(&misfit).size(span.tau)]
 }
 
@@ -122,7 +121,7 @@ fn at_node<S: Scalar>(
         piece.and_then(|i| pieces.get(i)).map_or_else(S::zero, |piece| of(piece)[1 - side])
     };
     let jump = |of: &dyn Fn(&PieceResidual<S>) -> [S; 2]| end(1, of) - end(0, of);
-    let mut force = node.force - surface.force[i] - node.reaction[0] + jump(&|p| p.shear);
+    let mut force = node.force - surface.nodes[i].force - node.reaction[0] + jump(&|p| p.shear);
     let mut moment = node.moment - node.reaction[1] - jump(&|p| p.bending);
     let [w, slope] = deflection.at_support(i);
     if let Some([spring, settled]) = node.spring {

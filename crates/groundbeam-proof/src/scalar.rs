@@ -1,7 +1,7 @@
 //! The number type of the proof: `f64` for an estimate, `Ball` and `Wide` for a theorem.
 
 use crate::decimal::Decimal;
-use crate::float::{ABOVE, HUGE, times_power_of_two};
+use crate::float::{ABOVE, HUGE, scale};
 use std::fmt::Debug;
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -128,6 +128,18 @@ pub(crate) fn expm1_by_series<S: Scalar>(x: S, terms: u32) -> S {
     e
 }
 
+/// A ball that holds max(x, 0) for all x of a ball.
+pub(crate) fn positive_part<S: Scalar>(x: S) -> S {
+    if x.low() >= 0.0 {
+        x
+    } else if x.high() <= 0.0 {
+        S::zero()
+    } else {
+        let half = 0.5 * x.high();
+        S::of(half).widened(half.next_up())
+    }
+}
+
 /// A whole number.
 fn whole<S: Scalar>(n: u128) -> S {
     let h = n as f64;
@@ -200,7 +212,7 @@ impl Scalar for f64 {
     }
 
     fn scaled(self, exponent: i32) -> Self {
-        times_power_of_two(self, exponent).unwrap_or(f64::INFINITY)
+        scale(self, exponent)
     }
 
     fn size(self) -> f64 {

@@ -3,7 +3,7 @@
 use crate::fields::Fields;
 use crate::patches::FIELDS;
 use crate::pointwise::PieceBounds;
-use crate::polynomial::Polynomial;
+use crate::polynomial::{Line, Polynomial};
 use crate::scalar::Scalar;
 use crate::size::Size;
 
@@ -101,7 +101,7 @@ impl Largest {
                 raise(&mut most.settlement, on(&span.obstacle(), error.settlement));
                 raise(&mut most.pressure, on(&fields.pressures[i].field, error.pressure));
             }
-            for u in fields.surface.open[i].iter().flatten() {
+            for u in fields.surface.pieces[i].open.iter().flatten() {
                 raise(&mut most.settlement, shown(*u, error.settlement));
             }
         }
@@ -127,7 +127,7 @@ fn wave<S: Scalar>(fields: &Fields<S>) -> f64 {
 fn loads<S: Scalar>(fields: &Fields<S>, wave: f64) -> (f64, f64) {
     let (mut most, mut sum) = (0.0, 0.0);
     for span in &fields.frame.spans {
-        let at_ends = |field: &Polynomial<S>| {
+        let at_ends = |field: &Line<S>| {
             span.t.iter().map(|t| shown(field.value(*t), Size::ZERO)).fold(0.0, larger)
         };
         let (force, couple) = (at_ends(&span.force), at_ends(&span.moment));

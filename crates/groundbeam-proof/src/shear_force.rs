@@ -44,7 +44,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         for pair in self.obstacles().windows(2) {
             for i in pair[0]..pair[1] {
                 let turned = self.axial_size() * bounds[i].rotation;
-                let rest = turned + self.balancing_shear(i) + self.balanced.drawn[i];
+                let rest = turned + self.balancing_shear(i) + self.balanced.pieces[i].drawn;
                 let mut least = Size::INFINITE;
                 if edges[i] != [None; 2] {
                     let steady = self.steady(i..i + 1, 0.5, bounds, &loads, Size::ZERO);
@@ -104,9 +104,9 @@ impl<S: Scalar> Pointwise<'_, S> {
 
     /// |δ′| on a piece.
     pub(crate) fn balancing_shear(&self, i: usize) -> Size {
-        let [a, b] = self.balanced.shears[i].map(|shear| Size::of(shear.size()));
+        let [a, b] = self.balanced.pieces[i].shears.map(|shear| Size::of(shear.size()));
         let long = self.fields.frame.spans[i].length();
-        a.worst(b) + long * self.fields.residual.pieces[i].rest + self.balanced.added[i][1]
+        a.worst(b) + long * self.fields.residual.pieces[i].rest + self.balanced.pieces[i].added[1]
     }
 
     /// ε_T in windows that hold a piece and lie within a range of pieces.
@@ -146,7 +146,7 @@ impl<S: Scalar> Pointwise<'_, S> {
             moved = moved.worst(bounds[i].deflection);
             turned = turned.worst(self.fields.deflection.pieces[i].bounds[1]);
             spread = spread.worst(loads[i].spread);
-            drawn = drawn.worst(self.balanced.drawn[i]);
+            drawn = drawn.worst(self.balanced.pieces[i].drawn);
         }
         let swing = if tension == Size::ZERO { tension } else { tension * moved };
         let change = 2.0 * moment + 2.0 * swing + couples;
@@ -192,10 +192,10 @@ impl<S: Scalar> Pointwise<'_, S> {
     /// A bound of |ku − q − (μψ′)′| on an open piece of a layer: the pressure if it touched with its own settlement.
     pub(crate) fn open_pressure(&self, i: usize) -> Size {
         let span = &self.fields.frame.spans[i];
-        if let Some(along) = &self.fields.surface.along[i] {
+        if let Some(along) = &self.fields.surface.pieces[i].along {
             return span.pressure_under(along).size(span.tau);
         }
-        let Some(ends) = self.fields.surface.open[i] else { return Size::INFINITE };
+        let Some(ends) = self.fields.surface.pieces[i].open else { return Size::INFINITE };
         let ends = span.above_free_ends(ends);
         let settled = Size::of(ends[0].size()).worst(Size::of(ends[1].size()));
         let bent = span.derivative(&span.derivative(&span.deflection)).size(span.tau);
@@ -209,7 +209,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         let elastic = |spring: S| self.test_factor() * Size::of(spring.high()).root();
         let mut force = here.spring.map_or(Size::ZERO, |[spring, _]| elastic(spring));
         if surface.touches[node] {
-            let (jump, factor) = (&surface.jump[node], self.balanced.factors[node].size());
+            let (jump, factor) = (&surface.nodes[node].jump, self.balanced.factors[node].size());
             let size = Size::of(jump.size());
             // At a smooth node the exact answer has no force.
             let missed = if frame.smooth(node) { size } else { shown.tolerances[node] };

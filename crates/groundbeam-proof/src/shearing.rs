@@ -23,7 +23,8 @@ pub(crate) fn shearing_energy<S: Scalar>(
         let Some(stiffness) = &span.stiffness else { continue };
         let piece = &residual.pieces[i];
         misfit += (span.length() * piece.misfit[0].square()).over(stiffness.low());
-        let norm = shear_norm(span.h, balanced.shears[i], piece.rest, balanced.added[i][1]);
+        let norm =
+            shear_norm(span.h, balanced.pieces[i].shears, piece.rest, balanced.pieces[i].added[1]);
         balancing += norm.square().over(stiffness.low());
     }
     (misfit.root() + balancing.root()).square()

@@ -29,14 +29,14 @@ impl Size {
         if self.0 == 0.0 && low > 0.0 {
             Size::ZERO
         } else if low > 0.0 {
-            Size::of((self.0 / low).next_up())
+            Size::of(up(self.0 / low))
         } else {
             Size::INFINITE
         }
     }
 
     pub fn root(self) -> Self {
-        if self.0 == 0.0 { self } else { Size::of(self.0.sqrt().next_up()) }
+        if self.0 == 0.0 { self } else { Size::of(up(self.0.sqrt())) }
     }
 
     pub fn square(self) -> Self {
@@ -54,6 +54,11 @@ impl Size {
     }
 }
 
+/// The next double above one that is positive or zero; infinity and NaN stay.
+fn up(x: f64) -> f64 {
+    f64::from_bits(x.to_bits() + u64::from(x < f64::INFINITY))
+}
+
 impl Add for Size {
     type Output = Size;
     fn add(self, other: Size) -> Size {
@@ -62,7 +67,7 @@ impl Add for Size {
         } else if other.0 == 0.0 {
             self
         } else {
-            Size::of((self.0 + other.0).next_up())
+            Size::of(up(self.0 + other.0))
         }
     }
 }
@@ -78,7 +83,7 @@ impl Mul for Size {
     fn mul(self, other: Size) -> Size {
         let zero = (self.0 == 0.0 && other.0 < f64::INFINITY)
             || (other.0 == 0.0 && self.0 < f64::INFINITY);
-        if zero { Size::ZERO } else { Size::of((self.0 * other.0).next_up()) }
+        if zero { Size::ZERO } else { Size::of(up(self.0 * other.0)) }
     }
 }
 

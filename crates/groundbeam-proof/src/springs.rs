@@ -80,7 +80,7 @@ impl<S: Scalar> Contact<'_, S> {
     fn signed(&self, i: usize) -> Polynomial<S::Coarse> {
         let span = &self.fields.frame.spans[i];
         let field = span.above_free_field();
-        if span.touches { field } else { &Polynomial::zero() - &field }.coarse()
+        if span.touches { field } else { field.times(-S::one()) }.coarse()
     }
 
     /// Whether the end of a piece is a rigid support of both directions that stands on the ground: w* = δ = g₀.

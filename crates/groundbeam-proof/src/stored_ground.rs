@@ -2,7 +2,7 @@
 
 use crate::frame::Span;
 use crate::ground::{Layer, Surface};
-use crate::polynomial::Polynomial;
+use crate::polynomial::{Line, Polynomial};
 use crate::scalar::Scalar;
 use crate::size::Size;
 use std::ops::Range;
@@ -15,23 +15,23 @@ impl<S: Scalar> Layer<'_, S> {
         let mut missed = Size::ZERO;
         for i in pieces.clone() {
             let ends = [i, i + 1].map(|node| self.stored_at(node, surface));
-            surface.open[i] = Some(ends);
+            surface.pieces[i].open = Some(ends);
             let span = &self.frame.spans[i];
             if span.has_even_ground() {
-                surface.flux[i] = self.links[i - self.first].fluxes(ends);
+                surface.pieces[i].flux = self.links[i - self.first].fluxes(ends);
                 continue;
             }
             let along = with_ends(span, ends);
-            let flux = span.shear.times(&span.derivative(&along));
-            surface.flux[i] = span.t.map(|t| flux.value(t));
-            let mut rest = &span.spring.times(&along) - &span.derivative(&flux);
+            let flux = span.shear.times(span.derivative(&along));
+            surface.pieces[i].flux = span.t.map(|t| flux.value(t));
+            let mut rest = span.spring.times(along) - &span.derivative(&flux);
             if let Some(load) = &span.ground_load {
-                rest = &rest - load;
+                rest = rest - load;
             }
             let rest = rest.size(span.tau);
             missed += (span.length() * rest.square()).over(span.spring.low());
-            surface.missed[i] = rest;
-            surface.along[i] = Some(Box::new(along));
+            surface.pieces[i].missed = rest;
+            surface.pieces[i].along = Some(Box::new(along));
         }
         surface.unclaimed += missed.root();
         for node in pieces.start..=pieces.end {
@@ -56,8 +56,8 @@ impl<S: Scalar> Layer<'_, S> {
 
 /// The stored settlement of a piece, with a straight line added that gives it these values at the ends.
 fn with_ends<S: Scalar>(span: &Span<S>, ends: [S; 2]) -> Polynomial<S> {
-    let stored = span.settlement.as_deref().cloned().unwrap_or_else(Polynomial::zero);
+    let stored = span.settlement.as_deref().copied().unwrap_or_else(Polynomial::zero);
     let missed = [0, 1].map(|side| ends[side] - stored.value(span.t[side]));
     let slope = (missed[1] - missed[0]).div(span.t[1] - span.t[0]);
-    &stored + &Polynomial::line(missed[0] - slope * span.t[0], slope)
+    stored + &Line::from_coefficients([missed[0] - slope * span.t[0], slope])
 }

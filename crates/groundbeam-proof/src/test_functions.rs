@@ -66,7 +66,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         };
         let force = Size::of(compression.force.high());
         let convex = (Size::of((1.0 - compression.margin).next_up()) * force).root();
-        let turned = self.fields.closing()[1];
+        let turned = self.fields.closing[1];
         if turned == Size::ZERO {
             return convex.square();
         }
@@ -77,7 +77,7 @@ impl<S: Scalar> Pointwise<'_, S> {
     /// s₂, or ((s₂ + N_c)² + s₂²)^½/√σ under a compression.
     pub(crate) fn test_factor(&self) -> Size {
         let Some(compression) = &self.fields.frame.compression else { return self.s2() };
-        let missed = self.s2() + compression.misfit(self.fields.closing()[1]);
+        let missed = self.s2() + compression.misfit(self.fields.closing[1]);
         (missed.square() + self.s2().square()).over(compression.margin).root()
     }
 

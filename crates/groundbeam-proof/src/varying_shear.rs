@@ -84,7 +84,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         let misfit = self.fields.residual.pieces[i].misfit[0];
         // ε_θ = resting + ε_T/(S + P).
         let other = self.balancing_shear(i)
-            + self.balanced.drawn[i]
+            + self.balanced.pieces[i].drawn
             + tension * bounds.rotation
             + tension * misfit.over(stiffness.low());
         let resting = bounds.rotation + (other.over(stiffened) + misfit).over(stiffness.low());
@@ -103,7 +103,8 @@ impl<S: Scalar> Pointwise<'_, S> {
             false => tension * bounds.deflection,
         };
         let change = 2.0 * bounds.balanced_moment + 2.0 * swing;
-        let closed = tension * self.fields.deflection.pieces[i].bounds[1] + self.balanced.drawn[i];
+        let closed =
+            tension * self.fields.deflection.pieces[i].bounds[1] + self.balanced.pieces[i].drawn;
         let force = least_of_halves(span.h.low(), |h| {
             let own = change.over(h) + closed + 0.5 * (Size::of(h) * spread);
             let kept = 1.0 - (0.5 * (Size::of(h) * again)).value();
