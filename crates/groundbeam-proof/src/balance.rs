@@ -40,6 +40,8 @@ pub(crate) struct Balance<'a, S> {
 pub(crate) struct Balanced<S> {
     /// The nodes at which the beam is cut.
     pub cuts: Vec<usize>,
+    /// B; 0: the tension carries nothing.
+    pub carrier: f64,
     /// λ at the nodes.
     pub factors: Vec<S>,
     /// |λ′| in the cell of each piece.
@@ -148,6 +150,7 @@ impl<S: Scalar> Balance<'_, S> {
         let pieces = self.frame.spans.len();
         let mut balanced = Balanced {
             cuts: self.cuts.clone(),
+            carrier: self.carrier,
             factors: vec![S::zero(); pieces + 1],
             steepness: vec![Size::ZERO; pieces],
             moments: vec![[S::zero(); 2]; pieces],

@@ -4,6 +4,7 @@
 use crate::answer::{Answer, Piece};
 use crate::coefficient::Coefficient;
 use crate::model::Acts;
+use crate::outside::Row;
 use crate::polynomial::{HIGHEST, Polynomial};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
@@ -148,6 +149,8 @@ pub(crate) struct Frame<S> {
     pub outside: [S; 2],
     /// T₀, T_l of the loads on the ground beside the beam: flux = K u − T.
     pub pushed: [S; 2],
+    /// The ground beside the beam from which they follow.
+    pub rows: [Row<S>; 2],
     pub length: S,
     pub units: Units,
 }

@@ -7,7 +7,7 @@ use crate::held;
 use crate::idle::too_close;
 use crate::kinds::not_covered;
 use crate::model::{Action, Course, Extent, Load, Model};
-use crate::outside;
+use crate::outside::{self, Row};
 use crate::polynomial::{HIGHEST_COURSE, Polynomial};
 use crate::positions::Positions;
 use crate::refusal::NotProven;
@@ -69,6 +69,7 @@ pub(crate) fn frame<S: Scalar>(
         compression: None,
         outside: [S::zero(); 2],
         pushed: [S::zero(); 2],
+        rows: [Row::none(), Row::none()],
         length,
         units,
     };
@@ -87,7 +88,7 @@ pub(crate) fn frame<S: Scalar>(
         let margin = margin.ok_or_else(|| NotProven::new(what))?;
         frame.compression = Some(Compression { force, margin });
     }
-    (frame.outside, frame.pushed) = outside::beside(model, &frame)?;
+    outside::beside(model, &mut frame)?;
     held::weights(&mut frame);
     Ok(frame)
 }
