@@ -2,7 +2,7 @@
 
 from flint import arb
 
-from balls import INFINITE, above, exact, high, ball_of, least_on, low, negative_part, on, sorted_pair, upper
+from balls import INFINITE, above, ball_of, exact, high, least_on, negative_part, on, sorted_pair, upper
 from ground import clearance, least
 
 

@@ -163,8 +163,7 @@ class Problem(Checks):
         self.units = problem["units"]
         self.nodes = [Node(line) for line in self.all("node")]
         self.x = [node.x for node in self.nodes]
-        self.count_of_pieces = len(self.all("piece"))
-        if len(self.nodes) != self.count_of_pieces + 1:
+        if len(self.nodes) != len(self.all("piece")) + 1:
             raise NotReplayed("the numbers of nodes and pieces do not fit")
         ends = zip(self.x, self.x[1:])
         self.pieces = [Piece(line, x) for line, x in zip(self.all("piece"), ends)]
@@ -179,10 +178,22 @@ class Problem(Checks):
         self.s2 = (2 * self.energy).sqrt()
         keys = ("w", "slope", "rotation", "m", "M", "V", "u", "p")
         self.errors = [{key: exact(line[key]) for key in keys} for line in self.all("bounds")]
+        for name in ("closing", "pull", "ground", "bounds"):
+            self.complete(name, len(self.pieces))
+        for name in ("admissible at a node", "tolerance of a force"):
+            self.complete(name, len(self.nodes))
+        if any(len(line["bounds"]) != len(self.pieces) for line in self.all("round")):
+            raise NotReplayed("a round without bounds for each piece")
         self.shears = any(piece.stiffness is not None for piece in self.pieces)
 
     def all(self, name):
         return self.lines.get(name, [])
+
+    def complete(self, name, count):
+        """There is one line of a name for each piece or node, in their order."""
+        found = [line.get("piece", line.get("node")) for line in self.all(name)]
+        if found != list(range(count)):
+            raise NotReplayed(f"the lines `{name}` are not complete")
 
     def one(self, name):
         found = self.all(name)

@@ -2,7 +2,7 @@
 
 from flint import arb
 
-from balls import INFINITE, high, largest, least_of_halves, low, upper
+from balls import INFINITE, high, largest, least_of_halves, upper
 from energy import compression_misfit
 
 

@@ -197,6 +197,23 @@ fn logs_of_other_kinds_with_one_changed_number_fail() {
     );
 }
 
+/// A log without a line is refused by name, or an inequality fails for want of what the line says.
+#[test]
+fn a_log_with_a_line_left_out_is_refused() {
+    let folder = logged(Path::new("cases/kikuchi-1980/case-3.toml")).expect("a log");
+    let log = folder.read("proof.log");
+    for name in ["piece", "closing", "pull", "bounds", "edge", "unique", "contact set"] {
+        let Some(python) = python() else { return };
+        let wanted = format!("{{\"name\":\"{name}\"");
+        let left = log.lines().position(|line| line.starts_with(&wanted)).expect("such a line");
+        let kept = log.lines().enumerate().filter(|(i, _)| *i != left);
+        let changed: String = kept.map(|(_, line)| format!("{line}\n")).collect();
+        let (status, text) = replay(python, &folder, &changed);
+        let refused = status == Some(1) || text.contains("not replayed: ");
+        assert!(refused && status != Some(0), "{name}: {text}");
+    }
+}
+
 /// The log of the right document does not confirm a document with another piece, edge, reaction or a smaller bound.
 #[test]
 fn a_changed_document_is_refused() {
