@@ -2,9 +2,9 @@
 //! and supports node by node.
 
 use crate::answer::{Answer, Piece};
+use crate::beside::Row;
 use crate::coefficient::Coefficient;
 use crate::model::Acts;
-use crate::outside::Row;
 use crate::polynomial::{HIGHEST, Polynomial};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;

@@ -1,13 +1,14 @@
 //! From model and answer to the problem on the pieces: checks of range, and where everything stands.
 
 use crate::answer::{Answer, Reaction};
+use crate::beside::Row;
 use crate::coefficient::Coefficient;
 use crate::frame::{Compression, Frame, Node, Span, spans};
 use crate::held;
 use crate::idle::too_close;
 use crate::kinds::not_covered;
 use crate::model::{Action, Course, Extent, Load, Model};
-use crate::outside::{self, Row};
+use crate::outside;
 use crate::polynomial::{HIGHEST_COURSE, Polynomial};
 use crate::positions::Positions;
 use crate::refusal::NotProven;

@@ -3,11 +3,11 @@
 //! Numbers are in the units of the proof. A double is written as the shortest decimal that reads back as it, a ball as the
 //! list of its middle, a correction of the middle, and its radius. `docs/verify.md` describes the lines.
 
+use crate::beside::Row;
 use crate::coefficient::Coefficient;
 use crate::contact_set::{EdgeShift, Round, Shown};
 use crate::frame::{Frame, Node, Span};
 use crate::model::Acts;
-use crate::outside::Row;
 use crate::pointwise::{PieceBounds, Pointwise};
 use crate::polynomial::Polynomial;
 use crate::scalar::Scalar;

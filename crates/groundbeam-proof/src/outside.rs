@@ -12,6 +12,7 @@
 //!
 //! and a force Q at a place adds to T there.
 
+use crate::beside::{LoadedStretch, Row};
 use crate::frame::Frame;
 use crate::model::{Extent, GroundEnd, Load, Model};
 use crate::refusal::NotProven;
@@ -32,27 +33,6 @@ pub(crate) fn beside<S: Scalar>(model: &Model<S>, frame: &mut Frame<S>) -> Resul
         }
     }
     Ok(())
-}
-
-/// A stretch of even ground beside the beam with its loads.
-#[derive(Debug, Clone)]
-pub(crate) struct LoadedStretch<S> {
-    /// None if it has no end. Loads end somewhere, so it has none then.
-    pub length: Option<S>,
-    /// k and μ.
-    pub ground: [S; 2],
-    /// q at the near and at the far end.
-    pub spread: [S; 2],
-    /// The force at its far end.
-    pub force: S,
-}
-
-/// The layer on one side of the beam, outward.
-#[derive(Debug, Clone)]
-pub(crate) struct Row<S> {
-    pub stretches: Vec<LoadedStretch<S>>,
-    /// Whether the surface is held at the end of the last one.
-    pub held: bool,
 }
 
 /// A part of the ground between two distances from the beam's end; without the second it has no end.
@@ -232,11 +212,6 @@ impl<S: Scalar> Beside<'_, S> {
 }
 
 impl<S: Scalar> Row<S> {
-    /// No ground.
-    pub fn none() -> Self {
-        Row { stretches: Vec::new(), held: false }
-    }
-
     /// K and T of all ground on this side.
     fn seen(&self) -> Result<(S, S), NotProven> {
         let mut seen: Option<(S, S)> = None;
