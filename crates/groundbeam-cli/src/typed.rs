@@ -169,7 +169,7 @@ pub struct Verify {
     /// Model file (TOML)
     pub model: PathBuf,
 
-    /// Write the log of the proof, which `reference/replay.py` recomputes
+    /// Write the log of the proof, which `reference/replay` recomputes
     #[arg(long, value_name = "FILE")]
     pub log: Option<PathBuf>,
 

@@ -41,6 +41,8 @@ pub(crate) struct Balance<'a, S> {
 pub(crate) struct Balanced<S> {
     /// The nodes at which the beam is cut.
     pub cuts: Vec<usize>,
+    /// B; 0: the tension carries nothing.
+    pub carrier: f64,
     /// λ at the nodes.
     pub factors: Vec<S>,
     pub pieces: Vec<BalancedPiece<S>>,
@@ -171,6 +173,7 @@ impl<S: Scalar> Balance<'_, S> {
         };
         let mut balanced = Balanced {
             cuts: self.cuts.clone(),
+            carrier: self.carrier,
             factors: vec![S::zero(); pieces + 1],
             pieces: vec![nothing; pieces],
         };

@@ -28,7 +28,7 @@ impl<S: Scalar> Contact<'_, S> {
             let layered = spans[first].layered;
             let found = match layered {
                 true => self.layer(first, end, &mut shown),
-                false => self.springs(first, end, &mut shown.set),
+                false => self.springs(first, end, &mut shown),
             };
             if let Err(why) = found {
                 shown.failed[usize::from(!layered)].get_or_insert(why);

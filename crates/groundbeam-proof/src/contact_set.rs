@@ -48,6 +48,29 @@ pub(crate) struct EdgeShift {
     pub beyond: [Size; 2],
 }
 
+/// The neighbourhood of an edge on one piece of separate springs: at its left or right end, and its length.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Zone {
+    pub piece: usize,
+    pub side: usize,
+    pub theta: Size,
+}
+
+/// One round for a beam that shears: the bounds on the pieces, and the edges that follow from them.
+#[derive(Debug)]
+pub(crate) struct Round {
+    pub shown: bool,
+    pub bounds: Vec<PieceBounds>,
+    pub edges: Vec<EdgeShift>,
+}
+
+impl Round {
+    fn of(shown: &Shown, bounds: &[PieceBounds]) -> Self {
+        let (bounds, edges) = (bounds.to_vec(), shown.edges.clone());
+        Round { shown: shown.failed[0].is_none(), bounds, edges }
+    }
+}
+
 /// The regions, forces and edges that are shown, and the steps that fail.
 #[derive(Debug)]
 pub(crate) struct Shown {
@@ -58,6 +81,10 @@ pub(crate) struct Shown {
     pub tolerances: Vec<Size>,
     /// Whether the exact contact force at a node is shown to be positive.
     pub pressed: Vec<bool>,
+    /// On separate springs, the length next to an edge on each piece on which w* − g₀ is monotone.
+    pub zones: Vec<Zone>,
+    /// The earlier rounds of a beam that shears, and the last one.
+    pub rounds: Vec<Round>,
     /// The first step that fails in a layer, and on separate springs.
     pub failed: [Option<NotProven>; 2],
 }
@@ -70,6 +97,8 @@ impl Shown {
             edges: Vec::new(),
             tolerances: vec![Size::ZERO; nodes],
             pressed: vec![false; nodes],
+            zones: Vec::new(),
+            rounds: Vec::new(),
             failed: [None, None],
         }
     }
@@ -100,19 +129,24 @@ impl<S: Scalar> Pointwise<'_, S> {
     /// of the contact without a slope.
     pub fn contact(&self, pieces: &mut [PieceBounds]) -> Shown {
         let (fields, frame) = (self.fields, self.fields.frame);
-        let mut rounds = 1;
+        let (mut rounds, mut past) = (1, Vec::new());
         if frame.shears() {
             self.first_slopes(pieces);
             let rough = Contact { fields, bounds: pieces }.roughly();
+            past.push(Round::of(&rough, pieces));
             self.shear_forces(&rough, pieces);
             rounds = if frame.spans.iter().any(|span| span.layered) { ROUNDS } else { 1 };
         }
         loop {
             self.lower_pressures(pieces);
-            let shown = Contact { fields, bounds: pieces }.shown();
+            let mut shown = Contact { fields, bounds: pieces }.shown();
+            if frame.shears() {
+                past.push(Round::of(&shown, pieces));
+            }
             self.shear_forces(&shown, pieces);
             rounds -= 1;
             if rounds == 0 || shown.failed[0].is_some() {
+                shown.rounds = past;
                 return shown;
             }
         }

@@ -2,6 +2,7 @@
 //! and supports node by node.
 
 use crate::answer::{Answer, Piece};
+use crate::beside::Row;
 use crate::coefficient::Coefficient;
 use crate::model::Acts;
 use crate::polynomial::{HIGHEST, Line, Polynomial};
@@ -148,6 +149,8 @@ pub(crate) struct Frame<S> {
     pub outside: [S; 2],
     /// T₀, T_l of the loads on the ground beside the beam: flux = K u − T.
     pub pushed: [S; 2],
+    /// The ground beside the beam from which they follow.
+    pub rows: [Row<S>; 2],
     pub length: S,
     pub units: Units,
 }

@@ -1,6 +1,7 @@
 //! From model and answer to the problem on the pieces: checks of range, and where everything stands.
 
 use crate::answer::{Answer, Reaction};
+use crate::beside::Row;
 use crate::coefficient::Coefficient;
 use crate::frame::{Compression, Frame, Node, Span, spans};
 use crate::held;
@@ -69,6 +70,7 @@ pub(crate) fn frame<S: Scalar>(
         compression: None,
         outside: [S::zero(); 2],
         pushed: [S::zero(); 2],
+        rows: [Row::none(), Row::none()],
         length,
         units,
     };
@@ -87,7 +89,7 @@ pub(crate) fn frame<S: Scalar>(
         let margin = margin.ok_or_else(|| NotProven::new(what))?;
         frame.compression = Some(Compression { force, margin });
     }
-    (frame.outside, frame.pushed) = outside::beside(model, &frame)?;
+    outside::beside(model, &mut frame)?;
     held::weights(&mut frame);
     Ok(frame)
 }

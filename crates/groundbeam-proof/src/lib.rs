@@ -14,6 +14,7 @@ mod approach;
 mod arc;
 mod balance;
 mod ball;
+mod beside;
 mod bounds;
 mod clearance;
 mod coefficient;

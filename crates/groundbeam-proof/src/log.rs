@@ -3,9 +3,10 @@
 //! Numbers are in the units of the proof. A double is written as the shortest decimal that reads back as it, a ball as the
 //! list of its middle, a correction of the middle, and its radius. `docs/verify.md` describes the lines.
 
+use crate::beside::Row;
 use crate::coefficient::Coefficient;
-use crate::contact_set::Shown;
-use crate::frame::{Node, Span};
+use crate::contact_set::{EdgeShift, Round, Shown};
+use crate::frame::{Frame, Node, Span};
 use crate::model::Acts;
 use crate::pointwise::{PieceBounds, Pointwise};
 use crate::polynomial::Polynomial;
@@ -62,11 +63,16 @@ impl Log {
         let frame = fields.frame;
         self.line("problem", "3")
             .with("P", optional(frame.axial_force().map(ball)))
+            .with("sigma", optional(frame.compression.as_ref().map(|c| double(c.margin))))
             .with("outside", list(frame.outside.map(ball)))
             .with("pushed", list(frame.pushed.map(ball)))
             .with("cuts", list(balanced.cuts.iter().map(usize::to_string)))
+            .with("carrier", double(balanced.carrier))
             .with("units", list([frame.units.force, frame.units.length].map(|n| n.to_string())))
             .end();
+        for (side, row) in frame.rows.iter().enumerate() {
+            self.row(side, row);
+        }
         for (i, node) in frame.nodes.iter().enumerate() {
             self.node(i, node);
         }
@@ -112,12 +118,48 @@ impl Log {
         self.contact(shown);
     }
 
-    /// Writes whether the solution is unique, and which nodes are shown to press.
-    pub(crate) fn unique(&mut self, shown: &Shown, is_unique: bool) {
-        let pressed = shown.pressed.iter().map(|p| (*p && shown.failed[0].is_none()).to_string());
-        self.line("unique", "7")
-            .with("shown", is_unique.to_string())
-            .with("pressed", list(pressed))
+    /// Writes the supports with the bounds of the errors of force and moment, and whether it is shown of each that acts in
+    /// one direction whether it acts.
+    pub(crate) fn supports<S: Scalar>(
+        &mut self,
+        frame: &Frame<S>,
+        errors: &[[Size; 2]],
+        decided: bool,
+    ) {
+        for (i, (held, errors)) in frame.supports.iter().zip(errors).enumerate() {
+            self.line("support", "6")
+                .with("support", i.to_string())
+                .with("node", optional(held.node.map(|node| node.to_string())))
+                .with("x", ball(held.x))
+                .with("acts", acts(held.acts))
+                .with("springs", optional(held.springs.map(|both| list(both.map(ball)))))
+                .with("settlement", ball(held.settlement))
+                .with("claimed", list(held.claimed.map(ball)))
+                .with("errors", list(errors.map(size)))
+                .end();
+        }
+        self.line("supports", "6").with("decided", decided.to_string()).end();
+    }
+
+    /// Writes whether the solution is unique.
+    pub(crate) fn unique(&mut self, is_unique: bool) {
+        self.line("unique", "7").with("shown", is_unique.to_string()).end();
+    }
+
+    /// The ground on one side of the beam, outward.
+    fn row<S: Scalar>(&mut self, side: usize, row: &Row<S>) {
+        let stretches = row.stretches.iter().map(|stretch| {
+            list([
+                optional(stretch.length.map(ball)),
+                list(stretch.ground.map(ball)),
+                list(stretch.spread.map(ball)),
+                ball(stretch.force),
+            ])
+        });
+        self.line("ground beside the beam", "3, ground")
+            .with("side", side.to_string())
+            .with("stretches", list(stretches))
+            .with("held", row.held.to_string())
             .end();
     }
 
@@ -132,7 +174,7 @@ impl Log {
             .with("Q", ball(node.ground_force))
             .with("rigid", optional(node.rigid.map(ball)))
             .with("clamped", node.clamped.to_string())
-            .with("both", (node.acts == Acts::Both).to_string())
+            .with("acts", acts(node.acts))
             .with("spring", optional(node.spring.map(|spring| list(spring.map(ball)))))
             .with("turning", optional(node.turning.map(ball)))
             .with("hinge", optional(node.hinge.map(ball)))
@@ -142,7 +184,6 @@ impl Log {
     }
 
     fn piece<S: Scalar>(&mut self, i: usize, span: &Span<S>) {
-        let constant = |coefficient: &Coefficient<S>| optional(coefficient.even().map(ball));
         self.line("piece", "1")
             .with("piece", i.to_string())
             .with("middle", ball(span.middle))
@@ -150,14 +191,17 @@ impl Log {
             .with("touches", span.touches.to_string())
             .with("w", polynomial(&span.deflection))
             .with("phi", optional(span.rotation.as_deref().map(polynomial)))
-            .with("EI", constant(&span.bending))
-            .with("k", constant(&span.spring))
-            .with("mu", constant(&span.shear))
+            .with("EI", coefficient(&span.bending))
+            .with("S", optional(span.stiffness.as_ref().map(coefficient)))
+            .with("k", coefficient(&span.spring))
+            .with("mu", coefficient(&span.shear))
             .with("f", polynomial(&span.force))
             .with("g", polynomial(&span.moment))
             .with("kappa0", polynomial(&span.curvature))
             .with("g0", polynomial(&span.gap))
             .with("q", optional(span.ground_load.as_ref().map(polynomial)))
+            .with("open", optional(span.stored.map(|ends| list(ends.map(ball)))))
+            .with("u", optional(span.settlement.as_deref().map(polynomial)))
             .end();
     }
 
@@ -166,6 +210,7 @@ impl Log {
             .with("piece", i.to_string())
             .with("w", size(bounds.deflection))
             .with("slope", size(bounds.slope))
+            .with("rotation", size(bounds.rotation))
             .with("m", size(bounds.balanced_moment))
             .with("M", size(bounds.moment))
             .with("V", size(bounds.shear_force))
@@ -174,13 +219,28 @@ impl Log {
             .end();
     }
 
+    /// The bounds of one round, slope, V and p of each piece, and the edges that follow.
+    fn round(&mut self, round: &Round) {
+        let bounds = |b: &PieceBounds| list([b.slope, b.shear_force, b.pressure].map(size));
+        self.line("round", "5")
+            .with("shown", round.shown.to_string())
+            .with("bounds", list(round.bounds.iter().map(bounds)))
+            .with("edges", list(round.edges.iter().map(edge)))
+            .end();
+    }
+
     fn contact(&mut self, shown: &Shown) {
-        for edge in &shown.edges {
-            self.line("edge", "5")
-                .with("node", edge.node.to_string())
-                .with("side", edge.side.to_string())
-                .with("outside", size(edge.outside))
-                .with("inside", size(edge.inside))
+        for round in &shown.rounds {
+            self.round(round);
+        }
+        for shift in &shown.edges {
+            self.line("edge", "5").with("edge", edge(shift)).end();
+        }
+        for zone in &shown.zones {
+            self.line("zone", "5")
+                .with("piece", zone.piece.to_string())
+                .with("side", zone.side.to_string())
+                .with("length", size(zone.theta))
                 .end();
         }
         for (node, tolerance) in shown.tolerances.iter().enumerate() {
@@ -193,6 +253,30 @@ impl Log {
         self.line("contact set", "5")
             .with("shown", list(shown.map(|shown| shown.to_string())))
             .end();
+    }
+}
+
+/// 0, or 1 of a support that only pushes up, −1 of one that only pulls down.
+fn acts(acts: Acts) -> String {
+    let sign = match acts {
+        Acts::Both => 0,
+        Acts::Up => 1,
+        Acts::Down => -1,
+    };
+    sign.to_string()
+}
+
+/// The node and the side of an edge, θ and θ′.
+fn edge(edge: &EdgeShift) -> String {
+    let lengths = [edge.outside, edge.inside].map(size);
+    list([edge.node, edge.side].map(|n| n.to_string()).into_iter().chain(lengths))
+}
+
+/// A ball, or the list of balls of a polynomial.
+fn coefficient<S: Scalar>(coefficient: &Coefficient<S>) -> String {
+    match coefficient.along() {
+        Some(along) => polynomial(along),
+        None => ball(coefficient.least()),
     }
 }
 

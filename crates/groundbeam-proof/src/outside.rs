@@ -12,6 +12,7 @@
 //!
 //! and a force Q at a place adds to T there.
 
+use crate::beside::{LoadedStretch, Row};
 use crate::frame::Frame;
 use crate::model::{Extent, GroundEnd, Load, Model};
 use crate::refusal::NotProven;
@@ -19,21 +20,19 @@ use crate::scalar::Scalar;
 use crate::units::Units;
 use crate::values::{constant, not_negative, positive};
 
-/// K₀, K_l and T₀, T_l with flux = K u − T at the beam's ends; exactly zero where the layer ends with the beam.
-pub(crate) fn beside<S: Scalar>(
-    model: &Model<S>,
-    frame: &Frame<S>,
-) -> Result<([S; 2], [S; 2]), NotProven> {
-    let (mut stiffness, mut pushed) = ([S::zero(); 2], [S::zero(); 2]);
+/// Sets the ground beside the beam, and K₀, K_l and T₀, T_l with flux = K u − T at the beam's ends; exactly zero where the
+/// layer ends with the beam.
+pub(crate) fn beside<S: Scalar>(model: &Model<S>, frame: &mut Frame<S>) -> Result<(), NotProven> {
     for side in [0, 1] {
         let span = if side == 0 { &frame.spans[0] } else { &frame.spans[frame.spans.len() - 1] };
         if span.layered {
             let own = [span.spring.at_end(side), span.shear.at_end(side)];
             let beside = Beside { model, units: frame.units, length: frame.length, side };
-            (stiffness[side], pushed[side]) = beside.seen(own)?;
+            frame.rows[side] = beside.loaded(own)?;
+            (frame.outside[side], frame.pushed[side]) = frame.rows[side].seen()?;
         }
     }
-    Ok((stiffness, pushed))
+    Ok(())
 }
 
 /// A part of the ground between two distances from the beam's end; without the second it has no end.
@@ -199,31 +198,44 @@ impl<S: Scalar> Beside<'_, S> {
         Ok(sum)
     }
 
-    /// K and T of all ground on this side.
-    fn seen(&self, own: [S; 2]) -> Result<(S, S), NotProven> {
+    /// The ground on this side with its loads.
+    fn loaded(&self, own: [S; 2]) -> Result<Row<S>, NotProven> {
         let (row, held) = self.row(own)?;
-        let row = self.cut(row)?;
+        let with_loads = |stretch: Stretch<S>| {
+            let (mut spread, mut force) = ([S::zero(); 2], S::zero());
+            if let Some(to) = stretch.to {
+                (spread, force) = (self.spread_over([stretch.from, to])?, self.forces_at(to)?);
+            }
+            let length = stretch.to.map(|to| to - stretch.from);
+            Ok(LoadedStretch { length, ground: stretch.ground, spread, force })
+        };
+        let stretches: Result<_, NotProven> = self.cut(row)?.into_iter().map(with_loads).collect();
+        Ok(Row { stretches: stretches?, held })
+    }
+}
+
+impl<S: Scalar> Row<S> {
+    /// K and T of all ground on this side.
+    fn seen(&self) -> Result<(S, S), NotProven> {
         let mut seen: Option<(S, S)> = None;
-        for stretch in row.iter().rev() {
+        for stretch in self.stretches.iter().rev() {
             let [spring, shear] = stretch.ground;
             let root = (spring * shear).sqrt();
-            let Some(to) = stretch.to else {
-                // Loads end somewhere, so the last stretch has none.
+            let Some(length) = stretch.length else {
                 seen = Some((root, S::zero()));
                 continue;
             };
-            let length = to - stretch.from;
             let z = spring.div(shear).sqrt() * length;
-            let [near, far] = self.spread_over([stretch.from, to])?.map(|q| q.div(spring));
+            let [near, far] = stretch.spread.map(|q| q.div(spring));
             let slope = shear * (near - far).div(length);
             seen = Some(match seen {
-                None if held => {
+                None if self.held => {
                     let stiffness = root.div(hyperbolic_tangent(z));
                     (stiffness, stiffness * near - slope - far * root * inverse_sine(z))
                 }
                 behind => {
                     let (stiffness, pushed) = behind.unwrap_or((S::zero(), S::zero()));
-                    let pushed = pushed + self.forces_at(to)?;
+                    let pushed = pushed + stretch.force;
                     let t = hyperbolic_tangent(z);
                     let next = (root * (stiffness + root * t)).div(root + stiffness * t);
                     // K/(K cosh z + S sinh z).
@@ -237,7 +249,7 @@ impl<S: Scalar> Beside<'_, S> {
             });
         }
         match seen {
-            None if held => Err(NotProven::new("the ground is held at the end of the beam")),
+            None if self.held => Err(NotProven::new("the ground is held at the end of the beam")),
             seen => Ok(seen.unwrap_or((S::zero(), S::zero()))),
         }
     }
@@ -362,7 +374,8 @@ mod tests {
             for side in [0, 1] {
                 let units = Units { length: 0, force: 0 };
                 let beside = Beside { model: &model, units, length: 2.0, side };
-                let (stiffness, pushed) = beside.seen([1.3, 0.8]).expect("a row");
+                let (stiffness, pushed) =
+                    beside.loaded([1.3, 0.8]).and_then(|row| row.seen()).expect("a row");
                 let [k, t] = by_elements(&model, side, far, held);
                 let near = |a: f64, b: f64| (a - b).abs() <= 2e-6 * b.abs();
                 assert!(near(stiffness, k), "{far} {side}: K {stiffness} {k}");

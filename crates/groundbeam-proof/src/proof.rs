@@ -141,7 +141,8 @@ fn of_fields<S: Scalar>(
     let unique = pointwise.unique(&shown, &of_supports);
     if let Some(log) = log {
         log.record(&pointwise, &pieces, &shown);
-        log.unique(&shown, unique.is_ok());
+        log.supports(frame, &of_supports, supports.is_ok());
+        log.unique(unique.is_ok());
     }
     add_stored(answer, fields, &mut pieces);
     let scales = FieldScales::of(fields, &pieces);

@@ -1,20 +1,11 @@
 //! The exact contact set on separate springs: the closure of the set where w* > g₀.
 
-use crate::contact_set::{Contact, ContactRegion, ContactSet, more};
+use crate::contact_set::{Contact, ContactRegion, Shown, Zone, more};
 use crate::model::Acts;
 use crate::polynomial::{Budget, Polynomial, below};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
-
-/// The neighbourhood of an edge on one piece, on which w* − g₀ is monotone.
-#[derive(Debug, Clone, Copy)]
-struct Zone {
-    /// Its length.
-    theta: Size,
-    /// t of its end inside the piece.
-    to: f64,
-}
 
 impl<S: Scalar> Contact<'_, S> {
     /// Springs between two nodes. Every edge has a zone on both sides; elsewhere the sign of w* − g₀ is shown.
@@ -22,7 +13,7 @@ impl<S: Scalar> Contact<'_, S> {
         &self,
         first: usize,
         end: usize,
-        set: &mut ContactSet,
+        shown: &mut Shown,
     ) -> Result<(), NotProven> {
         let spans = &self.fields.frame.spans;
         let differs = |i: usize, j: usize| spans[i].touches != spans[j].touches;
@@ -39,20 +30,21 @@ impl<S: Scalar> Contact<'_, S> {
                 if (!edges[side] || steps) && !stands {
                     continue;
                 }
-                let zone = self
+                let (theta, to) = self
                     .zone(i, side, &field)
                     .ok_or_else(|| self.failed("the edge of a region is not bounded", i + side))?;
-                interval[side] = zone.to;
+                interval[side] = to;
+                shown.zones.push(Zone { piece: i, side, theta });
                 // At a support that stands on the ground the edge is the support.
                 if !stands {
-                    zones[i - first][side] = zone.theta;
+                    zones[i - first][side] = theta;
                 }
             }
             let error = more(self.bounds[i].deflection);
-            let shown = interval[0] < interval[1]
+            let clear = interval[0] < interval[1]
                 && below(&field, error, Size::ZERO, interval, &mut Budget::new(1)).depth
                     == Size::ZERO;
-            if !shown {
+            if !clear {
                 return Err(self.failed("contact and clearance are too close on springs", i));
             }
         }
@@ -68,7 +60,7 @@ impl<S: Scalar> Contact<'_, S> {
             }
             let before = if from > first { zones[from - 1 - first][1] } else { Size::ZERO };
             let after = if i < end { zones[i - first][0] } else { Size::ZERO };
-            set.regions.push(ContactRegion {
+            shown.set.regions.push(ContactRegion {
                 from: self.interval(from, [before, zones[from - first][0]]),
                 to: self.interval(i, [zones[i - 1 - first][1], after]),
             });
@@ -98,9 +90,9 @@ impl<S: Scalar> Contact<'_, S> {
         self.stands(i, side) && node.clamped && !shears && span.gap.tail(1.0) == Size::ZERO
     }
 
-    /// The least zone found: the field grows inward faster than its slope is off, up to a value above its bound. Where the
-    /// exact slope is zero the curvature takes the place of the slope.
-    fn zone(&self, i: usize, side: usize, field: &Polynomial<S::Coarse>) -> Option<Zone> {
+    /// The least zone found, its length and t of its end inside the piece: the field grows inward faster than its slope is
+    /// off, up to a value above its bound. Where the exact slope is zero the curvature takes the place of the slope.
+    fn zone(&self, i: usize, side: usize, field: &Polynomial<S::Coarse>) -> Option<(Size, f64)> {
         let (span, bounds) = (&self.fields.frame.spans[i], &self.bounds[i]);
         let half = Size::of(span.half.high());
         let limit = more(bounds.deflection);
@@ -127,7 +119,7 @@ impl<S: Scalar> Contact<'_, S> {
             let r = (0.5 * long).next_up() + 4.0 * f64::EPSILON;
             let least = (about.coefficient(0).low() - about.tail(r).value()).next_down();
             if least > error.value() && field.value(S::Coarse::of(to)).low() > limit.value() {
-                return Some(Zone { theta: Size::of((to - end).abs().next_up()) * half, to });
+                return Some((Size::of((to - end).abs().next_up()) * half, to));
             }
             long *= 2.0;
         }

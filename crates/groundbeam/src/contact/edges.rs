@@ -222,7 +222,7 @@ impl Search<'_, '_> {
             if let Some(rest) = self.without_weightless(contact, found) {
                 return Some(rest);
             }
-            if self.holds(found) {
+            if self.holds(found) || is_settled {
                 return Some(found.as_ref().clone());
             }
         }

@@ -1,0 +1,85 @@
+"""Recomputes the inequalities of proofs in ball arithmetic (python-flint), from logs of `groundbeam verify --log`.
+
+    python reference/replay LOG [RESULT.json]
+
+Each inequality is recomputed from the problem, the pieces of the answer and the closing deflection in the log: none of the
+program's own intermediate results is used but those that are claimed (distances, bounds), and each claim is confirmed. With
+the document the pieces and bounds in the log are compared with those in the document. `docs/proof.md` tells what is
+recomputed; numbers in brackets are its formulas. Exit status: 0 all hold, 1 one does not, 2 a log cannot be replayed.
+"""
+
+import json
+import sys
+
+import balance
+import beside
+import clearance
+import deflection
+import document
+import energy
+import ground
+import points
+import reactions
+import rounds
+import springs
+import stability
+import uniqueness
+from balls import NotReplayed
+from problem import Problem
+
+STEPS = (deflection, beside, ground, balance, clearance, energy, stability, points, rounds, springs, reactions, uniqueness)
+
+
+def results(lines):
+    """The lines of each result of a log, with the name of its combination."""
+    found = []
+    for line in lines:
+        if line.get("name") == "result":
+            found.append((line.get("combination"), []))
+        elif found:
+            found[-1][1].append(line)
+    return found
+
+
+def replay(lines, combination, claimed):
+    """One result: the inequalities that were checked."""
+    problem = Problem(lines)
+    for step in STEPS:
+        step.check(problem)
+    if claimed is not None:
+        document.check(problem, document.part(claimed, combination))
+    return problem
+
+
+def main(log, result=None):
+    with open(log, encoding="utf-8") as file:
+        found = results(json.loads(line) for line in file)
+    claimed = None
+    if result is not None:
+        with open(result, encoding="utf-8") as file:
+            claimed = json.load(file)
+    status = 0 if found else 2
+    for combination, lines in found:
+        name = f"{combination}: " if combination else ""
+        try:
+            problem = replay(lines, combination, claimed)
+        except NotReplayed as reason:
+            print(f"{name}not replayed: {reason}")
+            status = 2
+            continue
+        for failed in problem.failed:
+            print(f"{name}{failed}")
+        for part, size in problem.energies.items():
+            print(f"{name}{part}/2 is at most {size.str(3, radius=False)}")
+        if problem.failed:
+            status = max(status, 1)
+            print(f"{name}{len(problem.failed)} of {problem.count} inequalities do not hold")
+        else:
+            print(f"{name}{problem.count} inequalities hold")
+    return status
+
+
+if __name__ == "__main__":
+    if len(sys.argv) not in (2, 3):
+        sys.exit(__doc__)
+    sys.exit(main(*sys.argv[1:]))

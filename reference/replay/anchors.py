@@ -1,0 +1,148 @@
+"""Bounds of |w − w*| on the parts of the beam from their anchors, the places where it is bounded (12)."""
+
+from flint import arb
+
+from balance import gamma
+from balls import INFINITE, high, low, upper
+from ground import root_g_at
+
+REACHES = (0.9, 0.5, 0.25, 0.0625)
+
+
+class Anchor:
+    """A place, an interval of x, with a bound of |e|, and whether a clamp holds it."""
+
+    def __init__(self, x, bound, clamp=False):
+        self.x, self.bound, self.clamp = x, bound, clamp
+
+
+def flexure(r, part):
+    """s = s₂/√EI_min and s_γ = s₂/√S_min of a part; s_γ = 0 if it does not shear."""
+    spans = [r.pieces[i] for i in part]
+    bent = min((low(piece.bending.low) for piece in spans), key=float)
+    stiff = [low(piece.stiffness.low) for piece in spans if piece.stiffness is not None]
+    slid = (2 * r.beam_energy / min(stiff, key=float)).sqrt() if stiff else arb(0)
+    return (2 * r.beam_energy / bent).sqrt(), slid
+
+
+def least_pressure(r, i, reach):
+    """A lower bound of (1 − γ)p on |t| ≤ reach of a touching piece; zero if it is not positive."""
+    least = low(r.pieces[i].pressure(arb(0, reach)))
+    kept = 1 - gamma(r, i)
+    return least * kept if kept > arb("0.5") and least > 0 else arb(0)
+
+
+def at_nodes(r, part):
+    found = []
+    for i in range(part.start, part.stop + 1):
+        node, x = r.nodes[i], r.x[i]
+        if node.acts:
+            bound = pushed(r, i)
+            if bound is not None:
+                found.append(Anchor(x, bound))
+        else:
+            if node.rigid is not None:
+                found.append(Anchor(x, arb(0), node.clamped))
+            if node.spring is not None:
+                found.append(Anchor(x, (2 * r.beam_energy / low(node.spring[0])).sqrt()))
+        force = (1 - upper(r.factor[i])) * low(r.jump[i])
+        if r.touches[i] and force > 0:
+            found.append(Anchor(x, r.s2 * root_g_at(r, i) + r.energy / low(force)))
+    return found
+
+
+def pushed(r, i):
+    """At a support of one direction that acts: E/ρ̄ of a rigid one, (2E/κ)^½ of a spring with κv̄ > (2κE)^½."""
+    pushing, node = r.pushing[i], r.nodes[i]
+    if node.spring is not None:
+        acts = pushing > (2 * high(node.spring[0]) * r.energy).sqrt()
+        return (2 * r.energy / low(node.spring[0])).sqrt() if acts else None
+    kept = (1 - upper(r.factor[i])) * low(pushing)
+    return r.energy / low(kept) if kept > 0 else None
+
+
+def pressing(r, i, flexible):
+    """Both ends of an interval of a touching piece with p̄ ≥ p_m > 0, (12)."""
+    piece, (s, slid), best = r.pieces[i], flexible, None
+    for reach in REACHES:
+        least = least_pressure(r, i, reach)
+        if not least > 0:
+            continue
+        half = reach * piece.half
+        curved, slipped = s * half * half.sqrt(), slid * half.sqrt()
+        if piece.layered:
+            settled = r.s2 * r.root_g[i]
+        else:
+            settled = (2 * r.energy / (piece.spring.low * 2 * half)).sqrt()
+        mean = settled + r.energy / (least * 2 * half) + arb("0.2310") * curved + arb("0.6667") * slipped
+        bound = arb("2.4143") * mean + arb("0.5774") * curved + slipped
+        if best is None or bound < best[0]:
+            best = (bound, half)
+    if best is None:
+        return []
+    return [Anchor(piece.middle + side * best[1], best[0]) for side in (-1, 1)]
+
+
+def along(r, part, anchors):
+    """The bound on a part: between anchors, beyond them, and beyond a clamp."""
+    s, slid = flexure(r, part)
+    anchors = sorted((a for a in anchors if a.bound.is_finite()), key=lambda anchor: float(anchor.x.mid()))
+    if not anchors:
+        return INFINITE
+    most = anchors[0].bound.max(anchors[-1].bound)
+    for a, b in zip(anchors, anchors[1:]):
+        gap = upper(b.x - a.x)
+        most = most.max(a.bound.max(b.bound) + s * (gap**3 / 48).sqrt() + slid * gap.sqrt() / 2)
+    for near, end in ((anchors[0], r.x[part.start]), (anchors[-1], r.x[part.stop])):
+        if (near.x - end).contains(0):
+            continue
+        over, least = upper(near.x - end), INFINITE
+        if near.clamp:
+            least = arb("0.5774") * s * over * over.sqrt() + slid * over.sqrt()
+        for far in anchors:
+            gap = abs(far.x - near.x)
+            if gap > 0:
+                bend = s * (over**2 * (gap + over) / 3).sqrt() + slid * (over * (gap + over) / gap).sqrt()
+                least = least.min(near.bound + (near.bound + far.bound) * over / gap + bend)
+        most = most.max(least)
+    return most
+
+
+def best_along(r, part, anchors):
+    """The least bound over the anchors that are not worse than a level."""
+    anchors = sorted(anchors, key=lambda anchor: float(anchor.bound.mid()))
+    least, count = along(r, part, anchors), 1
+    while count < len(anchors):
+        level = 16 * anchors[count - 1].bound
+        while count < len(anchors) and anchors[count].bound <= level:
+            count += 1
+        least = least.min(along(r, part, anchors[:count]))
+        count += 1
+    return least
+
+
+def deflections(r):
+    """sup|e| on each part; a part hands its bound on at hinges. Under tension one anchor is enough for the whole beam."""
+    parts = r.parts()
+    anchors = []
+    for part in parts:
+        flexible = flexure(r, part)
+        touching = [i for i in part if r.pieces[i].touches]
+        anchors.append(at_nodes(r, part) + [a for i in touching for a in pressing(r, i, flexible)])
+    found, used = [INFINITE] * len(parts), [0] * len(parts)
+    order = list(range(len(parts)))
+    for j in 2 * (order + order[::-1]):
+        if len(anchors[j]) == used[j]:
+            continue
+        found[j], used[j] = found[j].min(best_along(r, parts[j], anchors[j])), len(anchors[j])
+        if found[j].is_finite():
+            if j > 0:
+                anchors[j - 1].append(Anchor(r.x[parts[j].start], found[j]))
+            if j + 1 < len(parts):
+                anchors[j + 1].append(Anchor(r.x[parts[j].stop], found[j]))
+    if r.tension is not None:
+        bounds = [anchor.bound for part in anchors for anchor in part]
+        least = min(bounds, key=lambda b: float(b.mid())) if bounds else INFINITE
+        drawn = least + (2 * r.energy / low(r.tension) * (r.x[-1] - r.x[0])).sqrt()
+        found = [error.min(drawn) for error in found]
+    return found

@@ -1,0 +1,250 @@
+"""The exact contact set of layers: open stretches, forces, regions and points, from bounds and the claimed edges (section 5)."""
+
+from flint import arb
+
+from balls import INFINITE, above, ball_of, exact, high, least_on, negative_part, on, sorted_pair, upper
+from ground import clearance, least
+
+
+class Edge:
+    """An end of a region, side 0 its left one: θ outside, θ′ inside, and how far the flux may jump without the slope."""
+
+    def __init__(self, logged):
+        self.node, self.side, outside, inside = logged
+        self.outside, self.inside = exact(outside), exact(inside)
+        self.beyond = [INFINITE, INFINITE]
+
+
+class Contact:
+    """The contact of all layers, shown from the bounds of one round and the edges that are claimed to follow from them."""
+
+    def __init__(self, r, errors, edges):
+        self.r, self.errors, self.at = r, errors, {}
+        for edge in edges:
+            # The first round has an edge for each of the two pieces beside it.
+            other = self.at.setdefault((edge.node, edge.side), edge)
+            other.outside, other.inside = other.outside.max(edge.outside), other.inside.max(edge.inside)
+        self.edges = list(self.at.values())
+        # ε_a at the touching nodes, and the nodes at which contact with a positive force is shown.
+        self.tolerance, self.pressed = [arb(0)] * len(r.nodes), set()
+        # Bounds of the error of μu′ on open pieces at their touching ends.
+        self.steep = {}
+
+    def check(self):
+        for first, end in self.r.layers():
+            self.layer(first, end)
+
+    def layer(self, first, end):
+        r = self.r
+        i = first
+        while i < end:
+            a = i
+            i += 1
+            if r.pieces[a].touches:
+                continue
+            while i < end and not r.touches[i]:
+                i += 1
+            self.stretch(a, i)
+        for node in range(first, end + 1):
+            if r.touches[node]:
+                sides = [self.flux_error(node, side) for side in (0, 1)]
+                self.tolerance[node] = self.tolerance[node].max(sides[0] + sides[1])
+        node = first
+        while node <= end:
+            last = node
+            if r.touches[node]:
+                while last < end and r.pieces[last].touches:
+                    last += 1
+                if last == node:
+                    self.point(node)
+                else:
+                    self.region(node, last)
+            node = last + 1
+
+    def stretch(self, first, end):
+        """C > ε_u + ε_w up to a reach; from there to θ C falls faster than its slope is off. There (μC′)′ > ε_p."""
+        r, ends = self.r, [self.r.touches[first], self.r.touches[end]]
+        for i in range(first, end):
+            interval = list(r.pieces[i].t)
+            here = [i == first and ends[0], i + 1 == end and ends[1]]
+            for side in (0, 1):
+                if here[side]:
+                    reach, found = self.approach(i, side, here[1 - side])
+                    r.shows(f"the approach to node {i + side} is not shown", reach is not None)
+                    if reach is not None:
+                        interval[side] = reach
+                        self.steep[i + side, 1 - side] = found
+            limit = self.errors[i]["u"] + self.errors[i]["w"]
+            clear = on(interval, lambda t: least(r, i, t, 0) > limit)
+            r.shows(f"the clearance on piece {i} is not larger than its error", clear)
+
+    def approach(self, i, side, both):
+        """The reach of the least error of the flux for which the approach is shown, and that error."""
+        r, piece, error = self.r, self.r.pieces[i], self.errors[i]
+        edge = self.at.get((i + side, 1 - side))
+        theta = edge.outside if edge else arb(0)
+        end, wide, inward = piece.t[side], piece.t[1] - piece.t[0], 1 - 2 * side
+        far = end + inward * wide * (arb("0.75") if both else arb(1) - arb("1e-9"))
+        near = end + inward * theta / piece.half
+        if not theta == 0:
+            curved = on(sorted_pair(near, end), lambda t: self.presses(i, t))
+            if not (r.smooth(i + side) and curved):
+                return None, None
+        part, best = arb("0.25") if both else arb("0.5"), (None, None)
+        for _ in range(40):
+            reach = end + inward * wide * part
+            if not abs(reach - end) > abs(near - end):
+                break
+            found = self.open_flux(i, abs(far - reach) * piece.half)
+            limit = found / piece.shear.low + error["slope"]
+            falls = on(sorted_pair(reach, near), lambda t: least(r, i, t, 1, None, inward) > limit)
+            clear = clearance(r, i, reach)[0] > error["u"] + error["w"]
+            if falls and clear and (best[1] is None or found < best[1]):
+                best = (reach, found)
+            elif best[0] is not None:
+                break
+            part *= arb("0.7")
+        return best
+
+    def open_flux(self, i, length):
+        """The error of μu′ at the end of open ground of a length (13), or (13a) where k or μ varies."""
+        r, piece, error = self.r, self.r.pieces[i], self.errors[i]["u"]
+        if r.along[i] is None:
+            rate = (piece.spring.least / piece.shear.least).sqrt()
+            return piece.shear.high * rate / (rate * length / 2).tanh() * error
+        load, stiff = piece.spring.high * error + r.missed[i], piece.shear.high * error
+        h = (2 * stiff / load).sqrt().min(length) if load > 0 else length
+        return 2 * stiff / h + h * load
+
+    def presses(self, i, t):
+        """(μC′)′ > ε_p at t of an open piece."""
+        r, piece = self.r, self.r.pieces[i]
+        if r.along[i] is None:
+            return piece.shear.low * clearance(r, i, t)[2] > self.errors[i]["p"]
+        return piece.pressure_under(r.along[i])(t) > self.errors[i]["p"]
+
+    def flux_error(self, node, side):
+        """The error of μu′ on one side of a touching node."""
+        r, j = self.r, node - 1 if side == 0 else node
+        if r.layered(node)[side]:
+            if r.pieces[j].touches:
+                return r.pieces[j].shear.high * self.errors[j]["slope"]
+            return self.steep.get((node, side), INFINITE)
+        if node == (0, len(r.pieces))[side]:
+            return high(r.outside[side]) * self.errors[0 if side == 0 else -1]["u"]
+        return arb(0)
+
+    def point(self, node):
+        """Contact at a node between open pieces: a > ε_a, and θ = 0 on both sides."""
+        r = self.r
+        r.shows(f"the force at the point {node} is not above its error", r.jump[node] > self.tolerance[node])
+        self.pressed.add(node)
+
+    def region(self, a, b):
+        """p > ε_p on the region, (14) at both edges, and what stands at the nodes inside."""
+        r = self.r
+        for i in range(a, b):
+            piece, error = r.pieces[i], self.errors[i]["p"]
+            r.shows(
+                f"the pressure on piece {i} is not larger than its error",
+                above(piece.pressure, piece.t, error),
+            )
+        edges = [self.edge(a, 0), self.edge(b, 1)]
+        inside = [edge.inside for edge in edges]
+        r.shows(f"the region from node {a} is not longer than its bounds", inside[0] + inside[1] < r.x[b] - r.x[a])
+        for node in range(a, b + 1):
+            if r.smooth(node):
+                continue
+            if a < node < b:
+                if not self.bends_open(node):
+                    r.holds(f"the force at node {node}", self.tolerance[node], r.jump[node])
+                far = r.x[node] - r.x[a] > inside[0] and r.x[b] - r.x[node] > inside[1]
+                r.shows(f"an edge may lie at the force at node {node}", far)
+            known = a < node < b or inside[0 if node == a else 1] == 0
+            if known and r.jump[node] > self.tolerance[node]:
+                self.pressed.add(node)
+
+    def edge(self, node, side):
+        """The claimed edge at an end of a region, with (14), or of a beam that shears where C is convex."""
+        r = self.r
+        edge = self.at.get((node, side))
+        if edge is None:
+            r.shows(f"the edge at node {node} is not in the log", False)
+            return Edge([node, side, 0, 0])
+        i = node if side == 0 else node - 1
+        outer = self.flux_error(node, side)
+        open_side = (node, side) in self.steep
+        steep = arb(0)
+        if open_side:
+            j = node - 1 if side == 0 else node
+            piece = r.pieces[j]
+            steep = piece.shear.high * upper(clearance(r, j, piece.t[1 - side])[1])
+        else:
+            r.shows(f"nothing is open beyond node {node}", edge.outside == 0)
+        edge.beyond = [outer + steep if open_side else arb(0), negative_part(r.jump[node] - outer)]
+        missing = self.tolerance[node] - r.jump[node]
+        if not missing <= 0:
+            found = self.pressed_by(i, side, edge.inside)
+            convex = opened(self, i, side, edge.inside) if r.shears and not found >= missing else False
+            if not convex:
+                r.holds(f"(14) at node {node}", missing, found)
+        return edge
+
+    def pressed_by(self, i, side, theta):
+        """∫(p − ε_p) over a length from an end of a piece inward."""
+        piece = self.r.pieces[i]
+        x = piece.t[side] + (1 - 2 * side) * theta / piece.half
+        whole = (piece.pressure - self.errors[i]["p"]).integral()
+        return abs(whole(x) - whole(piece.t[side])) * piece.half
+
+    def bends_open(self, node):
+        """Whether the slope of C cannot fall at a node if the beam is open there: a corner of g₀ points up, F pushes down."""
+        r, here = self.r, self.r.nodes[node]
+        alone = here.rigid is None and here.spring is None and here.force >= 0
+        return (alone or not r.kinks(node)) and r.even(node) and (r.corner(node) >= 0 or r.corner(node).contains(0))
+
+
+def limit(contact, i):
+    """ε_C = ε_u + ε_w."""
+    return contact.errors[i]["u"] + contact.errors[i]["w"]
+
+
+def opened(contact, i, side, theta):
+    """Whether a touching piece may be open only within θ of an end: (2ε_Cμ/m)^½ ≤ θ, m = min(p − ε_p) there."""
+    piece = contact.r.pieces[i]
+    if not theta > 0 or not theta <= piece.h * (1 + contact.r.ROUNDING):
+        return False
+    ends = sorted_pair(piece.t[side], piece.t[side] + (1 - 2 * side) * theta / piece.half)
+    least = least_on(piece.pressure, ball_of(ends)) - contact.errors[i]["p"]
+    if not least > 0:
+        return False
+    return (2 * limit(contact, i) * piece.shear.high / least).sqrt() <= theta * (1 + contact.r.ROUNDING)
+
+
+def roughly(contact):
+    """The edges of a beam that shears before the slope has a bound: where C > ε_C, and where C would be convex."""
+    r = contact.r
+    for i, piece in enumerate(r.pieces):
+        if not piece.layered:
+            continue
+        if piece.touches:
+            error = contact.errors[i]["p"]
+            r.shows(
+                f"roughly: the pressure on piece {i} is not larger than its error",
+                above(piece.pressure, piece.t, error),
+            )
+            for side in (0, 1):
+                theta = contact.at[i + side, side].inside
+                whole = theta * (1 + r.ROUNDING) >= piece.h
+                r.shows(f"roughly: the edge at node {i + side}", whole or opened(contact, i, side, theta))
+            continue
+        interval = list(piece.t)
+        for side in (0, 1):
+            theta = contact.at[i + side, 1 - side].outside
+            interval[side] += (1 - 2 * side) * theta / piece.half
+            if not r.touches[i + side]:
+                r.shows(f"roughly: node {i + side} does not touch", theta == 0)
+        clear = on(interval, lambda t: least(r, i, t, 0) > limit(contact, i))
+        r.shows(f"roughly: the clearance on piece {i}", clear)
+    for node in range(len(r.nodes)):
+        contact.tolerance[node] = INFINITE if r.touches[node] else arb(0)

@@ -1,0 +1,135 @@
+"""Bounds of the errors of the reactions of supports, and whether each of one direction acts or is idle (section 6)."""
+
+from flint import arb
+
+from balls import INFINITE, NotReplayed, ball, exact, high, optional, positive_part, upper
+from deflection import at_support
+from test_functions import lifted_side, straight, turned_side
+
+
+class Support:
+    """A support of the model with the claimed reaction: the force up and the moment that turns the right side down."""
+
+    def __init__(self, line):
+        self.node, self.x, self.acts = line["node"], ball(line["x"]), line["acts"]
+        self.springs = optional(line["springs"], lambda both: [ball(x) for x in both])
+        self.settlement = ball(line["settlement"])
+        self.claimed = [ball(x) for x in line["claimed"]]
+        self.errors = [exact(x) for x in line["errors"]]
+
+    def towards(self, x):
+        return -x if self.acts < 0 else x
+
+
+def check(r):
+    """The logged errors of force and moment, the sums at the nodes, and the state of supports of one direction."""
+    r.supports = [Support(line) for line in r.all("support")]
+    sums(r)
+    decided = True
+    for i, support in enumerate(r.supports):
+        found = errors(r, support)
+        for name, left, right in zip(("force", "moment"), found, support.errors):
+            r.holds(f"the error of the {name} of support {i}", left, right)
+        if support.acts:
+            clear = is_clear(r, support)
+            if support.node is None:
+                r.shows(f"the beam may reach support {i}", clear)
+            decided = decided and (clear or support.towards(support.claimed[0]) > support.errors[0])
+    if r.one("supports")["decided"]:
+        r.shows("a support of one direction may act or be idle", decided)
+
+
+def sums(r):
+    """The stiffness and the claimed reactions of the supports are those of the nodes."""
+    for i, node in enumerate(r.nodes):
+        here = [support for support in r.supports if support.node == i]
+        springs = [support for support in here if support.springs is not None]
+        total = lambda of: sum((of(support) for support in springs), arb(0))
+        spring = total(lambda s: s.springs[0]), total(lambda s: s.springs[0] * s.settlement)
+        for name, found, of_node in zip(("spring", "settled spring"), spring, node.spring or (arb(0), arb(0))):
+            r.meets(f"the {name} at node {i}", found - of_node)
+        r.meets(f"the rotational spring at node {i}", total(lambda s: s.springs[1]) - (node.turning or arb(0)))
+        rigid = [support for support in here if support.springs is None]
+        r.shows(f"the rigid support at node {i}", (node.rigid is not None) == bool(rigid))
+        for support in rigid:
+            r.meets(f"the settlement of the support at node {i}", support.settlement - node.rigid)
+        for j, sign in ((0, 1), (1, -1)):
+            claimed = sum((support.claimed[j] for support in rigid), arb(0))
+            r.meets(f"the reaction at node {i}", claimed * sign - node.reaction[j])
+        if node.acts:
+            r.shows(f"the support of one direction at node {i}", [support.acts for support in here] == [node.acts])
+        elif any(support.acts for support in here):
+            raise NotReplayed("a support of one direction at a node of supports of both")
+
+
+def errors(r, support):
+    if support.node is None:
+        # The exact reaction of an idle support is zero.
+        return [upper(claimed) for claimed in support.claimed]
+    if support.springs is not None:
+        return of_springs(r, support)
+    if sum(other.node == support.node and other.springs is None for other in r.supports) > 1:
+        return [INFINITE, INFINITE]
+    return [of_rigid_support(r, support.node), of_clamp(r, support.node)]
+
+
+def of_springs(r, support):
+    """min(κε_w, s₂√κ + κ|c|), with what the claimed reaction differs from κ(w − δ); likewise for rotation."""
+    w, slope = at_support(r, support.node)
+    piece = max(support.node - 1, 0)
+    bounds = (r.errors[piece]["w"], r.errors[piece]["rotation"])
+    force = support.springs[0] * (w - support.settlement)
+    if support.acts:
+        force = support.towards(positive_part(support.towards(force)))
+    found = []
+    for j, computed in enumerate((force, -support.springs[1] * slope)):
+        stiffness = high(support.springs[j])
+        if stiffness == 0:
+            found.append(upper(support.claimed[j]))
+            continue
+        energy = (2 * r.beam_energy * stiffness).sqrt() + stiffness * r.c[piece][j]
+        found.append((stiffness * bounds[j]).min(energy) + upper(support.claimed[j] - computed))
+    return found
+
+
+def of_rigid_support(r, node):
+    """s₂K + W|λ|: z = 1 at the support and 0 at the others, bent on each side, or a straight line."""
+    here = r.nodes[node]
+    k = (lifted_side(r, node, 0) + lifted_side(r, node, 1) + here.stiff()[0]).min(tilted(r, node))
+    given_back = upper(here.reaction[0]) if here.acts else here.weights["rigid"]
+    return r.test_factor * k.sqrt() + upper(r.factor[node]) * given_back
+
+
+def tilted(r, node):
+    """K² of the line that is 1 at a support and 0 at the only other one, if no clamp stands there."""
+    rigid = [i for i, other in enumerate(r.nodes) if other.rigid is not None]
+    if len(rigid) != 2 or any(r.nodes[i].clamped for i in rigid):
+        return INFINITE
+    base = r.x[rigid[0] if rigid[1] == node else rigid[1]]
+    return straight(r, base, 1 / (r.x[node] - base))
+
+
+def of_clamp(r, node):
+    """s₂K + W_θ|λ′| with z′ = 1 at the clamp: bent on both sides, or z = x − xᵢ over the beam if nothing else is rigid."""
+    here = r.nodes[node]
+    if not here.clamped:
+        # A pin claims no moment: another claim is refused.
+        return arb(0)
+    k = turned_side(r, node, 0) + turned_side(r, node, 1) + here.stiff()[1]
+    if sum(other.rigid is not None for other in r.nodes) == 1:
+        k = k.min(straight(r, r.x[node], arb(1)))
+    steep = r.steep[max(node - 1, 0)].max(r.steep[min(node, len(r.pieces) - 1)])
+    return r.test_factor * k.sqrt() + steep * here.weights["clamp"]
+
+
+def is_clear(r, support):
+    """−ς(w − δ) > ε_w on every piece that may hold the support."""
+    found = False
+    for piece, error in zip(r.pieces, r.errors):
+        if support.x < piece.x[0] or support.x > piece.x[1]:
+            continue
+        found = True
+        t = (support.x - piece.middle) / piece.half
+        if not support.towards(support.settlement - piece.w(t)) > error["w"]:
+            return False
+    return found

@@ -1,0 +1,84 @@
+"""The contact set of layers with the bounds of V; on a beam that shears in rounds, as slope and contact set need each other."""
+
+from balls import INFINITE, NotReplayed, exact
+from contact import Contact, Edge, roughly
+from points import pressure
+from shear_force import bounds, first_slopes
+
+
+def check(r):
+    """The logged ε_V, ε_a and edges; of a beam that shears also ε_θ and ε_p, round by round."""
+    r.shown = r.one("contact set")["shown"]
+    edges = [Edge(line["edge"]) for line in r.all("edge")]
+    r.contact = None
+    if r.shears:
+        in_rounds(r)
+    elif r.shown[0]:
+        r.contact = Contact(r, r.errors, edges)
+        r.contact.check()
+        final(r, [{**error, "V": INFINITE} for error in r.errors])
+    else:
+        nothing(r)
+    if r.contact is not None:
+        same = sorted((e.node, e.side, float(e.outside), float(e.inside)) for e in edges)
+        used = sorted((e.node, e.side, float(e.outside), float(e.inside)) for e in r.contact.edges)
+        r.shows("the edges are not those of the last round", same == used)
+        for i, line in enumerate(r.all("tolerance of a force")):
+            r.holds(f"eps_a at node {i}", r.contact.tolerance[i], exact(line["error"]))
+
+
+def nothing(r):
+    """Without the contact set V has no bound."""
+    for i, error in enumerate(r.errors):
+        r.shows(f"eps_V on piece {i} has no reason", not error["V"].is_finite())
+
+
+def final(r, errors):
+    """ε_V, and what else is lowered by it, from the last round."""
+    r.contact.errors = errors
+    for i, (force, slope) in enumerate(bounds(r, r.contact)):
+        r.holds(f"(15) eps_V on piece {i}", force, r.errors[i]["V"])
+        if r.pieces[i].stiffness is not None:
+            r.holds(f"eps_theta on piece {i}", slope, r.errors[i]["slope"])
+            r.holds(f"eps_p on piece {i}", errors[i]["p"], r.errors[i]["p"])
+
+
+def in_rounds(r):
+    """The first round knows the contact roughly; the bounds of each follow from the one before."""
+    rounds, errors, before = r.all("round"), first_slopes(r), None
+    if len(rounds) < 2:
+        raise NotReplayed("the rounds of a beam that shears are not in the log")
+    for number, line in enumerate(rounds):
+        if before is not None and before.shown:
+            for error, (force, slope) in zip(errors, bounds(r, before)):
+                error["V"], error["slope"] = force, slope
+        for i, (error, claimed) in enumerate(zip(errors, line["bounds"])):
+            if r.pieces[i].stiffness is not None:
+                error["p"] = error["p"].min(pressure(r, i, error))
+            errors[i] = compared(r, number, i, error, claimed)
+        contact = Contact(r, errors, [Edge(edge) for edge in line["edges"]])
+        contact.shown = line["shown"]
+        if contact.shown:
+            roughly(contact) if number == 0 else contact.check()
+        elif number > 0 and number + 1 < len(rounds):
+            r.shows(f"round {number} follows from one that is not shown", False)
+        before, errors = contact, [dict(error) for error in errors]
+    r.contact = before
+    if before.shown != r.shown[0]:
+        r.shows("the last round is not the contact set", False)
+    if before.shown:
+        final(r, before.errors)
+        return
+    r.contact = None
+    for i, error in enumerate(r.errors):
+        for key in ("V", "slope", "p"):
+            r.holds(f"eps_{key} on piece {i}", before.errors[i][key], error[key])
+
+
+def compared(r, number, i, error, claimed):
+    """The bounds of a round with the logged ones in place of the recomputed ones, if these are not larger."""
+    found = dict(error)
+    for key, logged in zip(("slope", "V", "p"), map(exact, claimed)):
+        r.holds(f"eps_{key} on piece {i} in round {number}", error[key], logged)
+        found[key] = logged
+    return found

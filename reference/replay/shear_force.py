@@ -1,0 +1,183 @@
+"""Bounds of the error of the shear force (15), and of the slope of a beam that shears, from the contact set (section 6)."""
+
+from flint import arb
+
+from balance import gamma
+from balls import INFINITE, largest, least_of_halves, low, upper
+from points import parts_of_pressure, pressure
+
+REACHES = (0, 1, 3, 7, 15)
+
+
+def bounds(r, contact):
+    """ε_V on each piece, and ε_θ where it shears, from the bounds and the contact set of one round."""
+    errors = contact.errors
+    spread, edges = load_errors(r, contact)
+    nodes = [node_error(r, contact, i) for i in range(len(r.nodes))]
+    found, stops = [None] * len(r.pieces), r.obstacles()
+    for a, b in zip(stops, stops[1:]):
+        for i in range(a, b):
+            rest = upper(r.force) * errors[i]["rotation"] + balancing(r, i) + r.drawn[i]
+            least = INFINITE
+            if contact.edges and r.pieces[i].stiffness is not None:
+                beside = edges_of_piece(contact, i)
+                if beside:
+                    steady = mean(r, errors, spread, i, i + 1, arb("0.5"), arb(0))
+                    least = beside_edges(r, errors, i, beside, steady, rest + slid(r, i))
+            for reach in REACHES:
+                first, end = max(i - reach, a), min(i + 1 + reach, b)
+                forces = sum((edges[j] for j in range(first, end)), arb(0))
+                forces += sum((nodes[j][0] for j in range(first + 1, end)), arb(0))
+                couples = sum((nodes[j][1] for j in range(first + 1, end)), arb(0))
+                least = least.min(mean(r, errors, spread, first, end, arb(1), couples) + forces)
+                if (first, end) == (a, b):
+                    break
+            found[i] = on_piece(r, errors[i], i, least + rest)
+    return found
+
+
+def on_piece(r, error, i, total):
+    """ε_V, and ε_θ = ε_φ + (ε_V + |η|)/S where the beam shears, from ε_T + |δ′| + |P|ε_φ + |β|."""
+    piece = r.pieces[i]
+    if piece.stiffness is None:
+        return error["V"].min(total), error["slope"]
+    force = error["V"].min((total + slid(r, i)) / stiffened(r, piece))
+    return force, error["slope"].min(error["rotation"] + (force + piece.size(piece.misfit)) / piece.stiffness.low)
+
+
+def slid(r, i):
+    """|P||η|/S."""
+    piece = r.pieces[i]
+    return arb(0) if piece.stiffness is None else upper(r.force) * piece.size(piece.misfit) / piece.stiffness.low
+
+
+def stiffened(r, piece):
+    """A lower bound of 1 + P/S."""
+    return low(1 + r.force / (piece.stiffness.high if r.force > 0 else piece.stiffness.low))
+
+
+def balancing(r, i):
+    """|δ′|."""
+    piece = r.pieces[i]
+    return largest(*r.delta_slope[i]) + piece.h * piece.size(piece.residual, 1) + r.added_shear[i]
+
+
+def swing(r, moved):
+    return arb(0) if r.force == 0 else upper(r.force) * moved
+
+
+def mean(r, errors, spread, first, end, part, couples):
+    """min_h {(2s₂K + 2|P|ε_w + Σs₂√κ_θ)/h + ½hq} + |P| max|c′| + max|β| in windows within some pieces."""
+    window = range(first, end)
+    most = lambda of: max((of(i) for i in window), key=float)
+    change = 2 * most(lambda i: errors[i]["m"]) + couples
+    change += 2 * swing(r, most(lambda i: errors[i]["w"]))
+    load, turned = most(lambda i: spread[i]), most(lambda i: r.c[i][1])
+    if not change.is_finite() or not load.is_finite():
+        return INFINITE
+    least = least_of_halves(part * (r.x[end] - r.x[first]), lambda h: change / h + h * load / 2)
+    return least + upper(r.force) * turned + most(lambda i: upper(r.drawn[i]))
+
+
+def load_errors(r, contact):
+    """q of each piece, and the forces on the parts where only one of both answers touches."""
+    errors, spread, edges = contact.errors, [], [arb(0)] * len(r.pieces)
+    for i, piece in enumerate(r.pieces):
+        given_back = gamma(r, i) * piece.size(piece.pressure) + (1 + gamma(r, i)) * r.depth[i]
+        spread.append(errors[i]["p"] + given_back if piece.touches or not piece.layered else arb(0))
+    for edge in contact.edges:
+        outer, inner = (edge.node - 1, edge.node) if edge.side == 0 else (edge.node, edge.node - 1)
+        if edge.outside > 0 and 0 <= outer < len(r.pieces):
+            edges[outer] += edge.outside * (open_pressure(r, outer) + errors[outer]["p"])
+        if edge.inside > 0 and 0 <= inner < len(r.pieces):
+            piece = r.pieces[inner]
+            edges[inner] += edge.inside * (1 + gamma(r, inner)) * piece.size(piece.pressure)
+    return spread, edges
+
+
+def open_pressure(r, i):
+    """|ku − q − (μψ′)′| on an open piece."""
+    piece = r.pieces[i]
+    if r.along[i] is not None:
+        return piece.size(piece.pressure_under(r.along[i]))
+    settled = largest(*(u - q for u, q in zip(r.u[i : i + 2], piece.ends(piece.free))))
+    return piece.spring.high * settled + piece.shear.high * piece.size(piece.d(piece.d(piece.w)))
+
+
+def node_error(r, contact, i):
+    """The error of the forces at a node, and that of its rotational spring."""
+    spring, turning = (r.test_factor * stiffness.sqrt() for stiffness in r.nodes[i].stiff())
+    if r.touches[i]:
+        size = upper(r.jump[i])
+        spring += (size if r.smooth(i) else contact.tolerance[i]) + upper(r.factor[i]) * size
+    return spring, turning
+
+
+def edges_of_piece(contact, i):
+    """Length and Φ₀ of the edges with a length at both ends of a piece."""
+    piece, found = contact.r.pieces[i], []
+    for end in (0, 1):
+        edge = contact.at.get((i + end, end if piece.touches else 1 - end))
+        if edge is not None:
+            theta, beyond = (edge.inside, edge.beyond[1]) if piece.touches else (edge.outside, edge.beyond[0])
+            if theta > 0:
+                found.append((theta, beyond))
+    return found
+
+
+def beside_edges(r, errors, i, edges, steady, rest):
+    """ε_T beside edges without the circle through the slope: ε_T ≤ A/(1 − κ)."""
+    piece = r.pieces[i]
+    if not piece.stiffness.even or not piece.shear.even:
+        return INFINITE
+    stiffness, layer = piece.stiffness.along[0], piece.shear.along[0]
+    whole = stiffness + r.force
+    if not whole > 0 or not steady.is_finite():
+        return INFINITE
+    slope = errors[i]["rotation"] + (stiffness / whole * rest + piece.size(piece.misfit)) / stiffness
+    kept, most = 1 + gamma(r, i) if piece.touches else arb(1), arb(0)
+    for theta, beyond in edges:
+        if not theta < arb("0.49") * piece.h or not beyond.is_finite():
+            return INFINITE
+        missed = (beyond + layer * slope) / (1 + layer / whole)
+        most = most.max(kept * (missed + errors[i]["p"] * theta))
+    share = kept * layer / (whole + layer)
+    return (steady + most) / (1 - share) if share < 1 else INFINITE
+
+
+def first_slopes(r):
+    """The bounds before the contact set is shown: of the slope where S or μ of a layer varies, from one piece alone."""
+    found = []
+    for i, error in enumerate(r.errors):
+        piece = r.pieces[i]
+        first = {**error, "V": INFINITE}
+        if piece.stiffness is not None:
+            first["slope"] = INFINITE
+            if piece.layered and not (piece.stiffness.even and piece.shear.even):
+                first["slope"] = first_slope(r, i)
+            first["p"] = pressure(r, i, first)
+        found.append(first)
+    return found
+
+
+def first_slope(r, i):
+    """ε_T ≤ (A/h + B + ½h(p₀ + C))/(1 − ½hD), and the slope that follows."""
+    piece, error = r.pieces[i], r.errors[i]
+    misfit, axial = piece.size(piece.misfit), upper(r.force)
+    other = balancing(r, i) + r.drawn[i] + axial * error["rotation"] + axial * misfit / piece.stiffness.low
+    resting = error["rotation"] + (other / stiffened(r, piece) + misfit) / piece.stiffness.low
+    by_force = 1 / stiffened(r, piece) / piece.stiffness.low
+    fixed, turned = parts_of_pressure(r, i, error)
+    if piece.touches:
+        alone = (1 + gamma(r, i)) * (piece.size(piece.pressure) + r.depth[i])
+    else:
+        alone = open_pressure(r, i)
+    spread, again = alone + fixed + turned * resting, turned * by_force
+    change = 2 * error["m"] + 2 * swing(r, error["w"])
+    closed = axial * r.c[i][1] + r.drawn[i]
+
+    def bound(h):
+        kept = 1 - h * again / 2
+        return (change / h + closed + h * spread / 2) / kept if kept > 0 else INFINITE
+
+    return resting + least_of_halves(piece.h, bound) * by_force

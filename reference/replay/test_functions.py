@@ -1,0 +1,131 @@
+"""K² of the functions z that test the errors of the moment and of the reactions (section 4), and s₂ or what takes its place."""
+
+from flint import arb
+
+from balls import INFINITE, high, largest, least_of_halves, upper
+from energy import compression_misfit
+
+
+def prepare(r):
+    """The factor of K, and the number that takes the place of P in K²."""
+    r.beam_energy = r.energy if r.sigma is None else r.energy / r.sigma
+    r.test_factor, r.test_tension = r.s2, arb(0) if r.tension is None else high(r.tension)
+    if r.sigma is not None:
+        force = high(-r.force)
+        r.test_factor = (((r.s2 + compression_misfit(r)) ** 2 + r.s2**2) / r.sigma).sqrt()
+        closed = force * (r.sigma * r.turned).sqrt() / r.s2 if r.turned > 0 else arb(0)
+        r.test_tension = (((1 - r.sigma) * force).sqrt() + closed) ** 2
+
+
+def stiffest(r, pieces):
+    """The largest EI, P + μ and k on pieces."""
+    spans = [r.pieces[i] for i in pieces]
+    layer = largest(*(piece.shear.high for piece in spans)) + r.test_tension
+    return largest(*(piece.bending.high for piece in spans)), layer, largest(*(piece.spring.high for piece in spans))
+
+
+def held(r, nodes):
+    """Σκ and Σκ_θ."""
+    both = [r.nodes[i].stiff() for i in nodes]
+    return sum((spring for spring, _ in both), arb(0)), sum((turning for _, turning in both), arb(0))
+
+
+def kink(stiff, springs, room):
+    """z = t(1 − t/h)² on one side: 4EI/h + (2/15)(P + μ)h + kh³/105 + Σκ(4h/27)² + Σκ_θ."""
+    (bending, layer, ground), (spring, turning) = stiff, springs
+    return least_of_halves(
+        room,
+        lambda h: 4 * bending / h
+        + arb("0.134") * layer * h
+        + ground * h**3 / 105
+        + spring * (arb("0.1482") * h) ** 2
+        + turning,
+    )
+
+
+def kinks(r):
+    """The least K found on each piece: kinks between obstacles, and straight ones to an end of the beam."""
+    least = [INFINITE] * len(r.pieces)
+    stops = r.obstacles()
+    for a, b in zip(stops, stops[1:]):
+        found = kink(stiffest(r, range(a, b)), held(r, range(a, b + 1)), (r.x[b] - r.x[a]) / 2)
+        for i in range(a, b):
+            least[i] = found
+    for side in (0, 1):
+        long_kinks(r, side, least)
+    return [k.sqrt() for k in least]
+
+
+def long_kinks(r, side, least):
+    """z = the distance to x up to an end of the beam, as long as no rigid support stands there."""
+    count = len(r.pieces)
+    layer = ground = arb(0)
+    passed = []
+    for step in range(count):
+        i = step if side == 0 else count - 1 - step
+        outer, inner = i + side, i + 1 - side
+        if r.nodes[outer].rigid is not None:
+            return
+        passed.append(outer)
+        _, more_layer, more_ground = stiffest(r, [i])
+        layer, ground = layer.max(more_layer), ground.max(more_ground)
+        long = abs(r.x[inner] - r.x[(0, count)[side]])
+        k = layer * long + ground * long**3 / 3 + high(r.outside[side]) * long**2
+        for j in passed:
+            springs, turning = r.nodes[j].stiff()
+            k += springs * (r.x[j] - r.x[inner]) ** 2 + turning
+        least[i] = least[i].min(k)
+
+
+def next_obstacle(r, node, side):
+    """The next rigid support on one side of a node, or the end of the beam, and whether a support stands there."""
+    while node != (0, len(r.pieces))[side]:
+        node += 2 * side - 1
+        if r.nodes[node].rigid is not None:
+            return node, True
+    return node, False
+
+
+def beside(r, node, other):
+    """The largest stiffnesses and the springs between a node and an obstacle, without those at the node, and the room."""
+    a, b = min(node, other), max(node, other)
+    return stiffest(r, range(a, b)), held(r, [i for i in range(a, b + 1) if i != node]), r.x[b] - r.x[a]
+
+
+def lifted_side(r, node, side):
+    """z = 1 at a support: 1 − 3τ² + 2τ³ up to a distance h, or 1 to the end of the beam."""
+    other, stands = next_obstacle(r, node, side)
+    if other == node:
+        return high(r.outside[side]) if not stands else INFINITE
+    (bending, layer, ground), (springs, turning), room = beside(r, node, other)
+    least = INFINITE if stands else ground * room + high(r.outside[side]) + springs
+    return least.min(
+        least_of_halves(
+            room,
+            lambda h: 12 * bending / h**3
+            + arb("1.2") * layer / h
+            + arb("0.3715") * ground * h
+            + springs
+            + turning * (arb("1.5") / h) ** 2,
+        )
+    )
+
+
+def turned_side(r, node, side):
+    """z = t(1 − t/h)² on one side of a clamp."""
+    other, _ = next_obstacle(r, node, side)
+    return arb(0) if other == node else kink(*beside(r, node, other))
+
+
+def straight(r, base, slope):
+    """z = (x − base)·slope over the whole beam."""
+    _, layer, ground = stiffest(r, range(len(r.pieces)))
+    length, z = r.x[-1] - r.x[0], lambda x: upper((x - base) * slope)
+    ends = [z(r.x[0]), z(r.x[-1])]
+    k = layer * length * upper(slope) ** 2 + ground * length * largest(*ends) ** 2
+    for outside, end in zip(r.outside, ends):
+        k += high(outside) * end**2
+    for node in r.nodes:
+        spring, turning = node.stiff()
+        k += spring * z(node.x) ** 2 + turning * upper(slope) ** 2
+    return k
