@@ -16,8 +16,8 @@ use crate::contact::obstacle;
 use crate::contact::state::edges_not_converged;
 use crate::contact::state::{ContactState, Step, Unconverged};
 use crate::contact::stopping::{
-    BLIND, JITTER, LEAST_PART, NEAR, NOT_SHORTENED, PATIENCE, RELAX, ROUNDED, SAME, SETTLED,
-    TETHER, TIGHTEN, WEIGHTLESS,
+    BLIND, JITTER, LEAST_PART, NEAR, NOT_SHORTENED, ON_ONE_POINT, PATIENCE, RELAX, ROUNDED, SAME,
+    SETTLED, TETHER, TIGHTEN, WEIGHTLESS,
 };
 use crate::contact::zone_forces::zone_forces;
 use crate::mesh::mesh::Mesh;
@@ -78,7 +78,7 @@ pub(crate) fn edges(
         if let Some(answer) = search.answer(&contact, &trial, &asked) {
             return Ok(search.with_history(answer));
         }
-        contact = search.step(contact, trial, asked.contact);
+        contact = search.step(contact, trial, asked);
     }
     Err(search.stalled())
 }
@@ -126,13 +126,6 @@ struct Trial {
     tether: Option<f64>,
 }
 
-/// The contact that a bonded deflection asks for.
-struct Asked {
-    contact: Vec<Interval>,
-    /// Whether the obstacle problem was solved, and not edge Newton.
-    by_scan: bool,
-}
-
 impl Search<'_, '_> {
     fn length(&self) -> f64 {
         self.bonded.model.beam.length
@@ -175,7 +168,7 @@ impl Search<'_, '_> {
         let Some(now) = self.now.clone() else { return Err(self.stalled()) };
         if let Ok(found) = self.bonded.solve_held(contact, GivenRotation::as_in(&now))
             && self.confirms(contact, &found)
-            && self.holds(&found)
+            && (self.judge)(&found) <= ON_ONE_POINT
         {
             return Ok(Bond::OnOnePoint(found));
         }
@@ -184,22 +177,23 @@ impl Search<'_, '_> {
         Ok(Bond::Trial(Trial { found: Rc::new(found), tether: Some(work) }))
     }
 
-    /// The contact that the bonded beam asks for, by edge Newton where the last move was short, else by the scan.
-    fn next_contact(&mut self, contact: &[Interval], trial: &Trial) -> Asked {
+    /// The contact that the bonded beam asks for, by edge Newton where the last move was short, else by the scan. The
+    /// scan also decides where edge Newton finds nothing to move.
+    fn next_contact(&mut self, contact: &[Interval], trial: &Trial) -> Vec<Interval> {
         let found = &trial.found;
+        let l = self.length();
         let is_near = self.moved < NEAR && self.moved <= self.least && trial.tether.is_none();
-        let by_edges =
-            is_near.then(|| edge_step::next_intervals(&found.deflection(), &found.zones)).flatten();
-        let asked = match by_edges {
-            Some(next) => Asked { contact: self.placed(next), by_scan: false },
-            None => Asked { contact: self.scan(found), by_scan: true },
-        };
+        let by_edges = is_near
+            .then(|| edge_step::next_intervals(&found.deflection(), &found.zones))
+            .flatten()
+            .map(|next| self.placed(next))
+            .filter(|next| longest_difference(contact, next) > ROUNDED * l);
+        let next = by_edges.unwrap_or_else(|| self.scan(found));
         self.before = self.moved;
-        self.moved = longest_difference(contact, &asked.contact) / self.length();
+        self.moved = longest_difference(contact, &next) / l;
         self.stale = if self.moved <= 0.5 * self.least { 0 } else { self.stale + 1 };
-        let zones = asked.contact.len();
-        self.history.push(Step { zones, step: 1.0, decrement: self.moved });
-        asked
+        self.history.push(Step { zones: next.len(), step: 1.0, decrement: self.moved });
+        next
     }
 
     /// The answer, if the trial contact is settled, if only rounding error moves it, or if the iteration returns to a
@@ -208,15 +202,16 @@ impl Search<'_, '_> {
         &mut self,
         contact: &[Interval],
         trial: &Trial,
-        asked: &Asked,
+        asked: &[Interval],
     ) -> Option<ContactState> {
         if trial.tether.is_some() {
             return None;
         }
         let found = &trial.found;
         let (moved, before) = (self.moved, self.before);
-        let is_still = moved <= SETTLED || moved <= ROUNDED && moved >= 0.25 * before;
-        let is_settled = is_still && (asked.by_scan || self.confirms(contact, found));
+        let lengths = contact.iter().map(|[from, to]| to - from).filter(|length| *length > 0.0);
+        let shortest = lengths.fold(self.length(), f64::min) / self.length();
+        let is_settled = moved <= SETTLED * shortest || moved <= ROUNDED && moved >= 0.25 * before;
         let jitters = moved <= JITTER && self.stale >= PATIENCE;
         if is_settled || jitters {
             if let Some(rest) = self.without_weightless(contact, found) {
@@ -228,7 +223,7 @@ impl Search<'_, '_> {
         }
         self.visited.push(Visited { contact: contact.to_vec(), found: Rc::clone(found) });
         let same = SAME * self.length();
-        let returns = |one: &Visited| longest_difference(&one.contact, &asked.contact) <= same;
+        let returns = |one: &Visited| longest_difference(&one.contact, asked) <= same;
         if moved <= SAME {
             return None;
         }
