@@ -35,10 +35,8 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
     if doublings == 0.0 {
         return Ok(Start::of(start));
     }
-    // Rounding error may keep the edges of the stiff beam in motion. The contact of phase A is a start, too.
-    let settled =
-        edges(&mut Bonded::new(&stiff, cancel), Start::of(start.clone()), MOST_STEPS, &mut |_| 0.0);
-    let mut found = settled.unwrap_or(start);
+    let mut found =
+        edges(&mut Bonded::new(&stiff, cancel), Start::of(start), MOST_STEPS, &mut |_| 0.0)?;
     let mut contact = asked(&found);
     let mut step = longest;
     // The stiffening and the contact of the beam before.

@@ -16,8 +16,8 @@ use crate::contact::obstacle;
 use crate::contact::state::edges_not_converged;
 use crate::contact::state::{ContactState, Step, Unconverged};
 use crate::contact::stopping::{
-    BLIND, INDISTINCT, JITTER, LEAST_PART, NEAR, NOT_SHORTENED, ON_ONE_POINT, PATIENCE, RELAX,
-    ROUNDED, SAME, SETTLED, TETHER, TIGHTEN, WEIGHTLESS,
+    BLIND, JITTER, LEAST_PART, NEAR, NOT_SHORTENED, ON_ONE_POINT, PATIENCE, RELAX, ROUNDED, SAME,
+    SETTLED, TETHER, TIGHTEN, WEIGHTLESS,
 };
 use crate::contact::zone_forces::zone_forces;
 use crate::mesh::mesh::Mesh;
@@ -67,7 +67,6 @@ pub(crate) fn edges(
         stale: 0,
         epsilon: TETHER,
         is_loose: false,
-        best: None,
     };
     let mut contact = search.placed(start.contact);
     for _ in 0..most_steps {
@@ -81,14 +80,7 @@ pub(crate) fn edges(
         }
         contact = search.step(contact, trial, asked);
     }
-    // The scan reads rounding error, as where the beam almost touches over a long gap.
-    match search.best.take() {
-        Some((gap, best)) if gap <= INDISTINCT => {
-            search.holds(&best);
-            Ok(search.with_history(Rc::unwrap_or_clone(best)))
-        }
-        _ => Err(search.stalled()),
-    }
+    Err(search.stalled())
 }
 
 /// The state of the iteration between two steps.
@@ -112,8 +104,6 @@ struct Search<'a, 'm> {
     epsilon: f64,
     /// Whether the last line search met rounding error: the next trial is tethered.
     is_loose: bool,
-    /// The trial with the least relative gap among those that did not settle.
-    best: Option<(f64, Rc<ContactState>)>,
 }
 
 /// A trial contact and the beam bonded on it.
@@ -229,12 +219,6 @@ impl Search<'_, '_> {
             }
             if self.holds(found) || is_settled {
                 return Some(found.as_ref().clone());
-            }
-        }
-        if self.stale >= PATIENCE {
-            let gap = (self.judge)(found);
-            if self.best.as_ref().is_none_or(|(best, _)| gap < *best) {
-                self.best = Some((gap, Rc::clone(found)));
             }
         }
         self.visited.push(Visited { contact: contact.to_vec(), found: Rc::clone(found) });

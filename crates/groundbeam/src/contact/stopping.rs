@@ -46,10 +46,6 @@ pub(crate) const LEAST_PART: f64 = 1e-9;
 /// error. Hinged 1017 has a gap of 3e-10 at a false balance, Gap 738 one of 9e-30.
 pub(crate) const ON_ONE_POINT: f64 = 1e-18;
 
-/// The relative gap of an answer whose contact the scan does not confirm, because rounding error decides whether the beam
-/// touches. The 60-digit model hard-006 needs it.
-pub(crate) const INDISTINCT: f64 = 1e-15;
-
 /// The force of a weightless zone, relative to the whole contact force. Supported 973 has a zone 0.65 l long.
 pub(crate) const WEIGHTLESS: f64 = 1e-13;
 
