@@ -71,7 +71,7 @@ pub(crate) fn edges(
     let mut contact = search.placed(start.contact);
     for _ in 0..most_steps {
         let trial = match search.bond(&contact)? {
-            Bond::OnOnePoint(found) => return Ok(search.with_history(found)),
+            Bond::OnOnePoint(found) => return Ok(search.with_history(*found)),
             Bond::Trial(trial) => trial,
         };
         let asked = search.next_contact(&contact, &trial);
@@ -115,7 +115,7 @@ struct Visited {
 /// The bonded solve of one step.
 enum Bond {
     /// An answer: the beam is balanced on one point and may rotate about it until another point touches.
-    OnOnePoint(ContactState),
+    OnOnePoint(Box<ContactState>),
     Trial(Trial),
 }
 
@@ -170,7 +170,7 @@ impl Search<'_, '_> {
             && self.confirms(contact, &found)
             && (self.judge)(&found) <= ON_ONE_POINT
         {
-            return Ok(Bond::OnOnePoint(found));
+            return Ok(Bond::OnOnePoint(Box::new(found)));
         }
         let tethered = self.bonded.solve_tethered(contact, &now, &mut self.epsilon);
         let (found, work) = tethered.ok_or_else(|| self.stalled())?;

@@ -3,7 +3,7 @@
 //! The experiments are counts of steps over the random models of the verification crate.
 
 /// A move of the contact that is settled, relative to the shortest zone.
-pub(crate) const SETTLED: f64 = 1e-13;
+pub(crate) const SETTLED: f64 = 1e-15;
 
 /// A move that is settled if the step before was not four times as long. Below it the scan decides, not edge Newton.
 pub(crate) const ROUNDED: f64 = 1e-12;
