@@ -11,10 +11,10 @@ use groundbeam_run::{Failed, Host, Run};
 use std::convert::Infallible;
 use std::fmt::Display;
 
-/// What a model file without a name is called.
+/// File name of a model without a name.
 const NAME: &str = "model.toml";
 
-/// The form of a file to keep.
+/// The format of a downloaded file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
     /// The picture.
@@ -32,7 +32,7 @@ pub enum Form {
 }
 
 impl Form {
-    /// The form with an extension of a file name.
+    /// The format with this extension of a file name.
     pub fn named(name: &str) -> Option<Self> {
         let all = [
             ("svg", Form::Svg),
@@ -62,7 +62,7 @@ pub fn result(model: &[u8], asked: &Asked, host: &impl Host<Stop = Infallible>) 
     reply(found(model, asked, host, |_, results| Ok(Reply::document(200, results.json(None)))))
 }
 
-/// A file to keep.
+/// A downloaded file.
 pub fn file(model: &[u8], asked: &Asked, form: Form, host: &impl Host<Stop = Infallible>) -> Reply {
     reply(found(model, asked, host, |read, results| {
         if !results.has_fields() && matches!(form, Form::Svg | Form::Png | Form::Csv) {
@@ -89,7 +89,7 @@ pub fn view(model: &[u8], asked: &Asked, host: &impl Host<Stop = Infallible>) ->
     reply(Read::of(model).and_then(|read| {
         let mut asked = asked.clone();
         if !read.document.trains.is_empty() && asked.first_axle.is_none() {
-            // All positions take long: a page begins with one.
+            // The positions of all trains take long to solve, so a page begins with one train.
             asked.train = asked.train.or(Some(Trains::One(0)));
         }
         seen(&read, &asked, host, |results| {
@@ -99,7 +99,7 @@ pub fn view(model: &[u8], asked: &Asked, host: &impl Host<Stop = Infallible>) ->
     }))
 }
 
-/// Why a question has no answer.
+/// Why a request has no answer.
 enum Refused {
     Query(WrongQuery),
     Model(WrongModel),
@@ -126,7 +126,7 @@ struct Read {
 }
 
 impl Read {
-    /// Reads a file that cannot name others.
+    /// Reads a file that cannot name other files.
     fn of(bytes: &[u8]) -> Result<Self, Refused> {
         let text = groundbeam_file::text_of(bytes);
         let read = text.and_then(|text| Ok((groundbeam_file::parse(text)?, text.to_owned())));
@@ -147,7 +147,7 @@ fn found(
     seen(&read, asked, host, |results| deliver(&read, results))
 }
 
-/// Solves what is asked for: one model, or all that the file asks for.
+/// Solves the requested part: one model, or all models of the file.
 fn seen(
     read: &Read,
     asked: &Asked,

@@ -5,7 +5,7 @@ use groundbeam::Cancel;
 use groundbeam_file::Document;
 use serde_json::json;
 
-/// The part of a file that is asked for; with an empty query, all of it.
+/// The requested part of a file; with an empty query, all of it.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Asked {
     /// One of the file's combinations.
@@ -16,20 +16,20 @@ pub struct Asked {
     pub first_axle: Option<f64>,
     /// The width of the picture.
     pub width: Option<f64>,
-    /// Set once nobody waits for the answer.
+    /// Set when the client has gone.
     pub cancel: Cancel,
 }
 
-/// The trains that are asked for.
+/// The requested trains.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Trains {
     /// All of them, at all positions.
     All,
-    /// One at one position, by its place in the file, from 0.
+    /// The train with this index in the file, at one position.
     One(usize),
 }
 
-/// The keys of the questions that solve.
+/// The keys of requests that solve.
 pub const SOLVE: &[&str] = &["combination", "train", "first_axle"];
 /// The keys of a calculation report.
 pub const REPORT: &[&str] = &["combination"];
@@ -45,7 +45,7 @@ pub struct WrongQuery {
 }
 
 impl WrongQuery {
-    /// A value that its key does not allow.
+    /// The refusal of a value that its key does not allow.
     fn value(key: &str, value: &str, allowed: &str) -> Self {
         let message = format!("`{key}={value}` in the query is refused: `{key}` is {allowed}");
         WrongQuery { key: key.to_owned(), value: value.to_owned(), message }

@@ -21,14 +21,14 @@ impl Reply {
         Reply { status, kind: "application/json", bytes: text.into_bytes() }
     }
 
-    /// A question that is not answered.
+    /// The refusal of a request.
     pub fn refusal(status: u16, message: &str) -> Self {
         let text = json!({ "status": "refused", "message": message }).to_string();
         Reply::document(status, text + "\n")
     }
 }
 
-/// A model that has no answer: what is wrong in one line, and the faults of its file.
+/// A model without an answer: the error in one line, and the diagnostics of its file.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct WrongModel {
     pub message: String,
@@ -48,7 +48,7 @@ impl From<WrongModel> for Reply {
     }
 }
 
-/// The most faults of a file that are listed: a file of 4 MiB may have a million.
+/// Largest number of listed diagnostics. A file of 4 MiB may have a million.
 const MOST: usize = 1000;
 
 impl WrongModel {

@@ -1,4 +1,4 @@
-//! The page's view of a model: all of its data in one answer.
+//! The view of a model on the page: verdict, picture with handles, and every number of the text.
 
 use crate::question::Asked;
 use crate::written::Number;
@@ -17,7 +17,7 @@ pub struct View {
     /// The verdict in words.
     sentence: String,
     title: Option<String>,
-    /// Labels and words beside the picture.
+    /// Labels and texts beside the picture.
     rows: Vec<(String, String)>,
     picture: Option<Picture>,
     /// The result document without stations, itself JSON.
@@ -42,18 +42,18 @@ struct Picture {
     handles: Vec<Held>,
 }
 
-/// A place to take hold of, and the numbers of the text that it moves.
+/// A handle of the picture, and the numbers of the text that it changes.
 #[derive(Debug, Serialize)]
 struct Held {
     name: String,
     x: f64,
     y: f64,
     at: f64,
-    /// Between which positions it may be moved.
+    /// Smallest and largest position of the handle.
     range: [f64; 2],
-    /// Which of the numbers is its position.
+    /// Index of the number that is its position.
     position: usize,
-    /// Which of the numbers is its size.
+    /// Index of the number that is its size.
     size: Option<usize>,
 }
 
@@ -89,7 +89,7 @@ impl View {
     }
 }
 
-/// The verdict in words, and what stands beside the picture.
+/// The verdict in words, and the rows beside the picture.
 fn said(results: &Results) -> (String, Vec<(String, String)>) {
     let (answers, context) = (results.answers(), results.context());
     if let Some(one) = results.one() {
@@ -166,7 +166,7 @@ fn picture(document: &Document, results: &Results, asked: &Asked) -> Option<Pict
     })
 }
 
-/// None where the text has no number of its own for the position, as for a train's axle.
+/// The handle with its numbers; `None` if the text has no number for the position, as for a train's axle.
 fn held(document: &Document, combination: &Combination, handle: &Handle) -> Option<Held> {
     let (part, field, size, name) = match handle.grip {
         Grip::Load(i) | Grip::From(i) | Grip::To(i) => {

@@ -5,26 +5,26 @@ use groundbeam_file::{Document, Place, Quantity, Sign};
 use serde::Serialize;
 use std::collections::HashMap;
 
-/// A quantity of the text, with places as a browser counts them.
+/// A quantity of the text. Positions are in UTF-16 units, as a browser counts them.
 #[derive(Debug, Serialize)]
 pub struct Number {
     key: String,
     /// The heading of the table it stands in: `[beam]`, `[[load]]`.
     table: String,
-    /// Which one of the tables of that heading, from 1; 0 where there is only one.
+    /// Index among the tables with this heading, from 1; 0 if there is only one.
     which: usize,
-    /// Of the number alone, in UTF-16 units.
+    /// Position of the number without its unit.
     from: usize,
     to: usize,
-    /// The unit behind it, as it is written.
+    /// The unit after the number, as written.
     unit: String,
-    /// What the number counts, in SI units.
+    /// The value of 1 in SI units.
     size: f64,
     /// The signs that the file format allows.
     sign: &'static str,
-    /// The body on which it is a position.
+    /// The body on which the quantity is a position.
     place: Option<&'static str>,
-    /// A usual value, in SI units.
+    /// A typical value, in SI units.
     usual: f64,
 }
 
@@ -64,7 +64,7 @@ impl Number {
         }
     }
 
-    /// Which of the quantities a field of the model was read from.
+    /// The quantities from which a field of the model was read.
     pub fn behind(document: &Document, part: Part, field: &str) -> Option<usize> {
         let span = document.field_span(part, field)?;
         let quantities = &document.quantities;
@@ -73,10 +73,10 @@ impl Number {
     }
 }
 
-/// The headings of a text, read line by line from its beginning.
+/// The headings of a text, read line by line.
 struct Headings<'t> {
     lines: std::iter::Peekable<std::str::SplitInclusive<'t, char>>,
-    /// How far the lines are read.
+    /// Position up to which lines are read.
     end: usize,
     last: &'t str,
     counts: HashMap<&'t str, usize>,
@@ -88,7 +88,8 @@ impl<'t> Headings<'t> {
         Headings { lines, end: 0, last: "", counts: HashMap::new() }
     }
 
-    /// The last heading above a place, and which of its kind it is; places come in the order of the text.
+    /// The last heading above a position, and its index among equal headings. Positions come in the order of the
+    /// text.
     fn above(&mut self, place: usize) -> (&'t str, usize) {
         while let Some(line) = self.lines.next_if(|line| self.end + line.len() <= place) {
             self.end += line.len();
@@ -102,14 +103,14 @@ impl<'t> Headings<'t> {
     }
 }
 
-/// `[beam]` of `[beam] # the footing`; none where a list goes on.
+/// `[beam]` of `[beam] # the footing`; `None` on a line that continues a list.
 fn heading(line: &str) -> Option<&str> {
     let end = line.rfind(']')?;
     let is_list = line[..end].contains(['=', ',', '"', '\'']);
     (line.starts_with('[') && !is_list).then_some(&line[..=end])
 }
 
-/// From bytes of a text to the units that a browser counts.
+/// Positions in bytes as positions in UTF-16 units.
 struct Utf16(Vec<usize>);
 
 impl Utf16 {
@@ -179,8 +180,8 @@ mod tests {
         started.elapsed().as_secs_f64()
     }
 
-    /// 16 times as many loads take about 16 times as long, where quadratic growth takes 256 times. Other programs
-    /// may interrupt a run: the shortest of several counts.
+    /// The time for 16 times as many loads grows about 16 times; quadratic growth would give 256 times. The shortest
+    /// of several runs counts, because other programs may interrupt a run.
     #[test]
     fn the_time_grows_with_the_number_of_loads() {
         let mut least = [f64::INFINITY; 2];

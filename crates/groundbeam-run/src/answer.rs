@@ -7,18 +7,18 @@ use groundbeam_file::{Combination, MovingTrain};
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// Which of a file's models an answer belongs to.
+/// The model of an answer: combination, ground, train and method.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Label {
     /// The combination of load cases on one ground of a band. A file without either is one combination without a name.
     pub combination: Arc<Combination>,
     /// The train on the beam, and where it stands.
     pub train: Option<Placed>,
-    /// The method by name, with the form of pressure where a method has several: `active-set, dirac`.
+    /// Name of the method, with the form of pressure if the method has several: `active-set, dirac`.
     pub method: &'static str,
 }
 
-/// A train at one of its positions.
+/// A train at one position.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Placed {
     /// The train.
@@ -33,7 +33,7 @@ impl Label {
         Label { combination: combination.clone(), train: None, method: method.name() }
     }
 
-    /// The model under all of its loads, those of the train too.
+    /// The model with all its loads, including those of the train.
     pub fn model(&self) -> Cow<'_, Model> {
         let model = &self.combination.model;
         match &self.train {
@@ -46,24 +46,24 @@ impl Label {
 /// The answer to one model.
 #[derive(Debug, Clone)]
 pub struct Answer {
-    /// Which model it is.
+    /// The model that was solved.
     pub label: Label,
-    /// What was found.
+    /// The result.
     pub found: Found,
-    /// Where the ground's constants come from; none where they were given per length of beam.
+    /// The source of the ground's constants; `None` if the file gives them per length of beam.
     pub ground: Option<Ground>,
-    /// How far the loads may grow; none where nobody asked.
+    /// Load factors; `None` if they were not requested.
     pub factors: Option<Factors>,
-    /// How long it took \[s\]; NaN without a clock.
+    /// Time of the solve \[s\]; NaN without a clock.
     pub seconds: f64,
 }
 
-/// What was found for one model.
+/// The result for one model.
 #[derive(Debug, Clone)]
 pub enum Found {
     /// An equilibrium, solved.
     Equilibrium(Arc<Solution>),
-    /// An equilibrium exists. It was not solved for.
+    /// An equilibrium exists; it was not computed.
     Exists(Existence),
     /// No equilibrium exists.
     NoEquilibrium(Existence),
@@ -73,7 +73,7 @@ pub enum Found {
     Unsolved(Error),
 }
 
-/// The result of several answers together, from the best to the worst.
+/// The joint result of several answers, from the best to the worst.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Overall {
     /// All are solved, or all are known to have an equilibrium.
@@ -96,7 +96,7 @@ impl Overall {
 }
 
 impl Found {
-    /// What a solve found. Any other error than one of convergence concerns the model.
+    /// The result of a solve. Errors other than missing convergence concern the model.
     ///
     /// # Errors
     ///
@@ -110,7 +110,7 @@ impl Found {
         }
     }
 
-    /// What a decision of existence alone found.
+    /// The result of a decision of existence.
     pub(crate) fn checked(existence: Existence) -> Self {
         match existence.verdict.stands() {
             true => Found::Exists(existence),
@@ -118,7 +118,7 @@ impl Found {
         }
     }
 
-    /// The solution, if there is one.
+    /// The solution, if the model is solved.
     pub fn solution(&self) -> Option<&Solution> {
         match self {
             Found::Equilibrium(solution) => Some(solution),
@@ -126,7 +126,7 @@ impl Found {
         }
     }
 
-    /// The decision of existence, if the solve came so far.
+    /// The decision of existence, if the solve made it.
     pub fn existence(&self) -> Option<&Existence> {
         match self {
             Found::Equilibrium(solution) => Some(solution.existence()),
@@ -146,7 +146,7 @@ impl Found {
 }
 
 impl Answer {
-    /// The name of its combination; empty for a model as it is written.
+    /// The name of the combination; empty for a model as written.
     pub fn name(&self) -> &str {
         &self.label.combination.name
     }
@@ -156,27 +156,27 @@ impl Answer {
         &self.label.combination.model
     }
 
-    /// The solution, if there is one.
+    /// The solution, if the model is solved.
     pub fn solution(&self) -> Option<&Solution> {
         self.found.solution()
     }
 
-    /// The decision of existence, if the solve came so far.
+    /// The decision of existence, if the solve made it.
     pub fn existence(&self) -> Option<&Existence> {
         self.found.existence()
     }
 }
 
-/// A ground whose constants are those of an area times a width, or were made of soil.
+/// Ground whose constants follow from values per area and a width, or from soil.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ground {
     /// The width on which the beam bears \[m\].
     pub width: f64,
     /// k and μ.
     pub constants: GroundConstants,
-    /// The soil, and the method.
+    /// The soil and the method.
     pub soil: Option<SoilModel>,
-    /// How the soil made them.
+    /// The iteration that computed the constants from the soil.
     pub rounds: Option<SoilRounds>,
 }
 
@@ -186,7 +186,7 @@ impl Ground {
         self.soil.as_ref().is_some_and(SoilModel::follows_solution)
     }
 
-    /// The ground of a model after a solve. A solve that did not converge tells nothing of it.
+    /// The ground of a model after a solve; `None` for a solve that did not converge.
     pub(crate) fn solved(model: &Model, width: Option<f64>, found: &Found) -> Option<Self> {
         let before = Ground::before(model, width)?;
         let gamma = before.soil.as_ref().and_then(SoilModel::gamma);
@@ -200,8 +200,7 @@ impl Ground {
         })
     }
 
-    /// The ground of a model before anything is solved; `None` where it is not the same everywhere, or its width is
-    /// not known.
+    /// The ground of a model before the solve; `None` if it is not uniform or its width is unknown.
     pub(crate) fn before(model: &Model, width: Option<f64>) -> Option<Self> {
         let &Foundation { subgrade, shear_layer, ref segments, ref soil, .. } = &model.foundation;
         let width = soil.as_ref().map(|soil| soil.width).or(width)?;

@@ -1,11 +1,11 @@
-//! All answers to a file: one list with labels, and what the answers give together.
+//! All answers to a file: one labelled list, and their joint results.
 
 use crate::answer::{Answer, Ground, Overall};
 use crate::trains::{Located, Passage, Swept};
 use groundbeam::{ByField, Envelope, Existence, Field, Solution};
 use groundbeam_file::LoadCase;
 
-/// What a file or its user asks for. Results are laid out accordingly.
+/// The kind of request. It determines the layout of the results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Asked {
     /// One model.
@@ -21,30 +21,29 @@ pub enum Asked {
 /// The answers to a file.
 #[derive(Debug, Clone)]
 pub struct Answers {
-    /// What was asked for.
+    /// The kind of request.
     pub asked: Asked,
     /// In the order of the combinations. With trains: for each combination in the order of the trains, each train from
     /// left to right.
     pub list: Vec<Answer>,
-    /// Every load case by itself, which need not be in equilibrium.
+    /// Each load case alone. It need not be in equilibrium.
     pub alone: Vec<Alone>,
-    /// The ground of the first combination before anything is solved; none where its constants were given per length
-    /// of beam.
+    /// The ground of the first combination before the solve; `None` if its constants are given per length of beam.
     pub ground: Option<Ground>,
     pub(crate) swept: Vec<Swept>,
 }
 
-/// A load case by itself.
+/// A load case alone.
 #[derive(Debug, Clone)]
 pub struct Alone {
     /// The case, and the model under its loads alone.
     pub case: LoadCase,
-    /// Whether the loads of the case can be in equilibrium without those of others.
+    /// Whether the loads of the case alone have an equilibrium.
     pub existence: Existence,
 }
 
 impl Alone {
-    /// Whether the loads of the case can be in equilibrium without those of others.
+    /// Whether the loads of the case alone have an equilibrium.
     pub fn stands(&self) -> bool {
         self.existence.verdict.stands()
     }
@@ -56,7 +55,7 @@ impl Answers {
         self.list.iter().filter_map(|answer| Some((answer, answer.solution()?)))
     }
 
-    /// The envelope of those that are solved; it numbers them in the order of [`Answers::solved`].
+    /// The envelope of the solved answers, numbered in the order of [`Answers::solved`].
     pub fn envelope(&self) -> Envelope<'_> {
         Envelope::of(self.solved().map(|(_, solution)| solution))
     }
@@ -66,7 +65,7 @@ impl Answers {
         Passages { all: self.swept.iter().map(|swept| swept.passage(&self.list)).collect() }
     }
 
-    /// The result of all together. No equilibrium counts more than no convergence.
+    /// The joint result. Missing equilibrium counts more than missing convergence.
     pub fn overall(&self) -> Overall {
         let each = self.list.iter().map(|answer| answer.found.overall());
         each.chain([self.passages().overall()]).max().unwrap_or(Overall::Solved)
@@ -76,29 +75,30 @@ impl Answers {
 /// Even steps of the envelope in documents and tables.
 const EVEN_STEPS: usize = 100;
 
-/// Several passages: of each train under each combination.
+/// Several passages: each train under each combination.
 #[derive(Debug, Clone, Default)]
 pub struct Passages<'a> {
     /// In the order of the combinations, of each in that of the trains.
     pub all: Vec<Passage<'a>>,
 }
 
-/// A value that governs, and in which of the passages.
+/// A governing value, and its passage.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InPassage {
     /// The value, its section, and where the train stands.
     pub located: Located,
-    /// Which passage, counted from 0.
+    /// The passage, counted from 0.
     pub passage: usize,
 }
 
 impl Passages<'_> {
-    /// The fields to list, in the order of [`Field::ALL`]: without the rotation if the beam does not shear.
+    /// The listed fields, in the order of [`Field::ALL`]; without the rotation if the beam does not shear.
     pub fn fields(&self) -> impl Iterator<Item = Field> + Clone + use<> {
         self.all.first().map(Passage::fields).into_iter().flatten()
     }
 
-    /// The smallest and the largest value of every field at a section over all passages; none if nothing was solved.
+    /// The smallest and the largest value of every field at a section over all passages; `None` if no position was
+    /// solved.
     pub fn at(&self, x: f64) -> Option<ByField<[InPassage; 2]>> {
         let each = self.all.iter().enumerate().filter_map(|(passage, one)| {
             let bounds = one.at(x)?;
@@ -110,7 +110,8 @@ impl Passages<'_> {
         })
     }
 
-    /// The smallest and the largest value of a field on the whole beam over all passages; none if nothing was solved.
+    /// The smallest and the largest value of a field on the whole beam over all passages; `None` if no position was
+    /// solved.
     pub fn range(&self, field: Field) -> Option<[InPassage; 2]> {
         let each = self.all.iter().enumerate().filter_map(|(passage, one)| {
             let range = one.range(field)?;
@@ -122,12 +123,12 @@ impl Passages<'_> {
         })
     }
 
-    /// Sections at which the envelope of all is listed by default.
+    /// Default sections of the envelope of all passages.
     pub fn default_stations(&self) -> Vec<f64> {
         self.stations(EVEN_STEPS)
     }
 
-    /// Even steps of the beam, and the sections that any passage names.
+    /// Even steps of the beam, and the sections of all passages.
     pub fn stations(&self, even: usize) -> Vec<f64> {
         let mut x: Vec<f64> = self.all.iter().flat_map(|passage| passage.stations(even)).collect();
         x.sort_by(f64::total_cmp);
@@ -135,13 +136,13 @@ impl Passages<'_> {
         x
     }
 
-    /// The passage in which the moment is largest in size, and where the train then stands.
+    /// The passage and the position with the largest absolute moment.
     pub fn largest_moment(&self) -> Option<InPassage> {
         let [min, max] = self.range(Field::Moment)?;
         Some(if max.located.value >= -min.located.value { max } else { min })
     }
 
-    /// The result of all together.
+    /// The joint result.
     pub fn overall(&self) -> Overall {
         self.all.iter().map(Passage::overall).max().unwrap_or(Overall::Solved)
     }
@@ -152,7 +153,7 @@ impl Passages<'_> {
     }
 }
 
-/// Takes the smaller of the smallest and the larger of the largest; of equals the first.
+/// Widens a range by another one. Of equal values the first one stays.
 fn widen(both: &mut [InPassage; 2], [min, max]: [InPassage; 2]) {
     if min.located.value < both[0].located.value {
         both[0] = min;

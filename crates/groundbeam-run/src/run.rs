@@ -26,7 +26,7 @@ pub struct Run {
 }
 
 impl Run {
-    /// All that a file asks for.
+    /// All models that a file asks for.
     pub fn of(document: &Document) -> Self {
         match (document.trains.is_empty(), document.has_combinations()) {
             (false, _) => Run::new(document, Asked::Trains, document.wanted()),
@@ -35,19 +35,19 @@ impl Run {
         }
     }
 
-    /// All combinations of a file under their own loads, whatever trains the file has.
+    /// All combinations of a file, without its trains.
     pub fn of_combinations(document: &Document) -> Self {
         let run = Run::new(document, Asked::Combinations, document.combinations());
         Run { load_cases: document.load_cases(), ..run }
     }
 
-    /// One combination of a file; with trains in the file, all positions of each over it.
+    /// One combination of a file, with all positions of its trains.
     pub fn of_one(document: &Document, combination: Combination) -> Self {
         let asked = if document.trains.is_empty() { Asked::One } else { Asked::Trains };
         Run::new(document, asked, vec![combination])
     }
 
-    /// One combination of a file under its own loads, whatever trains the file has.
+    /// One combination of a file, without its trains.
     pub fn without_trains(document: &Document, combination: Combination) -> Self {
         Run::new(document, Asked::One, vec![combination])
     }
@@ -101,12 +101,12 @@ impl Run {
         Run { growing, ..self }
     }
 
-    /// The same with another error of the envelopes of trains, relative to each field's largest value.
+    /// The same with another error of the envelopes of trains, relative to the largest value of each field.
     pub fn with_error(self, error: f64) -> Self {
         Run { error, ..self }
     }
 
-    /// What is asked for.
+    /// The kind of request.
     pub fn asked(&self) -> Asked {
         self.asked
     }
@@ -121,11 +121,11 @@ impl Run {
         self.combinations.len() * self.trains.len().max(1)
     }
 
-    /// Solves it.
+    /// Solves all models.
     ///
     /// # Errors
     ///
-    /// If a model is refused, of several the first, or if the host stops the work.
+    /// The first refusal of a model, or the stop of the host.
     pub fn solve<H: Host>(&self, host: &H) -> Result<Answers, Failed<H::Stop>> {
         let mut answers = self.nothing();
         if self.asked == Asked::Trains {
@@ -141,7 +141,7 @@ impl Run {
         if self.combinations.len() > 1 {
             check_memory(self.combinations.iter().map(|one| &one.model), &self.options)?;
         }
-        // Each is solved by itself and kept in its place: the same bits on any number of threads.
+        // Each model is solved by itself and kept at its index, so the bits do not depend on the number of threads.
         let list = host.map(self.combinations.len(), |i| self.one(&self.combinations[i], host));
         let list = list.map_err(Failed::Stopped)?;
         answers.alone = self.alone()?;
@@ -149,7 +149,7 @@ impl Run {
         Ok(answers)
     }
 
-    /// Decides whether equilibria exist, without solving for them.
+    /// Decides whether equilibria exist, without solving.
     ///
     /// # Errors
     ///
@@ -178,7 +178,7 @@ impl Run {
         Ok(answers)
     }
 
-    /// No answers yet.
+    /// An empty list of answers.
     pub(crate) fn nothing(&self) -> Answers {
         let first = self.combinations.first();
         let ground = first.and_then(|first| Ground::before(&first.model, self.width));

@@ -4,7 +4,8 @@ use crate::answer::{Answer, Found, Ground, Label};
 use crate::host::Host;
 use groundbeam::{Error, Options, Solution, solve_near};
 
-/// Solves the model of a label. `width` is that on which the beam bears; `near` is a solution to begin from.
+/// Solves the model of a label. `width` is the width of the beam on the ground; `near` is a solution from which the
+/// iteration starts.
 pub(crate) fn answered(
     label: Label,
     width: Option<f64>,

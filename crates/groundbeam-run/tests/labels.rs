@@ -26,7 +26,7 @@ fn every_combination_on_every_ground() {
     };
     assert_eq!(answers.list.len(), 6);
     assert_eq!([label(0), label(2)], [("a; best ground", 1.0), ("a; 2 k", 2.0)]);
-    // All upward: no ground holds it.
+    // All loads act upward, so no equilibrium exists.
     assert!(answers.list[3..].iter().all(|a| matches!(a.found, Found::NoEquilibrium(_))));
     assert_eq!(answers.alone.iter().map(|alone| alone.stands()).collect::<Vec<_>>(), [true, false]);
 }
@@ -61,7 +61,7 @@ fn every_method_has_its_name() {
     let names: Vec<&str> = answers.list.iter().map(|answer| answer.label.method).collect();
     assert_eq!(names, ["exact", "active-set", "active-set, dirac", "psor", "uzawa"]);
     assert_eq!(names.len(), Compare::PIECES);
-    // Separate springs have no concentrated forces, of which this method is made.
+    // The method needs concentrated forces, which a Winkler foundation does not have.
     assert!(matches!(answers.list[4].found, Found::Unsolved(_)), "{:?}", answers.list[4].found);
 }
 
@@ -89,7 +89,7 @@ fn the_solutions_of_all_combinations_count_for_the_memory() {
         let options = Options { memory_limit, ..Options::default() };
         run.clone().with_options(options).solve(&OneThread)
     };
-    // Each is within the limit, all together are not.
+    // Each model is within the limit, all together exceed it.
     match limited(5 * one) {
         Err(Failed::Refused(Error::TooLarge(refused))) => assert_eq!(refused.needed, 11 * one),
         other => panic!("{other:?}"),

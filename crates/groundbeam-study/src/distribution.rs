@@ -28,19 +28,19 @@ pub fn lognormal(mean: f64, deviation: f64, z: f64) -> f64 {
     mean * (variance.sqrt() * z - 0.5 * variance).exp()
 }
 
-/// The number whose probability of not being exceeded is that of `z` in a standard normal distribution.
+/// The number with the same probability of not being exceeded as `z` in a standard normal distribution.
 pub fn of_normal(distribution: &Distribution, z: f64) -> f64 {
     match *distribution {
         Distribution::Normal { mean, deviation } => mean + deviation * z,
         Distribution::Lognormal { mean, deviation } => lognormal(mean, deviation, z),
         Distribution::Gumbel { mean, deviation } => {
-            // F(x) = exp(−exp(−(x − m)/b)); the upper tail by 1 − Φ(z) = Φ(−z), which keeps its digits.
+            // F(x) = exp(−exp(−(x − m)/b)). The upper tail uses 1 − Φ(z) = Φ(−z), which keeps its digits.
             let scale = deviation * 6.0_f64.sqrt() / PI;
             let exponent = if z < 0.0 { -probability(z).ln() } else { -(-probability(-z)).ln_1p() };
             mean - scale * (EULER + exponent.ln())
         }
         Distribution::Uniform { from, to } => {
-            // From the nearer end.
+            // Measured from the nearer end.
             let width = to - from;
             if z < 0.0 { from + width * probability(z) } else { to - width * probability(-z) }
         }
@@ -74,8 +74,8 @@ mod tests {
         }
     }
 
-    /// Every distribution has the mean and the deviation it was given: by the trapezoidal rule over z, whose error is
-    /// below rounding for smooth functions times exp(−z²/2).
+    /// Every distribution has its given mean and deviation, by the trapezoidal rule over z, whose error is below
+    /// rounding for smooth functions times exp(−z²/2).
     #[test]
     fn moments() {
         let step = 0.01;
@@ -97,7 +97,7 @@ mod tests {
             (Distribution::Lognormal { mean, deviation }, [mean, deviation], 1e-12),
             (Distribution::Gumbel { mean, deviation }, [mean, deviation], 1e-9),
             (Distribution::Uniform { from: 1.0, to: 4.0 }, [2.5, 3.0 / 12.0_f64.sqrt()], 1e-9),
-            // A corner of the density at the mode: second order only.
+            // The density has a corner at the mode: second order only.
             (
                 Distribution::Triangular { from: 1.0, mode: 2.0, to: 4.0 },
                 [7.0 / 3.0, (7.0_f64 / 18.0).sqrt()],

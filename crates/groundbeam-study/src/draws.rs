@@ -1,4 +1,4 @@
-//! Sample i of a study: its random numbers, and the model made with them.
+//! Sample i of a study: its random numbers and its model.
 
 use crate::distribution::{lognormal, normal_of, of_normal};
 use crate::fields::Field;
@@ -10,14 +10,14 @@ use groundbeam_file::study::{Plan, StudyFile};
 use groundbeam_file::{Change, Course, Shape, change};
 use std::fmt;
 
-/// Why samples cannot be drawn.
+/// The reason why samples cannot be drawn.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Impossible {
     /// The number of samples, in words.
     Samples(String),
-    /// No numbers have all the correlations that are asked for.
+    /// No random numbers have all demanded correlations.
     Correlations,
-    /// No circle carries the field's correlation.
+    /// No circle has a positive definite covariance for the field.
     Circle,
 }
 
@@ -38,20 +38,20 @@ impl fmt::Display for Impossible {
 
 impl std::error::Error for Impossible {}
 
-/// The samples of a study, each from its number alone.
+/// The samples of a study, each computed from its number alone.
 #[derive(Debug, Clone)]
 pub struct Draws {
     study: StudyFile,
     plan: Plan,
-    /// Of how many independent numbers a sample is made.
+    /// Number of independent normal numbers of a sample.
     dimensions: usize,
     points: Points,
     field: Option<Field>,
-    /// L of L Lᵀ, the correlations of the random numbers; none if they are independent.
+    /// L of L Lᵀ, the correlations of the random numbers; `None` if they are independent.
     joined: Option<Vec<Vec<f64>>>,
 }
 
-/// What a sample has drawn.
+/// The random numbers and fields of a sample.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Draw {
     /// The random numbers, in the order of the file.
@@ -98,22 +98,22 @@ impl Draws {
         &self.study
     }
 
-    /// How many samples there are, and how they are drawn.
+    /// The number of samples, and the way in which they are drawn.
     pub fn plan(&self) -> Plan {
         self.plan
     }
 
-    /// Of how many independent numbers a sample is made.
+    /// Number of independent normal numbers of a sample.
     pub fn dimensions(&self) -> usize {
         self.dimensions
     }
 
-    /// The share of the fields' variance that is not cut off; none without fields.
+    /// The kept share of the fields' variance; `None` without fields.
     pub fn variance(&self) -> Option<f64> {
         self.field.as_ref().map(Field::variance)
     }
 
-    /// What a sample draws, counted from 0.
+    /// The random numbers and fields of a sample, counted from 0.
     pub fn draw(&self, sample: u64) -> Draw {
         let mut normal = vec![0.0; self.dimensions];
         self.points.fill(sample, &mut normal);
@@ -134,7 +134,7 @@ impl Draws {
         let (Some(random), Some(field)) = (&self.study.field, &self.field) else {
             return Vec::new();
         };
-        // Term by term, so that the first numbers, which are spread best, decide most.
+        // Term by term: the first numbers, which fill the cube best, take the largest terms of all fields.
         let count = random.of.len();
         let normal: Vec<Vec<f64>> = (0..count)
             .map(|i| field.of(&numbers.iter().skip(i).step_by(count).copied().collect::<Vec<_>>()))
@@ -154,7 +154,7 @@ impl Draws {
         (0..count).map(|i| (0..random.points).map(|point| value(i, point)).collect()).collect()
     }
 
-    /// The model that a draw makes.
+    /// The model with the numbers and fields of a draw.
     pub fn model(&self, draw: &Draw) -> Model {
         let StudyFile { document, random, field, .. } = &self.study;
         let mut model = document.model.clone();

@@ -3,13 +3,14 @@
 use groundbeam_report::{Interval, Way};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
-/// The probability with which an interval holds what it is about.
+/// The confidence level of an interval.
 const CONFIDENCE: f64 = 0.95;
 
-/// Clopper and Pearson's interval (*Biometrika* 26 (1934)), which holds the probability at least so often: its lower end
-/// for `low` of `total` samples, its upper end for `high` of them.
+/// Clopper and Pearson's interval (*Biometrika* 26 (1934)), whose coverage is at least the confidence level: its
+/// lower end for `low` of `total` samples, its upper end for `high` of them.
 pub fn of_counts(low: u64, high: u64, total: u64) -> Interval {
-    // A probability x is too low if with it so many are too many, too high if with it the others are.
+    // A probability x is too low if `low` or more events are too improbable under x, and too high if `high` or fewer
+    // are.
     let lower = least_odds(low, total).map_or(0.0, |odds| odds / (1.0 + odds));
     let upper = least_odds(total - high, total).map_or(1.0, |odds| 1.0 / (1.0 + odds));
     Interval { bounds: [lower, upper], by: Way::Counts }
@@ -25,7 +26,7 @@ fn least_odds(count: u64, total: u64) -> Option<f64> {
         return None;
     }
     let wanted = 0.5 * (1.0 - CONFIDENCE);
-    // Bounds of ln x/(1 - x) for counts of 64 bits.
+    // Bounds of ln x/(1 − x) for counts of 64 bits.
     let [mut below, mut above] = [-60.0_f64, 60.0];
     loop {
         let middle = 0.5 * (below + above);
@@ -40,11 +41,12 @@ fn least_odds(count: u64, total: u64) -> Option<f64> {
     }
 }
 
-/// Whether at least `count` of `total` is more probable than `wanted`: added up term by term, each the one before times
-/// (total − j) odds / (j + 1).
+/// Whether `count` or more of `total` are more probable than `wanted`. Terms are added one by one; the next one is
+/// the last times (total − j) odds / (j + 1).
 fn exceeds(count: f64, total: f64, odds: f64, wanted: f64) -> bool {
     if count <= total * (odds / (1.0 + odds)) {
-        // No more than on average, so no more than the median (Kaas and Buhrman, *Stat. Neerl.* 34 (1980)): a half.
+        // The count is at most the mean, so at most the median (Kaas and Buhrman, *Stat. Neerl.* 34 (1980)): the
+        // probability is at least a half.
         return true;
     }
     let mut term = exactly(count, total, odds);
@@ -60,14 +62,14 @@ fn exceeds(count: f64, total: f64, odds: f64, wanted: f64) -> bool {
     sum > wanted
 }
 
-/// How probable it is that exactly `count` of `total` samples have what each has with these odds: Stirling's formula with
-/// what it leaves out (Loader, *Fast and accurate computation of binomial probabilities* (2000)).
+/// The probability of exactly `count` events in `total` samples with these odds: Stirling's formula with its
+/// remainder (Loader, *Fast and accurate computation of binomial probabilities* (2000)).
 fn exactly(count: f64, total: f64, odds: f64) -> f64 {
     let other = total - count;
     let expected = [odds, 1.0].map(|share| total * (share / (1.0 + odds)));
-    // How many more than expected: the rarer ones tell it best.
+    // The excess of the count over its mean, computed from the rarer outcome, which keeps its digits.
     let more = if odds < 1.0 { count - expected[0] } else { expected[1] - other };
-    // count ln(count / expected), and the same of the others.
+    // count ln(count / expected), and the same for the samples without the event.
     let distance = count * (more / expected[0]).ln_1p()
         + if other > 0.0 { other * (-more / expected[1]).ln_1p() } else { 0.0 };
     if other == 0.0 {
@@ -78,7 +80,7 @@ fn exactly(count: f64, total: f64, odds: f64) -> f64 {
     scale.sqrt() * (beyond - distance).exp()
 }
 
-/// ln n! less Stirling's (n + ½) ln n − n + ½ ln 2π.
+/// ln n! minus Stirling's (n + ½) ln n − n + ½ ln 2π.
 fn beyond_stirling(n: f64) -> f64 {
     if n < 16.0 {
         let factorial: f64 = (2..=n as u64).map(|factor| factor as f64).product();
@@ -104,8 +106,8 @@ pub fn of_replicates(values: &[f64]) -> [f64; 2] {
 mod tests {
     use super::*;
 
-    /// The first three as `scipy.stats.binomtest(k, n).proportion_ci()` gives them, the others tails of the binomial
-    /// distribution added up by mpmath with 30 digits (SciPy 1.17 is wrong in the eighth for 1 of 10⁹).
+    /// The first three are those of `scipy.stats.binomtest(k, n).proportion_ci()`. The others are tails of the
+    /// binomial distribution, summed by mpmath with 30 digits; SciPy 1.17 is wrong in the eighth digit for 1 of 10⁹.
     #[test]
     fn exact_intervals() {
         for (count, total, low, high) in [
@@ -130,7 +132,7 @@ mod tests {
         }
     }
 
-    /// Nothing of n: (α/2)^(1/n) of them not, whatever n.
+    /// Without an event in n samples the upper end satisfies (1 − x)ⁿ = α/2.
     #[test]
     fn intervals_of_nothing_and_of_all() {
         for total in (0..48).map(|power| 1_u64 << power) {

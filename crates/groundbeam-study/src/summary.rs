@@ -12,7 +12,7 @@ use groundbeam_file::study::{Exceeds, Judged, Plan, Sampling};
 use groundbeam_report::{Estimate, Interval, Kind, Limit, Spread, Study, Way, load_kind};
 use std::path::Path;
 
-/// From so many times on that something happened, the scatter of replicates tells its error.
+/// From this number of events on, the scatter of replicates estimates the error.
 const ENOUGH: u64 = 10;
 
 /// Reads all results of a study.
@@ -76,10 +76,10 @@ struct Number {
     of: Columns,
 }
 
-/// Of which columns it is.
+/// The columns of a number.
 enum Columns {
     One(String),
-    /// The first less the second.
+    /// The first column minus the second.
     Difference(String, String),
 }
 
@@ -96,7 +96,7 @@ impl Columns {
     }
 }
 
-/// The numbers of which it is told how they scatter, and by which events are judged.
+/// The numbers of the summary, and those by which events are judged.
 fn numbers(draws: &Draws, table: &Table) -> Vec<Number> {
     let one = |name: &str, kind| Number {
         name: name.to_owned(),
@@ -125,7 +125,7 @@ fn numbers(draws: &Draws, table: &Table) -> Vec<Number> {
     all
 }
 
-/// The name of the number that an event is judged by.
+/// The name of the number by which an event is judged.
 fn judged(of: Judged) -> String {
     match of {
         Judged::LiftedShare => "lifted_share".to_owned(),
@@ -137,7 +137,7 @@ fn judged(of: Judged) -> String {
     }
 }
 
-/// What a random number measures.
+/// The quantity of a random number.
 fn kind(of: Parameter, model: &Model) -> Option<Kind> {
     match of {
         Parameter::AxialForce => Some(Kind::Force),
@@ -152,7 +152,7 @@ fn kind(of: Parameter, model: &Model) -> Option<Kind> {
     }
 }
 
-/// How the samples of a group went.
+/// The outcomes of the samples of a group.
 fn statuses(whole: &Whole, group: usize) -> Result<Vec<Status>, StoreError> {
     let mut all = Vec::new();
     whole.words(group, "status", |word| {
@@ -162,23 +162,23 @@ fn statuses(whole: &Whole, group: usize) -> Result<Vec<Status>, StoreError> {
     Ok(all)
 }
 
-/// How often what has happened.
+/// Counts of outcomes and events.
 struct Tally {
-    /// Samples by their status.
+    /// Number of samples with each status.
     statuses: [u64; Status::ALL.len()],
     happenings: Vec<Happening>,
     samples: u64,
-    /// How many samples a replicate has.
+    /// Samples of a replicate.
     each: u64,
 }
 
-/// Something that may happen, and in how many samples of each replicate it has.
+/// An event, and its count in each replicate.
 struct Happening {
     name: String,
     limit: Option<Limit>,
-    /// By which of the numbers it is judged; nothing but the loss of equilibrium by none.
+    /// Index of the number by which it is judged; `None` for the loss of equilibrium.
     by: Option<usize>,
-    /// In how many it has, and of how many it is not known.
+    /// For each replicate, the number of samples with the event and the number with unknown outcome.
     counts: Vec<[u64; 2]>,
 }
 
@@ -207,8 +207,8 @@ impl Tally {
         Tally { statuses: [0; Status::ALL.len()], happenings, samples: 0, each }
     }
 
-    /// Some more samples, in their order. A beam without equilibrium is one with which everything has happened; of a
-    /// sample without an answer it is not known.
+    /// Adds samples in their order. A beam without equilibrium counts as one with every event; a sample without an
+    /// answer is unknown.
     fn add(&mut self, statuses: &[Status], columns: &[Vec<f64>]) {
         for (i, status) in statuses.iter().enumerate() {
             self.statuses[*status as usize] += 1;
@@ -238,7 +238,7 @@ impl Happening {
         if limit.above { columns[by][i] > limit.limit } else { columns[by][i] < limit.limit }
     }
 
-    /// How probable it is. Where of samples it is not known, the interval reaches from none of them to all.
+    /// The probability of the event. Samples with unknown outcome widen the interval to both possibilities.
     fn estimate(self, plan: Plan) -> Estimate {
         let [count, open] = [0, 1].map(|i| self.counts.iter().map(|own| own[i]).sum::<u64>());
         let total = plan.samples;
@@ -261,7 +261,7 @@ impl Happening {
     }
 }
 
-/// How numbers scatter, those that no sample has left out: two more passes.
+/// Means, deviations and quantiles of the numbers that every sample has: two more passes.
 fn spreads(
     whole: &Whole,
     numbers: Vec<Number>,

@@ -14,13 +14,13 @@ pub struct Eigen {
 }
 
 impl Symmetric {
-    /// By its entries on and below the diagonal.
+    /// From its entries on and below the diagonal.
     pub fn new(size: usize, entry: impl Fn(usize, usize) -> f64) -> Self {
         let row = |i: usize| (0..size).map(|j| entry(i.max(j), i.min(j))).collect();
         Symmetric { rows: (0..size).map(row).collect() }
     }
 
-    /// L of L Lᵀ, row by row up to the diagonal: Cholesky's root. None unless the matrix is positive.
+    /// Cholesky's root: L of L Lᵀ, row by row up to the diagonal; `None` unless the matrix is positive definite.
     pub fn root(&self) -> Option<Vec<Vec<f64>>> {
         let mut root: Vec<Vec<f64>> = Vec::with_capacity(self.rows.len());
         for (i, row) in self.rows.iter().enumerate() {
@@ -43,7 +43,7 @@ impl Symmetric {
     ///
     /// Eigenvalues are right to a few roundings of the largest.
     pub fn eigen(mut self) -> Eigen {
-        // Squares of small entries are not to vanish.
+        // Scaled so that squares of small entries do not underflow.
         let entries = self.rows.iter().flatten();
         let scale = entries.fold(f64::MIN_POSITIVE, |most, entry| most.max(entry.abs()));
         self.rows.iter_mut().flatten().for_each(|entry| *entry /= scale);
@@ -61,14 +61,14 @@ impl Symmetric {
 /// Q T Qᵀ with tridiagonal T.
 struct Tridiagonal {
     diagonal: Vec<f64>,
-    /// Beside the diagonal.
+    /// The entries beside the diagonal.
     beside: Vec<f64>,
     /// The columns of Q.
     vectors: Vec<Vec<f64>>,
 }
 
 impl Tridiagonal {
-    /// By Householder's reflections I − 2vvᵀ, each of which clears a column below the place beside the diagonal.
+    /// By Householder's reflections I − 2vvᵀ; each clears a column below the entry beside the diagonal.
     fn of(matrix: Symmetric) -> Self {
         let Symmetric { rows: mut a } = matrix;
         let size = a.len();
@@ -77,7 +77,7 @@ impl Tridiagonal {
         for k in 0..size.saturating_sub(1) {
             let mut v = a[k][k + 1..].to_vec();
             let length = dot(&v, &v).sqrt();
-            // Away from zero: nothing cancels.
+            // The sign away from zero, so that nothing cancels.
             let reflected = if v[0] > 0.0 { -length } else { length };
             v[0] -= reflected;
             let norm = dot(&v, &v).sqrt();
@@ -105,7 +105,7 @@ impl Tridiagonal {
         Tridiagonal { diagonal: (0..size).map(|i| a[i][i]).collect(), beside, vectors }
     }
 
-    /// From the last eigenvalue to the first, each by steps of the QR algorithm.
+    /// Finds the eigenvalues from the last to the first, each by steps of the QR algorithm.
     fn diagonalise(&mut self) {
         let size = self.diagonal.len();
         let entries = self.diagonal.iter().chain(&self.beside);
@@ -119,8 +119,8 @@ impl Tridiagonal {
         }
     }
 
-    /// T − σI = QR, and RQ + σI in T's place: one rotation makes the first column of R, the others bring T back to three
-    /// diagonals. σ is the eigenvalue of T's last two rows and columns that is nearer to the last entry (Wilkinson).
+    /// T − σI = QR becomes RQ + σI: one rotation makes the first column of R, the others restore the three diagonals.
+    /// σ is the eigenvalue of the last two rows and columns of T that is nearer to the last entry (Wilkinson).
     fn step(&mut self, first: usize, last: usize) {
         let (d, e) = (&mut self.diagonal, &mut self.beside);
         let half = 0.5 * (d[last - 1] - d[last]);
@@ -173,7 +173,7 @@ mod tests {
         (0..size).map(|_| (0..size).map(|_| number()).collect()).collect()
     }
 
-    /// A = V Λ Vᵀ and V Vᵀ = I, to roundings of the largest eigenvalue.
+    /// A = V Λ Vᵀ and V Vᵀ = I, to a few rounding errors of the largest eigenvalue.
     fn holds(matrix: &Symmetric) -> Eigen {
         let size = matrix.rows.len();
         let eigen = matrix.clone().eigen();
@@ -203,7 +203,7 @@ mod tests {
         }
     }
 
-    /// Of the second difference, 2 on the diagonal and −1 beside it, they are 2 − 2 cos(kπ/(n + 1)).
+    /// The second difference, 2 on the diagonal and −1 beside it, has the eigenvalues 2 − 2 cos(kπ/(n + 1)).
     #[test]
     fn eigenvalues_of_the_second_difference() {
         let size = 50;
@@ -219,7 +219,7 @@ mod tests {
         }
     }
 
-    /// Eigenvalues that are equal, zero, or far below roundings of the largest.
+    /// Eigenvalues that are equal, zero, or far below the rounding error of the largest.
     #[test]
     fn hard_matrices() {
         let ones = holds(&Symmetric::new(30, |_, _| 1.0));

@@ -74,7 +74,7 @@ fn put(path: &Path, at: usize, byte: u8) {
     file.write_all(&[byte]).unwrap();
 }
 
-/// Says which file is wrong, and what to do.
+/// The message names the damaged file and the remedy.
 #[track_caller]
 fn refused<T: std::fmt::Debug>(result: Result<T, StoreError>, path: &Path, at: usize) -> String {
     let message = result.expect_err(&format!("byte {at} of {}", path.display())).to_string();
@@ -83,7 +83,7 @@ fn refused<T: std::fmt::Debug>(result: Result<T, StoreError>, path: &Path, at: u
     message
 }
 
-/// One bit of every byte is flipped, one after another.
+/// Flips one bit of every byte, one after another.
 fn flip_every_byte(path: &Path, mut check: impl FnMut(usize)) {
     for (at, byte) in fs::read(path).unwrap().into_iter().enumerate() {
         put(path, at, byte ^ (1 << (at % 8)));

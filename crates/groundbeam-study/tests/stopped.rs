@@ -71,7 +71,7 @@ fn a_stopped_merge_and_summary_leave_nothing() {
     assert!(matches!(stopped, Err(StoreError::Stopped)));
 }
 
-/// What is done never shrinks and ends with all there is.
+/// The progress never decreases and ends at the total.
 #[test]
 fn progress_reaches_its_end() {
     let (draws, folder) = (draws(), folder("progress"));

@@ -1,14 +1,13 @@
-//! The positions at which a train's beam loses its equilibrium.
+//! Positions of a train at which the beam loses its equilibrium.
 
 use super::position::first_positions;
 use groundbeam::model::Train;
 use groundbeam::{Error, Model, exists};
 
-/// Halvings of an interval: as many as a number has digits.
+/// Halvings of an interval: one for each bit of a double.
 const HALVINGS: usize = 52;
 
-/// Ranges of the first axle's position at which there is no equilibrium, from left to right, from positions of which it
-/// is known whether there is one.
+/// Ranges of the first axle's position without equilibrium, from left to right, from positions with a known decision.
 pub(super) fn without_equilibrium(
     model: &Model,
     train: &Train,
@@ -31,7 +30,7 @@ pub(super) fn without_equilibrium(
     ranges
 }
 
-/// Each interval between first positions is looked at in so many places.
+/// Parts of each interval between first positions at which statics decide.
 const PARTS: usize = 8;
 
 /// Ranges of the first axle's position in which there is no equilibrium, without solving: told from statics at the
@@ -58,7 +57,7 @@ pub(crate) fn checked(
     Ok(without_equilibrium(model, train, found.into_iter()))
 }
 
-/// The edge between a position with and one without an equilibrium.
+/// The boundary between a position with and one without an equilibrium.
 fn edge(model: &Model, train: &Train, mut stands: f64, mut falls: f64) -> f64 {
     for _ in 0..HALVINGS {
         let middle = 0.5 * (stands + falls);

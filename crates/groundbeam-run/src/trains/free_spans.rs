@@ -3,7 +3,7 @@
 use super::passage::Passage;
 use groundbeam::LiftOff;
 
-/// A stretch of the beam that does not touch, and where the train then stands.
+/// A stretch of the beam without contact, and the position of the train.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Opened {
     /// Position of the first axle \[m\].
@@ -12,18 +12,18 @@ pub struct Opened {
     pub stretch: LiftOff,
 }
 
-/// The free spans that stand out in a passage.
+/// The longest and the highest free span of a passage.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FreeSpans {
-    /// The longest one.
+    /// The longest span.
     pub longest: Opened,
-    /// The one where beam and ground are farthest apart.
+    /// The span with the largest clearance.
     pub highest: Opened,
 }
 
 impl Passage<'_> {
-    /// The longest free span and the one with the largest clearance in all solved positions, ends in the air among them;
-    /// of equals the first. None if the beam touches everywhere and always.
+    /// The longest free span and the one with the largest clearance over all solved positions, including lifted ends.
+    /// Of equal ones the first. `None` if the beam touches everywhere at all positions.
     pub fn free_spans(&self) -> Option<FreeSpans> {
         let mut found: Option<FreeSpans> = None;
         for (first_axle, solution) in self.solved() {

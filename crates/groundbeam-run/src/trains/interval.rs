@@ -5,8 +5,8 @@ use groundbeam::model::Train;
 use groundbeam::{ByField, Field};
 use std::borrow::Borrow;
 
-/// The fields beside an axle that stands between two solved positions, a share t of the way from the left to the right
-/// one; none where it is off the beam.
+/// The fields beside an axle between two solved positions, at the part t of the way from the left to the right
+/// position; `None` if the axle is off the beam.
 fn beside_axle(ends: [&Section; 2], axle: usize, t: f64) -> Option<Beside> {
     let [start, end] = ends.map(|end| end.under.get(axle).copied().flatten());
     let (start, end) = (start?.leaving(), end?.arriving());
@@ -15,7 +15,7 @@ fn beside_axle(ends: [&Section; 2], axle: usize, t: f64) -> Option<Beside> {
     }))
 }
 
-/// The envelope at the stations, from the left and from the right: smallest and largest values.
+/// The envelope at the stations, on their left and on their right sides: smallest and largest values.
 pub(super) struct Table {
     bounds: Vec<[ByField<f64>; 2]>,
     /// Over the whole beam.
@@ -69,8 +69,8 @@ pub(super) fn passing<S: Borrow<Section>>(
     Some((at, beside_axle([left, right], axle, t)?))
 }
 
-/// How far the middle of an interval sticks out of the envelope, or is predicted to within the interval, relative to each
-/// field's scale.
+/// The amount by which the middle of an interval exceeds the envelope, or a parabola predicts it within the interval,
+/// relative to the scale of each field.
 pub(super) fn sticks_out(
     middle: &Position,
     ends: [&Position; 2],
@@ -88,7 +88,7 @@ pub(super) fn sticks_out(
         for field in 0..Field::ALL.len() {
             let [min, max] = [bounds[0][field], bounds[1][field]];
             let [a, value, b] = [start[field], values[field], end[field]];
-            // Where the beam begins to touch or to lift off, pressure and gap turn from zero to something.
+            // Where the contact begins or ends, pressure and gap change between zero and positive values.
             let is_one_curve = (a == 0.0) == (value == 0.0) && (b == 0.0) == (value == 0.0);
             let crest = if is_smooth && is_one_curve { crest(a, value, b) } else { value };
             note(field, crest.max(value) - max);
@@ -114,15 +114,14 @@ pub(super) fn sticks_out(
     std::array::from_fn(relative)
 }
 
-/// Whether an axle passes a section somewhere between two positions, or stands there in one of them.
+/// Whether an axle passes a section between two positions, or stands there in one of them.
 fn is_passed(x: f64, [start, end]: [&Position; 2], train: &Train, near: f64) -> bool {
     let [from, to] = [start, end].map(|position| position.section.first_axle);
     let passing = from - near..=to + near;
     train.axles.iter().any(|axle| passing.contains(&(x + axle.behind)))
 }
 
-/// The crest or trough of the parabola through three values at equal distances, if it lies between them; else the middle
-/// value.
+/// The extreme of the parabola through three equidistant values if it lies between them; else the middle value.
 fn crest(a: f64, middle: f64, b: f64) -> f64 {
     let (slope, bend) = (0.5 * (b - a), a - 2.0 * middle + b);
     if slope.abs() < bend.abs() { middle - 0.5 * slope * slope / bend } else { middle }

@@ -9,7 +9,7 @@ use groundbeam_file::{Combination, MovingTrain};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// A value, where on the beam it is, and where the train stands then.
+/// A value, its place on the beam, and the position of the train.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Located {
     /// Position on the beam \[m\].
@@ -20,30 +20,30 @@ pub struct Located {
     pub first_axle: f64,
 }
 
-/// The error that was asked for and the one that was reached, relative to each field's largest value.
+/// The demanded and the reached error, relative to the largest value of each field.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reach {
-    /// Asked for.
+    /// The demanded error.
     pub asked: f64,
-    /// Of each field, in the order of [`Field::ALL`], the most by which the last position that was tried anywhere stuck
-    /// out of the envelope of those before. Where a field jumps, as the pressure at a moving edge of contact may, it
-    /// stays as large as the jump.
+    /// For each field, in the order of [`Field::ALL`], the largest amount by which a last trial position exceeded the
+    /// envelope before it. If a field jumps, as the pressure at a moving edge of contact may, this stays as large as
+    /// the jump.
     pub reached: ByField<f64>,
 }
 
 impl Reach {
-    /// The largest of all fields.
+    /// The largest error of all fields.
     pub fn largest(&self) -> f64 {
         self.reached.iter().copied().fold(0.0, f64::max)
     }
 
-    /// The one of a field.
+    /// The error of one field.
     pub fn of(&self, field: Field) -> f64 {
         self.reached[field.index()]
     }
 }
 
-/// The largest gaps under the beam while a train passes; none where nothing lifts.
+/// The largest gaps under the beam while a train passes; `None` where nothing lifts.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Uplift {
     /// Ahead of the first axle.
@@ -54,17 +54,17 @@ pub struct Uplift {
     pub behind: Option<Located>,
 }
 
-/// What a sweep knows of a train's way besides the answers at its positions.
+/// The result of a sweep without the solutions at its positions.
 #[derive(Debug, Clone)]
 pub(crate) struct Swept {
     pub combination: Arc<Combination>,
     pub train: Arc<MovingTrain>,
-    /// Which of all answers are those at its positions.
+    /// Range of the answers at its positions in the list of all answers.
     pub answers: Range<usize>,
     /// One for each of these answers.
     pub sections: Vec<Section>,
     pub reach: Reach,
-    /// Ranges of the first axle's position in which there is no equilibrium.
+    /// Ranges of the first axle's position without equilibrium.
     pub none: Vec<[f64; 2]>,
 }
 
@@ -90,12 +90,12 @@ impl<'a> Passage<'a> {
         &self.swept.combination.model
     }
 
-    /// The name of the combination under which it passes; none where the loads are as they are written.
+    /// The name of the combination; `None` if the loads act as written.
     pub fn combination(&self) -> Option<&'a str> {
         Some(&*self.swept.combination.name).filter(|name| !name.is_empty())
     }
 
-    /// The train, and where it goes.
+    /// The train and its range of positions.
     pub fn moving(&self) -> &'a MovingTrain {
         &self.swept.train
     }
@@ -105,7 +105,7 @@ impl<'a> Passage<'a> {
         &self.moving().train
     }
 
-    /// The train, and the combination under which it passes.
+    /// The names of the train and of the combination.
     pub fn label(&self) -> String {
         match self.combination() {
             Some(combination) => format!("{combination}; {}", self.moving().name),
@@ -113,17 +113,17 @@ impl<'a> Passage<'a> {
         }
     }
 
-    /// The answers at every position that was tried, from left to right.
+    /// The answers at all positions, from left to right.
     pub fn answers(&self) -> &'a [Answer] {
         self.answers
     }
 
-    /// The error that was asked for, and the one that was reached.
+    /// The demanded and the reached error.
     pub fn reach(&self) -> Reach {
         self.swept.reach
     }
 
-    /// Ranges of the first axle's position in which there is no equilibrium.
+    /// Ranges of the first axle's position without equilibrium.
     pub fn without_equilibrium(&self) -> &'a [[f64; 2]] {
         &self.swept.none
     }
@@ -139,12 +139,12 @@ impl<'a> Passage<'a> {
         self.each().filter(failed).map(|(first_axle, _)| first_axle)
     }
 
-    /// The positions that were solved, with their solutions.
+    /// The solved positions with their solutions.
     pub fn solved(&self) -> impl Iterator<Item = (f64, &'a Solution)> {
         self.each().filter_map(|(first_axle, found)| Some((first_axle, found.solution()?)))
     }
 
-    /// The result of all positions together.
+    /// The joint result of all positions.
     pub fn overall(&self) -> Overall {
         if !self.without_equilibrium().is_empty() {
             Overall::NoEquilibrium
@@ -155,7 +155,7 @@ impl<'a> Passage<'a> {
         }
     }
 
-    /// The fields to list, in the order of [`Field::ALL`]: without the rotation if the beam does not shear.
+    /// The listed fields, in the order of [`Field::ALL`]; without the rotation if the beam does not shear.
     pub fn fields(&self) -> impl Iterator<Item = Field> + Clone + use<> {
         Field::of(&self.model().beam)
     }
@@ -188,8 +188,8 @@ impl<'a> Passage<'a> {
         bounds
     }
 
-    /// The smallest and the largest value of a field on the whole beam in all solved positions; none if nothing was
-    /// solved.
+    /// The smallest and the largest value of a field on the whole beam over all solved positions; `None` if no
+    /// position was solved.
     pub fn range(&self, field: Field) -> Option<[Located; 2]> {
         let mut bounds: Option<[Located; 2]> = None;
         for section in &self.swept.sections {
@@ -202,7 +202,7 @@ impl<'a> Passage<'a> {
         bounds
     }
 
-    /// The solution at a position that was solved, or else nearest to it.
+    /// The solved position nearest to a position, with its solution.
     pub fn nearest(&self, first_axle: f64) -> Option<(f64, &'a Solution)> {
         let away = |at: f64| (at - first_axle).abs();
         self.solved().min_by(|a, b| away(a.0).total_cmp(&away(b.0)))
@@ -230,12 +230,12 @@ impl<'a> Passage<'a> {
         uplift
     }
 
-    /// Sections at which the envelope is listed by default.
+    /// Default sections of the envelope.
     pub fn default_stations(&self) -> Vec<f64> {
         self.stations(EVEN_STEPS)
     }
 
-    /// Sections at which the envelope is worth listing: `even` equal steps, corners of the model, and the extremes.
+    /// Sections of the envelope: `even` equal steps, corners of the model, and the extremes.
     pub fn stations(&self, even: usize) -> Vec<f64> {
         let l = self.model().beam.length;
         let mut x: Vec<f64> = (0..=even).map(|i| l * (i as f64 / even.max(1) as f64)).collect();
@@ -249,7 +249,7 @@ impl<'a> Passage<'a> {
     }
 }
 
-/// Takes the smaller of the smallest and the larger of the largest values; of equals the first.
+/// Widens a range by another one. Of equal values the first one stays.
 fn widen(bounds: &mut [Located; 2], [low, high]: [Located; 2]) {
     if low.value < bounds[0].value {
         bounds[0] = low;

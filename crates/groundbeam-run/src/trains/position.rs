@@ -5,12 +5,12 @@ use groundbeam::model::Train;
 use groundbeam::{Action, ByField, Field, Fields, Model, Range};
 use std::borrow::Borrow;
 
-/// A position of the train: its answer, and the values by which envelopes are compared.
+/// A position of the train: its answer, and the values that envelopes compare.
 #[derive(Debug, Clone)]
 pub(crate) struct Position {
     pub answer: Answer,
     pub section: Section,
-    /// Values at the stations from the left and from the right; none without an equilibrium.
+    /// Values at the stations, on their left and on their right sides; empty without an equilibrium.
     pub samples: Vec<ByField<f64>>,
 }
 
@@ -20,14 +20,14 @@ impl Borrow<Section> for Position {
     }
 }
 
-/// What the envelope needs of a position besides its solution.
+/// The data of a position that the envelope needs besides its solution.
 #[derive(Debug, Clone)]
 pub(crate) struct Section {
     /// Position of the first axle \[m\].
     pub first_axle: f64,
-    /// Of each axle on the beam the fields beside it.
+    /// The fields beside each axle; `None` for an axle off the beam.
     pub under: Vec<Option<Under>>,
-    /// Of each field; none without an equilibrium.
+    /// The range of each field; `None` without an equilibrium.
     pub ranges: Option<ByField<Range>>,
 }
 
@@ -39,10 +39,10 @@ pub(crate) fn values(fields: Fields) -> ByField<f64> {
 const SLOPE: usize = Field::Slope.index();
 const SHEAR_FORCE: usize = Field::ShearForce.index();
 
-/// Of each field the values just left and just right of an axle, as it passes a section.
+/// The values of each field just left and just right of an axle that passes a section.
 pub(crate) type Beside = [ByField<f64>; 2];
 
-/// An axle on the beam: the fields beside it, and by how much each jumps for its sake.
+/// An axle on the beam: the fields beside it, and their jumps due to the axle.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Under {
     pub beside: Beside,
@@ -50,8 +50,8 @@ pub(crate) struct Under {
 }
 
 impl Under {
-    /// Of the axle with a number, at x. The shear force jumps by all of its force; a beam that shears has a kink, of which
-    /// the ground may take part of the force.
+    /// The values beside one axle, at x. The shear force jumps by the whole axle force. A beam that shears has a
+    /// kink, where the ground may take part of the force.
     pub fn of(beside: Beside, model: &Model, train: &Train, axle: usize, x: f64) -> Self {
         let mut jump = [0.0; Field::ALL.len()];
         let own = force(train, axle);
@@ -72,14 +72,14 @@ impl Under {
         Under { beside, jump }
     }
 
-    /// Beside an axle that goes on to the right. Where it stands on a fixed load, that one is then behind it: only the
-    /// axle's own jumps are taken along.
+    /// The fields beside an axle that continues to the right. A fixed load at the same place is then behind it, so
+    /// only the jumps of the axle itself count.
     pub(crate) fn leaving(&self) -> Beside {
         let [_, right] = self.beside;
         [std::array::from_fn(|field| right[field] + self.jump[field]), right]
     }
 
-    /// The same for an axle that comes from the left.
+    /// The same for an axle that arrives from the left.
     pub(crate) fn arriving(&self) -> Beside {
         let [left, _] = self.beside;
         [left, std::array::from_fn(|field| left[field] - self.jump[field])]
@@ -89,8 +89,8 @@ impl Under {
 /// Equal steps of the range in the first round.
 pub(crate) const EVEN_STEPS: usize = 32;
 
-/// Even steps, and where an axle or the end of a distributed load meets a mark of the model; at the ends of the beam also
-/// just off them.
+/// Even steps, and the positions where an axle or the end of a distributed load meets a mark of the model; at the
+/// ends of the beam also positions just off them.
 pub(crate) fn first_positions(model: &Model, train: &Train, [from, to]: [f64; 2]) -> Vec<f64> {
     let l = model.beam.length;
     let step = |i: usize| from + (to - from) * (i as f64 / EVEN_STEPS as f64);
@@ -108,11 +108,12 @@ pub(crate) fn first_positions(model: &Model, train: &Train, [from, to]: [f64; 2]
     at
 }
 
-/// The force of all axles at an axle's place.
+/// The sum of the forces of all axles at the place of one axle.
 pub(crate) fn force(train: &Train, axle: usize) -> f64 {
     let behind = train.axles[axle].behind;
     train.axles.iter().filter(|other| other.behind == behind).map(|other| other.force).sum()
 }
 
-/// So far from an end, relative to the beam's length, an axle stands that is about to come or has just left.
+/// The distance from an end of the beam, relative to its length, at which an axle is about to arrive or has just
+/// left.
 pub(crate) const JUST_OFF: f64 = 1e-8;

@@ -1,4 +1,5 @@
-//! The sweep of a train: positions at marks of the model, an even grid, and more until the error of the envelope is met.
+//! The sweep of a train: positions at marks of the model, an even grid, and halvings until the envelope has its
+//! demanded error.
 
 use super::edges;
 use super::interval::{Table, sticks_out};
@@ -12,24 +13,25 @@ use groundbeam::{ByField, Error, Field, Model, Options, Side, Solution};
 use groundbeam_file::{Combination, MovingTrain};
 use std::sync::Arc;
 
-/// Equal steps of the beam at whose ends envelopes are compared; marks of the model are added.
+/// Equal steps of the beam at whose ends envelopes are compared, besides marks of the model.
 const EVEN_STATIONS: usize = 96;
 /// Intervals shorter than this part of the beam's length are not halved.
 const SHORTEST: f64 = 1e-5;
-/// The same where at one end there is no equilibrium: close to where the beam tips, fields may grow beyond all bounds.
+/// The same if one end has no equilibrium: fields may grow without limit near the position at which the beam tips.
 const SHORTEST_AT_EDGE: f64 = 1e-3;
-/// More positions are not solved.
+/// Largest number of positions.
 const MOST: usize = 20_000;
 
 /// An interval between two neighbouring positions.
 #[derive(Debug, Clone, Copy)]
 struct Between {
-    /// By how much its middle, or that of the interval it is a half of, stuck out of the envelope of each field.
+    /// The amount by which its middle, or the middle of the interval that contains it, exceeded the envelope of each
+    /// field.
     error: ByField<f64>,
     open: bool,
 }
 
-/// The error of an envelope that is asked for, relative to each field's largest value.
+/// Default error of an envelope, relative to the largest value of each field.
 pub(crate) const ERROR: f64 = 1e-3;
 
 /// A sweep of a train over a combination, in rounds: `wanted` holds the positions of the first axle to be solved next,
@@ -50,7 +52,7 @@ pub(crate) struct Sweep {
 }
 
 impl Sweep {
-    /// A sweep to an error relative to each field's largest value.
+    /// A sweep to an error relative to the largest value of each field.
     pub fn new(combination: Arc<Combination>, moving: Arc<MovingTrain>, error: f64) -> Self {
         let model = &combination.model;
         let l = model.beam.length;
@@ -72,8 +74,8 @@ impl Sweep {
         &self.moving.train
     }
 
-    /// Solves all that is wanted. Each position is solved by itself, from a neighbour of the rounds before, and kept in
-    /// its place: the same bits on any number of threads.
+    /// Solves all wanted positions. Each starts from a neighbour of an earlier round and is kept at its index, so the
+    /// bits do not depend on the number of threads.
     pub fn run<H: Host>(
         mut self,
         options: &Options,
@@ -97,7 +99,7 @@ impl Sweep {
         answered(label, None, options, self.near(first_axle), host)
     }
 
-    /// Takes the answers at the positions that were wanted, in their order.
+    /// Takes the answers at the wanted positions, in their order.
     fn give(&mut self, answers: Vec<Answer>) {
         let wanted = std::mem::take(&mut self.wanted);
         let new: Vec<Position> =
@@ -116,14 +118,14 @@ impl Sweep {
         }
     }
 
-    /// The solution of a solved position next to one that is wanted, of two the one on the left: where to begin there.
+    /// The solution at the nearest solved position, the start of the solve; of two equally near ones the left.
     fn near(&self, wanted: f64) -> Option<&Solution> {
         let next = self.found.partition_point(|position| position.section.first_axle <= wanted);
         let sides = [next.checked_sub(1), Some(next)];
         sides.into_iter().flatten().find_map(|i| self.found.get(i)?.answer.solution())
     }
 
-    /// The answers, and what is known of the way besides them.
+    /// The answers, and the other results of the sweep.
     fn finish(self) -> (Vec<Answer>, Swept) {
         let each = self.between.iter().map(|between| between.error);
         let reached = each.fold([0.0_f64; Field::ALL.len()], |most, error| {
@@ -148,7 +150,7 @@ impl Sweep {
         (answers, swept)
     }
 
-    /// Puts the middles of all open intervals in their places and judges each.
+    /// Inserts the middles of all open intervals and judges each.
     fn halve(&mut self, new: Vec<Position>) {
         let table = Table::of(&self.found, self.train(), &self.stations);
         let scale = scale(self.found.iter().chain(&new));
@@ -179,7 +181,7 @@ impl Sweep {
         (self.found, self.between) = (found, between);
     }
 
-    /// Closes what is short, and what has no equilibrium at either end.
+    /// Closes short intervals, and intervals without an equilibrium at either end.
     fn close(&mut self) {
         let l = self.model().beam.length;
         for (between, ends) in self.between.iter_mut().zip(self.found.windows(2)) {
@@ -188,7 +190,7 @@ impl Sweep {
             let shortest = if solved == 2 { SHORTEST } else { SHORTEST_AT_EDGE };
             if length <= shortest * l || solved == 0 {
                 between.open = false;
-                // A jump as an axle comes or leaves has both its sides solved.
+                // Both sides of the jump at which an axle arrives or leaves are solved.
                 if between.error.contains(&f64::INFINITY) {
                     between.error = [0.0; Field::ALL.len()];
                 }
@@ -217,14 +219,14 @@ fn middle(ends: &[Position]) -> f64 {
     0.5 * (ends[0].section.first_axle + ends[1].section.first_axle)
 }
 
-/// Whether one of two positions is an equilibrium and the other is none.
+/// Whether exactly one of two positions has an equilibrium.
 fn is_edge(a: &Position, b: &Position) -> bool {
     a.section.ranges.is_some() != b.section.ranges.is_some()
 }
 
-/// The largest absolute value of each field. Uplift and settlement are seen beside the deflection.
+/// The largest absolute value of each field. The scale of gap and settlement is at least that of the deflection.
 fn scale<'p>(positions: impl Iterator<Item = &'p Position>) -> ByField<f64> {
-    /// A field that is smaller than this part of the deflection is as good as zero.
+    /// A field smaller than this part of the deflection counts as zero.
     const NOTHING: f64 = 1e-6;
     let mut scale = [0.0_f64; Field::ALL.len()];
     for ranges in positions.filter_map(|position| position.section.ranges.as_ref()) {

@@ -9,9 +9,9 @@ use rustfft::{Fft, FftPlanner};
 use std::fmt;
 use std::sync::Arc;
 
-/// The circle may become so many times as long as it must be at least.
+/// Largest length of the circle, relative to the least possible length.
 const LONGEST: usize = 64;
-/// An eigenvalue so much smaller than the largest is zero but for rounding.
+/// An eigenvalue smaller than this part of the largest one is rounding error.
 const ROUNDING: f64 = 1e-10;
 
 /// Waves on a circle.
@@ -31,7 +31,7 @@ impl fmt::Debug for Circulant {
 }
 
 impl Circulant {
-    /// By the correlation over so many steps; none if no circle carries it.
+    /// From the correlation over a number of steps; `None` if no circle gives positive eigenvalues.
     pub fn new(count: usize, correlation: impl Fn(usize) -> f64) -> Option<Self> {
         let least = (2 * (count - 1)).max(2).next_power_of_two();
         let mut size = least;
@@ -54,7 +54,7 @@ impl Circulant {
         None
     }
 
-    /// Of how many independent numbers the field is made: as many as there are waves.
+    /// Number of independent normal numbers of the field: one for each wave.
     pub fn numbers(&self) -> usize {
         self.heights.len()
     }

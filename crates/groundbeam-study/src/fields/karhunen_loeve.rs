@@ -6,21 +6,21 @@
 use crate::symmetric::{Eigen, Symmetric};
 use groundbeam_file::study::Share;
 
-/// Entries of an eigenvector so near to the largest are as large, but for rounding.
+/// Entries of an eigenvector closer to the largest than this, relative to it, count as equal to it.
 const ROUNDING: f64 = 1e-6;
 
-/// The terms that are kept, those of the largest eigenvalues first.
+/// The kept terms, with the largest eigenvalues first.
 #[derive(Debug, Clone)]
 pub struct Expansion {
     /// √λ φ at the points, term by term.
     waves: Vec<Vec<f64>>,
     eigenvalues: Vec<f64>,
-    /// The sum of all eigenvalues, those cut off too.
+    /// The sum of all eigenvalues, including those of the dropped terms.
     total: f64,
 }
 
 impl Expansion {
-    /// By the correlation of two points and the quadrature's weights.
+    /// From the correlation of two points and the weights of the quadrature.
     pub fn new(
         count: usize,
         correlation: impl Fn(usize, usize) -> f64,
@@ -53,18 +53,18 @@ impl Expansion {
         Expansion { waves: vectors, eigenvalues: values, total }
     }
 
-    /// How many there are.
+    /// Number of kept terms.
     pub fn terms(&self) -> usize {
         self.waves.len()
     }
 
-    /// Their eigenvalues, the largest first.
+    /// The eigenvalues of the kept terms, the largest first.
     #[cfg(test)]
     pub fn eigenvalues(&self) -> &[f64] {
         &self.eigenvalues
     }
 
-    /// The share of the variance that they hold.
+    /// The share of the variance in the kept terms.
     pub fn variance(&self) -> f64 {
         (self.eigenvalues.iter().sum::<f64>() / self.total).min(1.0)
     }
@@ -81,8 +81,8 @@ impl Expansion {
     }
 }
 
-/// The sign of an eigenvector is free: of the entries of the largest size the first is to be positive. Of a wave that a
-/// mirror at the beam's middle turns over there are two, and rounding must not choose between them.
+/// The sign of an eigenvector is free: the first of its entries of largest size is made positive. An antisymmetric
+/// wave has two such entries, and rounding error must not choose between them.
 fn sign(vector: &[f64]) -> f64 {
     let largest = vector.iter().fold(0.0_f64, |most, entry| most.max(entry.abs()));
     let first = vector.iter().find(|entry| entry.abs() >= (1.0 - ROUNDING) * largest);

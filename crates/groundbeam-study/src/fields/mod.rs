@@ -11,17 +11,17 @@ use karhunen_loeve::Expansion;
 /// A field of mean 0 and variance 1 at given points.
 #[derive(Debug, Clone)]
 pub enum Field {
-    /// By eigenvectors of its covariance.
+    /// An expansion in eigenvectors of the covariance.
     KarhunenLoeve(Expansion),
-    /// By waves on a circle.
+    /// A sum of waves on a circle.
     Circulant(Circulant),
 }
 
 impl Field {
-    /// The field of a study on a beam of a length; none if the circle cannot carry its correlation.
+    /// The field of a study on a beam of a length; `None` if no circle has its correlation.
     pub fn new(random: &RandomField, beam: f64) -> Option<Self> {
         let count = random.points;
-        // Of lines the corners, of steps the middles.
+        // Corners of a piecewise linear field, middles of a piecewise constant one.
         let (first, step) = match random.course {
             Course::Lines => (0.0, beam / (count - 1) as f64),
             Course::Steps => (0.5 * beam / count as f64, beam / count as f64),
@@ -44,7 +44,7 @@ impl Field {
         }
     }
 
-    /// Of how many independent numbers it is made.
+    /// Number of independent normal numbers of the field.
     pub fn numbers(&self) -> usize {
         match self {
             Field::KarhunenLoeve(expansion) => expansion.terms(),
@@ -52,7 +52,7 @@ impl Field {
         }
     }
 
-    /// The share of the variance that is not cut off.
+    /// The kept share of the variance.
     pub fn variance(&self) -> f64 {
         match self {
             Field::KarhunenLoeve(expansion) => expansion.variance(),
@@ -99,8 +99,8 @@ mod tests {
         RandomField { of: Vec::new(), correlation, length, points: 24, course, method, rho: 0.0 }
     }
 
-    /// z = A ξ with independent ξ has the covariance A Aᵀ: the columns of A are the fields of single numbers. It must be the
-    /// correlation function at the points, exactly where nothing is cut off.
+    /// z = A ξ with independent ξ has the covariance A Aᵀ; the columns of A are the fields of single numbers. The
+    /// covariance must be the correlation function at the points, exactly where nothing is dropped.
     #[test]
     fn fields_have_the_covariance_they_were_given() {
         for which in [
@@ -139,13 +139,14 @@ mod tests {
         }
     }
 
-    /// Of the exponential correlation on a stretch of length 2a with c = 1/L the eigenvalues are λ = 2c/(ω² + c²) with
-    /// c = ω tan ωa or ω = −c tan ωa: Ghanem and Spanos, *Stochastic finite elements*, equations (2.39) to (2.47).
+    /// For the exponential correlation on a stretch of length 2a, with c = 1/L, the eigenvalues are λ = 2c/(ω² + c²)
+    /// with c = ω tan ωa or ω = −c tan ωa: Ghanem and Spanos, *Stochastic finite elements*, equations (2.39) to
+    /// (2.47).
     #[test]
     fn eigenvalues_of_the_exponential_correlation() {
         let (a, c) = (1.0_f64, 0.8_f64);
         let root = |even: bool, k: f64| {
-            // In (kπ, kπ + π/2) for even eigenfunctions, in (kπ − π/2, kπ) for odd ones; bisection on ωa.
+            // ωa lies in (kπ, kπ + π/2) for even eigenfunctions and in (kπ − π/2, kπ) for odd ones; bisection on ωa.
             let f = |t: f64| match even {
                 true => c * a * t.cos() - t * t.sin(),
                 false => t * t.cos() + c * a * t.sin(),
@@ -179,7 +180,7 @@ mod tests {
             let found = expansion.eigenvalues();
             exact.iter().zip(found).map(|(e, f)| (e - f).abs()).fold(0.0, f64::max)
         };
-        // Second order in the distance of the points.
+        // The error is of second order in the distance of the points.
         let [coarse, fine] = [64, 128].map(error);
         assert!(fine < 1e-3 && coarse / fine > 3.5 && coarse / fine < 4.5, "{coarse} {fine}");
     }

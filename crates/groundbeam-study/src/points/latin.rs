@@ -1,23 +1,24 @@
-//! Latin hypercubes without a table: in which part of a dimension sample i is, by a permutation computed at i alone.
+//! Latin hypercubes without a table: the part of sample i in a dimension, by a permutation computed at i alone.
 
 use super::mixed;
 
-/// Rounds of a network on wide numbers; from four on it passes for random (Luby and Rackoff 1988).
+/// Rounds of a network on wide numbers. From four rounds on it is a pseudorandom permutation (Luby and Rackoff 1988).
 const ROUNDS: u32 = 6;
-/// On narrow numbers a round mixes little: so many more, over the bits of a half.
+/// More rounds on narrow numbers, where one round mixes little: this number over the bits of a half.
 const MORE_ROUNDS: u32 = 24;
 
-/// The coordinate of sample `index` of `count`: in a part of its own, `uniform` of the way through it.
+/// The coordinate of sample `index` of `count`: a part of its own, at `uniform` of the way through it.
 pub fn coordinate(index: u64, count: u64, key: u64, uniform: f64) -> f64 {
     let part = permuted(index, count, key);
     ((part as f64 + uniform) / count as f64).min(1.0 - f64::EPSILON)
 }
 
-/// The image of `index` under a permutation of 0, …, `count` − 1 that the key chooses.
+/// The image of `index` under the permutation of 0, …, `count` − 1 with this key.
 fn permuted(index: u64, count: u64, key: u64) -> u64 {
     let bits = u64::BITS - (count - 1).leading_zeros();
     let half = bits.div_ceil(2).max(1);
-    // The network permutes the 2^(2·half) numbers; what leaves 0, …, count − 1 goes round again until it is back.
+    // The network permutes the 2^(2·half) numbers. An image beyond count − 1 is permuted again until it returns to
+    // the range.
     let mut image = network(index, half, key);
     while image >= count {
         image = network(image, half, key);
@@ -49,7 +50,7 @@ mod tests {
         }
     }
 
-    /// Over many keys every place is as probable as any other: χ² with 4 degrees of freedom, five σ.
+    /// Over many keys every place is equally probable: χ² with 4 degrees of freedom, five σ.
     #[test]
     fn every_image_is_as_probable() {
         for index in 0..5 {

@@ -16,20 +16,20 @@ pub struct Points {
 }
 
 impl Points {
-    /// In so many dimensions.
+    /// The points of a plan in a number of dimensions.
     pub fn new(plan: Plan, dimensions: usize) -> Self {
         let sobol = (plan.sampling == Sampling::Sobol).then(|| Sobol::new(dimensions));
         Points { plan, sobol }
     }
 
-    /// The point of a sample; every coordinate lies between 0 and 1 and is neither.
+    /// Writes the point of a sample. Every coordinate lies strictly between 0 and 1.
     pub fn fill(&self, sample: u64, point: &mut [f64]) {
         let Plan { samples, seed, replicates, .. } = self.plan;
         let mut random = generator(seed, sample);
         let each = (samples / replicates).max(1);
         let (replicate, index) = (sample / each, sample % each);
         for (dimension, coordinate) in point.iter_mut().enumerate() {
-            // What is drawn where it is not needed keeps dimensions apart from one another.
+            // Unused numbers are drawn too, so that dimensions stay independent of each other.
             let uniform = inside(random.next_u64());
             let key = mixed(mixed(seed ^ mixed(replicate)) ^ dimension as u64);
             *coordinate = match (&self.sobol, self.plan.sampling) {
@@ -41,7 +41,7 @@ impl Points {
     }
 }
 
-/// Random numbers of one sample: a stream of its own under the seed.
+/// The random numbers of one sample: a stream of its own under the seed.
 fn generator(seed: u64, sample: u64) -> ChaCha8Rng {
     let mut key = [0; 32];
     key[..8].copy_from_slice(&seed.to_le_bytes());
@@ -50,13 +50,13 @@ fn generator(seed: u64, sample: u64) -> ChaCha8Rng {
     random
 }
 
-/// The middle of one of 2⁵³ equal parts of (0, 1); the last is kept from being rounded to 1.
+/// The middle of one of 2⁵³ equal parts of (0, 1); the last one must not round to 1.
 fn inside(bits: u64) -> f64 {
     const PART: f64 = 1.0 / (1_u64 << 53) as f64;
     (((bits >> 11) as f64 + 0.5) * PART).min(1.0 - PART)
 }
 
-/// A number all of whose bits depend on all bits of another (Steele, Lea and Flood 2014, with Stafford's constants).
+/// A number whose bits all depend on all bits of another (Steele, Lea and Flood 2014, with Stafford's constants).
 fn mixed(number: u64) -> u64 {
     let mut z = number.wrapping_add(0x9e37_79b9_7f4a_7c15);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -82,7 +82,7 @@ mod tests {
         (0..plan.samples).map(point).collect()
     }
 
-    /// Of each replicate every one of n equal parts of every dimension has one point.
+    /// Each of the n equal parts of every dimension holds one point of each replicate.
     fn is_a_hypercube(points: &[Vec<f64>]) -> bool {
         let n = points.len();
         (0..points[0].len()).all(|dimension| {
@@ -103,8 +103,8 @@ mod tests {
         }
     }
 
-    /// The first two dimensions of Sobol's sequence are a (0, m, 2)-net in base 2: each of the boxes of area 2⁻ᵐ has one
-    /// point, whatever their shape; Owen's scrambling keeps that.
+    /// The first two dimensions of Sobol's sequence are a (0, m, 2)-net in base 2: each box of area 2⁻ᵐ holds one
+    /// point, whatever its shape. Owen's scrambling keeps this.
     #[test]
     fn scrambled_sobol_points_are_still_a_net() {
         let points = all(plan(Sampling::Sobol, 1024, 1), 2);
@@ -133,8 +133,8 @@ mod tests {
         }
     }
 
-    /// An integral of which the exact value is known: E[exp(Σ (u − ½))] over 6 dimensions = (2 sinh ½)⁶. The spread of the
-    /// replicates tells the error, and finer spread points make less of it.
+    /// An integral with a known value: E[exp(Σ (u − ½))] over 6 dimensions = (2 sinh ½)⁶. The scatter of the
+    /// replicates estimates the error, and evenly spread points reduce it.
     #[test]
     fn errors_of_an_integral_by_the_replicates() {
         let exact = (2.0 * 0.5_f64.sinh()).powi(6);
@@ -153,7 +153,7 @@ mod tests {
                 .collect();
             let mean = means.iter().sum::<f64>() / 16.0;
             let variance = means.iter().map(|m| (m - mean).powi(2)).sum::<f64>() / (15.0 * 16.0);
-            // Five standard errors: once in two million.
+            // Five standard errors: exceeded once in two million.
             assert!((mean - exact).abs() < 5.0 * variance.sqrt(), "{sampling:?}: {mean} {exact}");
             variance.sqrt()
         };

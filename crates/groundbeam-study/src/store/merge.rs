@@ -9,12 +9,12 @@ use groundbeam_file::output::Identity;
 use parquet::schema::types::TypePtr;
 use std::path::{Path, PathBuf};
 
-/// What was put together.
+/// The result of a merge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Merged {
-    /// How many samples there are.
+    /// Number of samples.
     pub samples: u64,
-    /// From how many files.
+    /// Number of files.
     pub files: usize,
 }
 

@@ -20,20 +20,20 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Why results cannot be kept or read.
+/// The reason why results cannot be stored or read.
 #[derive(Debug)]
 pub enum StoreError {
     /// A file cannot be read or written.
     File(PathBuf, String),
-    /// A file of results is not as it was written: what of it.
+    /// A file of results is damaged; the text says how.
     Damaged(PathBuf, String),
-    /// What is there belongs to another study.
+    /// The present results belong to another study.
     Foreign(PathBuf),
-    /// Another process is at the same work.
+    /// Another process works on the same study.
     Busy(PathBuf),
-    /// These files do not make one study.
+    /// These files do not form one study.
     Unlike(String),
-    /// Whoever watched has stopped it.
+    /// The watcher stopped the work.
     Stopped,
 }
 

@@ -12,7 +12,7 @@ use std::fs::{self, File, TryLockError};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// Where the parts of a file of results are.
+/// The folder of the parts of a file of results.
 fn folder(out: &Path) -> PathBuf {
     let mut name = out.as_os_str().to_owned();
     name.push(".parts");
@@ -22,15 +22,15 @@ fn folder(out: &Path) -> PathBuf {
 /// The folder of parts of one file of results.
 #[derive(Debug)]
 pub struct Parts {
-    /// What they will become.
+    /// The final file.
     out: PathBuf,
     folder: PathBuf,
-    /// Held until the work ends.
+    /// The lock of the folder, held until the work ends.
     _lock: File,
 }
 
 impl Parts {
-    /// Begins or goes on; with `restart`, the parts that are there are removed.
+    /// Opens the folder, new or with the parts of an earlier run; `restart` removes these parts.
     pub fn open(out: &Path, restart: bool) -> Result<Self, StoreError> {
         let folder = folder(out);
         fs::create_dir_all(&folder).map_err(|error| StoreError::io(&folder, &error))?;
@@ -50,7 +50,7 @@ impl Parts {
         Ok(parts)
     }
 
-    /// Verifies that each part is as it was written, of this study, and of the samples that its name states.
+    /// Verifies that each part is undamaged and belongs to this study and to the samples in its name.
     pub fn verify(&self, table: &Table, watch: &mut Watch) -> Result<(), StoreError> {
         let all = self.all()?;
         let samples = all.iter().map(|(range, _)| range.end.saturating_sub(range.start)).sum();
@@ -74,12 +74,12 @@ impl Parts {
         Ok(())
     }
 
-    /// Whether results wait here to be gone on with.
+    /// Whether parts of an earlier run exist.
     pub fn wait(out: &Path) -> bool {
         folder(out).is_dir()
     }
 
-    /// Every whole part and its samples, in their order.
+    /// Every complete part and its samples, in their order.
     pub fn all(&self) -> Result<Vec<(Range<u64>, PathBuf)>, StoreError> {
         let wrong = |error: std::io::Error| StoreError::io(&self.folder, &error);
         let mut all = Vec::new();
@@ -96,7 +96,7 @@ impl Parts {
         Ok(all)
     }
 
-    /// What of a range no part holds.
+    /// The samples of a range that no part holds.
     pub fn missing(&self, of: Range<u64>) -> Result<Vec<Range<u64>>, StoreError> {
         let mut missing = Vec::new();
         let mut reached = of.start;
@@ -112,7 +112,7 @@ impl Parts {
         Ok(missing)
     }
 
-    /// Keeps the rows of consecutive samples.
+    /// Stores the rows of consecutive samples as a part.
     pub fn keep(
         &self,
         table: &Table,
@@ -120,14 +120,14 @@ impl Parts {
         columns: Vec<Column>,
     ) -> Result<(), StoreError> {
         let rows = usize::try_from(range.end - range.start).unwrap_or(0);
-        // So many digits that names sort as numbers do.
+        // Zeros in front make names sort as numbers do.
         let path = self.folder.join(format!("{:015}-{:015}.parquet", range.start, range.end));
         let mut writer = Writer::new(&path, table, Packing::Passing)?;
         writer.write(columns, rows)?;
         writer.finish()
     }
 
-    /// Makes one file of all parts, and removes them.
+    /// Joins all parts to one file and removes them.
     pub fn finish(self, table: &Table, watch: &mut Watch) -> Result<(), StoreError> {
         let all = self.all()?;
         let paths: Vec<&Path> = all.iter().map(|(_, path)| &**path).collect();
@@ -137,7 +137,7 @@ impl Parts {
     }
 }
 
-/// One file of several, row after row: so many samples.
+/// Joins several files row after row. Returns the number of samples.
 pub fn assembled(
     out: &Path,
     table: &Table,

@@ -16,7 +16,7 @@ use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// A file of results. Nothing of it is decoded before it is verified.
+/// A file of results. Every byte is verified before it is decoded.
 pub struct Results {
     path: PathBuf,
     file: SerializedFileReader<File>,
@@ -37,12 +37,12 @@ impl Results {
         self.file.metadata()
     }
 
-    /// What is wrong with this file.
+    /// The error of this file.
     pub fn wrong(&self, error: &ParquetError) -> StoreError {
         StoreError::parquet(&self.path, error)
     }
 
-    /// What it says of itself.
+    /// The header of the file.
     pub fn head(&self) -> Head {
         let pairs = self.metadata().file_metadata().key_value_metadata();
         let ours = pairs
@@ -53,22 +53,22 @@ impl Results {
         Head { pairs: ours.collect() }
     }
 
-    /// How many rows it has.
+    /// Number of rows.
     pub fn rows(&self) -> u64 {
         u64::try_from(self.metadata().file_metadata().num_rows()).unwrap_or(0)
     }
 
-    /// Its columns.
+    /// The columns.
     pub fn schema(&self) -> TypePtr {
         self.metadata().file_metadata().schema_descr().root_schema_ptr()
     }
 
-    /// How many groups of rows it has.
+    /// Number of groups of rows.
     pub fn groups(&self) -> usize {
         self.metadata().num_row_groups()
     }
 
-    /// The columns of a group, to be read, and how many rows it has.
+    /// The column readers of a group, and its number of rows.
     pub fn group(&self, group: usize) -> Result<(Vec<ColumnReader>, usize), StoreError> {
         let group = self.verified(group)?;
         let columns = 0..group.metadata().num_columns();
@@ -77,7 +77,7 @@ impl Results {
         Ok((columns, rows(group.metadata().num_rows())))
     }
 
-    /// A group of rows, once its bytes are verified.
+    /// A group of rows with verified bytes.
     fn verified(&self, group: usize) -> Result<Box<dyn RowGroupReader + '_>, StoreError> {
         if !self.checksums.is_sound(group)? {
             let counts = self.metadata().row_groups().iter().map(|group| group.num_rows());
@@ -89,7 +89,7 @@ impl Results {
         self.file.get_row_group(group).map_err(|error| self.wrong(&error))
     }
 
-    /// Verifies all rows; `verified` is told of each group how many rows it has.
+    /// Verifies all rows; `verified` receives the number of rows of each group.
     pub fn verify(
         &self,
         verified: &mut dyn FnMut(u64) -> Result<(), StoreError>,
@@ -100,7 +100,7 @@ impl Results {
         })
     }
 
-    /// The number of its first sample.
+    /// The number of the first sample.
     pub fn first(&self) -> Result<Option<u64>, StoreError> {
         if self.groups() == 0 {
             return Ok(None);
@@ -135,7 +135,7 @@ pub fn verify(path: &Path, watch: &mut Watch) -> Result<u64, StoreError> {
     Ok(results.rows())
 }
 
-/// Tells a watcher how many of so many rows are verified.
+/// Reports to a watcher the number of verified rows.
 pub fn counted(of: u64, watch: &mut Watch) -> impl FnMut(u64) -> Result<(), StoreError> {
     let mut done = 0;
     move |rows| {
@@ -145,18 +145,18 @@ pub fn counted(of: u64, watch: &mut Watch) -> impl FnMut(u64) -> Result<(), Stor
     }
 }
 
-/// A number of rows as the file states it.
+/// A number of rows as stated in the file.
 fn rows(stated: i64) -> usize {
     usize::try_from(stated).unwrap_or(0)
 }
 
-/// A whole file of results, of which columns are read one by one.
+/// A complete file of results, read column by column.
 pub struct Whole {
     results: Results,
 }
 
 impl Whole {
-    /// The file, if it is there and holds these samples of the study and no other.
+    /// The file, if it exists and holds exactly these samples of the study.
     pub fn of(path: &Path, head: &Head, samples: &Range<u64>) -> Result<Option<Self>, StoreError> {
         if !path.exists() {
             return Ok(None);
@@ -182,12 +182,12 @@ impl Whole {
         self.results.verify(&mut counted(self.results.rows(), watch))
     }
 
-    /// In how many groups its rows are read.
+    /// Number of groups in which its rows are read.
     pub fn groups(&self) -> usize {
         self.results.groups()
     }
 
-    /// A column of numbers in a group of rows; where there is none it is not a number.
+    /// A column of numbers in a group of rows; missing numbers are NaN.
     pub fn numbers(&self, group: usize, name: &str) -> Result<Vec<f64>, StoreError> {
         let Column { values, definitions, .. } = self.column(group, name)?;
         let Values::Numbers(numbers) = values else { return Ok(Vec::new()) };
@@ -196,7 +196,7 @@ impl Whole {
         Ok(definitions.iter().map(number).map(|number| number.unwrap_or(f64::NAN)).collect())
     }
 
-    /// A column of words in a group of rows.
+    /// A column of texts in a group of rows.
     pub fn words(
         &self,
         group: usize,

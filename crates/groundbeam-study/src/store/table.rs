@@ -11,14 +11,14 @@ use parquet::schema::types::{Type, TypePtr};
 use sha2::{Digest, Sha256};
 use std::sync::Arc;
 
-/// What a file of results says of itself: keys and values.
+/// The header of a file of results: keys and values.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Head {
     pub pairs: Vec<(String, String)>,
 }
 
 impl Head {
-    /// Of a study and how it is sampled.
+    /// The header of a study and its plan.
     pub fn of(draws: &Draws) -> Self {
         let (StudyFile { document, text, .. }, plan) = (draws.study(), draws.plan());
         let mut pairs: Vec<(String, String)> = [
@@ -58,8 +58,8 @@ impl Head {
     }
 }
 
-/// The digests of the files that a model names, in the order in which it names them; none if it names none. Their names
-/// are in the model's text, and where they were read must not matter.
+/// The digests of the files that a model names, in their order; `None` if it names none. Their names stand in the
+/// model, and their places must not matter.
 fn files_of(document: &Document) -> Option<String> {
     let digests = document.files.iter().map(|file| hex(Sha256::new_with_prefix(&file.text)));
     let digests: Vec<String> = digests.collect();
@@ -72,12 +72,12 @@ pub struct Table {
     pub head: Head,
     pub schema: TypePtr,
     pub wanted: Wanted,
-    /// Whether the random fields are kept.
+    /// Whether the random fields are stored.
     ground: bool,
 }
 
 impl Table {
-    /// The columns that a study asks for.
+    /// The columns that a study demands.
     pub fn of(draws: &Draws) -> Self {
         let StudyFile { random, field, keep, events, .. } = draws.study();
         let mut extremes = keep.extremes.clone();
@@ -119,12 +119,12 @@ impl Table {
         Table { head: Head::of(draws), schema, wanted, ground: keep.ground }
     }
 
-    /// Those of a file that is there.
+    /// The columns of an existing file.
     pub fn read(head: Head, schema: TypePtr) -> Self {
         Table { head, schema, wanted: Wanted::default(), ground: false }
     }
 
-    /// Goes on with rows of consecutive samples.
+    /// Appends rows of consecutive samples.
     pub fn append(&self, columns: &mut Vec<Column>, first: u64, rows: &[(Draw, Row)]) {
         let more = self.rows(first, rows);
         if columns.is_empty() {

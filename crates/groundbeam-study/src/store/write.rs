@@ -17,15 +17,15 @@ use parquet::schema::types::ColumnPath;
 use std::path::Path;
 use std::sync::Arc;
 
-/// Rows that are compressed together.
+/// Rows of a group, compressed together.
 const ROWS_IN_A_GROUP: usize = 1 << 16;
 
-/// How much work is put into the packing of a file.
+/// The compression level of a file.
 #[derive(Debug, Clone, Copy)]
 pub enum Packing {
-    /// Of a file that stays.
+    /// A file that stays.
     Kept,
-    /// Of one that is soon a part of another.
+    /// A file that soon becomes part of another.
     Passing,
 }
 
@@ -33,13 +33,14 @@ pub enum Packing {
 pub struct Writer<'a> {
     path: &'a Path,
     file: SerializedFileWriter<Sealed<Output>>,
-    /// Rows to be written. Where pages end depends on how rows are handed over: always as many at once.
+    /// Rows that wait to be written. The ends of pages depend on the number of rows handed over, so it is always the
+    /// same.
     waiting: Vec<Column>,
     rows: usize,
 }
 
 impl<'a> Writer<'a> {
-    /// A new file.
+    /// Creates a file.
     pub fn new(path: &'a Path, table: &Table, packing: Packing) -> Result<Self, StoreError> {
         let output = Output::create(path).map_err(|error| StoreError::io(path, &error))?;
         let schema = Arc::clone(&table.schema);
@@ -49,13 +50,13 @@ impl<'a> Writer<'a> {
         Ok(Writer { path, file, waiting: Vec::new(), rows: 0 })
     }
 
-    /// Rows, no more than are compressed together, in a new file.
+    /// Appends rows, at most one group.
     pub fn write(&mut self, columns: Vec<Column>, rows: usize) -> Result<(), StoreError> {
         (self.waiting, self.rows) = (columns, rows);
         self.hand_over()
     }
 
-    /// Goes on with all rows of another file; `copied` is told how many more there are, again and again.
+    /// Appends all rows of another file; `copied` receives the number of copied rows from time to time.
     pub fn copy(
         &mut self,
         results: &Results,
@@ -87,7 +88,7 @@ impl<'a> Writer<'a> {
         Ok(())
     }
 
-    /// Writes what waits.
+    /// Writes the waiting rows.
     fn hand_over(&mut self) -> Result<(), StoreError> {
         let write = |file: &mut SerializedFileWriter<_>, columns: &mut [Column]| -> Done<()> {
             let mut group = file.next_row_group()?;
@@ -109,7 +110,7 @@ impl<'a> Writer<'a> {
         Ok(())
     }
 
-    /// Ends the file and gives it its name.
+    /// Completes the file and gives it its name.
     pub fn finish(mut self) -> Result<(), StoreError> {
         if self.rows > 0 {
             self.hand_over()?;
@@ -123,7 +124,7 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// How a file is packed, and what stands at its head.
+/// Compression and header of a file.
 fn properties(head: &Head, packing: Packing) -> WriterProperties {
     let pairs = head.pairs.iter();
     let pairs = pairs.map(|(key, value)| KeyValue::new(key.clone(), value.clone())).collect();
@@ -133,7 +134,7 @@ fn properties(head: &Head, packing: Packing) -> WriterProperties {
     };
     WriterProperties::builder()
         .set_compression(compression)
-        // Numbers of which hardly two are equal; words of which nearly all are.
+        // Nearly all numbers differ; nearly all texts agree.
         .set_dictionary_enabled(false)
         .set_column_dictionary_enabled(ColumnPath::from("status"), true)
         .set_column_dictionary_enabled(ColumnPath::from("message"), true)
