@@ -1,4 +1,4 @@
-//! The code map, the crates' dependencies, and the rules of `ARCHITECTURE.md`, read from the sources.
+//! The code map, the dependencies of the crates, and the rules of `ARCHITECTURE.md`, read from the sources.
 
 use crate::documents::repository;
 use std::collections::BTreeMap;

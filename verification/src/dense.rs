@@ -6,16 +6,16 @@
 use crate::element;
 use groundbeam::{Action, Extent, Model};
 
-/// Minimise ½WᵀKW + ½uᵀAu − FᵀW subject to u ≥ w, with A = G⁻¹.
+/// The matrices of the Lagrangian (5.9): ½WᵀKW − FᵀW − ½pᵀGp + pᵀw. The deflection is (5.3), the settlement (5.6).
 #[derive(Debug, Clone)]
 pub struct Dense {
     /// Nodes.
     pub nodes: usize,
-    /// K: w₁, θ₁, w₂, θ₂, …, and behind them a slope more for each hinge, that of the element to its right.
+    /// K of (5.4): w₁, θ₁, w₂, θ₂, …, and behind them a slope more for each hinge, that of the element to its right.
     pub stiffness: Vec<Vec<f64>>,
     /// F, of the same length.
     pub load: Vec<f64>,
-    /// G, N × N.
+    /// G of (5.7) and (5.8), N × N.
     pub flexibility: Vec<Vec<f64>>,
 }
 

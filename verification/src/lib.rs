@@ -10,6 +10,7 @@ pub mod crossing;
 pub mod dense;
 pub mod documents;
 mod element;
+pub mod equations;
 pub mod estimated;
 pub mod frozen;
 pub mod hostile;

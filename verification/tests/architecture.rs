@@ -105,7 +105,7 @@ const NEVER_IN_THE_CORE: [&str; 22] = [
 
 #[test]
 fn the_code_map_is_right() {
-    documents::expect("ARCHITECTURE.md", "code map", &map());
+    documents::expect("docs/code-map.md", "code map", &map());
 }
 
 #[test]

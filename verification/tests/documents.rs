@@ -8,22 +8,50 @@ use groundbeam_verification::documents::{expect, read, repository};
 
 #[test]
 fn the_problem_is_stated_once() {
-    expect("README.md", "problem", &read("crates/groundbeam/problem.md"));
+    expect("docs/notation.md", "problem", &read("crates/groundbeam/problem.md"));
+}
+
+fn named(feature: Feature) -> &'static str {
+    match feature {
+        Feature::LocalEquilibrium => "compression beyond the beam's own buckling load",
+        Feature::NoShearLayer => "μ = 0 somewhere under the beam",
+        Feature::BeamShear => "a beam that shears",
+        Feature::GroundLoads => "loads on the ground",
+        Feature::Supports => "supports, also those that act in one direction",
+        Feature::Hinges => "hinges",
+        Feature::Varying => "EI, k or μ that varies along a segment",
+    }
+}
+
+/// The limits in the README: of each feature, the ways that refuse it.
+#[test]
+fn the_readme_lists_what_is_not_supported() {
+    let mut lines = String::new();
+    for feature in Feature::ALL {
+        let refusing: Vec<&str> = Way::ALL
+            .iter()
+            .filter(|way| refusal(feature, **way).is_some())
+            .map(|way| match way {
+                Way::Exact => "the default method",
+                Way::ActiveSet => "`active-set`",
+                Way::NodalForces => "`active-set` with forces at nodes",
+                Way::Iteration => "`psor` and `uzawa`",
+                Way::Nodes => "`NodalSolver`",
+                Way::LoadFactors => "load factors",
+            })
+            .collect();
+        if !refusing.is_empty() {
+            lines += &format!("* {} do not take {}.\n", refusing.join(", "), named(feature));
+        }
+    }
+    expect("README.md", "limits", &lines);
 }
 
 /// The table of methods and features in `docs/methods.md`.
 #[test]
 fn the_table_of_methods_and_features_is_the_programs() {
     let rows = Feature::ALL.map(|feature| {
-        let name = match feature {
-            Feature::LocalEquilibrium => "compression beyond the beam's own buckling load",
-            Feature::NoShearLayer => "μ = 0 somewhere under the beam",
-            Feature::BeamShear => "a beam that shears",
-            Feature::GroundLoads => "loads on the ground",
-            Feature::Supports => "supports, also those that act in one direction",
-            Feature::Hinges => "hinges",
-            Feature::Varying => "EI, k or μ that varies along a segment",
-        };
+        let name = named(feature);
         let cells = Way::ALL.map(|way| refusal(feature, way).unwrap_or("yes"));
         format!("| {name} | {} |\n", cells.join(" | "))
     });
@@ -40,13 +68,13 @@ fn the_table_of_methods_and_features_is_the_programs() {
 }
 
 #[test]
-fn the_example_in_the_readme_is_the_example() {
-    let readme = read("README.md");
+fn examples_in_the_documents_are_the_examples() {
+    let (readme, rust) = (read("README.md"), read("docs/rust.md"));
     let example = read("crates/groundbeam/examples/footing.rs");
     let (_, code) = example.split_once("\n\n").expect("documentation, then code");
-    assert!(readme.contains(&format!("```rust\n{code}```")), "README.md holds footing.rs");
+    assert!(rust.contains(&format!("```rust\n{code}```")), "docs/rust.md holds footing.rs");
     let printed = read("crates/groundbeam/examples/footing.expected");
-    assert!(readme.contains(&format!("```text\n{printed}```")), "README.md holds its output");
+    assert!(rust.contains(&format!("```text\n{printed}```")), "docs/rust.md holds its output");
     let model = read("docs/strip-footing.toml");
     assert!(readme.contains(&format!("```toml\n{model}```")), "README.md holds the model file");
 }

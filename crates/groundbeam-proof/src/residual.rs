@@ -1,5 +1,5 @@
 //! What the claimed deflection and the pressures miss of equilibrium: forces along the pieces and at the nodes, and
-//! jumps of the moment.
+//! jumps of the moment. Equilibrium is (3.12).
 //!
 //! With M = −EI(φ′ − κ₀), V = M′ − g and T = V + Pw′, φ = w′ where the beam does not shear,
 //!

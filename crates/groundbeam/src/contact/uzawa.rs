@@ -99,7 +99,7 @@ fn relaxed(diagonal: &[f64], flexibility: f64, relaxation: Relaxation) -> Vec<f6
     }
 }
 
-/// (5.17), with the rigid motion that makes the new pressure satisfy (5.20).
+/// (5.17), with the rigid motion that makes the new pressure satisfy (5.20), the balances (5.19) at the nodes.
 fn sweep(
     ground: &Column,
     beam: &FreeBeam,
@@ -130,6 +130,7 @@ fn sweep(
             let w = deflection[i] + r[0] * rigid[0] + r[1] * rigid[1];
             let value = before[i] - rho[i] * (ahead[0] + behind[i] + gap[i] - w);
             let mut derivative = [0.0; 2];
+            // (5.13)
             next[i] = value.max(0.0);
             if value > 0.0 {
                 derivative = [0, 1].map(|k| rho[i] * (r[k] - ahead[1 + k]));

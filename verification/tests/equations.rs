@@ -1,0 +1,10 @@
+//! Every equation of the paper is named by a source file, or listed with the reason why it is not needed.
+
+use groundbeam_verification::{documents, equations};
+
+#[test]
+fn every_equation_has_its_place() {
+    let (table, missing) = equations::index();
+    assert!(missing.is_empty(), "{}", missing.join("\n"));
+    documents::expect("docs/equations.md", "equations", &table);
+}
