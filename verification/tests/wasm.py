@@ -1,4 +1,4 @@
-"""Gives every file `*.in` of a folder to the WebAssembly module, and writes its proofs into a file `*.out`.
+"""Gives every file `*.in` of a folder to the WebAssembly module, and writes its results into a file `*.out`.
 
 Arguments: the module, the folder.
 """
@@ -12,10 +12,10 @@ store = Store(Engine())
 module = Module.from_file(store.engine, sys.argv[1])
 # No imports: the module can do nothing but compute.
 exports = Instance(store, module, []).exports(store)
-memory, place, prove = exports["memory"], exports["place"], exports["prove"]
+memory, place, replace = exports["memory"], exports["place"], exports["replace"]
 for path in sorted(Path(sys.argv[2]).glob("*.in")):
     text = path.read_bytes()
     memory.write(store, text, place(store, len(text)))
-    length = prove(store)
+    length = replace(store)
     start = place(store, length)
     path.with_suffix(".out").write_bytes(memory.read(store, start, start + length))

@@ -1,4 +1,4 @@
-//! The proof has the same bits in WebAssembly as on the machine of the test.
+//! Solutions and proofs have the same bits in WebAssembly as on the machine of the test.
 //!
 //! Needs the Rust library of `wasm32-unknown-unknown`, and Python with the package `wasmtime` from its index. Without
 //! them this test says that it was skipped, or fails where the variable `GROUNDBEAM_DEMAND_WASM` is set.
@@ -8,7 +8,7 @@ mod environment;
 
 use environment::{environment, tools_or_skip};
 use groundbeam::{Outcome, solve};
-use groundbeam_proof_wasm::proofs;
+use groundbeam_wasm::results;
 use groundbeam_report::{Context, json};
 use groundbeam_verification::cases::{self, Case};
 use groundbeam_verification::documents::repository;
@@ -19,7 +19,7 @@ use std::process::Command;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// An input of `proofs` for every solution of the case files, with the path of its file.
+/// An input of `results` for every solution of the case files, with the path of its file.
 fn inputs() -> Vec<(String, String)> {
     let cases: Vec<Case> = cases::all().into_iter().map(|case| case.expect("a case")).collect();
     cases.par_iter().flat_map_iter(inputs_of).collect()
@@ -51,9 +51,9 @@ fn runtime(workplace: &Path) -> Result<PathBuf, String> {
 fn module(workplace: &Path) -> PathBuf {
     let mut build = Command::new(env!("CARGO"));
     build.current_dir(repository()).args(["build", "--locked", "--release", "--quiet"]);
-    build.args(["--package", "groundbeam-proof-wasm", "--target", TARGET, "--target-dir"]);
+    build.args(["--package", "groundbeam-wasm", "--target", TARGET, "--target-dir"]);
     succeed(build.arg(workplace));
-    workplace.join(TARGET).join("release/groundbeam_proof_wasm.wasm")
+    workplace.join(TARGET).join("release/groundbeam_wasm.wasm")
 }
 
 fn succeed(command: &mut Command) {
@@ -62,9 +62,9 @@ fn succeed(command: &mut Command) {
 }
 
 #[test]
-fn proofs_have_the_same_bits_in_webassembly() {
+fn solutions_and_proofs_have_the_same_bits_in_webassembly() {
     let workplace = Path::new(env!("CARGO_TARGET_TMPDIR")).join("wasm");
-    let (variable, subject) = ("GROUNDBEAM_DEMAND_WASM", "the proof in WebAssembly");
+    let (variable, subject) = ("GROUNDBEAM_DEMAND_WASM", "solver and proof in WebAssembly");
     let Some(python) = tools_or_skip(runtime(&workplace), variable, subject) else { return };
     let texts = workplace.join("texts");
     let _ = fs::remove_dir_all(&texts);
@@ -75,17 +75,19 @@ fn proofs_have_the_same_bits_in_webassembly() {
     }
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/wasm.py");
     let run = || succeed(Command::new(python).arg(script).arg(module).arg(&texts));
-    let here = || inputs.par_iter().map(|(_, input)| proofs(input)).collect::<Vec<String>>();
+    let here = || inputs.par_iter().map(|(_, input)| results(input)).collect::<Vec<String>>();
     let ((), here) = rayon::join(run, here);
-    let mut bounded = 0;
+    let (mut solved, mut bounded) = (0, 0);
     for (i, ((path, _), here)) in inputs.iter().zip(&here).enumerate() {
-        let there = fs::read_to_string(texts.join(format!("{i}.out"))).expect("proofs");
+        let there = fs::read_to_string(texts.join(format!("{i}.out"))).expect("results");
         for (line, (here, there)) in here.lines().zip(there.lines()).enumerate() {
-            assert_eq!(here, there, "{path}, line {} of its proofs", line + 1);
+            assert_eq!(here, there, "{path}, line {} of its results", line + 1);
         }
         assert_eq!(here.lines().count(), there.lines().count(), "{path}");
-        bounded += usize::from(here.starts_with("wide: Ok("));
+        solved += usize::from(here.starts_with("solution: Ok(\n    Equilibrium("));
+        bounded += usize::from(here.contains("\nwide: Ok("));
     }
-    println!("{} documents, {bounded} have bounds", inputs.len());
+    println!("{} documents, {solved} solved, {bounded} have bounds", inputs.len());
+    assert_eq!(solved, inputs.len(), "documents whose model is solved");
     assert!(bounded >= 117, "only {bounded} documents have bounds");
 }

@@ -35,6 +35,7 @@ pub use crate::solution::solution::SoilRounds;
 mod tests {
     use super::*;
     use crate::model::{Beam, Foundation, GroundEnd, Load, Model};
+    use crate::numeric::elementary::pow;
     use crate::outcome::Outcome;
     use crate::solution::solution::Solution;
     use crate::solve::{exists, solve, solve_near};
@@ -76,7 +77,7 @@ mod tests {
         let mut model = on(soil());
         model.beam.bending_stiffness *= 16.0;
         let stiffer = solved(&model).model().foundation.subgrade;
-        assert!((stiffer / model.foundation.subgrade - 16f64.powf(-1.0 / 12.0)).abs() < 1e-12);
+        assert!((stiffer / model.foundation.subgrade - pow(16.0, -1.0 / 12.0)).abs() < 1e-12);
     }
 
     #[test]

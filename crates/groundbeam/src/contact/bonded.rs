@@ -14,6 +14,7 @@ use crate::mesh::cell::Cell;
 use crate::mesh::deflection::MeshZone;
 use crate::mesh::mesh::{Mesh, Node};
 use crate::model::Model;
+use crate::numeric::elementary::power;
 use crate::numeric::polynomial::rescale;
 use crate::numeric::polynomial::value;
 use std::borrow::Cow;
@@ -136,7 +137,7 @@ impl<'a> Bonded<'a> {
             });
             if let Ok(found) = solved {
                 let work = springs.iter().map(|spring| {
-                    spring.stiffness * (deflection_at(&found, spring.at) - spring.rest).powi(2)
+                    spring.stiffness * power(deflection_at(&found, spring.at) - spring.rest, 2)
                 });
                 let work = work.sum();
                 return Some((found, work));
@@ -318,7 +319,7 @@ mod tests {
                 Bonded::new(&model, &Cancel::default()).solve_on(intervals).expect("a solution");
             let cell = found.mesh.cells.iter().position(|c| c.x[1] == 0.3).expect("a node");
             let [w, _, bend, _] = jet(found.deflection().cell(cell), 1.0);
-            [w, bend / (0.5 * found.mesh.cells[cell].length()).powi(2)]
+            [w, bend / power(0.5 * found.mesh.cells[cell].length(), 2)]
         };
         let bonded = solved(&[[0.0, 0.3], [0.3, 1.0]], 0.3);
         for h in [1e-3, 1e-5, 1e-7, 1e-9, 1e-11] {

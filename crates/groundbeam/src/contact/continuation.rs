@@ -19,6 +19,7 @@ use crate::element::operator::{Operator, ZoneKind};
 use crate::mesh::cell::Cell;
 use crate::mesh::mesh::Mesh;
 use crate::model::Model;
+use crate::numeric::elementary::{exp2, log2, power};
 use crate::options::Pressure;
 
 /// A deflection of the beam whose contact is a start of phase B. Each `level` has a finer mesh and shorter steps than the one before; level
@@ -27,11 +28,11 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
     let longest = LONGEST_STEP / f64::from(level + 1);
     let mut doublings = if level == 1 { 0.0 } else { stiffening(model) };
     let softened = |doublings: f64| {
-        let beam = model.beam.clone().stiffened(doublings.exp2());
+        let beam = model.beam.clone().stiffened(exp2(doublings));
         Model { beam, ..model.clone() }
     };
     let stiff = softened(doublings);
-    let start = nodes(&stiff, 3_f64.powi(level as i32), cancel)?;
+    let start = nodes(&stiff, power(3.0, level as usize), cancel)?;
     if doublings == 0.0 {
         return Ok(Start::of(start));
     }
@@ -86,7 +87,7 @@ fn stiffening(model: &Model) -> f64 {
         wave_number * cell.length() / STIFF_WAVES
     };
     let cells = Mesh::build(model, &[], |_| 1).cells;
-    4.0 * cells.iter().map(waves).fold(1.0, f64::max).log2()
+    4.0 * log2(cells.iter().map(waves).fold(1.0, f64::max))
 }
 
 /// Newton's method on the edges without a line search. `None` unless it settles in a few steps.

@@ -14,6 +14,7 @@ use crate::element::operator::{Operator, ZoneKind};
 use crate::mesh::cell::Cell;
 use crate::mesh::mesh::Mesh;
 use crate::model::Model;
+use crate::numeric::elementary::log2;
 use crate::numeric::tolerance::ENERGY;
 use crate::options::Pressure;
 
@@ -47,7 +48,7 @@ pub(crate) fn solve_on(
     pressure: Pressure,
     cancel: &Cancel,
 ) -> Result<ContactState, Unconverged> {
-    let stages = (mesh.stiffening().log2() / DOUBLINGS_PER_STAGE).ceil() as u32;
+    let stages = (log2(mesh.stiffening()) / DOUBLINGS_PER_STAGE).ceil() as u32;
     let part = |i: u32| f64::from(i) / f64::from(stages);
     let count = mesh.cells.len();
     let coarser = coarse_meshes(model, 1.0).take_while(|coarse| coarse.cells.len() < count);

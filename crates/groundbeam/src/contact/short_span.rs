@@ -14,6 +14,7 @@
 use crate::ground::link::{TwoPort, between, settled};
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{BeamPoint, Deflection};
+use crate::numeric::elementary::{cosh, sinh};
 use crate::numeric::polynomial::value;
 
 /// The most cells of a short span; three are a gap and the cells beside it.
@@ -65,7 +66,7 @@ impl SpanPart {
             let next = phi + held / link.series;
             return [next, ahead * next + held];
         }
-        let (sinh, cosh) = (self.length.sinh(), self.length.cosh());
+        let (sinh, cosh) = (sinh(self.length), cosh(self.length));
         let stiffness = self.stiffness;
         [cosh * phi + sinh / stiffness * flux, stiffness * sinh * phi + cosh * flux]
     }

@@ -5,6 +5,7 @@ use super::linearised::Linearised;
 use super::output::Functional;
 use crate::derivatives::{NotDifferentiable, Quantity, Side, Solution};
 use crate::model::Load;
+use crate::numeric::elementary::power;
 use crate::numeric::polynomial::{derivative, jet, value};
 use crate::numeric::tolerance::{OTHER_EXTREME, TURNING_POINT};
 
@@ -134,7 +135,7 @@ impl Solution {
         let fields = piece.fields(s);
         let moments = |order: usize| {
             let c = (0..order).fold(piece.moment, |c, _| derivative(&c));
-            value(&c, s) / half.powi(order as i32)
+            value(&c, s) / power(half, order)
         };
         let settles = || piece.settlement(s, fields.deflection, fields.slope)[1];
         match field {

@@ -17,6 +17,7 @@
 use crate::element::element::{Basis, Element};
 use crate::element::element::{REACH, TERMS};
 use crate::element::operator::Operator;
+use crate::numeric::elementary::{exp, power, tanh};
 
 /// Real roots so far apart that the larger one stands for boundary layers: r₂² ≥ `APART` r₁².
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,12 +69,12 @@ impl Uniform {
         let a = 0.5 * length;
         let ei = operator.stiffness;
         let alpha = operator.tension * a * a / ei;
-        let beta = operator.subgrade * a.powi(4) / ei;
+        let beta = operator.subgrade * power(a, 4) / ei;
         let mean = |v: [f64; 2]| 0.5 * (v[0] + v[1]);
         let rise = |v: [f64; 2]| 0.5 * (v[1] - v[0]);
         let [force_even, force_odd] = [mean(operator.load), rise(operator.load)];
         let [moment_even, moment_odd] = [mean(operator.moment_load), rise(operator.moment_load)];
-        let unit = a.powi(4) / ei;
+        let unit = power(a, 4) / ei;
         let layers = Layers::of(operator, length);
 
         // Even: rigid sinking w̄ and bending φ = (θ_right − θ_left)/2.
@@ -97,7 +98,7 @@ impl Uniform {
             None => even,
             Some(Layers { fast, .. }) => {
                 // cosh(r₂x)/cosh(r₂a).
-                let tanh = (fast * a).tanh();
+                let tanh = tanh(fast * a);
                 let sink = 2.0 * operator.subgrade * tanh / fast;
                 even.with_layer([1.0, fast * tanh], [sink, 2.0 * ei * fast * fast])
             }
@@ -126,7 +127,7 @@ impl Uniform {
             Some(Layers { fast, .. }) => {
                 // sinh(r₂x)/sinh(r₂a).
                 let z = fast * a;
-                let coth = 1.0 / z.tanh();
+                let coth = 1.0 / tanh(z);
                 let turning =
                     2.0 * (operator.tension / a + operator.subgrade * a * (coth - 1.0 / z) / z);
                 odd.with_layer([1.0, z * coth - 1.0], [turning, 2.0 * ei * fast * fast / a])
@@ -149,7 +150,7 @@ impl Uniform {
         let series = std::array::from_fn(|j| if j % 2 == 0 { even[j / 2] } else { odd[j / 2] });
         let Some(layers) = self.layers else { return (series, [0.0; 2]) };
         // cosh(zs)/cosh(z) = (e^(−z(1−s)) + e^(−z(1+s)))/(1 + e^(−2z)), sinh with two minus signs.
-        let decay = (-layers.fast * length).exp();
+        let decay = exp(-layers.fast * length);
         let (cosh, sinh) = (cosh / (1.0 + decay), sinh / (1.0 - decay));
         // What rounding alone makes of them.
         let [w_left, left, w_right, right] = v.map(f64::abs);
@@ -188,7 +189,7 @@ impl Layers {
         let mut depth = 0.0;
         while depth < LAYER {
             // The lower the layer, the fewer terms are needed.
-            depth += REACH * (depth / 24.0).exp();
+            depth += REACH * exp(depth / 24.0);
             from_end.push(depth / self.fast);
         }
         let mut cuts = Vec::new();
@@ -213,7 +214,7 @@ impl Layers {
             if height == 0.0 || self.fast * distance > LAYER {
                 continue;
             }
-            let mut term = height * (-self.fast * (distance + half)).exp();
+            let mut term = height * exp(-self.fast * (distance + half));
             for (j, c) in c.iter_mut().enumerate() {
                 *c += term;
                 term *= sign * self.fast * half / (j + 1) as f64;
@@ -482,14 +483,14 @@ mod tests {
             assert!((right[1] / a - 0.2).abs() < 1e-14);
             for s in [-0.9, -0.3, 0.2, 0.8] {
                 let third: Vec<f64> = (1..TERMS).map(|j| j as f64 * c[j]).collect();
-                let fourth = jet(&third, s)[3] / a.powi(4);
+                let fourth = jet(&third, s)[3] / power(a, 4);
                 let load = -0.5 - 1.5 * s - (-0.2 / a);
                 let rest = fourth - n * jet(&c, s)[2] / (a * a) + k * jet(&c, s)[0] - load;
                 assert!(rest.abs() < 1e-12 * (1.0 + load.abs()), "{n} {k} {s}: {rest}");
             }
             // The element's forces are the shear T and the moment at its ends.
             let f = e.element.forces(&v);
-            let total = |j: [f64; 4], g: f64| -j[3] / a.powi(3) + n * j[1] / a - g;
+            let total = |j: [f64; 4], g: f64| -j[3] / power(a, 3) + n * j[1] / a - g;
             let t = [total(left, 0.5), total(right, 0.1)];
             assert!((f[2] - t[1]).abs() < 1e-12 * (1.0 + t[1].abs()), "{} {}", f[2], t[1]);
             assert!((f[0] - (t[1] - t[0])).abs() < 1e-11 * (1.0 + t[0].abs()));
@@ -525,19 +526,20 @@ mod tests {
         for pair in x.windows(2) {
             let half = 0.5 * (pair[1] - pair[0]);
             let c = at([pair[0], pair[1]]);
-            let unit = |j: [f64; 4]| [j[0], j[1] / half, j[2] / half.powi(2), j[3] / half.powi(3)];
+            let unit =
+                |j: [f64; 4]| [j[0], j[1] / half, j[2] / power(half, 2), j[3] / power(half, 3)];
             let [left, right] = [unit(jet(&c, -1.0)), unit(jet(&c, 1.0))];
             if let Some(before) = before {
                 for (i, (a, b)) in before.iter().zip(&left).enumerate() {
-                    assert!((a - b).abs() < 1e-13 * 30_f64.powi(i as i32), "{i}: {a} {b}");
+                    assert!((a - b).abs() < 1e-13 * power(30.0, i), "{i}: {a} {b}");
                 }
             }
             before = Some(right);
             // The equation itself in the middle of the piece.
             let middle = 0.5 * (pair[0] + pair[1]);
             let load = 1.0 - 1.5 * middle - (-0.2);
-            let fourth = 24.0 * c[4] / half.powi(4);
-            let rest = fourth - 900.0 * 2.0 * c[2] / half.powi(2) + c[0] - load;
+            let fourth = 24.0 * c[4] / power(half, 4);
+            let rest = fourth - 900.0 * 2.0 * c[2] / power(half, 2) + c[0] - load;
             assert!(rest.abs() < 1e-9 * (fourth.abs() + 900.0), "{pair:?} {rest} {fourth}");
         }
         let ends = [at([x[0], x[1]]), at([x[x.len() - 2], 2.0])];
@@ -547,12 +549,12 @@ mod tests {
         assert!((right[0] - 0.0).abs() < 1e-15 && (right[1] / halves[1] - 0.2).abs() < 1e-13);
         // Its forces: shear T = −EI w‴ + N w' − G and moment EI w″ at the ends.
         let f = whole.element.forces(&v);
-        let total = |j: [f64; 4], h: f64, g: f64| -j[3] / h.powi(3) + 900.0 * j[1] / h - g;
+        let total = |j: [f64; 4], h: f64, g: f64| -j[3] / power(h, 3) + 900.0 * j[1] / h - g;
         let t = [total(left, halves[0], 0.5), total(right, halves[1], 0.1)];
         assert!((f[2] - t[1]).abs() < 1e-13 * t[1].abs(), "{} {}", f[2], t[1]);
         assert!((f[0] + t[0]).abs() < 1e-13 * t[0].abs(), "{} {t:?}", f[0]);
-        assert!((f[3] - right[2] / halves[1].powi(2)).abs() < 1e-13 * f[3].abs());
-        assert!((f[1] + left[2] / halves[0].powi(2)).abs() < 1e-13 * f[1].abs());
+        assert!((f[3] - right[2] / power(halves[1], 2)).abs() < 1e-13 * f[3].abs());
+        assert!((f[1] + left[2] / power(halves[0], 2)).abs() < 1e-13 * f[1].abs());
     }
 
     #[test]
@@ -561,10 +563,10 @@ mod tests {
         for h in [1e-2, 1e-5, 1e-8] {
             let e = ExactElement::new(&operator(0.0, 1.0), h).element;
             // The next terms of the series are of relative size h⁴.
-            let small = h.powi(4) + 1e-15;
+            let small = power(h, 4) + 1e-15;
             assert!((e.stiffness[0][0] / h - 1.0).abs() < small);
             assert!((e.stiffness[0][1] / (h * h / 2.0) - 1.0).abs() < small);
-            assert!((e.stiffness[2][2] * h.powi(3) / 12.0 - 1.0).abs() < small);
+            assert!((e.stiffness[2][2] * power(h, 3) / 12.0 - 1.0).abs() < small);
         }
     }
 }

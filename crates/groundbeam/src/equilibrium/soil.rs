@@ -195,6 +195,7 @@ mod tests {
     use super::*;
     use crate::model::Load;
     use crate::model::{Beam, Foundation};
+    use crate::numeric::elementary::power;
     use crate::soil::SoilLayer;
     use crate::{Options, solve_with};
 
@@ -244,7 +245,7 @@ mod tests {
             let mut a = u(0);
             for i in 0..cuts {
                 let b = u(i + 1);
-                sums = [sums[0] + h * (a * a + a * b + b * b) / 3.0, sums[1] + (b - a).powi(2) / h];
+                sums = [sums[0] + h * (a * a + a * b + b * b) / 3.0, sums[1] + power(b - a, 2) / h];
                 a = b;
             }
             let rate = rate_of(&solution).unwrap();

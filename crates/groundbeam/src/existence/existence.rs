@@ -116,6 +116,7 @@ mod tests {
     use crate::existence::verdict::{Buckling, Local};
     use crate::model::{Action, Extent};
     use crate::model::{Acts, Beam, Foundation, Hinge, Load, Support};
+    use crate::numeric::elementary::power;
 
     fn beam() -> Model {
         Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0))
@@ -465,7 +466,7 @@ mod tests {
                 .with_hinge(Hinge::free(2.0 * unit))
                 .with_load(Load::point_force(x * unit, 1.0))
         };
-        for unit in [1.0, 2.0_f64.powi(-40), 2.0_f64.powi(40)] {
+        for unit in [1.0, power(0.5, 40), power(2.0, 40)] {
             for (x, segment, layered, bare) in [
                 (2.0, [1.0, 2.0], true, true),
                 (2.0, [2.0, 3.0], true, true),

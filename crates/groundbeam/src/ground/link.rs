@@ -6,6 +6,7 @@
 //! make another one by sums, products and quotients of positive numbers, so no digits cancel.
 
 use crate::model::GroundOutside;
+use crate::numeric::elementary::{exp, expm1, power, sinh, tanh};
 use crate::numeric::polynomial::{Coefficients, jet, value};
 
 /// A stretch of unloaded ground between two points of its surface.
@@ -25,9 +26,9 @@ impl TwoPort {
         let stiffness = (k * mu).sqrt();
         let bh = (k / mu).sqrt() * h;
         // e^(−bh) rather than sinh: never overflows.
-        let decay = (-bh).exp();
-        let series = stiffness * 2.0 * decay / -(-2.0 * bh).exp_m1();
-        let shunt = stiffness * (0.5 * bh).tanh();
+        let decay = exp(-bh);
+        let series = stiffness * 2.0 * decay / -expm1(-2.0 * bh);
+        let shunt = stiffness * tanh(0.5 * bh);
         TwoPort { series, shunt_left: shunt, shunt_right: shunt }
     }
 
@@ -186,7 +187,7 @@ pub(crate) fn beside(beyond: &GroundOutside, mut u: f64, mut distance: f64) -> f
     for (layer, &spring) in beyond.layers.iter().zip(&springs[1..]) {
         let b = (layer.subgrade / layer.shear_layer).sqrt();
         if layer.length == f64::INFINITY {
-            return u * (-b * distance).exp();
+            return u * exp(-b * distance);
         }
         let link = TwoPort::uniform(layer.subgrade, layer.shear_layer, layer.length);
         let next = u * follows(&link, spring);
@@ -223,29 +224,29 @@ pub(crate) fn between(left: f64, right: f64, length: f64, t: f64) -> f64 {
 /// du/dx·(1/b) at a fraction `t` of that stretch.
 pub(crate) fn slope_between(left: f64, right: f64, length: f64, t: f64) -> f64 {
     // (right cosh(t·bh) − left cosh((1−t)bh))/sinh(bh), written so that equal ends lose nothing.
-    let series = 2.0 * (-length).exp() / -(-2.0 * length).exp_m1();
-    let cosh_less_one = |z: f64| 2.0 * (0.5 * z).sinh().powi(2);
+    let series = 2.0 * exp(-length) / -expm1(-2.0 * length);
+    let cosh_less_one = |z: f64| 2.0 * power(sinh(0.5 * z), 2);
     if length < 1.0 {
         series
             * ((right - left) + right * cosh_less_one(t * length)
                 - left * cosh_less_one((1.0 - t) * length))
     } else {
-        let cosh_ratio = |r: f64| {
-            ((-(1.0 - r) * length).exp() + (-(1.0 + r) * length).exp()) / -(-2.0 * length).exp_m1()
-        };
+        let cosh_ratio =
+            |r: f64| (exp(-(1.0 - r) * length) + exp(-(1.0 + r) * length)) / -expm1(-2.0 * length);
         cosh_ratio(t) * right - cosh_ratio(1.0 - t) * left
     }
 }
 
 /// sinh(r·z)/sinh(z) for 0 ≤ r ≤ 1, for any z > 0 without overflow.
 fn sinh_ratio(z: f64, r: f64) -> f64 {
-    (-(1.0 - r) * z).exp() * (-2.0 * r * z).exp_m1() / (-2.0 * z).exp_m1()
+    exp(-(1.0 - r) * z) * expm1(-2.0 * r * z) / expm1(-2.0 * z)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::model::outside::OutsideLayer;
+    use crate::numeric::elementary::cosh;
 
     #[test]
     fn two_halves_make_a_whole() {
@@ -282,7 +283,7 @@ mod tests {
         let ends = [4.5_f64, 5.5];
         let (a, b) = (0.3, -20.0);
         let exact = |x: f64| a * x * x + b / (x * x * x);
-        let flux = |x: f64| x * x * (2.0 * a * x - 3.0 * b / x.powi(4));
+        let flux = |x: f64| x * x * (2.0 * a * x - 3.0 * b / power(x, 4));
         let held = ends.map(exact);
         let u = settled(&[6.0], &shear, half, held);
         for s in [-1.0, -0.4, 0.0, 0.8] {
@@ -306,17 +307,17 @@ mod tests {
         let (k, mu, h) = (3.0_f64, 0.7_f64, 0.9);
         let (stiffness, bh) = ((k * mu).sqrt(), (k / mu).sqrt() * h);
         let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-15, "{a} {b}");
-        near(spring(&[layer(h, k, mu)], false), stiffness * bh.tanh());
-        near(spring(&[layer(h, k, mu)], true), stiffness / bh.tanh());
+        near(spring(&[layer(h, k, mu)], false), stiffness * tanh(bh));
+        near(spring(&[layer(h, k, mu)], true), stiffness / tanh(bh));
         // Cut in two it is the same ground.
         let cut = [layer(0.3, k, mu), layer(f64::INFINITY, k, mu)];
         near(spring(&cut, false), stiffness);
         let cut = [layer(0.3, k, mu), layer(0.6, k, mu)];
-        near(spring(&cut, false), stiffness * bh.tanh());
+        near(spring(&cut, false), stiffness * tanh(bh));
         assert_eq!(spring(&[], false), 0.0);
         let free = GroundOutside { layers: cut.to_vec(), held: false };
         for x in [0.0, 0.2, 0.3, 0.7, 0.9] {
-            let exact = 2.0 * (bh * (1.0 - x / h)).cosh() / bh.cosh();
+            let exact = 2.0 * cosh(bh * (1.0 - x / h)) / cosh(bh);
             near(beside(&free, 2.0, x), exact);
         }
         assert_eq!(beside(&free, 2.0, 0.91), 0.0);
@@ -330,7 +331,7 @@ mod tests {
         let slope = b * slope_between(0.4, -0.2, b * h, 0.0);
         assert!((link.force_left(0.4, -0.2) + mu * slope).abs() < 1e-15);
         let middle = between(0.4, -0.2, b * h, 0.5);
-        let exact = 0.1 / (0.5 * b * h).cosh();
+        let exact = 0.1 / cosh(0.5 * b * h);
         assert!((middle - exact).abs() < 1e-16);
     }
 }

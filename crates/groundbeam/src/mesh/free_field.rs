@@ -10,6 +10,7 @@
 use crate::ground::link::TwoPort;
 use crate::mesh::cell::Cell;
 use crate::model::{Extent, GroundOutside, Model};
+use crate::numeric::elementary::{exp, expm1};
 
 /// A stretch of even ground with a linear load.
 #[derive(Debug, Clone, Copy)]
@@ -31,7 +32,7 @@ fn carried(strip: &Strip, link: &TwoPort) -> [f64; 2] {
             [-1.0 / 6.0, 7.0 / 360.0, -31.0 / 15120.0, 127.0 / 604_800.0, -73.0 / 3_421_440.0];
         z * terms.iter().rev().fold(0.0, |sum, term| sum * square + term)
     } else {
-        2.0 * (-z).exp() / -(-2.0 * z).exp_m1() - 1.0 / z
+        2.0 * exp(-z) / -expm1(-2.0 * z) - 1.0 / z
     };
     let [a, b] = strip.load;
     [(a, b), (b, a)].map(|(here, there)| {

@@ -8,6 +8,7 @@ use crate::mesh::cell::Cell;
 use crate::mesh::cell::Varies;
 use crate::mesh::free_field;
 use crate::model::{Action, CellPolynomial, Extent, Load, Model, SupportKind};
+use crate::numeric::elementary::pow;
 use crate::numeric::polynomial::value;
 use crate::numeric::tolerance::same_place;
 
@@ -134,7 +135,7 @@ impl Mesh {
         let mut mesh = self.clone();
         mesh.stiffen();
         for (cell, own) in mesh.cells.iter_mut().zip(&self.cells) {
-            let times = (cell.stiffness / own.stiffness).powf(1.0 - part);
+            let times = pow(cell.stiffness / own.stiffness, 1.0 - part);
             *cell = *own;
             cell.stiffen(times);
         }

@@ -1,6 +1,7 @@
 //! The ground under one run: springs and a shear layer that do not vary.
 
 use crate::ground::link::TwoPort;
+use crate::numeric::elementary::{exp, expm1};
 
 /// √(kμ) and √(k/μ).
 #[derive(Debug, Clone, Copy, Default)]
@@ -25,10 +26,10 @@ impl Layer {
         }
         let z = self.rate * length;
         let (decay, fall) = if z < 1.0 {
-            let fall = -(-z).exp_m1();
+            let fall = -expm1(-z);
             (1.0 - fall, fall)
         } else {
-            let decay = (-z).exp();
+            let decay = exp(-z);
             (decay, 1.0 - decay)
         };
         let shunt = self.stiffness * fall / (1.0 + decay);

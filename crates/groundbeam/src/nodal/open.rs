@@ -3,6 +3,7 @@
 use super::beam::TERMS;
 use super::grid::{Grid, Run};
 use super::span::Span;
+use crate::numeric::elementary::{exp, expm1};
 
 /// Writes w or w' at the nodes of a span but its ends that touch.
 pub(crate) fn beam(grid: &Grid, span: &Span, v: &[f64; 4], derivative: bool, into: &mut [f64]) {
@@ -110,18 +111,18 @@ fn between(run: &Run, left: f64, right: f64, into: &mut [f64]) {
         }
         return;
     }
-    let faded = (-length).exp();
-    let whole = -(-2.0 * length).exp_m1();
+    let faded = exp(-length);
+    let whole = -expm1(-2.0 * length);
     let amplitudes = [(left - right * faded) / whole, (right - left * faded) / whole];
     // Both exponentials by steps, anew after every few.
     const STEPS: usize = 32;
     let step = b * run.h;
-    let decay = (-step).exp();
-    let growth = step.exp();
+    let decay = exp(-step);
+    let growth = exp(step);
     for (block, values) in into.chunks_mut(STEPS).enumerate() {
         let first = (block * STEPS + 1) as f64 * step;
-        let mut falling = amplitudes[0] * (-first).exp();
-        let mut rising = amplitudes[1] * (first - length).exp();
+        let mut falling = amplitudes[0] * exp(-first);
+        let mut rising = amplitudes[1] * exp(first - length);
         for u in values {
             *u = falling + rising;
             falling *= decay;

@@ -1,5 +1,6 @@
 //! Numerical tools that know no beam.
 
+pub(crate) mod elementary;
 pub(crate) mod line_search;
 pub(crate) mod polynomial;
 pub(crate) mod quadrature;

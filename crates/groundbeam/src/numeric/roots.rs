@@ -136,6 +136,7 @@ pub(crate) fn monotone_root(c: &[f64], [mut low, mut high]: [f64; 2], left: f64)
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numeric::elementary::cos;
     use crate::numeric::polynomial::product;
 
     #[test]
@@ -175,7 +176,7 @@ mod tests {
         sign_changes(&c, &mut roots);
         assert_eq!(roots.len(), 10);
         for (i, r) in roots.iter().rev().enumerate() {
-            let exact = ((2 * i + 1) as f64 * std::f64::consts::PI / 20.0).cos();
+            let exact = cos((2 * i + 1) as f64 * std::f64::consts::PI / 20.0);
             assert!((r - exact).abs() < 1e-13, "{r} {exact}");
         }
     }

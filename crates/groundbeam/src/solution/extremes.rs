@@ -229,6 +229,7 @@ impl SolutionPiece {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numeric::elementary::{asinh, cosh, exp, pow};
     use crate::solution::candidate::Workspace;
     use crate::{Answer, Beam, Foundation, Load, Model, Solver};
 
@@ -238,7 +239,7 @@ mod tests {
         let (mut solver, mut solved) = (Solver::new(), 0);
         for i in 0..60 {
             let part = |j: u32| f64::from((i * (2 * j + 7) + 3 * j) % 23) / 23.0;
-            let stiffness = 10.0_f64.powf(-1.0 + 3.0 * part(1));
+            let stiffness = pow(10.0, -1.0 + 3.0 * part(1));
             let ground = Foundation::pasternak(1.0, part(2));
             let model = Model::new(Beam::uniform(10.0, stiffness), ground)
                 .with_load(Load::point_force(1.0 + part(3), 10.0 * part(4)))
@@ -395,19 +396,19 @@ mod tests {
     fn open_ground_turns_where_it_is_lowest() {
         for a in [0.7_f64, 1.3, 3.9] {
             let mut of = piece([0.0, 4.0]);
-            of.open = Some([a.cosh(), (4.0 - a).cosh()]);
+            of.open = Some([cosh(a), cosh(4.0 - a)]);
             near(&turning_points(&of, Field::Settlement), &[0.5 * a - 1.0]);
             // w = s, w′ = 1/2; g₀′ = 3/4.
             of.deflection = [0.0, 1.0][..].into();
             (of.cell.gap, of.cell.gap_slope) = ([0.0, 3.0], 0.75);
-            near(&turning_points(&of, Field::Gap), &[0.5 * (a + (-0.25_f64).asinh()) - 1.0]);
+            near(&turning_points(&of, Field::Gap), &[0.5 * (a + asinh(-0.25)) - 1.0]);
             near(&turning_points(&of, Field::Settlement), &[0.5 * a - 1.0]);
             let lowest = candidate(vec![of]).range(Field::Settlement).min;
             near(&[lowest.x, lowest.value], &[a, 1.0]);
         }
         // Ground that falls all along turns nowhere.
         let mut falling = piece([0.0, 4.0]);
-        falling.open = Some([1.0, (-4.0_f64).exp()]);
+        falling.open = Some([1.0, exp(-4.0)]);
         near(&turning_points(&falling, Field::Settlement), &[]);
     }
 

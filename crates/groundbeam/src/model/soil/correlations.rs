@@ -3,18 +3,20 @@
 //! All are correlations for beams on deep soil, and per length of beam: the subgrade modulus k_s that a
 //! source gives times the width b. `stiffness` is the beam's EI.
 
+use crate::numeric::elementary::{pow, power};
+
 /// Vesić (1961), *Bending of beams resting on isotropic elastic solid*:
 /// k = 0.65 (E b⁴/EI)^(1/12) E/(1 − ν²). Made for beams of l (k/4EI)^(1/4) > 2.25; about right for moments
 /// of shorter ones.
 pub(crate) fn vesic(soil: &Elastic, width: f64, stiffness: f64) -> f64 {
-    0.65 * (soil.modulus * width.powi(4) / stiffness).powf(1.0 / 12.0) * plane(soil)
+    0.65 * pow(soil.modulus * power(width, 4) / stiffness, 1.0 / 12.0) * plane(soil)
 }
 
 /// Biot (1937), *Bending of an infinite beam on an elastic foundation*:
 /// k = 0.95 (E b⁴/(1 − ν²)EI)^0.108 E/(1 − ν²). Matches the largest moment of an endless beam under one force.
 pub(crate) fn biot(soil: &Elastic, width: f64, stiffness: f64) -> f64 {
     let plane = plane(soil);
-    0.95 * (plane * width.powi(4) / stiffness).powf(0.108) * plane
+    0.95 * pow(plane * power(width, 4) / stiffness, 0.108) * plane
 }
 
 /// Meyerhof and Baike (1965): k = E/(1 − ν²), whatever the beam.
@@ -37,7 +39,7 @@ pub(crate) fn terzaghi_clay(plate: &PlateTest, width: f64, length: f64) -> f64 {
 
 /// The same for sand, which is stiffer where it is deeper under a wide beam: k_s = k₁ ((b + b₁)/2b)².
 pub(crate) fn terzaghi_sand(plate: &PlateTest, width: f64) -> f64 {
-    plate.modulus * ((width + plate.width) / (2.0 * width)).powi(2) * width
+    plate.modulus * power((width + plate.width) / (2.0 * width), 2) * width
 }
 
 /// E/(1 − ν²).
@@ -72,7 +74,7 @@ mod tests {
     #[test]
     fn a_published_worksheet() {
         let (b, soil) = (3.0, Elastic { modulus: 10e6, poisson: 0.3 });
-        let stiffness = 30_620e6 * b * 0.5_f64.powi(3) / 12.0;
+        let stiffness = 30_620e6 * b * power(0.5, 3) / 12.0;
         for (k, printed) in [
             (vesic(&soil, b, stiffness), 2348.118e3),
             (meyerhof_baike(&soil), 3663.004e3),

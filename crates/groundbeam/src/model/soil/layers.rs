@@ -7,6 +7,8 @@
 //!
 //! The best φ for a given u makes the energy stationary: (E₀ φ')' = r G φ with the rate r = ∫u'²/∫u².
 
+use crate::numeric::elementary::{cosh, exp, power, sinh, tanh};
+
 /// A layer of elastic soil.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SoilLayer {
@@ -83,7 +85,7 @@ impl LayeredSoil {
 
     /// The rate that belongs to a γ.
     pub fn rate(&self, gamma: f64) -> f64 {
-        (gamma / self.gamma(1.0)).powi(2)
+        power(gamma / self.gamma(1.0), 2)
     }
 
     /// φ at the top of every layer, and on the rock.
@@ -114,12 +116,12 @@ fn passed(layer: &SoilLayer, decay: f64, below: f64) -> (f64, f64) {
     let sinh = tanh_over(decay);
     let whole = stiffness + below * sinh;
     let above = stiffness * (below + stiffness * decay * decay * sinh) / whole;
-    (stiffness / (whole * decay.cosh()), above)
+    (stiffness / (whole * cosh(decay)), above)
 }
 
 /// tanh(c)/c.
 fn tanh_over(c: f64) -> f64 {
-    if c < 1e-4 { 1.0 - c * c / 3.0 } else { c.tanh() / c }
+    if c < 1e-4 { 1.0 - c * c / 3.0 } else { tanh(c) / c }
 }
 
 /// ∫₀¹ φ² dt and ∫₀¹ (dφ/dt)² dt of φ'' = c² φ with φ(0) = `top` and φ(1) = `bottom`.
@@ -127,8 +129,7 @@ pub(crate) fn squares(top: f64, bottom: f64, c: f64) -> [f64; 2] {
     let (both, product) = (top * top + bottom * bottom, top * bottom);
     if c < 0.5 {
         // sinh c cosh c − c and c cosh c − sinh c by their series: nothing of a difference is lost.
-        let sinh = c.sinh();
-        let ratio = if c == 0.0 { 1.0 } else { c / sinh };
+        let ratio = if c == 0.0 { 1.0 } else { c / sinh(c) };
         let (own, cross) = (series(2.0 * c, |_| 4.0), series(c, |n| 2.0 * n));
         let square = 0.5 * ratio * ratio * (both * own + 2.0 * product * cross);
         let fall = top - bottom;
@@ -137,7 +138,7 @@ pub(crate) fn squares(top: f64, bottom: f64, c: f64) -> [f64; 2] {
         let slope = ratio * ratio * (0.5 * fall * fall * (2.0 + own * c * c) + product * even);
         return [square, slope];
     }
-    let d = (-c).exp();
+    let d = exp(-c);
     let [coth, per_sinh] = [(1.0 + d * d), 2.0 * d].map(|x| x / (1.0 - d * d));
     let own = [coth - c * per_sinh * per_sinh, coth + c * per_sinh * per_sinh];
     let cross = [(c * coth - 1.0) * per_sinh, (c * coth + 1.0) * per_sinh];
@@ -174,7 +175,7 @@ mod tests {
             let rate = gamma * gamma / 4.0 * e0 / g;
             let soil = LayeredSoil { layers: vec![layer] };
             let GroundConstants { subgrade: spring, shear_layer: shear } = soil.subgrade(rate, 1.0);
-            let (s, c) = (gamma.sinh(), gamma.cosh());
+            let (s, c) = (sinh(gamma), cosh(gamma));
             let k = e0 * gamma * (s * c + gamma) / (4.0 * s * s);
             let two_t = g * 2.0 * (s * c - gamma) / (2.0 * gamma * s * s);
             assert!((spring / k - 1.0).abs() < 1e-13, "{gamma}: {spring} {k}");

@@ -6,6 +6,7 @@ pub(crate) mod layers;
 use crate::model::Beam;
 use crate::model::soil::correlations as winkler;
 use crate::model::soil::correlations::{Elastic, PlateTest};
+use crate::numeric::elementary::pow;
 pub use layers::{GroundConstants, LayeredSoil, SoilLayer};
 
 /// What is known of the soil, and by whose method it becomes a ground.
@@ -101,7 +102,7 @@ impl SoilModel {
     pub fn doubts(&self, beam: &Beam) -> Vec<String> {
         let mut doubts = Vec::new();
         let spring = self.subgrade(beam).subgrade;
-        let waves = beam.length * (0.25 * spring / beam.bending_stiffness).powf(0.25);
+        let waves = beam.length * pow(0.25 * spring / beam.bending_stiffness, 0.25);
         match &self.soil {
             Soil::Vesic(_) | Soil::Biot(_) if waves < LONG => doubts.push(format!(
                 "{} is made for long beams, βl > {LONG}, and this one has βl = {waves:.2}",

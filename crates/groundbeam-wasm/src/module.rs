@@ -1,9 +1,9 @@
-//! The functions of the WebAssembly module: a text in its memory that the caller writes, and that its proofs replace.
+//! The functions of the WebAssembly module: a text in its memory that the caller writes, and that its results replace.
 
-use crate::proofs;
+use crate::results;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// The input; after `prove` the proofs.
+/// The input; after `replace` the results.
 static TEXT: Mutex<Vec<u8>> = Mutex::new(Vec::new());
 
 fn text() -> MutexGuard<'static, Vec<u8>> {
@@ -18,10 +18,10 @@ pub extern "C" fn place(length: usize) -> *mut u8 {
     text.as_mut_ptr()
 }
 
-/// Replaces the text by its proofs, and returns their length in bytes.
+/// Replaces the text by its results, and returns their length in bytes.
 #[unsafe(no_mangle)]
-pub extern "C" fn prove() -> usize {
+pub extern "C" fn replace() -> usize {
     let mut text = text();
-    *text = proofs(&String::from_utf8_lossy(&text)).into_bytes();
+    *text = results(&String::from_utf8_lossy(&text)).into_bytes();
     text.len()
 }

@@ -1,4 +1,4 @@
-//! The proofs of a result document as text with every number, from the text of its model file and its own text.
+//! The solution and the proofs of a result document as text with every number, from its own text and that of its model file.
 //!
 //! The text is the same on every platform if all numbers have the same bits: a double is written as the shortest decimal
 //! that reads back as it, and every NaN as `NaN`.
@@ -10,27 +10,37 @@ mod module;
 
 use groundbeam_proof::{Ball, Document, Log, Scalar, Wide, read_model, verify_and_log};
 
-/// The proofs of a document in all types of numbers, each with its log.
+/// The solution of the model in a document, and the proofs of the document in all types of numbers, each with its log.
 ///
 /// The input is the text of the model file, the name of the combination or nothing, and the document of one result, with a
 /// zero byte between them.
-pub fn proofs(input: &str) -> String {
+pub fn results(input: &str) -> String {
     let parts: Vec<&str> = input.split('\0').collect();
     let [file, combination, document] = parts[..] else {
         return format!("the input has {} parts, not 3", parts.len());
     };
-    let results = match Document::read(document) {
-        Ok(results) => results,
+    let documents = match Document::read(document) {
+        Ok(documents) => documents,
         Err(error) => return error.to_string(),
     };
-    let [document] = &results[..] else {
-        return format!("the document has {} results, not 1", results.len());
+    let [document] = &documents[..] else {
+        return format!("the document has {} results, not 1", documents.len());
     };
     let combination = Some(combination).filter(|name| !name.is_empty());
     let wide = proof::<Wide>(file, combination, document);
     let ball = proof::<Ball>(file, combination, document);
     let double = proof::<f64>(file, combination, document);
-    format!("wide: {wide}\nball: {ball}\ndouble: {double}\n")
+    let solution = solution(document);
+    format!("solution: {solution}\nwide: {wide}\nball: {ball}\ndouble: {double}\n")
+}
+
+/// The solution of the model that the document contains.
+fn solution(document: &Document) -> String {
+    let Some(model) = &document.model else { return "the document has no model".to_owned() };
+    match groundbeam_file::parse(model) {
+        Ok(file) => format!("{:#?}", groundbeam::solve(&file.model)),
+        Err(error) => error.to_string(),
+    }
 }
 
 /// The proof in one type of numbers: for the model of the file or, if the reader refuses the file, for the model in the
