@@ -6,7 +6,7 @@
 //! | [`json`] | the result document |
 //! | [`csv`] | a table of all fields along the beam, and the history of the iteration |
 //! | [`calculation`] | the calculation report before it is set in type; [`html`] sets it as one file that prints well |
-//! | [`svg`], [`png`] | one picture: the beam on its ground, pressure, moment, shear |
+//! | [`svg`] | one picture: the beam on its ground, pressure, moment, shear, as SVG or as [PNG](svg::Picture::png) |
 //!
 //! ```
 //! use groundbeam::{Beam, Foundation, Load, Model, Outcome};
