@@ -85,8 +85,10 @@ pub struct Passages<'a> {
 
 /// A value that governs, and in which of the passages.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct InPassage {
     /// The value, its section, and where the train stands.
+    #[cfg_attr(feature = "serde", serde(flatten))]
     pub located: Located,
     /// Which passage, counted from 0.
     pub passage: usize,

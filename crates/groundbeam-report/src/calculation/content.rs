@@ -1,5 +1,6 @@
 //! The content of a report before it is set in type.
 
+use super::formulas::Formula;
 use super::print::{cell, words};
 use crate::text::sheet::{Entry, Sheet, Tone};
 use groundbeam::Field;
@@ -148,10 +149,11 @@ pub struct Column {
 /// A formula with its number and what it says.
 #[derive(Debug, Clone, Serialize)]
 pub struct Equation {
-    /// The formula in LaTeX's notation.
-    pub latex: String,
+    /// The formula.
+    #[serde(flatten)]
+    pub formula: Formula,
     /// Where it holds, or what it is; may be empty.
-    pub words: String,
+    pub words: &'static str,
     /// Its number in the source; empty where it has none.
     pub number: &'static str,
 }

@@ -53,7 +53,8 @@ impl Proven {
             Verdict::Buckles(mode) => {
                 proven.verdict = "none";
                 let Buckling { critical_compression, at, left, right, work } = mode;
-                proven.failing_motion = Some(Motion { left, right, work, hinges: Vec::new() });
+                let motion = RigidMotion { left, right, work, lifted: None };
+                proven.failing_motion = Some(Motion { motion, hinges: Vec::new() });
                 proven.critical_compression = Some(critical_compression);
                 proven.buckles_at = Some(at);
             }
@@ -64,9 +65,8 @@ impl Proven {
 
 #[derive(Serialize)]
 pub(super) struct Motion {
-    left: f64,
-    right: f64,
-    work: f64,
+    #[serde(flatten)]
+    motion: RigidMotion,
     /// r at each hinge, in the order of the model's hinges.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     hinges: Vec<f64>,
@@ -76,7 +76,6 @@ impl Motion {
     pub fn of(model: Option<&Model>, motion: RigidMotion) -> Self {
         let at = |model: &Model, x: f64| motion.at(model, x);
         let all = |model: &Model| model.hinges.iter().map(|hinge| at(model, hinge.at)).collect();
-        let hinges = model.map_or(Vec::new(), all);
-        Motion { left: motion.left, right: motion.right, work: motion.work, hinges }
+        Motion { motion, hinges: model.map_or(Vec::new(), all) }
     }
 }
