@@ -25,8 +25,8 @@ use existence::Proven;
 use factors::Grown;
 use ground::Ground;
 use groundbeam::{
-    Acts, Certificate, ConcentratedForce, ContactZone, EndForces, Existence, Field, HingeTurn, LiftOff,
-    Method, Model, Range, Reaction, Side, Solution, Stopped, Support,
+    Acts, Certificate, ConcentratedForce, ContactZone, EndForces, Existence, Field, HingeTurn,
+    LiftOff, Method, Model, Range, Reaction, Side, Solution, Stopped, Support,
 };
 use groundbeam_file::is_unprintable;
 use pieces::Claimed;

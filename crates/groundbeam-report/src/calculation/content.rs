@@ -206,20 +206,11 @@ fn fact(entry: &Entry) -> Option<Fact> {
                 Some((head, rest)) if *tone != Tone::Plain => (head, rest.trim_start()),
                 _ => ("", said.as_str()),
             };
-            let tone = tone_name(*tone);
+            let tone = tone.name();
             Some(Fact { tone, head: words(head), ..plain(label, "", rest) })
         }
         Entry::Item { label, words } => Some(plain("", label, words)),
         Entry::Heading(words) | Entry::Line(words) => Some(plain("", "", words)),
         Entry::Blank => None,
-    }
-}
-
-pub(super) fn tone_name(tone: Tone) -> &'static str {
-    match tone {
-        Tone::Plain | Tone::Heading => "plain",
-        Tone::Good => "good",
-        Tone::Doubtful => "doubtful",
-        Tone::Bad => "bad",
     }
 }

@@ -75,16 +75,8 @@ mod tests {
     use pulldown_latex::config::{DisplayMode, RenderConfig};
     use pulldown_latex::{Parser, Storage, push_mathml};
 
-    const ALL: [Formula; 8] = [
-        BEAM,
-        SHEARING_BEAM,
-        GROUND,
-        CONTACT,
-        ENDS,
-        SHEARING_ENDS,
-        REACTIONS,
-        ENERGY_GAP,
-    ];
+    const ALL: [Formula; 8] =
+        [BEAM, SHEARING_BEAM, GROUND, CONTACT, ENDS, SHEARING_ENDS, REACTIONS, ENERGY_GAP];
 
     fn mathml_of(latex: &str) -> String {
         let config = RenderConfig { display_mode: DisplayMode::Block, ..RenderConfig::default() };
@@ -116,7 +108,8 @@ mod tests {
             let length = text[at..].find(')').unwrap();
             text.replace_range(at..=at + length, "");
         }
-        let layout = ["class(\"opening\", ", "class(\"closing\", ", "stretch(", "scripts(", "inline("];
+        let layout =
+            ["class(\"opening\", ", "class(\"closing\", ", "stretch(", "scripts(", "inline("];
         for mark in layout.into_iter().chain(["frac(", ", size: #1.2em", ", size: #1.8em"]) {
             text = text.replace(mark, "");
         }

@@ -2,7 +2,8 @@
 
 use super::existence::Proven;
 use super::{
-    Along, ByName, Checked, EVEN_STEPS, Extremes, Head, Lines, Solved, Unsolved, default_stations, text,
+    Along, ByName, Checked, EVEN_STEPS, Extremes, Head, Lines, Solved, Unsolved, default_stations,
+    text,
 };
 use crate::context::Context;
 use groundbeam::{Bound, Bounds, Change, Envelope, Extreme, Field, Governing};
@@ -30,9 +31,9 @@ pub fn combinations(answers: &Answers, stations: Option<&[f64]>, context: &Conte
         combinations: each(answers, stations, context),
         envelope: any.then(|| of.table(&stations_of_all())),
         extremes: any.then(|| ByName::of(envelope.fields(), |field| of.extremes(field))),
-        band: answers.bands().map(|bands| {
-            ByName::of(envelope.fields(), |field| Extremes::of(bands[field.index()]))
-        }),
+        band: answers
+            .bands()
+            .map(|bands| ByName::of(envelope.fields(), |field| Extremes::of(bands[field.index()]))),
         changes: any.then(|| ByName::of(envelope.fields(), |field| of.changes(field))),
         ..All::head(status, answers, context)
     })
@@ -203,8 +204,7 @@ impl<'a> Named<'_, 'a> {
     }
 
     fn extremes(&self, field: Field) -> Extremes<Governed<'a>> {
-        let governed =
-            |Governing { extreme, by }| Governed { extreme, combination: self.name(by) };
+        let governed = |Governing { extreme, by }| Governed { extreme, combination: self.name(by) };
         let Bounds { min, max } = self.envelope.range(field);
         Extremes { min: governed(min), max: governed(max) }
     }

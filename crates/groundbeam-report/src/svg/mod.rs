@@ -28,14 +28,17 @@ use crate::context::Context;
 use crate::font::Metrics;
 use crate::number::significant;
 use crate::quantity::{Kind, Units};
+pub(crate) use canvas::Anchor;
 pub use canvas::Picture;
+#[cfg(feature = "png")]
+pub(crate) use canvas::Text;
 use canvas::{Canvas, printed};
-pub(crate) use canvas::{Anchor, Text};
 use diagram::{Diagram, worth_naming};
 pub use envelope::combinations;
 use frame::{Frame, LEFT, WIDTH};
 use groundbeam::{Field, Solution};
 pub use paint::dark_style;
+#[cfg(feature = "png")]
 pub(crate) use paint::rounded;
 use paint::{Colour, Stroke};
 use samples::Samples;

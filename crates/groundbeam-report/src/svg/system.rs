@@ -346,8 +346,10 @@ impl Picture<'_> {
 
     /// Colours, how high they are shown, and what they mean.
     fn legend(&self) -> Vec<(Colour, f64, &'static str)> {
-        let contact = (!self.solution.contact().is_empty()).then_some((Colour::Pressure, 3.0, "contact"));
-        let lift_off = (!self.solution.lift_off().is_empty()).then_some((Colour::Gap, 9.0, "lift-off"));
+        let contact =
+            (!self.solution.contact().is_empty()).then_some((Colour::Pressure, 3.0, "contact"));
+        let lift_off =
+            (!self.solution.lift_off().is_empty()).then_some((Colour::Gap, 9.0, "lift-off"));
         contact.into_iter().chain(lift_off).collect()
     }
 }

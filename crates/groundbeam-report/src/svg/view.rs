@@ -86,7 +86,8 @@ pub fn view(solution: &Solution, context: &Context, width: f64) -> View {
     let underside = |x: f64| scale * solution.at(x, Side::Right).deflection + down;
     let surface = |x: f64| system::level(solution, scale, x) + down;
     let handles = handles(solution.model(), &frame, underside, surface);
-    let svg = page.finish(frame.width, height, "The beam on its ground and its diagrams").to_string();
+    let svg =
+        page.finish(frame.width, height, "The beam on its ground and its diagrams").to_string();
     let size = [frame.width, height];
     View { svg, size, left: frame.x(0.0), scale: frame.scale(), handles }
 }
