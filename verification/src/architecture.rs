@@ -79,7 +79,9 @@ pub fn crates() -> BTreeMap<String, (String, Vec<String>)> {
     let list = |value: &serde_json::Value| value.as_array().cloned().unwrap_or_default();
     let word = |value: &serde_json::Value| value.as_str().unwrap_or_default().to_owned();
     let each = |package: &serde_json::Value| {
-        let outside_tests = |d: &serde_json::Value| d["kind"].is_null();
+        // A dependency from elsewhere that is optional is not needed.
+        let is_needed = |d: &serde_json::Value| d["optional"] != true || d["path"].is_string();
+        let outside_tests = |d: &serde_json::Value| d["kind"].is_null() && is_needed(d);
         let needs = list(&package["dependencies"]);
         let needs = needs.iter().filter(|d| outside_tests(d)).map(|d| word(&d["name"]));
         let manifest = PathBuf::from(word(&package["manifest_path"]));

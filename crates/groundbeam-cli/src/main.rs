@@ -11,10 +11,12 @@ mod input;
 mod output;
 mod pages;
 mod request;
+#[cfg(feature = "serve")]
 mod serve;
 mod solve;
 mod starter;
 mod status;
+#[cfg(feature = "study")]
 mod study;
 mod typed;
 mod verify;
@@ -44,8 +46,11 @@ fn run(request: Request) -> Result<Status, Failure> {
         Request::Verify(verify) => verify::run(&verify),
         Request::Compare(compare) => compare::run(&compare),
         Request::New(new) => starter::run(&new),
+        #[cfg(feature = "serve")]
         Request::Serve(serve) => serve::run(&serve),
+        #[cfg(feature = "study")]
         Request::Study(study) => study::run(&study),
+        #[cfg(feature = "study")]
         Request::Merge(merge) => study::merge(&merge),
         Request::Completions(shell) => pages::completions(shell),
         Request::Manual => pages::manual(),

@@ -3,8 +3,8 @@
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::request::{Format, Plot, Report, Setting};
-use groundbeam_report::{Results, html};
-use std::fmt::Display;
+use groundbeam_report::Results;
+use groundbeam_report::svg::Picture;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::path::Path;
 
@@ -25,16 +25,14 @@ pub fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Draws a picture, if one is asked for, in the format that its name asks for.
-pub fn draw<E: Display>(
-    plot: Option<&Plot>,
-    svg: impl FnOnce() -> String,
-    png: impl FnOnce() -> Result<Vec<u8>, E>,
-) -> Result<(), Failure> {
+/// Writes a picture, if one is asked for, in the format that its name asks for.
+pub fn draw(plot: Option<&Plot>, picture: impl FnOnce() -> Option<Picture>) -> Result<(), Failure> {
     let Some(Plot { path, format }) = plot else { return Ok(()) };
+    let Some(picture) = picture() else { return Ok(()) };
     let bytes = match format {
-        Format::Svg => svg().into_bytes(),
-        Format::Png => png().map_err(|error| Failure::usage(error.to_string()))?,
+        Format::Svg => picture.to_string().into_bytes(),
+        #[cfg(feature = "png")]
+        Format::Png => picture.png().map_err(|error| Failure::usage(error.to_string()))?,
     };
     write(path, &bytes)
 }
@@ -44,7 +42,8 @@ pub fn report(wanted: Option<&Report>, results: &Results, input: &Input) -> Resu
     let Some(Report { path, setting }) = wanted else { return Ok(()) };
     let report = results.calculation(&input.source());
     let bytes = match *setting {
-        Setting::Html(paper) => html::report(&report, paper)
+        #[cfg(feature = "html")]
+        Setting::Html(paper) => groundbeam_report::html::report(&report, paper)
             .map(String::into_bytes)
             .map_err(|error| Failure::usage(error.to_string()))?,
         Setting::Pdf(paper) => groundbeam_pdf::report(&report, paper)

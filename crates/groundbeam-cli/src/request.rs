@@ -6,6 +6,7 @@ use crate::typed::{self, Command, Typed};
 use clap_complete::Shell;
 use groundbeam::Options;
 use groundbeam_report::calculation::Paper;
+#[cfg(feature = "study")]
 use groundbeam_study::Shard;
 use std::path::PathBuf;
 
@@ -16,8 +17,11 @@ pub enum Request {
     Verify(Verify),
     Compare(Compare),
     New(New),
+    #[cfg(feature = "serve")]
     Serve(Serve),
+    #[cfg(feature = "study")]
     Study(Study),
+    #[cfg(feature = "study")]
     Merge(Merge),
     Completions(Shell),
     Manual,
@@ -71,6 +75,7 @@ pub struct Plot {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
     Svg,
+    #[cfg(feature = "png")]
     Png,
 }
 
@@ -84,6 +89,7 @@ pub struct Report {
 #[derive(Debug, Clone, Copy)]
 pub enum Setting {
     /// Without a paper, on that of whoever prints it.
+    #[cfg(feature = "html")]
     Html(Option<Paper>),
     Pdf(Paper),
 }
@@ -121,6 +127,7 @@ pub struct New {
 }
 
 /// Show a page on this machine.
+#[cfg(feature = "serve")]
 pub struct Serve {
     /// The model to begin with.
     pub file: Option<PathBuf>,
@@ -130,6 +137,7 @@ pub struct Serve {
 }
 
 /// Solve a model for many samples.
+#[cfg(feature = "study")]
 pub struct Study {
     pub file: PathBuf,
     pub out: PathBuf,
@@ -144,11 +152,13 @@ pub struct Study {
 }
 
 /// Put shards together.
+#[cfg(feature = "study")]
 pub struct Merge {
     pub files: Vec<PathBuf>,
     pub out: PathBuf,
 }
 
+#[cfg(feature = "study")]
 impl Study {
     /// The options that name outputs.
     pub fn outputs(&self) -> impl Iterator<Item = Output<'_>> {
@@ -168,6 +178,7 @@ impl Study {
 }
 
 /// `3/8`
+#[cfg(feature = "study")]
 fn shard(written: &str) -> Result<Shard, Failure> {
     let parts = written.split_once('/').and_then(|(number, of)| {
         Some(Shard { number: number.trim().parse().ok()?, of: of.trim().parse().ok()? })
@@ -196,10 +207,13 @@ impl Request {
                 memory_limit: compare.memory_limit,
             }),
             Command::New(new) => Request::New(New { file: new.file, kind: new.kind }),
+            #[cfg(feature = "serve")]
             Command::Serve(typed::Serve { file, port, no_open }) => {
                 Request::Serve(Serve { file, port, opens_browser: !no_open })
             }
+            #[cfg(feature = "study")]
             Command::Study(study) => Request::Study(Study::of(study)?),
+            #[cfg(feature = "study")]
             Command::Merge(typed::Merge { files, out }) => Request::Merge(Merge { files, out }),
             Command::Completions { shell } => Request::Completions(shell),
             Command::Man => Request::Manual,
@@ -273,7 +287,10 @@ impl Report {
             |rule: &str| Err(Failure::usage(format!("--report {}: {rule}", path.display())));
         let extension = path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase);
         let setting = match extension.as_deref() {
+            #[cfg(feature = "html")]
             Some("html" | "htm") => Setting::Html(paper),
+            #[cfg(not(feature = "html"))]
+            Some("html" | "htm") => return wrong(&not_built_in("HTML", "html")),
             Some("pdf") if groundbeam_pdf::BUILT_IN => Setting::Pdf(paper.unwrap_or(Paper::A4)),
             Some("pdf") => return wrong(groundbeam_pdf::NOT_BUILT_IN),
             _ => return wrong("the name of a report ends in .html or .pdf"),
@@ -282,17 +299,23 @@ impl Report {
     }
 }
 
+/// The remedy where a form is not built in.
+#[cfg(not(all(feature = "html", feature = "png")))]
+fn not_built_in(form: &str, feature: &str) -> String {
+    format!("this program was built without {form}; build it with `--features {feature}`")
+}
+
 impl Plot {
     fn of(path: PathBuf) -> Result<Self, Failure> {
+        let wrong = |rule: &str| Err(Failure::usage(format!("--plot {}: {rule}", path.display())));
         let extension = path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase);
         let format = match extension.as_deref() {
             Some("svg") => Format::Svg,
+            #[cfg(feature = "png")]
             Some("png") => Format::Png,
-            _ => {
-                let shown = path.display();
-                let rule = "the name of a picture ends in .svg or .png";
-                return Err(Failure::usage(format!("--plot {shown}: {rule}")));
-            }
+            #[cfg(not(feature = "png"))]
+            Some("png") => return wrong(&not_built_in("PNG", "png")),
+            _ => return wrong("the name of a picture ends in .svg or .png"),
         };
         Ok(Plot { path, format })
     }

@@ -121,7 +121,7 @@ fn deliver(
         if let (Some(path), Some(solution)) = (&request.history, solution) {
             write(path, csv::history(solution).as_bytes())?;
         }
-        draw(request.plot.as_ref(), || results.svg(), || results.png())?;
+        draw(request.plot.as_ref(), || results.picture())?;
     }
     report(request.report.as_ref(), results, input)?;
     let status = results.answers().overall().into();

@@ -9,7 +9,7 @@ use crate::status::Status;
 use groundbeam_file::output::Target;
 use groundbeam_file::printable;
 use groundbeam_file::study::{StudyError, read_study};
-use groundbeam_report::{Context, json, png, svg, text};
+use groundbeam_report::{Context, json, svg, text};
 use groundbeam_study::{Draws, Finished, Progress, Shard, Stage, StoreError};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
@@ -51,8 +51,7 @@ pub fn run(request: &Study) -> Result<Status, Failure> {
     let seconds = (solved == draws.plan().samples).then_some(seconds);
     let units = draws.study().document.units.into();
     let context = Context { seconds, ..Context::new(units) };
-    let (svg, png) = (|| svg::study(&summary, &context), || png::study(&summary, &context));
-    draw(request.plot.as_ref(), svg, png)?;
+    draw(request.plot.as_ref(), || Some(svg::study(&summary, &context)))?;
     print(&match request.json {
         true => json::study(&summary, &context),
         false => text::study(&summary, &context, standard_output_has_colour()),

@@ -42,10 +42,13 @@ pub enum Command {
     /// Solve a model with every method and show their errors against `exact`
     Compare(Compare),
     /// Solve a model thousands of times on random ground and under random loads, and tell how probable events are
+    #[cfg(feature = "study")]
     Study(Study),
     /// Put the shards of a study together
+    #[cfg(feature = "study")]
     Merge(Merge),
     /// Show the model on a page in the browser, where it can be changed and follows at once
+    #[cfg(feature = "serve")]
     Serve(Serve),
     /// Print a completion script for a shell
     Completions {
@@ -223,6 +226,7 @@ pub struct Compare {
     pub memory_limit: u64,
 }
 
+#[cfg(feature = "study")]
 #[derive(Debug, Args)]
 #[command(after_long_help = AFTER)]
 pub struct Study {
@@ -264,6 +268,7 @@ pub struct Study {
     pub json: bool,
 }
 
+#[cfg(feature = "study")]
 #[derive(Debug, Args)]
 pub struct Merge {
     /// The results of all shards, in any order
@@ -288,6 +293,7 @@ pub enum Starter {
     Pipeline,
 }
 
+#[cfg(feature = "serve")]
 #[derive(Debug, Args)]
 pub struct Serve {
     /// Model file (TOML) to begin with; left out, an example. The file itself is never changed

@@ -311,7 +311,15 @@ fn the_page_asks_nobody_else() {
     assert_eq!(start["start"], json!({ "name": "model.toml", "text": FOOTING }));
     let page = server.get("/");
     assert!(page.head.contains("content-security-policy: default-src 'none'"), "{}", page.head);
-    let files = ["/page.css", "/page.js", "/picture.js", "/share.js", "/sliders.js", "/text.js"];
+    let files = [
+        "/page.css",
+        "/dark.css",
+        "/page.js",
+        "/picture.js",
+        "/share.js",
+        "/sliders.js",
+        "/text.js",
+    ];
     for path in ["/"].iter().chain(&files) {
         let file = server.get(path);
         assert_eq!(file.status, 200, "{path}");

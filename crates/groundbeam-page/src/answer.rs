@@ -69,8 +69,13 @@ pub fn file(model: &[u8], asked: &Asked, form: Form, host: &impl Host<Stop = Inf
             return Ok(Reply::refusal(409, "there is no equilibrium to draw or to list"));
         }
         let bytes = match form {
-            Form::Svg => results.svg().into_bytes(),
-            Form::Png => results.png().map_err(Refused::said)?,
+            Form::Svg => {
+                results.picture().map(|it| it.to_string()).unwrap_or_default().into_bytes()
+            }
+            Form::Png => {
+                let pixels = results.picture().map(|it| it.png()).transpose();
+                pixels.map_err(Refused::said)?.unwrap_or_default()
+            }
             Form::Csv => results.csv(None).into_bytes(),
             Form::Json => results.json(None).into_bytes(),
             Form::Text => results.text(false).into_bytes(),

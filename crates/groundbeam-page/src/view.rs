@@ -140,7 +140,7 @@ fn picture(document: &Document, results: &Results, asked: &Asked) -> Option<Pict
     let (width, context) = (asked.width.unwrap_or(960.0), results.context());
     let Some(one) = results.one() else {
         return Some(Picture {
-            svg: results.svg(),
+            svg: results.picture()?.to_string(),
             width: 960.0,
             height: 0.0,
             left: 0.0,

@@ -8,8 +8,6 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
-#[cfg(any(feature = "typst", test))]
-mod math;
 #[cfg(feature = "typst")]
 mod typeset;
 #[cfg(not(feature = "typst"))]

@@ -1,10 +1,9 @@
 //! A report as typst sees it: one page description, one data file, and fonts.
 
-use crate::{Error, math};
-use groundbeam_report::calculation::{Block, Paper, Report};
+use crate::Error;
+use groundbeam_report::calculation::{Paper, Report};
 use groundbeam_report::fonts;
 use serde_json::json;
-use std::collections::BTreeMap;
 use std::fmt::Display;
 use typst::diag::{FileError, FileResult, SourceDiagnostic};
 use typst::foundations::{Bytes, Datetime, Duration, Smart};
@@ -55,20 +54,11 @@ struct Pages {
 
 impl Pages {
     fn of(report: &Report, paper: Paper) -> Result<Self, Error> {
-        let blocks = report.sections.iter().flat_map(|section| &section.blocks);
-        let lines = blocks.flat_map(|block| match block {
-            Block::Equations { lines } => &lines[..],
-            _ => &[],
-        });
-        let formulas: Result<BTreeMap<&str, String>, String> =
-            lines.map(|line| Ok((line.latex.as_str(), math::formula(&line.latex)?))).collect();
         let paper = match paper {
             Paper::A4 => "a4",
             Paper::Letter => "us-letter",
         };
-        let data = json!({
-            "report": report, "formulas": formulas.map_err(wrong)?, "paper": paper
-        });
+        let data = json!({ "report": report, "paper": paper });
         let own = [fonts::REGULAR, fonts::SEMI_BOLD];
         let fonts: Vec<Font> = own
             .into_iter()
@@ -130,26 +120,17 @@ impl World for Pages {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use groundbeam::Outcome;
-    use groundbeam_file::Document;
-    use groundbeam_report::calculation::{self, Column, Section, Source, Table};
-    use groundbeam_report::{Context, Found, Units};
+    use groundbeam_report::calculation::{Block, Column, Section, Source, Table};
+    use groundbeam_report::{Context, Results};
+    use groundbeam_run::{OneThread, Run};
     use typst::layout::{Frame, FrameItem};
 
     /// The report of a model file.
     fn report(text: &str) -> Report {
         let document = groundbeam_file::parse(text).unwrap();
-        let Document { model, cases, title, .. } = &document;
-        let source = Source { name: "model.toml", text, model, cases };
-        let context = Context { title: title.as_deref(), ..Context::new(Units::Si) };
-        match groundbeam::solve(model).unwrap() {
-            Outcome::Equilibrium(found) => {
-                calculation::report(Found::Equilibrium(&found), &context, &source)
-            }
-            Outcome::NoEquilibrium(why) => {
-                calculation::report(Found::NoEquilibrium(model, &why), &context, &source)
-            }
-        }
+        let answers = Run::of(&document).solve(&OneThread).unwrap();
+        let source = Source::of(&document, "model.toml", text);
+        Results::new(&answers, Context::of(&document)).calculation(&source)
     }
 
     const FOOTING: &str = include_str!("../../../docs/strip-footing.toml");
@@ -203,7 +184,7 @@ mod tests {
                     }
                     Block::Figure { caption, .. } => all.push(caption.clone()),
                     Block::Equations { lines } => {
-                        all.extend(lines.iter().map(|l| l.words.clone() + l.number));
+                        all.extend(lines.iter().map(|l| l.words.to_owned() + l.number));
                     }
                     Block::Code { lines } => all.extend(lines.clone()),
                 }

@@ -198,13 +198,13 @@ impl Answers {
     }
 
     fn to_svg(&self, py: Python<'_>) -> String {
-        py.detach(|| self.results().svg())
+        py.detach(|| self.results().picture().map_or_else(String::new, |drawn| drawn.to_string()))
     }
 
     fn to_png<'py>(&self, py: Python<'py>) -> Result<Bound<'py, PyBytes>, Failure> {
-        let drawn = py.detach(|| self.results().png());
+        let drawn = py.detach(|| self.results().picture().map(|drawn| drawn.png()).transpose());
         let drawn = drawn.map_err(|error| Failure::Asked(error.to_string()))?;
-        Ok(PyBytes::new(py, &drawn))
+        Ok(PyBytes::new(py, &drawn.unwrap_or_default()))
     }
 
     fn report(&self) -> String {

@@ -3,13 +3,12 @@
 use crate::answers::Answers;
 use crate::derivatives::parameter;
 use crate::failure::Failure;
-use crate::names::verdict;
 use crate::read::Read;
 use crate::solution::Solution;
 use crate::threads::Threads;
 use groundbeam::{Method, Options};
 use groundbeam_file::{Beside, Combination, OtherFile};
-use groundbeam_report::sentence;
+use groundbeam_report::{sentence, verdict_name};
 use groundbeam_run::{Compare, Host, Run};
 use pyo3::prelude::*;
 use std::path::Path;
@@ -224,7 +223,7 @@ impl Model {
         let model = &combination.model;
         let existence = groundbeam::exists(model).map_err(|error| self.read.refused(error))?;
         let motion = existence.verdict.motion().map(|[left, right, work]| (left, right, work));
-        let verdict = verdict(existence.verdict);
+        let verdict = verdict_name(existence.verdict);
         let sentence = sentence(model, &existence, self.read.units());
         let reactions = groundbeam::static_reactions(model).iter().map(|(_, r)| *r).collect();
         Ok((verdict, reactions, motion, sentence))

@@ -1,7 +1,7 @@
-//! Fields, sides and verdicts by name.
+//! Fields and sides by name.
 
 use crate::failure::Failure;
-use groundbeam::{Field, Side, Verdict};
+use groundbeam::{Field, Side};
 
 /// A field by its name.
 pub fn field(name: &str) -> Result<Field, Failure> {
@@ -17,15 +17,5 @@ pub fn side(name: &str) -> Result<Side, Failure> {
         "left" => Ok(Side::Left),
         "right" => Ok(Side::Right),
         _ => Err(Failure::Asked(format!("`{name}` is no side: say `left` or `right`"))),
-    }
-}
-
-/// What the statics say, by the name that results use.
-pub fn verdict(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Unique => "unique",
-        Verdict::NotUnique(_) => "not-unique",
-        Verdict::Local(_) => "local",
-        Verdict::None(_) | Verdict::Buckles(_) => "none",
     }
 }

@@ -2,10 +2,10 @@
 
 use crate::derivatives::{self, Asked};
 use crate::failure::{Failure, Tipping};
-use crate::names::{field, side, verdict};
+use crate::names::{field, side};
 use crate::read::Read;
 use groundbeam::Field;
-use groundbeam_report::{Context, csv, json, png, sentence, svg, text};
+use groundbeam_report::{Context, csv, json, sentence, svg, text, verdict_name};
 use groundbeam_run::{Answer, Found, Ground, Label};
 use numpy::{PyArray1, PyReadonlyArray1, PyUntypedArrayMethods};
 use pyo3::prelude::*;
@@ -112,7 +112,7 @@ impl Solution {
 
     #[getter]
     fn verdict(&self) -> &'static str {
-        verdict(self.found.existence().verdict)
+        verdict_name(self.found.existence().verdict)
     }
 
     #[getter]
@@ -194,11 +194,11 @@ impl Solution {
     }
 
     fn to_svg(&self, py: Python<'_>) -> String {
-        py.detach(|| svg::picture(&self.found, &self.context()))
+        py.detach(|| svg::picture(&self.found, &self.context()).to_string())
     }
 
     fn to_png<'py>(&self, py: Python<'py>) -> Result<Bound<'py, PyBytes>, Failure> {
-        let drawn = py.detach(|| png::picture(&self.found, &self.context()));
+        let drawn = py.detach(|| svg::picture(&self.found, &self.context()).png());
         let drawn = drawn.map_err(|error| Failure::Asked(error.to_string()))?;
         Ok(PyBytes::new(py, &drawn))
     }

@@ -145,7 +145,7 @@ impl Study {
         let context = Context::new(self.draws.study().document.units.into());
         let summary =
             watched(py, None, |watch| groundbeam_study::summary(&self.draws, &out, watch))?;
-        Ok((json::study(&summary, &context), svg::study(&summary, &context)))
+        Ok((json::study(&summary, &context), svg::study(&summary, &context).to_string()))
     }
 }
 

@@ -1,9 +1,10 @@
 //! Characteristic numbers of a beam on ground, such as its length in waves.
 
 use groundbeam::{Existence, Model};
+use serde::Serialize;
 
 /// β, βl, the shear length and the resultant.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Characteristics {
     /// β = (k/4EI)^¼ \[1/m\]: its smallest and its largest value along the beam.
     pub beta: [f64; 2],
@@ -17,7 +18,7 @@ pub struct Characteristics {
 }
 
 /// The resultant of the loads.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Resultant {
     /// Its size, down positive \[N\].
     pub force: f64,

@@ -6,7 +6,6 @@
 //! `stations` holds every position once, with the values just to the right of it (at x = l just to the
 //! left) where a field jumps. Both sides of a jump are in the table of [`csv`](crate::csv).
 
-mod certificate;
 mod checks;
 mod combinations;
 mod comparison;
@@ -26,8 +25,8 @@ use existence::Proven;
 use factors::Grown;
 use ground::Ground;
 use groundbeam::{
-    Acts, Certificate, Existence, Extreme, Field, LiftOff, Method, Model, Side, Solution, Stopped,
-    Support,
+    Acts, Certificate, ConcentratedForce, ContactZone, EndForces, Existence, Field, HingeTurn,
+    LiftOff, Method, Model, Range, Reaction, Side, Solution, Stopped, Support,
 };
 use groundbeam_file::is_unprintable;
 use pieces::Claimed;
@@ -81,90 +80,60 @@ fn text(document: &impl Serialize) -> String {
 }
 
 #[derive(Serialize)]
-struct Solved {
+struct Solved<'a> {
     #[serde(flatten)]
-    head: Head,
+    head: Head<'a>,
     method: &'static str,
     elements: usize,
     existence: Proven,
-    characteristics: Judged,
+    characteristics: Characteristics,
     #[serde(skip_serializing_if = "Option::is_none")]
     ground: Option<Ground>,
-    contact: Vec<Stretch>,
-    lift_off: Vec<Lifted>,
+    contact: &'a [ContactZone],
+    lift_off: Vec<LiftOff>,
     free_spans: Vec<FreeSpan>,
-    end_forces: Ends,
-    concentrated_forces: Vec<Force>,
+    end_forces: EndForces,
+    concentrated_forces: &'a [ConcentratedForce],
     reactions: Vec<Held>,
     #[serde(flatten)]
     claimed: Option<Claimed>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    hinges: Vec<Turned>,
-    stations: Stations,
+    hinges: Vec<HingeTurn>,
+    stations: Along<Vec<f64>>,
     extremes: ByName<Range>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     checks: Vec<checks::Checked>,
-    #[serde(serialize_with = "certificate::figures")]
-    certificate: Certificate,
+    #[serde(serialize_with = "figures")]
+    certificate: &'a Certificate,
     #[serde(skip_serializing_if = "Option::is_none")]
-    load_factors: Option<Grown>,
+    load_factors: Option<Grown<'a>>,
     iterations: usize,
     seconds: Option<f64>,
 }
 
-impl Solved {
-    fn of(solution: &Solution, stations: &[f64], context: &Context) -> Self {
+impl<'a> Solved<'a> {
+    fn of(solution: &'a Solution, stations: &[f64], context: &Context<'a>) -> Self {
         let model = solution.model();
+        let supports = solution.reactions().iter().zip(&model.supports);
         Solved {
             head: Head::new("solved", context),
             method: solution.method().name(),
             elements: solution.elements(),
             existence: Proven::new(model, solution.existence(), context),
-            characteristics: Judged::new(model, solution.existence()),
+            characteristics: Characteristics::of(model, solution.existence()),
             ground: context.ground.map(|ground| Ground::of(ground, model)),
-            contact: solution
-                .contact()
-                .iter()
-                .map(|c| Stretch { from: c.from, to: c.to })
-                .collect(),
-            lift_off: solution
-                .lift_off()
-                .iter()
-                .map(|l| Lifted { from: l.from, to: l.to, largest_gap: l.largest_gap.into() })
-                .collect(),
-            free_spans: solution.lift_off().iter().map(FreeSpan::of).collect(),
-            end_forces: Ends {
-                left: solution.end_forces().left,
-                right: solution.end_forces().right,
-            },
-            concentrated_forces: solution
-                .concentrated_forces()
-                .iter()
-                .map(|force| Force { at: force.at, force: force.force })
-                .collect(),
-            reactions: solution
-                .reactions()
-                .iter()
-                .zip(&model.supports)
-                .enumerate()
-                .map(|(i, (r, support))| Held {
-                    support: i,
-                    at: r.at,
-                    force: r.force,
-                    moment: r.moment,
-                    state: state(support, r.force),
-                })
-                .collect(),
+            contact: solution.contact(),
+            lift_off: solution.lift_off(),
+            free_spans: solution.lift_off().into_iter().map(FreeSpan::of).collect(),
+            end_forces: solution.end_forces(),
+            concentrated_forces: solution.concentrated_forces(),
+            reactions: supports.enumerate().map(Held::of).collect(),
             claimed: context.pieces.then(|| Claimed::of(solution, context)),
-            hinges: solution
-                .hinges()
-                .iter()
-                .map(|h| Turned { at: h.at, rotation: h.rotation, moment: h.moment })
-                .collect(),
-            stations: Stations::of(solution, stations),
-            extremes: ByName::of(Field::of(&model.beam), |field| solution.range(field).into()),
+            hinges: solution.hinges(),
+            stations: Along::stations(solution, stations),
+            extremes: ByName::of(Field::of(&model.beam), |field| solution.range(field)),
             checks: checks::of(context.limits, solution),
-            certificate: *solution.certificate(),
+            certificate: solution.certificate(),
             load_factors: context.factors.map(|factors| Grown::of(factors, Some(model))),
             iterations: solution.iterations(),
             seconds: context.seconds,
@@ -172,23 +141,33 @@ impl Solved {
     }
 }
 
+/// The figures of a certificate, by their names and in their order.
+fn figures<S: Serializer>(proof: &Certificate, to: S) -> Result<S::Ok, S::Error> {
+    to.collect_map(proof.figures())
+}
+
 #[derive(Serialize)]
-struct Checked {
+struct Checked<'a> {
     #[serde(flatten)]
-    head: Head,
+    head: Head<'a>,
     existence: Proven,
-    characteristics: Judged,
+    characteristics: Characteristics,
     #[serde(skip_serializing_if = "Option::is_none")]
-    load_factors: Option<Grown>,
+    load_factors: Option<Grown<'a>>,
     seconds: Option<f64>,
 }
 
-impl Checked {
-    fn of(status: &'static str, model: &Model, existence: &Existence, context: &Context) -> Self {
+impl<'a> Checked<'a> {
+    fn of(
+        status: &'static str,
+        model: &Model,
+        existence: &Existence,
+        context: &Context<'a>,
+    ) -> Self {
         Checked {
             head: Head::new(status, context),
             existence: Proven::new(model, existence, context),
-            characteristics: Judged::new(model, existence),
+            characteristics: Characteristics::of(model, existence),
             load_factors: context.factors.map(|factors| Grown::of(factors, Some(model))),
             seconds: context.seconds,
         }
@@ -196,21 +175,21 @@ impl Checked {
 }
 
 #[derive(Serialize)]
-struct Unsolved {
+struct Unsolved<'a> {
     #[serde(flatten)]
-    head: Head,
+    head: Head<'a>,
     method: &'static str,
     what: &'static str,
     tolerance: Option<f64>,
     reached: Option<f64>,
     iterations: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
-    load_factors: Option<Grown>,
+    load_factors: Option<Grown<'a>>,
     seconds: Option<f64>,
 }
 
-impl Unsolved {
-    fn of(reached: &Stopped, context: &Context) -> Self {
+impl<'a> Unsolved<'a> {
+    fn of(reached: &Stopped, context: &Context<'a>) -> Self {
         Unsolved {
             head: Head::new("not-converged", context),
             method: Method::name(reached.method),
@@ -224,116 +203,70 @@ impl Unsolved {
     }
 }
 
+/// The first keys of a document.
 #[derive(Serialize)]
-struct Head {
+struct Head<'a> {
     status: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
-    title: Option<String>,
+    title: Option<&'a str>,
     units: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     trough_chords: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    model_digest: Option<String>,
+    model_digest: Option<&'a str>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    combination: Option<String>,
+    combination: Option<&'a str>,
 }
 
-impl Head {
-    fn new(status: &'static str, context: &Context) -> Self {
+impl<'a> Head<'a> {
+    fn new(status: &'static str, context: &Context<'a>) -> Self {
         Head {
             status,
-            title: context.title.map(str::to_owned),
+            title: context.title,
             units: context.units.name(),
             trough_chords: context.chords,
-            model_digest: context.digest.map(str::to_owned),
-            combination: context.combination.map(str::to_owned),
+            model_digest: context.digest,
+            combination: context.combination,
         }
     }
 }
 
 #[derive(Serialize)]
-struct Judged {
-    /// Smallest and largest.
-    beta: [f64; 2],
-    beta_length: f64,
-    /// Smallest and largest.
-    shear_length: [f64; 2],
-    resultant: Resultant,
-}
-
-#[derive(Serialize)]
-struct Resultant {
-    force: f64,
-    at: Option<f64>,
-}
-
-impl Judged {
-    fn new(model: &Model, existence: &Existence) -> Self {
-        let Characteristics { beta, beta_length, shear_length, resultant } =
-            Characteristics::of(model, existence);
-        let resultant = Resultant { force: resultant.force, at: resultant.at };
-        Judged { beta, beta_length, shear_length, resultant }
-    }
-}
-
-#[derive(Serialize)]
-struct Stretch {
-    from: f64,
-    to: f64,
-}
-
-#[derive(Serialize)]
-struct Lifted {
-    from: f64,
-    to: f64,
-    largest_gap: Point,
-}
-
-#[derive(Serialize)]
 struct FreeSpan {
-    from: f64,
-    to: f64,
+    #[serde(flatten)]
+    open: LiftOff,
     length: f64,
-    largest_gap: Point,
     /// `left`, `right`, `both` or `null`.
     reaches_end: Option<&'static str>,
 }
 
 impl FreeSpan {
-    fn of(open: &LiftOff) -> Self {
+    fn of(open: LiftOff) -> Self {
         let reaches_end = match open.reaches {
             [true, true] => Some("both"),
             [true, false] => Some("left"),
             [false, true] => Some("right"),
             [false, false] => None,
         };
-        let LiftOff { from, to, largest_gap, .. } = *open;
-        FreeSpan { from, to, length: open.length(), largest_gap: largest_gap.into(), reaches_end }
+        FreeSpan { length: open.length(), open, reaches_end }
     }
-}
-
-#[derive(Serialize)]
-struct Ends {
-    left: f64,
-    right: f64,
-}
-
-#[derive(Serialize)]
-struct Force {
-    at: f64,
-    force: f64,
 }
 
 #[derive(Serialize)]
 struct Held {
     /// Its index in the model's list of supports.
     support: usize,
-    at: f64,
-    force: f64,
-    moment: f64,
+    #[serde(flatten)]
+    reaction: Reaction,
     /// Of a support that acts in one direction alone.
     #[serde(skip_serializing_if = "Option::is_none")]
     state: Option<&'static str>,
+}
+
+impl Held {
+    fn of((support, (reaction, of)): (usize, (&Reaction, &Support))) -> Self {
+        Held { support, reaction: *reaction, state: state(of, reaction.force) }
+    }
 }
 
 /// Whether a support that acts in one direction alone does.
@@ -344,14 +277,6 @@ fn state(support: &Support, force: f64) -> Option<&'static str> {
         Acts::Up => Some("lifted"),
         Acts::Down => Some("slack"),
     }
-}
-
-/// A hinge: the jump of the slope, and the moment it hands on.
-#[derive(Serialize)]
-struct Turned {
-    at: f64,
-    rotation: f64,
-    moment: f64,
 }
 
 /// Something of each field, by its name.
@@ -369,42 +294,46 @@ impl<T: Serialize> Serialize for ByName<T> {
     }
 }
 
+/// Something of each field at positions along the beam.
 #[derive(Serialize)]
-struct Stations {
+struct Along<T> {
     x: Vec<f64>,
     #[serde(flatten)]
-    fields: ByName<Vec<f64>>,
+    fields: ByName<T>,
 }
 
-impl Stations {
-    fn of(solution: &Solution, positions: &[f64]) -> Self {
+impl Along<Vec<f64>> {
+    fn stations(solution: &Solution, positions: &[f64]) -> Self {
         let fields: Vec<_> = positions.iter().map(|&x| solution.at(x, Side::Right)).collect();
         let column = |field| fields.iter().map(|f| f.get(field)).collect();
         let listed = Field::of(&solution.model().beam);
-        Stations { x: positions.to_vec(), fields: ByName::of(listed, column) }
+        Along { x: positions.to_vec(), fields: ByName::of(listed, column) }
     }
 }
 
+/// The lines of smallest and largest values, and what governs them.
 #[derive(Serialize)]
-struct Range {
-    min: Point,
-    max: Point,
+struct Lines<G> {
+    min: Vec<f64>,
+    max: Vec<f64>,
+    governs_min: Vec<G>,
+    governs_max: Vec<G>,
+    /// Of several passages which ones, counted from 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    passage_min: Option<Vec<usize>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    passage_max: Option<Vec<usize>>,
 }
 
+/// Something of the smallest and of the largest value.
 #[derive(Serialize)]
-struct Point {
-    x: f64,
-    value: f64,
+struct Extremes<T> {
+    min: T,
+    max: T,
 }
 
-impl From<Extreme> for Point {
-    fn from(extreme: Extreme) -> Self {
-        Point { x: extreme.x, value: extreme.value }
-    }
-}
-
-impl From<groundbeam::Range> for Range {
-    fn from(range: groundbeam::Range) -> Self {
-        Range { min: range.min.into(), max: range.max.into() }
+impl<T> Extremes<T> {
+    fn of([min, max]: [T; 2]) -> Self {
+        Extremes { min, max }
     }
 }

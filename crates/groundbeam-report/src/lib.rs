@@ -6,7 +6,7 @@
 //! | [`json`] | the result document |
 //! | [`csv`] | a table of all fields along the beam, and the history of the iteration |
 //! | [`calculation`] | the calculation report before it is set in type; [`html`] sets it as one file that prints well |
-//! | [`svg`], [`png`] | one picture: the beam on its ground, pressure, moment, shear |
+//! | [`svg`] | one picture: the beam on its ground, pressure, moment, shear, as SVG or as [PNG](svg::Picture::png) |
 //!
 //! ```
 //! use groundbeam::{Beam, Foundation, Load, Model, Outcome};
@@ -40,19 +40,23 @@ mod font;
 mod load;
 mod number;
 mod numbers;
+#[cfg(feature = "png")]
 mod outline;
 mod quantity;
 mod results;
 mod size;
 mod study;
+mod tone;
 mod verdict;
 mod verified;
 
 pub mod calculation;
 pub mod csv;
 pub mod fonts;
+#[cfg(feature = "html")]
 pub mod html;
 pub mod json;
+#[cfg(feature = "png")]
 pub mod png;
 pub mod svg;
 pub mod text;
@@ -64,5 +68,5 @@ pub use load::{load_kind, load_name};
 pub use quantity::{Kind, Units};
 pub use results::Results;
 pub use study::{Estimate, Interval, Limit, Spread, Study, Way};
-pub use verdict::sentence;
+pub use verdict::{sentence, verdict_name};
 pub use verified::{LeftOut, ModelOf, Named, Verified};

@@ -1,46 +1,18 @@
 //! Text as outlines, for renderers without fonts.
 
 use crate::font;
+use crate::svg::{Anchor, Picture, Text, rounded};
 use std::fmt::Write as _;
 use ttf_parser::gpos::{PairAdjustment, PositioningSubtable};
 use ttf_parser::opentype_layout::Lookup;
 use ttf_parser::{Face, GlyphId, OutlineBuilder, Tag};
 
-/// One of our pictures with every line of text as the outlines of its letters.
-pub(crate) fn outlined(picture: &str) -> String {
+/// A picture as an SVG file with every line of text as the outlines of its letters.
+pub(crate) fn outlined(picture: &Picture) -> String {
     let faces = [font::REGULAR, font::SEMI_BOLD].map(|bytes| Face::parse(bytes, 0).ok());
-    let [Some(regular), Some(bold)] = faces else { return picture.to_owned() };
-    let [regular, bold] = [Letters::of(regular), Letters::of(bold)];
-    let mut all = String::with_capacity(4 * picture.len());
-    let mut rest = picture;
-    while let Some([before, attributes, words, after]) = line_of_text(rest) {
-        all.push_str(before);
-        let letters = if attribute(attributes, "font-weight").is_some() { &bold } else { &regular };
-        letters.write(attributes, &plain(words), &mut all);
-        rest = after;
-    }
-    all.push_str(rest);
-    all
-}
-
-/// The first line of text: what is before it, its attributes, its words, what is after it.
-fn line_of_text(picture: &str) -> Option<[&str; 4]> {
-    let (before, line) = picture.split_once("<text ")?;
-    let (attributes, line) = line.split_once('>')?;
-    let (words, after) = line.split_once("</text>")?;
-    Some([before, attributes, words, after])
-}
-
-/// The value of an attribute.
-fn attribute<'a>(attributes: &'a str, name: &str) -> Option<&'a str> {
-    let written = attributes.split(' ').find_map(|one| one.strip_prefix(name)?.strip_prefix("=\""));
-    written?.strip_suffix('"')
-}
-
-/// Words as they are, not as XML writes them.
-fn plain(words: &str) -> String {
-    let signs = [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&apos;", "'"), ("&amp;", "&")];
-    signs.iter().fold(words.to_owned(), |words, (written, sign)| words.replace(written, sign))
+    let [Some(regular), Some(bold)] = faces else { return picture.to_string() };
+    let [regular, bold] = [regular, bold].map(Letters::of);
+    picture.written(&|text, svg| if text.style.bold { &bold } else { &regular }.write(text, svg))
 }
 
 /// The letters of a face, and how near they stand to one another.
@@ -66,9 +38,9 @@ impl Letters {
     }
 
     /// A line of text as one shape.
-    fn write(&self, attributes: &str, words: &str, out: &mut String) {
-        let number = |name| attribute(attributes, name).and_then(|value| value.parse().ok());
-        let [x, y, size] = ["x", "y", "font-size"].map(|name| number(name).unwrap_or(0.0_f64));
+    fn write(&self, text: &Text, out: &mut String) {
+        let Text { at, anchor, style, words } = text;
+        let [x, y, size] = [at[0], at[1], style.size].map(rounded);
         let scale = size / f64::from(self.face.units_per_em());
         let glyphs: Vec<GlyphId> =
             words.chars().map(|c| self.face.glyph_index(c).unwrap_or(GlyphId(0))).collect();
@@ -79,24 +51,17 @@ impl Letters {
             width += f64::from(self.face.glyph_hor_advance(*glyph).unwrap_or(0));
             width += glyphs.get(i + 1).map_or(0.0, |next| self.between(*glyph, *next));
         }
-        let before = match attribute(attributes, "text-anchor") {
-            Some("middle") => 0.5 * width,
-            Some("end") => width,
-            _ => 0.0,
+        let before = match anchor {
+            Anchor::Start => 0.0,
+            Anchor::Middle => 0.5 * width,
+            Anchor::End => width,
         };
         out.push_str("<path d=\"");
         for (glyph, place) in glyphs.iter().zip(places) {
             let mut pen = Pen { x: x + scale * (place - before), y, scale, out };
             self.face.outline_glyph(*glyph, &mut pen);
         }
-        out.push('"');
-        // How it is drawn: rim and colour. What only text has means nothing to a shape, but x and y would.
-        for one in
-            attributes.split(' ').filter(|one| !one.starts_with("x=") && !one.starts_with("y="))
-        {
-            let _ = write!(out, " {one}");
-        }
-        out.push_str("/>");
+        let _ = write!(out, "\" {style}/>");
     }
 
     /// By how much two letters stand further from one another than by their widths.
@@ -162,6 +127,7 @@ impl OutlineBuilder for Pen<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::svg::test_card;
     use resvg::tiny_skia::{Pixmap, Transform};
     use resvg::usvg::{Options, Tree};
 
@@ -180,21 +146,10 @@ mod tests {
     /// XML writes otherwise, and letters that stand nearer or further from one another in pairs.
     #[test]
     fn outlines_are_what_a_renderer_of_fonts_draws() {
-        let rim =
-            r##"paint-order="stroke" stroke="#ffffff" stroke-opacity="0.8" stroke-width="2.5""##;
-        let lines = [
-            r##"<text x="10.5" y="40" font-size="24" fill="#222222">AVATAR To, LTV 1 &lt; 2 &amp; &#36;</text>"##.replace("&#36;", "é"),
-            r##"<text x="300" y="90" font-size="22" font-weight="600" text-anchor="middle" fill="#0072b2">Wave "Ty" βl = −3.7 kN/m²</text>"##.to_owned(),
-            format!(r##"<text x="590" y="150" font-size="30" text-anchor="end" {rim} fill="#d55e00">Pressure → 12 mm</text>"##),
-            r##"<text x="10" y="210" font-size="18" fill="#222222">lacks: 木 and no more</text>"##.to_owned(),
-        ];
-        let picture = format!(
-            r##"<svg xmlns="http://www.w3.org/2000/svg" width="600" height="240" font-family="Inter"><rect width="600" height="240" fill="#dddddd"/>{}</svg>"##,
-            lines.concat()
-        );
-        let shapes = outlined(&picture);
+        let card = test_card();
+        let (words, shapes) = (card.to_string(), outlined(&card));
         assert!(!shapes.contains("<text") && shapes.matches("<path").count() == 4);
-        let (words, shapes) = (drawn(&picture), drawn(&shapes));
+        let (words, shapes) = (drawn(&words), drawn(&shapes));
         let apart = words.data().iter().zip(shapes.data()).map(|(a, b)| a.abs_diff(*b));
         let (most, dark) = (apart.max().unwrap(), words.data().iter().min().unwrap());
         assert!(*dark < 60, "nothing is drawn");

@@ -1,10 +1,7 @@
-//! The picture as PNG.
+//! Pictures as PNG.
 
-use crate::context::Context;
 use crate::outline::outlined;
-use crate::study::Study;
-use crate::svg;
-use groundbeam::Solution;
+use crate::svg::Picture;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 use std::fmt;
@@ -24,32 +21,21 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-/// The picture of [`svg::picture`] as the bytes of a PNG file, twice as many pixels wide.
-///
-/// # Errors
-///
-/// If memory for the pixels is lacking.
-pub fn picture(solution: &Solution, context: &Context) -> Result<Vec<u8>, Error> {
-    drawn(&svg::picture(solution, context))
-}
-
-/// The picture of [`svg::study`] in the same way.
-///
-/// # Errors
-///
-/// If memory for the pixels is lacking.
-pub fn study(study: &Study, context: &Context) -> Result<Vec<u8>, Error> {
-    drawn(&svg::study(study, context))
-}
-
-/// A picture in SVG as the bytes of a PNG file.
-pub(crate) fn drawn(picture: &str) -> Result<Vec<u8>, Error> {
-    let tree = Tree::from_str(&outlined(picture), &Options::default());
-    let tree = tree.map_err(|error| Error(error.to_string()))?;
-    let size = tree.size();
-    let [width, height] = [size.width(), size.height()].map(|side| (side * PIXELS).ceil() as u32);
-    let mut pixels =
-        Pixmap::new(width, height).ok_or_else(|| Error(format!("{width} × {height} pixels")))?;
-    resvg::render(&tree, Transform::from_scale(PIXELS, PIXELS), &mut pixels.as_mut());
-    pixels.encode_png().map_err(|error| Error(error.to_string()))
+impl Picture {
+    /// The picture as the bytes of a PNG file, twice as many pixels wide.
+    ///
+    /// # Errors
+    ///
+    /// If memory for the pixels is lacking.
+    pub fn png(&self) -> Result<Vec<u8>, Error> {
+        let tree = Tree::from_str(&outlined(self), &Options::default());
+        let tree = tree.map_err(|error| Error(error.to_string()))?;
+        let size = tree.size();
+        let [width, height] =
+            [size.width(), size.height()].map(|side| (side * PIXELS).ceil() as u32);
+        let lacking = || Error(format!("{width} × {height} pixels"));
+        let mut pixels = Pixmap::new(width, height).ok_or_else(lacking)?;
+        resvg::render(&tree, Transform::from_scale(PIXELS, PIXELS), &mut pixels.as_mut());
+        pixels.encode_png().map_err(|error| Error(error.to_string()))
+    }
 }

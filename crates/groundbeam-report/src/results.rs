@@ -2,7 +2,8 @@
 
 use crate::calculation::{self, Report, Source};
 use crate::context::Context;
-use crate::{csv, json, png, svg, text};
+use crate::svg::{self, Picture};
+use crate::{csv, json, text};
 use groundbeam_run::{Answer, Answers, Asked, Found};
 
 /// The answers to a file, and what is said besides them.
@@ -135,25 +136,13 @@ impl<'a> Results<'a> {
         })
     }
 
-    /// The picture; empty where there is none.
-    pub fn svg(&self) -> String {
+    /// The picture; none of a model that was not solved.
+    pub fn picture(&self) -> Option<Picture> {
         let (answers, context) = (self.answers, &self.context);
         match (self.one(), answers.asked) {
-            (Some(one), _) => {
-                one.solution().map_or_else(String::new, |solution| svg::picture(solution, context))
-            }
-            (None, Asked::Trains) => svg::trains(&answers.passages(), context),
-            (None, _) => svg::combinations(answers, context),
+            (Some(one), _) => one.solution().map(|solution| svg::picture(solution, context)),
+            (None, Asked::Trains) => Some(svg::trains(&answers.passages(), context)),
+            (None, _) => Some(svg::combinations(answers, context)),
         }
-    }
-
-    /// The picture in pixels; empty where there is none.
-    ///
-    /// # Errors
-    ///
-    /// As [`png::picture`].
-    pub fn png(&self) -> Result<Vec<u8>, png::Error> {
-        let picture = self.svg();
-        if picture.is_empty() { Ok(Vec::new()) } else { png::drawn(&picture) }
     }
 }

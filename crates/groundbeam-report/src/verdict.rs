@@ -1,11 +1,14 @@
 //! The verdict on equilibrium in sentences, with the statics behind it.
 
 mod hinged;
+mod wording;
 
 use crate::number::significant;
 use crate::quantity::{Kind, Units};
 use groundbeam::{Buckling, Existence, Hinge, Local, Model, RigidMotion, Verdict};
 pub(crate) use hinged::falls;
+pub use wording::verdict_name;
+pub(crate) use wording::wording;
 
 /// Why there is one equilibrium, more than one, or none: one sentence without a full stop.
 ///

@@ -119,16 +119,17 @@ fn the_table_and_the_picture() {
     let table = csv::envelope(&found.answers, &[0.0, 6.0], context.units);
     assert!(table.starts_with("x_m,deflection_min_m,deflection_max_m,deflection_governs_min,"));
     assert_eq!(table.lines().count(), 3);
-    let picture = svg::combinations(&found.answers, &context);
-    assert_eq!(picture, svg::combinations(&found.answers, &context));
+    let picture = svg::combinations(&found.answers, &context).to_string();
+    assert_eq!(picture, svg::combinations(&found.answers, &context).to_string());
     assert!(
         !picture.contains("NaN") && picture.contains("envelope of 16 of 17 combinations; 1 not")
     );
-    let bytes = Results::new(&found.answers, context).png().unwrap();
+    let bytes = Results::new(&found.answers, context).picture().unwrap().png().unwrap();
     assert_eq!(bytes[..8], *b"\x89PNG\r\n\x1a\n");
     let mut nothing = found.answers.clone();
     nothing.list.retain(|answer| answer.solution().is_none());
-    assert!(svg::combinations(&nothing, &context).contains("0 of 1 combinations"));
+    let picture = svg::combinations(&nothing, &context).to_string();
+    assert!(picture.contains("0 of 1 combinations"));
     assert!(!json::combinations(&nothing, None, &context).contains("\"envelope\""));
 }
 

@@ -4,11 +4,11 @@
 mod common;
 
 use common::{SOLVABLE, context, document, solved};
-use groundbeam_report::{Context, Units, png, svg};
+use groundbeam_report::{Context, Units, svg};
 
 fn drawn(name: &str) -> String {
     let document = document(name);
-    svg::picture(&solved(&document), &context(&document))
+    svg::picture(&solved(&document), &context(&document)).to_string()
 }
 
 /// The words in a picture, one a line.
@@ -40,7 +40,7 @@ fn what_is_beside_the_beam_is_drawn() {
     let of = |from: &str, to: &str| {
         let text = document("neighbours").text().replace(from, to);
         let document = groundbeam_file::parse(&text).unwrap();
-        svg::picture(&solved(&document), &context(&document))
+        svg::picture(&solved(&document), &context(&document)).to_string()
     };
     let stiff = of("", "");
     assert!(stiff.contains(">300 kN<") && stiff.contains(">60 … 120 kN/m<"), "{stiff}");
@@ -95,7 +95,7 @@ fn equal_results_give_equal_bytes() {
 fn every_picture_can_be_drawn() {
     for name in ["kikuchi-4", "tiny"] {
         let document = document(name);
-        let bytes = png::picture(&solved(&document), &context(&document)).unwrap();
+        let bytes = svg::picture(&solved(&document), &context(&document)).png().unwrap();
         assert_eq!(bytes[..8], *b"\x89PNG\r\n\x1a\n");
         let width = u32::from_be_bytes(bytes[16..20].try_into().unwrap());
         assert_eq!(width, 1920);
@@ -111,6 +111,6 @@ fn a_beam_on_which_nothing_acts() {
     let groundbeam::Outcome::Equilibrium(solution) = groundbeam::solve(&model).unwrap() else {
         panic!()
     };
-    let picture = svg::picture(&solution, &Context::new(Units::Plain));
+    let picture = svg::picture(&solution, &Context::new(Units::Plain)).to_string();
     assert_eq!(picture.matches("zero everywhere").count(), 3);
 }

@@ -91,7 +91,7 @@ fn report(answers: &Answers, document: &Document) -> String {
 fn single_models() {
     for name in SOLVABLE {
         let document = document(name);
-        looks_as_kept(name, &svg::picture(&solved(&document), &context(&document)));
+        looks_as_kept(name, &svg::picture(&solved(&document), &context(&document)).to_string());
     }
 }
 
@@ -115,7 +115,7 @@ fn combinations() {
     let document = document("combinations");
     let mut answers = answers(&document);
     answers.list.retain(|answer| answer.solution().is_some());
-    let picture = svg::combinations(&answers, &context(&document));
+    let picture = svg::combinations(&answers, &context(&document)).to_string();
     looks_as_kept("combinations", &picture);
     insta::assert_snapshot!("svg-combinations", picture);
 }
@@ -124,7 +124,7 @@ fn combinations() {
 fn trains() {
     let document = document("train");
     let answers = Run::of(&document).with_error(1e-2).solve(&OneThread).unwrap();
-    let picture = svg::trains(&answers.passages(), &context(&document));
+    let picture = svg::trains(&answers.passages(), &context(&document)).to_string();
     looks_as_kept("train", &picture);
     insta::assert_snapshot!("svg-train", picture);
     let page = report(&answers, &document);
@@ -213,7 +213,7 @@ fn study() -> Study {
 
 #[test]
 fn studies() {
-    let picture = svg::study(&study(), &Context::new(Units::Si));
+    let picture = svg::study(&study(), &Context::new(Units::Si)).to_string();
     looks_as_kept("study", &picture);
     insta::assert_snapshot!("svg-study", picture);
 }

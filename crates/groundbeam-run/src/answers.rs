@@ -84,8 +84,10 @@ pub struct Passages<'a> {
 
 /// A governing value, and its passage.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct InPassage {
     /// The value, its section, and where the train stands.
+    #[cfg_attr(feature = "serde", serde(flatten))]
     pub located: Located,
     /// The passage, counted from 0.
     pub passage: usize,

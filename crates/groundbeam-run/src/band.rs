@@ -5,6 +5,7 @@ use groundbeam::{ByField, Envelope, Field};
 
 /// A number on the best ground, and between which it lies on all grounds of a band that were solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Banded {
     /// On the best ground.
     pub best: f64,

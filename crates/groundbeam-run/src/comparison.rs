@@ -84,6 +84,7 @@ impl Run {
 
 /// How far an answer is from another: the largest difference anywhere along the beam over the largest value.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Errors {
     /// Of the deflection.
     pub deflection: f64,

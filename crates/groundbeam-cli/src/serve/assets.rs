@@ -1,36 +1,34 @@
 //! The page itself, part of the program: it needs no other file and no network.
 
-use groundbeam_report::fonts;
+use axum::body::Bytes;
+use groundbeam_report::{fonts, svg};
 
 /// A file of the page.
 pub struct Asset {
     pub path: &'static str,
     pub kind: &'static str,
-    pub bytes: &'static [u8],
+    pub bytes: Bytes,
 }
 
 const SCRIPT: &str = "text/javascript; charset=utf-8";
 
 /// The files of the page.
-pub const ASSETS: [Asset; 9] = [
-    Asset {
-        path: "/",
-        kind: "text/html; charset=utf-8",
-        bytes: include_bytes!("../../page/index.html"),
-    },
-    Asset {
-        path: "/page.css",
-        kind: "text/css; charset=utf-8",
-        bytes: include_bytes!("../../page/page.css"),
-    },
-    Asset { path: "/page.js", kind: SCRIPT, bytes: include_bytes!("../../page/page.js") },
-    Asset { path: "/text.js", kind: SCRIPT, bytes: include_bytes!("../../page/text.js") },
-    Asset { path: "/picture.js", kind: SCRIPT, bytes: include_bytes!("../../page/picture.js") },
-    Asset { path: "/sliders.js", kind: SCRIPT, bytes: include_bytes!("../../page/sliders.js") },
-    Asset { path: "/share.js", kind: SCRIPT, bytes: include_bytes!("../../page/share.js") },
-    Asset { path: "/inter.ttf", kind: "font/ttf", bytes: fonts::REGULAR },
-    Asset { path: "/inter-semi-bold.ttf", kind: "font/ttf", bytes: fonts::SEMI_BOLD },
-];
+pub fn assets() -> [Asset; 10] {
+    let asset = |path, kind, bytes| Asset { path, kind, bytes: Bytes::from_static(bytes) };
+    let style = "text/css; charset=utf-8";
+    [
+        asset("/", "text/html; charset=utf-8", include_bytes!("../../page/index.html")),
+        asset("/page.css", style, include_bytes!("../../page/page.css")),
+        Asset { path: "/dark.css", kind: style, bytes: svg::dark_style("#drawing").into() },
+        asset("/page.js", SCRIPT, include_bytes!("../../page/page.js")),
+        asset("/text.js", SCRIPT, include_bytes!("../../page/text.js")),
+        asset("/picture.js", SCRIPT, include_bytes!("../../page/picture.js")),
+        asset("/sliders.js", SCRIPT, include_bytes!("../../page/sliders.js")),
+        asset("/share.js", SCRIPT, include_bytes!("../../page/share.js")),
+        asset("/inter.ttf", "font/ttf", fonts::REGULAR),
+        asset("/inter-semi-bold.ttf", "font/ttf", fonts::SEMI_BOLD),
+    ]
+}
 
 /// Models to begin with: a name, and the text of a file that a document or a case shows.
 const EXAMPLES: [(&str, &str); 8] = [

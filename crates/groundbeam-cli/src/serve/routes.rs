@@ -1,7 +1,7 @@
 //! The addresses of the page, and what is answered there.
 
 use super::Start;
-use super::assets::{ASSETS, examples};
+use super::assets::{Asset, assets, examples};
 use super::guard::guard;
 use super::reply::{refusal, sent};
 use crate::host::Threads;
@@ -52,11 +52,11 @@ pub fn all(start: Option<Start>, port: u16, body: Duration) -> Router {
         .route("/api/solve", post(solve))
         .route("/api/view", post(look))
         .route("/api/file/{form}", post(download));
-    for asset in &ASSETS {
+    for Asset { path, kind, bytes } in assets() {
         let answer = move |pairs: Pairs| async move {
-            pairs.read(&[]).map(|_| ([(CONTENT_TYPE, asset.kind)], asset.bytes)).map_err(sent)
+            pairs.read(&[]).map(|_| ([(CONTENT_TYPE, kind)], bytes)).map_err(sent)
         };
-        router = router.route(asset.path, get(answer));
+        router = router.route(path, get(answer));
     }
     router
         .fallback(|| async { refusal(StatusCode::NOT_FOUND, "nothing is here") })

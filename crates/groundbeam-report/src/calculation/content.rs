@@ -1,5 +1,6 @@
 //! The content of a report before it is set in type.
 
+use super::formulas::Formula;
 use super::print::{cell, words};
 use crate::text::sheet::{Entry, Sheet, Tone};
 use groundbeam::Field;
@@ -148,10 +149,11 @@ pub struct Column {
 /// A formula with its number and what it says.
 #[derive(Debug, Clone, Serialize)]
 pub struct Equation {
-    /// The formula in LaTeX's notation.
-    pub latex: String,
+    /// The formula.
+    #[serde(flatten)]
+    pub formula: Formula,
     /// Where it holds, or what it is; may be empty.
-    pub words: String,
+    pub words: &'static str,
     /// Its number in the source; empty where it has none.
     pub number: &'static str,
 }
@@ -204,20 +206,11 @@ fn fact(entry: &Entry) -> Option<Fact> {
                 Some((head, rest)) if *tone != Tone::Plain => (head, rest.trim_start()),
                 _ => ("", said.as_str()),
             };
-            let tone = tone_name(*tone);
+            let tone = tone.name();
             Some(Fact { tone, head: words(head), ..plain(label, "", rest) })
         }
         Entry::Item { label, words } => Some(plain("", label, words)),
         Entry::Heading(words) | Entry::Line(words) => Some(plain("", "", words)),
         Entry::Blank => None,
-    }
-}
-
-pub(super) fn tone_name(tone: Tone) -> &'static str {
-    match tone {
-        Tone::Plain | Tone::Heading => "plain",
-        Tone::Good => "good",
-        Tone::Doubtful => "doubtful",
-        Tone::Bad => "bad",
     }
 }

@@ -5,6 +5,7 @@
 
 mod content;
 mod equations;
+mod formulas;
 mod given;
 mod passages;
 mod print;
@@ -72,19 +73,4 @@ pub fn report(answers: &Answers, context: &Context, source: &Source) -> Report {
         digest: crate::digest::digest(source.text),
         ..report
     }
-}
-
-/// Every formula that may stand in a report, in LaTeX's notation: what whoever sets reports in type must be able to read.
-pub fn formulas() -> Vec<String> {
-    let blocks = [
-        equations::problem(false),
-        equations::problem(true),
-        equations::static_reactions(),
-        equations::energy_gap(),
-    ];
-    let lines = blocks.into_iter().flat_map(|block| match block {
-        Block::Equations { lines } => lines,
-        _ => Vec::new(),
-    });
-    lines.map(|line| line.latex).collect()
 }

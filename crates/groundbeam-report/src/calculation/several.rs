@@ -9,10 +9,9 @@ use crate::number::significant;
 use crate::quantity::{Kind, Unit, Units};
 use crate::svg::figures;
 use crate::text;
+use crate::text::sheet::Tone;
 use crate::verdict;
-use groundbeam::{
-    Check, Existence, Extreme, Field, Governing, Method, Solution, Verdict as Stands,
-};
+use groundbeam::{Check, Existence, Extreme, Field, Governing, Method, Solution};
 use groundbeam_file::Combination;
 use groundbeam_run::{Answers, Found, Overall};
 
@@ -51,13 +50,9 @@ pub(super) fn combinations(all: &Answers, context: &Context, source: &Source) ->
         if let Some(block) = facts(|sheet| text::checks::worst_rows(sheet, &named, context)) {
             sections.push(Section::new("Checks", vec![block]));
         }
-        let gap = crate::number::order(gap);
         sections.push(proof::certificates(|sheet| {
-            let words = format!(
-                "for each of the {} solved; energy gap at most {gap} of the strain energy",
-                solved.len()
-            );
-            sheet.row("Certificate", &words);
+            let of = format!("for each of the {} solved", solved.len());
+            text::certificate::of_several(sheet, &of, gap);
         }));
     }
     sections.extend(proof::provenance(context, source));
@@ -122,17 +117,11 @@ fn statics(all: &Answers, units: Units) -> Section {
         Table::new("Every combination, before anything is solved", heads("combination"));
     let unit = units.unit(Kind::Force, largest_reaction(all));
     let row = |number: usize, name: &str, model, existence: &Existence| {
-        let head = match existence.verdict {
-            Stands::Unique => "exactly one",
-            Stands::NotUnique(_) => "not unique",
-            Stands::Local(_) => "local",
-            Stands::None(_) => "none",
-            Stands::Buckles(_) => "buckles",
-        };
         let sentence = verdict::sentence(model, existence, units);
-        let said = match existence.verdict {
-            Stands::Unique => head.to_owned(),
-            _ => format!("{head}: {}", print::words(&sentence)),
+        let wording = verdict::wording(existence.verdict);
+        let said = match wording.tone {
+            Tone::Good => wording.words.to_owned(),
+            _ => wording.with(&print::words(&sentence)),
         };
         let [left, right] = existence.static_reactions.map(|force| unit.number(force, 5));
         [number.to_string(), clean(name), left, right, said]

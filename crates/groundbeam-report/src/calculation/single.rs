@@ -88,15 +88,9 @@ pub(super) fn not_converged(
 
 /// What the statics say.
 pub(super) fn stands(model: &Model, existence: &Existence, units: Units) -> Verdict {
-    let (tone, head) = match existence.verdict {
-        Stands::Unique => ("good", "In equilibrium"),
-        Stands::NotUnique(_) => ("doubtful", "Equilibrium not unique"),
-        Stands::Local(_) => ("doubtful", "Local equilibrium"),
-        Stands::None(_) => ("bad", "No equilibrium"),
-        Stands::Buckles(_) => ("bad", "It buckles"),
-    };
+    let wording = verdict::wording(existence.verdict);
     let words = print::words(&verdict::sentence(model, existence, units));
-    Verdict { tone, head: head.to_owned(), words }
+    Verdict { tone: wording.tone.name(), head: wording.head.to_owned(), words }
 }
 
 /// How many checks pass; nothing if none was asked for.
@@ -114,7 +108,7 @@ pub(super) fn checked(checks: &[Check]) -> Option<Verdict> {
 
 pub(super) fn certified(gap: f64) -> Verdict {
     let gap = print::cell(&crate::number::order(gap));
-    let words = format!("proven error: energy gap {gap} of the strain energy at most");
+    let words = format!("proven error: {}", text::certificate::energy_gap(&gap));
     Verdict { tone: "good", head: "Certified".to_owned(), words }
 }
 

@@ -1,9 +1,12 @@
 //! The document of a file with combinations: each with its own result, and the envelope of all.
 
 use super::existence::Proven;
-use super::{ByName, Checked, EVEN_STEPS, Point, Solved, Unsolved, default_stations, text};
+use super::{
+    Along, ByName, Checked, EVEN_STEPS, Extremes, Head, Lines, Solved, Unsolved, default_stations,
+    text,
+};
 use crate::context::Context;
-use groundbeam::{Bound, Bounds, Change, Envelope, Field, Governing};
+use groundbeam::{Bound, Bounds, Change, Envelope, Extreme, Field, Governing};
 use groundbeam_run::{Alone, Answer, Answers, Banded, Found, Overall};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -30,7 +33,7 @@ pub fn combinations(answers: &Answers, stations: Option<&[f64]>, context: &Conte
         extremes: any.then(|| ByName::of(envelope.fields(), |field| of.extremes(field))),
         band: answers
             .bands()
-            .map(|bands| ByName::of(envelope.fields(), |field| Band::of(bands[field.index()]))),
+            .map(|bands| ByName::of(envelope.fields(), |field| Extremes::of(bands[field.index()]))),
         changes: any.then(|| ByName::of(envelope.fields(), |field| of.changes(field))),
         ..All::head(status, answers, context)
     })
@@ -44,22 +47,16 @@ pub fn envelope_stations(answers: &Answers) -> Vec<f64> {
 
 #[derive(Serialize)]
 struct All<'a> {
-    status: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    title: Option<String>,
-    units: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    trough_chords: Option<usize>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    model_digest: Option<&'a str>,
+    #[serde(flatten)]
+    head: Head<'a>,
     combinations: Vec<One<'a>>,
     cases: Vec<Case<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    envelope: Option<Table<'a>>,
+    envelope: Option<Along<Lines<&'a str>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    extremes: Option<ByName<Extremes<'a>>>,
+    extremes: Option<ByName<Extremes<Governed<'a>>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    band: Option<ByName<Band>>,
+    band: Option<ByName<Extremes<Banded>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     changes: Option<ByName<Vec<Changed<'a>>>>,
     seconds: Option<f64>,
@@ -68,11 +65,7 @@ struct All<'a> {
 impl<'a> All<'a> {
     fn head(status: &'static str, answers: &'a Answers, context: &Context<'a>) -> Self {
         All {
-            status,
-            title: context.title.map(str::to_owned),
-            units: context.units.name(),
-            trough_chords: context.chords,
-            model_digest: context.digest,
+            head: Head::new(status, context),
             combinations: Vec::new(),
             cases: answers.alone.iter().map(|case| Case::of(case, context)).collect(),
             envelope: None,
@@ -91,7 +84,7 @@ struct One<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     ground_factors: Option<GroundFactors>,
     #[serde(flatten)]
-    result: Result,
+    result: Result<'a>,
 }
 
 /// What k and μ are multiplied by.
@@ -101,37 +94,16 @@ struct GroundFactors {
     mu: f64,
 }
 
-/// The smallest and the largest value over all combinations on a ground, with their bands over the grounds.
-#[derive(Serialize)]
-struct Band {
-    min: Spread,
-    max: Spread,
-}
-
-#[derive(Serialize)]
-struct Spread {
-    best: f64,
-    low: f64,
-    high: f64,
-}
-
-impl Band {
-    fn of(bands: [Banded; 2]) -> Self {
-        let [min, max] = bands.map(|Banded { best, low, high }| Spread { best, low, high });
-        Band { min, max }
-    }
-}
-
 #[derive(Serialize)]
 #[serde(untagged)]
-enum Result {
-    Solved(Box<Solved>),
-    Checked(Box<Checked>),
-    Stopped(Box<Unsolved>),
+enum Result<'a> {
+    Solved(Box<Solved<'a>>),
+    Checked(Box<Checked<'a>>),
+    Stopped(Box<Unsolved<'a>>),
     Refused { status: &'static str, why: String },
 }
 
-fn each<'a>(answers: &'a Answers, stations: Option<&[f64]>, context: &Context) -> Vec<One<'a>> {
+fn each<'a>(answers: &'a Answers, stations: Option<&[f64]>, context: &Context<'a>) -> Vec<One<'a>> {
     let (pieces, model, proofs) = (context.pieces, context.model, context.proofs);
     let context = Context { pieces, model, ..Context::new(context.units) };
     let one = |(i, answer): (usize, &'a Answer)| {
@@ -190,38 +162,16 @@ impl<'a> Case<'a> {
 }
 
 #[derive(Serialize)]
-struct Table<'a> {
-    x: Vec<f64>,
-    #[serde(flatten)]
-    fields: ByName<Lines<'a>>,
-}
-
-#[derive(Serialize)]
-struct Lines<'a> {
-    min: Vec<f64>,
-    max: Vec<f64>,
-    governs_min: Vec<&'a str>,
-    governs_max: Vec<&'a str>,
-}
-
-#[derive(Serialize)]
-struct Extremes<'a> {
-    min: Governed<'a>,
-    max: Governed<'a>,
-}
-
-#[derive(Serialize)]
 struct Governed<'a> {
     #[serde(flatten)]
-    point: Point,
+    extreme: Extreme,
     combination: &'a str,
 }
 
 #[derive(Serialize)]
 struct Changed<'a> {
     x: f64,
-    /// `min` or `max`.
-    bound: &'static str,
+    bound: Bound,
     from: &'a str,
     to: &'a str,
 }
@@ -237,7 +187,7 @@ impl<'a> Named<'_, 'a> {
         self.names.get(number).copied().unwrap_or_default()
     }
 
-    fn table(&self, stations: &[f64]) -> Table<'a> {
+    fn table(&self, stations: &[f64]) -> Along<Lines<&'a str>> {
         let all: Vec<_> = stations.iter().map(|&x| self.envelope.all_at(x)).collect();
         let lines = |field: Field| {
             let bounds = || all.iter().map(|bounds| &bounds[field.index()]);
@@ -246,29 +196,23 @@ impl<'a> Named<'_, 'a> {
                 max: bounds().map(|bounds| bounds.max.extreme.value).collect(),
                 governs_min: bounds().map(|bounds| self.name(bounds.min.by)).collect(),
                 governs_max: bounds().map(|bounds| self.name(bounds.max.by)).collect(),
+                passage_min: None,
+                passage_max: None,
             }
         };
-        Table { x: stations.to_vec(), fields: ByName::of(self.envelope.fields(), lines) }
+        Along { x: stations.to_vec(), fields: ByName::of(self.envelope.fields(), lines) }
     }
 
-    fn extremes(&self, field: Field) -> Extremes<'a> {
-        let governed = |Governing { extreme, by }| Governed {
-            point: extreme.into(),
-            combination: self.name(by),
-        };
+    fn extremes(&self, field: Field) -> Extremes<Governed<'a>> {
+        let governed = |Governing { extreme, by }| Governed { extreme, combination: self.name(by) };
         let Bounds { min, max } = self.envelope.range(field);
         Extremes { min: governed(min), max: governed(max) }
     }
 
     fn changes(&self, field: Field) -> Vec<Changed<'a>> {
-        let changed = |Change { x, bound, from, to }| Changed {
-            x,
-            bound: match bound {
-                Bound::Min => "min",
-                Bound::Max => "max",
-            },
-            from: self.name(from),
-            to: self.name(to),
+        let changed = |Change { x, bound, from, to }| {
+            let [from, to] = [from, to].map(|number| self.name(number));
+            Changed { x, bound, from, to }
         };
         self.envelope.changes(field).into_iter().map(changed).collect()
     }

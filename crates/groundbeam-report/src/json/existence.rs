@@ -1,7 +1,7 @@
 //! The verdict on existence, in the result document.
 
 use crate::context::Context;
-use crate::verdict::sentence;
+use crate::verdict::{sentence, wording};
 use groundbeam::{Buckling, Existence, Model, RigidMotion, Verdict};
 use serde::Serialize;
 
@@ -26,7 +26,7 @@ pub(super) struct Proven {
 impl Proven {
     pub fn new(model: &Model, existence: &Existence, context: &Context) -> Self {
         let mut proven = Proven {
-            verdict: "unique",
+            verdict: wording(existence.verdict).name,
             static_reactions: groundbeam::static_reactions(model).iter().map(|r| r.1).collect(),
             failing_motion: None,
             undetermined_motion: None,
@@ -38,22 +38,19 @@ impl Proven {
         match existence.verdict {
             Verdict::Unique => {}
             Verdict::NotUnique(motion) => {
-                proven.verdict = "not-unique";
                 proven.undetermined_motion = Some(Motion::of(Some(model), motion));
             }
             Verdict::None(motion) => {
-                proven.verdict = "none";
                 proven.failing_motion = Some(Motion::of(Some(model), motion));
             }
             Verdict::Local(local) => {
-                proven.verdict = "local";
                 proven.stability_margin = Some(local.stability_margin);
                 proven.critical_compression = Some(local.critical_compression);
             }
             Verdict::Buckles(mode) => {
-                proven.verdict = "none";
                 let Buckling { critical_compression, at, left, right, work } = mode;
-                proven.failing_motion = Some(Motion { left, right, work, hinges: Vec::new() });
+                let motion = RigidMotion { left, right, work, lifted: None };
+                proven.failing_motion = Some(Motion { motion, hinges: Vec::new() });
                 proven.critical_compression = Some(critical_compression);
                 proven.buckles_at = Some(at);
             }
@@ -64,9 +61,8 @@ impl Proven {
 
 #[derive(Serialize)]
 pub(super) struct Motion {
-    left: f64,
-    right: f64,
-    work: f64,
+    #[serde(flatten)]
+    motion: RigidMotion,
     /// r at each hinge, in the order of the model's hinges.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     hinges: Vec<f64>,
@@ -76,7 +72,6 @@ impl Motion {
     pub fn of(model: Option<&Model>, motion: RigidMotion) -> Self {
         let at = |model: &Model, x: f64| motion.at(model, x);
         let all = |model: &Model| model.hinges.iter().map(|hinge| at(model, hinge.at)).collect();
-        let hinges = model.map_or(Vec::new(), all);
-        Motion { left: motion.left, right: motion.right, work: motion.work, hinges }
+        Motion { motion, hinges: model.map_or(Vec::new(), all) }
     }
 }

@@ -1,11 +1,12 @@
-//! SVG, written by hand: shapes and words, and how far up and down they reach.
+//! A drawing: shapes and lines of text, and how far up and down they reach.
 
+use super::paint::{Colour, Fill, Paint, number};
 use crate::font;
-use std::fmt::Write;
+use std::fmt::{self, Display, Formatter, Write};
 
 /// How a line of text stands to its position.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Anchor {
+pub(crate) enum Anchor {
     Start,
     Middle,
     End,
@@ -13,22 +14,130 @@ pub(super) enum Anchor {
 
 /// Size, weight and colour of text.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Style {
+pub(crate) struct Style {
     pub size: f64,
     pub bold: bool,
-    pub colour: &'static str,
+    pub(super) colour: Colour,
     /// Whether the words keep a pale rim, to be read across lines.
-    pub rim: bool,
+    pub(super) rim: bool,
 }
 
-/// Drawn under the letters.
-const RIM: &str =
-    r##" paint-order="stroke" stroke="#ffffff" stroke-opacity="0.8" stroke-width="2.5""##;
+impl Style {
+    pub(super) const fn new(size: f64, bold: bool, colour: Colour) -> Self {
+        Style { size, bold, colour, rim: false }
+    }
+}
+
+/// Rim and colour of the letters.
+impl Display for Style {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        if self.rim {
+            write!(f, "paint-order=\"stroke\" stroke=\"{}\" ", Colour::Paper)?;
+            f.write_str("stroke-opacity=\"0.8\" stroke-width=\"2.5\" ")?;
+        }
+        Fill::new(self.colour).fmt(f)
+    }
+}
+
+/// A line of text; `at` is a point of its baseline.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Text {
+    pub at: [f64; 2],
+    pub anchor: Anchor,
+    pub style: Style,
+    pub words: String,
+}
+
+/// The words for a renderer that knows fonts.
+impl Display for Text {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let [x, y] = self.at.map(number);
+        let size = number(self.style.size);
+        let weight = if self.style.bold { " font-weight=\"600\"" } else { "" };
+        let anchor = match self.anchor {
+            Anchor::Start => "",
+            Anchor::Middle => " text-anchor=\"middle\"",
+            Anchor::End => " text-anchor=\"end\"",
+        };
+        write!(f, "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\"{weight}{anchor} ")?;
+        write!(f, "{}>{}</text>", self.style, escaped(&self.words))
+    }
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Shape {
+    Line([[f64; 2]; 2]),
+    Rect { corner: [f64; 2], size: [f64; 2] },
+    Circle { centre: [f64; 2], radius: f64 },
+    Polyline { points: Vec<[f64; 2]>, closed: bool },
+    Arc { ends: [[f64; 2]; 2], radius: f64, clockwise: bool },
+}
+
+/// The name of the element and its place.
+impl Display for Shape {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Shape::Line([from, to]) => {
+                let ([x1, y1], [x2, y2]) = (from.map(number), to.map(number));
+                write!(f, "line x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\"")
+            }
+            Shape::Rect { corner, size } => {
+                let ([x, y], [width, height]) = (corner.map(number), size.map(number));
+                write!(f, "rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"")
+            }
+            Shape::Circle { centre, radius } => {
+                let ([x, y], radius) = (centre.map(number), number(*radius));
+                write!(f, "circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\"")
+            }
+            Shape::Polyline { points, closed } => {
+                f.write_str("path d=\"")?;
+                for (i, point) in points.iter().enumerate() {
+                    let [x, y] = point.map(number);
+                    write!(f, "{}{x} {y}", if i == 0 { "M" } else { "L" })?;
+                }
+                f.write_str(if *closed { "Z\"" } else { "\"" })
+            }
+            Shape::Arc { ends: [from, to], radius, clockwise } => {
+                let ([x1, y1], [x2, y2]) = (from.map(number), to.map(number));
+                let (r, sweep) = (number(*radius), u8::from(*clockwise));
+                write!(f, "path d=\"M{x1} {y1}A{r} {r} 0 0 {sweep} {x2} {y2}\"")
+            }
+        }
+    }
+}
+
+/// The attributes of a group of elements.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Group {
+    /// Moved down.
+    Down(f64),
+    Ground,
+    /// A beam that moves, with the transform that lays it back where it is straight.
+    Moves(Option<String>),
+}
+
+impl Display for Group {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Group::Down(dy) => write!(f, "transform=\"translate(0 {})\"", number(*dy)),
+            Group::Ground => f.write_str("class=\"ground\""),
+            Group::Moves(None) => f.write_str("class=\"moves\""),
+            Group::Moves(Some(still)) => write!(f, "class=\"moves\" data-still=\"{still}\""),
+        }
+    }
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Element {
+    Shape(Shape, Paint),
+    Text(Text),
+    Group(Group, Vec<Element>),
+}
 
 /// A drawing in coordinates of its own.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Canvas {
-    body: String,
+    elements: Vec<Element>,
     /// The highest and the lowest point of what was drawn.
     reach: Option<[f64; 2]>,
 }
@@ -49,114 +158,127 @@ impl Canvas {
         self.reach = Some([top.min(y), bottom.max(y)]);
     }
 
-    pub fn line(&mut self, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2], attributes: &str) {
-        self.reserve(y1);
-        self.reserve(y2);
-        let [x1, y1, x2, y2] = [x1, y1, x2, y2].map(number);
-        self.element(&format!(r#"<line x1="{x1}" y1="{y1}" x2="{x2}" y2="{y2}" {attributes}/>"#));
+    pub fn line(&mut self, from: [f64; 2], to: [f64; 2], paint: impl Into<Paint>) {
+        self.reserve(from[1]);
+        self.reserve(to[1]);
+        self.shape(Shape::Line([from, to]), paint);
     }
 
-    pub fn rect(&mut self, [x, y]: [f64; 2], [width, height]: [f64; 2], attributes: &str) {
-        self.reserve(y);
-        self.reserve(y + height);
-        let [x, y, width, height] = [x, y, width, height].map(number);
-        self.element(&format!(
-            r#"<rect x="{x}" y="{y}" width="{width}" height="{height}" {attributes}/>"#
-        ));
+    pub fn rect(&mut self, corner: [f64; 2], size: [f64; 2], paint: impl Into<Paint>) {
+        self.reserve(corner[1]);
+        self.reserve(corner[1] + size[1]);
+        self.shape(Shape::Rect { corner, size }, paint);
     }
 
-    pub fn dot(&mut self, [x, y]: [f64; 2], radius: f64, attributes: &str) {
-        self.reserve(y);
-        let [x, y, radius] = [x, y, radius].map(number);
-        self.element(&format!(r#"<circle cx="{x}" cy="{y}" r="{radius}" {attributes}/>"#));
+    pub fn dot(&mut self, centre: [f64; 2], radius: f64, paint: impl Into<Paint>) {
+        self.reserve(centre[1]);
+        self.shape(Shape::Circle { centre, radius }, paint);
     }
 
     /// Straight lines from point to point.
-    pub fn polyline(&mut self, points: &[[f64; 2]], closed: bool, attributes: &str) {
-        let mut path = String::new();
-        for (i, &[x, y]) in points.iter().enumerate() {
-            self.reserve(y);
-            // Writing to a String cannot fail.
-            let _ = write!(path, "{}{} {}", if i == 0 { "M" } else { "L" }, number(x), number(y));
-        }
-        if closed {
-            path.push('Z');
-        }
-        self.path(&path, attributes);
+    pub fn polyline(&mut self, points: &[[f64; 2]], closed: bool, paint: impl Into<Paint>) {
+        points.iter().for_each(|point| self.reserve(point[1]));
+        self.shape(Shape::Polyline { points: points.to_vec(), closed }, paint);
     }
 
-    /// A path in SVG's own letters, whose reach is not looked at.
-    pub fn path(&mut self, path: &str, attributes: &str) {
-        self.element(&format!(r#"<path d="{path}" {attributes}/>"#));
+    /// The shorter arc of a circle between two points. Its reach does not count.
+    pub fn arc(
+        &mut self,
+        ends: [[f64; 2]; 2],
+        radius: f64,
+        clockwise: bool,
+        paint: impl Into<Paint>,
+    ) {
+        self.shape(Shape::Arc { ends, radius, clockwise }, paint);
+    }
+
+    fn shape(&mut self, shape: Shape, paint: impl Into<Paint>) {
+        self.elements.push(Element::Shape(shape, paint.into()));
     }
 
     /// A line of text on the baseline y.
-    pub fn text(&mut self, [x, y]: [f64; 2], anchor: Anchor, style: Style, words: &str) {
+    pub fn text(&mut self, at: [f64; 2], anchor: Anchor, style: Style, words: &str) {
         if words.is_empty() {
             return;
         }
-        self.reserve(y - style.size);
-        self.reserve(y + 0.3 * style.size);
-        let anchor = match anchor {
-            Anchor::Start => "",
-            Anchor::Middle => r#" text-anchor="middle""#,
-            Anchor::End => r#" text-anchor="end""#,
-        };
-        let weight = if style.bold { r#" font-weight="600""# } else { "" };
-        let rim = if style.rim { RIM } else { "" };
-        let (size, colour) = (number(style.size), style.colour);
-        let ([x, y], words) = ([x, y].map(number), escaped(words));
-        self.element(&format!(
-            r#"<text x="{x}" y="{y}" font-size="{size}"{weight}{anchor}{rim} fill="{colour}">{words}</text>"#
-        ));
+        self.reserve(at[1] - style.size);
+        self.reserve(at[1] + 0.3 * style.size);
+        self.elements.push(Element::Text(Text { at, anchor, style, words: words.to_owned() }));
     }
 
     /// Another drawing, moved down by `dy`.
-    pub fn place(&mut self, other: &Canvas, dy: f64) {
-        let [top, bottom] = other.reach();
-        self.reserve(top + dy);
-        self.reserve(bottom + dy);
-        let _ = writeln!(self.body, r#"<g transform="translate(0 {})">"#, number(dy));
-        self.body.push_str(&other.body);
-        self.body.push_str("</g>\n");
+    pub fn place(&mut self, other: Canvas, dy: f64) {
+        self.add(other, Group::Down(dy), dy);
     }
 
     /// Another drawing as one group that has attributes of its own.
-    pub fn group(&mut self, other: &Canvas, attributes: &str) {
+    pub fn group(&mut self, other: Canvas, group: Group) {
+        self.add(other, group, 0.0);
+    }
+
+    fn add(&mut self, other: Canvas, group: Group, dy: f64) {
         let [top, bottom] = other.reach();
-        self.reserve(top);
-        self.reserve(bottom);
-        let _ = writeln!(self.body, "<g {attributes}>");
-        self.body.push_str(&other.body);
-        self.body.push_str("</g>\n");
+        self.reserve(top + dy);
+        self.reserve(bottom + dy);
+        self.elements.push(Element::Group(group, other.elements));
     }
 
-    /// The whole file, from y = 0.
-    pub fn finish(self, width: f64, height: f64, title: &str) -> String {
-        let [width, height] = [width, height].map(number);
-        format!(
-            r##"<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" font-family="{family}" stroke-linejoin="round">
-<title>{title}</title>
-<rect width="{width}" height="{height}" fill="#ffffff"/>
-{body}</svg>
-"##,
-            family = font::FAMILY,
-            title = escaped(title),
-            body = self.body
-        )
-    }
-
-    fn element(&mut self, element: &str) {
-        self.body.push_str(element);
-        self.body.push('\n');
+    /// The whole picture, from y = 0.
+    pub fn finish(self, width: f64, height: f64, title: &str) -> Picture {
+        Picture { elements: self.elements, size: [width, height], title: title.to_owned() }
     }
 }
 
-/// Hundredths of a unit are finer than any screen.
-pub(super) fn number(value: f64) -> String {
-    let text = format!("{value:.2}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+/// A finished picture. Its `Display` is an SVG file with the words as text.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Picture {
+    elements: Vec<Element>,
+    size: [f64; 2],
+    title: String,
+}
+
+impl Picture {
+    /// The picture as an SVG file, each line of text as `text` writes it.
+    pub(crate) fn written(&self, text: &dyn Fn(&Text, &mut String)) -> String {
+        let [width, height] = self.size.map(number);
+        let mut svg = format!(
+            r##"<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" font-family="{family}" stroke-linejoin="round">
+<title>{title}</title>
+<rect width="{width}" height="{height}" {paper}/>
+"##,
+            family = font::FAMILY,
+            title = escaped(&self.title),
+            paper = Fill::new(Colour::Paper),
+        );
+        write_all(&self.elements, text, &mut svg);
+        svg + "</svg>\n"
+    }
+}
+
+impl Display for Picture {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.written(&|text, svg| {
+            let _ = write!(svg, "{text}");
+        }))
+    }
+}
+
+// Writing to a String cannot fail.
+fn write_all(elements: &[Element], text: &dyn Fn(&Text, &mut String), svg: &mut String) {
+    for element in elements {
+        match element {
+            Element::Shape(shape, paint) => {
+                let _ = write!(svg, "<{shape} {paint}/>");
+            }
+            Element::Text(line) => text(line, svg),
+            Element::Group(group, elements) => {
+                let _ = writeln!(svg, "<g {group}>");
+                write_all(elements, text, svg);
+                svg.push_str("</g>");
+            }
+        }
+        svg.push('\n');
+    }
 }
 
 /// Text within XML, with the minus sign that print has.
@@ -183,10 +305,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_and_words() {
-        assert_eq!(number(-0.001), "0");
-        assert_eq!(number(12.50), "12.5");
-        assert_eq!(number(100.0), "100");
+    fn words_within_xml() {
         assert_eq!(escaped("a < b & c"), "a &lt; b &amp; c");
         assert_eq!(printed("-1.5e-3"), "−1.5e−3");
     }

@@ -1,13 +1,12 @@
 //! A field drawn over the beam's length: zero line, curve, extremes in words.
 
 use super::axis;
-use super::canvas::{Anchor, Canvas, number, printed};
+use super::canvas::{Anchor, Canvas, printed};
 use super::frame::{Frame, LEFT};
 use super::labels::{Labels, Rect};
+use super::paint::{Colour, Fill, Stroke};
 use super::samples::simplified;
-use super::style::{
-    BEAM, FORCE, GROUND_LINE, INK, MOMENT, NOTE, PANEL_TITLE, PRESSURE, RIMMED, RULE, SHEAR, TICK,
-};
+use super::style::{NOTE, PANEL_TITLE, RIMMED, TICK};
 use crate::font::Metrics;
 use crate::quantity::{Kind, Unit, Units};
 use groundbeam::{Extreme, Field};
@@ -29,7 +28,7 @@ pub(super) struct Diagram<'a> {
     pub note: &'a str,
     pub kind: Kind,
     pub units: Units,
-    pub colour: &'static str,
+    pub colour: Colour,
     /// Whether positive values are drawn downward.
     pub downward: bool,
     pub values: Vec<(f64, f64)>,
@@ -48,11 +47,11 @@ impl Diagram<'static> {
     /// The empty diagram of a field.
     pub fn of(field: Field, units: Units) -> Self {
         let (note, colour) = match field {
-            Field::Pressure => (field.positive(), PRESSURE),
-            Field::Moment => ("drawn on the tension side", MOMENT),
-            Field::ShearForce => (field.positive(), SHEAR),
-            Field::Gap => ("between beam and ground", GROUND_LINE),
-            _ => (field.positive(), BEAM),
+            Field::Pressure => (field.positive(), Colour::Pressure),
+            Field::Moment => ("drawn on the tension side", Colour::Moment),
+            Field::ShearForce => (field.positive(), Colour::Shear),
+            Field::Gap => ("between beam and ground", Colour::GroundLine),
+            _ => (field.positive(), Colour::Beam),
         };
         Diagram {
             title: field.title(),
@@ -106,6 +105,14 @@ impl Diagram<'_> {
         canvas
     }
 
+    fn area(&self) -> Fill {
+        Fill::new(self.colour).with_opacity(0.14)
+    }
+
+    fn line(&self) -> Stroke {
+        Stroke::new(self.colour, 1.7)
+    }
+
     fn range(&self) -> [f64; 2] {
         let all = self.values.iter().chain(&self.lower).chain(self.thin.iter().flatten());
         all.fold([0.0, 0.0], |[low, high], &(_, v)| [low.min(v), high.max(v)])
@@ -127,19 +134,19 @@ impl Diagram<'_> {
 
     fn grid(&self, canvas: &mut Canvas, frame: &Frame, scale: &Scale, unit: Unit, height: f64) {
         let [top, bottom] = [TOP, TOP + height];
+        let rule = Stroke::new(Colour::Rule, 1.0);
         for &x in self.edges {
             let x = frame.x(x);
-            let dashes = format!(r#"stroke="{RULE}" stroke-width="1" stroke-dasharray="3 3""#);
-            canvas.line([x, top], [x, bottom], &dashes);
+            canvas.line([x, top], [x, bottom], rule.dashed(3.0, 3.0));
         }
         for x in [0.0, frame.length] {
             let x = frame.x(x);
-            canvas.line([x, top], [x, bottom], &format!(r#"stroke="{RULE}" stroke-width="1""#));
+            canvas.line([x, top], [x, bottom], rule);
         }
         for value in axis::ticks(scale.range, 3) {
             let y = scale.y(value);
             if value != 0.0 {
-                let faint = r##"stroke="#eceef1" stroke-width="1""##;
+                let faint = Stroke::new(Colour::FaintRule, 1.0);
                 canvas.line([LEFT, y], [frame.right(), y], faint);
             }
             let words = printed(&unit.number(value, 6));
@@ -149,7 +156,7 @@ impl Diagram<'_> {
         canvas.line(
             [frame.x(0.0), zero],
             [frame.x(frame.length), zero],
-            &format!(r#"stroke="{INK}" stroke-width="1""#),
+            Stroke::new(Colour::Ink, 1.0),
         );
     }
 
@@ -169,10 +176,8 @@ impl Diagram<'_> {
         closed.extend(points);
         closed.push([frame.x(frame.length), zero]);
         let closed = simplified(&closed);
-        let fill = format!(r#"fill="{}" fill-opacity="0.14" stroke="none""#, self.colour);
-        canvas.polyline(&closed, true, &fill);
-        let stroke = format!(r#"fill="none" stroke="{}" stroke-width="1.7""#, self.colour);
-        canvas.polyline(&closed, false, &stroke);
+        canvas.polyline(&closed, true, self.area().and(Stroke::NONE));
+        canvas.polyline(&closed, false, Fill::NONE.and(self.line()));
         labels.avoid_line(&closed);
     }
 
@@ -182,11 +187,10 @@ impl Diagram<'_> {
             [&self.values, &self.lower].map(|line| simplified(&on_page(line, frame, scale)));
         let mut area = upper.clone();
         area.extend(lower.iter().rev());
-        canvas.polyline(&area, true, &format!(r#"fill="{}" fill-opacity="0.14""#, self.colour));
+        canvas.polyline(&area, true, self.area());
         self.thin(canvas, frame, scale);
-        let stroke = format!(r#"fill="none" stroke="{}" stroke-width="1.7""#, self.colour);
         for line in [upper, lower] {
-            canvas.polyline(&line, false, &stroke);
+            canvas.polyline(&line, false, Fill::NONE.and(self.line()));
             labels.avoid_line(&line);
         }
     }
@@ -194,9 +198,8 @@ impl Diagram<'_> {
     fn thin(&self, canvas: &mut Canvas, frame: &Frame, scale: &Scale) {
         for line in &self.thin {
             let line = simplified(&on_page(line, frame, scale));
-            let stroke = r#"stroke-width="0.7" stroke-opacity="0.55""#;
-            let stroke = format!(r#"fill="none" stroke="{}" {stroke}"#, self.colour);
-            canvas.polyline(&line, false, &stroke);
+            let stroke = Stroke::new(self.colour, 0.7).with_opacity(0.55);
+            canvas.polyline(&line, false, Fill::NONE.and(stroke));
         }
     }
 
@@ -209,7 +212,7 @@ impl Diagram<'_> {
         for (x, force, _) in &self.forces {
             let x = frame.x(*x);
             let length = (room * force.abs() / largest).max(14.0);
-            arrow(canvas, [x, zero + length], [x, zero + 1.0], FORCE, 2.6);
+            arrow(canvas, [x, zero + length], [x, zero + 1.0], Colour::Force, 2.6);
             labels.avoid(Rect::around([x, zero], [x, zero + length], 4.0));
             tails.push([x, zero + 0.5 * length]);
         }
@@ -233,10 +236,10 @@ impl Diagram<'_> {
     ) {
         for extreme in self.extremes.iter().filter(|extreme| extreme.value != 0.0) {
             let at = [frame.x(extreme.x), scale.y(extreme.value)];
-            let dot = format!(r##"fill="{}" stroke="#ffffff" stroke-width="1""##, self.colour);
+            let dot = Fill::new(self.colour).and(Stroke::new(Colour::Paper, 1.0));
             let x = self.units.unit(Kind::Position, extreme.x).write(extreme.x, 4);
             let words = printed(&format!("{} at {x}", unit.write(extreme.value, 4)));
-            canvas.dot(at, 3.2, &dot);
+            canvas.dot(at, 3.2, dot);
             labels.avoid(Rect::around(at, at, 3.0));
             if let Some(place) = labels.around(at, &words, RIMMED.size) {
                 canvas.text([place.x, place.baseline], Anchor::Start, RIMMED, &words);
@@ -276,15 +279,14 @@ pub(super) fn arrow(
     canvas: &mut Canvas,
     [x, from]: [f64; 2],
     [_, to]: [f64; 2],
-    colour: &str,
+    colour: Colour,
     width: f64,
 ) {
     let up = if to < from { 1.0 } else { -1.0 };
     let size = (2.0 + 2.2 * width).min(0.8 * (from - to).abs());
     let neck = to + up * size;
-    let stroke = format!(r#"stroke="{colour}" stroke-width="{}""#, number(width));
-    canvas.line([x, from], [x, neck], &stroke);
+    canvas.line([x, from], [x, neck], Stroke::new(colour, width));
     let half = 0.42 * size;
     let head = [[x, to], [x - half, neck], [x + half, neck]];
-    canvas.polyline(&head, true, &format!(r#"fill="{colour}""#));
+    canvas.polyline(&head, true, Fill::new(colour));
 }

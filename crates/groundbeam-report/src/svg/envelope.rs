@@ -1,6 +1,6 @@
 //! The picture of all combinations: envelopes of deflection, pressure, moment and shear force.
 
-use super::canvas::Canvas;
+use super::canvas::{Canvas, Picture};
 use super::diagram::{Diagram, OF_ENVELOPES, worth_naming};
 use super::frame::{Frame, WIDTH};
 use super::samples::Samples;
@@ -14,8 +14,8 @@ use groundbeam_run::Answers;
 /// Even steps along the beam: finer than a screen.
 const EVEN_STEPS: usize = 1200;
 
-/// The envelopes of all combinations that were solved, each combination a thin line, as an SVG file.
-pub fn combinations(answers: &Answers, context: &Context) -> String {
+/// The envelopes of all combinations that were solved, each combination a thin line.
+pub fn combinations(answers: &Answers, context: &Context) -> Picture {
     let solutions: Vec<&Solution> = answers.solved().map(|(_, solution)| solution).collect();
     let title = context.clean_title();
     let mut page = Canvas::new();
@@ -33,7 +33,7 @@ pub fn combinations(answers: &Answers, context: &Context) -> String {
     let numbers = numbers(first, context.units);
     let mut y = header(&mut page, title.as_deref(), &[&numbers, &note]);
     for diagram in diagrams(&answers.envelope(), context.units) {
-        y = stacked(&mut page, &diagram.draw(&frame, &metrics), y);
+        y = stacked(&mut page, diagram.draw(&frame, &metrics), y);
     }
     axis_of_x(&mut page, &frame, context.units, y - PANEL_SPACE + 2.0);
     let height = page.reach()[1].max(y) + 14.0;

@@ -15,14 +15,14 @@ use groundbeam_run::{Answers, Passages};
 pub(crate) fn model(model: &Model, motion: Option<RigidMotion>, units: Units) -> String {
     let (frame, metrics) = (Frame::narrow(model), Metrics::new());
     let drawing = sketch::draw(model, motion, units, &frame, &metrics);
-    alone(&drawing, &frame, None, "The model")
+    alone(drawing, &frame, None, "The model")
 }
 
 /// The bent beam on its ground.
 pub(crate) fn bent(solution: &Solution, units: Units) -> String {
     let (frame, metrics) = (Frame::narrow(solution.model()), Metrics::new());
     let drawing = system::draw(solution, units, &frame, &Samples::of(solution), &metrics);
-    alone(&drawing, &frame, Some(units), "Beam and ground")
+    alone(drawing, &frame, Some(units), "Beam and ground")
 }
 
 /// Deflection and ground, gap, pressure with end forces, moment and shear of a solution.
@@ -63,13 +63,13 @@ pub(crate) fn trains(passages: &Passages, units: Units) -> Vec<String> {
 fn drawn<'a>(all: impl Iterator<Item = Diagram<'a>>, model: &Model, units: Units) -> Vec<String> {
     let (frame, metrics) = (Frame::narrow(model), Metrics::new());
     let figure = |diagram: Diagram| {
-        alone(&diagram.draw(&frame, &metrics), &frame, Some(units), diagram.title)
+        alone(diagram.draw(&frame, &metrics), &frame, Some(units), diagram.title)
     };
     all.map(figure).collect()
 }
 
 /// One panel as a file of its own, over the positions along the beam where they are asked for.
-fn alone(panel: &Canvas, frame: &Frame, axis: Option<Units>, title: &str) -> String {
+fn alone(panel: Canvas, frame: &Frame, axis: Option<Units>, title: &str) -> String {
     const EDGE: f64 = 4.0;
     let [top, bottom] = panel.reach();
     let mut page = Canvas::new();
@@ -79,5 +79,5 @@ fn alone(panel: &Canvas, frame: &Frame, axis: Option<Units>, title: &str) -> Str
         axis_of_x(&mut page, frame, units, height + 0.2 * PANEL_SPACE);
         height = page.reach()[1];
     }
-    page.finish(frame.width, height + EDGE, title)
+    page.finish(frame.width, height + EDGE, title).to_string()
 }

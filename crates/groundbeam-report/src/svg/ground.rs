@@ -5,7 +5,8 @@ use super::canvas::{Anchor, Canvas, printed};
 use super::diagram::arrow;
 use super::frame::Frame;
 use super::labels::{Labels, Place, Rect};
-use super::style::{BEAM, GROUND_LINE, LABEL, LOAD, NOTE};
+use super::paint::{Colour, Fill, Stroke};
+use super::style::{DISTRIBUTED, LABEL, NOTE};
 use crate::quantity::{Kind, Units};
 use groundbeam::{Extent, FoundationSegment, GroundEnd, Load, Model, Profile};
 
@@ -35,27 +36,25 @@ pub(super) fn draw(
     frame: &Frame,
     line: &[[f64; 2]],
     bottom: f64,
-    fill: &str,
 ) {
-    canvas.polyline(&below(line, bottom), true, &format!(r#"fill="{fill}""#));
+    canvas.polyline(&below(line, bottom), true, Fill::new(Colour::Ground));
     for segment in &model.foundation.segments {
         let sides =
             [(segment.from, segment.to.min(0.0)), (segment.from.max(frame.length), segment.to)];
         for ((from, to), right) in sides.into_iter().zip([false, true]) {
             let part = between(line, frame.x(from), frame.x(to));
-            let [tint, opacity] = match is_stiffer(segment, model, right) {
-                Some(true) => [GROUND_LINE, "0.28"],
-                Some(false) => ["#ffffff", "0.5"],
+            let tint = match is_stiffer(segment, model, right) {
+                Some(true) => Fill::new(Colour::GroundLine).with_opacity(0.28),
+                Some(false) => Fill::new(Colour::Paper).with_opacity(0.5),
                 None => continue,
             };
             if from < to && !part.is_empty() {
-                let look = format!(r#"fill="{tint}" fill-opacity="{opacity}""#);
-                canvas.polyline(&below(&part, bottom), true, &look);
+                canvas.polyline(&below(&part, bottom), true, tint);
             }
         }
     }
-    let stroke = format!(r#"fill="none" stroke="{GROUND_LINE}" stroke-width="1.4""#);
-    canvas.polyline(line, false, &stroke);
+    let edge = Stroke::new(Colour::GroundLine, 1.4);
+    canvas.polyline(line, false, Fill::NONE.and(edge));
     let corners = [line.first(), line.last()];
     for (corner, end) in corners.into_iter().zip(model.foundation.ends) {
         // Where it goes on beyond the picture it does not end there.
@@ -65,13 +64,9 @@ pub(super) fn draw(
         let Some(&[x, y]) = corner.filter(|corner| is_here(corner)) else { continue };
         match end {
             GroundEnd::Endless => {}
-            GroundEnd::Free { .. } => {
-                let edge = format!(r#"stroke="{GROUND_LINE}" stroke-width="1.4""#);
-                canvas.line([x, y], [x, bottom], &edge);
-            }
+            GroundEnd::Free { .. } => canvas.line([x, y], [x, bottom], edge),
             GroundEnd::Held { .. } => {
-                let wall = format!(r#"stroke="{BEAM}" stroke-width="3""#);
-                canvas.line([x, y - WALL], [x, bottom], &wall);
+                canvas.line([x, y - WALL], [x, bottom], Stroke::new(Colour::Beam, 3.0));
             }
         }
     }
@@ -230,7 +225,7 @@ impl GroundLoads<'_> {
         } else {
             (surface + 1.0, surface + length)
         };
-        arrow(canvas, [x, tail], [x, tip], LOAD, 2.0);
+        arrow(canvas, [x, tail], [x, tip], Colour::Load, 2.0);
         labels.avoid(Rect::around([x, tail], [x, tip], 3.0));
         let end = if self.is_beside(at) { tail } else { tip };
         Word { at: [x, end], words, is_here: true }
@@ -270,18 +265,15 @@ impl GroundLoads<'_> {
                 upward * SPREAD * share(x).abs()
             };
             let far: Vec<[f64; 2]> = part.iter().rev().map(|&[x, y]| [x, y + across(x)]).collect();
-            let (look, width) = (
-                format!(r#"fill="{LOAD}" fill-opacity="0.12" stroke="{LOAD}" stroke-width="0.9""#),
-                edge(pair[1])[0] - edge(pair[0])[0],
-            );
-            canvas.polyline(&[part.clone(), far].concat(), true, &look);
+            let width = edge(pair[1])[0] - edge(pair[0])[0];
+            canvas.polyline(&[part.clone(), far].concat(), true, DISTRIBUTED);
             let arrows = (width / 14.0).floor().clamp(1.0, 60.0) as usize;
             for i in 0..=arrows {
                 let x = edge(pair[0])[0] + width * i as f64 / arrows as f64;
                 let y = height(self.line, x);
                 let reach = across(x);
                 if reach.abs() > 6.0 {
-                    arrow(canvas, [x, y.min(y + reach)], [x, y.max(y + reach)], LOAD, 0.9);
+                    arrow(canvas, [x, y.min(y + reach)], [x, y.max(y + reach)], Colour::Load, 0.9);
                 }
             }
             let level = part.iter().map(|p| p[1] + across(p[0]));
@@ -300,7 +292,7 @@ impl GroundLoads<'_> {
 
     fn beside(&self, canvas: &mut Canvas, at: [f64; 2], words: &str, labels: &mut Labels) {
         if let Some(place) = labels.around(at, words, LABEL.size) {
-            let style = Style { colour: LOAD, ..LABEL };
+            let style = Style { colour: Colour::Load, ..LABEL };
             canvas.text([place.x, place.baseline], Anchor::Start, style, words);
         }
     }
@@ -319,7 +311,7 @@ impl GroundLoads<'_> {
         let level = height(self.line, surface);
         let places = [8.0, 22.0, 36.0].map(|rise| Place { x, baseline: level - rise });
         if let Some(place) = labels.at(&places, &words, LABEL.size) {
-            let style = Style { colour: LOAD, ..LABEL };
+            let style = Style { colour: Colour::Load, ..LABEL };
             canvas.text([place.x, place.baseline], Anchor::Start, style, &words);
         }
     }

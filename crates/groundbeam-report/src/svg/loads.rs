@@ -1,10 +1,11 @@
 //! Loads as arrows, areas of arrows, turning arrows and bent lines, with their sizes.
 
-use super::canvas::{Anchor, Canvas, number, printed};
+use super::canvas::{Anchor, Canvas, Style, printed};
 use super::diagram::arrow;
 use super::frame::Frame;
 use super::labels::{Labels, Place, Rect};
-use super::style::{LABEL, LOAD};
+use super::paint::{Colour, Fill, Stroke};
+use super::style::{DISTRIBUTED, LABEL};
 use crate::load::{is_moment_per_length, load_kind, load_size};
 use crate::quantity::Units;
 use groundbeam::{Action, Extent, Load};
@@ -41,9 +42,8 @@ impl Loads<'_> {
         // The largest loads get the best places.
         wanted.sort_by(|a, b| b.weight.total_cmp(&a.weight));
         for Wanted { words, places, .. } in wanted {
-            let style = super::style::LABEL;
+            let style = Style { colour: Colour::Load, ..LABEL };
             if let Some(place) = labels.at(&places, &words, style.size) {
-                let style = super::canvas::Style { colour: LOAD, ..style };
                 canvas.text([place.x, place.baseline], Anchor::Start, style, &words);
             }
         }
@@ -115,18 +115,16 @@ impl Loads<'_> {
         let upper: Vec<_> =
             (0..=steps).rev().map(|i| [at(t(i))[0], at(t(i))[1] - height(t(i)).abs()]).collect();
         let outline = [lower, upper].concat();
-        let look =
-            format!(r#"fill="{LOAD}" fill-opacity="0.12" stroke="{LOAD}" stroke-width="0.9""#);
-        canvas.polyline(&outline, true, &look);
+        canvas.polyline(&outline, true, DISTRIBUTED);
         let arrows = (width / 16.0).floor().clamp(1.0, 60.0) as usize;
         for i in 0..=arrows {
             let t = i as f64 / arrows as f64;
             let [x, low] = at(t);
             let high = low - height(t).abs();
             if height(t) > 7.0 {
-                arrow(canvas, [x, high], [x, low], LOAD, 0.9);
+                arrow(canvas, [x, high], [x, low], Colour::Load, 0.9);
             } else if height(t) < -7.0 {
-                arrow(canvas, [x, low], [x, high], LOAD, 0.9);
+                arrow(canvas, [x, low], [x, high], Colour::Load, 0.9);
             }
         }
     }
@@ -146,9 +144,8 @@ impl Loads<'_> {
             [self.frame.x(x), (self.top)(x) - base + bent]
         };
         let line: Vec<_> = (0..=40).map(point).collect();
-        let look =
-            format!(r#"fill="none" stroke="{LOAD}" stroke-width="1.6" stroke-dasharray="9 3""#);
-        canvas.polyline(&line, false, &look);
+        let dashes = Stroke::new(Colour::Load, 1.6).dashed(9.0, 3.0);
+        canvas.polyline(&line, false, Fill::NONE.and(dashes));
     }
 
     fn turning_row(&self, canvas: &mut Canvas, [from, to]: [f64; 2], ends: [f64; 2], base: f64) {
@@ -236,7 +233,7 @@ impl Loads<'_> {
             let length = above + 18.0 + 26.0 * share;
             let [x, tip] = [self.frame.x(at), (self.top)(at) - 1.5];
             let (from, to) = if size > 0.0 { (tip - length, tip) } else { (tip, tip - length) };
-            arrow(canvas, [x, from], [x, to], LOAD, 2.0);
+            arrow(canvas, [x, from], [x, to], Colour::Load, 2.0);
             labels.avoid(Rect::around([x, tip], [x, tip - length], 3.0));
             wanted.push(self.beside([x, tip - length], words, share, labels));
         }
@@ -272,18 +269,15 @@ fn turning_arrow(canvas: &mut Canvas, [x, y]: [f64; 2], radius: f64, clockwise: 
         let angle = degrees.to_radians();
         [x + side * radius * angle.cos(), y - radius * angle.sin()]
     };
-    let [from, to] = [point(200.0, radius), point(22.0, radius)];
-    let sweep = if clockwise { 1 } else { 0 };
-    let [x1, y1, x2, y2] = [from[0], from[1], to[0], to[1]].map(number);
-    let r = number(radius);
-    let width = if radius > 10.0 { "2" } else { "1.2" };
-    let arc = format!("M{x1} {y1}A{r} {r} 0 0 {sweep} {x2} {y2}");
+    let ends = [point(200.0, radius), point(22.0, radius)];
+    let width = if radius > 10.0 { 2.0 } else { 1.2 };
     // Pale underneath, to be seen on arrows and on the beam.
-    canvas.path(&arc, r##"fill="none" stroke="#ffffff" stroke-width="4.5""##);
-    canvas.path(&arc, &format!(r#"fill="none" stroke="{LOAD}" stroke-width="{width}""#));
+    for stroke in [Stroke::new(Colour::Paper, 4.5), Stroke::new(Colour::Load, width)] {
+        canvas.arc(ends, radius, clockwise, Fill::NONE.and(stroke));
+    }
     canvas.reserve(y - radius);
     let half = 0.3 * radius;
     let tip = point(-4.0, radius);
     let head = [tip, point(24.0, radius - half), point(24.0, radius + half)];
-    canvas.polyline(&head, true, &format!(r#"fill="{LOAD}""#));
+    canvas.polyline(&head, true, Fill::new(Colour::Load));
 }

@@ -1,7 +1,7 @@
 //! The picture of a solution: the beam on its ground, pressure, moment and shear force.
 //!
 //! Equal solutions give equal bytes. The picture has a white ground of its own and needs no style sheet and
-//! no script. It names the font Inter, in which its labels were measured; [`png`](crate::png) brings it along.
+//! no script. It names the font Inter, in which its labels were measured; a [PNG](Picture::png) has their outlines.
 
 mod axis;
 mod canvas;
@@ -12,6 +12,7 @@ mod frame;
 mod ground;
 mod labels;
 mod loads;
+mod paint;
 mod samples;
 mod sketch;
 mod study;
@@ -27,14 +28,22 @@ use crate::context::Context;
 use crate::font::Metrics;
 use crate::number::significant;
 use crate::quantity::{Kind, Units};
-use canvas::{Anchor, Canvas, printed};
+pub(crate) use canvas::Anchor;
+pub use canvas::Picture;
+#[cfg(feature = "png")]
+pub(crate) use canvas::Text;
+use canvas::{Canvas, printed};
 use diagram::{Diagram, worth_naming};
 pub use envelope::combinations;
 use frame::{Frame, LEFT, WIDTH};
 use groundbeam::{Field, Solution};
+pub use paint::dark_style;
+#[cfg(feature = "png")]
+pub(crate) use paint::rounded;
+use paint::{Colour, Stroke};
 use samples::Samples;
 pub use study::study;
-use style::{FAINT_INK, NOTE, TICK, TITLE};
+use style::{NOTE, TICK, TITLE};
 pub use tipping::tipping;
 pub use train::trains;
 pub use view::{Grip, Handle, View, view};
@@ -42,8 +51,8 @@ pub use view::{Grip, Handle, View, view};
 /// Edges of contact beyond this many are not marked in the diagrams.
 const MOST_EDGES: usize = 40;
 
-/// The picture as an SVG file.
-pub fn picture(solution: &Solution, context: &Context) -> String {
+/// The picture of one solution.
+pub fn picture(solution: &Solution, context: &Context) -> Picture {
     let metrics = Metrics::new();
     let frame = Frame::of(solution.model());
     let samples = Samples::of(solution);
@@ -54,9 +63,9 @@ pub fn picture(solution: &Solution, context: &Context) -> String {
     let numbers = numbers(solution, context.units);
     let mut y = header(&mut page, title.as_deref(), &[&numbers]);
     let system = system::draw(solution, context.units, &frame, &samples, &metrics);
-    y = stacked(&mut page, &system, y);
+    y = stacked(&mut page, system, y);
     for diagram in diagrams(solution, context.units, &samples, &edges) {
-        y = stacked(&mut page, &diagram.draw(&frame, &metrics), y);
+        y = stacked(&mut page, diagram.draw(&frame, &metrics), y);
     }
     axis_of_x(&mut page, &frame, context.units, y - PANEL_SPACE + 2.0);
     let height = page.reach()[1].max(y) + 14.0;
@@ -67,7 +76,7 @@ pub fn picture(solution: &Solution, context: &Context) -> String {
 const PANEL_SPACE: f64 = 22.0;
 
 /// Puts a panel below y and tells where the next one begins.
-fn stacked(page: &mut Canvas, panel: &Canvas, y: f64) -> f64 {
+fn stacked(page: &mut Canvas, panel: Canvas, y: f64) -> f64 {
     let [top, bottom] = panel.reach();
     page.place(panel, y - top);
     y - top + bottom + PANEL_SPACE
@@ -162,14 +171,38 @@ fn concentrated(solution: &Solution, units: Units, samples: &Samples) -> Vec<(f6
 }
 
 fn axis_of_x(page: &mut Canvas, frame: &Frame, units: Units, y: f64) {
-    let stroke = format!(r#"stroke="{FAINT_INK}" stroke-width="1""#);
-    page.line([frame.x(0.0), y], [frame.x(frame.length), y], &stroke);
+    let stroke = Stroke::new(Colour::FaintInk, 1.0);
+    page.line([frame.x(0.0), y], [frame.x(frame.length), y], stroke);
     let unit = units.unit(Kind::Position, frame.length);
     for x in axis::ticks([0.0, frame.length], 6) {
         let at = frame.x(x);
-        page.line([at, y], [at, y + 5.0], &stroke);
+        page.line([at, y], [at, y + 5.0], stroke);
         page.text([at, y + 18.0], Anchor::Middle, TICK, &printed(&unit.number(x, 6)));
     }
     let words = format!("x{}", unit.bracketed());
     page.text([frame.end_of_axis(), y + 18.0], Anchor::End, TICK, &words);
+}
+
+/// Lines of text of all anchors, weights and kinds of signs on a tinted ground.
+#[cfg(test)]
+pub(crate) fn test_card() -> Picture {
+    use canvas::Style;
+    let mut card = Canvas::new();
+    card.rect([0.0, 0.0], [600.0, 240.0], paint::Fill::new(Colour::Rule));
+    let style = |size, bold, colour| Style::new(size, bold, colour);
+    let rimmed = Style { rim: true, ..style(30.0, false, Colour::Moment) };
+    for (at, anchor, style, words) in [
+        ([10.5, 40.0], Anchor::Start, style(24.0, false, Colour::Ink), "AVATAR To, LTV 1 < 2 & é"),
+        (
+            [300.0, 90.0],
+            Anchor::Middle,
+            style(22.0, true, Colour::Pressure),
+            "Wave \"Ty\" βl = −3.7 kN/m²",
+        ),
+        ([590.0, 150.0], Anchor::End, rimmed, "Pressure → 12 mm"),
+        ([10.0, 210.0], Anchor::Start, style(18.0, false, Colour::Ink), "lacks: 木 and no more"),
+    ] {
+        card.text(at, anchor, style, words);
+    }
+    card.finish(600.0, 240.0, "Lines of text")
 }

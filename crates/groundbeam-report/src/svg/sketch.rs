@@ -1,11 +1,12 @@
 //! The model as it is given: beam, ground, supports and loads before anything moves.
 
-use super::canvas::{Anchor, Canvas, number, printed};
+use super::canvas::{Anchor, Canvas, printed};
 use super::frame::Frame;
 use super::ground::{self, GroundLoads};
 use super::labels::{Labels, Rect};
 use super::loads::Loads;
-use super::style::{BEAM, FAINT_INK, GROUND, LABEL, NOTE, SHEAR};
+use super::paint::{Colour, Fill, Stroke};
+use super::style::{LABEL, NOTE};
 use super::supports;
 use crate::font::Metrics;
 use crate::quantity::{Kind, Units};
@@ -34,7 +35,7 @@ pub(super) fn draw(
     let mut labels = Labels::new(metrics, page);
     let [left, right] = [frame.x(0.0), frame.x(frame.length)];
     let (surface, floor) = ground(&mut canvas, model, units, frame, &mut labels);
-    canvas.rect([left, -THICKNESS], [right - left, THICKNESS], &format!(r#"fill="{BEAM}""#));
+    canvas.rect([left, -THICKNESS], [right - left, THICKNESS], Fill::new(Colour::Beam));
     labels.avoid(Rect::around([left, -THICKNESS], [right, 0.0], 0.0));
     for support in &model.supports {
         let outward = match support.at {
@@ -78,7 +79,7 @@ fn ground(
     line.push([right, last]);
     let floor = line.iter().fold(0.0_f64, |floor, point| floor.max(point[1]));
     let bottom = floor + BELOW;
-    ground::draw(canvas, model, frame, &line, bottom, GROUND);
+    ground::draw(canvas, model, frame, &line, bottom);
     labels.avoid_line(&line);
     if deepest > 0.0 {
         let words = printed(&units.write(Kind::Deflection, deepest, 4));
@@ -97,23 +98,17 @@ fn tipping(canvas: &mut Canvas, model: &Model, motion: RigidMotion, frame: &Fram
     corners.sort_by(f64::total_cmp);
     let point = |x: &f64| [frame.x(*x), RISE * motion.at(model, *x) - 0.5 * THICKNESS];
     let line: Vec<[f64; 2]> = corners.iter().map(point).collect();
-    let (colour, width) = (SHEAR, number(0.3 * THICKNESS));
-    let look =
-        format!(r#"fill="none" stroke="{colour}" stroke-width="{width}" stroke-dasharray="9 5""#);
-    canvas.polyline(&line, false, &look);
+    let dashes = Stroke::new(Colour::Shear, 0.3 * THICKNESS).dashed(9.0, 5.0);
+    canvas.polyline(&line, false, Fill::NONE.and(dashes));
 }
 
 /// The beam's length below the ground.
 fn dimension(canvas: &mut Canvas, [left, right]: [f64; 2], y: f64, length: &str) {
-    let thin = format!(r#"stroke="{FAINT_INK}" stroke-width="0.8""#);
-    canvas.line([left - 6.0, y], [right + 6.0, y], &thin);
+    let [thin, thick] = [0.8, 1.6].map(|width| Stroke::new(Colour::FaintInk, width));
+    canvas.line([left - 6.0, y], [right + 6.0, y], thin);
     for x in [left, right] {
-        canvas.line([x, y - 9.0], [x, y + 5.0], &thin);
-        canvas.line(
-            [x - 3.5, y + 3.5],
-            [x + 3.5, y - 3.5],
-            &format!(r#"stroke="{FAINT_INK}" stroke-width="1.6""#),
-        );
+        canvas.line([x, y - 9.0], [x, y + 5.0], thin);
+        canvas.line([x - 3.5, y + 3.5], [x + 3.5, y - 3.5], thick);
     }
     let words = printed(&format!("l = {length}"));
     canvas.text([0.5 * (left + right), y - 5.0], Anchor::Middle, LABEL, &words);

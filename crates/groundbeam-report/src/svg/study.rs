@@ -1,9 +1,10 @@
 //! The picture of a study: how probable events are, and how numbers scatter.
 
 use super::axis;
-use super::canvas::{Anchor, Canvas, Style, number, printed};
+use super::canvas::{Anchor, Canvas, Picture, Style, printed};
 use super::frame::{LEFT, WIDTH};
-use super::style::{FAINT_INK, INK, LABEL, LOAD, NOTE, PANEL_TITLE, PRESSURE, RULE, TICK};
+use super::paint::{Colour, Fill, Stroke};
+use super::style::{LABEL, NOTE, PANEL_TITLE, TICK};
 use super::{header, stacked};
 use crate::context::{Context, clean};
 use crate::font::Metrics;
@@ -26,8 +27,8 @@ const ROW: f64 = 24.0;
 /// Where the scale of probabilities begins and ends.
 const SCALE: [f64; 2] = [LEFT + 270.0, RIGHT - 200.0];
 
-/// Probabilities of events with their intervals, and histograms of random numbers and results, as an SVG file.
-pub fn study(study: &Study, context: &Context) -> String {
+/// Probabilities of events with their intervals, and histograms of random numbers and results.
+pub fn study(study: &Study, context: &Context) -> Picture {
     let metrics = Metrics::new();
     let mut page = Canvas::new();
     let title = study.title.as_deref().map(clean).filter(|title| !title.is_empty());
@@ -35,7 +36,7 @@ pub fn study(study: &Study, context: &Context) -> String {
     words += &format!("; {} solved and certified", study.solved);
     let key = "Bars: samples. Dot: median; thick line: from 5 % to 95 %. Orange: beyond a limit.";
     let mut y = header(&mut page, title.as_deref(), &[&words, key]);
-    y = stacked(&mut page, &events(study, &metrics), y);
+    y = stacked(&mut page, events(study, &metrics), y);
     for row in study.spreads.chunks(COLUMNS) {
         let mut panels = Canvas::new();
         for (i, spread) in row.iter().enumerate() {
@@ -44,7 +45,7 @@ pub fn study(study: &Study, context: &Context) -> String {
                 limits.filter(|limit| limit.quantity == spread.name).collect();
             Panel::new(i, spread, &limits, context.units).draw(&mut panels, &metrics);
         }
-        y = stacked(&mut page, &panels, y);
+        y = stacked(&mut page, panels, y);
     }
     page.finish(WIDTH, y, title.as_deref().unwrap_or("A study"))
 }
@@ -67,7 +68,7 @@ fn events(study: &Study, metrics: &Metrics) -> Canvas {
     let every = 1 + decades.clone().count() / 7;
     for power in decades.rev().step_by(every) {
         let at = x(10.0_f64.powi(power));
-        canvas.line([at, 10.0], [at, bottom], &format!(r#"stroke="{RULE}" stroke-width="1""#));
+        canvas.line([at, 10.0], [at, bottom], Stroke::new(Colour::Rule, 1.0));
         canvas.text([at, bottom + 15.0], Anchor::Middle, TICK, &percent(10.0_f64.powi(power), 1));
     }
     for (i, event) in study.events.iter().enumerate() {
@@ -75,20 +76,17 @@ fn events(study: &Study, metrics: &Metrics) -> Canvas {
         let Estimate { probability, interval, .. } = event;
         let name = fitting(&clean(&event.name), left - LEFT - 14.0, LABEL, metrics);
         canvas.text([LEFT, y + 4.0], Anchor::Start, LABEL, &name);
-        let stroke = |width: f64| format!(r#"stroke="{LOAD}" stroke-width="{}""#, number(width));
+        let stroke = |width: f64| Stroke::new(Colour::Load, width);
         let [low, high] = interval.bounds.map(x);
-        canvas.line([low, y], [high, y], &stroke(2.0));
+        canvas.line([low, y], [high, y], stroke(2.0));
         for (end, bound) in [(low, interval.bounds[0]), (high, interval.bounds[1])] {
             if bound > 0.0 {
-                canvas.line([end, y - 4.0], [end, y + 4.0], &stroke(1.4));
+                canvas.line([end, y - 4.0], [end, y + 4.0], stroke(1.4));
             }
         }
         if *probability > 0.0 {
-            canvas.dot(
-                [x(*probability), y],
-                3.6,
-                &format!(r##"fill="{LOAD}" stroke="#ffffff" stroke-width="1""##),
-            );
+            let dot = Fill::new(Colour::Load).and(Stroke::new(Colour::Paper, 1.0));
+            canvas.dot([x(*probability), y], 3.6, dot);
         }
         // There is room for no more.
         let digits = interval.digits().min(4);
@@ -144,30 +142,25 @@ impl<'a> Panel<'a> {
         canvas.text([self.left, 0.0], Anchor::Start, PANEL_TITLE, &title);
         let zero = TOP + BARS;
         self.bars(canvas, zero);
-        let ink = |colour: &str, width: f64| {
-            format!(r#"stroke="{colour}" stroke-width="{}""#, number(width))
-        };
+        let axis = Stroke::new(Colour::FaintInk, 1.0);
         let end = self.left + self.width;
-        canvas.line([self.left, zero], [end, zero], &ink(FAINT_INK, 1.0));
+        canvas.line([self.left, zero], [end, zero], axis);
         let shown = [0, 1].map(|i| self.range[i] / self.unit.size);
         let mut free = self.left - 20.0;
         for value in axis::ticks(shown, 3) {
             let at = self.x(value * self.unit.size);
             let words = printed(&significant(value, 6));
             let half = 0.5 * metrics.width(&words, TICK.size);
-            canvas.line([at, zero], [at, zero + 4.0], &ink(FAINT_INK, 1.0));
+            canvas.line([at, zero], [at, zero + 4.0], axis);
             if at - half > free {
                 canvas.text([at, zero + 19.0], Anchor::Middle, TICK, &words);
                 free = at + half + 8.0;
             }
         }
         let [_, low, middle, high, _] = self.spread.quantiles.map(|value| self.x(value));
-        canvas.line([low, zero], [high, zero], &ink(INK, 3.5));
-        canvas.dot(
-            [middle, zero],
-            3.8,
-            &format!(r##"fill="{INK}" stroke="#ffffff" stroke-width="1.2""##),
-        );
+        canvas.line([low, zero], [high, zero], Stroke::new(Colour::Ink, 3.5));
+        let dot = Fill::new(Colour::Ink).and(Stroke::new(Colour::Paper, 1.2));
+        canvas.dot([middle, zero], 3.8, dot);
         self.limits(canvas, zero, metrics);
         canvas.reserve(zero + 24.0);
     }
@@ -189,15 +182,15 @@ impl<'a> Panel<'a> {
             };
             for ([from, to], colour) in self.pieces(bar) {
                 let (left, right) = (self.x(from), self.x(to));
-                let fill = format!(r#"fill="{colour}" fill-opacity="0.75""#);
+                let fill = Fill::new(colour).with_opacity(0.75);
                 let width = (right - left - if to == bar[1] { 0.8 } else { 0.0 }).max(0.3);
-                canvas.rect([left, zero - height], [width, height], &fill);
+                canvas.rect([left, zero - height], [width, height], fill);
             }
         }
     }
 
     /// A bar, cut at the limits.
-    fn pieces(&self, [from, to]: [f64; 2]) -> Vec<([f64; 2], &'static str)> {
+    fn pieces(&self, [from, to]: [f64; 2]) -> Vec<([f64; 2], Colour)> {
         let mut cuts: Vec<f64> = self.limits.iter().map(|limit| limit.limit).collect();
         cuts.retain(|cut| from < *cut && *cut < to);
         cuts.extend([from, to]);
@@ -206,7 +199,7 @@ impl<'a> Panel<'a> {
             let beyond = |limit: &&Limit| {
                 if limit.above { middle > limit.limit } else { middle < limit.limit }
             };
-            if self.limits.iter().any(beyond) { LOAD } else { PRESSURE }
+            if self.limits.iter().any(beyond) { Colour::Load } else { Colour::Pressure }
         };
         cuts.windows(2)
             .map(|pair| ([pair[0], pair[1]], colour(0.5 * (pair[0] + pair[1]))))
@@ -217,13 +210,13 @@ impl<'a> Panel<'a> {
         let [from, to] = self.range;
         for limit in self.limits.iter().filter(|limit| from < limit.limit && limit.limit < to) {
             let x = self.x(limit.limit);
-            let dashes = format!(r#"stroke="{LOAD}" stroke-width="1.4" stroke-dasharray="4 3""#);
-            canvas.line([x, TOP - 6.0], [x, zero], &dashes);
+            let dashes = Stroke::new(Colour::Load, 1.4).dashed(4.0, 3.0);
+            canvas.line([x, TOP - 6.0], [x, zero], dashes);
             let side = if limit.above { ">" } else { "<" };
             let words = printed(&format!("{side} {}", self.unit.write(limit.limit, 4)));
             let half = 0.5 * metrics.width(&words, NOTE.size);
             let middle = x.clamp(self.left + half, self.left + self.width - half);
-            let style = Style { colour: LOAD, ..NOTE };
+            let style = Style { colour: Colour::Load, ..NOTE };
             canvas.text([middle, TOP - 9.0], Anchor::Middle, style, &words);
         }
     }

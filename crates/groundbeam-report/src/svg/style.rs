@@ -1,26 +1,15 @@
-//! Colours that people with any kind of colour vision tell apart (Okabe and Ito), and sizes of words.
+//! Sizes, weights and colours of words in the pictures, and the look of distributed loads.
 
 use super::canvas::Style;
+use super::paint::{Colour, Fill, Paint, Stroke};
 
-pub(super) const INK: &str = "#1f2328";
-pub(super) const FAINT_INK: &str = "#646c75";
-pub(super) const RULE: &str = "#d5d9de";
-pub(super) const BEAM: &str = "#3d444d";
-pub(super) const GROUND: &str = "#efe6d8";
-pub(super) const GROUND_LINE: &str = "#8a7453";
-pub(super) const GAP: &str = "#b9dff5";
-pub(super) const LOAD: &str = "#b34700";
-pub(super) const PRESSURE: &str = "#0072b2";
-pub(super) const MOMENT: &str = "#d55e00";
-pub(super) const SHEAR: &str = "#00805e";
-pub(super) const SUPPORT: &str = "#1f2328";
-
-pub(super) const TITLE: Style = Style { size: 17.0, bold: true, colour: INK, rim: false };
-pub(super) const PANEL_TITLE: Style = Style { size: 12.5, bold: true, colour: INK, rim: false };
-pub(super) const NOTE: Style = Style { size: 11.0, bold: false, colour: FAINT_INK, rim: false };
-pub(super) const TICK: Style = Style { size: 10.5, bold: false, colour: FAINT_INK, rim: false };
-pub(super) const LABEL: Style = Style { size: 11.5, bold: false, colour: INK, rim: false };
+pub(super) const TITLE: Style = Style::new(17.0, true, Colour::Ink);
+pub(super) const PANEL_TITLE: Style = Style::new(12.5, true, Colour::Ink);
+pub(super) const NOTE: Style = Style::new(11.0, false, Colour::FaintInk);
+pub(super) const TICK: Style = Style::new(10.5, false, Colour::FaintInk);
+pub(super) const LABEL: Style = Style::new(11.5, false, Colour::Ink);
 /// In diagrams, where labels may have to cross lines.
 pub(super) const RIMMED: Style = Style { rim: true, ..LABEL };
-/// The colour of concentrated forces, to be told from the pressure they stand beside.
-pub(super) const FORCE: &str = "#00395c";
+/// The area of a distributed load.
+pub(super) const DISTRIBUTED: Paint =
+    Fill::new(Colour::Load).with_opacity(0.12).and(Stroke::new(Colour::Load, 0.9));

@@ -1,7 +1,7 @@
 //! Supports as triangles, walls and springs; hinges.
 
-use super::canvas::{Canvas, number};
-use super::style::SUPPORT;
+use super::canvas::Canvas;
+use super::paint::{Colour, Fill, Paint, Stroke};
 use groundbeam::{Acts, Support, SupportKind};
 
 /// The height of a support below the beam.
@@ -13,23 +13,22 @@ pub(super) fn draw(canvas: &mut Canvas, [x, y]: [f64; 2], support: &Support, out
     match support.acts {
         Acts::Both => {}
         // A seat on which the beam lies, or a loop around it.
-        Acts::Up => canvas.line([x - 7.0, y], [x + 7.0, y], &stroke(2.2)),
+        Acts::Up => canvas.line([x - 7.0, y], [x + 7.0, y], stroke(2.2)),
         Acts::Down => {
             let strap =
                 [[x - 5.0, y + 7.0], [x - 5.0, y - 9.0], [x + 5.0, y - 9.0], [x + 5.0, y + 7.0]];
-            canvas.polyline(&strap, false, &stroke(1.4));
+            canvas.polyline(&strap, false, stroke(1.4));
         }
     }
     match support.kind {
         SupportKind::Pinned => {
             let triangle = [[x, y], [x - 8.0, y + 14.0], [x + 8.0, y + 14.0]];
-            let look = format!(r##"fill="#ffffff" stroke="{SUPPORT}" stroke-width="1.4""##);
-            canvas.polyline(&triangle, true, &look);
+            canvas.polyline(&triangle, true, outlined(Colour::Paper));
             base(canvas, [x, y + 14.0]);
         }
         SupportKind::Fixed if outward != 0.0 => wall(canvas, [x, y - 4.0], outward),
         SupportKind::Fixed => {
-            canvas.rect([x - 7.0, y], [14.0, 14.0], &format!(r#"fill="{SUPPORT}""#));
+            canvas.rect([x - 7.0, y], [14.0, 14.0], Fill::new(Colour::Ink));
             base(canvas, [x, y + 14.0]);
         }
         SupportKind::Spring { spring, rotational_spring } => {
@@ -47,28 +46,31 @@ pub(super) fn draw(canvas: &mut Canvas, [x, y]: [f64; 2], support: &Support, out
 
 /// A hinge inside the beam.
 pub(super) fn hinge(canvas: &mut Canvas, at: [f64; 2], free: bool) {
-    let fill = if free { "#ffffff" } else { SUPPORT };
-    canvas.dot(at, 4.0, &format!(r##"fill="{fill}" stroke="{SUPPORT}" stroke-width="1.4""##));
+    canvas.dot(at, 4.0, outlined(if free { Colour::Paper } else { Colour::Ink }));
 }
 
-fn stroke(width: f64) -> String {
-    format!(r#"fill="none" stroke="{SUPPORT}" stroke-width="{}""#, number(width))
+fn outlined(inside: Colour) -> Paint {
+    Fill::new(inside).and(Stroke::new(Colour::Ink, 1.4))
+}
+
+fn stroke(width: f64) -> Paint {
+    Fill::NONE.and(Stroke::new(Colour::Ink, width))
 }
 
 /// A line with hatching under it.
 fn base(canvas: &mut Canvas, [x, y]: [f64; 2]) {
-    canvas.line([x - 12.0, y], [x + 12.0, y], &stroke(1.4));
+    canvas.line([x - 12.0, y], [x + 12.0, y], stroke(1.4));
     for i in 0..5 {
         let at = x - 9.0 + 5.0 * f64::from(i);
-        canvas.line([at, y], [at - 4.0, y + 4.0], &stroke(0.8));
+        canvas.line([at, y], [at - 4.0, y + 4.0], stroke(0.8));
     }
 }
 
 fn wall(canvas: &mut Canvas, [x, y]: [f64; 2], outward: f64) {
-    canvas.line([x, y - 18.0], [x, y + 18.0], &stroke(2.2));
+    canvas.line([x, y - 18.0], [x, y + 18.0], stroke(2.2));
     for i in 0..7 {
         let at = y - 15.0 + 5.5 * f64::from(i);
-        canvas.line([x, at], [x + outward * 6.0, at + 5.0], &stroke(0.8));
+        canvas.line([x, at], [x + outward * 6.0, at + 5.0], stroke(0.8));
     }
 }
 
@@ -79,7 +81,7 @@ fn zigzag(canvas: &mut Canvas, [x, y]: [f64; 2]) {
         points.push([x + side, y + 3.0 + 2.5 * f64::from(i)]);
     }
     points.push([x, y + 16.0]);
-    canvas.polyline(&points, false, &stroke(1.4));
+    canvas.polyline(&points, false, stroke(1.4));
 }
 
 fn spiral(canvas: &mut Canvas, [x, y]: [f64; 2]) {
@@ -90,5 +92,5 @@ fn spiral(canvas: &mut Canvas, [x, y]: [f64; 2]) {
             [x + (2.0 + 8.0 * turn) * cos, y + (2.0 + 8.0 * turn) * sin]
         })
         .collect();
-    canvas.polyline(&points, false, &stroke(1.2));
+    canvas.polyline(&points, false, stroke(1.2));
 }

@@ -6,8 +6,9 @@ use super::frame::{Frame, LEFT};
 use super::ground::{self, GroundLoads};
 use super::labels::{Labels, Rect};
 use super::loads::Loads;
+use super::paint::{Colour, Fill, Stroke};
 use super::samples::{Samples, simplified};
-use super::style::{BEAM, FAINT_INK, GAP, GROUND, LABEL, NOTE, PANEL_TITLE, PRESSURE};
+use super::style::{LABEL, NOTE, PANEL_TITLE};
 use super::supports;
 use crate::font::Metrics;
 use crate::number::significant;
@@ -153,12 +154,12 @@ impl Picture<'_> {
         self.floor = line.iter().fold(0.0_f64, |floor, point| floor.max(point[1]));
         let bottom = self.floor + BELOW;
         let [left, right] = [frame.x(-margins[0]), frame.x(frame.length + margins[1])];
-        ground::draw(&mut self.canvas, model, frame, &line, bottom, GROUND);
+        ground::draw(&mut self.canvas, model, frame, &line, bottom);
         self.labels.avoid_line(&line);
         self.labels.avoid(Rect::around([0.0, bottom], [frame.width, bottom + 1e3], 0.0));
         // Where the beam's underside was before loading.
-        let dashes = format!(r#"stroke="{FAINT_INK}" stroke-width="0.8" stroke-dasharray="5 4""#);
-        self.canvas.line([left, 0.0], [right, 0.0], &dashes);
+        let dashes = Stroke::new(Colour::FaintInk, 0.8).dashed(5.0, 4.0);
+        self.canvas.line([left, 0.0], [right, 0.0], dashes);
         self.labels.avoid_line(&[[left, 0.0], [right, 0.0]]);
         self.surface = line;
     }
@@ -170,7 +171,7 @@ impl Picture<'_> {
             let mut lower = self.points(&self.samples.between(from, to, surface));
             lower.reverse();
             let area = [upper, lower].concat();
-            self.canvas.polyline(&area, true, &format!(r#"fill="{GAP}""#));
+            self.canvas.polyline(&area, true, Fill::new(Colour::Gap));
         }
     }
 
@@ -180,7 +181,7 @@ impl Picture<'_> {
         self.labels.avoid_line(&under);
         self.labels.avoid_line(&over);
         let outline = [under, over].concat();
-        self.canvas.polyline(&outline, true, &format!(r#"fill="{BEAM}""#));
+        self.canvas.polyline(&outline, true, Fill::new(Colour::Beam));
     }
 
     /// A line along which beam and ground touch; single points as dots.
@@ -190,12 +191,10 @@ impl Picture<'_> {
                 self.points(&self.samples.between(region.from, region.to, |f| f.deflection));
             if region.from == region.to {
                 let at = points.first().copied().unwrap_or([self.frame.x(region.from), 0.0]);
-                self.canvas.dot(at, 3.5, &format!(r#"fill="{PRESSURE}""#));
+                self.canvas.dot(at, 3.5, Fill::new(Colour::Pressure));
             } else {
-                let look = format!(
-                    r#"fill="none" stroke="{PRESSURE}" stroke-width="3" stroke-linecap="butt""#
-                );
-                self.canvas.polyline(&points, false, &look);
+                let look = Fill::NONE.and(Stroke::new(Colour::Pressure, 3.0).cut());
+                self.canvas.polyline(&points, false, look);
             }
         }
     }
@@ -334,8 +333,7 @@ impl Picture<'_> {
         self.canvas.text([x, y], Anchor::Start, NOTE, &note);
         let [mut x, y] = place;
         for (colour, height, words) in legend {
-            let look = format!(r#"fill="{colour}""#);
-            self.canvas.rect([x, y - 4.0 - 0.5 * height], [18.0, height], &look);
+            self.canvas.rect([x, y - 4.0 - 0.5 * height], [18.0, height], Fill::new(colour));
             self.canvas.text([x + 23.0, y], Anchor::Start, NOTE, words);
             x += self.entry_width(words);
         }
@@ -347,9 +345,11 @@ impl Picture<'_> {
     }
 
     /// Colours, how high they are shown, and what they mean.
-    fn legend(&self) -> Vec<(&'static str, f64, &'static str)> {
-        let contact = (!self.solution.contact().is_empty()).then_some((PRESSURE, 3.0, "contact"));
-        let lift_off = (!self.solution.lift_off().is_empty()).then_some((GAP, 9.0, "lift-off"));
+    fn legend(&self) -> Vec<(Colour, f64, &'static str)> {
+        let contact =
+            (!self.solution.contact().is_empty()).then_some((Colour::Pressure, 3.0, "contact"));
+        let lift_off =
+            (!self.solution.lift_off().is_empty()).then_some((Colour::Gap, 9.0, "lift-off"));
         contact.into_iter().chain(lift_off).collect()
     }
 }

@@ -1,11 +1,12 @@
 //! A beam that no ground holds: how it begins to move.
 
-use super::canvas::{Anchor, Canvas, number};
+use super::canvas::{Anchor, Canvas, Group};
 use super::frame::{Frame, LEFT};
 use super::ground::{self, GroundLoads};
 use super::labels::{Labels, Rect};
 use super::loads::Loads;
-use super::style::{BEAM, FAINT_INK, GROUND, NOTE, PANEL_TITLE};
+use super::paint::{Colour, Fill, Stroke, number};
+use super::style::{NOTE, PANEL_TITLE};
 use super::system::{BELOW, THICKNESS};
 use super::view::{View, handles, sensible};
 use super::{axis_of_x, supports};
@@ -35,7 +36,7 @@ pub fn tipping(model: &Model, existence: &Existence, context: &Context, width: f
     let under: Vec<_> = nodes.iter().map(|&x| [frame.x(x), rises(x)]).collect();
     let over: Vec<_> = under.iter().rev().map(|&[x, y]| [x, y - THICKNESS]).collect();
     let outline = [under.clone(), over].concat();
-    beam.polyline(&outline, true, &format!(r#"fill="{BEAM}""#));
+    beam.polyline(&outline, true, Fill::new(Colour::Beam));
     for hinge in &model.hinges {
         let at = [frame.x(hinge.at), rises(hinge.at) - 0.5 * THICKNESS];
         supports::hinge(&mut beam, at, hinge.is_free());
@@ -52,12 +53,9 @@ pub fn tipping(model: &Model, existence: &Existence, context: &Context, width: f
     loads.draw(&mut ground, &model.loads, &mut labels);
 
     let mut panel = Canvas::new();
-    panel.group(&ground, r#"class="ground""#);
-    let still = match model.hinges.is_empty() {
-        true => format!(r#" data-still="{}""#, laid_back(&frame, rises)),
-        false => String::new(),
-    };
-    panel.group(&beam, &format!(r#"class="moves"{still}"#));
+    panel.group(ground, Group::Ground);
+    let still = model.hinges.is_empty().then(|| laid_back(&frame, rises));
+    panel.group(beam, Group::Moves(still));
     let y = panel.reach()[0] - 16.0;
     panel.text([LEFT, y], Anchor::Start, PANEL_TITLE, "Beam and ground");
     let x = LEFT + 1.06 * metrics.width("Beam and ground", PANEL_TITLE.size) + 12.0;
@@ -66,13 +64,14 @@ pub fn tipping(model: &Model, existence: &Existence, context: &Context, width: f
         _ => "the beam before it moves",
     };
     panel.text([x, y], Anchor::Start, NOTE, note);
-    let down = TOP - panel.reach()[0];
+    let [top, bottom] = panel.reach();
+    let down = TOP - top;
     let mut page = Canvas::new();
-    page.place(&panel, down);
-    axis_of_x(&mut page, &frame, context.units, panel.reach()[1] + down + 10.0);
+    page.place(panel, down);
+    axis_of_x(&mut page, &frame, context.units, bottom + down + 10.0);
     let height = page.reach()[1] + 14.0;
     let handles = handles(model, &frame, |x| rises(x) + down, |_| down);
-    let svg = page.finish(frame.width, height, "The beam moves");
+    let svg = page.finish(frame.width, height, "The beam moves").to_string();
     let size = [frame.width, height];
     View { svg, size, left: frame.x(0.0), scale: frame.scale(), handles }
 }
@@ -81,11 +80,11 @@ pub fn tipping(model: &Model, existence: &Existence, context: &Context, width: f
 fn lying(model: &Model, frame: &Frame) -> Canvas {
     let mut canvas = Canvas::new();
     let line = flat(model, frame);
-    ground::draw(&mut canvas, model, frame, &line, BELOW, GROUND);
+    ground::draw(&mut canvas, model, frame, &line, BELOW);
     let [start, end] = [frame.x(0.0), frame.x(frame.length)];
     let outline = [[start, 0.0], [end, 0.0], [end, -THICKNESS], [start, -THICKNESS]];
-    let dashes = format!(r#"fill="none" stroke="{FAINT_INK}" stroke-dasharray="5 4""#);
-    canvas.polyline(&outline, true, &dashes);
+    let dashes = Stroke::new(Colour::FaintInk, 1.0).dashed(5.0, 4.0);
+    canvas.polyline(&outline, true, Fill::NONE.and(dashes));
     for support in &model.supports {
         let outward = match support.at {
             0.0 => -1.0,

@@ -1,7 +1,7 @@
 //! One picture of the passages of trains: the train that bends the beam most where it does, and the envelopes of all
 //! positions of all trains.
 
-use super::canvas::Canvas;
+use super::canvas::{Canvas, Picture};
 use super::diagram::{Diagram, OF_ENVELOPES, worth_naming};
 use super::frame::{Frame, WIDTH};
 use super::samples::Samples;
@@ -16,8 +16,8 @@ use groundbeam_run::{InPassage, Passages};
 /// Even steps along the beam.
 const EVEN_STEPS: usize = 400;
 
-/// The train where the moment is largest, and the envelopes of all passages, as an SVG file.
-pub fn trains(passages: &Passages, context: &Context) -> String {
+/// The train where the moment is largest, and the envelopes of all passages.
+pub fn trains(passages: &Passages, context: &Context) -> Picture {
     let units = context.units;
     let title = context.clean_title();
     let mut page = Canvas::new();
@@ -44,9 +44,9 @@ pub fn trains(passages: &Passages, context: &Context) -> String {
     let mut y = header(&mut page, title.as_deref(), &[&numbers(solution, units), &note]);
     let samples = Samples::of(solution);
     let drawn = system::draw(solution, units, &frame, &samples, &metrics);
-    y = stacked(&mut page, &drawn, y);
+    y = stacked(&mut page, drawn, y);
     for diagram in diagrams(passages, units, samples.sizes) {
-        y = stacked(&mut page, &diagram.draw(&frame, &metrics), y);
+        y = stacked(&mut page, diagram.draw(&frame, &metrics), y);
     }
     axis_of_x(&mut page, &frame, units, y - PANEL_SPACE + 2.0);
     let height = page.reach()[1].max(y) + 14.0;

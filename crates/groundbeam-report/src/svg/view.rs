@@ -76,9 +76,9 @@ pub fn view(solution: &Solution, context: &Context, width: f64) -> View {
     let mut page = Canvas::new();
     let system = system::draw(solution, context.units, &frame, &samples, &metrics);
     let down = TOP - system.reach()[0];
-    let mut y = stacked(&mut page, &system, TOP);
+    let mut y = stacked(&mut page, system, TOP);
     for diagram in diagrams(solution, context.units, &samples, &edges) {
-        y = stacked(&mut page, &diagram.draw(&frame, &metrics), y);
+        y = stacked(&mut page, diagram.draw(&frame, &metrics), y);
     }
     axis_of_x(&mut page, &frame, context.units, y - PANEL_SPACE + 2.0);
     let height = page.reach()[1].max(y) + 14.0;
@@ -86,7 +86,8 @@ pub fn view(solution: &Solution, context: &Context, width: f64) -> View {
     let underside = |x: f64| scale * solution.at(x, Side::Right).deflection + down;
     let surface = |x: f64| system::level(solution, scale, x) + down;
     let handles = handles(solution.model(), &frame, underside, surface);
-    let svg = page.finish(frame.width, height, "The beam on its ground and its diagrams");
+    let svg =
+        page.finish(frame.width, height, "The beam on its ground and its diagrams").to_string();
     let size = [frame.width, height];
     View { svg, size, left: frame.x(0.0), scale: frame.scale(), handles }
 }

@@ -16,6 +16,16 @@ pub(crate) fn rows(sheet: &mut Sheet, certificate: &Certificate, verdict: Verdic
     }
 }
 
+/// `energy gap at most 3e-16 of the strain energy`, with the gap as it is written.
+pub(crate) fn energy_gap(gap: &str) -> String {
+    format!("energy gap at most {gap} of the strain energy")
+}
+
+/// The largest energy gap of several solutions.
+pub(crate) fn of_several(sheet: &mut Sheet, of: &str, gap: f64) {
+    sheet.row("Certificate", &format!("{of}; {}", energy_gap(&order(gap))));
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,14 +1,13 @@
 //! The report of all combinations: a table of them, the envelope, and every load case by itself.
 
 use super::sheet::{Sheet, Tone};
-use super::{COLUMNS, checks, extreme_of, structure, title};
+use super::{COLUMNS, certificate, checks, extreme_of, structure, title};
 use crate::characteristics::Characteristics;
 use crate::combinations::{Numbered, noun, numbered};
 use crate::context::{Context, clean};
-use crate::number::{order, significant};
+use crate::number::significant;
 use crate::quantity::{Kind, Unit, Units, duration};
-use crate::verdict;
-use crate::verdict::falls;
+use crate::verdict::{self, falls, wording};
 use groundbeam::{Envelope, Extreme, Governing, Verdict};
 use groundbeam_run::{Answer, Answers, Banded, Found, Ground};
 
@@ -135,11 +134,8 @@ fn table(sheet: &mut Sheet, answers: &Answers, solved: &[Numbered], units: Units
 /// `one`, `many`, `none: it tips about its left end`.
 fn outcome(answer: &Answer, units: Units) -> String {
     match answer.existence().map(|existence| existence.verdict) {
-        Some(Verdict::Unique) => "one".to_owned(),
-        Some(Verdict::NotUnique(_)) => "not unique".to_owned(),
-        Some(Verdict::None(motion)) => format!("none: {}", falls(motion, units)),
-        Some(Verdict::Local(_)) => "local".to_owned(),
-        Some(Verdict::Buckles(_)) => "none: it buckles".to_owned(),
+        Some(verdict @ Verdict::None(motion)) => wording(verdict).with(&falls(motion, units)),
+        Some(verdict) => wording(verdict).short.to_owned(),
         None => "not solved".to_owned(),
     }
 }
@@ -153,20 +149,14 @@ fn failures(sheet: &mut Sheet, answers: &Answers, units: Units) {
             Found::NotConverged(reached) => Some((format!("not solved: {reached}"), Tone::Bad)),
             Found::Unsolved(error) => Some((format!("not solved: {error}"), Tone::Bad)),
             _ => answer.existence().and_then(|existence| {
-                let sentence = verdict::sentence(answer.model(), existence, units);
-                match existence.verdict {
-                    Verdict::Unique => None,
-                    Verdict::Local(_) => Some((format!("local: {sentence}"), Tone::Doubtful)),
-                    Verdict::Buckles(_) => Some((format!("none: {sentence}"), Tone::Bad)),
-                    Verdict::NotUnique(_) => {
-                        Some((format!("not unique: {sentence}"), Tone::Doubtful))
-                    }
-                    Verdict::None(motion) => {
-                        let remedy = verdict::remedy(motion, units);
-                        let remedy = remedy.map_or(String::new(), |remedy| format!("; {remedy}"));
-                        Some((format!("none: {sentence}{remedy}"), Tone::Bad))
-                    }
+                let mut reason = verdict::sentence(answer.model(), existence, units);
+                if let Verdict::None(motion) = existence.verdict
+                    && let Some(remedy) = verdict::remedy(motion, units)
+                {
+                    reason += &format!("; {remedy}");
                 }
+                let wording = wording(existence.verdict);
+                (wording.tone != Tone::Good).then(|| (wording.with(&reason), wording.tone))
             }),
         };
         if let Some((words, tone)) = said {
@@ -238,12 +228,7 @@ fn envelope(sheet: &mut Sheet, envelope: &Envelope, solved: &[Numbered], units: 
 fn proof(sheet: &mut Sheet, solved: &[Numbered]) {
     let gap =
         solved.iter().map(|row| row.solution.certificate().relative_gap()).fold(0.0, f64::max);
-    let words = format!(
-        "for each of the {} solved; energy gap at most {} of the strain energy",
-        solved.len(),
-        order(gap)
-    );
-    sheet.row("Certificate", &words);
+    certificate::of_several(sheet, &format!("for each of the {} solved", solved.len()), gap);
 }
 
 fn method(sheet: &mut Sheet, answers: &Answers, solved: &[Numbered], context: &Context) {

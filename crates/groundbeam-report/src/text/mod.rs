@@ -21,7 +21,7 @@ use crate::load::load_kind;
 use crate::number::significant;
 use crate::numbers::Numbers;
 use crate::quantity::{Kind, Units, duration};
-use crate::verdict;
+use crate::verdict::{self, wording};
 pub use combinations::combinations;
 pub use comparison::comparison;
 pub use drawing::drawing;
@@ -249,26 +249,12 @@ fn range(units: Units, kind: Kind, [low, high]: [f64; 2]) -> String {
 
 pub(crate) fn verdict_row(sheet: &mut Sheet, model: &Model, existence: &Existence, units: Units) {
     let sentence = verdict::sentence(model, existence, units);
-    match existence.verdict {
-        Verdict::Unique => {
-            sheet.toned_row("Equilibrium", &format!("exactly one: {sentence}"), Tone::Good);
-        }
-        Verdict::Local(_) => {
-            sheet.toned_row("Equilibrium", &format!("local: {sentence}"), Tone::Doubtful);
-        }
-        Verdict::Buckles(_) => {
-            sheet.toned_row("Equilibrium", &format!("none: {sentence}"), Tone::Bad);
-        }
-        Verdict::NotUnique(_) => {
-            let words = format!("not unique: {sentence}");
-            sheet.toned_row("Equilibrium", &words, Tone::Doubtful);
-        }
-        Verdict::None(motion) => {
-            sheet.toned_row("Equilibrium", &format!("none: {sentence}"), Tone::Bad);
-            sheet.row("Motion", &verdict::motion(model, motion, units));
-            if let Some(remedy) = verdict::remedy(motion, units) {
-                sheet.row("Remedy", &remedy);
-            }
+    let wording = wording(existence.verdict);
+    sheet.toned_row("Equilibrium", &wording.with(&sentence), wording.tone);
+    if let Verdict::None(motion) = existence.verdict {
+        sheet.row("Motion", &verdict::motion(model, motion, units));
+        if let Some(remedy) = verdict::remedy(motion, units) {
+            sheet.row("Remedy", &remedy);
         }
     }
 }

@@ -1,33 +1,12 @@
 //! A page of labelled rows, at most 80 columns wide. Whatever a file calls its parts is escaped here.
 
+pub(crate) use crate::tone::Tone;
 use groundbeam_file::printable;
 
 /// The width no line exceeds, as far as words allow.
 const WIDTH: usize = 80;
 /// Where the text of a row begins.
 const COLUMN: usize = 13;
-
-/// How words are marked.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Tone {
-    Plain,
-    Heading,
-    Good,
-    Doubtful,
-    Bad,
-}
-
-impl Tone {
-    fn code(self) -> &'static str {
-        match self {
-            Tone::Plain => "",
-            Tone::Heading => "\u{1b}[1m",
-            Tone::Good => "\u{1b}[1;32m",
-            Tone::Doubtful => "\u{1b}[1;33m",
-            Tone::Bad => "\u{1b}[1;31m",
-        }
-    }
-}
 
 /// What a page is made of.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,9 +1,9 @@
 //! The report of a study: probabilities with their intervals, means and quantiles.
 
 use super::sheet::Sheet;
-use super::title;
+use super::{certificate, title};
 use crate::context::{Context, clean};
-use crate::number::{order, significant};
+use crate::number::significant;
 use crate::quantity::{Units, duration};
 use crate::study::{Estimate, Spread, Study, Way};
 
@@ -57,12 +57,8 @@ pub fn study(study: &Study, context: &Context, colour: bool) -> String {
         sheet.line(&line(spread, context.units));
     }
     sheet.blank();
-    let gap = order(study.largest_gap);
-    let words = format!(
-        "for each of the {} solved; energy gap at most {gap} of the strain energy",
-        study.solved
-    );
-    sheet.row("Certificate", &words);
+    let of = format!("for each of the {} solved", study.solved);
+    certificate::of_several(&mut sheet, &of, study.largest_gap);
     let mut ways: Vec<Way> = Vec::new();
     for event in &study.events {
         if !ways.contains(&event.interval.by) {

@@ -1,7 +1,7 @@
 //! The report of one train's passage: the train, the envelope, uplift ahead of and behind the axles.
 
 use super::sheet::{Sheet, Tone};
-use super::{checks, free_spans};
+use super::{certificate, checks, free_spans};
 use crate::context::{Context, clean};
 use crate::number::{order, significant};
 use crate::quantity::{Kind, Units, duration};
@@ -183,9 +183,7 @@ pub(crate) fn uplift(sheet: &mut Sheet, passage: &Passage, units: Units) {
 pub(crate) fn proof(sheet: &mut Sheet, all: &[Passage], context: &Context) {
     let solved = || all.iter().flat_map(Passage::solved);
     let gaps = solved().map(|(_, solution)| solution.certificate().relative_gap());
-    let gap = order(gaps.fold(0.0, f64::max));
-    let words = format!("for each position; energy gap at most {gap} of the strain energy");
-    sheet.row("Certificate", &words);
+    certificate::of_several(sheet, "for each position", gaps.fold(0.0, f64::max));
     let method = solved().next().map_or("", |(_, solution)| solution.method().name());
     let mut words = method.to_owned();
     if let Some(seconds) = context.seconds {

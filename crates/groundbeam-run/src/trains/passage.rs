@@ -11,6 +11,7 @@ use std::sync::Arc;
 
 /// A value, its place on the beam, and the position of the train.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Located {
     /// Position on the beam \[m\].
     pub x: f64,
@@ -45,6 +46,7 @@ impl Reach {
 
 /// The largest gaps under the beam while a train passes; `None` where nothing lifts.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Uplift {
     /// Ahead of the first axle.
     pub ahead: Option<Located>,

@@ -70,6 +70,8 @@ pub struct Bounds {
 
 /// One of the two lines of an envelope.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum Bound {
     /// The line of smallest values.
     Min,

@@ -72,6 +72,7 @@ impl Verdict {
 /// A rigid motion of the beam, r(x) = a x + b between its free hinges, scaled to a largest size of 1. It presses nowhere: r ≤ 0,
 /// unless the beam stands on one point inside and turns about it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RigidMotion {
     /// r(0): 0 or −1; about a point inside, between −1 and 0.
     pub left: f64,
@@ -81,6 +82,7 @@ pub struct RigidMotion {
     pub work: f64,
     /// Of a beam with free hinges the first and the last of its ends and free hinges at which r = −1 \[m\]; it
     /// is 0 at all others, and straight in between. None for a beam without.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub lifted: Option<[f64; 2]>,
 }
 

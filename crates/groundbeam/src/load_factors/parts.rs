@@ -6,11 +6,14 @@ use crate::model::{Load, Model};
 
 /// The factor at which a beam that touches along its whole length first leaves the ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(tag = "when", rename_all = "kebab-case"))]
 pub enum FirstLiftOff {
     /// However small the factor, the beam does not touch along its whole length. Without loads that stay
     /// and without a gap the fields are proportional to the factor, so it is this or [`Self::Never`].
     AtOnce,
     /// The beam touches along its whole length up to this factor, and beyond it no more.
+    #[cfg_attr(feature = "serde", serde(rename = "at-factor"))]
     At {
         /// λ > 0.
         factor: f64,

@@ -28,8 +28,10 @@ pub struct Train {
 
 /// One axle of a train.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Axle {
     /// Distance behind the first axle \[m\].
+    #[cfg_attr(feature = "serde", serde(rename = "at"))]
     pub behind: f64,
     /// Force, down \[N\].
     pub force: f64,
@@ -37,12 +39,14 @@ pub struct Axle {
 
 /// A stretch of a train that carries an even load.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct UniformPart {
     /// Where it begins, behind the first axle \[m\]; negative ahead of it, −∞ without end.
     pub from: f64,
     /// Where it ends, behind the first axle \[m\]; ∞ without end.
     pub to: f64,
     /// Intensity, down \[N/m\].
+    #[cfg_attr(feature = "serde", serde(rename = "load"))]
     pub intensity: f64,
 }
 

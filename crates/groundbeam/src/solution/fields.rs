@@ -7,6 +7,7 @@ use crate::solution::field::Field;
 
 /// A zone of contact between beam and ground; both ends of a single point are equal.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ContactZone {
     /// Left end \[m\].
     pub from: f64,
@@ -16,6 +17,7 @@ pub struct ContactZone {
 
 /// The concentrated contact forces p₀ and p_l of (2.6), not negative, pushing the beam up \[N\].
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct EndForces {
     /// p₀, at x = 0.
     pub left: f64,
@@ -25,6 +27,7 @@ pub struct EndForces {
 
 /// A concentrated contact force inside the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ConcentratedForce {
     /// Position \[m\].
     pub at: f64,
@@ -34,6 +37,7 @@ pub struct ConcentratedForce {
 
 /// What a support does to the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Reaction {
     /// Position \[m\].
     pub at: f64,
@@ -91,6 +95,7 @@ impl Fields {
 
 /// Where a field is largest or smallest.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Extreme {
     /// Position \[m\]; of several the leftmost.
     pub x: f64,
@@ -100,6 +105,7 @@ pub struct Extreme {
 
 /// The smallest and the largest value of a field on the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Range {
     /// The smallest value.
     pub min: Extreme,

@@ -6,6 +6,7 @@ use crate::solution::solution::Solution;
 
 /// What a hinge of the beam does.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct HingeTurn {
     /// Position \[m\].
     pub at: f64,

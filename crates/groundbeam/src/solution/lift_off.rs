@@ -6,6 +6,7 @@ use crate::solution::solution::Solution;
 
 /// An open part of the beam: a free span, or an end that has lifted off.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LiftOff {
     /// Left end \[m\].
     pub from: f64,
@@ -14,6 +15,7 @@ pub struct LiftOff {
     /// Where beam and ground are farthest apart, and how far.
     pub largest_gap: Extreme,
     /// Whether it reaches the beam's left end, and the right one.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub reaches: [bool; 2],
 }
 

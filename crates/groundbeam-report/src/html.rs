@@ -2,8 +2,6 @@
 //!
 //! The page is set by `templates/report.html`.
 
-mod mathml;
-
 use crate::calculation::{Paper, Report};
 use crate::font;
 use base64::Engine;
@@ -31,9 +29,9 @@ impl From<minijinja::Error> for Error {
 }
 
 /// The page on which everything is set.
-const TEMPLATE: &str = include_str!("../../templates/report.html");
+const TEMPLATE: &str = include_str!("../templates/report.html");
 /// How it looks on a screen and on paper.
-const STYLE: &str = include_str!("../../templates/report.css");
+const STYLE: &str = include_str!("../templates/report.css");
 
 /// A report as one HTML file; without a paper it takes that of whoever prints it. Equal reports give equal bytes.
 ///
@@ -46,7 +44,6 @@ pub fn report(report: &Report, paper: Option<Paper>) -> Result<String, Error> {
     environment.add_template("report.html", TEMPLATE)?;
     environment.add_filter("indexed", indexed);
     environment.add_filter("css", css);
-    environment.add_filter("mathml", |latex: &str| Value::from_safe_string(mathml::of(latex)));
     let page = values! {
         report => Serde(report),
         style => STYLE,

@@ -1,0 +1,223 @@
+//! Numbers, colours, fills and strokes of the pictures as SVG writes them, and the colours of a dark page.
+
+use std::fmt::{self, Display, Formatter};
+
+/// Hundredths of a unit are finer than any screen.
+pub(crate) fn rounded(value: f64) -> f64 {
+    // The sum turns a negative zero into zero.
+    (100.0 * value).round_ties_even() / 100.0 + 0.0
+}
+
+/// A number as the pictures write it.
+pub(super) fn number(value: f64) -> String {
+    rounded(value).to_string()
+}
+
+/// A colour of the pictures. People with any kind of colour vision tell those of fields and loads apart (Okabe and Ito).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Colour {
+    Paper,
+    Ink,
+    FaintInk,
+    Rule,
+    /// Lines behind a diagram.
+    FaintRule,
+    Beam,
+    Ground,
+    GroundLine,
+    Gap,
+    Load,
+    Pressure,
+    Moment,
+    Shear,
+    /// Concentrated forces, which stand beside the pressure.
+    Force,
+}
+
+/// Each colour on white paper and on a dark page.
+const SHADES: [(Colour, &str, &str); 14] = [
+    (Colour::Paper, "#ffffff", "#171b20"),
+    (Colour::Ink, "#1f2328", "#e4e8ec"),
+    (Colour::FaintInk, "#646c75", "#a2abb5"),
+    (Colour::Rule, "#d5d9de", "#3f4751"),
+    (Colour::FaintRule, "#eceef1", "#262c33"),
+    (Colour::Beam, "#3d444d", "#c3cad2"),
+    (Colour::Ground, "#efe6d8", "#3a3226"),
+    (Colour::GroundLine, "#8a7453", "#b59a72"),
+    (Colour::Gap, "#b9dff5", "#1e4a66"),
+    (Colour::Load, "#b34700", "#ff9a57"),
+    (Colour::Pressure, "#0072b2", "#56b4e9"),
+    (Colour::Moment, "#d55e00", "#f08a3c"),
+    (Colour::Shear, "#00805e", "#35c39a"),
+    (Colour::Force, "#00395c", "#9ed4f5"),
+];
+
+impl Display for Colour {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(SHADES[*self as usize].1)
+    }
+}
+
+/// The style sheet that gives pictures within an element of a page the colours of a dark page. `within` selects the element.
+pub fn dark_style(within: &str) -> String {
+    let rule = |(_, light, dark): &(Colour, &str, &str)| {
+        ["fill", "stroke"]
+            .map(|paint| format!("{within} [{paint}=\"{light}\"] {{ {paint}: {dark}; }}\n"))
+    };
+    SHADES.iter().flat_map(rule).collect()
+}
+
+/// The inside of a shape.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Fill {
+    colour: Option<Colour>,
+    opacity: f64,
+}
+
+impl Fill {
+    pub const NONE: Fill = Fill { colour: None, opacity: 1.0 };
+
+    pub const fn new(colour: Colour) -> Self {
+        Fill { colour: Some(colour), opacity: 1.0 }
+    }
+
+    pub const fn with_opacity(self, opacity: f64) -> Self {
+        Fill { opacity, ..self }
+    }
+
+    /// With an outline.
+    pub const fn and(self, stroke: Stroke) -> Paint {
+        Paint { fill: Some(self), stroke: Some(stroke) }
+    }
+}
+
+impl Display for Fill {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write_colour(f, "fill", self.colour)?;
+        write_opacity(f, "fill-opacity", self.opacity)
+    }
+}
+
+/// A line or an outline.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Stroke {
+    colour: Option<Colour>,
+    width: f64,
+    /// Lengths of a dash and of the space behind it.
+    dashes: Option<[f64; 2]>,
+    opacity: f64,
+    /// Whether the attribute says that the ends are cut at the last points. It is SVG's default, too.
+    is_cut: bool,
+}
+
+impl Stroke {
+    pub const NONE: Stroke =
+        Stroke { colour: None, width: 0.0, dashes: None, opacity: 1.0, is_cut: false };
+
+    pub const fn new(colour: Colour, width: f64) -> Self {
+        Stroke { colour: Some(colour), width, ..Stroke::NONE }
+    }
+
+    pub const fn dashed(self, dash: f64, space: f64) -> Self {
+        Stroke { dashes: Some([dash, space]), ..self }
+    }
+
+    pub const fn with_opacity(self, opacity: f64) -> Self {
+        Stroke { opacity, ..self }
+    }
+
+    pub const fn cut(self) -> Self {
+        Stroke { is_cut: true, ..self }
+    }
+}
+
+impl Display for Stroke {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write_colour(f, "stroke", self.colour)?;
+        if self.colour.is_none() {
+            return Ok(());
+        }
+        write!(f, " stroke-width=\"{}\"", number(self.width))?;
+        if let Some([dash, space]) = self.dashes {
+            write!(f, " stroke-dasharray=\"{dash} {space}\"")?;
+        }
+        write_opacity(f, "stroke-opacity", self.opacity)?;
+        f.write_str(if self.is_cut { " stroke-linecap=\"butt\"" } else { "" })
+    }
+}
+
+fn write_colour(f: &mut Formatter<'_>, name: &str, colour: Option<Colour>) -> fmt::Result {
+    match colour {
+        Some(colour) => write!(f, "{name}=\"{colour}\""),
+        None => write!(f, "{name}=\"none\""),
+    }
+}
+
+fn write_opacity(f: &mut Formatter<'_>, name: &str, value: f64) -> fmt::Result {
+    if value == 1.0 { Ok(()) } else { write!(f, " {name}=\"{value}\"") }
+}
+
+/// The inside and the outline of a shape; SVG's own where left out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Paint {
+    fill: Option<Fill>,
+    stroke: Option<Stroke>,
+}
+
+impl From<Fill> for Paint {
+    fn from(fill: Fill) -> Self {
+        Paint { fill: Some(fill), stroke: None }
+    }
+}
+
+impl From<Stroke> for Paint {
+    fn from(stroke: Stroke) -> Self {
+        Paint { fill: None, stroke: Some(stroke) }
+    }
+}
+
+impl Display for Paint {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match (self.fill, self.stroke) {
+            (Some(fill), Some(stroke)) => write!(f, "{fill} {stroke}"),
+            (Some(fill), None) => fill.fmt(f),
+            (None, Some(stroke)) => stroke.fmt(f),
+            (None, None) => Ok(()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_two_decimals_at_most() {
+        assert_eq!(number(-0.001), "0");
+        assert_eq!(number(12.50), "12.5");
+        assert_eq!(number(100.0), "100");
+        assert_eq!(number(1.0 / 3.0), "0.33");
+    }
+
+    #[test]
+    fn attributes_of_svg() {
+        let dashes = Stroke::new(Colour::Load, 1.4).dashed(4.0, 3.0);
+        assert_eq!(
+            Fill::NONE.and(dashes).to_string(),
+            "fill=\"none\" stroke=\"#b34700\" stroke-width=\"1.4\" stroke-dasharray=\"4 3\""
+        );
+        let area = Fill::new(Colour::Pressure).with_opacity(0.14).and(Stroke::NONE);
+        assert_eq!(area.to_string(), "fill=\"#0072b2\" fill-opacity=\"0.14\" stroke=\"none\"");
+    }
+
+    #[test]
+    fn every_colour_has_its_own_two_shades() {
+        for (i, (colour, light, dark)) in SHADES.iter().enumerate() {
+            assert_eq!(*colour as usize, i);
+            let others = SHADES.iter().skip(i + 1);
+            assert!(others.into_iter().all(|(_, l, d)| l != light && d != dark), "{colour:?}");
+        }
+        let style = dark_style("#drawing");
+        assert!(style.contains("#drawing [stroke=\"#00805e\"] { stroke: #35c39a; }\n"));
+    }
+}

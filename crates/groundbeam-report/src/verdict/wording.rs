@@ -1,0 +1,53 @@
+//! The name, the words and the tone of each verdict on equilibrium.
+
+use crate::tone::Tone;
+use groundbeam::Verdict;
+
+/// A verdict in a word or two.
+pub(crate) struct Wording {
+    /// In documents.
+    pub name: &'static str,
+    /// Before the sentence that gives the reason.
+    pub words: &'static str,
+    /// In a cell of a narrow table.
+    pub short: &'static str,
+    /// At the head of a calculation report.
+    pub head: &'static str,
+    pub tone: Tone,
+}
+
+impl Wording {
+    const fn new([name, words, short, head]: [&'static str; 4], tone: Tone) -> Self {
+        Wording { name, words, short, head, tone }
+    }
+
+    /// `exactly one: the resultant, …`
+    pub fn with(&self, reason: &str) -> String {
+        format!("{}: {reason}", self.words)
+    }
+}
+
+/// The words for a verdict.
+pub(crate) fn wording(verdict: Verdict) -> Wording {
+    match verdict {
+        Verdict::Unique => {
+            Wording::new(["unique", "exactly one", "one", "In equilibrium"], Tone::Good)
+        }
+        Verdict::NotUnique(_) => Wording::new(
+            ["not-unique", "not unique", "not unique", "Equilibrium not unique"],
+            Tone::Doubtful,
+        ),
+        Verdict::Local(_) => {
+            Wording::new(["local", "local", "local", "Local equilibrium"], Tone::Doubtful)
+        }
+        Verdict::None(_) => Wording::new(["none", "none", "none", "No equilibrium"], Tone::Bad),
+        Verdict::Buckles(_) => {
+            Wording::new(["none", "none", "none: it buckles", "It buckles"], Tone::Bad)
+        }
+    }
+}
+
+/// The name of a verdict in documents: `unique`, `not-unique`, `local` or `none`.
+pub fn verdict_name(verdict: Verdict) -> &'static str {
+    wording(verdict).name
+}
