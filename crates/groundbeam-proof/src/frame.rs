@@ -343,19 +343,6 @@ impl<S: Scalar> Span<S> {
         }
     }
 
-    /// A bound of a polynomial within a distance of the left or the right end of the piece.
-    pub fn size_beside(&self, p: &Polynomial<S>, side: usize, distance: Size) -> Size {
-        let part = distance.over(self.half.low()).value().next_up();
-        if !(part < 1.0) {
-            return p.size(self.tau);
-        }
-        let end = self.interval()[side];
-        let middle = if side == 0 { end + 0.5 * part } else { end - 0.5 * part };
-        // The end and the middle are rounded.
-        let reach = 0.5 * part + 8.0 * f64::EPSILON;
-        p.shifted(middle).size(reach).least(p.size(self.tau))
-    }
-
     /// A bound of the slope of a coefficient along the piece.
     pub fn steepness(&self, coefficient: &Coefficient<S>) -> Size {
         coefficient.along().map_or(Size::ZERO, |along| self.derivative(along).size(self.tau))

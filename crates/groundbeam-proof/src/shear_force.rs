@@ -19,6 +19,7 @@
 use crate::coefficient::Coefficient;
 use crate::contact_set::Shown;
 use crate::edge_forces::edges_of_pieces;
+use crate::frame::Span;
 use crate::pointwise::{PieceBounds, Pointwise};
 use crate::polynomial::Polynomial;
 use crate::scalar::Scalar;
@@ -37,6 +38,19 @@ fn inside(window: &Range<usize>, loads: &[LoadError], nodes: &[[Size; 2]]) -> [S
         }
     }
     [forces, couples]
+}
+
+/// A bound of a polynomial within a distance of the left or the right end of a piece.
+fn size_beside<S: Scalar>(span: &Span<S>, p: &Polynomial<S>, side: usize, distance: Size) -> Size {
+    let part = distance.over(span.half.low()).value().next_up();
+    if !(part < 1.0) {
+        return p.size(span.tau);
+    }
+    let end = span.interval()[side];
+    let middle = if side == 0 { end + 0.5 * part } else { end - 0.5 * part };
+    // The end and the middle are rounded.
+    let reach = 0.5 * part + 8.0 * f64::EPSILON;
+    p.shifted(middle).size(reach).least(p.size(span.tau))
 }
 
 /// How many pieces a window reaches to each side.
@@ -230,7 +244,7 @@ impl<S: Scalar> Pointwise<'_, S> {
             }
             if edge.inside > Size::ZERO && inner < errors.len() {
                 let field = &self.fields.pressures[inner].field;
-                let pressure = spans[inner].size_beside(field, edge.side, edge.inside);
+                let pressure = size_beside(&spans[inner], field, edge.side, edge.inside);
                 let kept = Size::of(1.0) + self.balanced.factor(inner);
                 errors[inner].edges += edge.inside * (kept * pressure);
             }
@@ -256,7 +270,7 @@ impl<S: Scalar> Pointwise<'_, S> {
     fn open_pressure_beside(&self, i: usize, side: usize, distance: Size) -> Size {
         let (span, surface) = (&self.fields.frame.spans[i], &self.fields.surface.pieces[i]);
         if let Some(along) = &surface.along {
-            return span.size_beside(&span.pressure_under(along), side, distance);
+            return size_beside(span, &span.pressure_under(along), side, distance);
         }
         let Some(ends) = surface.open else { return Size::INFINITE };
         let above = span.above_free_ends(ends)[side];
@@ -268,7 +282,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         let bent = span.derivative(&span.derivative(&span.deflection));
         let at_end = span.spring.times(Polynomial::from_coefficients([above]));
         let at_end = at_end - &span.shear.times(bent);
-        let whole = span.size_beside(&at_end, side, distance)
+        let whole = size_beside(span, &at_end, side, distance)
             + Size::of(span.spring.high()) * slope * distance;
         whole.least(self.open_pressure(i))
     }
