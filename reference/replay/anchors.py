@@ -10,10 +10,10 @@ REACHES = (0.9, 0.5, 0.25, 0.0625)
 
 
 class Anchor:
-    """A place, an interval of x, with a bound of |e|, and whether a clamp holds it."""
+    """A place, an interval of x, with a bound of |e| or of |e_φ|."""
 
-    def __init__(self, x, bound, clamp=False):
-        self.x, self.bound, self.clamp = x, bound, clamp
+    def __init__(self, x, bound):
+        self.x, self.bound = x, bound
 
 
 def flexure(r, part):
@@ -42,12 +42,23 @@ def at_nodes(r, part):
                 found.append(Anchor(x, bound))
         else:
             if node.rigid is not None:
-                found.append(Anchor(x, arb(0), node.clamped))
+                found.append(Anchor(x, arb(0)))
             if node.spring is not None:
                 found.append(Anchor(x, (2 * r.beam_energy / low(node.spring[0])).sqrt()))
         force = (1 - upper(r.factor[i])) * low(r.jump[i])
         if r.touches[i] and force > 0:
             found.append(Anchor(x, r.s2 * root_g_at(r, i) + r.energy / low(force)))
+    return found
+
+
+def held_slopes(r, part):
+    """The places where |e_φ| is bounded: clamps, and rotational springs with ½κ_θe_φ² ≤ E."""
+    found = []
+    for i in range(part.start, part.stop + 1):
+        if r.nodes[i].clamped:
+            found.append(Anchor(r.x[i], arb(0)))
+        if r.nodes[i].turning is not None:
+            found.append(Anchor(r.x[i], (2 * r.beam_energy / low(r.nodes[i].turning)).sqrt()))
     return found
 
 
@@ -83,8 +94,8 @@ def pressing(r, i, flexible):
     return [Anchor(piece.middle + side * best[1], best[0]) for side in (-1, 1)]
 
 
-def along(r, part, anchors):
-    """The bound on a part: between anchors, beyond them, and beyond a clamp."""
+def along(r, part, anchors, slopes, kinks):
+    """The bound on a part with kinks of at most `kinks` in all: between anchors, beyond them, and from a bound of the slope."""
     s, slid = flexure(r, part)
     anchors = sorted((a for a in anchors if a.bound.is_finite()), key=lambda anchor: float(anchor.x.mid()))
     if not anchors:
@@ -92,54 +103,78 @@ def along(r, part, anchors):
     most = anchors[0].bound.max(anchors[-1].bound)
     for a, b in zip(anchors, anchors[1:]):
         gap = upper(b.x - a.x)
-        most = most.max(a.bound.max(b.bound) + s * (gap**3 / 48).sqrt() + slid * gap.sqrt() / 2)
+        most = most.max(a.bound.max(b.bound) + s * (gap**3 / 48).sqrt() + slid * gap.sqrt() / 2 + kinks * gap / 4)
     for near, end in ((anchors[0], r.x[part.start]), (anchors[-1], r.x[part.stop])):
         if (near.x - end).contains(0):
             continue
         over, least = upper(near.x - end), INFINITE
-        if near.clamp:
-            least = arb("0.5774") * s * over * over.sqrt() + slid * over.sqrt()
+        for slope in slopes:
+            bend = s * over * (upper(slope.x - near.x) + over / 3).sqrt() + slid * over.sqrt()
+            least = least.min(near.bound + slope.bound * over + bend)
         for far in anchors:
             gap = abs(far.x - near.x)
             if gap > 0:
                 bend = s * (over**2 * (gap + over) / 3).sqrt() + slid * (over * (gap + over) / gap).sqrt()
                 least = least.min(near.bound + (near.bound + far.bound) * over / gap + bend)
-        most = most.max(least)
+        most = most.max(least + kinks * over)
     return most
 
 
-def best_along(r, part, anchors):
+def best_along(r, part, anchors, slopes, kinks=arb(0)):
     """The least bound over the anchors that are not worse than a level."""
     anchors = sorted(anchors, key=lambda anchor: float(anchor.bound.mid()))
-    least, count = along(r, part, anchors), 1
+    least, count = along(r, part, anchors, slopes, kinks), 1
     while count < len(anchors):
         level = 16 * anchors[count - 1].bound
         while count < len(anchors) and anchors[count].bound <= level:
             count += 1
-        least = least.min(along(r, part, anchors[:count]))
+        least = least.min(along(r, part, anchors[:count], slopes, kinks))
         count += 1
     return least
 
 
+def kink(r, i):
+    """|[e_φ]| at an elastic hinge, ½k_φ[e_φ]² ≤ E; zero at other nodes."""
+    spring = r.nodes[i].hinge
+    return arb(0) if spring is None else (2 * r.beam_energy / low(spring)).sqrt()
+
+
 def deflections(r):
-    """sup|e| on each part; a part hands its bound on at hinges. Under tension one anchor is enough for the whole beam."""
+    """sup|e| on each part; a part hands its bound on at hinges. Parts joined by elastic hinges are also bounded together.
+    Under tension one anchor is enough for the whole beam."""
     parts = r.parts()
-    anchors = []
+    anchors, slopes = [], [held_slopes(r, part) for part in parts]
     for part in parts:
         flexible = flexure(r, part)
         touching = [i for i in part if r.pieces[i].touches]
         anchors.append(at_nodes(r, part) + [a for i in touching for a in pressing(r, i, flexible)])
     found, used = [INFINITE] * len(parts), [0] * len(parts)
     order = list(range(len(parts)))
-    for j in 2 * (order + order[::-1]):
-        if len(anchors[j]) == used[j]:
-            continue
-        found[j], used[j] = found[j].min(best_along(r, parts[j], anchors[j])), len(anchors[j])
+
+    def hand_on(j):
         if found[j].is_finite():
             if j > 0:
                 anchors[j - 1].append(Anchor(r.x[parts[j].start], found[j]))
             if j + 1 < len(parts):
                 anchors[j + 1].append(Anchor(r.x[parts[j].stop], found[j]))
+
+    for _ in range(2):
+        for j in order + order[::-1]:
+            count = len(anchors[j]) + len(slopes[j])
+            if count != used[j]:
+                found[j], used[j] = found[j].min(best_along(r, parts[j], anchors[j], slopes[j])), count
+                hand_on(j)
+        for joined in r.joined_parts():
+            members = [j for j in order if joined.start <= parts[j].start and parts[j].stop <= joined.stop]
+            if len(members) < 2 or all(found[j].is_finite() for j in members):
+                continue
+            places = [a for j in members for a in anchors[j]]
+            turned = [a for j in members for a in slopes[j]]
+            kinks = sum((kink(r, i) for i in range(joined.start + 1, joined.stop)), arb(0))
+            together = best_along(r, joined, places, turned, kinks)
+            for j in members:
+                found[j] = found[j].min(together)
+                hand_on(j)
     if r.tension is not None:
         bounds = [anchor.bound for part in anchors for anchor in part]
         least = min(bounds, key=lambda b: float(b.mid())) if bounds else INFINITE

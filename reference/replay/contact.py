@@ -4,6 +4,7 @@ from flint import arb
 
 from balls import INFINITE, above, ball_of, exact, high, least_on, negative_part, on, sorted_pair, upper
 from ground import clearance, least
+from springs import leaves_support, logged_zones
 
 
 class Edge:
@@ -63,7 +64,7 @@ class Contact:
 
     def stretch(self, first, end):
         """C > ε_u + ε_w up to a reach; from there to θ C falls faster than its slope is off. There (μC′)′ > ε_p."""
-        r, ends = self.r, [self.r.touches[first], self.r.touches[end]]
+        r, ends, zones = self.r, [self.r.touches[first], self.r.touches[end]], logged_zones(self.r)
         for i in range(first, end):
             interval = list(r.pieces[i].t)
             here = [i == first and ends[0], i + 1 == end and ends[1]]
@@ -74,6 +75,9 @@ class Contact:
                     if reach is not None:
                         interval[side] = reach
                         self.steep[i + side, 1 - side] = found
+                elif (i, side) in zones:
+                    interval[side] += (1 - 2 * side) * zones[i, side] / r.pieces[i].half
+                    r.shows(f"(W3) the zone at node {i + side}", leaves_support(r, self.errors[i], i, side, interval[side]))
             limit = self.errors[i]["u"] + self.errors[i]["w"]
             clear = on(interval, lambda t: least(r, i, t, 0) > limit)
             r.shows(f"the clearance on piece {i} is not larger than its error", clear)

@@ -218,7 +218,14 @@ class Problem(Checks):
 
     def parts(self):
         """The parts between hinges, as ranges of pieces."""
-        joints = [i for i in range(1, len(self.pieces)) if self.nodes[i].hinged]
+        return self.cut(lambda node: node.hinged)
+
+    def joined_parts(self):
+        """The parts between free hinges."""
+        return self.cut(lambda node: node.free_hinge)
+
+    def cut(self, at):
+        joints = [i for i in range(1, len(self.pieces)) if at(self.nodes[i])]
         ends = [0, *joints, len(self.pieces)]
         return [range(a, b) for a, b in zip(ends, ends[1:])]
 

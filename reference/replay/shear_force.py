@@ -1,6 +1,6 @@
 """Bounds of the error of the shear force (15), and of the slope of a beam that shears, from the contact set (section 6)."""
 
-from flint import arb
+from flint import arb, arb_poly
 
 from balance import gamma
 from balls import INFINITE, largest, least_of_halves, low, upper
@@ -18,7 +18,7 @@ def bounds(r, contact):
     for a, b in zip(stops, stops[1:]):
         for i in range(a, b):
             rest = upper(r.force) * errors[i]["rotation"] + balancing(r, i) + r.drawn[i]
-            least = INFINITE
+            least, direct = INFINITE, INFINITE
             if contact.edges and r.pieces[i].stiffness is not None:
                 beside = edges_of_piece(contact, i)
                 if beside:
@@ -30,10 +30,27 @@ def bounds(r, contact):
                 forces += sum((nodes[j][0] for j in range(first + 1, end)), arb(0))
                 couples = sum((nodes[j][1] for j in range(first + 1, end)), arb(0))
                 least = least.min(mean(r, errors, spread, first, end, arb(1), couples) + forces)
+                direct = direct.min(directly(r, errors, spread, first, end, couples) + forces)
                 if (first, end) == (a, b):
                     break
-            found[i] = on_piece(r, errors[i], i, least + rest)
+            direct += balancing(r, i) + r.drawn[i]
+            found[i] = on_piece(r, errors[i], i, (least + rest).min(direct))
     return found
+
+
+def directly(r, errors, spread, first, end, couples):
+    """min_h {(2s₂K + Σs₂√κ_θ)/h + ½h(q + |P| max|e″|)} + 2|P| max|c′| + max|β|, on a beam that does not shear without hinges inside."""
+    window = range(first, end)
+    hinged = any(r.nodes[node].hinged for node in range(first + 1, end))
+    if r.force == 0 or hinged or any(r.pieces[i].stiffness is not None for i in window):
+        return INFINITE
+    most = lambda of: max((of(i) for i in window), key=float)
+    change = 2 * most(lambda i: errors[i]["m"]) + couples
+    load = most(lambda i: spread[i] + upper(r.force) * (r.pieces[i].bent(errors[i]["M"]) + r.c[i][2]))
+    if not change.is_finite() or not load.is_finite():
+        return INFINITE
+    least = least_of_halves(r.x[end] - r.x[first], lambda h: change / h + h * load / 2)
+    return least + 2 * upper(r.force) * most(lambda i: r.c[i][1]) + most(lambda i: upper(r.drawn[i]))
 
 
 def on_piece(r, error, i, total):
@@ -88,10 +105,12 @@ def load_errors(r, contact):
     for edge in contact.edges:
         outer, inner = (edge.node - 1, edge.node) if edge.side == 0 else (edge.node, edge.node - 1)
         if edge.outside > 0 and 0 <= outer < len(r.pieces):
-            edges[outer] += edge.outside * (open_pressure(r, outer) + errors[outer]["p"])
+            beside = open_pressure_beside(r, outer, 1 - edge.side, edge.outside)
+            edges[outer] += edge.outside * (beside + errors[outer]["p"])
         if edge.inside > 0 and 0 <= inner < len(r.pieces):
             piece = r.pieces[inner]
-            edges[inner] += edge.inside * (1 + gamma(r, inner)) * piece.size(piece.pressure)
+            beside = size_beside(piece, piece.pressure, edge.side, edge.inside)
+            edges[inner] += edge.inside * (1 + gamma(r, inner)) * beside
     return spread, edges
 
 
@@ -102,6 +121,31 @@ def open_pressure(r, i):
         return piece.size(piece.pressure_under(r.along[i]))
     settled = largest(*(u - q for u, q in zip(r.u[i : i + 2], piece.ends(piece.free))))
     return piece.spring.high * settled + piece.shear.high * piece.size(piece.d(piece.d(piece.w)))
+
+
+def size_beside(piece, p, side, distance):
+    """A bound of a polynomial within a distance of an end of a piece."""
+    part = upper(distance / piece.half)
+    if not part < 1:
+        return piece.size(p)
+    middle = piece.t[side] + (1 - 2 * side) * part / 2
+    about = p(arb_poly([middle, 1]))
+    size = sum((upper(about[j]) * (part / 2) ** j for j in range(about.degree() + 1)), arb(0))
+    return upper(size).min(piece.size(p))
+
+
+def open_pressure_beside(r, i, side, distance):
+    """The same as open_pressure within a distance of one end: u − q/k changes by at most its largest slope times the distance."""
+    piece = r.pieces[i]
+    if r.along[i] is not None:
+        return size_beside(piece, piece.pressure_under(r.along[i]), side, distance)
+    free = piece.ends(piece.free)
+    above = [u - q for u, q in zip(r.u[i : i + 2], free)]
+    drawn = piece.shear.least * piece.ends(piece.d(piece.free))[0]
+    slope = largest(*(upper(flux - drawn) for flux in r.flux[i])) / piece.shear.low
+    at_end = piece.spring.along * above[side] - piece.shear.along * piece.d(piece.d(piece.w))
+    near = size_beside(piece, at_end, side, distance) + piece.spring.high * slope * distance
+    return near.min(open_pressure(r, i))
 
 
 def node_error(r, contact, i):

@@ -3,11 +3,16 @@
 from balls import above, exact, sorted_pair
 
 
+def logged_zones(r):
+    """The lengths beside edges and supports by piece and side."""
+    return {(line["piece"], line["side"]): exact(line["length"]) for line in r.all("zone")}
+
+
 def check(r):
     """Every piece on springs has the sign that it claims, outside zones at edges and supports that stand on the ground."""
     if not r.shown[1]:
         return
-    zones = {(line["piece"], line["side"]): exact(line["length"]) for line in r.all("zone")}
+    zones = logged_zones(r)
     for i, piece in enumerate(r.pieces):
         if piece.layered:
             continue
@@ -21,7 +26,8 @@ def check(r):
                 r.shows(f"(W1) the edge at node {i + side} has no zone", steps or not needs_zone(r, i, side))
                 continue
             interval[side] += (1 - 2 * side) * theta / piece.half
-            r.shows(f"(W1) the zone at node {i + side}", zone(r, i, side, field, interval[side]))
+            grows = zone(r, r.errors[i], i, side, field, interval[side], limit)
+            r.shows(f"(W1) the zone at node {i + side}", grows)
         shown = interval[0] < interval[1] and above(field, interval, limit)
         r.shows(f"(W2) the sign of w - g0 on piece {i}", shown)
 
@@ -30,13 +36,13 @@ def needs_zone(r, i, side):
     """Whether w* − g₀ is zero at an end of a piece: at an edge of contact, or at a support that stands on the ground."""
     other = i - 1 + 2 * side
     beside = 0 <= other < len(r.pieces) and not r.pieces[other].layered
-    return beside and r.pieces[other].touches != r.pieces[i].touches or stands(r, i, side)
+    return beside and r.pieces[other].touches != r.pieces[i].touches or (stands(r, i, side) and r.pieces[i].q is None)
 
 
 def stands(r, i, side):
     """Whether a rigid support of both directions at an end of a piece stands on the ground: w* = δ = g₀."""
     piece, node = r.pieces[i], r.nodes[i + side]
-    held = node.rigid is not None and node.acts == 0 and piece.q is None
+    held = node.rigid is not None and node.acts == 0
     return held and (node.rigid - piece.ends(piece.g0)[side]).contains(0)
 
 
@@ -46,14 +52,21 @@ def lies(r, i, side):
     return stands(r, i, side) and node.clamped and piece.stiffness is None and piece.g0.degree() <= 0
 
 
-def zone(r, i, side, field, to):
-    """The field grows inward faster than its slope is off, up to a value above its bound (W1). At a support that stands on the
+def leaves_support(r, error, i, side, to):
+    """Whether g₀ − w* grows from zero beside a rigid support that stands on open ground of a layer, where u* is not negative."""
+    piece = r.pieces[i]
+    limit = error["u"] + error["w"]
+    return stands(r, i, side) and zone(r, error, i, side, piece.g0 - piece.w, to, limit)
+
+
+def zone(r, error, i, side, field, to, limit):
+    """The field grows inward faster than its slope is off, up to a value above a limit (W1). At a support that stands on the
     ground it grows from zero (W3), at a clamp by its curvature."""
-    piece, error, end = r.pieces[i], r.errors[i], r.pieces[i].t[side]
+    piece, end = r.pieces[i], r.pieces[i].t[side]
     slope = piece.d(field)
     if lies(r, i, side):
         grows, off = piece.d(slope), piece.bent(error["M"])
     else:
         grows, off = slope * (1 - 2 * side), error["slope"]
     inside = piece.t[0] <= to <= piece.t[1] if not end == to else False
-    return inside and above(grows, sorted_pair(end, to), off) and field(to) > error["w"]
+    return inside and above(grows, sorted_pair(end, to), off) and field(to) > limit

@@ -1,4 +1,4 @@
-"""Uniqueness: every part between hinges is held in two places, or in one and against rotation (section 7)."""
+"""Uniqueness: every part between free hinges is held in two places, or in one and against rotation (section 7)."""
 
 from anchors import REACHES, least_pressure
 
@@ -11,7 +11,7 @@ def check(r):
     for support in r.supports:
         if support.node is not None and support.acts and support.towards(support.claimed[0]) > support.errors[0]:
             pressed.add(support.node)
-    parts = r.parts()
+    parts = r.joined_parts()
     counts = [holds(r, part, pressed) for part in parts]
     if r.tension is not None and any(places for places, _ in counts):
         r.count += 1

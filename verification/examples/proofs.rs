@@ -17,7 +17,12 @@ use std::time::Instant;
 
 /// What came of one model.
 enum Outcomes {
-    Proven { times: [f64; 3], gaps: [f64; 4] },
+    /// Bounds are computed; `why` is the first reason why they are not called a proof.
+    Bounded {
+        times: [f64; 3],
+        gaps: [f64; 4],
+        why: Option<String>,
+    },
     NotProven(String),
     NoSolution,
 }
@@ -48,35 +53,36 @@ fn main() -> Result<(), String> {
         }
     }
     let found: Vec<_> = models.par_iter().map(|(_, _, model)| of(model)).collect();
-    let mut counts: BTreeMap<&str, [usize; 3]> = BTreeMap::new();
+    let mut counts: BTreeMap<&str, [usize; 4]> = BTreeMap::new();
     let mut ratios: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
     for ((group, name, _), outcome) in models.iter().zip(&found) {
         let count = counts.entry(group).or_default();
         match outcome {
-            Outcomes::Proven { gaps, times } => {
-                count[0] += 1;
+            Outcomes::Bounded { gaps, times, why } => {
+                count[usize::from(why.is_some())] += 1;
                 ratios.entry(group).or_default().push(gaps[1] / gaps[0]);
                 let [today, wide, ball, plain] = gaps;
                 let [a, b, c] = times;
                 println!(
-                    "{name:44} today {today:7.1e} wide {wide:7.1e} ball {ball:7.1e} f64 {plain:7.1e}  µs {a:6.0} {b:6.0} {c:6.1}"
+                    "{name:44} today {today:7.1e} wide {wide:7.1e} ball {ball:7.1e} f64 {plain:7.1e}  µs {a:6.0} {b:6.0} {c:6.1} {}",
+                    why.as_deref().map_or(String::new(), |why| format!("not proven: {why}"))
                 );
             }
             Outcomes::NotProven(why) => {
-                count[1] += 1;
+                count[2] += 1;
                 println!("{name:44} {why}");
             }
-            Outcomes::NoSolution => count[2] += 1,
+            Outcomes::NoSolution => count[3] += 1,
         }
     }
-    for (group, [proven, not, without]) in counts {
+    for (group, [proven, bounded, not, without]) in counts {
         let mut all = ratios.remove(group).unwrap_or_default();
         all.sort_by(f64::total_cmp);
         let at = |part: f64| {
             all.get((part * (all.len().max(1) - 1) as f64) as usize).copied().unwrap_or(f64::NAN)
         };
         println!(
-            "{group:12} proven {proven:4} not {not:4} no solution {without:4}; wide/today least {:.1e} median {:.1e} nine tenths {:.1e} most {:.1e}",
+            "{group:12} proven {proven:4} with bounds {bounded:4} without {not:4} no solution {without:4}; wide/today least {:.1e} median {:.1e} nine tenths {:.1e} most {:.1e}",
             at(0.0),
             at(0.5),
             at(0.9),
@@ -96,9 +102,10 @@ fn of(model: &Model) -> Outcomes {
     };
     match wide {
         Err(why) => Outcomes::NotProven(why.to_string()),
-        wide @ Ok(_) => Outcomes::Proven {
+        Ok(wide) => Outcomes::Bounded {
+            why: wide.shortfall().map(|why| why.to_string()),
             times: [a, b, c],
-            gaps: [solution.certificate().relative_gap(), gap(wide), gap(ball), gap(plain)],
+            gaps: [solution.certificate().relative_gap(), gap(Ok(wide)), gap(ball), gap(plain)],
         },
     }
 }

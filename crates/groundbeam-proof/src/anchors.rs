@@ -1,7 +1,7 @@
 //! Bounds of the error e of the deflection, from the places where e is bounded: its anchors.
 
 use crate::coefficient::Coefficient;
-use crate::frame::Span;
+use crate::frame::{Node, Span};
 use crate::model::Acts;
 use crate::pointwise::Pointwise;
 use crate::scalar::Scalar;
@@ -11,23 +11,53 @@ use std::ops::Range;
 /// The parts |t| ≤ … of a piece on which the least pressure is tried.
 pub(crate) const PARTS: [f64; 4] = [0.9, 0.5, 0.25, 0.0625];
 
-/// A place with a bound of |e|.
+/// A place with a bound of |e|, or of |e_φ|.
 #[derive(Debug, Clone, Copy)]
 struct Anchor {
     /// An interval that holds the place.
     x: [f64; 2],
     bound: Size,
-    clamp: bool,
+}
+
+/// What bounds e on a part of the beam.
+#[derive(Debug, Clone, Default)]
+struct Anchors {
+    /// Places with a bound of |e|.
+    places: Vec<Anchor>,
+    /// Places with a bound of |e_φ|: clamps and rotational springs.
+    slopes: Vec<Anchor>,
+}
+
+impl Anchors {
+    fn count(&self) -> usize {
+        self.places.len() + self.slopes.len()
+    }
+}
+
+/// A part of the beam without free hinges.
+struct Part {
+    pieces: Range<usize>,
+    /// A bound of Σ|[e_φ]| at the elastic hinges inside.
+    kinks: Size,
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
     /// The parts of the beam between hinges of both kinds, as ranges of pieces.
     pub(crate) fn parts(&self) -> Vec<Range<usize>> {
+        self.cut(|node| node.is_hinged())
+    }
+
+    /// The parts of the beam between free hinges.
+    pub(crate) fn joined_parts(&self) -> Vec<Range<usize>> {
+        self.cut(|node| node.is_free_hinge())
+    }
+
+    fn cut(&self, at: impl Fn(&Node<S>) -> bool) -> Vec<Range<usize>> {
         let frame = self.fields.frame;
         let mut parts = Vec::new();
         let mut first = 0;
         for i in 1..=frame.spans.len() {
-            if i == frame.spans.len() || frame.nodes[i].is_hinged() {
+            if i == frame.spans.len() || at(&frame.nodes[i]) {
                 parts.push(first..i);
                 first = i;
             }
@@ -47,39 +77,48 @@ impl<S: Scalar> Pointwise<'_, S> {
         [most(&|span| Some(&span.bending)), most(&|span| span.stiffness.as_ref())]
     }
 
-    /// sup|e| on each part. A part needs two anchors or a clamp, and hands its bound on at hinges. Under tension one anchor
-    /// anywhere is enough: |e(x)| ≤ |e(y)| + (2E/P)^½|x − y|^½.
+    /// sup|e| on each part between hinges. A part needs two anchors, or one and a bound of its slope, and hands its bound on
+    /// at hinges. Parts joined by elastic hinges are also bounded together, with a kink of at most (2E/k_φ)^½ at each. Under
+    /// tension one anchor anywhere is enough: |e(x)| ≤ |e(y)| + (2E/P)^½|x − y|^½.
     pub(crate) fn deflections(&self, parts: &[Range<usize>]) -> Vec<Size> {
         let frame = self.fields.frame;
-        let mut anchors: Vec<Vec<Anchor>> = parts.iter().map(|part| self.anchors(part)).collect();
+        let mut anchors: Vec<Anchors> = parts.iter().map(|part| self.anchors(part)).collect();
         let mut found = vec![Size::INFINITE; parts.len()];
         // How many anchors each part had when its bound was computed.
         let mut used = vec![0; parts.len()];
         for _ in 0..2 {
             let order: Vec<usize> = (0..parts.len()).chain((0..parts.len()).rev()).collect();
             for j in order {
-                if anchors[j].len() == used[j] {
+                if anchors[j].count() == used[j] {
                     continue;
                 }
-                found[j] = found[j].least(self.best_along(&parts[j], &anchors[j]));
-                used[j] = anchors[j].len();
-                if !(found[j] < Size::INFINITE) {
+                let part = Part { pieces: parts[j].clone(), kinks: Size::ZERO };
+                found[j] = found[j].least(self.best_along(&part, &anchors[j]));
+                used[j] = anchors[j].count();
+                self.hand_on(j, parts, &found, &mut anchors);
+            }
+            for joined in self.joined_parts() {
+                let inside =
+                    |part: &Range<usize>| joined.start <= part.start && part.end <= joined.end;
+                let members: Vec<usize> = (0..parts.len()).filter(|j| inside(&parts[*j])).collect();
+                if members.len() < 2 || members.iter().all(|j| found[*j] < Size::INFINITE) {
                     continue;
                 }
-                let hand_on = |node: usize| {
-                    let x = frame.nodes[node].x;
-                    Anchor { x: [x.low(), x.high()], bound: found[j], clamp: false }
-                };
-                if j > 0 {
-                    anchors[j - 1].push(hand_on(parts[j].start));
+                let mut all = Anchors::default();
+                for j in &members {
+                    all.places.extend(&anchors[*j].places);
+                    all.slopes.extend(&anchors[*j].slopes);
                 }
-                if j + 1 < parts.len() {
-                    anchors[j + 1].push(hand_on(parts[j].end));
+                let kinks = (joined.start + 1..joined.end).map(|node| self.kink(node)).sum();
+                let together = self.best_along(&Part { pieces: joined.clone(), kinks }, &all);
+                for j in members {
+                    found[j] = found[j].least(together);
+                    self.hand_on(j, parts, &found, &mut anchors);
                 }
             }
         }
         if let Some(tension) = frame.tension {
-            let all = anchors.iter().flatten().map(|anchor| anchor.bound);
+            let all = anchors.iter().flat_map(|part| &part.places).map(|anchor| anchor.bound);
             let least = all.fold(Size::INFINITE, Size::least);
             let length = Size::of(frame.length.high());
             let any = least + ((2.0 * self.energy).over(tension.low()) * length).root();
@@ -88,29 +127,59 @@ impl<S: Scalar> Pointwise<'_, S> {
         found
     }
 
+    /// Makes a bounded part an anchor of its neighbours, at their hinges.
+    fn hand_on(&self, j: usize, parts: &[Range<usize>], found: &[Size], anchors: &mut [Anchors]) {
+        if !(found[j] < Size::INFINITE) {
+            return;
+        }
+        let at = |node: usize| {
+            let x = self.fields.frame.nodes[node].x;
+            Anchor { x: [x.low(), x.high()], bound: found[j] }
+        };
+        if j > 0 {
+            anchors[j - 1].places.push(at(parts[j].start));
+        }
+        if j + 1 < parts.len() {
+            anchors[j + 1].places.push(at(parts[j].end));
+        }
+    }
+
+    /// A bound of |[e_φ]| at an elastic hinge, ½k_φ[e_φ]² ≤ E; zero at other nodes.
+    fn kink(&self, node: usize) -> Size {
+        match self.fields.frame.nodes[node].hinge {
+            None => Size::ZERO,
+            Some(spring) => (2.0 * self.beam_energy()).over(spring.low()).root(),
+        }
+    }
+
     /// The anchors of a part.
-    fn anchors(&self, part: &Range<usize>) -> Vec<Anchor> {
+    fn anchors(&self, part: &Range<usize>) -> Anchors {
         let frame = self.fields.frame;
-        let mut anchors = Vec::new();
+        let mut anchors = Anchors::default();
         for node in part.start..=part.end {
             let here = &frame.nodes[node];
             let x = [here.x.low(), here.x.high()];
+            let place = |bound: Size| Anchor { x, bound };
             if here.acts != Acts::Both {
-                anchors.extend(self.pushed(node).map(|bound| Anchor { x, bound, clamp: false }));
+                anchors.places.extend(self.pushed(node).map(place));
             } else if here.rigid.is_some() {
-                anchors.push(Anchor { x, bound: Size::ZERO, clamp: here.clamped });
+                anchors.places.push(place(Size::ZERO));
             }
+            if here.clamped {
+                anchors.slopes.push(place(Size::ZERO));
+            }
+            let energy = 2.0 * self.beam_energy();
             if let Some([spring, _]) = here.spring.filter(|_| here.acts == Acts::Both) {
-                let bound = (2.0 * self.beam_energy()).over(spring.low()).root();
-                anchors.push(Anchor { x, bound, clamp: false });
+                anchors.places.push(place(energy.over(spring.low()).root()));
             }
-            if let Some(bound) = self.pressed(node) {
-                anchors.push(Anchor { x, bound, clamp: false });
+            if let Some(turning) = here.turning {
+                anchors.slopes.push(place(energy.over(turning.low()).root()));
             }
+            anchors.places.extend(self.pressed(node).map(place));
         }
         let s = self.flexure(part);
         let touching = part.clone().filter(|i| frame.spans[*i].touches);
-        anchors.extend(touching.filter_map(|i| self.pressing(i, s)).flatten());
+        anchors.places.extend(touching.filter_map(|i| self.pressing(i, s)).flatten());
         anchors
     }
 
@@ -176,39 +245,38 @@ impl<S: Scalar> Pointwise<'_, S> {
             } else {
                 (2.0 * self.energy).over(span.spring.low()).over(length).root()
             };
-            let mean = settled + spread + 0.2310 * curved + 0.6667 * slid;
-            let bound = 2.4143 * mean + 0.5774 * curved + slid;
+            let bound = from_mean(settled + spread, curved, slid);
             if best.is_none_or(|best| bound < best[0].bound) {
                 let inside = [ends[0].high(), ends[1].low()];
-                best = Some(inside.map(|x| Anchor { x: [x; 2], bound, clamp: false }));
+                best = Some(inside.map(|x| Anchor { x: [x; 2], bound }));
             }
         }
         best
     }
 
     /// The least of sup|e| on a part over sets of anchors: all whose bound is below some level.
-    fn best_along(&self, part: &Range<usize>, anchors: &[Anchor]) -> Size {
-        let mut sorted = anchors.to_vec();
+    fn best_along(&self, part: &Part, anchors: &Anchors) -> Size {
+        let mut sorted = anchors.places.clone();
         sorted.sort_by(|a, b| a.bound.value().total_cmp(&b.bound.value()));
-        let mut least = self.along(part, &sorted);
+        let mut least = self.along(part, &sorted, &anchors.slopes);
         let mut count = 1;
         while count < sorted.len() {
             let level = 16.0 * sorted[count - 1].bound;
             while count < sorted.len() && sorted[count].bound <= level {
                 count += 1;
             }
-            least = least.least(self.along(part, &sorted[..count]));
+            least = least.least(self.along(part, &sorted[..count], &anchors.slopes));
             count += 1;
         }
         least
     }
 
-    /// sup|e| on a part: between anchors at distance h the larger bound + s(h³/48)^½ + ½s_γh^½; on an overhang o beyond
-    /// anchors b₁ (nearer) and b₂ at distance h: b₁ + (b₁ + b₂)o/h + s(o²(h + o)/3)^½ + s_γ(o(h + o)/h)^½; beyond a clamp
-    /// s o^{3/2}/√3 + s_γo^½.
-    fn along(&self, part: &Range<usize>, anchors: &[Anchor]) -> Size {
+    /// sup|e| on a part with kinks of at most j in all: between anchors at distance h the larger bound + s(h³/48)^½ + ½s_γh^½
+    /// + ¼jh; on an overhang o beyond anchors b₁ (nearer) and b₂ at distance h: b₁ + (b₁ + b₂)o/h + s(o²(h + o)/3)^½ +
+    /// s_γ(o(h + o)/h)^½ + jo; where |e_φ| ≤ θ at a distance d from the anchor: b₁ + θo + so(d + o/3)^½ + s_γo^½ + jo.
+    fn along(&self, part: &Part, anchors: &[Anchor], slopes: &[Anchor]) -> Size {
         let frame = self.fields.frame;
-        let [s, sheared] = self.flexure(part);
+        let [s, sheared] = self.flexure(&part.pieces);
         let mut anchors: Vec<&Anchor> =
             anchors.iter().filter(|anchor| anchor.bound < Size::INFINITE).collect();
         anchors.sort_by(|a, b| a.x[0].total_cmp(&b.x[0]));
@@ -218,35 +286,73 @@ impl<S: Scalar> Pointwise<'_, S> {
         let mut largest = Size::ZERO;
         for pair in anchors.windows(2) {
             let gap = distance(pair[0].x[0], pair[1].x[1]);
-            let cube = gap.square() * gap;
-            let bent = s * cube.over(48.0).root() + 0.5 * (sheared * gap.root());
-            largest = largest.worst(pair[0].bound.worst(pair[1].bound) + bent);
+            let ends = pair[0].bound.worst(pair[1].bound);
+            let bent = between(gap, [s, sheared]) + 0.25 * (part.kinks * gap);
+            largest = largest.worst(ends + bent);
         }
         largest = largest.worst(first.bound).worst(last.bound);
-        let ends = [frame.nodes[part.start].x, frame.nodes[part.end].x];
+        let ends = [frame.nodes[part.pieces.start].x, frame.nodes[part.pieces.end].x];
         let left = distance(ends[0].low(), first.x[1]);
         let right = distance(last.x[0], ends[1].high());
         for (near, over, side) in [(first, left, 0), (last, right, 1)] {
             let mut least = Size::INFINITE;
-            if near.clamp {
-                least = 0.5774 * (s * over * over.root()) + sheared * over.root();
+            let apart =
+                |far: &Anchor| distance(far.x[0], near.x[1]).worst(distance(near.x[0], far.x[1]));
+            for slope in slopes.iter().filter(|slope| slope.bound < Size::INFINITE) {
+                let turned = [slope.bound, apart(slope)];
+                least = least.least(near.bound + along_slope(turned, over, [s, sheared]));
             }
             for far in &anchors {
                 let gap = if side == 0 { far.x[0] - near.x[1] } else { near.x[0] - far.x[1] };
                 let gap = gap.next_down();
                 if gap > 0.0 {
-                    let turn = ((near.bound + far.bound) * over).over(gap);
-                    let long = distance(far.x[0], near.x[1]).worst(distance(near.x[0], far.x[1]));
-                    let bent = s * (over.square() * (long + over)).over(3.0).root();
-                    let slid = sheared * (over * (long + over)).over(gap).root();
-                    least = least.least(near.bound + turn + bent + slid);
+                    let bounds = [near.bound, far.bound];
+                    let distance = [gap, apart(far).value()];
+                    least = least.least(beyond(bounds, over, distance, [s, sheared]));
                 }
             }
             let outside = over.value() > 0.0;
-            largest = if outside { largest.worst(least) } else { largest };
+            let end = least + part.kinks * over;
+            largest = if outside { largest.worst(end) } else { largest };
         }
         largest
     }
+}
+
+/// A bound of |e| on an interval from a bound of its mean there, s(h/2)^{3/2} and s_γ(h/2)^½: e less its tangent in the middle is at
+/// most their parts below, and a straight line is at most 1 + √2 times the mean of its size.
+pub(crate) fn from_mean(mean: Size, curved: Size, slid: Size) -> Size {
+    let mean = mean + 0.2310 * curved + 0.6667 * slid;
+    2.4143 * mean + 0.5774 * curved + slid
+}
+
+/// s(h³/48)^½ + ½s_γh^½: by how much |e| may exceed its values at both ends of a length h.
+pub(crate) fn between(h: Size, [s, sheared]: [Size; 2]) -> Size {
+    s * (h.square() * h).over(48.0).root() + 0.5 * (sheared * h.root())
+}
+
+/// |e| on an overhang o beyond two places, the nearer first, whose distance is known between two bounds.
+pub(crate) fn beyond(
+    [near, far]: [Size; 2],
+    over: Size,
+    distance: [f64; 2],
+    [s, sheared]: [Size; 2],
+) -> Size {
+    let long = Size::of(distance[1]);
+    let turn = ((near + far) * over).over(distance[0]);
+    let bent = s * (over.square() * (long + over)).over(3.0).root();
+    let slid = sheared * (over * (long + over)).over(distance[0]).root();
+    near + turn + bent + slid
+}
+
+/// θo + so(d + o/3)^½ + s_γo^½: the change of e over a length o from |e_φ| ≤ θ at a place not farther than d from its start.
+pub(crate) fn along_slope(
+    [slope, distance]: [Size; 2],
+    over: Size,
+    [s, sheared]: [Size; 2],
+) -> Size {
+    let bent = s * over * (distance + 0.33334 * over).root();
+    slope * over + bent + sheared * over.root()
 }
 
 /// A bound of the distance from a to b, zero if b lies before a.

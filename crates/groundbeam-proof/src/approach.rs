@@ -1,7 +1,7 @@
 //! Open ground of a layer in the exact solution: where the exact clearance is positive next to open pieces of the answer.
 
 use crate::clearance::OpenPiece;
-use crate::contact_set::{Contact, more};
+use crate::contact_set::{Contact, Zone, more};
 use crate::polynomial::half_width;
 use crate::scalar::Scalar;
 use crate::size::Size;
@@ -25,8 +25,14 @@ pub(crate) struct Approach {
 impl<S: Scalar> Contact<'_, S> {
     /// Shows that a stretch of open pieces is open in the exact solution; the approaches to its touching ends.
     ///
-    /// Between the reaches C > ε_u + ε_w. From a reach to the touching node, less θ, C falls faster than its slope is off.
-    pub(crate) fn stretch(&self, first: usize, end: usize) -> Option<[Option<Approach>; 2]> {
+    /// Between the reaches C > ε_u + ε_w. From a reach to the touching node, less θ, C falls faster than its slope is off. Beside
+    /// a rigid support that stands on the ground g₀ − w grows from zero; such zones are listed.
+    pub(crate) fn stretch(
+        &self,
+        first: usize,
+        end: usize,
+        zones: &mut Vec<Zone>,
+    ) -> Option<[Option<Approach>; 2]> {
         let touches = &self.fields.surface.touches;
         let ends = [touches[first], touches[end]];
         let mut found = [None; 2];
@@ -39,6 +45,9 @@ impl<S: Scalar> Contact<'_, S> {
                     let approach = self.approach(&piece, i, side, here[1 - side])?;
                     interval[side] = approach.reach;
                     found[side] = Some(approach);
+                } else if let Some((theta, to)) = self.leaves_support(i, side) {
+                    interval[side] = to;
+                    zones.push(Zone { piece: i, side, theta });
                 }
             }
             let bounds = &self.bounds[i];

@@ -241,7 +241,10 @@ impl<C: Scalar> OpenPiece<C> {
                 return ramp(Size::ZERO);
             }
             let depth = (steep + fall) * long;
-            if depth <= blurred || !(b - a > 1e-12) || !budget.take() {
+            // The far end is as deep as half of the ramp: a shorter one would not make D much smaller.
+            let at_reach = self.settlement(reach)[0] - self.obstacle[0].value(C::of(reach));
+            let deep = depth.value() <= 2.0 * Size::below_zero(at_reach.high()).value();
+            if deep || depth <= blurred || !(b - a > 1e-12) || !budget.take() {
                 return ramp(depth);
             }
             reach = m;

@@ -54,7 +54,7 @@ impl<S: Scalar> Contact<'_, S> {
                 i += 1;
             }
             let [left, right] = self
-                .stretch(from, i)
+                .stretch(from, i, &mut shown.zones)
                 .ok_or_else(|| self.failed("the clearance of open ground is too small", from))?;
             beside[from][1] = left;
             beside[i][0] = right;

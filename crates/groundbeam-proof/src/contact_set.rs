@@ -48,7 +48,8 @@ pub(crate) struct EdgeShift {
     pub beyond: [Size; 2],
 }
 
-/// The neighbourhood of an edge on one piece of separate springs: at its left or right end, and its length.
+/// The neighbourhood of an edge on one piece of separate springs, or of a support that stands on open ground: at the left or
+/// right end of the piece, and its length.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Zone {
     pub piece: usize,
@@ -81,7 +82,8 @@ pub(crate) struct Shown {
     pub tolerances: Vec<Size>,
     /// Whether the exact contact force at a node is shown to be positive.
     pub pressed: Vec<bool>,
-    /// On separate springs, the length next to an edge on each piece on which w* − g₀ is monotone.
+    /// The length next to an edge on each piece of separate springs, and beside a support that stands on open ground, on which
+    /// w* − g₀ is monotone.
     pub zones: Vec<Zone>,
     /// The earlier rounds of a beam that shears, and the last one.
     pub rounds: Vec<Round>,

@@ -36,6 +36,8 @@ mod held;
 mod idle;
 mod json;
 mod kinds;
+#[cfg(test)]
+mod lemmas;
 mod listed;
 mod log;
 mod model;

@@ -8,15 +8,50 @@
 //! ε_T = min_h {(2s₂K + 2P sup|e| + Σs₂√κ_θ)/h + ½hq} + P max|c′| + max|β| + Σmax(θp_o, θ′p_i) + Σ(ε_a + |λ|a) + Σs₂√κ,
 //! ε_V = |δ′| + Pε_φ + |β| + ε_T,   q = max(ε_p + γp + (1 + γ)η).
 //! ```
+//!
+//! Where a beam that does not shear has no hinge in the window, T̃ − Pe′ takes the place of T̃. It bounds V itself, from the error
+//! of the curvature in place of those of deflection and slope:
+//!
+//! ```text
+//! ε_V = |δ′| + |β| + min_h {(2s₂K + Σs₂√κ_θ)/h + ½h(q + P max|e″|)} + 2P max|c′| + max|β| + forces,   |e″| ≤ ε_M/EI + |c″|.
+//! ```
 
 use crate::coefficient::Coefficient;
 use crate::contact_set::Shown;
 use crate::edge_forces::edges_of_pieces;
+use crate::frame::Span;
 use crate::pointwise::{PieceBounds, Pointwise};
+use crate::polynomial::Polynomial;
 use crate::scalar::Scalar;
 use crate::size::Size;
 use crate::test_functions::least_of_halves;
 use std::ops::Range;
+
+/// The errors of the forces inside a window, and those of rotational springs.
+fn inside(window: &Range<usize>, loads: &[LoadError], nodes: &[[Size; 2]]) -> [Size; 2] {
+    let [mut forces, mut couples] = [Size::ZERO; 2];
+    for i in window.clone() {
+        forces += loads[i].edges;
+        if i > window.start {
+            forces += nodes[i][0];
+            couples += nodes[i][1];
+        }
+    }
+    [forces, couples]
+}
+
+/// A bound of a polynomial within a distance of the left or the right end of a piece.
+fn size_beside<S: Scalar>(span: &Span<S>, p: &Polynomial<S>, side: usize, distance: Size) -> Size {
+    let part = distance.over(span.half.low()).value().next_up();
+    if !(part < 1.0) {
+        return p.size(span.tau);
+    }
+    let end = span.interval()[side];
+    let middle = if side == 0 { end + 0.5 * part } else { end - 0.5 * part };
+    // The end and the middle are rounded.
+    let reach = 0.5 * part + 8.0 * f64::EPSILON;
+    p.shifted(middle).size(reach).least(p.size(span.tau))
+}
 
 /// How many pieces a window reaches to each side.
 const REACHES: [usize; 5] = [0, 1, 3, 7, 15];
@@ -45,7 +80,7 @@ impl<S: Scalar> Pointwise<'_, S> {
             for i in pair[0]..pair[1] {
                 let turned = self.axial_size() * bounds[i].rotation;
                 let rest = turned + self.balancing_shear(i) + self.balanced.pieces[i].drawn;
-                let mut least = Size::INFINITE;
+                let [mut least, mut directly] = [Size::INFINITE; 2];
                 if edges[i] != [None; 2] {
                     let steady = self.steady(i..i + 1, 0.5, bounds, &loads, Size::ZERO);
                     let slid = self.slid(i);
@@ -56,11 +91,14 @@ impl<S: Scalar> Pointwise<'_, S> {
                     let from = i.saturating_sub(reach).max(pair[0]);
                     let window = from..(i + 1 + reach).min(pair[1]);
                     least = least.least(self.mean(window.clone(), bounds, &loads, &nodes));
+                    directly =
+                        directly.least(self.directly(window.clone(), bounds, &loads, &nodes));
                     if window == (pair[0]..pair[1]) {
                         break;
                     }
                 }
-                self.on_piece(i, least + rest, &mut bounds[i]);
+                let directly = directly + self.balancing_shear(i) + self.balanced.pieces[i].drawn;
+                self.on_piece(i, (least + rest).least(directly), &mut bounds[i]);
             }
         }
     }
@@ -117,15 +155,39 @@ impl<S: Scalar> Pointwise<'_, S> {
         loads: &[LoadError],
         nodes: &[[Size; 2]],
     ) -> Size {
-        let [mut forces, mut couples] = [Size::ZERO; 2];
-        for i in window.clone() {
-            forces += loads[i].edges;
-            if i > window.start {
-                forces += nodes[i][0];
-                couples += nodes[i][1];
-            }
-        }
+        let [forces, couples] = inside(&window, loads, nodes);
         self.steady(window, 1.0, bounds, loads, couples) + forces
+    }
+
+    /// The bound of V less |δ′| + |β| from the error of the curvature, under an axial force in windows without hinges on a beam
+    /// that does not shear.
+    fn directly(
+        &self,
+        window: Range<usize>,
+        bounds: &[PieceBounds],
+        loads: &[LoadError],
+        nodes: &[[Size; 2]],
+    ) -> Size {
+        let (frame, closed) = (self.fields.frame, &self.fields.deflection.pieces);
+        let axial = self.axial_size();
+        let hinged = (window.start + 1..window.end).any(|node| frame.nodes[node].is_hinged());
+        let shears = window.clone().any(|i| frame.spans[i].stiffness.is_some());
+        if axial == Size::ZERO || hinged || shears {
+            return Size::INFINITE;
+        }
+        let [mut moment, mut turned, mut drawn, mut load] = [Size::ZERO; 4];
+        for i in window.clone() {
+            let bent = bounds[i].moment.over(frame.spans[i].bending.low()) + closed[i].bounds[2];
+            moment = moment.worst(bounds[i].balanced_moment);
+            turned = turned.worst(closed[i].bounds[1]);
+            drawn = drawn.worst(self.balanced.pieces[i].drawn);
+            load = load.worst(loads[i].spread + axial * bent);
+        }
+        let [forces, couples] = inside(&window, loads, nodes);
+        let change = 2.0 * moment + couples;
+        let room = (frame.nodes[window.end].x - frame.nodes[window.start].x).low();
+        let least = least_of_halves(room, |h| change.over(h) + 0.5 * (Size::of(h) * load));
+        least + 2.0 * (axial * turned) + drawn + forces
     }
 
     /// The part of ε_T without edges and concentrated forces, in windows within a part of a range of pieces.
@@ -177,11 +239,12 @@ impl<S: Scalar> Pointwise<'_, S> {
                 _ => [edge.node, edge.node.wrapping_sub(1)],
             };
             if edge.outside > Size::ZERO && outer < errors.len() {
-                let pressure = self.open_pressure(outer) + bounds[outer].pressure;
-                errors[outer].edges += edge.outside * pressure;
+                let pressure = self.open_pressure_beside(outer, 1 - edge.side, edge.outside);
+                errors[outer].edges += edge.outside * (pressure + bounds[outer].pressure);
             }
             if edge.inside > Size::ZERO && inner < errors.len() {
-                let pressure = self.fields.pressures[inner].field.size(spans[inner].tau);
+                let field = &self.fields.pressures[inner].field;
+                let pressure = size_beside(&spans[inner], field, edge.side, edge.inside);
                 let kept = Size::of(1.0) + self.balanced.factor(inner);
                 errors[inner].edges += edge.inside * (kept * pressure);
             }
@@ -200,6 +263,28 @@ impl<S: Scalar> Pointwise<'_, S> {
         let settled = Size::of(ends[0].size()).worst(Size::of(ends[1].size()));
         let bent = span.derivative(&span.derivative(&span.deflection)).size(span.tau);
         Size::of(span.spring.high()) * settled + Size::of(span.shear.high()) * bent
+    }
+
+    /// The same within a distance of one end of the piece: v = u − q/k changes by at most its largest slope, which is that at an end,
+    /// times the distance.
+    fn open_pressure_beside(&self, i: usize, side: usize, distance: Size) -> Size {
+        let (span, surface) = (&self.fields.frame.spans[i], &self.fields.surface.pieces[i]);
+        if let Some(along) = &surface.along {
+            return size_beside(span, &span.pressure_under(along), side, distance);
+        }
+        let Some(ends) = surface.open else { return Size::INFINITE };
+        let above = span.above_free_ends(ends)[side];
+        let free = span
+            .free_field()
+            .map_or(S::zero(), |free| span.shear.least() * free.coefficient(1) * span.per_length);
+        let [left, right] = surface.flux.map(|flux| Size::of((flux - free).size()));
+        let slope = left.worst(right).over(span.shear.low());
+        let bent = span.derivative(&span.derivative(&span.deflection));
+        let at_end = span.spring.times(Polynomial::from_coefficients([above]));
+        let at_end = at_end - &span.shear.times(bent);
+        let whole = size_beside(span, &at_end, side, distance)
+            + Size::of(span.spring.high()) * slope * distance;
+        whole.least(self.open_pressure(i))
     }
 
     /// The error of the forces at a node, and that of its rotational spring.

@@ -23,7 +23,8 @@ impl<S: Scalar> Contact<'_, S> {
             let edges = [i > first && differs(i - 1, i), i + 1 < end && differs(i, i + 1)];
             let mut interval = spans[i].interval();
             for side in [0, 1] {
-                let stands = self.stands(i, side);
+                // Under a load on the ground w* − g₀ − q/k is not zero there.
+                let stands = self.stands(i, side) && spans[i].ground_load.is_none();
                 // At a step of a load on the ground, or of g₀, the sign changes without a zero.
                 let at_end = field.value(S::Coarse::of(interval[side])).low();
                 let steps = at_end > more(self.bounds[i].deflection).value();
@@ -31,7 +32,7 @@ impl<S: Scalar> Contact<'_, S> {
                     continue;
                 }
                 let (theta, to) = self
-                    .zone(i, side, &field)
+                    .zone(i, side, &field, more(self.bounds[i].deflection))
                     .ok_or_else(|| self.failed("the edge of a region is not bounded", i + side))?;
                 interval[side] = to;
                 shown.zones.push(Zone { piece: i, side, theta });
@@ -76,11 +77,10 @@ impl<S: Scalar> Contact<'_, S> {
     }
 
     /// Whether the end of a piece is a rigid support of both directions that stands on the ground: w* = δ = g₀.
-    fn stands(&self, i: usize, side: usize) -> bool {
+    pub(crate) fn stands(&self, i: usize, side: usize) -> bool {
         let (span, node) = (&self.fields.frame.spans[i], &self.fields.frame.nodes[i + side]);
         let gap = span.gap.value(span.t[side]);
-        let held = node.rigid == Some(gap) && node.acts == Acts::Both;
-        held && span.ground_load.is_none()
+        node.rigid == Some(gap) && node.acts == Acts::Both
     }
 
     /// Whether also the slope of w* − g₀ is zero there: at a clamp of a beam that does not shear, above level ground.
@@ -90,12 +90,26 @@ impl<S: Scalar> Contact<'_, S> {
         self.stands(i, side) && node.clamped && !shears && span.gap.tail(1.0) == Size::ZERO
     }
 
+    /// Beside a rigid support that stands on open ground of a layer, the least zone in which g₀ − w* grows from zero. There the
+    /// exact beam is clear of the ground, because u* ≥ 0: loads on the ground press it down.
+    pub(crate) fn leaves_support(&self, i: usize, side: usize) -> Option<(Size, f64)> {
+        let bounds = &self.bounds[i];
+        let field = self.fields.frame.spans[i].obstacle().times(-S::one()).coarse();
+        let limit = more(bounds.settlement + bounds.deflection);
+        self.stands(i, side).then(|| self.zone(i, side, &field, limit)).flatten()
+    }
+
     /// The least zone found, its length and t of its end inside the piece: the field grows inward faster than its slope is
-    /// off, up to a value above its bound. Where the exact slope is zero the curvature takes the place of the slope.
-    fn zone(&self, i: usize, side: usize, field: &Polynomial<S::Coarse>) -> Option<(Size, f64)> {
+    /// off, up to a value above a limit. Where the exact slope is zero the curvature takes the place of the slope.
+    fn zone(
+        &self,
+        i: usize,
+        side: usize,
+        field: &Polynomial<S::Coarse>,
+        limit: Size,
+    ) -> Option<(Size, f64)> {
         let (span, bounds) = (&self.fields.frame.spans[i], &self.bounds[i]);
         let half = Size::of(span.half.high());
-        let limit = more(bounds.deflection);
         let end = span.interval()[side];
         let inward = if side == 0 { 1.0 } else { -1.0 };
         let lies = self.lies(i, side);

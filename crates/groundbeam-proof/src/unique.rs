@@ -1,5 +1,6 @@
 //! Uniqueness: two solutions have the same u and p. They differ by a rigid motion that vanishes wherever p* > 0 and at all
-//! supports. The solution is unique if every part between hinges is held in two places, or in one and against rotation.
+//! supports, and turns no elastic hinge, because both have the same M. The solution is unique if every part between free
+//! hinges is held in two places, or in one and against rotation.
 
 use crate::anchors::PARTS;
 use crate::contact_set::Shown;
@@ -41,7 +42,7 @@ impl<S: Scalar> Pointwise<'_, S> {
             let acting = frame.nodes[node].acts.towards(held.claimed[0]).low() > error.value();
             pressed[node] |= acting && frame.nodes[node].acts != Acts::Both;
         }
-        let parts = self.parts();
+        let parts = self.joined_parts();
         let holds: Vec<Holds> = parts.iter().map(|part| self.holds(part, &pressed)).collect();
         // A string under tension that is held anywhere keeps its direction.
         if frame.tension.is_some() && holds.iter().any(|part| part.places > 0) {
