@@ -119,7 +119,11 @@ fn dependencies_point_one_way() {
         }
     }
     let (_, needs) = &crates["groundbeam"];
-    assert_eq!(needs, &["groundbeam-proof", "libm"], "the mathematics depends on its proof and libm");
+    assert_eq!(
+        needs,
+        &["groundbeam-proof", "libm"],
+        "the mathematics depends on its proof and libm"
+    );
     let (_, needs) = &crates["groundbeam-proof"];
     assert!(needs.is_empty(), "the proof depends on nothing: {needs:?}");
     for (name, (_, needs)) in &crates {

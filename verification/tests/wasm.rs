@@ -8,10 +8,10 @@ mod environment;
 
 use environment::{environment, tools_or_skip};
 use groundbeam::{Outcome, solve};
-use groundbeam_wasm::results;
 use groundbeam_report::{Context, json};
 use groundbeam_verification::cases::{self, Case};
 use groundbeam_verification::documents::repository;
+use groundbeam_wasm::results;
 use rayon::prelude::*;
 use std::fs;
 use std::path::{Path, PathBuf};
