@@ -91,6 +91,8 @@ struct Solved {
     #[serde(skip_serializing_if = "Option::is_none")]
     ground: Option<Ground>,
     contact: Vec<Stretch>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    undecided: Vec<Stretch>,
     lift_off: Vec<Lifted>,
     free_spans: Vec<FreeSpan>,
     end_forces: Ends,
@@ -125,6 +127,10 @@ impl Solved {
             contact: solution
                 .contact()
                 .iter()
+                .map(|c| Stretch { from: c.from, to: c.to })
+                .collect(),
+            undecided: solution
+                .undecided()
                 .map(|c| Stretch { from: c.from, to: c.to })
                 .collect(),
             lift_off: solution
