@@ -90,6 +90,8 @@ struct Solved<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     ground: Option<Ground>,
     contact: &'a [ContactZone],
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    undecided: Vec<ContactZone>,
     lift_off: Vec<LiftOff>,
     free_spans: Vec<FreeSpan>,
     end_forces: EndForces,
@@ -123,6 +125,7 @@ impl<'a> Solved<'a> {
             characteristics: Characteristics::of(model, solution.existence()),
             ground: context.ground.map(|ground| Ground::of(ground, model)),
             contact: solution.contact(),
+            undecided: solution.undecided().collect(),
             lift_off: solution.lift_off(),
             free_spans: solution.lift_off().into_iter().map(FreeSpan::of).collect(),
             end_forces: solution.end_forces(),

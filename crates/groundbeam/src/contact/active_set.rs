@@ -90,6 +90,7 @@ pub(crate) fn solve(
                 history,
                 pressure,
                 surface: None,
+                edge_error: Default::default(),
             });
         }
         let t = if line.decrement > 1e-20 { settle(line.fall, |t| line.slope(t)) } else { 1.0 };

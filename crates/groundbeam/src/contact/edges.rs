@@ -10,6 +10,7 @@
 
 use crate::contact::bonded::{Bonded, GivenRotation};
 use crate::contact::descent::shorten;
+use crate::contact::edge_error::EdgeError;
 use crate::contact::edge_step;
 use crate::contact::intervals::{Interval, longest_difference, positions, snapped};
 use crate::contact::obstacle;
@@ -19,6 +20,7 @@ use crate::contact::stopping::{
     BLIND, JITTER, LEAST_PART, NEAR, NOT_SHORTENED, ON_ONE_POINT, PATIENCE, RELAX, ROUNDED, SAME,
     SETTLED, TETHER, TIGHTEN, WEIGHTLESS,
 };
+use crate::contact::undecided::differ_by_rounding;
 use crate::contact::zone_forces::zone_forces;
 use crate::mesh::mesh::Mesh;
 use crate::numeric::tolerance::GAP;
@@ -62,6 +64,7 @@ pub(crate) fn edges(
         visited: Vec::new(),
         now: start.now.map(Rc::new),
         before: f64::INFINITY,
+        last: f64::INFINITY,
         moved: if start.near { 0.0 } else { f64::INFINITY },
         least: f64::INFINITY,
         stale: 0,
@@ -98,7 +101,9 @@ struct Search<'a, 'm> {
     before: f64,
     moved: f64,
     least: f64,
-    /// Steps in a row that did not halve the least move.
+    /// The last move, also of a searched step.
+    last: f64,
+    /// Steps in a row without progress.
     stale: usize,
     /// Stiffness of the next tether.
     epsilon: f64,
@@ -186,12 +191,23 @@ impl Search<'_, '_> {
         let by_edges = is_near
             .then(|| edge_step::next_intervals(&found.deflection(), &found.zones))
             .flatten()
-            .map(|next| self.placed(next))
-            .filter(|next| longest_difference(contact, next) > ROUNDED * l);
-        let next = by_edges.unwrap_or_else(|| self.scan(found));
+            .map(|next| self.placed(next));
+        let is_moved = |next: &Vec<Interval>| longest_difference(contact, next) > ROUNDED * l;
+        let next = match by_edges {
+            Some(next) if is_moved(&next) => next,
+            Some(_) => {
+                // These zones are settled. The moves towards them are no measure for the moves of other zones.
+                self.least = f64::INFINITY;
+                self.scan(found)
+            }
+            None => self.scan(found),
+        };
         self.before = self.moved;
         self.moved = longest_difference(contact, &next) / l;
-        self.stale = if self.moved <= 0.5 * self.least { 0 } else { self.stale + 1 };
+        // Moves of the size of rounding error go up and down: only a new least move is progress.
+        let goal = if self.moved > JITTER { self.last } else { self.least };
+        self.stale = if self.moved <= 0.5 * goal { 0 } else { self.stale + 1 };
+        self.last = self.moved;
         self.history.push(Step { zones: next.len(), step: 1.0, decrement: self.moved });
         next
     }
@@ -212,17 +228,21 @@ impl Search<'_, '_> {
         let lengths = contact.iter().map(|[from, to]| to - from).filter(|length| *length > 0.0);
         let shortest = lengths.fold(self.length(), f64::min) / self.length();
         let is_settled = moved <= SETTLED * shortest || moved <= ROUNDED && moved >= 0.25 * before;
-        let jitters = moved <= JITTER && self.stale >= PATIENCE;
-        if is_settled || jitters {
+        let l = self.length();
+        self.visited.push(Visited { contact: contact.to_vec(), found: Rc::clone(found) });
+        if is_settled || self.jitters(contact, found) {
             if let Some(rest) = self.without_weightless(contact, found) {
                 return Some(rest);
             }
             if self.holds(found) || is_settled {
-                return Some(found.as_ref().clone());
+                let last = self.visited.len().saturating_sub(if is_settled { 1 } else { PATIENCE });
+                let trials = self.visited[last..].iter().map(|one| &one.contact[..]);
+                let trials: Vec<&[Interval]> = trials.chain([asked]).collect();
+                let edge_error = EdgeError::of(&trials, l);
+                return Some(ContactState { edge_error, ..found.as_ref().clone() });
             }
         }
-        self.visited.push(Visited { contact: contact.to_vec(), found: Rc::clone(found) });
-        let same = SAME * self.length();
+        let same = SAME * l;
         let returns = |one: &Visited| longest_difference(&one.contact, asked) <= same;
         if moved <= SAME {
             return None;
@@ -230,9 +250,18 @@ impl Search<'_, '_> {
         // Rounding error decides between the contacts of a cycle. Fewest zones are the least claim.
         let first = self.visited.iter().position(returns)?;
         let mut cycle: Vec<Visited> = self.visited.drain(first..).collect();
+        let trials: Vec<&[Interval]> = cycle.iter().map(|one| &one.contact[..]).collect();
+        let edge_error = EdgeError::of(&trials, l);
         cycle.sort_by_key(|one| one.contact.len());
         let one = cycle.into_iter().find(|one| self.holds(&one.found))?;
-        Some(Rc::unwrap_or_clone(one.found))
+        Some(ContactState { edge_error, ..Rc::unwrap_or_clone(one.found) })
+    }
+
+    /// Whether rounding error alone moves the contact.
+    fn jitters(&self, contact: &[Interval], found: &ContactState) -> bool {
+        let asked = || obstacle::contact(&found.deflection());
+        self.stale >= PATIENCE
+            && (self.moved <= JITTER || differ_by_rounding(found, contact, &asked(), &self.places))
     }
 
     /// The beam bonded without the zones that press with rounding error alone, if it has the other zones as its contact.
@@ -243,13 +272,18 @@ impl Search<'_, '_> {
     ) -> Option<ContactState> {
         let forces = zone_forces(&found.deflection(), contact, &found.zones);
         let all: f64 = forces.iter().map(|force| force.abs()).sum();
-        let strong = contact.iter().zip(&forces).filter(|(_, force)| **force > WEIGHTLESS * all);
-        let strong: Vec<Interval> = strong.map(|(interval, _)| *interval).collect();
-        if strong.len() == contact.len() {
+        let each = contact.iter().copied().zip(forces);
+        let (strong, weightless): (Vec<_>, Vec<_>) =
+            each.partition(|(_, force)| *force > WEIGHTLESS * all);
+        if weightless.is_empty() {
             return None;
         }
-        let rest = self.bonded.solve_on(&strong).ok()?;
-        (self.confirms(&strong, &rest) && self.holds(&rest)).then_some(rest)
+        let zones = |part: Vec<(Interval, f64)>| part.into_iter().map(|(zone, _)| zone).collect();
+        let [strong, undecided]: [Vec<Interval>; 2] = [strong, weightless].map(zones);
+        let rest: ContactState = self.bonded.solve_on(&strong).ok()?;
+        let edge_error = EdgeError { moved: self.moved * self.length(), undecided };
+        (self.confirms(&strong, &rest) && self.holds(&rest))
+            .then_some(ContactState { edge_error, ..rest })
     }
 
     /// The next trial contact: the one that was asked for, or the one of a shortened step.

@@ -92,15 +92,8 @@ pub(crate) fn zones_of(
 /// The longest interval of the symmetric difference of two contacts, or the largest distance of a point of contact from
 /// the other contact. Infinite if one contact is empty and the other has a point.
 pub(crate) fn longest_difference(a: &[Interval], b: &[Interval]) -> f64 {
-    let mut ends: Vec<f64> = a.iter().chain(b).flatten().copied().collect();
-    ends.sort_by(f64::total_cmp);
-    let (mut longest, mut length) = (0.0_f64, 0.0);
-    for part in ends.windows(2) {
-        let middle = 0.5 * (part[0] + part[1]);
-        length =
-            if covers(a, middle) == covers(b, middle) { 0.0 } else { length + part[1] - part[0] };
-        longest = longest.max(length);
-    }
+    let lengths = differences(&[a, b]).into_iter().map(|[from, to]| to - from);
+    let longest = lengths.fold(0.0, f64::max);
     let points = |of: &[Interval], other: &[Interval]| {
         let points = of.iter().filter(|interval| interval[0] == interval[1]);
         points.map(|point| distance_to(other, point[0])).fold(0.0, f64::max)
@@ -108,8 +101,28 @@ pub(crate) fn longest_difference(a: &[Interval], b: &[Interval]) -> f64 {
     longest.max(points(a, b)).max(points(b, a))
 }
 
+/// The intervals on which some of several contacts touch and others do not.
+pub(crate) fn differences(contacts: &[&[Interval]]) -> Vec<Interval> {
+    let mut ends: Vec<f64> =
+        contacts.iter().flat_map(|contact| contact.as_flattened()).copied().collect();
+    ends.sort_by(f64::total_cmp);
+    let mut differences: Vec<Interval> = Vec::new();
+    for part in ends.windows(2).filter(|part| part[0] < part[1]) {
+        let middle = 0.5 * (part[0] + part[1]);
+        let touching = contacts.iter().filter(|contact| covers(contact, middle)).count();
+        if touching == 0 || touching == contacts.len() {
+            continue;
+        }
+        match differences.last_mut() {
+            Some(last) if last[1] == part[0] => last[1] = part[1],
+            _ => differences.push([part[0], part[1]]),
+        }
+    }
+    differences
+}
+
 /// Whether a position lies within a contact.
-fn covers(contact: &[Interval], x: f64) -> bool {
+pub(crate) fn covers(contact: &[Interval], x: f64) -> bool {
     let next = contact.partition_point(|interval| interval[1] <= x);
     contact.get(next).is_some_and(|interval| interval[0] < x)
 }

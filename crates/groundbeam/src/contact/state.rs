@@ -1,5 +1,6 @@
 //! The state of a contact iteration: a deflection on its mesh, its contact zones, and the steps so far.
 
+use crate::contact::edge_error::EdgeError;
 use crate::contact::surface::Surface;
 use crate::element::element::TERMS;
 use crate::error::NotConverged;
@@ -38,6 +39,7 @@ pub(crate) struct ContactState {
     pub pressure: Pressure,
     /// The ground's surface where it differs from the obstacle problem of this deflection in the last digits.
     pub surface: Option<Surface>,
+    pub edge_error: EdgeError,
 }
 
 impl ContactState {
@@ -58,6 +60,7 @@ impl ContactState {
             history: Vec::new(),
             pressure: Pressure::Distributed,
             surface: None,
+            edge_error: EdgeError::default(),
         }
     }
 

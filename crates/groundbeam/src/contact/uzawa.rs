@@ -426,5 +426,6 @@ fn found(
         history,
         pressure: Pressure::Dirac,
         surface: Some(surface),
+        edge_error: Default::default(),
     }
 }

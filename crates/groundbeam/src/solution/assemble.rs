@@ -43,6 +43,7 @@ impl Candidate {
         regions(found, &mut candidate.contact);
         pieces(found, surface, &mut candidate.pieces);
         candidate.end_forces = EndForces { left, right };
+        candidate.edge_error.clone_from(&found.edge_error);
         candidate.elements = mesh.cells.len();
         candidate.reactions = reactions(&candidate);
         candidate

@@ -1,5 +1,6 @@
 //! The fields, contact zones and forces of an equilibrium before its certificate, and the memory for the next.
 
+use crate::contact::edge_error::EdgeError;
 use crate::existence::verdict::Existence;
 use crate::model::Model;
 use crate::solution::fields::{
@@ -12,6 +13,7 @@ pub(crate) struct Candidate {
     pub model: Model,
     pub pieces: Vec<SolutionPiece>,
     pub contact: Vec<ContactZone>,
+    pub edge_error: EdgeError,
     pub end_forces: EndForces,
     pub concentrated: Vec<ConcentratedForce>,
     pub reactions: Vec<Reaction>,
@@ -84,6 +86,7 @@ impl Workspace {
         concentrated.clear();
         let end_forces = EndForces { left: 0.0, right: 0.0 };
         let (reactions, elements) = (Vec::new(), 0);
-        Candidate { model, pieces, contact, end_forces, concentrated, reactions, elements }
+        let edge_error = EdgeError::default();
+        Candidate { model, pieces, contact, edge_error, end_forces, concentrated, reactions, elements }
     }
 }

@@ -98,6 +98,17 @@ impl Solution {
         &self.candidate.contact
     }
 
+    /// Intervals of which rounding error decides whether beam and ground touch \[m\], from left to right: zones without a
+    /// force, and intervals that come and go in the last steps of the exact method.
+    pub fn undecided(&self) -> impl ExactSizeIterator<Item = ContactZone> + '_ {
+        self.candidate.edge_error.undecided.iter().map(|&[from, to]| ContactZone { from, to })
+    }
+
+    /// The last move of a contact edge in the exact method \[m\], an estimate of the error of the edges.
+    pub fn edge_error(&self) -> f64 {
+        self.candidate.edge_error.moved
+    }
+
     /// The concentrated contact forces under the beam's ends.
     pub fn end_forces(&self) -> EndForces {
         self.candidate.end_forces

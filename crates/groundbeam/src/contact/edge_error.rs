@@ -1,0 +1,28 @@
+//! How well the edges of contact are known, from the last trial contacts.
+
+use crate::contact::intervals::{Interval, differences};
+use crate::contact::stopping::JITTER;
+
+/// How well the edges of contact are known.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct EdgeError {
+    /// The last move of an edge that was no progress \[m\].
+    pub moved: f64,
+    /// Intervals of which rounding error decides whether they touch.
+    pub undecided: Vec<Interval>,
+}
+
+impl EdgeError {
+    /// The error of the edges, from trial contacts of which rounding error chooses, on a beam of length l.
+    pub fn of(trials: &[&[Interval]], l: f64) -> Self {
+        let mut error = EdgeError::default();
+        for [from, to] in differences(trials) {
+            if to - from > JITTER * l {
+                error.undecided.push([from, to]);
+            } else {
+                error.moved = error.moved.max(to - from);
+            }
+        }
+        error
+    }
+}

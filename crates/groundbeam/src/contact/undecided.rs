@@ -1,0 +1,63 @@
+//! Whether two contacts of one deflection differ by rounding error.
+//!
+//! Newton's method moves the edges until rounding error does. Where two trial contacts of one deflection differ, beam and
+//! ground are then apart by rounding error of the deflection alone: the computed deflection does not tell whether they
+//! touch.
+
+use crate::contact::intervals::{Interval, covers, differences, positions};
+use crate::contact::state::ContactState;
+use crate::contact::stopping::ULPS;
+use crate::contact::surface::Surface;
+use crate::ground::link::{between, settled};
+use crate::mesh::cell::Cell;
+use crate::mesh::deflection::{BeamPoint, MeshZone};
+use crate::numeric::polynomial::value;
+
+/// Points of an open part in which the distance of beam and ground is computed.
+const POINTS: usize = 8;
+
+/// Whether the contact of a bonded beam and the contact `asked` for by its deflection differ by rounding error: wherever one
+/// touches and the other does not, the distance of beam and ground is that of rounding.
+pub(crate) fn differ_by_rounding(
+    found: &ContactState,
+    contact: &[Interval],
+    asked: &[MeshZone],
+    places: &[f64],
+) -> bool {
+    let w = found.deflection();
+    let differing = differences(&[contact, &positions(&found.mesh, asked, places)]);
+    let is_rounding = |zones: &[MeshZone]| {
+        let parts = Surface::of(&w, zones).short_parts(&found.mesh);
+        let mut open = parts.iter().filter_map(|part| Some((part, part.open?)));
+        open.all(|(part, ends)| {
+            let cell = &found.mesh.cells[part.cell];
+            let [from, to] = part.s;
+            let half = 0.25 * (to - from) * cell.length();
+            let size: f64 = w.cell(part.cell).iter().map(|c| c.abs()).sum();
+            (0..=POINTS).all(|i| {
+                let t = i as f64 / POINTS as f64;
+                let s = from + t * (to - from);
+                if !covers(&differing, cell.global(s)) {
+                    return true;
+                }
+                let distance = surface_at(cell, half, ends, t)
+                    - w.obstacle_at(BeamPoint { cell: part.cell, s });
+                distance.abs() <= ULPS * f64::EPSILON * size
+            })
+        })
+    };
+    is_rounding(&found.zones) && is_rounding(asked)
+}
+
+/// The open ground's surface at a part t of an open part of a cell, from its values at both ends.
+fn surface_at(cell: &Cell, half: f64, ends: [f64; 2], t: f64) -> f64 {
+    if cell.shear_layer == 0.0 {
+        return 0.0;
+    }
+    if cell.ground_varies() {
+        let shape = settled(&cell.subgrade_along(), &cell.shear_layer_along(), half, ends);
+        return value(&shape, 2.0 * t - 1.0);
+    }
+    let decay = (cell.subgrade / cell.shear_layer).sqrt();
+    between(ends[0], ends[1], 2.0 * half * decay, t)
+}
