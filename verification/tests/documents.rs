@@ -30,7 +30,6 @@ fn the_table_of_methods_and_features_is_the_programs() {
     let ways = Way::ALL.map(|way| match way {
         Way::Exact => "`exact`",
         Way::ActiveSet => "`active-set`",
-        Way::NodalForces => "`active-set` with forces at nodes (5.5)",
         Way::Iteration => "`psor`, `uzawa`",
         Way::Nodes => "nodes alone (section 10)",
         Way::LoadFactors => "load factors",

@@ -14,7 +14,7 @@ pub struct Label {
     pub combination: Arc<Combination>,
     /// The train on the beam, and where it stands.
     pub train: Option<Placed>,
-    /// The method by name, with the form of pressure where a method has several: `active-set, dirac`.
+    /// The method by name.
     pub method: &'static str,
 }
 
