@@ -32,8 +32,11 @@ impl Source {
         (!text.is_empty()).then(|| text.to_owned())
     }
 
-    /// The text without the tests at its end.
+    /// The text without the tests at its end; the head of a file that `#![cfg(test)]` leaves out of the program.
     pub fn code(&self) -> &str {
+        if let Some((head, _)) = self.text.split_once("\n#![cfg(test)]\n") {
+            return head;
+        }
         self.text.split("#[cfg(test)]\nmod ").next().unwrap_or_default()
     }
 }

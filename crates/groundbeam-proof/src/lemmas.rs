@@ -1,5 +1,7 @@
 //! The inequalities of docs/proof.md against exact energies of random functions and of forces on open ground.
 
+#![cfg(test)]
+
 use crate::anchors::{between, beyond, from_mean};
 use crate::answer::{Answer, Force, Piece};
 use crate::balance::{Balance, fewest_cuts};

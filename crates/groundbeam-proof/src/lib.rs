@@ -36,7 +36,6 @@ mod held;
 mod idle;
 mod json;
 mod kinds;
-#[cfg(test)]
 mod lemmas;
 mod listed;
 mod log;

@@ -75,7 +75,7 @@ pub use model::{
 pub use nodal::newton::Work;
 pub use nodal::solution::{NodalCheck, NodalSolution};
 pub use nodal_solver::NodalSolver;
-pub use options::{Method, Options, Pressure, Start};
+pub use options::{Method, Options, Start};
 pub use outcome::Outcome;
 pub use solution::hinges::HingeTurn;
 pub use solution::lift_off::LiftOff;

@@ -36,7 +36,10 @@ pub(super) fn contact(sheet: &mut Sheet, solution: &Solution, numbers: &Numbers)
     let undecided: Vec<_> = solution.undecided().collect();
     listed(sheet, "Undecided", &undecided, |zone| {
         let position = numbers.sizes().position(zone.from);
-        format!("{}: rounding decides whether it touches", between(numbers.units, position, zone.to))
+        format!(
+            "{}: rounding decides whether it touches",
+            between(numbers.units, position, zone.to)
+        )
     });
     lift_off(sheet, solution, numbers);
 }

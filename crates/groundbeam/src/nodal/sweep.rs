@@ -8,6 +8,9 @@
 
 use super::form::Form;
 use super::lanes::Lanes;
+use super::quadratic::{Quadratic, Row};
+use super::stand::Stand;
+use crate::element::element::Element;
 
 /// ½ xᵀSx − rᵀx for x = (w, Lθ): S₁₁, S₁₂, S₂₂, r₁, r₂.
 type Behind = [f64; 5];
@@ -24,6 +27,53 @@ pub(crate) struct Stretch {
     pub node: usize,
     /// What stands there.
     pub stand: Stand,
+    /// The energy of the first element, in (y₁, y₂, e₁, e₂), where its form does not tell all or its first node is held.
+    first: Option<Quadratic<4>>,
+    /// The rotation behind a hinge at the first node, from w and the rotation ahead of it.
+    turned: Option<[f64; 3]>,
+    is_span: bool,
+}
+
+impl Stretch {
+    /// A row of equal elements.
+    pub fn row(form: Form, count: usize, node: usize, stand: Stand) -> Self {
+        let first = stand.holds().then(|| Quadratic::of(&form));
+        Stretch { form, count, node, stand, first, turned: None, is_span: false }
+    }
+
+    /// One element off the ground; `form` is the ground beside it.
+    pub fn span(element: &Element, form: Form, node: usize, stand: Stand) -> Self {
+        let length = element.length;
+        let ground = Form { length, ..form };
+        let mut first = Quadratic::of(&ground);
+        let row = |i: usize| LEFT_AND_DEFORMATION[i].map(|by| by * [1.0, 1.0 / length][i % 2]);
+        let rows = [0, 1, 2, 3].map(row);
+        first.add(&rows, &element.stiffness, &element.load);
+        let first = Some(first);
+        Stretch { form: ground, count: 1, node, stand, first, turned: None, is_span: true }
+    }
+}
+
+impl Stretch {
+    /// Whether it is one element off the ground.
+    pub fn is_span(&self) -> bool {
+        self.is_span
+    }
+}
+
+/// (w, Lθ, d₁, L d₂) of an element from (y₁, y₂, e₁, e₂).
+const LEFT_AND_DEFORMATION: [[f64; 4]; 4] =
+    [[1.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, -1.0], [0.0, 0.0, 1.0, 1.0], [0.0, 0.0, 0.0, 1.0]];
+
+impl Quadratic<4> {
+    /// The energy of the first element of a form, but for the springs under its ends.
+    fn of(form: &Form) -> Self {
+        let [yy, y1, y2] = form.m;
+        let [e11, e12, e22] = form.e;
+        let [a, b, c, d, ..] = form.q;
+        let h = [[0.0; 4], [0.0, yy, y1, y2], [0.0, y1, e11, e12], [0.0, y2, e12, e22]];
+        Quadratic { h, g: [a, b, c, d] }
+    }
 }
 
 /// Elements of one form that are crossed in one go: the number of the first, and where their gains go.
@@ -31,16 +81,6 @@ struct Elements<'a> {
     form: &'a Form,
     first: usize,
     gains: &'a mut [Gain],
-}
-
-/// What stands at a node: force, moment, and the ground beyond an end of the beam.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Stand {
-    pub force: f64,
-    pub moment: f64,
-    pub spring: f64,
-    /// Spring times g₀.
-    pub push: f64,
 }
 
 /// All that is behind the meeting node on one side.
@@ -84,22 +124,80 @@ impl Side {
     }
 }
 
-/// Both sweeps towards the meeting node, and w and θ there; `stand` is what stands there.
-pub(crate) fn inward(sides: &mut [Side; 2], stand: Stand) -> Result<[f64; 2], Loose> {
+impl Side {
+    /// The motion (w, θ, d₁, d₂) of each element in the direction of the sweep, from the meeting node on, where w and the
+    /// rotation are given.
+    pub fn each_element(
+        &self,
+        mut w: f64,
+        mut theta: f64,
+        mut each: impl FnMut(&Stretch, [f64; 4]),
+    ) {
+        let mut gains = self.gains.iter().rev();
+        for stretch in self.stretches.iter().rev() {
+            let length = stretch.form.length;
+            for gain in gains.by_ref().take(stretch.count) {
+                let [k11, k21, k12, k22, c1, c2] = gain;
+                let turn = length * theta;
+                let y = w - turn;
+                let e = [k11 * y + k12 * turn + c1, k21 * y + k22 * turn + c2];
+                (w, theta) = (y - e[0], (turn - e[1]) / length);
+                each(stretch, [w, theta, e[0] + e[1], e[1] / length]);
+            }
+            if stretch.stand.pinned {
+                w = stretch.stand.settlement;
+            }
+            if let Some([by_w, by_theta, rest]) = stretch.turned {
+                theta = by_w * w + by_theta * theta + rest;
+            }
+        }
+    }
+}
+
+/// Both sweeps towards the meeting node; w there and the rotations to the left and to the right of it. `stand` is what
+/// stands there.
+pub(crate) fn inward(sides: &mut [Side; 2], stand: Stand) -> Result<[f64; 3], Loose> {
     for side in sides.iter_mut() {
         side.gains.resize(side.elements(), [0.0; 6]);
         side.shapes.resize(side.stretches.len(), [0.0; 4]);
     }
-    let [left, right] = offers(sides)?;
-    let s = [left[0] + right[0] + stand.spring, left[1] - right[1], left[2] + right[2]];
-    let r = [left[3] + right[3] + stand.force + stand.push, left[4] - right[4] + stand.moment];
-    let determinant = s[0] * s[2] - s[1] * s[1];
-    if !(s[0] > 0.0 && determinant > 1e-15 * s[0] * s[2]) {
+    let [mut left, right] = offers(sides)?;
+    let turned = turn(&mut left, &stand)?;
+    let s = [
+        left[0] + right[0] + stand.spring + stand.support,
+        left[1] - right[1],
+        left[2] + right[2] + stand.turning,
+    ];
+    let r = [left[3] + right[3] + stand.load(), left[4] - right[4] + stand.moment];
+    let (w, theta) = match (stand.pinned, stand.clamped) {
+        (true, true) => (stand.settlement, 0.0),
+        (true, false) if s[2] > 0.0 => (stand.settlement, (r[1] - s[1] * stand.settlement) / s[2]),
+        (false, true) if s[0] > 0.0 => (r[0] / s[0], 0.0),
+        (false, false) => {
+            let determinant = s[0] * s[2] - s[1] * s[1];
+            if !(s[0] > 0.0 && determinant > 1e-15 * s[0] * s[2]) {
+                return Err(Loose);
+            }
+            let w = (s[2] * r[0] - s[1] * r[1]) / determinant;
+            (w, (s[0] * r[1] - s[1] * r[0]) / determinant)
+        }
+        _ => return Err(Loose),
+    };
+    let behind = turned.map_or(theta, |[by_w, by_theta, rest]| by_w * w + by_theta * theta + rest);
+    Ok([w, behind, theta])
+}
+
+/// Eliminates the rotation behind a hinge: what comes back of it is (by w, by the rotation ahead, constant).
+fn turn(state: &mut Behind, stand: &Stand) -> Result<Option<[f64; 3]>, Loose> {
+    let Some(spring) = stand.hinge else { return Ok(None) };
+    let [a, b, c, r1, r2] = *state;
+    let held = c + spring;
+    if held.is_nan() || held <= 0.0 {
         return Err(Loose);
     }
-    let w = (s[2] * r[0] - s[1] * r[1]) / determinant;
-    let theta = (s[0] * r[1] - s[1] * r[0]) / determinant;
-    Ok([w, theta])
+    let share = spring / held;
+    *state = [a - b * (b / held), b * share, c * share, r1 - b * (r2 / held), r2 * share];
+    Ok(Some([-b / held, share, r2 / held]))
 }
 
 /// From the meeting node to both ends. Returns the elements crossed.
@@ -107,13 +205,13 @@ pub(crate) fn outward(
     sides: &mut [Side; 2],
     meeting: usize,
     stand: Stand,
-    [w, theta]: [f64; 2],
+    [w, behind, ahead]: [f64; 3],
     fields: &mut Fields,
 ) -> usize {
     fields.deflection[meeting] = w;
-    fields.slope[meeting] = theta;
+    fields.slope[meeting] = ahead;
     fields.force[meeting] += stand.spring * w - stand.push;
-    unfold(sides, [w, theta], meeting, fields);
+    unfold(sides, w, [behind, -ahead], meeting, fields);
     sides.iter().map(|side| side.gains.len()).sum()
 }
 
@@ -133,12 +231,7 @@ fn offers(sides: &mut [Side; 2]) -> Result<[Behind; 2], Loose> {
     loop {
         let mut rest = [0; 2];
         for lane in 0..2 {
-            if let Some(stretch) = sides[lane].stretches.get(reached[lane].stretch) {
-                if reached[lane].within == 0 {
-                    enter(&mut states[lane], stretch);
-                }
-                rest[lane] = stretch.count - reached[lane].within;
-            }
+            rest[lane] = arrive(&mut sides[lane], &mut states[lane], &mut reached[lane])?;
         }
         let steps = match rest {
             [0, 0] => return Ok(states),
@@ -156,25 +249,82 @@ fn offers(sides: &mut [Side; 2]) -> Result<[Behind; 2], Loose> {
         for lane in (0..2).filter(|lane| rest[*lane] > 0) {
             let now = &mut reached[lane];
             (now.within, now.elements) = (now.within + steps, now.elements + steps);
-            let stretch = &sides[lane].stretches[now.stretch];
-            if now.within == stretch.count {
-                leave(&mut states[lane], stretch);
-                (now.stretch, now.within) = (now.stretch + 1, 0);
-            }
         }
     }
 }
 
+/// At the beginning of a stretch: over all elements that no form tells, up to the next row. Returns the elements left of it.
+fn arrive(side: &mut Side, state: &mut Behind, reached: &mut Reached) -> Result<usize, Loose> {
+    while let Some(stretch) = side.stretches.get_mut(reached.stretch) {
+        if reached.within == 0 {
+            enter(state, stretch)?;
+            if let Some(first) = stretch.first {
+                side.gains[reached.elements] = cross_first(state, stretch, &first)?;
+                (reached.within, reached.elements) = (1, reached.elements + 1);
+            }
+        }
+        if reached.within < stretch.count {
+            return Ok(stretch.count - reached.within);
+        }
+        leave(state, stretch);
+        (reached.stretch, reached.within) = (reached.stretch + 1, 0);
+    }
+    Ok(0)
+}
+
 /// What acts at a stretch's first node, and from θ to Lθ.
-fn enter(state: &mut Behind, stretch: &Stretch) {
+fn enter(state: &mut Behind, stretch: &mut Stretch) -> Result<(), Loose> {
     let per_length = 1.0 / stretch.form.length;
-    let Stand { force, moment, spring, push } = stretch.stand;
-    state[0] += spring;
-    state[3] += force + push;
-    state[4] += moment;
+    let stand = &stretch.stand;
+    stretch.turned = turn(state, stand)?;
+    state[0] += stand.spring + stand.support;
+    state[2] += stand.turning;
+    state[3] += stand.load();
+    state[4] += stand.moment;
     state[1] *= per_length;
     state[2] *= per_length * per_length;
     state[4] *= per_length;
+    Ok(())
+}
+
+/// Over one element whose energy is given in (y₁, y₂, e₁, e₂), from a node that may be held. Of the motion x = y − e of its
+/// left end and of its deformation e, the softer is eliminated.
+fn cross_first(
+    state: &mut Behind,
+    stretch: &Stretch,
+    element: &Quadratic<4>,
+) -> Result<Gain, Loose> {
+    let Stretch { form, stand, .. } = stretch;
+    let [a, b, c, r1, r2] = *state;
+    let (a, r1) = (a + form.shunt[0], r1 + form.q[4]);
+    let held = [stand.pinned, stand.clamped];
+    let stiffer = [a > element.h[2][2], c > element.h[3][3]];
+    let by_left = [0, 1].map(|i| held[i] || stiffer[i]);
+    let unit = |i: usize| -> [f64; 4] { std::array::from_fn(|j| f64::from(u8::from(i == j))) };
+    let rest = |i: usize| -> [f64; 4] { std::array::from_fn(|j| unit(i)[j] - unit(2 + i)[j]) };
+    let [e, x] = [false, true]
+        .map(|is_left| [0, 1].map(|i| if by_left[i] == is_left { unit(2 + i) } else { rest(i) }));
+    let mut energy = Quadratic::<4>::ZERO;
+    energy.add(&[unit(0), unit(1), e[0], e[1]], &element.h, &element.g);
+    energy.add(&x, &[[a, b], [b, c]], &[r1, r2]);
+    let size = [2, 3].map(|i| energy.h[i][i]);
+    let at = [stand.settlement, 0.0];
+    let mut back = [0, 1].map(|i| Row { by: [0.0; 4], constant: at[i] });
+    for i in (0..2).filter(|i| held[*i]) {
+        energy.hold(2 + i, back[i]);
+    }
+    for i in (0..2).filter(|i| !held[*i]) {
+        back[i] = energy.eliminate(2 + i, size[i])?;
+    }
+    back[0] = back[0].with(3, &back[1]);
+    let ([s11, s12], s22) = ([energy.h[0][0], energy.h[0][1]], energy.h[1][1]);
+    let [f1, f2, ..] = energy.g;
+    *state = [s11 + form.shunt[1], s12 - s11, (s22 - s12) - (s12 - s11), f1 + form.q[5], f2 - f1];
+    let bent = |i: usize| Row { by: e[i], constant: 0.0 }.with(2, &back[0]).with(3, &back[1]);
+    let [first, second] = [bent(0), bent(1)];
+    let by = |i: usize| [first.by[i], second.by[i]];
+    let [[k11, k21], [k12, k22]] = [by(0), by(1)];
+    Ok([k11, k21, k12, k22, first.constant, second.constant])
 }
 
 fn leave(state: &mut Behind, stretch: &Stretch) {
@@ -271,8 +421,14 @@ struct Back {
 }
 
 /// From the meeting node to both ends: w, w' and forces at all nodes that touch.
-fn unfold(sides: &mut [Side; 2], [w, theta]: [f64; 2], meeting: usize, fields: &mut Fields) {
-    let mut backs = [(&sides[0], theta), (&sides[1], -theta)].map(|(side, turn)| Back {
+fn unfold(
+    sides: &mut [Side; 2],
+    w: f64,
+    [left, right]: [f64; 2],
+    meeting: usize,
+    fields: &mut Fields,
+) {
+    let mut backs = [(&sides[0], left), (&sides[1], right)].map(|(side, turn)| Back {
         node: meeting,
         w,
         turn,
@@ -313,9 +469,16 @@ fn unfold(sides: &mut [Side; 2], [w, theta]: [f64; 2], meeting: usize, fields: &
             let stretch = &sides[lane].stretches[back.stretches];
             let per_length = 1.0 / stretch.form.length;
             back.turn *= per_length;
+            if stretch.stand.pinned {
+                back.w = stretch.stand.settlement;
+                fields.deflection[stretch.node] = back.w;
+            }
             back.taken += stretch.stand.spring * back.w - stretch.stand.push;
             sides[lane].shapes[back.stretches] =
                 [back.w, back.turn, back.e[0] + back.e[1], back.e[1] * per_length];
+            if let Some([by_w, by_turn, rest]) = stretch.turned {
+                back.turn = by_w * back.w + by_turn * back.turn + rest;
+            }
         }
     }
     for back in &backs {

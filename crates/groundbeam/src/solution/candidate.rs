@@ -87,6 +87,15 @@ impl Workspace {
         let end_forces = EndForces { left: 0.0, right: 0.0 };
         let (reactions, elements) = (Vec::new(), 0);
         let edge_error = EdgeError::default();
-        Candidate { model, pieces, contact, edge_error, end_forces, concentrated, reactions, elements }
+        Candidate {
+            model,
+            pieces,
+            contact,
+            edge_error,
+            end_forces,
+            concentrated,
+            reactions,
+            elements,
+        }
     }
 }
