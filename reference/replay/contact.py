@@ -4,7 +4,7 @@ from flint import arb
 
 from balls import INFINITE, above, ball_of, exact, high, least_on, negative_part, on, sorted_pair, upper
 from ground import clearance, least
-from springs import leaves_support, logged_zones
+from springs import leaves_support, logged_zones, rests
 
 
 class Edge:
@@ -66,6 +66,8 @@ class Contact:
         """C > ε_u + ε_w up to a reach; from there to θ C falls faster than its slope is off. There (μC′)′ > ε_p."""
         r, ends, zones = self.r, [self.r.touches[first], self.r.touches[end]], logged_zones(self.r)
         for i in range(first, end):
+            if rests(r, i):
+                continue
             interval = list(r.pieces[i].t)
             here = [i == first and ends[0], i + 1 == end and ends[1]]
             for side in (0, 1):

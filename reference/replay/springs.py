@@ -14,7 +14,7 @@ def check(r):
         return
     zones = logged_zones(r)
     for i, piece in enumerate(r.pieces):
-        if piece.layered:
+        if piece.layered or rests(r, i):
             continue
         field = piece.above if piece.touches else -piece.above
         interval, limit = list(piece.t), r.errors[i]["w"]
@@ -44,6 +44,24 @@ def stands(r, i, side):
     piece, node = r.pieces[i], r.nodes[i + side]
     held = node.rigid is not None and node.acts == 0
     return held and (node.rigid - piece.ends(piece.g0)[side]).contains(0)
+
+
+def rests(r, i):
+    """Whether a piece lies, without load, between clamps or from a clamp to an end, over level ground of their height."""
+    last = len(r.pieces)
+    parts = lambda node: node in (0, last) or r.nodes[node].clamped
+    a = next(node for node in range(i, -1, -1) if parts(node))
+    b = next(node for node in range(i + 1, last + 1) if parts(node))
+    clamps = [r.nodes[node] for node in (a, b) if r.nodes[node].clamped]
+    if not clamps or any(node.acts or not (node.rigid - clamps[0].rigid).contains(0) for node in clamps):
+        return False
+    bare = lambda piece: all(p.degree() < 0 or p == 0 for p in (piece.f, piece.g, piece.kappa0))
+    level = lambda piece: piece.g0.degree() <= 0 and (piece.g0[0] - clamps[0].rigid).contains(0)
+    held = lambda node: not all(x is None for x in (node.rigid, node.spring, node.turning))
+    free = lambda node: not held(node) and not node.hinged and node.force == 0 and node.moment == 0
+    ends = all(r.nodes[node].clamped or free(r.nodes[node]) for node in (a, b))
+    along = all(bare(piece) and level(piece) for piece in r.pieces[a:b])
+    return ends and along and all(free(r.nodes[node]) for node in range(a + 1, b))
 
 
 def lies(r, i, side):

@@ -27,6 +27,7 @@ impl<S: Scalar> Contact<'_, S> {
     ///
     /// Between the reaches C > ε_u + ε_w. From a reach to the touching node, less θ, C falls faster than its slope is off. Beside
     /// a rigid support that stands on the ground g₀ − w grows from zero; such zones are listed.
+    /// No pressure acts where the beam rests without load.
     pub(crate) fn stretch(
         &self,
         first: usize,
@@ -37,6 +38,9 @@ impl<S: Scalar> Contact<'_, S> {
         let ends = [touches[first], touches[end]];
         let mut found = [None; 2];
         for i in first..end {
+            if self.rests(i) {
+                continue;
+            }
             let piece = self.open_piece(i)?;
             let mut interval = piece.interval;
             let here = [i == first && ends[0], i + 1 == end && ends[1]];

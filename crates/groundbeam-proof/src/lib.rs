@@ -53,6 +53,7 @@ mod reactions;
 mod read;
 mod refusal;
 mod residual;
+mod resting;
 mod rough_contact;
 mod scalar;
 mod scales;

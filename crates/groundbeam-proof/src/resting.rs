@@ -1,0 +1,50 @@
+//! Parts of the beam that rest without load: between clamps, or from a clamp to an end, on level ground.
+//!
+//! A clamp with w = δ and no slope parts the beam in two. On a side without loads and springs, over level ground with g₀ = δ,
+//! w = δ without pressure is in equilibrium, because u* ≥ 0: loads on the ground press it down. The solution is the only one
+//! there, so w* = δ and p* = 0.
+
+use crate::contact_set::Contact;
+use crate::frame::{Frame, Node};
+use crate::model::Acts;
+use crate::polynomial::Line;
+use crate::scalar::Scalar;
+use crate::size::Size;
+
+impl<S: Scalar> Contact<'_, S> {
+    /// Whether a piece rests without load in the exact solution.
+    pub(crate) fn rests(&self, piece: usize) -> bool {
+        let frame = self.fields.frame;
+        let last = frame.spans.len();
+        let parts = |node: &usize| *node == 0 || *node == last || frame.nodes[*node].clamped;
+        let Some(from) = (0..=piece).rev().find(parts) else { return false };
+        let Some(to) = (piece + 1..=last).find(parts) else { return false };
+        let clamped = [from, to].into_iter().find(|node| frame.nodes[*node].clamped);
+        let Some(height) = clamped.and_then(|node| frame.nodes[node].rigid) else { return false };
+        (from..to).all(|i| is_bare(frame, i, height))
+            && [from, to].into_iter().all(|node| ends(&frame.nodes[node], height))
+            && (from + 1..to).all(|node| is_free(&frame.nodes[node]))
+    }
+}
+
+/// Whether nothing acts along a piece over ground of a constant height.
+fn is_bare<S: Scalar>(frame: &Frame<S>, piece: usize, height: S) -> bool {
+    let span = &frame.spans[piece];
+    let none = |line: &Line<S>| line.size(span.tau) == Size::ZERO;
+    let level = span.gap.tail(span.tau) == Size::ZERO && span.gap.coefficient(0) == height;
+    level && none(&span.force) && none(&span.moment) && none(&span.curvature)
+}
+
+/// Whether a part ends here at this height: at a clamp of both directions, or at a free end without load.
+fn ends<S: Scalar>(node: &Node<S>, height: S) -> bool {
+    match node.clamped {
+        true => node.rigid == Some(height) && node.acts == Acts::Both,
+        false => is_free(node),
+    }
+}
+
+/// Whether nothing acts at a node and the beam has no hinge there.
+fn is_free<S: Scalar>(node: &Node<S>) -> bool {
+    let held = node.rigid.is_some() || node.spring.is_some() || node.turning.is_some();
+    !held && !node.is_hinged() && node.force == S::zero() && node.moment == S::zero()
+}
