@@ -35,6 +35,7 @@
 mod band;
 mod beside;
 mod cases;
+mod catalogue;
 mod code;
 mod combination;
 mod demand;
@@ -42,7 +43,8 @@ mod diagnostic;
 mod document;
 mod fault;
 mod files;
-mod lists;
+mod keys;
+mod list;
 mod materials;
 mod number;
 pub mod output;
@@ -134,11 +136,11 @@ pub fn parse_si(text: &str, beside: Option<Beside>) -> Result<Document, Diagnost
 fn read(text: &str, beside: Option<Beside>, bare_is_si: bool) -> Result<Document, Diagnostics> {
     let source = Source::new(text);
     let (table, errors) = DeTable::parse_recoverable(text);
-    let syntax = syntax::explain(&source, table.get_ref(), &errors);
+    let syntax = syntax::explain(&source, table.get_ref(), &errors, &section::MODEL);
     if !syntax.readable {
         return Err(Diagnostics::new(syntax.found));
     }
-    let root = Section { table: table.get_ref(), span: 0..0, name: "the file" };
+    let root = Section::root(table.get_ref(), &section::MODEL);
     if root.table.is_empty() {
         return Err(Diagnostic::new(&source, no_model()).into());
     }

@@ -5,10 +5,12 @@ use super::material;
 use super::shape::{self, Shape};
 use super::shear::{self, Shear};
 use super::weight::{self, Area};
-use crate::lists;
-use crate::profile::{Along, Values, left_out};
+use crate::keys::{ALSO_E, ALSO_FROM, ALSO_TO, Key, Table, Value, key};
+use crate::materials;
+use crate::profile::{Along, left_out};
 use crate::quantity::{
-    BENDING_STIFFNESS, ELASTIC_MODULUS, FORCE, LENGTH, POSITION, SECOND_MOMENT_OF_AREA,
+    BENDING_STIFFNESS, CAMBER, ELASTIC_MODULUS, FORCE, LENGTH, POSITION, SECOND_MOMENT_OF_AREA,
+    UNIT_WEIGHT,
 };
 use crate::reader::{Field, Reader};
 use crate::stiffness::{Given, Keys, Stiffness, cover};
@@ -17,26 +19,87 @@ use groundbeam::model::Part;
 use groundbeam::{Beam, BeamSegment, Load, Profile};
 use std::ops::Range;
 
-const KEYS: &[&str] = &[
-    "length",
+// The keys of the bending stiffness, in `[beam]` and in `[[beam.segment]]`.
+const EI: Key = key(
     "EI",
-    "E",
+    Value::Along(&BENDING_STIFFNESS, Profile::MOST),
+    "The bending stiffness; two values run linearly, more are the control values of a curve.",
+)
+.also(&["bending_stiffness", "stiffness", "flexural_rigidity"]);
+const E: Key =
+    key("E", Value::Along(&ELASTIC_MODULUS, 2), "The elastic modulus, with `I` or `section`.")
+        .also(ALSO_E);
+const MATERIAL: Key = key(
     "material",
-    "I",
+    Value::Name("C30/37", materials::spellings),
+    "The name of a material that gives E ([Materials](#materials)).",
+);
+const I: Key = key("I", Value::Along(&SECOND_MOMENT_OF_AREA, 2), "The second moment of area.")
+    .also(&["second_moment_of_area", "moment_of_inertia", "inertia"]);
+const SECTION: Key = key(
     "section",
-    "unit_weight",
-    "weight_case",
-    "axial_force",
-    "camber",
-    "segment",
-];
+    Value::Table(&shape::TABLE),
+    "The cross section, which gives I ([Sections](#sections-and-own-weight)).",
+);
 
-const SEGMENT_KEYS: &[&str] = &["from", "to", "EI", "E", "material", "I", "section"];
-const STIFFNESS: Keys = Keys {
-    product: ("EI", &BENDING_STIFFNESS),
-    factors: [("E", &ELASTIC_MODULUS), ("I", &SECOND_MOMENT_OF_AREA)],
-    instead: " or a `section`",
+static SEGMENT: Table = Table {
+    name: "[[beam.segment]]",
+    keys: &[
+        key("from", Value::Quantity(&POSITION), "Where the segment begins.")
+            .needed()
+            .also(ALSO_FROM),
+        key("to", Value::Quantity(&POSITION), "Where it ends.").needed().also(ALSO_TO),
+        EI,
+        E,
+        MATERIAL,
+        I,
+        SECTION,
+        shear::STIFFNESS,
+        shear::GA,
+        shear::MODULUS,
+        shear::POISSON,
+        shear::AREA,
+    ],
 };
+
+pub(super) static TABLE: Table = Table {
+    name: "[beam]",
+    keys: &[
+        key("length", Value::Quantity(&LENGTH), "The length of the beam.")
+            .needed()
+            .also(&["l", "span"]),
+        EI,
+        E,
+        MATERIAL,
+        I,
+        SECTION,
+        key(
+            "unit_weight",
+            Value::Quantity(&UNIT_WEIGHT),
+            "The weight per volume, or `\"material\"`: the own weight is a load; left out: it is none.",
+        ),
+        key("weight_case", Value::Text("G"), "The load case of the own weight."),
+        key(
+            "axial_force",
+            Value::Quantity(&FORCE),
+            "The axial force, tension positive; left out: 0.",
+        )
+        .also(&["n", "p", "axial", "normal_force"]),
+        key(
+            "camber",
+            Value::Quantity(&CAMBER),
+            "The rise at mid-length with which the beam is made.",
+        ),
+        key("segment", Value::Tables(&SEGMENT), "A part of the beam with another stiffness."),
+        shear::STIFFNESS,
+        shear::GA,
+        shear::MODULUS,
+        shear::POISSON,
+        shear::AREA,
+    ],
+};
+
+const STIFFNESS: Keys = Keys { product: "EI", factors: ["E", "I"], instead: " or a `section`" };
 
 /// A load that follows from what `[beam]` says of itself.
 pub(super) struct OwnLoad {
@@ -59,18 +122,17 @@ pub(super) struct Read {
 pub(super) fn read(reader: &mut Reader, root: &Section) -> Read {
     let beam = Beam::uniform(f64::NAN, f64::NAN);
     let unknown = Read { beam, loads: Vec::new(), depths: Vec::new(), expansion: None };
-    let Some(table) = reader.table(root, "beam", "[beam]") else {
+    let Some(table) = reader.table(root, "beam") else {
         if root.value("beam").is_none() {
             reader.missing(root, &["beam"], "`[beam]`", "[beam] with `length` and `EI`");
         }
         return unknown;
     };
-    reader.refuse_unknown(&table, &[KEYS, &shear::KEYS].concat());
     reader.places.part(Part::Beam, &table.span);
 
-    let length = reader.required(&table, "length", &LENGTH);
+    let length = reader.required(&table, "length");
     reader.places.field(Part::Beam, "length", &length);
-    let axial_force = reader.quantity(&table, "axial_force", &FORCE);
+    let axial_force = reader.quantity(&table, "axial_force");
     let axial_force = axial_force.unwrap_or_else(|| Field::new(0.0, table.span.clone()));
     reader.places.field(Part::Beam, "axial_force", &axial_force);
 
@@ -87,7 +149,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Read {
     let mut depths = Vec::new();
     let mut one_material = true;
     let mut segments = Vec::new();
-    for (i, segment) in reader.tables(&table, &lists::BEAM_SEGMENT).iter().enumerate() {
+    for (i, segment) in reader.tables(&table, "segment").iter().enumerate() {
         let part = Part::BeamSegment(i);
         let (read, own) = read_segment(reader, segment, part, &whole, length.value);
         let way = [read.from / length.value, read.to / length.value];
@@ -179,10 +241,9 @@ fn read_segment(
     whole: &Whole,
     length: f64,
 ) -> (BeamSegment, Option<Shape>) {
-    reader.refuse_unknown(table, &[SEGMENT_KEYS, &shear::KEYS].concat());
     reader.places.part(part, &table.span);
-    let from = reader.required(table, "from", &POSITION);
-    let to = reader.required(table, "to", &POSITION);
+    let from = reader.required(table, "from");
+    let to = reader.required(table, "to");
     let way = [from.value / length, to.value / length];
     let parent = whole.given.between(way);
     let (own, shape) = given(reader, table);
@@ -212,12 +273,11 @@ fn placed(reader: &mut Reader, part: Part, shear: Option<Along>) -> Option<Profi
 
 /// What a table says of EI, and its section.
 fn given(reader: &mut Reader, table: &Section) -> (Given, Option<Shape>) {
-    let curve = Values::Curve(Profile::MOST);
-    let product = reader.along(table, "EI", &BENDING_STIFFNESS, curve);
-    let modulus = reader.along(table, "E", &ELASTIC_MODULUS, Values::Linear);
+    let product = reader.along(table, "EI");
+    let modulus = reader.along(table, "E");
     let modulus = modulus.map(|modulus| reader.positive_along("E", modulus));
     let modulus = material::modulus(reader, table, modulus);
-    let inertia = reader.along(table, "I", &SECOND_MOMENT_OF_AREA, Values::Linear);
+    let inertia = reader.along(table, "I");
     let inertia = inertia.map(|inertia| reader.positive_along("I", inertia));
     let shape = shape::read(reader, table);
     let section = shape.as_ref().map(|shape| shape.inertia.clone());

@@ -4,8 +4,8 @@ use super::{band, soil};
 use crate::band::Band;
 use crate::code;
 use crate::fault::Fault;
-use crate::lists;
-use crate::profile::{Along, Values, left_out};
+use crate::keys::{ALSO_FROM, ALSO_TO, ALSO_WIDTH, Key, Table, Value, Words, key};
+use crate::profile::{Along, left_out};
 use crate::quantity::{
     AREA_SHEAR, GROUND_POSITION, POSITION, SHEAR_CONSTANT, SPRING_PER_LENGTH, SUBGRADE_MODULUS,
     WIDTH,
@@ -16,26 +16,80 @@ use crate::table::Section;
 use groundbeam::model::Part;
 use groundbeam::{Beam, Foundation, FoundationSegment, GroundEnd, Profile};
 
-const KEYS: &[&str] = &[
+// The keys of k and μ, in `[foundation]` and in `[[foundation.segment]]`. How many control values a ground may have the
+// model knows.
+const K: Key = key(
     "k",
-    "subgrade_modulus",
-    "C1",
-    "width",
+    Value::Along(&SPRING_PER_LENGTH, Profile::MOST),
+    "The spring constant per length of beam; two values run linearly, three are the control values of a curve.",
+)
+.also(&["spring", "spring_constant", "winkler", "stiffness"]);
+const MODULUS: Value = Value::Along(&SUBGRADE_MODULUS, 2);
+const SUBGRADE: Key =
+    key("subgrade_modulus", MODULUS, "The subgrade modulus, with `width`: k is their product.")
+        .also(&["ks", "k_s", "modulus", "bedding_modulus"]);
+const C1: Key = key("C1", MODULUS, "Another name of `subgrade_modulus`.");
+const BEARING: Key =
+    key("width", Value::Along(&WIDTH, 2), "The width on which the beam bears.").also(ALSO_WIDTH);
+const MU: Key = key(
     "mu",
+    Value::Along(&SHEAR_CONSTANT, Profile::MOST),
+    "The shear constant; left out: 0, separate springs (Winkler). Lists as for `k`.",
+)
+.also(&["µ", "μ", "shear", "g", "gp", "shear_constant", "pasternak"]);
+const C2: Key = key(
     "C2",
-    "segment",
-    "soil",
-    "band",
-    "left",
-    "right",
-];
-const END_KEYS: &[&str] = &["ends", "as"];
-const SEGMENT_KEYS: &[&str] = &["from", "to", "k", "subgrade_modulus", "C1", "width", "mu", "C2"];
-const STIFFNESS: Keys = Keys {
-    product: ("k", &SPRING_PER_LENGTH),
-    factors: [("subgrade_modulus", &SUBGRADE_MODULUS), ("width", &WIDTH)],
-    instead: "",
+    Value::Along(&AREA_SHEAR, 2),
+    "The shear constant of an area, with `width`: mu is their product.",
+);
+
+static SEGMENT: Table = Table {
+    name: "[[foundation.segment]]",
+    keys: &[
+        key("from", Value::Quantity(&POSITION), "Where the segment begins.")
+            .needed()
+            .also(ALSO_FROM),
+        key("to", Value::Quantity(&POSITION), "Where it ends.").needed().also(ALSO_TO),
+        K,
+        SUBGRADE,
+        C1,
+        BEARING,
+        MU,
+        C2,
+    ],
 };
+
+static WAYS: Words = Words {
+    all: || vec!["free", "held"],
+    also: &[],
+    message: "`{}` is no way in which ground ends",
+    hint: "\"free\", as beside a trench, or \"held\", as by a wall",
+};
+const END: &[Key] = &[
+    key("ends", Value::Quantity(&GROUND_POSITION), "The position of the end.").needed(),
+    key("as", Value::Word(&WAYS), "`free`, as beside a trench, or `held`, as by a wall.").needed(),
+];
+static LEFT: Table = Table { name: "[foundation] left", keys: END };
+static RIGHT: Table = Table { name: "[foundation] right", keys: END };
+
+pub(super) static TABLE: Table = Table {
+    name: "[foundation]",
+    keys: &[
+        K,
+        SUBGRADE,
+        C1,
+        BEARING,
+        MU,
+        C2,
+        key("segment", Value::Tables(&SEGMENT), "Other ground between two positions."),
+        key("soil", Value::Table(&soil::TABLE), "The soil, from which k and mu follow."),
+        key("band", Value::Table(&band::TABLE), "The limits of k and mu as multiples."),
+        key("left", Value::Table(&LEFT), "The end of the ground on the left; left out: endless."),
+        key("right", Value::Table(&RIGHT), "The end of the ground on the right."),
+    ],
+};
+
+const STIFFNESS: Keys = Keys { product: "k", factors: ["subgrade_modulus", "width"], instead: "" };
 
 /// All that the file says of the ground.
 #[derive(Debug)]
@@ -53,7 +107,7 @@ impl Ground {
 }
 
 pub(super) fn read(reader: &mut Reader, root: &Section, beam: &Beam) -> Ground {
-    let Some(table) = reader.table(root, "foundation", "[foundation]") else {
+    let Some(table) = reader.table(root, "foundation") else {
         if root.value("foundation").is_none() {
             reader.missing(
                 root,
@@ -64,9 +118,8 @@ pub(super) fn read(reader: &mut Reader, root: &Section, beam: &Beam) -> Ground {
         }
         return Ground::unreadable();
     };
-    reader.refuse_unknown(&table, KEYS);
     reader.places.part(Part::Foundation, &table.span);
-    let mut ground = match reader.table(&table, "soil", "[foundation.soil]") {
+    let mut ground = match reader.open(&table, "soil") {
         Some(soil) => on_soil(reader, &table, &soil, beam),
         None if table.value("soil").is_some() => {
             reader.places.field(Part::Foundation, "subgrade", &Field::unreadable(0..0));
@@ -90,7 +143,7 @@ fn on_soil(reader: &mut Reader, table: &Section, soil: &Section, beam: &Beam) ->
             reader.exclusive((key, &name.span()), ("soil", &soil.span), hint);
         }
     }
-    let width = reader.required(table, "width", &WIDTH);
+    let width = reader.required(table, "width");
     let width = reader.positive("width", width);
     let soil = soil::read(reader, soil, width.value);
     for field in ["subgrade", "shear_layer"] {
@@ -103,10 +156,9 @@ fn on_soil(reader: &mut Reader, table: &Section, soil: &Section, beam: &Beam) ->
 
 /// A ground given by its constants.
 fn constants(reader: &mut Reader, table: &Section, beam_length: f64) -> Ground {
-    let ends = [("left", "[foundation] left"), ("right", "[foundation] right")]
-        .map(|(key, name)| ground_end(reader, table, key, name));
+    let ends = ["left", "right"].map(|key| ground_end(reader, table, key));
     let given = given(reader, table);
-    let of_area = reader.along(table, "C2", &AREA_SHEAR, Values::Linear);
+    let of_area = reader.along(table, "C2");
     let shear = shear(reader, table, of_area.as_ref(), given.factors[1].as_ref());
     let nothing = || Along { profile: Profile::constant(0.0), span: table.span.clone() };
     let shear = shear.unwrap_or_else(nothing);
@@ -121,7 +173,7 @@ fn constants(reader: &mut Reader, table: &Section, beam_length: f64) -> Ground {
     let parent = Parent { given, spring: known, shear, of_area, length: beam_length };
 
     let mut segments = Vec::new();
-    for (i, segment) in reader.tables(table, &lists::FOUNDATION_SEGMENT).iter().enumerate() {
+    for (i, segment) in reader.tables(table, "segment").iter().enumerate() {
         let part = Part::FoundationSegment(i);
         segments.push(read_segment(reader, segment, part, &parent));
     }
@@ -147,32 +199,15 @@ fn constants(reader: &mut Reader, table: &Section, beam_length: f64) -> Ground {
 }
 
 /// `left = { ends = "-2 m", as = "free" }`
-fn ground_end(
-    reader: &mut Reader,
-    table: &Section,
-    key: &'static str,
-    name: &'static str,
-) -> GroundEnd {
-    let Some(end) = reader.table(table, key, name) else { return GroundEnd::Endless };
-    reader.refuse_unknown(&end, END_KEYS);
-    let at = reader.required(&end, "ends", &GROUND_POSITION);
+fn ground_end(reader: &mut Reader, table: &Section, key: &'static str) -> GroundEnd {
+    let Some(end) = reader.table(table, key) else { return GroundEnd::Endless };
+    let at = reader.required(&end, "ends");
     reader.places.field(Part::Foundation, key, &at);
     let at = at.value;
-    match reader.words(&end, "as", "free") {
-        Some(("free", _)) => GroundEnd::Free { at },
-        Some(("held", _)) => GroundEnd::Held { at },
-        Some((other, span)) => {
-            let message = format!("`{other}` is no way in which ground ends");
-            let hint = "\"free\", as beside a trench, or \"held\", as by a wall";
-            reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
-            GroundEnd::Endless
-        }
-        None => {
-            if end.value("as").is_none() {
-                reader.missing(&end, &["as"], "`as`", "as = \"free\", or as = \"held\"");
-            }
-            GroundEnd::Endless
-        }
+    match reader.word(&end, "as") {
+        Some("free") => GroundEnd::Free { at },
+        Some("held") => GroundEnd::Held { at },
+        _ => GroundEnd::Endless,
     }
 }
 
@@ -183,14 +218,14 @@ fn shear(
     of_area: Option<&Along>,
     width: Option<&Along>,
 ) -> Option<Along> {
-    let given = reader.along(table, "mu", &SHEAR_CONSTANT, CURVE);
+    let given = reader.along(table, "mu");
     let Some(of_area) = of_area else { return given };
     if let Some(given) = &given {
         let hint = "C2 times the width is `mu`; give one of the two";
         reader.exclusive(("mu", &given.span), ("C2", &of_area.span), hint);
     }
     let Some(width) = width else {
-        let hint = format!("add {}", reader.line("width", &WIDTH));
+        let hint = format!("add {}", reader.line(table.keys, "width"));
         let message = "`C2` is given without `width`";
         reader.report(Fault::new(code::INCOMPLETE, of_area.span.clone(), message, "", hint));
         return Some(Along::unreadable(of_area.span.clone()));
@@ -237,10 +272,9 @@ fn read_segment(
     part: Part,
     parent: &Parent,
 ) -> FoundationSegment {
-    reader.refuse_unknown(table, SEGMENT_KEYS);
     reader.places.part(part, &table.span);
-    let from = reader.required(table, "from", &POSITION);
-    let to = reader.required(table, "to", &POSITION);
+    let from = reader.required(table, "from");
+    let to = reader.required(table, "to");
     let way = [from.value, to.value].map(|x| (x / parent.length).clamp(0.0, 1.0));
     let own = given(reader, table);
     let own_shear = segment_shear(reader, table, &own, parent, way);
@@ -282,7 +316,7 @@ fn segment_shear(
     parent: &Parent,
     way: [f64; 2],
 ) -> Option<Along> {
-    let of_area = reader.along(table, "C2", &AREA_SHEAR, Values::Linear);
+    let of_area = reader.along(table, "C2");
     let [own_width, width] = [&own.factors[1], &parent.given.factors[1]];
     let inherits = own_width.is_some() && table.value("mu").is_none();
     let inherited = parent.of_area.as_ref().filter(|_| inherits).map(|along| along.between(way));
@@ -290,13 +324,10 @@ fn segment_shear(
     shear(reader, table, of_area.or(inherited).as_ref(), width.as_ref())
 }
 
-/// Two values for ground that varies linearly, more for a curve; how many a ground may have the model knows.
-const CURVE: Values = Values::Curve(Profile::MOST);
-
 fn given(reader: &mut Reader, table: &Section) -> Given {
-    let product = reader.along(table, "k", &SPRING_PER_LENGTH, CURVE);
+    let product = reader.along(table, "k");
     let mut modulus = |key| {
-        let modulus = reader.along(table, key, &SUBGRADE_MODULUS, Values::Linear)?;
+        let modulus = reader.along(table, key)?;
         Some(reader.positive_along(key, modulus))
     };
     let (modulus, again) = (modulus("subgrade_modulus"), modulus("C1"));
@@ -306,7 +337,7 @@ fn given(reader: &mut Reader, table: &Section) -> Given {
         reader.exclusive((keys[0], &modulus.span), (keys[1], &again.span), hint);
     }
     let modulus = modulus.or(again);
-    let width = reader.along(table, "width", &WIDTH, Values::Linear);
+    let width = reader.along(table, "width");
     let width = width.map(|width| reader.positive_along("width", width));
     Given { product, factors: [modulus, width] }
 }

@@ -22,28 +22,51 @@ mod weight;
 
 use crate::combination::Recipe;
 use crate::document::MovingTrain;
+use crate::keys::{Table, Value, key};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 use curl::Curls;
 use groundbeam::model::Part;
 use groundbeam::{Limits, Model};
 
-const TABLES: &[&str] = &[
-    "title",
-    "beam",
-    "foundation",
-    "load",
-    "ground_load",
-    "support",
-    "hinge",
-    "gap",
-    "gap_survey",
-    "gap_trough",
-    "case",
-    "combination",
-    "train",
-    "checks",
-];
+/// The tables of a model file.
+pub(crate) static MODEL: Table = Table {
+    name: "the file",
+    keys: &[
+        key("title", Value::Text("Strip footing"), "The title of reports and pictures."),
+        key("beam", Value::Table(&beam::TABLE), "The beam.")
+            .needed()
+            .also(&["bar", "girder", "member"]),
+        key("foundation", Value::Table(&foundation::TABLE), "The ground under the beam.")
+            .needed()
+            .also(&["ground", "soil", "subgrade", "bed"]),
+        key("load", Value::Tables(&load::TABLE), "A load on the beam.")
+            .also(&["force", "forces", "action"]),
+        key("ground_load", Value::Tables(&load::ON_GROUND), "A load on the ground."),
+        key("support", Value::Tables(&support::TABLE), "A support of the beam.")
+            .also(&["bearing", "constraint"]),
+        key("hinge", Value::Tables(&hinge::TABLE), "A joint inside the beam.").also(&[
+            "joint",
+            "internal_hinge",
+            "release",
+        ]),
+        key("gap", Value::Tables(&gap::TABLE), "A corner of the clearance before loading.")
+            .also(&["clearance", "initial_gap"]),
+        key("gap_survey", Value::Table(&survey::TABLE), "The clearance from a table in a file."),
+        key("gap_trough", Value::Tables(&trough::TABLE), "A settlement trough of the ground."),
+        key("case", Value::Tables(&combination::CASE), "A load case, for sets of combinations.")
+            .also(&["load_case"]),
+        key("combination", Value::Tables(&combination::TABLE), "A combination of load cases.")
+            .also(&["load_combination", "combinations", "combo"]),
+        key("train", Value::Tables(&train::TABLE), "A train that moves along the beam.").also(&[
+            "moving_load",
+            "vehicle",
+            "trains",
+            "axle_train",
+        ]),
+        key("checks", Value::Table(&checks::TABLE), "The limits of a design."),
+    ],
+};
 
 /// The whole file, as far as it could be read.
 pub(crate) struct Contents {
@@ -63,8 +86,8 @@ pub(crate) use foundation::Ground;
 
 /// Reads the whole file.
 pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
-    reader.refuse_unknown(root, TABLES);
-    let title = reader.words(root, "title", "Strip footing").map(|(title, _)| title.to_owned());
+    reader.refuse_unknown(root);
+    let title = reader.text(root, "title").map(|(title, _)| title.to_owned());
     let beam::Read { beam, loads: own, depths, expansion } = beam::read(reader, root);
     let ground = foundation::read(reader, root, &beam);
     let curls = Curls { depths, expansion };
