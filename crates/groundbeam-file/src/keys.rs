@@ -54,8 +54,8 @@ pub(crate) enum Value {
 /// Words of which one may stand under a key.
 pub(crate) struct Words {
     pub all: fn() -> Vec<&'static str>,
-    /// Words that people write instead, each with the right one.
-    pub also: &'static [(&'static str, &'static str)],
+    /// Other words that people write for each of them.
+    pub also: &'static [(&'static str, &'static [&'static str])],
     /// The message about another word, which stands for `{}`.
     pub message: &'static str,
     /// The advice where no word is near; all words stand for `{}`.
@@ -76,6 +76,39 @@ pub(crate) const ALSO_NU: &[&str] = &["poisson", "poissons_ratio", "ν"];
 /// A key that may be left out, unless [`Key::needed`] follows.
 pub(crate) const fn key(name: &'static str, value: Value, meaning: &'static str) -> Key {
     Key { name, value, meaning, needed: false, also: &[] }
+}
+
+pub(crate) const fn quantity(
+    name: &'static str,
+    kind: &'static Kind,
+    meaning: &'static str,
+) -> Key {
+    key(name, Value::Quantity(kind), meaning)
+}
+
+pub(crate) const fn along(
+    name: &'static str,
+    kind: &'static Kind,
+    most: usize,
+    meaning: &'static str,
+) -> Key {
+    key(name, Value::Along(kind, most), meaning)
+}
+
+pub(crate) const fn text(name: &'static str, example: &'static str, meaning: &'static str) -> Key {
+    key(name, Value::Text(example), meaning)
+}
+
+pub(crate) const fn word(name: &'static str, words: &'static Words, meaning: &'static str) -> Key {
+    key(name, Value::Word(words), meaning)
+}
+
+pub(crate) const fn table(name: &'static str, keys: &'static Table, meaning: &'static str) -> Key {
+    key(name, Value::Table(keys), meaning)
+}
+
+pub(crate) const fn tables(name: &'static str, keys: &'static Table, meaning: &'static str) -> Key {
+    key(name, Value::Tables(keys), meaning)
 }
 
 /// For a name that no table lists.

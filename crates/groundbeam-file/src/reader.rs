@@ -162,6 +162,13 @@ impl<'s> Reader<'s> {
         Some(section)
     }
 
+    /// The table `[key]`, if given, which describes a part of the model.
+    pub fn part<'a>(&mut self, parent: &Section<'a>, key: &str, part: Part) -> Option<Section<'a>> {
+        let section = Section { part: Some(part), ..self.table(parent, key)? };
+        self.places.part(part, &section.span);
+        Some(section)
+    }
+
     /// The table `[key]`, if given, whose keys depend on a value in it.
     pub fn open<'a>(&mut self, parent: &Section<'a>, key: &str) -> Option<Section<'a>> {
         let Value::Table(keys) = parent.key(key).value else { return None };
@@ -231,7 +238,7 @@ impl<'s> Reader<'s> {
         section: &Section<'a>,
         key: &str,
     ) -> Option<(&'a str, Range<usize>)> {
-        let Some(value) = self.value(section, key) else { return None };
+        let value = self.value(section, key)?;
         match value.get_ref() {
             DeValue::String(text) => Some((text, value.span())),
             _ => {
@@ -250,8 +257,8 @@ impl<'s> Reader<'s> {
         let known = all.iter().copied().find(|word| *word == written.trim());
         if known.is_none() {
             let lower = written.to_lowercase();
-            let other = words.also.iter().find(|(other, _)| *other == lower);
-            let meant = other.map_or(written, |(_, word)| word);
+            let other = words.also.iter().find(|(_, others)| others.contains(&lower.as_str()));
+            let meant = other.map_or(written, |(word, _)| word);
             let message = words.message.replace("{}", written);
             let hint = suggest::advice(meant, &all, words.hint);
             self.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
@@ -292,9 +299,8 @@ impl<'s> Reader<'s> {
         kind: &'static Kind,
     ) -> Option<Field> {
         let read = self.value(section, key).map(|value| self.field(key, value, kind));
-        let name = section.key(key).name;
-        if let (Some(part), Some(field)) = (section.part, &read) {
-            self.places.field(part, name, field);
+        if let Some(field) = &read {
+            self.place(section, section.key(key).name, field);
         }
         read
     }
@@ -312,11 +318,16 @@ impl<'s> Reader<'s> {
                 self.missing(section, &[key], &format!("`{key}`"), &kind.line(key, self.plain));
             }
             let unreadable = Field::unreadable(section.span.clone());
-            if let Some(part) = section.part {
-                self.places.field(part, row.name, &unreadable);
-            }
+            self.place(section, row.name, &unreadable);
             unreadable
         })
+    }
+
+    /// Remembers the place of a field of the part of the model that `section` describes.
+    pub fn place(&mut self, section: &Section, name: &'static str, field: &Field) {
+        if let Some(part) = section.part {
+            self.places.field(part, name, field);
+        }
     }
 
     /// The value under `key`; one that every such table has is reported where it is missing.

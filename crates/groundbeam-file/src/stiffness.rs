@@ -32,11 +32,6 @@ pub(crate) enum Stiffness {
 }
 
 impl Given {
-    /// Whether nothing is given.
-    pub fn is_empty(&self) -> bool {
-        self.product.is_none() && self.factors.iter().all(Option::is_none)
-    }
-
     /// What is given for the whole, on a part of the way.
     pub fn between(&self, way: [f64; 2]) -> Self {
         let part = |given: &Option<Along>| given.as_ref().map(|given| given.between(way));

@@ -14,8 +14,8 @@ const MULTIPLES: Value = Value::List(&Value::Quantity(&RATIO), [2, 2]);
 pub(super) static TABLE: Table = Table {
     name: "[foundation.band]",
     keys: &[
-        key("k", MULTIPLES, "The least and the largest multiple of k; left out: 1 and 1."),
-        key("mu", MULTIPLES, "The least and the largest multiple of mu; left out: 1 and 1."),
+        key("k", MULTIPLES, "The limits of k as multiples; left out: [1, 1]."),
+        key("mu", MULTIPLES, "The limits of mu as multiples; left out: [1, 1]."),
     ],
 };
 

@@ -2,7 +2,7 @@
 
 use crate::code;
 use crate::fault::Fault;
-use crate::keys::{ALSO_WIDTH, Table, Value, key};
+use crate::keys::{ALSO_WIDTH, Table, quantity};
 use crate::quantity::{RATIO, SETTLEMENT_LIMIT, STRESS_LIMIT, WIDTH};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
@@ -12,38 +12,21 @@ use toml::de::DeValue;
 pub(super) static TABLE: Table = Table {
     name: "[checks]",
     keys: &[
-        key(
+        quantity(
             "bearing_pressure",
-            Value::Quantity(&STRESS_LIMIT),
-            "The largest contact pressure over the width, EN 1997-1, 6.5.2.",
+            &STRESS_LIMIT,
+            "The largest contact pressure, EN 1997-1, 6.5.2.",
         ),
-        key(
-            "width",
-            Value::Quantity(&WIDTH),
-            "The width on which the beam bears; left out: that of `[foundation]`.",
-        )
-        .also(ALSO_WIDTH),
-        key(
-            "settlement",
-            Value::Quantity(&SETTLEMENT_LIMIT),
-            "The largest deflection down, EN 1997-1, 6.6.",
-        ),
-        key(
-            "lifted_share",
-            Value::Quantity(&RATIO),
-            "The part of the length that may lift off the ground, 0 to 1.",
-        ),
-        key(
+        quantity("width", &WIDTH, "The width for it; left out: that of `[foundation]`.")
+            .also(ALSO_WIDTH),
+        quantity("settlement", &SETTLEMENT_LIMIT, "The largest deflection down, EN 1997-1, 6.6."),
+        quantity("lifted_share", &RATIO, "The part of the length that may lift off, 0 to 1."),
+        quantity(
             "eccentricity",
-            Value::Quantity(&RATIO),
-            "The distance of the resultant from the middle as a part of the length, or `\"l/6\"` (the kern), `\"l/3\"` \
-             (EN 1997-1, 6.5.4).",
+            &RATIO,
+            "The distance of the resultant from the middle, as a part of the length or `\"l/6\"`.",
         ),
-        key(
-            "overturning",
-            Value::Quantity(&RATIO),
-            "The least factor on all loads that overturn at which the beam tips.",
-        ),
+        quantity("overturning", &RATIO, "The least factor of the loads at which the beam tips."),
     ],
 };
 

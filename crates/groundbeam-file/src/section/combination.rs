@@ -4,7 +4,7 @@ use crate::cases::{self, NO_LOAD};
 use crate::code;
 use crate::combination::{MOST, Recipe};
 use crate::fault::Fault;
-use crate::keys::{Table, Value, key};
+use crate::keys::{Table, Value, key, text};
 use crate::number::Decimal;
 use crate::quantity::{self, REACH};
 use crate::reader::Reader;
@@ -18,36 +18,28 @@ use toml::de::{DeTable, DeValue};
 pub(super) static CASE: Table = Table {
     name: "[[case]]",
     keys: &[
-        key("name", Value::Text("Q"), "The name of the case, as loads give it.").needed(),
+        text("name", "Q", "The name of the case, as loads give it.").needed(),
         key(
             "action",
             Value::Name("imposed B", sets::actions),
-            "The action of the case, in the words of the code of practice.",
+            "The action, in the words of the code.",
         )
         .also(&["type", "kind", "category", "nature"]),
-        key(
-            "group",
-            Value::Text("wind"),
-            "Of the cases of a group at most one is there at a time.",
-        )
-        .also(&["exclusive", "alternative"]),
+        text("group", "wind", "At most one case of a group acts at a time.")
+            .also(&["exclusive", "alternative"]),
     ],
 };
 
 pub(super) static TABLE: Table = Table {
     name: "[[combination]]",
     keys: &[
-        key("name", Value::Text("ULS 1"), "The name of the combination; a set names its own."),
-        key(
-            "factors",
-            Value::Factors,
-            "A factor for each case, `{ G = 1.35, Q = 1.5 }`; a case that is left out has factor 0.",
-        )
-        .also(&["factor", "coefficients"]),
+        text("name", "ULS 1", "The name; a set names its combinations."),
+        key("factors", Value::Factors, "The factors of the cases; left out: 0.")
+            .also(&["factor", "coefficients"]),
         key(
             "set",
             Value::Name("EN 1990 6.10", sets::spellings),
-            "A set of combinations of a code of practice, in place of `factors`.",
+            "A set of combinations of a code of practice.",
         )
         .also(&["code", "standard"]),
     ],

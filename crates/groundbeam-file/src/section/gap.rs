@@ -6,7 +6,7 @@ use super::trough::{MOST_CHORDS, Trough, sunk};
 use crate::band::Band;
 use crate::code;
 use crate::fault::Fault;
-use crate::keys::{ALSO_AT, Table, Value, key};
+use crate::keys::{ALSO_AT, Table, quantity};
 use crate::quantity::{CLEARANCE, POSITION};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
@@ -16,16 +16,12 @@ use groundbeam::{GapPoint, Model};
 pub(super) static TABLE: Table = Table {
     name: "[[gap]]",
     keys: &[
-        key("at", Value::Quantity(&POSITION), "The position of a corner on the beam.")
-            .needed()
-            .also(ALSO_AT),
-        key(
-            "value",
-            Value::Quantity(&CLEARANCE),
-            "The clearance there; a negative one presses the beam into the ground.",
-        )
-        .needed()
-        .also(&["gap", "clearance", "size"]),
+        quantity("at", &POSITION, "The position of a corner on the beam.").needed().also(ALSO_AT),
+        quantity("value", &CLEARANCE, "The clearance there, positive open.").needed().also(&[
+            "gap",
+            "clearance",
+            "size",
+        ]),
     ],
 };
 

@@ -1,6 +1,6 @@
 //! `[[hinge]]`.
 
-use crate::keys::{ALSO_AT, Table, Value, key};
+use crate::keys::{ALSO_AT, Table, quantity};
 use crate::quantity::{POSITION, ROTATIONAL_SPRING};
 use crate::reader::Reader;
 use crate::table::Section;
@@ -10,13 +10,9 @@ use groundbeam::model::Part;
 pub(super) static TABLE: Table = Table {
     name: "[[hinge]]",
     keys: &[
-        key("at", Value::Quantity(&POSITION), "The position on the beam.").needed().also(ALSO_AT),
-        key(
-            "rotational_spring",
-            Value::Quantity(&ROTATIONAL_SPRING),
-            "The spring of a semi-rigid joint; left out: 0, a free hinge.",
-        )
-        .also(&["k_r", "kr", "rotation", "rotational"]),
+        quantity("at", &POSITION, "The position on the beam.").needed().also(ALSO_AT),
+        quantity("rotational_spring", &ROTATIONAL_SPRING, "Its spring; left out: 0, a free hinge.")
+            .also(&["k_r", "kr", "rotation", "rotational"]),
     ],
 };
 

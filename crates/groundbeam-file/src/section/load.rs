@@ -4,9 +4,9 @@ use super::curl;
 use super::curl::Curls;
 use crate::code;
 use crate::fault::Fault;
-use crate::keys::{ALSO_AT, ALSO_FROM, ALSO_TO, Key, Table, Value, key};
+use crate::keys::{ALSO_AT, ALSO_FROM, ALSO_TO, Key, Table, Value, along, quantity, text};
 use crate::quantity::{
-    CURVATURE, DEPTH, EXPANSION, FORCE, GROUND_POSITION, Kind, LOAD_PER_LENGTH, MOMENT,
+    CURVATURE, DEPTH, EXPANSION, FORCE, GROUND_POSITION, LOAD_PER_LENGTH, MOMENT,
     MOMENT_PER_LENGTH, POSITION, STRAIN, TEMPERATURE,
 };
 use crate::reader::{Field, Reader};
@@ -35,38 +35,38 @@ static KINDS: [LoadKind; 7] = [
     LoadKind { key: SHRUNK, unit: "", action: Action::Curvature },
 ];
 
-const POINT: Key = key("point", Value::Quantity(&FORCE), "A force at a point, down positive.")
-    .also(&["f", "p", "force", "value", "point_load", "magnitude"]);
-const MOMENT_AT: Key = key(
-    "moment",
-    Value::Quantity(&MOMENT),
-    "A moment at a point; a positive one turns the right side down.",
-)
-.also(&["m", "couple"]);
-const DISTRIBUTED: Key = key(
-    "distributed",
-    Value::Along(&LOAD_PER_LENGTH, 2),
-    "A distributed force, down positive; two values run linearly.",
-)
-.also(&["q", "w", "uniform", "line", "distributed_load"]);
+const POINT: Key = quantity("point", &FORCE, "A force at a point, down positive.").also(&[
+    "f",
+    "p",
+    "force",
+    "value",
+    "point_load",
+    "magnitude",
+]);
+const MOMENT_AT: Key =
+    quantity("moment", &MOMENT, "A moment at a point; positive turns the right side down.")
+        .also(&["m", "couple"]);
+const DISTRIBUTED: Key =
+    along("distributed", &LOAD_PER_LENGTH, 2, "A distributed force, down positive.").also(&[
+        "q",
+        "w",
+        "uniform",
+        "line",
+        "distributed_load",
+    ]);
 const DISTRIBUTED_MOMENT: Key =
-    key("distributed_moment", Value::Along(&MOMENT_PER_LENGTH, 2), "A distributed moment.")
+    along("distributed_moment", &MOMENT_PER_LENGTH, 2, "A distributed moment.")
         .also(&["line_moment"]);
-const IMPOSED: Key = key(
-    "curvature",
-    Value::Along(&CURVATURE, 2),
-    "An imposed curvature κ₀; a positive one bends the ends down.",
-);
-const WARMER: Key = key(
+const IMPOSED: Key =
+    along("curvature", &CURVATURE, 2, "An imposed curvature κ₀; positive bends the ends down.");
+const WARMER: Key = along(
     "temperature_difference",
-    Value::Along(&TEMPERATURE, 2),
-    "The temperature of the top above that of the bottom: κ₀ = expansion × difference / depth.",
+    &TEMPERATURE,
+    2,
+    "Top less bottom: κ₀ = expansion × difference / depth.",
 );
-const SHRUNK: Key = key(
-    "shrinkage_difference",
-    Value::Along(&STRAIN, 2),
-    "The shrinkage of the top beyond that of the bottom: κ₀ = −difference / depth.",
-);
+const SHRUNK: Key =
+    along("shrinkage_difference", &STRAIN, 2, "Top less bottom: κ₀ = −difference / depth.");
 
 impl LoadKind {
     fn is_distributed(&self) -> bool {
@@ -74,12 +74,8 @@ impl LoadKind {
     }
 }
 
-const CASE: Key = key("case", Value::Text("Q"), "The load case to which it belongs: any name.")
-    .also(&["load_case"]);
-
-const fn place(name: &'static str, kind: &'static Kind, meaning: &'static str) -> Key {
-    key(name, Value::Quantity(kind), meaning)
-}
+const CASE: Key =
+    text("case", "Q", "The load case to which it belongs: any name.").also(&["load_case"]);
 
 pub(super) static TABLE: Table = Table {
     name: "[[load]]",
@@ -91,11 +87,16 @@ pub(super) static TABLE: Table = Table {
         IMPOSED,
         WARMER,
         SHRUNK,
-        place("expansion", &EXPANSION, "Strain per temperature; left out: that of the `material`."),
-        place("depth", &DEPTH, "The depth of the beam; left out: that of its `section`."),
-        place("at", &POSITION, "The position of a load at a point.").also(ALSO_AT),
-        place("from", &POSITION, "Where a distributed load begins; left out: 0.").also(ALSO_FROM),
-        place("to", &POSITION, "Where it ends; left out: the length of the beam.").also(ALSO_TO),
+        quantity(
+            "expansion",
+            &EXPANSION,
+            "Strain per temperature; left out: that of the `material`.",
+        ),
+        quantity("depth", &DEPTH, "The depth of the beam; left out: that of its `section`."),
+        quantity("at", &POSITION, "The position of a load at a point.").also(ALSO_AT),
+        quantity("from", &POSITION, "Where a distributed load begins; left out: 0.")
+            .also(ALSO_FROM),
+        quantity("to", &POSITION, "Where it ends; left out: the length of the beam.").also(ALSO_TO),
         CASE,
     ],
 };
@@ -105,9 +106,9 @@ pub(super) static ON_GROUND: Table = Table {
     keys: &[
         POINT,
         DISTRIBUTED,
-        place("at", &GROUND_POSITION, "The position of a force at a point.").also(ALSO_AT),
-        place("from", &GROUND_POSITION, "Where a distributed force begins.").also(ALSO_FROM),
-        place("to", &GROUND_POSITION, "Where it ends.").also(ALSO_TO),
+        quantity("at", &GROUND_POSITION, "The position of a force at a point.").also(ALSO_AT),
+        quantity("from", &GROUND_POSITION, "Where a distributed force begins.").also(ALSO_FROM),
+        quantity("to", &GROUND_POSITION, "Where it ends.").also(ALSO_TO),
         CASE,
     ],
 };
@@ -208,7 +209,7 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64, curls: &Curl
         let at = reader.required(table, "at");
         let size = reader.field(kind.key.name, value, kind.key.kind());
         let name = if kind.action == Action::Moment { "moment" } else { "force" };
-        remember(reader, table, name, &size);
+        reader.place(table, name, &size);
         Extent::Point { at: at.value, size: size.value }
     };
     // Every kind of the table is a load.
@@ -218,16 +219,9 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64, curls: &Curl
 /// Keeps the place of a load of unknown kind in the list, so that those after it keep theirs.
 fn nothing(reader: &mut Reader, table: &Section) -> Load {
     let unreadable = Field::unreadable(table.span.clone());
-    remember(reader, table, "at", &unreadable);
-    remember(reader, table, "force", &unreadable);
+    reader.place(table, "at", &unreadable);
+    reader.place(table, "force", &unreadable);
     Load::point_force(f64::NAN, f64::NAN)
-}
-
-/// Remembers the place of a field that has another name in the model than in the file.
-fn remember(reader: &mut Reader, table: &Section, name: &'static str, field: &Field) {
-    if let Some(part) = table.part {
-        reader.places.field(part, name, field);
-    }
 }
 
 /// `from` and `to`. A load on the beam that leaves them out covers the whole beam.
@@ -252,7 +246,7 @@ fn stretch(
         let field = reader.quantity(table, key).unwrap_or_else(|| {
             // Without a readable length of the beam it is not readable either.
             let whole = Field::new(default, table.span.clone());
-            remember(reader, table, key, &whole);
+            reader.place(table, key, &whole);
             whole
         });
         field.value
@@ -287,8 +281,8 @@ fn intensity(
             (even.clone(), even)
         }
     };
-    remember(reader, table, "start", &start);
-    remember(reader, table, "end", &end);
+    reader.place(table, "start", &start);
+    reader.place(table, "end", &end);
     (start.value, end.value)
 }
 

@@ -11,6 +11,7 @@ mod gap;
 mod hinge;
 pub(crate) mod load;
 mod material;
+mod segments;
 mod shape;
 mod shear;
 pub(crate) mod soil;
@@ -22,7 +23,7 @@ mod weight;
 
 use crate::combination::Recipe;
 use crate::document::MovingTrain;
-use crate::keys::{Table, Value, key};
+use crate::keys::{Table, table, tables, text};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 use curl::Curls;
@@ -33,38 +34,38 @@ use groundbeam::{Limits, Model};
 pub(crate) static MODEL: Table = Table {
     name: "the file",
     keys: &[
-        key("title", Value::Text("Strip footing"), "The title of reports and pictures."),
-        key("beam", Value::Table(&beam::TABLE), "The beam.")
-            .needed()
-            .also(&["bar", "girder", "member"]),
-        key("foundation", Value::Table(&foundation::TABLE), "The ground under the beam.")
+        text("title", "Strip footing", "The title of reports and pictures."),
+        table("beam", &beam::TABLE, "The beam.").needed().also(&["bar", "girder", "member"]),
+        table("foundation", &foundation::TABLE, "The ground under the beam.")
             .needed()
             .also(&["ground", "soil", "subgrade", "bed"]),
-        key("load", Value::Tables(&load::TABLE), "A load on the beam.")
-            .also(&["force", "forces", "action"]),
-        key("ground_load", Value::Tables(&load::ON_GROUND), "A load on the ground."),
-        key("support", Value::Tables(&support::TABLE), "A support of the beam.")
+        tables("load", &load::TABLE, "A load on the beam.").also(&["force", "forces", "action"]),
+        tables("ground_load", &load::ON_GROUND, "A load on the ground."),
+        tables("support", &support::TABLE, "A support of the beam.")
             .also(&["bearing", "constraint"]),
-        key("hinge", Value::Tables(&hinge::TABLE), "A joint inside the beam.").also(&[
+        tables("hinge", &hinge::TABLE, "A joint inside the beam.").also(&[
             "joint",
             "internal_hinge",
             "release",
         ]),
-        key("gap", Value::Tables(&gap::TABLE), "A corner of the clearance before loading.")
+        tables("gap", &gap::TABLE, "A corner of the clearance before loading.")
             .also(&["clearance", "initial_gap"]),
-        key("gap_survey", Value::Table(&survey::TABLE), "The clearance from a table in a file."),
-        key("gap_trough", Value::Tables(&trough::TABLE), "A settlement trough of the ground."),
-        key("case", Value::Tables(&combination::CASE), "A load case, for sets of combinations.")
+        table("gap_survey", &survey::TABLE, "The clearance from a table in a file."),
+        tables("gap_trough", &trough::TABLE, "A settlement trough of the ground."),
+        tables("case", &combination::CASE, "A load case, for sets of combinations.")
             .also(&["load_case"]),
-        key("combination", Value::Tables(&combination::TABLE), "A combination of load cases.")
-            .also(&["load_combination", "combinations", "combo"]),
-        key("train", Value::Tables(&train::TABLE), "A train that moves along the beam.").also(&[
+        tables("combination", &combination::TABLE, "A combination of load cases.").also(&[
+            "load_combination",
+            "combinations",
+            "combo",
+        ]),
+        tables("train", &train::TABLE, "A train that moves along the beam.").also(&[
             "moving_load",
             "vehicle",
             "trains",
             "axle_train",
         ]),
-        key("checks", Value::Table(&checks::TABLE), "The limits of a design."),
+        table("checks", &checks::TABLE, "The limits of a design."),
     ],
 };
 

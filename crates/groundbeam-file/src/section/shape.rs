@@ -6,7 +6,7 @@
 
 use crate::code;
 use crate::fault::Fault;
-use crate::keys::{ALSO_WIDTH, Table, Value, Words, key};
+use crate::keys::{ALSO_WIDTH, Table, Value, Words, key, text, word};
 use crate::profile::Along;
 use crate::quantity::{SECOND_MOMENT_OF_AREA, WIDTH};
 use crate::reader::Reader;
@@ -29,18 +29,14 @@ const SIDE: Value = Value::Along(&WIDTH, 2);
 pub(super) static TABLE: Table = Table {
     name: "section",
     keys: &[
-        key(
-            "shape",
-            Value::Word(&SHAPES),
-            "The shape; left out: a rectangle of `width` and `height`.",
-        ),
+        word("shape", &SHAPES, "The shape; left out: a rectangle of `width` and `height`."),
         key("width", SIDE, "The width of a rectangle, box, I or T.").also(ALSO_WIDTH),
         key("height", SIDE, "The height of a rectangle, box, I or T.").also(&["h", "d", "depth"]),
         key("diameter", SIDE, "The diameter of a circle or tube."),
         key("wall", SIDE, "The wall of a tube or box."),
         key("flange", SIDE, "The thickness of a flange of an I or T."),
         key("web", SIDE, "The thickness of the web of an I or T."),
-        key("rail", Value::Text("60E1"), "A rolled rail: `60E1`, `54E1`, `136RE`."),
+        text("rail", "60E1", "A rolled rail: `60E1`, `54E1`, `136RE`."),
     ],
 };
 

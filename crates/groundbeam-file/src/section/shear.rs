@@ -3,7 +3,7 @@
 use super::shape::Shape;
 use crate::code;
 use crate::fault::Fault;
-use crate::keys::{ALSO_NU, Key, Value, key};
+use crate::keys::{ALSO_NU, Key, Value, along, key, quantity};
 use crate::profile::Along;
 use crate::quantity::{RATIO, SHEAR_AREA, SHEAR_MODULUS, SHEAR_STIFFNESS};
 use crate::reader::{Field, Reader};
@@ -13,25 +13,18 @@ use groundbeam::Profile;
 
 // The keys, in `[beam]` and in `[[beam.segment]]`.
 const SHEARS: Value = Value::Along(&SHEAR_STIFFNESS, Profile::MOST);
-pub(super) const STIFFNESS: Key = key(
-    "shear_stiffness",
-    SHEARS,
-    "The shear stiffness S = κGA; without any key of shear the beam only bends.",
-)
-.also(&["kga", "gas", "gav", "shear_rigidity", "timoshenko"]);
+pub(super) const STIFFNESS: Key =
+    key("shear_stiffness", SHEARS, "The shear stiffness S = κGA; left out: it only bends.")
+        .also(&["kga", "gas", "gav", "shear_rigidity", "timoshenko"]);
 pub(super) const GA: Key = key("GA", SHEARS, "Another name of `shear_stiffness`.");
 pub(super) const MODULUS: Key =
-    key("G", Value::Along(&SHEAR_MODULUS, 2), "The shear modulus, with the area that shears.")
+    along("G", &SHEAR_MODULUS, 2, "The shear modulus, with a `section` or `shear_area`.")
         .also(&["shear_modulus"]);
 pub(super) const POISSON: Key =
-    key("nu", Value::Quantity(&RATIO), "Poisson's ratio, in place of `G`: G = E/2(1 + nu).")
-        .also(ALSO_NU);
-pub(super) const AREA: Key = key(
-    "shear_area",
-    Value::Along(&SHEAR_AREA, 2),
-    "The area κA that shears; left out: that of the section.",
-)
-.also(&["as", "a_s", "av", "a_v"]);
+    quantity("nu", &RATIO, "Poisson's ratio, in place of `G`: G = E/2(1 + nu).").also(ALSO_NU);
+pub(super) const AREA: Key =
+    along("shear_area", &SHEAR_AREA, 2, "The area κA that shears; left out: that of the section.")
+        .also(&["as", "a_s", "av", "a_v"]);
 
 const fn keys(modulus: &'static str) -> Keys {
     Keys {

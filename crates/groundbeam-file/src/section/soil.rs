@@ -2,7 +2,7 @@
 
 use crate::code;
 use crate::fault::Fault;
-use crate::keys::{ALSO_E, ALSO_NU, Table, Value, Words, key};
+use crate::keys::{ALSO_E, ALSO_NU, Table, Words, quantity, tables, word};
 use crate::quantity::{ELASTIC_MODULUS, LENGTH, RATIO, SUBGRADE_MODULUS, WIDTH};
 use crate::reader::Reader;
 use crate::table::Section;
@@ -27,9 +27,9 @@ const PLATE: &[&str] = &["method", "plate_modulus", "plate_width"];
 static LAYER: Table = Table {
     name: "[[foundation.soil.layer]]",
     keys: &[
-        key("E", Value::Quantity(&ELASTIC_MODULUS), "The elastic modulus.").needed().also(ALSO_E),
-        key("nu", Value::Quantity(&RATIO), "Poisson's ratio, below 0.5.").needed().also(ALSO_NU),
-        key("thickness", Value::Quantity(&LENGTH), "The thickness of the layer.").needed(),
+        quantity("E", &ELASTIC_MODULUS, "The elastic modulus.").needed().also(ALSO_E),
+        quantity("nu", &RATIO, "Poisson's ratio, below 0.5.").needed().also(ALSO_NU),
+        quantity("thickness", &LENGTH, "The thickness of the layer.").needed(),
     ],
 };
 
@@ -44,27 +44,17 @@ static NAMES: Words = Words {
 pub(super) static TABLE: Table = Table {
     name: "[foundation.soil]",
     keys: &[
-        key("method", Value::Word(&NAMES), "The method that gives k and mu ([soil.md](soil.md)).")
-            .needed(),
-        key(
-            "layer",
-            Value::Tables(&LAYER),
-            "`modified-vlasov`, `vlasov`: the layers on rock, the uppermost first.",
-        ),
-        key("gamma", Value::Quantity(&RATIO), "`vlasov`: the parameter of the decay with depth."),
-        key(
-            "E",
-            Value::Quantity(&ELASTIC_MODULUS),
-            "`vesic`, `biot`, `meyerhof-baike`, `selvadurai`: the elastic modulus.",
-        )
-        .also(ALSO_E),
-        key("nu", Value::Quantity(&RATIO), "The same methods: Poisson's ratio.").also(ALSO_NU),
-        key(
+        word("method", &NAMES, "The method that gives k and mu.").needed(),
+        tables("layer", &LAYER, "`…vlasov`: the layers on rock, the uppermost first."),
+        quantity("gamma", &RATIO, "`vlasov`: the parameter of the decay with depth."),
+        quantity("E", &ELASTIC_MODULUS, "The elastic modulus: four methods.").also(ALSO_E),
+        quantity("nu", &RATIO, "Poisson's ratio: the same methods.").also(ALSO_NU),
+        quantity(
             "plate_modulus",
-            Value::Quantity(&SUBGRADE_MODULUS),
-            "`terzaghi-clay`, `terzaghi-sand`: the subgrade modulus of a plate test.",
+            &SUBGRADE_MODULUS,
+            "`terzaghi-…`: the subgrade modulus of a plate test.",
         ),
-        key("plate_width", Value::Quantity(&WIDTH), "The same methods: the width of the plate."),
+        quantity("plate_width", &WIDTH, "`terzaghi-…`: the width of the plate."),
     ],
 };
 

@@ -1,6 +1,6 @@
 //! `[[support]]`.
 
-use crate::keys::{ALSO_AT, Table, Value, Words, key};
+use crate::keys::{ALSO_AT, Table, Words, quantity, word};
 use crate::quantity::{CLEARANCE, POSITION, ROTATIONAL_SPRING, SPRING};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
@@ -10,15 +10,8 @@ use groundbeam::{Acts, Support, SupportKind};
 static TYPES: Words = Words {
     all: || vec!["pinned", "fixed"],
     also: &[
-        ("hinged", "pinned"),
-        ("simple", "pinned"),
-        ("hinge", "pinned"),
-        ("pin", "pinned"),
-        ("roller", "pinned"),
-        ("clamped", "fixed"),
-        ("built-in", "fixed"),
-        ("encastre", "fixed"),
-        ("rigid", "fixed"),
+        ("pinned", &["hinged", "simple", "hinge", "pin", "roller"]),
+        ("fixed", &["clamped", "built-in", "encastre", "rigid"]),
     ],
     message: "`{}` is no type of support",
     hint: "`pinned` holds the deflection, `fixed` also the rotation",
@@ -27,16 +20,8 @@ static TYPES: Words = Words {
 static DIRECTIONS: Words = Words {
     all: || vec!["up", "down", "both"],
     also: &[
-        ("compression", "up"),
-        ("press", "up"),
-        ("push", "up"),
-        ("upward", "up"),
-        ("upwards", "up"),
-        ("tension", "down"),
-        ("pull", "down"),
-        ("hold-down", "down"),
-        ("downward", "down"),
-        ("downwards", "down"),
+        ("up", &["compression", "press", "push", "upward", "upwards"]),
+        ("down", &["tension", "pull", "hold-down", "downward", "downwards"]),
     ],
     message: "`{}` is no direction in which a support acts",
     hint: "`up` only pushes the beam up, `down` only holds it down, `both` does either",
@@ -45,32 +30,22 @@ static DIRECTIONS: Words = Words {
 pub(super) static TABLE: Table = Table {
     name: "[[support]]",
     keys: &[
-        key("at", Value::Quantity(&POSITION), "The position on the beam.").needed().also(ALSO_AT),
-        key(
-            "type",
-            Value::Word(&TYPES),
-            "A rigid support: `pinned` holds the deflection, w = 0, `fixed` also the slope, w′ = 0.",
-        )
-        .also(&["kind"]),
-        key("spring", Value::Quantity(&SPRING), "An elastic support: force per deflection.")
-            .also(&["k", "stiffness", "spring_constant"]),
-        key(
-            "rotational_spring",
-            Value::Quantity(&ROTATIONAL_SPRING),
-            "An elastic support: moment per angle.",
-        )
-        .also(&["k_r", "kr", "rotation", "rotational"]),
-        key(
-            "settlement",
-            Value::Quantity(&CLEARANCE),
-            "The settlement of the support, down positive; left out: 0.",
-        ),
-        key(
-            "acts",
-            Value::Word(&DIRECTIONS),
-            "`up` only pushes the beam up, `down` only holds it down; left out: `both`.",
-        )
-        .also(&["direction", "one_way", "only"]),
+        quantity("at", &POSITION, "The position on the beam.").needed().also(ALSO_AT),
+        word("type", &TYPES, "Rigid: `pinned` holds w = 0, `fixed` also w′ = 0.").also(&["kind"]),
+        quantity("spring", &SPRING, "Elastic: force per deflection.").also(&[
+            "k",
+            "stiffness",
+            "spring_constant",
+        ]),
+        quantity("rotational_spring", &ROTATIONAL_SPRING, "Elastic: moment per angle.").also(&[
+            "k_r",
+            "kr",
+            "rotation",
+            "rotational",
+        ]),
+        quantity("settlement", &CLEARANCE, "Its settlement, down positive; left out: 0."),
+        word("acts", &DIRECTIONS, "`up` only pushes up, `down` only holds down; left out: `both`.")
+            .also(&["direction", "one_way", "only"]),
     ],
 };
 
@@ -115,8 +90,8 @@ fn read_one(reader: &mut Reader, table: &Section) -> Support {
 
 /// In which directions it acts: both, if nothing is said.
 fn acts(reader: &mut Reader, table: &Section) -> Acts {
-    if let (Some(part), Some(value)) = (table.part, table.value("acts")) {
-        reader.places.field(part, "acts", &Field::new(0.0, value.span()));
+    if let Some(value) = table.value("acts") {
+        reader.place(table, "acts", &Field::new(0.0, value.span()));
     }
     match reader.word(table, "acts") {
         Some("up") => Acts::Up,

@@ -3,7 +3,7 @@
 use crate::beside::{Row, Table};
 use crate::code;
 use crate::fault::Fault;
-use crate::keys::{Table as Keys, Value, key};
+use crate::keys::{Table as Keys, along, quantity, text};
 use crate::number::Decimal;
 use crate::quantity::{self, OFFSET};
 use crate::reader::Reader;
@@ -16,26 +16,17 @@ use std::ops::Range;
 pub(super) static TABLE: Keys = Keys {
     name: "[gap_survey]",
     keys: &[
-        key(
-            "file",
-            Value::Text("seabed.csv"),
-            "The table of the survey: a file in the folder of the model file.",
-        )
-        .needed(),
-        key("x", Value::Text("KP"), "The column of positions; left out: the first."),
-        key("level", Value::Text("z"), "The column of levels, positive up; left out: the second."),
-        key("clearance", Value::Text("gap"), "A column of clearances in place of levels."),
-        key(
+        text("file", "seabed.csv", "The table: a file in the folder of the model file.").needed(),
+        text("x", "KP", "The column of positions; left out: the first."),
+        text("level", "z", "The column of levels, positive up; left out: the second."),
+        text("clearance", "gap", "A column of clearances in place of levels."),
+        along(
             "datum",
-            Value::Along(&OFFSET, 2),
-            "The level of the beam's straight underside, or a list of two, at its two ends; left out: the highest level \
-             under it.",
+            &OFFSET,
+            2,
+            "The level of the straight underside, or of its ends; left out: the highest level.",
         ),
-        key(
-            "start",
-            Value::Quantity(&OFFSET),
-            "The position in the survey where the beam begins; left out: 0.",
-        ),
+        quantity("start", &OFFSET, "Where in the survey the beam begins; left out: 0."),
     ],
 };
 

@@ -3,7 +3,7 @@
 use crate::code;
 use crate::document::MovingTrain;
 use crate::fault::Fault;
-use crate::keys::{ALSO_FROM, ALSO_TO, Table, Value, key};
+use crate::keys::{ALSO_FROM, ALSO_TO, Table, Value, key, quantity, tables, text};
 use crate::quantity::{self, BEHIND, FORCE, LOAD_PER_LENGTH, OFFSET, RATIO, REACH};
 use crate::reader::Reader;
 use crate::table::Section;
@@ -15,54 +15,38 @@ use std::ops::Range;
 static AXLE: Table = Table {
     name: "an axle",
     keys: &[
-        key("at", Value::Quantity(&BEHIND), "The distance behind the first axle.").needed(),
-        key("force", Value::Quantity(&FORCE), "The force of the axle, down.").needed(),
+        quantity("at", &BEHIND, "The distance behind the first axle.").needed(),
+        quantity("force", &FORCE, "The force of the axle, down.").needed(),
     ],
 };
 
 static UNIFORM: Table = Table {
     name: "a distributed load",
     keys: &[
-        key(
-            "from",
-            Value::Quantity(&OFFSET),
-            "Where it begins behind the first axle; left out: without end.",
-        ),
-        key(
-            "to",
-            Value::Quantity(&OFFSET),
-            "Where it ends behind the first axle; left out: without end.",
-        ),
-        key("load", Value::Quantity(&LOAD_PER_LENGTH), "The force per length, down.").needed(),
+        quantity("from", &OFFSET, "Where it begins behind the first axle; left out: without end."),
+        quantity("to", &OFFSET, "Where it ends behind the first axle; left out: without end."),
+        quantity("load", &LOAD_PER_LENGTH, "The force per length, down.").needed(),
     ],
 };
 
 pub(super) static TABLE: Table = Table {
     name: "[[train]]",
     keys: &[
-        key("name", Value::Text("LM71"), "The name of the train; left out: that of its set."),
+        text("name", "LM71", "The name of the train; left out: that of its set."),
         key(
             "set",
             Value::Name("LM71", trains::spellings),
-            "A train of a code of practice, in place of `axles` and `uniform`.",
+            "A train of a code of practice, in place of axles.",
         )
         .also(&["code", "standard"]),
-        key("axles", Value::Tables(&AXLE), "The axles, from the first one backward.")
+        tables("axles", &AXLE, "The axles, from the first one backward.")
             .also(&["axle", "wheels", "forces"]),
-        key("uniform", Value::Tables(&UNIFORM), "Distributed loads that move with the axles."),
-        key(
-            "from",
-            Value::Quantity(&OFFSET),
-            "The first position of the first axle; left out: the left end of the beam.",
-        )
-        .also(ALSO_FROM),
-        key(
-            "to",
-            Value::Quantity(&OFFSET),
-            "Its last position; left out: where the last axle leaves the beam.",
-        )
-        .also(ALSO_TO),
-        key("factor", Value::Quantity(&RATIO), "A factor of all loads; left out: 1."),
+        tables("uniform", &UNIFORM, "Distributed loads that move with the axles."),
+        quantity("from", &OFFSET, "The first position of the first axle; left out: x = 0.")
+            .also(ALSO_FROM),
+        quantity("to", &OFFSET, "Its last position; left out: until the last axle leaves.")
+            .also(ALSO_TO),
+        quantity("factor", &RATIO, "A factor of all loads; left out: 1."),
     ],
 };
 

@@ -1,7 +1,7 @@
 //! `[[gap_trough]]`: the corners of the polygon that stands for settlement troughs.
 
 use super::chords::Spacing;
-use crate::keys::{ALSO_AT, ALSO_WIDTH, Table, Value, key};
+use crate::keys::{ALSO_AT, ALSO_WIDTH, Table, quantity};
 use crate::quantity::{CLEARANCE, GROUND_POSITION, WIDTH};
 use crate::reader::Reader;
 use crate::table::Section;
@@ -10,17 +10,11 @@ use groundbeam::{GapPoint, Model};
 pub(super) static TABLE: Table = Table {
     name: "[[gap_trough]]",
     keys: &[
-        key("at", Value::Quantity(&GROUND_POSITION), "The position of the middle, x₀.")
+        quantity("at", &GROUND_POSITION, "The position of the middle, x₀.").needed().also(ALSO_AT),
+        quantity("settlement", &CLEARANCE, "The largest settlement S, down.").needed(),
+        quantity("width", &WIDTH, "The distance i to the point of inflection.")
             .needed()
-            .also(ALSO_AT),
-        key("settlement", Value::Quantity(&CLEARANCE), "The largest settlement S, down.").needed(),
-        key(
-            "width",
-            Value::Quantity(&WIDTH),
-            "The distance i from the middle to the point of inflection.",
-        )
-        .needed()
-        .also(ALSO_WIDTH),
+            .also(ALSO_WIDTH),
     ],
 };
 

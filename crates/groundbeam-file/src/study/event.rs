@@ -3,7 +3,7 @@
 use super::keep::field;
 use crate::code;
 use crate::fault::Fault;
-use crate::keys::{Table, Value, key};
+use crate::keys::{Table, Value, key, text};
 use crate::quantity::{CLEARANCE, FORCE, Kind, LOAD_PER_LENGTH, MOMENT, RATIO};
 use crate::reader::Reader;
 use crate::table::Section;
@@ -12,11 +12,11 @@ use groundbeam::{Dimension, Field};
 pub(super) static TABLE: Table = Table {
     name: "[[event]]",
     keys: &[
-        key("name", Value::Text("bearing"), "The name of the event.").needed(),
-        key(
+        text("name", "bearing", "The name of the event.").needed(),
+        text(
             "quantity",
-            Value::Text("pressure.max"),
-            "A number of the answer: `.min`, `.max` or `.range` of a field; `lifted_share`, `left`, `right`.",
+            "pressure.max",
+            "`lifted_share`, `left`, `right`, or a field's `.min`, `.max`, `.range`.",
         )
         .needed(),
         key("above", Value::Depends, "The event is that the number is above this limit."),

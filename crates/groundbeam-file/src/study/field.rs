@@ -4,7 +4,7 @@ use super::random::{Random, out_of_range, spread};
 use crate::code;
 use crate::document::Document;
 use crate::fault::Fault;
-use crate::keys::{Key, Table, Value, WHAT_CAN_STAND_HERE, Words, key};
+use crate::keys::{Key, Table, Value, WHAT_CAN_STAND_HERE, Words, key, quantity, table, word};
 use crate::quantity::{LENGTH, RATIO};
 use crate::reader::Reader;
 use crate::table::Section;
@@ -74,7 +74,7 @@ pub enum Share {
 
 const QUANTITY: &[Key] = &[
     key("mean", Value::Depends, "The mean; left out: the model's."),
-    key("cov", Value::Quantity(&RATIO), "The standard deviation as a part of the mean."),
+    quantity("cov", &RATIO, "The standard deviation as a part of the mean."),
     key("deviation", Value::Depends, "The standard deviation."),
 ];
 static K: Table = Table { name: "k of [field]", keys: QUANTITY };
@@ -103,36 +103,24 @@ static METHODS: Words = Words {
 pub(super) static TABLE: Table = Table {
     name: "[field]",
     keys: &[
-        key("k", Value::Table(&K), "The field of k."),
-        key("mu", Value::Table(&MU), "The field of mu."),
-        key("EI", Value::Table(&EI), "The field of EI."),
-        key(
-            "rho",
-            Value::Quantity(&RATIO),
-            "The correlation of ln k and ln mu at one point; left out: 0.",
-        ),
-        key(
-            "correlation",
-            Value::Word(&FUNCTIONS),
-            "The correlation function; left out: `exponential`.",
-        ),
-        key("length", Value::Quantity(&LENGTH), "The correlation length L.").needed(),
+        table("k", &K, "The field of k."),
+        table("mu", &MU, "The field of mu."),
+        table("EI", &EI, "The field of EI."),
+        quantity("rho", &RATIO, "The correlation of ln k and ln mu; left out: 0."),
+        word("correlation", &FUNCTIONS, "The correlation function; left out: `exponential`."),
+        quantity("length", &LENGTH, "The correlation length L.").needed(),
         key(
             "points",
             Value::Count([2, MOST_POINTS]),
-            "Points at which the fields are drawn; left out: four to each L, from 8 to 256.",
+            "How many points; left out: four to each L, from 8 to 256.",
         ),
-        key("between", Value::Word(&COURSES), "The course between points; left out: `lines`."),
-        key(
-            "method",
-            Value::Word(&METHODS),
-            "How the fields are drawn; left out: `karhunen-loeve`.",
-        ),
+        word("between", &COURSES, "The course between points; left out: `lines`."),
+        word("method", &METHODS, "How the fields are drawn; left out: `karhunen-loeve`."),
         key("terms", Value::Count([1, MOST_POINTS]), "`karhunen-loeve`: how many terms are kept."),
-        key(
+        quantity(
             "variance",
-            Value::Quantity(&RATIO),
-            "`karhunen-loeve`: the share of the variance that is kept; left out: 0.99.",
+            &RATIO,
+            "`karhunen-loeve`: the share of the variance; left out: 0.99.",
         ),
     ],
 };
@@ -182,7 +170,7 @@ pub(super) fn read(
     {
         is_there |= table.value(name).is_some();
         let own = reader.table(&table, name);
-        of.extend(own.and_then(|own| quantity(reader, &own, name, property, document, random)));
+        of.extend(own.and_then(|own| field_of(reader, &own, name, property, document, random)));
     }
     if !is_there {
         reader.missing(&table, &["k", "mu", "EI"], "field", "k = { cov = 0.3 }");
@@ -218,7 +206,7 @@ pub(super) fn read(
     })
 }
 
-fn quantity(
+fn field_of(
     reader: &mut Reader,
     own: &Section,
     name: &'static str,

@@ -31,12 +31,7 @@ const FIELDS: Value = Value::List(
 pub(super) static TABLE: Table = Table {
     name: "[keep]",
     keys: &[
-        key(
-            "extremes",
-            FIELDS,
-            "Fields of which the smallest and the largest value are kept; left out: deflection, moment, shear force and \
-             pressure.",
-        ),
+        key("extremes", FIELDS, "Fields whose extremes are kept; left out: the usual four."),
         key("fields", FIELDS, "Fields that are kept at positions."),
         key("at", Value::List(&Value::Quantity(&POSITION), [0, usize::MAX]), "These positions."),
         key("ground", Value::Flag, "Whether the random fields are kept; left out: false."),

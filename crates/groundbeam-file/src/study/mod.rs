@@ -16,7 +16,7 @@ use crate::beside::{Beside, OtherFile};
 use crate::diagnostic::Diagnostics;
 use crate::document::Document;
 use crate::fault::Fault;
-use crate::keys::{Table, Value, key};
+use crate::keys::{Table, Value, key, table, tables, text, word};
 use crate::printable::printable;
 use crate::reader::Reader;
 use crate::source::Source;
@@ -29,13 +29,9 @@ use toml::de::DeTable;
 pub(crate) static STUDY: Table = Table {
     name: "the file",
     keys: &[
-        key("title", Value::Text("Footing on random ground"), "The title of the summary."),
-        key(
-            "model",
-            Value::Text("strip-footing.toml"),
-            "The model: a file in the folder of the study file. Its numbers are the means.",
-        )
-        .needed(),
+        text("title", "Footing on random ground", "The title of the summary."),
+        text("model", "strip-footing.toml", "The model: a file in the folder of the study file.")
+            .needed(),
         key(
             "samples",
             Value::Count([1, sampling::MOST_SAMPLES]),
@@ -44,27 +40,19 @@ pub(crate) static STUDY: Table = Table {
         key(
             "seed",
             Value::Count([0, i64::MAX as u64]),
-            "The number from which all random numbers follow; left out: 0.",
+            "All random numbers follow from it; left out: 0.",
         ),
-        key(
-            "sampling",
-            Value::Word(&sampling::NAMES),
-            "How the samples are drawn; left out: `monte-carlo`.",
-        ),
+        word("sampling", &sampling::NAMES, "How the samples are drawn; left out: `monte-carlo`."),
         key(
             "replicates",
             Value::Count([1, sampling::MOST_REPLICATES]),
-            "Hypercubes or scrambled sequences drawn independently; left out: 16.",
+            "Hypercubes or sequences drawn independently; left out: 16.",
         ),
-        key("random", Value::Tables(&random::TABLE), "A number of the model that is random."),
-        key(
-            "correlated",
-            Value::Tables(&random::CORRELATED),
-            "Two random numbers that depend on one another.",
-        ),
-        key("field", Value::Table(&field::TABLE), "Random fields along the beam."),
-        key("keep", Value::Table(&keep::TABLE), "The values kept of every answer."),
-        key("event", Value::Tables(&event::TABLE), "A condition whose probability is told."),
+        tables("random", &random::TABLE, "A number of the model that is random."),
+        tables("correlated", &random::CORRELATED, "Two random numbers that depend on one another."),
+        table("field", &field::TABLE, "Random fields along the beam."),
+        table("keep", &keep::TABLE, "The values kept of every answer."),
+        tables("event", &event::TABLE, "A condition whose probability is told."),
     ],
 };
 

@@ -3,7 +3,9 @@
 use crate::code;
 use crate::document::Document;
 use crate::fault::Fault;
-use crate::keys::{ALSO_FROM, ALSO_TO, Table, Value, WHAT_CAN_STAND_HERE, Words, key};
+use crate::keys::{
+    ALSO_FROM, ALSO_TO, Table, Value, WHAT_CAN_STAND_HERE, Words, key, quantity, text, word,
+};
 use crate::quantity::{Kind, RATIO};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
@@ -85,19 +87,15 @@ static DISTRIBUTIONS: Words = Words {
 pub(super) static TABLE: Table = Table {
     name: "[[random]]",
     keys: &[
-        key("what", Value::Text("k_factor"), "The number of the model, as listed below.").needed(),
-        key("distribution", Value::Word(&DISTRIBUTIONS), "How the number is distributed.").needed(),
+        text("what", "k_factor", "The number of the model, as listed below.").needed(),
+        word("distribution", &DISTRIBUTIONS, "How the number is distributed.").needed(),
         key(
             "mean",
             Value::Depends,
-            "`normal`, `lognormal`, `gumbel`: the mean; left out: the model's.",
+            "The mean of `normal`, `lognormal`, `gumbel`; left out: the model's.",
         ),
-        key(
-            "cov",
-            Value::Quantity(&RATIO),
-            "The same: the standard deviation as a part of the mean.",
-        ),
-        key("deviation", Value::Depends, "The same: the standard deviation."),
+        quantity("cov", &RATIO, "Their standard deviation as a part of the mean."),
+        key("deviation", Value::Depends, "Their standard deviation."),
         key("from", Value::Depends, "`uniform`, `triangular`: the least value.").also(ALSO_FROM),
         key("to", Value::Depends, "`uniform`, `triangular`: the largest value.").also(ALSO_TO),
         key("mode", Value::Depends, "`triangular`: the most probable value."),
@@ -108,7 +106,7 @@ pub(super) static CORRELATED: Table = Table {
     name: "[[correlated]]",
     keys: &[
         key("what", Value::List(&Value::Text("load[0]"), [2, 2]), "Two numbers that are random."),
-        key("rho", Value::Quantity(&RATIO), "The correlation of their normal scores.").needed(),
+        quantity("rho", &RATIO, "The correlation of their normal scores.").needed(),
     ],
 };
 
