@@ -52,6 +52,7 @@ fn run(request: Request) -> Result<Status, Failure> {
         Request::Study(study) => study::run(&study),
         #[cfg(feature = "study")]
         Request::Merge(merge) => study::merge(&merge),
+        Request::Schema { study } => pages::schema(study),
         Request::Completions(shell) => pages::completions(shell),
         Request::Manual => pages::manual(),
     }

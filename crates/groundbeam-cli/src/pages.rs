@@ -1,4 +1,4 @@
-//! Completion scripts and the manual page, from the command line's own definition.
+//! Completion scripts and the manual page, from the command line's own definition; the schema of the files.
 
 use crate::failure::Failure;
 use crate::output::print;
@@ -7,11 +7,18 @@ use crate::typed::Typed;
 use clap::CommandFactory;
 use clap_complete::Shell;
 use clap_mangen::Man;
+use groundbeam_file::{model_schema, study_schema};
 
 pub fn completions(shell: Shell) -> Result<Status, Failure> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Typed::command(), "groundbeam", &mut script);
     print(&String::from_utf8_lossy(&script))?;
+    Ok(Status::Done)
+}
+
+/// The JSON Schema of study files or of model files.
+pub fn schema(study: bool) -> Result<Status, Failure> {
+    print(&if study { study_schema() } else { model_schema() })?;
     Ok(Status::Done)
 }
 

@@ -23,6 +23,10 @@ pub enum Request {
     Study(Study),
     #[cfg(feature = "study")]
     Merge(Merge),
+    /// The schema of model files, or of study files.
+    Schema {
+        study: bool,
+    },
     Completions(Shell),
     Manual,
 }
@@ -215,6 +219,7 @@ impl Request {
             Command::Study(study) => Request::Study(Study::of(study)?),
             #[cfg(feature = "study")]
             Command::Merge(typed::Merge { files, out }) => Request::Merge(Merge { files, out }),
+            Command::Schema { study } => Request::Schema { study },
             Command::Completions { shell } => Request::Completions(shell),
             Command::Man => Request::Manual,
         })

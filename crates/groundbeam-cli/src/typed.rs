@@ -50,6 +50,12 @@ pub enum Command {
     /// Show the model on a page in the browser, where it can be changed and follows at once
     #[cfg(feature = "serve")]
     Serve(Serve),
+    /// Print the JSON Schema of model files, with which an editor completes and checks them
+    Schema {
+        /// The schema of study files instead
+        #[arg(long)]
+        study: bool,
+    },
     /// Print a completion script for a shell
     Completions {
         /// The shell

@@ -65,3 +65,14 @@ fn completions_and_manual() {
         folder.run(&[argument]).is_clean(0);
     }
 }
+
+#[test]
+fn schemas_of_model_and_study_files() {
+    let folder = Folder::new();
+    for (arguments, key) in [(&["schema"][..], "support"), (&["schema", "--study"], "random")] {
+        let done = folder.run(arguments);
+        done.is_clean(0);
+        let schema: serde_json::Value = serde_json::from_str(&done.stdout).unwrap();
+        assert_eq!(schema["properties"][key]["type"], "array", "{arguments:?}");
+    }
+}

@@ -1,11 +1,10 @@
 //! Lists of load cases from outside the file, as on a command line.
 
 use crate::code;
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::diagnostic::Diagnostics;
 use crate::document::Document;
 use crate::fault::Fault;
-use crate::source::Source;
-use crate::suggest::nearest;
+use crate::{list, suggest};
 
 /// Reads names of load cases separated by commas: which of the document's loads belong to one of them, in
 /// the order of the loads.
@@ -25,50 +24,41 @@ use crate::suggest::nearest;
 /// Every entry to which no load belongs; places count from the start of `list`, so that
 /// [`Diagnostics::render`] shows them with `list` as the text.
 pub fn parse_cases(list: &str, document: &Document) -> Result<Vec<bool>, Diagnostics> {
-    let source = Source::new(list);
-    let mut chosen = vec![false; document.cases.len()];
-    let mut found = Vec::new();
-    let mut start = 0;
-    for entry in list.split(',') {
-        let name = entry.trim();
-        let at = start + entry.len() - entry.trim_start().len();
-        let mut known = false;
-        for (chosen, case) in chosen.iter_mut().zip(&document.cases) {
-            if case.as_deref() == Some(name) {
-                (*chosen, known) = (true, true);
-            }
+    let known = names(&document.cases);
+    let chosen = list::read(list, |name| {
+        if known.contains(&name) {
+            return Ok(name.to_owned());
         }
-        if !known {
-            let span = at..at + name.len();
-            let (code, message) = if name.is_empty() {
-                (code::EMPTY_NAME, "a load case is missing here".to_owned())
-            } else {
-                (code::UNKNOWN_WORD, format!("no load belongs to a case `{name}`"))
-            };
-            found.push(Diagnostic::new(
-                &source,
-                Fault::new(code, span, message, "", hint(name, document)),
-            ));
-        }
-        start += entry.len() + 1;
-    }
-    if found.is_empty() { Ok(chosen) } else { Err(Diagnostics::new(found)) }
+        let (code, message) = match name {
+            "" => (code::EMPTY_NAME, "a load case is missing here".to_owned()),
+            _ => (code::UNKNOWN_WORD, NO_LOAD.replace("{}", name)),
+        };
+        let hint = suggest::advice(name, &known, otherwise(&known));
+        Err(Fault::new(code, 0..name.len(), message, "", hint))
+    })?;
+    let is_chosen = |case: &Option<String>| case.as_ref().is_some_and(|case| chosen.contains(case));
+    Ok(document.cases.iter().map(is_chosen).collect())
 }
 
-/// What would be right.
-fn hint(name: &str, document: &Document) -> String {
+/// The names of the load cases to which loads belong, each once, in the order of the loads.
+pub(crate) fn names(cases: &[Option<String>]) -> Vec<&str> {
     let mut names: Vec<&str> = Vec::new();
-    for case in document.cases.iter().flatten() {
+    for case in cases.iter().flatten() {
         if !names.contains(&case.as_str()) {
             names.push(case);
         }
     }
-    if names.is_empty() {
-        return "no load of the file has a `case`; give one to those that are meant".to_owned();
-    }
-    match nearest(name, names.iter().copied()) {
-        Some(meant) => format!("did you mean `{meant}`?"),
-        None => format!("the cases of the file: {}", names.join(", ")),
+    names
+}
+
+/// The message about a name that no load case has.
+pub(crate) const NO_LOAD: &str = "no load belongs to a case `{}`";
+
+/// The advice where no load case has a name like the one that was written.
+pub(crate) fn otherwise(names: &[&str]) -> &'static str {
+    match names {
+        [] => "no load of the file has a `case`; give one to those that are meant",
+        _ => "the cases of the file: {}",
     }
 }
 

@@ -6,7 +6,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::document::Document;
 use crate::fault::Fault;
 use crate::source::Source;
-use crate::suggest::nearest;
+use crate::{cases, suggest};
 use groundbeam::Model;
 
 /// More combinations than this a file may not have.
@@ -164,11 +164,12 @@ impl Document {
             return Ok(all.swap_remove(i));
         }
         let names = self.combination_names();
-        let hint = match nearest(wanted, names.iter().map(String::as_str)) {
-            Some(meant) => format!("did you mean `{meant}`?"),
-            None if names.is_empty() => "the file has no [[combination]]".to_owned(),
-            None => format!("the combinations of the file: {}", names.join(", ")),
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let otherwise = match names[..] {
+            [] => "the file has no [[combination]]",
+            _ => "the combinations of the file: {}",
         };
+        let hint = suggest::advice(wanted, &names, otherwise);
         let message = format!("no combination is called `{wanted}`");
         let fault = Fault::new(code::UNKNOWN_WORD, 0..name.len(), message, "", hint);
         Err(Diagnostic::new(&Source::new(name), fault).into())
@@ -179,17 +180,11 @@ impl Document {
         if self.recipes.is_empty() {
             return Vec::new();
         }
-        let mut names: Vec<&String> = Vec::new();
-        for case in self.cases.iter().flatten() {
-            if !names.contains(&case) {
-                names.push(case);
-            }
-        }
-        let alone = |name: &String| {
-            let (model, _) = self.under(|case| f64::from(case.as_ref() == Some(name)));
-            LoadCase { name: name.clone(), model }
+        let alone = |name: &str| {
+            let (model, _) = self.under(|case| f64::from(case.as_deref() == Some(name)));
+            LoadCase { name: name.to_owned(), model }
         };
-        names.into_iter().map(alone).collect()
+        cases::names(&self.cases).into_iter().map(alone).collect()
     }
 
     /// The model with a factor to each load, and the loads whose factor is not 0.

@@ -35,14 +35,18 @@
 mod band;
 mod beside;
 mod cases;
+mod catalogue;
 mod code;
 mod combination;
 mod demand;
 mod diagnostic;
 mod document;
+#[cfg(test)]
+mod documents;
 mod fault;
 mod files;
-mod lists;
+mod keys;
+mod list;
 mod materials;
 mod number;
 pub mod output;
@@ -52,6 +56,7 @@ mod profile;
 mod quantity;
 mod reader;
 mod render;
+mod schema;
 mod section;
 mod sets;
 mod source;
@@ -78,6 +83,7 @@ pub use files::{open_file, read_bounded, read_file};
 pub use materials::{Material, materials};
 pub use positions::parse_positions;
 pub use printable::{is_unprintable, printable};
+pub use schema::{model_schema, study_schema};
 pub use sets::{CombinationSet, combination_sets};
 pub use target::{Change, Course, Shape, along_the_beam, change, most_control_values, problem};
 pub use trains::{TrainSet, train_sets};
@@ -134,11 +140,11 @@ pub fn parse_si(text: &str, beside: Option<Beside>) -> Result<Document, Diagnost
 fn read(text: &str, beside: Option<Beside>, bare_is_si: bool) -> Result<Document, Diagnostics> {
     let source = Source::new(text);
     let (table, errors) = DeTable::parse_recoverable(text);
-    let syntax = syntax::explain(&source, table.get_ref(), &errors);
+    let syntax = syntax::explain(&source, table.get_ref(), &errors, &section::MODEL);
     if !syntax.readable {
         return Err(Diagnostics::new(syntax.found));
     }
-    let root = Section { table: table.get_ref(), span: 0..0, name: "the file" };
+    let root = Section::root(table.get_ref(), &section::MODEL);
     if root.table.is_empty() {
         return Err(Diagnostic::new(&source, no_model()).into());
     }

@@ -1,10 +1,10 @@
 //! Lists of positions from outside the file, as on a command line.
 
 use crate::code;
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::diagnostic::Diagnostics;
 use crate::fault::Fault;
+use crate::list;
 use crate::quantity::POSITION;
-use crate::source::Source;
 use crate::units::UnitSystem;
 
 /// Reads positions \[m, or plain\] separated by commas, under the rule of the file they belong
@@ -22,29 +22,16 @@ use crate::units::UnitSystem;
 /// Every entry that is no position; places count from the start of `list`, so that
 /// [`Diagnostics::render`] shows them with `list` as the text.
 pub fn parse_positions(list: &str, units: UnitSystem) -> Result<Vec<f64>, Diagnostics> {
-    let source = Source::new(list);
-    let mut positions = Vec::new();
-    let mut found = Vec::new();
-    let mut start = 0;
-    for entry in list.split(',') {
-        match position(entry, units) {
-            Ok(position) => positions.push(position),
-            Err(fault) => found.push(Diagnostic::new(&source, fault.moved(start))),
-        }
-        start += entry.len() + 1;
-    }
-    if found.is_empty() { Ok(positions) } else { Err(Diagnostics::new(found)) }
+    list::read(list, |entry| position(entry, units))
 }
 
 fn position(entry: &str, units: UnitSystem) -> Result<f64, Fault> {
-    let trimmed = entry.trim();
-    let start = entry.len() - entry.trim_start().len();
-    let at = start..start + trimmed.len();
+    let at = 0..entry.len();
     let example = match units {
         UnitSystem::Si => "as in \"0 m, 0.5 m, 1 m\"",
         UnitSystem::Plain => "as in 0,0.5,1",
     };
-    if trimmed.is_empty() {
+    if entry.is_empty() {
         let message = "a position is missing here";
         let hint = format!("separate positions by single commas, {example}");
         return Err(Fault::new(code::NUMBER, at, message, "", hint));
@@ -53,12 +40,12 @@ fn position(entry: &str, units: UnitSystem) -> Result<f64, Fault> {
     match (units, written.has_unit) {
         (UnitSystem::Si, false) if written.value != 0.0 => {
             let hint = format!("give every position a unit, {example}");
-            let message = format!("`{trimmed}` has no unit, but the file gives units");
+            let message = format!("`{entry}` has no unit, but the file gives units");
             Err(Fault::new(code::MIXED, at, message, "", hint))
         }
         (UnitSystem::Plain, true) => {
             let hint = format!("give plain numbers, {example}");
-            let message = format!("`{trimmed}` has a unit, but the file gives none");
+            let message = format!("`{entry}` has a unit, but the file gives none");
             Err(Fault::new(code::MIXED, at, message, "", hint))
         }
         _ => Ok(written.value),

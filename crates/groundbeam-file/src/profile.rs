@@ -4,7 +4,7 @@
 
 use crate::code;
 use crate::fault::Fault;
-use crate::quantity::Kind;
+use crate::keys::Value;
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 use groundbeam::Profile;
@@ -47,41 +47,23 @@ impl Along {
     }
 }
 
-/// How long a list may be.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Values {
-    /// Two: from one end to the other.
-    Linear,
-    /// As many control values as this.
-    Curve(usize),
-}
-
 impl Reader<'_> {
     /// The quantity in `section` under `key`, if given: one value, or a list.
-    pub fn along(
-        &mut self,
-        section: &Section,
-        key: &str,
-        kind: &'static Kind,
-        values: Values,
-    ) -> Option<Along> {
+    pub fn along(&mut self, section: &Section, key: &str) -> Option<Along> {
+        let Value::Along(kind, most) = section.key(key).value else { return None };
         let value = section.value(key)?;
         let DeValue::Array(array) = value.get_ref() else {
             let Field { value, span } = self.field(key, value, kind);
             return Some(Along { profile: Profile::constant(value), span });
-        };
-        let most = match values {
-            Values::Linear => 2,
-            Values::Curve(most) => most,
         };
         if !(2..=most).contains(&array.len()) {
             let (count, noun) = match array.len() {
                 1 => (1, "value"),
                 count => (count, "values"),
             };
-            let curve = match values {
-                Values::Linear => String::new(),
-                Values::Curve(most) => format!(", or up to {most} control values of a curve"),
+            let curve = match most {
+                2 => String::new(),
+                _ => format!(", or up to {most} control values of a curve"),
             };
             let hint = format!(
                 "give one value, or two for a quantity that runs linearly from one end to the \

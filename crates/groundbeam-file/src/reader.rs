@@ -8,12 +8,14 @@ use crate::code;
 use crate::diagnostic::Diagnostic;
 use crate::document::Places;
 use crate::fault::Fault;
-use crate::lists::List;
+use crate::keys::{Key, Table, Value};
 use crate::quantity::{self, Kind, Written};
 use crate::source::Source;
-use crate::table::{Section, suggestion};
+use crate::suggest;
+use crate::table::Section;
 use crate::unit::Dimension;
 use crate::units::Seen;
+use groundbeam::model::Part;
 use std::ops::Range;
 use std::sync::Arc;
 use toml::Spanned;
@@ -95,6 +97,20 @@ impl<'s> Reader<'s> {
         self.found.push(diagnostic.with_related(self.source, related, label));
     }
 
+    /// Reports a word that is none of the known ones. It stands for `{}` in the message, all known ones in the advice where
+    /// none of them is near.
+    pub fn unknown_word(
+        &mut self,
+        (written, span): (&str, Range<usize>),
+        message: &str,
+        known: &[&str],
+        otherwise: &str,
+    ) {
+        let message = message.replace("{}", written);
+        let hint = suggest::advice(written, known, otherwise);
+        self.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
+    }
+
     /// Reports that none of `keys` is given in `section`, unless one of them is misspelt there.
     /// `example` would be right.
     pub fn missing(&mut self, section: &Section, keys: &[&str], what: &str, example: &str) {
@@ -104,7 +120,7 @@ impl<'s> Reader<'s> {
         if keys.iter().any(is_misspelt) {
             return;
         }
-        let message = format!("{} has no {what}", section.name);
+        let message = format!("{} has no {what}", section.name());
         let hint = format!("add {example}");
         self.report(Fault::new(code::MISSING, section.span.clone(), message, "", hint));
     }
@@ -117,32 +133,49 @@ impl<'s> Reader<'s> {
         self.report_with(fault, first.1.clone(), "given here");
     }
 
-    /// Reports every key of `section` that is not among `keys`.
-    pub fn refuse_unknown(&mut self, section: &Section, keys: &[&str]) {
-        for (key, _) in section.table.iter().filter(|(key, _)| !keys.contains(&&**key.get_ref())) {
+    /// Reports every key of `section` but those of these names.
+    pub fn refuse_all_but(&mut self, section: &Section, names: &[&str]) {
+        for (key, _) in section.table.iter().filter(|(key, _)| !names.contains(&&**key.get_ref())) {
             let written = key.get_ref();
-            let message = format!("`{written}` means nothing in {}", section.name);
-            let hint = match suggestion(written, keys) {
+            let message = format!("`{written}` means nothing in {}", section.name());
+            let keys: Vec<&Key> = names.iter().map(|name| section.key(name)).collect();
+            let hint = match suggest::key(written, &keys) {
                 Some(meant) => {
                     self.meant.push((section.span.start, meant.to_owned()));
                     format!("did you mean `{meant}`?")
                 }
-                None => format!("what can stand here: {}", keys.join(", ")),
+                None => format!("what can stand here: {}", names.join(", ")),
             };
             self.report(Fault::new(code::UNKNOWN_KEY, key.span(), message, "", hint));
         }
     }
 
-    /// The table `[key]`, if given.
-    pub fn table<'a>(
-        &mut self,
-        parent: &Section<'a>,
-        key: &str,
-        name: &'static str,
-    ) -> Option<Section<'a>> {
+    /// Reports every key of `section` that its table does not have.
+    pub fn refuse_unknown(&mut self, section: &Section) {
+        self.refuse_all_but(section, &section.keys.names());
+    }
+
+    /// The table `[key]`, if given; keys that it does not have are reported.
+    pub fn table<'a>(&mut self, parent: &Section<'a>, key: &str) -> Option<Section<'a>> {
+        let section = self.open(parent, key)?;
+        self.refuse_unknown(&section);
+        Some(section)
+    }
+
+    /// The table `[key]`, if given, which describes a part of the model.
+    pub fn part<'a>(&mut self, parent: &Section<'a>, key: &str, part: Part) -> Option<Section<'a>> {
+        let section = Section { part: Some(part), ..self.table(parent, key)? };
+        self.places.part(part, &section.span);
+        Some(section)
+    }
+
+    /// The table `[key]`, if given, whose keys depend on a value in it.
+    pub fn open<'a>(&mut self, parent: &Section<'a>, key: &str) -> Option<Section<'a>> {
+        let Value::Table(keys) = parent.key(key).value else { return None };
+        let name = keys.name;
         let value = parent.value(key)?;
         match value.get_ref() {
-            DeValue::Table(table) => Some(Section { table, span: value.span(), name }),
+            DeValue::Table(table) => Some(Section { table, span: value.span(), keys, part: None }),
             DeValue::Array(_) => {
                 let message = format!("there is only one {name} in a file");
                 self.wrong_type(value, message, format!("write {name} with single brackets"));
@@ -156,9 +189,10 @@ impl<'s> Reader<'s> {
         }
     }
 
-    /// The tables of a list, none if there are none.
-    pub fn tables<'a>(&mut self, parent: &Section<'a>, list: &List) -> Vec<Section<'a>> {
-        let List { key, name } = *list;
+    /// The tables of a list, none if there are none; keys that they do not have are reported.
+    pub fn tables<'a>(&mut self, parent: &Section<'a>, key: &str) -> Vec<Section<'a>> {
+        let Value::Tables(keys) = parent.key(key).value else { return vec![] };
+        let name = keys.name;
         let Some(value) = parent.value(key) else { return vec![] };
         let DeValue::Array(array) = value.get_ref() else {
             let message = format!("there can be several {name}, so it is written as a list");
@@ -169,56 +203,146 @@ impl<'s> Reader<'s> {
         for element in array.iter() {
             match element.get_ref() {
                 DeValue::Table(table) => {
-                    sections.push(Section { table, span: element.span(), name });
+                    let section = Section { table, span: element.span(), keys, part: None };
+                    self.refuse_unknown(&section);
+                    sections.push(section);
                 }
                 _ => {
                     let message = format!("each of `{key}` is a table, not a value");
-                    self.wrong_type(
-                        element,
-                        message,
-                        format!("write {name} and its keys below it"),
-                    );
+                    let hint = format!("write {name} and its keys below it");
+                    self.wrong_type(element, message, hint);
                 }
             }
         }
         sections
     }
 
-    /// The words in `section` under `key`, if given.
-    pub fn words<'a>(
+    /// The tables of a list, each a part of the model; `part` makes it of its number in the list.
+    pub fn parts<'a>(
+        &mut self,
+        parent: &Section<'a>,
+        key: &str,
+        part: impl Fn(usize) -> Part,
+    ) -> Vec<Section<'a>> {
+        let mut sections = self.tables(parent, key);
+        for (i, section) in sections.iter_mut().enumerate() {
+            section.part = Some(part(i));
+            self.places.part(part(i), &section.span);
+        }
+        sections
+    }
+
+    /// The text in `section` under `key`, if given.
+    pub fn text<'a>(
         &mut self,
         section: &Section<'a>,
         key: &str,
-        example: &str,
     ) -> Option<(&'a str, Range<usize>)> {
-        let value = section.value(key)?;
+        let value = self.value(section, key)?;
         match value.get_ref() {
-            DeValue::String(words) => Some((words, value.span())),
+            DeValue::String(text) => Some((text, value.span())),
             _ => {
-                let hint = format!("write it in quotes, as in {key} = \"{example}\"");
+                let hint = format!("write it in quotes, as in {}", self.line(section.keys, key));
                 self.wrong_type(value, format!("`{key}` must be text"), hint);
                 None
             }
         }
     }
 
+    /// Which of the key's words stands under `key`, if any.
+    pub fn word(&mut self, section: &Section, key: &str) -> Option<&'static str> {
+        let Value::Word(words) = section.key(key).value else { return None };
+        let (written, span) = self.text(section, key)?;
+        let all = (words.all)();
+        let known = all.iter().copied().find(|word| *word == written.trim());
+        if known.is_none() {
+            let lower = written.to_lowercase();
+            let other = words.also.iter().find(|(_, others)| others.contains(&lower.as_str()));
+            let meant = other.map_or(written, |(word, _)| word);
+            let message = words.message.replace("{}", written);
+            let hint = suggest::advice(meant, &all, words.hint);
+            self.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
+        }
+        known
+    }
+
+    /// The whole number under `key`, if given.
+    pub fn count(&mut self, section: &Section, key: &str) -> Option<u64> {
+        let Value::Count([least, most]) = section.key(key).value else { return None };
+        let value = section.value(key)?;
+        let DeValue::Integer(integer) = value.get_ref() else {
+            let hint = format!("write it without quotes, as in {key} = 1000");
+            self.wrong_type(value, format!("`{key}` must be a whole number"), hint);
+            return None;
+        };
+        let digits = integer.as_str().replace('_', "");
+        let number = u64::from_str_radix(digits.trim_start_matches('+'), integer.radix()).ok();
+        let fits = number.filter(|number| (least..=most).contains(number));
+        if fits.is_none() {
+            let message = format!("`{key}` must be from {least} to {most}");
+            let hint = format!("for example {key} = {}", least.max(1000).min(most));
+            self.report(Fault::new(code::RANGE, value.span(), message, "", hint));
+        }
+        fits
+    }
+
     /// The quantity in `section` under `key`, if given.
-    pub fn quantity(&mut self, section: &Section, key: &str, kind: &'static Kind) -> Option<Field> {
-        section.value(key).map(|value| self.field(key, value, kind))
+    pub fn quantity(&mut self, section: &Section, key: &str) -> Option<Field> {
+        self.quantity_of(section, key, section.key(key).kind())
+    }
+
+    /// The same, of a kind that follows from another key.
+    pub fn quantity_of(
+        &mut self,
+        section: &Section,
+        key: &str,
+        kind: &'static Kind,
+    ) -> Option<Field> {
+        let read = self.value(section, key).map(|value| self.field(key, value, kind));
+        if let Some(field) = &read {
+            self.place(section, section.key(key).name, field);
+        }
+        read
     }
 
     /// The quantity in `section` under `key`, which must be given.
-    pub fn required(&mut self, section: &Section, key: &str, kind: &'static Kind) -> Field {
-        self.quantity(section, key, kind).unwrap_or_else(|| {
-            let example = self.line(key, kind);
-            self.missing(section, &[key], &format!("`{key}`"), &example);
-            Field::unreadable(section.span.clone())
+    pub fn required(&mut self, section: &Section, key: &str) -> Field {
+        self.required_of(section, key, section.key(key).kind())
+    }
+
+    /// The same, of a kind that follows from another key.
+    pub fn required_of(&mut self, section: &Section, key: &str, kind: &'static Kind) -> Field {
+        self.quantity_of(section, key, kind).unwrap_or_else(|| {
+            let row = section.key(key);
+            if !row.needed {
+                self.missing(section, &[key], &format!("`{key}`"), &kind.line(key, self.plain));
+            }
+            let unreadable = Field::unreadable(section.span.clone());
+            self.place(section, row.name, &unreadable);
+            unreadable
         })
     }
 
+    /// Remembers the place of a field of the part of the model that `section` describes.
+    pub fn place(&mut self, section: &Section, name: &'static str, field: &Field) {
+        if let Some(part) = section.part {
+            self.places.field(part, name, field);
+        }
+    }
+
+    /// The value under `key`; one that every such table has is reported where it is missing.
+    fn value<'a>(&mut self, section: &Section<'a>, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
+        let value = section.value(key);
+        if value.is_none() && section.key(key).needed {
+            let example = self.line(section.keys, key);
+            self.missing(section, &[key], &format!("`{key}`"), &example);
+        }
+        value
+    }
+
     /// A line that would be right in this file.
-    pub fn line(&self, key: &str, kind: &Kind) -> String {
-        kind.line(key, self.plain)
+    pub fn line(&self, table: &Table, key: &str) -> String {
+        table.key(key).line(self.plain)
     }
 
     /// A list of two values that would be right in this file.

@@ -4,14 +4,13 @@
 use crate::code;
 use crate::fault::Fault;
 use crate::profile::Along;
-use crate::quantity::Kind;
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 
 /// The keys of a stiffness and its factors.
 pub(crate) struct Keys {
-    pub product: (&'static str, &'static Kind),
-    pub factors: [(&'static str, &'static Kind); 2],
+    pub product: &'static str,
+    pub factors: [&'static str; 2],
     /// Another way to give the second factor, as in " or …"; may be empty.
     pub instead: &'static str,
 }
@@ -33,11 +32,6 @@ pub(crate) enum Stiffness {
 }
 
 impl Given {
-    /// Whether nothing is given.
-    pub fn is_empty(&self) -> bool {
-        self.product.is_none() && self.factors.iter().all(Option::is_none)
-    }
-
     /// What is given for the whole, on a part of the way.
     pub fn between(&self, way: [f64; 2]) -> Self {
         let part = |given: &Option<Along>| given.as_ref().map(|given| given.between(way));
@@ -49,9 +43,9 @@ impl Given {
         let own = self.factors.iter().position(|factor| factor.is_some());
         if let Some(product) = &self.product {
             if let Some((i, factor)) = own.and_then(|i| Some((i, self.factors[i].as_ref()?))) {
-                let (name, [(a, _), (b, _)]) = (keys.product.0, keys.factors);
+                let (name, [a, b]) = (keys.product, keys.factors);
                 let hint = format!("give `{name}`, or `{a}` and `{b}`{}", keys.instead);
-                reader.exclusive((name, &product.span), (keys.factors[i].0, &factor.span), &hint);
+                reader.exclusive((name, &product.span), (keys.factors[i], &factor.span), &hint);
             }
             return Stiffness::Known(product.clone());
         }
@@ -75,17 +69,16 @@ impl Reader<'_> {
         match stiffness {
             Stiffness::Known(known) => return known,
             Stiffness::NotGiven => {
-                let (name, kind) = keys.product;
-                let [a, b] = keys.factors.map(|(factor, kind)| self.line(factor, kind));
-                let example = format!("{}; or {a} and {b}{}", self.line(name, kind), keys.instead);
-                let names = [name, keys.factors[0].0, keys.factors[1].0];
-                self.missing(section, &names, &format!("`{name}`"), &example);
+                let (name, [a, b]) = (keys.product, keys.factors);
+                let [product, first, second] = [name, a, b].map(|key| self.line(section.keys, key));
+                let example = format!("{product}; or {first} and {second}{}", keys.instead);
+                self.missing(section, &[name, a, b], &format!("`{name}`"), &example);
             }
             Stiffness::Half(given, half) => {
-                let (name, (other, kind)) = (keys.factors[given].0, keys.factors[1 - given]);
+                let [name, other] = [given, 1 - given].map(|i| keys.factors[i]);
                 let message = format!("`{name}` is given without `{other}`");
                 let instead = if given == 0 { keys.instead } else { "" };
-                let hint = format!("add {}{instead}", self.line(other, kind));
+                let hint = format!("add {}{instead}", self.line(section.keys, other));
                 self.report(Fault::new(code::INCOMPLETE, half.span, message, "", hint));
             }
         }

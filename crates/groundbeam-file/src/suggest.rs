@@ -1,4 +1,7 @@
-//! "Did you mean …?"
+//! "Did you mean …?": known words and keys near to what was written.
+
+use crate::keys::Key;
+use strsim::osa_distance;
 
 /// The candidate nearest to what was written, if one is near enough to be meant.
 ///
@@ -8,18 +11,19 @@ pub(crate) fn nearest<'c>(
     candidates: impl IntoIterator<Item = &'c str>,
 ) -> Option<&'c str> {
     let lower = written.to_lowercase();
-    let allowed = (written.chars().count() / 3).max(1);
+    let length = written.chars().count();
+    let allowed = (length / 3).max(1);
     let mut best: Option<(usize, &str)> = None;
     for candidate in candidates {
-        let distance = if candidate.to_lowercase() == lower {
-            0
-        } else {
-            edits(&lower, &candidate.to_lowercase())
-        };
+        let letters = candidate.chars().count();
+        // So many letters must be added or removed at least.
+        if letters.abs_diff(length) > allowed {
+            continue;
+        }
+        let distance = osa_distance(&lower, &candidate.to_lowercase());
         // A word of one or two letters is one edit away from too many others, unless the edit
         // takes away a letter too much.
-        let letters = candidate.chars().count();
-        let is_long_enough = letters > 2 || (letters == 2 && written.chars().count() == 3);
+        let is_long_enough = letters > 2 || (letters == 2 && length == 3);
         let near = distance == 0 || (distance <= allowed && is_long_enough);
         if near && best.is_none_or(|(least, _)| distance < least) {
             best = Some((distance, candidate));
@@ -28,34 +32,29 @@ pub(crate) fn nearest<'c>(
     best.map(|(_, candidate)| candidate)
 }
 
-/// How many letters must be added, removed, changed or swapped with a neighbour.
-fn edits(a: &str, b: &str) -> usize {
-    let a: Vec<char> = a.chars().collect();
-    let b: Vec<char> = b.chars().collect();
-    if a.len().abs_diff(b.len()) > 8 {
-        return usize::MAX; // far apart, and nobody waits for a table of a long text's size
+/// What to write instead: the known word that is near, or the advice, in which all known words stand for `{}`. Advice that
+/// does not list them says what they mean and follows either way.
+pub(crate) fn advice(written: &str, known: &[&str], otherwise: &str) -> String {
+    let explains = !otherwise.is_empty() && !otherwise.contains("{}");
+    match nearest(written, known.iter().copied()) {
+        Some(meant) if explains => format!("did you mean `{meant}`? {otherwise}"),
+        Some(meant) => format!("did you mean `{meant}`?"),
+        None => otherwise.replace("{}", &known.join(", ")),
     }
-    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
-    for i in 0..=a.len() {
-        for j in 0..=b.len() {
-            rows[i][j] = if i == 0 || j == 0 {
-                i + j
-            } else {
-                let changed = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
-                let mut least = changed.min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1);
-                if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                    least = least.min(rows[i - 2][j - 2] + 1);
-                }
-                least
-            };
-        }
-    }
-    rows[a.len()][b.len()]
+}
+
+/// The key that someone who writes `written` probably means.
+pub(crate) fn key(written: &str, keys: &[&Key]) -> Option<&'static str> {
+    let lower = written.to_lowercase();
+    let other = || keys.iter().find(|key| key.also.contains(&lower.as_str()));
+    let near = nearest(written, keys.iter().map(|key| key.name));
+    near.or_else(|| other().map(|key| key.name))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::keys::{Value, key};
 
     #[test]
     fn near_words_are_found_and_far_ones_are_not() {
@@ -71,9 +70,19 @@ mod tests {
     }
 
     #[test]
-    fn edits_are_counted() {
-        assert_eq!(edits("", "abc"), 3);
-        assert_eq!(edits("ab", "ba"), 1);
-        assert_eq!(edits("kitten", "sitting"), 3);
+    fn slips_and_other_names_lead_to_the_key() {
+        let [length, stiffness, load, shear] = [
+            key("length", Value::Flag, ""),
+            key("EI", Value::Flag, "").also(&["bending_stiffness"]),
+            key("load", Value::Flag, ""),
+            key("mu", Value::Flag, "").also(&["shear"]),
+        ];
+        let meant = |written| super::key(written, &[&length, &stiffness, &load, &shear]);
+        assert_eq!(meant("lenght"), Some("length"));
+        assert_eq!(meant("ei"), Some("EI"));
+        assert_eq!(meant("bending_stiffness"), Some("EI"));
+        assert_eq!(meant("shear"), Some("mu"));
+        assert_eq!(meant("loads"), Some("load"));
+        assert_eq!(meant("colour"), None);
     }
 }

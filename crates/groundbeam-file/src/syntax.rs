@@ -3,7 +3,7 @@
 use crate::code;
 use crate::diagnostic::Diagnostic;
 use crate::fault::Fault;
-use crate::lists;
+use crate::keys::Table;
 use crate::source::Source;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue, Error};
@@ -16,14 +16,19 @@ pub(crate) struct SyntaxFaults {
     pub readable: bool,
 }
 
-/// Explains `errors`, at most one on each line: the second mostly follows from the first.
-pub(crate) fn explain(source: &Source, table: &DeTable, errors: &[Error]) -> SyntaxFaults {
+/// Explains `errors`, at most one on each line: the second mostly follows from the first. `keys` are those of the file.
+pub(crate) fn explain(
+    source: &Source,
+    table: &DeTable,
+    errors: &[Error],
+    keys: &Table,
+) -> SyntaxFaults {
     let mut found: Vec<Diagnostic> = Vec::new();
     let mut readable = true;
     let mut errors: Vec<_> = errors.iter().map(|e| (e.span().unwrap_or(0..0), e)).collect();
     errors.sort_by_key(|(span, _)| span.start);
     for (span, error) in errors {
-        let (fault, harmless) = fault(source, span.clone(), error.message());
+        let (fault, harmless) = fault(source, span.clone(), error.message(), keys);
         readable &= harmless;
         let mut diagnostic = Diagnostic::new(source, fault);
         if diagnostic.code == code::DUPLICATE
@@ -39,7 +44,7 @@ pub(crate) fn explain(source: &Source, table: &DeTable, errors: &[Error]) -> Syn
 }
 
 /// The fault, and whether the rest of the file can still be read in spite of it.
-fn fault(source: &Source, span: Range<usize>, said: &str) -> (Fault, bool) {
+fn fault(source: &Source, span: Range<usize>, said: &str, keys: &Table) -> (Fault, bool) {
     let written = source.text.get(span.clone()).unwrap_or("");
     let start_of_line =
         source.text[..span.start.min(source.text.len())].rfind('\n').map_or(0, |i| i + 1);
@@ -48,7 +53,7 @@ fn fault(source: &Source, span: Range<usize>, said: &str) -> (Fault, bool) {
         Fault::new(code::SYNTAX, span.clone(), message, label, hint)
     };
     if said.starts_with("duplicate key") {
-        let is_list = lists::may_be_several(written);
+        let is_list = keys.may_be_several(written);
         let in_header = line_so_far.trim_start().starts_with('[');
         let hint = if is_list && in_header {
             "there can be several of these: write each with double brackets, as in [[load]]"

@@ -1,21 +1,37 @@
-//! One table of the file, and the wrong names that users try in it.
+//! One table of the file.
 
-use crate::suggest::nearest;
+use crate::keys::{Key, Table};
+use groundbeam::model::Part;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// A table with its place and the name it goes by in messages.
+/// A table with its place and the keys that it may have.
 #[derive(Clone)]
 pub(crate) struct Section<'a> {
     pub table: &'a DeTable<'a>,
     /// The header, or the braces of an inline table.
     pub span: Range<usize>,
-    /// As a file writes it: `[beam]`, `[[load]]`.
-    pub name: &'static str,
+    pub keys: &'static Table,
+    /// The part of the model that it describes: quantities that are read become fields of it, with their places.
+    pub part: Option<Part>,
 }
 
 impl<'a> Section<'a> {
+    /// The whole file.
+    pub fn root(table: &'a DeTable<'a>, keys: &'static Table) -> Self {
+        Section { table, span: 0..0, keys, part: None }
+    }
+
+    /// As a file writes it: `[beam]`, `[[load]]`.
+    pub fn name(&self) -> &'static str {
+        self.keys.name
+    }
+
+    pub fn key(&self, name: &str) -> &'static Key {
+        self.keys.key(name)
+    }
+
     /// Whether numbers stand bare in this table and those below, and none stands in quotes.
     pub fn has_bare_numbers_only(&self) -> bool {
         let mut bare = false;
@@ -39,74 +55,5 @@ impl<'a> Section<'a> {
 
     pub fn value(&self, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
         self.table.get(key)
-    }
-}
-
-/// Other names for the same things: the library's words, other programs' words, other letters.
-const MEANT: &[(&str, &[&str])] = &[
-    ("beam", &["bar", "girder", "member"]),
-    ("foundation", &["ground", "soil", "subgrade", "bed"]),
-    ("load", &["force", "forces", "action"]),
-    ("support", &["bearing", "constraint"]),
-    ("hinge", &["joint", "internal_hinge", "release"]),
-    ("gap", &["clearance", "initial_gap"]),
-    ("case", &["load_case"]),
-    ("combination", &["load_combination", "combinations", "combo"]),
-    ("factors", &["factor", "coefficients"]),
-    ("action", &["type", "kind", "category", "nature"]),
-    ("set", &["code", "standard"]),
-    ("group", &["exclusive", "alternative"]),
-    ("train", &["moving_load", "vehicle", "trains", "axle_train"]),
-    ("axles", &["axle", "wheels", "forces"]),
-    ("length", &["l", "span"]),
-    ("EI", &["bending_stiffness", "stiffness", "flexural_rigidity"]),
-    ("E", &["elastic_modulus", "youngs_modulus", "young", "modulus"]),
-    ("I", &["second_moment_of_area", "moment_of_inertia", "inertia"]),
-    ("shear_stiffness", &["kga", "gas", "gav", "shear_rigidity", "timoshenko"]),
-    ("shear_area", &["as", "a_s", "av", "a_v"]),
-    ("G", &["shear_modulus"]),
-    ("nu", &["poisson", "poissons_ratio", "ν"]),
-    ("axial_force", &["n", "p", "axial", "normal_force"]),
-    ("subgrade_modulus", &["ks", "k_s", "modulus", "bedding_modulus"]),
-    ("k", &["spring", "spring_constant", "winkler", "stiffness"]),
-    ("mu", &["µ", "μ", "shear", "g", "gp", "shear_constant", "pasternak"]),
-    ("width", &["b", "breadth"]),
-    ("height", &["h", "d", "depth"]),
-    ("point", &["f", "p", "force", "value", "point_load", "magnitude"]),
-    ("moment", &["m", "couple"]),
-    ("distributed", &["q", "w", "uniform", "line", "distributed_load"]),
-    ("distributed_moment", &["line_moment"]),
-    ("at", &["x", "position", "location", "station"]),
-    ("from", &["start", "begin", "x1"]),
-    ("to", &["end", "x2"]),
-    ("spring", &["k", "stiffness", "spring_constant"]),
-    ("rotational_spring", &["k_r", "kr", "rotation", "rotational"]),
-    ("type", &["kind"]),
-    ("acts", &["direction", "one_way", "only"]),
-    ("value", &["gap", "clearance", "size"]),
-];
-
-/// The key among `keys` that someone who writes `written` probably means.
-pub(crate) fn suggestion<'k>(written: &str, keys: &[&'k str]) -> Option<&'k str> {
-    let lower = written.to_lowercase();
-    let is_other_name = |key: &str| {
-        MEANT.iter().any(|(name, others)| *name == key && others.contains(&lower.as_str()))
-    };
-    nearest(written, keys.iter().copied())
-        .or_else(|| keys.iter().copied().find(|key| is_other_name(key)))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn slips_and_other_names_lead_to_the_key() {
-        assert_eq!(suggestion("lenght", &["length", "EI"]), Some("length"));
-        assert_eq!(suggestion("ei", &["length", "EI"]), Some("EI"));
-        assert_eq!(suggestion("bending_stiffness", &["length", "EI"]), Some("EI"));
-        assert_eq!(suggestion("shear", &["k", "mu"]), Some("mu"));
-        assert_eq!(suggestion("loads", &["beam", "load"]), Some("load"));
-        assert_eq!(suggestion("colour", &["beam", "load"]), None);
     }
 }

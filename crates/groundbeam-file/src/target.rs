@@ -97,7 +97,7 @@ pub(crate) fn kind(parameter: Parameter, model: &Model) -> &'static Kind {
         Parameter::AxialForce | Parameter::Value(Property::ShearStiffness, _) => &FORCE,
         Parameter::Load(_, LoadNumber::At | LoadNumber::From | LoadNumber::To) => &POSITION,
         Parameter::Load(index, _) => {
-            model.loads.get(index).map_or(&LOAD_PER_LENGTH, |load| kind_of(load).wanted)
+            model.loads.get(index).map_or(&LOAD_PER_LENGTH, |load| kind_of(load).key.kind())
         }
         Parameter::Support(_, SupportNumber::Settlement) | Parameter::Gap(_) => &CLEARANCE,
         Parameter::Support(_, SupportNumber::Spring) => &SPRING,

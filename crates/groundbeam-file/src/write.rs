@@ -160,6 +160,7 @@ impl Writer {
     fn load(&mut self, load: &Load) {
         self.heading(if load.is_on_ground() { "[[ground_load]]" } else { "[[load]]" });
         let LoadKind { key, unit, .. } = kind_of(load);
+        let key = key.name;
         match load.extent() {
             Extent::Point { at, size } => {
                 self.quantity(key, size, unit);

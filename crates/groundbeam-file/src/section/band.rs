@@ -3,19 +3,32 @@
 use crate::band::Band;
 use crate::code;
 use crate::fault::Fault;
+use crate::keys::{Table, Value, key};
 use crate::quantity::RATIO;
 use crate::reader::Reader;
 use crate::table::Section;
 use toml::de::DeValue;
 
-const KEYS: &[&str] = &["k", "mu"];
+const MULTIPLES: Value = Value::List(&Value::Quantity(&RATIO), [2, 2]);
+
+pub(super) static TABLE: Table = Table {
+    name: "[foundation.band]",
+    keys: &[
+        key("k", MULTIPLES, "The limits of k as multiples; left out: [1, 1]."),
+        key("mu", MULTIPLES, "The limits of mu as multiples; left out: [1, 1]."),
+    ],
+};
 
 /// The band of a ground, if the file gives one; one that `shears` has a band of μ, too.
 pub(super) fn read(reader: &mut Reader, foundation: &Section, shears: bool) -> Option<Band> {
-    let table = reader.table(foundation, "band", "[foundation.band]")?;
-    reader.refuse_unknown(&table, KEYS);
-    if KEYS.iter().all(|key| table.value(key).is_none()) {
-        reader.missing(&table, KEYS, "`k` and no `mu`", "k = [0.5, 2]: low and high multiples");
+    let table = reader.table(foundation, "band")?;
+    if TABLE.names().iter().all(|key| table.value(key).is_none()) {
+        reader.missing(
+            &table,
+            &TABLE.names(),
+            "`k` and no `mu`",
+            "k = [0.5, 2]: low and high multiples",
+        );
     }
     if let (Some(value), false) = (table.value("mu"), shears) {
         let message = "a band of `mu` on ground without a shear layer";

@@ -2,40 +2,98 @@
 
 use super::curl::{self, Depth};
 use super::material;
+use super::segments::{Body, Segment, Whole};
 use super::shape::{self, Shape};
 use super::shear::{self, Shear};
 use super::weight::{self, Area};
-use crate::lists;
-use crate::profile::{Along, Values, left_out};
-use crate::quantity::{
-    BENDING_STIFFNESS, ELASTIC_MODULUS, FORCE, LENGTH, POSITION, SECOND_MOMENT_OF_AREA,
+use crate::keys::{
+    ALSO_E, ALSO_FROM, ALSO_TO, Key, Table, Value, along, key, quantity, table, tables, text,
 };
-use crate::reader::{Field, Reader};
-use crate::stiffness::{Given, Keys, Stiffness, cover};
+use crate::materials;
+use crate::quantity::{
+    BENDING_STIFFNESS, CAMBER, ELASTIC_MODULUS, FORCE, LENGTH, POSITION, SECOND_MOMENT_OF_AREA,
+    UNIT_WEIGHT,
+};
+use crate::reader::Reader;
+use crate::stiffness::{Given, Keys};
 use crate::table::Section;
 use groundbeam::model::Part;
 use groundbeam::{Beam, BeamSegment, Load, Profile};
 use std::ops::Range;
 
-const KEYS: &[&str] = &[
-    "length",
-    "EI",
-    "E",
+// The keys of the bending stiffness, in `[beam]` and in `[[beam.segment]]`.
+const EI: Key = along("EI", &BENDING_STIFFNESS, Profile::MOST, "The bending stiffness.").also(&[
+    "bending_stiffness",
+    "stiffness",
+    "flexural_rigidity",
+]);
+const E: Key =
+    along("E", &ELASTIC_MODULUS, 2, "The elastic modulus, with `I` or a `section`.").also(ALSO_E);
+const MATERIAL: Key = key(
     "material",
-    "I",
-    "section",
-    "unit_weight",
-    "weight_case",
-    "axial_force",
-    "camber",
-    "segment",
-];
+    Value::Name("C30/37", materials::spellings),
+    "The name of a material, which gives E.",
+);
+const I: Key = along("I", &SECOND_MOMENT_OF_AREA, 2, "The second moment of area.").also(&[
+    "second_moment_of_area",
+    "moment_of_inertia",
+    "inertia",
+]);
+const SECTION: Key = table("section", &shape::TABLE, "The cross section, which gives I.");
 
-const SEGMENT_KEYS: &[&str] = &["from", "to", "EI", "E", "material", "I", "section"];
-const STIFFNESS: Keys = Keys {
-    product: ("EI", &BENDING_STIFFNESS),
-    factors: [("E", &ELASTIC_MODULUS), ("I", &SECOND_MOMENT_OF_AREA)],
-    instead: " or a `section`",
+static SEGMENT: Table = Table {
+    name: "[[beam.segment]]",
+    keys: &[
+        quantity("from", &POSITION, "Where the segment begins.").needed().also(ALSO_FROM),
+        quantity("to", &POSITION, "Where it ends.").needed().also(ALSO_TO),
+        EI,
+        E,
+        MATERIAL,
+        I,
+        SECTION,
+        shear::STIFFNESS,
+        shear::GA,
+        shear::MODULUS,
+        shear::POISSON,
+        shear::AREA,
+    ],
+};
+
+pub(super) static TABLE: Table = Table {
+    name: "[beam]",
+    keys: &[
+        quantity("length", &LENGTH, "The length of the beam.").needed().also(&["l", "span"]),
+        EI,
+        E,
+        MATERIAL,
+        I,
+        SECTION,
+        quantity(
+            "unit_weight",
+            &UNIT_WEIGHT,
+            "The weight per volume, or `\"material\"`; left out: no own weight.",
+        ),
+        text("weight_case", "G", "The load case of the own weight."),
+        quantity("axial_force", &FORCE, "Tension positive; left out: 0.").also(&[
+            "n",
+            "p",
+            "axial",
+            "normal_force",
+        ]),
+        quantity("camber", &CAMBER, "The rise at mid-length without load; left out: 0."),
+        tables("segment", &SEGMENT, "A part of the beam with another stiffness."),
+        shear::STIFFNESS,
+        shear::GA,
+        shear::MODULUS,
+        shear::POISSON,
+        shear::AREA,
+    ],
+};
+
+static BODY: Body = Body {
+    segment: Part::BeamSegment,
+    fields: ["bending_stiffness", "shear_stiffness"],
+    keys: Keys { product: "EI", factors: ["E", "I"], instead: " or a `section`" },
 };
 
 /// A load that follows from what `[beam]` says of itself.
@@ -59,72 +117,61 @@ pub(super) struct Read {
 pub(super) fn read(reader: &mut Reader, root: &Section) -> Read {
     let beam = Beam::uniform(f64::NAN, f64::NAN);
     let unknown = Read { beam, loads: Vec::new(), depths: Vec::new(), expansion: None };
-    let Some(table) = reader.table(root, "beam", "[beam]") else {
+    let Some(table) = reader.part(root, "beam", Part::Beam) else {
         if root.value("beam").is_none() {
             reader.missing(root, &["beam"], "`[beam]`", "[beam] with `length` and `EI`");
         }
         return unknown;
     };
-    reader.refuse_unknown(&table, &[KEYS, &shear::KEYS].concat());
-    reader.places.part(Part::Beam, &table.span);
+    let length = reader.required(&table, "length").value;
+    let axial_force = reader.quantity(&table, "axial_force").map_or(0.0, |force| force.value);
 
-    let length = reader.required(&table, "length", &LENGTH);
-    reader.places.field(Part::Beam, "length", &length);
-    let axial_force = reader.quantity(&table, "axial_force", &FORCE);
-    let axial_force = axial_force.unwrap_or_else(|| Field::new(0.0, table.span.clone()));
-    reader.places.field(Part::Beam, "axial_force", &axial_force);
-
-    let (given, shape) = given(reader, &table);
+    let (own, shape) = given(reader, &table);
     let none = Shear::default();
-    let modulus = given.factors[0].as_ref();
-    let shear = Shear::read(reader, &table, [modulus, None], shape.as_ref(), &none);
+    let shear = Shear::read(reader, &table, [own.factors[0].as_ref(), None], shape.as_ref(), &none);
     let shear_stiffness = shear.settle(reader, &table, &none);
     if let Some(along) = &shear_stiffness {
-        reader.places.field(Part::Beam, "shear_stiffness", &along.field());
+        reader.place(&table, "shear_stiffness", &along.field());
     }
-    let whole = Whole { given: &given, shear: &shear, shear_stiffness: shear_stiffness.as_ref() };
+    // A segment without a shear stiffness has that of the beam, which is one number unless it varies.
+    let varying = shear_stiffness.clone().filter(|along| !along.profile.is_constant());
+    let whole = Whole::new(reader, length, own, varying, &BODY);
     let mut areas = Vec::new();
     let mut depths = Vec::new();
     let mut one_material = true;
     let mut segments = Vec::new();
-    for (i, segment) in reader.tables(&table, &lists::BEAM_SEGMENT).iter().enumerate() {
-        let part = Part::BeamSegment(i);
-        let (read, own) = read_segment(reader, segment, part, &whole, length.value);
-        let way = [read.from / length.value, read.to / length.value];
-        let shape = own.or_else(|| shape.as_ref().map(|shape| shape.between(way)));
+    for segment in &reader.parts(&table, "segment", Part::BeamSegment) {
+        let (ends, way) = whole.ends(reader, segment);
+        let (own, own_shape) = given(reader, segment);
+        let above = (whole.given(way), shear.between(way));
+        let modulus = [&own, &above.0].map(|given| given.factors[0].as_ref());
+        let own_shear = Shear::read(reader, segment, modulus, own_shape.as_ref(), &above.1);
+        let own_shear = own_shear.settle(reader, segment, &above.1);
+        segments.push(whole.segment(reader, segment, (ends, way), &own, own_shear));
+        let shape = own_shape.or_else(|| shape.as_ref().map(|shape| shape.between(way)));
         let shape = shape.filter(|_| !gives_stiffness(segment));
         let (area, depth) = shape.map_or((None, None), |shape| (Some(shape.area), shape.depth));
-        areas.push(Area { from: read.from, to: read.to, area });
-        depths.push(Depth { from: read.from, to: read.to, depth });
+        let [from, to] = ends;
+        areas.push(Area { from, to, area });
+        depths.push(Depth { from, to, depth });
         one_material &= ["material", "E"].iter().all(|key| segment.value(key).is_none());
-        segments.push(read);
     }
     let material = material::of(&table).filter(|_| one_material);
     let base = shape.filter(|_| !gives_stiffness(&table));
     let (area, depth) = base.map_or((None, None), |shape| (Some(shape.area), shape.depth));
-    let mut loads = weight::read(reader, &table, length.value, material, area, areas);
-    loads.extend(curl::camber(reader, &table, length.value));
-    let depths = curl::all(length.value, depth, depths);
+    let mut loads = weight::read(reader, &table, length, material, area, areas);
+    loads.extend(curl::camber(reader, &table, length));
+    let depths = curl::all(length, depth, depths);
 
-    let stiffness = given.resolve(reader, &Given::default(), &STIFFNESS);
-    let covered = cover(length.value, segments.iter().map(|s| (s.from, s.to)));
-    let rightmost = segments.iter().max_by(|a, b| a.to.total_cmp(&b.to));
-    let bending_stiffness = match (&stiffness, rightmost) {
-        // Nothing is left for it to hold for; it must only be a possible value.
-        (Stiffness::NotGiven | Stiffness::Half(..), Some(segment)) if covered => {
-            reader.places.field(Part::Beam, "bending_stiffness", &Field::unreadable(0..0));
-            segment.bending_stiffness.end()
-        }
-        _ => {
-            let known = reader.settle(stiffness, &table, &STIFFNESS);
-            reader.places.field(Part::Beam, "bending_stiffness", &known.field());
-            add_where_it_varies(reader, &known, &whole, length.value, &mut segments);
-            known.profile.start()
-        }
+    let (bending_stiffness, _) = whole.complete(reader, &table, &mut segments);
+    let segment = |Segment { from, to, stiffness, second }| BeamSegment {
+        from,
+        to,
+        bending_stiffness: stiffness,
+        shear_stiffness: second,
     };
+    let segments = segments.into_iter().map(segment).collect();
     let shear_stiffness = shear_stiffness.map(|along| along.profile.start());
-    let axial_force = axial_force.value;
-    let length = length.value;
     let beam = Beam { length, bending_stiffness, shear_stiffness, segments, axial_force };
     Read { beam, loads, depths, expansion: material.map(|material| material.expansion) }
 }
@@ -134,90 +181,13 @@ fn gives_stiffness(table: &Section) -> bool {
     table.value("EI").is_some() || table.value("I").is_some()
 }
 
-/// What `[beam]` says, for its segments.
-struct Whole<'a> {
-    given: &'a Given,
-    shear: &'a Shear,
-    shear_stiffness: Option<&'a Along>,
-}
-
-impl Whole<'_> {
-    /// The beam's shear stiffness on a part of the way, if it varies: else it is that of the beam itself.
-    fn shear_between(&self, way: [f64; 2]) -> Option<Along> {
-        let varies = self.shear_stiffness.filter(|along| !along.profile.is_constant());
-        varies.map(|along| along.between(way))
-    }
-}
-
-/// A stiffness that varies along the whole beam holds where no segment says otherwise.
-fn add_where_it_varies(
-    reader: &mut Reader,
-    bending: &Along,
-    whole: &Whole,
-    length: f64,
-    segments: &mut Vec<BeamSegment>,
-) {
-    // A wrong beginning is reported once.
-    let varies = !bending.profile.is_constant() || whole.shear_between([0.0, 1.0]).is_some();
-    if !varies || bending.profile.start() <= 0.0 {
-        return;
-    }
-    for [from, to] in left_out(length, segments.iter().map(|s| (s.from, s.to))) {
-        let way = [from / length, to / length];
-        let own = bending.between(way);
-        let part = Part::BeamSegment(segments.len());
-        reader.places.field(part, "bending_stiffness", &own.field());
-        let shear_stiffness = placed(reader, part, whole.shear_between(way));
-        segments.push(BeamSegment { from, to, bending_stiffness: own.profile, shear_stiffness });
-    }
-}
-
-fn read_segment(
-    reader: &mut Reader,
-    table: &Section,
-    part: Part,
-    whole: &Whole,
-    length: f64,
-) -> (BeamSegment, Option<Shape>) {
-    reader.refuse_unknown(table, &[SEGMENT_KEYS, &shear::KEYS].concat());
-    reader.places.part(part, &table.span);
-    let from = reader.required(table, "from", &POSITION);
-    let to = reader.required(table, "to", &POSITION);
-    let way = [from.value / length, to.value / length];
-    let parent = whole.given.between(way);
-    let (own, shape) = given(reader, table);
-    reader.places.field(part, "from", &from);
-    reader.places.field(part, "to", &to);
-    let modulus = [own.factors[0].as_ref(), parent.factors[0].as_ref()];
-    let above = whole.shear.between(way);
-    let shear = Shear::read(reader, table, modulus, shape.as_ref(), &above);
-    let shear = shear.settle(reader, table, &above);
-    // A segment that says what it resists shear with may bend like the rest.
-    let bends = if shear.is_some() && own.is_empty() { parent.clone() } else { own };
-    let stiffness = bends.resolve(reader, &parent, &STIFFNESS);
-    let stiffness = reader.settle(stiffness, table, &STIFFNESS);
-    reader.places.field(part, "bending_stiffness", &stiffness.field());
-    let shear = shear.or_else(|| whole.shear_between(way));
-    let shear_stiffness = placed(reader, part, shear);
-    let (from, to, bending_stiffness) = (from.value, to.value, stiffness.profile);
-    (BeamSegment { from, to, bending_stiffness, shear_stiffness }, shape)
-}
-
-/// A segment's shear stiffness, and its place remembered.
-fn placed(reader: &mut Reader, part: Part, shear: Option<Along>) -> Option<Profile> {
-    let along = shear?;
-    reader.places.field(part, "shear_stiffness", &along.field());
-    Some(along.profile)
-}
-
 /// What a table says of EI, and its section.
 fn given(reader: &mut Reader, table: &Section) -> (Given, Option<Shape>) {
-    let curve = Values::Curve(Profile::MOST);
-    let product = reader.along(table, "EI", &BENDING_STIFFNESS, curve);
-    let modulus = reader.along(table, "E", &ELASTIC_MODULUS, Values::Linear);
+    let product = reader.along(table, "EI");
+    let modulus = reader.along(table, "E");
     let modulus = modulus.map(|modulus| reader.positive_along("E", modulus));
     let modulus = material::modulus(reader, table, modulus);
-    let inertia = reader.along(table, "I", &SECOND_MOMENT_OF_AREA, Values::Linear);
+    let inertia = reader.along(table, "I");
     let inertia = inertia.map(|inertia| reader.positive_along("I", inertia));
     let shape = shape::read(reader, table);
     let section = shape.as_ref().map(|shape| shape.inertia.clone());

@@ -2,28 +2,46 @@
 
 use crate::code;
 use crate::fault::Fault;
+use crate::keys::{ALSO_WIDTH, Table, quantity};
 use crate::quantity::{RATIO, SETTLEMENT_LIMIT, STRESS_LIMIT, WIDTH};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 use groundbeam::Limits;
 use toml::de::DeValue;
 
-const KEYS: &[&str] =
-    &["bearing_pressure", "width", "settlement", "lifted_share", "eccentricity", "overturning"];
+pub(super) static TABLE: Table = Table {
+    name: "[checks]",
+    keys: &[
+        quantity(
+            "bearing_pressure",
+            &STRESS_LIMIT,
+            "The largest contact pressure, EN 1997-1, 6.5.2.",
+        ),
+        quantity("width", &WIDTH, "The width for it; left out: that of `[foundation]`.")
+            .also(ALSO_WIDTH),
+        quantity("settlement", &SETTLEMENT_LIMIT, "The largest deflection down, EN 1997-1, 6.6."),
+        quantity("lifted_share", &RATIO, "The part of the length that may lift off, 0 to 1."),
+        quantity(
+            "eccentricity",
+            &RATIO,
+            "The distance of the resultant from the middle, as a part of the length or `\"l/6\"`.",
+        ),
+        quantity("overturning", &RATIO, "The least factor of the loads at which the beam tips."),
+    ],
+};
 
 /// The limits of the file.
 /// What the beam bears on is `width`, unless the table says otherwise.
 pub(super) fn read(reader: &mut Reader, root: &Section, width: Option<f64>) -> Limits {
-    let Some(table) = reader.table(root, "checks", "[checks]") else { return Limits::default() };
-    reader.refuse_unknown(&table, KEYS);
-    let mut limit = |key: &'static str, kind| {
-        let field = reader.quantity(&table, key, kind)?;
+    let Some(table) = reader.table(root, "checks") else { return Limits::default() };
+    let mut limit = |key| {
+        let field = reader.quantity(&table, key)?;
         Some(reader.positive(key, field).value)
     };
-    let pressure = limit("bearing_pressure", &STRESS_LIMIT);
-    let own_width = limit("width", &WIDTH);
-    let settlement = limit("settlement", &SETTLEMENT_LIMIT);
-    let overturning = limit("overturning", &RATIO);
+    let pressure = limit("bearing_pressure");
+    let own_width = limit("width");
+    let settlement = limit("settlement");
+    let overturning = limit("overturning");
     let lifted_share = lifted_share(reader, &table);
     let eccentricity = eccentricity(reader, &table);
     let bearing_pressure = pressure.and_then(|pressure| {
@@ -39,7 +57,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section, width: Option<f64>) -> L
 
 /// A part of the length; 0 for a beam that must not lift off at all.
 fn lifted_share(reader: &mut Reader, table: &Section) -> Option<f64> {
-    let share = reader.quantity(table, "lifted_share", &RATIO)?;
+    let share = reader.quantity(table, "lifted_share")?;
     if share.value < 0.0 || share.value > 1.0 {
         let message = "the share of the beam that may lift off is a part of its length, 0 to 1";
         let hint = "lifted_share = 0 for a beam that must not lift off";

@@ -1,22 +1,49 @@
 //! `[[case]]` and `[[combination]]`.
 
+use crate::cases::{self, NO_LOAD};
 use crate::code;
 use crate::combination::{MOST, Recipe};
 use crate::fault::Fault;
-use crate::lists;
+use crate::keys::{Table, Value, key, text};
 use crate::number::Decimal;
 use crate::quantity::{self, REACH};
 use crate::reader::Reader;
 use crate::sets::{self, Acting, Made, Practice, Set};
-use crate::suggest::nearest;
 use crate::table::Section;
 use groundbeam::Load;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-const CASE_KEYS: &[&str] = &["name", "action", "group"];
-const KEYS: &[&str] = &["name", "factors", "set"];
+pub(super) static CASE: Table = Table {
+    name: "[[case]]",
+    keys: &[
+        text("name", "Q", "The name of the case, as loads give it.").needed(),
+        key(
+            "action",
+            Value::Name("imposed B", sets::actions),
+            "The action, in the words of the code.",
+        )
+        .also(&["type", "kind", "category", "nature"]),
+        text("group", "wind", "At most one case of a group acts at a time.")
+            .also(&["exclusive", "alternative"]),
+    ],
+};
+
+pub(super) static TABLE: Table = Table {
+    name: "[[combination]]",
+    keys: &[
+        text("name", "ULS 1", "The name; a set names its combinations."),
+        key("factors", Value::Factors, "The factors of the cases; left out: 0.")
+            .also(&["factor", "coefficients"]),
+        key(
+            "set",
+            Value::Name("EN 1990 6.10", sets::spellings),
+            "A set of combinations of a code of practice.",
+        )
+        .also(&["code", "standard"]),
+    ],
+};
 
 /// What `[[case]]` says of a case.
 struct Described<'a> {
@@ -34,21 +61,16 @@ pub(super) fn read(
     cases: &[Option<String>],
     grounds: usize,
 ) -> Vec<Recipe> {
-    let mut names: Vec<&str> = Vec::new();
-    for case in cases.iter().flatten() {
-        if !case.is_empty() && !names.contains(&case.as_str()) {
-            names.push(case);
-        }
-    }
+    let mut names = cases::names(cases);
+    names.retain(|name| !name.is_empty());
     let described = describe(reader, root, &names);
     let most = MOST / grounds;
     let mut file =
         File { loads, cases, names, described, most, wanting: Vec::new(), made: Vec::new() };
     let mut recipes: Vec<Recipe> = Vec::new();
     let mut taken: Vec<(String, Range<usize>)> = Vec::new();
-    for table in reader.tables(root, &lists::COMBINATION) {
-        reader.refuse_unknown(&table, KEYS);
-        let name = named(reader, &table, "ULS 1", &mut taken);
+    for table in reader.tables(root, "combination") {
+        let name = named(reader, &table, &mut taken);
         match (table.value("set"), table.value("factors")) {
             (Some(set), None) => {
                 if let Some((_, span)) = &name {
@@ -93,24 +115,16 @@ fn describe<'a>(reader: &mut Reader, root: &Section<'a>, names: &[&str]) -> Vec<
     let mut described = Vec::new();
     let mut taken = Vec::new();
     let actions = sets::actions();
-    for table in reader.tables(root, &lists::CASE) {
-        reader.refuse_unknown(&table, CASE_KEYS);
-        let name = named(reader, &table, "Q", &mut taken);
-        if table.value("name").is_none() {
-            reader.missing(&table, &["name"], "name", "name = \"Q\"");
-        }
-        let action = reader.words(&table, "action", "imposed B");
-        if let Some((action, span)) = &action
+    for table in reader.tables(root, "case") {
+        let name = named(reader, &table, &mut taken);
+        let action = reader.text(&table, "action");
+        if let Some(word @ (action, _)) = &action
             && !actions.contains(action)
         {
-            let message = format!("`{action}` is no action that a code of practice knows");
-            let hint = match nearest(action, actions.iter().copied()) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!("the actions: {}", actions.join(", ")),
-            };
-            reader.report(Fault::new(code::UNKNOWN_WORD, span.clone(), message, "", hint));
+            let message = "`{}` is no action that a code of practice knows";
+            reader.unknown_word(word.clone(), message, &actions, "the actions: {}");
         }
-        let group = reader.words(&table, "group", "wind").map(|(group, _)| group.trim());
+        let group = reader.text(&table, "group").map(|(group, _)| group.trim());
         let Some((name, span)) = name else { continue };
         if !names.contains(&name) {
             unknown_case(reader, name, span, names);
@@ -124,20 +138,19 @@ fn describe<'a>(reader: &mut Reader, root: &Section<'a>, names: &[&str]) -> Vec<
 fn named<'a>(
     reader: &mut Reader,
     table: &Section<'a>,
-    example: &str,
     taken: &mut Vec<(String, Range<usize>)>,
 ) -> Option<(&'a str, Range<usize>)> {
-    let (name, span) = reader.words(table, "name", example)?;
+    let (name, span) = reader.text(table, "name")?;
     let name = name.trim();
     if name.is_empty() {
-        let message = format!("the name of {} is empty", table.name);
-        let hint = format!("write a name, as in name = \"{example}\"");
+        let message = format!("the name of {} is empty", table.name());
+        let hint = format!("write a name, as in {}", reader.line(table.keys, "name"));
         reader.report(Fault::new(code::EMPTY_NAME, span, message, "", hint));
         return None;
     }
     match taken.iter().find(|(other, _)| other == name) {
         Some((_, first)) => {
-            let message = format!("two {} are called `{name}`", table.name);
+            let message = format!("two {} are called `{name}`", table.name());
             let hint = "give each a name of its own";
             let fault = Fault::new(code::REPEATED, span.clone(), message, "", hint);
             reader.report_with(fault, first.clone(), "the first of them");
@@ -148,15 +161,7 @@ fn named<'a>(
 }
 
 fn unknown_case(reader: &mut Reader, name: &str, span: Range<usize>, names: &[&str]) {
-    let message = format!("no load belongs to a case `{name}`");
-    let hint = match nearest(name, names.iter().copied()) {
-        Some(meant) => format!("did you mean `{meant}`?"),
-        None if names.is_empty() => {
-            "no load of the file has a `case`; give one to those that are meant".to_owned()
-        }
-        None => format!("the cases of the file: {}", names.join(", ")),
-    };
-    reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
+    reader.unknown_word((name, span), NO_LOAD, names, cases::otherwise(names));
 }
 
 /// What combinations are made of.
@@ -207,15 +212,10 @@ impl<'a> File<'a> {
 
     /// The combinations of a set.
     fn make(&mut self, reader: &mut Reader, table: &Section, recipes: &mut Vec<Recipe>) {
-        let Some((written, span)) = reader.words(table, "set", "EN 1990 6.10") else { return };
+        let Some((written, span)) = reader.text(table, "set") else { return };
         let Some((practice, set)) = sets::find(written.trim()) else {
-            let message = format!("there is no set of combinations `{written}`");
-            let known = sets::names();
-            let hint = match nearest(written, known.iter().copied()) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!("the sets: {}", known.join(", ")),
-            };
-            reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
+            let message = "there is no set of combinations `{}`";
+            reader.unknown_word((written, span), message, &sets::names(), "the sets: {}");
             return;
         };
         let Some(acting) = self.acting(reader, practice, set, &span) else { return };

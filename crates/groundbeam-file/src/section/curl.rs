@@ -4,7 +4,6 @@ use super::beam::OwnLoad;
 use crate::code;
 use crate::fault::Fault;
 use crate::profile::{Along, left_out};
-use crate::quantity::{CAMBER, DEPTH, EXPANSION};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 use groundbeam::Load;
@@ -53,19 +52,19 @@ pub(super) fn curvature_per(
     if let (None, Some(expansion)) = (table.value("expansion"), curls.expansion) {
         return expansion / depth;
     }
-    let expansion = reader.required(table, "expansion", &EXPANSION);
+    let expansion = reader.required(table, "expansion");
     reader.positive("expansion", expansion).value / depth
 }
 
 /// The depth given beside the difference, or that of the section all along the stretch.
 fn depth(reader: &mut Reader, table: &Section, [from, to]: [f64; 2], depths: &[Depth]) -> f64 {
-    if let Some(depth) = reader.quantity(table, "depth", &DEPTH) {
+    if let Some(depth) = reader.quantity(table, "depth") {
         return reader.positive("depth", depth).value;
     }
     let under = depths.iter().filter(|d| d.from < to && from < d.to);
     let known: Option<Vec<&Along>> = under.map(|d| d.depth.as_ref()).collect();
     let Some(known) = known.filter(|known| !known.is_empty()) else {
-        let depth = reader.line("depth", &DEPTH);
+        let depth = reader.line(table.keys, "depth");
         let message = "the depth of the beam's section is not known all along this load";
         let hint = format!("add {depth} here, or give the beam a `section`");
         let fault = Fault::new(code::INCOMPLETE, table.span.clone(), message, "", hint);
@@ -90,7 +89,7 @@ fn depth(reader: &mut Reader, table: &Section, [from, to]: [f64; 2], depths: &[D
 
 /// The curvature of a camber: a parabola that rises by it at mid-length, w = −4 c x (l − x)/l².
 pub(super) fn camber(reader: &mut Reader, table: &Section, length: f64) -> Option<OwnLoad> {
-    let Field { value: camber, span } = reader.quantity(table, "camber", &CAMBER)?;
+    let Field { value: camber, span } = reader.quantity(table, "camber")?;
     let known = !camber.is_nan() && length > 0.0;
     let load = || Load::uniform_curvature(0.0, length, 8.0 * camber / (length * length));
     known.then(|| OwnLoad { load: load(), case: None, span })

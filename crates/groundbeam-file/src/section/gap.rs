@@ -6,14 +6,24 @@ use super::trough::{MOST_CHORDS, Trough, sunk};
 use crate::band::Band;
 use crate::code;
 use crate::fault::Fault;
-use crate::lists;
+use crate::keys::{ALSO_AT, Table, quantity};
 use crate::quantity::{CLEARANCE, POSITION};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 use groundbeam::model::Part;
 use groundbeam::{GapPoint, Model};
 
-const KEYS: &[&str] = &["at", "value"];
+pub(super) static TABLE: Table = Table {
+    name: "[[gap]]",
+    keys: &[
+        quantity("at", &POSITION, "The position of a corner on the beam.").needed().also(ALSO_AT),
+        quantity("value", &CLEARANCE, "The clearance there, positive open.").needed().also(&[
+            "gap",
+            "clearance",
+            "size",
+        ]),
+    ],
+};
 
 /// Gives the model its initial gap: the corners of the file, or those of a survey, and the troughs added to them.
 /// Returns the number of chords if there are troughs. `pressures` are the mean loads of all answers asked for.
@@ -25,7 +35,7 @@ pub(super) fn read(
     pressures: impl Iterator<Item = f64>,
 ) -> Option<usize> {
     model.gap = given(reader, root, model.beam.length);
-    let tables = reader.tables(root, &lists::GAP_TROUGH);
+    let tables = reader.tables(root, "gap_trough");
     let troughs: Vec<Trough> = tables.iter().map(|table| Trough::read(reader, table)).collect();
     let first = tables.first()?;
     if !troughs.iter().all(Trough::is_readable) || !model.problems().is_empty() {
@@ -53,7 +63,7 @@ pub(super) fn read(
 
 fn given(reader: &mut Reader, root: &Section, length: f64) -> Vec<GapPoint> {
     let gap = corners(reader, root);
-    let Some(table) = reader.table(root, "gap_survey", "[gap_survey]") else { return gap };
+    let Some(table) = reader.table(root, "gap_survey") else { return gap };
     if let Some((name, _)) = root.table.get_key_value("gap") {
         let hint = "give the gap's corners, or the survey from which they follow";
         reader.exclusive(("gap", &name.span()), ("gap_survey", &table.span), hint);
@@ -64,18 +74,10 @@ fn given(reader: &mut Reader, root: &Section, length: f64) -> Vec<GapPoint> {
 }
 
 fn corners(reader: &mut Reader, root: &Section) -> Vec<GapPoint> {
-    let tables = reader.tables(root, &lists::GAP);
-    let mut gap = Vec::new();
-    for (i, table) in tables.iter().enumerate() {
-        reader.refuse_unknown(table, KEYS);
-        reader.places.part(Part::Gap(i), &table.span);
-        let at = reader.required(table, "at", &POSITION);
-        let value = reader.required(table, "value", &CLEARANCE);
-        reader.places.field(Part::Gap(i), "at", &at);
-        reader.places.field(Part::Gap(i), "value", &value);
-        gap.push(GapPoint { at: at.value, value: value.value });
-    }
-    gap
+    let tables = reader.parts(root, "gap", Part::Gap);
+    let mut number = |table, key| reader.required(table, key).value;
+    let corner = |table| GapPoint { at: number(table, "at"), value: number(table, "value") };
+    tables.iter().map(corner).collect()
 }
 
 /// What is wrong with a corner that the file does not list stands where it was made.

@@ -1,29 +1,27 @@
 //! `[[hinge]]`.
 
-use crate::lists;
+use crate::keys::{ALSO_AT, Table, quantity};
 use crate::quantity::{POSITION, ROTATIONAL_SPRING};
 use crate::reader::Reader;
 use crate::table::Section;
 use groundbeam::Hinge;
 use groundbeam::model::Part;
 
-const KEYS: &[&str] = &["at", "rotational_spring"];
+pub(super) static TABLE: Table = Table {
+    name: "[[hinge]]",
+    keys: &[
+        quantity("at", &POSITION, "The position on the beam.").needed().also(ALSO_AT),
+        quantity("rotational_spring", &ROTATIONAL_SPRING, "Its spring; left out: 0, a free hinge.")
+            .also(&["k_r", "kr", "rotation", "rotational"]),
+    ],
+};
 
 pub(super) fn read(reader: &mut Reader, root: &Section) -> Vec<Hinge> {
-    let tables = reader.tables(root, &lists::HINGE);
     let mut hinges = Vec::new();
-    for (i, table) in tables.iter().enumerate() {
-        let part = Part::Hinge(i);
-        reader.refuse_unknown(table, KEYS);
-        reader.places.part(part, &table.span);
-        let at = reader.required(table, "at", &POSITION);
-        reader.places.field(part, "at", &at);
-        let spring = reader.quantity(table, "rotational_spring", &ROTATIONAL_SPRING);
-        if let Some(spring) = &spring {
-            reader.places.field(part, "rotational_spring", spring);
-        }
-        let rotational_spring = spring.map_or(0.0, |spring| spring.value);
-        hinges.push(Hinge { at: at.value, rotational_spring });
+    for table in reader.parts(root, "hinge", Part::Hinge) {
+        let at = reader.required(&table, "at").value;
+        let spring = reader.quantity(&table, "rotational_spring");
+        hinges.push(Hinge { at, rotational_spring: spring.map_or(0.0, |spring| spring.value) });
     }
     hinges
 }

@@ -4,10 +4,10 @@ use super::curl;
 use super::curl::Curls;
 use crate::code;
 use crate::fault::Fault;
-use crate::lists;
+use crate::keys::{ALSO_AT, ALSO_FROM, ALSO_TO, Key, Table, Value, along, quantity, text};
 use crate::quantity::{
-    CURVATURE, FORCE, GROUND_POSITION, Kind, LOAD_PER_LENGTH, MOMENT, MOMENT_PER_LENGTH, POSITION,
-    STRAIN, TEMPERATURE,
+    CURVATURE, DEPTH, EXPANSION, FORCE, GROUND_POSITION, LOAD_PER_LENGTH, MOMENT,
+    MOMENT_PER_LENGTH, POSITION, STRAIN, TEMPERATURE,
 };
 use crate::reader::{Field, Reader};
 use crate::table::Section;
@@ -16,86 +16,110 @@ use groundbeam::{Action, Extent, Load};
 use toml::Spanned;
 use toml::de::DeValue;
 
-/// A kind of load: its key, the quantity of its size, and the load of the model that it makes.
+/// A kind of load: its key, which says the quantity of its size, and the load of the model that it makes.
 pub(crate) struct LoadKind {
-    pub key: &'static str,
-    pub wanted: &'static Kind,
+    pub key: Key,
     /// The SI unit in which it is written.
     pub unit: &'static str,
     action: Action,
-    is_distributed: bool,
-    /// Whether it may act on the ground as well.
-    on_ground: bool,
-}
-
-const fn point(
-    key: &'static str,
-    wanted: &'static Kind,
-    unit: &'static str,
-    action: Action,
-) -> LoadKind {
-    LoadKind { key, wanted, unit, action, is_distributed: false, on_ground: false }
-}
-
-const fn distributed(
-    key: &'static str,
-    wanted: &'static Kind,
-    unit: &'static str,
-    action: Action,
-) -> LoadKind {
-    LoadKind { is_distributed: true, ..point(key, wanted, unit, action) }
 }
 
 /// Every kind, in the order in which messages list them. Of kinds with the same action and extent the first one is written.
 static KINDS: [LoadKind; 7] = [
-    LoadKind { on_ground: true, ..point("point", &FORCE, "N", Action::Force) },
-    point("moment", &MOMENT, "N m", Action::Moment),
-    LoadKind {
-        on_ground: true,
-        ..distributed("distributed", &LOAD_PER_LENGTH, "N/m", Action::Force)
-    },
-    distributed("distributed_moment", &MOMENT_PER_LENGTH, "N m/m", Action::Moment),
-    distributed("curvature", &CURVATURE, "1/m", Action::Curvature),
-    distributed("temperature_difference", &TEMPERATURE, "K", Action::Curvature),
-    distributed("shrinkage_difference", &STRAIN, "", Action::Curvature),
+    LoadKind { key: POINT, unit: "N", action: Action::Force },
+    LoadKind { key: MOMENT_AT, unit: "N m", action: Action::Moment },
+    LoadKind { key: DISTRIBUTED, unit: "N/m", action: Action::Force },
+    LoadKind { key: DISTRIBUTED_MOMENT, unit: "N m/m", action: Action::Moment },
+    LoadKind { key: IMPOSED, unit: "1/m", action: Action::Curvature },
+    LoadKind { key: WARMER, unit: "K", action: Action::Curvature },
+    LoadKind { key: SHRUNK, unit: "", action: Action::Curvature },
 ];
+
+const POINT: Key = quantity("point", &FORCE, "A force at a point, down positive.").also(&[
+    "f",
+    "p",
+    "force",
+    "value",
+    "point_load",
+    "magnitude",
+]);
+const MOMENT_AT: Key =
+    quantity("moment", &MOMENT, "A moment at a point; positive turns the right side down.")
+        .also(&["m", "couple"]);
+const DISTRIBUTED: Key =
+    along("distributed", &LOAD_PER_LENGTH, 2, "A distributed force, down positive.").also(&[
+        "q",
+        "w",
+        "uniform",
+        "line",
+        "distributed_load",
+    ]);
+const DISTRIBUTED_MOMENT: Key =
+    along("distributed_moment", &MOMENT_PER_LENGTH, 2, "A distributed moment.")
+        .also(&["line_moment"]);
+const IMPOSED: Key =
+    along("curvature", &CURVATURE, 2, "An imposed curvature κ₀; positive bends the ends down.");
+const WARMER: Key = along(
+    "temperature_difference",
+    &TEMPERATURE,
+    2,
+    "Top less bottom: κ₀ = expansion × difference / depth.",
+);
+const SHRUNK: Key =
+    along("shrinkage_difference", &STRAIN, 2, "Top less bottom: κ₀ = −difference / depth.");
+
+impl LoadKind {
+    fn is_distributed(&self) -> bool {
+        matches!(self.key.value, Value::Along(..))
+    }
+}
+
+const CASE: Key =
+    text("case", "Q", "The load case to which it belongs: any name.").also(&["load_case"]);
+
+pub(super) static TABLE: Table = Table {
+    name: "[[load]]",
+    keys: &[
+        POINT,
+        MOMENT_AT,
+        DISTRIBUTED,
+        DISTRIBUTED_MOMENT,
+        IMPOSED,
+        WARMER,
+        SHRUNK,
+        quantity(
+            "expansion",
+            &EXPANSION,
+            "Strain per temperature; left out: that of the `material`.",
+        ),
+        quantity("depth", &DEPTH, "The depth of the beam; left out: that of its `section`."),
+        quantity("at", &POSITION, "The position of a load at a point.").also(ALSO_AT),
+        quantity("from", &POSITION, "Where a distributed load begins; left out: 0.")
+            .also(ALSO_FROM),
+        quantity("to", &POSITION, "Where it ends; left out: the length of the beam.").also(ALSO_TO),
+        CASE,
+    ],
+};
+
+pub(super) static ON_GROUND: Table = Table {
+    name: "[[ground_load]]",
+    keys: &[
+        POINT,
+        DISTRIBUTED,
+        quantity("at", &GROUND_POSITION, "The position of a force at a point.").also(ALSO_AT),
+        quantity("from", &GROUND_POSITION, "Where a distributed force begins.").also(ALSO_FROM),
+        quantity("to", &GROUND_POSITION, "Where it ends.").also(ALSO_TO),
+        CASE,
+    ],
+};
 
 /// The kind of a load of the model.
 pub(crate) fn kind_of(load: &Load) -> &'static LoadKind {
     let is_distributed = load.extent().is_distributed();
     let same =
-        |kind: &&LoadKind| kind.action == load.action() && kind.is_distributed == is_distributed;
+        |kind: &&LoadKind| kind.action == load.action() && kind.is_distributed() == is_distributed;
     KINDS.iter().find(same).unwrap_or(&KINDS[0])
 }
-
-/// What is special to a list of loads.
-struct List {
-    title: &'static str,
-    on_ground: bool,
-    /// The quantity of a position.
-    position: &'static Kind,
-    /// Keys besides those of kinds and places.
-    others: &'static [&'static str],
-    /// What is said where a load has no kind.
-    none: &'static str,
-}
-
-const ON_BEAM: List = List {
-    title: "[[load]]",
-    on_ground: false,
-    position: &POSITION,
-    others: &["expansion", "depth"],
-    none: "force, moment or curvature",
-};
-const ON_GROUND: List = List {
-    title: "[[ground_load]]",
-    on_ground: true,
-    position: &GROUND_POSITION,
-    others: &[],
-    none: "force",
-};
-
-const PLACES: [&str; 4] = ["at", "from", "to", "case"];
 
 /// The loads, and beside each the load case it belongs to.
 pub(super) fn read(
@@ -104,11 +128,11 @@ pub(super) fn read(
     beam_length: f64,
     curls: &Curls,
 ) -> (Vec<Load>, Vec<Option<String>>) {
-    let tables = reader.tables(root, &lists::LOAD);
+    let tables = reader.parts(root, "load", Part::Load);
     let mut loads = Vec::new();
     let mut cases = Vec::new();
-    for (i, table) in tables.iter().enumerate() {
-        loads.push(read_one(reader, table, &ON_BEAM, Part::Load(i), beam_length, curls));
+    for table in &tables {
+        loads.push(read_one(reader, table, beam_length, curls));
         cases.push(case(reader, table));
     }
     (loads, cases)
@@ -116,7 +140,7 @@ pub(super) fn read(
 
 /// The name of a load case, without the spaces around it.
 fn case(reader: &mut Reader, table: &Section) -> Option<String> {
-    let (name, span) = reader.words(table, "case", "Q")?;
+    let (name, span) = reader.text(table, "case")?;
     let name = name.trim();
     if name.is_empty() {
         let message = "the load case has no name";
@@ -132,74 +156,71 @@ pub(super) fn read_on_ground(
     root: &Section,
     first: usize,
 ) -> Vec<(Load, Option<String>)> {
-    let tables = reader.tables(root, &lists::GROUND_LOAD);
+    let tables = reader.parts(root, "ground_load", |i| Part::Load(first + i));
     let mut loads = Vec::new();
-    for (i, table) in tables.iter().enumerate() {
-        let part = Part::Load(first + i);
-        let load = read_one(reader, table, &ON_GROUND, part, f64::NAN, &Curls::default());
+    for table in &tables {
+        let load = read_one(reader, table, f64::NAN, &Curls::default());
         loads.push((load, case(reader, table)));
     }
     loads
 }
 
-fn read_one(
-    reader: &mut Reader,
-    table: &Section,
-    list: &List,
-    part: Part,
-    beam_length: f64,
-    curls: &Curls,
-) -> Load {
-    let kinds = || KINDS.iter().filter(|kind| kind.on_ground || !list.on_ground);
-    let names: Vec<&str> = kinds().map(|kind| kind.key).collect();
-    reader.refuse_unknown(table, &[&names[..], list.others, &PLACES].concat());
-    reader.places.part(part, &table.span);
+fn read_one(reader: &mut Reader, table: &Section, beam_length: f64, curls: &Curls) -> Load {
+    let on_ground = std::ptr::eq(table.keys, &ON_GROUND);
+    let keys = table.keys.names();
+    let kinds = || KINDS.iter().filter(|kind| keys.contains(&kind.key.name));
+    let names: Vec<&str> = kinds().map(|kind| kind.key.name).collect();
     let mut given: Vec<(&LoadKind, &Spanned<DeValue>)> =
-        kinds().filter_map(|kind| Some((kind, table.value(kind.key)?))).collect();
+        kinds().filter_map(|kind| Some((kind, table.value(kind.key.name)?))).collect();
     given.sort_by_key(|(_, value)| value.span().start);
     let Some(&(kind, value)) = given.first() else {
-        let example = match list.on_ground {
-            true => names.join(" or "),
-            false => format!("one of {}", names.join(", ")),
+        let (none, example) = match on_ground {
+            true => ("force", names.join(" or ")),
+            false => ("force, moment or curvature", format!("one of {}", names.join(", "))),
         };
-        reader.missing(table, &names, list.none, &example);
-        return nothing(reader, part, table);
+        reader.missing(table, &names, none, &example);
+        return nothing(reader, table);
     };
     for (other, other_value) in &given[1..] {
-        let hint = format!("give each load a {} of its own", list.title);
-        reader.exclusive((kind.key, &value.span()), (other.key, &other_value.span()), &hint);
+        let hint = format!("give each load a {} of its own", table.name());
+        reader.exclusive(
+            (kind.key.name, &value.span()),
+            (other.key.name, &other_value.span()),
+            &hint,
+        );
     }
-    if !list.on_ground {
-        refuse_keys_of_curvatures(reader, table, kind.key);
+    if !on_ground {
+        refuse_keys_of_curvatures(reader, table, kind.key.name);
     }
-    let extent = if kind.is_distributed {
-        let [from, to] = stretch(reader, table, part, kind, list, beam_length);
-        let (start, end) = intensity(reader, part, kind.key, value, kind.wanted);
+    let extent = if kind.is_distributed() {
+        let [from, to] = stretch(reader, table, kind, on_ground, beam_length);
+        let (start, end) = intensity(reader, table, kind, value);
         // What is missing has been reported.
         let per = match kind.action {
-            Action::Curvature => curl::curvature_per(reader, table, kind.key, [from, to], curls),
+            Action::Curvature => {
+                curl::curvature_per(reader, table, kind.key.name, [from, to], curls)
+            }
             _ => 1.0,
         };
         let [start, end] = [start, end].map(|value| if per.is_nan() { 0.0 } else { per * value });
         Extent::Distributed { from, to, start, end }
     } else {
-        misplaced(reader, table, kind.key, &["from", "to"], "a load at a point has `at`");
-        let at = reader.required(table, "at", list.position);
-        reader.places.field(part, "at", &at);
-        let size = reader.field(kind.key, value, kind.wanted);
+        misplaced(reader, table, kind.key.name, &["from", "to"], "a load at a point has `at`");
+        let at = reader.required(table, "at");
+        let size = reader.field(kind.key.name, value, kind.key.kind());
         let name = if kind.action == Action::Moment { "moment" } else { "force" };
-        reader.places.field(part, name, &size);
+        reader.place(table, name, &size);
         Extent::Point { at: at.value, size: size.value }
     };
     // Every kind of the table is a load.
-    Load::new(kind.action, extent, list.on_ground).unwrap_or_else(|| nothing(reader, part, table))
+    Load::new(kind.action, extent, on_ground).unwrap_or_else(|| nothing(reader, table))
 }
 
 /// Keeps the place of a load of unknown kind in the list, so that those after it keep theirs.
-fn nothing(reader: &mut Reader, part: Part, table: &Section) -> Load {
+fn nothing(reader: &mut Reader, table: &Section) -> Load {
     let unreadable = Field::unreadable(table.span.clone());
-    reader.places.field(part, "at", &unreadable);
-    reader.places.field(part, "force", &unreadable);
+    reader.place(table, "at", &unreadable);
+    reader.place(table, "force", &unreadable);
     Load::point_force(f64::NAN, f64::NAN)
 }
 
@@ -207,26 +228,27 @@ fn nothing(reader: &mut Reader, part: Part, table: &Section) -> Load {
 fn stretch(
     reader: &mut Reader,
     table: &Section,
-    part: Part,
     kind: &LoadKind,
-    list: &List,
+    on_ground: bool,
     beam_length: f64,
 ) -> [f64; 2] {
-    let advice = match list.on_ground {
+    let advice = match on_ground {
         true => "a distributed load has `from` and `to`",
         false => {
             "a distributed load has `from` and `to`, or neither: then it covers the whole beam"
         }
     };
-    misplaced(reader, table, kind.key, &["at"], advice);
+    misplaced(reader, table, kind.key.name, &["at"], advice);
     [("from", 0.0), ("to", beam_length)].map(|(key, default)| {
-        let field = if list.on_ground {
-            reader.required(table, key, list.position)
-        } else {
-            let field = reader.quantity(table, key, list.position);
-            field.unwrap_or_else(|| Field::new(default, table.span.clone()))
-        };
-        reader.places.field(part, key, &field);
+        if on_ground {
+            return reader.required(table, key).value;
+        }
+        let field = reader.quantity(table, key).unwrap_or_else(|| {
+            // Without a readable length of the beam it is not readable either.
+            let whole = Field::new(default, table.span.clone());
+            reader.place(table, key, &whole);
+            whole
+        });
         field.value
     })
 }
@@ -234,11 +256,11 @@ fn stretch(
 /// One number for an even load, or a list of two: at `from` and at `to`.
 fn intensity(
     reader: &mut Reader,
-    part: Part,
-    kind: &str,
+    table: &Section,
+    kind: &LoadKind,
     value: &Spanned<DeValue>,
-    wanted: &'static Kind,
 ) -> (f64, f64) {
+    let (kind, wanted) = (kind.key.name, kind.key.kind());
     let (start, end) = match value.get_ref() {
         DeValue::Array(array) => match &array[..] {
             [start, end] => (reader.field(kind, start, wanted), reader.field(kind, end, wanted)),
@@ -259,8 +281,8 @@ fn intensity(
             (even.clone(), even)
         }
     };
-    reader.places.field(part, "start", &start);
-    reader.places.field(part, "end", &end);
+    reader.place(table, "start", &start);
+    reader.place(table, "end", &end);
     (start.value, end.value)
 }
 

@@ -6,7 +6,7 @@ use crate::materials::{self, Material};
 use crate::profile::Along;
 use crate::quantity::ELASTIC_MODULUS;
 use crate::reader::Reader;
-use crate::suggest::nearest;
+use crate::suggest;
 use crate::table::Section;
 use crate::units::Seen;
 use groundbeam::Profile;
@@ -36,22 +36,17 @@ pub(super) fn modulus(reader: &mut Reader, table: &Section, given: Option<Along>
 
 /// The material that `table` names; a name that is not known is reported.
 fn named(reader: &mut Reader, table: &Section) -> Option<&'static Material> {
-    let (written, span) = reader.words(table, "material", "C30/37")?;
+    let (written, span) = reader.text(table, "material")?;
     let name = written.trim();
     let found = materials::find(name);
     if found.is_none() {
-        let all = materials::materials();
-        let hint = match (
-            materials::holding(name).as_slice(),
-            nearest(name, all.iter().map(|m| &*m.name)),
-        ) {
-            ([], Some(meant)) => format!("did you mean `{meant}`?"),
-            ([], None) => {
-                "materials: C12/15 to C90/105, S235 to S460, R200 to R350LHT, timber C14 to C50, \
-                           GL20h to GL32c; for others give `E`"
-                    .to_owned()
-            }
-            (several, _) => format!("did you mean `{}`?", several.join("` or `")),
+        let all: Vec<&str> = materials::materials().iter().map(|m| &*m.name).collect();
+        let families = "materials: C12/15 to C90/105, S235 to S460, R200 to R350LHT, \
+                        timber C14 to C50, GL20h to GL32c; for others give `E`";
+        let hint = match materials::holding(name).as_slice() {
+            [] => suggest::nearest(name, all)
+                .map_or(families.to_owned(), |meant| format!("did you mean `{meant}`?")),
+            several => format!("did you mean `{}`?", several.join("` or `")),
         };
         let message = format!("the material `{written}` is not known");
         reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));

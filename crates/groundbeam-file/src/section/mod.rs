@@ -11,6 +11,7 @@ mod gap;
 mod hinge;
 pub(crate) mod load;
 mod material;
+mod segments;
 mod shape;
 mod shear;
 pub(crate) mod soil;
@@ -22,28 +23,51 @@ mod weight;
 
 use crate::combination::Recipe;
 use crate::document::MovingTrain;
+use crate::keys::{Table, table, tables, text};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 use curl::Curls;
 use groundbeam::model::Part;
 use groundbeam::{Limits, Model};
 
-const TABLES: &[&str] = &[
-    "title",
-    "beam",
-    "foundation",
-    "load",
-    "ground_load",
-    "support",
-    "hinge",
-    "gap",
-    "gap_survey",
-    "gap_trough",
-    "case",
-    "combination",
-    "train",
-    "checks",
-];
+/// The tables of a model file.
+pub(crate) static MODEL: Table = Table {
+    name: "the file",
+    keys: &[
+        text("title", "Strip footing", "The title of reports and pictures."),
+        table("beam", &beam::TABLE, "The beam.").needed().also(&["bar", "girder", "member"]),
+        table("foundation", &foundation::TABLE, "The ground under the beam.")
+            .needed()
+            .also(&["ground", "soil", "subgrade", "bed"]),
+        tables("load", &load::TABLE, "A load on the beam.").also(&["force", "forces", "action"]),
+        tables("ground_load", &load::ON_GROUND, "A load on the ground."),
+        tables("support", &support::TABLE, "A support of the beam.")
+            .also(&["bearing", "constraint"]),
+        tables("hinge", &hinge::TABLE, "A joint inside the beam.").also(&[
+            "joint",
+            "internal_hinge",
+            "release",
+        ]),
+        tables("gap", &gap::TABLE, "A corner of the clearance before loading.")
+            .also(&["clearance", "initial_gap"]),
+        table("gap_survey", &survey::TABLE, "The clearance from a table in a file."),
+        tables("gap_trough", &trough::TABLE, "A settlement trough of the ground."),
+        tables("case", &combination::CASE, "A load case, for sets of combinations.")
+            .also(&["load_case"]),
+        tables("combination", &combination::TABLE, "A combination of load cases.").also(&[
+            "load_combination",
+            "combinations",
+            "combo",
+        ]),
+        tables("train", &train::TABLE, "A train that moves along the beam.").also(&[
+            "moving_load",
+            "vehicle",
+            "trains",
+            "axle_train",
+        ]),
+        table("checks", &checks::TABLE, "The limits of a design."),
+    ],
+};
 
 /// The whole file, as far as it could be read.
 pub(crate) struct Contents {
@@ -63,8 +87,8 @@ pub(crate) use foundation::Ground;
 
 /// Reads the whole file.
 pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
-    reader.refuse_unknown(root, TABLES);
-    let title = reader.words(root, "title", "Strip footing").map(|(title, _)| title.to_owned());
+    reader.refuse_unknown(root);
+    let title = reader.text(root, "title").map(|(title, _)| title.to_owned());
     let beam::Read { beam, loads: own, depths, expansion } = beam::read(reader, root);
     let ground = foundation::read(reader, root, &beam);
     let curls = Curls { depths, expansion };

@@ -6,15 +6,39 @@
 
 use crate::code;
 use crate::fault::Fault;
-use crate::profile::{Along, Values};
+use crate::keys::{ALSO_WIDTH, Table, Value, Words, key, text, word};
+use crate::profile::Along;
 use crate::quantity::{SECOND_MOMENT_OF_AREA, WIDTH};
 use crate::reader::Reader;
-use crate::suggest::nearest;
 use crate::table::Section;
 use crate::units::Seen;
 use groundbeam::Profile;
 use std::f64::consts::PI;
 use std::ops::Range;
+
+static SHAPES: Words = Words {
+    all: || KINDS.iter().map(|kind| kind.name).chain(["rectangle"]).collect(),
+    also: &[],
+    message: "`{}` is no shape of a section",
+    hint: "shapes: {}",
+};
+
+const SIDE: Value = Value::Along(&WIDTH, 2);
+
+/// The keys of all shapes.
+pub(super) static TABLE: Table = Table {
+    name: "section",
+    keys: &[
+        word("shape", &SHAPES, "The shape; left out: a rectangle of `width` and `height`."),
+        key("width", SIDE, "The width of a rectangle, box, I or T.").also(ALSO_WIDTH),
+        key("height", SIDE, "The height of a rectangle, box, I or T.").also(&["h", "d", "depth"]),
+        key("diameter", SIDE, "The diameter of a circle or tube."),
+        key("wall", SIDE, "The wall of a tube or box."),
+        key("flange", SIDE, "The thickness of a flange of an I or T."),
+        key("web", SIDE, "The thickness of the web of an I or T."),
+        text("rail", "60E1", "A rolled rail: `60E1`, `54E1`, `136RE`."),
+    ],
+};
 
 /// What a cross section is to a beam.
 #[derive(Debug, Clone)]
@@ -148,36 +172,29 @@ const INCH: f64 = 0.0254;
 
 /// The cross section that `table` gives, if it gives one.
 pub(super) fn read(reader: &mut Reader, table: &Section) -> Option<Shape> {
-    let Some(section) = reader.table(table, "section", "section") else {
+    let Some(section) = reader.open(table, "section") else {
         // Of the wrong type, and reported: as if given, to keep "I is missing" out.
         return table.value("section").map(|value| Shape::unreadable(value.span()));
     };
     if section.value("rail").is_some() {
-        reader.refuse_unknown(&section, &["rail"]);
+        reader.refuse_all_but(&section, &["rail"]);
         return Some(rail(reader, &section));
     }
-    let Some((name, span)) = reader.words(&section, "shape", "T") else {
-        return Some(rectangle(reader, &section));
+    let Some(name) = reader.word(&section, "shape") else {
+        return Some(match section.value("shape") {
+            Some(_) => Shape::unreadable(section.span),
+            None => rectangle(reader, &section),
+        });
     };
-    let names: Vec<&str> = KINDS.iter().map(|kind| kind.name).chain(["rectangle"]).collect();
-    match KINDS.iter().find(|kind| kind.name == name) {
-        Some(kind) => Some(by_sides(reader, &section, kind)),
-        None if name == "rectangle" => Some(rectangle(reader, &section)),
-        None => {
-            let hint = match nearest(name, names.iter().copied()) {
-                Some(meant) => format!("did you mean \"{meant}\"?"),
-                None => format!("shapes: {}", names.join(", ")),
-            };
-            let message = format!("`{name}` is no shape of a section");
-            reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
-            Some(Shape::unreadable(section.span))
-        }
-    }
+    Some(match KINDS.iter().find(|kind| kind.name == name) {
+        Some(kind) => by_sides(reader, &section, kind),
+        None => rectangle(reader, &section),
+    })
 }
 
 /// A = b h and I = b h³ / 12; both sides may run from one value to another.
 fn rectangle(reader: &mut Reader, section: &Section) -> Shape {
-    reader.refuse_unknown(section, &["shape", "width", "height"]);
+    reader.refuse_all_but(section, &["shape", "width", "height"]);
     let [width, height] = ["width", "height"].map(|key| side(reader, section, key));
     let span = section.span.clone();
     if width.profile.is_constant() && height.profile.is_constant() {
@@ -195,7 +212,7 @@ fn rectangle(reader: &mut Reader, section: &Section) -> Shape {
 /// A shape by its sides, each of which may run from one value to another.
 fn by_sides(reader: &mut Reader, section: &Section, kind: &Kind) -> Shape {
     let keys: Vec<&str> = ["shape"].into_iter().chain(kind.sides.iter().copied()).collect();
-    reader.refuse_unknown(section, &keys);
+    reader.refuse_all_but(section, &keys);
     let side = |key: &&'static str| side(reader, section, key);
     let sides: Vec<Along> = kind.sides.iter().map(side).collect();
     let span = section.span.clone();
@@ -236,10 +253,10 @@ fn by_sides(reader: &mut Reader, section: &Section, kind: &Kind) -> Shape {
 
 /// A side that must be given, positive, as one value or a list of two.
 fn side(reader: &mut Reader, section: &Section, key: &'static str) -> Along {
-    let given = reader.along(section, key, &WIDTH, Values::Linear);
+    let given = reader.along(section, key);
     let given = given.map(|given| reader.positive_along(key, given));
     given.unwrap_or_else(|| {
-        let missing = reader.required(section, key, &WIDTH);
+        let missing = reader.required(section, key);
         Along::unreadable(missing.span)
     })
 }
@@ -267,7 +284,7 @@ fn square([a, _, c, _, e]: [f64; 5]) -> Profile {
 
 fn rail(reader: &mut Reader, section: &Section) -> Shape {
     let span = section.span.clone();
-    let Some((name, at)) = reader.words(section, "rail", "60E1") else {
+    let Some((name, at)) = reader.text(section, "rail") else {
         return Shape::unreadable(span);
     };
     // Its numbers have units, so that the rest of the file must have them.
@@ -286,6 +303,7 @@ fn rail(reader: &mut Reader, section: &Section) -> Shape {
         }
         None => {
             let names: Vec<&str> = RAILS.iter().flat_map(|rail| rail.names).copied().collect();
+            // A rail with nearly the same name has another I.
             let hint = format!("rails: {}; for others give `I`", names.join(", "));
             let message = format!("the rail `{name}` is not known");
             reader.report(Fault::new(code::UNKNOWN_WORD, at, message, "", hint));

@@ -3,20 +3,33 @@
 use super::shape::Shape;
 use crate::code;
 use crate::fault::Fault;
-use crate::profile::{Along, Values};
+use crate::keys::{ALSO_NU, Key, Value, along, key, quantity};
+use crate::profile::Along;
 use crate::quantity::{RATIO, SHEAR_AREA, SHEAR_MODULUS, SHEAR_STIFFNESS};
 use crate::reader::{Field, Reader};
 use crate::stiffness::{Given, Keys, Stiffness};
 use crate::table::Section;
 use groundbeam::Profile;
 
-/// The keys, in `[beam]` and in `[[beam.segment]]`.
-pub(super) const KEYS: [&str; 5] = ["shear_stiffness", "GA", "G", "nu", "shear_area"];
+// The keys, in `[beam]` and in `[[beam.segment]]`.
+const SHEARS: Value = Value::Along(&SHEAR_STIFFNESS, Profile::MOST);
+pub(super) const STIFFNESS: Key =
+    key("shear_stiffness", SHEARS, "The shear stiffness S = κGA; left out: it only bends.")
+        .also(&["kga", "gas", "gav", "shear_rigidity", "timoshenko"]);
+pub(super) const GA: Key = key("GA", SHEARS, "Another name of `shear_stiffness`.");
+pub(super) const MODULUS: Key =
+    along("G", &SHEAR_MODULUS, 2, "The shear modulus, with a `section` or `shear_area`.")
+        .also(&["shear_modulus"]);
+pub(super) const POISSON: Key =
+    quantity("nu", &RATIO, "Poisson's ratio, in place of `G`: G = E/2(1 + nu).").also(ALSO_NU);
+pub(super) const AREA: Key =
+    along("shear_area", &SHEAR_AREA, 2, "The area κA that shears; left out: that of the section.")
+        .also(&["as", "a_s", "av", "a_v"]);
 
 const fn keys(modulus: &'static str) -> Keys {
     Keys {
-        product: ("shear_stiffness", &SHEAR_STIFFNESS),
-        factors: [(modulus, &SHEAR_MODULUS), ("shear_area", &SHEAR_AREA)],
+        product: "shear_stiffness",
+        factors: [modulus, "shear_area"],
         instead: ", or a `section` that has one",
     }
 }
@@ -44,14 +57,13 @@ impl Shear {
         shape: Option<&Shape>,
         parent: &Shear,
     ) -> Self {
-        let both = ["shear_stiffness", "GA"]
-            .map(|key| reader.along(table, key, &SHEAR_STIFFNESS, Values::Curve(Profile::MOST)));
+        let both = ["shear_stiffness", "GA"].map(|key| reader.along(table, key));
         if let [Some(a), Some(b)] = &both {
             let hint = "they mean the same; keep one of the two";
             reader.exclusive(("shear_stiffness", &a.span), ("GA", &b.span), hint);
         }
         let [named, short] = both;
-        let shear_modulus = reader.along(table, "G", &SHEAR_MODULUS, Values::Linear);
+        let shear_modulus = reader.along(table, "G");
         let shear_modulus = shear_modulus.map(|given| reader.positive_along("G", given));
         let poisson = poisson(reader, table);
         if let (Some(given), Some(poisson)) = (&shear_modulus, &poisson) {
@@ -75,7 +87,7 @@ impl Shear {
                 Along::unreadable(nu.span)
             }
         });
-        let area = reader.along(table, "shear_area", &SHEAR_AREA, Values::Linear);
+        let area = reader.along(table, "shear_area");
         let area = area.map(|area| reader.positive_along("shear_area", area));
         let says_area = area.is_some();
         let area = area.or_else(|| shape?.shear_area.clone());
@@ -103,7 +115,7 @@ impl Shear {
 
 /// `nu` of a beam's material.
 fn poisson(reader: &mut Reader, table: &Section) -> Option<Field> {
-    let poisson = reader.quantity(table, "nu", &RATIO)?;
+    let poisson = reader.quantity(table, "nu")?;
     if poisson.value < 0.0 || poisson.value > 0.5 {
         let message = "Poisson's ratio lies between 0 and 0.5";
         let hint = "0.2 for concrete, 0.3 for steel; for timber give `G`";

@@ -2,10 +2,9 @@
 
 use crate::code;
 use crate::fault::Fault;
-use crate::lists;
-use crate::quantity::{ELASTIC_MODULUS, Kind, LENGTH, RATIO, SUBGRADE_MODULUS, WIDTH};
-use crate::reader::{Field, Reader};
-use crate::suggest::nearest;
+use crate::keys::{ALSO_E, ALSO_NU, Table, Words, quantity, tables, word};
+use crate::quantity::{ELASTIC_MODULUS, LENGTH, RATIO, SUBGRADE_MODULUS, WIDTH};
+use crate::reader::Reader;
 use crate::table::Section;
 use groundbeam::soil::{Elastic, LayeredSoil, PlateTest, Soil, SoilLayer, SoilModel};
 
@@ -24,7 +23,40 @@ pub(crate) fn method_name(soil: &Soil) -> &'static str {
 
 const ELASTIC: &[&str] = &["method", "E", "nu"];
 const PLATE: &[&str] = &["method", "plate_modulus", "plate_width"];
-const LAYER: &[&str] = &["E", "nu", "thickness"];
+
+static LAYER: Table = Table {
+    name: "[[foundation.soil.layer]]",
+    keys: &[
+        quantity("E", &ELASTIC_MODULUS, "The elastic modulus.").needed().also(ALSO_E),
+        quantity("nu", &RATIO, "Poisson's ratio, below 0.5.").needed().also(ALSO_NU),
+        quantity("thickness", &LENGTH, "The thickness of the layer.").needed(),
+    ],
+};
+
+static NAMES: Words = Words {
+    all: || METHODS.iter().map(|method| method.name).collect(),
+    also: &[],
+    message: "`{}` is no method to make a ground of a soil",
+    hint: "methods: {}",
+};
+
+/// The keys of all methods.
+pub(super) static TABLE: Table = Table {
+    name: "[foundation.soil]",
+    keys: &[
+        word("method", &NAMES, "The method that gives k and mu.").needed(),
+        tables("layer", &LAYER, "`…vlasov`: the layers on rock, the uppermost first."),
+        quantity("gamma", &RATIO, "`vlasov`: the parameter of the decay with depth."),
+        quantity("E", &ELASTIC_MODULUS, "The elastic modulus: four methods.").also(ALSO_E),
+        quantity("nu", &RATIO, "Poisson's ratio: the same methods.").also(ALSO_NU),
+        quantity(
+            "plate_modulus",
+            &SUBGRADE_MODULUS,
+            "`terzaghi-…`: the subgrade modulus of a plate test.",
+        ),
+        quantity("plate_width", &WIDTH, "`terzaghi-…`: the width of the plate."),
+    ],
+};
 
 const METHODS: [Method; 8] = [
     Method {
@@ -36,9 +68,7 @@ const METHODS: [Method; 8] = [
     Method {
         name: "vlasov",
         keys: &["method", "layer", "gamma"],
-        make: |reader, table| {
-            Soil::Vlasov(layers(reader, table), positive(reader, table, "gamma", &RATIO))
-        },
+        make: |reader, table| Soil::Vlasov(layers(reader, table), positive(reader, table, "gamma")),
         is_of: |soil| matches!(soil, Soil::Vlasov(..)),
     },
     Method {
@@ -82,47 +112,32 @@ const METHODS: [Method; 8] = [
 /// The soil under a beam that bears on a `width` of it.
 pub(super) fn read(reader: &mut Reader, table: &Section, width: f64) -> Option<SoilModel> {
     let method = method(reader, table)?;
-    reader.refuse_unknown(table, method.keys);
+    reader.refuse_all_but(table, method.keys);
     Some(SoilModel::new((method.make)(reader, table), width))
 }
 
 fn method(reader: &mut Reader, table: &Section) -> Option<&'static Method> {
-    if table.value("method").is_none() {
-        reader.missing(table, &["method"], "`method`", "method = \"modified-vlasov\"");
-    }
-    let (word, span) = reader.words(table, "method", "modified-vlasov")?;
-    let known = METHODS.iter().find(|method| method.name == word);
-    if known.is_none() {
-        let names: Vec<&str> = METHODS.iter().map(|method| method.name).collect();
-        let plain = word.to_lowercase().replace('ć', "c").replace([' ', '_'], "-");
-        let hint = match nearest(&plain, names.iter().copied()) {
-            Some(meant) => format!("did you mean \"{meant}\"?"),
-            None => format!("methods: {}", names.join(", ")),
-        };
-        let message = format!("`{word}` is no method to make a ground of a soil");
-        reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
-    }
-    known
+    let word = reader.word(table, "method")?;
+    METHODS.iter().find(|method| method.name == word)
 }
 
 fn layers(reader: &mut Reader, table: &Section) -> LayeredSoil {
-    let tables = reader.tables(table, &lists::LAYER);
+    let tables = reader.tables(table, "layer");
     if tables.is_empty() && table.value("layer").is_none() {
         let example =
             "[[foundation.soil.layer]] with `E`, `nu` and `thickness`, the uppermost first";
         reader.missing(table, &["layer"], "layer", example);
     }
     let layers = tables.iter().map(|layer| {
-        reader.refuse_unknown(layer, LAYER);
         let Elastic { modulus, poisson } = elastic(reader, layer);
-        SoilLayer { modulus, poisson, thickness: positive(reader, layer, "thickness", &LENGTH) }
+        SoilLayer { modulus, poisson, thickness: positive(reader, layer, "thickness") }
     });
     LayeredSoil { layers: layers.collect() }
 }
 
 fn elastic(reader: &mut Reader, table: &Section) -> Elastic {
-    let modulus = positive(reader, table, "E", &ELASTIC_MODULUS);
-    let poisson = reader.required(table, "nu", &RATIO);
+    let modulus = positive(reader, table, "E");
+    let poisson = reader.required(table, "nu");
     if poisson.value < 0.0 || poisson.value >= 0.5 {
         let message = "Poisson's ratio of a soil lies between 0 and 0.5";
         let hint = "0.2 to 0.35 for sand, 0.4 to 0.45 for wet clay; 0.5 would be a fluid";
@@ -133,11 +148,11 @@ fn elastic(reader: &mut Reader, table: &Section) -> Elastic {
 }
 
 fn plate(reader: &mut Reader, table: &Section) -> PlateTest {
-    let modulus = positive(reader, table, "plate_modulus", &SUBGRADE_MODULUS);
-    PlateTest { modulus, width: positive(reader, table, "plate_width", &WIDTH) }
+    let modulus = positive(reader, table, "plate_modulus");
+    PlateTest { modulus, width: positive(reader, table, "plate_width") }
 }
 
-fn positive(reader: &mut Reader, table: &Section, key: &'static str, kind: &'static Kind) -> f64 {
-    let field: Field = reader.required(table, key, kind);
+fn positive(reader: &mut Reader, table: &Section, key: &'static str) -> f64 {
+    let field = reader.required(table, key);
     reader.positive(key, field).value
 }

@@ -1,39 +1,66 @@
 //! `[[support]]`.
 
-use crate::code;
-use crate::fault::Fault;
-use crate::lists;
+use crate::keys::{ALSO_AT, Table, Words, quantity, word};
 use crate::quantity::{CLEARANCE, POSITION, ROTATIONAL_SPRING, SPRING};
 use crate::reader::{Field, Reader};
-use crate::suggest::nearest;
 use crate::table::Section;
 use groundbeam::model::Part;
 use groundbeam::{Acts, Support, SupportKind};
 
-const KEYS: &[&str] = &["at", "type", "spring", "rotational_spring", "settlement", "acts"];
+static TYPES: Words = Words {
+    all: || vec!["pinned", "fixed"],
+    also: &[
+        ("pinned", &["hinged", "simple", "hinge", "pin", "roller"]),
+        ("fixed", &["clamped", "built-in", "encastre", "rigid"]),
+    ],
+    message: "`{}` is no type of support",
+    hint: "`pinned` holds the deflection, `fixed` also the rotation",
+};
+
+static DIRECTIONS: Words = Words {
+    all: || vec!["up", "down", "both"],
+    also: &[
+        ("up", &["compression", "press", "push", "upward", "upwards"]),
+        ("down", &["tension", "pull", "hold-down", "downward", "downwards"]),
+    ],
+    message: "`{}` is no direction in which a support acts",
+    hint: "`up` only pushes the beam up, `down` only holds it down, `both` does either",
+};
+
+pub(super) static TABLE: Table = Table {
+    name: "[[support]]",
+    keys: &[
+        quantity("at", &POSITION, "The position on the beam.").needed().also(ALSO_AT),
+        word("type", &TYPES, "Rigid: `pinned` holds w = 0, `fixed` also w′ = 0.").also(&["kind"]),
+        quantity("spring", &SPRING, "Elastic: force per deflection.").also(&[
+            "k",
+            "stiffness",
+            "spring_constant",
+        ]),
+        quantity("rotational_spring", &ROTATIONAL_SPRING, "Elastic: moment per angle.").also(&[
+            "k_r",
+            "kr",
+            "rotation",
+            "rotational",
+        ]),
+        quantity("settlement", &CLEARANCE, "Its settlement, down positive; left out: 0."),
+        word("acts", &DIRECTIONS, "`up` only pushes up, `down` only holds down; left out: `both`.")
+            .also(&["direction", "one_way", "only"]),
+    ],
+};
 
 pub(super) fn read(reader: &mut Reader, root: &Section) -> Vec<Support> {
-    let tables = reader.tables(root, &lists::SUPPORT);
-    let mut supports = Vec::new();
-    for (i, table) in tables.iter().enumerate() {
-        supports.push(read_one(reader, table, Part::Support(i)));
-    }
-    supports
+    let tables = reader.parts(root, "support", Part::Support);
+    tables.iter().map(|table| read_one(reader, table)).collect()
 }
 
-fn read_one(reader: &mut Reader, table: &Section, part: Part) -> Support {
-    reader.refuse_unknown(table, KEYS);
-    reader.places.part(part, &table.span);
-    let at = reader.required(table, "at", &POSITION);
-    reader.places.field(part, "at", &at);
-    let acts = acts(reader, table, part);
-    let spring = reader.quantity(table, "spring", &SPRING);
-    let rotational_spring = reader.quantity(table, "rotational_spring", &ROTATIONAL_SPRING);
-    let settlement = reader.quantity(table, "settlement", &CLEARANCE);
-    let settlement = settlement.unwrap_or_else(|| Field::new(0.0, table.span.clone()));
-    reader.places.field(part, "settlement", &settlement);
-    let settlement = settlement.value;
-
+fn read_one(reader: &mut Reader, table: &Section) -> Support {
+    let at = reader.required(table, "at").value;
+    let acts = acts(reader, table);
+    let [spring, rotational_spring, settlement] =
+        ["spring", "rotational_spring", "settlement"].map(|key| reader.quantity(table, key));
+    let value = |field: &Option<Field>| field.as_ref().map_or(0.0, |field| field.value);
+    let settlement = value(&settlement);
     if let Some(word) = table.value("type") {
         let springs = [("spring", &spring), ("rotational_spring", &rotational_spring)];
         for (key, field) in springs {
@@ -42,71 +69,33 @@ fn read_one(reader: &mut Reader, table: &Section, part: Part) -> Support {
                 reader.exclusive(("type", &word.span()), (key, &field.span), hint);
             }
         }
-        return Support { at: at.value, kind: rigid(reader, table), settlement, acts };
+        let kind = match reader.word(table, "type") {
+            Some("fixed") => SupportKind::Fixed,
+            _ => SupportKind::Pinned,
+        };
+        return Support { at, kind, settlement, acts };
     }
     if spring.is_none() && rotational_spring.is_none() {
-        let spring = reader.line("spring", &SPRING);
+        let spring = reader.line(&TABLE, "spring");
         let example = format!("type = \"pinned\" or type = \"fixed\"; or {spring}");
         let keys = ["type", "spring", "rotational_spring"];
         reader.missing(table, &keys, "`type` and no spring", &example);
     }
-    let mut constant = |key: &'static str, field: Option<Field>| {
-        let field = field.unwrap_or_else(|| Field::new(0.0, table.span.clone()));
-        reader.places.field(part, key, &field);
-        field.value
+    let kind = SupportKind::Spring {
+        spring: value(&spring),
+        rotational_spring: value(&rotational_spring),
     };
-    let spring = constant("spring", spring);
-    let rotational_spring = constant("rotational_spring", rotational_spring);
-    let kind = SupportKind::Spring { spring, rotational_spring };
-    Support { at: at.value, kind, settlement, acts }
+    Support { at, kind, settlement, acts }
 }
 
 /// In which directions it acts: both, if nothing is said.
-fn acts(reader: &mut Reader, table: &Section, part: Part) -> Acts {
-    let Some((word, span)) = reader.words(table, "acts", "up") else { return Acts::Both };
-    reader.places.field(part, "acts", &Field::new(0.0, span.clone()));
-    match word {
-        "up" => Acts::Up,
-        "down" => Acts::Down,
-        "both" => Acts::Both,
-        other => {
-            let meant = match other.to_lowercase().as_str() {
-                "compression" | "press" | "push" | "upward" | "upwards" => Some("up"),
-                "tension" | "pull" | "hold-down" | "downward" | "downwards" => Some("down"),
-                _ => nearest(other, ["up", "down", "both"]),
-            };
-            let choice =
-                "`up` only pushes the beam up, `down` only holds it down, `both` does either";
-            let hint = match meant {
-                Some(word) => format!("did you mean \"{word}\"? {choice}"),
-                None => choice.to_owned(),
-            };
-            let message = format!("`{other}` is no direction in which a support acts");
-            reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
-            Acts::Both
-        }
+fn acts(reader: &mut Reader, table: &Section) -> Acts {
+    if let Some(value) = table.value("acts") {
+        reader.place(table, "acts", &Field::new(0.0, value.span()));
     }
-}
-
-fn rigid(reader: &mut Reader, table: &Section) -> SupportKind {
-    let words = ["pinned", "fixed"];
-    match reader.words(table, "type", "pinned") {
-        Some(("fixed", _)) => SupportKind::Fixed,
-        Some(("pinned", _)) | None => SupportKind::Pinned,
-        Some((other, span)) => {
-            let meant = match other.to_lowercase().as_str() {
-                "hinged" | "simple" | "hinge" | "pin" | "roller" => Some("pinned"),
-                "clamped" | "built-in" | "encastre" | "rigid" => Some("fixed"),
-                _ => nearest(other, words),
-            };
-            let choice = "`pinned` holds the deflection, `fixed` also the rotation";
-            let hint = match meant {
-                Some(word) => format!("did you mean \"{word}\"? {choice}"),
-                None => choice.to_owned(),
-            };
-            let message = format!("`{other}` is no type of support");
-            reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
-            SupportKind::Pinned
-        }
+    match reader.word(table, "acts") {
+        Some("up") => Acts::Up,
+        Some("down") => Acts::Down,
+        _ => Acts::Both,
     }
 }

@@ -3,30 +3,39 @@
 use crate::beside::{Row, Table};
 use crate::code;
 use crate::fault::Fault;
+use crate::keys::{Table as Keys, along, quantity, text};
 use crate::number::Decimal;
-use crate::profile::Values;
 use crate::quantity::{self, OFFSET};
 use crate::reader::Reader;
-use crate::table::{Section, suggestion};
+use crate::suggest;
+use crate::table::Section;
 use crate::unit::{Dimension, Scale, Unit};
 use groundbeam::{GapPoint, Profile};
 use std::ops::Range;
 
-const KEYS: &[&str] = &["file", "x", "level", "clearance", "datum", "start"];
+pub(super) static TABLE: Keys = Keys {
+    name: "[gap_survey]",
+    keys: &[
+        text("file", "seabed.csv", "The table: a file in the folder of the model file.").needed(),
+        text("x", "KP", "The column of positions; left out: the first."),
+        text("level", "z", "The column of levels, positive up; left out: the second."),
+        text("clearance", "gap", "A column of clearances in place of levels."),
+        along(
+            "datum",
+            &OFFSET,
+            2,
+            "The level of the straight underside, or of its ends; left out: the highest level.",
+        ),
+        quantity("start", &OFFSET, "Where in the survey the beam begins; left out: 0."),
+    ],
+};
 
 /// Reads the survey's corners, cut to the beam.
 pub(super) fn read(reader: &mut Reader, table: &Section, length: f64) -> Vec<GapPoint> {
-    reader.refuse_unknown(table, KEYS);
-    let start = reader.quantity(table, "start", &OFFSET).map_or(0.0, |start| start.value);
-    let datum = reader.along(table, "datum", &OFFSET, Values::Linear);
-    let [x, level, clearance] = [("x", "KP"), ("level", "z"), ("clearance", "gap")]
-        .map(|(key, example)| reader.words(table, key, example));
-    let Some((file, span)) = reader.words(table, "file", "seabed.csv") else {
-        if table.value("file").is_none() {
-            reader.missing(table, &["file"], "`file`", "file = \"seabed.csv\"");
-        }
-        return Vec::new();
-    };
+    let start = reader.quantity(table, "start").map_or(0.0, |start| start.value);
+    let datum = reader.along(table, "datum");
+    let [x, level, clearance] = ["x", "level", "clearance"].map(|key| reader.text(table, key));
+    let Some((file, span)) = reader.text(table, "file") else { return Vec::new() };
     if let (Some((_, level)), Some((_, clearance))) = (&level, &clearance) {
         let hint = "the column holds levels, positive up, or clearances, positive open";
         reader.exclusive(("level", level), ("clearance", clearance), hint);
@@ -107,10 +116,7 @@ impl Columns<'_, '_, '_> {
                 let same = |other: &&str| other.eq_ignore_ascii_case(name.trim());
                 let Some(index) = names.iter().position(same) else {
                     let message = format!("{} has no column `{name}`", self.survey.file.name);
-                    let hint = match suggestion(name, &names) {
-                        Some(meant) => format!("did you mean `{meant}`?"),
-                        None => format!("its columns: {}", names.join(", ")),
-                    };
+                    let hint = suggest::advice(name, &names, "its columns: {}");
                     self.wrong = true;
                     self.reader.report(Fault::new(code::COLUMN, span, message, "", hint));
                     return None;

@@ -3,21 +3,56 @@
 use crate::code;
 use crate::document::MovingTrain;
 use crate::fault::Fault;
-use crate::lists;
+use crate::keys::{ALSO_FROM, ALSO_TO, Table, Value, key, quantity, tables, text};
 use crate::quantity::{self, BEHIND, FORCE, LOAD_PER_LENGTH, OFFSET, RATIO, REACH};
 use crate::reader::Reader;
-use crate::suggest::nearest;
 use crate::table::Section;
 use crate::trains::{self, TrainSet};
 use crate::units::Seen;
 use groundbeam::model::{Axle, Train, UniformPart};
 use std::ops::Range;
 
-const KEYS: &[&str] = &["name", "set", "axles", "uniform", "from", "to", "factor"];
+static AXLE: Table = Table {
+    name: "an axle",
+    keys: &[
+        quantity("at", &BEHIND, "The distance behind the first axle.").needed(),
+        quantity("force", &FORCE, "The force of the axle, down.").needed(),
+    ],
+};
+
+static UNIFORM: Table = Table {
+    name: "a distributed load",
+    keys: &[
+        quantity("from", &OFFSET, "Where it begins behind the first axle; left out: without end."),
+        quantity("to", &OFFSET, "Where it ends behind the first axle; left out: without end."),
+        quantity("load", &LOAD_PER_LENGTH, "The force per length, down.").needed(),
+    ],
+};
+
+pub(super) static TABLE: Table = Table {
+    name: "[[train]]",
+    keys: &[
+        text("name", "LM71", "The name of the train; left out: that of its set."),
+        key(
+            "set",
+            Value::Name("LM71", trains::spellings),
+            "A train of a code of practice, in place of axles.",
+        )
+        .also(&["code", "standard"]),
+        tables("axles", &AXLE, "The axles, from the first one backward.")
+            .also(&["axle", "wheels", "forces"]),
+        tables("uniform", &UNIFORM, "Distributed loads that move with the axles."),
+        quantity("from", &OFFSET, "The first position of the first axle; left out: x = 0.")
+            .also(ALSO_FROM),
+        quantity("to", &OFFSET, "Its last position; left out: until the last axle leaves.")
+            .also(ALSO_TO),
+        quantity("factor", &RATIO, "A factor of all loads; left out: 1."),
+    ],
+};
 
 /// The trains of a file, each of which passes alone.
 pub(super) fn read(reader: &mut Reader, root: &Section, beam_length: f64) -> Vec<MovingTrain> {
-    let tables = reader.tables(root, &lists::TRAIN);
+    let tables = reader.tables(root, "train");
     let mut trains: Vec<MovingTrain> = Vec::new();
     for (i, table) in tables.iter().enumerate() {
         let train = read_one(reader, table, beam_length);
@@ -39,8 +74,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section, beam_length: f64) -> Vec
 }
 
 fn read_one(reader: &mut Reader, table: &Section, beam_length: f64) -> MovingTrain {
-    reader.refuse_unknown(table, KEYS);
-    let name = reader.words(table, "name", "LM71").filter(|(name, span)| {
+    let name = reader.text(table, "name").filter(|(name, span)| {
         let is_empty = name.trim().is_empty();
         if is_empty {
             let message = "the train has no name";
@@ -50,7 +84,7 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64) -> MovingTra
         !is_empty
     });
     let (set, train) = parts(reader, table);
-    let factor = match reader.quantity(table, "factor", &RATIO) {
+    let factor = match reader.quantity(table, "factor") {
         Some(factor) => {
             let scaled = train.clone().scaled(factor.value);
             if factor.value.is_finite() && is_finite(&train) && !is_within_reach(&scaled) {
@@ -79,8 +113,8 @@ fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Tr
         if lists.0 {
             train.axles = axles(reader, table);
         } else {
-            let force = reader.line("force", &FORCE);
-            let at = reader.line("at", &BEHIND);
+            let force = reader.line(&AXLE, "force");
+            let at = reader.line(&AXLE, "at");
             let example = format!("set = \"LM71\", or axles = [{{ {at}, {force} }}, …]");
             reader.missing(table, &["set", "axles"], "axles", &example);
         }
@@ -95,7 +129,7 @@ fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Tr
             reader.exclusive(("set", &set.span()), (key, &other.span()), hint);
         }
     }
-    let Some((written, span)) = reader.words(table, "set", "LM71") else { return (None, train) };
+    let Some((written, span)) = reader.text(table, "set") else { return (None, train) };
     // The loads of a set have units, so that the rest of the file must have them.
     let key = "set".to_owned();
     let (kind, has_unit, is_bare_zero) = (&FORCE, true, false);
@@ -104,13 +138,8 @@ fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Tr
     match found {
         Some(set) => train = set.train.clone(),
         None => {
-            let names: Vec<&str> = trains::train_sets().iter().map(|set| &*set.name).collect();
-            let message = format!("there is no train `{written}`");
-            let hint = match nearest(written, names.iter().copied()) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!("the trains: {}", names.join(", ")),
-            };
-            reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
+            let message = "there is no train `{}`";
+            reader.unknown_word((written, span), message, &trains::names(), "the trains: {}");
         }
     }
     (found, train)
@@ -120,11 +149,10 @@ fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Tr
 fn axles(reader: &mut Reader, table: &Section) -> Vec<Axle> {
     let mut axles = Vec::new();
     let mut first: Option<(f64, Range<usize>)> = None;
-    let list = reader.tables(table, &lists::AXLES);
+    let list = reader.tables(table, "axles");
     for axle in &list {
-        reader.refuse_unknown(axle, &["at", "force"]);
-        let at = reader.required(axle, "at", &BEHIND);
-        let force = reader.required(axle, "force", &FORCE);
+        let at = reader.required(axle, "at");
+        let force = reader.required(axle, "force");
         if first.as_ref().is_none_or(|(least, _)| at.value < *least || at.value.is_nan()) {
             first = Some((at.value, at.span));
         }
@@ -147,11 +175,10 @@ fn axles(reader: &mut Reader, table: &Section) -> Vec<Axle> {
 /// `uniform = [{ from = "5.6 m", load = "80 kN/m" }, …]`; left out, an end is infinitely far away.
 fn uniform(reader: &mut Reader, table: &Section) -> Vec<UniformPart> {
     let mut parts = Vec::new();
-    for part in reader.tables(table, &lists::UNIFORM) {
-        reader.refuse_unknown(&part, &["from", "to", "load"]);
-        let from = reader.quantity(&part, "from", &OFFSET);
-        let to = reader.quantity(&part, "to", &OFFSET);
-        let load = reader.required(&part, "load", &LOAD_PER_LENGTH);
+    for part in reader.tables(table, "uniform") {
+        let from = reader.quantity(&part, "from");
+        let to = reader.quantity(&part, "to");
+        let load = reader.required(&part, "load");
         if let (Some(from), Some(to)) = (&from, &to)
             && to.value <= from.value
         {
@@ -170,8 +197,8 @@ fn uniform(reader: &mut Reader, table: &Section) -> Vec<UniformPart> {
 /// Where the first axle goes; left out, until the last one has left the beam.
 fn range(reader: &mut Reader, table: &Section, train: &Train, beam_length: f64) -> [f64; 2] {
     let [start, end] = train.passage(beam_length);
-    let from = reader.quantity(table, "from", &OFFSET);
-    let to = reader.quantity(table, "to", &OFFSET);
+    let from = reader.quantity(table, "from");
+    let to = reader.quantity(table, "to");
     let place = to.as_ref().or(from.as_ref()).map(|field| field.span.clone());
     let range = [from.map_or(start, |from| from.value), to.map_or(end, |to| to.value)];
     if let Some(span) = place

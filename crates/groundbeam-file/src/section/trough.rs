@@ -1,12 +1,23 @@
 //! `[[gap_trough]]`: the corners of the polygon that stands for settlement troughs.
 
 use super::chords::Spacing;
+use crate::keys::{ALSO_AT, ALSO_WIDTH, Table, quantity};
 use crate::quantity::{CLEARANCE, GROUND_POSITION, WIDTH};
 use crate::reader::Reader;
 use crate::table::Section;
 use groundbeam::{GapPoint, Model};
 
-const KEYS: &[&str] = &["at", "settlement", "width"];
+pub(super) static TABLE: Table = Table {
+    name: "[[gap_trough]]",
+    keys: &[
+        quantity("at", &GROUND_POSITION, "The position of the middle, x₀.").needed().also(ALSO_AT),
+        quantity("settlement", &CLEARANCE, "The largest settlement S, down.").needed(),
+        quantity("width", &WIDTH, "The distance i to the point of inflection.")
+            .needed()
+            .also(ALSO_WIDTH),
+    ],
+};
+
 /// Corners added for troughs; more are refused.
 pub(super) const MOST_CHORDS: usize = 10_000;
 /// The density of chords is integrated in steps of this part of a width.
@@ -29,10 +40,9 @@ pub(super) struct Trough {
 
 impl Trough {
     pub fn read(reader: &mut Reader, table: &Section) -> Self {
-        reader.refuse_unknown(table, KEYS);
-        let at = reader.required(table, "at", &GROUND_POSITION).value;
-        let settlement = reader.required(table, "settlement", &CLEARANCE).value;
-        let width = reader.required(table, "width", &WIDTH);
+        let at = reader.required(table, "at").value;
+        let settlement = reader.required(table, "settlement").value;
+        let width = reader.required(table, "width");
         let width = reader.positive("width", width).value;
         Trough { at, settlement, width }
     }

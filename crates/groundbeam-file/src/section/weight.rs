@@ -5,7 +5,6 @@ use crate::code;
 use crate::fault::Fault;
 use crate::materials::Material;
 use crate::profile::{Along, left_out};
-use crate::quantity::UNIT_WEIGHT;
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 use groundbeam::Load;
@@ -21,7 +20,7 @@ pub(super) struct Area {
 fn unit_weight(reader: &mut Reader, table: &Section, material: Option<&Material>) -> Option<Field> {
     let value = table.value("unit_weight")?;
     if value.get_ref().as_str().is_none_or(|text| text.trim() != "material") {
-        return reader.quantity(table, "unit_weight", &UNIT_WEIGHT);
+        return reader.quantity(table, "unit_weight");
     }
     if let Some(weight) = material.and_then(|material| material.unit_weight) {
         return Some(Field::new(weight, value.span()));
@@ -30,7 +29,7 @@ fn unit_weight(reader: &mut Reader, table: &Section, material: Option<&Material>
         Some(material) => format!("no unit weight of {} is listed", material.name),
         None => "the beam is not all of one material that has a name".to_owned(),
     };
-    let hint = format!("give {}", reader.line("unit_weight", &UNIT_WEIGHT));
+    let hint = format!("give {}", reader.line(table.keys, "unit_weight"));
     reader.report(Fault::new(code::INCOMPLETE, value.span(), message, "", hint));
     Some(Field::unreadable(value.span()))
 }
@@ -44,7 +43,7 @@ pub(super) fn read(
     base: Option<Along>,
     mut areas: Vec<Area>,
 ) -> Vec<OwnLoad> {
-    let case = reader.words(table, "weight_case", "G").map(|(name, _)| name.trim().to_owned());
+    let case = reader.text(table, "weight_case").map(|(name, _)| name.trim().to_owned());
     let Some(weight) = unit_weight(reader, table, material) else {
         if let Some((key, _)) = table.table.get_key_value("weight_case") {
             let message = "`weight_case` is given without `unit_weight`";

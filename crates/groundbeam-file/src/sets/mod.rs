@@ -4,6 +4,7 @@ mod expand;
 
 pub(crate) use expand::{Acting, Made, TooMany, expand};
 
+use crate::catalogue::{self, Entry};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -70,16 +71,31 @@ struct Share {
 }
 
 static PRACTICES: LazyLock<Vec<Practice>> = LazyLock::new(|| {
-    let files =
-        [include_str!("../../sets/en-1990.toml"), include_str!("../../sets/asce-7-16.toml")];
-    let read = |text| toml::from_str(text).expect("a table of the code that a test has read");
-    files.into_iter().map(read).collect()
+    catalogue::files(&[
+        include_str!("../../sets/en-1990.toml"),
+        include_str!("../../sets/asce-7-16.toml"),
+    ])
 });
 
 /// The set of a name, and the code it belongs to.
 pub(crate) fn find(name: &str) -> Option<(&'static Practice, &'static Set)> {
     let mut all = PRACTICES.iter().flat_map(|p| p.sets.iter().map(move |set| (p, set)));
-    all.find(|(_, set)| set.name == name || set.also.iter().any(|also| also == name))
+    all.find(|(_, set)| set.is_called(name))
+}
+
+/// All names of all sets.
+pub(crate) fn spellings() -> Vec<&'static str> {
+    catalogue::spellings(PRACTICES.iter().flat_map(|practice| &practice.sets))
+}
+
+impl Entry for Set {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn also(&self) -> &[String] {
+        &self.also
+    }
 }
 
 /// The names of all sets.
@@ -152,14 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn names_are_given_once() {
-        let mut all = names();
-        let sets = PRACTICES.iter().flat_map(|p| &p.sets);
-        all.extend(sets.flat_map(|set| set.also.iter().map(String::as_str)));
-        let count = all.len();
-        all.sort_unstable();
-        all.dedup();
-        assert_eq!(all.len(), count);
+    fn a_set_is_found_by_its_name() {
         assert!(find("EN 1990 6.10").is_some() && find("EN 1990 6.11").is_none());
     }
 }

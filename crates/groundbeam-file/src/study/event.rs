@@ -3,11 +3,26 @@
 use super::keep::field;
 use crate::code;
 use crate::fault::Fault;
-use crate::lists;
+use crate::keys::{Table, Value, key, text};
 use crate::quantity::{CLEARANCE, FORCE, Kind, LOAD_PER_LENGTH, MOMENT, RATIO};
 use crate::reader::Reader;
 use crate::table::Section;
 use groundbeam::{Dimension, Field};
+
+pub(super) static TABLE: Table = Table {
+    name: "[[event]]",
+    keys: &[
+        text("name", "bearing", "The name of the event.").needed(),
+        text(
+            "quantity",
+            "pressure.max",
+            "`lifted_share`, `left`, `right`, or a field's `.min`, `.max`, `.range`.",
+        )
+        .needed(),
+        key("above", Value::Depends, "The event is that the number is above this limit."),
+        key("below", Value::Depends, "The event is that it is below this limit."),
+    ],
+};
 
 /// Something that may happen.
 #[derive(Debug, Clone, PartialEq)]
@@ -97,11 +112,10 @@ impl Judged {
 
 pub(super) fn read(reader: &mut Reader, root: &Section) -> Vec<Event> {
     let mut events: Vec<Event> = Vec::new();
-    for table in reader.tables(root, &lists::EVENT) {
-        reader.refuse_unknown(&table, &["name", "quantity", "above", "below"]);
+    for table in reader.tables(root, "event") {
         let of = judged(reader, &table);
         let kind = of.map_or(&RATIO, Judged::kind);
-        let [above, below] = ["above", "below"].map(|key| reader.quantity(&table, key, kind));
+        let [above, below] = ["above", "below"].map(|key| reader.quantity_of(&table, key, kind));
         let limit = match (above, below) {
             (Some(above), Some(below)) => {
                 let hint = "of two limits make two events";
@@ -111,17 +125,12 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Vec<Event> {
             (Some(above), None) => (Exceeds::Above, above.value),
             (None, Some(below)) => (Exceeds::Below, below.value),
             (None, None) => {
-                let example = reader.line("above", kind);
+                let example = kind.line("above", reader.is_plain());
                 reader.missing(&table, &["above", "below"], "limit", &example);
                 continue;
             }
         };
-        let Some((name, span)) = reader.words(&table, "name", "bearing") else {
-            if table.value("name").is_none() {
-                reader.missing(&table, &["name"], "`name`", "name = \"bearing\"");
-            }
-            continue;
-        };
+        let Some((name, span)) = reader.text(&table, "name") else { continue };
         let name = name.trim().to_owned();
         let fault = match () {
             () if name.is_empty() => Some((code::EMPTY_NAME, "the event's name is empty")),
@@ -148,12 +157,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Vec<Event> {
 }
 
 fn judged(reader: &mut Reader, table: &Section) -> Option<Judged> {
-    let Some((name, span)) = reader.words(table, "quantity", "pressure.max") else {
-        if table.value("quantity").is_none() {
-            reader.missing(table, &["quantity"], "`quantity`", "quantity = \"pressure.max\"");
-        }
-        return None;
-    };
+    let (name, span) = reader.text(table, "quantity")?;
     match Judged::parse(name) {
         Ok(judged) => Some(judged),
         Err(hint) => {

@@ -4,6 +4,7 @@ use super::random::{Random, out_of_range, spread};
 use crate::code;
 use crate::document::Document;
 use crate::fault::Fault;
+use crate::keys::{Key, Table, Value, WHAT_CAN_STAND_HERE, Words, key, quantity, table, word};
 use crate::quantity::{LENGTH, RATIO};
 use crate::reader::Reader;
 use crate::table::Section;
@@ -71,19 +72,58 @@ pub enum Share {
     OfVariance(f64),
 }
 
-const KEYS: &[&str] = &[
-    "k",
-    "mu",
-    "EI",
-    "rho",
-    "correlation",
-    "length",
-    "points",
-    "between",
-    "method",
-    "terms",
-    "variance",
+const QUANTITY: &[Key] = &[
+    key("mean", Value::Depends, "The mean; left out: the model's."),
+    quantity("cov", &RATIO, "The standard deviation as a part of the mean."),
+    key("deviation", Value::Depends, "The standard deviation."),
 ];
+static K: Table = Table { name: "k of [field]", keys: QUANTITY };
+static MU: Table = Table { name: "mu of [field]", keys: QUANTITY };
+static EI: Table = Table { name: "EI of [field]", keys: QUANTITY };
+
+static FUNCTIONS: Words = Words {
+    all: || CORRELATIONS.map(|(name, _)| name).to_vec(),
+    also: &[],
+    message: "`{}` is no `correlation`",
+    hint: WHAT_CAN_STAND_HERE,
+};
+static COURSES: Words = Words {
+    all: || vec!["lines", "steps"],
+    also: &[],
+    message: "`{}` is no `between`",
+    hint: WHAT_CAN_STAND_HERE,
+};
+static METHODS: Words = Words {
+    all: || vec!["karhunen-loeve", "circulant"],
+    also: &[],
+    message: "`{}` is no `method`",
+    hint: WHAT_CAN_STAND_HERE,
+};
+
+pub(super) static TABLE: Table = Table {
+    name: "[field]",
+    keys: &[
+        table("k", &K, "The field of k."),
+        table("mu", &MU, "The field of mu."),
+        table("EI", &EI, "The field of EI."),
+        quantity("rho", &RATIO, "The correlation of ln k and ln mu; left out: 0."),
+        word("correlation", &FUNCTIONS, "The correlation function; left out: `exponential`."),
+        quantity("length", &LENGTH, "The correlation length L.").needed(),
+        key(
+            "points",
+            Value::Count([2, MOST_POINTS]),
+            "How many points; left out: four to each L, from 8 to 256.",
+        ),
+        word("between", &COURSES, "The course between points; left out: `lines`."),
+        word("method", &METHODS, "How the fields are drawn; left out: `karhunen-loeve`."),
+        key("terms", Value::Count([1, MOST_POINTS]), "`karhunen-loeve`: how many terms are kept."),
+        quantity(
+            "variance",
+            &RATIO,
+            "`karhunen-loeve`: the share of the variance; left out: 0.99.",
+        ),
+    ],
+};
 const CORRELATIONS: [(&str, Correlation); 4] = [
     ("exponential", Correlation::Exponential),
     ("matern-3/2", Correlation::Matern3),
@@ -122,27 +162,23 @@ pub(super) fn read(
     document: &Document,
     random: &[Random],
 ) -> Option<RandomField> {
-    let table = reader.table(root, "field", "[field]")?;
-    reader.refuse_unknown(&table, KEYS);
+    let table = reader.table(root, "field")?;
     let mut of = Vec::new();
     let mut is_there = false;
-    for (property, name, section) in [
-        (Property::Spring, "k", "k of [field]"),
-        (Property::Shear, "mu", "mu of [field]"),
-        (Property::BendingStiffness, "EI", "EI of [field]"),
-    ] {
+    for (property, name) in
+        [(Property::Spring, "k"), (Property::Shear, "mu"), (Property::BendingStiffness, "EI")]
+    {
         is_there |= table.value(name).is_some();
-        let own = reader.table(&table, name, section);
-        of.extend(own.and_then(|own| quantity(reader, &own, name, property, document, random)));
+        let own = reader.table(&table, name);
+        of.extend(own.and_then(|own| field_of(reader, &own, name, property, document, random)));
     }
     if !is_there {
         reader.missing(&table, &["k", "mu", "EI"], "field", "k = { cov = 0.3 }");
     }
-    let names = CORRELATIONS.map(|(name, _)| name);
-    let correlation = reader
-        .one_of(&table, "correlation", &names)
-        .map_or(Correlation::Exponential, |i| CORRELATIONS[i].1);
-    let length = reader.required(&table, "length", &LENGTH);
+    let word = reader.word(&table, "correlation");
+    let correlation = CORRELATIONS.iter().find(|(name, _)| Some(*name) == word);
+    let correlation = correlation.map_or(Correlation::Exponential, |(_, known)| *known);
+    let length = reader.required(&table, "length");
     if length.value <= 0.0 {
         out_of_range(
             reader,
@@ -155,8 +191,8 @@ pub(super) fn read(
     let fitting = (POINTS_PER_LENGTH * document.model.beam.length / length.value).ceil();
     let fitting =
         if fitting.is_finite() { fitting.clamp(FEWEST_POINTS, 256.0) } else { FEWEST_POINTS };
-    let points = reader.count(&table, "points", 2..=MOST_POINTS).unwrap_or(fitting as u64);
-    let between = reader.one_of(&table, "between", &["lines", "steps"]);
+    let points = reader.count(&table, "points").unwrap_or(fitting as u64);
+    let between = reader.word(&table, "between");
     let rho = rho(reader, &table, &of);
     let method = method(reader, &table);
     Some(RandomField {
@@ -164,13 +200,13 @@ pub(super) fn read(
         correlation,
         length: length.value,
         points: usize::try_from(points).unwrap_or(usize::MAX),
-        course: if between == Some(1) { Course::Steps } else { Course::Lines },
+        course: if between == Some("steps") { Course::Steps } else { Course::Lines },
         method: method?,
         rho: rho?,
     })
 }
 
-fn quantity(
+fn field_of(
     reader: &mut Reader,
     own: &Section,
     name: &'static str,
@@ -178,7 +214,6 @@ fn quantity(
     document: &Document,
     random: &[Random],
 ) -> Option<FieldOf> {
-    reader.refuse_unknown(own, &["mean", "cov", "deviation"]);
     let target = Parameter::Value(property, Domain::Whole);
     let kind = target::kind(target, &document.model);
     if let Some(problem) = target::problem(target, name, document) {
@@ -192,7 +227,7 @@ fn quantity(
         reader.report(Fault::new(code::REPEATED, own.span.clone(), message, "", hint));
         return None;
     }
-    let mean = reader.quantity(own, "mean", kind).map(|mean| mean.value);
+    let mean = reader.quantity_of(own, "mean", kind).map(|mean| mean.value);
     let mean = mean.or_else(|| target.value(&document.model)).unwrap_or(f64::NAN);
     if mean <= 0.0 {
         let message = format!("the mean of `{name}` must be positive");
@@ -205,7 +240,7 @@ fn quantity(
 }
 
 fn rho(reader: &mut Reader, table: &Section, of: &[FieldOf]) -> Option<f64> {
-    let Some(rho) = reader.quantity(table, "rho", &RATIO) else { return Some(0.0) };
+    let Some(rho) = reader.quantity(table, "rho") else { return Some(0.0) };
     let has = |property| of.iter().any(|field| field.property == property);
     if !(has(Property::Spring) && has(Property::Shear)) {
         let hint = "it is the correlation of ln k and ln mu at one point: give both as fields";
@@ -221,9 +256,9 @@ fn rho(reader: &mut Reader, table: &Section, of: &[FieldOf]) -> Option<f64> {
 }
 
 fn method(reader: &mut Reader, table: &Section) -> Option<Method> {
-    let circulant = reader.one_of(table, "method", &["karhunen-loeve", "circulant"]) == Some(1);
-    let terms = reader.count(table, "terms", 1..=MOST_POINTS);
-    let variance = reader.quantity(table, "variance", &RATIO);
+    let circulant = reader.word(table, "method") == Some("circulant");
+    let terms = reader.count(table, "terms");
+    let variance = reader.quantity(table, "variance");
     let (a, b) = (table.value("terms"), &variance);
     if let (Some(a), Some(b)) = (a, b) {
         let hint = "the number of terms follows from the share of the variance";

@@ -2,9 +2,10 @@
 
 use crate::code;
 use crate::fault::Fault;
+use crate::keys::{Table, Value, key};
 use crate::quantity::POSITION;
 use crate::reader::Reader;
-use crate::suggest::nearest;
+use crate::suggest;
 use crate::table::Section;
 use groundbeam::Field;
 use toml::de::DeValue;
@@ -22,23 +23,36 @@ pub struct Keep {
     pub ground: bool,
 }
 
-const KEYS: &[&str] = &["extremes", "fields", "at", "ground"];
+const FIELDS: Value = Value::List(
+    &Value::Name("deflection", || Field::ALL.map(Field::name).to_vec()),
+    [0, usize::MAX],
+);
+
+pub(super) static TABLE: Table = Table {
+    name: "[keep]",
+    keys: &[
+        key("extremes", FIELDS, "Fields whose extremes are kept; left out: the usual four."),
+        key("fields", FIELDS, "Fields that are kept at positions."),
+        key("at", Value::List(&Value::Quantity(&POSITION), [0, usize::MAX]), "These positions."),
+        key("ground", Value::Flag, "Whether the random fields are kept; left out: false."),
+    ],
+};
 
 pub(super) fn read(reader: &mut Reader, root: &Section) -> Keep {
     let usual = || {
         let most = [Field::Deflection, Field::Moment, Field::ShearForce, Field::Pressure];
         most.to_vec()
     };
-    let Some(table) = reader.table(root, "keep", "[keep]") else {
+    let Some(table) = reader.table(root, "keep") else {
         return Keep { extremes: usual(), fields: Vec::new(), at: Vec::new(), ground: false };
     };
-    reader.refuse_unknown(&table, KEYS);
     let extremes = fields(reader, &table, "extremes").unwrap_or_else(usual);
     let (fields, at) =
         (fields(reader, &table, "fields").unwrap_or_default(), positions(reader, &table));
     if let (true, Some(value)) = (at.is_empty(), table.value("fields")) {
         let message = "`fields` are kept at positions, and `at` gives none";
-        let hint = format!("add {}", reader.line("at", &POSITION).replace("= ", "= [") + "]");
+        let hint =
+            format!("add {}", POSITION.line("at", reader.is_plain()).replace("= ", "= [") + "]");
         reader.report(Fault::new(code::INCOMPLETE, value.span(), message, "", hint));
     }
     let ground = match table.value("ground") {
@@ -93,10 +107,7 @@ fn fields(reader: &mut Reader, table: &Section, key: &str) -> Option<Vec<Field>>
 /// The field of a name, or what is probably meant.
 pub(super) fn field(name: &str) -> Result<Field, String> {
     let names = Field::ALL.map(Field::name);
-    Field::named(name.trim()).ok_or_else(|| match nearest(name, names.iter().copied()) {
-        Some(meant) => format!("did you mean `{meant}`?"),
-        None => format!("the fields: {}", names.join(", ")),
-    })
+    Field::named(name.trim()).ok_or_else(|| suggest::advice(name, &names, "the fields: {}"))
 }
 
 fn positions(reader: &mut Reader, table: &Section) -> Vec<f64> {

@@ -16,6 +16,7 @@ use crate::beside::{Beside, OtherFile};
 use crate::diagnostic::Diagnostics;
 use crate::document::Document;
 use crate::fault::Fault;
+use crate::keys::{Table, Value, key, table, tables, text, word};
 use crate::printable::printable;
 use crate::reader::Reader;
 use crate::source::Source;
@@ -24,19 +25,36 @@ use crate::{code, no_model, parse_beside, syntax, text_of};
 use std::path::{Path, PathBuf};
 use toml::de::DeTable;
 
-const TABLES: &[&str] = &[
-    "title",
-    "model",
-    "samples",
-    "seed",
-    "sampling",
-    "replicates",
-    "random",
-    "correlated",
-    "field",
-    "keep",
-    "event",
-];
+/// The tables of a study file.
+pub(crate) static STUDY: Table = Table {
+    name: "the file",
+    keys: &[
+        text("title", "Footing on random ground", "The title of the summary."),
+        text("model", "strip-footing.toml", "The model: a file in the folder of the study file.")
+            .needed(),
+        key(
+            "samples",
+            Value::Count([1, sampling::MOST_SAMPLES]),
+            "How many samples; left out: 10000.",
+        ),
+        key(
+            "seed",
+            Value::Count([0, i64::MAX as u64]),
+            "All random numbers follow from it; left out: 0.",
+        ),
+        word("sampling", &sampling::NAMES, "How the samples are drawn; left out: `monte-carlo`."),
+        key(
+            "replicates",
+            Value::Count([1, sampling::MOST_REPLICATES]),
+            "Hypercubes or sequences drawn independently; left out: 16.",
+        ),
+        tables("random", &random::TABLE, "A number of the model that is random."),
+        tables("correlated", &random::CORRELATED, "Two random numbers that depend on one another."),
+        table("field", &field::TABLE, "Random fields along the beam."),
+        table("keep", &keep::TABLE, "The values kept of every answer."),
+        tables("event", &event::TABLE, "A condition whose probability is told."),
+    ],
+};
 
 /// A study file that was read, with the model it is about.
 #[derive(Debug, Clone)]
@@ -127,11 +145,11 @@ impl From<Diagnostics> for At {
 fn parse(path: &Path, text: &str, beside: Beside) -> Result<StudyFile, At> {
     let source = Source::new(text);
     let (table, errors) = DeTable::parse_recoverable(text);
-    let syntax = syntax::explain(&source, table.get_ref(), &errors);
+    let syntax = syntax::explain(&source, table.get_ref(), &errors, &STUDY);
     if !syntax.readable {
         return Err(Diagnostics::new(syntax.found).into());
     }
-    let root = Section { table: table.get_ref(), span: 0..0, name: "the file" };
+    let root = Section::root(table.get_ref(), &STUDY);
     if root.table.is_empty() {
         let fault = Fault { message: "the file holds no study".to_owned(), ..no_model() };
         let hint = "a study has at least `model`, and something that is [[random]] or a [field]";
@@ -140,8 +158,8 @@ fn parse(path: &Path, text: &str, beside: Beside) -> Result<StudyFile, At> {
     }
     let mut reader = Reader::new(&source, &root, Some(beside), false);
     reader.found = syntax.found;
-    reader.refuse_unknown(&root, TABLES);
-    let title = reader.words(&root, "title", "Footing on random ground");
+    reader.refuse_unknown(&root);
+    let title = reader.text(&root, "title");
     let title = title.map(|(title, _)| title.to_owned());
     let model = model(&mut reader, &root, beside)?;
     let plan = sampling::read(&mut reader, &root);
@@ -224,12 +242,7 @@ fn model(
     root: &Section,
     beside: Beside,
 ) -> Result<Option<(PathBuf, Document)>, At> {
-    let Some((name, span)) = reader.words(root, "model", "strip-footing.toml") else {
-        if root.value("model").is_none() {
-            reader.missing(root, &["model"], "`model`", "model = \"strip-footing.toml\"");
-        }
-        return Ok(None);
-    };
+    let Some((name, span)) = reader.text(root, "model") else { return Ok(None) };
     let (path, bytes) = beside.read(name);
     let bytes = match bytes {
         Ok(bytes) => bytes,

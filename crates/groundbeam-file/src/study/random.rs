@@ -3,13 +3,16 @@
 use crate::code;
 use crate::document::Document;
 use crate::fault::Fault;
-use crate::lists;
+use crate::keys::{
+    ALSO_FROM, ALSO_TO, Table, Value, WHAT_CAN_STAND_HERE, Words, key, quantity, text, word,
+};
 use crate::quantity::{Kind, RATIO};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 use crate::target;
 use groundbeam::derivatives::Parameter;
 use std::ops::Range;
+use toml::Spanned;
 use toml::de::DeValue;
 
 /// A number of the model that is random.
@@ -74,13 +77,42 @@ pub struct Joined {
     pub rho: f64,
 }
 
-const DISTRIBUTIONS: [&str; 5] = ["normal", "lognormal", "gumbel", "uniform", "triangular"];
-const KEYS: &[&str] = &["what", "distribution", "mean", "cov", "deviation", "from", "to", "mode"];
+static DISTRIBUTIONS: Words = Words {
+    all: || vec!["normal", "lognormal", "gumbel", "uniform", "triangular"],
+    also: &[],
+    message: "`{}` is no `distribution`",
+    hint: WHAT_CAN_STAND_HERE,
+};
+
+pub(super) static TABLE: Table = Table {
+    name: "[[random]]",
+    keys: &[
+        text("what", "k_factor", "The number of the model, as listed below.").needed(),
+        word("distribution", &DISTRIBUTIONS, "How the number is distributed.").needed(),
+        key(
+            "mean",
+            Value::Depends,
+            "The mean of `normal`, `lognormal`, `gumbel`; left out: the model's.",
+        ),
+        quantity("cov", &RATIO, "Their standard deviation as a part of the mean."),
+        key("deviation", Value::Depends, "Their standard deviation."),
+        key("from", Value::Depends, "`uniform`, `triangular`: the least value.").also(ALSO_FROM),
+        key("to", Value::Depends, "`uniform`, `triangular`: the largest value.").also(ALSO_TO),
+        key("mode", Value::Depends, "`triangular`: the most probable value."),
+    ],
+};
+
+pub(super) static CORRELATED: Table = Table {
+    name: "[[correlated]]",
+    keys: &[
+        key("what", Value::List(&Value::Text("load[0]"), [2, 2]), "Two numbers that are random."),
+        quantity("rho", &RATIO, "The correlation of their normal scores.").needed(),
+    ],
+};
 
 pub(super) fn read(reader: &mut Reader, root: &Section, document: &Document) -> Vec<Random> {
     let mut all: Vec<Random> = Vec::new();
-    for table in reader.tables(root, &lists::RANDOM) {
-        reader.refuse_unknown(&table, KEYS);
+    for table in reader.tables(root, "random") {
         let what = target(reader, &table, document);
         let kind =
             what.as_ref().map_or(&RATIO, |(_, target, _)| target::kind(*target, &document.model));
@@ -111,12 +143,7 @@ fn target(
     table: &Section,
     document: &Document,
 ) -> Option<(String, Parameter, Range<usize>)> {
-    let Some((name, span)) = reader.words(table, "what", "k_factor") else {
-        if table.value("what").is_none() {
-            reader.missing(table, &["what"], "`what`", "what = \"k_factor\"");
-        }
-        return None;
-    };
+    let (name, span) = reader.text(table, "what")?;
     let name = name.trim();
     let Some(target) = Parameter::named(name) else {
         let message = format!("`{name}` is no number of a model");
@@ -139,12 +166,7 @@ fn distribution(
     what: Option<&(String, Parameter, Range<usize>)>,
     document: &Document,
 ) -> Option<Distribution> {
-    let which = reader.one_of(table, "distribution", &DISTRIBUTIONS);
-    if table.value("distribution").is_none() {
-        let example = "distribution = \"lognormal\"";
-        reader.missing(table, &["distribution"], "`distribution`", example);
-    }
-    let which = DISTRIBUTIONS[which?];
+    let which = reader.word(table, "distribution")?;
     let by_ends = matches!(which, "uniform" | "triangular");
     let foreign: &[&str] = match which {
         "uniform" => &["mean", "cov", "deviation", "mode"],
@@ -162,14 +184,14 @@ fn distribution(
         }
     }
     if by_ends {
-        let from = reader.required(table, "from", kind);
-        let to = reader.required(table, "to", kind);
+        let from = reader.required_of(table, "from", kind);
+        let to = reader.required_of(table, "to", kind);
         if to.value <= from.value {
             let hint = "`to` is the largest, `from` the least";
             out_of_range(reader, &to, "`to` must be larger than `from`", hint);
             return None;
         }
-        let mode = (which == "triangular").then(|| reader.required(table, "mode", kind));
+        let mode = (which == "triangular").then(|| reader.required_of(table, "mode", kind));
         let (from, to) = (from.value, to.value);
         return match mode {
             None => Some(Distribution::Uniform { from, to }),
@@ -182,7 +204,7 @@ fn distribution(
         };
     }
     let own = what.and_then(|(_, target, _)| target.value(&document.model));
-    let mean = reader.quantity(table, "mean", kind);
+    let mean = reader.quantity_of(table, "mean", kind);
     let (mean, span) = match (mean, own) {
         (Some(mean), _) => (mean.value, mean.span),
         (None, Some(own)) => (own, table.span.clone()),
@@ -194,11 +216,12 @@ fn distribution(
         out_of_range(reader, &Field::new(mean, span), "its mean must be positive", hint);
         return None;
     }
-    Some(match which {
-        "normal" => Distribution::Normal { mean, deviation },
-        "lognormal" => Distribution::Lognormal { mean, deviation },
-        _ => Distribution::Gumbel { mean, deviation },
-    })
+    match which {
+        "normal" => Some(Distribution::Normal { mean, deviation }),
+        "lognormal" => Some(Distribution::Lognormal { mean, deviation }),
+        "gumbel" => Some(Distribution::Gumbel { mean, deviation }),
+        _ => None,
+    }
 }
 
 /// The standard deviation, by itself or as a part of the mean.
@@ -208,8 +231,8 @@ pub(super) fn spread(
     kind: &'static Kind,
     mean: f64,
 ) -> Option<f64> {
-    let cov = reader.quantity(table, "cov", &RATIO);
-    let deviation = reader.quantity(table, "deviation", kind);
+    let cov = reader.quantity(table, "cov");
+    let deviation = reader.quantity_of(table, "deviation", kind);
     let given = match (cov, deviation) {
         (Some(cov), Some(deviation)) => {
             let hint = "the deviation is the mean times `cov`: give either of them";
@@ -257,15 +280,14 @@ impl Distribution {
 
 pub(super) fn read_joined(reader: &mut Reader, root: &Section, random: &[Random]) -> Vec<Joined> {
     let mut all: Vec<Joined> = Vec::new();
-    let written = reader.tables(root, &lists::RANDOM);
-    let written: Vec<&str> = written
-        .iter()
-        .filter_map(|table| table.value("what")?.get_ref().as_str())
-        .map(str::trim)
-        .collect();
-    for table in reader.tables(root, &lists::CORRELATED) {
-        reader.refuse_unknown(&table, &["what", "rho"]);
-        let rho = reader.required(&table, "rho", &RATIO);
+    let written = root.value("random").and_then(|value| value.get_ref().as_array());
+    let what = |value: &'_ Spanned<DeValue<'_>>| {
+        Some(value.get_ref().as_table()?.get("what")?.get_ref().as_str()?.trim().to_owned())
+    };
+    let written: Vec<String> =
+        written.into_iter().flat_map(|tables| tables.iter()).filter_map(what).collect();
+    for table in reader.tables(root, "correlated") {
+        let rho = reader.required(&table, "rho");
         if rho.value.abs() >= 1.0 {
             let hint = "0 is independent; of two that always agree make one";
             out_of_range(reader, &rho, "a correlation lies between -1 and 1", hint);
@@ -288,7 +310,7 @@ fn pair(
     reader: &mut Reader,
     table: &Section,
     random: &[Random],
-    written: &[&str],
+    written: &[String],
 ) -> Option<[usize; 2]> {
     let example = "what = [\"load[0]\", \"load[1]\"]";
     let Some(value) = table.value("what") else {
@@ -307,7 +329,7 @@ fn pair(
     let mut found = [0; 2];
     for (slot, name) in found.iter_mut().zip([a, b]) {
         let Some(index) = random.iter().position(|random| random.name == name.trim()) else {
-            if written.contains(&name.trim()) {
+            if written.iter().any(|what| what == name.trim()) {
                 return None;
             }
             let message = format!("no [[random]] is called `{name}`");

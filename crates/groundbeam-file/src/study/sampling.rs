@@ -2,10 +2,9 @@
 
 use crate::code;
 use crate::fault::Fault;
+use crate::keys::{WHAT_CAN_STAND_HERE, Words};
 use crate::reader::Reader;
-use crate::suggest::nearest;
 use crate::table::Section;
-use toml::de::DeValue;
 
 /// How points are spread over the random numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,6 +31,13 @@ impl Sampling {
     }
 }
 
+pub(super) static NAMES: Words = Words {
+    all: || Sampling::ALL.map(Sampling::name).to_vec(),
+    also: &[],
+    message: "`{}` is no `sampling`",
+    hint: WHAT_CAN_STAND_HERE,
+};
+
 /// How many samples there are, and how they are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Plan {
@@ -50,16 +56,16 @@ pub struct Plan {
 const SAMPLES: u64 = 10_000;
 const REPLICATES: u64 = 16;
 /// An exact integer in every program that may read the results.
-const MOST_SAMPLES: u64 = 1 << 48;
-const MOST_REPLICATES: u64 = 1 << 16;
+pub(super) const MOST_SAMPLES: u64 = 1 << 48;
+pub(super) const MOST_REPLICATES: u64 = 1 << 16;
 
 pub(super) fn read(reader: &mut Reader, root: &Section) -> Plan {
-    let samples = reader.count(root, "samples", 1..=MOST_SAMPLES).unwrap_or(SAMPLES);
-    let seed = reader.count(root, "seed", 0..=i64::MAX as u64).unwrap_or(0);
-    let names = Sampling::ALL.map(Sampling::name);
-    let sampling =
-        reader.one_of(root, "sampling", &names).map_or(Sampling::MonteCarlo, |i| Sampling::ALL[i]);
-    let written = reader.count(root, "replicates", 1..=MOST_REPLICATES);
+    let samples = reader.count(root, "samples").unwrap_or(SAMPLES);
+    let seed = reader.count(root, "seed").unwrap_or(0);
+    let word = reader.word(root, "sampling");
+    let sampling = Sampling::ALL.into_iter().find(|sampling| Some(sampling.name()) == word);
+    let sampling = sampling.unwrap_or(Sampling::MonteCarlo);
+    let written = reader.count(root, "replicates");
     let replicates = match sampling {
         Sampling::MonteCarlo => {
             if let (Some(_), Some(value)) = (written, root.value("replicates")) {
@@ -105,47 +111,5 @@ impl Plan {
             ));
         }
         None
-    }
-}
-
-impl Reader<'_> {
-    /// The whole number under `key`, if given.
-    pub fn count(
-        &mut self,
-        section: &Section,
-        key: &str,
-        range: std::ops::RangeInclusive<u64>,
-    ) -> Option<u64> {
-        let value = section.value(key)?;
-        let DeValue::Integer(integer) = value.get_ref() else {
-            let hint = format!("write it without quotes, as in {key} = 1000");
-            self.wrong_type(value, format!("`{key}` must be a whole number"), hint);
-            return None;
-        };
-        let digits = integer.as_str().replace('_', "");
-        let number = u64::from_str_radix(digits.trim_start_matches('+'), integer.radix()).ok();
-        let fits = number.filter(|number| range.contains(number));
-        if fits.is_none() {
-            let message = format!("`{key}` must be from {} to {}", range.start(), range.end());
-            let hint =
-                format!("for example {key} = {}", (*range.start()).max(1000).min(*range.end()));
-            self.report(Fault::new(code::RANGE, value.span(), message, "", hint));
-        }
-        fits
-    }
-
-    /// Which of the words stands under `key`, if any.
-    pub fn one_of(&mut self, section: &Section, key: &str, words: &[&str]) -> Option<usize> {
-        let (word, span) = self.words(section, key, words[0])?;
-        let found = words.iter().position(|known| *known == word.trim());
-        if found.is_none() {
-            let message = format!("`{word}` is no `{key}`");
-            let hint = match nearest(word, words.iter().copied()) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!("what can stand here: {}", words.join(", ")),
-            };
-            self.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
-        }
-        found
     }
 }

@@ -1,0 +1,44 @@
+//! Built-in lists of things with names: materials, trains, sets of combinations.
+
+use serde::de::DeserializeOwned;
+
+/// An entry of a built-in list.
+pub(crate) trait Entry {
+    fn name(&self) -> &str;
+    /// Other names by which it can be asked for.
+    fn also(&self) -> &[String];
+
+    fn is_called(&self, name: &str) -> bool {
+        self.name() == name || self.also().iter().any(|also| also == name)
+    }
+}
+
+/// All names by which entries can be asked for.
+pub(crate) fn spellings<'e, E: Entry + 'e>(
+    entries: impl IntoIterator<Item = &'e E>,
+) -> Vec<&'e str> {
+    let names =
+        |entry: &'e E| std::iter::once(entry.name()).chain(entry.also().iter().map(|s| &**s));
+    entries.into_iter().flat_map(names).collect()
+}
+
+/// The data files of a list, which a test reads.
+pub(crate) fn files<F: DeserializeOwned>(texts: &[&str]) -> Vec<F> {
+    let read = |text: &&str| toml::from_str(text).expect("a list that a test has read");
+    texts.iter().map(read).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{materials, sets, trains};
+
+    #[test]
+    fn every_name_is_given_once() {
+        for mut names in [materials::spellings(), sets::spellings(), trains::spellings()] {
+            let count = names.len();
+            names.sort_unstable();
+            names.dedup();
+            assert_eq!(names.len(), count);
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! Segments of the beam (EI, S) and of the ground (k, μ), from their tables and the table for the whole beam.
+//!
+//! A factor that a segment leaves out has the value of the whole beam at the same position, and so has a stiffness
+//! beside which the segment gives S or μ alone. What varies along the whole beam holds where no segment says otherwise.
+
+use crate::profile::{Along, left_out};
+use crate::reader::{Field, Reader};
+use crate::stiffness::{Given, Keys, Stiffness, cover};
+use crate::table::Section;
+use groundbeam::Profile;
+use groundbeam::model::Part;
+
+/// The quantities of the beam or of the ground.
+pub(super) struct Body {
+    pub segment: fn(usize) -> Part,
+    /// The fields of the model: EI and S, or k and μ.
+    pub fields: [&'static str; 2],
+    /// The keys of EI or k.
+    pub keys: Keys,
+}
+
+/// A stretch of the beam or of the ground.
+pub(super) struct Segment {
+    pub from: f64,
+    pub to: f64,
+    /// EI or k.
+    pub stiffness: Profile,
+    /// S or μ; none for that of the whole beam.
+    pub second: Option<Profile>,
+}
+
+/// What the table for the whole beam says.
+pub(super) struct Whole {
+    pub length: f64,
+    given: Given,
+    stiffness: Stiffness,
+    /// S or μ, for segments that leave it out.
+    second: Option<Along>,
+    body: &'static Body,
+}
+
+impl Whole {
+    pub fn new(
+        reader: &mut Reader,
+        length: f64,
+        given: Given,
+        second: Option<Along>,
+        body: &'static Body,
+    ) -> Self {
+        let stiffness = given.resolve(reader, &Given::default(), &body.keys);
+        Whole { length, given, stiffness, second, body }
+    }
+
+    /// What is given for the whole beam, on a part of it.
+    pub fn given(&self, way: [f64; 2]) -> Given {
+        self.given.between(way)
+    }
+
+    /// Whether any quantity varies along the whole beam.
+    pub fn varies(&self) -> bool {
+        let [a, b] = &self.given.factors;
+        let all = [&self.given.product, a, b, &self.second];
+        all.into_iter().flatten().any(|along| !along.profile.is_constant())
+    }
+
+    /// The ends of a segment, and where they are on the way from 0 to 1 along the beam.
+    pub fn ends(&self, reader: &mut Reader, table: &Section) -> ([f64; 2], [f64; 2]) {
+        let ends = ["from", "to"].map(|key| reader.required(table, key).value);
+        (ends, ends.map(|x| (x / self.length).clamp(0.0, 1.0)))
+    }
+
+    /// A segment that gives `own`, and S or μ of its own if it does.
+    pub fn segment(
+        &self,
+        reader: &mut Reader,
+        table: &Section,
+        ([from, to], way): ([f64; 2], [f64; 2]),
+        own: &Given,
+        second: Option<Along>,
+    ) -> Segment {
+        let [name, second_name] = self.body.fields;
+        let stiffness = own.resolve(reader, &self.given(way), &self.body.keys);
+        let stiffness = match (stiffness, &self.stiffness) {
+            // A value of the whole beam is reported at its own table if it is wrong.
+            (Stiffness::NotGiven, Stiffness::Known(whole)) if second.is_some() => {
+                reader.place(table, name, &Field::unreadable(0..0));
+                whole.between(way)
+            }
+            (own, _) => {
+                let own = reader.settle(own, table, &self.body.keys);
+                reader.place(table, name, &own.field());
+                own
+            }
+        };
+        let place = second.as_ref().map_or(Field::unreadable(0..0), Along::field);
+        reader.place(table, second_name, &place);
+        let second = second.or_else(|| self.second.as_ref().map(|whole| whole.between(way)));
+        let second = second.map(|along| along.profile);
+        Segment { from, to, stiffness: stiffness.profile, second }
+    }
+
+    /// The constants beside all segments, those included that what varies along the whole beam adds here.
+    pub fn complete(
+        self,
+        reader: &mut Reader,
+        table: &Section,
+        segments: &mut Vec<Segment>,
+    ) -> (f64, Option<f64>) {
+        let Whole { length, stiffness, second, body, .. } = self;
+        let [name, second_name] = body.fields;
+        let stretches: Vec<(f64, f64)> = segments.iter().map(|s| (s.from, s.to)).collect();
+        let rightmost = segments.iter().max_by(|a, b| a.to.total_cmp(&b.to));
+        if let (Stiffness::NotGiven | Stiffness::Half(..), Some(last)) = (&stiffness, rightmost)
+            && cover(length, stretches.iter().copied())
+        {
+            // No part of the beam is left for the constants; they must only be possible values.
+            reader.place(table, name, &Field::unreadable(0..0));
+            return (last.stiffness.end(), last.second.map(|second| second.end()));
+        }
+        let stiffness = reader.settle(stiffness, table, &body.keys);
+        reader.place(table, name, &stiffness.field());
+        let start = |along: &Along| along.profile.start();
+        let constants = (start(&stiffness), second.as_ref().map(start));
+        let all = [Some(&stiffness), second.as_ref()];
+        let varies = all.into_iter().flatten().any(|along| !along.profile.is_constant());
+        // A wrong beginning is reported once.
+        if !varies || constants.0 <= 0.0 || constants.1.is_some_and(|second| second < 0.0) {
+            return constants;
+        }
+        for [from, to] in left_out(length, stretches.into_iter()) {
+            let way = [from / length, to / length];
+            let part = (body.segment)(segments.len());
+            let stiffness = stiffness.between(way);
+            reader.places.field(part, name, &stiffness.field());
+            let second = second.as_ref().map(|second| second.between(way));
+            if let Some(second) = &second {
+                reader.places.field(part, second_name, &second.field());
+            }
+            let second = second.map(|along| along.profile);
+            segments.push(Segment { from, to, stiffness: stiffness.profile, second });
+        }
+        constants
+    }
+}

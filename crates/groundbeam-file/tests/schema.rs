@@ -1,0 +1,89 @@
+//! The JSON Schema of model files and study files against a validator for Python: it accepts every file of the
+//! repository that is right, and refuses those of `cases/errors` with an unknown key or a value of a wrong type.
+//!
+//! Needs Python from 3.10 on and packages from its index. Without them this test says that it was skipped, or fails
+//! where the variable `GROUNDBEAM_DEMAND_PYTHON` is set.
+
+#[path = "../../groundbeam-python/tests/environment/mod.rs"]
+mod environment;
+
+use environment::{environment, tools_or_skip};
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+const NEEDS: [&str; 2] = ["jsonschema>=4.20,<5", "tomli>=2; python_version < '3.11'"];
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().expect("the repository")
+}
+
+/// Every TOML file of a folder and of those below it.
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            found.extend(files(&path));
+        } else if path.extension().is_some_and(|extension| extension == "toml") {
+            found.push(path);
+        }
+    }
+    found.sort();
+    found
+}
+
+/// What the validator says of each file.
+fn judge(python: &Path, workplace: &Path, files: &[PathBuf]) -> Vec<String> {
+    let schemas = [
+        ("model.json", groundbeam_file::model_schema()),
+        ("study.json", groundbeam_file::study_schema()),
+    ];
+    for (name, schema) in &schemas {
+        fs::write(workplace.join(name), schema).expect("written");
+    }
+    let line = |path: &PathBuf| {
+        let text = String::from_utf8_lossy(&fs::read(path).expect("a file")).into_owned();
+        let is_study = text.lines().any(|line| line.starts_with("model = "));
+        let schema = workplace.join(if is_study { "study.json" } else { "model.json" });
+        format!("{}\t{}\n", schema.display(), path.display())
+    };
+    let list: String = files.iter().map(line).collect();
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/schema.py");
+    let mut run = Command::new(python);
+    let mut run = run.arg(script).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
+    run.stdin.take().expect("a pipe").write_all(list.as_bytes()).expect("written");
+    let done = run.wait_with_output().expect("Python runs");
+    assert!(done.status.success(), "the validator stopped");
+    String::from_utf8(done.stdout).expect("text").lines().map(str::to_owned).collect()
+}
+
+#[test]
+fn the_schema_accepts_right_files_and_refuses_wrong_keys_and_types() {
+    let workplace = Path::new(env!("CARGO_TARGET_TMPDIR")).join("schema");
+    let python = environment(&workplace, &NEEDS);
+    let (variable, subject) = ("GROUNDBEAM_DEMAND_PYTHON", "the JSON Schema");
+    let Some(python) = tools_or_skip(python, variable, subject) else { return };
+    let folders = ["cases", "docs", "bench", "crates/groundbeam-cli/starters"];
+    let all: Vec<PathBuf> = folders.iter().flat_map(|folder| files(&root().join(folder))).collect();
+    let all: Vec<PathBuf> = all.into_iter().filter(|path| !path.ends_with("Cargo.toml")).collect();
+    let judged = judge(&python, &workplace, &all);
+    assert_eq!(judged.len(), all.len());
+    let (mut accepted, mut refused) = (0, 0);
+    for (path, judged) in all.iter().zip(&judged) {
+        let name = path.display();
+        if !path.starts_with(root().join("cases/errors")) {
+            assert_eq!(judged, "accepted", "{name}");
+            accepted += 1;
+            continue;
+        }
+        let text = String::from_utf8_lossy(&fs::read(path).expect("a file")).into_owned();
+        if ["error: GB003", "error: GB005"].iter().any(|code| text.contains(code)) {
+            assert!(judged.starts_with("refused: "), "{name}: {judged}");
+            refused += 1;
+        }
+    }
+    assert!(accepted > 100 && refused > 10, "{accepted} accepted, {refused} refused");
+    println!("{accepted} files are accepted, {refused} are refused");
+}
