@@ -69,9 +69,12 @@ impl LiftOffCandidate {
         found
     }
 
-    /// Whether a factor of this place is zero but for rounding.
-    pub fn is_nothing(&self, factor: f64) -> bool {
-        factor * self.growing.size <= ROUNDING * self.staying.size
+    /// Whether the staying force at a position is rounding error, so that a pull there begins at the factor zero.
+    pub fn is_nothing(&self, x: f64) -> bool {
+        let [from, to] = self.x;
+        let s =
+            if to > from { (2.0 * (x - from) / (to - from) - 1.0).clamp(-1.0, 1.0) } else { 0.0 };
+        value(&self.staying.coefficients, s) <= ROUNDING * self.staying.size
     }
 
     /// Where the ground would have to pull most at a factor, if at all.
