@@ -1,6 +1,6 @@
 //! The contact iteration on single models: each needs one line of the iteration, and fails or changes without it.
 
-use groundbeam::{Outcome, Solution, solve};
+use groundbeam::{ContactZone, Outcome, Solution, Verdict, solve};
 use groundbeam_verification::random::{Family, model};
 
 fn solved(family: Family, number: u64) -> Box<Solution> {
@@ -19,23 +19,35 @@ fn zones(solution: &Solution) -> Vec<[f64; 2]> {
 #[test]
 fn a_zone_that_presses_with_rounding_error_is_left_out() {
     // A zone 0.65 l long reproduces itself in doubles. Its force is rounding error.
-    let zones = zones(&solved(Family::Supported, 973));
+    let solution = solved(Family::Supported, 973);
+    let zones = zones(&solution);
     assert_eq!(zones.len(), 1, "{zones:?}");
     assert!((zones[0][0] - 0.057_137).abs() < 1e-5, "{zones:?}");
+    let undecided: Vec<ContactZone> = solution.undecided().collect();
+    assert_eq!(undecided.len(), 1, "{undecided:?}");
+    assert!(undecided[0].to - undecided[0].from > 0.6 * solution.model().beam.length);
 }
 
 #[test]
 fn a_cycle_of_contacts_ends_at_the_contact_with_fewest_zones() {
     // A third zone from 0 to 0.0371 comes and goes.
-    let zones = zones(&solved(Family::Supported, 1303));
+    let solution = solved(Family::Supported, 1303);
+    let zones = zones(&solution);
     assert_eq!(zones.len(), 2, "{zones:?}");
     assert!(zones[0][0] > 0.39, "{zones:?}");
+    let undecided: Vec<ContactZone> = solution.undecided().collect();
+    assert!(undecided[0].from == 0.0 && undecided[0].to > 0.03, "{undecided:?}");
 }
 
 #[test]
 fn a_beam_on_one_corner_touches_at_a_point() {
     for (family, number) in [(Family::Gap, 738), (Family::Shearing, 361)] {
-        let zones = zones(&solved(family, number));
+        let solution = solved(family, number);
+        let zones = zones(&solution);
+        assert!(
+            matches!(solution.existence().verdict, Verdict::NotUnique(_)),
+            "{family:?} {number}"
+        );
         assert!(matches!(zones[..], [[from, to]] if from == to), "{family:?} {number}: {zones:?}");
     }
 }
@@ -61,6 +73,26 @@ fn the_continuation_starts_from_a_stiff_beam_and_takes_small_steps() {
 #[test]
 fn a_direction_without_a_fall_of_energy_is_scanned_again() {
     assert_eq!(zones(&solved(Family::Shearing, 439)).len(), 4);
+}
+
+#[test]
+fn settled_zones_are_no_measure_for_the_moves_of_other_zones() {
+    // Edge Newton settles a contact to 10⁻¹² of the length. The obstacle problem then splits one of its zones.
+    for (family, number) in
+        [(Family::Mixed, 883), (Family::Neighbours, 384), (Family::Neighbours, 989)]
+    {
+        let gap = solved(family, number).certificate().relative_gap();
+        assert!(gap < 1e-22, "{family:?} {number}: {gap:e}");
+    }
+}
+
+#[test]
+fn the_force_at_an_edge_of_a_beam_that_shears_includes_its_kink() {
+    // Zones separated by short open spans on a shear layer hundreds of times stiffer in shear than the beam.
+    for number in [229, 439, 678] {
+        let gap = solved(Family::Shearing, number).certificate().relative_gap();
+        assert!(gap < 1e-22, "Shearing {number}: {gap:e}");
+    }
 }
 
 #[test]

@@ -115,11 +115,24 @@ fn decay(cell: &Cell, half: f64) -> f64 {
 pub(crate) fn fluxes(w: &Deflection, ends: [Option<BeamPoint>; 2], link: &TwoPort) -> [f64; 2] {
     let of = |f: &dyn Fn(BeamPoint) -> f64| ends.map(|end| end.map_or(0.0, f));
     if let Some([a, b]) = end_forces(w, ends) {
-        let [left, right] = of(&|point| w.flux(point));
+        let [left, right] = of(&|point| w.flux(open_side(w, point)));
         return [a - left, b + right];
     }
     let [left, right] = of(&|point| w.obstacle_at(point));
     [link.force_left(left, right), link.force_right(left, right)]
+}
+
+/// An end of a span as a point of the open cell beside it, where a beam that shears has a kink that the concentrated force of
+/// its bonded edge makes. Other kinks are corners: A and B include them.
+fn open_side(w: &Deflection, point: BeamPoint) -> BeamPoint {
+    let BeamPoint { cell, s } = point;
+    let other = match s {
+        1.0 if cell + 1 < w.mesh.cells.len() => BeamPoint { cell: cell + 1, s: -1.0 },
+        -1.0 if cell > 0 => BeamPoint { cell: cell - 1, s: 1.0 },
+        _ => return point,
+    };
+    let shears = w.mesh.cells[other.cell].beam_shear.is_some();
+    if shears && w.corner(cell.max(other.cell)) == 0.0 { other } else { point }
 }
 
 /// A and B of a span, if it is short.
