@@ -94,6 +94,18 @@ fn a_clamp_that_takes_moments_alone_is_certified() {
     assert!(solution.certificate().relative_gap() < 1e-15, "{:?}", solution.certificate());
 }
 
+/// A beam that turns by 10¹² about a contact of a thousandth of its length. A piece there is a ten-thousandth of its distance from the left
+/// end, from which positions count. Its ends in terms of t are differences of near positions.
+#[test]
+fn short_pieces_far_from_the_left_end_keep_their_digits() {
+    let folder = groundbeam_verification::frozen::folder();
+    let all = groundbeam_verification::frozen::family(&folder, "Extreme").expect("a family");
+    let one = all.iter().find(|one| one.number() == 47).expect("a frozen model");
+    let solution = solved(&one.model().expect("a model"), &Options::default());
+    let gap = solution.expect("an equilibrium").certificate().relative_gap();
+    assert!(gap < 1e-14, "{gap:e}");
+}
+
 /// A mesh's answer is as close to the exact one as it says.
 #[test]
 fn a_mesh_is_as_good_as_it_says() {

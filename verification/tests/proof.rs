@@ -32,10 +32,37 @@ const REACHED: [(&str, f64); 16] = [
     ),
 ];
 
-/// Balanced on one point: what presses has no lever to balance the rounding of the answer.
-const BALANCED: [&str; 2] = [
-    "limits/balanced-on-a-corner-of-the-ground.toml",
-    "limits/balanced-on-an-end-of-a-shear-layer.toml",
+/// The case files with a solution that is not proven, each with the reason. docs/proof.md lists them.
+const EXCEPTIONS: [(&str, &str); 8] = [
+    // What presses stands on one point: nothing has a lever to balance the rounding of the answer.
+    ("limits/balanced-on-a-corner-of-the-ground.toml", "no lever"),
+    ("limits/balanced-on-an-end-of-a-shear-layer.toml", "no lever"),
+    // The load is the one at which an edge of contact appears: the pressure there is exactly zero.
+    (
+        "textbook/hetenyi-1946-free-beam-central-force-beta-l-pi.toml",
+        "the contact set is not shown: contact and clearance are too close on springs",
+    ),
+    (
+        "textbook/lovtsov-2025-beam-loaded-at-both-ends-about-to-lift-off.toml",
+        "the contact set is not shown: contact and clearance are too close on springs",
+    ),
+    (
+        "textbook/rigid-footing-of-kikuchi-about-to-lift-off.toml",
+        "the contact set is not shown: the clearance of open ground is too small",
+    ),
+    // The compression is above the critical load of the beam on its supports alone. The ground holds it.
+    (
+        "textbook/engesser-1891-pinned-beam-that-shears-in-compression.toml",
+        "no critical load above the compression is proven",
+    ),
+    (
+        "textbook/hetenyi-1946-half-endless-beam-in-compression.toml",
+        "no critical load above the compression is proven",
+    ),
+    (
+        "textbook/timoshenko-gere-1961-pinned-beam-on-springs-in-compression.toml",
+        "no critical load above the compression is proven",
+    ),
 ];
 
 /// All solutions of the case files.
@@ -57,36 +84,35 @@ fn relative(proof: &Proof) -> f64 {
 }
 
 #[test]
-fn solutions_of_all_case_files_are_proven_or_their_kind_is_named() {
+fn solutions_of_all_case_files_are_proven_but_for_the_listed_exceptions() {
     let found: Vec<(String, f64, Result<Proof, NotProven>)> = solutions()
         .into_par_iter()
         .map(|(path, solution)| (path, solution.certificate().relative_gap(), solution.prove()))
         .collect();
-    let (mut bounded, mut proven) = (0, 0);
+    let mut exceptions: Vec<(&str, String)> = Vec::new();
     for (path, today, proof) in &found {
-        match proof {
+        let why = match proof {
             Ok(proof) => {
-                bounded += 1;
-                match proof.shortfall() {
-                    None => proven += 1,
-                    Some(why) => println!("{path}: {why}"),
-                }
                 let gap = relative(proof);
                 assert!(gap <= (1.01 * today).max(4e-27), "{path}: {gap:e}, certificate {today:e}");
+                proof.shortfall().map(|why| why.what)
             }
-            Err(why) if why.what.starts_with("not covered: ") => {}
-            Err(why) if why.what == "no critical load above the compression is proven" => {
-                println!("{path}: {why}");
-            }
-            Err(why) => {
-                assert!(BALANCED.contains(&path.as_str()), "{path}: {why}");
-                assert!(why.what.starts_with("no lever"), "{path}: {why}");
-            }
-        }
+            Err(why) => Some(why.what.clone()),
+        };
+        exceptions.extend(why.map(|why| (path.as_str(), why)));
     }
-    println!("{bounded} of {} solutions have bounds, {proven} are proven", found.len());
-    assert!(bounded >= 111, "only {bounded} solutions have bounds");
-    assert!(proven >= 107, "only {proven} solutions are proven");
+    println!("{} of {} solutions are proven", found.len() - exceptions.len(), found.len());
+    for (path, why) in &exceptions {
+        let listed = EXCEPTIONS.iter().find(|(listed, _)| listed == path);
+        let (_, reason) = listed.unwrap_or_else(|| panic!("{path} is not listed: {why}"));
+        assert!(why.starts_with(reason), "{path}: {why}");
+    }
+    let chapter = include_str!("../../docs/proof.md");
+    for (path, _) in EXCEPTIONS {
+        let name = path.rsplit('/').next().expect("a name");
+        assert!(chapter.contains(name), "docs/proof.md does not list {path}");
+        assert!(exceptions.iter().any(|(found, _)| *found == path), "{path} is proven");
+    }
     for (path, reached) in REACHED {
         let of_path = found.iter().filter(|(found, ..)| found == path);
         for (_, _, proof) in of_path {

@@ -334,6 +334,46 @@ fn beams_that_tension_balances() {
     assert!(found.most[0] > 0.1 && found.most[1] > 0.1, "{:?}", found.most);
 }
 
+/// Hinges of both kinds, springs against rotation, clamps on the ground, and tension.
+#[test]
+fn beams_on_springs_and_hinges_and_under_tension() {
+    let families = ["Hinged", "Supported", "Settled", "Mixed", "Tension"];
+    let solutions: Vec<_> = families.into_iter().flat_map(solutions).collect();
+    let found = judge("held", &solutions);
+    for why in &found.refused {
+        assert!(why.contains("no critical load above"), "{why}");
+    }
+    let counts = [found.gaps.len(), found.shown, found.proven, found.claims];
+    assert!(counts[0] >= 990 && counts[1] >= 970 && counts[2] >= 960, "{counts:?}");
+    assert!(counts[3] >= 4000, "{counts:?}");
+    assert!(found.most[0] > 0.1 && found.most[1] > 0.1, "{:?}", found.most);
+}
+
+/// Models that one rule each proves.
+#[test]
+fn each_of_these_models_needs_a_rule_of_its_own() {
+    for (title, rule) in [
+        ("Hinged 9", "parts joined by an elastic hinge are bounded together"),
+        ("OneWay 85", "a spring against rotation bounds the slope"),
+        ("Shearing 71", "it bounds the slope of a beam that nearly reaches a support"),
+        ("Supported 35", "a clamp stands on open ground of a layer"),
+        ("Mixed 72", "an end without load rests beside a clamp, on separate springs"),
+        ("Hinged 93", "an end without load rests beside a clamp, on a layer"),
+        ("Tension 5", "the curvature bounds the shear force under tension"),
+        ("Extreme 4", "the pressure beside an edge is that near the edge"),
+    ] {
+        let (family, number) = title.split_once(' ').expect("a family and a number");
+        let all = frozen::family(&frozen::folder(), family).expect("a family");
+        let number: u64 = number.parse().expect("a number");
+        let one = all.iter().find(|one| one.number() == number).expect("a frozen model");
+        let Ok(Outcome::Equilibrium(solution)) = solve(&one.model().expect("a model")) else {
+            panic!("{title}: no solution")
+        };
+        let proof = solution.prove().unwrap_or_else(|why| panic!("{title}: {why}"));
+        assert_eq!(proof.shortfall(), None, "{title}: {rule}");
+    }
+}
+
 /// The answer to a model without the supports that act, claimed for the model with them as if they were idle: nothing is
 /// proven of it, or bounds that hold.
 #[test]

@@ -226,9 +226,14 @@ impl<S: Scalar> Span<S> {
         }
         let ends = piece.x.map(|x| units.metres(S::of(x)));
         let middle = (ends[0] + ends[1]).scaled(-1);
-        // Differences of near positions keep the digits of a short piece far from zero.
-        let stretch = (ends[1] - ends[0]).scaled(-1);
-        let t = [(x[0] - ends[0]) - stretch, (x[1] - ends[1]) + stretch].map(|x| x.div(half));
+        let t = match S::ENCLOSES {
+            true => x.map(|x| (x - middle).div(half)),
+            // In doubles differences of near positions keep the digits of a short piece far from zero.
+            false => {
+                let stretch = (ends[1] - ends[0]).scaled(-1);
+                [(x[0] - ends[0]) - stretch, (x[1] - ends[1]) + stretch].map(|x| x.div(half))
+            }
+        };
         let off = [t[0] + S::one(), t[1] - S::one()];
         if !off.iter().all(|off| off.size() <= 0.25) {
             return Err(wrong("`half` does not fit the ends of the piece"));
