@@ -165,3 +165,40 @@ impl Table {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::section::MODEL;
+    use crate::study::STUDY;
+
+    fn check(table: &Table) {
+        for (i, key) in table.keys.iter().enumerate() {
+            let place = format!("`{}` of {}", key.name, table.name);
+            assert!(table.keys[..i].iter().all(|other| other.name != key.name), "{place}");
+            assert!(key.meaning.ends_with('.'), "{place} has a meaning");
+            let is_name = |also: &&&str| table.keys.iter().any(|key| key.name == **also);
+            assert_eq!(
+                key.also.iter().find(is_name),
+                None,
+                "{place}: another name is a key itself"
+            );
+            match key.value {
+                Value::Table(below) | Value::Tables(below) => check(below),
+                Value::Name(example, all) => assert!(all().contains(&example), "{place}"),
+                Value::Word(words) => {
+                    let known = (words.all)();
+                    assert!(words.also.iter().all(|(word, _)| known.contains(word)), "{place}");
+                    assert!(words.message.contains("{}"), "{place}");
+                }
+                _ => {}
+            }
+        }
+    }
+
+    #[test]
+    fn every_row_is_consistent() {
+        check(&MODEL);
+        check(&STUDY);
+    }
+}

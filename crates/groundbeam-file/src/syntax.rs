@@ -131,3 +131,43 @@ fn first_of(table: &DeTable, name: &str, offset: usize) -> Option<Range<usize>> 
     }
     nearest
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::keys::Value;
+    use crate::section::MODEL;
+    use crate::study::STUDY;
+
+    /// The names of all tables, in a table and in those below it, of which a file may have several.
+    fn several(table: &Table) -> Vec<&'static str> {
+        let of = |value| match value {
+            Value::Table(table) => several(table),
+            Value::Tables(table) => several(table),
+            _ => Vec::new(),
+        };
+        let own = table.keys.iter().filter(|key| matches!(key.value, Value::Tables(_)));
+        let below = table.keys.iter().flat_map(|key| of(key.value));
+        own.map(|key| key.name).chain(below).collect()
+    }
+
+    /// Every one of them is advised to be written with double brackets where it is given twice.
+    #[test]
+    fn a_table_given_twice_is_a_list() {
+        for (keys, count) in [(&MODEL, 13), (&STUDY, 3)] {
+            let all = several(keys);
+            assert_eq!(all.len(), count, "{all:?}");
+            for name in all {
+                for heading in [format!("[{name}]"), format!("[beam.{name}]")] {
+                    let text = format!("{heading}\nat = \"1 m\"\n{heading}\nat = \"2 m\"\n");
+                    let source = Source::new(&text);
+                    let (table, errors) = DeTable::parse_recoverable(&text);
+                    let found = explain(&source, table.get_ref(), &errors, keys).found;
+                    let twice = found.iter().find(|fault| fault.code == code::DUPLICATE).unwrap();
+                    assert!(twice.hint.contains("double brackets"), "{heading}: {}", twice.hint);
+                }
+            }
+        }
+        assert!(!MODEL.may_be_several("beam"));
+    }
+}
