@@ -2,15 +2,17 @@
 
 use std::fmt::{self, Display, Formatter};
 
-/// Hundredths of a unit are finer than any screen.
-pub(crate) fn rounded(value: f64) -> f64 {
-    // The sum turns a negative zero into zero.
-    (100.0 * value).round_ties_even() / 100.0 + 0.0
+/// A number as the pictures write it: hundredths of a unit are finer than any screen.
+pub(super) fn number(value: f64) -> String {
+    let text = format!("{value:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
-/// A number as the pictures write it.
-pub(super) fn number(value: f64) -> String {
-    rounded(value).to_string()
+/// The value that [`number`] writes.
+#[cfg(feature = "png")]
+pub(crate) fn rounded(value: f64) -> f64 {
+    number(value).parse().unwrap_or(value)
 }
 
 /// A colour of the pictures. People with any kind of colour vision tell those of fields and loads apart (Okabe and Ito).
