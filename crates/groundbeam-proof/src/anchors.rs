@@ -9,7 +9,13 @@ use crate::size::Size;
 use std::ops::Range;
 
 /// The parts |t| ≤ … of a piece on which the least pressure is tried.
-pub(crate) const PARTS: [f64; 4] = [0.9, 0.5, 0.25, 0.0625];
+const PARTS: [f64; 4] = [0.9, 0.5, 0.25, 0.0625];
+
+/// Those that lie within a piece: `half` need not be half of its length.
+pub(crate) fn parts_of<S: Scalar>(span: &Span<S>) -> impl Iterator<Item = f64> {
+    let [left, right] = [-span.t[0].high(), span.t[1].low()];
+    PARTS.into_iter().filter(move |part| *part <= left && *part <= right)
+}
 
 /// A place with a bound of |e|, or of |e_φ|.
 #[derive(Debug, Clone, Copy)]
@@ -228,7 +234,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         let span = &self.fields.frame.spans[i];
         let kept = self.kept(self.balanced.factor(i).value());
         let mut best: Option<[Anchor; 2]> = None;
-        for part in PARTS {
+        for part in parts_of(span) {
             let least = self.least_pressure(i, part);
             if !(least > 0.0 && kept > 0.5) {
                 continue;
@@ -359,4 +365,25 @@ pub(crate) fn along_slope(
 fn distance(a: f64, b: f64) -> Size {
     let d = (b - a).next_up();
     if d <= 0.0 { Size::ZERO } else { Size::of(d) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::parts_of;
+    use crate::answer::Piece;
+    use crate::frame::Span;
+    use crate::scalar::Scalar;
+    use crate::units::Units;
+    use crate::wide::Wide;
+
+    /// With half = 1 a piece of the length 1.6 runs over |t| ≤ 0.8.
+    #[test]
+    fn the_least_pressure_is_that_of_the_piece_alone() {
+        for (half, wanted) in [(1.0, &[0.5, 0.25, 0.0625][..]), (0.8, &[0.9, 0.5, 0.25, 0.0625])] {
+            let piece = Piece { x: [0.0, 1.6], half, deflection: vec![1.0], ..Piece::default() };
+            let units = Units { length: 0, force: 0 };
+            let span = Span::of(&piece, [0.0, 1.6].map(Wide::of), units).expect("a piece");
+            assert_eq!(parts_of(&span).collect::<Vec<_>>(), wanted);
+        }
+    }
 }

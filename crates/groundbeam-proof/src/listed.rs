@@ -85,8 +85,6 @@ pub(crate) struct Differences {
     pub fields: [f64; 8],
     /// Of edges and concentrated forces from the exact ones.
     pub contact: ListedErrors,
-    /// Of the rotation and of the moment of each hinge.
-    pub hinges: Vec<[f64; 2]>,
     /// The places of the listed extremes.
     pub extremes: Vec<PlacedExtreme>,
     pub checked: Checked,
@@ -118,10 +116,10 @@ pub(crate) fn differences<S: Scalar>(
     for stretch in &document.lift_off {
         failed = failed.or(comparison.lift_off(stretch, &mut found).err());
     }
-    match document.hinges.iter().map(|hinge| comparison.hinge(hinge)).collect() {
-        Ok(hinges) => found.hinges = hinges,
-        Err(why) => failed = failed.or(Some(why)),
+    for hinge in &document.hinges {
+        failed = failed.or(comparison.hinge(hinge, &mut found).err());
     }
+    failed = failed.or(comparison.forces_at_one_place());
     if let Some(contact) = contact {
         match edges(document, contact) {
             Ok(edges) => found.contact.edges = edges,
@@ -273,6 +271,10 @@ impl<S: Scalar> Comparison<'_, S> {
         }
         let first = pieces.partition_point(|piece| piece.x[0] < *from);
         let range = first..pieces.partition_point(|piece| piece.x[1] <= *to).max(first);
+        let touches = pieces[range.clone()].iter().any(|piece| piece.touches);
+        if touches || ends.iter().any(|edge| from < edge && edge < to) {
+            return Err(NotProven::new("a listed stretch has not lifted off").at(*from));
+        }
         let largest = Extreme { field: "gap".to_owned(), is_max: true, x: *x, value: *value };
         let off = self.difference(GAP, *value, self.place(*x)?);
         enlarge(&mut found.fields[GAP], off);
@@ -282,7 +284,11 @@ impl<S: Scalar> Comparison<'_, S> {
     }
 
     /// |listed − computed| of the rotation and of the moment of a hinge.
-    fn hinge(&self, [at, rotation, moment]: &[f64; 3]) -> Result<[f64; 2], NotProven> {
+    fn hinge(
+        &self,
+        [at, rotation, moment]: &[f64; 3],
+        found: &mut Differences,
+    ) -> Result<(), NotProven> {
         let (i, t) = self.place(*at)?;
         let spans = &self.fields.frame.spans;
         if i == 0 || t != spans[i].t[0] {
@@ -290,7 +296,9 @@ impl<S: Scalar> Comparison<'_, S> {
         }
         let value = |field: usize, i: usize, t: S| self.patches.value(field, i, t);
         let turned = value(ROTATION, i, t) - value(ROTATION, i - 1, spans[i - 1].t[1]);
-        Ok([(S::of(*rotation) - turned).size(), self.difference(MOMENT, *moment, (i, t))])
+        enlarge(&mut found.fields[ROTATION], (S::of(*rotation) - turned).size());
+        enlarge(&mut found.fields[MOMENT], self.difference(MOMENT, *moment, (i, t)));
+        Ok(())
     }
 
     /// By how much a field exceeds its listed extreme anywhere on some pieces.
@@ -322,6 +330,15 @@ impl<S: Scalar> Comparison<'_, S> {
                 enlarge(&mut found.fields[PRESSURE], units.restored(size.value(), 1, -1));
             }
         }
+    }
+
+    /// Two listed forces at one place would be added by a reader, each is compared with the exact one.
+    fn forces_at_one_place(&self) -> Option<NotProven> {
+        let mut places: Vec<f64> = self.document.answer.forces.iter().map(|f| f.x).collect();
+        places.sort_by(f64::total_cmp);
+        let near = NEAR * self.length();
+        let pair = places.windows(2).find(|pair| pair[1] - pair[0] <= near)?;
+        Some(NotProven::new("two concentrated forces are listed at one place").at(pair[0]))
     }
 
     /// Listed concentrated forces against the exact ones. A force that is not listed is zero.

@@ -150,7 +150,7 @@ fn of_fields<S: Scalar>(
     Ok(Attempt::Done(Box::new(Proof {
         energy: units.restored(energy.value(), 1, 1),
         strain_energy: units.restored(Energies::of(fields).strain, 1, 1),
-        bounds: largest(frame, &pieces, &scales),
+        bounds: largest(frame, &pieces, &scales, shown.failed[0].is_none()),
         reactions: reactions(frame, &of_supports, &scales),
         unique,
         contact: shown.result(),
@@ -172,16 +172,37 @@ fn add_stored<S: Scalar>(answer: &Answer, fields: &Fields<S>, bounds: &mut [Piec
             let differs = <Polynomial<_>>::from_coefficients(stored) - &fields.pressures[i].field;
             bounds.pressure += differs.size(span.tau);
         }
-        if let Some(stored) = piece.open {
-            let free = || span.free_field().map(|free| span.t.map(|t| free.value(t)));
-            let computed = fields.surface.pieces[i].open.or_else(free).unwrap_or([S::zero(); 2]);
-            let differs = [0, 1].map(|end| units.metres(S::of(stored[end])) - computed[end]);
-            let [left, right] = differs.map(|differs| Size::of(differs.size()));
-            bounds.settlement += left.worst(right);
+        let ends = settled_ends(fields, i);
+        let off_the_ends = |stored: [S; 2]| {
+            let [left, right] = [0, 1].map(|end| Size::of((stored[end] - ends[end]).size()));
+            left.worst(right)
+        };
+        if let Some(stored) = span.stored {
+            bounds.settlement += off_the_ends(stored);
         }
-        if let (Some(stored), Some(along)) = (&span.settlement, &fields.surface.pieces[i].along) {
-            bounds.settlement += (**stored - along).size(span.tau);
+        if let Some(stored) = span.settlement.as_deref() {
+            bounds.settlement += match &fields.surface.pieces[i].along {
+                Some(along) => (*stored - along).size(span.tau),
+                None if span.touches => (*stored - &span.obstacle()).size(span.tau),
+                // y = stored − u has ky − (μy′)′ = ρ, so that |y| is at most max|ρ|/k or its size at an end.
+                None => {
+                    let missed = span.missed_by(stored).size(span.tau);
+                    off_the_ends(span.t.map(|t| stored.value(t))) + missed.over(span.spring.low())
+                }
+            };
         }
+    }
+}
+
+/// u at both ends of a piece.
+fn settled_ends<S: Scalar>(fields: &Fields<S>, i: usize) -> [S; 2] {
+    let span = &fields.frame.spans[i];
+    let at_ends = |field: Polynomial<S>| span.t.map(|t| field.value(t));
+    match (fields.surface.pieces[i].open, span.free_field()) {
+        _ if span.touches => at_ends(span.obstacle()),
+        (Some(ends), _) => ends,
+        (None, Some(free)) => at_ends(Polynomial::zero() + &free),
+        (None, None) => [S::zero(); 2],
     }
 }
 
@@ -191,13 +212,23 @@ fn bound<S>(frame: &Frame<S>, error: Size, scale: f64, force: i32, length: i32) 
     Bound { error: restored(error.value()), scale: restored(scale) }
 }
 
-/// The largest bounds of all pieces, in the units of the model.
-fn largest<S: Scalar>(frame: &Frame<S>, pieces: &[PieceBounds], scales: &FieldScales) -> Bounds {
+/// The largest bounds of all pieces, in the units of the model. The pressure of a layer has none where its contact set is
+/// not shown: the bound holds where both answers touch.
+fn largest<S: Scalar>(
+    frame: &Frame<S>,
+    pieces: &[PieceBounds],
+    scales: &FieldScales,
+    layers_shown: bool,
+) -> Bounds {
     let most =
         |of: &dyn Fn(&PieceBounds) -> Size| pieces.iter().map(of).fold(Size::ZERO, Size::worst);
-    let both = frame.spans.iter().zip(pieces);
-    let pressing = both.filter(|(span, _)| span.touches || !span.layered);
-    let pressure = pressing.map(|(_, piece)| piece.pressure).fold(Size::ZERO, Size::worst);
+    let pressures =
+        frame.spans.iter().zip(pieces).map(|(span, piece)| match (span.layered, span.touches) {
+            (true, _) if !layers_shown => Size::INFINITE,
+            (true, false) => Size::ZERO,
+            _ => piece.pressure,
+        });
+    let pressure = pressures.fold(Size::ZERO, Size::worst);
     Bounds {
         deflection: bound(frame, most(&|p| p.deflection), scales.deflection, 0, 1),
         slope: bound(frame, most(&|p| p.slope), scales.slope, 0, 0),

@@ -38,7 +38,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         bounds: &[PieceBounds],
     ) -> [Size; 2] {
         let [w, slope] = self.fields.deflection.at_support(node);
-        let piece = node.saturating_sub(1);
+        // The piece whose claimed values the spring feels: at a hinge its bounds are not those of its neighbour.
+        let [piece, _] = self.fields.deflection.felt[node];
         let closed = self.fields.deflection.pieces[piece].bounds;
         let errors = [bounds[piece].deflection, bounds[piece].rotation];
         let force = springs[0] * (w - held.settlement);

@@ -7,6 +7,18 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use std::ops::Range;
 
+impl<S: Scalar> Span<S> {
+    /// ρ = ku − (μu′)′ − q: what a settlement of open ground misses of its equation.
+    pub fn missed_by(&self, settlement: &Polynomial<S>) -> Polynomial<S> {
+        let flux = self.shear.times(self.derivative(settlement));
+        let missed = self.spring.times(*settlement) - &self.derivative(&flux);
+        match &self.ground_load {
+            None => missed,
+            Some(load) => missed - load,
+        }
+    }
+}
+
 impl<S: Scalar> Layer<'_, S> {
     /// A stretch in which k or μ varies: the stored settlement, with the values of the nodes. What it misses of the ground's
     /// equation, ρ = kû − (μû′)′ − q along the pieces and the jumps r of the flux at open nodes, is left unclaimed. It
@@ -24,11 +36,7 @@ impl<S: Scalar> Layer<'_, S> {
             let along = with_ends(span, ends);
             let flux = span.shear.times(span.derivative(&along));
             surface.pieces[i].flux = span.t.map(|t| flux.value(t));
-            let mut rest = span.spring.times(along) - &span.derivative(&flux);
-            if let Some(load) = &span.ground_load {
-                rest = rest - load;
-            }
-            let rest = rest.size(span.tau);
+            let rest = span.missed_by(&along).size(span.tau);
             missed += (span.length() * rest.square()).over(span.spring.low());
             surface.pieces[i].missed = rest;
             surface.pieces[i].along = Some(Box::new(along));

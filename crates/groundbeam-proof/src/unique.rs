@@ -2,7 +2,7 @@
 //! supports, and turns no elastic hinge, because both have the same M. The solution is unique if every part between free
 //! hinges is held in two places, or in one and against rotation.
 
-use crate::anchors::PARTS;
+use crate::anchors::parts_of;
 use crate::contact_set::Shown;
 use crate::model::Acts;
 use crate::pointwise::Pointwise;
@@ -16,12 +16,31 @@ use std::ops::Range;
 struct Holds {
     places: usize,
     turning: bool,
+    /// Whether its left and its right end are among the places.
+    ends: [bool; 2],
 }
 
 impl Holds {
     fn is_enough(self) -> bool {
         self.places + usize::from(self.turning) > 1 && self.places > 0
     }
+}
+
+/// The first part that may move. A part that is held holds its neighbours at their hinges, in a place that counts once.
+fn loose(holds: &[Holds]) -> Option<usize> {
+    let mut held = vec![false; holds.len()];
+    let next = |held: &[bool]| {
+        (0..held.len()).find(|&j| {
+            let beside = [j.wrapping_sub(1), j + 1].into_iter().zip(holds[j].ends);
+            let hinges = beside.filter(|(i, counted)| held.get(*i) == Some(&true) && !counted);
+            let places = holds[j].places + hinges.count();
+            !held[j] && Holds { places, ..holds[j] }.is_enough()
+        })
+    };
+    while let Some(j) = next(&held) {
+        held[j] = true;
+    }
+    held.iter().position(|held| !held)
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
@@ -48,19 +67,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         if frame.tension.is_some() && holds.iter().any(|part| part.places > 0) {
             return Ok(());
         }
-        // A part that is held holds its neighbours at their hinges.
-        let mut held = vec![false; parts.len()];
-        let next = |held: &[bool]| {
-            (0..held.len()).find(|&j| {
-                let beside = [j.wrapping_sub(1), j + 1];
-                let hinges = beside.iter().filter(|i| held.get(**i) == Some(&true)).count();
-                !held[j] && Holds { places: holds[j].places + hinges, ..holds[j] }.is_enough()
-            })
-        };
-        while let Some(j) = next(&held) {
-            held[j] = true;
-        }
-        match held.iter().position(|held| !held) {
+        match loose(&holds) {
             None => Ok(()),
             Some(j) => {
                 let what = "the solution is not shown to be unique: a part of the beam may move";
@@ -73,14 +80,14 @@ impl<S: Scalar> Pointwise<'_, S> {
     fn holds(&self, part: &Range<usize>, pressed: &[bool]) -> Holds {
         let nodes = &self.fields.frame.nodes;
         let inside = part.start..=part.end;
-        let held = |i: &usize| {
-            let both = nodes[*i].acts == Acts::Both;
-            both && (nodes[*i].rigid.is_some() || nodes[*i].spring.is_some())
+        let held = |i: usize| {
+            let both = nodes[i].acts == Acts::Both;
+            pressed[i] || (both && (nodes[i].rigid.is_some() || nodes[i].spring.is_some()))
         };
-        let at_nodes = inside.clone().filter(|i| held(i) || pressed[*i]).count();
+        let at_nodes = inside.clone().filter(|i| held(*i)).count();
         let turning = inside.clone().any(|i| nodes[i].clamped || nodes[i].turning.is_some());
         let pieces = if part.clone().any(|i| self.presses(i)) { 2 } else { 0 };
-        Holds { places: at_nodes + pieces, turning }
+        Holds { places: at_nodes + pieces, turning, ends: [held(part.start), held(part.end)] }
     }
 
     /// Whether p* > 0 is shown in both halves of an interval of a piece: a bump z ≥ 0 of length h with
@@ -90,7 +97,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         if !span.touches {
             return false;
         }
-        PARTS.into_iter().any(|part| {
+        parts_of(span).any(|part| {
             let least = self.least_pressure(i, part);
             // Half of |t| ≤ part.
             let h = (part * span.half.low()).next_down();
@@ -100,5 +107,30 @@ impl<S: Scalar> Pointwise<'_, S> {
             let missed = self.s2() * ground.root();
             least > 0.0 && (0.666 * h).next_down() * least > missed.value().next_up()
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Holds, loose};
+
+    #[test]
+    fn a_support_at_a_hinge_is_one_place() {
+        let clamped = Holds { places: 2, turning: true, ends: [true, true] };
+        let alone = |places: usize, ends: [bool; 2]| Holds { places, turning: false, ends };
+        // The support at the hinge holds both parts, the second one may turn about it.
+        assert_eq!(loose(&[clamped, alone(1, [true, false])]), Some(1));
+        assert_eq!(loose(&[alone(1, [false, true]), clamped]), Some(0));
+        assert_eq!(loose(&[clamped, alone(2, [true, false])]), None);
+        assert_eq!(loose(&[clamped, alone(1, [false, true])]), None);
+        assert_eq!(loose(&[clamped, alone(0, [false, false])]), Some(1));
+        // A part between two that are held.
+        assert_eq!(loose(&[clamped, alone(0, [false, false]), clamped]), None);
+        assert_eq!(loose(&[clamped, alone(1, [true, false]), clamped]), None);
+        // Turning is held nowhere, or without a place.
+        let turning = Holds { places: 0, turning: true, ends: [false; 2] };
+        assert_eq!(loose(&[turning]), Some(0));
+        assert_eq!(loose(&[Holds { places: 1, ..turning }]), None);
+        assert_eq!(loose(&[alone(1, [true, false])]), Some(0));
     }
 }

@@ -83,14 +83,8 @@ fn compared<S: Scalar>(document: &Document, fields: &Fields<S>, mut proof: Proof
     add(&mut proof, &found);
     let mut listed = found.contact;
     let bounds = &proof.bounds;
-    listed.hinges = found
-        .hinges
-        .iter()
-        .map(|[turned, moment]| {
-            let turned = sum(sum(bounds.rotation.error, bounds.rotation.error), *turned);
-            [turned, sum(bounds.moment.error, *moment)]
-        })
-        .collect();
+    let turned = sum(bounds.rotation.error, bounds.rotation.error);
+    listed.hinges = vec![[turned, bounds.moment.error]; document.hinges.len()];
     let mut not_covered = document.not_covered.clone();
     not_covered.extend(found.unknown.iter().cloned());
     let mut verification = Verification {
