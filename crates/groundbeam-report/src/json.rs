@@ -6,6 +6,7 @@
 //! `stations` holds every position once, with the values just to the right of it (at x = l just to the
 //! left) where a field jumps. Both sides of a jump are in the table of [`csv`](crate::csv).
 
+mod bounds;
 mod certificate;
 mod checks;
 mod combinations;
@@ -26,8 +27,8 @@ use existence::Proven;
 use factors::Grown;
 use ground::Ground;
 use groundbeam::{
-    Acts, Certificate, Existence, Extreme, Field, LiftOff, Method, Model, Side, Solution, Stopped,
-    Support,
+    Acts, Certificate, Existence, Extreme, Field, Fields, LiftOff, Method, Model, Side, Solution,
+    Stopped, Support,
 };
 use groundbeam_file::is_unprintable;
 use pieces::Claimed;
@@ -155,7 +156,7 @@ impl Solved {
                     state: state(support, r.force),
                 })
                 .collect(),
-            claimed: context.pieces.then(|| Claimed::of(solution, context)),
+            claimed: context.pieces.then(|| Claimed::of(solution, stations, context)),
             hinges: solution
                 .hinges()
                 .iter()
@@ -361,6 +362,10 @@ impl<T> ByName<T> {
     fn of(fields: impl Iterator<Item = Field>, of: impl Fn(Field) -> T) -> Self {
         ByName(fields.map(|field| (field, of(field))).collect())
     }
+
+    fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
 }
 
 impl<T: Serialize> Serialize for ByName<T> {
@@ -378,10 +383,17 @@ struct Stations {
 
 impl Stations {
     fn of(solution: &Solution, positions: &[f64]) -> Self {
-        let fields: Vec<_> = positions.iter().map(|&x| solution.at(x, Side::Right)).collect();
+        let fields = positions.iter().map(|&x| solution.at(x, Side::Right)).collect();
+        Stations::new(solution, positions.to_vec(), fields)
+    }
+
+    fn new(solution: &Solution, x: Vec<f64>, fields: Vec<Fields>) -> Self {
         let column = |field| fields.iter().map(|f| f.get(field)).collect();
-        let listed = Field::of(&solution.model().beam);
-        Stations { x: positions.to_vec(), fields: ByName::of(listed, column) }
+        Stations { x, fields: ByName::of(Field::of(&solution.model().beam), column) }
+    }
+
+    fn is_empty(&self) -> bool {
+        self.x.is_empty()
     }
 }
 

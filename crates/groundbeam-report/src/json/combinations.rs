@@ -1,5 +1,6 @@
 //! The document of a file with combinations: each with its own result, and the envelope of all.
 
+use super::bounds::Together;
 use super::existence::Proven;
 use super::{ByName, Checked, EVEN_STEPS, Point, Solved, Unsolved, default_stations, text};
 use crate::context::Context;
@@ -18,6 +19,7 @@ pub fn combinations(answers: &Answers, stations: Option<&[f64]>, context: &Conte
         Some(stations) => stations.to_vec(),
         None => envelope.stations(EVEN_STEPS),
     };
+    let listed = stations_of_all();
     let any = !names.is_empty();
     let exists = answers.list.iter().any(|answer| matches!(answer.found, Found::Exists(_)));
     let status = match answers.overall() {
@@ -26,12 +28,13 @@ pub fn combinations(answers: &Answers, stations: Option<&[f64]>, context: &Conte
     };
     text(&All {
         combinations: each(answers, stations, context),
-        envelope: any.then(|| of.table(&stations_of_all())),
+        envelope: any.then(|| of.table(&listed)),
         extremes: any.then(|| ByName::of(envelope.fields(), |field| of.extremes(field))),
         band: answers
             .bands()
             .map(|bands| ByName::of(envelope.fields(), |field| Band::of(bands[field.index()]))),
         changes: any.then(|| ByName::of(envelope.fields(), |field| of.changes(field))),
+        proof: Together::of(answers, &listed, context),
         ..All::head(status, answers, context)
     })
 }
@@ -62,6 +65,8 @@ struct All<'a> {
     band: Option<ByName<Band>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     changes: Option<ByName<Vec<Changed<'a>>>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    proof: Option<Together>,
     seconds: Option<f64>,
 }
 
@@ -79,6 +84,7 @@ impl<'a> All<'a> {
             extremes: None,
             band: None,
             changes: None,
+            proof: None,
             seconds: context.seconds,
         }
     }
