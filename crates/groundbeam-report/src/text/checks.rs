@@ -4,7 +4,6 @@ use super::sheet::{Sheet, Tone};
 use crate::bound::{not_proven, with_bound};
 use crate::checked::{Judged, Judgement, judged, worst};
 use crate::context::{Context, clean};
-use crate::number::significant;
 use crate::numbers::{Numbers, PERCENT};
 use crate::quantity::{Kind, Unit};
 use crate::verified::Named;
