@@ -86,7 +86,7 @@ fn asked(input: &Input, request: &Solve) -> Result<(Run, Option<String>), Failur
     }
     if request.pieces && run.asked() == Asked::Trains {
         let (option, rule) = match request.proven {
-            true => ("--proven", "positions of trains are not proven"),
+            true => ("--proven", "positions of trains are not proven; leave the option out"),
             false => ("--pieces", "the document of a train has no pieces"),
         };
         return Err(Failure::usage(format!("{option}: {rule}")));
