@@ -13,7 +13,7 @@ use groundbeam::proof::Document;
 use groundbeam_file::{
     Combination, Diagnostic, Diagnostics, Severity, parse_cases, parse_positions,
 };
-use groundbeam_report::{Context, Named, Results, csv, text};
+use groundbeam_report::{Context, Named, Results, csv, json, text};
 use groundbeam_run::{Answer, Asked, Found, Growing, Run};
 use std::path::Path;
 
@@ -33,12 +33,14 @@ pub fn run(request: &Solve) -> Result<Status, Failure> {
         false => Vec::new(),
     };
     let context = Context { proofs: &proofs, ..context };
-    let status = deliver(&Results::new(&answers, context), &input, request, stations)?;
-    let all = proofs.iter().all(Named::is_proven);
+    let results = Results::new(&answers, context);
+    let status = deliver(&results, &input, request, stations)?;
+    let all = proofs.iter().all(Named::is_proven) && !results.has_undecided_check();
     Ok(if status == Status::Done && !all { Status::NotProven } else { status })
 }
 
-/// The proof of each answer of the document. Without equilibrium there is none.
+/// The proof of each answer of the document. Without equilibrium there is none. Of combinations the document lists each
+/// answer at all stations of the envelope, so that every printed number is compared with enclosures.
 fn proven(
     results: &Results,
     input: &Input,
@@ -47,6 +49,11 @@ fn proven(
     if !results.has_fields() {
         return Ok(Vec::new());
     }
+    let of_envelope = json::envelope_stations(results.answers());
+    let stations = match (results.one(), stations) {
+        (None, None) => Some(&of_envelope[..]),
+        _ => stations,
+    };
     let documents = Document::read(&results.json(stations))
         .map_err(|error| Failure::usage(format!("the document of the answer: {error}")))?;
     documents.iter().map(|document| prove(input.text(), input.name(), document)).collect()
@@ -79,7 +86,7 @@ fn asked(input: &Input, request: &Solve) -> Result<(Run, Option<String>), Failur
     }
     if request.pieces && run.asked() == Asked::Trains {
         let (option, rule) = match request.proven {
-            true => ("--proven", "positions of trains are not proven"),
+            true => ("--proven", "positions of trains are not proven; leave the option out"),
             false => ("--pieces", "the document of a train has no pieces"),
         };
         return Err(Failure::usage(format!("{option}: {rule}")));

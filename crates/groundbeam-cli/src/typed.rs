@@ -20,7 +20,7 @@ pub struct Typed {
 const AFTER: &str = "\
 Exit status:
   0  solved; of a file with combinations, all of them; of a train, every position
-  1  something is not proven (--proven)
+  1  an answer is not proven or a check is undecided (--proven)
   2  the input or the command line is wrong
   3  the model is right and no equilibrium exists, of a combination or position at least
   4  the solver could not meet its own tolerance

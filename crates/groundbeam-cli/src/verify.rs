@@ -12,6 +12,10 @@ use std::fmt::Display;
 use std::path::Path;
 
 pub fn run(request: &Verify) -> Result<Status, Failure> {
+    if [&request.result, &request.model].iter().all(|path| path.as_os_str() == "-") {
+        let words = "document and model file cannot both be `-`: name the file of one of them";
+        return Err(Failure::usage(words.to_owned()));
+    }
     let documents = documents(&request.result)?;
     let model = ModelFile::read(&request.model)?;
     let mut logs = Vec::new();
@@ -47,7 +51,14 @@ pub fn run(request: &Verify) -> Result<Status, Failure> {
 /// The results of a document.
 fn documents(path: &Path) -> Result<Vec<Document>, Failure> {
     let (name, bytes) = bytes_of(path)?;
-    let failure = |error: &dyn Display| Failure::file(Path::new(&name), error);
+    let failure = |error: &dyn Display| {
+        let remedy =
+            "`groundbeam solve MODEL --json --pieces` writes a document that can be verified";
+        Failure::file(Path::new(&name), &format!("{error}; {remedy}"))
+    };
+    if bytes.is_empty() {
+        return Err(failure(&"the file is empty"));
+    }
     let text = std::str::from_utf8(&bytes).map_err(|error| failure(&error))?;
     let read = Document::read(text).map_err(|error| failure(&error))?;
     if read.is_empty() { Err(failure(&"the document has no results")) } else { Ok(read) }
@@ -112,7 +123,8 @@ impl ModelFile {
         let other = digests.find(|digest| *digest != self.digest)?;
         let [other, own] = [other, &self.digest].map(|d| d.chars().take(19).collect::<String>());
         Some(format!(
-            "the document belongs to another model file: its digest is {other}…, that of {} is {own}…",
+            "the document belongs to another model file: its digest is {other}…, that of {0} is {own}…; name its own \
+             model file, or solve {0} again",
             self.name
         ))
     }

@@ -128,3 +128,133 @@ fn a_model_of_the_document_is_proven_with_a_status_of_its_own() {
 
 /// A seabed, 1 mm deeper in the middle.
 const SURVEY: &[u8] = b"x,z\n0,-1.0\n0.5,-1.001\n1,-1.0\n";
+
+/// [`LIFTS`] with limits of the deflection and of the lifted share.
+fn checked(settlement: &str, lifted_share: &str) -> String {
+    format!("{LIFTS}[checks]\nsettlement = {settlement}\nlifted_share = {lifted_share}\n")
+}
+
+#[test]
+fn a_check_is_proven_if_its_limit_lies_outside_of_the_bound() {
+    let solve = ["solve", "model.toml", "--proven"];
+    let folder = Folder::with(&checked("0.6", "0.5"));
+    let done = folder.run(&solve);
+    done.is_clean(0);
+    assert!(done.stdout.contains("Checks       proven to pass: deflection "), "{}", done.stdout);
+    assert!(done.stdout.contains("proven to FAIL: lifted off "), "{}", done.stdout);
+    let document = folder.run(&[&solve[..], &["--json"]].concat()).json();
+    let checks = &document["proof"]["checks"];
+    assert_eq!(checks[0]["judgement"], "proven-to-pass");
+    assert_eq!(checks[1]["judgement"], "proven-to-fail");
+    // A limit within the bound: the found value itself.
+    let found = document["checks"][0]["value"].as_f64().unwrap();
+    let folder = Folder::with(&checked(&format!("{found:?}"), "0.5"));
+    let done = folder.run(&solve);
+    done.is_clean(1);
+    assert!(done.stdout.contains("undecided within the bound: deflection"), "{}", done.stdout);
+    // Loads alone decide the eccentricity, which has no bound.
+    let folder = Folder::with(&format!("{LIFTS}[checks]\neccentricity = 0.5\n"));
+    let done = folder.run(&solve);
+    done.is_clean(0);
+    assert!(done.stdout.contains("passes: eccentricity 0.49 l (not proven)"), "{}", done.stdout);
+}
+
+#[test]
+fn load_factors_and_places_of_the_pressure_are_not_proven() {
+    let folder = Folder::with(LIFTS);
+    let done = folder.run(&["solve", "model.toml", "--proven", "--factors", "all"]);
+    done.is_clean(0);
+    let words = done.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(words.matches("(not proven)").count(), 4, "{}", done.stdout);
+    let plain = folder.run(&["solve", "model.toml", "--factors", "all"]);
+    assert!(!plain.stdout.contains("not proven"), "{}", plain.stdout);
+}
+
+#[test]
+fn tables_have_a_bound_beside_each_field() {
+    let folder = Folder::with(LIFTS);
+    folder
+        .run(&["solve", "model.toml", "--proven", "--csv", "t.csv", "--at", "0,0.5,1"])
+        .is_clean(0);
+    let table = folder.read("t.csv");
+    let mut lines = table.lines();
+    let head = lines.next().unwrap();
+    assert!(head.starts_with("x,deflection,deflection_bound,slope,slope_bound,"), "{head}");
+    for line in lines {
+        let cells: Vec<&str> = line.split(',').collect();
+        for bound in cells[1..].iter().skip(1).step_by(2) {
+            let bound: f64 = bound.parse().unwrap();
+            assert!((0.0..1e-10).contains(&bound), "{line}");
+        }
+    }
+    // At the edge of contact the pressure jumps somewhere within the bound of the edge.
+    folder.run(&["solve", "model.toml", "--proven", "--csv", "t.csv"]).is_clean(0);
+    assert!(folder.read("t.csv").lines().any(|line| line.ends_with(",(not proven)")));
+    folder.run(&["solve", "model.toml", "--csv", "t.csv"]).is_clean(0);
+    assert!(!folder.read("t.csv").contains("bound"));
+}
+
+#[test]
+fn tables_of_combinations_have_bounds() {
+    let model = combined() + "[checks]\nsettlement = 0.6\n";
+    let folder = Folder::with(&model);
+    let done = folder.run(&["solve", "model.toml", "--proven", "--csv", "t.csv"]);
+    done.is_clean(0);
+    let envelope = done.stdout.split("Envelope: smallest").nth(1).unwrap();
+    let row = envelope.lines().find(|line| line.starts_with("Deflection")).unwrap();
+    assert!(row.contains(" ± ") && row.contains(", #"), "{row}");
+    assert!(done.stdout.contains("proven to pass: deflection"), "{}", done.stdout);
+    assert!(done.stdout.lines().all(|line| line.chars().count() <= 80), "{}", done.stdout);
+    assert!(
+        folder.read("t.csv").starts_with(
+            "x,deflection_min,deflection_max,deflection_min_bound,deflection_max_bound,"
+        )
+    );
+    let document = folder.run(&["solve", "model.toml", "--proven", "--json"]).json();
+    let (proof, count) = (&document["proof"], document["envelope"]["x"].as_array().unwrap().len());
+    assert_eq!(proof["envelope"]["moment"]["max"].as_array().unwrap().len(), count);
+    let of_each =
+        |name: usize| document["combinations"][name]["proof"]["bounds"]["moment"].as_f64();
+    let bound = proof["extremes"]["moment"]["max"].as_f64().unwrap();
+    assert!(bound == of_each(0).unwrap() || bound == of_each(1).unwrap(), "{proof}");
+    assert_eq!(proof["checks"][0]["combination"], "one");
+}
+
+#[test]
+fn a_report_with_bounds() {
+    let folder = Folder::with(LIFTS);
+    folder.run(&["solve", "model.toml", "--proven", "--report", "r.html"]).is_clean(0);
+    let report = folder.read("r.html");
+    assert!(
+        report.contains("Results with their bounds") && report.contains("every result is within")
+    );
+    assert!(report.matches(" ± ").count() > 20, "{}", report.matches(" ± ").count());
+    folder.run(&["solve", "model.toml", "--report", "r.html"]).is_clean(0);
+    let report = folder.read("r.html");
+    // A plain solve has an estimate.
+    assert!(!report.contains(" ± ") && !report.contains("proven error"));
+    let folder = Folder::with(&combined());
+    folder.run(&["solve", "model.toml", "--proven", "--report", "r.html"]).is_clean(0);
+    assert!(folder.read("r.html").contains("each of 2 combinations"));
+}
+
+/// The intervals of places that a document claims are compared with the proven ones.
+#[test]
+fn claimed_places_are_verified() {
+    let folder = Folder::with(LIFTS);
+    let mut document = folder.run(&["solve", "model.toml", "--proven", "--json"]).json();
+    let place = document["proof"]["places"]["moment"]["max"][0].clone();
+    let low = place[0].as_f64().unwrap();
+    document["proof"]["places"]["moment"]["max"][0] = json!([low - 0.1, low - 0.05]);
+    folder.write("result.json", document.to_string().as_bytes());
+    let verified = folder.run(&["verify", "result.json", "model.toml"]);
+    assert_eq!(verified.status, 1);
+    let words = "claims places of the largest moment";
+    assert!(verified.stdout.contains(words), "{}", verified.stdout);
+    // So are the values on the left of a jump.
+    let mut document = folder.run(&["solve", "model.toml", "--proven", "--json"]).json();
+    let moment = document["left_of_jumps"]["moment"][0].as_f64().unwrap();
+    document["left_of_jumps"]["moment"][0] = json!(moment + 1e-4);
+    folder.write("result.json", document.to_string().as_bytes());
+    assert_eq!(folder.run(&["verify", "result.json", "model.toml"]).status, 1);
+}

@@ -138,6 +138,9 @@ fn documents_that_cannot_be_read() {
         folder.write("result.json", wrong.as_bytes());
         verify(&folder, &[]).fails(2, "result.json: ");
     }
+    folder.write("result.json", b"");
+    verify(&folder, &[]).fails(2, "the file is empty; `groundbeam solve MODEL --json --pieces`");
+    folder.run(&["verify", "-", "-"]).fails(2, "cannot both be `-`");
     folder.write("result.json", b"\xff");
     verify(&folder, &[]).fails(2, "result.json: ");
     folder.run(&["verify", "missing.json", "model.toml"]).fails(2, "missing.json: ");

@@ -28,10 +28,10 @@ pub struct Document {
     pub contact: Option<Vec<[f64; 2]>>,
     /// Listed forces under the beam's left and right end.
     pub end_forces: Option<[f64; 2]>,
-    /// Places of the listed stations.
-    pub stations: Vec<f64>,
-    /// Fields at the stations: name and values, one for each station.
-    pub fields: Vec<(String, Vec<f64>)>,
+    /// Fields along the beam; where a field jumps, on the right of the place, at the right end of the beam on its left.
+    pub stations: Stations,
+    /// Fields on the left of places where a field jumps.
+    pub left_of_jumps: Stations,
     /// Listed extremes.
     pub extremes: Vec<Extreme>,
     /// Listed stretches that have lifted off: from, to, place and size of the largest gap.
@@ -40,8 +40,19 @@ pub struct Document {
     pub hinges: Vec<[f64; 3]>,
     /// Listed bounds of errors by their names, one or several each.
     pub bounds: Vec<(String, Vec<f64>)>,
+    /// Intervals that are said to hold all places of an extreme: field, whether it is the largest value, intervals.
+    pub places: Vec<(String, bool, Vec<[f64; 2]>)>,
     /// Other keys that hold numbers: nothing is claimed of them.
     pub not_covered: BTreeSet<String>,
+}
+
+/// Fields at places of the beam.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Stations {
+    /// The places \[m\].
+    pub x: Vec<f64>,
+    /// Name and values of each field, one for each place.
+    pub fields: Vec<(String, Vec<f64>)>,
 }
 
 /// A listed extreme of a field.
@@ -84,8 +95,13 @@ impl Document {
             }
             read.push(document);
         }
+        let mut not_covered = BTreeSet::new();
+        if let Some(proof) = root.remove("proof") {
+            rest("proof", &object(proof, "proof")?, &mut not_covered);
+        }
+        rest("", &root, &mut not_covered);
         for document in &mut read {
-            rest("", &root, &mut document.not_covered);
+            document.not_covered.extend(not_covered.iter().cloned());
         }
         Ok(read)
     }
@@ -106,7 +122,8 @@ impl Document {
         document.answer.pieces = pieces.into_iter().map(piece).collect::<Result<_, _>>()?;
         document.forces(&mut root)?;
         document.contact(&mut root)?;
-        document.stations(&mut root)?;
+        document.stations = stations(&mut root, "stations")?;
+        document.left_of_jumps = stations(&mut root, "left_of_jumps")?;
         document.extremes(&mut root)?;
         document.bounds(&mut root)?;
         rest("", &root, &mut document.not_covered);
@@ -168,20 +185,6 @@ impl Document {
         Ok(())
     }
 
-    fn stations(&mut self, root: &mut Object) -> Result<(), JsonError> {
-        let Some(stations) = root.remove("stations") else { return Ok(()) };
-        let mut stations = object(stations, "stations")?;
-        self.stations = numbers(&mut stations, "x")?.unwrap_or_default();
-        for (name, values) in stations {
-            let values = all_numbers(values, &name)?;
-            if values.len() != self.stations.len() {
-                return wrong(format!("`{name}` has not one value for each station"));
-            }
-            self.fields.push((name, values));
-        }
-        Ok(())
-    }
-
     fn extremes(&mut self, root: &mut Object) -> Result<(), JsonError> {
         let Some(extremes) = root.remove("extremes") else { return Ok(()) };
         for (field, ends) in object(extremes, "extremes")? {
@@ -211,6 +214,19 @@ impl Document {
                     bound => vec![claimed(bound, &name)?],
                 };
                 self.bounds.push((name, bounds));
+            }
+        }
+        if let Some(places) = proof.remove("places") {
+            for (field, ends) in object(places, "places")? {
+                let mut ends = object(ends, &field)?;
+                for (key, is_max) in [("min", false), ("max", true)] {
+                    let Some(intervals) = ends.remove(key) else { continue };
+                    let intervals = list(intervals, key)?.into_iter();
+                    let intervals =
+                        intervals.map(|both| two(both, key)).collect::<Result<_, _>>()?;
+                    self.places.push((field.clone(), is_max, intervals));
+                }
+                rest(&format!("proof.places.{field}"), &ends, &mut self.not_covered);
             }
         }
         rest("proof", &proof, &mut self.not_covered);
@@ -369,13 +385,36 @@ fn coefficients(parent: &mut Object, key: &str) -> Result<Vec<f64>, JsonError> {
     Ok(read)
 }
 
-/// Two numbers; `None` if the key is missing.
+/// Two numbers; `None` if the key is missing or null.
 fn pair(parent: &mut Object, key: &str) -> Result<Option<[f64; 2]>, JsonError> {
-    match numbers(parent, key)?.as_deref() {
-        None => Ok(None),
-        Some([a, b]) => Ok(Some([*a, *b])),
-        Some(_) => wrong(format!("`{key}` is a list of two numbers")),
+    match parent.remove(key) {
+        None | Some(Json::Null) => Ok(None),
+        Some(value) => two(value, key).map(Some),
     }
+}
+
+/// Two numbers.
+fn two(value: Json, name: &str) -> Result<[f64; 2], JsonError> {
+    match all_numbers(value, name)?[..] {
+        [a, b] => Ok([a, b]),
+        _ => wrong(format!("`{name}` is a list of two numbers")),
+    }
+}
+
+/// Fields at places; none if the key is missing.
+fn stations(root: &mut Object, key: &str) -> Result<Stations, JsonError> {
+    let Some(value) = root.remove(key) else { return Ok(Stations::default()) };
+    let mut value = object(value, key)?;
+    let x = numbers(&mut value, "x")?.unwrap_or_default();
+    let mut fields = Vec::new();
+    for (name, values) in value {
+        let values = all_numbers(values, &name)?;
+        if values.len() != x.len() {
+            return wrong(format!("`{name}` of `{key}` has not one value for each `x`"));
+        }
+        fields.push((name, values));
+    }
+    Ok(Stations { x, fields })
 }
 
 #[cfg(test)]
@@ -397,7 +436,9 @@ mod tests {
         "stations": {"x": [0, 1], "deflection": [1, 2]},
         "extremes": {"deflection": {"min": {"x": 0, "value": 1}, "max": {"x": 2, "value": 3}}},
         "certificate": {"gap": 1e-20},
-        "proof": {"energy": 1e-30, "bounds": {"deflection": 1e-14, "edges": [1e-13]}, "log": []}
+        "left_of_jumps": {"x": [1], "moment": [3]},
+        "proof": {"energy": 1e-30, "bounds": {"deflection": 1e-14, "edges": [1e-13]}, "log": [],
+                  "places": {"moment": {"max": [[0, 1], [2, 2]]}}, "checks": [{"bound": 1}]}
     }"#;
 
     #[test]
@@ -414,21 +455,30 @@ mod tests {
             (document.contact.as_deref(), document.end_forces),
             (Some(&[[0.0, 1.5]][..]), Some([4.5, 0.0]))
         );
-        assert_eq!(document.fields, [("deflection".to_owned(), vec![1.0, 2.0])]);
+        assert_eq!(document.stations.fields, [("deflection".to_owned(), vec![1.0, 2.0])]);
+        let left = Stations { x: vec![1.0], fields: vec![("moment".to_owned(), vec![3.0])] };
+        assert_eq!(document.left_of_jumps, left);
+        let places = vec![[0.0, 1.0], [2.0, 2.0]];
+        assert_eq!(document.places, [("moment".to_owned(), true, places)]);
         assert_eq!(document.extremes.len(), 2);
         assert_eq!(document.bounds[1], ("edges".to_owned(), vec![1e-13]));
         let not_covered: Vec<&str> = document.not_covered.iter().map(String::as_str).collect();
-        assert_eq!(not_covered, ["certificate", "existence", "proof.energy", "reactions.at"]);
+        let named = ["certificate", "existence", "proof.checks", "proof.energy", "reactions.at"];
+        assert_eq!(not_covered, named);
     }
 
     #[test]
     fn combinations_are_documents_of_their_own() {
-        let text =
-            format!(r#"{{"combinations": [{TEXT}, {{"name": "ULS"}}], "envelope": {{"x": [1]}}}}"#);
+        let text = format!(
+            r#"{{"combinations": [{TEXT}, {{"name": "ULS"}}], "envelope": {{"x": [1]}},
+               "proof": {{"envelope": [1]}}}}"#
+        );
         let documents = Document::read(&text).unwrap();
         assert_eq!(documents.len(), 2);
         assert_eq!(documents[1].combination.as_deref(), Some("ULS"));
-        assert!(documents[1].not_covered.contains("envelope"));
+        for key in ["envelope", "proof.envelope"] {
+            assert!(documents[1].not_covered.contains(key));
+        }
         assert!(Answer::from_json(&text).is_err());
     }
 
@@ -445,6 +495,8 @@ mod tests {
             ("\"support\": 1", "\"support\": 0.5"),
             ("\"support\": 1", "\"support\": -1"),
             ("{\"x\": [0, 1], \"defl", "{\"x\": [0], \"defl"),
+            ("\"x\": [1], \"moment\": [3]", "\"x\": [1], \"moment\": [3, 4]"),
+            ("[[0, 1], [2, 2]]", "[[0, 1], [2]]"),
             ("\"contact\": [", "\"contact\": [1, "),
             ("\"status\": \"solved\"", "\"status\": 1"),
             ("\"forces\": [{\"x\": 0,", "\"forces\": [{"),

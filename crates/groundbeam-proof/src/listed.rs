@@ -1,7 +1,7 @@
 //! The numbers that a document lists besides its answer, compared with the fields of the answer.
 
 use crate::contact_set::ContactSet;
-use crate::document::{Document, Extreme};
+use crate::document::{Document, Extreme, Stations};
 use crate::extremes::{PlacedExtreme, placed};
 use crate::fields::Fields;
 use crate::patches::{FIELDS, GAP, MOMENT, PRESSURE, Patches, ROTATION, field_named};
@@ -87,6 +87,8 @@ pub(crate) struct Differences {
     pub contact: ListedErrors,
     /// The places of the listed extremes.
     pub extremes: Vec<PlacedExtreme>,
+    /// Intervals on which the pressure has no bound \[m\].
+    pub without_pressure: Vec<[f64; 2]>,
     pub checked: Checked,
     /// Listed fields that are not known.
     pub unknown: Vec<String>,
@@ -108,7 +110,11 @@ pub(crate) fn differences<S: Scalar>(
         ..Differences::default()
     };
     let extremes = || document.extremes.iter();
-    let mut failed = comparison.stations(contact, &mut found).err();
+    found.without_pressure = without_pressure(fields, proof);
+    let mut failed = None;
+    for (listed, on_left) in [(&document.stations, false), (&document.left_of_jumps, true)] {
+        failed = failed.or(comparison.stations(listed, on_left, contact, &mut found).err());
+    }
     for extreme in extremes() {
         failed = failed.or(comparison.extreme(extreme, &mut found).err());
     }
@@ -134,6 +140,25 @@ pub(crate) fn differences<S: Scalar>(
     found.checked.extremes = extremes().filter(|e| field_named(&e.field).is_some()).count();
     found.failed = failed;
     found
+}
+
+/// Intervals on which the pressure has no bound \[m\]. On separate springs it is bounded everywhere. On a shear layer the
+/// exact pressure jumps somewhere in the interval of an edge of contact, and anywhere if the contact set is not shown.
+fn without_pressure<S: Scalar>(fields: &Fields<S>, proof: &Proof) -> Vec<[f64; 2]> {
+    let (frame, length) = (fields.frame, proof.scales.length);
+    if !frame.spans.iter().any(|span| span.layered) {
+        return Vec::new();
+    }
+    let Ok(contact) = &proof.contact else { return vec![[0.0, length]] };
+    let near = NEAR * length;
+    let edges = contact.regions.iter().flat_map(|region| [region.from, region.to]);
+    let inside = edges.filter(|[low, high]| near < *high && *low < length - near);
+    inside.map(|[low, high]| [low - near, high + near]).collect()
+}
+
+/// Whether a place lies in one of several intervals.
+pub(crate) fn holds(intervals: &[[f64; 2]], x: f64) -> bool {
+    intervals.iter().any(|[low, high]| *low <= x && x <= *high)
 }
 
 struct Comparison<'a, S> {
@@ -173,21 +198,31 @@ impl<S: Scalar> Comparison<'_, S> {
         units.restored(off.size(), force, length)
     }
 
+    /// The fields at listed places, on the left of each or, but for the right end of the beam, on the right.
     fn stations(
         &self,
+        listed: &Stations,
+        on_left: bool,
         contact: Option<&ContactSet>,
         found: &mut Differences,
     ) -> Result<(), NotProven> {
-        let places: Vec<_> =
-            self.document.stations.iter().map(|x| self.place(*x)).collect::<Result<_, _>>()?;
-        found.checked.stations = places.len();
-        for (name, values) in &self.document.fields {
+        let place = |x: &f64| {
+            let (i, t) = self.place(*x)?;
+            let spans = &self.fields.frame.spans;
+            Ok(match on_left && i > 0 && t == spans[i].t[0] {
+                true => (i - 1, spans[i - 1].t[1]),
+                false => (i, t),
+            })
+        };
+        let places: Vec<_> = listed.x.iter().map(place).collect::<Result<_, _>>()?;
+        found.checked.stations += places.len();
+        for (name, values) in &listed.fields {
             let Some(field) = field_named(name) else {
                 found.unknown.push(format!("stations.{name}"));
                 continue;
             };
-            for ((x, place), value) in self.document.stations.iter().zip(&places).zip(values) {
-                let at_edge = contact.is_some_and(|contact| self.is_at_edge(*x, contact));
+            for ((x, place), value) in listed.x.iter().zip(&places).zip(values) {
+                let at_edge = contact.is_some() && holds(&found.without_pressure, *x);
                 if field == PRESSURE && at_edge {
                     found.checked.at_edges += 1;
                     enlarge(&mut found.fields[field], self.off_an_edge(*value, *place));
@@ -222,14 +257,6 @@ impl<S: Scalar> Comparison<'_, S> {
         let off =
             Size::below_zero(listed.low() - low).worst(Size::below_zero(high - listed.high()));
         units.restored(off.value(), 1, -1)
-    }
-
-    /// Whether a place may be the exact edge of a region, inside the beam.
-    fn is_at_edge(&self, x: f64, contact: &ContactSet) -> bool {
-        let (near, end) = (NEAR * self.length(), self.length());
-        let holds = |[low, high]: [f64; 2]| low - near <= x && x <= high + near;
-        let any = contact.regions.iter().any(|region| holds(region.from) || holds(region.to));
-        any && near < x && x < end - near
     }
 
     /// |listed − the largest value of the field|, and of the field at the listed place, whichever is more.

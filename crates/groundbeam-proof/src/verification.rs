@@ -4,7 +4,7 @@ use crate::bounds::Bound;
 use crate::document::Document;
 use crate::extremes::PlacedExtreme;
 use crate::fields::Fields;
-use crate::listed::{Checked, Differences, ListedErrors, differences};
+use crate::listed::{Checked, Differences, ListedErrors, differences, holds};
 use crate::log::Log;
 use crate::model::Model;
 use crate::patches::{FIELDS, GAP};
@@ -30,6 +30,9 @@ pub struct Verification {
     pub listed: ListedErrors,
     /// The places of the listed extremes.
     pub extremes: Vec<PlacedExtreme>,
+    /// Intervals on which the pressure has no bound \[m\]: those that hold the edges of contact of a shear layer; the whole
+    /// beam if the contact set is not shown.
+    pub without_pressure: Vec<[f64; 2]>,
     /// How many listed numbers were compared.
     pub checked: Checked,
     /// Keys with numbers of which nothing is claimed.
@@ -81,6 +84,9 @@ fn compared<S: Scalar>(document: &Document, fields: &Fields<S>, mut proof: Proof
         scale: proof.bounds.deflection.scale,
     };
     add(&mut proof, &found);
+    if proof.contact.is_err() && !found.without_pressure.is_empty() {
+        proof.bounds.pressure.error = f64::INFINITY;
+    }
     let mut listed = found.contact;
     let bounds = &proof.bounds;
     let turned = sum(bounds.rotation.error, bounds.rotation.error);
@@ -94,6 +100,7 @@ fn compared<S: Scalar>(document: &Document, fields: &Fields<S>, mut proof: Proof
         forces,
         listed,
         extremes: found.extremes,
+        without_pressure: found.without_pressure,
         checked: found.checked,
         not_covered,
         shortfall: None,
@@ -105,7 +112,8 @@ fn compared<S: Scalar>(document: &Document, fields: &Fields<S>, mut proof: Proof
         .shortfall()
         .or_else(|| found.failed.or(verification.large()).or(verification.misplaced()))
         .or(far)
-        .or(claimed);
+        .or(claimed)
+        .or_else(|| verification.claimed_places(document));
     verification
 }
 
@@ -125,6 +133,18 @@ impl Verification {
         named.extend(forces.map(|bound| ("reactions", bound)));
         named.extend(moments.map(|bound| ("reaction_moments", bound)));
         named
+    }
+
+    /// The bound of the error of a field along the beam; infinite if there is none.
+    pub fn error_of(&self, field: &str) -> f64 {
+        let named = self.named().into_iter().find(|(name, _)| *name == field);
+        named.map_or(f64::INFINITY, |(_, bound)| bound.error)
+    }
+
+    /// The same at one place, where a pressure may have no bound.
+    pub fn error_at(&self, field: &str, x: f64) -> f64 {
+        let has_none = field == "pressure" && holds(&self.without_pressure, x);
+        if has_none { f64::INFINITY } else { self.error_of(field) }
     }
 
     /// Why some quantities have no finite bound: the first step that fails.
@@ -182,6 +202,27 @@ impl Verification {
                     );
                     first = Some(NotProven::new(what));
                 }
+            }
+        }
+        first
+    }
+
+    /// The first extreme of which the document claims intervals that do not hold all proven places.
+    fn claimed_places(&mut self, document: &Document) -> Option<NotProven> {
+        let mut first = None;
+        for (field, is_max, claimed) in &document.places {
+            self.checked.bounds += claimed.len();
+            let same = |e: &&PlacedExtreme| e.field == *field && e.is_max == *is_max;
+            let placed = self.extremes.iter().find(same).map_or(&[][..], |e| &e.places);
+            let held =
+                |[low, high]: &[f64; 2]| claimed.iter().any(|c| c[0] <= *low && *high <= c[1]);
+            if placed.is_empty() || !placed.iter().all(held) {
+                let which = if *is_max { "largest" } else { "smallest" };
+                let field = field.replace('_', " ");
+                let what = format!(
+                    "the document claims places of the {which} {field} that are not proven"
+                );
+                first = first.or(Some(NotProven::new(what)));
             }
         }
         first

@@ -190,7 +190,7 @@ impl Solution {
     }
 
     fn to_csv(&self, at: Option<Vec<f64>>) -> String {
-        csv::table(&self.found, &self.stations_or(at), self.read.units())
+        csv::table(&self.found, &self.stations_or(at), &self.context())
     }
 
     fn to_svg(&self, py: Python<'_>) -> String {

@@ -1,5 +1,8 @@
 //! Tables: all fields along the beam, the envelope of combinations, and the history of the iteration.
 
+use crate::bound::bound_alone;
+use crate::combinations::{bounds_at, numbered};
+use crate::context::Context;
 use crate::curve::Jumps;
 use crate::quantity::Units;
 use ::csv::{Writer, WriterBuilder};
@@ -7,38 +10,53 @@ use groundbeam::{Bounds, Field, Solution};
 use groundbeam_file::printable;
 use groundbeam_run::{Answers, InPassage, Passage, Passages};
 
-/// All fields at the given positions: `x_m, deflection_m, …`, without units in the header for plain numbers.
+/// All fields at the given positions: `x_m, deflection_m, …`, without units in the header for plain numbers. If a proof is
+/// asked for, a column with the bound of its error follows each field: `deflection_bound_m`.
 ///
 /// Where a field jumps (at point loads, supports and edges of contact) the position has two rows: first the
 /// values just to the left, then those just to the right. Numbers are written with as many digits as it
 /// takes to read back the same bits.
-pub fn table(solution: &Solution, positions: &[f64], units: Units) -> String {
+pub fn table(solution: &Solution, positions: &[f64], context: &Context) -> String {
     let mut rows = Rows::new();
+    let (units, proof) = (context.units, context.proofs.first());
     let listed = Field::of(&solution.model().beam);
-    let names = listed.clone().map(|field| column(field.name(), field.unit(), units));
+    let names = listed.clone().flat_map(|field| {
+        let bound = || column(&format!("{}_bound", field.name()), field.unit(), units);
+        [column(field.name(), field.unit(), units)].into_iter().chain(proof.map(|_| bound()))
+    });
     rows.push(std::iter::once(column("x", "m", units)).chain(names));
     let jumps = Jumps::of(solution);
     for &x in positions {
         let (left, right) = jumps.rows(solution, x);
         for fields in left.iter().chain([&right]) {
-            let values = listed.clone().map(|field| number(fields.get(field)));
-            rows.push(std::iter::once(number(x)).chain(values));
+            let cells = listed.clone().flat_map(|field| {
+                let bound = proof.map(|named| bound_alone(named.error_at(field, x)));
+                [number(fields.get(field))].into_iter().chain(bound)
+            });
+            rows.push(std::iter::once(number(x)).chain(cells));
         }
     }
     rows.finish()
 }
 
 /// The envelope of all combinations at the given positions: `x_m, deflection_min_m, deflection_max_m,
-/// deflection_governs_min, deflection_governs_max, …`.
+/// deflection_governs_min, deflection_governs_max, …`. If proofs are asked for, the bounds of their errors follow the
+/// values: `deflection_min_bound_m, deflection_max_bound_m`.
 ///
 /// Where a field jumps, both sides count.
-pub fn envelope(answers: &Answers, positions: &[f64], units: Units) -> String {
+pub fn envelope(answers: &Answers, positions: &[f64], context: &Context) -> String {
     let mut rows = Rows::new();
+    let (units, solved) = (context.units, numbered(answers, context));
+    let have_bounds = !context.proofs.is_empty();
+    let ends = || ["min", "max"].into_iter();
     let envelope = answers.envelope();
     let names = envelope.fields().flat_map(|field| {
-        let bound = |bound| column(&format!("{}_{bound}", field.name()), field.unit(), units);
-        let governs = |bound| format!("{}_governs_{bound}", field.name());
-        [bound("min"), bound("max"), governs("min"), governs("max")]
+        let name = field.name();
+        let values = ends().map(move |end| column(&format!("{name}_{end}"), field.unit(), units));
+        let bounds =
+            ends().map(move |end| column(&format!("{name}_{end}_bound"), field.unit(), units));
+        let governs = ends().map(move |end| format!("{name}_governs_{end}"));
+        values.chain(bounds.filter(move |_| have_bounds)).chain(governs)
     });
     rows.push(std::iter::once(column("x", "m", units)).chain(names));
     let combined: Vec<&str> = answers.solved().map(|(answer, _)| answer.name()).collect();
@@ -46,9 +64,11 @@ pub fn envelope(answers: &Answers, positions: &[f64], units: Units) -> String {
         let bounds = envelope.all_at(x);
         let cells = envelope.fields().flat_map(|field| {
             let Bounds { min, max } = bounds[field.index()];
-            let [low, high] = [min, max].map(|governing| number(governing.extreme.value));
+            let values = [min, max].map(|governing| governing.extreme.value);
+            let bounds = have_bounds.then(|| bounds_at(&solved, field, x, values));
+            let bounds = bounds.into_iter().flatten().map(bound_alone);
             let name = |by: usize| combined.get(by).copied().unwrap_or_default().to_owned();
-            [low, high, name(min.by), name(max.by)]
+            values.map(number).into_iter().chain(bounds).chain([name(min.by), name(max.by)])
         });
         rows.push(std::iter::once(number(x)).chain(cells));
     }

@@ -6,6 +6,7 @@
 //! `stations` holds every position once, with the values just to the right of it (at x = l just to the
 //! left) where a field jumps. Both sides of a jump are in the table of [`csv`](crate::csv).
 
+mod bounds;
 mod checks;
 mod combinations;
 mod comparison;
@@ -25,8 +26,8 @@ use existence::Proven;
 use factors::Grown;
 use ground::Ground;
 use groundbeam::{
-    Acts, Certificate, ConcentratedForce, ContactZone, EndForces, Existence, Field, HingeTurn,
-    LiftOff, Method, Model, Range, Reaction, Side, Solution, Stopped, Support,
+    Acts, Certificate, ConcentratedForce, ContactZone, EndForces, Existence, Field, Fields,
+    HingeTurn, LiftOff, Method, Model, Range, Reaction, Side, Solution, Stopped, Support,
 };
 use groundbeam_file::is_unprintable;
 use pieces::Claimed;
@@ -131,7 +132,7 @@ impl<'a> Solved<'a> {
             end_forces: solution.end_forces(),
             concentrated_forces: solution.concentrated_forces(),
             reactions: supports.enumerate().map(Held::of).collect(),
-            claimed: context.pieces.then(|| Claimed::of(solution, context)),
+            claimed: context.pieces.then(|| Claimed::of(solution, stations, context)),
             hinges: solution.hinges(),
             stations: Along::stations(solution, stations),
             extremes: ByName::of(Field::of(&model.beam), |field| solution.range(field)),
@@ -289,6 +290,10 @@ impl<T> ByName<T> {
     fn of(fields: impl Iterator<Item = Field>, of: impl Fn(Field) -> T) -> Self {
         ByName(fields.map(|field| (field, of(field))).collect())
     }
+
+    fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
 }
 
 impl<T: Serialize> Serialize for ByName<T> {
@@ -307,10 +312,17 @@ struct Along<T> {
 
 impl Along<Vec<f64>> {
     fn stations(solution: &Solution, positions: &[f64]) -> Self {
-        let fields: Vec<_> = positions.iter().map(|&x| solution.at(x, Side::Right)).collect();
+        let fields = positions.iter().map(|&x| solution.at(x, Side::Right)).collect();
+        Along::fields_at(solution, positions.to_vec(), fields)
+    }
+
+    fn fields_at(solution: &Solution, x: Vec<f64>, fields: Vec<Fields>) -> Self {
         let column = |field| fields.iter().map(|f| f.get(field)).collect();
-        let listed = Field::of(&solution.model().beam);
-        Along { x: positions.to_vec(), fields: ByName::of(listed, column) }
+        Along { x, fields: ByName::of(Field::of(&solution.model().beam), column) }
+    }
+
+    fn is_empty(&self) -> bool {
+        self.x.is_empty()
     }
 }
 

@@ -31,7 +31,9 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
+mod bound;
 mod characteristics;
+mod checked;
 mod combinations;
 mod context;
 mod curve;

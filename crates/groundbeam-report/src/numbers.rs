@@ -1,6 +1,6 @@
 //! The numbers of one solution in print: rounded to six digits, or with the bounds of their errors if they are proven.
 
-use crate::number::{above, without_trailing_zeros};
+use crate::bound::{not_proven, rounded_with_bound, with_bound};
 use crate::quantity::{Kind, Unit, Units};
 use crate::size::Sizes;
 use crate::verified::Named;
@@ -12,6 +12,9 @@ const DIGITS: usize = 6;
 
 /// Wider intervals of the place of an extreme, as a part of the length, are printed as intervals.
 const NARROW: f64 = 1e-3;
+
+/// Parts of a whole.
+pub(crate) const PERCENT: Unit = Unit { name: "%", size: 0.01 };
 
 /// Writes the numbers of one solution.
 #[derive(Debug, Clone, Copy)]
@@ -59,16 +62,58 @@ impl<'a> Numbers<'a> {
         }
     }
 
+    /// A number with four digits; its bound holds what rounding to them changes.
+    fn key(&self, kind: Kind, value: f64, rounded: f64, error: impl Fn(&Named) -> f64) -> String {
+        match self.proof {
+            None => self.units.write(kind, rounded, 4),
+            Some(named) => rounded_with_bound(value, error(named), self.units.unit(kind, value), 4),
+        }
+    }
+
+    /// The value of a field as a key figure, and its place.
+    pub fn key_of(&self, field: Field, is_max: bool, extreme: Extreme) -> [String; 2] {
+        let rounded = self.sizes.value(field, extreme.value);
+        let value =
+            self.key(Kind::of(field), extreme.value, rounded, |named| named.error_of(field));
+        let place = match self.proof {
+            None => self.units.write(Kind::Position, self.sizes.position(extreme.x), 4),
+            Some(_) => self.place_of(field, is_max, extreme.x),
+        };
+        [value, place]
+    }
+
+    /// The force under an end of the beam, 0 the left one, as a key figure.
+    pub fn key_of_end(&self, end: usize, force: f64) -> String {
+        let rounded = self.sizes.force(force);
+        self.key(Kind::Force, force, rounded, |named| named.error_of_end_force(end))
+    }
+
     /// The value of a field, in its own unit or in one that is given.
     pub fn field(&self, field: Field, value: f64, unit: Option<Unit>) -> String {
         let unit = unit.unwrap_or_else(|| self.units.unit(Kind::of(field), value));
         let rounded = self.sizes.value(field, value);
-        self.write(unit, value, rounded, |found| error_of(found, field))
+        self.write(unit, value, rounded, |found| found.error_of(field.name()))
     }
 
     /// The place of an extreme.
     pub fn place(&self, x: f64) -> String {
         self.units.position(self.sizes.position(x))
+    }
+
+    /// A place that no proof bounds.
+    pub fn place_without_bound(&self, x: f64) -> String {
+        let place = self.place(x);
+        if self.have_bounds() { not_proven(&place) } else { place }
+    }
+
+    /// The place of the largest gap of a stretch that has lifted off. Proven is that of the largest gap of all.
+    pub fn place_of_gap(&self, x: f64) -> String {
+        let found = self.proof.and_then(|named| named.found.as_ref().ok());
+        let largest = |e: &PlacedExtreme| e.field == Field::Gap.name() && e.is_max && e.listed == x;
+        match found.is_some_and(|found| found.extremes.iter().any(largest)) {
+            true => self.place_of(Field::Gap, true, x),
+            false => self.place_without_bound(x),
+        }
     }
 
     /// The place of an extreme, with the bound of its error, or the interval that holds it.
@@ -79,7 +124,7 @@ impl<'a> Numbers<'a> {
             found.extremes.iter().find(same)
         });
         let Some((placed, [low, high])) = placed.and_then(|p| Some((p, p.nearest()?))) else {
-            return self.place(x);
+            return self.place_without_bound(x);
         };
         let unit = self.units.unit(Kind::Position, x);
         let place = match high - low <= NARROW * self.sizes.length() {
@@ -91,6 +136,15 @@ impl<'a> Numbers<'a> {
         match placed.places.len() {
             1 => place,
             _ => format!("{place} or elsewhere"),
+        }
+    }
+
+    /// The part of the beam that has lifted off, in percent.
+    pub fn lifted_share(&self, solution: &Solution, digits: usize) -> String {
+        let share = solution.lifted_share();
+        match self.proof {
+            None => PERCENT.write(share, digits),
+            Some(named) => with_bound(share, named.error_of_lifted_share(solution), PERCENT),
         }
     }
 
@@ -159,103 +213,4 @@ fn reaction(
     of_bound: impl Fn(&ReactionBound) -> Bound,
 ) -> f64 {
     of(found.proof.reactions.get(support).map(|bound| of_bound(bound).error))
-}
-
-/// The bound of the error of a field.
-fn error_of(found: &Verification, field: Field) -> f64 {
-    let named = found.named();
-    of(named.iter().find(|(name, _)| *name == field.name()).map(|(_, bound)| bound.error))
-}
-
-/// Significant digits that a double can have.
-const MOST_DIGITS: i32 = 17;
-
-/// A number with a bound of its error, in a unit: `14.226133301 ± 1.3e-9 mm`. Without a finite bound it is rounded to six
-/// digits and said to be not proven.
-///
-/// |printed − exact| is at most the printed bound: that of the number, and the half of its last printed digit, rounded up.
-/// So many digits are printed that the second part is at most a twentieth of the first, as far as a double has digits.
-fn with_bound(value: f64, error: f64, unit: Unit) -> String {
-    if !(value.is_finite() && error.is_finite()) {
-        return format!("{} (not proven)", unit.write(value, 6));
-    }
-    let power = unit.size.log10().round() as i32;
-    let (number, rounding) = match error {
-        0.0 => (shifted(&format!("{value:e}"), power), 0.0),
-        _ => rounded_within(value, exponent(error) - 1, power),
-    };
-    let bound = match error + rounding {
-        0.0 => "0".to_owned(),
-        sum => shifted(&above(sum.next_up()), power),
-    };
-    let unit = if unit.name.is_empty() { String::new() } else { format!(" {}", unit.name) };
-    format!("{number} ± {bound}{unit}")
-}
-
-/// A number rounded to the digit of 10ⁿ, in units of 10ᵖ, and a bound of what rounding changes.
-fn rounded_within(value: f64, last: i32, power: i32) -> (String, f64) {
-    let leading = exponent(value);
-    let digits = (leading - last + 1).min(MOST_DIGITS);
-    if value == 0.0 || digits < 1 {
-        return ("0".to_owned(), value.abs());
-    }
-    let number = shifted(&format!("{value:.*e}", digits as usize - 1), power);
-    let half: f64 = format!("5.1e{}", leading - digits).parse().unwrap_or(f64::INFINITY);
-    (number, half)
-}
-
-/// The exponent n of a number a·10ⁿ, 1 ≤ a < 10.
-fn exponent(value: f64) -> i32 {
-    let written = format!("{value:e}");
-    written.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
-}
-
-/// A decimal `1.25e-9` divided by 10ᵖ, without rounding: its digits stay as they are.
-fn shifted(scientific: &str, power: i32) -> String {
-    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((scientific, "0"));
-    let exponent = exponent.parse::<i32>().unwrap_or(0) - power;
-    let mantissa = without_trailing_zeros(mantissa);
-    let (sign, mantissa) = mantissa.strip_prefix('-').map_or(("", mantissa), |size| ("-", size));
-    let digits = mantissa.replace('.', "");
-    if digits == "0" {
-        return digits;
-    }
-    let count = digits.len() as i32;
-    match exponent {
-        0..7 if exponent + 1 >= count => {
-            format!("{sign}{digits}{}", "0".repeat((exponent + 1 - count) as usize))
-        }
-        0..7 => {
-            let (whole, part) = digits.split_at(exponent as usize + 1);
-            format!("{sign}{whole}.{part}")
-        }
-        -4..0 => format!("{sign}0.{}{digits}", "0".repeat((-exponent - 1) as usize)),
-        _ => format!("{sign}{mantissa}e{exponent}"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_with_their_bounds() {
-        let plain = Unit { name: "", size: 1.0 };
-        let (mm, kn) = (Unit { name: "mm", size: 1e-3 }, Unit { name: "kN", size: 1e3 });
-        let cases = [
-            (0.811_326_256_449_155, 2.0e-13, plain, "0.81132625644916 ± 2.1e-13"),
-            (0.014_226_133_301, 1.21e-12, mm, "14.226133301 ± 1.3e-9 mm"),
-            (-412_884.319_872_345, 1e-9, kn, "-412.884319872345 ± 1.1e-12 kN"),
-            (3.4e-13, 1e-15, plain, "3.4e-13 ± 1.1e-15"),
-            (3.4e-17, 1e-15, plain, "0 ± 1.1e-15"),
-            (0.0, 0.0, plain, "0 ± 0"),
-            (0.5, 0.0, plain, "0.5 ± 0"),
-            (2.0 / 3.0, 1e-30, plain, "0.66666666666666663 ± 5.2e-18"),
-            (0.123_4, 0.5, plain, "0.12 ± 0.51"),
-            (12.5, f64::INFINITY, kn, "0.0125 kN (not proven)"),
-        ];
-        for (value, error, unit, text) in cases {
-            assert_eq!(with_bound(value, error, unit), text);
-        }
-    }
 }

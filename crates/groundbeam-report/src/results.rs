@@ -1,6 +1,7 @@
 //! The answers to a file in every form: text, document, table, picture, calculation report.
 
 use crate::calculation::{self, Report, Source};
+use crate::checked::judged;
 use crate::context::Context;
 use crate::svg::{self, Picture};
 use crate::{csv, json, text};
@@ -46,6 +47,16 @@ impl<'a> Results<'a> {
     /// Whether there are fields to draw and to list.
     pub fn has_fields(&self) -> bool {
         self.answers.solved().next().is_some()
+    }
+
+    /// Whether a check has a bound that holds its limit, so that it is not decided.
+    pub fn has_undecided_check(&self) -> bool {
+        let (limits, proofs) = (self.context.limits, self.context.proofs);
+        let all =
+            self.answers.list.iter().zip(proofs).filter_map(|(answer, named)| {
+                Some(judged(limits, answer.solution()?, Some(named)))
+            });
+        all.flatten().any(|judged| judged.is_undecided())
     }
 
     /// The result document.
@@ -128,11 +139,14 @@ impl<'a> Results<'a> {
                     let passages = answers.passages();
                     csv::trains(&passages, &or(&|| passages.default_stations()), units)
                 }
-                _ => csv::envelope(answers, &or(&|| json::envelope_stations(answers)), units),
+                _ => {
+                    let stations = or(&|| json::envelope_stations(answers));
+                    csv::envelope(answers, &stations, &self.context)
+                }
             };
         };
         one.solution().map_or_else(String::new, |solution| {
-            csv::table(solution, &or(&|| json::default_stations(solution)), units)
+            csv::table(solution, &or(&|| json::default_stations(solution)), &self.context)
         })
     }
 

@@ -2,6 +2,7 @@
 
 use crate::quantity::Units;
 use groundbeam::proof::{NotProven, Verification};
+use groundbeam::{Field, Solution};
 
 /// What is proven of a document.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,6 +50,38 @@ impl Named {
     /// Whether all is proven.
     pub fn is_proven(&self) -> bool {
         self.found.as_ref().is_ok_and(|found| found.shortfall.is_none())
+    }
+
+    /// The first reason why not all is proven.
+    pub(crate) fn shortfall(&self) -> Option<&NotProven> {
+        self.found.as_ref().map_or_else(Some, |found| found.shortfall.as_ref())
+    }
+
+    /// The bound of the error of a field along the beam; infinite if there is none.
+    pub(crate) fn error_of(&self, field: Field) -> f64 {
+        self.found.as_ref().map_or(f64::INFINITY, |found| found.error_of(field.name()))
+    }
+
+    /// The bound of the error of a field at a place; infinite if there is none.
+    pub(crate) fn error_at(&self, field: Field, x: f64) -> f64 {
+        self.found.as_ref().map_or(f64::INFINITY, |found| found.error_at(field.name(), x))
+    }
+
+    /// The bound of the error of the force under an end of the beam, 0 the left one; infinite if there is none.
+    pub(crate) fn error_of_end_force(&self, end: usize) -> f64 {
+        let listed = self.found.as_ref().ok().and_then(|found| found.listed.end_forces);
+        listed.map_or(f64::INFINITY, |ends| ends[end])
+    }
+
+    /// The bound of the error of the lifted share: the errors of all edges, and the rounding of the sum of n lengths and of
+    /// their quotient by l, which is at most (n + 8)·2⁻⁵² of the share.
+    pub(crate) fn error_of_lifted_share(&self, solution: &Solution) -> f64 {
+        let Ok(found) = &self.found else { return f64::INFINITY };
+        let length = solution.model().beam.length;
+        let edges: f64 = found.listed.edges.iter().flatten().sum();
+        let terms = (solution.lift_off().len() + 8) as f64;
+        let rounding = terms * f64::EPSILON * solution.lifted_share();
+        (edges / length * (1.0 + terms * f64::EPSILON)).next_up() + rounding
     }
 }
 

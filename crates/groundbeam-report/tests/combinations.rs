@@ -116,7 +116,7 @@ fn the_document() {
 fn the_table_and_the_picture() {
     let found = solved("combinations");
     let context = context(&found.document);
-    let table = csv::envelope(&found.answers, &[0.0, 6.0], context.units);
+    let table = csv::envelope(&found.answers, &[0.0, 6.0], &context);
     assert!(table.starts_with("x_m,deflection_min_m,deflection_max_m,deflection_governs_min,"));
     assert_eq!(table.lines().count(), 3);
     let picture = svg::combinations(&found.answers, &context).to_string();

@@ -87,7 +87,7 @@ fn of_one_solution() {
         for part in ["stations", "extremes"] {
             assert_eq!(keys(&found[part]), sorted(names(&document)), "{part}");
         }
-        assert_columns(&csv::table(&solution, &[0.0, 1.0], context.units), &document);
+        assert_columns(&csv::table(&solution, &[0.0, 1.0], &context), &document);
         assert_labels(&text::solved(&solution, &context, false), &document);
         let summary: String =
             text::summary(&solution, &context).into_iter().map(|(label, _)| label + "\n").collect();
@@ -104,7 +104,7 @@ fn of_combinations() {
         for part in ["envelope", "extremes", "changes"] {
             assert_eq!(keys(&found[part]), sorted(names(&document)), "{part}");
         }
-        assert_columns(&csv::envelope(&answers, &[0.0, 1.0], context.units), &document);
+        assert_columns(&csv::envelope(&answers, &[0.0, 1.0], &context), &document);
         assert_labels(&text::combinations(&answers, &context, false), &document);
     }
 }

@@ -5,13 +5,13 @@ mod common;
 
 use common::{context, document, solved};
 use groundbeam::Side;
-use groundbeam_report::{Units, csv};
+use groundbeam_report::{Context, Units, csv};
 
 #[test]
 fn both_sides_of_a_jump() {
     let document = document("kikuchi-4");
     let solution = solved(&document);
-    let table = csv::table(&solution, &[0.0, 0.5, 1.0], Units::Plain);
+    let table = csv::table(&solution, &[0.0, 0.5, 1.0], &Context::new(Units::Plain));
     let rows: Vec<Vec<&str>> = table.lines().map(|row| row.split(',').collect()).collect();
     let names = "x,deflection,slope,moment,shear_force,settlement,gap,pressure";
     assert_eq!(table.lines().next(), Some(names));
@@ -32,7 +32,7 @@ fn both_sides_of_a_jump() {
 fn units_stand_in_the_header() {
     let document = document("footing");
     let solution = solved(&document);
-    let table = csv::table(&solution, &[1.0], context(&document).units);
+    let table = csv::table(&solution, &[1.0], &context(&document));
     let names = "x_m,deflection_m,slope_rad,moment_Nm,shear_force_N,settlement_m,gap_m,\
                  pressure_N_per_m";
     assert_eq!(table.lines().next(), Some(names));

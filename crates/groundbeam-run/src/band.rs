@@ -15,8 +15,8 @@ pub struct Banded {
     pub high: f64,
 }
 
-/// The factors of the ground that is most likely.
-const BEST: [f64; 2] = [1.0, 1.0];
+/// The factors of k and μ of the ground that is most likely.
+pub const BEST: [f64; 2] = [1.0, 1.0];
 
 impl Answers {
     /// The smallest and the largest value of each field, in the order of [`Field::ALL`], over all combinations on a

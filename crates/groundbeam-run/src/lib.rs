@@ -38,7 +38,7 @@ mod trains;
 
 pub use answer::{Answer, Found, Ground, Label, Overall, Placed};
 pub use answers::{Alone, Answers, Asked, InPassage, Passages};
-pub use band::Banded;
+pub use band::{BEST, Banded};
 pub use comparison::{Compare, Errors};
 pub use growing::{Factors, Growing};
 pub use host::{Failed, Host, OneThread};

@@ -3,11 +3,12 @@
 use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
 use super::single::{certified, checked, place};
 use super::{Source, given, print, proof};
+use crate::checked::{Judged, judged};
 use crate::context::{Context, clean};
 use crate::quantity::{Kind, Units};
 use crate::svg::figures;
 use crate::text::{self, train};
-use groundbeam::{Check, Field, Method};
+use groundbeam::{Field, Method};
 use groundbeam_run::{InPassage, Located, Overall, Passage, Passages};
 
 /// The report of passages.
@@ -27,8 +28,8 @@ pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) ->
     let mut key = Vec::new();
     if first.is_some() {
         let solved = || all.iter().flat_map(Passage::solved);
-        let of = |solution| context.limits.map(|limits| limits.check(solution)).unwrap_or_default();
-        let checks: Vec<Check> = solved().flat_map(|(_, solution)| of(solution)).collect();
+        let of = |solution| judged(context.limits, solution, None);
+        let checks: Vec<Judged> = solved().flat_map(|(_, solution)| of(solution)).collect();
         verdicts.extend(checked(&checks));
         let gaps = solved().map(|(_, solution)| solution.certificate().relative_gap());
         verdicts.push(certified(gaps.fold(0.0, f64::max)));

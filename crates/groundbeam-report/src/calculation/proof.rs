@@ -30,9 +30,30 @@ fn explained() -> Vec<Block> {
     let after = "which is at least half the squared distance of the deflections from the exact solution (w*, u*) in the \
                  energy norm, whatever method or mesh found them (Prager and Synge). Here it is an estimate: the sums carry \
                  rounding error. groundbeam solve FILE --proven computes it in numbers that enclose all rounding error, and \
-                 bounds the error of every printed number. An exact answer with a gap above 1e-9 is not printed.";
+                 bounds the errors of the printed numbers. An exact answer with a gap above 1e-9 is not printed.";
     let text = |words: &str| Block::Text { words: words.to_owned() };
     vec![text(words), equations::energy_gap(), text(after)]
+}
+
+/// What is proven of the answers, and what has no bound; nothing if no proof is asked for.
+pub(super) fn proof(context: &Context) -> Option<Section> {
+    let first = context.proofs.first()?;
+    let mut blocks = Vec::new();
+    for named in context.proofs {
+        if let Some(name) = &named.combination {
+            blocks.push(Block::Text { words: clean(name) });
+        }
+        blocks.extend(facts(|sheet| text::proof::proven(sheet, named, context.units)));
+    }
+    let results =
+        if first.combination.is_none() { "results" } else { "results of each combination" };
+    let words = format!(
+        "The {results}, the key figures and the checks are printed as value ± bound: the exact solution of the model differs \
+         from the printed value by at most the bound. Numbers of the sections on input and equilibrium follow from the \
+         input alone, those in figures are rounded; they have no bound."
+    );
+    blocks.push(Block::Text { words });
+    Some(Section::new("Proof", blocks))
 }
 
 /// Program, input and its digest, and how to make the report again.
@@ -42,13 +63,14 @@ pub(super) fn provenance(context: &Context, source: &Source) -> [Section; 2] {
         Units::Si => "the file gives every quantity a unit; calculated in m, N and rad",
         Units::Plain => "the file gives no units: all numbers are in its own consistent system",
     };
+    let proven = if context.proofs.is_empty() { "" } else { " --proven" };
     let program = format!("groundbeam {}", env!("CARGO_PKG_VERSION"));
     let rows = [
         ("Program", program),
         ("Input", format!("{name}, {} bytes", source.text.len())),
         ("SHA-256", digest(source.text)),
         ("Units", units.to_owned()),
-        ("Recompute", format!("groundbeam solve {name} --report report.html")),
+        ("Recompute", format!("groundbeam solve {name} --report report.html{proven}")),
     ];
     let list = facts(|sheet| rows.iter().for_each(|(label, words)| sheet.row(label, words)));
     let words = "The input below is all that the answer depends on: saved as a file it has the digest above, and the same \

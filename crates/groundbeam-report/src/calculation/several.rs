@@ -1,9 +1,11 @@
 //! The report of all combinations: each one, and the envelope with the governing combination.
 
 use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
-use super::single::{certified, checked, place};
+use super::single::{certified, checked, place, proven};
 use super::{Source, given, print, proof};
-use crate::combinations::{Numbered, noun, numbered};
+use crate::bound::{not_proven, rounded_with_bound};
+use crate::checked::judged;
+use crate::combinations::{Numbered, bound_of_extreme, noun, numbered};
 use crate::context::{Context, clean};
 use crate::number::significant;
 use crate::quantity::{Kind, Unit, Units};
@@ -11,7 +13,7 @@ use crate::svg::figures;
 use crate::text;
 use crate::text::sheet::Tone;
 use crate::verdict;
-use groundbeam::{Check, Existence, Extreme, Field, Governing, Method, Solution};
+use groundbeam::{Existence, Extreme, Field, Governing, Method};
 use groundbeam_file::Combination;
 use groundbeam_run::{Answers, Found, Overall};
 
@@ -24,29 +26,27 @@ pub(super) fn combinations(all: &Answers, context: &Context, source: &Source) ->
     let of_first = Context { ground, ..*context };
     let mut given = given::section(first.model(), existence.as_ref(), None, &of_first, source);
     given.blocks.push(list(all));
-    let solved: Vec<Numbered> = numbered(all);
+    let solved: Vec<Numbered> = numbered(all, context);
+    let have_bounds = !context.proofs.is_empty();
     let method = solved.first().map_or(Method::Exact, |row| row.solution.method());
     let mut sections =
         vec![given, given::assumptions(first.model(), method), statics(all, context.units)];
     let mut verdicts = vec![overall(all)];
     let mut key = Vec::new();
     if !solved.is_empty() {
-        let checks: Vec<Check> = solved
-            .iter()
-            .flat_map(|row| {
-                context.limits.map(|limits| limits.check(row.solution)).unwrap_or_default()
-            })
-            .collect();
-        verdicts.extend(checked(&checks));
+        let judged = solved.iter().flat_map(|row| judged(context.limits, row.solution, row.proof));
+        verdicts.extend(checked(&judged.collect::<Vec<_>>()));
         let gaps = solved.iter().map(|row| row.solution.certificate().relative_gap());
         let gap = gaps.fold(0.0, f64::max);
         verdicts.push(certified(gap));
-        key = keys(all, &solved, context.units);
-        sections.push(each(all, &solved, context.units));
-        sections.push(envelope(all, &solved, context.units));
+        verdicts.extend(proven(context.proofs));
+        key = keys(all, &solved, context);
+        sections.extend(match have_bounds {
+            true => [bounded(all, &solved, context.units), bounded_envelope(all, &solved, context)],
+            false => [each(all, &solved, context.units), envelope(all, &solved, context.units)],
+        });
         sections.push(diagrams(all, context.units));
-        let named: Vec<(&str, &Solution)> =
-            solved.iter().map(|row| (all.list[row.number - 1].name(), row.solution)).collect();
+        let named = text::of_names(all, &solved);
         if let Some(block) = facts(|sheet| text::checks::worst_rows(sheet, &named, context)) {
             sections.push(Section::new("Checks", vec![block]));
         }
@@ -55,6 +55,7 @@ pub(super) fn combinations(all: &Answers, context: &Context, source: &Source) ->
             text::certificate::of_several(sheet, &of, gap);
         }));
     }
+    sections.extend(proof::proof(context));
     sections.extend(proof::provenance(context, source));
     Report {
         subject: "Beam on ground: combinations of load cases",
@@ -207,6 +208,26 @@ fn each(all: &Answers, solved: &[Numbered], units: Units) -> Section {
     Section::new("Every combination", vec![Block::Table(table)])
 }
 
+/// Contact, forces and extremes of every combination, with the bounds of their errors.
+fn bounded(all: &Answers, solved: &[Numbered], units: Units) -> Section {
+    let mut blocks = Vec::new();
+    for row in solved {
+        let name = clean(all.list[row.number - 1].name());
+        blocks.push(Block::Text { words: format!("#{} {name}", row.number) });
+        blocks.extend(facts(|sheet| text::results(sheet, row.solution, &row.numbers(units))));
+    }
+    Section::new("Every combination", blocks)
+}
+
+/// The extremes of all with their bounds, and the band of grounds.
+fn bounded_envelope(all: &Answers, solved: &[Numbered], context: &Context) -> Section {
+    let block = facts(|sheet| {
+        text::bounded_envelope(sheet, &all.envelope(), solved, context.units);
+        text::bounded_band(sheet, all, solved, context.units);
+    });
+    Section::new("Envelope", block.into_iter().collect())
+}
+
 /// The extremes of all, each with the combination that has it.
 fn envelope(all: &Answers, solved: &[Numbered], units: Units) -> Section {
     let envelope = all.envelope();
@@ -248,15 +269,24 @@ fn known(governing: Governing, field: Field, solved: &[Numbered]) -> (Extreme, u
     }
 }
 
-fn keys(all: &Answers, solved: &[Numbered], units: Units) -> Vec<Key> {
-    let envelope = all.envelope();
+fn keys(all: &Answers, solved: &[Numbered], context: &Context) -> Vec<Key> {
+    let (envelope, units) = (all.envelope(), context.units);
     let largest = |field: Field| {
         let range = envelope.range(field);
         let [min, max] = [range.min, range.max].map(|governing| known(governing, field, solved));
-        let (extreme, number) = if -min.0.value > max.0.value { min } else { max };
-        let value = print::words(&units.write(Kind::of(field), extreme.value, 4));
-        let note = print::words(&format!("at x = {}, #{number}", place(units, extreme.x)));
-        Key::largest(field, value, note)
+        let is_max = -min.0.value <= max.0.value;
+        let (extreme, number) = if is_max { max } else { min };
+        let (value, at) = if context.proofs.is_empty() {
+            (units.write(Kind::of(field), extreme.value, 4), place(units, extreme.x))
+        } else {
+            let governing = if is_max { range.max } else { range.min };
+            let Extreme { x, value } = governing.extreme;
+            let (error, _) = bound_of_extreme(solved, field, is_max, governing);
+            let value = rounded_with_bound(value, error, units.unit(Kind::of(field), value), 4);
+            (value, not_proven(&place(units, x)))
+        };
+        let note = print::words(&format!("at x = {at}, #{number}"));
+        Key::largest(field, print::words(&value), note)
     };
     Key::FIELDS.map(largest).into()
 }

@@ -2,6 +2,7 @@
 
 use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
 use super::{Source, given, print, proof};
+use crate::checked::{Judged, judged};
 use crate::context::Context;
 use crate::numbers::Numbers;
 use crate::quantity::{Kind, Units};
@@ -9,29 +10,42 @@ use crate::size::Sizes;
 use crate::svg::figures;
 use crate::text;
 use crate::verdict;
-use groundbeam::{Check, Existence, Extreme, Field, Model, Solution, Stopped, Verdict as Stands};
+use crate::verified::Named;
+use groundbeam::{Existence, Extreme, Field, Model, Solution, Stopped, Verdict as Stands};
 
 /// The report of an equilibrium.
 pub(super) fn solved(solution: &Solution, context: &Context, source: &Source) -> Report {
     let (model, existence) = (solution.model(), solution.existence());
-    let checks = context.limits.map(|limits| limits.check(solution)).unwrap_or_default();
+    let checks = judged(context.limits, solution, context.proofs.first());
     let mut verdicts = vec![stands(model, existence, context.units)];
     verdicts.extend(checked(&checks));
     verdicts.push(certified(solution.certificate().relative_gap()));
+    verdicts.extend(proven(context.proofs));
+    let numbers = Numbers::plain(solution, context.units).with_proof(context.proofs.first());
     let mut sections = vec![
         given::section(model, Some(existence), None, context, source),
         given::assumptions(model, solution.method()),
         given::statics(model, existence, context),
-        contact(solution, context.units),
-        diagrams(solution, context.units),
-        extremes(solution, context.units),
     ];
+    match numbers.have_bounds() {
+        true => {
+            let results = facts(|sheet| text::results(sheet, solution, &numbers));
+            sections.push(Section::new("Results with their bounds", results.into_iter().collect()));
+            sections.push(diagrams(solution, context.units));
+        }
+        false => {
+            sections.push(contact(solution, &numbers));
+            sections.push(diagrams(solution, context.units));
+            sections.push(extremes(solution, context.units));
+        }
+    }
     if let Some(block) = facts(|sheet| text::checks::rows(sheet, solution, context)) {
         sections.push(Section::new("Checks", vec![block]));
     }
     sections.push(proof::certificate(solution));
+    sections.extend(proof::proof(context));
     sections.extend(proof::provenance(context, source));
-    let key = key(solution, context.units);
+    let key = key(solution, &numbers);
     Report {
         subject: "Beam on ground that pushes and does not pull",
         verdicts,
@@ -94,45 +108,67 @@ pub(super) fn stands(model: &Model, existence: &Existence, units: Units) -> Verd
 }
 
 /// How many checks pass; nothing if none was asked for.
-pub(super) fn checked(checks: &[Check]) -> Option<Verdict> {
-    let failed = checks.iter().filter(|check| !check.passes()).count();
-    let words = match (checks.len(), failed) {
+pub(super) fn checked(checks: &[Judged]) -> Option<Verdict> {
+    let undecided = checks.iter().filter(|judged| judged.is_undecided()).count();
+    let failed = checks.iter().filter(|judged| !judged.check.passes()).count();
+    let mut words = match (checks.len(), failed) {
         (0, _) => return None,
         (1, 0) => "the check asked for is kept".to_owned(),
         (all, 0) => format!("all {all} are kept"),
         (all, failed) => format!("{failed} of {all} not kept"),
     };
-    let tone = if failed == 0 { "good" } else { "bad" };
+    if undecided > 0 {
+        words += &format!("; {undecided} undecided within the bound");
+    }
+    let tone = match (failed, undecided) {
+        (0, 0) => "good",
+        (0, _) => "doubtful",
+        _ => "bad",
+    };
     Some(Verdict { tone, head: "Checks".to_owned(), words })
 }
 
+/// The energy gap of a solve, an estimate.
 pub(super) fn certified(gap: f64) -> Verdict {
     let gap = print::cell(&crate::number::order(gap));
-    let words = format!("proven error: {}", text::certificate::energy_gap(&gap));
+    let words = format!("{}, an estimate of the error", text::certificate::energy_gap(&gap));
     Verdict { tone: "good", head: "Certified".to_owned(), words }
 }
 
-fn key(solution: &Solution, units: Units) -> Vec<Key> {
-    let sizes = Sizes::of(solution);
-    let size_of = |field: Field| {
-        let range = solution.range(field);
-        let [min, max] = [range.min, range.max].map(|extreme| sizes.extreme(field, extreme));
-        if -min.value > max.value { min } else { max }
+/// Whether all answers are proven; nothing if no proof is asked for.
+pub(super) fn proven(proofs: &[Named]) -> Option<Verdict> {
+    let first = proofs.first()?;
+    let missing = proofs.iter().filter(|named| !named.is_proven()).count();
+    let (tone, head, words) = match (missing, proofs.len()) {
+        (0, 1) => ("good", "Proven", "there is exactly one equilibrium".to_owned()),
+        (0, all) => ("good", "Proven", format!("each of {all} combinations")),
+        (_, 1) => {
+            ("bad", "Not proven", first.shortfall().map(text::proof::reason).unwrap_or_default())
+        }
+        (missing, all) => ("bad", "Not proven", format!("{missing} of {all} combinations")),
     };
+    let words = match missing {
+        0 => format!("{words}; every result is within its bound"),
+        _ => print::words(&words),
+    };
+    Some(Verdict { tone, head: head.to_owned(), words })
+}
+
+fn key(solution: &Solution, numbers: &Numbers) -> Vec<Key> {
     let largest = |field: Field| {
-        let Extreme { x, value } = size_of(field);
-        let value = print::words(&units.write(Kind::of(field), value, 4));
-        Key::largest(field, value, print::words(&format!("at x = {}", place(units, x))))
+        let range = solution.range(field);
+        let is_max = -range.min.value <= range.max.value;
+        let extreme = if is_max { range.max } else { range.min };
+        let [value, place] = numbers.key_of(field, is_max, extreme);
+        Key::largest(field, print::words(&value), print::words(&format!("at x = {place}")))
     };
-    let share = 100.0 * solution.lifted_share();
     let lifted = Key {
         label: "Lifted off".to_owned(),
-        value: format!("{} %", crate::number::significant(share, 3)),
+        value: print::words(&numbers.lifted_share(solution, 3)),
         note: "of the beam's length".to_owned(),
     };
     let ends = solution.end_forces();
-    let [left, right] =
-        [ends.left, ends.right].map(|force| units.write(Kind::Force, sizes.force(force), 4));
+    let [left, right] = [numbers.key_of_end(0, ends.left), numbers.key_of_end(1, ends.right)];
     let end = Key {
         label: "End forces".to_owned(),
         value: print::words(&left),
@@ -146,8 +182,8 @@ pub(super) fn place(units: Units, x: f64) -> String {
 }
 
 /// Where the beam touches and where not, and every concentrated force.
-fn contact(solution: &Solution, units: Units) -> Section {
-    let sizes = Sizes::of(solution);
+fn contact(solution: &Solution, written: &Numbers) -> Section {
+    let (units, sizes) = (written.units, written.sizes());
     let mut zones: Vec<(f64, f64, Option<Extreme>)> =
         solution.contact().iter().map(|region| (region.from, region.to, None)).collect();
     zones.extend(solution.lift_off().iter().map(|stretch| {
@@ -181,7 +217,7 @@ fn contact(solution: &Solution, units: Units) -> Section {
         table.push([kind.to_owned()].into_iter().chain(ends).chain(gap));
     }
     let mut blocks = vec![Block::Table(table)];
-    blocks.extend(facts(|sheet| text::forces(sheet, solution, &Numbers::plain(solution, units))));
+    blocks.extend(facts(|sheet| text::forces(sheet, solution, written)));
     Section::new("Contact and forces", blocks)
 }
 

@@ -1,5 +1,6 @@
 //! The document of a file with combinations: each with its own result, and the envelope of all.
 
+use super::bounds::Together;
 use super::existence::Proven;
 use super::{
     Along, ByName, Checked, EVEN_STEPS, Extremes, Head, Lines, Solved, Unsolved, default_stations,
@@ -21,6 +22,7 @@ pub fn combinations(answers: &Answers, stations: Option<&[f64]>, context: &Conte
         Some(stations) => stations.to_vec(),
         None => envelope.stations(EVEN_STEPS),
     };
+    let listed = stations_of_all();
     let any = !names.is_empty();
     let exists = answers.list.iter().any(|answer| matches!(answer.found, Found::Exists(_)));
     let status = match answers.overall() {
@@ -29,12 +31,13 @@ pub fn combinations(answers: &Answers, stations: Option<&[f64]>, context: &Conte
     };
     text(&All {
         combinations: each(answers, stations, context),
-        envelope: any.then(|| of.table(&stations_of_all())),
+        envelope: any.then(|| of.table(&listed)),
         extremes: any.then(|| ByName::of(envelope.fields(), |field| of.extremes(field))),
         band: answers
             .bands()
             .map(|bands| ByName::of(envelope.fields(), |field| Extremes::of(bands[field.index()]))),
         changes: any.then(|| ByName::of(envelope.fields(), |field| of.changes(field))),
+        proof: Together::of(answers, &listed, context),
         ..All::head(status, answers, context)
     })
 }
@@ -59,6 +62,8 @@ struct All<'a> {
     band: Option<ByName<Extremes<Banded>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     changes: Option<ByName<Vec<Changed<'a>>>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    proof: Option<Together>,
     seconds: Option<f64>,
 }
 
@@ -72,6 +77,7 @@ impl<'a> All<'a> {
             extremes: None,
             band: None,
             changes: None,
+            proof: None,
             seconds: context.seconds,
         }
     }

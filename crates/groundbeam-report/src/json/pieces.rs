@@ -1,11 +1,14 @@
 //! The answer piece by piece, as the proof reads it.
 
+use super::bounds::JudgedCheck;
+use super::{Along, ByName};
+use crate::checked::judged;
 use crate::context::Context;
 use crate::quantity::Units;
 use crate::text::proof::reason;
 use crate::verified::Named;
-use groundbeam::proof::{Answer, Force, Piece, Verification};
-use groundbeam::{Field, Solution};
+use groundbeam::proof::{Answer, Force, Piece, PlacedExtreme, Verification};
+use groundbeam::{Field, Fields, Side, Solution};
 use groundbeam_file::{UnitSystem, write_toml};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -17,6 +20,8 @@ pub(super) struct Claimed {
     model: Option<String>,
     pieces: Vec<Stretch>,
     forces: Vec<Concentrated>,
+    #[serde(skip_serializing_if = "Along::is_empty")]
+    left_of_jumps: Along<Vec<f64>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     proof: Option<Proof>,
 }
@@ -45,7 +50,8 @@ struct Concentrated {
 }
 
 impl Claimed {
-    pub fn of(solution: &Solution, context: &Context) -> Self {
+    /// The pieces, and the fields on the left of those listed positions where a field jumps.
+    pub fn of(solution: &Solution, positions: &[f64], context: &Context) -> Self {
         let (_, Answer { pieces, forces, .. }) = solution.claim::<f64>();
         let stretch = |piece: Piece| Stretch {
             x: piece.x,
@@ -62,9 +68,22 @@ impl Claimed {
             pieces: pieces.into_iter().map(stretch).collect(),
             forces: forces.into_iter().map(concentrated).collect(),
             model: context.model.then(|| model_file(solution, context.units)),
-            proof: context.proofs.first().map(Proof::of),
+            left_of_jumps: left_of_jumps(solution, positions),
+            proof: context.proofs.first().map(|named| Proof::of(named, solution, context)),
         }
     }
+}
+
+/// The fields on the left of the positions where they differ from those on the right.
+fn left_of_jumps(solution: &Solution, positions: &[f64]) -> Along<Vec<f64>> {
+    let both = positions.iter().map(|&x| (x, [Side::Left, Side::Right].map(|s| solution.at(x, s))));
+    let inside = |x: f64| x > 0.0 && x < solution.model().beam.length;
+    let differ = |[left, right]: &[Fields; 2]| {
+        Field::ALL.iter().any(|&field| left.get(field) != right.get(field))
+    };
+    let jumps = both.filter(|(x, fields)| inside(*x) && differ(fields));
+    let (x, fields) = jumps.map(|(x, [left, _])| (x, left)).unzip();
+    Along::fields_at(solution, x, fields)
 }
 
 /// The text of a model file with the model that was solved: its ground by constants, all its loads with their factors.
@@ -88,6 +107,12 @@ pub(super) struct Proof {
     energy: Option<f64>,
     /// Of each quantity: of a field one, else one for each number in the order of the document, `null` where there is none.
     bounds: BTreeMap<&'static str, Errors>,
+    /// Of each extreme the intervals that hold all places of the exact one; of a field without such intervals nothing.
+    #[serde(skip_serializing_if = "ByName::is_empty")]
+    places: ByName<Places>,
+    /// The bound of the value of each check, `null` where there is none, and what follows of its limit.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    checks: Vec<JudgedCheck>,
     /// Why a quantity has no bound at all.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     not_proven: BTreeMap<&'static str, String>,
@@ -103,11 +128,32 @@ enum Errors {
     Numbers(Vec<f64>),
 }
 
+/// The intervals that hold the places of the smallest and of the largest value.
+#[derive(Serialize)]
+struct Places {
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    min: Vec<[f64; 2]>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    max: Vec<[f64; 2]>,
+}
+
+impl Places {
+    fn of(named: &Named) -> ByName<Self> {
+        let found = named.found.as_ref().map_or(&[][..], |found| &found.extremes);
+        let of = |field: Field, is_max: bool| {
+            let same = |e: &&PlacedExtreme| e.field == field.name() && e.is_max == is_max;
+            found.iter().find(same).map_or_else(Vec::new, |extreme| extreme.places.clone())
+        };
+        let shown = Field::ALL
+            .into_iter()
+            .filter(|&field| found.iter().any(|e| e.field == field.name() && !e.places.is_empty()));
+        ByName::of(shown, |field| Places { min: of(field, false), max: of(field, true) })
+    }
+}
+
 impl Proof {
-    pub fn of(named: &Named) -> Self {
-        let found = named.found.as_ref();
-        let why = found.map_or_else(Some, |found| found.shortfall.as_ref());
-        let found = found.ok();
+    pub fn of(named: &Named, solution: &Solution, context: &Context) -> Self {
+        let (why, found) = (named.shortfall(), named.found.as_ref().ok());
         let errors = found.map(Verification::errors).unwrap_or_default();
         let (finite, infinite): (Vec<_>, Vec<_>) = errors
             .into_iter()
@@ -125,6 +171,11 @@ impl Proof {
             exists: finite.iter().any(|(name, _)| *name == "deflection"),
             unique: found.is_some_and(|found| found.proof.unique.is_ok()),
             bounds: finite.into_iter().map(of).collect(),
+            places: Places::of(named),
+            checks: judged(context.limits, solution, Some(named))
+                .iter()
+                .map(|judged| JudgedCheck::of(judged, None))
+                .collect(),
             not_proven: infinite.into_iter().map(|(name, _)| (name, without.clone())).collect(),
         }
     }

@@ -95,9 +95,7 @@ struct Checked {
 
 impl<'a> Of<'a> {
     fn new(named: &'a Named) -> Self {
-        let found = named.found.as_ref();
-        let why = found.map_or_else(Some, |found| found.shortfall.as_ref());
-        let found = found.ok();
+        let (why, found) = (named.shortfall(), named.found.as_ref().ok());
         let pair = |(name, Bound { error, scale })| (name, Pair { error, scale });
         let bounds = found.map(Verification::named).unwrap_or_default();
         Of {

@@ -1,78 +1,87 @@
 //! Design checks, one line each.
 
 use super::sheet::{Sheet, Tone};
+use crate::bound::{not_proven, with_bound};
+use crate::checked::{Judged, Judgement, judged, worst};
 use crate::context::{Context, clean};
-use crate::number::significant;
-use crate::quantity::{Kind, Units};
-use groundbeam::{Check, Checked, Solution};
+use crate::numbers::{Numbers, PERCENT};
+use crate::quantity::{Kind, Unit};
+use crate::verified::Named;
+use groundbeam::{Checked, Field, Solution};
 
 /// The checks of one solution, and a blank line if there are any.
 pub(crate) fn rows(sheet: &mut Sheet, solution: &Solution, context: &Context) {
-    let checks = context.limits.map(|limits| limits.check(solution)).unwrap_or_default();
+    let proof = context.proofs.first();
+    let checks = judged(context.limits, solution, proof);
+    let numbers = Numbers::plain(solution, context.units).with_proof(proof);
     for (i, check) in checks.iter().enumerate() {
-        row(sheet, i == 0, check, None, context.units);
+        row(sheet, i == 0, check, None, &numbers);
     }
     if !checks.is_empty() {
         sheet.blank();
     }
 }
 
+/// A solution with its name and what is proven of it.
+pub(crate) type OfName<'a> = (&'a str, &'a Solution, Option<&'a Named>);
+
 /// Of every check the solution that comes nearest to its limit, or passes it farthest.
-pub(crate) fn worst_rows(sheet: &mut Sheet, solved: &[(&str, &Solution)], context: &Context) {
-    let Some(limits) = context.limits else { return };
-    let all: Vec<_> =
-        solved.iter().map(|(name, solution)| (*name, limits.check(solution))).collect();
-    let Some((_, first)) = all.first() else { return };
-    for (i, check) in first.iter().enumerate() {
-        let of_kind = |(name, checks): &(_, Vec<Check>)| {
-            Some((*name, *checks.iter().find(|other| other.what == check.what)?))
-        };
-        // Of equals the first.
-        let found = all.iter().rev().filter_map(of_kind);
-        let worst = found.max_by(|a, b| used(&a.1).total_cmp(&used(&b.1)));
-        if let Some((name, worst)) = worst {
-            row(sheet, i == 0, &worst, Some(name), context.units);
-        }
+pub(crate) fn worst_rows(sheet: &mut Sheet, solved: &[OfName], context: &Context) {
+    let each = solved.iter().map(|(_, solution, proof)| judged(context.limits, solution, *proof));
+    let worst = worst(&each.collect::<Vec<_>>());
+    for (i, (by, check)) in worst.iter().enumerate() {
+        let (name, solution, proof) = solved[*by];
+        let numbers = Numbers::plain(solution, context.units).with_proof(proof);
+        row(sheet, i == 0, check, Some(name), &numbers);
     }
-    if !first.is_empty() {
+    if !worst.is_empty() {
         sheet.blank();
     }
 }
 
-/// How much of the limit is used.
-fn used(check: &Check) -> f64 {
-    match check.what {
-        Checked::Overturning => check.limit / check.found,
-        // Also where the limit is zero.
-        _ if check.found == 0.0 => 0.0,
-        _ => check.found / check.limit,
-    }
-}
+/// Digits of a value and of a limit.
+const DIGITS: usize = 4;
 
-fn row(sheet: &mut Sheet, first: bool, check: &Check, of: Option<&str>, units: Units) {
-    let (what, sign) = match check.what {
-        Checked::BearingPressure => ("bearing pressure", "<="),
-        Checked::Settlement => ("deflection", "<="),
-        Checked::LiftedShare => ("lifted off", "<="),
-        Checked::Eccentricity => ("eccentricity", "<="),
-        Checked::Overturning => ("overturning margin", ">="),
+fn row(sheet: &mut Sheet, first: bool, judged: &Judged, of: Option<&str>, numbers: &Numbers) {
+    let check = &judged.check;
+    let (what, sign, field) = match check.what {
+        Checked::BearingPressure => ("bearing pressure", "<=", Some(Field::Pressure)),
+        Checked::Settlement => ("deflection", "<=", Some(Field::Deflection)),
+        Checked::LiftedShare => ("lifted off", "<=", None),
+        Checked::Eccentricity => ("eccentricity", "<=", None),
+        Checked::Overturning => ("overturning margin", ">=", None),
     };
-    let write = |value: f64| match check.what {
-        Checked::BearingPressure => units.write(Kind::Stress, value, 4),
-        Checked::Settlement => units.write(Kind::Deflection, value, 4),
-        Checked::LiftedShare => format!("{} %", significant(100.0 * value, 4)),
-        Checked::Eccentricity => format!("{} l", significant(value, 4)),
-        Checked::Overturning if value.is_infinite() => "without end".to_owned(),
-        Checked::Overturning => significant(value, 4),
+    let unit = |value: f64| match check.what {
+        Checked::BearingPressure => numbers.units.unit(Kind::Stress, value),
+        Checked::Settlement => numbers.units.unit(Kind::Deflection, value),
+        Checked::LiftedShare => PERCENT,
+        Checked::Eccentricity => Unit { name: "l", size: 1.0 },
+        Checked::Overturning => Unit { name: "", size: 1.0 },
     };
-    let mut words = format!(
-        "{} {what} {} {sign} {}",
-        if check.passes() { "passes:" } else { "FAILS: " },
-        write(check.found),
-        write(check.limit)
-    );
+    let write = |value: f64| match value.is_infinite() {
+        true => "without end".to_owned(),
+        false => unit(value).write(value, DIGITS),
+    };
+    let found = match judged.error {
+        None => write(check.found),
+        Some(error) if error.is_finite() => with_bound(check.found, error, unit(check.found)),
+        Some(_) => not_proven(&write(check.found)),
+    };
+    let (verdict, tone) = match judged.judgement() {
+        Judgement::Passes(true) => ("passes", Tone::Good),
+        Judgement::Passes(false) => ("FAILS", Tone::Bad),
+        Judgement::Proven(true) => ("proven to pass", Tone::Good),
+        Judgement::Proven(false) => ("proven to FAIL", Tone::Bad),
+        Judgement::Undecided => ("undecided within the bound", Tone::Doubtful),
+    };
+    let verdict = format!("{verdict}:");
+    let mut words = format!("{verdict:<7} {what} {found} {sign} {}", write(check.limit));
     if let Some(x) = check.at {
-        words += &format!(" at x = {}", units.position(x));
+        let place = match field {
+            Some(field) => numbers.place_of(field, true, x),
+            None => numbers.place_without_bound(x),
+        };
+        words += &format!(" at x = {place}");
     }
     if let Some(name) = of {
         words += &format!(", {}", clean(name));
@@ -80,18 +89,5 @@ fn row(sheet: &mut Sheet, first: bool, check: &Check, of: Option<&str>, units: U
     if let Some(clause) = check.what.clause() {
         words += &format!(" ({clause})");
     }
-    let tone = if check.passes() { Tone::Good } else { Tone::Bad };
     sheet.toned_row(if first { "Checks" } else { "" }, &words, tone);
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn nothing_of_a_limit_of_nothing_is_the_least_used() {
-        let lifted = |found| Check { what: Checked::LiftedShare, found, limit: 0.0, at: None };
-        assert!(used(&lifted(0.0)) < used(&lifted(1e-9)));
-        assert!(!lifted(1e-9).passes());
-    }
 }

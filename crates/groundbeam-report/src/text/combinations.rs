@@ -1,9 +1,14 @@
-//! The report of all combinations: a table of them, the envelope, and every load case by itself.
+//! The report of all combinations: a table of them, the envelope, and every load case by itself; if proofs are asked for,
+//! with bounds.
 
+use super::checks::OfName;
 use super::sheet::{Sheet, Tone};
 use super::{COLUMNS, certificate, checks, extreme_of, structure, title};
+use crate::bound::with_bound;
 use crate::characteristics::Characteristics;
-use crate::combinations::{Numbered, noun, numbered};
+use crate::combinations::{
+    Numbered, bound_of_extreme, bounds_of_band, largest_end_force, noun, numbered,
+};
 use crate::context::{Context, clean};
 use crate::number::significant;
 use crate::quantity::{Kind, Unit, Units, duration};
@@ -31,28 +36,42 @@ pub fn combinations(answers: &Answers, context: &Context, colour: bool) -> Strin
         }
         sheet.blank();
     }
-    let solved: Vec<Numbered> = numbered(answers);
+    let solved: Vec<Numbered> = numbered(answers, context);
+    let have_bounds = !context.proofs.is_empty();
     if solved.is_empty() {
         verdicts(&mut sheet, answers, context.units);
     } else {
         names(&mut sheet, answers);
         sheet.blank();
-        table(&mut sheet, answers, &solved, context.units);
+        match have_bounds {
+            true => bounded_table(&mut sheet, answers, &solved, context.units),
+            false => table(&mut sheet, answers, &solved, context.units),
+        }
     }
     failures(&mut sheet, answers, context.units);
     alone(&mut sheet, answers, context.units);
     if !solved.is_empty() {
         sheet.blank();
-        envelope(&mut sheet, &answers.envelope(), &solved, context.units);
+        match have_bounds {
+            true => bounded_envelope(&mut sheet, &answers.envelope(), &solved, context.units),
+            false => envelope(&mut sheet, &answers.envelope(), &solved, context.units),
+        }
         sheet.blank();
-        band(&mut sheet, answers, context.units);
-        let named = |row: &Numbered<'_>| answers.list[row.number - 1].name();
-        let all: Vec<_> = solved.iter().map(|row| (named(row), row.solution)).collect();
-        checks::worst_rows(&mut sheet, &all, context);
+        match have_bounds {
+            true => bounded_band(&mut sheet, answers, &solved, context.units),
+            false => band(&mut sheet, answers, context.units),
+        }
+        checks::worst_rows(&mut sheet, &of_names(answers, &solved), context);
         proof(&mut sheet, &solved);
         method(&mut sheet, answers, &solved, context);
     }
     sheet.finish()
+}
+
+/// The solved combinations with their names and proofs.
+pub(crate) fn of_names<'a>(answers: &'a Answers, solved: &[Numbered<'a>]) -> Vec<OfName<'a>> {
+    let named = |row: &Numbered<'a>| answers.list[row.number - 1].name();
+    solved.iter().map(|row| (named(row), row.solution, row.proof)).collect()
 }
 
 /// Numbers and names.
@@ -75,6 +94,29 @@ fn band(sheet: &mut Sheet, answers: &Answers, units: Units) {
         let best = unit.write(best, 6);
         let range = format!("{} to {}", unit.number(low, 6), unit.write(high, 6));
         sheet.line(&format!("{name:<31}{best:>14}    {range}"));
+    }
+    sheet.row("", "of the grounds that were solved; nothing is proven of those between them");
+    sheet.blank();
+}
+
+/// The numbers by which an engineer judges, on the best ground and between which bounds on all grounds.
+pub(crate) fn bounded_band(
+    sheet: &mut Sheet,
+    answers: &Answers,
+    solved: &[Numbered],
+    units: Units,
+) {
+    let Some(bands) = answers.bands() else { return };
+    sheet.heading("Band of grounds");
+    for (field, largest) in COLUMNS {
+        let banded = bands[field.index()][usize::from(largest)];
+        let Banded { best, low, high } = banded;
+        let unit = units.unit(Kind::of(field), low.abs().max(high.abs()));
+        let [of_best, of_low, of_high] = bounds_of_band(solved, field, largest, &banded);
+        let best = with_bound(best, of_best, unit);
+        let [low, high] = [(low, of_low), (high, of_high)].map(|(x, e)| with_bound(x, e, unit));
+        let name = extreme_of(field, largest);
+        sheet.row("", &format!("{name}: {best} on the best ground, {low} to {high} on all"));
     }
     sheet.row("", "of the grounds that were solved; nothing is proven of those between them");
     sheet.blank();
@@ -128,6 +170,24 @@ fn table(sheet: &mut Sheet, answers: &Answers, solved: &[Numbered], units: Units
         let first = format!("{:>4}  {words:<11}{zones:>10}{share:>8}", i + 1);
         let cells = [0, 1, 2, 3].map(|i| units_of_columns[i].number(values[i], 5));
         sheet.line(&line(&first, cells));
+    }
+}
+
+/// Verdict, contact and proof, a line each. The extremes stand with their bounds below, combination by combination.
+fn bounded_table(sheet: &mut Sheet, answers: &Answers, solved: &[Numbered], units: Units) {
+    sheet.heading("   #  equilibrium  zones of contact  proof       lifted share");
+    let mut rows = solved.iter().peekable();
+    for (i, answer) in answers.list.iter().enumerate() {
+        let words = outcome(answer, units);
+        let Some(row) = rows.next_if(|row| row.number == i + 1) else {
+            sheet.line(&format!("{:>4}  {words}", i + 1));
+            continue;
+        };
+        let zones = row.solution.contact().len();
+        let proven = row.proof.is_some_and(|named| named.is_proven());
+        let proof = if proven { "proven" } else { "not proven" };
+        let share = row.numbers(units).lifted_share(row.solution, 6);
+        sheet.line(&format!("{:>4}  {words:<11}{zones:>18}  {proof:<12}{share}", i + 1));
     }
 }
 
@@ -205,23 +265,54 @@ fn envelope(sheet: &mut Sheet, envelope: &Envelope, solved: &[Numbered], units: 
         };
         sheet.row(field.label(), &format!("{}{}", cell(min), cell(max)));
     }
-    for (name, force) in [
-        ("left end", (|row| row.solution.end_forces().left) as fn(&Numbered) -> f64),
-        ("right end", |row| row.solution.end_forces().right),
-    ] {
-        let mut most: Option<(usize, f64)> = None;
-        for row in solved {
-            let force = row.sizes.force(force(row));
-            if most.is_none_or(|(_, other)| force > other) {
-                most = Some((row.number, force));
-            }
+    end_forces(sheet, solved, units);
+}
+
+/// The extremes of all, each with its bound, the combination that has it, and its place if this combination is shown to govern.
+pub(crate) fn bounded_envelope(
+    sheet: &mut Sheet,
+    envelope: &Envelope,
+    solved: &[Numbered],
+    units: Units,
+) {
+    sheet.heading("Envelope: smallest and largest values");
+    for field in envelope.fields() {
+        let range = envelope.range(field);
+        let values = [range.min, range.max].map(|governing| governing.extreme.value);
+        let unit = units.unit(Kind::of(field), values[0].abs().max(values[1].abs()));
+        for (is_max, governing) in [(false, range.min), (true, range.max)] {
+            let Governing { extreme, by } = governing;
+            let Some(row) = solved.get(by) else { continue };
+            let (error, leads) = bound_of_extreme(solved, field, is_max, governing);
+            let numbers = row.numbers(units);
+            let (place, number) = match leads {
+                true => (numbers.place_of(field, is_max, extreme.x), format!("#{}", row.number)),
+                false => {
+                    (numbers.place_without_bound(extreme.x), format!("#{} or another", row.number))
+                }
+            };
+            let value = with_bound(extreme.value, error, unit);
+            let label = if is_max { "" } else { field.label() };
+            sheet.row(label, &format!("{value} at {place}, {number}"));
         }
-        let Some((number, force)) = most else { continue };
-        let words = match units.write(Kind::Force, force, 6) {
-            nothing if force == 0.0 => format!("{name} {nothing} in every combination"),
-            largest => format!("{name} up to {largest}, #{number}"),
+    }
+    end_forces(sheet, solved, units);
+}
+
+/// The largest forces under both ends.
+fn end_forces(sheet: &mut Sheet, solved: &[Numbered], units: Units) {
+    for (end, name) in ["left end", "right end"].into_iter().enumerate() {
+        let Some((row, force, error)) = largest_end_force(solved, end) else { continue };
+        let unit = units.unit(Kind::Force, force);
+        let largest = match row.proof {
+            None => unit.write(force, 6),
+            Some(_) => with_bound(force, error, unit),
         };
-        sheet.row(if name == "left end" { "End forces" } else { "" }, &words);
+        let words = match force {
+            0.0 => format!("{name} {largest} in every combination"),
+            _ => format!("{name} up to {largest}, #{}", row.number),
+        };
+        sheet.row(if end == 0 { "End forces" } else { "" }, &words);
     }
 }
 

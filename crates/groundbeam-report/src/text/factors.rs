@@ -1,6 +1,7 @@
 //! Load factors, in words.
 
 use super::sheet::Sheet;
+use crate::bound::not_proven;
 use crate::context::{Context, clean};
 use crate::number::significant;
 use crate::quantity::Units;
@@ -12,8 +13,11 @@ use groundbeam_run::Factors;
 pub(crate) fn rows(sheet: &mut Sheet, context: &Context) {
     let Some(factors) = context.factors else { return };
     let loads = Grows::of(factors);
-    sheet.row("Load factors", &lift_off(factors.found.first_lift_off, &loads, context.units));
-    sheet.row("", &loss(factors.found.loss_of_equilibrium, &loads, context.units));
+    // Load factors are the result of a search, which no proof covers.
+    let mark = |words: String| if context.proofs.is_empty() { words } else { not_proven(&words) };
+    let lift_off = lift_off(factors.found.first_lift_off, &loads, context.units);
+    sheet.row("Load factors", &mark(lift_off));
+    sheet.row("", &mark(loss(factors.found.loss_of_equilibrium, &loads, context.units)));
 }
 
 /// The loads that grow: `all loads`, and `they` where `however small they are` follows.

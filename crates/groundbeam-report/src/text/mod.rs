@@ -23,6 +23,7 @@ use crate::numbers::Numbers;
 use crate::quantity::{Kind, Units, duration};
 use crate::verdict::{self, wording};
 pub use combinations::combinations;
+pub(crate) use combinations::{bounded_band, bounded_envelope, of_names};
 pub use comparison::comparison;
 pub use drawing::drawing;
 use groundbeam::{
@@ -209,7 +210,6 @@ pub(crate) fn structure(
     sheet.row("Stiffness", &format!("β = {beta}, βl = {beta_length}: {}", found.class()));
 }
 
-/// A quantity that may vary: `2 MN`, or `1 to 3 MN`.
 /// What a beam resists shear with, and how much that matters.
 pub(crate) fn shear(model: &Model, units: Units) -> Option<String> {
     let beam = &model.beam;
@@ -224,6 +224,7 @@ pub(crate) fn shear(model: &Model, units: Units) -> Option<String> {
     Some(format!("it shears: GA = {stiffness}{part}, EI/(GA l²) = {}", significant(number, 4)))
 }
 
+/// A quantity that may vary: `2 MN`, or `1 to 3 MN`.
 fn spread(units: Units, kind: Kind, base: f64, others: impl Iterator<Item = f64>) -> String {
     let mut all = [base, base];
     for value in others {

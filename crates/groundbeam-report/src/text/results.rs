@@ -68,7 +68,7 @@ fn lift_off(sheet: &mut Sheet, solution: &Solution, numbers: &Numbers) {
             true => format!("from {} to {}", edge(stretch.from), edge(stretch.to)),
             false => between(units, numbers.sizes().position(stretch.from), stretch.to),
         };
-        format!("{place}, up to {gap} at x = {}", numbers.place(largest.x))
+        format!("{place}, up to {gap} at x = {}", numbers.place_of_gap(largest.x))
     });
 }
 

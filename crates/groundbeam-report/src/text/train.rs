@@ -43,7 +43,7 @@ pub(crate) fn limits(sheet: &mut Sheet, all: &[Passage], context: &Context) {
         })
     });
     let named: Vec<(String, &Solution)> = named.collect();
-    let solved: Vec<_> = named.iter().map(|(name, solution)| (&**name, *solution)).collect();
+    let solved: Vec<_> = named.iter().map(|(name, solution)| (&**name, *solution, None)).collect();
     checks::worst_rows(sheet, &solved, context);
 }
 

@@ -1,0 +1,187 @@
+//! Numbers with bounds of their errors: how they are printed, and the bounds of the largest and smallest of several.
+
+use crate::number::{above, without_trailing_zeros};
+use crate::quantity::Unit;
+
+/// Words of a number that has no bound.
+pub(crate) fn not_proven(words: &str) -> String {
+    format!("{words} (not proven)").trim_start().to_owned()
+}
+
+/// A bound alone, rounded up: `2.1e-13`.
+pub(crate) fn bound_alone(error: f64) -> String {
+    if error.is_finite() { above(error) } else { not_proven("") }
+}
+
+/// An interval that holds an exact number, as distances from a printed one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Around {
+    low: f64,
+    high: f64,
+}
+
+impl Around {
+    /// The interval of a value with the bound of its error.
+    pub fn of(printed: f64, value: f64, error: f64) -> Self {
+        let off = value - printed;
+        match off {
+            0.0 => Around { low: -error, high: error },
+            _ => Around {
+                low: (off.next_down() - error).next_down(),
+                high: (off.next_up() + error).next_up(),
+            },
+        }
+    }
+
+    /// The interval of the largest, or of the smallest, of several exact numbers. None of no numbers.
+    pub fn extreme(all: impl IntoIterator<Item = Self>, is_max: bool) -> Option<Self> {
+        let outer = if is_max { f64::max } else { f64::min };
+        let fold =
+            |a: Self, b: Self| Around { low: outer(a.low, b.low), high: outer(a.high, b.high) };
+        all.into_iter().reduce(fold)
+    }
+
+    /// The bound of the distance of the exact number from the printed one.
+    pub fn error(self) -> f64 {
+        self.high.max(-self.low)
+    }
+
+    /// Whether every number of this interval is more extreme than every number of another one.
+    pub fn leads(self, other: Self, is_max: bool) -> bool {
+        if is_max { self.low > other.high } else { self.high < other.low }
+    }
+}
+
+/// Significant digits that a double can have.
+const MOST_DIGITS: i32 = 17;
+
+/// A number with a bound of its error, in a unit: `14.226133301 ± 1.3e-9 mm`. Without a finite bound it is rounded to six
+/// digits and said to be not proven.
+///
+/// |printed − exact| is at most the printed bound: that of the number, and the half of its last printed digit, rounded up.
+/// So many digits are printed that the second part is at most a twentieth of the first, as far as a double has digits.
+pub(crate) fn with_bound(value: f64, error: f64, unit: Unit) -> String {
+    rounded_with_bound(value, error, unit, MOST_DIGITS)
+}
+
+/// The same with at most so many digits.
+pub(crate) fn rounded_with_bound(value: f64, error: f64, unit: Unit, most: i32) -> String {
+    if !(value.is_finite() && error.is_finite()) {
+        return not_proven(&unit.write(value, 6));
+    }
+    let power = unit.size.log10().round() as i32;
+    let exact = format!("{value:e}");
+    let digits = exact.split('e').next().unwrap_or("").bytes().filter(u8::is_ascii_digit).count();
+    let (number, rounding) = match error {
+        0.0 if digits as i32 <= most => (shifted(&exact, power), 0.0),
+        0.0 => rounded_within(value, i32::MIN / 2, power, most),
+        _ => rounded_within(value, exponent(error) - 1, power, most),
+    };
+    let bound = match error + rounding {
+        0.0 => "0".to_owned(),
+        sum => shifted(&above(sum.next_up()), power),
+    };
+    let unit = if unit.name.is_empty() { String::new() } else { format!(" {}", unit.name) };
+    format!("{number} ± {bound}{unit}")
+}
+
+/// A number rounded to the digit of 10ⁿ, with at most so many digits, in units of 10ᵖ, and a bound of what rounding changes.
+fn rounded_within(value: f64, last: i32, power: i32, most: i32) -> (String, f64) {
+    let leading = exponent(value);
+    let digits = (leading - last + 1).min(most);
+    if value == 0.0 || digits < 1 {
+        return ("0".to_owned(), value.abs());
+    }
+    let number = shifted(&format!("{value:.*e}", digits as usize - 1), power);
+    let half: f64 = format!("5.1e{}", leading - digits).parse().unwrap_or(f64::INFINITY);
+    (number, half)
+}
+
+/// The exponent n of a number a·10ⁿ, 1 ≤ a < 10.
+fn exponent(value: f64) -> i32 {
+    let written = format!("{value:e}");
+    written.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
+}
+
+/// A decimal `1.25e-9` divided by 10ᵖ, without rounding: its digits stay as they are.
+fn shifted(scientific: &str, power: i32) -> String {
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((scientific, "0"));
+    let exponent = exponent.parse::<i32>().unwrap_or(0) - power;
+    let mantissa = without_trailing_zeros(mantissa);
+    let (sign, mantissa) = mantissa.strip_prefix('-').map_or(("", mantissa), |size| ("-", size));
+    let digits = mantissa.replace('.', "");
+    if digits == "0" {
+        return digits;
+    }
+    let count = digits.len() as i32;
+    match exponent {
+        0..7 if exponent + 1 >= count => {
+            format!("{sign}{digits}{}", "0".repeat((exponent + 1 - count) as usize))
+        }
+        0..7 => {
+            let (whole, part) = digits.split_at(exponent as usize + 1);
+            format!("{sign}{whole}.{part}")
+        }
+        -4..0 => format!("{sign}0.{}{digits}", "0".repeat((-exponent - 1) as usize)),
+        _ => format!("{sign}{mantissa}e{exponent}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_with_their_bounds() {
+        let plain = Unit { name: "", size: 1.0 };
+        let (mm, kn) = (Unit { name: "mm", size: 1e-3 }, Unit { name: "kN", size: 1e3 });
+        let cases = [
+            (0.811_326_256_449_155, 2.0e-13, plain, "0.81132625644916 ± 2.1e-13"),
+            (0.014_226_133_301, 1.21e-12, mm, "14.226133301 ± 1.3e-9 mm"),
+            (-412_884.319_872_345, 1e-9, kn, "-412.884319872345 ± 1.1e-12 kN"),
+            (3.4e-13, 1e-15, plain, "3.4e-13 ± 1.1e-15"),
+            (3.4e-17, 1e-15, plain, "0 ± 1.1e-15"),
+            (0.0, 0.0, plain, "0 ± 0"),
+            (0.5, 0.0, plain, "0.5 ± 0"),
+            (2.0 / 3.0, 1e-30, plain, "0.66666666666666663 ± 5.2e-18"),
+            (0.123_4, 0.5, plain, "0.12 ± 0.51"),
+            (12.5, f64::INFINITY, kn, "0.0125 kN (not proven)"),
+        ];
+        for (value, error, unit, text) in cases {
+            assert_eq!(with_bound(value, error, unit), text);
+        }
+        let short = [
+            (0.006_240_320_633, 2e-16, mm, "6.24 ± 0.00052 mm"),
+            (1.5, 0.0, mm, "1500 ± 0 mm"),
+            (2.0 / 3.0, 0.0, plain, "0.6667 ± 5.2e-5"),
+            (2.0 / 3.0, 0.01, plain, "0.667 ± 0.011"),
+        ];
+        for (value, error, unit, text) in short {
+            assert_eq!(rounded_with_bound(value, error, unit, 4), text);
+        }
+        assert_eq!((bound_alone(1e-9), bound_alone(0.0)), ("1.1e-9".to_owned(), "0".to_owned()));
+        assert_eq!(bound_alone(f64::INFINITY), "(not proven)");
+    }
+
+    /// The exact largest number lies between the largest lower and the largest upper end.
+    #[test]
+    fn extremes_of_intervals() {
+        let around = |all: &[(f64, f64)], printed: f64, is_max: bool| {
+            let all = all.iter().map(|&(value, error)| Around::of(printed, value, error));
+            Around::extreme(all, is_max).map(Around::error)
+        };
+        assert_eq!(around(&[], 0.0, true), None);
+        assert_eq!(around(&[(3.0, 0.25), (2.0, 0.5)], 3.0, true), Some(0.25));
+        // The second one may be larger, up to 3.5.
+        let error = around(&[(3.0, 0.25), (2.5, 1.0)], 3.0, true).unwrap();
+        assert!(error > 0.5 && error < 0.5 + 1e-15, "{error}");
+        let error = around(&[(3.0, 0.25), (3.5, 1.0)], 3.0, false).unwrap();
+        assert!(error > 0.5 && error < 0.5 + 1e-15, "{error}");
+        assert_eq!(around(&[(3.0, 0.25), (2.0, f64::INFINITY)], 3.0, true), Some(f64::INFINITY));
+        // What governs by its number may be less than another one by rounding.
+        assert!(around(&[(3.0, 0.0), (3.5, 0.0)], 3.0, true).unwrap() >= 0.5);
+        let [a, b] = [(3.0, 0.25), (2.0, 0.5)].map(|(value, error)| Around::of(3.0, value, error));
+        assert!(a.leads(b, true) && !b.leads(a, true) && b.leads(a, false));
+        assert!(!a.leads(Around::of(3.0, 2.5, 0.25), true));
+    }
+}

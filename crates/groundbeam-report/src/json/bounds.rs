@@ -1,0 +1,126 @@
+//! Bounds of the numbers that several combinations give together: envelope, extremes, band and checks.
+
+use super::ByName;
+use crate::checked::{Judged, judged, worst};
+use crate::combinations::{
+    Numbered, bound_of_extreme, bounds_at, bounds_of_band, largest_end_force, numbered,
+};
+use crate::context::Context;
+use groundbeam::Field;
+use groundbeam_run::Answers;
+use serde::Serialize;
+
+/// The bounds of a document of combinations; `null` where there is none.
+#[derive(Serialize)]
+pub(super) struct Together {
+    envelope: ByName<Ends<Vec<f64>>>,
+    extremes: ByName<Ends<f64>>,
+    /// Of the largest force under each end.
+    end_forces: Forces,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    band: Option<ByName<Ends<Spread>>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    checks: Vec<JudgedCheck>,
+}
+
+/// The same of the smallest and of the largest value.
+#[derive(Serialize)]
+struct Ends<T> {
+    min: T,
+    max: T,
+}
+
+#[derive(Serialize)]
+struct Forces {
+    left: f64,
+    right: f64,
+}
+
+#[derive(Serialize)]
+struct Spread {
+    best: f64,
+    low: f64,
+    high: f64,
+}
+
+/// A check with the bound of its value, `null` if there is none.
+#[derive(Serialize)]
+pub(super) struct JudgedCheck {
+    name: &'static str,
+    /// The combination that governs, of several.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    combination: Option<String>,
+    value: f64,
+    limit: f64,
+    bound: Option<f64>,
+    /// `proven-to-pass`, `proven-to-fail`, `undecided`; without a bound `passes` or `fails`.
+    judgement: &'static str,
+}
+
+impl JudgedCheck {
+    pub fn of(judged: &Judged, combination: Option<&str>) -> Self {
+        JudgedCheck {
+            name: judged.check.what.name(),
+            combination: combination.map(str::to_owned),
+            value: judged.check.found,
+            limit: judged.check.limit,
+            bound: judged.error,
+            judgement: judged.judgement().name(),
+        }
+    }
+}
+
+impl Together {
+    /// The bounds at the stations of the envelope; none if no proof is asked for or nothing is solved.
+    pub fn of(answers: &Answers, stations: &[f64], context: &Context) -> Option<Self> {
+        let solved = numbered(answers, context);
+        if context.proofs.is_empty() || solved.is_empty() {
+            return None;
+        }
+        let envelope = answers.envelope();
+        let all: Vec<_> = stations.iter().map(|&x| envelope.all_at(x)).collect();
+        let along = |field: Field| {
+            let at = stations.iter().zip(&all).map(|(&x, bounds)| {
+                let bounds = bounds[field.index()];
+                let printed = [bounds.min, bounds.max].map(|governing| governing.extreme.value);
+                let [min, max] = bounds_at(&solved, field, x, printed);
+                (min, max)
+            });
+            let (min, max) = at.unzip();
+            Ends { min, max }
+        };
+        let extremes = |field: Field| {
+            let range = envelope.range(field);
+            let bound = |is_max, governing| bound_of_extreme(&solved, field, is_max, governing).0;
+            Ends { min: bound(false, range.min), max: bound(true, range.max) }
+        };
+        let band = answers.bands().map(|bands| {
+            ByName::of(envelope.fields(), |field| {
+                let spread = |is_max: bool| {
+                    let banded = &bands[field.index()][usize::from(is_max)];
+                    let [best, low, high] = bounds_of_band(&solved, field, is_max, banded);
+                    Spread { best, low, high }
+                };
+                Ends { min: spread(false), max: spread(true) }
+            })
+        });
+        Some(Together {
+            envelope: ByName::of(envelope.fields(), along),
+            extremes: ByName::of(envelope.fields(), extremes),
+            end_forces: Forces {
+                left: largest_end_force(&solved, 0)?.2,
+                right: largest_end_force(&solved, 1)?.2,
+            },
+            band,
+            checks: checks(answers, &solved, context),
+        })
+    }
+}
+
+/// The worst of each check, with the combination that governs.
+fn checks(answers: &Answers, solved: &[Numbered], context: &Context) -> Vec<JudgedCheck> {
+    let each = solved.iter().map(|row| judged(context.limits, row.solution, row.proof));
+    let worst = worst(&each.collect::<Vec<_>>());
+    let name = |by: usize| answers.list[solved[by].number - 1].name();
+    worst.iter().map(|(by, judged)| JudgedCheck::of(judged, Some(name(*by)))).collect()
+}
