@@ -30,7 +30,7 @@ impl OpenSpan {
         let l = w.mesh.cells[w.mesh.cells.len() - 1].x[1];
         let [from, to] =
             [ends[0].map_or(0.0, |a| w.position(a)), ends[1].map_or(l, |b| w.position(b))];
-        OpenSpan { link, fluxes: short_span::fluxes(w, ends, &link), length: to - from }
+        OpenSpan { link, fluxes: short_span::bonded_fluxes(w, ends, &link), length: to - from }
     }
 }
 

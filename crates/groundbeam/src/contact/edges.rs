@@ -192,16 +192,8 @@ impl Search<'_, '_> {
             .then(|| edge_step::next_intervals(&found.deflection(), &found.zones))
             .flatten()
             .map(|next| self.placed(next));
-        let is_moved = |next: &Vec<Interval>| longest_difference(contact, next) > ROUNDED * l;
-        let next = match by_edges {
-            Some(next) if is_moved(&next) => next,
-            Some(_) => {
-                // These zones are settled. The moves towards them are no measure for the moves of other zones.
-                self.least = f64::INFINITY;
-                self.scan(found)
-            }
-            None => self.scan(found),
-        };
+        let by_edges = by_edges.filter(|next| longest_difference(contact, next) > ROUNDED * l);
+        let next = by_edges.unwrap_or_else(|| self.scan(found));
         self.before = self.moved;
         self.moved = longest_difference(contact, &next) / l;
         // Moves of the size of rounding error go up and down: only a new least move is progress.

@@ -115,11 +115,27 @@ fn decay(cell: &Cell, half: f64) -> f64 {
 pub(crate) fn fluxes(w: &Deflection, ends: [Option<BeamPoint>; 2], link: &TwoPort) -> [f64; 2] {
     let of = |f: &dyn Fn(BeamPoint) -> f64| ends.map(|end| end.map_or(0.0, f));
     if let Some([a, b]) = end_forces(w, ends) {
-        let [left, right] = of(&|point| w.flux(open_side(w, point)));
+        let [left, right] = of(&|point| w.flux(point));
         return [a - left, b + right];
     }
     let [left, right] = of(&|point| w.obstacle_at(point));
     [link.force_left(left, right), link.force_right(left, right)]
+}
+
+/// The same between the edges on which a beam is bonded, with the kinks that the concentrated forces make there.
+pub(crate) fn bonded_fluxes(
+    w: &Deflection,
+    ends: [Option<BeamPoint>; 2],
+    link: &TwoPort,
+) -> [f64; 2] {
+    let kink = |end: Option<BeamPoint>| {
+        end.map_or(0.0, |point| w.flux(point) - w.flux(open_side(w, point)))
+    };
+    let [left, right] = fluxes(w, ends, link);
+    match end_forces(w, ends) {
+        Some(_) => [left + kink(ends[0]), right - kink(ends[1])],
+        None => [left, right],
+    }
 }
 
 /// An end of a span as a point of the open cell beside it, where a beam that shears has a kink that the concentrated force of
