@@ -28,7 +28,7 @@ const ROUNDING: f64 = 1e-12;
 pub struct Target {
     /// The solution.
     pub solution: Solution,
-    given: Given<Wide>,
+    pub(crate) given: Given<Wide>,
     right: Answer,
     proof: Proof,
 }
@@ -37,7 +37,7 @@ pub struct Target {
 pub struct Attack {
     /// What was changed.
     pub change: &'static str,
-    answer: Answer,
+    pub(crate) answer: Answer,
 }
 
 /// What came of an attack.
@@ -46,6 +46,8 @@ pub struct Verdict {
     pub proven: bool,
     /// The largest error over its bound.
     pub ratio: f64,
+    /// Error over bound, by quantity.
+    pub ratios: Vec<(&'static str, f64)>,
     /// A false statement.
     pub fault: Option<String>,
 }
@@ -80,21 +82,24 @@ impl Target {
     /// Judges a wrong answer; none if nothing is proven of it.
     pub fn judge(&self, attack: &Attack) -> Option<Verdict> {
         let proof = prove(&self.given, &attack.answer).ok()?;
-        let (ratio, mut fault) = self.largest_error(&attack.answer, &proof);
+        let (ratios, mut fault) = self.errors(&attack.answer, &proof);
         if let (Ok(claimed), Ok(exact)) = (&proof.contact, &self.proof.contact) {
             fault = fault.or_else(|| differing(claimed, exact));
         }
-        Some(Verdict { proven: proof.shortfall().is_none(), ratio, fault })
+        let ratio = ratios.iter().fold(0.0, |most: f64, (_, ratio)| most.max(*ratio));
+        Some(Verdict { proven: proof.shortfall().is_none(), ratio, ratios, fault })
     }
 
-    /// The largest of error over bound, of all fields and reactions, and which it is if it is above 1.
-    fn largest_error(&self, answer: &Answer, proof: &Proof) -> (f64, Option<String>) {
-        let mut most = (0.0, None);
-        let mut judge = |name: &str, error: f64, bound: f64| {
+    /// Error over bound of all fields and reactions, and the last one that is above 1.
+    fn errors(&self, answer: &Answer, proof: &Proof) -> (Vec<(&'static str, f64)>, Option<String>) {
+        let (mut ratios, mut fault) = (Vec::new(), None);
+        let mut judge = |name: &'static str, error: f64, bound: f64| {
             let ratio = error / bound;
-            if ratio > most.0 {
-                let fault = format!("{name}: error {error:.3e}, bound {bound:.3e}");
-                most = (ratio, (ratio > 1.0).then_some(fault));
+            if ratio > 0.0 {
+                ratios.push((name, ratio));
+            }
+            if ratio > 1.0 {
+                fault = Some(format!("{name}: error {error:.3e}, bound {bound:.3e}"));
             }
         };
         for i in 0..61 {
@@ -114,13 +119,14 @@ impl Target {
             let (exact, own) = (&self.solution.reactions()[i], &self.proof.reactions[i]);
             let off = |a: f64, b: f64, own: f64| (a - b).abs() - own - ROUNDING * b.abs();
             judge("reaction", off(force, exact.force, own.force.error), bound.force.error);
-            judge("moment", off(moment, exact.moment, own.moment.error), bound.moment.error);
+            let error = off(moment, exact.moment, own.moment.error);
+            judge("moment of a support", error, bound.moment.error);
         }
-        most
+        (ratios, fault)
     }
 
     /// What a document says at x: field, value and bound.
-    fn fields(&self, piece: &Piece, x: f64, proof: &Proof) -> Vec<(Field, f64, f64)> {
+    pub(crate) fn fields(&self, piece: &Piece, x: f64, proof: &Proof) -> Vec<(Field, f64, f64)> {
         let (model, bounds) = (self.solution.model(), &proof.bounds);
         let w = derivatives(piece, &piece.deflection, x);
         let stiffness = model.beam.bending_stiffness_at(x);

@@ -12,6 +12,7 @@ pub mod documents;
 mod element;
 pub mod equations;
 pub mod estimated;
+pub mod exact_attack;
 pub mod frozen;
 pub mod hostile;
 pub mod imports;

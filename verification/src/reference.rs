@@ -101,7 +101,8 @@ impl Answer {
         })
     }
 
-    fn numbers(&self, key: &str) -> Vec<f64> {
+    /// The values of a key at all stations.
+    pub(crate) fn numbers(&self, key: &str) -> Vec<f64> {
         let list = self.stations[key].as_array().expect("a list of numbers");
         list.iter().map(|v| v.as_f64().unwrap_or(f64::NAN)).collect()
     }

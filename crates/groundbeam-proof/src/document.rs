@@ -169,6 +169,8 @@ impl Document {
                 let mut largest = object(largest, "largest_gap")?;
                 let [x, gap] = [number(&mut largest, "x")?, number(&mut largest, "value")?];
                 self.lift_off.push([ends[0], ends[1], x, gap]);
+            } else {
+                self.not_covered.extend(["from", "to"].map(|key| format!("lift_off.{key}")));
             }
             rest("lift_off", &stretch, &mut self.not_covered);
         }

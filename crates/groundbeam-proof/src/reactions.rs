@@ -118,8 +118,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         (self.largest(from..to), frame.nodes[to].x - frame.nodes[from].x, springs)
     }
 
-    /// K² on one side: z = 1 − 3τ² + 2τ³, τ = t/h, with 12EI/h³ + 6(P + μ)/(5h) + 13kh/35 + Σ(κ + κ_θ(3/(2h))²); or
-    /// z = 1 to the end of the beam, with kL + K_e + Σκ.
+    /// K² on one side: z falls from 1 to 0 on a length, or z = 1 to the end of the beam, with kL + K_e + Σκ.
     fn lifted_side(&self, node: usize, side: usize) -> Size {
         let (next, held) = self.next(node, side);
         let ([bending, layer, ground], room, [springs, turning]) = self.beside(node, next);
@@ -131,15 +130,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         if next == node {
             return least;
         }
-        least.least(least_of_halves(room.low(), |h| {
-            let long = Size::of(h);
-            let steep = Size::of(1.5).over(h).square();
-            (12.0 * bending).over(h).over(h).over(h)
-                + (1.2 * layer).over(h)
-                + 0.3715 * (ground * long)
-                + springs
-                + turning * steep
-        }))
+        least.least(lift([bending, layer, ground], [springs, turning], room.low()))
     }
 
     /// K² on one side for z = t(1 − t/h)².
@@ -193,5 +184,51 @@ impl<S: Scalar> Pointwise<'_, S> {
             sum += Size::of(node.turning.map_or(0.0, |turning| turning.high())) * steep;
         }
         sum
+    }
+}
+
+/// The least K² for z = 1 − 3τ² + 2τ³, τ = t/h, h at most the room: 12EI/h³ + 6(P + μ)/(5h) + 13kh/35 + Σ(κ + κ_θ(3/(2h))²).
+fn lift([bending, layer, ground]: [Size; 3], [springs, turning]: [Size; 2], room: f64) -> Size {
+    least_of_halves(room, |h| {
+        let steep = Size::of(1.5).over(h).square();
+        (12.0 * bending).over(h).over(h).over(h)
+            + (1.2 * layer).over(h)
+            + 0.3715 * (ground * Size::of(h))
+            + springs
+            + turning * steep
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::lift;
+    use crate::random::numbers;
+    use crate::size::Size;
+    use crate::test_functions::tests::integral;
+
+    /// K² by integration, springs where |z| and |z′| are largest.
+    fn exact([bending, layer, ground]: [f64; 3], [springs, turning]: [f64; 2], h: f64) -> f64 {
+        let z = |t: f64| 1.0 - 3.0 * (t / h).powi(2) + 2.0 * (t / h).powi(3);
+        let slope = |t: f64| 6.0 * (t / h) * (t / h - 1.0) / h;
+        let bent = |t: f64| 6.0 * (2.0 * t / h - 1.0) / (h * h);
+        integral(h, |t| {
+            bending * bent(t).powi(2) + layer * slope(t).powi(2) + ground * z(t).powi(2)
+        }) + springs
+            + turning * slope(0.5 * h).powi(2)
+    }
+
+    #[test]
+    fn the_test_function_of_a_reaction_has_the_least_k_over_lengths() {
+        let mut random = numbers();
+        for _ in 0..300 {
+            let numbers = [0; 5].map(|_| 10.0_f64.powf(3.0 * random()));
+            let [bending, layer, ground, springs, turning] = numbers;
+            let (stiff, held) = ([bending, layer, ground], [springs, turning]);
+            let room = 10.0_f64.powf(random());
+            let lengths = (0..24).map(|j| room / 2.0_f64.powi(j));
+            let least = lengths.map(|h| exact(stiff, held, h)).fold(f64::INFINITY, f64::min);
+            let bound = lift(stiff.map(Size::of), held.map(Size::of), room).value();
+            assert!(least <= bound * (1.0 + 1e-9) && bound <= 1.001 * least, "{least} {bound}");
+        }
     }
 }

@@ -135,3 +135,46 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 }
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::kink;
+    use crate::random::numbers;
+    use crate::size::Size;
+
+    /// ∫f from 0 to h by Gauss's rule with 5 points, exact for polynomials up to the degree 9.
+    pub(crate) fn integral(h: f64, f: impl Fn(f64) -> f64) -> f64 {
+        let [a, b] =
+            [2.0, -2.0].map(|sign: f64| (5.0 + sign * (10.0_f64 / 7.0).sqrt()).sqrt() / 3.0);
+        let [v, w] = [-13.0, 13.0].map(|sign: f64| (322.0 + sign * 70.0_f64.sqrt()) / 900.0);
+        let points = [(0.0, 128.0 / 225.0), (a, v), (-a, v), (b, w), (-b, w)];
+        points.iter().map(|(x, w)| 0.5 * h * w * f(0.5 * h * (1.0 + x))).sum()
+    }
+
+    /// K² of z = t(1 − t/h)² by integration, springs where |z| and |z′| are largest.
+    fn exact([bending, layer, ground]: [f64; 3], [springs, turning]: [f64; 2], h: f64) -> f64 {
+        let z = |t: f64| t * (1.0 - t / h).powi(2);
+        let slope = |t: f64| (1.0 - t / h) * (1.0 - 3.0 * t / h);
+        let bent = |t: f64| (6.0 * t / h - 4.0) / h;
+        let largest = (0..=3000).map(|i| z(h * f64::from(i) / 3000.0)).fold(0.0, f64::max);
+        integral(h, |t| {
+            bending * bent(t).powi(2) + layer * slope(t).powi(2) + ground * z(t).powi(2)
+        }) + springs * largest * largest
+            + turning
+    }
+
+    #[test]
+    fn the_test_function_of_the_moment_has_the_least_k_over_lengths() {
+        let mut random = numbers();
+        for _ in 0..300 {
+            let numbers = [0; 5].map(|_| 10.0_f64.powf(3.0 * random()));
+            let [bending, layer, ground, springs, turning] = numbers;
+            let (stiff, held) = ([bending, layer, ground], [springs, turning]);
+            let room = 10.0_f64.powf(random());
+            let lengths = (0..24).map(|j| room / 2.0_f64.powi(j));
+            let least = lengths.map(|h| exact(stiff, held, h)).fold(f64::INFINITY, f64::min);
+            let bound = kink(stiff.map(Size::of), held.map(Size::of), room).value();
+            assert!(least <= bound * (1.0 + 1e-9) && bound <= 1.01 * least, "{least} {bound}");
+        }
+    }
+}

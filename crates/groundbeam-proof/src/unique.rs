@@ -90,8 +90,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         Holds { places: at_nodes + pieces, turning, ends: [held(part.start), held(part.end)] }
     }
 
-    /// Whether p* > 0 is shown in both halves of an interval of a piece: a bump z ≥ 0 of length h with
-    /// p_m∫z > s₂‖z‖_b, z = 1 − (2t/h)², ∫z = 2h/3, ‖z‖_b² = 8kh/15 + 16μ/(3h).
+    /// Whether p* > 0 is shown in both halves of an interval of a piece: a bump z ≥ 0 with p_m∫z > s₂‖z‖_b.
     fn presses(&self, i: usize) -> bool {
         let span = &self.fields.frame.spans[i];
         if !span.touches {
@@ -100,19 +99,38 @@ impl<S: Scalar> Pointwise<'_, S> {
         parts_of(span).any(|part| {
             let least = self.least_pressure(i, part);
             // Half of |t| ≤ part.
-            let h = (part * span.half.low()).next_down();
-            let long = Size::of((part * span.half.high()).next_up());
-            let ground = (8.0 * (Size::of(span.spring.high()) * long)).over(15.0)
-                + (16.0 * Size::of(span.shear.size())).over(3.0).over(h);
-            let missed = self.s2() * ground.root();
-            least > 0.0 && (0.666 * h).next_down() * least > missed.value().next_up()
+            let h = [(part * span.half.low()).next_down(), (part * span.half.high()).next_up()];
+            let (area, norm) = bump(h, [span.spring.high(), span.shear.size()].map(Size::of));
+            least > 0.0 && area * least > (self.s2() * norm).value().next_up()
         })
     }
 }
 
+/// Of z = 1 − (2t/h)² on a length h, given from below and from above: a lower bound of ∫z = 2h/3, and a bound of ‖z‖_b,
+/// ‖z‖_b² = 8kh/15 + 16μ/(3h).
+fn bump([low, high]: [f64; 2], [ground, layer]: [Size; 2]) -> (f64, Size) {
+    let norm = (8.0 * (ground * Size::of(high))).over(15.0) + (16.0 * layer).over(3.0).over(low);
+    ((0.666 * low).next_down(), norm.root())
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Holds, loose};
+    use super::{Holds, bump, loose};
+    use crate::size::Size;
+    use crate::test_functions::tests::integral;
+
+    #[test]
+    fn the_bump_has_its_area_and_its_norm() {
+        for (h, ground, layer) in [(0.3, 2.0, 0.7), (2.0, 0.5, 3.0), (11.0, 1.0, 1e-3)] {
+            let z = |t: f64| 1.0 - (2.0 * t / h - 1.0).powi(2);
+            let slope = |t: f64| -4.0 * (2.0 * t / h - 1.0) / h;
+            let (area, norm) = bump([h; 2], [ground, layer].map(Size::of));
+            let exact = integral(h, |t| ground * z(t).powi(2) + layer * slope(t).powi(2)).sqrt();
+            assert!(exact <= norm.value() * (1.0 + 1e-12) && norm.value() <= exact * (1.0 + 1e-9));
+            let exact = integral(h, z);
+            assert!(area <= exact && 0.998 * exact <= area, "{area} {exact}");
+        }
+    }
 
     #[test]
     fn a_support_at_a_hinge_is_one_place() {

@@ -142,6 +142,15 @@ fn a_stretch_that_is_not_open_has_not_lifted_off() {
 }
 
 #[test]
+fn a_stretch_without_its_largest_gap_is_not_covered() {
+    let contact = r#""contact": [{"from": 0, "to": 2}]"#;
+    let lifted = format!(r#"{contact}, "lift_off": [{{"from": 0.5, "to": 0.75}}]"#);
+    let found = verified(AT_REST, &with(RESTING, contact, &lifted));
+    let named: Vec<&str> = found.not_covered.iter().map(String::as_str).collect();
+    assert_eq!(named, ["lift_off.from", "lift_off.to"]);
+}
+
+#[test]
 fn a_settlement_that_no_formula_uses_is_not_proven() {
     let open = "\"touches\": false, \"deflection\": [2, -2]";
     let stored = format!("{open}, \"settlement\": [5]");

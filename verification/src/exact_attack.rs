@@ -1,0 +1,105 @@
+//! Wrong answers for the models of `reference/answers`: their errors against the answers in 60 digits, over the proven bounds.
+
+use crate::attack::{Attack, Target};
+use crate::reference::Answer as Exact;
+use groundbeam::proof::{ContactSet, Proof, prove};
+
+/// The truth has 20 digits, of which a double keeps 16; a claimed field is computed in doubles from its coefficients.
+const ROUNDING: f64 = 1e-12;
+
+/// What came of an attack.
+pub struct Judged {
+    /// Whether the answer is called proven.
+    pub proven: bool,
+    /// Error over bound, by quantity.
+    pub ratios: Vec<(&'static str, f64)>,
+    /// A contact set that is shown and is not the exact one.
+    pub fault: Option<String>,
+}
+
+/// Judges a wrong answer; none if nothing is proven of it.
+pub fn judge(target: &Target, attack: &Attack, exact: &Exact) -> Option<Judged> {
+    let proof = prove(&target.given, &attack.answer).ok()?;
+    let mut ratios = fields(target, attack, exact, &proof);
+    ratios.extend(reactions(target, attack, exact, &proof));
+    let mut fault = None;
+    if let Ok(contact) = &proof.contact {
+        let length = target.solution.model().beam.length;
+        fault = wrong_contact(contact, exact, length);
+        ratios.extend(forces(contact, exact, length));
+    }
+    Some(Judged { proven: proof.shortfall().is_none(), ratios, fault })
+}
+
+/// The fields at the stations where none of them jumps.
+fn fields(
+    target: &Target,
+    attack: &Attack,
+    exact: &Exact,
+    proof: &Proof,
+) -> Vec<(&'static str, f64)> {
+    let sides = exact.stations["side"].as_array().expect("a list of sides");
+    let mut ratios = Vec::new();
+    for (i, x) in exact.numbers("x").into_iter().enumerate().filter(|(i, _)| sides[*i] == "") {
+        let Some(piece) = attack.answer.pieces.iter().find(|piece| x <= piece.x[1]) else {
+            continue;
+        };
+        for (field, value, bound) in target.fields(piece, x, proof) {
+            let name = field.name();
+            let error = (value - exact.numbers(name)[i]).abs() - ROUNDING * exact.largest[name];
+            ratios.push((name, error.max(0.0) / bound));
+        }
+    }
+    ratios
+}
+
+fn reactions(
+    target: &Target,
+    attack: &Attack,
+    exact: &Exact,
+    proof: &Proof,
+) -> Vec<(&'static str, f64)> {
+    let mut ratios = Vec::new();
+    for (i, (support, bound)) in
+        target.solution.model().supports.iter().zip(&proof.reactions).enumerate()
+    {
+        let claimed = attack.answer.reactions.iter().find(|claimed| claimed.support == i);
+        let [force, moment] = claimed.map_or([0.0; 2], |r| [r.force, r.moment]);
+        let truth = exact.reactions.iter().find(|truth| truth.at == support.at);
+        let truth = truth.expect("a reaction of every support");
+        let off = |a: f64, b: f64| ((a - b).abs() - f64::EPSILON * b.abs()).max(0.0);
+        ratios.push(("reaction", off(force, truth.force) / bound.force.error));
+        ratios.push(("moment of a support", off(moment, -truth.moment) / bound.moment.error));
+    }
+    ratios
+}
+
+/// How far the exact concentrated forces lie from the middles of their intervals, over half the length of these.
+fn forces(contact: &ContactSet, exact: &Exact, length: f64) -> Vec<(&'static str, f64)> {
+    let mut truth = vec![(0.0, exact.end_forces["left"]), (length, exact.end_forces["right"])];
+    truth.extend(exact.inner_forces.iter().map(|force| (force.x, force.force)));
+    let ratio = |(x, force): (f64, f64)| {
+        let near = contact.forces.iter().find(|found| (found.x - x).abs() <= 1e-14 * length);
+        let [low, high] = near.map_or([0.0; 2], |found| found.force);
+        let off = ((force - 0.5 * (low + high)).abs() - 4.0 * f64::EPSILON * force.abs()).max(0.0);
+        ("concentrated force", if off == 0.0 { 0.0 } else { off / (0.5 * (high - low)) })
+    };
+    truth.into_iter().map(ratio).collect()
+}
+
+/// Why a contact set is not the exact one.
+fn wrong_contact(contact: &ContactSet, exact: &Exact, length: f64) -> Option<String> {
+    let mut shown: Vec<[[f64; 2]; 2]> = Vec::new();
+    for region in &contact.regions {
+        match shown.last_mut() {
+            // A region is cut where a layer ends.
+            Some(last) if last[1] == region.from => last[1] = region.to,
+            _ => shown.push([region.from, region.to]),
+        }
+    }
+    let near = 4.0 * f64::EPSILON * length;
+    let holds = |[low, high]: [f64; 2], x: f64| low - near <= x && x <= high + near;
+    let same = shown.len() == exact.contact.len()
+        && shown.iter().zip(&exact.contact).all(|(a, b)| holds(a[0], b[0]) && holds(a[1], b[1]));
+    (!same).then(|| format!("contact {shown:?} in place of {:?}", exact.contact))
+}
