@@ -2,7 +2,7 @@
 //! number may stand a method (`exact`, or `active-set` with 1 to 10 000 elements), a family, and the number
 //! of the first model.
 
-use groundbeam::{Method, Options, Outcome, solve_with};
+use groundbeam::{Error, Method, Options, Outcome, solve_with};
 use groundbeam_verification::random::{Family, model};
 use std::time::{Duration, Instant};
 
@@ -32,6 +32,8 @@ fn main() {
                     zones = zones.max(solution.contact().len());
                 }
                 Ok(Outcome::NoEquilibrium(_)) => failed += 1,
+                // Forces at nodes need a shear layer.
+                Err(Error::Unsupported(problem)) if problem.code == "GB603" => {}
                 Err(error) => {
                     failed += 1;
                     println!("{family:?} {number}: {error}");

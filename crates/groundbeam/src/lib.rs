@@ -59,7 +59,6 @@ pub use crate::solution::fields::{
     ConcentratedForce, ContactZone, EndForces, Extreme, Fields, Range, Reaction, Side,
 };
 pub use cancel::Cancel;
-pub use contact::state::Step;
 pub use design::checks::{Check, Checked, Limits, overturning};
 pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
 pub use equilibrium::buckling::own_buckling_load;
@@ -75,6 +74,7 @@ pub use model::{
 pub use nodal::newton::Work;
 pub use nodal::solution::{NodalCheck, NodalSolution};
 pub use nodal_solver::NodalSolver;
+pub use numeric::step::Step;
 pub use options::{Method, Options, Start};
 pub use outcome::Outcome;
 pub use solution::hinges::HingeTurn;

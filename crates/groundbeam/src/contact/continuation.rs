@@ -16,6 +16,7 @@ use crate::contact::stopping::{
 };
 use crate::contact::undecided::differ_by_rounding;
 use crate::element::operator::{Operator, ZoneKind};
+use crate::error::NotConverged;
 use crate::mesh::cell::Cell;
 use crate::mesh::mesh::Mesh;
 use crate::model::Model;
@@ -72,7 +73,9 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
 fn nodes(model: &Model, per_wave: f64, cancel: &Cancel) -> Result<Start, Unconverged> {
     // Elements that shear are series, which take ten times as long.
     let bending = Model { beam: model.beam.clone().without_shear(), ..model.clone() };
-    crate::nodal::edges::coarse(&bending, per_wave, cancel).map(Start::on)
+    let contact = crate::nodal::edges::coarse(&bending, per_wave, cancel);
+    let unsettled = Unconverged { iterations: 0, why: NotConverged::Nodes };
+    contact.map(Start::on).ok_or(unsettled)
 }
 
 /// log₂ of the factor on EI that leaves [`STIFF_WAVES`] between two nodes of the model. The wave number falls at least

@@ -15,7 +15,7 @@ use crate::mesh::mesh::{Mesh, Node};
 use crate::model::Model;
 use crate::nodal::grid::{Grid, Ground};
 use crate::nodal::newton::Workspace;
-use crate::nodal::sweep::Loose;
+use crate::nodal::quadratic::Loose;
 use crate::nodal::{levels, newton, open};
 use crate::numeric::polynomial::rescale;
 

@@ -9,18 +9,7 @@ use crate::mesh::deflection::{Deflection, MeshZone};
 use crate::mesh::energy::Motion;
 use crate::mesh::mesh::Mesh;
 use crate::numeric::polynomial::{Coefficients, derivative};
-
-/// One step of an iteration.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Step {
-    /// Zones of contact after the step.
-    pub zones: usize,
-    /// The part of Newton's step that was taken; for Uzawa's iteration the parameter ρ.
-    pub step: f64,
-    /// The move of the contact relative to the beam's length; on a mesh the part of all nodes that touch before or after the
-    /// step alone; for Uzawa's iteration the relative change of the pressure.
-    pub decrement: f64,
-}
+use crate::numeric::step::Step;
 
 /// A beam's deflection on a mesh and where it touches.
 #[derive(Debug, Clone)]

@@ -16,7 +16,7 @@ use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
 use crate::chain::node::{ChainCell, ChainNode};
 use crate::contact::nodes;
-use crate::contact::state::{ContactState, Step, Unconverged};
+use crate::contact::state::{ContactState, Unconverged};
 use crate::element::ExactElement;
 use crate::element::element::TERMS;
 use crate::element::operator::{Operator, ZoneKind};
@@ -28,7 +28,8 @@ use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
 use crate::nodal::grid::Grid;
 use crate::nodal::newton::Workspace;
-use crate::nodal::sweep::Loose;
+use crate::nodal::quadratic::Loose;
+use crate::numeric::step::Step;
 use crate::numeric::tolerance::SWEEPS;
 
 /// How much of the greatest safe ρ is used.

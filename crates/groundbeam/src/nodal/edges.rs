@@ -1,9 +1,7 @@
 //! Contact edges of a free beam from its nodal problem: an initial guess for the exact edges.
 
 use crate::cancel::Cancel;
-use crate::contact::state::Unconverged;
 use crate::element::operator::{Operator, ZoneKind};
-use crate::error::NotConverged;
 use crate::mesh::cell::Cell;
 use crate::mesh::mesh::Mesh;
 use crate::model::Model;
@@ -32,12 +30,8 @@ pub(crate) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
 }
 
 /// Contact edges on a coarse mesh: phase A of a beam of few waves. Every interval between two places of the model has two
-/// elements or more, and `per_wave` to each 1/wave number.
-pub(crate) fn coarse(
-    model: &Model,
-    per_wave: f64,
-    cancel: &Cancel,
-) -> Result<Vec<[f64; 2]>, Unconverged> {
+/// elements or more, and `per_wave` to each 1/wave number. None if the contact does not settle.
+pub(crate) fn coarse(model: &Model, per_wave: f64, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
     let axial_force = model.beam.axial_force;
     let wanted = |cell: &Cell| {
         let wave = Operator::of(cell, axial_force, ZoneKind::Contact).wave_number();
@@ -53,10 +47,8 @@ pub(crate) fn coarse(
     };
     let grids: Vec<Grid> = levels.map(grid).collect();
     let mut workspace = Workspace { cancel: cancel.clone(), ..Workspace::default() };
-    match (workspace.contact(&grids, newton::START), grids.last()) {
-        (Ok(()), Some(grid)) => Ok(workspace.edges(grid)),
-        _ => Err(Unconverged { iterations: workspace.history.len(), why: NotConverged::Nodes }),
-    }
+    workspace.contact(&grids, newton::START).ok()?;
+    grids.last().map(|grid| workspace.edges(grid))
 }
 
 /// The most elements between two places of the model on a coarse mesh, for one per 1/wave number.

@@ -3,9 +3,10 @@
 use super::form::Form;
 use super::grid::Grid;
 use super::hull::Zone;
+use super::quadratic::Loose;
 use super::span::Span;
 use super::stand::{Stand, Tether};
-use super::sweep::{Loose, Side, Stretch};
+use super::sweep::{Side, Stretch};
 use crate::element::element::{Basis, mirror_shape};
 use crate::ground::link::TwoPort;
 

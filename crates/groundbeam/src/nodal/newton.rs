@@ -4,10 +4,11 @@ use super::grid::Grid;
 use super::hull::{Hull, Zone};
 use super::layout::Layout;
 use super::open;
+use super::quadratic::Loose;
 use super::stand::Tether;
-use super::sweep::{self, Fields, Loose};
+use super::sweep::{self, Fields};
 use crate::cancel::Cancel;
-use crate::contact::state::Step;
+use crate::numeric::step::Step;
 
 /// Steps on one grid that are taken whole; later ones are shortened where the energy asks for it.
 const WHOLE_STEPS: usize = 8;

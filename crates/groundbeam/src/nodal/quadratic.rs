@@ -1,6 +1,8 @@
 //! Elimination of unknowns from a small quadratic form: the energy of a few degrees of freedom.
 
-use super::sweep::Loose;
+/// The elimination met a pivot that is not positive: the contact cannot hold the beam.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Loose;
 
 /// ½zᵀHz − gᵀz of N unknowns.
 #[derive(Debug, Clone, Copy)]

@@ -6,9 +6,8 @@
 
 use super::beam::{Beam, TERMS};
 use super::grid::Grid;
-use super::quadratic::{Quadratic, Row};
+use super::quadratic::{Loose, Quadratic, Row};
 use super::stand::Stand;
-use super::sweep::Loose;
 use crate::element::element::{Basis, Element, mirror_shape};
 
 /// A piece of the beam, and how all up to its left end follows from all up to its right end.

@@ -8,7 +8,7 @@
 
 use super::form::Form;
 use super::lanes::Lanes;
-use super::quadratic::{Quadratic, Row};
+use super::quadratic::{Loose, Quadratic, Row};
 use super::stand::Stand;
 use crate::element::element::Element;
 
@@ -99,10 +99,6 @@ pub(crate) struct Fields<'a> {
     pub slope: &'a mut [f64],
     pub force: &'a mut [f64],
 }
-
-/// The elimination met a pivot that is not positive: the contact cannot hold the beam.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Loose;
 
 impl Side {
     pub fn clear(&mut self) {
