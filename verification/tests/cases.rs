@@ -70,12 +70,6 @@ fn a_mesh_is_no_farther_off_than_its_certificate_says() {
             {
                 None
             }
-            // Forces at nodes need a shear layer.
-            (Ok(Outcome::Equilibrium(_)), Err(Error::Unsupported(problem)))
-                if problem.code == "GB603" =>
-            {
-                None
-            }
             (Err(error), _) | (_, Err(error)) => Some(error.to_string()),
             _ => Some("one method finds an equilibrium, the other none".to_owned()),
         };

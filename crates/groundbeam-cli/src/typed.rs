@@ -140,7 +140,6 @@ pub struct Solve {
 
     /// The ground of the methods with a mesh presses on the nodes alone
     #[arg(long, hide = true, value_parser = no_choice_of_pressure)]
-    #[expect(dead_code, reason = "every value is refused with a message")]
     pub pressure: Option<std::convert::Infallible>,
 
     /// Where `psor` and `uzawa` begin

@@ -4,7 +4,7 @@
 //! use groundbeam::supported::{Feature, Way, refusal};
 //!
 //! assert_eq!(refusal(Feature::BeamShear, Way::Exact), None);
-//! assert_eq!(refusal(Feature::NoShearLayer, Way::ActiveSet), Some("GB603"));
+//! assert_eq!(refusal(Feature::NoShearLayer, Way::Iteration), Some("GB603"));
 //! ```
 
 use crate::error::Error;
@@ -85,7 +85,7 @@ impl Feature {
             }
             Feature::NoShearLayer => {
                 let forces = Some(&NODAL_FORCES_ON_SPRINGS);
-                [yes, forces, forces, forces, yes]
+                [yes, yes, forces, forces, yes]
             }
             Feature::BeamShear => {
                 let shear = Some(&SHEAR_BY_ANOTHER_METHOD);

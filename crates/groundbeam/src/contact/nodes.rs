@@ -4,13 +4,14 @@
 
 use crate::cancel::Cancel;
 use crate::contact::edge_error::EdgeError;
+use crate::contact::obstacle;
 use crate::contact::state::{ContactState, Unconverged, turned};
 use crate::contact::surface::{PointForce, Surface, SurfacePart};
 use crate::element::ExactElement;
 use crate::element::element::TERMS;
 use crate::element::operator::{Operator, ZoneKind};
 use crate::error::NotConverged;
-use crate::mesh::deflection::{BeamPoint, MeshZone};
+use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
 use crate::mesh::mesh::{Mesh, Node};
 use crate::model::Model;
 use crate::nodal::grid::{Grid, Ground};
@@ -81,13 +82,21 @@ fn state(grid: &Grid, mut workspace: Workspace) -> ContactState {
     };
     let surface = Surface { parts: (0..last).map(part).collect(), point_forces };
     let (coefficients, rotation) = deflections(grid, &mesh, &workspace);
+    let history = workspace.history;
+    if mesh.cells.iter().any(|cell| cell.shear_layer == 0.0) {
+        // A force at a node has no finite energy on separate springs: the ground's pressure is that of the deflection.
+        let w = Deflection { mesh: &mesh, terms: TERMS, coefficients: &coefficients };
+        let zones = obstacle::contact(&w);
+        let spread = ContactState::exact(mesh, coefficients, rotation, zones);
+        return ContactState { history, ..spread };
+    }
     ContactState {
         mesh,
         terms: TERMS,
         coefficients,
         rotation,
         zones,
-        history: workspace.history,
+        history,
         at_nodes: true,
         surface: Some(surface),
         edge_error: EdgeError::default(),
