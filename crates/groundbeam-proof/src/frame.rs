@@ -4,6 +4,7 @@
 use crate::answer::{Answer, Piece};
 use crate::beside::Row;
 use crate::coefficient::Coefficient;
+use crate::compression::Compression;
 use crate::model::Acts;
 use crate::polynomial::{HIGHEST, Line, Polynomial};
 use crate::refusal::NotProven;
@@ -114,22 +115,6 @@ pub(crate) struct Held<S> {
     pub settlement: S,
     /// The claimed force up, and the moment that turns the right side down.
     pub claimed: [S; 2],
-}
-
-/// An axial compression.
-#[derive(Debug)]
-pub(crate) struct Compression<S> {
-    /// N = −P.
-    pub force: S,
-    /// A lower bound of σ, the part of the energy's convexity that it leaves.
-    pub margin: f64,
-}
-
-impl<S: Scalar> Compression<S> {
-    /// N_c = ((1 − σ)N Σhc′²)^½ from Σhc′².
-    pub fn misfit(&self, turned: Size) -> Size {
-        (Size::of((1.0 - self.margin).next_up()) * Size::of(self.force.high()) * turned).root()
-    }
 }
 
 /// The problem on the pieces of the answer.

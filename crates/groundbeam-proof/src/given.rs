@@ -3,7 +3,8 @@
 use crate::answer::{Answer, Reaction};
 use crate::beside::Row;
 use crate::coefficient::Coefficient;
-use crate::frame::{Compression, Frame, Node, Span, spans};
+use crate::compression::Compression;
+use crate::frame::{Frame, Node, Span, spans};
 use crate::held;
 use crate::idle::too_close;
 use crate::kinds::not_covered;

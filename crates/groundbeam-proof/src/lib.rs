@@ -18,6 +18,7 @@ mod beside;
 mod bounds;
 mod clearance;
 mod coefficient;
+mod compression;
 mod contact;
 mod contact_set;
 mod decimal;

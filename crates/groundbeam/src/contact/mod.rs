@@ -7,6 +7,7 @@ pub(crate) mod edge_error;
 pub(crate) mod edge_step;
 pub(crate) mod edges;
 pub(crate) mod exact;
+mod flexibility;
 pub(crate) mod intervals;
 pub(crate) mod layout;
 pub(crate) mod nodes;

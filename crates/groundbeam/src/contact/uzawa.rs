@@ -15,17 +15,16 @@ use super::surface::{PointForce, Surface, SurfacePart};
 use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
 use crate::chain::node::{ChainCell, ChainNode};
+use crate::contact::flexibility::Flexibility;
 use crate::contact::nodes;
 use crate::contact::state::{ContactState, Unconverged};
 use crate::element::ExactElement;
 use crate::element::element::TERMS;
 use crate::element::operator::{Operator, ZoneKind};
 use crate::error::NotConverged;
-use crate::ground::link::TwoPort;
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::MeshZone;
 use crate::mesh::mesh::Mesh;
-use crate::mesh::open_ground::cell_part;
 use crate::nodal::grid::Grid;
 use crate::nodal::newton::Workspace;
 use crate::nodal::quadratic::Loose;
@@ -56,7 +55,7 @@ pub(crate) fn solve(
     cancel: &Cancel,
 ) -> Result<ContactState, Unconverged> {
     let mesh = nodes::mesh(grid);
-    let ground = Column::of(&mesh);
+    let ground = Flexibility::of(&mesh);
     let beam = FreeBeam::of(&mesh);
     let flexibility = beam.largest_flexibility();
     let rho = relaxed(&ground.diagonal, flexibility, relaxation);
@@ -116,7 +115,7 @@ fn relaxed(diagonal: &[f64], flexibility: f64, relaxation: Relaxation) -> Vec<f6
 
 /// (5.17), with the rigid motion that makes the new pressure satisfy (5.20), the balances (5.19) at the nodes.
 fn sweep(
-    ground: &Column,
+    ground: &Flexibility,
     beam: &FreeBeam,
     rho: &[f64],
     gap: &[f64],
@@ -208,69 +207,6 @@ fn change(before: &[f64], next: &[f64], rho: &[f64], diagonal: &[f64]) -> f64 {
 
 fn initial_gap(mesh: &Mesh, node: usize) -> f64 {
     if node == 0 { mesh.cells[0].gap[0] } else { mesh.cells[node - 1].gap[1] }
-}
-
-/// G without forming it.
-struct Column {
-    /// Gᵢᵢ.
-    diagonal: Vec<f64>,
-    /// Gᵢⱼ/Gᵢ₋₁ⱼ for j < i.
-    rightward: Vec<f64>,
-    /// Gᵢ₋₁ⱼ/Gᵢⱼ for j ≥ i.
-    leftward: Vec<f64>,
-}
-
-impl Column {
-    fn of(mesh: &Mesh) -> Self {
-        let links: Vec<TwoPort> =
-            mesh.cells.iter().map(|cell| cell_part(cell, -1.0, 1.0)).collect();
-        let n = mesh.nodes.len();
-        // What the ground on either side of a node offers to it.
-        let mut from_left = vec![mesh.outside[0]; n];
-        for i in 1..n {
-            let link = links[i - 1];
-            let hold = from_left[i - 1] + link.shunt_left;
-            from_left[i] = link.shunt_right + link.series * (hold / (hold + link.series));
-        }
-        let mut from_right = vec![mesh.outside[1]; n];
-        for i in (0..n - 1).rev() {
-            let link = links[i];
-            let hold = from_right[i + 1] + link.shunt_right;
-            from_right[i] = link.shunt_left + link.series * (hold / (hold + link.series));
-        }
-        let ratio = |series: f64, hold: f64| series / (series + hold);
-        let rightward = (0..n).map(|i| match i {
-            0 => 0.0,
-            _ => ratio(links[i - 1].series, links[i - 1].shunt_right + from_right[i]),
-        });
-        let leftward = (0..n).map(|i| match i {
-            0 => 0.0,
-            _ => ratio(links[i - 1].series, links[i - 1].shunt_left + from_left[i - 1]),
-        });
-        Column {
-            diagonal: (0..n).map(|i| 1.0 / (from_left[i] + from_right[i])).collect(),
-            rightward: rightward.collect(),
-            leftward: leftward.collect(),
-        }
-    }
-
-    /// u = G p.
-    fn settlement(&self, pressure: &[f64]) -> Vec<f64> {
-        let n = pressure.len();
-        let mut u = vec![0.0; n];
-        let mut carried = 0.0;
-        for i in (0..n).rev() {
-            u[i] = carried + self.diagonal[i] * pressure[i];
-            carried = u[i] * self.leftward[i];
-        }
-        carried = 0.0;
-        for i in 0..n {
-            carried *= self.rightward[i];
-            u[i] += carried;
-            carried += self.diagonal[i] * pressure[i];
-        }
-        u
-    }
 }
 
 /// The beam on a cell, off the ground.
@@ -408,7 +344,7 @@ fn work_of_loads(mesh: &Mesh, chain: &Chain, motions: &[[f64; 2]]) -> ([f64; 2],
 /// The result as every method gives it.
 fn found(
     mesh: Mesh,
-    ground: &Column,
+    ground: &Flexibility,
     beam: &FreeBeam,
     pressure: &[f64],
     rigid: [f64; 2],

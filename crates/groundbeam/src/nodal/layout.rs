@@ -6,7 +6,7 @@ use super::hull::Zone;
 use super::quadratic::Loose;
 use super::span::Span;
 use super::stand::{Stand, Tether};
-use super::sweep::{Side, Stretch};
+use super::stretch::{Side, Stretch};
 use crate::element::element::{Basis, mirror_shape};
 use crate::ground::link::TwoPort;
 

@@ -5,6 +5,7 @@
 //! stretches off the ground are [one element](span) each, and the contact is found by Newton's method
 //! on [coarse meshes first](newton). Memory is a few numbers a node.
 
+pub(crate) mod back_sweep;
 pub(crate) mod beam;
 pub(crate) mod check;
 pub(crate) mod edges;
@@ -22,4 +23,5 @@ pub(crate) mod search;
 pub(crate) mod solution;
 pub(crate) mod span;
 pub(crate) mod stand;
+pub(crate) mod stretch;
 pub(crate) mod sweep;

@@ -1,12 +1,13 @@
 //! Newton's method on the nodes that touch, from coarse grids to the wanted one.
 
+use super::back_sweep::Fields;
 use super::grid::Grid;
 use super::hull::{Hull, Zone};
 use super::layout::Layout;
 use super::open;
 use super::quadratic::Loose;
 use super::stand::Tether;
-use super::sweep::{self, Fields};
+use super::sweep;
 use crate::cancel::Cancel;
 use crate::numeric::step::Step;
 

@@ -1,0 +1,20 @@
+//! The axial compression, with the part of the convexity of the energy that it leaves.
+
+use crate::scalar::Scalar;
+use crate::size::Size;
+
+/// An axial compression.
+#[derive(Debug)]
+pub(crate) struct Compression<S> {
+    /// N = −P.
+    pub force: S,
+    /// A lower bound of σ, the part of the energy's convexity that it leaves.
+    pub margin: f64,
+}
+
+impl<S: Scalar> Compression<S> {
+    /// N_c = ((1 − σ)N Σhc′²)^½ from Σhc′².
+    pub fn misfit(&self, turned: Size) -> Size {
+        (Size::of((1.0 - self.margin).next_up()) * Size::of(self.force.high()) * turned).root()
+    }
+}
