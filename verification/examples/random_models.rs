@@ -2,7 +2,7 @@
 //! number may stand a method (`exact`, or `active-set` with 1 to 10 000 elements), a family, and the number
 //! of the first model.
 
-use groundbeam::{Error, Method, Options, Outcome, solve_with};
+use groundbeam::{Method, Options, Outcome, solve_with};
 use groundbeam_verification::random::{Family, model};
 use std::time::{Duration, Instant};
 

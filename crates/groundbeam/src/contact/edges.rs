@@ -257,7 +257,7 @@ impl Search<'_, '_> {
             && (self.moved <= JITTER || differ_by_rounding(found, contact, &asked(), &self.places))
     }
 
-    /// The beam bonded without the zones that press with rounding error alone, if it has the other zones as its contact.
+    /// The beam bonded without its weakest zones, if it has the other zones as its contact but for rounding error.
     fn without_weightless(
         &mut self,
         contact: &[Interval],
@@ -275,8 +275,14 @@ impl Search<'_, '_> {
         let [strong, undecided]: [Vec<Interval>; 2] = [strong, weightless].map(zones);
         let rest: ContactState = self.bonded.solve_on(&strong).ok()?;
         let edge_error = EdgeError { moved: self.moved * self.length(), undecided };
-        (self.confirms(&strong, &rest) && self.holds(&rest))
-            .then_some(ContactState { edge_error, ..rest })
+        let is_contact = self.confirms(&strong, &rest)
+            || differ_by_rounding(
+                &rest,
+                &strong,
+                &obstacle::contact(&rest.deflection()),
+                &self.places,
+            );
+        (is_contact && self.holds(&rest)).then_some(ContactState { edge_error, ..rest })
     }
 
     /// The next trial contact: the one that was asked for, or the one of a shortened step.
