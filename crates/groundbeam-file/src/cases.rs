@@ -1,5 +1,6 @@
 //! Lists of load cases from outside the file, as on a command line.
 
+use crate::case_names::{NO_LOAD, names, otherwise};
 use crate::code;
 use crate::diagnostic::Diagnostics;
 use crate::document::Document;
@@ -38,28 +39,6 @@ pub fn parse_cases(list: &str, document: &Document) -> Result<Vec<bool>, Diagnos
     })?;
     let is_chosen = |case: &Option<String>| case.as_ref().is_some_and(|case| chosen.contains(case));
     Ok(document.cases.iter().map(is_chosen).collect())
-}
-
-/// The names of the load cases to which loads belong, each once, in the order of the loads.
-pub(crate) fn names(cases: &[Option<String>]) -> Vec<&str> {
-    let mut names: Vec<&str> = Vec::new();
-    for case in cases.iter().flatten() {
-        if !names.contains(&case.as_str()) {
-            names.push(case);
-        }
-    }
-    names
-}
-
-/// The message about a name that no load case has.
-pub(crate) const NO_LOAD: &str = "no load belongs to a case `{}`";
-
-/// The advice where no load case has a name like the one that was written.
-pub(crate) fn otherwise(names: &[&str]) -> &'static str {
-    match names {
-        [] => "no load of the file has a `case`; give one to those that are meant",
-        _ => "the cases of the file: {}",
-    }
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::document::Document;
 use crate::fault::Fault;
 use crate::source::Source;
-use crate::{cases, suggest};
+use crate::{case_names, suggest};
 use groundbeam::Model;
 
 /// More combinations than this a file may not have.
@@ -184,7 +184,7 @@ impl Document {
             let (model, _) = self.under(|case| f64::from(case.as_deref() == Some(name)));
             LoadCase { name: name.to_owned(), model }
         };
-        cases::names(&self.cases).into_iter().map(alone).collect()
+        case_names::names(&self.cases).into_iter().map(alone).collect()
     }
 
     /// The model with a factor to each load, and the loads whose factor is not 0.

@@ -2,6 +2,7 @@
 //! of this from the one list that each section declares.
 
 use crate::quantity::{Kind, RATIO};
+use crate::suggest::nearest;
 
 /// A table of a file.
 pub(crate) struct Table {
@@ -166,6 +167,14 @@ impl Table {
     }
 }
 
+/// The key that someone who writes `written` probably means.
+pub(crate) fn meant(written: &str, keys: &[&Key]) -> Option<&'static str> {
+    let lower = written.to_lowercase();
+    let other = || keys.iter().find(|key| key.also.contains(&lower.as_str()));
+    let near = nearest(written, keys.iter().map(|key| key.name));
+    near.or_else(|| other().map(|key| key.name))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -200,5 +209,22 @@ mod tests {
     fn every_row_is_consistent() {
         check(&MODEL);
         check(&STUDY);
+    }
+
+    #[test]
+    fn slips_and_other_names_lead_to_the_key() {
+        let [length, stiffness, load, shear] = [
+            key("length", Value::Flag, ""),
+            key("EI", Value::Flag, "").also(&["bending_stiffness"]),
+            key("load", Value::Flag, ""),
+            key("mu", Value::Flag, "").also(&["shear"]),
+        ];
+        let meant = |written| super::meant(written, &[&length, &stiffness, &load, &shear]);
+        assert_eq!(meant("lenght"), Some("length"));
+        assert_eq!(meant("ei"), Some("EI"));
+        assert_eq!(meant("bending_stiffness"), Some("EI"));
+        assert_eq!(meant("shear"), Some("mu"));
+        assert_eq!(meant("loads"), Some("load"));
+        assert_eq!(meant("colour"), None);
     }
 }

@@ -34,6 +34,7 @@
 
 mod band;
 mod beside;
+mod case_names;
 mod cases;
 mod catalogue;
 mod code;

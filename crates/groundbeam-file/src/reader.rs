@@ -8,7 +8,7 @@ use crate::code;
 use crate::diagnostic::Diagnostic;
 use crate::document::Places;
 use crate::fault::Fault;
-use crate::keys::{Key, Table, Value};
+use crate::keys::{self, Key, Table, Value};
 use crate::quantity::{self, Kind, Written};
 use crate::source::Source;
 use crate::suggest;
@@ -139,7 +139,7 @@ impl<'s> Reader<'s> {
             let written = key.get_ref();
             let message = format!("`{written}` means nothing in {}", section.name());
             let keys: Vec<&Key> = names.iter().map(|name| section.key(name)).collect();
-            let hint = match suggest::key(written, &keys) {
+            let hint = match keys::meant(written, &keys) {
                 Some(meant) => {
                     self.meant.push((section.span.start, meant.to_owned()));
                     format!("did you mean `{meant}`?")

@@ -1,6 +1,5 @@
 //! "Did you mean …?": known words and keys near to what was written.
 
-use crate::keys::Key;
 use strsim::osa_distance;
 
 /// The candidate nearest to what was written, if one is near enough to be meant.
@@ -43,18 +42,9 @@ pub(crate) fn advice(written: &str, known: &[&str], otherwise: &str) -> String {
     }
 }
 
-/// The key that someone who writes `written` probably means.
-pub(crate) fn key(written: &str, keys: &[&Key]) -> Option<&'static str> {
-    let lower = written.to_lowercase();
-    let other = || keys.iter().find(|key| key.also.contains(&lower.as_str()));
-    let near = nearest(written, keys.iter().map(|key| key.name));
-    near.or_else(|| other().map(|key| key.name))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::keys::{Value, key};
 
     #[test]
     fn near_words_are_found_and_far_ones_are_not() {
@@ -67,22 +57,5 @@ mod tests {
         assert_eq!(nearest("colour", keys), None);
         assert_eq!(nearest("a", keys), None);
         assert_eq!(nearest("", keys), None);
-    }
-
-    #[test]
-    fn slips_and_other_names_lead_to_the_key() {
-        let [length, stiffness, load, shear] = [
-            key("length", Value::Flag, ""),
-            key("EI", Value::Flag, "").also(&["bending_stiffness"]),
-            key("load", Value::Flag, ""),
-            key("mu", Value::Flag, "").also(&["shear"]),
-        ];
-        let meant = |written| super::key(written, &[&length, &stiffness, &load, &shear]);
-        assert_eq!(meant("lenght"), Some("length"));
-        assert_eq!(meant("ei"), Some("EI"));
-        assert_eq!(meant("bending_stiffness"), Some("EI"));
-        assert_eq!(meant("shear"), Some("mu"));
-        assert_eq!(meant("loads"), Some("load"));
-        assert_eq!(meant("colour"), None);
     }
 }

@@ -154,7 +154,7 @@ mod tests {
     /// Every one of them is advised to be written with double brackets where it is given twice.
     #[test]
     fn a_table_given_twice_is_a_list() {
-        for (keys, count) in [(&MODEL, 13), (&STUDY, 3)] {
+        for (keys, count) in [(&MODEL, 14), (&STUDY, 3)] {
             let all = several(keys);
             assert_eq!(all.len(), count, "{all:?}");
             for name in all {

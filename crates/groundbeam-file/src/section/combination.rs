@@ -1,6 +1,6 @@
 //! `[[case]]` and `[[combination]]`.
 
-use crate::cases::{self, NO_LOAD};
+use crate::case_names::{self, NO_LOAD};
 use crate::code;
 use crate::combination::{MOST, Recipe};
 use crate::fault::Fault;
@@ -61,7 +61,7 @@ pub(super) fn read(
     cases: &[Option<String>],
     grounds: usize,
 ) -> Vec<Recipe> {
-    let mut names = cases::names(cases);
+    let mut names = case_names::names(cases);
     names.retain(|name| !name.is_empty());
     let described = describe(reader, root, &names);
     let most = MOST / grounds;
@@ -161,7 +161,7 @@ fn named<'a>(
 }
 
 fn unknown_case(reader: &mut Reader, name: &str, span: Range<usize>, names: &[&str]) {
-    reader.unknown_word((name, span), NO_LOAD, names, cases::otherwise(names));
+    reader.unknown_word((name, span), NO_LOAD, names, case_names::otherwise(names));
 }
 
 /// What combinations are made of.
