@@ -37,7 +37,9 @@ impl Source {
         if let Some((head, _)) = self.text.split_once("\n#![cfg(test)]\n") {
             return head;
         }
-        self.text.split("#[cfg(test)]\nmod ").next().unwrap_or_default()
+        let tests = ["#[cfg(test)]\nmod ", "#[cfg(test)]\npub(crate) mod "];
+        let end = tests.iter().filter_map(|head| self.text.find(head)).min();
+        &self.text[..end.unwrap_or(self.text.len())]
     }
 }
 

@@ -66,7 +66,7 @@ fn comparisons_that_cannot_be_made() {
     // Separate springs have no concentrated pressures: those methods are not for such ground, and that is no failure.
     let springs = Folder::with(FOOTING).run(&["compare", "model.toml"]);
     springs.is_clean(0);
-    assert!(springs.stdout.contains("Not solved   active-set: the paper's concentrated"));
+    assert!(springs.stdout.contains("Not solved   psor: the paper's concentrated"));
     Folder::with(&tips()).run(&["compare", "model.toml"]).fails(3, "none: ");
     let one = "case = \"G\"\n[[combination]]\nname = \"one\"\nfactors = { G = 1.35 }\n";
     let combined = FOOTING.to_owned() + one;

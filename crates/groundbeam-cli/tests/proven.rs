@@ -37,8 +37,9 @@ fn a_document_with_its_proof_is_verified() {
     folder.write("result.json", done.stdout.as_bytes());
     let verified = folder.run(&["verify", "result.json", "model.toml", "--json"]);
     verified.is_clean(0);
-    // Seven fields and the gap, two edges, the forces under both ends twice.
-    assert_eq!(verified.json()["results"][0]["checked"]["bounds"], 14);
+    // Seven fields and the gap, two edges, the forces under both ends twice, and thirteen places of
+    // extremes: the smallest gap and the pressure have none.
+    assert_eq!(verified.json()["results"][0]["checked"]["bounds"], 27);
     let each = &verified.json()["results"][0]["each"];
     assert_eq!(each["edges"], document["proof"]["bounds"]["edges"]);
     assert_eq!(each["end_forces"].as_array().unwrap().len(), 2);
@@ -69,7 +70,11 @@ fn a_mesh_is_not_proven_and_its_bounds_are_printed() {
     done.is_clean(1);
     assert!(done.stdout.contains("\nProof\nNot proven "), "{}", done.stdout);
     assert!(done.stdout.contains("Shear force  ") && done.stdout.contains("(not proven) at"));
-    assert!(done.stdout.contains("No bound     shear force, edges, forces"), "{}", done.stdout);
+    assert!(
+        done.stdout.contains("No bound     shear force, pressure, edges, forces"),
+        "{}",
+        done.stdout
+    );
     let row = done.stdout.lines().find(|line| line.starts_with("Deflection ")).unwrap();
     assert!(row.contains(" ± "), "{row}");
     assert!(done.stdout.lines().all(|line| line.chars().count() <= 80), "{}", done.stdout);
@@ -162,11 +167,11 @@ fn a_check_is_proven_if_its_limit_lies_outside_of_the_bound() {
 #[test]
 fn load_factors_and_places_of_the_pressure_are_not_proven() {
     let folder = Folder::with(LIFTS);
-    let done = folder.run(&["solve", "model.toml", "--proven", "--factors", "all"]);
+    let done = folder.run(&["solve", "model.toml", "--proven", "--factors"]);
     done.is_clean(0);
     let words = done.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
     assert_eq!(words.matches("(not proven)").count(), 4, "{}", done.stdout);
-    let plain = folder.run(&["solve", "model.toml", "--factors", "all"]);
+    let plain = folder.run(&["solve", "model.toml", "--factors"]);
     assert!(!plain.stdout.contains("not proven"), "{}", plain.stdout);
 }
 

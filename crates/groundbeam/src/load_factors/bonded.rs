@@ -317,9 +317,9 @@ mod tests {
         };
         assert_eq!(grows(2.9).pulled_at(f64::INFINITY), None);
         assert_eq!(grows(3.1).pulled_at(f64::INFINITY), Some(-1.0));
-        // A factor is nothing where λ times 3 is at most 256 ε of 2.
-        assert!(pulls(0.0).is_nothing(ROUNDING * 0.66));
-        assert!(!pulls(0.0).is_nothing(ROUNDING * 0.67));
+        // The staying force is rounding error up to 256 ε of 2.
+        let keeps = |part: f64| pulls(-part).is_nothing(0.5);
+        assert!(keeps(1.9) && !keeps(2.1));
         // Nothing at all is no pull.
         let nothing = LiftOffCandidate {
             x: [0.0, 1.0],
