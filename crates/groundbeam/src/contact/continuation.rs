@@ -9,6 +9,7 @@ use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;
 use crate::contact::edges::{Start, edges};
 use crate::contact::intervals::{Interval, longest_difference, positions};
+use crate::contact::nodes;
 use crate::contact::obstacle;
 use crate::contact::state::{ContactState, Unconverged, edges_not_converged};
 use crate::contact::stopping::{
@@ -20,6 +21,7 @@ use crate::error::NotConverged;
 use crate::mesh::cell::Cell;
 use crate::mesh::mesh::Mesh;
 use crate::model::Model;
+use crate::nodal::edges::{Coarse, coarse};
 use crate::numeric::elementary::{exp2, log2, power};
 
 /// A deflection of the beam whose contact is a start of phase B. Each `level` has a finer mesh and shorter steps than the one before; level
@@ -32,7 +34,7 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
         Model { beam, ..model.clone() }
     };
     let stiff = softened(doublings);
-    let start = nodes(&stiff, power(3.0, level as usize), cancel)?;
+    let start = phase_a(&stiff, power(3.0, level as usize), cancel)?;
     if doublings == 0.0 {
         return Ok(start);
     }
@@ -70,12 +72,12 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
 }
 
 /// Phase A: the contact of forces at nodes, on meshes from coarse to fine.
-fn nodes(model: &Model, per_wave: f64, cancel: &Cancel) -> Result<Start, Unconverged> {
+fn phase_a(model: &Model, per_wave: f64, cancel: &Cancel) -> Result<Start, Unconverged> {
     // Elements that shear are series, which take ten times as long.
     let bending = Model { beam: model.beam.clone().without_shear(), ..model.clone() };
-    let contact = crate::nodal::edges::coarse(&bending, per_wave, cancel);
     let unsettled = Unconverged { iterations: 0, why: NotConverged::Nodes };
-    contact.map(Start::on).ok_or(unsettled)
+    let Coarse { grid, workspace, edges } = coarse(&bending, per_wave, cancel).ok_or(unsettled)?;
+    Ok(Start { contact: edges, now: Some(nodes::state(&grid, workspace)), near: false })
 }
 
 /// log₂ of the factor on EI that leaves [`STIFF_WAVES`] between two nodes of the model. The wave number falls at least

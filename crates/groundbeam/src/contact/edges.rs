@@ -171,7 +171,15 @@ impl Search<'_, '_> {
         {
             return Ok(Bond::Trial(Trial { found: Rc::new(found), tether: None }));
         }
-        let Some(now) = self.now.clone() else { return Err(self.stalled()) };
+        // A start without a deflection is held by the beam bonded along its whole length.
+        let now = match self.now.clone() {
+            Some(now) => now,
+            None => match self.bonded.solve_on(&[[0.0, self.length()]]) {
+                Ok(whole) => Rc::new(whole),
+                Err(_) => return Err(self.stalled()),
+            },
+        };
+        self.now = Some(Rc::clone(&now));
         if let Ok(found) = self.bonded.solve_held(contact, GivenRotation::as_in(&now))
             && self.confirms(contact, &found)
             && (self.judge)(&found) <= ON_ONE_POINT
@@ -257,7 +265,7 @@ impl Search<'_, '_> {
             && (self.moved <= JITTER || differ_by_rounding(found, contact, &asked(), &self.places))
     }
 
-    /// The beam bonded without its weakest zones, if it has the other zones as its contact but for rounding error.
+    /// The beam bonded without the zones that press with rounding error alone, if it has the other zones as its contact.
     fn without_weightless(
         &mut self,
         contact: &[Interval],
@@ -275,14 +283,8 @@ impl Search<'_, '_> {
         let [strong, undecided]: [Vec<Interval>; 2] = [strong, weightless].map(zones);
         let rest: ContactState = self.bonded.solve_on(&strong).ok()?;
         let edge_error = EdgeError { moved: self.moved * self.length(), undecided };
-        let is_contact = self.confirms(&strong, &rest)
-            || differ_by_rounding(
-                &rest,
-                &strong,
-                &obstacle::contact(&rest.deflection()),
-                &self.places,
-            );
-        (is_contact && self.holds(&rest)).then_some(ContactState { edge_error, ..rest })
+        (self.confirms(&strong, &rest) && self.holds(&rest))
+            .then_some(ContactState { edge_error, ..rest })
     }
 
     /// The next trial contact: the one that was asked for, or the one of a shortened step.

@@ -63,7 +63,7 @@ pub(crate) fn point(node: usize, cells: usize) -> BeamPoint {
 }
 
 /// The deflection, the ground's surface and its forces of a solved grid.
-fn state(grid: &Grid, mut workspace: Workspace) -> ContactState {
+pub(crate) fn state(grid: &Grid, mut workspace: Workspace) -> ContactState {
     workspace.clear_open(grid);
     let mesh = mesh(grid);
     let mut settlement = Vec::new();

@@ -50,9 +50,8 @@ pub(crate) const LEAST_PART: f64 = 1e-9;
 /// error. Hinged 1017 has a gap of 3e-10 at a false balance, Gap 738 one of 9e-30.
 pub(crate) const ON_ONE_POINT: f64 = 1e-18;
 
-/// The force of a zone that may be weightless, relative to the whole contact force: the beam without it decides. Supported 973
-/// has a weightless zone 0.65 l long.
-pub(crate) const WEIGHTLESS: f64 = 1e-10;
+/// The force of a weightless zone, relative to the whole contact force. Supported 973 has a zone 0.65 l long.
+pub(crate) const WEIGHTLESS: f64 = 1e-13;
 
 /// The longest beam in units of 1/wave number between two nodes of the model at which the continuation starts. With 16
 /// Extreme 230 has no answer.

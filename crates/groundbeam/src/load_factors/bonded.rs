@@ -69,12 +69,9 @@ impl LiftOffCandidate {
         found
     }
 
-    /// Whether the staying force at a position is rounding error, so that a pull there begins at the factor zero.
-    pub fn is_nothing(&self, x: f64) -> bool {
-        let [from, to] = self.x;
-        let s =
-            if to > from { (2.0 * (x - from) / (to - from) - 1.0).clamp(-1.0, 1.0) } else { 0.0 };
-        value(&self.staying.coefficients, s) <= ROUNDING * self.staying.size
+    /// Whether a factor of this place is zero but for rounding.
+    pub fn is_nothing(&self, factor: f64) -> bool {
+        factor * self.growing.size <= ROUNDING * self.staying.size
     }
 
     /// Where the ground would have to pull most at a factor, if at all.
@@ -317,9 +314,9 @@ mod tests {
         };
         assert_eq!(grows(2.9).pulled_at(f64::INFINITY), None);
         assert_eq!(grows(3.1).pulled_at(f64::INFINITY), Some(-1.0));
-        // The staying force is rounding error up to 256 ε of 2.
-        let keeps = |part: f64| pulls(-part).is_nothing(0.5);
-        assert!(keeps(1.9) && !keeps(2.1));
+        // A factor is nothing where λ times 3 is at most 256 ε of 2.
+        assert!(pulls(0.0).is_nothing(ROUNDING * 0.66));
+        assert!(!pulls(0.0).is_nothing(ROUNDING * 0.67));
         // Nothing at all is no pull.
         let nothing = LiftOffCandidate {
             x: [0.0, 1.0],

@@ -62,7 +62,7 @@ pub(crate) fn first_lift_off(
         let mut found = None;
         for place in &all {
             let Some((growth, x)) = place.first_pull_below(least) else { continue };
-            if from == 0.0 && place.is_nothing(x) {
+            if from == 0.0 && place.is_nothing(growth) {
                 return Ok(FirstLiftOff::AtOnce);
             }
             (least, found) = (growth, Some(x));

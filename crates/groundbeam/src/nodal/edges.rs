@@ -29,9 +29,16 @@ pub(crate) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
     grids.last().map(|grid| workspace.edges(grid))
 }
 
-/// Contact edges on a coarse mesh: phase A of a beam of few waves. Every interval between two places of the model has two
-/// elements or more, and `per_wave` to each 1/wave number. None if the contact does not settle.
-pub(crate) fn coarse(model: &Model, per_wave: f64, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
+/// A solved grid and its contact edges.
+pub(crate) struct Coarse {
+    pub grid: Grid,
+    pub workspace: Workspace,
+    pub edges: Vec<[f64; 2]>,
+}
+
+/// Phase A of a beam of few waves, on a coarse mesh. Every interval between two places of the model has two elements or
+/// more, and `per_wave` to each 1/wave number. `None` if the contact does not settle.
+pub(crate) fn coarse(model: &Model, per_wave: f64, cancel: &Cancel) -> Option<Coarse> {
     let axial_force = model.beam.axial_force;
     let wanted = |cell: &Cell| {
         let wave = Operator::of(cell, axial_force, ZoneKind::Contact).wave_number();
@@ -45,10 +52,12 @@ pub(crate) fn coarse(model: &Model, per_wave: f64, cancel: &Cancel) -> Option<Ve
             (count, cell.length() / count as f64)
         })
     };
-    let grids: Vec<Grid> = levels.map(grid).collect();
+    let mut grids: Vec<Grid> = levels.map(grid).collect();
     let mut workspace = Workspace { cancel: cancel.clone(), ..Workspace::default() };
     workspace.contact(&grids, newton::START).ok()?;
-    grids.last().map(|grid| workspace.edges(grid))
+    let grid = grids.pop()?;
+    let edges = workspace.edges(&grid);
+    Some(Coarse { grid, workspace, edges })
 }
 
 /// The most elements between two places of the model on a coarse mesh, for one per 1/wave number.
