@@ -1,8 +1,6 @@
 //! Thousands of random models: each solved, certified, and unmoved by what must not move it.
 
-use groundbeam::{
-    Error, Field, Method, Model, Options, Outcome, Side, Solution, solve, solve_with,
-};
+use groundbeam::{Field, Method, Model, Options, Outcome, Side, Solution, solve, solve_with};
 use groundbeam_verification::estimated::estimated_bounds;
 use groundbeam_verification::random::{Family, model};
 
@@ -52,7 +50,8 @@ fn exact_is_certified() {
 #[test]
 fn active_set_stays_within_its_certificate() {
     let mut faults = Vec::new();
-    for family in Family::ALL.into_iter().chain([Family::Shearing]) {
+    // Loads on the ground are the exact method's alone.
+    for family in Family::ALL.into_iter().filter(|family| *family != Family::Neighbours) {
         let count = match family {
             Family::Hard | Family::Varying => 30,
             Family::Long => 60,
@@ -75,10 +74,10 @@ fn active_set_stays_within_its_certificate() {
             };
             let Ok(exact) = exact(&model) else { continue };
             let certificate = coarse.certificate();
-            // Between nodes the beam may pierce the ground, so the energy may lie on either side of the exact one.
+            // Half the squared error in the energy is at most the gap: the energies differ by less.
             let excess = certificate.primal_energy() - exact.certificate().primal_energy();
             let rounding = 1e-9 * exact.certificate().primal_energy().abs();
-            if excess.abs() > certificate.gap() + rounding {
+            if excess > certificate.gap() + rounding || excess < -rounding {
                 faults.push(format!(
                     "{family:?} {number} {elements}: energy off by {excess:e}, gap {:e}",
                     certificate.gap()
@@ -127,10 +126,12 @@ fn scaling_by_a_power_of_two_is_bit_identical() {
                 support.settlement *= factor;
             }
             for method in [Method::Exact, Method::ActiveSet] {
-                let options = Options { method, elements: 37, ..Options::default() };
-                if matches!(solve_with(&model, &options), Err(Error::Unsupported(_))) {
+                // Loads on the ground and shear are the exact method's alone.
+                let alone = matches!(family, Family::Neighbours | Family::Shearing);
+                if alone && method != Method::Exact {
                     continue;
                 }
+                let options = Options { method, elements: 37, ..Options::default() };
                 let (Ok(Outcome::Equilibrium(a)), Ok(Outcome::Equilibrium(b))) =
                     (solve_with(&model, &options), solve_with(&scaled, &options))
                 else {

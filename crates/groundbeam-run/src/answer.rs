@@ -14,7 +14,7 @@ pub struct Label {
     pub combination: Arc<Combination>,
     /// The train on the beam, and where it stands.
     pub train: Option<Placed>,
-    /// Name of the method.
+    /// Name of the method, with the form of pressure if the method has several: `active-set, dirac`.
     pub method: &'static str,
 }
 

@@ -59,6 +59,7 @@ pub use crate::solution::fields::{
     ConcentratedForce, ContactZone, EndForces, Extreme, Fields, Range, Reaction, Side,
 };
 pub use cancel::Cancel;
+pub use contact::state::Step;
 pub use design::checks::{Check, Checked, Limits, overturning};
 pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
 pub use equilibrium::buckling::own_buckling_load;
@@ -74,8 +75,7 @@ pub use model::{
 pub use nodal::newton::Work;
 pub use nodal::solution::{NodalCheck, NodalSolution};
 pub use nodal_solver::NodalSolver;
-pub use numeric::step::Step;
-pub use options::{Method, Options, Start};
+pub use options::{Method, Options, Pressure, Start};
 pub use outcome::Outcome;
 pub use solution::hinges::HingeTurn;
 pub use solution::lift_off::LiftOff;

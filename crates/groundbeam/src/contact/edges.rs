@@ -15,7 +15,7 @@ use crate::contact::edge_step;
 use crate::contact::intervals::{Interval, longest_difference, positions, snapped};
 use crate::contact::obstacle;
 use crate::contact::state::edges_not_converged;
-use crate::contact::state::{ContactState, Unconverged};
+use crate::contact::state::{ContactState, Step, Unconverged};
 use crate::contact::stopping::{
     BLIND, JITTER, LEAST_PART, NEAR, NOT_SHORTENED, ON_ONE_POINT, PATIENCE, RELAX, ROUNDED, SAME,
     SETTLED, TETHER, TIGHTEN, WEIGHTLESS,
@@ -23,7 +23,6 @@ use crate::contact::stopping::{
 use crate::contact::undecided::differ_by_rounding;
 use crate::contact::zone_forces::zone_forces;
 use crate::mesh::mesh::Mesh;
-use crate::numeric::step::Step;
 use crate::numeric::tolerance::GAP;
 use std::rc::Rc;
 
@@ -171,15 +170,7 @@ impl Search<'_, '_> {
         {
             return Ok(Bond::Trial(Trial { found: Rc::new(found), tether: None }));
         }
-        // A start without a deflection is held by the beam bonded along its whole length.
-        let now = match self.now.clone() {
-            Some(now) => now,
-            None => match self.bonded.solve_on(&[[0.0, self.length()]]) {
-                Ok(whole) => Rc::new(whole),
-                Err(_) => return Err(self.stalled()),
-            },
-        };
-        self.now = Some(Rc::clone(&now));
+        let Some(now) = self.now.clone() else { return Err(self.stalled()) };
         if let Ok(found) = self.bonded.solve_held(contact, GivenRotation::as_in(&now))
             && self.confirms(contact, &found)
             && (self.judge)(&found) <= ON_ONE_POINT

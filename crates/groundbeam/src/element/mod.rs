@@ -1,8 +1,9 @@
 //! The beam between two nodes: stiffness and load of one element, (2.11), (5.1).
 //!
 //! An element is exact: its functions solve (2.11). The [closed form](uniform) serves cells on which EI, N and κ are constant,
-//! the [series](series) all others and beams that shear.
+//! the [series](series) all others and beams that shear. The [cubic element](cubic) is the paper's.
 
+pub(crate) mod cubic;
 pub(crate) mod element;
 pub(crate) mod operator;
 pub(crate) mod series;

@@ -37,12 +37,6 @@ impl TwoPort {
         Pair::new(spring, shear, half).link(shear, half)
     }
 
-    /// The same seen in a mirror.
-    pub fn mirrored(self) -> Self {
-        let TwoPort { series, shunt_left, shunt_right } = self;
-        TwoPort { series, shunt_left: shunt_right, shunt_right: shunt_left }
-    }
-
     /// Two two-ports in a row, the point between them free.
     pub fn then(self, next: TwoPort) -> Self {
         let outer = self.shunt_right + next.shunt_left;

@@ -8,6 +8,7 @@ use crate::mesh::cell::Cell;
 use crate::mesh::cell::Varies;
 use crate::mesh::free_field;
 use crate::model::{Action, CellPolynomial, Extent, Load, Model, SupportKind};
+use crate::numeric::elementary::pow;
 use crate::numeric::polynomial::value;
 use crate::numeric::tolerance::same_place;
 
@@ -48,6 +49,9 @@ pub(crate) struct Mesh {
     /// endless.
     pub outside: [f64; 2],
 }
+
+/// EI over h²(N + kh²) of a stiffened cell: no more than its own where its waves are longer than it.
+const STIFF: f64 = 0.5;
 
 impl Mesh {
     /// The fewest nodes, and `more` of them. Every interval between two of these is then cut into
@@ -101,6 +105,48 @@ impl Mesh {
         mesh.place_loads_and_supports(model);
         mesh.find_kinks();
         mesh
+    }
+
+    /// Makes the beam so stiff that its waves on the ground are as long as the cells: a mesh that is too
+    /// coarse for the beam then solves a smooth problem of its own, a start for a finer one.
+    pub fn stiffen(&mut self) {
+        for cell in &mut self.cells {
+            let h = cell.length();
+            let tension = self.axial_force.max(0.0) + cell.shear_layer;
+            let least = STIFF * h * h * (tension + cell.subgrade * h * h);
+            if cell.beam_varies() {
+                cell.stiffen((least / cell.stiffness).max(1.0));
+            } else {
+                cell.stiffness = cell.stiffness.max(least);
+            }
+        }
+    }
+
+    /// How many times the stiffest cell of a stiffened mesh exceeds its own beam.
+    pub fn stiffening(&self) -> f64 {
+        let mut stiff = self.clone();
+        stiff.stiffen();
+        let ratio = |(a, b): (&Cell, &Cell)| a.stiffness / b.stiffness;
+        stiff.cells.iter().zip(&self.cells).map(ratio).fold(1.0, f64::max)
+    }
+
+    /// The mesh with its beam `part` of the way, in the exponent, from stiffened to its own.
+    pub fn stiffened(&self, part: f64) -> Self {
+        let mut mesh = self.clone();
+        mesh.stiffen();
+        for (cell, own) in mesh.cells.iter_mut().zip(&self.cells) {
+            let times = pow(cell.stiffness / own.stiffness, 1.0 - part);
+            *cell = *own;
+            cell.stiffen(times);
+        }
+        mesh
+    }
+
+    /// `elements` equal elements, and a node wherever the model has one.
+    pub fn uniform(model: &Model, elements: usize) -> Self {
+        let l = model.beam.length;
+        let more: Vec<f64> = (1..elements).map(|i| l * (i as f64 / elements as f64)).collect();
+        Self::build(model, &more, |_| 1)
     }
 
     /// The cell that holds x; of two that meet there the right one.

@@ -15,6 +15,9 @@ pub(crate) const TURNING_POINT: f64 = 1e-9;
 /// points, and a closer pair is one flat crest.
 pub(crate) const OTHER_EXTREME: f64 = 1e-6;
 
+/// Newton's decrement on a mesh relative to twice the strain energy. Below it the iteration goes on only while each step
+/// halves the decrement.
+pub(crate) const ENERGY: f64 = 1e-15;
 /// The residual of the contact condition (5.10) that ends Uzawa's iteration and PSOR.
 pub(crate) const SWEEPS: f64 = 1e-11;
 /// The move of a contact edge that is rounding error, as a part of the beam's length.

@@ -1,5 +1,6 @@
 //! Fields, contact zones and forces of a [`Candidate`], from a deflection and its contact.
 
+use crate::contact::recover;
 use crate::contact::state::ContactState;
 use crate::contact::surface::{PointForce, Surface};
 use crate::ground::link::settled;
@@ -8,6 +9,7 @@ use crate::mesh::deflection::{BeamPoint, pressure_under};
 use crate::model::{Action, Model, Support, SupportKind};
 use crate::numeric::polynomial::{Coefficients, derivative, product, rescale};
 use crate::numeric::tolerance::same_place;
+use crate::options::Pressure;
 use crate::solution::candidate::{Candidate, Workspace};
 use crate::solution::fields::{
     ConcentratedForce, ContactZone, EndForces, Reaction, Side, SolutionPiece,
@@ -67,6 +69,18 @@ impl Candidate {
 fn pieces(found: &ContactState, surface: &Surface, pieces: &mut Vec<SolutionPiece>) {
     let w = found.deflection();
     let parts = surface.short_parts(&found.mesh);
+    let exact = found.terms > crate::element::cubic::TERMS;
+    let recovered = if exact {
+        Vec::new()
+    } else {
+        // Forces at nodes are the elements' own business: only those within a cell are needed, and nodal
+        // pressures (5.5) have none.
+        let within = surface.point_forces.iter().filter(|a| a.point.s.abs() < 1.0);
+        let forces: Vec<(usize, f64, f64)> =
+            within.map(|a| (a.point.cell, a.point.s, a.force)).collect();
+        recover::moments(found, &parts, &forces)
+    };
+    let mut recovered = recovered.into_iter();
     pieces.reserve(parts.len());
     for part in &parts {
         let [from, to] = part.s;
@@ -78,7 +92,7 @@ fn pieces(found: &ContactState, surface: &Surface, pieces: &mut Vec<SolutionPiec
             let cell = found.mesh.cells[part.cell].part(part.s);
             (cell, rescale(w.cell(part.cell), middle, quarter))
         };
-        let touching = part.open.is_none() && !found.at_nodes;
+        let touching = part.open.is_none() && found.pressure == Pressure::Distributed;
         let pressure = if touching {
             pressure_under(&cell, half, &deflection)
         } else {
@@ -89,7 +103,7 @@ fn pieces(found: &ContactState, surface: &Surface, pieces: &mut Vec<SolutionPiec
             Some(_) => rescale(&found.rotation(part.cell), middle, quarter),
             None => Coefficients::default(),
         };
-        let moment = bent(&cell, half, &deflection, &rotation);
+        let moment = recovered.next().unwrap_or_else(|| bent(&cell, half, &deflection, &rotation));
         let settlement = match part.open {
             Some(ends) if cell.ground_varies() && cell.shear_layer > 0.0 => {
                 settled(&cell.subgrade_along(), &cell.shear_layer_along(), half, ends)
@@ -142,7 +156,7 @@ fn regions(found: &ContactState, regions: &mut Vec<ContactZone>) {
         let (from, to) = (position(zone.from), position(zone.to));
         // Nodal contact: nodes that follow one another are a piece.
         let node = zone.from.cell + usize::from(zone.from.s == 1.0);
-        let nodal = found.at_nodes;
+        let nodal = found.pressure == Pressure::Dirac;
         let follows = nodal && last_node.is_some_and(|last: usize| last + 1 == node);
         last_node = Some(node);
         match regions.last_mut() {
