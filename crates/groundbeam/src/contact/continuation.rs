@@ -13,7 +13,8 @@ use crate::contact::levels;
 use crate::contact::obstacle;
 use crate::contact::state::{ContactState, Unconverged, edges_not_converged};
 use crate::contact::stopping::{
-    CORRECTOR_STEPS, LONGEST_STEP, MOST_STEPS, PATIENCE, ROUGH, SHORTEST_STEP, STIFF_WAVES,
+    CORRECTOR_STEPS, LONGEST_STEP, MOST_BEAMS, MOST_STEPS, PATIENCE, ROUGH, SHORTEST_STEP,
+    STIFF_WAVES,
 };
 use crate::contact::undecided::differ_by_rounding;
 use crate::element::operator::{Operator, ZoneKind};
@@ -43,7 +44,12 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
     let mut step = longest;
     // The stiffening and the contact of the beam before.
     let mut before: Option<(f64, Vec<Interval>)> = None;
+    let mut beams = 0;
     while doublings > 0.0 {
+        beams += 1;
+        if beams > MOST_BEAMS {
+            return Err(edges_not_converged(beams, step));
+        }
         // The last step leaves no rounding error to follow.
         let next = if doublings > 1.001 * step { doublings - step } else { 0.0 };
         let predicted = before.as_ref().and_then(|(stiffer, edges)| {

@@ -61,6 +61,9 @@ pub(crate) const STIFF_WAVES: f64 = 4.0;
 pub(crate) const LONGEST_STEP: f64 = 2.0;
 pub(crate) const SHORTEST_STEP: f64 = 1e-7;
 
+/// Limit on beams of the continuation, also those that do not settle. Without it a model with soft hinges takes minutes.
+pub(crate) const MOST_BEAMS: usize = 500;
+
 /// Newton steps of the continuation's corrector, and the move at which it is settled.
 pub(crate) const CORRECTOR_STEPS: usize = 12;
 pub(crate) const ROUGH: f64 = 1e-6;
