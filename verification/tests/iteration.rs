@@ -1,6 +1,6 @@
 //! The contact iteration on single models: each needs one line of the iteration, and fails or changes without it.
 
-use groundbeam::{ContactZone, Outcome, Solution, Verdict, solve};
+use groundbeam::{Outcome, Solution, Verdict, solve};
 use groundbeam_verification::random::{Family, model};
 
 fn solved(family: Family, number: u64) -> Box<Solution> {
@@ -23,9 +23,6 @@ fn a_zone_that_presses_with_rounding_error_is_left_out() {
     let zones = zones(&solution);
     assert_eq!(zones.len(), 1, "{zones:?}");
     assert!((zones[0][0] - 0.057_137).abs() < 1e-5, "{zones:?}");
-    let undecided: Vec<ContactZone> = solution.undecided().collect();
-    assert_eq!(undecided.len(), 1, "{undecided:?}");
-    assert!(undecided[0].to - undecided[0].from > 0.6 * solution.model().beam.length);
 }
 
 #[test]

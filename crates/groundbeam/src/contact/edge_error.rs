@@ -26,3 +26,17 @@ impl EdgeError {
         error
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_differences_are_undecided_and_short_ones_are_moves_of_edges() {
+        let [first, second] = [vec![[0.0, 0.4], [0.6, 0.9]], vec![[0.6, 0.9 + 1e-9]]];
+        let error = EdgeError::of(&[&first, &second], 1.0);
+        assert_eq!(error.undecided, [[0.0, 0.4]]);
+        assert!((error.moved - 1e-9).abs() < 1e-15, "{}", error.moved);
+        assert_eq!(EdgeError::of(&[&first, &first], 1.0), EdgeError::default());
+    }
+}
