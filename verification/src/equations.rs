@@ -43,7 +43,7 @@ const NOT_NEEDED: &str = "\
 5.21 | the condition of the example | (4.25) for the models in `cases/kikuchi-1980/`
 ";
 
-/// The index as a Markdown table, and the equations that neither a file nor [`NOT_NEEDED`] covers.
+/// The index as a Markdown table, and the equations that neither a file nor `NOT_NEEDED` covers.
 pub fn index() -> (String, Vec<String>) {
     let files: Vec<Source> = FOLDERS.iter().flat_map(|folder| sources(folder)).collect();
     // This file lists equations that others do not name.

@@ -196,7 +196,7 @@ fn the_work_on_a_long_beam() {
 fn the_work_of_the_exact_method() {
     let steps = |model: &Model| equilibrium(solve(model).expect("an answer")).iterations();
     assert_eq!(steps(&kikuchi(0.1)), 1, "a beam pressed everywhere is solved once");
-    assert!(steps(&kikuchi(0.49)) <= 8);
+    assert!(steps(&kikuchi(0.49)) <= 9);
     assert!(steps(&long_beam(0.0)) <= 6);
     // Wagons in a row on a rail, no two alike: four times as many cost four times as much.
     let rail = |wagons: usize| {
@@ -213,6 +213,6 @@ fn the_work_of_the_exact_method() {
     };
     let [short, long] = [rail(20), rail(80)];
     let steps = [short.iterations(), long.iterations()];
-    assert!(steps.iter().all(|steps| *steps <= 6), "{steps:?}");
+    assert!(steps.iter().all(|steps| *steps <= 7), "{steps:?}");
     assert!(long.elements() <= 4 * short.elements() + 4);
 }

@@ -163,7 +163,10 @@ fn judge(family: &str, solutions: &[(String, Solution)]) -> Judged {
             let missed = missed_edges(truth, &proof);
             assert!(missed.is_empty(), "{name}: edges {missed:?} are not in {:?}", proof.contact);
             let ratio = over_bound(&claimed, truth, &proof, ground);
-            Some((name, ratio, energy / proof.energy))
+            // The true solution of the solver has an error of its own.
+            let own = truth.certificate().gap();
+            let limit = proof.energy + own + 2.0 * (proof.energy * own).sqrt();
+            Some((name, ratio, energy / limit))
         })
         .collect();
     found.claims = judged.len();
@@ -344,8 +347,8 @@ fn beams_on_springs_and_hinges_and_under_tension() {
         assert!(why.contains("no critical load above"), "{why}");
     }
     let counts = [found.gaps.len(), found.shown, found.proven, found.claims];
-    assert!(counts[0] >= 990 && counts[1] >= 970 && counts[2] >= 960, "{counts:?}");
-    assert!(counts[3] >= 4000, "{counts:?}");
+    assert!(counts[0] >= 1000 && counts[1] >= 985 && counts[2] >= 980, "{counts:?}");
+    assert!(counts[3] >= 4700, "{counts:?}");
     assert!(found.most[0] > 0.1 && found.most[1] > 0.1, "{:?}", found.most);
 }
 

@@ -21,7 +21,7 @@ use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
 use crate::mesh::ground_runs::{GroundRun, ground_runs};
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
-use crate::numeric::polynomial::value;
+use crate::numeric::polynomial::{Coefficients, divided, value};
 use crate::numeric::roots::sign_changes;
 
 /// The intervals of contact, from left to right.
@@ -72,12 +72,27 @@ fn winkler_contact(w: &Deflection, run: &GroundRun) -> Vec<MeshZone> {
     let mut zones: Vec<MeshZone> = Vec::new();
     let mut knots = Vec::new();
     for cell in run.cells.clone() {
-        let obstacle = w.obstacle(cell);
+        let obstacle = without_held_zeros(w, cell);
         for part in positive_parts(&obstacle, &mut knots) {
             join(&mut zones, cell, part, true);
         }
     }
     zones
+}
+
+/// A polynomial with the sign of ψ inside a cell. ψ is divided by its zeros at supports that hold the beam on the ground's
+/// surface: one at a pin, two at a clamp. Rounding error would split these zeros and make open ground of their distance.
+fn without_held_zeros(w: &Deflection, cell: usize) -> Coefficients {
+    let mut obstacle = w.obstacle(cell);
+    for (s, count) in [-1.0, 1.0].into_iter().zip(w.held_zeros(cell)) {
+        for _ in 0..count {
+            obstacle = divided(&obstacle, s);
+            if s > 0.0 {
+                obstacle.iter_mut().for_each(|c| *c = -*c);
+            }
+        }
+    }
+    obstacle
 }
 
 /// The intervals of \[−1, 1\] on which a polynomial is not negative; `knots` is room for their ends.

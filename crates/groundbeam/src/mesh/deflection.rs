@@ -4,7 +4,7 @@ use crate::mesh::cell::Cell;
 use crate::mesh::cell::{gap_at, initial, initial_gap_at};
 use crate::mesh::mesh::Mesh;
 use crate::mesh::varying;
-use crate::numeric::polynomial::{Coefficients, jet, value};
+use crate::numeric::polynomial::{Coefficients, jet, value, with_slope};
 
 /// A point of the beam: a cell and its coordinate s ∈ \[−1, 1\].
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
@@ -43,17 +43,31 @@ impl Deflection<'_> {
         value(self.cell(point.cell), point.s) - gap_at(&self.mesh.cells[point.cell], point.s)
     }
 
-    /// Whether a zone is one point that a rigid support holds on the ground, ψ = 0 but for rounding. The support carries what
-    /// acts there, so the sign of the rounding error does not make it a contact.
+    /// Whether a zone is one point that a rigid support holds on the ground. The support carries what acts there, so the sign of
+    /// the rounding error does not make it a contact.
     pub fn is_held(&self, zone: &MeshZone) -> bool {
         let BeamPoint { cell, s } = zone.from;
-        if zone.from != zone.to || s.abs() != 1.0 {
-            return false;
-        }
-        let node = &self.mesh.nodes[cell + usize::from(s > 0.0)];
-        let size: f64 = self.cell(cell).iter().map(|c| c.abs()).sum();
-        (node.pinned || node.clamped)
-            && self.obstacle_at(zone.from).abs() <= 8.0 * f64::EPSILON * size
+        zone.from == zone.to && s.abs() == 1.0 && self.held_zeros(cell)[usize::from(s > 0.0)] > 0
+    }
+
+    /// The order of the zero of ψ at each end of a cell that a rigid support makes: 2 at a clamp on the ground's surface
+    /// (ψ = ψ' = 0 but for rounding), 1 at a pin, else 0.
+    pub fn held_zeros(&self, cell: usize) -> [usize; 2] {
+        let coefficients = self.cell(cell);
+        let is_rounding = |value: f64, size: f64| value.abs() <= 8.0 * f64::EPSILON * size;
+        [-1.0, 1.0].map(|s| {
+            let node = &self.mesh.nodes[cell + usize::from(s > 0.0)];
+            if !(node.pinned || node.clamped) {
+                return 0;
+            }
+            let size: f64 = coefficients.iter().map(|c| c.abs()).sum();
+            if !is_rounding(self.obstacle_at(BeamPoint { cell, s }), size) {
+                return 0;
+            }
+            let slopes = coefficients.iter().zip(0_u8..).map(|(c, j)| f64::from(j) * c.abs());
+            let [_, slope] = with_slope(&self.obstacle(cell), s);
+            1 + usize::from(node.clamped && is_rounding(slope, slopes.sum()))
+        })
     }
 
     /// ψ, ψ' and π = kψ − (μψ')' at a point.

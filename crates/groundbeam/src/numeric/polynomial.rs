@@ -142,6 +142,17 @@ const PARTS: [f64; MOST] = {
     all
 };
 
+/// The coefficients of f(s)/(s − r) without the remainder, by synthetic division.
+pub(crate) fn divided(c: &[f64], r: f64) -> Coefficients {
+    let mut quotient = Coefficients::zeros(c.len().saturating_sub(1));
+    let mut sum = 0.0;
+    for (to, c) in quotient.iter_mut().zip(c.iter().skip(1)).rev() {
+        sum = c + r * sum;
+        *to = sum;
+    }
+    quotient
+}
+
 /// The coefficients, in t ∈ \[−1, 1\], of f(middle + half·t).
 pub(crate) fn rescale(c: &[f64], middle: f64, half: f64) -> Coefficients {
     let mut c = Coefficients::from(c);
@@ -203,6 +214,12 @@ mod tests {
     fn jet_of_a_cubic() {
         // f = 1 + 2s + 3s² + 4s³ at s = ½ by hand.
         assert_eq!(jet(&[1.0, 2.0, 3.0, 4.0], 0.5), [3.25, 8.0, 18.0, 24.0]);
+    }
+
+    #[test]
+    fn a_quotient_times_its_divisor_is_the_polynomial() {
+        // (s + 1)(2 − s + 3s²) = 2 + s + 2s² + 3s³ by hand.
+        assert_eq!(*divided(&[2.0, 1.0, 2.0, 3.0], -1.0), [2.0, -1.0, 3.0]);
     }
 
     #[test]
