@@ -15,6 +15,7 @@ pub(crate) mod obstacle;
 pub(crate) mod point_contact;
 pub(crate) mod recover;
 pub(crate) mod short_span;
+mod springs;
 pub(crate) mod start;
 pub(crate) mod state;
 pub(crate) mod stopping;

@@ -16,13 +16,12 @@
 //! The scan trims each arc from its ends only and passes each cell once: it is O(n).
 
 use crate::contact::short_span;
+use crate::contact::springs::{join, positive_parts, winkler_contact};
 use crate::ground::link::TwoPort;
 use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
 use crate::mesh::ground_runs::{GroundRun, ground_runs};
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
-use crate::numeric::polynomial::{Coefficients, divided, value};
-use crate::numeric::roots::sign_changes;
 
 /// The intervals of contact, from left to right.
 pub(crate) fn contact(w: &Deflection) -> Vec<MeshZone> {
@@ -65,59 +64,6 @@ pub(crate) fn everywhere(mesh: &Mesh, nodal: bool) -> Vec<MeshZone> {
 fn nodes_of(run: &GroundRun) -> impl Iterator<Item = MeshZone> + use<> {
     let last = point_zone(BeamPoint { cell: run.cells.end - 1, s: 1.0 });
     run.cells.clone().map(|cell| point_zone(BeamPoint { cell, s: -1.0 })).chain([last])
-}
-
-/// Without a shear layer, contact is where ψ ≥ 0.
-fn winkler_contact(w: &Deflection, run: &GroundRun) -> Vec<MeshZone> {
-    let mut zones: Vec<MeshZone> = Vec::new();
-    let mut knots = Vec::new();
-    for cell in run.cells.clone() {
-        let obstacle = without_held_zeros(w, cell);
-        for part in positive_parts(&obstacle, &mut knots) {
-            join(&mut zones, cell, part, true);
-        }
-    }
-    zones
-}
-
-/// A polynomial with the sign of ψ inside a cell. ψ is divided by its zeros at supports that hold the beam on the ground's
-/// surface: one at a pin, two at a clamp. Rounding error would split these zeros and make open ground of their distance.
-fn without_held_zeros(w: &Deflection, cell: usize) -> Coefficients {
-    let mut obstacle = w.obstacle(cell);
-    for (s, count) in [-1.0, 1.0].into_iter().zip(w.held_zeros(cell)) {
-        for _ in 0..count {
-            obstacle = divided(&obstacle, s);
-            if s > 0.0 {
-                obstacle.iter_mut().for_each(|c| *c = -*c);
-            }
-        }
-    }
-    obstacle
-}
-
-/// The intervals of \[−1, 1\] on which a polynomial is not negative; `knots` is room for their ends.
-fn positive_parts<'a>(
-    c: &'a [f64],
-    knots: &'a mut Vec<f64>,
-) -> impl Iterator<Item = [f64; 2]> + 'a {
-    knots.clear();
-    knots.push(-1.0);
-    sign_changes(c, knots);
-    knots.push(1.0);
-    let parts = knots.windows(2).map(|k| [k[0], k[1]]);
-    parts.filter(|[a, b]| b > a && value(c, 0.5 * (a + b)) >= 0.0)
-}
-
-/// Appends a part of a cell to the last zone if the two meet and may be one.
-fn join(zones: &mut Vec<MeshZone>, cell: usize, [from, to]: [f64; 2], may_join: bool) {
-    if let Some(last) = zones.last_mut() {
-        let meets = last.to.cell + 1 == cell && last.to.s == 1.0 && from == -1.0;
-        if meets && may_join {
-            last.to = BeamPoint { cell, s: to };
-            return;
-        }
-    }
-    zones.push(MeshZone { from: BeamPoint { cell, s: from }, to: BeamPoint { cell, s: to } });
 }
 
 /// Open ground between two points; a missing one is the ground beyond the run.
