@@ -1,6 +1,9 @@
 //! Well-posed models near a limit of the theory: each has a unique answer that rounding error must not hide.
 
-use groundbeam::{Beam, Foundation, Load, Model, Outcome, Solution, Support, solve};
+use groundbeam::{
+    Beam, EndForces, Field, Foundation, Hinge, Load, LossOfEquilibrium, Model, Outcome, Solution,
+    Support, Verdict, load_factors, solve,
+};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -43,4 +46,144 @@ fn no_lift_off_of_rounding_error_beside_a_clamp_on_separate_springs() {
         let ends = found.contact().iter().flat_map(|zone| [zone.from, zone.to]);
         assert!(!ends.into_iter().any(near), "{:?} of {model:?}", found.contact());
     });
+}
+
+/// B(l, EI, k, μ) without units.
+fn beam(length: f64, stiffness: f64, spring: f64, layer: f64) -> Model {
+    let ground = match layer {
+        0.0 => Foundation::winkler(spring),
+        _ => Foundation::pasternak(spring, layer),
+    };
+    Model::new(Beam::uniform(length, stiffness), ground)
+}
+
+/// The largest difference of two solutions' deflection, moment and pressure between two positions of the first, relative to the
+/// largest value of the second, whose beam begins at `from`.
+fn difference(whole: &Solution, part: &Solution, from: f64) -> f64 {
+    let l = part.model().beam.length;
+    let fields = [Field::Deflection, Field::Moment, Field::Pressure];
+    let of_field = |field: Field| {
+        let range = part.range(field);
+        let size = range.max.value.abs().max(range.min.value.abs());
+        let at = |i: u32| {
+            let x = l * (f64::from(i) + 0.5) / 50.0;
+            (whole.value(field, from + x) - part.value(field, x)).abs() / size
+        };
+        (0..50).map(at).fold(0.0, f64::max)
+    };
+    fields.map(of_field).into_iter().fold(0.0, f64::max)
+}
+
+fn may_move(solution: &Solution) -> bool {
+    matches!(solution.existence().verdict, Verdict::NotUnique(_))
+}
+
+/// The beam turns about its end. The ground's surface decays there over √(μ/k), l/31.6.
+#[test]
+fn a_force_over_an_end_of_a_long_beam_on_a_shear_layer() {
+    for mu in [4.0, 0.4, 0.04, 0.004] {
+        let on_left = beam(10.0, 1.0, 4.0, mu).with_load(Load::point_force(0.0, 1.0));
+        for (model, end) in [(on_left.mirrored(), 10.0), (on_left, 0.0)] {
+            let found = solution(&model);
+            assert!(may_move(&found));
+            let EndForces { left, right } = found.end_forces();
+            assert!((if end == 0.0 { left } else { right } - 1.0).abs() < 1e-12, "{mu}");
+            // (2.2): a force on endless ground settles its surface by F/(2√(kμ)).
+            let settled = found.settlement(end);
+            assert!((settled * 2.0 * (4.0 * mu).sqrt() - 1.0).abs() < 1e-12, "{mu}: {settled}");
+        }
+    }
+}
+
+/// Closed form on separate springs: a rigid beam touches over three times the distance of the resultant from the end.
+#[test]
+fn a_resultant_very_near_an_end_on_separate_springs() {
+    for off in [1e-3, 1e-6, 1e-9] {
+        let model = beam(1.0, 1.0, 4.0, 0.0).with_load(Load::point_force(off, 1.0));
+        for (model, end) in [(model.clone(), 0.0), (model.mirrored(), 1.0)] {
+            let found = solution(&model);
+            let [zone] = found.contact() else { panic!("{off}: one zone") };
+            let touches = (zone.to - zone.from) / off;
+            assert!((touches - 3.0).abs() < 1e-2, "{off}, {end}: {touches}");
+            assert!([zone.from, zone.to].contains(&end), "{off}: {zone:?}");
+        }
+    }
+}
+
+/// Parts without load beyond a free hinge turn out of the way. The rest is solved as if they were not there.
+#[test]
+fn unloaded_parts_beyond_free_hinges() {
+    let force = Load::point_force;
+    let hinged = |layer: f64| {
+        [2.0, 4.0, 6.0]
+            .into_iter()
+            .fold(beam(8.0, 1.0, 1.0, layer), |model, at| model.with_hinge(Hinge::free(at)))
+    };
+    let mut cases = vec![(
+        beam(10.0, 1.0, 4.0, 0.4).with_load(force(5.0, 1.0)).with_hinge(Hinge::free(9.9)),
+        beam(9.9, 1.0, 4.0, 0.4).with_load(force(5.0, 1.0)),
+        0.0,
+    )];
+    for layer in [0.0, 1.0] {
+        let three = beam(3.0, 1.0, 1.0, layer).with_load(force(0.7, 1.0));
+        let two = |at: f64| beam(2.0, 1.0, 1.0, layer).with_load(force(at, 1.0));
+        cases.push((three.with_hinge(Hinge::free(2.0)), two(0.7), 0.0));
+        cases.push((hinged(layer).with_load(force(1.0, 1.0)), two(1.0), 0.0));
+        cases.push((hinged(layer).with_load(force(2.5, 1.0)), two(0.5), 2.0));
+        cases.push((hinged(layer).with_load(force(7.5, 1.0)), two(1.5), 6.0));
+    }
+    for (model, rest, from) in cases {
+        let (whole, part) = (solution(&model), solution(&rest));
+        assert!(may_move(&whole), "{model:?}");
+        let different = difference(&whole, &part, from);
+        assert!(different < 1e-4, "{different}: {model:?}");
+        let on_layer = model.foundation.shear_layer > 0.0;
+        assert!(!on_layer || different < 1e-9, "{different}: {model:?}");
+    }
+    // A force on a hinge between two unloaded parts is carried by that point.
+    let found = solution(&hinged(1.0).with_load(force(2.0, 1.0)));
+    assert!(may_move(&found) && found.concentrated_forces().len() == 1);
+    assert!((found.concentrated_forces()[0].force - 1.0).abs() < 1e-12);
+}
+
+/// Nothing acts: the beam lies where it is.
+#[test]
+fn a_gap_without_load() {
+    let model = beam(12.0, 1.2e9, 40e6, 0.0).with_gap(0.0, 0.002).with_gap(4.0, 0.0);
+    let found = solution(&model);
+    assert!(may_move(&found));
+    assert_eq!(found.certificate().relative_gap(), 0.0);
+    assert_eq!(found.range(Field::Deflection).max.value, 0.0);
+    assert_eq!(found.range(Field::Pressure).max.value, 0.0);
+}
+
+/// Zones with ends between corners of the clearance and a hinge, on a beam that shears and a stiff layer.
+#[test]
+fn a_hinged_beam_that_shears_over_corners_of_the_clearance() {
+    let mut model = beam(0.71, 0.59, 240.0, 3700.0)
+        .with_load(Load::point_moment(0.43, 0.1))
+        .with_load(Load::uniform_force(0.0, 0.71, 1.5))
+        .with_gap(0.024, 0.00076)
+        .with_gap(0.57, 0.0035)
+        .with_gap(0.69, -0.0011)
+        .with_hinge(Hinge::free(0.22));
+    model.beam.shear_stiffness = Some(0.54);
+    assert_eq!(solution(&model).contact().len(), 3);
+}
+
+/// At the factor of the loss of equilibrium the resultant stands over an end, and the beam on a layer has an equilibrium.
+#[test]
+fn the_factor_of_the_loss_of_equilibrium_itself() {
+    let model = beam(10.0, 1.0, 4.0, 0.4)
+        .with_load(Load::point_force(5.0, 1.0))
+        .with_load(Load::point_moment(5.0, -1.0));
+    let found = load_factors(&model, |load| load == 1).expect("factors");
+    let LossOfEquilibrium::At { factor, .. } = found.loss_of_equilibrium else {
+        panic!("{found:?}")
+    };
+    assert_eq!(factor, 5.0);
+    let mut at_loss = model;
+    at_loss.loads[1] = at_loss.loads[1].scaled(factor);
+    let found = solution(&at_loss);
+    assert!(may_move(&found) && found.end_forces().left > 0.999, "{:?}", found.end_forces());
 }

@@ -3,6 +3,7 @@
 use crate::answer::Answer;
 use crate::energies::Energies;
 use crate::fields::Fields;
+use crate::float::TINY;
 use crate::given::frame;
 use crate::idle;
 use crate::model::Model;
@@ -36,8 +37,10 @@ pub fn estimate(
     let energy = fields.estimated_energy()?;
     let energies = Energies::of(&fields);
     let restored = |x: f64| frame.units.restored(x, 1, 1);
+    // An exact zero is rounded up to TINY.
+    let energy = if energy.value() <= TINY { 0.0 } else { energy.value() };
     Ok(Estimate {
-        energy: restored(energy.value()),
+        energy: restored(energy),
         strain_energy: restored(energies.strain),
         potential_energy: restored(energies.potential),
     })

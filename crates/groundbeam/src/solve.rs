@@ -1,9 +1,10 @@
 //! Solves a model: rules, existence, the kind of equilibrium, the contact iteration, the certificate.
 
+use crate::cancel::Cancel;
 use crate::contact::intervals::Interval;
 use crate::contact::state::{ContactState, Unconverged};
 use crate::contact::uzawa::{self, Relaxation};
-use crate::contact::{exact, levels, point_contact};
+use crate::contact::{exact, levels, point_contact, unloaded_ends};
 use crate::equilibrium::branch::PathPoint;
 use crate::equilibrium::buckling::convexity;
 use crate::equilibrium::local;
@@ -12,7 +13,7 @@ use crate::equilibrium::one_way;
 use crate::equilibrium::size;
 use crate::equilibrium::soil;
 use crate::error::{Error, NotConverged, Stopped};
-use crate::existence::existence::existence;
+use crate::existence::existence;
 use crate::existence::verdict::{Existence, Verdict};
 use crate::mesh::mesh::Mesh;
 use crate::model::Model;
@@ -215,7 +216,9 @@ pub(crate) fn check(model: &Model, options: &Options) -> Result<Assessment, Erro
     refuse_invalid(model)?;
     let model = &*model.on_given_ground();
     match convexity(model, &options.cancel) {
-        Some(stability) => Ok(Assessment { existence: existence(model), stability, local: None }),
+        Some(stability) => {
+            Ok(Assessment { existence: existence::existence(model), stability, local: None })
+        }
         None => {
             let exact = Options {
                 memory_limit: options.memory_limit,
@@ -239,7 +242,7 @@ fn find(
     options: &Options,
     existence: Existence,
     likely: Option<&[Interval]>,
-    judge: impl FnMut(&ContactState) -> f64,
+    mut judge: impl FnMut(&ContactState) -> f64,
 ) -> Result<ContactState, Error> {
     let Options { method, cancel, .. } = options;
     let method = *method;
@@ -247,20 +250,9 @@ fn find(
     let elements = options.elements.max(1);
     let stalled = |stalled: Unconverged| not_converged(method, stalled);
     match method {
-        Method::Exact => match existence.verdict {
-            Verdict::NotUnique(motion) if stands_on_an_end(model, existence) => {
-                let over_left = motion.left == 0.0;
-                point_contact::solve_over_an_end(
-                    model,
-                    existence.resultant(),
-                    over_left,
-                    cancel,
-                    judge,
-                )
-            }
-            _ => exact::solve(model, likely, cancel, judge),
+        Method::Exact => {
+            find_exactly(model, existence, likely, cancel, &mut judge).map_err(stalled)
         }
-        .map_err(stalled),
         Method::ActiveSet => {
             let mesh = Mesh::uniform(model, elements);
             levels::solve_on(model, mesh, options.pressure, cancel).map_err(stalled)
@@ -276,6 +268,31 @@ fn find(
                 .map_err(stalled)
         }
     }
+}
+
+/// The exact method. A beam that may turn without resistance has one of its equilibria.
+fn find_exactly(
+    model: &Model,
+    existence: Existence,
+    likely: Option<&[Interval]>,
+    cancel: &Cancel,
+    judge: &mut dyn FnMut(&ContactState) -> f64,
+) -> Result<ContactState, Unconverged> {
+    let Verdict::NotUnique(motion) = existence.verdict else {
+        return exact::solve(model, likely, cancel, judge);
+    };
+    if let Some(stretch) = unloaded_ends::loaded_stretch(model) {
+        let solve = |part: &Model| {
+            find_exactly(part, existence::existence(part), None, cancel, &mut |_| 0.0)
+        };
+        return unloaded_ends::solve_stretch(model, stretch, cancel, solve, judge);
+    }
+    if stands_on_an_end(model, existence) {
+        let over_left = motion.left == 0.0;
+        let resultant = existence.resultant();
+        return point_contact::solve_over_an_end(model, resultant, over_left, cancel, judge);
+    }
+    exact::solve(model, likely, cancel, judge)
 }
 
 fn not_converged(method: Method, stalled: Unconverged) -> Error {
@@ -312,7 +329,6 @@ fn certified(solution: &Solution, options: &Options) -> Result<(), Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cancel::Cancel;
     use crate::equilibrium::branch;
     use crate::equilibrium::buckling::bonded_buckling_load;
     use crate::model::{Acts, Beam, Foundation, Load, Support};

@@ -100,20 +100,23 @@ impl<'a> Bonded<'a> {
 
     /// The beam bonded to the ground on given intervals. A cancelled solve has none: its steps end here.
     pub fn solve_on(&mut self, intervals: &[Interval]) -> Result<ContactState, NotDefinite> {
-        self.solve_with(intervals, |_, _| ())
+        self.solve_with(intervals, &[], |_, _| ())
     }
 
-    /// The same with the rotation of an end given.
+    /// The same with rotations given.
     pub fn solve_held(
         &mut self,
         intervals: &[Interval],
-        held: GivenRotation,
+        held: &[GivenRotation],
     ) -> Result<ContactState, NotDefinite> {
         let spring = self.model.beam.bending_stiffness / self.model.beam.length;
-        self.solve_with(intervals, |_, nodes| {
-            let node = if held.left { 0 } else { nodes.len() - 1 };
-            nodes[node].rotational_spring += spring;
-            nodes[node].moment += spring * held.slope;
+        let places: Vec<f64> = held.iter().map(|rotation| rotation.at).collect();
+        self.solve_with(intervals, &places, |mesh, nodes| {
+            for rotation in held {
+                let node = &mut nodes[mesh.node_at(rotation.at)];
+                node.rotational_spring += spring;
+                node.moment += spring * rotation.slope;
+            }
         })
     }
 
@@ -128,7 +131,7 @@ impl<'a> Bonded<'a> {
     ) -> Option<(ContactState, f64)> {
         while *epsilon <= STIFFEST_TETHER {
             let mut springs = Vec::new();
-            let solved = self.solve_with(intervals, |mesh, nodes| {
+            let solved = self.solve_with(intervals, &[], |mesh, nodes| {
                 springs = tether(mesh, now, *epsilon);
                 for (node, spring) in nodes.iter_mut().zip(&springs) {
                     node.spring += spring.stiffness;
@@ -150,10 +153,11 @@ impl<'a> Bonded<'a> {
         None
     }
 
-    /// The bonded beam; `hold` changes the nodes of its chain.
+    /// The bonded beam with nodes at `more` positions; `hold` changes the nodes of its chain.
     fn solve_with(
         &mut self,
         intervals: &[Interval],
+        more: &[f64],
         hold: impl FnOnce(&Mesh, &mut [ChainNode]),
     ) -> Result<ContactState, NotDefinite> {
         let model = self.model;
@@ -161,7 +165,7 @@ impl<'a> Bonded<'a> {
         if self.cancel.is_cancelled() || folds(model, intervals.as_flattened(), &touch) {
             return Err(NotDefinite);
         }
-        let BondedSystem { mesh, zones, mut chain } = self.system_on(intervals, &[]);
+        let BondedSystem { mesh, zones, mut chain } = self.system_on(intervals, more);
         hold(&mesh, &mut chain.nodes);
         let shapes = chain.solve()?;
         let layered = self.known.iter().any(|known| known.exact.layers().is_some());
@@ -286,17 +290,17 @@ impl<'a> Bonded<'a> {
     }
 }
 
-/// A rotation given at an end, by a spring that equilibrium leaves without a moment.
+/// A rotation given at a position, by a spring that equilibrium leaves without a moment.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GivenRotation {
-    pub left: bool,
+    pub at: f64,
     pub slope: f64,
 }
 
 impl GivenRotation {
     /// The rotation that a deflection has at the left end.
     pub fn as_in(found: &ContactState) -> GivenRotation {
-        GivenRotation { left: true, slope: value(&found.rotation(0), -1.0) }
+        GivenRotation { at: 0.0, slope: value(&found.rotation(0), -1.0) }
     }
 }
 

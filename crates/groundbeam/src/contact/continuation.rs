@@ -34,10 +34,13 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
         Model { beam, ..model.clone() }
     };
     let stiff = softened(doublings);
-    let start = nodes(&stiff, power(3.0, level as usize), cancel)?;
+    let start = nodes(&stiff, power(3.0, level as usize), cancel);
     if doublings == 0.0 {
-        return Ok(Start::of(start));
+        // A zone far shorter than an element has no nodes: phase B shortens the whole beam's contact to it.
+        let whole = |_| Start::on(vec![[0.0, model.beam.length]]);
+        return Ok(start.map_or_else(whole, Start::of));
     }
+    let start = start?;
     let mut found =
         edges(&mut Bonded::new(&stiff, cancel), Start::of(start), MOST_STEPS, &mut |_| 0.0)?;
     let mut contact = asked(&found);

@@ -171,7 +171,7 @@ impl Search<'_, '_> {
             return Ok(Bond::Trial(Trial { found: Rc::new(found), tether: None }));
         }
         let Some(now) = self.now.clone() else { return Err(self.stalled()) };
-        if let Ok(found) = self.bonded.solve_held(contact, GivenRotation::as_in(&now))
+        if let Ok(found) = self.bonded.solve_held(contact, &[GivenRotation::as_in(&now)])
             && self.confirms(contact, &found)
             && (self.judge)(&found) <= ON_ONE_POINT
         {

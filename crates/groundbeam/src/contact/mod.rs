@@ -22,5 +22,6 @@ pub(crate) mod stopping;
 pub(crate) mod surface;
 pub(crate) mod transfer;
 mod undecided;
+pub(crate) mod unloaded_ends;
 pub(crate) mod uzawa;
 mod zone_forces;

@@ -13,6 +13,9 @@ use crate::numeric::tolerance::GAP;
 /// How far from an end the resultant stands whose limit is taken, as a part of the length.
 const ALMOST: f64 = 1e-6;
 
+/// How far beyond the limit the beam is turned, relative to the limit's slope: the first that is clear of the ground is taken.
+const BEYOND: [f64; 4] = [0.01, 0.1, 1.0, 10.0];
+
 /// Solves a free beam whose resultant stands exactly over one of its ends. That end alone carries it, and
 /// the beam may stand on it at any angle beyond the one at which it leaves the ground tangentially, which
 /// is the limit of resultants that move towards the end. One such angle is taken.
@@ -31,16 +34,19 @@ pub(crate) fn solve_over_an_end(
     let (cell, s) = if over_left { (0, -1.0) } else { (last, 1.0) };
     let w = value(limit.deflection().cell(cell), s);
     let tangent = value(&limit.rotation(cell), s);
-    // Beyond the limit, clear of the ground: the limit's last interval of contact has a length of order
-    // √ALMOST, and its slope an error of that order.
-    let beyond = 10.0 * ALMOST.sqrt() * tangent.abs().max(w.abs() / l);
-    let slope = if over_left { tangent - beyond } else { tangent + beyond };
-    let end = if over_left { 0.0 } else { l };
+    let at = if over_left { 0.0 } else { l };
     let history = limit.history;
-    match Bonded::new(model, cancel)
-        .solve_held(&[[end, end]], GivenRotation { left: over_left, slope })
-    {
-        Ok(found) if judge(&found) <= GAP => Ok(ContactState { history, ..found }),
-        _ => Err(edges_not_converged(history.len(), f64::NAN)),
+    // Beyond the limit, clear of the ground: the limit's last interval of contact has a length of order
+    // √ALMOST, and its slope an error of that order, times the decay of the ground's surface over the length.
+    for more in BEYOND {
+        let beyond = more * tangent.abs().max(w.abs() / l);
+        let slope = if over_left { tangent - beyond } else { tangent + beyond };
+        if let Ok(found) =
+            Bonded::new(model, cancel).solve_held(&[[at, at]], &[GivenRotation { at, slope }])
+            && judge(&found) <= GAP
+        {
+            return Ok(ContactState { history, ..found });
+        }
     }
+    Err(edges_not_converged(history.len(), f64::NAN))
 }

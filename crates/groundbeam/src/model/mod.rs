@@ -9,6 +9,7 @@ mod gap;
 mod hinge;
 mod load;
 pub(crate) mod outside;
+mod part;
 pub(crate) mod problem;
 mod profile;
 pub(crate) mod refused;

@@ -1,0 +1,107 @@
+//! Equilibrium of a beam with end parts that carry nothing: they hang on free hinges, without loads and supports.
+//!
+//! The contact pressure of such a part balances its moment about the hinge, so it is zero: the part turns out of the way of the
+//! ground, at any slope that is steep enough. The rest of the beam is solved without it. On separate springs the part touches over
+//! a length that tends to zero as it turns; one slope is taken at which the certificate holds.
+
+use crate::cancel::Cancel;
+use crate::contact::bonded::{Bonded, GivenRotation};
+use crate::contact::intervals::{Interval, positions};
+use crate::contact::state::{ContactState, Unconverged, edges_not_converged};
+use crate::model::{Action, Model, SupportKind};
+use crate::numeric::polynomial::{ends, value};
+use crate::numeric::tolerance::GAP;
+
+/// Slopes that are tried, in units of the largest deflection and slope of the rest.
+const STEEPER: [f64; 6] = [1.5, 1e1, 1e3, 1e6, 1e9, 1e11];
+
+/// The stretch of the beam between its unloaded end parts, if it has such parts.
+pub(crate) fn loaded_stretch(model: &Model) -> Option<Interval> {
+    let nodes = ends_and_free_hinges(model);
+    let last = nodes.len() - 1;
+    if model.beam.axial_force != 0.0 || last == 1 {
+        return None;
+    }
+    let from = (1..last).rfind(|i| is_unloaded(model, 0.0, nodes[*i])).unwrap_or(0);
+    let to = (from + 1..last).find(|i| is_unloaded(model, nodes[last], nodes[*i])).unwrap_or(last);
+    (to - from < last).then(|| [nodes[from], nodes[to]])
+}
+
+/// The positions between which the beam is one piece.
+fn ends_and_free_hinges(model: &Model) -> Vec<f64> {
+    let hinges = model.hinges.iter().filter(|hinge| hinge.is_free()).map(|hinge| hinge.at);
+    let mut nodes: Vec<f64> = hinges.chain([0.0, model.beam.length]).collect();
+    nodes.sort_by(f64::total_cmp);
+    nodes
+}
+
+/// Whether nothing acts on the beam from an end to a hinge. A force at the hinge acts on the other side of it, a pin as well.
+fn is_unloaded(model: &Model, end: f64, hinge: f64) -> bool {
+    let [from, to] = [end.min(hinge), end.max(hinge)];
+    let reaches = |ends: [f64; 2]| ends[0] < to && from < ends[1];
+    let beyond = |x: f64| x != hinge && from <= x && x <= to;
+    let loaded = model.beam_loads().any(|load| match load.at_point(Action::Force) {
+        Some((at, _)) => beyond(at),
+        None => {
+            let ends = load.extent().ends();
+            reaches(ends) || ends[0] == ends[1] && (ends[0] == hinge || beyond(ends[0]))
+        }
+    });
+    let held = model.supports.iter().any(|support| {
+        beyond(support.at) || support.at == hinge && support.kind != SupportKind::Pinned
+    });
+    // The ground beside a part goes on as it is at the part's end.
+    let (_, layer) = model.foundation.largest();
+    let changes = layer > 0.0 && model.foundation.segments.iter().any(|s| reaches([s.from, s.to]));
+    !(loaded || held || changes)
+}
+
+/// Solves the stretch without its unloaded end parts by `solve`, and turns the parts until they are clear of the ground.
+pub(crate) fn solve_stretch(
+    model: &Model,
+    [from, to]: Interval,
+    cancel: &Cancel,
+    solve: impl FnOnce(&Model) -> Result<ContactState, Unconverged>,
+    mut judge: impl FnMut(&ContactState) -> f64,
+) -> Result<ContactState, Unconverged> {
+    let rest = solve(&model.part([from, to]))?;
+    let zones = positions(&rest.mesh, &rest.zones, &[]).into_iter();
+    let contact: Vec<Interval> = zones.map(|ends| ends.map(|x| x + from)).collect();
+    let steep = steepness(&rest);
+    let nodes = ends_and_free_hinges(model);
+    let parts = nodes.windows(2).filter(|ends| ends[1] <= from || to <= ends[0]);
+    let middles: Vec<f64> = parts.map(|ends| 0.5 * (ends[0] + ends[1])).collect();
+    let mut bonded = Bonded::new(model, cancel);
+    for steeper in STEEPER {
+        let turned = |at: f64| if at < from { steeper * steep } else { -steeper * steep };
+        let parts = middles.iter().map(|at| GivenRotation { at: *at, slope: turned(*at) });
+        let held: Vec<GivenRotation> = parts.chain(balanced(&rest, &contact, from)).collect();
+        if let Ok(found) = bonded.solve_held(&contact, &held)
+            && judge(&found) <= GAP
+        {
+            return Ok(ContactState { history: rest.history, ..found });
+        }
+    }
+    Err(edges_not_converged(rest.history.len(), f64::NAN))
+}
+
+/// The larger of both slopes at the ends of a beam, and of its deflections there over its length.
+fn steepness(rest: &ContactState) -> f64 {
+    let w = rest.deflection();
+    let last = rest.mesh.cells.len() - 1;
+    let length = rest.mesh.cells[last].x[1];
+    let of_end = |cell: usize, end: usize| {
+        let slope = ends(&rest.rotation(cell))[end].abs();
+        slope.max(ends(w.cell(cell))[end].abs() / length)
+    };
+    of_end(0, 0).max(of_end(last, 1)).max(f64::MIN_POSITIVE)
+}
+
+/// The rotation of a beam that is balanced on one point, in its middle.
+fn balanced(rest: &ContactState, contact: &[Interval], from: f64) -> Option<GivenRotation> {
+    let [[left, right]] = contact else { return None };
+    let middle = 0.5 * rest.mesh.cells[rest.mesh.cells.len() - 1].x[1];
+    let cell = rest.mesh.cell_at(middle);
+    let slope = value(&rest.rotation(cell), rest.mesh.cells[cell].local(middle));
+    (left == right).then_some(GivenRotation { at: middle + from, slope })
+}
