@@ -7,7 +7,7 @@
 
 use crate::contact::obstacle;
 use crate::contact::state::ContactState;
-use crate::contact::stopping::LEAST_PART;
+use crate::contact::stopping::{LEAST_FALL, LEAST_PART};
 use crate::element::element::TERMS;
 use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
 use crate::mesh::energy::{Motion, beam_form, ground_work};
@@ -15,9 +15,6 @@ use crate::mesh::mesh::Mesh;
 use crate::model::Model;
 use crate::numeric::line_search::settle;
 use crate::numeric::polynomial::{Coefficients, rescale};
-
-/// The relative fall that rounding leaves.
-const LEAST: f64 = 1e-26;
 
 /// A step on the way from a deflection to the beam bonded to the ground on its contact.
 #[derive(Debug, Clone)]
@@ -62,7 +59,7 @@ pub(crate) fn shorten(
     let decrement = if fall == 0.0 { 0.0 } else { fall / energy.abs() };
     let whole = Shortened { part: 1.0, between: None };
     // A fall that rounding made has no direction.
-    if decrement.is_nan() || decrement <= LEAST {
+    if decrement.is_nan() || decrement <= LEAST_FALL {
         return whole;
     }
     let bonded_work = ground_work(&mesh, TERMS, &zones, &psi, &delta);

@@ -9,13 +9,11 @@
 use super::surface::can_carry;
 use crate::contact::intervals::Interval;
 use crate::contact::short_span;
+use crate::contact::stopping::NEAR_EDGE;
 use crate::ground::link::TwoPort;
 use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
 use crate::mesh::ground_runs::{GroundRun, ground_runs};
 use crate::mesh::open_ground::open_link;
-
-/// An edge may move by this part of the zone and of the open ground beside it.
-const NEAR: f64 = 0.25;
 
 /// Open ground on one side of a zone, and what it takes at its two ends.
 pub(super) struct OpenSpan {
@@ -59,7 +57,7 @@ pub(crate) fn next_intervals(w: &Deflection, zones: &[MeshZone]) -> Option<Vec<I
         let stiffness = after.link.shunt_left + after.link.series;
         let steps = [outward, self::outward(w, zone.to, forces[1], stiffness)?];
         let length = interval[1] - interval[0];
-        let small = [&before, &after].map(|span| NEAR * length.min(span.length));
+        let small = [&before, &after].map(|span| NEAR_EDGE * length.min(span.length));
         let near = (0..2).all(|i| steps[i] == 0.0 || steps[i].abs() <= small[i]);
         near.then_some([interval[0] - steps[0], interval[1] + steps[1]])
     };

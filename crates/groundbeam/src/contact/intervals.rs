@@ -1,13 +1,11 @@
 //! Contact as positions, and as zones of a mesh with a node at each of them.
 
+use crate::contact::stopping::SLIT;
 use crate::element::operator::ZoneKind;
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{BeamPoint, MeshZone};
 use crate::mesh::mesh::Mesh;
 use crate::numeric::tolerance::same_place;
-
-/// Open ground this short, relative to l, is rounding error.
-const SLIT: f64 = 1e-10;
 
 /// A contact zone as two positions; a point has both equal.
 pub(crate) type Interval = [f64; 2];

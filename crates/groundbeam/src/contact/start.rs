@@ -1,11 +1,9 @@
 //! Initial guess of the contact zones.
 
 use crate::cancel::Cancel;
+use crate::contact::stopping::SHORT;
 use crate::element::operator::wave_number;
 use crate::model::{FoundationSegment, Model};
-
-/// Longest beam that starts from contact along its whole length, in units of 1/wave number.
-const SHORT: f64 = 24.0;
 
 /// The whole length of a short beam, the active nodes of a nodal solve of a long one; `None` without active nodes.
 pub(crate) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
