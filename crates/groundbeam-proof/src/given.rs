@@ -18,9 +18,6 @@ use crate::stability::margin;
 use crate::units::Units;
 use crate::values::{in_range, positive};
 
-/// More pieces than this are refused.
-const MOST_PIECES: usize = 100_000;
-
 /// Where the parts of the model stand, as indices of nodes.
 struct Places {
     beam: Vec<[usize; 2]>,
@@ -45,9 +42,6 @@ pub(crate) fn frame<S: Scalar>(
 ) -> Result<Frame<S>, NotProven> {
     if let Some(kind) = not_covered(model) {
         return Err(kind);
-    }
-    if answer.pieces.len() > MOST_PIECES {
-        return Err(NotProven::new("the answer has more than 100,000 pieces"));
     }
     let units = Units::of(model)?;
     let length = units.metres(model.beam.length);
