@@ -146,6 +146,21 @@ fn unloaded_parts_beyond_free_hinges() {
     assert!((found.concentrated_forces()[0].force - 1.0).abs() < 1e-12);
 }
 
+/// Closed form on endless ground: a force between two quiet stretches settles by F/(2 EI σπ), σ = (N/EI + 2π)^½, π = (k/EI)^½.
+#[test]
+fn a_beam_of_a_million_metres() {
+    let l = 1e6;
+    let model = beam(l, 1.0, 4.0, 1.0)
+        .with_load(Load::uniform_force(0.0, l, 1.0))
+        .with_load(Load::point_force(0.5 * l, 1.0));
+    let found = solution(&model);
+    assert!(found.elements() < 200, "{}", found.elements());
+    let settled = 0.25 + 1.0 / (2.0 * 5_f64.sqrt() * 2.0);
+    assert!((found.value(Field::Deflection, 0.5 * l) - settled).abs() < 1e-14);
+    assert!(found.certificate().relative_gap() < 1e-18);
+    assert_eq!(found.contact().len(), 1);
+}
+
 /// Nothing acts: the beam lies where it is.
 #[test]
 fn a_gap_without_load() {

@@ -10,11 +10,16 @@ use std::process::Command;
 /// What tells a process which solve is its own.
 const CASE: &str = "GROUNDBEAM_MEMORY_CASE";
 
+/// Loads so close that no stretch is quiet.
 fn long(length: f64, shear: f64) -> Model {
-    Model::new(Beam::uniform(length, 1.0), Foundation::pasternak(4.0, shear))
+    let mut model = Model::new(Beam::uniform(length, 1.0), Foundation::pasternak(4.0, shear))
         .with_load(Load::uniform_force(0.0, length, 1.0))
         .with_load(Load::point_force(0.3 * length, 0.01 * length))
-        .with_load(Load::point_force(0.6 * length, -2.0))
+        .with_load(Load::point_force(0.6 * length, -2.0));
+    for i in 1..(0.02 * length) as u32 {
+        model = model.with_load(Load::point_force(50.0 * f64::from(i) + 1.0, 0.01));
+    }
+    model
 }
 
 fn cases() -> Vec<(&'static str, Model, Options)> {

@@ -9,7 +9,7 @@ use crate::contact::state::{ContactState, turned};
 use crate::contact::stopping::{STIFFEST_TETHER, TIGHTEN};
 use crate::element::element::TERMS;
 use crate::element::operator::{Operator, ZoneKind};
-use crate::element::{ExactElement, parts};
+use crate::element::{ExactElement, cut, cut_equally};
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::MeshZone;
 use crate::mesh::mesh::{Mesh, Node};
@@ -24,6 +24,8 @@ use std::borrow::Cow;
 pub(crate) struct Bonded<'a> {
     pub model: &'a Model,
     cancel: &'a Cancel,
+    /// Whether long stretches have no quiet elements.
+    is_fine: bool,
     /// The elements of the step before: most cells meet no edge, and are what they were.
     known: Vec<Known>,
 }
@@ -95,7 +97,12 @@ pub(crate) fn folds(model: &Model, places: &[f64], touch: &impl Fn(&Cell) -> Zon
 
 impl<'a> Bonded<'a> {
     pub fn new(model: &'a Model, cancel: &'a Cancel) -> Self {
-        Bonded { model, cancel, known: Vec::new() }
+        Bonded { model, cancel, is_fine: false, known: Vec::new() }
+    }
+
+    /// The same with elements as short as the waves everywhere, which take up any load.
+    pub fn fine(model: &'a Model, cancel: &'a Cancel) -> Self {
+        Bonded { is_fine: true, ..Bonded::new(model, cancel) }
     }
 
     /// The beam bonded to the ground on given intervals. A cancelled solve has none: its steps end here.
@@ -190,8 +197,9 @@ impl<'a> Bonded<'a> {
         let edges = intervals.as_flattened();
         let places: Cow<'_, [f64]> =
             if more.is_empty() { edges.into() } else { [edges, more].concat().into() };
-        let mesh = Mesh::graded(self.model, &places, |cell| {
-            parts(&Operator::of(cell, axial, touch(cell)), cell.length())
+        let cut = if self.is_fine { cut_equally } else { cut };
+        let mesh = Mesh::graded(self.model, &places, |cell, x| {
+            cut(&Operator::of(cell, axial, touch(cell)), cell, x);
         });
         let zones = zones_of(&mesh, intervals, &touch);
         let layout = Layout::of(&mesh, &zones);

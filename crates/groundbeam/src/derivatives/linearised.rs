@@ -55,13 +55,13 @@ impl Linearised {
         let acts = |i: usize| solution.reactions()[i].force != 0.0;
         let model = solution.model().with_supports_that(|i, s| !s.is_one_way() || acts(i));
         let never = Cancel::default();
-        let mut glue = Bonded::new(&model, &never);
+        let mut glue = Bonded::fine(&model, &never);
         let BondedSystem { mesh, zones, chain } = glue.system_on(&stretches, places);
         let shapes = chain.solve().ok()?;
         let (loaded, touch): (Vec<ExactElement>, Vec<ZoneKind>) =
             glue.elements().map(|(element, touch)| (element.clone(), touch)).unzip();
         let bare = without_loads(&model);
-        let mut glue = Bonded::new(&bare, &never);
+        let mut glue = Bonded::fine(&bare, &never);
         let nodes: Vec<f64> = mesh.nodes.iter().map(|node| node.x).collect();
         let BondedSystem { mesh: same, chain, .. } = glue.system_on(&stretches, &nodes);
         if same.nodes.len() != mesh.nodes.len() {

@@ -1,20 +1,50 @@
 //! The beam between two nodes: stiffness and load of one element, (2.11), (5.1).
 //!
 //! An element is exact: its functions solve (2.11). The [closed form](uniform) serves cells on which EI, N and κ are constant,
-//! the [series](series) all others and beams that shear. The [cubic element](cubic) is the paper's.
+//! the [series](series) all others and beams that shear. A long loaded stretch has one [quiet element](quiet) in its middle.
+//! The [cubic element](cubic) is the paper's.
 
 pub(crate) mod cubic;
 pub(crate) mod element;
 pub(crate) mod operator;
+mod quiet;
 pub(crate) mod series;
 pub(crate) mod uniform;
 
+use crate::mesh::cell::Cell;
 use element::{Element, REACH, TERMS};
 use operator::Operator;
 use series::Series;
 use uniform::{Layers, Uniform};
 
-/// How many elements a stretch of `length` must be cut into.
+/// Appends the positions at which a cell is cut into equal elements.
+pub(crate) fn cut_equally(operator: &Operator, cell: &Cell, x: &mut Vec<f64>) {
+    let count = parts(operator, cell.length());
+    x.extend((1..count).map(|i| cell.global(2.0 * i as f64 / count as f64 - 1.0)));
+}
+
+/// Appends the positions at which a cell is cut into elements: equal ones, or equal ones at both ends and a quiet one between
+/// them.
+pub(crate) fn cut(operator: &Operator, cell: &Cell, x: &mut Vec<f64>) {
+    let Some(depth) = quiet::depth(operator, cell.length()) else {
+        return cut_equally(operator, cell, x);
+    };
+    let [from, to] = cell.x;
+    let count = parts(operator, depth);
+    let distance = |i: usize| depth * i as f64 / count as f64;
+    x.extend((1..=count).map(|i| from + distance(i)));
+    x.extend((1..=count).rev().map(|i| to - distance(i)));
+}
+
+/// How many elements [`cut`] makes of a stretch of `length`.
+pub(crate) fn count(operator: &Operator, length: f64) -> usize {
+    match quiet::depth(operator, length) {
+        Some(depth) => 2 * parts(operator, depth) + 1,
+        None => parts(operator, length),
+    }
+}
+
+/// How many equal elements a stretch of `length` must be cut into.
 pub(crate) fn parts(operator: &Operator, length: f64) -> usize {
     let wave = match Layers::of(operator, length) {
         Some(layers) => layers.slow_squared.sqrt(),
@@ -37,6 +67,8 @@ pub(crate) struct ExactElement {
 )]
 enum Functions {
     Uniform(Uniform),
+    /// The coefficients of w(s), whatever the four numbers are.
+    Quiet([f64; TERMS]),
     Series(Box<Series>),
 }
 
@@ -46,6 +78,11 @@ impl ExactElement {
             let (element, series) = Series::new(polynomials, length);
             return ExactElement { element, functions: Functions::Series(Box::new(series)) };
         }
+        // Only a quiet element is longer than its waves.
+        if parts(operator, length) > 2 {
+            let (element, series) = quiet::element(operator, length);
+            return ExactElement { element, functions: Functions::Quiet(series) };
+        }
         let (element, uniform) = Uniform::new(operator, length);
         ExactElement { element, functions: Functions::Uniform(uniform) }
     }
@@ -54,14 +91,14 @@ impl ExactElement {
     pub fn layers(&self) -> Option<&Layers> {
         match &self.functions {
             Functions::Uniform(uniform) => uniform.layers.as_ref(),
-            Functions::Series(_) => None,
+            Functions::Quiet(_) | Functions::Series(_) => None,
         }
     }
 
     /// The coefficients of φ(s), the rotation of the sections, if the beam shears.
     pub fn rotation(&self, v: &[f64; 4]) -> Option<[f64; TERMS]> {
         match &self.functions {
-            Functions::Uniform(_) => None,
+            Functions::Uniform(_) | Functions::Quiet(_) => None,
             Functions::Series(series) => series.rotation(v),
         }
     }
@@ -73,6 +110,7 @@ impl ExactElement {
             Functions::Uniform(uniform) => {
                 uniform.unfold(self.element.basis, self.element.length, v)
             }
+            Functions::Quiet(series) => (*series, [0.0; 2]),
             Functions::Series(series) => (series.deflection(v), [0.0; 2]),
         }
     }

@@ -354,7 +354,7 @@ fn parities(a: f64, basis: Basis) -> [[[f64; 4]; 2]; 2] {
 
 /// Adds to q the work on w″ of the imposed curvature's moment EI κ₀, linear between its values `moments` at both ends. Rigid
 /// motions have no part in it.
-fn bend(element: &mut Element, moments: [f64; 2]) {
+pub(super) fn bend(element: &mut Element, moments: [f64; 2]) {
     if moments == [0.0; 2] {
         return;
     }

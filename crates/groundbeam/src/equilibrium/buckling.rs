@@ -8,7 +8,7 @@ use crate::contact::bonded::{Bonded, folds};
 use crate::contact::intervals::Interval;
 use crate::element::element::MOST;
 use crate::element::operator::{Operator, ZoneKind};
-use crate::element::{ExactElement, parts};
+use crate::element::{ExactElement, cut_equally};
 use crate::existence::rigid_motions::held_rigidly;
 use crate::mesh::mesh::Mesh;
 use crate::model::Model;
@@ -80,7 +80,7 @@ fn is_stable(model: &Model, compression: f64) -> bool {
         return false;
     }
     let operator = |cell: &_| Operator::of(cell, -compression, ZoneKind::Open);
-    let mesh = Mesh::graded(model, &[], |cell| parts(&operator(cell), cell.length()));
+    let mesh = Mesh::graded(model, &[], |cell, x| cut_equally(&operator(cell), cell, x));
     let cell = |cell: &crate::mesh::cell::Cell| ChainCell {
         element: ExactElement::new(&operator(cell), cell.length()).element,
         links: Vec::new(),

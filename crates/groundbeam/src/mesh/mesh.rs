@@ -60,9 +60,10 @@ impl Mesh {
         Self::cut(model, more, |cell, x| into_equal(cell, parts(cell), x))
     }
 
-    /// The same, and what varies so much that it is no short power series is halved before it is cut.
-    pub fn graded(model: &Model, more: &[f64], parts: impl Fn(&Cell) -> usize) -> Self {
-        Self::cut(model, more, |cell, x| graded(cell, &parts, x))
+    /// The same, and what varies so much that it is no short power series is halved before it is cut. `cut` appends positions
+    /// within a cell.
+    pub fn graded(model: &Model, more: &[f64], cut: impl Fn(&Cell, &mut Vec<f64>)) -> Self {
+        Self::cut(model, more, |cell, x| graded(cell, &cut, x))
     }
 
     /// Calls `each` with every cell of a [graded](Self::graded) mesh of one part to a cell, and with the number of
@@ -221,13 +222,13 @@ fn into_equal(cell: &Cell, parts: usize, x: &mut Vec<f64>) {
     x.extend((1..parts).map(|i| cell.global(2.0 * i as f64 / parts as f64 - 1.0)));
 }
 
-fn graded(cell: &Cell, parts: &impl Fn(&Cell) -> usize, x: &mut Vec<f64>) {
+fn graded(cell: &Cell, cut: &impl Fn(&Cell, &mut Vec<f64>), x: &mut Vec<f64>) {
     let mut first = true;
     each_smooth(cell, MOST_HALVINGS, &mut |part| {
         if !std::mem::take(&mut first) {
             x.push(part.x[0]);
         }
-        into_equal(part, parts(part), x);
+        cut(part, x);
     });
 }
 
@@ -448,7 +449,7 @@ mod tests {
             Profile::linear(3.0, 10.0),
         );
         let beam = Beam::uniform(6.0, 1.0).with_varying_segment(0.0, 5.0, thousandfold);
-        let mesh = Mesh::graded(&Model::new(beam, ground), &[], |_| 1);
+        let mesh = Mesh::graded(&Model::new(beam, ground), &[], |_, _| ());
         assert!(mesh.cells.iter().all(Cell::is_smooth));
         assert!((30..80).contains(&mesh.cells.len()), "{}", mesh.cells.len());
         let ends = |i: usize| mesh.cells[i].shear_layer_ends();

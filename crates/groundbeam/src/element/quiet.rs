@@ -1,0 +1,107 @@
+//! The element of a long loaded stretch in contact, between two others that take up the waves from its ends: w is the particular
+//! solution κ w = F − G′.
+//!
+//! The waves decay like e^(−λx) with λ = min Re r over the roots of EI r⁴ − N r² + κ = 0. Beyond 40/λ they are rounding error,
+//! so the two ends do not see each other. From an end, w − w_p solves v″ + σ v′ + π v = 0 with σ = r₁ + r₂ and π = r₁r₂. The
+//! force and the moment there are EI (σπ v + π v′) and EI (π v + σ v′).
+
+use crate::element::element::{Basis, Element, TERMS};
+use crate::element::operator::Operator;
+use crate::element::uniform::bend;
+
+/// The depth of the waves from an end, as a multiple of 1/λ.
+const DEPTH: f64 = 40.0;
+
+/// How deep the waves from the ends of a stretch reach, if they leave a quiet part of twice that length.
+pub(crate) fn depth(operator: &Operator, length: f64) -> Option<f64> {
+    let loads = particular(operator, length);
+    let is_loaded = operator.subgrade > 0.0 && loads[0] * loads[1] > 0.0;
+    if operator.polynomials.is_some() || !is_loaded {
+        return None;
+    }
+    let [sum, product] = roots(operator);
+    let apart = sum * sum - 4.0 * product;
+    // The smaller of two real roots without a difference of large numbers.
+    let decay = if apart > 0.0 { 2.0 * product / (sum + apart.sqrt()) } else { 0.5 * sum };
+    let depth = DEPTH / decay;
+    (length > 4.0 * depth).then_some(depth)
+}
+
+/// σ and π.
+fn roots(operator: &Operator) -> [f64; 2] {
+    let product = (operator.subgrade / operator.stiffness).sqrt();
+    [(operator.tension / operator.stiffness + 2.0 * product).max(0.0).sqrt(), product]
+}
+
+/// w_p at both ends.
+fn particular(operator: &Operator, length: f64) -> [f64; 2] {
+    let [left, right] = operator.moment_load;
+    let rise = (right - left) / length;
+    operator.load.map(|load| (load - rise) / operator.subgrade)
+}
+
+/// The element and the coefficients of w(s).
+pub(crate) fn element(operator: &Operator, length: f64) -> (Element, [f64; TERMS]) {
+    let ends = particular(operator, length);
+    let slope = (ends[1] - ends[0]) / length;
+    let [sum, product] = roots(operator);
+    let [ww, wt, tt] = [sum * product, product, sum].map(|k| operator.stiffness * k);
+    let mut element = Element { length, basis: Basis::Ends, ..Element::default() };
+    element.stiffness =
+        [[ww, wt, 0.0, 0.0], [wt, tt, 0.0, 0.0], [0.0, 0.0, ww, -wt], [0.0, 0.0, -wt, tt]];
+    // What the particular solution itself demands of its ends: −N w′ + G on the left.
+    let [left, right] = operator.moment_load;
+    let own = [left - operator.tension * slope, 0.0, operator.tension * slope - right, 0.0];
+    let values = [ends[0], slope, ends[1], slope];
+    element.load = std::array::from_fn(|i| {
+        let row = element.stiffness[i].iter().zip(values);
+        row.map(|(k, v)| k * v).sum::<f64>() - own[i]
+    });
+    bend(&mut element, operator.imposed_moments);
+    let mut series = [0.0; TERMS];
+    (series[0], series[1]) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+    (element, series)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::cancel::Cancel;
+    use crate::contact::bonded::Bonded;
+    use crate::contact::state::ContactState;
+    use crate::model::{Beam, Foundation, Load, Model};
+    use crate::numeric::polynomial::jet;
+
+    /// w and EI w″ at a position.
+    fn at(found: &ContactState, x: f64) -> [f64; 2] {
+        let i = found.mesh.cell_at(x);
+        let cell = &found.mesh.cells[i];
+        let [w, _, bend, _] = jet(found.deflection().cell(i), cell.local(x));
+        [w, bend * 4.0 / (cell.length() * cell.length())]
+    }
+
+    #[test]
+    fn a_quiet_element_agrees_with_short_ones() {
+        let never = Cancel::default();
+        let l = 20_000.0;
+        for (tension, layer) in [(0.0, 0.0), (0.0, 1.0), (3.0, 2.0), (-1.0, 0.5), (40.0, 0.0)] {
+            let mut model = Model::new(Beam::uniform(l, 1.0), Foundation::pasternak(4.0, layer))
+                .with_load(Load::distributed_force(0.0, l, 1.0, 3.0))
+                .with_load(Load::distributed_moment(0.0, l, 0.3, -0.2))
+                .with_load(Load::uniform_curvature(0.0, l, 0.1))
+                .with_load(Load::point_force(0.3 * l, 5.0))
+                .with_gap(0.0, 0.0)
+                .with_gap(l, 0.7);
+            model.beam.axial_force = tension;
+            let contact = [[0.0, l]];
+            let short = Bonded::fine(&model, &never).solve_on(&contact).expect("a solution");
+            let quiet = Bonded::new(&model, &never).solve_on(&contact).expect("a solution");
+            assert!(quiet.mesh.cells.len() < short.mesh.cells.len() / 5, "{tension} {layer}");
+            for i in 0..=1000 {
+                let x = l * f64::from(i) / 1000.0;
+                let [fine, long] = [at(&short, x), at(&quiet, x)];
+                let close = |j: usize| (fine[j] - long[j]).abs() < 1e-12;
+                assert!(close(0) && close(1), "{tension} {layer} {x}: {fine:?} {long:?}");
+            }
+        }
+    }
+}
