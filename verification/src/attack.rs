@@ -129,7 +129,9 @@ impl Target {
     pub(crate) fn fields(&self, piece: &Piece, x: f64, proof: &Proof) -> Vec<(Field, f64, f64)> {
         let (model, bounds) = (self.solution.model(), &proof.bounds);
         let w = derivatives(piece, &piece.deflection, x);
-        let stiffness = model.beam.bending_stiffness_at(x);
+        // At a joint of two segments the stiffness of the one in which the piece lies.
+        let inside = x.min(piece.x[1] - 1e-12 * model.beam.length);
+        let stiffness = model.beam.bending_stiffness_at(inside);
         let truth = |field| self.solution.value(field, x);
         let mut said = vec![
             (Field::Deflection, w[0], bounds.deflection.error),
