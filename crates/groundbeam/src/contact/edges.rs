@@ -262,6 +262,10 @@ impl Search<'_, '_> {
         contact: &[Interval],
         found: &ContactState,
     ) -> Option<ContactState> {
+        // A single zone carries the whole force.
+        if contact.len() < 2 {
+            return None;
+        }
         let forces = zone_forces(&found.deflection(), contact, &found.zones);
         let all: f64 = forces.iter().map(|force| force.abs()).sum();
         let each = contact.iter().copied().zip(forces);
