@@ -34,7 +34,7 @@ pub struct Checked {
     pub bounds: usize,
 }
 
-/// Bounds of the errors of single listed numbers. All are infinite if the contact set is not shown.
+/// Bounds of the errors of single listed numbers. All are infinite if the contact set is not proven.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ListedErrors {
     /// Of both ends of each listed region of contact \[m\]. Without listed regions of those that are shown.
@@ -143,7 +143,7 @@ pub(crate) fn differences<S: Scalar>(
 }
 
 /// Intervals on which the pressure has no bound \[m\]. On separate springs it is bounded everywhere. On a shear layer the
-/// exact pressure jumps somewhere in the interval of an edge of contact, and anywhere if the contact set is not shown.
+/// exact pressure jumps somewhere in the interval of an edge of contact, and anywhere if the contact set is not proven.
 fn without_pressure<S: Scalar>(fields: &Fields<S>, proof: &Proof) -> Vec<[f64; 2]> {
     let (frame, length) = (fields.frame, proof.scales.length);
     if !frame.spans.iter().any(|span| span.layered) {

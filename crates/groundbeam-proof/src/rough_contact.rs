@@ -65,7 +65,7 @@ impl<S: Scalar> Contact<'_, S> {
         let error = more(self.bounds[i].pressure);
         let interval = self.fields.frame.spans[i].interval();
         if below(&field, error, Size::ZERO, interval, &mut Budget::new(1)).depth != Size::ZERO {
-            return Err(self.failed("the pressure may be zero within its bound", i));
+            return Err(self.failed("the pressure is smaller than its error bound", i));
         }
         let length = self.fields.frame.spans[i].length();
         Ok([0, 1].map(|side| self.opened_at(i, side).unwrap_or(length)))

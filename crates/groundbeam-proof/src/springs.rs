@@ -34,7 +34,7 @@ impl<S: Scalar> Contact<'_, S> {
                 }
                 let (theta, to) = self
                     .zone(i, side, &field, more(self.bounds[i].deflection))
-                    .ok_or_else(|| self.failed("the edge of a region is not bounded", i + side))?;
+                    .ok_or_else(|| self.failed("the position of a region's edge has no bound", i + side))?;
                 interval[side] = to;
                 shown.zones.push(Zone { piece: i, side, theta });
                 // At a support that stands on the ground the edge is the support.

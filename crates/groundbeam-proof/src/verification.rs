@@ -22,16 +22,16 @@ pub struct Verification {
     pub proof: Proof,
     /// The errors of the gap u + g₀ − w.
     pub gap: Bound,
-    /// The largest error of a listed edge of contact; infinite if the contact set is not shown.
+    /// The largest error of a listed edge of contact; infinite if the contact set is not proven.
     pub edges: Bound,
-    /// The largest error of a listed concentrated force; infinite if the contact set is not shown.
+    /// The largest error of a listed concentrated force; infinite if the contact set is not proven.
     pub forces: Bound,
     /// The errors of each listed edge and of each listed concentrated force.
     pub listed: ListedErrors,
     /// The places of the listed extremes.
     pub extremes: Vec<PlacedExtreme>,
     /// Intervals on which the pressure has no bound \[m\]: those that hold the edges of contact of a shear layer; the whole
-    /// beam if the contact set is not shown.
+    /// beam if the contact set is not proven.
     pub without_pressure: Vec<[f64; 2]>,
     /// How many listed numbers were compared.
     pub checked: Checked,
