@@ -229,7 +229,7 @@ impl<S: Scalar> Pointwise<'_, S> {
     /// |e| ≤ (1 + √2)(d₁ + E/(p_m h) + (2/(5√3)) s(h/2)^{3/2} + ⅔s_γ(h/2)^½) + s(h/2)^{3/2}/√3 + s_γ(h/2)^½,
     /// ```
     ///
-    /// d₁ = s₂√g in a layer, (2E/(kh))^½ on separate springs.
+    /// d₁ = s₂√g in a layer, (2E/(kh))^½ on Winkler ground.
     fn pressing(&self, i: usize, [s, sheared]: [Size; 2]) -> Option<[Anchor; 2]> {
         let span = &self.fields.frame.spans[i];
         let kept = self.kept(self.balanced.factor(i).value());

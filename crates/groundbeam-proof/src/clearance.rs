@@ -165,7 +165,7 @@ impl<S: Scalar> Stretch<'_, S> {
 /// An open piece of a layer in low precision. Under a load on the ground, v = u − q/k and ψ − q/k stand for u and ψ.
 pub(crate) struct OpenPiece<C> {
     pub arc: Arc<C>,
-    /// ψ = w − g₀, ψ′ and ψ″ by x, as polynomials of t.
+    /// ψ = w − g₀, ψ′ and ψ″ with respect to x, as polynomials of t.
     pub obstacle: [Polynomial<C>; 3],
     pub half: C,
     /// t at both ends.

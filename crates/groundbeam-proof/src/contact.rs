@@ -53,9 +53,9 @@ impl<S: Scalar> Contact<'_, S> {
             while i < end && !spans[i].touches && !touches[i] {
                 i += 1;
             }
-            let [left, right] = self.stretch(from, i, &mut shown.zones).ok_or_else(|| {
-                self.failed("the clearance of open ground is too small", from)
-            })?;
+            let [left, right] = self
+                .stretch(from, i, &mut shown.zones)
+                .ok_or_else(|| self.failed("the clearance of open ground is too small", from))?;
             beside[from][1] = left;
             beside[i][0] = right;
         }

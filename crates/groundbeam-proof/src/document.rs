@@ -93,7 +93,7 @@ impl Document {
             document.model_digest = agreed(document.model_digest, &digest, "model_digest")?;
             document.units = agreed(document.units, &units, "units")?;
             if read.iter().any(|other| other.combination == document.combination) {
-                return wrong("`combinations` has two elements of one name");
+                return wrong("`combinations` has two elements with the same name");
             }
             read.push(document);
         }

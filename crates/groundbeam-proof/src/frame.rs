@@ -22,7 +22,7 @@ pub(crate) struct Span<S> {
     /// x_mid, the middle of the stored ends.
     pub middle: S,
     pub half: S,
-    /// 1/half, which turns a derivative by t into one by x.
+    /// 1/half, which turns a derivative by t into one with respect to x.
     pub per_length: S,
     /// t at both ends.
     pub t: [S; 2],
